@@ -1,0 +1,43 @@
+#pragma once
+
+#include <variant>
+
+#include "dupin/kernel/vec.h"
+
+namespace dupin {
+
+/// The straight segment from + t (to - from).
+struct LineSpine {
+  Vec3 from, to;
+  friend bool operator==(const LineSpine&, const LineSpine&) = default;
+};
+
+/// The circular arc through `start` about the line (center, axis), turning right-handed by `angle`
+/// > 0 radians.
+struct ArcSpine {
+  Vec3 center, axis, start;  ///< axis is unit and orthogonal to start - center (to rounding)
+  double angle = 0;
+  friend bool operator==(const ArcSpine&, const ArcSpine&) = default;
+};
+
+/// The cubic Hermite curve of [MS06] eq. (2) with the design's correction E1: end points and end
+/// velocities (k a2, l a3).
+struct HermiteSpine {
+  Vec3 from, to, start_velocity, end_velocity;
+  friend bool operator==(const HermiteSpine&, const HermiteSpine&) = default;
+};
+
+/// The curve that the centres of a ringed surface's circles run along, for t in [0, 1].
+using Spine = std::variant<LineSpine, ArcSpine, HermiteSpine>;
+
+/// A spine's position and derivatives with respect to t.
+struct SpinePoint {
+  Vec3 position, first, second, third;
+};
+
+[[nodiscard]] SpinePoint evaluate(const Spine& spine, double t);
+
+/// Curvature |y' x y''| / |y'|^3 at a spine point; requires a non-zero velocity.
+[[nodiscard]] double curvature(const SpinePoint& point);
+
+}  // namespace dupin

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+
+#include "dupin/kernel/progress.h"
+#include "dupin/kernel/solid.h"
+
+namespace dupin {
+
+/// What to do where a result touches itself (see Contact).
+enum class ContactPolicy {
+  report,  ///< duplicate vertices, list the contacts in the result
+  refuse,  ///< throw Error{contact}
+};
+
+struct BooleanOptions {
+  ContactPolicy contacts = ContactPolicy::report;
+  Progress progress;  ///< may be empty
+};
+
+/// Exact set operations, regularised. The result keeps exact coordinates; its triangles know their
+/// source operand and triangle. Throws Error{contact | limit_exceeded | cancelled}.
+[[nodiscard]] Solid unite(std::span<const Solid> operands, const BooleanOptions& options = {});
+[[nodiscard]] Solid intersect(std::span<const Solid> operands, const BooleanOptions& options = {});
+/// `from` without the union of `operands`; in the sources, `from` is operand 0.
+[[nodiscard]] Solid subtract(const Solid& from, std::span<const Solid> operands,
+                             const BooleanOptions& options = {});
+
+}  // namespace dupin

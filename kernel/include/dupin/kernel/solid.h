@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gmpxx.h>
+
+#include "dupin/kernel/mesh.h"
+
+namespace dupin {
+
+namespace detail {
+struct ExactMesh;
+}
+
+/// Where a triangle of a boolean's result comes from: the operand's position in the call and the
+/// triangle's in that operand.
+struct Source {
+  std::uint32_t operand = 0, triangle = 0;
+  friend bool operator==(const Source&, const Source&) = default;
+};
+
+/// A place where the boundary of a solid touches itself without being 2-manifold there as a point
+/// set (vertices are duplicated, so the surface is 2-manifold combinatorially).
+struct Contact {
+  enum class Kind { vertex, edge };
+  Kind kind = Kind::vertex;
+  Vec3 from, to;                   ///< the edge's ends, or the vertex twice
+  std::vector<std::string> names;  ///< labels of the faces that meet there, sorted, unique
+};
+
+/// A bounded regularised point set with a triangulated boundary: closed, 2-manifold, oriented
+/// outward, free of self-intersection (contacts apart), with exact coordinates. Nothing but
+/// functions that establish this can make one. Immutable; O(1) to copy.
+class Solid {
+ public:
+  /// The empty set.
+  Solid();
+
+  /// Establishes the invariant or throws Error{not_closed | not_manifold | not_oriented |
+  /// self_intersecting | invalid_argument} naming the faces. O(n log n) for meshes whose triangles
+  /// overlap boxes O(1) others.
+  [[nodiscard]] static Solid from(const TriMesh& mesh);
+
+  [[nodiscard]] bool empty() const;
+  [[nodiscard]] std::size_t point_count() const;
+  [[nodiscard]] std::size_t triangle_count() const;
+  [[nodiscard]] mpq_class exact_volume() const;
+  [[nodiscard]] double volume() const;       ///< the double nearest to exact_volume()
+  [[nodiscard]] double area() const;         ///< relative error below 1e-12
+  [[nodiscard]] std::size_t shells() const;  ///< connected pieces of the boundary
+  [[nodiscard]] std::size_t components()
+      const;  ///< connected pieces of the set: shells that bound from outside
+  [[nodiscard]] std::int64_t euler_number() const;  ///< V - E + F of the whole boundary
+  [[nodiscard]] std::int64_t genus() const;         ///< sum over the shells
+  [[nodiscard]] const std::vector<Contact>& contacts() const;
+  /// One entry per triangle; {0, i} for a solid made by `from`.
+  [[nodiscard]] const std::vector<Source>& sources() const;
+  [[nodiscard]] const std::vector<std::string>& names() const;
+
+  /// For the kernel itself.
+  explicit Solid(std::shared_ptr<const detail::ExactMesh> mesh);
+  [[nodiscard]] const detail::ExactMesh& exact() const { return *mesh_; }
+
+ private:
+  std::shared_ptr<const detail::ExactMesh> mesh_;
+};
+
+}  // namespace dupin

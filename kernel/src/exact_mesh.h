@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <CGAL/Mpzf.h>
+
+#include "dupin/kernel/mesh.h"
+#include "dupin/kernel/solid.h"
+
+namespace dupin::detail {
+
+/// Homogeneous coordinates (X, Y, Z, W), W > 0, of the point (X/W, Y/W, Z/W): no division, no gcd.
+using ExactPoint = std::array<CGAL::Mpzf, 4>;
+
+/// The boundary of a Solid. Points that doubles hold exactly come first; each of the rest is
+/// followed up in `implicit`.
+struct ExactMesh {
+  std::vector<Vec3>
+      points;  ///< exact below double_count(), nearest doubles of the exact value above
+  std::vector<ExactPoint> implicit;  ///< of points[double_count() + i]
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> labels;  ///< empty, or one per triangle, into names
+  std::vector<std::string> names;
+  std::vector<Source> sources;  ///< one per triangle
+  std::vector<Contact> contacts;
+
+  [[nodiscard]] std::uint32_t double_count() const {
+    return static_cast<std::uint32_t>(points.size() - implicit.size());
+  }
+};
+
+/// The exact coordinates of a point of the mesh.
+[[nodiscard]] ExactPoint exact_point(const ExactMesh& mesh, std::uint32_t index);
+
+/// The double nearest to numerator / denominator (ties to even); denominator > 0.
+[[nodiscard]] double nearest_double(const CGAL::Mpzf& numerator, const CGAL::Mpzf& denominator);
+
+}  // namespace dupin::detail

@@ -1,0 +1,73 @@
+#include "dupin/kernel/ring.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/error.h"
+
+namespace dupin {
+namespace {
+
+Ring random_ring(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> coordinate(-10, 10);
+  const auto vector = [&] {
+    return Vec3(coordinate(random), coordinate(random), coordinate(random));
+  };
+  return {vector(), vector().normalized(), std::abs(coordinate(random)) + 0.1, 0.2};
+}
+
+TEST(Ring, sample_of_the_flipped_ring_is_the_same_points_in_reverse) {
+  std::mt19937_64 random(20061);
+  for (int i = 0; i < 200; ++i) {
+    const Ring ring = random_ring(random);
+    const RingSampling sampling{17, 0.37, i % 2 == 0 ? 0 : std::ldexp(1.0, -16)};
+    auto there = sample(ring, sampling);
+    const auto back = sample(flipped(ring), sampling);
+    std::reverse(there.begin() + 1, there.end());
+    EXPECT_EQ(there, back);
+  }
+}
+
+TEST(Ring, sample_of_an_axis_aligned_flipped_ring_is_the_same_points_in_reverse) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Ring ring{Vec3(1, 2, 3), -Vec3::Unit(axis), 2};
+    auto there = sample(ring, {12});
+    std::reverse(there.begin() + 1, there.end());
+    EXPECT_EQ(there, sample(flipped(ring), {12}));
+  }
+}
+
+TEST(Ring, sample_runs_counter_clockwise_on_the_circle) {
+  std::mt19937_64 random(20062);
+  for (int i = 0; i < 50; ++i) {
+    const Ring ring = random_ring(random);
+    const auto points = sample(ring, {24});
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Vec3 a = points[k] - ring.center;
+      const Vec3 b = points[(k + 1) % points.size()] - ring.center;
+      EXPECT_NEAR(a.norm(), ring.radius, 1e-13 * (ring.radius + ring.center.norm()));
+      EXPECT_GT(a.cross(b).dot(ring.normal), 0);
+    }
+  }
+}
+
+TEST(Ring, flipping_twice_gives_the_ring) {
+  std::mt19937_64 random(20063);
+  const Ring ring = random_ring(random);
+  EXPECT_EQ(flipped(flipped(ring)), ring);
+}
+
+TEST(Ring, a_bad_ring_is_refused) {
+  const double nan = std::nan("");
+  EXPECT_THROW((void)sample({Vec3(0, 0, nan), Vec3::UnitX(), 1}, {8}), Error);
+  EXPECT_THROW((void)sample({Vec3::Zero(), Vec3(1, 1, 0), 1}, {8}), Error);
+  EXPECT_THROW((void)sample({Vec3::Zero(), Vec3::UnitX(), 0}, {8}), Error);
+  EXPECT_THROW((void)sample({Vec3::Zero(), Vec3::UnitX(), 1}, {2}), Error);
+}
+
+}  // namespace
+}  // namespace dupin
