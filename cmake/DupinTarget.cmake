@@ -4,6 +4,7 @@ function(dupin_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+    -Wno-missing-field-initializers  # designated initialisers of options leave the rest defaulted
     -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual $<$<BOOL:${DUPIN_WERROR}>:-Werror>)
   if(DUPIN_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${DUPIN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
