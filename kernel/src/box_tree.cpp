@@ -1,0 +1,128 @@
+#include "box_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+namespace dupin::detail {
+namespace {
+
+struct Keyed {
+  std::uint64_t key;
+  std::uint32_t item;
+  bool operator<(const Keyed& other) const {
+    return key != other.key ? key < other.key : item < other.item;
+  }
+};
+
+/// The low 21 bits of `value`, two zeros between each two.
+std::uint64_t spread(std::uint64_t value) {
+  value &= 0x1fffff;
+  value = (value | value << 32) & 0x1f00000000ffff;
+  value = (value | value << 16) & 0x1f0000ff0000ff;
+  value = (value | value << 8) & 0x100f00f00f00f00f;
+  value = (value | value << 4) & 0x10c30c30c30c30c3;
+  return (value | value << 2) & 0x1249249249249249;
+}
+
+/// Interleaved bits of the box's centre, whose coordinates lie in [-1, 1] (see BoxFrame).
+std::uint64_t morton_key(const Box& box) {
+  std::uint64_t key = 0;
+  for (int k = 0; k < 3; ++k) {
+    const float centre = (box.low[k] + box.high[k]) / 2;
+    const float cell = (std::clamp(centre, -1.0F, 1.0F) + 1) * 0x0.fffffp20F;
+    key |= spread(static_cast<std::uint64_t>(cell)) << k;
+  }
+  return key;
+}
+
+}  // namespace
+
+bool Box::contains(const Box& other) const {
+  for (int k = 0; k < 3; ++k) {
+    if (other.low[k] < low[k] || high[k] < other.high[k]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void Box::join(const Box& other) {
+  for (int k = 0; k < 3; ++k) {
+    low[k] = std::min(low[k], other.low[k]);
+    high[k] = std::max(high[k], other.high[k]);
+  }
+}
+
+Box Box::nothing() {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+}
+
+BoxFrame::BoxFrame(std::span<const Vec3> points) : middle_(Vec3::Zero()), scale_(1) {
+  if (points.empty()) {
+    return;
+  }
+  Vec3 low = points[0], high = points[0];
+  for (const Vec3& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  middle_ = low / 2 + high / 2;
+  const double reach = (high / 2 - low / 2).maxCoeff();
+  if (reach > 0) {
+    // std::logb(reach) < log2(reach) + 1: the mapped points stay within (-1, 1).
+    scale_ = std::exp2(std::clamp(-std::logb(reach) - 1, -1000.0, 1000.0));
+  }
+}
+
+Box BoxFrame::around(const Vec3& a, const Vec3& b, const Vec3& c) const {
+  Box box;
+  for (int k = 0; k < 3; ++k) {
+    box.low[k] = map(std::min({a[k], b[k], c[k]}), k);
+    box.high[k] = map(std::max({a[k], b[k], c[k]}), k);
+  }
+  return box;
+}
+
+BoxTree::BoxTree(std::span<const Box> boxes)
+    : order_(boxes.size()),
+      position_(boxes.size()),
+      boxes_(boxes.size()),
+      leaves_(std::bit_ceil(std::max<std::uint32_t>(
+          1, (static_cast<std::uint32_t>(boxes.size()) + kLeafSize - 1) / kLeafSize))),
+      nodes_(2 * std::size_t{leaves_}, Box::nothing()) {
+  std::vector<Keyed> keyed(boxes.size());
+  tbb::parallel_for(std::uint32_t{0}, size(), [&](std::uint32_t i) {
+    keyed[i] = {morton_key(boxes[i]), i};
+  });
+  tbb::parallel_sort(keyed.begin(), keyed.end());
+  tbb::parallel_for(std::uint32_t{0}, leaves_, [&](std::uint32_t leaf) {
+    Box& node = nodes_[leaves_ + leaf];
+    const std::uint64_t first = std::uint64_t{leaf} * kLeafSize;
+    for (std::uint64_t i = first; i < std::min<std::uint64_t>(first + kLeafSize, size()); ++i) {
+      order_[i] = keyed[i].item;
+      position_[keyed[i].item] = static_cast<std::uint32_t>(i);
+      boxes_[i] = boxes[keyed[i].item];
+      node.join(boxes_[i]);
+    }
+  });
+  for (std::uint32_t node = leaves_ - 1; node > 0; --node) {
+    nodes_[node] = nodes_[2 * node];
+    nodes_[node].join(nodes_[2 * node + 1]);
+  }
+}
+
+void BoxTree::grow(std::uint32_t item, const Box& box) {
+  const std::uint32_t at = position_[item];
+  boxes_[at].join(box);
+  for (std::uint32_t node = leaves_ + at / kLeafSize; node > 0 && !nodes_[node].contains(box);
+       node /= 2) {
+    nodes_[node].join(box);
+  }
+}
+
+}  // namespace dupin::detail

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dupin/kernel/vec.h"
+
+namespace dupin::detail {
+
+/// For each point the index of the first one with the same coordinates (0.0 and -0.0 are the
+/// same). The points are finite. O(n).
+[[nodiscard]] std::vector<std::uint32_t> first_identical(std::span<const Vec3> points);
+
+}  // namespace dupin::detail

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "dupin/kernel/mesh.h"
+
+namespace dupin::detail {
+
+/// Two triangles that meet otherwise than neighbours do.
+struct FacePair {
+  enum class Kind {
+    crossing,  ///< they meet in a point or segment that is no common corner or edge
+    overlap,   ///< coplanar, with an area in common
+    contact,   ///< only in corners or edges of the same coordinates but different indices
+  };
+  std::uint32_t first = 0, second = 0;  ///< first < second
+  Kind kind = Kind::crossing;
+  friend auto operator<=>(const FacePair&, const FacePair&) = default;
+};
+
+struct SelfIntersectionOptions {
+  /// Pairs kept; the lowest ones, whatever their kind. The counts are complete all the same.
+  std::size_t limit = std::numeric_limits<std::size_t>::max();
+  /// One entry per triangle: only pairs with a non-zero one are examined. Empty examines all.
+  std::span<const std::uint8_t> active;
+};
+
+struct SelfIntersections {
+  std::vector<FacePair> pairs;            ///< ascending
+  std::vector<std::uint32_t> degenerate;  ///< collinear or repeated corners; in none of the pairs
+  std::size_t crossings = 0, overlaps = 0, contacts = 0;
+
+  [[nodiscard]] bool none() const { return degenerate.empty() && crossings == 0 && overlaps == 0; }
+};
+
+/// All pairs of triangles that meet where they should not, by exact predicates on the coordinates
+/// given. Neighbours share indices; merge identical points first where contacts should count as
+/// neighbourhood. Points are finite, indices in range. Deterministic; parallel; O(n log n) if boxes
+/// overlap O(1) others.
+[[nodiscard]] SelfIntersections find_self_intersections(
+    std::span<const Vec3> points, std::span<const Triangle> triangles,
+    const SelfIntersectionOptions& options = {});
+
+}  // namespace dupin::detail

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+
+#include "dupin/kernel/mesh.h"
+#include "sign_filter.h"
+
+namespace dupin::detail {
+
+/// How two triangles meet beyond the corners they share.
+enum class Meeting {
+  none,
+  crossing,  ///< in points or segments
+  overlap,   ///< in an area: they are coplanar
+};
+
+/// Whether the three points are collinear, exactly.
+[[nodiscard]] bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// One triangle to be tested against others, exactly. Corners are the same when their indices are;
+/// points with different indices in the two triangles have different coordinates. Neither triangle
+/// is degenerate.
+class TriangleProbe {
+ public:
+  TriangleProbe(std::span<const Vec3> points, const Triangle& corners);
+
+  [[nodiscard]] Meeting meeting(const Triangle& other) const;
+  /// True only if the triangle is certainly not degenerate; quick.
+  [[nodiscard]] bool certainly_proper() const { return plane_.certain(); }
+
+ private:
+  [[nodiscard]] Meeting sharing_none(const Triangle& other) const;
+  [[nodiscard]] Meeting sharing_one(int mine, const Triangle& other, int others) const;
+  [[nodiscard]] Meeting sharing_two(int mine, const Triangle& other, int others) const;
+
+  std::span<const Vec3> points_;
+  Triangle corners_;
+  PlaneFilter plane_;
+};
+
+}  // namespace dupin::detail
