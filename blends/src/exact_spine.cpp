@@ -1,0 +1,100 @@
+#include "exact_spine.h"
+
+#include <algorithm>
+
+#include <Eigen/Geometry>
+
+namespace dupin::detail {
+namespace {
+
+bool is_zero(const ExactVec3& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
+
+// Scaled by its largest coordinate first: exact numbers may lie outside the range of doubles.
+Vec3 direction(const ExactVec3& v) {
+  mpq_class largest = 0;
+  for (const mpq_class& x : v) {
+    largest = std::max<mpq_class>(largest, abs(x));
+  }
+  const auto scaled = [&](int i) { return mpq_class(v[i] / largest).get_d(); };
+  return Vec3(scaled(0), scaled(1), scaled(2)).normalized();
+}
+
+Vec3 any_normal(const Vec3& tangent) {
+  int smallest = 0;
+  tangent.cwiseAbs().minCoeff(&smallest);
+  return tangent.cross(Vec3::Unit(smallest)).normalized();
+}
+
+std::optional<Vec3> common_normal(const std::vector<ExactVec3>& vectors) {
+  const ExactVec3* along = nullptr;
+  std::optional<ExactVec3> normal;
+  for (const ExactVec3& v : vectors) {
+    if (is_zero(v)) {
+      continue;
+    }
+    if (along == nullptr) {
+      along = &v;
+    } else if (!normal) {
+      const ExactVec3 across = cross(*along, v);
+      if (!is_zero(across)) {
+        normal = across;
+      }
+    } else if (dot(*normal, v) != 0) {
+      return std::nullopt;
+    }
+  }
+  if (normal) {
+    return direction(*normal);
+  }
+  return along == nullptr ? Vec3::UnitZ() : any_normal(direction(*along));
+}
+
+}  // namespace
+
+ExactVec3 exact(const Vec3& v) { return {mpq_class(v.x()), mpq_class(v.y()), mpq_class(v.z())}; }
+
+ExactVec3 operator+(const ExactVec3& a, const ExactVec3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+ExactVec3 operator-(const ExactVec3& a, const ExactVec3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+ExactVec3 operator*(const mpq_class& s, const ExactVec3& v) {
+  return {s * v[0], s * v[1], s * v[2]};
+}
+
+ExactVec3 cross(const ExactVec3& a, const ExactVec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+mpq_class dot(const ExactVec3& a, const ExactVec3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+std::vector<ExactVec3> velocity(const LineSpine& line) {
+  return {exact(line.to) - exact(line.from)};
+}
+
+std::vector<ExactVec3> velocity(const HermiteSpine& h) {
+  const ExactVec3 delta = exact(h.to) - exact(h.from);
+  const ExactVec3 s = exact(h.start_velocity), e = exact(h.end_velocity);
+  return {s, mpq_class(6) * delta - mpq_class(4) * s - mpq_class(2) * e,
+          mpq_class(3) * (s + e) - mpq_class(6) * delta};
+}
+
+std::optional<Vec3> plane_normal(const Spine& spine) {
+  struct Visitor {
+    std::optional<Vec3> operator()(const ArcSpine& arc) const { return arc.axis.normalized(); }
+    std::optional<Vec3> operator()(const LineSpine& line) const {
+      return common_normal(velocity(line));
+    }
+    std::optional<Vec3> operator()(const HermiteSpine& hermite) const {
+      return common_normal(velocity(hermite));
+    }
+  };
+  return std::visit(Visitor{}, spine);
+}
+
+}  // namespace dupin::detail
