@@ -1,0 +1,137 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "dupin/blends/unit.h"
+#include "dupin/kernel/vec.h"
+
+namespace dupin {
+
+/// The two ends of a pipe, cone, elbow or blend; each is a port.
+enum class PartEnd { start, end };
+
+[[nodiscard]] std::string_view name(PartEnd end);
+
+/// A port of another part, written "part.start" or "part.end".
+struct PortReference {
+  std::string part;
+  PartEnd end = PartEnd::end;
+  friend bool operator==(const PortReference&, const PortReference&) = default;
+};
+
+[[nodiscard]] std::string to_string(const PortReference& port);
+
+/// The circle a part begins with, where it does not begin at another part's port.
+struct Place {
+  Vec3 point = Vec3::Zero();
+  Vec3 direction = Vec3::UnitZ();  ///< of travel, of any length but zero
+  double radius = 1;
+};
+
+/// Where a part begins. A port is shared bitwise with the part that owns it.
+using Origin = std::variant<PortReference, Place>;
+
+/// A cylinder about the segment from -> to.
+struct PipeBetween {
+  Vec3 from, to;
+  double radius = 1;
+};
+
+/// A cylinder of a given length.
+struct PipeAlong {
+  Origin from;
+  double length = 1;
+};
+
+/// A cylinder that goes on from a port until level with `to`, which must lie on its axis within the
+/// assembly's tolerance.
+struct PipeTo {
+  PortReference from;
+  Vec3 to;
+};
+
+/// A frustum about the segment from -> to.
+struct ConeBetween {
+  Vec3 from, to;
+  double start_radius = 1, end_radius = 1;
+};
+
+/// A frustum of a given length.
+struct ConeAlong {
+  Origin from;
+  double length = 1, end_radius = 1;
+};
+
+/// A torus segment that turns by `angle` radians towards `toward` (its part across the direction of
+/// travel counts).
+struct ElbowTurning {
+  Origin from;
+  double bend_radius = 2, angle = 1;
+  Vec3 toward = Vec3::UnitX();
+};
+
+/// The torus segment that leaves tangentially and ends with its centre at `to`.
+struct ElbowTo {
+  Origin from;
+  Vec3 to;
+};
+
+/// The torus segment between two points, given the corner where its straight neighbours' axes meet;
+/// both legs have to be equally long within the assembly's tolerance.
+struct ElbowCorner {
+  Vec3 from, corner, to;
+  double radius = 1;
+};
+
+struct SphereAt {
+  Vec3 center = Vec3::Zero();
+  double radius = 1;
+};
+
+/// A cyclic blend [MS06] between two ports.
+struct CyclicBlendBetween {
+  enum class Law { r1, r2 };
+  /// Lengths of the spine's end velocities.
+  struct Shape {
+    double k = 1, l = 1;
+  };
+  PortReference from, to;
+  Law radius_law = Law::r1;
+  std::optional<Shape> shape;  ///< none: chosen, see cyclic_blend.h
+};
+
+/// Closes and names a flat end. Ends that nothing is joined to are closed too, but nameless.
+struct CapAt {
+  PortReference at;
+};
+
+using PartShape = std::variant<PipeBetween, PipeAlong, PipeTo, ConeBetween, ConeAlong, ElbowTurning,
+                               ElbowTo, ElbowCorner, SphereAt, CyclicBlendBetween, CapAt>;
+
+/// "pipe", "cone", "elbow", "sphere", "cyclic_blend" or "cap": its key in a document.
+[[nodiscard]] std::string_view kind(const PartShape& shape);
+
+struct Part {
+  std::string name;
+  PartShape shape;
+};
+
+/// A document: what the user says, before anything is computed.
+struct Assembly {
+  std::string source;  ///< the file's name, for messages; may be empty
+  Unit unit = Unit::millimetre;
+  double tolerance = 0.05;  ///< largest distance between the smooth surface and its mesh
+  std::optional<std::uint32_t> segments;  ///< around every ring; none: from the tolerance
+  std::vector<Part> parts;
+};
+
+/// The place of a part in its document, for messages: "file.json#/parts/3/pipe/radius".
+[[nodiscard]] std::string document_place(const Assembly& assembly, std::uint32_t part,
+                                         std::string_view key = {});
+
+}  // namespace dupin

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dupin/blends/assembly.h"
+#include "dupin/kernel/boolean.h"
+#include "dupin/kernel/progress.h"
+#include "dupin/kernel/solid.h"
+
+namespace dupin {
+
+struct BuildOptions {
+  std::optional<double> tolerance;        ///< instead of the document's, in its unit
+  std::optional<std::uint32_t> segments;  ///< instead of the document's
+  ContactPolicy contacts = ContactPolicy::report;
+  Progress progress;  ///< may be empty
+};
+
+/// What became of one part.
+struct PartReport {
+  std::string name;
+  std::string kind;  ///< its key in a document: "pipe", "cyclic_blend", ...
+  /// Certified bounds of min(1 - kappa R) along the part; none for spheres.
+  std::optional<double> margin_lower, margin_upper;
+  double error_bound = 0;      ///< of the distance between smooth surface and mesh, both ways
+  std::uint32_t segments = 0;  ///< around
+  std::uint32_t bands = 0;     ///< along
+  std::size_t triangles = 0;   ///< of the part alone, without end discs
+};
+
+/// A built assembly.
+struct Built {
+  Solid solid;
+  std::vector<PartReport> parts;  ///< in document order, without caps
+  std::size_t runs = 0;           ///< sets of parts welded to each other along shared rings
+  std::size_t pieces = 0;         ///< solids that were united; more than runs if parts of one run
+                                  ///< cross each other
+  double grid = 0;                ///< spacing of the lattice that the mesh points lie on
+};
+
+/// The whole line: resolve, certify, tessellate, weld, unite. The labels of the solid name the part
+/// of every triangle, or the cap or "part.start" of an end disc.
+///
+/// Throws Error{irregular_surface} for a blend that folds, Error{self_intersecting} for a part that
+/// crosses itself, and what `resolve`, `unite` throw; each names the part.
+[[nodiscard]] Built build(const Assembly& assembly, const BuildOptions& options = {});
+
+}  // namespace dupin

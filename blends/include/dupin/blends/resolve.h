@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "dupin/blends/assembly.h"
+#include "dupin/blends/ringed_surface.h"
+#include "dupin/blends/sphere.h"
+
+namespace dupin {
+
+/// One end of one part of a resolved assembly.
+struct EndIndex {
+  std::uint32_t part = 0;
+  PartEnd end = PartEnd::start;
+  friend bool operator==(const EndIndex&, const EndIndex&) = default;
+};
+
+/// A part with its geometry; caps are not parts any more but names of ends.
+struct ResolvedPart {
+  std::string name;
+  std::string kind;
+  std::uint32_t index = 0;  ///< in Assembly::parts
+  std::variant<RingedSurface, Sphere> shape;
+  /// What start and end are joined to; the two rings are flips of each other, bitwise.
+  std::array<std::optional<EndIndex>, 2> joined;
+  /// What the discs that close open ends are called: the cap's name, or "part.start".
+  std::array<std::string, 2> end_names;
+};
+
+struct ResolvedAssembly {
+  std::vector<ResolvedPart> parts;  ///< in document order
+};
+
+/// All rings, computed once. A port that another part's name refers to is that part's ring,
+/// flipped, bitwise. O(n log n).
+///
+/// Throws Error{invalid_argument}, or what `cyclic_blend` throws, with the part's name and the JSON
+/// pointer of the fault: duplicate or bad names, unknown parts or ports, ports taken twice, cyclic
+/// references, numbers that are not finite or not positive, parts without length.
+[[nodiscard]] ResolvedAssembly resolve(const Assembly& assembly);
+
+}  // namespace dupin

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+
+#include "dupin/blends/ringed_surface.h"
+#include "dupin/blends/sphere.h"
+#include "dupin/kernel/mesh.h"
+#include "dupin/kernel/ring.h"
+
+namespace dupin {
+
+/// Suprema over a stretch of a ringed surface, in a rotation-minimising frame, of |x_tt|, |x_tu|
+/// and |x_uu|: what decides how far a triangle is from the surface.
+struct SecondDerivativeBounds {
+  double along = 0, mixed = 0, around = 0;
+};
+
+/// Upper bounds over t in [from, to] within [0, 1], by interval arithmetic with outward rounding;
+/// they converge to the suprema as the interval shrinks. Throws Error{irregular_surface} if the
+/// spine may stop there.
+[[nodiscard]] SecondDerivativeBounds second_derivative_bounds(const RingedSurface& surface,
+                                                              double from, double to);
+
+struct TessellationOptions {
+  /// Largest distance between the smooth surface and the mesh, both ways, in model units.
+  double tolerance = 0.05;
+};
+
+/// The segments around that the tolerance asks of a part alone, at least 8, when points are snapped
+/// to a grid of this spacing. Throws Error{invalid_argument} if the tolerance leaves no room for
+/// the snapping.
+[[nodiscard]] std::uint32_t segments_for(const RingedSurface& surface, double tolerance,
+                                         double grid = 0);
+[[nodiscard]] std::uint32_t segments_for(const Sphere& sphere, double tolerance, double grid = 0);
+
+/// Triangles of one part and a proof of how far they are from it.
+struct Tessellation {
+  TriMesh mesh;
+  std::uint32_t bands = 0;  ///< rows of quadrilaterals along the part
+  double error_bound = 0;  ///< of the distance between smooth surface and mesh, both ways, in model
+                           ///< units; includes snapping
+};
+
+/// The tube without end discs: bands + 1 polygons of sampling.segments points each, one after the
+/// other. The first is sample(flipped(surface.start), sampling), the last sample(surface.end,
+/// sampling), up to the index it starts at, bitwise. Triangles are counter-clockwise from outside.
+///
+/// Proved, not measured: a triangle is nowhere further from the surface than its parameter legs dt
+/// and du allow by the bounds of the second derivatives. If the segments are too few for the
+/// tolerance, there are as many bands as suit the segments, and `error_bound` says how far it is.
+/// Throws Error{irregular_surface, invalid_argument}.
+[[nodiscard]] Tessellation tessellate(const RingedSurface& surface, const RingSampling& sampling,
+                                      const TessellationOptions& options = {});
+
+/// A closed sphere of sampling.segments meridians about the z axis.
+[[nodiscard]] Tessellation tessellate(const Sphere& sphere, const RingSampling& sampling);
+
+/// The flat end: sample(ring, sampling) with the triangles between these points only, normals along
+/// the ring's. The disc of flipped(ring) has the same triangles the other way round, so that discs
+/// that meet cancel exactly.
+[[nodiscard]] TriMesh disc(const Ring& ring, const RingSampling& sampling);
+
+}  // namespace dupin

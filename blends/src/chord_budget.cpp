@@ -1,0 +1,29 @@
+#include "chord_budget.h"
+
+#include <string>
+
+#include "dupin/kernel/error.h"
+
+namespace dupin::detail {
+
+double allowed_error(double tolerance, double displacement) {
+  if (!(tolerance > 2 * displacement)) {
+    throw Error(Errc::invalid_argument,
+                "the tolerance " + std::to_string(tolerance) +
+                    " is too small for coordinates of this size on a grid of this spacing: points "
+                    "may be off by " +
+                    std::to_string(displacement));
+  }
+  return tolerance - displacement;
+}
+
+std::uint32_t segment_count(double wanted) {
+  constexpr std::uint32_t kFewest = 8, kMost = 1'000'000;
+  if (!(wanted <= kMost)) {
+    throw Error(Errc::limit_exceeded, "the tolerance asks for more than " + std::to_string(kMost) +
+                                          " segments around a ring; use a larger one");
+  }
+  return std::max(kFewest, std::uint32_t(std::ceil(wanted)));
+}
+
+}  // namespace dupin::detail

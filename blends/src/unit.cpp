@@ -1,0 +1,63 @@
+#include "dupin/blends/unit.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "dupin/kernel/error.h"
+
+namespace dupin {
+namespace {
+
+struct UnitRow {
+  Unit unit;
+  std::string_view symbol;
+  double millimetres;
+};
+
+constexpr std::array<UnitRow, 5> kUnits{{{Unit::millimetre, "mm", 1},
+                                         {Unit::centimetre, "cm", 10},
+                                         {Unit::metre, "m", 1000},
+                                         {Unit::inch, "in", 25.4},
+                                         {Unit::foot, "ft", 304.8}}};
+
+const UnitRow& row(Unit unit) { return kUnits.at(static_cast<std::size_t>(unit)); }
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+}  // namespace
+
+std::string_view symbol(Unit unit) { return row(unit).symbol; }
+
+Unit unit_from(std::string_view symbol) {
+  for (const auto& known : kUnits) {
+    if (known.symbol == symbol) {
+      return known.unit;
+    }
+  }
+  throw Error(Errc::invalid_argument,
+              "the unit must be mm, cm, m, in or ft, not " + quoted(symbol));
+}
+
+double millimetres(Unit unit) { return row(unit).millimetres; }
+
+double parse_length(std::string_view text, Unit unit) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, failure] = std::from_chars(text.data(), end, value);
+  if (failure != std::errc() || !std::isfinite(value)) {
+    throw Error(Errc::invalid_argument,
+                quoted(text) + " is not a length such as 0.05, 1mm or 0.5in");
+  }
+  if (value <= 0) {
+    throw Error(Errc::invalid_argument, "a length must be positive, not " + quoted(text));
+  }
+  const std::string_view suffix(rest, static_cast<std::size_t>(end - rest));
+  if (suffix.empty()) {
+    return value;
+  }
+  return value * millimetres(unit_from(suffix)) / millimetres(unit);
+}
+
+}  // namespace dupin
