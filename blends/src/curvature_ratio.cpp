@@ -1,0 +1,231 @@
+#include "curvature_ratio.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dupin::detail {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+SquaredCurvature of_velocity(const VectorPolynomial& velocity) {
+  const Polynomial v = squared_norm(velocity);
+  Polynomial c = squared_norm(cross(velocity, derivative(velocity)));
+  while (c.size() > 1 && c.back() == 0) {
+    c.pop_back();  // the leading terms of y' x y'' cancel
+  }
+  return {std::move(c), product(v, square(v))};
+}
+
+// Multiplies both by their common denominator.
+void make_integers(const std::vector<mpq_class>& a, const std::vector<mpq_class>& b,
+                   Bernstein& a_out, Bernstein& b_out) {
+  mpz_class common = 1;
+  for (const auto* list : {&a, &b}) {
+    for (const mpq_class& x : *list) {
+      common = lcm(common, x.get_den());
+    }
+  }
+  const auto scaled = [&](const std::vector<mpq_class>& list) {
+    Bernstein result;
+    for (const mpq_class& x : list) {
+      result.emplace_back(x.get_num() * (common / x.get_den()));
+    }
+    return result;
+  };
+  a_out = scaled(a);
+  b_out = scaled(b);
+}
+
+Enclosure at_end_point(const mpz_class& numerator, const mpz_class& denominator,
+                       const Enclosure* radius) {
+  if (sgn(denominator) <= 0) {
+    return {kInfinity, kInfinity};
+  }
+  const Enclosure q = quotient(numerator, denominator);
+  if (radius == nullptr) {
+    return q;
+  }
+  return {std::max(0.0, below(q.lower * below(radius->lower * radius->lower))),
+          above(q.upper * above(radius->upper * radius->upper))};
+}
+
+bool refutes_at(const mpz_class& numerator, const mpz_class& denominator, const Enclosure* radius,
+                const mpq_class& bound) {
+  mpq_class squared_radius = 1;
+  if (radius != nullptr) {
+    squared_radius = mpq_class(radius->lower) * radius->lower;
+  }
+  return squared_radius * numerator >= bound * denominator;
+}
+
+}  // namespace
+
+SquaredCurvature squared_curvature(const Spine& spine) {
+  struct Visitor {
+    SquaredCurvature operator()(const LineSpine& line) const {
+      return {{0}, squared_norm(velocity(line))};
+    }
+    SquaredCurvature operator()(const ArcSpine& arc) const {
+      return {{1}, squared_norm({exact(arc.start) - exact(arc.center)})};
+    }
+    SquaredCurvature operator()(const HermiteSpine& hermite) const {
+      return of_velocity(velocity(hermite));
+    }
+  };
+  return std::visit(Visitor{}, spine);
+}
+
+CurvatureRatio::CurvatureRatio(const RingedSurface& surface) {
+  const SquaredCurvature curvature = squared_curvature(surface.spine);
+  const std::optional<Polynomial> radius = polynomial(surface.radius);
+  const Polynomial numerator =
+      radius ? product(curvature.numerator, square(*radius)) : curvature.numerator;
+  // Without the radius, room is left for the square of its linear bound.
+  const std::size_t room = radius ? 0 : 2;
+  const std::size_t degree =
+      std::max(numerator.size() - 1 + room, curvature.denominator.size() - 1);
+  make_integers(bernstein(numerator, degree - room), bernstein(curvature.denominator, degree),
+                whole_.numerator, whole_.denominator);
+  if (!radius) {
+    law_ = std::get<CyclideRadius>(surface.radius);
+    second_derivative_bound_ = second_derivative_bound(*law_);
+    whole_.start_radius = enclosed_radius(*law_, 0);
+    whole_.end_radius = enclosed_radius(*law_, 1);
+  }
+}
+
+std::pair<CurvatureRatio::Leaf, CurvatureRatio::Leaf> CurvatureRatio::split(
+    const Leaf& leaf) const {
+  auto [numerator_left, numerator_right] = halves(leaf.numerator);
+  auto [denominator_left, denominator_right] = halves(leaf.denominator);
+  const double middle = (leaf.from + leaf.to) / 2;
+  Leaf left{leaf.from,
+            middle,
+            leaf.depth + 1,
+            std::move(numerator_left),
+            std::move(denominator_left),
+            leaf.start_radius,
+            {}};
+  Leaf right{middle,
+             leaf.to,
+             leaf.depth + 1,
+             std::move(numerator_right),
+             std::move(denominator_right),
+             {},
+             leaf.end_radius};
+  if (law_) {
+    left.end_radius = right.start_radius = enclosed_radius(*law_, middle);
+    // The numerator's degree is lower by two, so its halves lack a factor of 4.
+    for (Leaf* half : {&left, &right}) {
+      for (mpz_class& x : half->numerator) {
+        x <<= 2;
+      }
+    }
+  }
+  return {std::move(left), std::move(right)};
+}
+
+// How far the radius may leave its chord on the leaf.
+double CurvatureRatio::bulge(const Leaf& leaf) const {
+  const double h = leaf.to - leaf.from;  // exact: dyadic
+  return above(second_derivative_bound_ * (h * h / 8));
+}
+
+CurvatureRatio::Scaled CurvatureRatio::with_radius(const Leaf& leaf, const Line& radius) const {
+  const mpq_class start(radius.start), end(radius.end);
+  const mpz_class scale = lcm(start.get_den(), end.get_den());  // a power of two
+  const mpz_class a(start.get_num() * (scale / start.get_den()));
+  const mpz_class b(end.get_num() * (scale / end.get_den()));
+  const Bernstein squared_line{a * a, 2 * a * b, b * b};
+  const Bernstein rest = binomial_scaled(leaf.numerator);
+  Scaled result{Bernstein(rest.size() + 2),
+                -2 * static_cast<long>(mpz_sizeinbase(scale.get_mpz_t(), 2) - 1)};
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      result.coefficients[i + j] += rest[i] * squared_line[j];
+    }
+  }
+  return result;
+}
+
+// The radius is monotone and near its chord; the tighter of both bounds is used.
+CurvatureRatio::Scaled CurvatureRatio::upper_numerator(const Leaf& leaf) const {
+  if (!law_) {
+    return {binomial_scaled(leaf.numerator), 0};
+  }
+  const double start = leaf.start_radius.upper, end = leaf.end_radius.upper, e = bulge(leaf);
+  const double largest = std::max(start, end);
+  return with_radius(leaf, 2 * e < std::abs(end - start) ? Line{above(start + e), above(end + e)}
+                                                         : Line{largest, largest});
+}
+
+CurvatureRatio::Scaled CurvatureRatio::lower_numerator(const Leaf& leaf) const {
+  if (!law_) {
+    return {binomial_scaled(leaf.numerator), 0};
+  }
+  const double start = leaf.start_radius.lower, end = leaf.end_radius.lower, e = bulge(leaf);
+  const double least = std::min(start, end);
+  const Line chord{below(start - e), below(end - e)};
+  const bool use_chord = 2 * e < std::abs(end - start) && std::min(chord.start, chord.end) > 0;
+  return with_radius(leaf, use_chord ? chord : Line{least, least});
+}
+
+Enclosure CurvatureRatio::range(const Leaf& leaf) const {
+  const Bernstein denominator = binomial_scaled(leaf.denominator);
+  if (std::any_of(denominator.begin(), denominator.end(),
+                  [](const mpz_class& x) { return sgn(x) <= 0; })) {
+    return {0, kInfinity};
+  }
+  // A quotient of Bernstein polynomials with positive denominators lies between its least and
+  // largest coefficient quotients.
+  Enclosure result{kInfinity, 0};
+  const Scaled upper = upper_numerator(leaf);
+  const Scaled lower = law_ ? lower_numerator(leaf) : upper;
+  for (std::size_t i = 0; i < denominator.size(); ++i) {
+    if (sgn(upper.coefficients[i]) > 0) {
+      result.upper = std::max(
+          result.upper, quotient(upper.coefficients[i], denominator[i], upper.exponent).upper);
+    }
+    result.lower =
+        sgn(lower.coefficients[i]) <= 0
+            ? 0
+            : std::min(result.lower,
+                       quotient(lower.coefficients[i], denominator[i], lower.exponent).lower);
+  }
+  return result;
+}
+
+Enclosure CurvatureRatio::at_start(const Leaf& leaf) const {
+  return at_end_point(leaf.numerator.front(), leaf.denominator.front(),
+                      law_ ? &leaf.start_radius : nullptr);
+}
+
+Enclosure CurvatureRatio::at_end(const Leaf& leaf) const {
+  return at_end_point(leaf.numerator.back(), leaf.denominator.back(),
+                      law_ ? &leaf.end_radius : nullptr);
+}
+
+bool CurvatureRatio::proves_below(const Leaf& leaf, const mpq_class& bound) const {
+  const Bernstein denominator = binomial_scaled(leaf.denominator);
+  const Scaled upper = upper_numerator(leaf);
+  const mpz_class numerator_factor = bound.get_den();
+  const mpz_class denominator_factor = bound.get_num()
+                                       << static_cast<unsigned long>(-upper.exponent);
+  for (std::size_t i = 0; i < denominator.size(); ++i) {
+    if (numerator_factor * upper.coefficients[i] >= denominator_factor * denominator[i]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool CurvatureRatio::refutes_below(const Leaf& leaf, const mpq_class& bound) const {
+  return refutes_at(leaf.numerator.front(), leaf.denominator.front(),
+                    law_ ? &leaf.start_radius : nullptr, bound) ||
+         refutes_at(leaf.numerator.back(), leaf.denominator.back(),
+                    law_ ? &leaf.end_radius : nullptr, bound);
+}
+
+}  // namespace dupin::detail

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "dupin/blends/radius_law.h"
+#include "enclosure.h"
+#include "polynomial.h"
+
+namespace dupin::detail {
+
+/// The law as an exact polynomial, if it is one.
+[[nodiscard]] std::optional<Polynomial> polynomial(const RadiusLaw& law);
+
+/// The radius at t with directed rounding (MPFI).
+[[nodiscard]] Enclosure enclosed_radius(const CyclideRadius& law, double t);
+
+/// An upper bound of |R''| on [0, 1].
+[[nodiscard]] double second_derivative_bound(const CyclideRadius& law);
+
+}  // namespace dupin::detail
