@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "dupin/blends/pe_arc.h"
+
+namespace dupin {
+
+/// Lateral area of a piece between its contact circles, to 1e-12 relative.
+[[nodiscard]] double area(const PeArc& arc);
+/// Volume between the discs of its contact circles, to 1e-12 relative.
+[[nodiscard]] double volume(const PeArc& arc);
+
+/// What surface a piece lies on. Numerically close cases are told apart by names only; no
+/// construction depends on them.
+enum class CyclideKind { cylinder, cone, torus, elliptic, hyperbolic, parabolic };
+
+[[nodiscard]] std::string_view name(CyclideKind kind);
+
+/// The canonical parameters: (x^2+y^2+z^2-mu^2+b^2)^2 = 4(ax - c mu)^2 + 4 b^2 y^2 in the frame
+/// (origin; x, y, z), b^2 = a^2 - c^2; for parabolic pieces (x^2+y^2+z^2)x - (mu+p)x^2 - mu y^2 -
+/// (mu+p)z^2 - mu^2 x + mu^2 (mu+p) = 0 with p in `a`. `elliptic` pieces belong to the family whose
+/// spine is the ellipse, `hyperbolic` ones to the other. For cones and cylinders only origin (the
+/// start sphere's centre) and x (the axis) are set.
+struct CanonicalCyclide {
+  CyclideKind kind = CyclideKind::cylinder;
+  double a = 0, b = 0, c = 0, mu = 0;
+  Vec3 origin, x, y, z;
+};
+
+[[nodiscard]] CanonicalCyclide canonical_form(const PeArc& arc);
+
+/// The left side minus the right side of the canonical equation at a point of the assembly frame;
+/// zero on the surface. Requires a kind other than cone and cylinder; throws
+/// Error{invalid_argument} otherwise.
+[[nodiscard]] double implicit_value(const CanonicalCyclide& form, const Vec3& point);
+
+/// The smallest radius of the arc's spheres.
+[[nodiscard]] double least_radius(const PeArc& arc);
+
+/// Largest delta such that the tube (the union of the arc's balls) keeps distance delta from
+/// `point`: the signed distance of the point from the tube. Absolute error below 1e-12 of the size
+/// of the data.
+[[nodiscard]] double signed_distance(const PeArc& arc, const Vec3& point);
+
+/// A rational biquadratic Bezier patch: 3 x 3 homogeneous control points (w x, w y, w z, w), rows
+/// along the spine.
+struct BiquadraticPatch {
+  std::array<std::array<Vec3, 3>, 3> points;       ///< w times the point
+  std::array<std::array<double, 3>, 3> weights{};  ///< positive
+};
+
+[[nodiscard]] Vec3 evaluate(const BiquadraticPatch& patch, double t, double s);
+
+/// The exact piece as patches with positive weights and boundary arcs of at most 90 degrees, row by
+/// row (along the spine), four or more columns around.
+[[nodiscard]] std::vector<BiquadraticPatch> patches(const PeArc& arc);
+
+}  // namespace dupin

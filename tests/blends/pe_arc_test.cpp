@@ -1,0 +1,262 @@
+#include "dupin/blends/pe_arc.h"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "dupin/blends/cyclide_form.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin {
+namespace {
+
+using std::numbers::pi;
+
+PeVector sphere(double x, double y, double z, double r) { return {Vec3(x, y, z), r}; }
+
+// The PE-unit direction along `axis` with sine of the half angle `sine`.
+PeVector direction(const Vec3& axis, double sine) {
+  const double q = sine / std::sqrt(1 - sine * sine);
+  return {std::hypot(1, q) * axis.normalized(), q};
+}
+
+void expect_near(const PeVector& a, const PeVector& b, double tolerance) {
+  EXPECT_NEAR(a.m.x(), b.m.x(), tolerance);
+  EXPECT_NEAR(a.m.y(), b.m.y(), tolerance);
+  EXPECT_NEAR(a.m.z(), b.m.z(), tolerance);
+  EXPECT_NEAR(a.r, b.r, tolerance);
+}
+
+struct Single {
+  const char* name;
+  PeVector start, tangent, end;
+  double chord, w, power;
+  PeVector end_tangent;
+  CyclideKind kind;
+  double area, volume;
+};
+
+// Design C4, 40-digit oracle.
+const std::vector<Single>& singles() {
+  static const PeVector unit = sphere(0, 0, 0, 1), up = direction(Vec3::UnitZ(), 0);
+  static const std::vector<Single> table{
+      {"elbow", unit, up, sphere(3, 0, 3, 1), 3 * std::sqrt(2), std::sqrt(0.5), 12,
+       sphere(1, 0, 0, 0), CyclideKind::torus, 3 * pi * pi, 1.5 * pi * pi},
+      {"u_bend", unit, up, sphere(4, 0, 0, 1), 4, 0, 8, sphere(0, 0, -1, 0), CyclideKind::torus,
+       39.4784176043574, 19.7392088021787},
+      {"three_quarters", unit, up, sphere(3, 0, -3, 1), 3 * std::sqrt(2), -std::sqrt(0.5), 12,
+       sphere(-1, 0, 0, 0), CyclideKind::torus, 88.8264396098, 44.4132198049},
+      {"reducer", unit, up, sphere(3.06186217847897, 0, 3, 0.387627564304205), 4.24264068711929,
+       0.707106781186548, 13.1010205144336, sphere(1.02062072615966, 0, 0, -0.204124145231932),
+       CyclideKind::elliptic, 23.8010832178908, 9.71463358402981},
+      {"flare", unit, up, sphere(0, 0, 3, 2), 2 * std::sqrt(2), 1.06066017178, 6,
+       sphere(0, 0, 1.25, 0.75), CyclideKind::torus, 14.5896398843151, 8.19943142430324},
+      {"parabolic", sphere(0, 0, 0, 2), direction(Vec3::UnitX(), 0), sphere(2, .6, 0, 1.4), 2, 1, 4,
+       sphere(1, .6, 0, -.6), CyclideKind::parabolic, 32.3913891910421, 27.4549343622203},
+      {"cone", unit, direction(Vec3::UnitZ(), 0.25), sphere(0, 0, 4, 2), std::sqrt(15), 1, 15,
+       direction(Vec3::UnitZ(), 0.25), CyclideKind::cone, 35.3429173528852, 25.7708772364788},
+      {"horned", unit, direction(Vec3::UnitZ(), 0.2), sphere(3, 0, 2.5, .6), 3.88458491991101,
+       0.677859160703389, 11.0112246173204,
+       sphere(1.04699859780991, 0, -0.148121894651402, -0.343723958273252), CyclideKind::elliptic,
+       30.8989745115297, 15.6677817593305}};
+  return table;
+}
+
+TEST(PeArc, single_pieces_have_the_oracle_values) {
+  for (const Single& row : singles()) {
+    SCOPED_TRACE(row.name);
+    const PeArc arc = PeArc::from(row.start, row.tangent, row.end);
+    EXPECT_NEAR(arc.chord(), row.chord, 1e-11 * row.chord);
+    EXPECT_NEAR(arc.w(), row.w, 2e-12);
+    EXPECT_NEAR(arc.least_power(), row.power, 1e-12 * row.power);
+    expect_near(arc.end_tangent(), row.end_tangent, 2e-12);
+    EXPECT_NEAR(area(arc), row.area, 1e-12 * row.area);
+    EXPECT_NEAR(volume(arc), row.volume, 1e-12 * row.volume);
+    EXPECT_EQ(canonical_form(arc).kind, row.kind) << name(canonical_form(arc).kind);
+  }
+}
+
+TEST(PeArc, points_have_the_oracle_values) {
+  const PeArc reducer = PeArc::from(singles()[3].start, singles()[3].tangent, singles()[3].end);
+  const Vec3 p = point_at(reducer, 0.5, 1).position;
+  EXPECT_NEAR((p - Vec3(1.26258488720747, 0.705188241735665, 1.91550384081204)).norm(), 0, 1e-13);
+  const PeArc para = PeArc::from(singles()[5].start, singles()[5].tangent, singles()[5].end);
+  const Vec3 q = point_at(para, 0.5, 1).position;
+  EXPECT_NEAR((q - Vec3(1.24996141928, 1.166795269066, 1.525171029648)).norm(), 0, 2e-12);
+}
+
+TEST(PeArc, canonical_parameters_have_the_oracle_values) {
+  const PeArc reducer = PeArc::from(singles()[3].start, singles()[3].tangent, singles()[3].end);
+  const CanonicalCyclide f = canonical_form(reducer);
+  EXPECT_NEAR(f.a, 3.061862178479, 1e-11);
+  EXPECT_NEAR(f.b, 3, 1e-11);
+  EXPECT_NEAR(f.c, 0.6123724356958, 1e-11);
+  EXPECT_NEAR(f.mu, 0.3876275643042, 1e-11);
+  EXPECT_NEAR((f.origin - Vec3(3.061862178479, 0, 0)).norm(), 0, 1e-11);
+  EXPECT_NEAR((f.x - Vec3(1, 0, 0)).norm(), 0, 1e-11);
+  EXPECT_NEAR((f.y - Vec3(0, 0, -1)).norm(), 0, 1e-11);
+  const PeArc flare = PeArc::from(singles()[4].start, singles()[4].tangent, singles()[4].end);
+  EXPECT_NEAR(canonical_form(flare).a, 4, 1e-11);
+  EXPECT_NEAR(canonical_form(flare).mu, -3, 1e-11);
+}
+
+TEST(PeArc, points_satisfy_the_implicit_equation) {
+  for (const Single& row : singles()) {
+    const PeArc arc = PeArc::from(row.start, row.tangent, row.end);
+    const CanonicalCyclide f = canonical_form(arc);
+    if (f.kind == CyclideKind::cone) {
+      EXPECT_THROW((void)implicit_value(f, Vec3::Zero()), Error);
+      continue;
+    }
+    SCOPED_TRACE(row.name);
+    const double size = std::max({std::abs(f.a), std::abs(f.mu), 3.0});
+    for (int i = 0; i <= 8; ++i) {
+      for (int j = 0; j < 8; ++j) {
+        const ArcPoint p = point_at(arc, i / 8.0, 2 * pi * j / 8);
+        EXPECT_NEAR(implicit_value(f, p.position), 0, 1e-12 * std::pow(size, 4));
+      }
+    }
+  }
+}
+
+TEST(PeArc, patches_lie_on_the_surface_with_positive_weights) {
+  for (const Single& row : singles()) {
+    SCOPED_TRACE(row.name);
+    const PeArc arc = PeArc::from(row.start, row.tangent, row.end);
+    for (const BiquadraticPatch& patch : patches(arc)) {
+      for (const auto& weights : patch.weights) {
+        for (const double w : weights) {
+          EXPECT_GT(w, 0);
+        }
+      }
+      for (int i = 0; i <= 4; ++i) {
+        for (int j = 0; j <= 4; ++j) {
+          EXPECT_NEAR(signed_distance(arc, evaluate(patch, i / 4.0, j / 4.0)), 0, 1e-13 * 40);
+        }
+      }
+    }
+  }
+}
+
+struct Rejection {
+  const char* name;
+  PeVector start, tangent, end;
+  ArcFault fault;
+  double ArcValidity::*value;
+  double expected;
+};
+
+TEST(PeArc, rejections_give_the_reason_and_the_value) {
+  const PeVector unit = sphere(0, 0, 0, 1), up = direction(Vec3::UnitZ(), 0);
+  const std::vector<Rejection> table{
+      {"nested", unit, up, sphere(.3, 0, 0, 1.5), ArcFault::nested, &ArcValidity::squared_length,
+       -0.16},
+      {"behind", unit, up, sphere(0, 0, -3, 2), ArcFault::through_infinity, &ArcValidity::w,
+       -1.06066017178},
+      {"tight", unit, up, sphere(.8, 0, .8, 1), ArcFault::pinched, &ArcValidity::least_power,
+       -0.32},
+      {"through_zero", unit, direction(Vec3::UnitZ(), -0.7), sphere(5, 0, 3, .2),
+       ArcFault::radius_vanishes, &ArcValidity::radius_margin, -2.239163546478 + std::sqrt(0.2)}};
+  for (const Rejection& row : table) {
+    SCOPED_TRACE(row.name);
+    const ArcValidity v = validity(row.start, row.tangent, row.end);
+    EXPECT_EQ(v.fault, row.fault);
+    EXPECT_NEAR(v.*row.value, row.expected, 2e-12);
+    EXPECT_THROW((void)PeArc::from(row.start, row.tangent, row.end), Error);
+  }
+}
+
+struct RandomArcs {
+  std::mt19937_64 random{1994};
+  std::uniform_real_distribution<double> place{-4, 4}, radius{0.3, 1.2}, sine{-0.4, 0.4};
+
+  Vec3 vector() { return {place(random), place(random), place(random)}; }
+  PeArc next() {
+    for (;;) {
+      const PeVector a{vector(), radius(random)}, b{vector(), radius(random)};
+      const PeVector t = direction(vector(), sine(random));
+      if (validity(a, t, b).fault == ArcFault::none) {
+        return PeArc::from(a, t, b);
+      }
+    }
+  }
+};
+
+TEST(PeArc, reversal_offset_and_halving_keep_the_surface) {
+  RandomArcs arcs;
+  for (int i = 0; i < 100; ++i) {
+    const PeArc arc = arcs.next();
+    const PeArc back = reversed(arc);
+    EXPECT_NEAR(back.w(), arc.w(), 1e-11);
+    EXPECT_NEAR(area(back), area(arc), 1e-9 * area(arc));
+    const double w_half = std::sqrt((1 + arc.w()) / 2);
+    EXPECT_NEAR(sub_arc(arc, 0, 0.5).w(), w_half, 1e-10);
+    const PeArc larger = offset(arc, 1e-3);
+    EXPECT_NEAR(larger.w(), arc.w(), 1e-11);
+    expect_near(larger.end_tangent(), arc.end_tangent(), 1e-9);
+    EXPECT_NEAR(pe_length(sub_arc(arc, 0, 0.3)) + pe_length(sub_arc(arc, 0.3, 1)), pe_length(arc),
+                1e-9 * pe_length(arc));
+  }
+}
+
+TEST(PeArc, circles_and_points_agree) {
+  RandomArcs arcs;
+  for (int i = 0; i < 50; ++i) {
+    const PeArc arc = arcs.next();
+    for (const double t : {0.0, 0.3, 0.8, 1.0}) {
+      const Ring ring = circle_at(arc, t);
+      const PeVector ball = sphere_at(arc, t);
+      for (int j = 0; j < 7; ++j) {
+        const ArcPoint p = point_at(arc, t, j);
+        EXPECT_NEAR((p.position - ring.center).norm(), ring.radius, 1e-9);
+        EXPECT_NEAR((p.position - ring.center).dot(ring.normal), 0, 1e-9);
+        EXPECT_NEAR((p.position - ball.m).norm(), ball.r, 1e-9);
+        EXPECT_NEAR(p.normal.dot(ring.normal), -ring.slope / std::hypot(1, ring.slope), 1e-8);
+      }
+    }
+  }
+}
+
+TEST(PeArc, is_regular_exactly_when_its_discs_do_not_overlap_locally) {
+  // V1 to V3 given, V4 must have the sign of min(d'.n - rho |n'|), measured on fine differences.
+  RandomArcs arcs;
+  int pinched = 0, regular = 0;
+  while (pinched < 20 || regular < 60) {
+    const PeVector a{arcs.vector() * 0.4, arcs.radius(arcs.random)};
+    const PeVector b{arcs.vector() * 0.4, arcs.radius(arcs.random)};
+    const PeVector t = direction(arcs.vector(), arcs.sine(arcs.random));
+    const ArcValidity v = validity(a, t, b);
+    // Too close to the border for a measurement by differences.
+    if ((v.fault != ArcFault::none && v.fault != ArcFault::pinched) ||
+        std::abs(v.least_power) < 0.05 * v.squared_length || v.w < -0.5) {
+      continue;
+    }
+    const double length = std::sqrt(v.squared_length);
+    const PeVector middle = v.w * a + (length / 2) * t;
+    const auto sphere_of = [&](double s) {
+      const double b0 = (1 - s) * (1 - s), b1 = 2 * s * (1 - s), b2 = s * s;
+      return (1 / (b0 + b1 * v.w + b2)) * (b0 * a + b1 * middle + b2 * b);
+    };
+    double least = 1e300;
+    const double h = 1e-4;
+    const auto ring_of = [&](double s) {
+      const PeVector d = sphere_of(s + h) - sphere_of(s - h);
+      return contact_ring(sphere_of(s), (1 / std::sqrt(product(d, d))) * d);
+    };
+    for (int i = 0; i <= 200; ++i) {
+      const double s = i / 200.0;
+      const Ring r0 = ring_of(s - 2 * h), r1 = ring_of(s + 2 * h), r = ring_of(s);
+      least = std::min(
+          least, (r1.center - r0.center).dot(r.normal) - r.radius * (r1.normal - r0.normal).norm());
+    }
+    EXPECT_EQ(least > 0, v.fault == ArcFault::none);
+    (least > 0 ? regular : pinched)++;
+  }
+}
+
+}  // namespace
+}  // namespace dupin
