@@ -14,7 +14,7 @@ enum class Defect {
   non_finite_point,
   bad_index,
   degenerate_face,  ///< repeated index or zero area, exactly
-  duplicate_face,
+  duplicate_face,   ///< faces whose corners have the same three places, in any order
   boundary_edge,
   non_manifold_edge,
   non_manifold_vertex,
@@ -40,9 +40,12 @@ struct ShellReport {
   std::uint32_t first_face = 0;
   std::size_t triangles = 0;
   double volume = 0;  ///< signed
-  int depth = 0;      ///< number of shells around it
-  std::int64_t euler_number = 0;
+  int depth = 0;      ///< number of shells around it; 0 unless all are closed and free of faults
+  std::int64_t euler_number = 0;  ///< a point at which its faces form two fans counts twice
 };
+
+/// One sentence without a full stop, with indices, labels and coordinates, for people.
+[[nodiscard]] std::string describe(const Finding& finding, const TriMesh& mesh);
 
 /// What `check` found out. Counts are complete; `findings` holds at most CheckOptions::limit per
 /// defect.
@@ -65,7 +68,7 @@ struct Report {
 
 struct CheckOptions {
   std::size_t limit = 100;         ///< findings kept per defect
-  bool self_intersections = true;  ///< the costly part
+  bool self_intersections = true;  ///< search for them: the costly part
 };
 
 /// Every fault of the mesh, by exact predicates on the very coordinates given. Never throws on bad

@@ -1,0 +1,123 @@
+#include "contact.h"
+
+#include <algorithm>
+#include <set>
+
+#include "edge_table.h"
+#include "orientation.h"
+
+namespace dupin::detail {
+namespace {
+
+// (X, Y, Z) / W scaled by the other's W, so that both have one denominator.
+ExactVector difference(const ExactPoint& a, const ExactPoint& b) {
+  return {a[0] * b[3] - b[0] * a[3], a[1] * b[3] - b[1] * a[3], a[2] * b[3] - b[2] * a[3]};
+}
+
+// A half-plane that ends in the edge, from the first one counter-clockwise.
+struct Leaf {
+  ExactVector direction;  // from the edge into the face
+  bool along = false;     // whether the face runs along the edge from low to high
+  int half_turn = 0;      // 0 in [0, pi) from the first leaf, 1 in [pi, 2 pi)
+};
+
+// Whether faces around the edge from `low` to `high` leave and enter the solid in turn.
+bool alternates(const MeshView& mesh, const EdgeTable& edges, const Edge& edge) {
+  const ExactPoint low = mesh.exact(edge.low);
+  const ExactVector axis = difference(mesh.exact(edge.high), low);
+  std::vector<Leaf> leaves;
+  for (const std::uint32_t half_edge : edge.half_edges) {
+    const std::uint32_t apex = edges.target(next_half_edge(half_edge));
+    leaves.push_back({difference(mesh.exact(apex), low), edges.origin(half_edge) == edge.low, 0});
+  }
+  const auto turn = [&](const ExactVector& a, const ExactVector& b) {
+    return sign(dot(axis, cross(a, b)));
+  };
+  const ExactVector first = leaves.front().direction;
+  for (Leaf& leaf : leaves) {
+    const int side = turn(first, leaf.direction);
+    // Coplanar leaves lie on the same side of the axis, or on the opposite one.
+    const bool opposite =
+        side == 0 && sign(dot(cross(axis, first), cross(axis, leaf.direction))) < 0;
+    leaf.half_turn = side < 0 || opposite ? 1 : 0;
+  }
+  std::stable_sort(leaves.begin(), leaves.end(), [&](const Leaf& a, const Leaf& b) {
+    return a.half_turn != b.half_turn ? a.half_turn < b.half_turn
+                                      : turn(a.direction, b.direction) > 0;
+  });
+  const auto same_way = [](const Leaf& a, const Leaf& b) { return a.along == b.along; };
+  return leaves.front().along != leaves.back().along &&
+         std::adjacent_find(leaves.begin(), leaves.end(), same_way) == leaves.end();
+}
+
+void sort_unique(std::vector<std::uint32_t>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+}  // namespace
+
+std::vector<ContactPlace> find_contacts(const MeshView& mesh,
+                                        std::span<const std::uint32_t> first_identical) {
+  std::vector<Triangle> merged(mesh.triangles.begin(), mesh.triangles.end());
+  bool any = false;
+  for (Triangle& corners : merged) {
+    for (std::uint32_t& corner : corners) {
+      any = any || first_identical[corner] != corner;
+      corner = first_identical[corner];
+    }
+  }
+  if (!any) {
+    return {};
+  }
+  const EdgeTable edges(merged, mesh.points.size());
+  std::vector<ContactPlace> places;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Edge edge = edges[i];
+    if (edge.half_edges.size() > 2) {
+      ContactPlace place{Contact::Kind::edge, edge.low, edge.high, {}, true};
+      for (const std::uint32_t half_edge : edge.half_edges) {
+        place.faces.push_back(half_edge / 3);
+      }
+      sort_unique(place.faces);
+      place.alternating = alternates(mesh, edges, edge);
+      places.push_back(std::move(place));
+    }
+  }
+
+  const auto fans = corner_fans(merged, edges);
+  std::vector<std::uint32_t> fan_count(mesh.points.size());
+  for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
+    fan_count[merged[corner / 3][corner % 3]] += fans[corner] == corner ? 1 : 0;
+  }
+  std::vector<std::uint32_t> place_of(mesh.points.size());
+  for (std::uint32_t point = 0; point < fan_count.size(); ++point) {
+    if (fan_count[point] > 1) {
+      place_of[point] = static_cast<std::uint32_t>(places.size());
+      places.push_back({Contact::Kind::vertex, point, point, {}, true});
+    }
+  }
+  for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
+    const std::uint32_t point = merged[corner / 3][corner % 3];
+    if (fan_count[point] > 1) {
+      places[place_of[point]].faces.push_back(corner / 3);
+    }
+  }
+  return places;
+}
+
+Contact to_contact(const ContactPlace& place, const MeshView& mesh,
+                   std::span<const std::uint32_t> labels, std::span<const std::string> names) {
+  std::set<std::string> involved;
+  if (!labels.empty()) {
+    for (const std::uint32_t face : place.faces) {
+      involved.insert(names[labels[face]]);
+    }
+  }
+  return {place.kind,
+          mesh.points[place.from],
+          mesh.points[place.to],
+          {involved.begin(), involved.end()}};
+}
+
+}  // namespace dupin::detail

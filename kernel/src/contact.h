@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh_view.h"
+
+namespace dupin::detail {
+
+/// A contact with the faces that meet there.
+struct ContactPlace {
+  Contact::Kind kind = Contact::Kind::vertex;
+  std::uint32_t from = 0, to = 0;    ///< points
+  std::vector<std::uint32_t> faces;  ///< ascending
+  /// False at an edge around which the faces do not bound inside and outside in turn: there the
+  /// surface crosses or covers itself.
+  bool alternating = true;
+};
+
+/// Where a closed oriented 2-manifold surface touches itself: edges first, then vertices that are
+/// in no such edge. `first_identical` names for each point the first one of the same coordinates.
+/// Faces may meet in such points only.
+[[nodiscard]] std::vector<ContactPlace> find_contacts(
+    const MeshView& mesh, std::span<const std::uint32_t> first_identical);
+
+/// The public form, with the names of the faces' labels.
+[[nodiscard]] Contact to_contact(const ContactPlace& place, const MeshView& mesh,
+                                 std::span<const std::uint32_t> labels,
+                                 std::span<const std::string> names);
+
+}  // namespace dupin::detail

@@ -1,0 +1,191 @@
+#include "dupin/kernel/solid.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "dupin/kernel/error.h"
+#include "edge_table.h"
+#include "exact_mesh.h"
+#include "inspection.h"
+#include "measure.h"
+
+namespace dupin {
+namespace {
+
+Errc code_of(Defect defect) {
+  switch (defect) {
+    case Defect::boundary_edge:
+      return Errc::not_closed;
+    case Defect::non_manifold_edge:
+    case Defect::non_manifold_vertex:
+      return Errc::not_manifold;
+    case Defect::inconsistent_orientation:
+    case Defect::inside_out_component:
+      return Errc::not_oriented;
+    case Defect::self_intersection:
+      return Errc::self_intersecting;
+    default:
+      return Errc::invalid_argument;
+  }
+}
+
+std::string remedy(Defect defect) {
+  switch (defect) {
+    case Defect::non_finite_point:
+      return "coordinates must be finite";
+    case Defect::bad_index:
+      return "indices must be below the number of points";
+    case Defect::degenerate_face:
+      return "faces of a solid must have an area";
+    case Defect::duplicate_face:
+      return "keep one of them, or none if they face each other";
+    case Defect::boundary_edge:
+      return "a solid needs two faces at every edge";
+    case Defect::non_manifold_edge:
+      return "a solid needs exactly two faces at every edge; where two sheets touch, each needs "
+             "vertices of its own";
+    case Defect::non_manifold_vertex:
+      return "where two sheets touch, each needs a vertex of its own";
+    case Defect::inconsistent_orientation:
+      return "reverse the corners of one side";
+    case Defect::self_intersection:
+      return "unite the parts as separate solids instead";
+    case Defect::inside_out_component:
+      return "reverse the corners of its faces: they must run counter-clockwise seen from outside "
+             "the material";
+    default:
+      return {};
+  }
+}
+
+void refuse_faults(const Report& report, const TriMesh& mesh) {
+  for (const Finding& finding : report.findings) {
+    if (is_fatal(finding.defect)) {
+      const std::size_t count = report.count(finding.defect);
+      const std::string others =
+          count > 1 ? " (the first of " + std::to_string(count) + " such places)" : "";
+      throw Error(code_of(finding.defect),
+                  describe(finding, mesh) + others + "; " + remedy(finding.defect));
+    }
+  }
+}
+
+void refuse_bad_labels(const TriMesh& mesh) {
+  if (mesh.labels.empty()) {
+    return;
+  }
+  if (mesh.labels.size() != mesh.triangles.size()) {
+    throw Error(Errc::invalid_argument, "a mesh of " + std::to_string(mesh.triangles.size()) +
+                                            " faces has " + std::to_string(mesh.labels.size()) +
+                                            " labels; there must be one for each face, or none");
+  }
+  for (std::size_t i = 0; i < mesh.labels.size(); ++i) {
+    if (mesh.labels[i] >= mesh.names.size()) {
+      throw Error(Errc::invalid_argument,
+                  "face " + std::to_string(i) + " has label " + std::to_string(mesh.labels[i]) +
+                      ", but there are only " + std::to_string(mesh.names.size()) + " names");
+    }
+  }
+}
+
+// Copies the points that faces use.
+void copy_surface(const TriMesh& mesh, detail::ExactMesh& exact) {
+  constexpr std::uint32_t kUnused = 0xffffffff;
+  std::vector<std::uint32_t> new_index(mesh.points.size(), kUnused);
+  for (const Triangle& corners : mesh.triangles) {
+    for (const std::uint32_t corner : corners) {
+      new_index[corner] = 0;
+    }
+  }
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    if (new_index[i] != kUnused) {
+      new_index[i] = static_cast<std::uint32_t>(exact.points.size());
+      exact.points.push_back(mesh.points[i]);
+    }
+  }
+  exact.triangles = mesh.triangles;
+  for (Triangle& corners : exact.triangles) {
+    for (std::uint32_t& corner : corners) {
+      corner = new_index[corner];
+    }
+  }
+}
+
+struct Pieces {
+  explicit Pieces(const detail::ExactMesh& mesh)
+      : edges(mesh.triangles, mesh.points.size()),
+        shells(detail::shells(mesh.triangles.size(), edges)) {}
+  detail::EdgeTable edges;
+  detail::Shells shells;
+};
+
+}  // namespace
+
+Solid::Solid() : mesh_(std::make_shared<const detail::ExactMesh>()) {}
+
+Solid::Solid(std::shared_ptr<const detail::ExactMesh> mesh) : mesh_(std::move(mesh)) {}
+
+Solid Solid::from(const TriMesh& mesh) {
+  refuse_bad_labels(mesh);
+  const detail::Inspection inspection = detail::inspect(mesh, {.limit = 1});
+  refuse_faults(inspection.report, mesh);
+  auto exact = std::make_shared<detail::ExactMesh>();
+  copy_surface(mesh, *exact);
+  exact->labels = mesh.labels;
+  exact->names = mesh.names;
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    exact->sources.push_back({0, i});
+  }
+  for (const detail::ContactPlace& place : inspection.contacts) {
+    exact->contacts.push_back(
+        detail::to_contact(place, {mesh.points, mesh.triangles}, mesh.labels, mesh.names));
+  }
+  return Solid(std::move(exact));
+}
+
+bool Solid::empty() const { return mesh_->triangles.empty(); }
+
+std::size_t Solid::point_count() const { return mesh_->points.size(); }
+
+std::size_t Solid::triangle_count() const { return mesh_->triangles.size(); }
+
+mpq_class Solid::exact_volume() const { return detail::exact_volume(detail::MeshView(*mesh_)); }
+
+double Solid::volume() const { return detail::nearest_volume(detail::MeshView(*mesh_)); }
+
+double Solid::area() const { return detail::area(detail::MeshView(*mesh_)); }
+
+std::size_t Solid::shells() const { return Pieces(*mesh_).shells.count; }
+
+// Shells around material enclose a positive volume, shells around voids a negative one.
+std::size_t Solid::components() const {
+  const detail::Shells shells = Pieces(*mesh_).shells;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < shells.count; ++i) {
+    std::vector<Triangle> faces;
+    for (const std::uint32_t face : shells.faces_of(i)) {
+      faces.push_back(mesh_->triangles[face]);
+    }
+    detail::MeshView shell(*mesh_);
+    shell.triangles = faces;
+    count += detail::volume_sign(shell) > 0 ? 1 : 0;
+  }
+  return count;
+}
+
+std::int64_t Solid::euler_number() const {
+  const auto edge_count = static_cast<std::int64_t>(3 * triangle_count() / 2);
+  return static_cast<std::int64_t>(point_count() + triangle_count()) - edge_count;
+}
+
+std::int64_t Solid::genus() const {
+  return static_cast<std::int64_t>(shells()) - euler_number() / 2;
+}
+
+const std::vector<Contact>& Solid::contacts() const { return mesh_->contacts; }
+
+const std::vector<Source>& Solid::sources() const { return mesh_->sources; }
+
+const std::vector<std::string>& Solid::names() const { return mesh_->names; }
+
+}  // namespace dupin

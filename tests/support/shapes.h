@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+
+#include "dupin/kernel/mesh.h"
+
+/// Small closed meshes, outward oriented, with integer or given coordinates.
+namespace dupin::test {
+
+/// 12 faces, 8 points; the corners run x fastest, then y, then z.
+[[nodiscard]] TriMesh box(const Vec3& low, const Vec3& high);
+
+/// (0,0,0), (1,0,0), (0,1,0), (0,0,1) times `size`, moved by `offset`.
+[[nodiscard]] TriMesh tetrahedron(const Vec3& offset = Vec3::Zero(), double size = 1);
+
+/// A square frame about the z axis: outer side 6, inner side 2, height 2, centred in the origin.
+/// Genus 1, volume 64.
+[[nodiscard]] TriMesh frame();
+
+/// A prism over the regular `segments`-gon inscribed in a circle of the radius about the z axis
+/// from z = low to high; fans from the first corner at both ends.
+[[nodiscard]] TriMesh tube(double radius, double low, double high, std::uint32_t segments);
+
+/// All faces in one mesh, points not merged; labels kept where there are any.
+[[nodiscard]] TriMesh joined(std::initializer_list<TriMesh> meshes);
+
+/// The same surface seen from inside.
+[[nodiscard]] TriMesh reversed(TriMesh mesh);
+
+[[nodiscard]] TriMesh moved(TriMesh mesh, const Vec3& by);
+
+/// All faces with one label.
+[[nodiscard]] TriMesh labelled(TriMesh mesh, const std::string& name);
+
+}  // namespace dupin::test
