@@ -1,17 +1,140 @@
 #include "dupin/io/mesh_file.h"
 
-namespace dupin {
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
 
-std::string_view name(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::off:
-      return "OFF";
-    case MeshFormat::stl_ascii:
-      return "ASCII STL";
-    case MeshFormat::stl_binary:
-      return "binary STL";
+#include "dupin/io/atomic_file.h"
+#include "dupin/io/off.h"
+#include "dupin/io/stl.h"
+#include "dupin/kernel/error.h"
+#include "text_scanner.h"
+
+namespace dupin {
+namespace {
+
+/// One row per format, in the order of the enumerators.
+struct FormatRow {
+  MeshFormat format;
+  std::string_view name;
+  std::string_view extension;
+  Coordinates coordinates;
+  TriMesh (*read)(std::string_view bytes, std::string_view file);
+  std::string (*write)(const TriMesh& mesh, const MeshHeader& header);
+};
+
+std::string stl_ascii_without_header(const TriMesh& mesh, const MeshHeader&) {
+  return stl_ascii_text(mesh);
+}
+
+// Of formats that share an extension, the first is the one to write.
+constexpr std::array kFormats = {
+    FormatRow{MeshFormat::off, "OFF", ".off", Coordinates::binary64, read_off, off_text},
+    FormatRow{MeshFormat::stl_binary, "binary STL", ".stl", Coordinates::binary32, read_stl_binary,
+              stl_binary_bytes},
+    FormatRow{MeshFormat::stl_ascii, "ASCII STL", ".stl", Coordinates::binary32, read_stl_ascii,
+              stl_ascii_without_header},
+};
+
+const FormatRow& row(MeshFormat format) {
+  return *std::find_if(kFormats.begin(), kFormats.end(),
+                       [&](const FormatRow& candidate) { return candidate.format == format; });
+}
+
+/// The format to write for an extension.
+std::optional<MeshFormat> format_by_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  for (const FormatRow& candidate : kFormats) {
+    if (candidate.extension == extension) {
+      return candidate.format;
+    }
   }
-  return "unknown";
+  return std::nullopt;
+}
+
+std::string known_extensions() {
+  std::string known;
+  std::string_view last;
+  for (const FormatRow& format : kFormats) {
+    if (format.extension != last) {
+      known += (known.empty() ? "" : ", ") + std::string(format.extension);
+    }
+    last = format.extension;
+  }
+  return known;
+}
+
+bool is_off(std::string_view bytes) {
+  TextScanner scanner(bytes, {}, '#');
+  scanner.skip_space();
+  const std::string_view token = scanner.peek().substr(0, 8);
+  return token.substr(0, token.find("OFF")).size() < token.size();
+}
+
+bool is_stl_ascii(std::string_view bytes) {
+  TextScanner scanner(bytes, {});
+  scanner.skip_space();
+  return scanner.take("solid");
+}
+
+MeshFormat format_of_content(std::string_view bytes, std::string_view file) {
+  const std::optional<MeshFormat> by_extension = format_by_extension(file);
+  if (is_off(bytes)) {
+    return MeshFormat::off;
+  }
+  if (by_extension == MeshFormat::stl_binary || is_stl_ascii(bytes) ||
+      has_size_of_binary_stl(bytes)) {
+    return is_binary_stl(bytes) ? MeshFormat::stl_binary : MeshFormat::stl_ascii;
+  }
+  if (by_extension) {
+    return *by_extension;
+  }
+  throw Error(Errc::parse_failed,
+              "found " + quoted(bytes.substr(0, 16)) + " at the start, expected a mesh (" +
+                  known_extensions() + ")",
+              {}, std::string(file) + ":byte 0");
+}
+
+}  // namespace
+
+std::string_view name(MeshFormat format) { return row(format).name; }
+
+Coordinates coordinates(MeshFormat format) { return row(format).coordinates; }
+
+MeshFormat format_of(const std::filesystem::path& path) {
+  const std::optional<MeshFormat> format = format_by_extension(path);
+  if (!format) {
+    throw Error(Errc::invalid_argument,
+                "the extension '" + path.extension().string() +
+                    "' names no mesh format; known are " + known_extensions(),
+                {}, path.string());
+  }
+  return *format;
+}
+
+TriMesh read_mesh(const std::filesystem::path& path) {
+  return read_mesh(read_file(path), path.string());
+}
+
+TriMesh read_mesh(std::string_view bytes, std::string_view file, std::optional<MeshFormat> format) {
+  return row(format ? *format : format_of_content(bytes, file)).read(bytes, file);
+}
+
+std::string mesh_bytes(const TriMesh& mesh, MeshFormat format, const MeshHeader& header) {
+  return row(format).write(mesh, header);
+}
+
+void write_mesh(const std::filesystem::path& path, const TriMesh& mesh, MeshFormat format,
+                const MeshHeader& header) {
+  write_file(path, mesh_bytes(mesh, format, header));
+}
+
+void write_mesh(const std::filesystem::path& path, const TriMesh& mesh) {
+  write_mesh(path, mesh, format_of(path));
 }
 
 }  // namespace dupin

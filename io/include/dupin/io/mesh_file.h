@@ -1,12 +1,60 @@
 #pragma once
 
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
+
+#include "dupin/io/mesh_header.h"
+#include "dupin/kernel/check.h"
+#include "dupin/kernel/mesh.h"
+#include "dupin/kernel/rounding.h"
 
 namespace dupin {
 
 /// The file formats that hold meshes.
 enum class MeshFormat { off, stl_ascii, stl_binary };
+inline constexpr std::array kMeshFormats = {MeshFormat::off, MeshFormat::stl_ascii,
+                                            MeshFormat::stl_binary};
 
+/// For people: "OFF", "binary STL".
 [[nodiscard]] std::string_view name(MeshFormat format);
+
+/// What the format's numbers can hold. Text STL is binary32: it must read alike for readers that
+/// store floats.
+[[nodiscard]] Coordinates coordinates(MeshFormat format);
+
+/// The format to write for a file name, by its extension in any case (.stl is binary). Throws
+/// Error{invalid_argument} naming the known extensions.
+[[nodiscard]] MeshFormat format_of(const std::filesystem::path& path);
+
+/// Reads a mesh whose format is told by its content. Throws Error{io_failed | parse_failed |
+/// limit_exceeded}.
+[[nodiscard]] TriMesh read_mesh(const std::filesystem::path& path);
+
+/// Reads a mesh from bytes; `file` is the name that errors give. Without a format, the content
+/// decides, then the extension of `file`.
+[[nodiscard]] TriMesh read_mesh(std::string_view bytes, std::string_view file,
+                                std::optional<MeshFormat> format = {});
+
+/// The bytes of a mesh file; the same mesh always gives the same bytes. Coordinates are rounded to
+/// the nearest number the format holds (see `to_mesh` for a rounding that keeps a solid a solid).
+/// Throws Error{invalid_argument} for a non-finite point or a bad index, Error{unroundable} for a
+/// point beyond the format's range.
+[[nodiscard]] std::string mesh_bytes(const TriMesh& mesh, MeshFormat format,
+                                     const MeshHeader& header = {});
+
+/// Writes `mesh_bytes` aside and renames. Throws also Error{io_failed}.
+void write_mesh(const std::filesystem::path& path, const TriMesh& mesh, MeshFormat format,
+                const MeshHeader& header = {});
+/// The same, in the format that the path's extension names.
+void write_mesh(const std::filesystem::path& path, const TriMesh& mesh);
+
+/// Like `write_mesh`, but before the file takes its place it is read back from disk, must give the
+/// same triangles, and must be a solid by `check` on the numbers read. Returns that check's report;
+/// throws Error{unroundable} with the first findings, leaving the old file, otherwise.
+Report write_verified(const std::filesystem::path& path, const TriMesh& mesh, MeshFormat format,
+                      const MeshHeader& header = {});
 
 }  // namespace dupin

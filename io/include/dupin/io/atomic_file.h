@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace dupin {
+
+/// All bytes of a file. Throws Error{io_failed} with the system's reason.
+[[nodiscard]] std::string read_file(const std::filesystem::path& path);
+
+/// A file that is written aside, in the directory of its target, and takes the target's place in
+/// one step: whoever looks, at any moment, finds the old file or the whole new one. Without
+/// `commit` the destructor removes it and the target stays untouched.
+///
+/// A symbolic link is followed; an existing file keeps its permissions. A target that is no
+/// regular file (a device, a pipe) cannot be replaced and is written directly by `commit`.
+/// All functions throw Error{io_failed} with the system's reason.
+class AsideFile {
+ public:
+  AsideFile(const std::filesystem::path& target, std::string_view bytes);
+  ~AsideFile();
+  AsideFile(const AsideFile&) = delete;
+  AsideFile& operator=(const AsideFile&) = delete;
+
+  /// Where the bytes are until `commit`.
+  [[nodiscard]] const std::filesystem::path& path() const { return aside_; }
+  void commit();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path aside_;
+  bool replaceable_ = true;  // target is a regular file or does not exist
+  bool pending_ = false;     // the aside file exists and is ours to remove
+};
+
+/// Writes aside and commits.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace dupin

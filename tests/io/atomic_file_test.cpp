@@ -1,0 +1,90 @@
+#include "dupin/io/atomic_file.h"
+
+#include <filesystem>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "dupin/kernel/error.h"
+#include "support/scratch_directory.h"
+
+namespace dupin {
+namespace {
+
+namespace fs = std::filesystem;
+
+using AtomicFile = test::ScratchDirectory;
+
+std::string message_of(const auto& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::io_failed);
+    return error.what();
+  }
+  return "no error";
+}
+
+std::ptrdiff_t entries(const fs::path& directory) {
+  return std::distance(fs::directory_iterator(directory), fs::directory_iterator());
+}
+
+TEST_F(AtomicFile, holds_the_bytes_that_were_written) {
+  const std::string bytes("a\0b\r\n\xff", 6);
+  write_file(path("x"), bytes);
+  EXPECT_EQ(read_file(path("x")), bytes);
+  write_file(path("x"), "");
+  EXPECT_EQ(read_file(path("x")), "");
+  EXPECT_EQ(entries(directory()), 1);
+}
+
+TEST_F(AtomicFile, leaves_the_old_file_until_commit_and_cleans_up_without) {
+  write_file(path("x"), "old");
+  {
+    const AsideFile aside(path("x"), "new");
+    EXPECT_EQ(read_file(path("x")), "old");
+    EXPECT_EQ(read_file(aside.path()), "new");
+    EXPECT_EQ(aside.path().parent_path(), directory());
+  }
+  EXPECT_EQ(read_file(path("x")), "old");
+  EXPECT_EQ(entries(directory()), 1);
+  AsideFile aside(path("x"), "new");
+  aside.commit();
+  EXPECT_EQ(read_file(path("x")), "new");
+  EXPECT_EQ(entries(directory()), 1);
+}
+
+TEST_F(AtomicFile, keeps_permissions_and_follows_links) {
+  write_file(path("x"), "old");
+  fs::permissions(path("x"), fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("x", path("link"));
+  write_file(path("link"), "new");
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(read_file(path("x")), "new");
+  EXPECT_EQ(fs::status(path("x")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(AtomicFile, writes_to_a_device_without_replacing_it) {
+  write_file("/dev/null", "bytes");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(AtomicFile, says_why_the_system_refused) {
+  const std::string here = directory().string();
+  EXPECT_EQ(message_of([&] { (void)read_file(path("none")); }),
+            here + "/none: cannot read the file: No such file or directory");
+  EXPECT_EQ(message_of([&] { (void)read_file(directory()); }),
+            here + ": cannot read the file: Is a directory");
+  EXPECT_EQ(message_of([&] { write_file(directory(), ""); }),
+            here + ": cannot write the file: Is a directory");
+  EXPECT_EQ(message_of([&] { write_file(path("no/x"), ""); }),
+            here + "/no/x: cannot create a file beside it: No such file or directory");
+  EXPECT_EQ(message_of([&] { write_file("/dev/full", "bytes"); }),
+            "/dev/full: cannot write the file: No space left on device");
+}
+
+}  // namespace
+}  // namespace dupin

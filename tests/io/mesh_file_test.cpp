@@ -1,0 +1,86 @@
+#include "dupin/io/mesh_file.h"
+
+#include <cstddef>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "dupin/io/atomic_file.h"
+#include "dupin/kernel/error.h"
+#include "support/mutation.h"
+#include "support/sample_meshes.h"
+#include "support/scratch_directory.h"
+
+namespace dupin {
+namespace {
+
+using MeshFile = test::ScratchDirectory;
+
+TEST_F(MeshFile, the_content_tells_the_format) {
+  for (const MeshFormat format : kMeshFormats) {
+    const std::string bytes = mesh_bytes(test::tetrahedron(), format);
+    for (const std::string file : {"-", "x.off", "x.stl", "x.xyz"}) {
+      EXPECT_EQ(read_mesh(bytes, file).triangles.size(), 4U) << name(format) << " in " << file;
+    }
+  }
+}
+
+TEST_F(MeshFile, an_explicit_format_overrules_the_content) {
+  const std::string text = mesh_bytes(test::tetrahedron(), MeshFormat::stl_ascii);
+  EXPECT_THROW((void)read_mesh(text, "x", MeshFormat::stl_binary), Error);
+}
+
+TEST_F(MeshFile, the_extension_names_the_format_to_write) {
+  EXPECT_EQ(format_of("a/b.off"), MeshFormat::off);
+  EXPECT_EQ(format_of("b.c.STL"), MeshFormat::stl_binary);
+  try {
+    (void)format_of("dir.stl/pipe.step");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::invalid_argument);
+    EXPECT_STREQ(
+        error.what(),
+        "dir.stl/pipe.step: the extension '.step' names no mesh format; known are .off, .stl");
+  }
+}
+
+TEST_F(MeshFile, formats_say_what_they_hold) {
+  EXPECT_EQ(coordinates(MeshFormat::off), Coordinates::binary64);
+  EXPECT_EQ(coordinates(MeshFormat::stl_ascii), Coordinates::binary32);
+  EXPECT_EQ(coordinates(MeshFormat::stl_binary), Coordinates::binary32);
+}
+
+TEST_F(MeshFile, reads_from_disk_what_it_wrote) {
+  const TriMesh mesh = test::scattered_mesh(5, 100, true);
+  for (const MeshFormat format : kMeshFormats) {
+    write_mesh(path("mesh"), mesh, format);
+    EXPECT_TRUE(test::identical(read_mesh(path("mesh")), mesh)) << name(format);
+  }
+  write_mesh(path("mesh.off"), mesh);
+  EXPECT_EQ(read_file(path("mesh.off")), mesh_bytes(mesh, MeshFormat::off));
+}
+
+TEST_F(MeshFile, mutated_bytes_are_read_or_refused) {
+  for (const MeshFormat format : kMeshFormats) {
+    const std::string good = mesh_bytes(test::labelled_tetrahedron(), format, {"mm", "a note"});
+    std::mt19937_64 random(20000);
+    std::size_t refused = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const std::string bytes = test::mutated(good, random);
+      try {
+        const TriMesh mesh = read_mesh(bytes, "x", format);
+        (void)mesh_bytes(mesh, MeshFormat::off);  // throws if an index or a number is bad
+      } catch (const Error& error) {
+        ASSERT_TRUE(error.code() == Errc::parse_failed || error.code() == Errc::limit_exceeded)
+            << error.what();
+        ++refused;
+      }
+    }
+    EXPECT_GT(refused, 2000U) << name(format);
+    EXPECT_LT(refused, 20000U) << name(format);
+  }
+}
+
+}  // namespace
+}  // namespace dupin

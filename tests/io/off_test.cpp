@@ -1,0 +1,116 @@
+#include "dupin/io/off.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/error.h"
+#include "support/sample_meshes.h"
+
+namespace dupin {
+namespace {
+
+const std::string kBody = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+TEST(Off, reads_back_bit_for_bit_what_it_writes) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const TriMesh mesh = test::scattered_mesh(seed, 300, false);
+    EXPECT_TRUE(test::identical(read_off(off_text(mesh), "x.off"), mesh)) << seed;
+  }
+  TriMesh extremes = test::tetrahedron();
+  extremes.points[1].x() = std::numeric_limits<double>::max();
+  extremes.points[2].y() = std::numeric_limits<double>::denorm_min();
+  extremes.points[3].z() = std::nextafter(0.1, 1);
+  EXPECT_TRUE(test::identical(read_off(off_text(extremes), "x.off"), extremes));
+}
+
+TEST(Off, writes_the_shortest_decimals_and_no_negative_zero) {
+  TriMesh mesh = test::tetrahedron();
+  mesh.points[0] = Vec3(-0.0, 0.1, 1e22);
+  mesh.triangles.resize(1);
+  EXPECT_EQ(off_text(mesh, {"mm", "origin at\n(1, 2, 3)"}),
+            "OFF\n# dupin\n# unit: mm\n# origin at (1, 2, 3)\n4 1 0\n"
+            "0 0.1 1e+22\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n");
+}
+
+TEST(Off, reads_every_dialect) {
+  const std::string coloured =
+      "0 0 0 255 0 0 1\n1 0 0 1 1 1\n0 1 0 0 0 0\n0 0 1\n"
+      "3 0 2 1\n3 0 1 3 0.5 0.5 0.5\n3 0 3 2 1 2 3 4\n3 1 2 3 7\n";
+  const std::vector<std::string> dialects = {
+      "OFF\n4 4 0\n" + kBody,
+      "OFF 4 4 0\n" + kBody,
+      "OFF4 4 6\n" + kBody,
+      "OFF\n4 4\n" + kBody,
+      "\xEF\xBB\xBFOFF\n4 4 0\n" + kBody,
+      "# made by hand\n\nOFF # of a tetrahedron\n# \xff\xfe\n4 4 0 # counts\n\n" + kBody +
+          "\n# end",
+      "COFF\n4 4 0\n" + coloured,
+      "NOFF\n4 4 0\n" + coloured,
+      "CNOFF\n4 4 0\n" + coloured,
+      "STOFF\n4 4 0\n" + coloured,
+      "STCNOFF\n4 4 0\n" + coloured,
+      "  OFF  \n\t4 4 0\n" + kBody.substr(0, kBody.size() - 1),
+      "OFF\n4 4 0\n+0 -0 0e5\n1. 0 .0\n0 1.0 0\n0 0 1E0\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n",
+  };
+  for (const std::string& text : dialects) {
+    EXPECT_TRUE(test::identical(read_off(text, "x.off"), test::tetrahedron())) << text;
+  }
+}
+
+TEST(Off, reads_any_mixture_of_line_ends) {
+  const std::string text = "OFF\n4 4 0\n" + kBody;
+  for (const std::string end : {"\r\n", "\r"}) {
+    std::string changed;
+    std::size_t lines = 0;
+    for (const char c : text) {
+      changed += c == '\n' && lines++ % 3 != 1 ? end : std::string(1, c);
+    }
+    EXPECT_TRUE(test::identical(read_off(changed, "x.off"), test::tetrahedron()));
+  }
+}
+
+TEST(Off, counts_lines_of_any_kind_in_errors) {
+  try {
+    (void)read_off("OFF\r\n3 1 0\r0 0 0\n\r\n1 0 0\nx 0 0\n3 0 1 2\n", "x.off");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "x.off:6");
+    EXPECT_EQ(error.message(), "found 'x', expected a coordinate");
+  }
+}
+
+TEST(Off, keeps_isolated_and_equal_points_and_degenerate_triangles) {
+  const TriMesh mesh = read_off("OFF\n4 1 0\n0 0 0\n0 0 0\n1 0 0\n5 5 5\n3 0 0 1\n", "x.off");
+  EXPECT_EQ(mesh.points.size(), 4U);
+  EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 0, 1}}));
+}
+
+TEST(Off, refuses_to_write_a_broken_mesh) {
+  const auto message = [](const TriMesh& mesh) -> std::string {
+    try {
+      return off_text(mesh);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::invalid_argument);
+      return error.what();
+    }
+  };
+  TriMesh mesh = test::labelled_tetrahedron();
+  mesh.points[2].y() = std::nan("");
+  EXPECT_EQ(message(mesh), "point 2 of the mesh is not finite");
+  mesh = test::labelled_tetrahedron();
+  mesh.triangles[3][1] = 4;
+  EXPECT_EQ(message(mesh), "triangle 3 names point 4 of a mesh with 4 points");
+  mesh = test::labelled_tetrahedron();
+  mesh.labels.pop_back();
+  EXPECT_EQ(message(mesh), "the mesh has 3 labels for 4 triangles");
+  mesh = test::labelled_tetrahedron();
+  mesh.labels[1] = 2;
+  EXPECT_EQ(message(mesh), "triangle 1 has label 2 of 2");
+}
+
+}  // namespace
+}  // namespace dupin

@@ -1,0 +1,68 @@
+#include <filesystem>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "dupin/io/atomic_file.h"
+#include "dupin/io/mesh_file.h"
+#include "dupin/kernel/error.h"
+#include "support/sample_meshes.h"
+#include "support/scratch_directory.h"
+
+namespace dupin {
+namespace {
+
+using WriteVerified = test::ScratchDirectory;
+
+/// A tetrahedron that is a solid in doubles, whose apex falls into its base plane in floats.
+TriMesh too_flat_for_floats() {
+  TriMesh mesh = test::tetrahedron();
+  mesh.points[0] = Vec3(0, 0, 1);
+  mesh.points[1] = Vec3(4, 0, 1);
+  mesh.points[2] = Vec3(0, 4, 1);
+  mesh.points[3] = Vec3(1, 1, 1 + 0x1p-30);
+  return mesh;
+}
+
+TEST_F(WriteVerified, writes_a_solid_and_returns_its_report) {
+  for (const MeshFormat format : kMeshFormats) {
+    const Report report = write_verified(path("x"), test::tetrahedron(), format);
+    EXPECT_TRUE(report.is_solid());
+    EXPECT_EQ(report.triangles, 4U);
+    EXPECT_EQ(read_file(path("x")), mesh_bytes(test::tetrahedron(), format));
+  }
+  EXPECT_NO_THROW(write_verified(path("flat"), too_flat_for_floats(), MeshFormat::off));
+}
+
+TEST_F(WriteVerified, keeps_the_old_file_when_rounding_breaks_the_solid) {
+  write_file(path("x.stl"), "old");
+  for (const MeshFormat format : kMeshFormats) {
+    if (coordinates(format) != Coordinates::binary32) {
+      continue;
+    }
+    try {
+      write_verified(path("x.stl"), too_flat_for_floats(), format);
+      ADD_FAILURE() << name(format);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::unroundable);
+      EXPECT_NE(
+          error.message().find("this mesh is no longer a solid: self_intersection at (2.000000, "
+                               "0.500000, 1.000000), "),
+          std::string::npos)
+          << error.what();
+    }
+  }
+  EXPECT_EQ(read_file(path("x.stl")), "old");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory()),
+                          std::filesystem::directory_iterator()),
+            1);
+}
+
+TEST_F(WriteVerified, can_be_left_out) {
+  EXPECT_NO_THROW(write_mesh(path("x.stl"), too_flat_for_floats()));
+  EXPECT_EQ(read_mesh(path("x.stl")).triangles.size(), 4U);
+}
+
+}  // namespace
+}  // namespace dupin
