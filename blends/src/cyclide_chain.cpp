@@ -20,11 +20,6 @@ double euclidean_square(const PeVector& a, const PeVector& b) {
 
 PeVector normalised(const PeVector& a) { return (1 / std::sqrt(product(a, a))) * a; }
 
-double bending(const PeArc& arc) {
-  // |K|^2 along the arc times its length, K = PE curvature vector; <K, K> = 4 (1 - w^2) / L^2.
-  return 4 * std::abs((1 - arc.w()) * (1 + arc.w())) / (arc.chord() * arc.chord()) * pe_length(arc);
-}
-
 // The conic of all possible junctions: points of an arc that itself need not be a tube. The
 // complementary half is reached by the negated tangent.
 class JunctionLocus {
@@ -151,6 +146,11 @@ PeVector turned(const PeVector& a, const Eigen::AngleAxisd& rotation, const Vec3
 }
 
 }  // namespace
+
+double bending(const PeArc& arc) {
+  // The squared PE curvature <K, K> = 4 (1 - w^2) / L^2 is constant along the arc.
+  return 4 * std::abs((1 - arc.w()) * (1 + arc.w())) / (arc.chord() * arc.chord()) * pe_length(arc);
+}
 
 PeVector initial_tangent(const PeVector& first, const PeVector& second, const PeVector& third) {
   const PeVector d1 = second - first, d2 = third - first;

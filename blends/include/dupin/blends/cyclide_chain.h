@@ -35,6 +35,9 @@ struct CyclideChain {
 [[nodiscard]] std::vector<std::size_t> bias_warnings(const CyclideChain& chain,
                                                      std::span<const PeVector> spheres);
 
+/// The integral of the squared PE curvature along the piece.
+[[nodiscard]] double bending(const PeArc& arc);
+
 /// Two pieces from (start, start_tangent) to (end, end_tangent); `tau` in (0, 1) places the
 /// junction on its locus.
 struct DoubleCyclide {
