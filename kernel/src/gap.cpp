@@ -1,0 +1,92 @@
+#include "dupin/kernel/gap.h"
+
+#include <array>
+
+#include "rational_vector.h"
+
+namespace dupin {
+namespace {
+
+using detail::cross;
+using detail::difference;
+using detail::dot;
+using detail::rational;
+using detail::RationalVector;
+
+GapVerdict verdict_of(const GapReport& report, bool facing, bool same_normal) {
+  if (!facing) {
+    return GapVerdict::open;
+  }
+  if (const int side = sgn(report.axial_dot); side != 0) {
+    return side > 0 ? GapVerdict::gap : GapVerdict::overlap;
+  }
+  if (report.radius_difference != 0) {
+    return GapVerdict::step;
+  }
+  if (!same_normal) {
+    return GapVerdict::kink;
+  }
+  return report.offset_squared != 0 ? GapVerdict::offset : GapVerdict::welded;
+}
+
+std::vector<Deviation> deviations_of(const GapReport& report, bool same_normal) {
+  std::vector<Deviation> all;
+  const auto list = [&all](bool present, Deviation::Kind kind, const Enclosure& size) {
+    if (present) {
+      all.push_back({kind, size});
+    }
+  };
+  list(report.axial_dot != 0, Deviation::Kind::axial, report.axial);
+  list(report.radius_difference != 0, Deviation::Kind::radius, report.radius);
+  list(!same_normal, Deviation::Kind::kink, report.kink);
+  list(report.offset_squared != 0, Deviation::Kind::offset, report.offset);
+  list(report.slope_difference != 0, Deviation::Kind::slope, enclosure_of(report.slope_difference));
+  return all;
+}
+
+Enclosure signed_length(const mpq_class& scaled, const mpq_class& scale_squared) {
+  const Enclosure length = root_of(scaled * scaled / scale_squared);
+  return scaled < 0 ? -length : length;
+}
+
+}  // namespace
+
+std::string_view name(GapVerdict verdict) {
+  constexpr std::array<std::string_view, 7> kNames = {"welded", "gap",    "overlap", "step",
+                                                      "kink",   "offset", "open"};
+  return kNames.at(static_cast<std::size_t>(verdict));
+}
+
+std::string_view name(Deviation::Kind kind) {
+  constexpr std::array<std::string_view, 5> kNames = {"axial", "radius", "kink", "offset", "slope"};
+  return kNames.at(static_cast<std::size_t>(kind));
+}
+
+GapReport measure_gap(const Ring& a, const Ring& b) {
+  validate(a);
+  validate(b);
+  const RationalVector n = rational(a.normal), m = rational(b.normal);
+  const RationalVector d = difference(rational(b.center), rational(a.center));
+  const RationalVector across = cross(d, n), turn = cross(n, m);
+  const mpq_class along = dot(n, m), both_squared = dot(n, n) * dot(m, m);
+  const bool same_normal = a.normal == -b.normal;
+
+  GapReport report;
+  report.axial_dot = dot(d, n);
+  report.normal_squared = dot(n, n);
+  report.offset_squared = dot(across, across) / report.normal_squared;
+  report.distance_squared = dot(d, d);
+  report.radius_difference = mpq_class(b.radius) - mpq_class(a.radius);
+  report.slope_difference = mpq_class(a.slope) + mpq_class(b.slope);
+  report.kink_sine_squared = dot(turn, turn) / both_squared;
+  report.kink_cosine_squared = along * along / both_squared;
+  report.axial = signed_length(report.axial_dot, report.normal_squared);
+  report.offset = root_of(report.offset_squared);
+  report.radius = enclosure_of(report.radius_difference);
+  report.kink = angle_of(dot(turn, turn), -along);
+  report.verdict = verdict_of(report, along < 0, same_normal);
+  report.deviations = deviations_of(report, same_normal);
+  return report;
+}
+
+}  // namespace dupin
