@@ -1,10 +1,8 @@
 #include "dupin/blends/radius_law.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include <boost/math/special_functions/cos_pi.hpp>
-#include <boost/math/special_functions/sin_pi.hpp>
 
 namespace dupin {
 namespace {
@@ -24,8 +22,8 @@ RadiusValue at(const CubicRadius& law, double t) {
 RadiusValue at(const CyclideRadius& law, double t) {
   constexpr double kPi = std::numbers::pi;
   const double rise = law.end - law.start;
-  // cos_pi and sin_pi vanish exactly where they should: flat ends, no error at the middle.
-  const double c = rise * boost::math::cos_pi(t), s = rise * boost::math::sin_pi(t);
+  // In these forms both vanish exactly where they should: flat ends, no error at the middle.
+  const double c = rise * std::sin(kPi * (0.5 - t)), s = rise * std::sin(kPi * std::min(t, 1 - t));
   const double product = law.start * law.end;
   const double w = std::sqrt(c * c + 4 * product);
   // The root in the form that adds equal signs: no cancellation.

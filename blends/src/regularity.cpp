@@ -115,7 +115,16 @@ class LargestRatio {
   std::vector<ParameterInterval> stops_;
 };
 
-std::vector<ParameterInterval> folds(const CurvatureRatio& ratio) {
+void require_finite(double margin) {
+  if (!std::isfinite(margin)) {
+    throw Error(Errc::invalid_argument, "a margin to prove must be a finite number");
+  }
+}
+
+std::vector<ParameterInterval> violations(const CurvatureRatio& ratio, double margin) {
+  const double room = detail::below(1 - margin);
+  const double bound = margin == 0 ? 1 : detail::below(room * room);
+
   std::vector<ParameterInterval> found;
   std::vector<Leaf> stack{ratio.whole()};
   std::size_t splits = 0;
@@ -123,10 +132,10 @@ std::vector<ParameterInterval> folds(const CurvatureRatio& ratio) {
     const Leaf leaf = std::move(stack.back());
     stack.pop_back();
     const Enclosure range = ratio.range(leaf);
-    if (range.upper < 1) {
+    if (range.upper < bound) {
       continue;
     }
-    if (range.lower >= 1 || leaf.depth == kMaxDepth || splits++ >= kMaxSplits) {
+    if (range.lower >= bound || leaf.depth == kMaxDepth || splits++ >= kMaxSplits) {
       append(found, {leaf.from, leaf.to});
       continue;
     }
@@ -147,15 +156,19 @@ Regularity regularity(const RingedSurface& surface, const RegularityOptions& opt
   const CurvatureRatio ratio(surface);
   Regularity result = LargestRatio(ratio, options.width).result();
   if (!(result.lower > 0)) {
-    result.folded = folds(ratio);
+    result.folded = violations(ratio, 0);
   }
   return result;
 }
 
+std::vector<ParameterInterval> violations(const RingedSurface& surface, double margin) {
+  require_finite(margin);
+  return margin >= 1 ? std::vector{ParameterInterval{}}
+                     : violations(CurvatureRatio(surface), margin);
+}
+
 MarginProof prove_margin(const RingedSurface& surface, double margin) {
-  if (!std::isfinite(margin)) {
-    throw Error(Errc::invalid_argument, "the margin to prove must be a finite number");
-  }
+  require_finite(margin);
   MarginProof proof;
   if (margin >= 1) {
     proof.verdict = Verdict::refuted;  // curvature is not negative

@@ -19,8 +19,7 @@ struct Regularity {
   double lower = 0;  ///< the margin is at least this: positive proves that no rings overlap locally
   double upper = 0;  ///< the margin is at most this: not positive disproves it
   ParameterInterval minimum;  ///< contains every t where the margin is attained
-  /// Outside of these, kappa R < 1 is proven; inside it fails, up to their ends' last few bits.
-  /// Disjoint, ascending.
+  /// violations(surface, 0)
   std::vector<ParameterInterval> folded;
   /// Where the spine's velocity could not be told from zero (lower is then minus infinity).
   std::vector<ParameterInterval> stops;
@@ -35,6 +34,11 @@ struct RegularityOptions {
 /// radii besides; for lines and (nominal) arcs in closed form, rounded outward.
 [[nodiscard]] Regularity regularity(const RingedSurface& surface,
                                     const RegularityOptions& options = {});
+
+/// Where the margin is missed: outside of these intervals 1 - kappa R > margin is proven, inside it
+/// fails, up to their ends' last few bits. Disjoint, ascending.
+[[nodiscard]] std::vector<ParameterInterval> violations(const RingedSurface& surface,
+                                                        double margin);
 
 enum class Verdict { proved, refuted, undecided };
 

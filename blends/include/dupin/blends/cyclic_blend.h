@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+
+#include "dupin/blends/ringed_surface.h"
+#include "dupin/kernel/ring.h"
+
+namespace dupin {
+
+/// The radius laws of [MS06]: R1 is CubicRadius, R2 is CyclideRadius.
+enum class BlendLaw { r1, r2 };
+
+struct CyclicBlendOptions {
+  BlendLaw radius_law = BlendLaw::r1;
+  std::optional<double> k = {};  ///< length of the spine's start velocity; none: chosen
+  std::optional<double> l = {};  ///< length of the spine's end velocity; none: chosen
+  double margin = 0.05;          ///< least acceptable min(1 - kappa R), in [0, 1)
+};
+
+/// End speeds of a blend's spine and what they lead to.
+struct BlendChoice {
+  double k = 0, l = 0;
+  double bending_energy = 0;  ///< integral of kappa^2 ds
+  double margin = 0;          ///< certified lower bound of min(1 - kappa R)
+  double length = 0;          ///< of the spine
+};
+
+/// A ringed surface with tangent planes continuous to cylinders at both ends [MS06].
+///
+/// The rings are ports of the neighbours: normals point out of them, so that the blend leaves along
+/// from.normal and arrives against to.normal. The surface stores flipped(from) and flipped(to),
+/// bitwise. Speeds that are not given are chosen by choose_velocities.
+///
+/// Throws Error{irregular_surface} where given speeds make the surface fold (parameter interval,
+/// missing margin, and speeds that would work), Error{infeasible_blend} where no speeds work (with
+/// the largest margin reachable), Error{invalid_argument} for bad numbers, rings of equal centre,
+/// and rings of cones.
+[[nodiscard]] RingedSurface cyclic_blend(const Ring& from, const Ring& to,
+                                         const CyclicBlendOptions& options = {});
+
+/// Of the end speeds between 0.05 and 5 times the distance of the centres, with a spine of at most
+/// 3 times that distance and the asked margin, certified, those of least bending energy. Given
+/// speeds are kept. Throws as cyclic_blend. A few milliseconds.
+[[nodiscard]] BlendChoice choose_velocities(const Ring& from, const Ring& to,
+                                            const CyclicBlendOptions& options = {});
+
+/// Of the same speeds, those of the largest margin (options.margin has no influence).
+[[nodiscard]] BlendChoice widest_velocities(const Ring& from, const Ring& to,
+                                            const CyclicBlendOptions& options = {});
+
+/// The integral of kappa^2 ds along a spine that does not stop.
+[[nodiscard]] double bending_energy(const Spine& spine);
+
+}  // namespace dupin

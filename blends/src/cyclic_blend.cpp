@@ -1,0 +1,202 @@
+#include "dupin/blends/cyclic_blend.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "blend_search.h"
+#include "decimal.h"
+#include "dupin/blends/regularity.h"
+#include "dupin/kernel/error.h"
+#include "quadrature.h"
+
+namespace dupin {
+namespace {
+
+using detail::decimal;
+
+// How tightly chosen speeds are certified; the search aims this much above the asked margin.
+constexpr double kCertificateWidth = 1e-8;
+
+RingedSurface assembled(const Ring& from, const Ring& to, BlendLaw law, double k, double l) {
+  const HermiteSpine spine{from.center, to.center, k * from.normal, -l * to.normal};
+  const RadiusLaw radius = law == BlendLaw::r1 ? RadiusLaw(CubicRadius{from.radius, to.radius})
+                                               : RadiusLaw(CyclideRadius{from.radius, to.radius});
+  return {flipped(from), flipped(to), spine, radius};
+}
+
+detail::BlendSearch search(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  const auto family = [=](double k, double l) {
+    return assembled(from, to, options.radius_law, k, l);
+  };
+  return {family, (to.center - from.center).norm(), options.k, options.l};
+}
+
+void require_positive(const std::optional<double>& speed, const std::string& name) {
+  if (speed && !(std::isfinite(*speed) && *speed > 0)) {
+    throw Error(Errc::invalid_argument,
+                "the blend's " + name + " must be a positive number, not " + decimal(*speed));
+  }
+}
+
+void validate(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  validate(from);
+  validate(to);
+  require_positive(options.k, "k");
+  require_positive(options.l, "l");
+  if (!(options.margin >= 0 && options.margin < 1)) {
+    throw Error(
+        Errc::invalid_argument,
+        "the blend's margin must be at least 0 and less than 1, not " + decimal(options.margin));
+  }
+  if (from.slope != 0 || to.slope != 0) {
+    throw Error(
+        Errc::invalid_argument,
+        "a cyclic blend needs ends of cylinders; a cone's end takes a spine of higher degree");
+  }
+  if (from.center == to.center) {
+    throw Error(Errc::invalid_argument, "the blend's ends have the same centre; move them apart");
+  }
+}
+
+BlendChoice certified(const Ring& from, const Ring& to, BlendLaw law, const detail::Trial& found) {
+  const RingedSurface surface = assembled(from, to, law, found.k, found.l);
+  return {found.k, found.l, found.energy, regularity(surface, {kCertificateWidth}).lower,
+          found.length};
+}
+
+// Coaxial ends: every speed gives a straight spine, so the one of constant speed is taken. Normals
+// and centres that are coaxial but for rounding (some 10 ulp each) leave an energy below this.
+std::optional<BlendChoice> straight_choice(const Ring& from, const Ring& to,
+                                           const CyclicBlendOptions& options) {
+  const double distance = (to.center - from.center).norm();
+  const Spine spine = assembled(from, to, options.radius_law, distance, distance).spine;
+  const double bend = 64 * std::numeric_limits<double>::epsilon();
+  if (options.k || options.l || !(bending_energy(spine) * distance <= bend * bend)) {
+    return std::nullopt;
+  }
+  return certified(from, to, options.radius_law,
+                   {distance, distance, bending_energy(spine), length(spine)});
+}
+
+std::optional<BlendChoice> feasible_choice(const Ring& from, const Ring& to,
+                                           const CyclicBlendOptions& options) {
+  const auto straight = straight_choice(from, to, options);
+  if (straight && straight->margin >= options.margin) {
+    return straight;
+  }
+  const detail::BlendSearch blends = search(from, to, options);
+  double aim = options.margin + 2 * kCertificateWidth;
+  // The certificate has the last word; where it sees a lower margin than the samples did, the
+  // search aims higher.
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    const auto found = blends.least_energy(aim);
+    if (!found) {
+      return std::nullopt;
+    }
+    const BlendChoice choice = certified(from, to, options.radius_law, *found);
+    if (choice.margin >= options.margin) {
+      return choice;
+    }
+    aim += options.margin - choice.margin + kCertificateWidth;
+  }
+  return std::nullopt;
+}
+
+[[noreturn]] void refuse_infeasible(const Ring& from, const Ring& to,
+                                    const CyclicBlendOptions& options) {
+  const auto widest = search(from, to, options).largest_margin();
+  throw Error(
+      Errc::infeasible_blend,
+      "no end speeds give this blend a margin min(1 - kappa R) of " + decimal(options.margin) +
+          (widest ? "; the largest reachable is " + decimal(widest->margin, 4) +
+                        " with k = " + decimal(widest->k, 4) + ", l = " + decimal(widest->l, 4)
+                  : "") +
+          "; move the ends apart, reduce the radii, or ask for less margin");
+}
+
+std::string remedy(const Ring& from, const Ring& to, CyclicBlendOptions options) {
+  options.k = options.l = std::nullopt;
+  const auto choice = feasible_choice(from, to, options);
+  if (!choice) {
+    return "no other end speeds work either";
+  }
+  // As few digits as still work: the best choice may lie on the edge of what is possible.
+  std::string k, l;
+  for (int digits = 4; digits <= 17; ++digits) {
+    k = decimal(choice->k, digits);
+    l = decimal(choice->l, digits);
+    const RingedSurface surface =
+        assembled(from, to, options.radius_law, std::stod(k), std::stod(l));
+    if (prove_margin(surface, options.margin).verdict == Verdict::proved) {
+      break;
+    }
+  }
+  return "k = " + k + ", l = " + l + " works";
+}
+
+[[noreturn]] void refuse_irregular(const Ring& from, const Ring& to,
+                                   const CyclicBlendOptions& options,
+                                   const RingedSurface& surface) {
+  const Regularity found = regularity(surface);
+  const std::string speeds = "k = " + decimal(*options.k) + ", l = " + decimal(*options.l);
+  if (!found.stops.empty()) {
+    const std::string where = "t = " + decimal(found.stops.front().from, 4);
+    throw Error(Errc::irregular_surface,
+                "with " + speeds + " the blend's spine stops at " + where + "; " +
+                    remedy(from, to, options),
+                {}, where);
+  }
+  const auto bad = violations(surface, options.margin);
+  const std::string where =
+      "t in [" + decimal(bad.front().from, 4) + ", " + decimal(bad.back().to, 4) + "]";
+  throw Error(Errc::irregular_surface,
+              "with " + speeds + " the blend " + (found.upper <= 0 ? "folds" : "nearly folds") +
+                  " for " + where + ": its margin min(1 - kappa R) is " + decimal(found.lower, 4) +
+                  ", " + decimal(options.margin - found.lower, 4) + " short of " +
+                  decimal(options.margin) + "; " + remedy(from, to, options),
+              {}, where);
+}
+
+}  // namespace
+
+RingedSurface cyclic_blend(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  validate(from, to, options);
+  if (!options.k || !options.l) {
+    const BlendChoice choice = choose_velocities(from, to, options);
+    return assembled(from, to, options.radius_law, choice.k, choice.l);
+  }
+  const RingedSurface surface = assembled(from, to, options.radius_law, *options.k, *options.l);
+  if (prove_margin(surface, options.margin).verdict != Verdict::proved) {
+    refuse_irregular(from, to, options, surface);
+  }
+  return surface;
+}
+
+BlendChoice choose_velocities(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  validate(from, to, options);
+  if (const auto choice = feasible_choice(from, to, options)) {
+    return *choice;
+  }
+  refuse_infeasible(from, to, options);
+}
+
+BlendChoice widest_velocities(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  validate(from, to, options);
+  if (const auto widest = search(from, to, options).largest_margin()) {
+    return certified(from, to, options.radius_law, *widest);
+  }
+  refuse_infeasible(from, to, options);
+}
+
+double bending_energy(const Spine& spine) {
+  return detail::integral([&](double t) {
+    const SpinePoint point = evaluate(spine, t);
+    const double kappa = curvature(point);
+    return kappa * kappa * point.first.norm();
+  });
+}
+
+}  // namespace dupin
