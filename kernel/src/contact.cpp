@@ -1,9 +1,13 @@
 #include "contact.h"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <set>
+#include <utility>
 
 #include "edge_table.h"
+#include "identical_points.h"
 #include "orientation.h"
 
 namespace dupin::detail {
@@ -118,6 +122,70 @@ Contact to_contact(const ContactPlace& place, const MeshView& mesh,
           mesh.points[place.from],
           mesh.points[place.to],
           {involved.begin(), involved.end()}};
+}
+
+std::vector<std::uint32_t> first_identical(const ExactMesh& mesh) {
+  const auto close = first_identical(mesh.points);  // the nearest doubles are the same
+  const auto same = [&](std::uint32_t a, std::uint32_t b) {
+    const ExactVector gap = difference(exact_point(mesh, a), exact_point(mesh, b));
+    return gap[0].is_zero() && gap[1].is_zero() && gap[2].is_zero();
+  };
+  std::vector<std::uint32_t> first(mesh.points.size());
+  std::map<std::uint32_t, std::vector<std::uint32_t>> different;  // by the first close one
+  for (std::uint32_t i = 0; i < first.size(); ++i) {
+    first[i] = i;
+    if (close[i] != i) {
+      auto& candidates = different.try_emplace(close[i], 1, close[i]).first->second;
+      const auto match = std::find_if(candidates.begin(), candidates.end(),
+                                      [&](std::uint32_t other) { return same(other, i); });
+      if (match != candidates.end()) {
+        first[i] = *match;
+      } else {
+        candidates.push_back(i);
+      }
+    }
+  }
+  return first;
+}
+
+void separate_contacts(ExactMesh& mesh) {
+  const EdgeTable edges(mesh.triangles, mesh.points.size());
+  const auto fans = corner_fans(mesh.triangles, edges);
+  const auto point_of = [&](std::uint32_t corner) {
+    return mesh.triangles[corner / 3][corner % 3];
+  };
+  std::vector<std::uint32_t> next_index(mesh.points.size() + 1);  // of a point's first fan
+  for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
+    next_index[point_of(corner) + 1] += fans[corner] == corner ? 1 : 0;
+  }
+  std::partial_sum(next_index.begin(), next_index.end(), next_index.begin());
+
+  ExactMesh separate;
+  for (std::uint32_t point = 0; point < mesh.points.size(); ++point) {
+    for (std::uint32_t i = next_index[point]; i < next_index[point + 1]; ++i) {
+      separate.points.push_back(mesh.points[point]);
+      if (point >= mesh.double_count()) {
+        separate.implicit.push_back(mesh.implicit[point - mesh.double_count()]);
+      }
+    }
+  }
+  std::vector<std::uint32_t> index_of_fan(fans.size());
+  for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
+    if (fans[corner] == corner) {
+      index_of_fan[corner] = next_index[point_of(corner)]++;
+    }
+  }
+  for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
+    mesh.triangles[corner / 3][corner % 3] = index_of_fan[fans[corner]];
+  }
+  mesh.points = std::move(separate.points);
+  mesh.implicit = std::move(separate.implicit);
+
+  mesh.contacts.clear();
+  const MeshView view(mesh);
+  for (const ContactPlace& place : find_contacts(view, first_identical(mesh))) {
+    mesh.contacts.push_back(to_contact(place, view, mesh.labels, mesh.names));
+  }
 }
 
 }  // namespace dupin::detail

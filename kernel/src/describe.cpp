@@ -1,21 +1,11 @@
-#include <array>
-#include <charconv>
+#include <algorithm>
 #include <span>
 
 #include "dupin/kernel/check.h"
+#include "text.h"
 
 namespace dupin {
 namespace {
-
-std::string number(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), end.ptr};
-}
-
-std::string place(const Vec3& point) {
-  return "(" + number(point.x()) + ", " + number(point.y()) + ", " + number(point.z()) + ")";
-}
 
 std::string face(std::uint32_t index, const TriMesh& mesh) {
   const std::string text = std::to_string(index);
@@ -40,8 +30,8 @@ std::string faces(std::span<const std::uint32_t> indices, const TriMesh& mesh) {
 }
 
 std::string edge(const Finding& finding, const TriMesh& mesh) {
-  return "the edge from " + place(mesh.points[finding.points[0]]) + " to " +
-         place(mesh.points[finding.points[1]]);
+  return "the edge from " + detail::text(mesh.points[finding.points[0]]) + " to " +
+         detail::text(mesh.points[finding.points[1]]);
 }
 
 }  // namespace
@@ -81,34 +71,35 @@ std::string describe(const Finding& finding, const TriMesh& mesh) {
   const auto point = [&](std::size_t i) { return "point " + std::to_string(finding.points.at(i)); };
   switch (finding.defect) {
     case Defect::non_finite_point:
-      return point(0) + " has coordinates that are not finite numbers: " + place(finding.place);
+      return point(0) +
+             " has coordinates that are not finite numbers: " + detail::text(finding.place);
     case Defect::bad_index:
       return at_faces() + " refers to " + point(0) + ", but there are only " +
              std::to_string(mesh.points.size()) + " points";
     case Defect::degenerate_face:
-      return at_faces() + " at " + place(finding.place) +
+      return at_faces() + " at " + detail::text(finding.place) +
              " has no area: its corners lie on one line";
     case Defect::duplicate_face:
-      return at_faces() + " at " + place(finding.place) + " have the same three corners";
+      return at_faces() + " at " + detail::text(finding.place) + " have the same three corners";
     case Defect::boundary_edge:
       return edge(finding, mesh) + " belongs to " + at_faces() + " only";
     case Defect::non_manifold_edge:
       return edge(finding, mesh) + " is shared by " + at_faces();
     case Defect::non_manifold_vertex:
-      return at_faces() + " meet in " + point(0) + " at " + place(finding.place) +
+      return at_faces() + " meet in " + point(0) + " at " + detail::text(finding.place) +
              " but do not hang together by edges there";
     case Defect::inconsistent_orientation:
       return at_faces() + " run along " + edge(finding, mesh) + " in the same direction";
     case Defect::self_intersection:
-      return at_faces() + " intersect near " + place(finding.place);
+      return at_faces() + " intersect near " + detail::text(finding.place);
     case Defect::contact:
       return at_faces() + " touch in " +
-             (finding.points.size() == 2 ? edge(finding, mesh) : place(finding.place)) +
+             (finding.points.size() == 2 ? edge(finding, mesh) : detail::text(finding.place)) +
              " without sharing it";
     case Defect::inside_out_component:
-      return "the shell of " + at_faces() + " at " + place(finding.place) + " is inside out";
+      return "the shell of " + at_faces() + " at " + detail::text(finding.place) + " is inside out";
     case Defect::isolated_point:
-      return point(0) + " at " + place(finding.place) + " belongs to no face";
+      return point(0) + " at " + detail::text(finding.place) + " belongs to no face";
   }
   return "unknown";
 }

@@ -5,6 +5,7 @@
 
 #include "dupin/kernel/error.h"
 #include "edge_table.h"
+#include "exact.h"
 #include "exact_mesh.h"
 #include "inspection.h"
 #include "measure.h"
@@ -149,6 +150,18 @@ std::size_t Solid::point_count() const { return mesh_->points.size(); }
 
 std::size_t Solid::triangle_count() const { return mesh_->triangles.size(); }
 
+const std::vector<Triangle>& Solid::triangles() const { return mesh_->triangles; }
+
+const std::vector<Vec3>& Solid::nearest_points() const { return mesh_->points; }
+
+std::array<mpq_class, 3> Solid::exact_point(std::uint32_t index) const {
+  (void)mesh_->points.at(index);
+  const detail::ExactPoint point = detail::exact_point(*mesh_, index);
+  const mpq_class weight = detail::rational(point[3]);
+  return {detail::rational(point[0]) / weight, detail::rational(point[1]) / weight,
+          detail::rational(point[2]) / weight};
+}
+
 mpq_class Solid::exact_volume() const { return detail::exact_volume(detail::MeshView(*mesh_)); }
 
 double Solid::volume() const { return detail::nearest_volume(detail::MeshView(*mesh_)); }
@@ -185,6 +198,8 @@ std::int64_t Solid::genus() const {
 const std::vector<Contact>& Solid::contacts() const { return mesh_->contacts; }
 
 const std::vector<Source>& Solid::sources() const { return mesh_->sources; }
+
+const std::vector<std::uint32_t>& Solid::labels() const { return mesh_->labels; }
 
 const std::vector<std::string>& Solid::names() const { return mesh_->names; }
 

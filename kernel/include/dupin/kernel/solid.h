@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -48,6 +49,12 @@ class Solid {
   [[nodiscard]] bool empty() const;
   [[nodiscard]] std::size_t point_count() const;
   [[nodiscard]] std::size_t triangle_count() const;
+  [[nodiscard]] const std::vector<Triangle>& triangles() const;
+  /// The coordinates rounded to the nearest doubles, for display and measuring: the surface through
+  /// them may cross itself (see to_mesh).
+  [[nodiscard]] const std::vector<Vec3>& nearest_points() const;
+  /// The very coordinates of a point; throws std::out_of_range.
+  [[nodiscard]] std::array<mpq_class, 3> exact_point(std::uint32_t index) const;
   [[nodiscard]] mpq_class exact_volume() const;
   [[nodiscard]] double volume() const;       ///< the double nearest to exact_volume()
   [[nodiscard]] double area() const;         ///< relative error below 1e-12
@@ -59,6 +66,8 @@ class Solid {
   [[nodiscard]] const std::vector<Contact>& contacts() const;
   /// One entry per triangle; {0, i} for a solid made by `from`.
   [[nodiscard]] const std::vector<Source>& sources() const;
+  /// One entry per triangle, an index into names(); empty when nothing is labelled.
+  [[nodiscard]] const std::vector<std::uint32_t>& labels() const;
   [[nodiscard]] const std::vector<std::string>& names() const;
 
   /// For the kernel itself.

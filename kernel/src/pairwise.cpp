@@ -1,0 +1,144 @@
+#include "pairwise.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "corefinement.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin::detail {
+namespace {
+
+struct Bounds {
+  Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 upper = -lower;
+
+  // Implicit points are within half an ulp of theirs; closed bounds of nearest doubles still tell
+  // disjoint sets apart safely, because rounding is monotone.
+  explicit Bounds(const ExactMesh& mesh) {
+    for (const Vec3& point : mesh.points) {
+      lower = lower.cwiseMin(point);
+      upper = upper.cwiseMax(point);
+    }
+  }
+  [[nodiscard]] bool meets(const Bounds& other) const {
+    return (lower.array() <= other.upper.array()).all() &&
+           (other.lower.array() <= upper.array()).all();
+  }
+};
+
+ExactMesh concatenated(ExactMesh a, const ExactMesh& b) {
+  const std::uint32_t a_doubles = a.double_count(), b_doubles = b.double_count();
+  const auto a_implicit = static_cast<std::uint32_t>(a.implicit.size());
+  a.points.insert(a.points.begin() + a_doubles, b.points.begin(), b.points.begin() + b_doubles);
+  a.points.insert(a.points.end(), b.points.begin() + b_doubles, b.points.end());
+  a.implicit.insert(a.implicit.end(), b.implicit.begin(), b.implicit.end());
+  for (Triangle& corners : a.triangles) {
+    for (std::uint32_t& corner : corners) {
+      corner += corner < a_doubles ? 0 : b_doubles;
+    }
+  }
+  for (const Triangle& t : b.triangles) {
+    Triangle& corners = a.triangles.emplace_back();
+    std::transform(t.begin(), t.end(), corners.begin(), [&](std::uint32_t corner) {
+      return corner + a_doubles + (corner < b_doubles ? 0 : a_implicit);
+    });
+  }
+  a.labels.insert(a.labels.end(), b.labels.begin(), b.labels.end());
+  a.sources.insert(a.sources.end(), b.sources.begin(), b.sources.end());
+  a.contacts.insert(a.contacts.end(), b.contacts.begin(), b.contacts.end());
+  return a;
+}
+
+class Pairwise {
+ public:
+  Pairwise(SetOperation operation, std::size_t operands, const Progress& progress)
+      : operation_(operation), steps_(operands - 1), progress_(progress) {}
+
+  ExactMesh united(std::vector<ExactMesh> operands) {
+    std::vector<ExactMesh> groups;
+    for (auto& group : grouped(std::move(operands))) {
+      groups.push_back(united_tree(group));
+    }
+    return std::accumulate(std::make_move_iterator(groups.begin() + 1),
+                           std::make_move_iterator(groups.end()), std::move(groups.front()),
+                           concatenated);
+  }
+
+  ExactMesh folded(std::vector<ExactMesh> operands) {
+    ExactMesh result = std::move(operands.front());
+    for (std::size_t i = 1; i < operands.size() && !result.triangles.empty(); ++i) {
+      if (Bounds(result).meets(Bounds(operands[i]))) {
+        result = step(result, operands[i]);
+      } else if (operation_ == SetOperation::intersect) {
+        result = {};
+      }
+    }
+    return result;
+  }
+
+ private:
+  ExactMesh step(const ExactMesh& a, const ExactMesh& b) {
+    const double done = static_cast<double>(steps_done_++) / static_cast<double>(steps_);
+    if (progress_ && !progress_(name(operation_), done)) {
+      throw Error(Errc::cancelled, "'" + std::string(name(operation_)) + "' was cancelled");
+    }
+    return corefine(operation_, a, b);
+  }
+
+  // Consumes the operands; neighbours in the call stay neighbours in the tree.
+  ExactMesh united_tree(std::span<ExactMesh> operands) {
+    if (operands.size() == 1) {
+      return std::move(operands[0]);
+    }
+    const ExactMesh left = united_tree(operands.first(operands.size() / 2));
+    const ExactMesh right = united_tree(operands.subspan(operands.size() / 2));
+    return Bounds(left).meets(Bounds(right)) ? step(left, right) : concatenated(left, right);
+  }
+
+  // Operands whose boxes hang together, in the order of their first members.
+  static std::vector<std::vector<ExactMesh>> grouped(std::vector<ExactMesh> operands) {
+    const std::vector<Bounds> bounds(operands.begin(), operands.end());
+    std::vector<std::size_t> group(operands.size());
+    std::iota(group.begin(), group.end(), std::size_t{0});
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (group[i] != group[j] && bounds[i].meets(bounds[j])) {
+          const auto [kept, dropped] = std::minmax(group[i], group[j]);
+          std::replace(group.begin(), group.end(), std::size_t{dropped}, std::size_t{kept});
+        }
+      }
+    }
+    std::vector<std::vector<ExactMesh>> groups(operands.size());
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      groups[group[i]].push_back(std::move(operands[i]));
+    }
+    std::erase_if(groups, [](const auto& members) { return members.empty(); });
+    return groups;
+  }
+
+  SetOperation operation_;
+  std::size_t steps_, steps_done_ = 0;
+  const Progress& progress_;
+};
+
+}  // namespace
+
+ExactMesh combine_pairwise(SetOperation operation, std::vector<ExactMesh> operands,
+                           const Progress& progress) {
+  if (operation != SetOperation::subtract) {
+    const auto is_empty = [](const ExactMesh& mesh) { return mesh.triangles.empty(); };
+    const auto removed = std::erase_if(operands, is_empty);
+    if (operands.empty() || (removed > 0 && operation == SetOperation::intersect)) {
+      return {};
+    }
+  }
+  Pairwise pairwise(operation, operands.size(), progress);
+  return operation == SetOperation::unite ? pairwise.united(std::move(operands))
+                                          : pairwise.folded(std::move(operands));
+}
+
+}  // namespace dupin::detail
