@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
@@ -10,28 +11,53 @@ namespace dupin {
 /// What a file format can hold.
 enum class Coordinates { binary64, binary32 };
 
+/// The point that becomes (0, 0, 0) in the file: coordinates near it are finer.
+struct Origin {
+  enum class Choice {
+    keep,       ///< the assembly's own
+    automatic,  ///< near the middle of the solid, in round binary numbers
+    given,      ///< `place`
+  };
+  Choice choice = Choice::keep;
+  Vec3 place = Vec3::Zero();
+};
+
+struct RoundingOptions {
+  /// Largest move allowed for repair, in model units; 0 chooses 1024 times the distance between
+  /// neighbouring numbers at the largest coordinate in the target format. Only what does not round
+  /// cleanly is repaired, with the least of this that does.
+  double tolerance = 0;
+  /// Rounds to multiples of this power of two where the target format can hold them; 0 for none.
+  double grid = 0;
+  Origin origin;
+};
+
 /// How the one rounding went.
 struct RoundingReport {
   Coordinates coordinates = Coordinates::binary64;
-  std::size_t moved = 0;    ///< vertices whose coordinates changed
-  double largest_move = 0;  ///< an upper bound, in model units
+  Vec3 origin = Vec3::Zero();  ///< was subtracted from all coordinates
+  std::size_t moved = 0;       ///< vertices of the solid that are not written where they were
+  /// An upper bound, in model units, of how far a vertex moved plus how far flipped edges moved the
+  /// surface. At most the tolerance plus half the distance of neighbouring numbers per coordinate.
+  double largest_move = 0;
+  double repair_reach = 0;  ///< the part of the tolerance that was needed; 0 without repair
   std::size_t removed_triangles = 0;
+  std::size_t removed_shells = 0;  ///< smaller than the reach and not representable
 };
 
 struct Rounded {
   TriMesh mesh;
+  std::vector<Source> sources;  ///< one per triangle, as in the solid
   RoundingReport report;
-};
-
-struct RoundingOptions {
-  double tolerance = 0;  ///< largest move allowed for repair; 0 chooses 1024 ulp of the largest
-                         ///< coordinate in the target format
 };
 
 /// The one rounding: exact coordinates to representable ones, such that the mesh, identical
 /// vertices merged, is still closed, 2-manifold (contacts apart) and free of self-intersection by
-/// exact predicates on the rounded numbers. Throws Error{unroundable} naming the place and what
-/// would help.
+/// exact predicates on the rounded numbers. Every coordinate goes to the nearest number, ties to
+/// even; where that breaks the mesh, short edges are collapsed, edges flipped and vertices moved to
+/// neighbouring numbers until it is whole. O(n log n), and nearly nothing for solids that need no
+/// rounding. Throws Error{unroundable} naming the place and what would help, and
+/// Error{invalid_argument} for a tolerance or grid outside its range.
 [[nodiscard]] Rounded to_mesh(const Solid& solid, Coordinates coordinates = Coordinates::binary64,
                               const RoundingOptions& options = {});
 

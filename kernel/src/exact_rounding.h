@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "exact_mesh.h"
+#include "lattice.h"
+
+namespace dupin::detail {
+
+/// The points of an exact mesh, less an origin, correctly rounded.
+struct RoundedPoints {
+  std::vector<Vec3> doubles;          ///< to binary64
+  std::vector<std::uint8_t> inexact;  ///< where `doubles` is not the exact place
+  std::vector<Vec3> on_lattice;       ///< to the lattice, in one rounding
+  std::vector<std::uint8_t> moved;    ///< where `on_lattice` is not the exact place
+};
+
+[[nodiscard]] RoundedPoints round_points(const ExactMesh& mesh, const Lattice& lattice,
+                                         const Vec3& origin);
+
+/// For each point the first one in exactly the same place: another one only at contacts.
+[[nodiscard]] std::vector<std::uint32_t> exact_twins(const ExactMesh& mesh);
+
+}  // namespace dupin::detail

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "lattice.h"
+#include "repair_mesh.h"
+
+namespace dupin::detail {
+
+/// Removes the known bad items one by one, in order, by collapsing an edge not longer than `reach`,
+/// else flipping an edge, else moving a point to a near number of the lattice. Every step lowers
+/// their number.
+void repair(RepairMesh& mesh, const Lattice& lattice, double reach);
+
+/// Collapses edges shorter than `reach` and flips away triangles that are lower, among `faces` and
+/// what these edits touch, where the mesh stays free of bad items. What is thinner than the
+/// rounding's step is what rounding breaks.
+void clean_up(RepairMesh& mesh, double reach, std::vector<std::uint32_t> faces);
+
+/// `faces` and all that share a point with them, ascending.
+[[nodiscard]] std::vector<std::uint32_t> with_neighbours(const RepairMesh& mesh,
+                                                         const std::vector<std::uint32_t>& faces);
+
+}  // namespace dupin::detail

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "box_tree.h"
+#include "dupin/kernel/mesh.h"
+
+namespace dupin::detail {
+
+/// A fault of the embedding: two triangles that meet where they should not, or, with first ==
+/// second, a degenerate triangle.
+struct BadItem {
+  std::uint32_t first = 0, second = 0;
+  friend auto operator<=>(const BadItem&, const BadItem&) = default;
+};
+
+/// When an edit of a RepairMesh is accepted.
+struct Terms {
+  enum class Rule {
+    fewer_bad,  ///< bad items that involve the edited triangles become fewer
+    none_bad,   ///< no bad item involves the edited triangles afterwards
+  };
+  Rule rule = Rule::fewer_bad;
+  double reach = 0;  ///< largest move of a vertex, and of a surface by flips, since the beginning
+};
+
+/// A closed triangle mesh under edits that keep it a 2-manifold and are accepted only if exact
+/// predicates say that its embedding gets better, or stays without fault.
+class RepairMesh {
+ public:
+  /// `classes`: one number per triangle; triangles of different classes do not lend their area to
+  /// each other. `twins`: per point the first of those that may coincide with it (contacts).
+  RepairMesh(std::vector<Vec3> points, std::vector<Triangle> triangles,
+             std::span<const std::uint32_t> classes, std::span<const std::uint32_t> twins);
+
+  [[nodiscard]] std::span<const Vec3> points() const { return points_; }
+  [[nodiscard]] const Vec3& point(std::uint32_t vertex) const { return points_[vertex]; }
+  [[nodiscard]] const Triangle& triangle(std::uint32_t face) const { return triangles_[face]; }
+  [[nodiscard]] std::uint32_t face_count() const {
+    return static_cast<std::uint32_t>(triangles_.size());
+  }
+  [[nodiscard]] bool alive(std::uint32_t face) const { return alive_[face] != 0; }
+  [[nodiscard]] std::span<const std::uint32_t> faces(std::uint32_t vertex) const;
+  /// The face with the directed edge from a to b, if any.
+  [[nodiscard]] std::optional<std::uint32_t> face_with_edge(std::uint32_t a, std::uint32_t b) const;
+  /// The original triangle whose place and properties the face has.
+  [[nodiscard]] std::uint32_t parent(std::uint32_t face) const { return parent_[face]; }
+  /// An upper bound of the distance that any vertex merged into `vertex` has moved.
+  [[nodiscard]] double reach(std::uint32_t vertex) const { return reach_[vertex]; }
+  /// An upper bound of the distance that flips have moved the surface at `face`.
+  [[nodiscard]] double deviation(std::uint32_t face) const { return deviation_[face]; }
+
+  /// Each tries one edit and returns whether it was accepted.
+  bool collapse(std::uint32_t from, std::uint32_t to, const Terms& terms);
+  bool flip(std::uint32_t face, int edge, const Terms& terms);
+  bool move(std::uint32_t vertex, const Vec3& position, const Terms& terms);
+
+  /// Removes whole shells without asking.
+  void remove(std::span<const std::uint32_t> faces);
+
+  /// Moves all points without asking.
+  void place(std::vector<Vec3> points);
+
+  /// Looks for all bad items that involve a face with a marked point. The caller knows that there
+  /// are no others.
+  void find_bad_items(std::span<const std::uint8_t> marked_points);
+  /// Those found and not yet removed, and those that edits have made; ascending.
+  [[nodiscard]] std::vector<BadItem> bad_items() const;
+  [[nodiscard]] bool is_bad(const BadItem& item) const;
+
+  /// The faces edited since the last call that are still there, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> take_edited();
+
+ private:
+  [[nodiscard]] bool degenerate(std::uint32_t face) const;
+  [[nodiscard]] bool bad_pair(std::uint32_t f, std::uint32_t g) const;
+  [[nodiscard]] Box box(std::uint32_t face) const;
+  BoxTree& tree();
+  [[nodiscard]] std::vector<BadItem> known_bad(std::span<const std::uint32_t> faces) const;
+  [[nodiscard]] bool promising(std::span<const std::uint32_t> faces, const Terms& terms) const;
+  [[nodiscard]] bool settle(std::span<const std::uint32_t> before,
+                            std::span<const std::uint32_t> after, const Terms& terms);
+  void look_nearby(std::span<const std::uint32_t> faces, const std::vector<std::uint32_t>& hot,
+                   std::size_t limit, std::vector<BadItem>& found);
+  void look_everywhere(std::span<const std::uint32_t> faces, const std::vector<std::uint32_t>& hot,
+                       std::size_t limit, std::vector<BadItem>& found);
+  void forget(const BadItem& item);
+  void remember(const BadItem& item);
+  [[nodiscard]] bool collapsible(std::uint32_t from, std::uint32_t to) const;
+  void set_faces(std::uint32_t vertex, std::vector<std::uint32_t> faces);
+  void add_face(std::uint32_t vertex, std::uint32_t face);
+  void drop_face(std::uint32_t vertex, std::uint32_t face);
+
+  std::vector<Vec3> points_;
+  std::vector<Triangle> triangles_;
+  std::span<const std::uint32_t> classes_, twins_;
+  std::vector<std::uint8_t> alive_, has_twin_;
+  std::vector<std::uint32_t> parent_;
+  std::vector<double> reach_, deviation_;
+  // Faces around vertices: slices of one array, or, once edited, a list of their own.
+  std::vector<std::uint32_t> slice_start_, slices_, own_list_;
+  std::vector<std::vector<std::uint32_t>> lists_;
+  BoxFrame frame_;
+  std::optional<BoxTree> tree_;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> bad_;  // per face its partners in bad items
+  std::vector<std::uint32_t> edited_;
+  std::vector<std::uint32_t> stamp_;  // number of the last search that had looked at the face
+  std::uint32_t searches_ = 0;
+};
+
+}  // namespace dupin::detail

@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <array>
+
+#include "repair_mesh.h"
+#include "self_intersection.h"
+#include "triangle_meeting.h"
+
+namespace dupin::detail {
+
+bool RepairMesh::degenerate(std::uint32_t face) const {
+  const Triangle& t = triangles_[face];
+  const Vec3 &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
+  return !PlaneFilter(a, b, c).certain() && collinear(a, b, c);
+}
+
+bool RepairMesh::bad_pair(std::uint32_t f, std::uint32_t g) const {
+  std::array<Vec3, 6> corners;
+  Triangle second{};
+  bool foreign_contact = false;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    corners[i] = points_[triangles_[f][i]];
+    corners[3 + i] = points_[triangles_[g][i]];
+    second[i] = 3 + i;
+  }
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    for (std::uint32_t j = 0; j < 3; ++j) {
+      if (corners[i] == corners[3 + j]) {
+        second[j] = i;
+        foreign_contact = foreign_contact || twins_[triangles_[f][i]] != twins_[triangles_[g][j]];
+      }
+    }
+  }
+  return foreign_contact || TriangleProbe(corners, {0, 1, 2}).meeting(second) != Meeting::none;
+}
+
+bool RepairMesh::is_bad(const BadItem& item) const {
+  if (!alive(item.first) || !alive(item.second)) {
+    return false;
+  }
+  if (item.first == item.second) {
+    return degenerate(item.first);
+  }
+  return !degenerate(item.first) && !degenerate(item.second) && bad_pair(item.first, item.second);
+}
+
+void RepairMesh::find_bad_items(std::span<const std::uint8_t> marked_points) {
+  std::vector<std::uint32_t> faces;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint8_t> active;
+  for (std::uint32_t f = 0; f < triangles_.size(); ++f) {
+    if (alive(f)) {
+      const Triangle& t = triangles_[f];
+      faces.push_back(f);
+      triangles.push_back(t);
+      active.push_back(marked_points[t[0]] | marked_points[t[1]] | marked_points[t[2]]);
+    }
+  }
+  const SelfIntersections found = find_self_intersections(points_, triangles, {.active = active});
+  bad_.clear();
+  for (const std::uint32_t i : found.degenerate) {
+    remember({faces[i], faces[i]});
+  }
+  for (const FacePair& pair : found.pairs) {
+    const BadItem item{faces[pair.first], faces[pair.second]};
+    if (pair.kind != FacePair::Kind::contact || bad_pair(item.first, item.second)) {
+      remember(item);
+    }
+  }
+}
+
+std::vector<BadItem> RepairMesh::bad_items() const {
+  std::vector<BadItem> items;
+  for (const auto& [face, partners] : bad_) {
+    for (const std::uint32_t partner : partners) {
+      if (face <= partner) {
+        items.push_back({face, partner});
+      }
+    }
+  }
+  std::sort(items.begin(), items.end());
+  return items;
+}
+
+void RepairMesh::remember(const BadItem& item) {
+  bad_[item.first].push_back(item.second);
+  if (item.first != item.second) {
+    bad_[item.second].push_back(item.first);
+  }
+}
+
+void RepairMesh::forget(const BadItem& item) {
+  for (const auto& [face, partner] :
+       {std::pair(item.first, item.second), std::pair(item.second, item.first)}) {
+    const auto entry = bad_.find(face);
+    if (entry != bad_.end() && std::erase(entry->second, partner) > 0 && entry->second.empty()) {
+      bad_.erase(entry);
+    }
+  }
+}
+
+/// The known bad items that involve one of the faces, ascending.
+std::vector<BadItem> RepairMesh::known_bad(std::span<const std::uint32_t> faces) const {
+  std::vector<BadItem> items;
+  for (const std::uint32_t f : faces) {
+    const auto entry = bad_.find(f);
+    if (entry != bad_.end()) {
+      for (const std::uint32_t g : entry->second) {
+        items.push_back({std::min(f, g), std::max(f, g)});
+      }
+    }
+  }
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+  return items;
+}
+
+/// Whether an edit of the faces could be accepted at all.
+bool RepairMesh::promising(std::span<const std::uint32_t> faces, const Terms& terms) const {
+  return terms.rule == Terms::Rule::none_bad ||
+         std::ranges::any_of(faces, [&](std::uint32_t f) { return bad_.contains(f); });
+}
+
+/// Appends bad items among `faces` and between them and `hot`, until there are `limit`.
+void RepairMesh::look_nearby(std::span<const std::uint32_t> faces,
+                             const std::vector<std::uint32_t>& hot, std::size_t limit,
+                             std::vector<BadItem>& found) {
+  for (std::size_t i = 0; i < faces.size() && found.size() < limit; ++i) {
+    const std::uint32_t f = faces[i];
+    if (degenerate(f)) {
+      found.push_back({f, f});
+      continue;
+    }
+    const auto test = [&](std::uint32_t g) {
+      if (found.size() < limit && !degenerate(g) && bad_pair(f, g)) {
+        found.push_back({std::min(f, g), std::max(f, g)});
+      }
+    };
+    std::ranges::for_each(hot, test);
+    std::ranges::for_each(faces.subspan(i + 1), test);
+  }
+}
+
+/// Appends bad items between `faces` and all others but `hot`, until there are `limit`.
+void RepairMesh::look_everywhere(std::span<const std::uint32_t> faces,
+                                 const std::vector<std::uint32_t>& hot, std::size_t limit,
+                                 std::vector<BadItem>& found) {
+  ++searches_;
+  for (const std::uint32_t f : faces) {
+    stamp_[f] = searches_;
+  }
+  for (const std::uint32_t f : hot) {
+    stamp_[f] = searches_;
+  }
+  for (const std::uint32_t f : faces) {
+    if (degenerate(f)) {
+      continue;
+    }
+    const Box around = box(f);
+    tree().visit(around, [&](std::uint32_t g) {
+      if (found.size() < limit && alive(g) && stamp_[g] != searches_ && !degenerate(g) &&
+          bad_pair(f, g)) {
+        found.push_back({std::min(f, g), std::max(f, g)});
+      }
+    });
+  }
+}
+
+/// Decides on an edit that has been made for trial: the faces `before` have become the faces
+/// `after`, a part of them. If accepted, the books are brought up to date.
+bool RepairMesh::settle(std::span<const std::uint32_t> before, std::span<const std::uint32_t> after,
+                        const Terms& terms) {
+  const std::vector<BadItem> known = known_bad(before);
+  const std::size_t limit = terms.rule == Terms::Rule::none_bad ? 1 : known.size();
+  std::vector<std::uint32_t> hot;  // where a bad edit shows first
+  for (const BadItem& item : known) {
+    for (const std::uint32_t f : {item.first, item.second}) {
+      if (alive(f) && std::ranges::find(before, f) == before.end()) {
+        hot.push_back(f);
+      }
+    }
+  }
+  std::sort(hot.begin(), hot.end());
+  hot.erase(std::unique(hot.begin(), hot.end()), hot.end());
+  std::vector<BadItem> found;
+  look_nearby(after, hot, limit, found);
+  if (found.size() < limit) {
+    look_everywhere(after, hot, limit, found);
+  }
+  if (found.size() >= limit) {
+    return false;
+  }
+  std::ranges::for_each(known, [&](const BadItem& item) { forget(item); });
+  std::ranges::for_each(found, [&](const BadItem& item) { remember(item); });
+  for (const std::uint32_t f : after) {
+    tree().grow(f, box(f));
+  }
+  edited_.insert(edited_.end(), after.begin(), after.end());
+  return true;
+}
+
+}  // namespace dupin::detail

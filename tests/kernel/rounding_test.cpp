@@ -1,0 +1,208 @@
+#include "dupin/kernel/rounding.h"
+
+#include <cmath>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/check.h"
+#include "dupin/kernel/error.h"
+#include "support/shapes.h"
+
+namespace dupin {
+namespace {
+
+using testing::HasSubstr;
+
+double distance_to_points(const Vec3& place, const TriMesh& mesh) {
+  double nearest = INFINITY;
+  for (const Vec3& point : mesh.points) {
+    nearest = std::min(nearest, (point - place).norm());
+  }
+  return nearest;
+}
+
+bool holds_floats(const TriMesh& mesh) {
+  for (const Vec3& p : mesh.points) {
+    if (p != p.cast<float>().cast<double>()) {
+      return false;
+    }
+  }
+  return true;
+}
+
+TEST(ToMesh, copies_what_needs_no_rounding) {
+  const TriMesh mesh = test::joined({test::labelled(test::box(Vec3(0, 0, 0), Vec3(1, 2, 3)), "a"),
+                                     test::labelled(test::tetrahedron(Vec3(5, 5, 5)), "b")});
+  for (const Coordinates target : {Coordinates::binary64, Coordinates::binary32}) {
+    const Rounded rounded = to_mesh(Solid::from(mesh), target);
+    EXPECT_EQ(rounded.mesh.points, mesh.points);
+    EXPECT_EQ(rounded.mesh.triangles, mesh.triangles);
+    EXPECT_EQ(rounded.mesh.labels, mesh.labels);
+    EXPECT_EQ(rounded.mesh.names, mesh.names);
+    EXPECT_EQ(rounded.sources.size(), mesh.triangles.size());
+    EXPECT_EQ(rounded.sources[3], (Source{0, 3}));
+    EXPECT_EQ(rounded.report.coordinates, target);
+    EXPECT_EQ(rounded.report.moved, 0);
+    EXPECT_EQ(rounded.report.largest_move, 0);
+    EXPECT_EQ(rounded.report.repair_reach, 0);
+    EXPECT_EQ(rounded.report.removed_triangles, 0);
+  }
+  EXPECT_TRUE(to_mesh(Solid()).mesh.triangles.empty());
+}
+
+TEST(ToMesh, thins_out_what_floats_cannot_hold) {
+  // At 10000 the floats are 2^-10 apart; the sides of the polygon are a fifth of that.
+  const TriMesh mesh = test::moved(test::tube(0.03125, 0, 1, 1024), Vec3(1e4, 2e3, -1e4));
+  const Rounded rounded = to_mesh(Solid::from(mesh), Coordinates::binary32);
+  EXPECT_TRUE(check(rounded.mesh).is_solid());
+  EXPECT_TRUE(holds_floats(rounded.mesh));
+  EXPECT_EQ(rounded.report.moved, mesh.points.size());
+  EXPECT_EQ(rounded.report.removed_triangles,
+            mesh.triangles.size() - rounded.mesh.triangles.size());
+  EXPECT_LE(rounded.report.largest_move, 1024 * 0x1p-10 + std::sqrt(0.75) * 0x1p-10);
+  for (const Vec3& point : mesh.points) {
+    EXPECT_LE(distance_to_points(point, rounded.mesh), rounded.report.largest_move);
+  }
+}
+
+TEST(ToMesh, keeps_labels_through_repair) {
+  const TriMesh mesh = test::joined(
+      {test::labelled(test::moved(test::tube(0.03125, 0, 1, 512), Vec3(1e4, 0, 0)), "thin"),
+       test::labelled(test::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), "box")});
+  const Rounded rounded = to_mesh(Solid::from(mesh), Coordinates::binary32);
+  ASSERT_EQ(rounded.mesh.labels.size(), rounded.mesh.triangles.size());
+  ASSERT_EQ(rounded.sources.size(), rounded.mesh.triangles.size());
+  EXPECT_LT(rounded.mesh.triangles.size(), mesh.triangles.size());
+  for (std::size_t f = 0; f < rounded.mesh.triangles.size(); ++f) {
+    const bool thin = rounded.mesh.points[rounded.mesh.triangles[f][0]].x() > 100;
+    EXPECT_EQ(rounded.mesh.names[rounded.mesh.labels[f]], thin ? "thin" : "box");
+    EXPECT_EQ(rounded.mesh.labels[f], mesh.labels[rounded.sources[f].triangle]);
+  }
+}
+
+TEST(ToMesh, is_the_same_every_time) {
+  const Solid solid =
+      Solid::from(test::moved(test::tube(0.03125, 0, 1, 1024), Vec3(1e4, 2e3, -1e4)));
+  const Rounded first = to_mesh(solid, Coordinates::binary32);
+  const Rounded second = to_mesh(solid, Coordinates::binary32);
+  EXPECT_EQ(first.mesh.points, second.mesh.points);
+  EXPECT_EQ(first.mesh.triangles, second.mesh.triangles);
+}
+
+TEST(ToMesh, recentres_on_demand) {
+  const TriMesh mesh = test::moved(test::tube(0.03125, 0, 1, 64), Vec3(238409, 81742, 606708));
+  const Solid solid = Solid::from(mesh);
+  const Rounded rounded =
+      to_mesh(solid, Coordinates::binary32, {.origin = {.choice = Origin::Choice::automatic}});
+  EXPECT_TRUE(check(rounded.mesh).is_solid());
+  EXPECT_EQ(rounded.mesh.triangles, mesh.triangles);
+  EXPECT_LT(rounded.report.largest_move, 1e-7);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    EXPECT_LE((rounded.mesh.points[v] + rounded.report.origin - mesh.points[v]).norm(),
+              rounded.report.largest_move * 1.001);
+  }
+  EXPECT_EQ(to_mesh(Solid::from(test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1))), Coordinates::binary32,
+                    {.origin = {.choice = Origin::Choice::automatic}})
+                .report.origin,
+            Vec3(0, 0, 0));
+}
+
+TEST(ToMesh, snaps_to_a_grid_on_demand) {
+  const TriMesh mesh = test::moved(test::tube(1, 0, 2, 48), Vec3(0.1, 0.2, 0.3));
+  const Rounded rounded = to_mesh(Solid::from(mesh), Coordinates::binary64, {.grid = 0x1p-8});
+  EXPECT_TRUE(check(rounded.mesh).is_solid());
+  for (const Vec3& p : rounded.mesh.points) {
+    EXPECT_EQ(p, Vec3((p * 0x1p8).array().round() * 0x1p-8));
+  }
+}
+
+TEST(ToMesh, keeps_contacts) {
+  const TriMesh mesh = test::moved(test::joined({test::box(Vec3(0, 0, 0), Vec3(1, 1, 1)),
+                                                 test::box(Vec3(1, 1, 0), Vec3(2, 2, 1))}),
+                                   Vec3(0.1, 0.7, 0.3));
+  const Rounded rounded = to_mesh(Solid::from(mesh), Coordinates::binary32);
+  const Report report = check(rounded.mesh);
+  EXPECT_TRUE(report.is_solid());
+  EXPECT_EQ(report.count(Defect::contact), check(mesh).count(Defect::contact));
+  EXPECT_EQ(rounded.mesh.points.size(), 16);
+}
+
+TEST(ToMesh, leaves_out_shells_that_are_too_small) {
+  const TriMesh box = test::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+  const TriMesh mesh = test::joined({box, test::tetrahedron(Vec3(5, 5, 5), 1e-9)});
+  const Rounded rounded = to_mesh(Solid::from(mesh), Coordinates::binary32);
+  EXPECT_EQ(rounded.mesh.triangles, box.triangles);
+  EXPECT_EQ(rounded.report.removed_shells, 1);
+  EXPECT_EQ(rounded.report.removed_triangles, 4);
+}
+
+/// Tetrahedra of a few float steps that rounding may flatten or turn inside out.
+TEST(ToMesh, turns_no_shell_inside_out) {
+  std::mt19937 random(23);
+  std::uniform_real_distribution<double> offset(0, 3 * 0x1p-23);
+  const TriMesh box = test::box(Vec3(2, 2, 2), Vec3(3, 3, 3));
+  std::size_t kept = 0, removed = 0;
+  for (int round = 0; round < 300; ++round) {
+    TriMesh tiny = test::tetrahedron();
+    for (Vec3& p : tiny.points) {
+      p = Vec3(1 + offset(random), 1 + offset(random), 1 + offset(random));
+    }
+    TriMesh mesh = test::joined({box, tiny});
+    if (!check(mesh).is_solid()) {
+      mesh = test::joined({box, test::reversed(tiny)});
+    }
+    const Rounded rounded = to_mesh(Solid::from(mesh), Coordinates::binary32);
+    ASSERT_TRUE(check(rounded.mesh).is_solid()) << round;
+    ++(rounded.report.removed_shells == 1 ? removed : kept);
+  }
+  EXPECT_GT(kept, 20);
+  EXPECT_GT(removed, 20);
+}
+
+TEST(ToMesh, says_what_would_help_where_it_cannot) {
+  const Solid solid =
+      Solid::from(test::moved(test::tube(0.03125, 0, 1, 1024), Vec3(1e4, 2e3, -1e4)));
+  try {
+    static_cast<void>(to_mesh(solid, Coordinates::binary32, {.tolerance = 0x1p-12}));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::unroundable);
+    EXPECT_THAT(error.where(), HasSubstr("(10000"));
+    EXPECT_THAT(error.message(), HasSubstr("origin auto"));
+    EXPECT_THAT(error.message(), HasSubstr("doubles"));
+    EXPECT_THAT(error.message(), HasSubstr("larger tolerance"));
+  }
+  EXPECT_THROW(static_cast<void>(to_mesh(Solid::from(test::tetrahedron(Vec3(1e6, 0, 0), 1e-6)),
+                                         Coordinates::binary32)),
+               Error)
+      << "nothing would be left";
+  EXPECT_THROW(static_cast<void>(to_mesh(Solid::from(test::tetrahedron(Vec3(0, 0, 0), 1e39)),
+                                         Coordinates::binary32)),
+               Error);
+}
+
+TEST(ToMesh, refuses_senseless_options) {
+  const Solid solid = Solid::from(test::tetrahedron());
+  const RoundingOptions table[] = {
+      {.tolerance = -1},
+      {.tolerance = NAN},
+      {.tolerance = INFINITY},
+      {.grid = 0.1},
+      {.grid = -0.5},
+      {.grid = NAN},
+      {.origin = {Origin::Choice::given, Vec3(0, NAN, 0)}},
+  };
+  for (const RoundingOptions& options : table) {
+    try {
+      static_cast<void>(to_mesh(solid, Coordinates::binary64, options));
+      ADD_FAILURE() << options.tolerance << " " << options.grid;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::invalid_argument);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dupin
