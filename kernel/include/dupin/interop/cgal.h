@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/Surface_mesh.h>
 #include <gmpxx.h>
 
