@@ -2,16 +2,18 @@
 
 #include <array>
 
-#include "rational_vector.h"
+#include "exact.h"
+#include "orientation.h"
 
 namespace dupin {
 namespace {
 
 using detail::cross;
-using detail::difference;
 using detail::dot;
+using detail::ExactVector;
 using detail::rational;
-using detail::RationalVector;
+
+ExactVector exact(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 GapVerdict verdict_of(const GapReport& report, bool facing, bool same_normal) {
   if (!facing) {
@@ -65,25 +67,26 @@ std::string_view name(Deviation::Kind kind) {
 GapReport measure_gap(const Ring& a, const Ring& b) {
   validate(a);
   validate(b);
-  const RationalVector n = rational(a.normal), m = rational(b.normal);
-  const RationalVector d = difference(rational(b.center), rational(a.center));
-  const RationalVector across = cross(d, n), turn = cross(n, m);
-  const mpq_class along = dot(n, m), both_squared = dot(n, n) * dot(m, m);
+  const ExactVector n = exact(a.normal), m = exact(b.normal);
+  const ExactVector d = detail::operator-(exact(b.center), exact(a.center));
+  const ExactVector across = cross(d, n), turn = cross(n, m);
+  const mpq_class along = rational(dot(n, m)), turn_squared = rational(dot(turn, turn));
+  const mpq_class both_squared = rational(dot(n, n) * dot(m, m));
   const bool same_normal = a.normal == -b.normal;
 
   GapReport report;
-  report.axial_dot = dot(d, n);
-  report.normal_squared = dot(n, n);
-  report.offset_squared = dot(across, across) / report.normal_squared;
-  report.distance_squared = dot(d, d);
+  report.axial_dot = rational(dot(d, n));
+  report.normal_squared = rational(dot(n, n));
+  report.offset_squared = rational(dot(across, across)) / report.normal_squared;
+  report.distance_squared = rational(dot(d, d));
   report.radius_difference = mpq_class(b.radius) - mpq_class(a.radius);
   report.slope_difference = mpq_class(a.slope) + mpq_class(b.slope);
-  report.kink_sine_squared = dot(turn, turn) / both_squared;
+  report.kink_sine_squared = turn_squared / both_squared;
   report.kink_cosine_squared = along * along / both_squared;
   report.axial = signed_length(report.axial_dot, report.normal_squared);
   report.offset = root_of(report.offset_squared);
   report.radius = enclosure_of(report.radius_difference);
-  report.kink = angle_of(dot(turn, turn), -along);
+  report.kink = angle_of(turn_squared, -along);
   report.verdict = verdict_of(report, along < 0, same_normal);
   report.deviations = deviations_of(report, same_normal);
   return report;

@@ -10,51 +10,8 @@ namespace {
 
 using CGAL::Mpzf;
 
-struct Bounds {
-  Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 upper = -lower;
-
-  void join(const Vec3& point) {
-    lower = lower.cwiseMin(point);
-    upper = upper.cwiseMax(point);
-  }
-};
-
-// Three times the centre of gravity of a triangle: a point that lies on no other shell, as shells
-// touch in vertices and edges only. All is scaled by 3 to stay in integers.
-struct TestPoint {
-  ExactVector tripled;
-  Bounds face;  // contains the point
-};
-
 ExactVector tripled(const Vec3& point) {
   return {Mpzf(point.x()) * 3, Mpzf(point.y()) * 3, Mpzf(point.z()) * 3};
-}
-
-Bounds bounds_of(const MeshView& mesh, std::uint32_t face) {
-  Bounds bounds;
-  for (const std::uint32_t corner : mesh.triangles[face]) {
-    bounds.join(mesh.points[corner]);
-  }
-  return bounds;
-}
-
-// A small face makes few candidates for the ray.
-TestPoint test_point(const MeshView& mesh, std::span<const std::uint32_t> faces) {
-  const auto spread = [&](std::uint32_t face) {
-    const Bounds bounds = bounds_of(mesh, face);
-    return (bounds.upper - bounds.lower).tail<2>().sum();
-  };
-  const std::uint32_t face =
-      *std::min_element(faces.begin(), faces.end(),
-                        [&](std::uint32_t a, std::uint32_t b) { return spread(a) < spread(b); });
-  ExactVector sum;
-  for (const std::uint32_t corner : mesh.triangles[face]) {
-    for (int i = 0; i < 3; ++i) {
-      sum[i] = sum[i] + Mpzf(mesh.points[corner][i]);
-    }
-  }
-  return {sum, bounds_of(mesh, face)};
 }
 
 // The ray runs from q along +x. So that it passes through no edge, q is thought moved by
@@ -83,46 +40,89 @@ bool is_hit(const ExactVector& q, const std::array<ExactVector, 3>& corners) {
   return sign(dot(normal, q - corners[0])) * sign(normal[0]) < 0;
 }
 
-bool contains(const MeshView& mesh, std::span<const std::uint32_t> shell, const TestPoint& point) {
+}  // namespace
+
+ShellNest::Bounds::Bounds()
+    : lower(Vec3::Constant(std::numeric_limits<double>::infinity())), upper(-lower) {}
+
+void ShellNest::Bounds::join(const Vec3& point) {
+  lower = lower.cwiseMin(point);
+  upper = upper.cwiseMax(point);
+}
+
+bool ShellNest::Bounds::contains(const Bounds& other) const {
+  return (lower.array() <= other.lower.array()).all() &&
+         (upper.array() >= other.upper.array()).all();
+}
+
+ShellNest::ShellNest(const MeshView& mesh, const Shells& shells)
+    : mesh_(mesh), shells_(shells), boxes_(shells.count), test_faces_(shells.count) {
+  for (std::size_t shell = 0; shell < shells.count; ++shell) {
+    for (const std::uint32_t face : shells.faces_of(shell)) {
+      for (const std::uint32_t corner : mesh.triangles[face]) {
+        boxes_[shell].join(mesh.points[corner]);
+      }
+    }
+    test_faces_[shell] = test_face(shell);
+  }
+}
+
+ShellNest::Bounds ShellNest::bounds_of(std::uint32_t face) const {
+  Bounds bounds;
+  for (const std::uint32_t corner : mesh_.triangles[face]) {
+    bounds.join(mesh_.points[corner]);
+  }
+  return bounds;
+}
+
+// A small face makes few candidates for the ray.
+std::uint32_t ShellNest::test_face(std::size_t shell) const {
+  const auto spread = [&](std::uint32_t face) {
+    const Bounds bounds = bounds_of(face);
+    return (bounds.upper - bounds.lower).tail<2>().sum();
+  };
+  const auto faces = shells_.faces_of(shell);
+  return *std::min_element(faces.begin(), faces.end(),
+                           [&](std::uint32_t a, std::uint32_t b) { return spread(a) < spread(b); });
+}
+
+bool ShellNest::encloses(std::size_t outer, std::size_t inner) const {
+  if (!boxes_[outer].contains(boxes_[inner])) {
+    return false;
+  }
+  // Three times the centre of gravity of a triangle: a point that lies on no other shell, as shells
+  // touch in vertices and edges only. All is scaled by 3 to stay in integers.
+  ExactVector point;
+  for (const std::uint32_t corner : mesh_.triangles[test_faces_[inner]]) {
+    for (int i = 0; i < 3; ++i) {
+      point[i] = point[i] + Mpzf(mesh_.points[corner][i]);
+    }
+  }
+  const Bounds around = bounds_of(test_faces_[inner]);
   bool inside = false;
-  for (const std::uint32_t face : shell) {
-    const Bounds bounds = bounds_of(mesh, face);
-    if (bounds.upper.x() < point.face.lower.x() || bounds.lower.y() > point.face.upper.y() ||
-        bounds.upper.y() < point.face.lower.y() || bounds.lower.z() > point.face.upper.z() ||
-        bounds.upper.z() < point.face.lower.z()) {
+  for (const std::uint32_t face : shells_.faces_of(outer)) {
+    const Bounds bounds = bounds_of(face);
+    if (bounds.upper.x() < around.lower.x() || bounds.lower.y() > around.upper.y() ||
+        bounds.upper.y() < around.lower.y() || bounds.lower.z() > around.upper.z() ||
+        bounds.upper.z() < around.lower.z()) {
       continue;
     }
-    const Triangle& t = mesh.triangles[face];
-    const std::array<ExactVector, 3> corners = {
-        tripled(mesh.points[t[0]]), tripled(mesh.points[t[1]]), tripled(mesh.points[t[2]])};
-    inside ^= is_hit(point.tripled, corners);
+    const Triangle& t = mesh_.triangles[face];
+    inside ^= is_hit(point, {tripled(mesh_.points[t[0]]), tripled(mesh_.points[t[1]]),
+                             tripled(mesh_.points[t[2]])});
   }
   return inside;
 }
-
-}  // namespace
 
 std::vector<int> nesting_depths(const MeshView& mesh, const Shells& shells) {
   std::vector<int> depths(shells.count);
   if (shells.count < 2) {
     return depths;
   }
-  std::vector<Bounds> boxes(shells.count);
-  for (std::size_t shell = 0; shell < shells.count; ++shell) {
-    for (const std::uint32_t face : shells.faces_of(shell)) {
-      for (const std::uint32_t corner : mesh.triangles[face]) {
-        boxes[shell].join(mesh.points[corner]);
-      }
-    }
-  }
+  const ShellNest nest(mesh, shells);
   for (std::size_t inner = 0; inner < shells.count; ++inner) {
-    const TestPoint point = test_point(mesh, shells.faces_of(inner));
     for (std::size_t outer = 0; outer < shells.count; ++outer) {
-      // A shell inside another has its box in the other's.
-      const bool possible = outer != inner &&
-                            (boxes[outer].lower.array() <= boxes[inner].lower.array()).all() &&
-                            (boxes[outer].upper.array() >= boxes[inner].upper.array()).all();
-      if (possible && contains(mesh, shells.faces_of(outer), point)) {
+      if (outer != inner && nest.encloses(outer, inner)) {
         ++depths[inner];
       }
     }

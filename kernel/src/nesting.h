@@ -7,9 +7,34 @@
 
 namespace dupin::detail {
 
-/// For each shell the number of other shells around it, by exact ray tests. The shells are closed
-/// surfaces of doubles that share no area and do not cross; they may touch. Shells with disjoint
-/// boxes cost nothing.
+/// Answers which shells are around which, by exact ray tests. The shells are closed surfaces of
+/// doubles. The mesh and the shells outlive it.
+class ShellNest {
+ public:
+  ShellNest(const MeshView& mesh, const Shells& shells);
+
+  /// Whether `inner` lies within the surface `outer`, another shell that it does not cross nor
+  /// share an area with; they may touch. Disjoint boxes cost nothing.
+  [[nodiscard]] bool encloses(std::size_t outer, std::size_t inner) const;
+
+ private:
+  struct Bounds {
+    Vec3 lower, upper;
+    Bounds();
+    void join(const Vec3& point);
+    [[nodiscard]] bool contains(const Bounds& other) const;
+  };
+
+  [[nodiscard]] Bounds bounds_of(std::uint32_t face) const;
+  [[nodiscard]] std::uint32_t test_face(std::size_t shell) const;
+
+  MeshView mesh_;
+  const Shells& shells_;
+  std::vector<Bounds> boxes_;
+  std::vector<std::uint32_t> test_faces_;
+};
+
+/// For each shell the number of other shells around it. The shells share no area and do not cross.
 [[nodiscard]] std::vector<int> nesting_depths(const MeshView& mesh, const Shells& shells);
 
 }  // namespace dupin::detail
