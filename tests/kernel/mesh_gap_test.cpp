@@ -3,9 +3,11 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
+#include "dupin/kernel/boolean.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/gap.h"
 #include "support/shapes.h"
@@ -153,14 +155,18 @@ TEST(MeshGap, a_retyped_ring_parts_two_prisms_by_the_gap_of_the_rings) {
   EXPECT_EQ(welded.components, 1U);
   EXPECT_FALSE(welded.slit());
   EXPECT_EQ(welded.welded_faces, 22U);
+  const std::vector<Solid> as_stored = {Solid::from(before), Solid::from(after)};
+  EXPECT_EQ(unite(as_stored).components(), 1U);
 
   Ring retyped = flipped(seam);
   retyped.center = Vec3(10.0001, 4.0002, 0.001);  // moved along the axis, as far as typed
-  const MeshGapReport parted =
-      measure_gaps(before, prism(retyped, {Vec3(10, 4, 0) + 5 * axis, axis, 2}), {.connect = 0.01});
+  const TriMesh apart = prism(retyped, {Vec3(10, 4, 0) + 5 * axis, axis, 2});
+  const MeshGapReport parted = measure_gaps(before, apart, {.connect = 0.01});
   const GapReport ends = measure_gap(seam, retyped);
   EXPECT_EQ(ends.verdict, GapVerdict::gap);
   EXPECT_EQ(parted.components, 2U);
+  const std::vector<Solid> typed_over = {Solid::from(before), Solid::from(apart)};
+  EXPECT_EQ(unite(typed_over).components(), 2U);
   ASSERT_EQ(parted.facing.size(), 1U);
   // Points of the samples are off their planes by a few ulps of 10.
   EXPECT_NEAR(parted.facing[0].least.lower, ends.axial.lower, 1e-14);
