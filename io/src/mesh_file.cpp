@@ -7,8 +7,12 @@
 #include <string_view>
 
 #include "dupin/io/atomic_file.h"
+#include "dupin/io/glb.h"
+#include "dupin/io/obj.h"
 #include "dupin/io/off.h"
+#include "dupin/io/ply.h"
 #include "dupin/io/stl.h"
+#include "dupin/io/three_mf.h"
 #include "dupin/kernel/error.h"
 #include "text_scanner.h"
 
@@ -36,7 +40,15 @@ constexpr std::array kFormats = {
               stl_binary_bytes},
     FormatRow{MeshFormat::stl_ascii, "ASCII STL", ".stl", Coordinates::binary32, read_stl_ascii,
               stl_ascii_without_header},
+    FormatRow{MeshFormat::ply_binary, "binary PLY", ".ply", Coordinates::binary64, read_ply,
+              ply_binary_bytes},
+    FormatRow{MeshFormat::ply_ascii, "ASCII PLY", ".ply", Coordinates::binary64, read_ply,
+              ply_ascii_text},
+    FormatRow{MeshFormat::obj, "OBJ", ".obj", Coordinates::binary64, read_obj, obj_text},
+    FormatRow{MeshFormat::three_mf, "3MF", ".3mf", Coordinates::binary32, read_3mf, three_mf_bytes},
+    FormatRow{MeshFormat::glb, "binary glTF", ".glb", Coordinates::binary32, read_glb, glb_bytes},
 };
+static_assert(kFormats.size() == kMeshFormats.size());
 
 const FormatRow& row(MeshFormat format) {
   return *std::find_if(kFormats.begin(), kFormats.end(),
@@ -75,6 +87,13 @@ bool is_off(std::string_view bytes) {
   return token.substr(0, token.find("OFF")).size() < token.size();
 }
 
+/// Text that begins with one of the statements that OBJ files begin with.
+bool is_obj(std::string_view bytes) {
+  TextScanner scanner(bytes, {}, '#');
+  scanner.skip_space();
+  return scanner.take("v") || scanner.take("o") || scanner.take("g") || scanner.take("mtllib");
+}
+
 bool is_stl_ascii(std::string_view bytes) {
   TextScanner scanner(bytes, {});
   scanner.skip_space();
@@ -83,11 +102,25 @@ bool is_stl_ascii(std::string_view bytes) {
 
 MeshFormat format_of_content(std::string_view bytes, std::string_view file) {
   const std::optional<MeshFormat> by_extension = format_by_extension(file);
+  if (bytes.starts_with("glTF")) {
+    return MeshFormat::glb;
+  }
+  if (bytes.starts_with("PK\x03\x04")) {
+    return MeshFormat::three_mf;
+  }
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) {
+    return MeshFormat::ply_binary;  // its reader tells the encodings apart
+  }
   if (is_off(bytes)) {
     return MeshFormat::off;
   }
-  if (by_extension == MeshFormat::stl_binary || is_stl_ascii(bytes) ||
-      has_size_of_binary_stl(bytes)) {
+  if (has_size_of_binary_stl(bytes)) {
+    return MeshFormat::stl_binary;
+  }
+  if (is_obj(bytes)) {
+    return MeshFormat::obj;
+  }
+  if (is_stl_ascii(bytes) || by_extension == MeshFormat::stl_binary) {
     return is_binary_stl(bytes) ? MeshFormat::stl_binary : MeshFormat::stl_ascii;
   }
   if (by_extension) {

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "dupin/kernel/error.h"
 #include "mesh_text.h"
 #include "polygon.h"
 #include "text_scanner.h"
@@ -80,11 +79,6 @@ void read_face(TextScanner& scanner, std::size_t points, std::vector<std::uint32
   const std::size_t place = scanner.position();
   const std::int64_t size =
       scanner.integer(3, kMostPoints, "a face: its number of vertices, an integer");
-  if (static_cast<std::size_t>(size) > kLargestPolygon) {
-    throw Error(Errc::limit_exceeded,
-                "a face of " + std::to_string(size) + " vertices is more than the " +
-                    std::to_string(kLargestPolygon) + " that are cut into triangles");
-  }
   corners.clear();
   for (std::int64_t i = 0; i < size; ++i) {
     corners.push_back(static_cast<std::uint32_t>(scanner.integer(

@@ -4,12 +4,17 @@
 #include <cfloat>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 
 #include <gmpxx.h>
 
+#include "dupin/kernel/error.h"
+
 namespace dupin {
 namespace {
+
+constexpr std::size_t kLargestPolygon = 20000;
 
 using Point2 = std::array<double, 2>;
 
@@ -178,6 +183,11 @@ void triangulate(std::span<const std::uint32_t> corners, const std::vector<Vec3>
   if (corners.size() == 3) {
     triangles.push_back({corners[0], corners[1], corners[2]});
     return;
+  }
+  if (corners.size() > kLargestPolygon) {
+    throw Error(Errc::limit_exceeded,
+                "a face of " + std::to_string(corners.size()) + " vertices is more than the " +
+                    std::to_string(kLargestPolygon) + " that are cut into triangles");
   }
   EarClipper(corners, projected(corners, points), triangles).clip();
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,15 +8,14 @@
 
 namespace dupin {
 
-inline constexpr std::size_t kLargestPolygon = 20000;
-
 /// Cuts the polygon with these corners into size - 2 triangles of the same orientation and appends
 /// them. Ears are clipped in the coordinate plane that the polygon is least inclined to, by exact
 /// predicates: right for every simple planar polygon. A polygon that is not simple there gets the
 /// same number of triangles with the same boundary. O(n) for convex polygons; for r reflex corners
 /// typically O(n r).
 ///
-/// Requires at least three corners, all of them indices into `points`.
+/// Requires at least three corners, all of them indices into `points`. Throws Error{limit_exceeded}
+/// for more than 20 000 corners, whose cutting could take minutes.
 void triangulate(std::span<const std::uint32_t> corners, const std::vector<Vec3>& points,
                  std::vector<Triangle>& triangles);
 

@@ -41,14 +41,32 @@ TEST_F(MeshFile, the_extension_names_the_format_to_write) {
     EXPECT_EQ(error.code(), Errc::invalid_argument);
     EXPECT_STREQ(
         error.what(),
-        "dir.stl/pipe.step: the extension '.step' names no mesh format; known are .off, .stl");
+        "dir.stl/pipe.step: the extension '.step' names no mesh format; known are .off, .stl, "
+        ".ply, .obj, .3mf, .glb");
   }
 }
 
 TEST_F(MeshFile, formats_say_what_they_hold) {
-  EXPECT_EQ(coordinates(MeshFormat::off), Coordinates::binary64);
-  EXPECT_EQ(coordinates(MeshFormat::stl_ascii), Coordinates::binary32);
-  EXPECT_EQ(coordinates(MeshFormat::stl_binary), Coordinates::binary32);
+  for (const MeshFormat format : kMeshFormats) {
+    const bool doubles = format == MeshFormat::off || format == MeshFormat::ply_ascii ||
+                         format == MeshFormat::ply_binary || format == MeshFormat::obj;
+    EXPECT_EQ(coordinates(format), doubles ? Coordinates::binary64 : Coordinates::binary32);
+    TriMesh mesh = test::tetrahedron();
+    mesh.points[1].x() = 0.1;
+    const double held = read_mesh(mesh_bytes(mesh, format), "x", format).points[1].x();
+    const double read_first = format == MeshFormat::stl_ascii || format == MeshFormat::stl_binary
+                                  ? read_mesh(mesh_bytes(mesh, format), "x", format).points[2].x()
+                                  : held;
+    EXPECT_EQ(read_first, doubles ? 0.1 : static_cast<double>(0.1F)) << name(format);
+  }
+}
+
+TEST_F(MeshFile, the_same_mesh_gives_the_same_bytes_and_they_write_alike_when_read) {
+  for (const MeshFormat format : kMeshFormats) {
+    const std::string bytes = mesh_bytes(test::labelled_tetrahedron(), format, {"mm", "note"});
+    EXPECT_EQ(bytes, mesh_bytes(test::labelled_tetrahedron(), format, {"mm", "note"}));
+    EXPECT_EQ(bytes, mesh_bytes(read_mesh(bytes, "x"), format, {"mm", "note"})) << name(format);
+  }
 }
 
 TEST_F(MeshFile, reads_from_disk_what_it_wrote) {

@@ -14,9 +14,19 @@
 namespace dupin {
 
 /// The file formats that hold meshes.
-enum class MeshFormat { off, stl_ascii, stl_binary };
-inline constexpr std::array kMeshFormats = {MeshFormat::off, MeshFormat::stl_ascii,
-                                            MeshFormat::stl_binary};
+enum class MeshFormat {
+  off,
+  stl_ascii,
+  stl_binary,
+  ply_ascii,
+  ply_binary,
+  obj,
+  three_mf,
+  glb,
+};
+inline constexpr std::array kMeshFormats = {
+    MeshFormat::off,        MeshFormat::stl_ascii, MeshFormat::stl_binary, MeshFormat::ply_ascii,
+    MeshFormat::ply_binary, MeshFormat::obj,       MeshFormat::three_mf,   MeshFormat::glb};
 
 /// For people: "OFF", "binary STL".
 [[nodiscard]] std::string_view name(MeshFormat format);
@@ -25,7 +35,8 @@ inline constexpr std::array kMeshFormats = {MeshFormat::off, MeshFormat::stl_asc
 /// store floats.
 [[nodiscard]] Coordinates coordinates(MeshFormat format);
 
-/// The format to write for a file name, by its extension in any case (.stl is binary). Throws
+/// The format to write for a file name, by its extension in any case (.stl and .ply are
+/// binary). Throws
 /// Error{invalid_argument} naming the known extensions.
 [[nodiscard]] MeshFormat format_of(const std::filesystem::path& path);
 

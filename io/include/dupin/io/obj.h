@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "dupin/io/mesh_header.h"
+#include "dupin/kernel/mesh.h"
+
+namespace dupin {
+
+/// Reads the polygons of a Wavefront OBJ: `v`, `f` (with texture and normal indices, skipped, and
+/// with negative indices), `g` and `o`. The latest `g` or `o` names the label of the faces after
+/// it; faces before any are labelled "default" if others have a name. Faces are cut into triangles
+/// as `read_off` does; free-form geometry is refused, everything else is skipped. Points keep their
+/// order and are not merged; -0 becomes 0.
+///
+/// `file` is named in errors. Throws Error{parse_failed} with "file:line", and
+/// Error{limit_exceeded} as `read_off`.
+[[nodiscard]] TriMesh read_obj(std::string_view bytes, std::string_view file);
+
+/// OBJ with the shortest decimals that read back to the same doubles and one group `g` per label,
+/// in the order of the names. Throws Error{invalid_argument} for a non-finite point or a bad index.
+[[nodiscard]] std::string obj_text(const TriMesh& mesh, const MeshHeader& header = {});
+
+}  // namespace dupin

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "dupin/io/mesh_header.h"
+#include "dupin/kernel/mesh.h"
+
+namespace dupin {
+
+/// Reads PLY 1.0, as text or as bytes of either order. Needs an element `vertex` with the
+/// properties x, y and z of any type, and before its end an element `face` with a list
+/// `vertex_indices` (or `vertex_index`); faces are cut into triangles as `read_off` does.
+///
+/// An integer property `label` of the faces gives labels; comments "label NAME", one per label and
+/// in their order, give the names. All other elements and properties are skipped. -0 becomes 0.
+///
+/// `file` is named in errors. Throws Error{parse_failed} with "file:line", or "file:byte N" in a
+/// binary body, and Error{limit_exceeded} as `read_off`.
+[[nodiscard]] TriMesh read_ply(std::string_view bytes, std::string_view file);
+
+/// PLY text with the shortest decimals that read back to the same doubles; labels as described at
+/// `read_ply`. Throws Error{invalid_argument} for a non-finite point or a bad index.
+[[nodiscard]] std::string ply_ascii_text(const TriMesh& mesh, const MeshHeader& header = {});
+
+/// Little-endian PLY whose coordinates are doubles. Throws as `ply_ascii_text`.
+[[nodiscard]] std::string ply_binary_bytes(const TriMesh& mesh, const MeshHeader& header = {});
+
+}  // namespace dupin

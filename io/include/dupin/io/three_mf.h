@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "dupin/io/mesh_header.h"
+#include "dupin/kernel/mesh.h"
+
+namespace dupin {
+
+/// Reads the model of a 3MF package: every item of its build, with its transformation, components
+/// resolved. A triangle's label is its base material if it has one of its own, else its object's
+/// name ("object ID" where only others have one). Textures, colours and slices are skipped. Points
+/// keep their order and are not merged; -0 becomes 0. Coordinates are in the package's unit.
+///
+/// `file` is named in errors. Throws Error{parse_failed} with the file, the part of the package and
+/// the line, and Error{limit_exceeded} for a package that expands beyond all measure.
+[[nodiscard]] TriMesh read_3mf(std::string_view bytes, std::string_view file);
+
+/// A 3MF package with one object, so that a solid stays one whole; its labels are base materials.
+/// Coordinates are rounded and printed as in `stl_ascii_text`, so that readers of either precision
+/// find the same mesh. The unit is millimetres unless the header names another.
+///
+/// Throws Error{invalid_argument} for a non-finite point, a bad index or a unit that 3MF does not
+/// know, Error{unroundable} for a point beyond binary32.
+[[nodiscard]] std::string three_mf_bytes(const TriMesh& mesh, const MeshHeader& header = {});
+
+}  // namespace dupin

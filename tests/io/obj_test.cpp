@@ -1,0 +1,95 @@
+#include "dupin/io/obj.h"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/error.h"
+#include "support/malformed.h"
+#include "support/sample_meshes.h"
+
+namespace dupin {
+namespace {
+
+const std::string kPoints = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+
+TEST(Obj, reads_back_bit_for_bit_what_it_writes) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const TriMesh mesh = test::scattered_mesh(seed, 300, false);
+    EXPECT_TRUE(test::identical(read_obj(obj_text(mesh), "x.obj"), mesh));
+  }
+  const TriMesh labelled = test::labelled_tetrahedron();
+  EXPECT_TRUE(test::identical(read_obj(obj_text(labelled), "x.obj"), labelled));
+}
+
+TEST(Obj, text_groups_triangles_by_label) {
+  TriMesh mesh = test::labelled_tetrahedron();
+  mesh.labels = {1, 0, 1, 0};
+  EXPECT_EQ(obj_text(mesh, {"m", ""}),
+            "# dupin\n# unit: m\n" + kPoints +
+                "g inlet\nf 1 2 4\nf 2 3 4\ng the blend\nf 1 3 2\nf 1 4 3\n");
+}
+
+TEST(Obj, reads_every_dialect) {
+  const std::vector<std::string> files = {
+      kPoints + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
+      "# by hand\r\nmtllib a b.mtl\r\n" + kPoints +
+          "vt 0.5 nan\nvn 0 0 1\nusemtl steel\ns off\nf 1/1/1 3/1/1 2/1/1\nf 1//1 2//1 4//1\n"
+          "f 1/1 4/1 3/1\nl 1 2\nf 2 3 4 # last\n",
+      "v 0 0 0\nv 1 0 0\nv 0 1 0 1.0\nf -3 -1 -2\nv 0 0 1 0.5 0.5 0.5 1\nf 1 2 -1\nf 1 \\\n4 "
+      "\\\n3\n"
+      "f -3 -2 -1\n",
+  };
+  for (const std::string& file : files) {
+    EXPECT_TRUE(test::identical(read_obj(file, "x.obj"), test::tetrahedron())) << file;
+  }
+}
+
+TEST(Obj, the_latest_group_or_object_names_the_label) {
+  const TriMesh mesh = read_obj(
+      kPoints + "f 1 3 2\no pump\nf 1 2 4\ng two  words\nf 1 4 3\no pump\nf 2 3 4\n", "x.obj");
+  EXPECT_EQ(mesh.names, (std::vector<std::string>{"default", "pump", "two  words"}));
+  EXPECT_EQ(mesh.labels, (std::vector<std::uint32_t>{0, 1, 2, 1}));
+}
+
+TEST(Obj, malformed_files_are_refused_with_their_line) {
+  const std::string corner = ", expected a vertex of a face, such as 7, 7/1, 7//3 or -1";
+  const std::string range = ", expected the index of one of the 4 vertices before it";
+  test::expect_refused(
+      read_obj, "x.obj",
+      {
+          {"hello\n",
+           "x.obj:1: found 'hello', expected an OBJ statement for polygons, such as v, f, g or o"},
+          {"cstype bezier\n",
+           "x.obj:1: found 'cstype', expected an OBJ statement for polygons, such as v, f, g or o"},
+          {"\xff\xfe v\n",
+           "x.obj:1: found '\\xff\\xfe', expected an OBJ statement for polygons, such as v, f, g "
+           "or o"},
+          {"v 0 0\n", "x.obj:1: found the end of the line, expected a coordinate"},
+          {"v 0 0", "x.obj:1: found the end of the file, expected a coordinate"},
+          {"v 0 0 nan\n", "x.obj:1: found 'nan', expected a coordinate that is finite"},
+          {"v 0 0 1e400\n",
+           "x.obj:1: found '1e400', expected a coordinate in the range of doubles"},
+          {"v 0 0 zero\n", "x.obj:1: found 'zero', expected a coordinate"},
+          {"v 0 0 0 red\n", "x.obj:1: found 'red', expected a weight or a colour's component"},
+          {"v 0 0 0 1 1 1 1 1\n",
+           "x.obj:1: found '1', expected the end of the line behind a vertex"},
+          {kPoints + "f\n",
+           "x.obj:5: found the end of the line, expected a face of at least 3 vertices"},
+          {kPoints + "f 1 2\n",
+           "x.obj:5: found the end of the line, expected a face of at least 3 vertices"},
+          {kPoints + "f 1 2 3.0\n", "x.obj:5: found '3.0'" + corner},
+          {kPoints + "f 1 2 /3\n", "x.obj:5: found '/3'" + corner},
+          {kPoints + "f 1 2 3-\n", "x.obj:5: found '3-'" + corner},
+          {kPoints + "f a b c\n", "x.obj:5: found 'a'" + corner},
+          {kPoints + "f 0 1 2\n", "x.obj:5: found '0'" + range},
+          {kPoints + "f 1 2 5\n", "x.obj:5: found '5'" + range},
+          {kPoints + "f 1 2 -5/1\n", "x.obj:5: found '-5/1'" + range},
+          {kPoints + "f 1 2 99999999999999999999\n",
+           "x.obj:5: found '99999999999999999999'" + range},
+      });
+}
+
+}  // namespace
+}  // namespace dupin

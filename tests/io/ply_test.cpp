@@ -1,0 +1,186 @@
+#include "dupin/io/ply.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/error.h"
+#include "support/malformed.h"
+#include "support/sample_meshes.h"
+
+namespace dupin {
+namespace {
+
+const std::string kAsciiHead =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+    "z\n"
+    "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+const std::string kAsciiBody = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+TEST(Ply, both_kinds_read_back_bit_for_bit_what_they_write) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    TriMesh mesh = test::scattered_mesh(seed, 300, false);
+    EXPECT_TRUE(test::identical(read_ply(ply_ascii_text(mesh), "x.ply"), mesh));
+    EXPECT_TRUE(test::identical(read_ply(ply_binary_bytes(mesh), "x.ply"), mesh));
+    mesh.names = {"a", "unused", "z\xC3\xA9 #1"};
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      mesh.labels.push_back(i % 7 == 0 ? 2 : 0);
+    }
+    EXPECT_TRUE(test::identical(read_ply(ply_ascii_text(mesh), "x.ply"), mesh));
+    EXPECT_TRUE(test::identical(read_ply(ply_binary_bytes(mesh), "x.ply"), mesh));
+  }
+}
+
+TEST(Ply, text_is_as_documented) {
+  TriMesh mesh = test::labelled_tetrahedron();
+  mesh.triangles.resize(3);
+  mesh.labels.resize(3);
+  mesh.points[0].x() = -0.0;
+  EXPECT_EQ(ply_ascii_text(mesh, {"in", "moved"}),
+            "ply\nformat ascii 1.0\ncomment dupin\ncomment unit: in\ncomment moved\n"
+            "comment label inlet\ncomment label the blend\nelement vertex 4\nproperty double x\n"
+            "property double y\nproperty double z\nelement face 3\n"
+            "property list uchar int vertex_indices\nproperty int label\nend_header\n"
+            "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1 0\n3 0 1 3 0\n3 0 3 2 1\n");
+}
+
+TEST(Ply, reads_other_writers_text) {
+  const std::vector<std::string> files = {
+      kAsciiHead + kAsciiBody,
+      "ply\r\nformat ascii 1.0\r\nobj_info none\r\nelement camera 2\r\nproperty list uint8 float32 "
+      "m\r\n"
+      "element vertex 4\r\nproperty uchar red\r\nproperty double z\r\nproperty double y\r\n"
+      "property double x\r\nelement face 4\r\nproperty list uint uint vertex_index\r\n"
+      "property list uchar float texcoord\r\nelement empty 4000000000\r\nend_header\r\n"
+      "2 0.5 nan\r\n0\r\n255 0 0 0\r\n255 0 0 1\r\n255 0 1 0\r\n255 1 0 0\r\n"
+      "3 0 2 1 0\r\n3 0 1 3 1 0.5\r\n3 0 3 2 0\r\n3 1 2 3 0\r\n"};
+  for (const std::string& file : files) {
+    EXPECT_TRUE(test::identical(read_ply(file, "x.ply"), test::tetrahedron()));
+  }
+}
+
+TEST(Ply, big_endian_reads_like_little_endian) {
+  std::string big =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 4\nproperty float x\nproperty short y\n"
+      "property double z\nelement face 4\nproperty list uchar ushort vertex_indices\nend_header\n";
+  const auto append = [&](auto number) {
+    std::string raw(sizeof number, '\0');
+    std::memcpy(raw.data(), &number, sizeof number);
+    std::reverse(raw.begin(), raw.end());
+    big += raw;
+  };
+  const TriMesh mesh = test::tetrahedron();
+  for (const Vec3& point : mesh.points) {
+    append(static_cast<float>(point.x()));
+    append(static_cast<std::int16_t>(point.y()));
+    append(point.z());
+  }
+  for (const Triangle& triangle : mesh.triangles) {
+    append(std::uint8_t{3});
+    for (const std::uint32_t corner : triangle) {
+      append(static_cast<std::uint16_t>(corner));
+    }
+  }
+  EXPECT_TRUE(test::identical(read_ply(big, "x.ply"), mesh));
+}
+
+TEST(Ply, polygons_are_cut_and_keep_their_label) {
+  const TriMesh mesh = read_ply(
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty int x\nproperty int y\nproperty int z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nproperty int label\nend_header\n"
+      "0 0 0\n4 0 0\n1 1 0\n0 4 0\n4 0 1 2 3 5\n",
+      "x.ply");
+  EXPECT_EQ(mesh.triangles.size(), 2U);
+  EXPECT_EQ(mesh.labels, (std::vector<std::uint32_t>{0, 0}));
+  EXPECT_EQ(mesh.names, std::vector<std::string>{"label 5"});
+}
+
+TEST(Ply, malformed_files_are_refused_with_their_place) {
+  const std::string format = "ply\nformat ascii 1.0\n";
+  const std::string vertex = "element vertex 1\nproperty float x\nproperty float y\n";
+  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::string binary = ply_binary_bytes(test::tetrahedron());
+  std::string nan = binary;
+  const std::size_t body = binary.find("end_header\n") + 11;
+  nan.replace(body + 8, 8, std::string("\0\0\0\0\0\0\xf8\x7f", 8));
+  std::string index = binary;
+  index[body + 96 + 1] = '\x04';
+  std::string few = binary;
+  few[body + 96] = '\x02';
+  std::string many = binary;
+  many[body + 96 + 39] = '\x09';
+  test::expect_refused(
+      read_ply, "x.ply",
+      {
+          {"", "x.ply:1: found the end of the file, expected 'ply'"},
+          {"ply2\n", "x.ply:1: found 'ply2', expected 'ply'"},
+          {"ply\nelement\n", "x.ply:2: found 'element', expected 'format'"},
+          {"ply\nformat ebcdic 1.0\n",
+           "x.ply:2: found 'ebcdic', expected ascii, binary_little_endian or binary_big_endian"},
+          {"ply\nformat ascii 2.0\n", "x.ply:2: found '2.0', expected the version 1.0"},
+          {format,
+           "x.ply:3: found the end of the file, expected 'element', 'comment' or 'end_header'"},
+          {format + "property float x\n",
+           "x.ply:3: found 'property', expected 'element', 'comment' or 'end_header'"},
+          {format + "element vertex many\n", "x.ply:3: found 'many', expected a count, an integer"},
+          {format + "element vertex -1\n",
+           "x.ply:3: found '-1', expected a count, an integer from 0 to 4294967295"},
+          {format + "element\n",
+           "x.ply:3: found the end of the line, expected the name of an element"},
+          {format + "element vertex 1\nproperty half x\n",
+           "x.ply:4: found 'half', expected a type, such as uchar, int, float or double"},
+          {format + "element face 1\nproperty list float int vertex_indices\n",
+           "x.ply:4: found a list whose length is no integer, expected an integer type"},
+          {format + "end_header\n", "x.ply:1: found no element 'vertex', expected one"},
+          {format + vertex + "end_header\n1 2\n",
+           "x.ply:3: found an element 'vertex' without a number 'z', expected x, y and z"},
+          {format + faces + "3 0 0 0\n",
+           "x.ply:3: found the element 'face', expected 'vertex' before it"},
+          {format + vertex +
+               "property float z\nelement face 1\nproperty uchar n\nend_header\n0 0 0\n0\n",
+           "x.ply:7: found an element 'face' without a list of integers 'vertex_indices', expected "
+           "one"},
+          {format + "element vertex 4000000000\nproperty float x\nend_header\n0 0 0\n",
+           "x.ply:3: found a count of 4000000000 elements 'vertex', expected at least 8000000000 "
+           "bytes for them, not 7"},
+          {format + vertex + "property float z\n" + faces + "0 0\n3 0 0 0\n",
+           "x.ply:10: found the end of the line, expected a coordinate"},
+          {format + vertex + "property float z\n" + faces + "0 0 inf\n3 0 0 0\n",
+           "x.ply:10: found 'inf', expected a coordinate that is finite"},
+          {format + vertex + "property float z\n" + faces + "0 0 0 0\n3 0 0 0\n",
+           "x.ply:10: found '0', expected the end of the element's line"},
+          {format + vertex + "property float z\n" + faces + "0 0 0\n3 0 0 1\n",
+           "x.ply:11: found '1', expected the index of a vertex, an integer from 0 to 0"},
+          {format + vertex + "property float z\n" + faces + "0 0 0\n2 0 0\n",
+           "x.ply:11: found '2', expected the number of a face's vertices, an integer from 3 to "
+           "4294967295"},
+          {format + vertex + "property float z\n" + faces + "0 0 0\n3 0 0\n",
+           "x.ply:11: found the end of the line, expected the index of a vertex, an integer"},
+          {format + vertex + "property float z\n" + faces + "0 0 0\n3 0 0 0\nmore\n",
+           "x.ply:12: found 'more', expected the end of the file behind the last element"},
+          {nan, "x.ply:byte " + std::to_string(body + 8) +
+                    ": found nan, expected a coordinate that is finite"},
+          {index, "x.ply:byte " + std::to_string(body + 97) +
+                      ": found 4, expected the index of a vertex, an integer from 0 to 3"},
+          {few, "x.ply:byte " + std::to_string(body + 96) +
+                    ": found 2, expected the number of a face's vertices, an integer from 3 to "
+                    "4294967295"},
+          {many, "x.ply:byte " + std::to_string(binary.size()) +
+                     ": found the end of the file, expected a number of 4 bytes"},
+          {binary.substr(0, body + 90),
+           "x.ply:4: found a count of 4 elements 'vertex', expected at least 96 bytes for them, "
+           "not 90"},
+          {binary.substr(0, binary.size() - 1),
+           "x.ply:byte " + std::to_string(binary.size() - 4) +
+               ": found the end of the file, expected a number of 4 bytes"},
+          {binary + "xy",
+           "x.ply:byte " + std::to_string(binary.size()) +
+               ": found 2 more bytes, expected the end of the file behind the last element"},
+      });
+}
+
+}  // namespace
+}  // namespace dupin
