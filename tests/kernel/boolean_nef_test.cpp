@@ -6,7 +6,7 @@
 
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/error.h"
-#include "support/nef_oracle.h"
+#include "nef_oracle.h"
 #include "support/shapes.h"
 
 namespace dupin {
