@@ -24,6 +24,13 @@ inline double point_error(const RingedSurface& surface, double grid) {
     double operator()(const HermiteSpine& h) const {
       return h.from.norm() + h.to.norm() + h.start_velocity.norm() + h.end_velocity.norm();
     }
+    double operator()(const BezierSpine& b) const {
+      double sum = 0;
+      for (const Vec3& point : b.points) {
+        sum += point.norm();
+      }
+      return sum;
+    }
   };
   return point_error(std::visit(Size(), surface.spine) + surface.start.radius + surface.end.radius,
                      grid);

@@ -9,13 +9,11 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-SquaredCurvature of_velocity(const VectorPolynomial& velocity) {
-  const Polynomial v = squared_norm(velocity);
-  Polynomial c = squared_norm(cross(velocity, derivative(velocity)));
-  while (c.size() > 1 && c.back() == 0) {
-    c.pop_back();  // the leading terms of y' x y'' cancel
-  }
-  return {std::move(c), product(v, square(v))};
+// For y' = h / w^2: y' x y'' = h x h' / w^4, so kappa^2 = |h x h'|^2 w^4 / |h|^6.
+SquaredCurvature of_velocity(const VectorPolynomial& h, const Polynomial& w = {1}) {
+  const Polynomial v = squared_norm(h);
+  const Polynomial c = trimmed(squared_norm(trimmed(cross(h, derivative(h)))));
+  return {product(c, square(square(w))), product(v, square(v))};
 }
 
 // Multiplies both by their common denominator.
@@ -38,12 +36,12 @@ void make_integers(const std::vector<mpq_class>& a, const std::vector<mpq_class>
   b_out = scaled(b);
 }
 
-Enclosure at_end_point(const mpz_class& numerator, const mpz_class& denominator,
-                       const Enclosure* radius) {
+Interval at_end_point(const mpz_class& numerator, const mpz_class& denominator,
+                      const Interval* radius) {
   if (sgn(denominator) <= 0) {
     return {kInfinity, kInfinity};
   }
-  const Enclosure q = quotient(numerator, denominator);
+  const Interval q = quotient(numerator, denominator);
   if (radius == nullptr) {
     return q;
   }
@@ -51,7 +49,7 @@ Enclosure at_end_point(const mpz_class& numerator, const mpz_class& denominator,
           above(q.upper * above(radius->upper * radius->upper))};
 }
 
-bool refutes_at(const mpz_class& numerator, const mpz_class& denominator, const Enclosure* radius,
+bool refutes_at(const mpz_class& numerator, const mpz_class& denominator, const Interval* radius,
                 const mpq_class& bound) {
   mpq_class squared_radius = 1;
   if (radius != nullptr) {
@@ -72,6 +70,10 @@ SquaredCurvature squared_curvature(const Spine& spine) {
     }
     SquaredCurvature operator()(const HermiteSpine& hermite) const {
       return of_velocity(velocity(hermite));
+    }
+    SquaredCurvature operator()(const BezierSpine& bezier) const {
+      const RationalVelocity v = velocity(bezier);
+      return of_velocity(v.numerator, v.weight);
     }
   };
   return std::visit(Visitor{}, spine);
@@ -172,7 +174,7 @@ CurvatureRatio::Scaled CurvatureRatio::lower_numerator(const Leaf& leaf) const {
   return with_radius(leaf, use_chord ? chord : Line{least, least});
 }
 
-Enclosure CurvatureRatio::range(const Leaf& leaf) const {
+Interval CurvatureRatio::range(const Leaf& leaf) const {
   const Bernstein denominator = binomial_scaled(leaf.denominator);
   if (std::any_of(denominator.begin(), denominator.end(),
                   [](const mpz_class& x) { return sgn(x) <= 0; })) {
@@ -180,7 +182,7 @@ Enclosure CurvatureRatio::range(const Leaf& leaf) const {
   }
   // A quotient of Bernstein polynomials with positive denominators lies between its least and
   // largest coefficient quotients.
-  Enclosure result{kInfinity, 0};
+  Interval result{kInfinity, 0};
   const Scaled upper = upper_numerator(leaf);
   const Scaled lower = law_ ? lower_numerator(leaf) : upper;
   for (std::size_t i = 0; i < denominator.size(); ++i) {
@@ -197,12 +199,12 @@ Enclosure CurvatureRatio::range(const Leaf& leaf) const {
   return result;
 }
 
-Enclosure CurvatureRatio::at_start(const Leaf& leaf) const {
+Interval CurvatureRatio::at_start(const Leaf& leaf) const {
   return at_end_point(leaf.numerator.front(), leaf.denominator.front(),
                       law_ ? &leaf.start_radius : nullptr);
 }
 
-Enclosure CurvatureRatio::at_end(const Leaf& leaf) const {
+Interval CurvatureRatio::at_end(const Leaf& leaf) const {
   return at_end_point(leaf.numerator.back(), leaf.denominator.back(),
                       law_ ? &leaf.end_radius : nullptr);
 }

@@ -15,8 +15,8 @@ struct SquaredCurvature {
   Polynomial numerator, denominator;
 };
 
-/// C / V^3 with C = |y' x y''|^2, V = |y'|^2 for polynomial spines; constants for lines and
-/// nominal arcs. The denominator is positive exactly where the spine moves.
+/// |y' x y''|^2 / |y'|^6 up to a common factor; constants for lines and nominal arcs. The
+/// denominator is positive exactly where the spine moves.
 [[nodiscard]] SquaredCurvature squared_curvature(const Spine& spine);
 
 /// (kappa R)^2, enclosed on dyadic subintervals
@@ -30,7 +30,7 @@ class CurvatureRatio {
     double from = 0, to = 1;
     int depth = 0;
     Bernstein numerator, denominator;
-    Enclosure start_radius, end_radius;  // only for laws that are no polynomials
+    Interval start_radius, end_radius;  // only for laws that are no polynomials
   };
 
   explicit CurvatureRatio(const RingedSurface& surface);
@@ -39,10 +39,10 @@ class CurvatureRatio {
   [[nodiscard]] std::pair<Leaf, Leaf> split(const Leaf& leaf) const;
 
   /// Bounds of the ratio on the leaf; [0, inf] where the velocity might vanish.
-  [[nodiscard]] Enclosure range(const Leaf& leaf) const;
+  [[nodiscard]] Interval range(const Leaf& leaf) const;
   /// The ratio at the leaf's end points; [inf, inf] where the velocity vanishes.
-  [[nodiscard]] Enclosure at_start(const Leaf& leaf) const;
-  [[nodiscard]] Enclosure at_end(const Leaf& leaf) const;
+  [[nodiscard]] Interval at_start(const Leaf& leaf) const;
+  [[nodiscard]] Interval at_end(const Leaf& leaf) const;
 
   /// Whether ratio < bound everywhere on the leaf; exact for polynomial radii.
   [[nodiscard]] bool proves_below(const Leaf& leaf, const mpq_class& bound) const;

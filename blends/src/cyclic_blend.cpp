@@ -22,9 +22,10 @@ constexpr double kCertificateWidth = 1e-8;
 
 RingedSurface assembled(const Ring& from, const Ring& to, BlendLaw law, double k, double l) {
   const HermiteSpine spine{from.center, to.center, k * from.normal, -l * to.normal};
-  const RadiusLaw radius = law == BlendLaw::r1 ? RadiusLaw(CubicRadius{from.radius, to.radius})
-                                               : RadiusLaw(CyclideRadius{from.radius, to.radius});
-  return {flipped(from), flipped(to), spine, radius};
+  if (law == BlendLaw::r2) {
+    return {flipped(from), flipped(to), spine, CyclideRadius{from.radius, to.radius}};
+  }
+  return {flipped(from), flipped(to), spine, CubicRadius{from.radius, to.radius}};
 }
 
 detail::BlendSearch search(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {

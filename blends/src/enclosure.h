@@ -5,12 +5,9 @@
 
 #include <gmpxx.h>
 
-namespace dupin::detail {
+#include "interval.h"
 
-/// A closed interval that contains the value meant.
-struct Enclosure {
-  double lower = 0, upper = 0;
-};
+namespace dupin::detail {
 
 [[nodiscard]] inline double below(double x) {
   return std::nextafter(x, -std::numeric_limits<double>::infinity());
@@ -20,13 +17,8 @@ struct Enclosure {
   return std::nextafter(x, std::numeric_limits<double>::infinity());
 }
 
-/// The square root of a non-negative enclosure.
-[[nodiscard]] inline Enclosure root(const Enclosure& x) {
-  return {std::fmax(0, below(std::sqrt(x.lower))), above(std::sqrt(x.upper))};
-}
-
 /// n 2^exponent / d for n >= 0, d > 0.
-[[nodiscard]] inline Enclosure quotient(const mpz_class& n, const mpz_class& d, long exponent = 0) {
+[[nodiscard]] inline Interval quotient(const mpz_class& n, const mpz_class& d, long exponent = 0) {
   if (sgn(n) == 0) {
     return {0, 0};
   }

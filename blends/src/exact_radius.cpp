@@ -9,19 +9,19 @@ namespace dupin::detail {
 namespace {
 
 // The one place that owns an mpfi_t.
-class Interval {
+class Mpfi {
  public:
-  explicit Interval(double value = 0) {
+  explicit Mpfi(double value = 0) {
     mpfi_init2(value_, kBits);
     mpfi_set_d(value_, value);
   }
-  ~Interval() { mpfi_clear(value_); }
-  Interval(const Interval&) = delete;
-  Interval& operator=(const Interval&) = delete;
+  ~Mpfi() { mpfi_clear(value_); }
+  Mpfi(const Mpfi&) = delete;
+  Mpfi& operator=(const Mpfi&) = delete;
 
   [[nodiscard]] mpfi_ptr get() { return value_; }
-  [[nodiscard]] Enclosure rounded_outward() const {
-    Enclosure result;
+  [[nodiscard]] Interval rounded_outward() const {
+    Interval result;
     result.lower = mpfr_get_d(&value_->left, MPFR_RNDD);
     result.upper = mpfr_get_d(&value_->right, MPFR_RNDU);
     return result;
@@ -46,17 +46,20 @@ std::optional<Polynomial> polynomial(const RadiusLaw& law) {
       const mpq_class rise = mpq_class(l.end) - l.start;
       return Polynomial{l.start, 0, 3 * rise, -2 * rise};
     }
+    std::optional<Polynomial> operator()(const BezierRadius& l) const {
+      return power_basis(std::vector<mpq_class>(l.coefficients.begin(), l.coefficients.end()));
+    }
     std::optional<Polynomial> operator()(const CyclideRadius&) const { return std::nullopt; }
   };
   return std::visit(Visitor{}, law);
 }
 
-Enclosure enclosed_radius(const CyclideRadius& law, double t) {
+Interval enclosed_radius(const CyclideRadius& law, double t) {
   if (t == 0 || t == 1) {
     const double end = t == 0 ? law.start : law.end;
     return {end, end};
   }
-  Interval c, product(law.start), w, rise(law.end);
+  Mpfi c, product(law.start), w, rise(law.end);
   mpfi_sub_d(rise.get(), rise.get(), law.start);
   mpfi_const_pi(c.get());
   mpfi_mul_d(c.get(), c.get(), t);
@@ -78,7 +81,7 @@ double second_derivative_bound(const CyclideRadius& law) {
   // R'' = pi (pi c R/w + s R'/w + pi c s^2 R/w^3) with R' = pi s R/w, c = D cos(pi t),
   // s = D sin(pi t), w^2 = c^2 + 4 r0 r1. From |c| <= w, |s| <= |D|, w^2 >= 4 r0 r1:
   // |R''| <= pi^2 max(R) (1 + D^2 / (2 r0 r1)).
-  Interval bound(law.end), product(law.start), pi;
+  Mpfi bound(law.end), product(law.start), pi;
   mpfi_sub_d(bound.get(), bound.get(), law.start);
   mpfi_sqr(bound.get(), bound.get());
   mpfi_mul_d(product.get(), product.get(), law.end);

@@ -12,7 +12,7 @@ namespace dupin::detail {
 [[nodiscard]] std::optional<Polynomial> polynomial(const RadiusLaw& law);
 
 /// The radius at t with directed rounding (MPFI).
-[[nodiscard]] Enclosure enclosed_radius(const CyclideRadius& law, double t);
+[[nodiscard]] Interval enclosed_radius(const CyclideRadius& law, double t);
 
 /// An upper bound of |R''| on [0, 1].
 [[nodiscard]] double second_derivative_bound(const CyclideRadius& law);

@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include "polynomial.h"
+
 namespace dupin::detail {
 namespace {
 
@@ -84,6 +86,28 @@ std::vector<ExactVec3> velocity(const HermiteSpine& h) {
           mpq_class(3) * (s + e) - mpq_class(6) * delta};
 }
 
+// With y = p / w: y' w^2 = p' w - p w'.
+RationalVelocity velocity(const BezierSpine& bezier) {
+  VectorPolynomial points;
+  Polynomial weights;
+  for (std::size_t i = 0; i < bezier.points.size(); ++i) {
+    weights.emplace_back(bezier.weights.empty() ? 1 : bezier.weights[i]);
+    points.push_back(weights.back() * exact(bezier.points[i]));
+  }
+  const VectorPolynomial p = power_basis(points);
+  const Polynomial w = trimmed(power_basis(weights));
+  VectorPolynomial numerator(p.size() + w.size() - 1);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (std::size_t j = 0; j < w.size(); ++j) {
+      if (i + j > 0) {
+        const mpq_class factor(static_cast<long>(i) - static_cast<long>(j));
+        numerator[i + j - 1] = numerator[i + j - 1] + factor * w[j] * p[i];
+      }
+    }
+  }
+  return {trimmed(numerator), w};
+}
+
 std::optional<Vec3> plane_normal(const Spine& spine) {
   struct Visitor {
     std::optional<Vec3> operator()(const ArcSpine& arc) const { return arc.axis.normalized(); }
@@ -92,6 +116,9 @@ std::optional<Vec3> plane_normal(const Spine& spine) {
     }
     std::optional<Vec3> operator()(const HermiteSpine& hermite) const {
       return common_normal(velocity(hermite));
+    }
+    std::optional<Vec3> operator()(const BezierSpine& bezier) const {
+      return common_normal(velocity(bezier).numerator);
     }
   };
   return std::visit(Visitor{}, spine);

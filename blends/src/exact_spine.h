@@ -27,4 +27,12 @@ using ExactVec3 = std::array<mpq_class, 3>;
 [[nodiscard]] std::vector<ExactVec3> velocity(const LineSpine& line);
 [[nodiscard]] std::vector<ExactVec3> velocity(const HermiteSpine& hermite);
 
+/// y'(t) of a rational curve, as numerator / weight^2.
+struct RationalVelocity {
+  std::vector<ExactVec3> numerator;
+  std::vector<mpq_class> weight;
+};
+
+[[nodiscard]] RationalVelocity velocity(const BezierSpine& bezier);
+
 }  // namespace dupin::detail

@@ -42,6 +42,20 @@ VectorPolynomial derivative(const VectorPolynomial& v) {
   return c.empty() ? VectorPolynomial{ExactVec3{}} : c;
 }
 
+Polynomial trimmed(Polynomial polynomial) {
+  while (polynomial.size() > 1 && polynomial.back() == 0) {
+    polynomial.pop_back();
+  }
+  return polynomial;
+}
+
+VectorPolynomial trimmed(VectorPolynomial polynomial) {
+  while (polynomial.size() > 1 && polynomial.back() == ExactVec3{}) {
+    polynomial.pop_back();
+  }
+  return polynomial;
+}
+
 mpz_class binomial(std::size_t n, std::size_t k) {
   mpz_class result;
   mpz_bin_uiui(result.get_mpz_t(), n, k);

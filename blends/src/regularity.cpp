@@ -12,7 +12,7 @@ namespace dupin {
 namespace {
 
 using detail::CurvatureRatio;
-using detail::Enclosure;
+using detail::Interval;
 using Leaf = CurvatureRatio::Leaf;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -51,8 +51,9 @@ class LargestRatio {
       }
     }
     // Without curvature the margin is exactly 1.
-    result.lower = most == 0 ? 1 : detail::below(1 - detail::root({most, most}).upper);
-    result.upper = std::min(1.0, detail::above(1 - detail::root({attained_, attained_}).lower));
+    result.lower = most == 0 ? 1 : detail::below(1 - detail::sqrt(detail::Interval(most)).upper);
+    result.upper =
+        std::min(1.0, detail::above(1 - detail::sqrt(detail::Interval(attained_)).lower));
     result.minimum = where;
     if (!stops_.empty()) {
       result.lower = -kInfinity;
@@ -64,18 +65,18 @@ class LargestRatio {
  private:
   struct Entry {
     Leaf leaf;
-    Enclosure range;
+    Interval range;
   };
 
   static bool less(const Entry& a, const Entry& b) { return a.range.upper < b.range.upper; }
 
   void push(Leaf leaf) {
-    for (const Enclosure& end : {ratio_.at_start(leaf), ratio_.at_end(leaf)}) {
+    for (const Interval& end : {ratio_.at_start(leaf), ratio_.at_end(leaf)}) {
       if (end.lower < kInfinity) {
         attained_ = std::max(attained_, end.lower);
       }
     }
-    const Enclosure range = ratio_.range(leaf);
+    const Interval range = ratio_.range(leaf);
     heap_.push_back({std::move(leaf), range});
     std::push_heap(heap_.begin(), heap_.end(), less);
   }
@@ -131,7 +132,7 @@ std::vector<ParameterInterval> violations(const CurvatureRatio& ratio, double ma
   while (!stack.empty()) {
     const Leaf leaf = std::move(stack.back());
     stack.pop_back();
-    const Enclosure range = ratio.range(leaf);
+    const Interval range = ratio.range(leaf);
     if (range.upper < bound) {
       continue;
     }

@@ -5,6 +5,7 @@
 
 #include "dupin/kernel/error.h"
 #include "interval.h"
+#include "interval_bezier.h"
 
 namespace dupin {
 namespace detail {
@@ -28,32 +29,56 @@ SpineBounds bounds(const ArcSpine& arc, const Interval&) {
   return {radius * arc.angle, 0, arc.angle, 0};
 }
 
-// y' = A + B t + D t^2. The cross products are expanded, so that nothing cancels between wide
-// intervals:
-//   y' x y''  = A x B + 2 t (A x D) + t^2 (B x D)
-//   y''' x y' = 2 (D x A) + 2 t (D x B)
-// and, T' being y' x y'' / v^2 turned by a right angle, |T'| = |y' x y''| / v^2,
-// |T''_across| = |(y'''/v - 2 (v'/v^2) y'') x y'| / v.
-SpineBounds bounds(const HermiteSpine& spine, const Interval& t) {
-  const IntervalVec delta = interval_vec(spine.to) - interval_vec(spine.from);
-  const IntervalVec a = interval_vec(spine.start_velocity), e = interval_vec(spine.end_velocity);
-  const IntervalVec b = Interval(6) * delta - Interval(4) * a - Interval(2) * e;
-  const IntervalVec d = Interval(3) * (a + e) - Interval(6) * delta;
-  const IntervalVec first = a + t * (b + t * d);
-  const IntervalVec second = b + Interval(2) * (t * d);
+// T' being y' x y'' / v^2 turned by a right angle, |T'| = |y' x y''| / v^2 and
+// |T''_across| = |(y'''/v - 2 (v'/v^2) y'') x y'| / v. `bend` is y' x y'', `third_across` y''' x
+// y'.
+SpineBounds assembled(const IntervalVec& first, const IntervalVec& second, const IntervalVec& bend,
+                      const IntervalVec& third_across, const Interval& t) {
   const Interval speed = norm(first);
   if (!(speed.lower > 0)) {
     throw Error(Errc::irregular_surface,
                 "the spine stops, or nearly so, between t = " + std::to_string(t.lower) + " and " +
                     std::to_string(t.upper));
   }
-  const IntervalVec bend = cross(a, b) + t * (Interval(2) * cross(a, d) + t * cross(b, d));
-  const IntervalVec third_across = Interval(2) * (cross(d, a) + t * cross(d, b));
   const Interval acceleration = dot(first, second) / speed;
   const IntervalVec change =
       Interval(1) / speed * third_across + Interval(2) * (acceleration / square(speed)) * bend;
   return {speed, acceleration.magnitude(), (norm(bend) / square(speed)).upper,
           (norm(change) / speed).upper};
+}
+
+// y' = A + B t + D t^2. The cross products are expanded, so that nothing cancels between wide
+// intervals:
+//   y' x y''  = A x B + 2 t (A x D) + t^2 (B x D)
+//   y''' x y' = 2 (D x A) + 2 t (D x B)
+SpineBounds bounds(const HermiteSpine& spine, const Interval& t) {
+  const IntervalVec delta = interval_vec(spine.to) - interval_vec(spine.from);
+  const IntervalVec a = interval_vec(spine.start_velocity), e = interval_vec(spine.end_velocity);
+  const IntervalVec b = Interval(6) * delta - Interval(4) * a - Interval(2) * e;
+  const IntervalVec d = Interval(3) * (a + e) - Interval(6) * delta;
+  return assembled(a + t * (b + t * d), b + Interval(2) * (t * d),
+                   cross(a, b) + t * (Interval(2) * cross(a, d) + t * cross(b, d)),
+                   Interval(2) * (cross(d, a) + t * cross(d, b)), t);
+}
+
+SpineBounds bounds(const BezierSpine& spine, const Interval& t) {
+  // About its first point, for less cancellation between the terms of a rational curve.
+  std::vector<IntervalVec> points;
+  for (std::size_t i = 0; i < spine.points.size(); ++i) {
+    const Interval weight = spine.weights.empty() ? 1 : spine.weights[i];
+    points.push_back(weight * (interval_vec(spine.points[i]) - interval_vec(spine.points[0])));
+  }
+  auto [y, y1, y2, y3] = bezier_jet(points, t);
+  if (!spine.weights.empty()) {
+    const auto [w, w1, w2, w3] =
+        bezier_jet(std::vector<Interval>(spine.weights.begin(), spine.weights.end()), t);
+    const Interval over_w = Interval(1) / w, two = 2, three = 3;
+    y = over_w * y;
+    y1 = over_w * (y1 - w1 * y);
+    y2 = over_w * (y2 - two * w1 * y1 - w2 * y);
+    y3 = over_w * (y3 - three * w1 * y2 - three * w2 * y1 - w3 * y);
+  }
+  return assembled(y1, y2, cross(y1, y2), cross(y3, y1), t);
 }
 
 /// Over an interval of t: the radius and the absolute values of its derivatives.
@@ -76,6 +101,12 @@ RadiusBounds bounds(const CubicRadius& law, const Interval& t) {
   return {(law.start + change * hull(eased(t.lower), eased(t.upper))).upper,  // monotone
           (Interval(6) * change * (t * (Interval(1) - t))).magnitude(),
           (Interval(6) * change * (Interval(1) - Interval(2) * t)).magnitude()};
+}
+
+RadiusBounds bounds(const BezierRadius& law, const Interval& t) {
+  const auto jet =
+      bezier_jet(std::vector<Interval>(law.coefficients.begin(), law.coefficients.end()), t);
+  return {jet[0].upper, jet[1].magnitude(), jet[2].magnitude()};
 }
 
 // cos or sin of pi t for a double t in [0, 1]. The double nearest to pi is off by less than 2^-52,

@@ -1,6 +1,8 @@
 #include "dupin/blends/spine.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include <Eigen/Geometry>
 
@@ -29,7 +31,83 @@ SpinePoint at(const HermiteSpine& h, double t) {
   return {position, t == 1 ? h.end_velocity : Vec3(a + t * (b + t * d)), b + 2 * t * d, 2 * d};
 }
 
+template <class T>
+T de_casteljau(std::vector<T> points, double t) {
+  for (std::size_t n = points.size(); n > 1; --n) {
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+      points[i] = (1 - t) * points[i] + t * points[i + 1];
+    }
+  }
+  return points.front();
+}
+
+// The control points of the derivative; of a constant, a zero.
+template <class T>
+std::vector<T> hodograph(const std::vector<T>& points) {
+  std::vector<T> result;
+  const auto degree = static_cast<double>(points.size() - 1);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    result.push_back(degree * (points[i + 1] - points[i]));
+  }
+  if (result.empty()) {
+    result.push_back(points.front() - points.front());
+  }
+  return result;
+}
+
+// A polynomial Bezier curve's value and first three derivatives.
+template <class T>
+std::array<T, 4> jet(std::vector<T> points, double t) {
+  std::array<T, 4> result;
+  for (T& derivative : result) {
+    derivative = de_casteljau(points, t);
+    points = hodograph(points);
+  }
+  return result;
+}
+
+SpinePoint at(const BezierSpine& bezier, double t) {
+  SpinePoint y;
+  if (bezier.weights.empty()) {
+    const auto [p, p1, p2, p3] = jet(bezier.points, t);
+    y = {p, p1, p2, p3};
+  } else {
+    std::vector<Vec3> weighted = bezier.points;
+    for (std::size_t i = 0; i < weighted.size(); ++i) {
+      weighted[i] *= bezier.weights[i];
+    }
+    // With y = p / w, the derivatives of y w = p.
+    const auto [p, p1, p2, p3] = jet(weighted, t);
+    const auto [w, w1, w2, w3] = jet(bezier.weights, t);
+    y.position = p / w;
+    y.first = (p1 - w1 * y.position) / w;
+    y.second = (p2 - 2 * w1 * y.first - w2 * y.position) / w;
+    y.third = (p3 - 3 * w1 * y.second - 3 * w2 * y.first - w3 * y.position) / w;
+  }
+  if (t == 0 || t == 1) {
+    y.position = t == 0 ? bezier.points.front() : bezier.points.back();
+  }
+  return y;
+}
+
+// Bezier points of odd degree, the first half on the start's tangent, the second on the end's,
+// equally spaced.
+BezierSpine straight_ended(const HermiteSpine& ends, int degree) {
+  BezierSpine result;
+  for (int i = 0; 2 * i < degree; ++i) {
+    result.points.push_back(ends.from + i * ends.start_velocity / degree);
+  }
+  for (int i = degree / 2; i >= 0; --i) {
+    result.points.push_back(ends.to - i * ends.end_velocity / degree);
+  }
+  return result;
+}
+
 }  // namespace
+
+BezierSpine quintic_spine(const HermiteSpine& ends) { return straight_ended(ends, 5); }
+
+BezierSpine septic_spine(const HermiteSpine& ends) { return straight_ended(ends, 7); }
 
 SpinePoint evaluate(const Spine& spine, double t) {
   return std::visit([t](const auto& s) { return at(s, t); }, spine);

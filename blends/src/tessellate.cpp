@@ -24,10 +24,6 @@ constexpr std::uint32_t kSteps = 16;
 // A band turns by at most so many radians; what the bound of the frame's drift requires.
 constexpr double kLargestTurn = 1;
 
-double largest_radius(const RingedSurface& surface) {  // all laws are monotone
-  return std::max(surface.start.radius, surface.end.radius);
-}
-
 // A cylinder or cone whose end polygons are parallel and start at the same angle: its
 // quadrilaterals are plane, and every plane across the axis cuts chords from circles.
 bool is_straight(const RingedSurface& surface) {
@@ -43,7 +39,8 @@ double sagitta(double radius, std::uint32_t segments) {
 }
 
 bool is_uniform(const RingedSurface& surface) {
-  return !std::holds_alternative<HermiteSpine>(surface.spine) &&
+  return (std::holds_alternative<LineSpine>(surface.spine) ||
+          std::holds_alternative<ArcSpine>(surface.spine)) &&
          std::holds_alternative<ConstantRadius>(surface.radius);
 }
 
@@ -166,11 +163,11 @@ struct Bands {
 Bands bands(const RingedSurface& surface, double allowed, std::uint32_t segments) {
   const double around = 2 * std::numbers::pi / segments;
   if (is_straight(surface)) {
-    return {{0, 1}, sagitta(largest_radius(surface), segments)};
+    return {{0, 1}, sagitta(largest_radius(surface.radius), segments)};
   }
   constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
   const March march(surface, around);
-  const double bend = largest_radius(surface) * around * around;
+  const double bend = largest_radius(surface.radius) * around * around;
   double enough = std::max(8 * allowed, 4 * bend), too_little = 2.25 * bend;
   const double twist = around / 2 / double(march.knots(enough, 0, kNoLimit).size() - 1);
   auto knots = march.knots(enough, twist, kNoLimit);
@@ -259,7 +256,7 @@ Arrival arrival(const Ring& end, const RingSampling& sampling, const Vec3& carri
 
 std::uint32_t segments_for(const RingedSurface& surface, double tolerance, double grid) {
   const double allowed = detail::allowed_error(tolerance, detail::point_error(surface, grid));
-  const double radius = largest_radius(surface);
+  const double radius = largest_radius(surface.radius);
   if (!is_straight(surface)) {
     return detail::segment_count(2 * std::numbers::pi * std::sqrt(radius / (2 * allowed)));
   }

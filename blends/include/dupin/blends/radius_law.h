@@ -1,6 +1,7 @@
 #pragma once
 
 #include <variant>
+#include <vector>
 
 namespace dupin {
 
@@ -29,8 +30,15 @@ struct CyclideRadius {
   friend bool operator==(const CyclideRadius&, const CyclideRadius&) = default;
 };
 
+/// R(t) with Bernstein coefficients; at least one. Positive coefficients make positive radii.
+struct BezierRadius {
+  std::vector<double> coefficients;
+  friend bool operator==(const BezierRadius&, const BezierRadius&) = default;
+};
+
 /// The radius of a ringed surface's circles, for t in [0, 1].
-using RadiusLaw = std::variant<ConstantRadius, LinearRadius, CubicRadius, CyclideRadius>;
+using RadiusLaw =
+    std::variant<ConstantRadius, LinearRadius, CubicRadius, CyclideRadius, BezierRadius>;
 
 /// A radius and its derivatives with respect to t.
 struct RadiusValue {
@@ -39,5 +47,8 @@ struct RadiusValue {
 
 /// Exactly the end radii at t == 0 and t == 1.
 [[nodiscard]] RadiusValue evaluate(const RadiusLaw& law, double t);
+
+/// An upper bound of the radii on [0, 1]; attained by all laws but BezierRadius.
+[[nodiscard]] double largest_radius(const RadiusLaw& law);
 
 }  // namespace dupin

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <variant>
+#include <vector>
 
 #include "dupin/kernel/vec.h"
 
@@ -27,8 +28,16 @@ struct HermiteSpine {
   friend bool operator==(const HermiteSpine&, const HermiteSpine&) = default;
 };
 
+/// A Bezier curve of any degree, rational if it has weights. Needs at least 2 points, and no
+/// weights or one positive weight per point.
+struct BezierSpine {
+  std::vector<Vec3> points;
+  std::vector<double> weights = {};
+  friend bool operator==(const BezierSpine&, const BezierSpine&) = default;
+};
+
 /// The curve that the centres of a ringed surface's circles run along, for t in [0, 1].
-using Spine = std::variant<LineSpine, ArcSpine, HermiteSpine>;
+using Spine = std::variant<LineSpine, ArcSpine, HermiteSpine, BezierSpine>;
 
 /// A spine's position and derivatives with respect to t.
 struct SpinePoint {
@@ -36,6 +45,14 @@ struct SpinePoint {
 };
 
 [[nodiscard]] SpinePoint evaluate(const Spine& spine, double t);
+
+/// Degree 5 with end points, end velocities, and vanishing second derivatives: curvature zero at
+/// both ends.
+[[nodiscard]] BezierSpine quintic_spine(const HermiteSpine& ends);
+
+/// Degree 7 with end points, end velocities, and vanishing second and third derivatives: curvature
+/// and its derivative zero at both ends.
+[[nodiscard]] BezierSpine septic_spine(const HermiteSpine& ends);
 
 /// Curvature |y' x y''| / |y'|^3 at a spine point; requires a non-zero velocity.
 [[nodiscard]] double curvature(const SpinePoint& point);
