@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+
+#include "dupin/kernel/boolean.h"
+#include "scene.h"
+
+namespace dupin::detail {
+
+/// The boundary of the set that `rule` makes of the operands: one exact arrangement of all their
+/// surfaces, each piece kept where the rule tells its two sides apart.
+///
+/// Operands are closed and oriented and do not intersect themselves (contacts apart). Deterministic
+/// whatever the number of threads. Throws Error{limit_exceeded | cancelled | boolean_failed}.
+[[nodiscard]] ExactMesh arrange(std::span<const ExactMesh* const> operands, const BooleanRule& rule,
+                                const Progress& progress = {});
+
+/// Inside any, inside all, inside the first but none of the others.
+[[nodiscard]] BooleanRule union_rule(std::size_t operands);
+[[nodiscard]] BooleanRule intersection_rule(std::size_t operands);
+[[nodiscard]] BooleanRule difference_rule(std::size_t operands);
+
+}  // namespace dupin::detail

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene.h"
+
+namespace dupin::detail {
+
+struct TrianglePair {
+  std::uint32_t first, second;
+  friend auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
+};
+
+/// Stage 2: pairs of triangles of different operands whose boxes overlap, every pair that meets
+/// among them; merged triangles left out. In a fixed order.
+[[nodiscard]] std::vector<TrianglePair> find_candidates(const Scene& scene);
+
+}  // namespace dupin::detail

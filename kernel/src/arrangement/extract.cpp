@@ -1,0 +1,206 @@
+#include "extract.h"
+
+#include <algorithm>
+#include <set>
+
+#include "umbrellas.h"
+
+namespace dupin::detail {
+namespace {
+
+std::vector<Kept> collect(const Scene& scene, const Incidences& incidences, const Pieces& pieces,
+                          const Patches& patches, const std::vector<std::int8_t>& selection) {
+  std::vector<Kept> kept;
+  const auto add = [&kept](Triangle corners, std::uint32_t support, bool reversed,
+                           std::uint32_t source) {
+    if (reversed) {
+      std::swap(corners[1], corners[2]);
+    }
+    kept.push_back({corners, support, reversed, source});
+  };
+  // The source agrees in orientation where there is a choice.
+  const auto source = [](std::span<const SignedTriangle> cover, int selected) {
+    const auto agrees = [selected](const SignedTriangle& t) { return t.sign == selected; };
+    const auto place = std::find_if(cover.begin(), cover.end(), agrees);
+    return place != cover.end() ? place->triangle : cover.front().triangle;
+  };
+  for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
+    if (incidences.touched[t] || scene.merged[t]) {
+      continue;
+    }
+    const std::int8_t selected = selection[patches.of_triangle(t)];
+    if (selected != 0) {
+      add(scene.triangles[t], t, selected < 0, source(scene.cover(t), selected));
+    }
+  }
+  for (const Pieces::Piece& piece : pieces.pieces) {
+    const std::int8_t selected = selection[patches.of_region(piece.region)];
+    if (selected != 0) {
+      add(piece.corners, pieces.regions[piece.region].support, selected < 0,
+          source(pieces.cover(piece.region), selected));
+    }
+  }
+  return kept;
+}
+
+// The point as doubles if they hold it, and the nearest ones.
+struct Rounded3 {
+  Vec3 point;
+  bool is_exact;
+};
+
+Rounded3 rounded(const ExactPoint& exact) {
+  Rounded3 result{Vec3::Zero(), true};
+  for (int k = 0; k < 3; ++k) {
+    const CGAL::Mpzf& x = exact[static_cast<std::size_t>(k)];
+    result.point[k] = nearest_double(x, exact[3]);
+    result.is_exact = result.is_exact && CGAL::Mpzf(result.point[k]) * exact[3] == x;
+  }
+  return result;
+}
+
+// Numbers the points in use, those that doubles hold first.
+class PointWriter {
+ public:
+  PointWriter(const Scene& scene, const Umbrellas& umbrellas, const std::vector<Kept>& kept,
+              ExactMesh& mesh)
+      : scene_(scene), umbrellas_(umbrellas), mesh_(mesh) {
+    number_.assign(umbrellas.first_copy + umbrellas.copies.size(), kNone);
+    for (const Kept& k : kept) {
+      for (const PointId id : k.corners) {
+        number_[id] = 0;
+      }
+    }
+    for (PointId id = 0; id < number_.size(); ++id) {
+      if (number_[id] == 0) {
+        write(id);
+      }
+    }
+    for (const auto& [id, point, exact] : implicit_) {
+      number_[id] = static_cast<std::uint32_t>(mesh.points.size());
+      mesh.points.push_back(point);
+      mesh.implicit.push_back(*exact);
+    }
+  }
+  [[nodiscard]] std::uint32_t number(PointId id) const { return number_[id]; }
+  [[nodiscard]] PointId original(PointId id) const {
+    return id < umbrellas_.first_copy ? id : umbrellas_.copies[id - umbrellas_.first_copy];
+  }
+
+ private:
+  struct Implicit {
+    PointId id;
+    Vec3 point;
+    const ExactPoint* exact;
+  };
+
+  void write(PointId id) {
+    const PointId source = original(id);
+    Vec3 point;
+    if (scene_.points.is_double(source)) {
+      point = scene_.points.coordinates(source);
+    } else {
+      ExactPoint unused;
+      const ExactPoint& exact = scene_.points.exact(source, unused);
+      const Rounded3 nearest = rounded(exact);
+      if (!nearest.is_exact) {
+        implicit_.push_back({id, nearest.point, &exact});
+        return;
+      }
+      point = nearest.point;
+    }
+    number_[id] = static_cast<std::uint32_t>(mesh_.points.size());
+    mesh_.points.push_back(point);
+  }
+
+  const Scene& scene_;
+  const Umbrellas& umbrellas_;
+  ExactMesh& mesh_;
+  std::vector<std::uint32_t> number_;
+  std::vector<Implicit> implicit_;
+};
+
+// The operands' names in one list, and each operand's labels as indices into it.
+class Labels {
+ public:
+  Labels(const Scene& scene, ExactMesh& mesh) : scene_(scene) {
+    for (const ExactMesh* operand : scene.operands) {
+      std::vector<std::uint32_t>& map = maps_.emplace_back();
+      any_ = any_ || !operand->labels.empty();
+      for (const std::string& name : operand->names) {
+        map.push_back(index(name, mesh.names));
+      }
+    }
+    if (any_) {
+      for (std::size_t o = 0; o < scene.operands.size(); ++o) {
+        unlabelled_.push_back(scene.operands[o]->labels.empty() ? index("", mesh.names) : kNone);
+      }
+    }
+  }
+  [[nodiscard]] bool any() const { return any_; }
+  [[nodiscard]] std::uint32_t label(const Source& source) const {
+    const ExactMesh& operand = *scene_.operands[source.operand];
+    return operand.labels.empty() ? unlabelled_[source.operand]
+                                  : maps_[source.operand][operand.labels[source.triangle]];
+  }
+
+ private:
+  std::uint32_t index(const std::string& name, std::vector<std::string>& names) {
+    const auto [place, is_new] = known_.emplace(name, static_cast<std::uint32_t>(names.size()));
+    if (is_new) {
+      names.push_back(name);
+    }
+    return place->second;
+  }
+
+  const Scene& scene_;
+  bool any_ = false;
+  std::map<std::string, std::uint32_t> known_;
+  std::vector<std::vector<std::uint32_t>> maps_;
+  std::vector<std::uint32_t> unlabelled_;
+};
+
+void write_contacts(const Umbrellas& umbrellas, const PointWriter& points, ExactMesh& mesh) {
+  for (const Touch& touch : umbrellas.touches) {
+    const bool is_vertex = touch.from == touch.to;
+    std::set<std::string> names;
+    for (const std::uint32_t face : touch.faces) {
+      if (!mesh.labels.empty()) {
+        names.insert(mesh.names[mesh.labels[face]]);
+      }
+    }
+    mesh.contacts.push_back({is_vertex ? Contact::Kind::vertex : Contact::Kind::edge,
+                             mesh.points[points.number(touch.from)],
+                             mesh.points[points.number(touch.to)],
+                             {names.begin(), names.end()}});
+  }
+}
+
+}  // namespace
+
+ExactMesh extract(Scene& scene, const Incidences& incidences, const Pieces& pieces,
+                  const Patches& patches, const std::vector<std::int8_t>& selection) {
+  std::vector<Kept> kept = collect(scene, incidences, pieces, patches, selection);
+  const Umbrellas umbrellas = [&] {
+    const UpwardRounding rounding;
+    return separate_umbrellas(scene, kept);
+  }();
+  ExactMesh mesh;
+  const PointWriter points(scene, umbrellas, kept, mesh);
+  const Labels labels(scene, mesh);
+  mesh.triangles.reserve(kept.size());
+  mesh.sources.reserve(kept.size());
+  for (const Kept& k : kept) {
+    mesh.triangles.push_back(
+        {points.number(k.corners[0]), points.number(k.corners[1]), points.number(k.corners[2])});
+    const std::uint32_t operand = scene.operand_of(k.source);
+    mesh.sources.push_back({operand, k.source - scene.first_triangle[operand]});
+    if (labels.any()) {
+      mesh.labels.push_back(labels.label(mesh.sources.back()));
+    }
+  }
+  write_contacts(umbrellas, points, mesh);
+  return mesh;
+}
+
+}  // namespace dupin::detail

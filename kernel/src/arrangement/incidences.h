@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "places.h"
+#include "scene.h"
+#include "triangle_pair.h"
+
+namespace dupin::detail {
+
+/// An edge by its ends, the lower one first.
+using EdgeKey = std::uint64_t;
+[[nodiscard]] constexpr EdgeKey edge_key(PointId a, PointId b) {
+  return a < b ? (EdgeKey{a} << 32 | b) : (EdgeKey{b} << 32 | a);
+}
+[[nodiscard]] constexpr PointId lower_end(EdgeKey edge) { return static_cast<PointId>(edge >> 32); }
+[[nodiscard]] constexpr PointId upper_end(EdgeKey edge) { return static_cast<PointId>(edge); }
+
+/// What the arrangement adds to each triangle and edge. All triangles at an edge see the same
+/// points on it.
+struct Incidences {
+  struct OnEdge {
+    EdgeKey edge;
+    PointId point;
+  };
+  struct Inside {
+    std::uint32_t triangle;
+    PointId point;
+  };
+  struct Segment {
+    std::uint32_t triangle;
+    PointId from, to;
+    std::uint32_t partner;  ///< the segment lies in the plane of this triangle too
+  };
+
+  std::vector<OnEdge> on_edges;   ///< by edge, then from its lower to its upper end
+  std::vector<Inside> insides;    ///< by triangle
+  std::vector<Segment> segments;  ///< by triangle
+  /// Triangles to retriangulate together, first those with more than one: connected by coplanar
+  /// overlap. Members ascend.
+  std::vector<std::vector<std::uint32_t>> faces;
+  std::vector<std::uint8_t> touched;  ///< per triangle: part of a face above
+  std::optional<PlaceIndex> places;   ///< of all points that may coincide with new ones
+
+  [[nodiscard]] std::span<const OnEdge> on_edge(EdgeKey edge) const;
+  [[nodiscard]] std::span<const Inside> inside(std::uint32_t triangle) const;
+  [[nodiscard]] std::span<const Segment> segments_of(std::uint32_t triangle) const;
+};
+
+/// Stage 4: names the points of the encounters, each place once, and hands them to the edges and
+/// triangles they lie on. Adds points to the scene and marks special ones. Needs UpwardRounding.
+[[nodiscard]] Incidences gather(Scene& scene, std::span<const Encounter> encounters);
+
+}  // namespace dupin::detail

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "faces.h"
+#include "incidences.h"
+#include "scene.h"
+#include "sheets.h"
+#include "union_find.h"
+
+namespace dupin::detail {
+
+/// Stage 6a: maximal parts of the surfaces with nothing of the arrangement between them.
+///
+/// Members are numbered: first the points (a point that is not special stands for the triangles
+/// around it), then the regions, then the triangles whose corners are all special.
+class Patches {
+ public:
+  struct Seam {
+    EdgeKey edge;
+    std::vector<Sheet> sheets;  ///< owner: a member
+  };
+
+  /// Needs UpwardRounding.
+  Patches(const Scene& scene, const BooleanRule& rule, const Incidences& incidences,
+          const Pieces& pieces);
+
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(changes_.size()); }
+  [[nodiscard]] std::uint32_t of_region(std::uint32_t region) const {
+    return number_[first_region_ + region];
+  }
+  /// Of a triangle that is neither touched nor merged.
+  [[nodiscard]] std::uint32_t of_triangle(std::uint32_t triangle) const {
+    return number_[member_of_triangle(triangle)];
+  }
+  [[nodiscard]] std::uint32_t of_member(std::uint32_t member) const { return number_[member]; }
+  [[nodiscard]] bool is_empty(std::uint32_t patch) const { return changes_[patch] == kNone; }
+  /// How the counts of the groups grow from the front of a patch to its back.
+  [[nodiscard]] const std::vector<int>& change(std::uint32_t patch) const {
+    return all_changes_[changes_[patch]];
+  }
+  /// Edges where patches meet, in ascending order.
+  [[nodiscard]] const std::vector<Seam>& seams() const { return seams_; }
+
+ private:
+  struct Side {  // of an edge whose ends are both special
+    EdgeKey edge;
+    Sheet sheet;
+    std::uint32_t change;
+  };
+
+  [[nodiscard]] std::uint32_t member_of_triangle(std::uint32_t triangle) const;
+  [[nodiscard]] std::uint32_t change_number(std::vector<int> change);
+  void add_triangles(const BooleanRule& rule);
+  void add_pieces(const BooleanRule& rule);
+  void add_side(PointId from, PointId to, const Sheet& sheet, std::uint32_t change);
+  void join_sides();
+  void number_patches();
+  void find_changes(const BooleanRule& rule);
+
+  const Scene& scene_;
+  const Incidences& incidences_;
+  const Pieces& pieces_;
+  std::uint32_t first_region_, first_loose_;
+  std::vector<std::uint32_t> loose_;  // untouched triangles with special corners only, ascending
+  UnionFind classes_;
+  std::vector<std::uint32_t> member_changes_;  // of regions and loose triangles
+  std::vector<Side> sides_;
+  std::vector<Seam> seams_;
+  std::map<std::vector<int>, std::uint32_t> change_numbers_;
+  std::vector<std::vector<int>> all_changes_;
+  std::vector<std::uint32_t> number_;   // of the patch of each member that has one
+  std::vector<std::uint32_t> changes_;  // of each patch, into all_changes_
+};
+
+}  // namespace dupin::detail

@@ -1,0 +1,220 @@
+#include "points.h"
+
+#include <cassert>
+
+namespace dupin::detail {
+namespace {
+
+using Number = CGAL::Mpzf;
+using Direction = std::array<Number, 3>;
+
+struct Plane {  // normal . x + offset w = 0, a positive multiple of the plane through three points
+  Direction normal;
+  Number offset;
+};
+
+template <class N>
+std::array<N, 3> cross(const std::array<N, 3>& a, const std::array<N, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+template <class N>
+N dot(const std::array<N, 3>& a, const std::array<N, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+IntervalPoint difference(const IntervalPoint& a, const IntervalPoint& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+Direction direction(const ExactPoint& from, const ExactPoint& to) {
+  return {to[0] * from[3] - from[0] * to[3], to[1] * from[3] - from[1] * to[3],
+          to[2] * from[3] - from[2] * to[3]};
+}
+
+Plane plane_through(const PointTable& points, const PointId* of) {
+  std::array<ExactPoint, 3> scratch;
+  const ExactPoint& a = points.exact(of[0], scratch[0]);
+  const Direction normal = cross(direction(a, points.exact(of[1], scratch[1])),
+                                 direction(a, points.exact(of[2], scratch[2])));
+  return {{normal[0] * a[3], normal[1] * a[3], normal[2] * a[3]}, -dot(normal, {a[0], a[1], a[2]})};
+}
+
+Number height(const Plane& plane, const ExactPoint& p) {
+  return dot(plane.normal, {p[0], p[1], p[2]}) + plane.offset * p[3];
+}
+
+ExactPoint with_positive_weight(ExactPoint point) {
+  if (point[3].sign() < 0) {
+    for (Number& x : point) {
+      x = -x;
+    }
+  }
+  return point;
+}
+
+// The point of the line p q whose signed distances from something are as alpha to beta.
+ExactPoint divide(const ExactPoint& p, const ExactPoint& q, const Number& alpha,
+                  const Number& beta) {
+  return with_positive_weight({p[0] * beta - q[0] * alpha, p[1] * beta - q[1] * alpha,
+                               p[2] * beta - q[2] * alpha, p[3] * beta - q[3] * alpha});
+}
+
+ExactPoint meet_line_plane(const PointTable& points, const Definition& d) {
+  ExactPoint p_scratch, q_scratch;
+  const ExactPoint& p = points.exact(d.of[0], p_scratch);
+  const ExactPoint& q = points.exact(d.of[1], q_scratch);
+  const Plane plane = plane_through(points, &d.of[2]);
+  return divide(p, q, height(plane, p), height(plane, q));
+}
+
+ExactPoint meet_lines(const PointTable& points, const Definition& d) {
+  std::array<ExactPoint, 4> scratch;
+  const ExactPoint& p = points.exact(d.of[0], scratch[0]);
+  const ExactPoint& q = points.exact(d.of[1], scratch[1]);
+  const ExactPoint& r = points.exact(d.of[2], scratch[2]);
+  const ExactPoint& s = points.exact(d.of[3], scratch[3]);
+  const std::size_t u = (d.axis + 1u) % 3, v = (d.axis + 2u) % 3;
+  const Direction line = cross(Direction{r[u], r[v], r[3]}, Direction{s[u], s[v], s[3]});
+  return divide(p, q, dot(line, {p[u], p[v], p[3]}), dot(line, {q[u], q[v], q[3]}));
+}
+
+ExactPoint meet_planes(const PointTable& points, const Definition& d) {
+  const Plane a = plane_through(points, &d.of[0]), b = plane_through(points, &d.of[3]),
+              c = plane_through(points, &d.of[6]);
+  const Direction bc = cross(b.normal, c.normal), ca = cross(c.normal, a.normal),
+                  ab = cross(a.normal, b.normal);
+  ExactPoint point;
+  for (std::size_t k = 0; k < 3; ++k) {
+    point[k] = -(a.offset * bc[k] + b.offset * ca[k] + c.offset * ab[k]);
+  }
+  point[3] = dot(a.normal, bc);
+  return with_positive_weight(std::move(point));
+}
+
+IntervalPoint normal_of(const PointTable& points, const PointId* of, const IntervalPoint& first) {
+  return cross(difference(points.interval(of[1]), first),
+               difference(points.interval(of[2]), first));
+}
+
+IntervalPoint along(const IntervalPoint& p, const IntervalPoint& direction, const Interval& t) {
+  return {p[0] + t * direction[0], p[1] + t * direction[1], p[2] + t * direction[2]};
+}
+
+IntervalPoint enclose_line_plane(const PointTable& points, const Definition& d) {
+  const IntervalPoint p = points.interval(d.of[0]);
+  const IntervalPoint direction = difference(points.interval(d.of[1]), p);
+  const IntervalPoint origin = points.interval(d.of[2]);
+  const IntervalPoint normal = normal_of(points, &d.of[2], origin);
+  return along(p, direction, dot(normal, difference(origin, p)) / dot(normal, direction));
+}
+
+IntervalPoint enclose_lines(const PointTable& points, const Definition& d) {
+  const std::size_t u = (d.axis + 1u) % 3, v = (d.axis + 2u) % 3;
+  const IntervalPoint p = points.interval(d.of[0]), r = points.interval(d.of[2]);
+  const IntervalPoint pq = difference(points.interval(d.of[1]), p);
+  const IntervalPoint rs = difference(points.interval(d.of[3]), r);
+  const IntervalPoint pr = difference(r, p);
+  return along(p, pq, (pr[u] * rs[v] - pr[v] * rs[u]) / (pq[u] * rs[v] - pq[v] * rs[u]));
+}
+
+IntervalPoint enclose_planes(const PointTable& points, const Definition& d) {
+  const IntervalPoint origin = points.interval(d.of[0]);
+  const IntervalPoint b = points.interval(d.of[3]), c = points.interval(d.of[6]);
+  const IntervalPoint na = normal_of(points, &d.of[0], origin);
+  const IntervalPoint nb = normal_of(points, &d.of[3], b), nc = normal_of(points, &d.of[6], c);
+  const Interval hb = dot(nb, difference(b, origin)), hc = dot(nc, difference(c, origin));
+  const IntervalPoint ca = cross(nc, na), ab = cross(na, nb);
+  const Interval determinant = dot(nc, ab);
+  IntervalPoint point = origin;
+  for (std::size_t k = 0; k < 3; ++k) {
+    point[k] += (hb * ca[k] + hc * ab[k]) / determinant;
+  }
+  return point;
+}
+
+}  // namespace
+
+ExactPoint evaluate_exact(const PointTable& points, const Definition& definition) {
+  switch (definition.kind) {
+    case Definition::Kind::line_plane:
+      return meet_line_plane(points, definition);
+    case Definition::Kind::two_lines:
+      return meet_lines(points, definition);
+    case Definition::Kind::three_planes:
+      return meet_planes(points, definition);
+    case Definition::Kind::given:
+      break;
+  }
+  assert(!"a given point has no definition");
+  return {};
+}
+
+IntervalPoint evaluate(const PointTable& points, const Definition& definition) {
+  switch (definition.kind) {
+    case Definition::Kind::line_plane:
+      return enclose_line_plane(points, definition);
+    case Definition::Kind::two_lines:
+      return enclose_lines(points, definition);
+    case Definition::Kind::three_planes:
+      return enclose_planes(points, definition);
+    case Definition::Kind::given:
+      break;
+  }
+  assert(!"a given point has no definition");
+  return {};
+}
+
+IntervalPoint enclose(const ExactPoint& point) {
+  const Interval weight(point[3].to_interval());
+  return {Interval(point[0].to_interval()) / weight, Interval(point[1].to_interval()) / weight,
+          Interval(point[2].to_interval()) / weight};
+}
+
+PointId PointTable::add(const Vec3& point) {
+  assert(implicit_.empty());
+  doubles_.push_back(point);
+  return double_count() - 1;
+}
+
+PointId PointTable::add(const ExactPoint& point) {
+  implicit_.push_back({{}, enclose(point), LazyExact(point)});
+  return size() - 1;
+}
+
+PointId PointTable::add(const Definition& definition) {
+  implicit_.push_back({definition, evaluate(*this, definition), {}});
+  return size() - 1;
+}
+
+PointId PointTable::add(DefinedPoint point) {
+  implicit_.push_back({point.definition, point.box,
+                       point.exact[3].sign() == 0 ? LazyExact() : LazyExact(point.exact)});
+  return size() - 1;
+}
+
+Vec3 PointTable::approximation(PointId id) const {
+  if (is_double(id)) {
+    return doubles_[id];
+  }
+  const IntervalPoint& box = implicit_[id - doubles_.size()].box;
+  return {(box[0].inf() + box[0].sup()) / 2, (box[1].inf() + box[1].sup()) / 2,
+          (box[2].inf() + box[2].sup()) / 2};
+}
+
+const ExactPoint& PointTable::exact(PointId id, ExactPoint& scratch) const {
+  if (is_double(id)) {
+    const Vec3& p = doubles_[id];
+    scratch = {Number(p[0]), Number(p[1]), Number(p[2]), Number(1)};
+    return scratch;
+  }
+  const Implicit& point = implicit_[id - doubles_.size()];
+  return point.exact.get([&] { return evaluate_exact(*this, point.definition); });
+}
+
+void PointTable::tighten(PointId id) {
+  ExactPoint scratch;
+  implicit_[id - doubles_.size()].box = enclose(exact(id, scratch));
+}
+
+}  // namespace dupin::detail

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "points.h"
+
+namespace dupin::detail {
+
+/// What to compute: operands fall into groups; a place is inside the result by how often the
+/// operands of each group contain it.
+struct BooleanRule {
+  std::vector<std::uint32_t> group_of_operand;
+  std::uint32_t groups = 0;
+  std::function<bool(std::span<const int>)> inside;  ///< one count per group
+};
+
+/// A triangle of the scene, seen from its front (+1) or its back (-1).
+struct SignedTriangle {
+  std::uint32_t triangle = 0;
+  int sign = 1;
+  friend bool operator==(const SignedTriangle&, const SignedTriangle&) = default;
+};
+
+/// Stage 1: all operands in one index space, identical points welded, coincident triangles merged.
+struct Scene {
+  using Bounds = Eigen::AlignedBox3d;
+  struct Duplicate {
+    std::uint32_t kept;
+    SignedTriangle copy;
+  };
+
+  std::span<const ExactMesh* const> operands;
+  PointTable points;
+  std::vector<Triangle> triangles;            ///< of all operands, in order
+  std::vector<Triangle> supports;             ///< empty if every triangle is its own support
+  std::vector<std::uint32_t> first_triangle;  ///< of each operand, and one past the last
+  std::vector<Bounds> bounds;                 ///< of each operand
+  double extent = 0;                          ///< bounds the magnitude of all coordinates
+  std::vector<std::array<std::uint32_t, 2>> operand_pairs;  ///< with overlapping bounds, ascending
+  std::vector<std::uint8_t> special;  ///< per point: more than one umbrella may meet there
+  std::vector<std::uint8_t> merged;   ///< per triangle: cancelled, or a copy of another
+  std::vector<Duplicate> duplicates;  ///< of triangles that stay, by triangle
+
+  [[nodiscard]] std::uint32_t operand_of(std::uint32_t triangle) const;
+  /// Three points that span the plane of the triangle, with its orientation.
+  [[nodiscard]] const Triangle& support(std::uint32_t triangle) const {
+    return supports.empty() ? triangles[triangle] : supports[triangle];
+  }
+  /// The triangles that coincide with a kept one, itself first.
+  [[nodiscard]] std::vector<SignedTriangle> cover(std::uint32_t triangle) const;
+};
+
+/// Throws Error{limit_exceeded} if the points or triangles are more than indices can count. Needs
+/// UpwardRounding.
+[[nodiscard]] Scene import_operands(std::span<const ExactMesh* const> operands,
+                                    const BooleanRule& rule);
+
+}  // namespace dupin::detail

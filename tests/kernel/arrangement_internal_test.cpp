@@ -1,0 +1,144 @@
+#include <gtest/gtest.h>
+
+#include "arrangement/arrange.h"
+#include "dupin/kernel/solid.h"
+#include "exact_mesh.h"
+#include "support/shapes.h"
+
+namespace dupin::detail {
+namespace {
+
+using test::box;
+using test::moved;
+using test::tetrahedron;
+using test::tube;
+
+Solid arranged(const std::vector<TriMesh>& meshes, const BooleanRule& rule) {
+  std::vector<Solid> solids;
+  std::vector<const ExactMesh*> operands;
+  for (const TriMesh& mesh : meshes) {
+    solids.push_back(Solid::from(mesh));
+  }
+  for (const Solid& solid : solids) {
+    operands.push_back(&solid.exact());
+  }
+  return Solid(std::make_shared<const ExactMesh>(arrange(operands, rule)));
+}
+
+struct Expected {
+  const char* volume;
+  std::size_t components, shells;
+  std::int64_t genus;
+  std::size_t contacts;
+};
+
+struct Case {
+  const char* name;
+  std::vector<TriMesh> operands;
+  Expected united, common, difference;
+};
+
+TriMesh cube(double x, double y, double z, double size = 2) {
+  return box({x, y, z}, {x + size, y + size, z + size});
+}
+
+void expect(const Solid& solid, const Expected& expected, const char* what) {
+  SCOPED_TRACE(what);
+  EXPECT_EQ(solid.exact_volume(), mpq_class(expected.volume));
+  EXPECT_EQ(solid.components(), expected.components);
+  EXPECT_EQ(solid.shells(), expected.shells);
+  EXPECT_EQ(solid.genus(), expected.genus);
+  EXPECT_EQ(solid.contacts().size(), expected.contacts);
+}
+
+class Arrangement : public testing::TestWithParam<Case> {};
+
+TEST_P(Arrangement, gives_the_expected_solids) {
+  const Case& c = GetParam();
+  const std::size_t n = c.operands.size();
+  expect(arranged(c.operands, union_rule(n)), c.united, "union");
+  expect(arranged(c.operands, intersection_rule(n)), c.common, "intersection");
+  expect(arranged(c.operands, difference_rule(n)), c.difference, "difference");
+}
+
+const Expected kNothing{"0", 0, 0, 0, 0};
+
+INSTANTIATE_TEST_SUITE_P(
+    Pairs, Arrangement,
+    testing::Values(
+        Case{"apart",
+             {cube(0, 0, 0), cube(5, 0, 0)},
+             {"16", 2, 2, 0, 0},
+             kNothing,
+             {"8", 1, 1, 0, 0}},
+        Case{"generic",
+             {cube(0, 0, 0), cube(1, 1, 1)},
+             {"15", 1, 1, 0, 0},
+             {"1", 1, 1, 0, 0},
+             {"7", 1, 1, 0, 0}},
+        Case{
+            "same", {cube(0, 0, 0), cube(0, 0, 0)}, {"8", 1, 1, 0, 0}, {"8", 1, 1, 0, 0}, kNothing},
+        Case{"nested",
+             {cube(0, 0, 0, 4), cube(1, 1, 1)},
+             {"64", 1, 1, 0, 0},
+             {"8", 1, 1, 0, 0},
+             {"56", 1, 2, 0, 0}},
+        Case{"whole_face",
+             {cube(0, 0, 0), cube(2, 0, 0)},
+             {"16", 1, 1, 0, 0},
+             kNothing,
+             {"8", 1, 1, 0, 0}},
+        Case{"part_of_a_face",
+             {cube(0, 0, 0, 4), cube(4, 1, 1)},
+             {"72", 1, 1, 0, 0},
+             kNothing,
+             {"64", 1, 1, 0, 0}},
+        Case{"flush_inside",
+             {cube(0, 0, 0, 4), cube(2, 1, 1)},
+             {"64", 1, 1, 0, 0},
+             {"8", 1, 1, 0, 0},
+             {"56", 1, 1, 0, 0}},
+        Case{"flush_corner",
+             {cube(0, 0, 0, 4), cube(0, 0, 0)},
+             {"64", 1, 1, 0, 0},
+             {"8", 1, 1, 0, 0},
+             {"56", 1, 1, 0, 0}},
+        Case{"shifted_along_faces",
+             {cube(0, 0, 0), cube(1, 0, 0)},
+             {"12", 1, 1, 0, 0},
+             {"4", 1, 1, 0, 0},
+             {"4", 1, 1, 0, 0}},
+        Case{"edge",
+             {cube(0, 0, 0), cube(2, 2, 0)},
+             {"16", 2, 2, 0, 1},
+             kNothing,
+             {"8", 1, 1, 0, 0}},
+        Case{"part_of_an_edge",
+             {cube(0, 0, 0), cube(2, 2, 1)},
+             {"16", 2, 2, 0, 1},
+             kNothing,
+             {"8", 1, 1, 0, 0}},
+        Case{"vertex",
+             {cube(0, 0, 0), cube(2, 2, 2)},
+             {"16", 2, 2, 0, 1},
+             kNothing,
+             {"8", 1, 1, 0, 0}},
+        Case{"vertex_on_face",
+             {box({0, 0, -2}, {4, 4, 0}), tetrahedron({1, 1, 0})},
+             {"193/6", 1, 1, 0, 0},
+             kNothing,
+             {"32", 1, 1, 0, 0}},
+        Case{"through",
+             {box({0, 0, 0}, {6, 6, 2}), box({2, 2, -1}, {4, 4, 3})},
+             {"80", 1, 1, 0, 0},
+             {"8", 1, 1, 0, 0},
+             {"64", 1, 1, 1, 0}},
+        Case{"flush_through",
+             {box({0, 0, 0}, {6, 6, 2}), box({2, 2, 0}, {4, 4, 2})},
+             {"72", 1, 1, 0, 0},
+             {"8", 1, 1, 0, 0},
+             {"64", 1, 1, 1, 0}}),
+    [](const auto& test_case) { return std::string(test_case.param.name); });
+
+}  // namespace
+}  // namespace dupin::detail

@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include <CGAL/box_intersection_d.h>
+#include <gtest/gtest.h>
+
+#include "arrangement/arrange.h"
+#include "arrangement/triangle_pair.h"
+#include "dupin/kernel/solid.h"
+#include "exact_mesh.h"
+#include "support/shapes.h"
+
+namespace dupin::detail {
+namespace {
+
+Solid arranged(const std::vector<Solid>& solids, const BooleanRule& rule) {
+  std::vector<const ExactMesh*> operands;
+  for (const Solid& solid : solids) {
+    operands.push_back(&solid.exact());
+  }
+  return Solid(std::make_shared<const ExactMesh>(arrange(operands, rule)));
+}
+
+// Triangles of the mesh that meet outside of common corners, on exact coordinates.
+std::size_t self_intersections(const ExactMesh& mesh) {
+  const UpwardRounding rounding;
+  const ExactMesh* operand = &mesh;
+  const Scene scene = import_operands({&operand, 1}, union_rule(1));
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
+  std::vector<Box> boxes;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    CGAL::Bbox_3 box;
+    for (const std::uint32_t corner : mesh.triangles[t]) {
+      const Vec3& p = mesh.points[corner];
+      box += CGAL::Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
+    }
+    boxes.emplace_back(box, t);
+  }
+  std::vector<Encounter> encounters;
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    meet(scene, a.info(), b.info(), encounters);
+  });
+  return encounters.size();
+}
+
+// Every directed edge once, and its reverse once.
+bool is_closed_manifold(const ExactMesh& mesh) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!edges.emplace(t[i], t[(i + 1) % 3]).second) {
+        return false;
+      }
+    }
+  }
+  return std::all_of(edges.begin(), edges.end(), [&](const auto& e) {
+    return edges.count({e.second, e.first}) == 1;
+  });
+}
+
+// A box, a tetrahedron or a prism with small integer coordinates.
+Solid random_solid(std::mt19937& random) {
+  std::uniform_int_distribution<int> coordinate(0, 4), kind(0, 3);
+  const auto place = [&] {
+    return Vec3(coordinate(random), coordinate(random), coordinate(random));
+  };
+  while (true) {
+    TriMesh mesh;
+    const int k = kind(random);
+    if (k == 0) {
+      const Vec3 a = place(), b = place();
+      if ((a - b).cwiseAbs().minCoeff() == 0) {
+        continue;
+      }
+      mesh = test::box(a.cwiseMin(b), a.cwiseMax(b));
+    } else if (k == 1) {
+      mesh = test::moved(test::frame(), place());
+    } else {
+      mesh.points = {place(), place(), place(), place()};
+      mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+      const double volume = (mesh.points[1] - mesh.points[0])
+                                .cross(mesh.points[2] - mesh.points[0])
+                                .dot(mesh.points[3] - mesh.points[0]);
+      if (volume == 0) {
+        continue;
+      }
+      mesh = volume > 0 ? mesh : test::reversed(mesh);
+    }
+    return Solid::from(mesh);
+  }
+}
+
+void expect_valid(const Solid& solid) {
+  EXPECT_TRUE(is_closed_manifold(solid.exact()));
+  EXPECT_EQ(self_intersections(solid.exact()), 0u);
+}
+
+TEST(ArrangementLaws, hold_for_random_pairs_on_a_coarse_grid) {
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const Solid a = random_solid(random), b = random_solid(random);
+    const Solid united = arranged({a, b}, union_rule(2));
+    const Solid common = arranged({a, b}, intersection_rule(2));
+    const Solid difference = arranged({a, b}, difference_rule(2));
+    for (const Solid& solid : {united, common, difference}) {
+      expect_valid(solid);
+    }
+    EXPECT_EQ(united.exact_volume() + common.exact_volume(), a.exact_volume() + b.exact_volume());
+    EXPECT_EQ(difference.exact_volume() + common.exact_volume(), a.exact_volume());
+    // Booleans of booleans: the union again, from disjoint parts that touch all along.
+    const Solid again = arranged({difference, b}, union_rule(2));
+    expect_valid(again);
+    EXPECT_EQ(again.exact_volume(), united.exact_volume());
+    EXPECT_EQ(arranged({difference, b}, intersection_rule(2)).exact_volume(), 0);
+  }
+}
+
+TEST(ArrangementLaws, inclusion_and_exclusion_of_five_random_solids) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(1000 + seed);
+    std::vector<Solid> solids;
+    for (int i = 0; i < 5; ++i) {
+      solids.push_back(random_solid(random));
+    }
+    mpq_class signed_sum = 0;
+    for (unsigned subset = 1; subset < 32; ++subset) {
+      std::vector<Solid> some;
+      for (unsigned i = 0; i < 5; ++i) {
+        if ((subset >> i & 1u) != 0) {
+          some.push_back(solids[i]);
+        }
+      }
+      const mpq_class volume = arranged(some, intersection_rule(some.size())).exact_volume();
+      signed_sum += some.size() % 2 == 1 ? volume : mpq_class(-volume);
+    }
+    const Solid united = arranged(solids, union_rule(5));
+    expect_valid(united);
+    EXPECT_EQ(united.exact_volume(), signed_sum);
+  }
+}
+
+}  // namespace
+}  // namespace dupin::detail
