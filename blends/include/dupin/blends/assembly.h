@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "dupin/blends/cyclic_blend.h"
 #include "dupin/blends/unit.h"
 #include "dupin/kernel/vec.h"
 
@@ -34,7 +35,7 @@ struct Place {
 };
 
 /// Where a part begins. A port is shared bitwise with the part that owns it.
-using Origin = std::variant<PortReference, Place>;
+using PartStart = std::variant<PortReference, Place>;
 
 /// A cylinder about the segment from -> to.
 struct PipeBetween {
@@ -44,7 +45,7 @@ struct PipeBetween {
 
 /// A cylinder of a given length.
 struct PipeAlong {
-  Origin from;
+  PartStart from;
   double length = 1;
 };
 
@@ -63,29 +64,30 @@ struct ConeBetween {
 
 /// A frustum of a given length.
 struct ConeAlong {
-  Origin from;
+  PartStart from;
   double length = 1, end_radius = 1;
 };
 
 /// A torus segment that turns by `angle` radians towards `toward` (its part across the direction of
 /// travel counts).
 struct ElbowTurning {
-  Origin from;
+  PartStart from;
   double bend_radius = 2, angle = 1;
   Vec3 toward = Vec3::UnitX();
 };
 
 /// The torus segment that leaves tangentially and ends with its centre at `to`.
 struct ElbowTo {
-  Origin from;
+  PartStart from;
   Vec3 to;
 };
 
-/// The torus segment between two points, given the corner where its straight neighbours' axes meet;
-/// both legs have to be equally long within the assembly's tolerance.
+/// The torus segment that rounds the corner where its straight neighbours' axes meet, towards `to`.
+/// The legs to and from the corner have to be equally long within the assembly's tolerance, and the
+/// corner on the axis of the port or place.
 struct ElbowCorner {
-  Vec3 from, corner, to;
-  double radius = 1;
+  PartStart from;
+  Vec3 corner, to;
 };
 
 struct SphereAt {
@@ -93,16 +95,10 @@ struct SphereAt {
   double radius = 1;
 };
 
-/// A cyclic blend [MS06] between two ports.
+/// A cyclic blend [MS06] between two ports; see cyclic_blend.h.
 struct CyclicBlendBetween {
-  enum class Law { r1, r2 };
-  /// Lengths of the spine's end velocities.
-  struct Shape {
-    double k = 1, l = 1;
-  };
   PortReference from, to;
-  Law radius_law = Law::r1;
-  std::optional<Shape> shape;  ///< none: chosen, see cyclic_blend.h
+  CyclicBlendOptions options;
 };
 
 /// Closes and names a flat end. Ends that nothing is joined to are closed too, but nameless.
@@ -130,7 +126,11 @@ struct Assembly {
   std::vector<Part> parts;
 };
 
-/// The place of a part in its document, for messages: "file.json#/parts/3/pipe/radius".
+/// A place in the document, for messages: "file.json#/tolerance", or the pointer alone if the
+/// document has no name.
+[[nodiscard]] std::string document_place(const Assembly& assembly, std::string_view pointer);
+
+/// The place of a part, or of a key of it: "file.json#/parts/3/pipe/radius".
 [[nodiscard]] std::string document_place(const Assembly& assembly, std::uint32_t part,
                                          std::string_view key = {});
 

@@ -10,6 +10,7 @@
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/ringed_surface.h"
 #include "dupin/blends/sphere.h"
+#include "dupin/kernel/gap.h"
 
 namespace dupin {
 
@@ -43,5 +44,8 @@ struct ResolvedAssembly {
 /// pointer of the fault: duplicate or bad names, unknown parts or ports, ports taken twice, cyclic
 /// references, numbers that are not finite or not positive, parts without length.
 [[nodiscard]] ResolvedAssembly resolve(const Assembly& assembly);
+
+/// All ports in document order, named "part.start" and "part.end".
+[[nodiscard]] std::vector<Port> ports(const ResolvedAssembly& assembly);
 
 }  // namespace dupin

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+
+#include "dupin/blends/assembly.h"
+#include "dupin/blends/resolve.h"
+
+namespace dupin::detail {
+
+/// One part of an assembly whose neighbours are resolved.
+struct PartContext {
+  const Assembly& assembly;
+  std::uint32_t index = 0;
+  /// The ring of another part's port, its normal pointing out of that part.
+  std::function<const Ring&(const PortReference&)> ring;
+};
+
+/// The geometry of a part that is not a cap. Throws as resolve() does.
+[[nodiscard]] std::variant<RingedSurface, Sphere> geometry(const PartContext& context);
+
+}  // namespace dupin::detail

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "dupin/blends/assembly.h"
+
+namespace dupin {
+
+/// The document in `text`, see docs/assembly_format.md. `source` names it in messages, here and
+/// later.
+///
+/// Strict: throws Error{parse_failed} with "source:line:column" for what is not JSON, and with
+/// "source#/json/pointer" for unknown, missing and repeated keys and for values of the wrong type.
+/// Whether numbers are in range and ports exist is for `resolve` to say.
+[[nodiscard]] Assembly parse_assembly(std::string_view text, const std::string& source = {});
+
+/// The document in a file. Throws Error{io_failed} if it cannot be read, and as parse_assembly.
+[[nodiscard]] Assembly read_assembly(const std::filesystem::path& file);
+
+}  // namespace dupin
