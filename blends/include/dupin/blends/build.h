@@ -8,6 +8,7 @@
 
 #include "dupin/blends/assembly.h"
 #include "dupin/kernel/boolean.h"
+#include "dupin/kernel/gap.h"
 #include "dupin/kernel/progress.h"
 #include "dupin/kernel/solid.h"
 
@@ -16,6 +17,7 @@ namespace dupin {
 struct BuildOptions {
   std::optional<double> tolerance;        ///< instead of the document's, in its unit
   std::optional<std::uint32_t> segments;  ///< instead of the document's
+  double connect = 0;  ///< ends that face each other at most so far apart are measured as a pair
   ContactPolicy contacts = ContactPolicy::report;
   Progress progress;  ///< may be empty
 };
@@ -26,6 +28,9 @@ struct PartReport {
   std::string kind;  ///< its key in a document: "pipe", "cyclic_blend", ...
   /// Certified bounds of min(1 - kappa R) along the part; none for spheres.
   std::optional<double> margin_lower, margin_upper;
+  /// Upper bounds of the angles, in radians, between a blend's tangent planes at its start and end
+  /// and those of its neighbours; none for other parts.
+  std::optional<double> start_tangency, end_tangency;
   double error_bound = 0;      ///< of the distance between smooth surface and mesh, both ways
   std::uint32_t segments = 0;  ///< around
   std::uint32_t bands = 0;     ///< along
@@ -36,6 +41,8 @@ struct PartReport {
 struct Built {
   Solid solid;
   std::vector<PartReport> parts;  ///< in document order, without caps
+  std::vector<Port> ports;        ///< all, in document order
+  std::vector<GapPair> gaps;      ///< how the ports fit, measured exactly; see pair_ends
   std::size_t runs = 0;           ///< sets of parts welded to each other along shared rings
   std::size_t pieces = 0;         ///< solids that were united; more than runs if parts of one run
                                   ///< cross each other

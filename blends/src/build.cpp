@@ -1,0 +1,162 @@
+#include "dupin/blends/build.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "blame.h"
+#include "decimal.h"
+#include "dupin/blends/regularity.h"
+#include "dupin/blends/resolve.h"
+#include "dupin/blends/tangency.h"
+#include "dupin/blends/tessellate.h"
+#include "dupin/kernel/error.h"
+#include "runs.h"
+#include "weld.h"
+
+namespace dupin {
+namespace {
+
+Assembly with_options(Assembly assembly, const BuildOptions& options) {
+  assembly.tolerance = options.tolerance.value_or(assembly.tolerance);
+  if (options.segments) {
+    assembly.segments = options.segments;
+  }
+  return assembly;
+}
+
+class Builder {
+  template <typename Work>
+  auto in_part(const ResolvedPart& part, const Work& work) const {
+    return detail::blaming(assembly_, part.index, work);
+  }
+
+ public:
+  Builder(const Assembly& assembly, const BuildOptions& options)
+      : assembly_(assembly),
+        options_(options),
+        resolved_(resolve(assembly)),
+        tubes_(resolved_.parts.size()) {
+    built_.grid = detail::lattice_spacing(resolved_, assembly.tolerance);
+  }
+
+  Built run() {
+    for (const auto& part : resolved_.parts) {
+      built_.parts.push_back(in_part(part, [&] { return certified(part); }));
+    }
+    built_.ports = ports(resolved_);
+    built_.gaps = pair_ends(built_.ports, options_.connect);
+    const auto runs = detail::runs(resolved_);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      report("weld", double(i) / double(runs.size()));
+      append_solids(runs[i].parts, tessellated(runs[i], i));
+    }
+    built_.runs = runs.size();
+    built_.pieces = solids_.size();
+    built_.solid = solids_.size() == 1 ? solids_.front()
+                                       : unite(solids_, {options_.contacts, options_.progress});
+    return std::move(built_);
+  }
+
+ private:
+  void report(std::string_view stage, double fraction) const {
+    if (options_.progress && !options_.progress(stage, fraction)) {
+      throw Error(Errc::cancelled, "cancelled by the caller");
+    }
+  }
+
+  [[nodiscard]] static PartReport certified(const ResolvedPart& part) {
+    PartReport result;
+    result.name = part.name;
+    result.kind = part.kind;
+    if (const auto* surface = std::get_if<RingedSurface>(&part.shape)) {
+      const Regularity margin = regularity(*surface);
+      if (!(margin.lower > 0)) {
+        throw Error(Errc::irregular_surface,
+                    "the surface folds: the margin 1 - kappa R is " +
+                        detail::decimal(margin.upper) +
+                        " where it must be positive; use a smaller radius or a larger bend radius");
+      }
+      result.margin_lower = margin.lower;
+      result.margin_upper = margin.upper;
+      if (part.kind == "cyclic_blend") {
+        const Tangency angles = tangency(*surface);
+        result.start_tangency = angles.start;
+        result.end_tangency = angles.end;
+      }
+    }
+    return result;
+  }
+
+  // One number of segments per run: the most that any of its parts needs. Runs start at different
+  // angles, as aligned facets of equal pipes that cross are the worst case for rounding.
+  [[nodiscard]] RingSampling sampling(const detail::Run& run, std::size_t position) const {
+    RingSampling result{0, std::fmod(0.37 * double(position), 1), built_.grid};
+    for (const auto index : run.parts) {
+      const ResolvedPart& part = resolved_.parts[index];
+      const auto needed = in_part(part, [&] {
+        return std::visit(
+            [&](const auto& shape) {
+              return segments_for(shape, assembly_.tolerance, built_.grid);
+            },
+            part.shape);
+      });
+      result.segments = std::max(result.segments, needed);
+    }
+    result.segments = assembly_.segments.value_or(result.segments);
+    return result;
+  }
+
+  RingSampling tessellated(const detail::Run& run, std::size_t position) {
+    const RingSampling chosen = sampling(run, position);
+    for (const auto index : run.parts) {
+      const ResolvedPart& part = resolved_.parts[index];
+      Tessellation result = in_part(part, [&] {
+        const auto* sphere = std::get_if<Sphere>(&part.shape);
+        return sphere != nullptr
+                   ? tessellate(*sphere, chosen)
+                   : tessellate(std::get<RingedSurface>(part.shape), chosen, {assembly_.tolerance});
+      });
+      PartReport& entry = built_.parts[index];
+      entry.error_bound = result.error_bound;
+      entry.segments = chosen.segments;
+      entry.bands = result.bands;
+      entry.triangles = result.mesh.triangles.size();
+      tubes_[index] = std::move(result.mesh);
+    }
+    return chosen;
+  }
+
+  // Parts of a run may cross each other. Such a run is halved, at a ring, until no piece crosses
+  // itself; the discs of both halves there are the same and vanish in the union.
+  void append_solids(std::span<const std::uint32_t> parts, const RingSampling& chosen) {
+    try {
+      const TriMesh mesh = detail::welded(resolved_, parts, tubes_, chosen);
+      solids_.push_back(in_part(resolved_.parts[parts.front()], [&] { return Solid::from(mesh); }));
+      return;
+    } catch (const Error& error) {
+      if (error.code() != Errc::self_intersecting || parts.size() == 1) {
+        throw;
+      }
+    }
+    const auto half = parts.size() / 2;
+    append_solids(parts.first(half), chosen);
+    append_solids(parts.subspan(half), chosen);
+  }
+
+  const Assembly& assembly_;
+  const BuildOptions& options_;
+  ResolvedAssembly resolved_;
+  std::vector<TriMesh> tubes_;  // by part
+  std::vector<Solid> solids_;
+  Built built_;
+};
+
+}  // namespace
+
+Built build(const Assembly& assembly, const BuildOptions& options) {
+  const Assembly effective = with_options(assembly, options);
+  return Builder(effective, options).run();
+}
+
+}  // namespace dupin

@@ -1,0 +1,91 @@
+#include "runs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "decimal.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin::detail {
+namespace {
+
+std::size_t at(PartEnd end) { return end == PartEnd::start ? 0 : 1; }
+
+PartEnd other(PartEnd end) { return end == PartEnd::start ? PartEnd::end : PartEnd::start; }
+
+// Walks from `part` out through its `exit` until an open end or back at the part.
+std::vector<std::uint32_t> walk(const ResolvedAssembly& assembly, std::uint32_t part,
+                                PartEnd exit) {
+  std::vector<std::uint32_t> passed{part};
+  for (auto next = assembly.parts[part].joined.at(at(exit)); next && next->part != part;
+       next = assembly.parts[passed.back()].joined.at(at(other(next->end)))) {
+    passed.push_back(next->part);
+  }
+  return passed;
+}
+
+struct Extent {
+  double smallest, largest;
+
+  void include(double size) { smallest = std::min(smallest, size); }
+  void include(const Vec3& point, double radius) {
+    largest = std::max(largest, point.cwiseAbs().maxCoeff() + radius);
+  }
+};
+
+}  // namespace
+
+std::vector<Run> runs(const ResolvedAssembly& assembly) {
+  std::vector<Run> result;
+  std::vector<bool> done(assembly.parts.size(), false);
+  for (std::uint32_t i = 0; i < assembly.parts.size(); ++i) {
+    if (done[i]) {
+      continue;
+    }
+    // To one end of the run, then from there to the other.
+    const auto back = walk(assembly, i, PartEnd::start);
+    const auto& joined = assembly.parts[back.back()].joined;
+    const bool leaves_by_end = !joined.at(0);
+    const auto forward = walk(assembly, back.back(), leaves_by_end ? PartEnd::end : PartEnd::start);
+    // In a closed loop both walks come all the way round.
+    const bool is_loop = joined.at(0) && joined.at(1);
+    Run run{is_loop ? walk(assembly, i, PartEnd::end) : forward};
+    if (!is_loop && run.parts.back() < run.parts.front()) {
+      std::reverse(run.parts.begin(), run.parts.end());
+    }
+    for (const auto part : run.parts) {
+      done[part] = true;
+    }
+    result.push_back(std::move(run));
+  }
+  return result;
+}
+
+double lattice_spacing(const ResolvedAssembly& assembly, double tolerance) {
+  Extent extent{tolerance, 0};
+  for (const auto& part : assembly.parts) {
+    if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
+      extent.include(sphere->radius);
+      extent.include(sphere->center, sphere->radius);
+      continue;
+    }
+    const auto& surface = std::get<RingedSurface>(part.shape);
+    for (const Ring& ring : {surface.start, surface.end}) {
+      extent.include(ring.radius);
+      extent.include(ring.center, ring.radius);
+    }
+    if (std::holds_alternative<LineSpine>(surface.spine)) {
+      extent.include((surface.end.center - surface.start.center).norm());
+    }
+  }
+  const double spacing = std::ldexp(1.0, std::ilogb(extent.smallest) - 11);
+  // One bit is left for bends that reach further than their ends.
+  if (!(extent.largest < std::ldexp(spacing, 51))) {
+    throw Error(Errc::invalid_argument,
+                "the tolerance, or the smallest radius or length, " + decimal(extent.smallest) +
+                    ", is too small for coordinates of " + decimal(extent.largest));
+  }
+  return spacing;
+}
+
+}  // namespace dupin::detail

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dupin/blends/resolve.h"
+
+namespace dupin::detail {
+
+/// Parts welded to each other along shared rings, in the order of a walk along them.
+struct Run {
+  std::vector<std::uint32_t> parts;
+};
+
+/// Every part in exactly one run; runs ordered by their first part in document order. A run that
+/// is not a closed loop is walked from its end with the smaller first part.
+[[nodiscard]] std::vector<Run> runs(const ResolvedAssembly& assembly);
+
+/// The spacing of the lattice that mesh points lie on: a power of two, at most 1/2048 of the
+/// tolerance and of the smallest radius and straight length. Throws Error{invalid_argument} if the
+/// coordinates do not fit doubles on such a lattice.
+[[nodiscard]] double lattice_spacing(const ResolvedAssembly& assembly, double tolerance);
+
+}  // namespace dupin::detail

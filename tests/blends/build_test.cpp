@@ -1,0 +1,319 @@
+#include "dupin/blends/build.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string>
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/blends/resolve.h"
+#include "dupin/io/assembly_json.h"
+#include "dupin/kernel/check.h"
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/rounding.h"
+
+namespace dupin {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Assembly example(const std::string& name) {
+  return read_assembly(std::filesystem::path(DUPIN_SOURCE_DIR) / "examples" / name);
+}
+
+Part pipe(const std::string& name, const Vec3& from, const Vec3& to, double radius) {
+  return {name, PipeBetween{from, to, radius}};
+}
+
+PortReference start_of(const std::string& part) { return {part, PartEnd::start}; }
+PortReference end_of(const std::string& part) { return {part, PartEnd::end}; }
+
+Assembly assembly(std::vector<Part> parts, double tolerance = 0.02) {
+  return {"", Unit::millimetre, tolerance, {}, std::move(parts)};
+}
+
+// Smooth volume of one part and the area of its surface, the discs included, that the error bound
+// can move.
+double smooth_volume(const ResolvedPart& part) {
+  if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
+    return 4 * kPi / 3 * std::pow(sphere->radius, 3);
+  }
+  return volume(std::get<RingedSurface>(part.shape));
+}
+
+double smooth_area(const ResolvedPart& part) {
+  if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
+    return 4 * kPi * sphere->radius * sphere->radius;
+  }
+  return area(std::get<RingedSurface>(part.shape));
+}
+
+double smooth_volume(const ResolvedAssembly& resolved) {
+  double sum = 0;
+  for (const auto& part : resolved.parts) {
+    sum += smooth_volume(part);
+  }
+  return sum;
+}
+
+// A mesh within e of a surface of area A encloses a volume within e A (1 + e kappa) of the smooth
+// one; e kappa is far below 0.1 in the examples, so 1.1 e A is a bound.
+double volume_bound(const ResolvedAssembly& resolved, const Built& built) {
+  double bound = 0;
+  for (std::size_t i = 0; i < resolved.parts.size(); ++i) {
+    bound += 1.1 * built.parts[i].error_bound * smooth_area(resolved.parts[i]);
+  }
+  return bound;
+}
+
+struct Expectation {
+  std::size_t runs = 1, pieces = 1, components = 1;
+  std::int64_t euler_number = 2;
+  double volume = 0;
+};
+
+void expect_solid(const std::string& name, const Assembly& document, const Expectation& expected) {
+  const auto resolved = resolve(document);
+  const Built built = build(document);
+  const Report report = check(to_mesh(built.solid).mesh);
+  EXPECT_TRUE(report.is_solid()) << name;
+  EXPECT_EQ(report.count(Defect::self_intersection), 0U) << name;
+  EXPECT_EQ(report.euler_number, expected.euler_number) << name;
+  EXPECT_EQ(report.components, expected.components) << name;
+  EXPECT_EQ(built.runs, expected.runs) << name;
+  EXPECT_EQ(built.pieces, expected.pieces) << name;
+  EXPECT_NEAR(report.volume, expected.volume, volume_bound(resolved, built)) << name;
+  for (const auto& part : built.parts) {
+    EXPECT_LE(part.error_bound, document.tolerance) << name << " " << part.name;
+    EXPECT_GT(part.triangles, 0U) << name << " " << part.name;
+  }
+}
+
+TEST(Build, makes_one_solid_of_every_reducer) {
+  // Volumes of mathematics A.9 and closed forms.
+  struct Row {
+    std::string name;
+    double volume;
+  };
+  const Row rows[] = {
+      {"reducer.json", 98.7626771261853 + 10 * kPi + 40 * kPi},
+      {"straight-reducer.json", 617.726875485855916 + 4 * kPi + 324 * kPi},
+      {"straight-reducer-r2.json", 150 * kPi + 4 * kPi + 324 * kPi},
+      {"coplanar.json", smooth_volume(resolve(example("coplanar.json")))},
+      {"u-bend.json", 713.7864803597 + 40 * kPi + 160 * kPi},
+  };
+  for (const auto& row : rows) {
+    expect_solid(row.name, example(row.name), {1, 1, 1, 2, row.volume});
+  }
+}
+
+TEST(Build, unites_a_header_with_its_branches) {
+  // A branch of radius r from the axis of a pipe of radius 1, at an angle a to it: of every line
+  // along the branch, at v across, (sqrt(1 - v^2) - u cos a) / sin a lies inside. The second term
+  // cancels over the disc; the trapezoid rule is exact to all digits for the periodic first.
+  const auto inside = [](double sine) {
+    const double r = 0.5;
+    constexpr int kSteps = 64;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const double phi = kPi * i / kSteps;
+      sum += std::sqrt(1 - std::pow(r * std::sin(phi), 2)) * 2 * std::pow(r * std::cos(phi), 2);
+    }
+    return sum * kPi / kSteps / sine;
+  };
+  const Assembly header = example("header.json");
+  const double overlap = 4 * inside(1) + 3 * inside(std::sqrt(0.5)) + 3 * inside(std::sqrt(0.8));
+  expect_solid("header.json", header, {11, 11, 1, 2, smooth_volume(resolve(header)) - overlap});
+}
+
+// The part of a cylinder of radius r about a diameter of a sphere that lies inside it and further
+// than h from the centre, on one side.
+double bored(double sphere, double r, double h) {
+  return 2 * kPi / 3 * (std::pow(sphere, 3) - std::pow(sphere * sphere - r * r, 1.5)) -
+         kPi * r * r * h;
+}
+
+TEST(Build, makes_one_solid_of_the_plant_run) {
+  const Assembly plant = example("plant-run.json");
+  const auto resolved = resolve(plant);
+  // Discs and bodies sit on pipes; the pipes' part in them counts once. The two pipes of the angle
+  // valve end 15 from its centre and overlap only inside its body.
+  double overlap = 0;
+  std::size_t components = 0;
+  for (const auto& part : resolved.parts) {
+    const auto host = std::find_if(resolved.parts.begin(), resolved.parts.end(), [&](auto& other) {
+      return part.name == other.name + "-disc" || part.name == other.name + "-body";
+    });
+    if (host != resolved.parts.end()) {
+      const double r = std::get<RingedSurface>(host->shape).end.radius;
+      if (const auto* body = std::get_if<Sphere>(&part.shape)) {
+        overlap += 2 * bored(body->radius, r, 0);
+      } else {
+        overlap += kPi * r * r * length(std::get<RingedSurface>(part.shape).spine);
+      }
+    } else if (const auto* body = std::get_if<Sphere>(&part.shape)) {
+      overlap += bored(body->radius, 38.1, 15) + bored(body->radius, 50.8, 15);
+      ++components;
+    } else {
+      ++components;
+    }
+  }
+  EXPECT_GE(components, 20U);
+  // Two runs of pipes, six discs, two bodies and the angle valve's.
+  expect_solid("plant-run.json", plant, {11, 11, 1, 2, smooth_volume(resolved) - overlap});
+}
+
+TEST(Build, refuses_a_tight_blend) {
+  try {
+    (void)build(example("tight.json"));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::irregular_surface);
+    EXPECT_EQ(error.part(), "blend");
+    EXPECT_THAT(error.where(), testing::HasSubstr("tight.json#/parts/2"));
+    EXPECT_THAT(error.message(), testing::HasSubstr("works"));
+  }
+}
+
+TEST(Build, refuses_an_elbow_that_is_thicker_than_its_bend) {
+  const Assembly fat = assembly(
+      {{"fat", ElbowTurning{Place{Vec3::Zero(), Vec3::UnitX(), 2}, 1.5, 1, Vec3::UnitY()}}});
+  try {
+    (void)build(fat);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::irregular_surface);
+    EXPECT_EQ(error.part(), "fat");
+    EXPECT_EQ(error.where(), "/parts/0");
+  }
+}
+
+TEST(Build, refuses_a_blend_that_crosses_itself_far_away) {
+  // A plane cubic with a loop: gently bent everywhere, but it comes back to itself.
+  Assembly loop = assembly({pipe("a", Vec3(-3, -3, 0), Vec3(0, 0, 0), 0.1),
+                            pipe("b", Vec3(2, 0, 0), Vec3(5, -3, 0), 0.1)});
+  loop.parts[1].shape = PipeAlong{Place{Vec3(2, 0, 0), Vec3(-1, -1, 0), 0.1}, 4};
+  loop.parts[0].shape = PipeAlong{Place{Vec3(-4, 0, 0), Vec3(1, 0, 0), 0.1}, 4};
+  loop.parts.push_back(
+      {"blend", CyclicBlendBetween{end_of("a"), start_of("b"), {BlendLaw::r1, 30, 30}}});
+  try {
+    (void)build(loop);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::self_intersecting) << error.what();
+    EXPECT_EQ(error.part(), "blend");
+  }
+}
+
+TEST(Build, unites_a_run_that_crosses_itself) {
+  const Vec3 up(0, 1, 0), left(-1, 0, 0);
+  const auto turn = [](const std::string& name, const std::string& from, const Vec3& toward) {
+    return Part{name, ElbowTurning{end_of(from), 3, kPi / 2, toward}};
+  };
+  const Assembly crossing = assembly({pipe("a", Vec3(-10, 0, 0), Vec3(0, 0, 0), 1),
+                                      turn("b", "a", up),
+                                      {"c", PipeAlong{end_of("b"), 4}},
+                                      turn("d", "c", left),
+                                      {"e", PipeAlong{end_of("d"), 4}},
+                                      turn("f", "e", -up),
+                                      {"g", PipeAlong{end_of("f"), 14}}});
+  const auto resolved = resolve(crossing);
+  // g crosses a at a right angle: two cylinders of radius 1 share 16/3.
+  expect_solid("crossing", crossing, {1, 2, 1, 0, smooth_volume(resolved) - 16.0 / 3});
+}
+
+TEST(Build, welds_a_closed_loop_of_parts) {
+  const CyclicBlendOptions automatic;
+  const Assembly ring =
+      assembly({pipe("a", Vec3(-3, 0, 0), Vec3(3, 0, 0), 1),
+                pipe("b", Vec3(3, 9, 0), Vec3(-3, 9, 0), 1.5),
+                {"c", CyclicBlendBetween{end_of("a"), start_of("b"), automatic}},
+                {"d", CyclicBlendBetween{end_of("b"), start_of("a"), automatic}}});
+  expect_solid("ring", ring, {1, 1, 1, 0, smooth_volume(resolve(ring))});
+}
+
+TEST(Build, unites_a_closed_loop_that_crosses_itself) {
+  const CyclicBlendOptions automatic;
+  const Assembly eight =
+      assembly({pipe("a", Vec3(-5, 0, 0), Vec3(5, 0, 0), 0.5),
+                pipe("b", Vec3(0, 5, 0), Vec3(0, -5, 0), 0.5),
+                {"c", CyclicBlendBetween{end_of("a"), start_of("b"), automatic}},
+                {"d", CyclicBlendBetween{end_of("b"), start_of("a"), automatic}}});
+  const double shared = 16.0 / 3 * 0.125;
+  expect_solid("eight", eight, {1, 2, 1, -2, smooth_volume(resolve(eight)) - shared});
+}
+
+TEST(Build, keeps_separate_parts_apart) {
+  const Assembly apart =
+      assembly({pipe("a", Vec3(0, 0, 0), Vec3(3, 0, 0), 1), {"b", SphereAt{Vec3(0, 9, 0), 2}}});
+  expect_solid("apart", apart, {2, 2, 2, 4, smooth_volume(resolve(apart))});
+}
+
+TEST(Build, labels_parts_ends_and_caps) {
+  Assembly reducer = example("reducer.json");
+  reducer.parts.push_back({"lid", CapAt{end_of("outlet")}});
+  const TriMesh mesh = to_mesh(build(reducer).solid).mesh;
+  EXPECT_THAT(mesh.names,
+              testing::UnorderedElementsAre("inlet", "outlet", "blend", "inlet.start", "lid"));
+  ASSERT_EQ(mesh.labels.size(), mesh.triangles.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (mesh.names[mesh.labels[i]] == "inlet.start") {
+      for (const auto corner : mesh.triangles[i]) {
+        EXPECT_EQ(mesh.points[corner].x(), -10);
+      }
+    }
+  }
+}
+
+TEST(Build, reports_margins_tangency_and_gaps) {
+  const Built built = build(example("reducer.json"));
+  ASSERT_EQ(built.parts.size(), 3U);
+  EXPECT_EQ(built.parts[0].margin_lower, 1);
+  EXPECT_FALSE(built.parts[0].start_tangency);
+  // The margin of Fig. 6 with R1.
+  EXPECT_LE(*built.parts[2].margin_lower, 0.0848584660472 + 1e-12);
+  EXPECT_GE(*built.parts[2].margin_upper, 0.0848584660472 - 1e-12);
+  EXPECT_NEAR(*built.parts[2].margin_lower, *built.parts[2].margin_upper, 1e-5);
+  EXPECT_EQ(built.parts[2].start_tangency, 0);
+  EXPECT_EQ(built.parts[2].end_tangency, 0);
+  std::vector<std::string> verdicts;
+  for (const auto& gap : built.gaps) {
+    verdicts.push_back(std::string(name(gap.report.verdict)));
+  }
+  EXPECT_THAT(verdicts, testing::UnorderedElementsAre("welded", "welded", "open", "open"));
+}
+
+TEST(Build, obeys_its_options) {
+  const Assembly reducer = example("reducer.json");
+  const Built coarse = build(reducer, {.segments = 12}), fine = build(reducer, {.tolerance = 0.01});
+  for (const auto& part : coarse.parts) {
+    EXPECT_EQ(part.segments, 12U);
+  }
+  EXPECT_GT(coarse.parts[2].error_bound, 0.05);
+  EXPECT_LE(fine.parts[2].error_bound, 0.01);
+  EXPECT_GT(fine.solid.triangle_count(), 3 * build(reducer).solid.triangle_count());
+  EXPECT_THROW((void)build(reducer, {.tolerance = -1}), Error);
+  EXPECT_THROW((void)build(reducer, {.tolerance = 1e-30}), Error);
+  const auto stop = [](std::string_view, double) { return false; };
+  try {
+    (void)build(reducer, {.progress = stop});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::cancelled);
+  }
+}
+
+TEST(Build, gives_the_same_bytes_twice) {
+  const Assembly header = example("header.json");
+  const TriMesh once = to_mesh(build(header).solid).mesh, twice = to_mesh(build(header).solid).mesh;
+  EXPECT_EQ(once.points, twice.points);
+  EXPECT_EQ(once.triangles, twice.triangles);
+  EXPECT_EQ(once.labels, twice.labels);
+}
+
+}  // namespace
+}  // namespace dupin
