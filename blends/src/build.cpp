@@ -80,9 +80,8 @@ class Builder {
       result.margin_lower = margin.lower;
       result.margin_upper = margin.upper;
       if (part.kind == "cyclic_blend") {
-        const Tangency angles = tangency(*surface);
-        result.start_tangency = angles.start;
-        result.end_tangency = angles.end;
+        result.start_tangency = tangency_at_end(*surface, SurfaceEnd::start).deviation.upper;
+        result.end_tangency = tangency_at_end(*surface, SurfaceEnd::end).deviation.upper;
       }
     }
     return result;

@@ -28,8 +28,8 @@ struct PartReport {
   std::string kind;  ///< its key in a document: "pipe", "cyclic_blend", ...
   /// Certified bounds of min(1 - kappa R) along the part; none for spheres.
   std::optional<double> margin_lower, margin_upper;
-  /// Upper bounds of the angles, in radians, between a blend's tangent planes at its start and end
-  /// and those of its neighbours; none for other parts.
+  /// Certified upper bounds of the angles, in radians, between a blend's tangent planes at its
+  /// start and end and those of its neighbours (Tangency::deviation); none for other parts.
   std::optional<double> start_tangency, end_tangency;
   double error_bound = 0;      ///< of the distance between smooth surface and mesh, both ways
   std::uint32_t segments = 0;  ///< around

@@ -1,17 +1,30 @@
 #pragma once
 
 #include "dupin/blends/ringed_surface.h"
+#include "dupin/kernel/enclosure.h"
 
 namespace dupin {
 
-/// Upper bounds of angles between tangent planes, in radians.
+enum class SurfaceEnd { start, end };
+
+/// How smoothly a ringed surface runs into the cylinder or cone that its stored end ring belongs
+/// to.
 struct Tangency {
-  double start = 0, end = 0;
+  /// The largest angle around the end circle, in radians, between the surface along the spine and
+  /// the neighbour's wall of half angle atan(slope): max |atan2(R', |y'|(1 - kappa R cos theta)) -
+  /// half angle| [MS06]. Exactly 0 for a radius law of slope 0 against a cylinder, unless kappa R
+  /// >= 1, where the surface has folded.
+  Enclosure deviation;
+  /// Between the spine's velocity and the stored normal, in radians; exactly 0 if they are
+  /// parallel. The walls meet at an angle of at most the sum of both.
+  Enclosure axis_angle;
+  Enclosure curvature_times_radius;  ///< kappa R at the end
+
+  [[nodiscard]] bool exact() const { return deviation.upper == 0 && axis_angle.upper == 0; }
 };
 
-/// The largest angle, around each end, between the surface and the cylinder or cone that ends in
-/// the ring there (its half angle is the ring's slope) [MS06]. Zero for a cyclic blend between
-/// cylinders.
-[[nodiscard]] Tangency tangency(const RingedSurface& surface);
+/// Certified: computed from the stored numbers in intervals of high precision, rounded outward.
+/// Throws Error{irregular_surface} where the spine stands still.
+[[nodiscard]] Tangency tangency_at_end(const RingedSurface& surface, SurfaceEnd end);
 
 }  // namespace dupin
