@@ -30,3 +30,13 @@ function(dupin_test name)
   endif()
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 ${properties})
 endfunction()
+
+# dupin_bench(NAME SOURCES a.cpp ... LIBRARIES lib ...)
+# One executable per question; it compares its result with a reference before timing it.
+function(dupin_bench name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  dupin_target(${name})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/bench)
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} benchmark::benchmark)
+endfunction()

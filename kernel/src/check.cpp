@@ -67,7 +67,7 @@ class Inspector {
     check_vertices(fans);
     report_shells(shells, edges, fans);
     if (all_finite_) {
-      check_places();
+      check_places(edges);
       measure(shells);
     }
     for (auto& findings : kept_) {
@@ -209,7 +209,7 @@ class Inspector {
   }
 
   // What depends on coordinates.
-  void check_places() {
+  void check_places(const EdgeTable& edges) {
     const auto first = first_identical(points_);
     std::vector<Triangle> merged = triangles_;
     for (Triangle& corners : merged) {
@@ -217,7 +217,7 @@ class Inspector {
         corner = first[corner];
       }
     }
-    const auto duplicates = check_degenerate_and_duplicate(merged);
+    const auto duplicates = check_degenerate_and_duplicate(merged, edges);
     if (options_.self_intersections) {
       check_self_intersections(duplicates);
     }
@@ -227,7 +227,7 @@ class Inspector {
   }
 
   std::vector<std::vector<std::uint32_t>> check_degenerate_and_duplicate(
-      std::span<const Triangle> merged) {
+      const std::vector<Triangle>& merged, const EdgeTable& edges) {
     std::vector<Triangle> proper;
     std::vector<std::uint32_t> positions;
     for (std::uint32_t i = 0; i < merged.size(); ++i) {
@@ -240,7 +240,9 @@ class Inspector {
         positions.push_back(i);
       }
     }
-    auto groups = duplicate_groups(proper, EdgeTable(proper, points_.size()));
+    auto groups = proper == triangles_
+                      ? duplicate_groups(triangles_, edges)
+                      : duplicate_groups(proper, EdgeTable(proper, points_.size()));
     for (auto& group : groups) {
       for (std::uint32_t& face : group) {
         face = positions[face];
@@ -299,9 +301,9 @@ class Inspector {
 
   void measure(const Shells& shells) {
     const MeshView view(points_, triangles_);
-    report().volume = nearest_volume(view);
     report().area = area(view);
     std::vector<int> signs;
+    mpq_class sum;
     for (std::size_t i = 0; i < shells.count; ++i) {
       std::vector<Triangle> faces;
       for (const std::uint32_t face : shells.faces_of(i)) {
@@ -310,7 +312,9 @@ class Inspector {
       const mpq_class volume = exact_volume({points_, faces});
       report().shells[i].volume = nearest_double(volume);
       signs.push_back(sgn(volume));
+      sum += volume;
     }
+    report().volume = nearest_double(sum);
     if (report().is_solid()) {
       check_nesting(shells, nesting_depths(view, shells), signs);
     }

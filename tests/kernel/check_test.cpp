@@ -133,6 +133,56 @@ TEST(Check, keeps_findings_up_to_the_limit_and_counts_all) {
   EXPECT_EQ(report.findings.size(), 2U);
 }
 
+TEST(Check, leaves_out_self_intersections_when_asked) {
+  const TriMesh crossing = joined({tetrahedron(), tetrahedron(Vec3::Constant(0.1))});
+  EXPECT_TRUE(check(crossing, {.self_intersections = false}).is_solid());
+  EXPECT_FALSE(check(crossing).is_solid());
+}
+
+TEST(Check, counts_all_that_is_wrong_at_once) {
+  TriMesh mesh = joined({tetrahedron(), tetrahedron(Vec3(4, 0, 0)), pillow()});
+  mesh.points.emplace_back(7, 7, 7);
+  mesh.triangles.pop_back();                                 // boundary
+  mesh.triangles.insert(mesh.triangles.end(), {{0, 1, 99},   // bad index
+                                               {4, 5, 5},    // repeated index
+                                               {0, 2, 1}});  // face 0 again
+  const Report report = check(mesh);
+  EXPECT_EQ(report.count(Defect::bad_index), 1U);
+  EXPECT_EQ(report.count(Defect::degenerate_face), 1U);
+  EXPECT_EQ(report.count(Defect::duplicate_face), 1U);
+  EXPECT_EQ(report.count(Defect::non_manifold_edge), 3U);
+  EXPECT_EQ(report.count(Defect::boundary_edge), 3U);
+  EXPECT_EQ(report.count(Defect::isolated_point), 1U);
+  EXPECT_EQ(report.points, 12U);
+  EXPECT_EQ(report.triangles, 12U);
+}
+
+TEST(Check, faces_on_one_line_given_twice_are_degenerate) {
+  TriMesh mesh;
+  mesh.points = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 1}};
+  const Report report = check(mesh);
+  EXPECT_EQ(report.count(Defect::degenerate_face), 2U);
+  EXPECT_EQ(report.count(Defect::self_intersection), 0U);
+}
+
+TEST(Check, an_empty_mesh_is_the_empty_solid) {
+  const Report report = check({});
+  EXPECT_TRUE(report.is_solid());
+  EXPECT_EQ(report.components, 0U);
+}
+
+TEST(Check, coordinates_may_be_huge_or_tiny) {
+  for (const double size : {1e-150, 1e-100, 1e100, 1e150, 1e300}) {
+    SCOPED_TRACE(size);
+    const Report report =
+        check(joined({box(Vec3::Constant(-size), Vec3::Constant(size)),
+                      reversed(box(Vec3::Constant(-size / 2), Vec3::Constant(size / 2)))}));
+    EXPECT_TRUE(report.is_solid());
+    EXPECT_EQ(report.components, 1U);
+  }
+}
+
 TEST(Check, reports_shells_and_their_nesting) {
   const TriMesh mesh = joined({box(Vec3::Zero(), Vec3::Constant(9)),
                                reversed(box(Vec3::Constant(1), Vec3::Constant(8))),

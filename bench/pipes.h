@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "dupin/kernel/mesh.h"
+
+namespace dupin::bench {
+
+/// A closed pipe about the z axis of `segments` by `rows` quads with capped ends.
+inline TriMesh pipe(double radius, double low, double high, std::uint32_t segments,
+                    std::uint32_t rows) {
+  TriMesh mesh;
+  for (std::uint32_t row = 0; row <= rows; ++row) {
+    const double height = low + (high - low) * row / rows;
+    for (std::uint32_t i = 0; i < segments; ++i) {
+      const double angle = 2 * std::numbers::pi * i / segments;
+      mesh.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
+    }
+  }
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    for (std::uint32_t i = 0; i < segments; ++i) {
+      const std::uint32_t a = row * segments + i, b = row * segments + (i + 1) % segments;
+      mesh.triangles.push_back({a, b, b + segments});
+      mesh.triangles.push_back({a, b + segments, a + segments});
+    }
+  }
+  const std::uint32_t top = rows * segments;
+  for (std::uint32_t i = 1; i + 1 < segments; ++i) {
+    mesh.triangles.push_back({0, i + 1, i});
+    mesh.triangles.push_back({top, top + i, top + i + 1});
+  }
+  return mesh;
+}
+
+/// About the x axis instead, moved by `along` in z: to cross a pipe about z.
+inline TriMesh lying(TriMesh mesh, double along) {
+  for (Vec3& point : mesh.points) {
+    point = Vec3(point.z(), point.x(), point.y() + along);
+  }
+  return mesh;
+}
+
+}  // namespace dupin::bench
