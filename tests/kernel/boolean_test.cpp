@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/ring.h"
 #include "support/shapes.h"
 
 namespace dupin {
@@ -127,6 +128,48 @@ TEST(Boolean, a_hollow_stays_hollow_when_cut_from_inside) {
   EXPECT_EQ(hollow.shells(), 2U);
   EXPECT_EQ(hollow.components(), 1U);
   EXPECT_EQ(hollow.euler_number(), 4);
+}
+
+// The pipe between two rings of one sampling; its end discs are fans from the first points.
+TriMesh pipe(const Ring& from, const Ring& to, const RingSampling& sampling) {
+  TriMesh mesh;
+  mesh.points = sample(flipped(from), sampling);
+  const auto end = sample(flipped(to), sampling);
+  const std::uint32_t n = sampling.segments;
+  mesh.points.insert(mesh.points.end(), end.begin(), end.end());
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t next = (i + 1) % n;
+    mesh.triangles.push_back({i, next, n + next});
+    mesh.triangles.push_back({i, n + next, n + i});
+    if (i > 0 && i + 1 < n) {
+      mesh.triangles.push_back({0, i + 1, i});
+      mesh.triangles.push_back({n, n + i, n + i + 1});
+    }
+  }
+  return mesh;
+}
+
+TEST(Boolean, a_chain_of_parts_that_share_rings_becomes_one_part) {
+  const Vec3 axis = Vec3(1, 2, 3).normalized();
+  constexpr std::uint32_t kSegments = 16;
+  constexpr std::size_t kParts = 12;
+  const RingSampling sampling{kSegments, 0.37, 0};
+  std::vector<Solid> parts;
+  mpq_class volume;
+  for (std::size_t i = 0; i < kParts; ++i) {
+    const auto ring = [&](std::size_t station) {
+      const auto at = static_cast<double>(station);
+      return Ring{Vec3(0.1, 0.2, 0.3) + at * axis, -axis, 1 + 0.1 * (at * at - 3 * at)};
+    };
+    parts.push_back(Solid::from(pipe(ring(i), ring(i + 1), sampling)));
+    volume += parts.back().exact_volume();
+  }
+  const Solid chain = unite(parts);
+  EXPECT_EQ(chain.exact_volume(), volume);
+  EXPECT_EQ(chain.shells(), 1U);
+  EXPECT_EQ(chain.genus(), 0);
+  EXPECT_EQ(chain.point_count(), (kParts + 1) * kSegments);
+  EXPECT_EQ(chain.triangle_count(), kParts * 2 * kSegments + 2 * (kSegments - 2));
 }
 
 TEST(Boolean, results_know_their_sources_and_labels) {
