@@ -57,7 +57,6 @@ class BoxTree {
 
   /// The item at a position of the tree's order; positions run from 0 to the number of boxes.
   [[nodiscard]] std::uint32_t item(std::uint32_t position) const { return order_[position]; }
-  [[nodiscard]] std::uint32_t position(std::uint32_t item) const { return position_[item]; }
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(order_.size()); }
 
   /// Makes the box of `item` contain `box` as well. O(log n).

@@ -21,37 +21,34 @@ class Search {
         triangles_(triangles),
         options_(options),
         first_identical_(first_identical(points)),
+        frame_(points),
         corners_(triangles.size()),
         degenerate_(triangles.size()),
         tree_(prepare()) {}
 
   SelfIntersections run() const {
-    using Range = tbb::blocked_range<std::uint32_t>;
-    SelfIntersections found = tbb::parallel_reduce(
-        Range(0, tree_.size(), 1024), SelfIntersections{},
-        [&](const Range& range, SelfIntersections part) {
-          for (std::uint32_t position = range.begin(); position != range.end(); ++position) {
-            examine(position, part);
-          }
-          return part;
-        },
-        [&](SelfIntersections left, const SelfIntersections& right) {
-          return joined(std::move(left), right);
-        });
+    SelfIntersections found = examined(
+        tree_.size(),
+        [&](std::uint32_t position, SelfIntersections& part) { examine_active(position, part); });
+    if (active_.size() < triangles_.size()) {
+      const auto others = static_cast<std::uint32_t>(triangles_.size());
+      found = joined(std::move(found),
+                     examined(others, [&](std::uint32_t face, SelfIntersections& part) {
+                       examine_passive(face, part);
+                     }));
+    }
     trim(found.pairs);
-    for (std::uint32_t i = 0; i < degenerate_.size(); ++i) {
-      if (degenerate_[i] != 0) {
-        found.degenerate.push_back(i);
+    for (const std::uint32_t face : active_) {
+      if (degenerate_[face] != 0) {
+        found.degenerate.push_back(face);
       }
     }
     return found;
   }
 
  private:
-  /// Fills corners_ and degenerate_ and returns the boxes' tree.
+  /// Fills corners_, degenerate_ and active_ and returns the tree over the active triangles.
   BoxTree prepare() {
-    const BoxFrame frame(points_);
-    std::vector<Box> boxes(triangles_.size());
     tbb::parallel_for(std::size_t{0}, triangles_.size(), [&](std::size_t i) {
       for (int k = 0; k < 3; ++k) {
         corners_[i][k] = first_identical_[triangles_[i][k]];
@@ -59,23 +56,64 @@ class Search {
       const Vec3 &a = points_[corners_[i][0]], &b = points_[corners_[i][1]],
                  &c = points_[corners_[i][2]];
       degenerate_[i] = !PlaneFilter(a, b, c).certain() && collinear(a, b, c);
-      boxes[i] = degenerate_[i] != 0 ? Box::nothing() : frame.around(a, b, c);
     });
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+      if (active(i)) {
+        active_.push_back(i);
+      }
+    }
+    std::vector<Box> boxes(active_.size());
+    tbb::parallel_for(std::size_t{0}, active_.size(),
+                      [&](std::size_t i) { boxes[i] = box(active_[i]); });
     return BoxTree(boxes);
+  }
+
+  [[nodiscard]] Box box(std::uint32_t face) const {
+    const Triangle& t = corners_[face];
+    return degenerate_[face] != 0 ? Box::nothing()
+                                  : frame_.around(points_[t[0]], points_[t[1]], points_[t[2]]);
   }
 
   [[nodiscard]] bool active(std::uint32_t triangle) const {
     return options_.active.empty() || options_.active[triangle] != 0;
   }
 
-  void examine(std::uint32_t position, SelfIntersections& found) const {
-    const std::uint32_t face = tree_.item(position);
+  /// Calls examine(i, part) for all i below `count`, in parallel, and joins the parts.
+  template <class Examine>
+  SelfIntersections examined(std::uint32_t count, Examine&& examine) const {
+    using Range = tbb::blocked_range<std::uint32_t>;
+    return tbb::parallel_reduce(
+        Range(0, count, 1024), SelfIntersections{},
+        [&](const Range& range, SelfIntersections part) {
+          for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
+            examine(i, part);
+          }
+          return part;
+        },
+        [&](SelfIntersections left, const SelfIntersections& right) {
+          return joined(std::move(left), right);
+        });
+  }
+
+  /// Pairs of active triangles.
+  void examine_active(std::uint32_t position, SelfIntersections& found) const {
+    const std::uint32_t face = active_[tree_.item(position)];
     const TriangleProbe probe(points_, corners_[face]);
-    const bool all = active(face);
-    tree_.visit_after(position, [&](std::uint32_t other) {
-      if (all || active(other)) {
-        record(face, other, probe.meeting(corners_[other]), found);
-      }
+    tree_.visit_after(position, [&](std::uint32_t item) {
+      const std::uint32_t other = active_[item];
+      record(face, other, probe.meeting(corners_[other]), found);
+    });
+  }
+
+  /// Pairs of a passive and an active triangle.
+  void examine_passive(std::uint32_t face, SelfIntersections& found) const {
+    if (active(face)) {
+      return;
+    }
+    const TriangleProbe probe(points_, corners_[face]);
+    tree_.visit(box(face), [&](std::uint32_t item) {
+      const std::uint32_t other = active_[item];
+      record(face, other, probe.meeting(corners_[other]), found);
     });
   }
 
@@ -137,8 +175,10 @@ class Search {
   std::span<const Triangle> triangles_;
   const SelfIntersectionOptions& options_;
   std::vector<std::uint32_t> first_identical_;
+  BoxFrame frame_;
   std::vector<Triangle> corners_;  // with identical points merged
   std::vector<std::uint8_t> degenerate_;
+  std::vector<std::uint32_t> active_;
   BoxTree tree_;
 };
 

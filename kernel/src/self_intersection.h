@@ -25,7 +25,8 @@ struct FacePair {
 struct SelfIntersectionOptions {
   /// Pairs kept; the lowest ones, whatever their kind. The counts are complete all the same.
   std::size_t limit = std::numeric_limits<std::size_t>::max();
-  /// One entry per triangle: only pairs with a non-zero one are examined. Empty examines all.
+  /// One entry per triangle: only pairs with a non-zero one are examined, and only those for
+  /// degeneracy. Empty examines all. Cheap where few are active.
   std::span<const std::uint8_t> active;
 };
 

@@ -164,8 +164,12 @@ TEST(SelfIntersection, examines_the_pairs_of_active_triangles_only) {
   std::erase_if(expected, [&](const FacePair& pair) {
     return active[pair.first] == 0 && active[pair.second] == 0;
   });
-  EXPECT_EQ(find_self_intersections(soup.points, soup.triangles, {.active = active}).pairs,
-            expected);
+  const auto found = find_self_intersections(soup.points, soup.triangles, {.active = active});
+  EXPECT_EQ(found.pairs, expected);
+  EXPECT_EQ(found.pairs.size(), found.crossings + found.overlaps + found.contacts);
+  for (const std::uint32_t f : found.degenerate) {
+    EXPECT_EQ(active[f], 1);
+  }
 }
 
 TEST(SelfIntersection, is_found_at_every_scale) {
