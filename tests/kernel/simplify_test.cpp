@@ -1,0 +1,151 @@
+#include "dupin/kernel/simplify.h"
+
+#include <cmath>
+#include <random>
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/check.h"
+#include "dupin/kernel/error.h"
+#include "support/shapes.h"
+
+namespace dupin {
+namespace {
+
+double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 normal = (b - a).cross(c - a).normalized();
+  const Vec3 corners[] = {a, b, c};
+  bool inside = true;
+  double nearest = INFINITY;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 &q = corners[i], edge = corners[(i + 1) % 3] - q;
+    inside = inside && normal.dot(edge.cross(p - q)) >= 0;
+    const double t = std::clamp(edge.dot(p - q) / edge.squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (q + t * edge - p).norm());
+  }
+  return inside ? std::abs(normal.dot(p - a)) : nearest;
+}
+
+double distance_to(const Vec3& p, const TriMesh& mesh) {
+  double nearest = INFINITY;
+  for (const Triangle& t : mesh.triangles) {
+    nearest = std::min(
+        nearest, distance_to_triangle(p, mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
+  }
+  return nearest;
+}
+
+/// The largest distance of seeded random points of one mesh from the other.
+double sampled_distance(const TriMesh& from, const TriMesh& to) {
+  std::mt19937 random(29);
+  std::uniform_real_distribution<double> unit(0, 1);
+  double largest = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Triangle& t = from.triangles[random() % from.triangles.size()];
+    const double r = std::sqrt(unit(random)), s = unit(random);
+    largest = std::max(largest,
+                       distance_to((1 - r) * from.points[t[0]] + r * (1 - s) * from.points[t[1]] +
+                                       r * s * from.points[t[2]],
+                                   to));
+  }
+  return largest;
+}
+
+/// A tube in rings, tilted off the axes, the two halves labelled "low" and "high".
+TriMesh ringed_tube(std::uint32_t segments, std::uint32_t rings) {
+  const Eigen::AngleAxisd tilt(0.7, Vec3(1, 2, 3).normalized());
+  TriMesh mesh;
+  mesh.names = {"low", "high"};
+  const auto add = [&](const Triangle& triangle, std::uint32_t label) {
+    mesh.triangles.push_back(triangle);
+    mesh.labels.push_back(label);
+  };
+  for (std::uint32_t j = 0; j <= rings; ++j) {
+    for (std::uint32_t i = 0; i < segments; ++i) {
+      const double angle = 2 * 3.141592653589793 * i / segments;
+      mesh.points.push_back(tilt * Vec3(std::cos(angle), std::sin(angle), 4.0 * j / rings));
+    }
+  }
+  for (std::uint32_t a = 0; a < segments * rings; ++a) {
+    const std::uint32_t b = a % segments + 1 == segments ? a + 1 - segments : a + 1;
+    const std::uint32_t label = a < segments * (rings / 2) ? 0 : 1;
+    add({a, b, b + segments}, label);
+    add({a, b + segments, a + segments}, label);
+  }
+  const std::uint32_t top = segments * rings;
+  for (std::uint32_t i = 1; i + 1 < segments; ++i) {
+    add({0, i + 1, i}, 0);
+    add({top, top + i, top + i + 1}, 1);
+  }
+  return mesh;
+}
+
+TEST(Simplify, keeps_only_the_rings_that_matter) {
+  constexpr std::uint32_t kSegments = 24;
+  const TriMesh tube = ringed_tube(kSegments, 16);
+  const Simplified result = simplify(Solid::from(tube), 1e-9);
+  EXPECT_TRUE(check(result.mesh).is_solid());
+  EXPECT_EQ(result.mesh.points.size(), 3 * kSegments) << "both ends and the border of labels";
+  EXPECT_EQ(result.mesh.triangles.size(), 2 * (3 * kSegments) - 4) << "Euler";
+  EXPECT_EQ(result.removed_triangles, tube.triangles.size() - result.mesh.triangles.size());
+  EXPECT_LE(result.deviation, 1e-9);
+}
+
+TEST(Simplify, ignores_borders_where_there_are_no_labels) {
+  TriMesh tube = ringed_tube(24, 16);
+  tube.labels.clear();
+  tube.names.clear();
+  EXPECT_EQ(simplify(Solid::from(tube), 1e-9).mesh.points.size(), 48);
+}
+
+TEST(Simplify, stays_within_the_tolerance) {
+  const TriMesh tube = ringed_tube(64, 16);
+  std::size_t triangles = tube.triangles.size();
+  for (const double tolerance : {1e-9, 1e-2, 1e-1}) {
+    const Simplified result = simplify(Solid::from(tube), tolerance);
+    const Report report = check(result.mesh);
+    EXPECT_TRUE(report.is_solid());
+    EXPECT_LE(result.deviation, tolerance);
+    EXPECT_LE(sampled_distance(tube, result.mesh), result.deviation);
+    EXPECT_LE(sampled_distance(result.mesh, tube), result.deviation);
+    EXPECT_LT(result.mesh.triangles.size(), triangles) << "more tolerance, fewer triangles";
+    triangles = result.mesh.triangles.size();
+  }
+}
+
+TEST(Simplify, keeps_the_borders_of_labels) {
+  const TriMesh tube = ringed_tube(48, 8);
+  const Simplified result = simplify(Solid::from(tube), 0.05);
+  ASSERT_EQ(result.mesh.labels.size(), result.mesh.triangles.size());
+  for (std::uint32_t i = 4 * 48; i < 5 * 48; ++i) {
+    EXPECT_THAT(result.mesh.points, testing::Contains(tube.points[i])) << "of the middle ring";
+  }
+  for (std::size_t f = 0; f < result.mesh.triangles.size(); ++f) {
+    EXPECT_EQ(result.mesh.labels[f], tube.labels[result.sources[f].triangle]);
+  }
+}
+
+TEST(Simplify, leaves_what_has_nothing_to_spare) {
+  const TriMesh box = test::box(Vec3(0, 0, 0), Vec3(1, 2, 3));
+  const Simplified result = simplify(Solid::from(box), 0.1);
+  EXPECT_EQ(result.mesh.triangles, box.triangles);
+  EXPECT_EQ(result.deviation, 0);
+}
+
+TEST(Simplify, refuses_senseless_tolerances) {
+  const Solid solid = Solid::from(test::tetrahedron());
+  for (const double tolerance :
+       {0.0, -1.0, static_cast<double>(NAN), static_cast<double>(INFINITY)}) {
+    try {
+      static_cast<void>(simplify(solid, tolerance));
+      ADD_FAILURE() << tolerance;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::invalid_argument);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dupin
