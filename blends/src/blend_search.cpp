@@ -53,6 +53,10 @@ BlendSearch::BlendSearch(BlendFamily family, double scale, std::optional<double>
 Trial BlendSearch::trial(const Speeds& at, const Quadrature& rule) const {
   Trial result{scale_ * std::exp(at.k), scale_ * std::exp(at.l)};
   const RingedSurface surface = family_(result.k, result.l);
+  if (!(smallest_radius(surface.radius) > 0)) {
+    result.margin = -kInfinity;  // the cone at an end is too steep for this speed
+    return result;
+  }
   std::vector<double> margins{local_margin(surface, 0)}, places{0};
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
     const SpinePoint point = evaluate(surface.spine, rule.nodes[i]);

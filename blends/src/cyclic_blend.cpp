@@ -20,18 +20,39 @@ using detail::decimal;
 // How tightly chosen speeds are certified; the search aims this much above the asked margin.
 constexpr double kCertificateWidth = 1e-8;
 
-RingedSurface assembled(const Ring& from, const Ring& to, BlendLaw law, double k, double l) {
+int spine_degree(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  const bool cone = from.slope != 0 || to.slope != 0;
+  return 3 + (cone ? 2 : 0) + (options.continuity == Continuity::g2 ? 2 : 0);
+}
+
+// As far as the spine is straight at an end, the radius is that of the cone there.
+BezierRadius cone_ended(const Ring& from, const Ring& to, double k, double l, int degree) {
+  BezierRadius result;
+  for (int i = 0; 2 * i < degree; ++i) {
+    result.coefficients.push_back(from.radius + i * k * from.slope / degree);
+  }
+  for (int i = degree / 2; i >= 0; --i) {
+    result.coefficients.push_back(to.radius + i * l * to.slope / degree);
+  }
+  return result;
+}
+
+RingedSurface assembled(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                        double k, double l) {
   const HermiteSpine spine{from.center, to.center, k * from.normal, -l * to.normal};
-  if (law == BlendLaw::r2) {
+  const int degree = spine_degree(from, to, options);
+  if (degree > 3) {
+    return {flipped(from), flipped(to), degree == 5 ? quintic_spine(spine) : septic_spine(spine),
+            cone_ended(from, to, k, l, degree)};
+  }
+  if (options.radius_law == BlendLaw::r2) {
     return {flipped(from), flipped(to), spine, CyclideRadius{from.radius, to.radius}};
   }
   return {flipped(from), flipped(to), spine, CubicRadius{from.radius, to.radius}};
 }
 
 detail::BlendSearch search(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
-  const auto family = [=](double k, double l) {
-    return assembled(from, to, options.radius_law, k, l);
-  };
+  const auto family = [=](double k, double l) { return assembled(from, to, options, k, l); };
   return {family, (to.center - from.center).norm(), options.k, options.l};
 }
 
@@ -52,20 +73,28 @@ void validate(const Ring& from, const Ring& to, const CyclicBlendOptions& option
         Errc::invalid_argument,
         "the blend's margin must be at least 0 and less than 1, not " + decimal(options.margin));
   }
-  if (from.slope != 0 || to.slope != 0) {
-    throw Error(
-        Errc::invalid_argument,
-        "a cyclic blend needs ends of cylinders; a cone's end takes a spine of higher degree");
+  if (options.radius_law == BlendLaw::r2 && spine_degree(from, to, options) > 3) {
+    throw Error(Errc::invalid_argument,
+                "the radius law R2 goes with tangent continuity between cylinders only; take R1");
   }
   if (from.center == to.center) {
     throw Error(Errc::invalid_argument, "the blend's ends have the same centre; move them apart");
   }
 }
 
-BlendChoice certified(const Ring& from, const Ring& to, BlendLaw law, const detail::Trial& found) {
-  const RingedSurface surface = assembled(from, to, law, found.k, found.l);
-  return {found.k, found.l, found.energy, regularity(surface, {kCertificateWidth}).lower,
-          found.length};
+bool is_valid(const RingedSurface& surface, double margin) {
+  return smallest_radius(surface.radius) > 0 &&
+         prove_margin(surface, margin).verdict == Verdict::proved;
+}
+
+// A lower bound of the margin; minus infinity where the radius vanishes.
+BlendChoice certified(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                      const detail::Trial& found) {
+  const RingedSurface surface = assembled(from, to, options, found.k, found.l);
+  const double margin = smallest_radius(surface.radius) > 0
+                            ? regularity(surface, {kCertificateWidth}).lower
+                            : -std::numeric_limits<double>::infinity();
+  return {found.k, found.l, found.energy, margin, found.length};
 }
 
 // Coaxial ends: every speed gives a straight spine, so the one of constant speed is taken. Normals
@@ -73,13 +102,12 @@ BlendChoice certified(const Ring& from, const Ring& to, BlendLaw law, const deta
 std::optional<BlendChoice> straight_choice(const Ring& from, const Ring& to,
                                            const CyclicBlendOptions& options) {
   const double distance = (to.center - from.center).norm();
-  const Spine spine = assembled(from, to, options.radius_law, distance, distance).spine;
+  const Spine spine = assembled(from, to, options, distance, distance).spine;
   const double bend = 64 * std::numeric_limits<double>::epsilon();
   if (options.k || options.l || !(bending_energy(spine) * distance <= bend * bend)) {
     return std::nullopt;
   }
-  return certified(from, to, options.radius_law,
-                   {distance, distance, bending_energy(spine), length(spine)});
+  return certified(from, to, options, {distance, distance, bending_energy(spine), length(spine)});
 }
 
 std::optional<BlendChoice> feasible_choice(const Ring& from, const Ring& to,
@@ -97,7 +125,7 @@ std::optional<BlendChoice> feasible_choice(const Ring& from, const Ring& to,
     if (!found) {
       return std::nullopt;
     }
-    const BlendChoice choice = certified(from, to, options.radius_law, *found);
+    const BlendChoice choice = certified(from, to, options, *found);
     if (choice.margin >= options.margin) {
       return choice;
     }
@@ -129,20 +157,24 @@ std::string remedy(const Ring& from, const Ring& to, CyclicBlendOptions options)
   for (int digits = 4; digits <= 17; ++digits) {
     k = decimal(choice->k, digits);
     l = decimal(choice->l, digits);
-    const RingedSurface surface =
-        assembled(from, to, options.radius_law, std::stod(k), std::stod(l));
-    if (prove_margin(surface, options.margin).verdict == Verdict::proved) {
+    const RingedSurface surface = assembled(from, to, options, std::stod(k), std::stod(l));
+    if (is_valid(surface, options.margin)) {
       break;
     }
   }
   return "k = " + k + ", l = " + l + " works";
 }
 
-[[noreturn]] void refuse_irregular(const Ring& from, const Ring& to,
-                                   const CyclicBlendOptions& options,
-                                   const RingedSurface& surface) {
+[[noreturn]] void refuse(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                         const RingedSurface& surface) {
   const Regularity found = regularity(surface);
   const std::string speeds = "k = " + decimal(*options.k) + ", l = " + decimal(*options.l);
+  if (!(smallest_radius(surface.radius) > 0)) {
+    throw Error(Errc::irregular_surface,
+                "with " + speeds +
+                    " the blend's radius cannot follow the cones at its ends and stay positive; " +
+                    remedy(from, to, options));
+  }
   if (!found.stops.empty()) {
     const std::string where = "t = " + decimal(found.stops.front().from, 4);
     throw Error(Errc::irregular_surface,
@@ -167,11 +199,11 @@ RingedSurface cyclic_blend(const Ring& from, const Ring& to, const CyclicBlendOp
   validate(from, to, options);
   if (!options.k || !options.l) {
     const BlendChoice choice = choose_velocities(from, to, options);
-    return assembled(from, to, options.radius_law, choice.k, choice.l);
+    return assembled(from, to, options, choice.k, choice.l);
   }
-  const RingedSurface surface = assembled(from, to, options.radius_law, *options.k, *options.l);
-  if (prove_margin(surface, options.margin).verdict != Verdict::proved) {
-    refuse_irregular(from, to, options, surface);
+  const RingedSurface surface = assembled(from, to, options, *options.k, *options.l);
+  if (!is_valid(surface, options.margin)) {
+    refuse(from, to, options, surface);
   }
   return surface;
 }
@@ -187,7 +219,7 @@ BlendChoice choose_velocities(const Ring& from, const Ring& to, const CyclicBlen
 BlendChoice widest_velocities(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
   validate(from, to, options);
   if (const auto widest = search(from, to, options).largest_margin()) {
-    return certified(from, to, options.radius_law, *widest);
+    return certified(from, to, options, *widest);
   }
   refuse_infeasible(from, to, options);
 }

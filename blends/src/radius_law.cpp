@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include "bezier_jet.h"
 
 namespace dupin {
 namespace {
@@ -35,31 +38,31 @@ RadiusValue at(const CyclideRadius& law, double t) {
   return {radius, first, second};
 }
 
-std::vector<double> differences(const std::vector<double>& c) {
-  std::vector<double> result;
-  const auto degree = static_cast<double>(c.size() - 1);
-  for (std::size_t i = 0; i + 1 < c.size(); ++i) {
-    result.push_back(degree * (c[i + 1] - c[i]));
-  }
-  if (result.empty()) {
-    result.push_back(0);
-  }
-  return result;
-}
-
-double de_casteljau(std::vector<double> c, double t) {
-  for (std::size_t n = c.size(); n > 1; --n) {
-    for (std::size_t i = 0; i + 1 < n; ++i) {
-      c[i] = std::lerp(c[i], c[i + 1], t);
-    }
-  }
-  return c.front();
-}
-
 RadiusValue at(const BezierRadius& law, double t) {
-  const std::vector<double> first = differences(law.coefficients);
-  return {de_casteljau(law.coefficients, t), de_casteljau(first, t),
-          de_casteljau(differences(first), t)};
+  const auto [value, first, second, third] = detail::bezier_jet(law.coefficients, t);
+  return {value, first, second};
+}
+
+std::pair<double, double> extremes(const RadiusLaw& law) {
+  struct Visitor {
+    std::pair<double, double> operator()(const ConstantRadius& l) const {
+      return {l.radius, l.radius};
+    }
+    std::pair<double, double> operator()(const BezierRadius& l) const {
+      const auto [least, most] = std::minmax_element(l.coefficients.begin(), l.coefficients.end());
+      return {*least, *most};
+    }
+    std::pair<double, double> operator()(const LinearRadius& l) const {
+      return std::minmax(l.start, l.end);
+    }
+    std::pair<double, double> operator()(const CubicRadius& l) const {
+      return std::minmax(l.start, l.end);
+    }
+    std::pair<double, double> operator()(const CyclideRadius& l) const {
+      return std::minmax(l.start, l.end);
+    }
+  };
+  return std::visit(Visitor{}, law);
 }
 
 }  // namespace
@@ -68,17 +71,8 @@ RadiusValue evaluate(const RadiusLaw& law, double t) {
   return std::visit([t](const auto& l) { return at(l, t); }, law);
 }
 
-double largest_radius(const RadiusLaw& law) {
-  struct Visitor {
-    double operator()(const ConstantRadius& l) const { return l.radius; }
-    double operator()(const BezierRadius& l) const {
-      return *std::max_element(l.coefficients.begin(), l.coefficients.end());
-    }
-    double operator()(const LinearRadius& l) const { return std::max(l.start, l.end); }
-    double operator()(const CubicRadius& l) const { return std::max(l.start, l.end); }
-    double operator()(const CyclideRadius& l) const { return std::max(l.start, l.end); }
-  };
-  return std::visit(Visitor{}, law);
-}
+double largest_radius(const RadiusLaw& law) { return extremes(law).second; }
+
+double smallest_radius(const RadiusLaw& law) { return extremes(law).first; }
 
 }  // namespace dupin

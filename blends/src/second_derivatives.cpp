@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "dupin/kernel/error.h"
-#include "interval.h"
 #include "interval_bezier.h"
 
 namespace dupin {
@@ -12,12 +11,6 @@ namespace detail {
 namespace {
 
 const Interval kPi(std::numbers::pi, std::nextafter(std::numbers::pi, 4.0));
-
-/// Over an interval of t: the speed v = |y'|, |v'|, |T'| and the part of T'' across T.
-struct SpineBounds {
-  Interval speed;
-  double acceleration = 0, turning = 0, turning_change = 0;
-};
 
 SpineBounds bounds(const LineSpine& line, const Interval&) {
   return {norm(interval_vec(line.to) - interval_vec(line.from)), 0, 0, 0};
@@ -81,11 +74,6 @@ SpineBounds bounds(const BezierSpine& spine, const Interval& t) {
   return assembled(y1, y2, cross(y1, y2), cross(y3, y1), t);
 }
 
-/// Over an interval of t: the radius and the absolute values of its derivatives.
-struct RadiusBounds {
-  double value = 0, first = 0, second = 0;
-};
-
 RadiusBounds bounds(const ConstantRadius& law, const Interval&) { return {law.radius, 0, 0}; }
 
 RadiusBounds bounds(const LinearRadius& law, const Interval& t) {
@@ -146,15 +134,21 @@ RadiusBounds bounds(const CyclideRadius& law, const Interval& t) {
 
 }  // namespace
 
+SpineBounds spine_bounds(const Spine& spine, const Interval& t) {
+  return std::visit([&](const auto& s) { return bounds(s, t); }, spine);
+}
+
+RadiusBounds radius_bounds(const RadiusLaw& law, const Interval& t) {
+  return std::visit([&](const auto& l) { return bounds(l, t); }, law);
+}
+
 // In a rotation-minimising frame e' = -(e.T') T, hence (mathematics of [MS06] surfaces)
 //   x_tt = (v' - 2 R' e.T' - R e.T'') T + (v - R e.T') T' + R'' e,
 //   x_tu = -R (e_u.T') T + R' e_u,   x_uu = -R e.
 BandBounds band_bounds(const RingedSurface& surface, double from, double to) {
   const Interval t(from, to);
-  const SpineBounds y =
-      std::visit([&](const auto& spine) { return bounds(spine, t); }, surface.spine);
-  const RadiusBounds r =
-      std::visit([&](const auto& law) { return bounds(law, t); }, surface.radius);
+  const SpineBounds y = spine_bounds(surface.spine, t);
+  const RadiusBounds r = radius_bounds(surface.radius, t);
   const Interval radius = r.value, slope = r.first, turning = y.turning;
   const Interval along_axis = Interval(y.acceleration) + Interval(2) * slope * turning +
                               radius * Interval(y.turning_change);

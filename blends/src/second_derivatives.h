@@ -2,8 +2,25 @@
 
 #include "dupin/blends/ringed_surface.h"
 #include "dupin/blends/tessellate.h"
+#include "interval.h"
 
 namespace dupin::detail {
+
+/// Over an interval of t: the speed v = |y'|, and bounds of |v'|, |T'| and the part of T'' across
+/// T.
+struct SpineBounds {
+  Interval speed;
+  double acceleration = 0, turning = 0, turning_change = 0;
+};
+
+/// Over an interval of t: bounds of the radius and of the absolute values of its derivatives.
+struct RadiusBounds {
+  double value = 0, first = 0, second = 0;
+};
+
+/// Throws Error{irregular_surface} if the spine may stop in t.
+[[nodiscard]] SpineBounds spine_bounds(const Spine& spine, const Interval& t);
+[[nodiscard]] RadiusBounds radius_bounds(const RadiusLaw& law, const Interval& t);
 
 /// The bounds together with one of |T'|, the speed at which the spine turns.
 struct BandBounds {

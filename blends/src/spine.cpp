@@ -1,10 +1,10 @@
 #include "dupin/blends/spine.h"
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 
 #include <Eigen/Geometry>
+
+#include "bezier_jet.h"
 
 namespace dupin {
 namespace {
@@ -31,45 +31,10 @@ SpinePoint at(const HermiteSpine& h, double t) {
   return {position, t == 1 ? h.end_velocity : Vec3(a + t * (b + t * d)), b + 2 * t * d, 2 * d};
 }
 
-template <class T>
-T de_casteljau(std::vector<T> points, double t) {
-  for (std::size_t n = points.size(); n > 1; --n) {
-    for (std::size_t i = 0; i + 1 < n; ++i) {
-      points[i] = (1 - t) * points[i] + t * points[i + 1];
-    }
-  }
-  return points.front();
-}
-
-// The control points of the derivative; of a constant, a zero.
-template <class T>
-std::vector<T> hodograph(const std::vector<T>& points) {
-  std::vector<T> result;
-  const auto degree = static_cast<double>(points.size() - 1);
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    result.push_back(degree * (points[i + 1] - points[i]));
-  }
-  if (result.empty()) {
-    result.push_back(points.front() - points.front());
-  }
-  return result;
-}
-
-// A polynomial Bezier curve's value and first three derivatives.
-template <class T>
-std::array<T, 4> jet(std::vector<T> points, double t) {
-  std::array<T, 4> result;
-  for (T& derivative : result) {
-    derivative = de_casteljau(points, t);
-    points = hodograph(points);
-  }
-  return result;
-}
-
 SpinePoint at(const BezierSpine& bezier, double t) {
   SpinePoint y;
   if (bezier.weights.empty()) {
-    const auto [p, p1, p2, p3] = jet(bezier.points, t);
+    const auto [p, p1, p2, p3] = detail::bezier_jet(bezier.points, t);
     y = {p, p1, p2, p3};
   } else {
     std::vector<Vec3> weighted = bezier.points;
@@ -77,8 +42,8 @@ SpinePoint at(const BezierSpine& bezier, double t) {
       weighted[i] *= bezier.weights[i];
     }
     // With y = p / w, the derivatives of y w = p.
-    const auto [p, p1, p2, p3] = jet(weighted, t);
-    const auto [w, w1, w2, w3] = jet(bezier.weights, t);
+    const auto [p, p1, p2, p3] = detail::bezier_jet(weighted, t);
+    const auto [w, w1, w2, w3] = detail::bezier_jet(bezier.weights, t);
     y.position = p / w;
     y.first = (p1 - w1 * y.position) / w;
     y.second = (p2 - 2 * w1 * y.first - w2 * y.position) / w;

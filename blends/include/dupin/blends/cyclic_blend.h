@@ -10,11 +10,15 @@ namespace dupin {
 /// The radius laws of [MS06]: R1 is CubicRadius, R2 is CyclideRadius.
 enum class BlendLaw { r1, r2 };
 
+/// What the blend shares with its neighbours at the ends: tangent planes, or curvatures too.
+enum class Continuity { g1, g2 };
+
 struct CyclicBlendOptions {
   BlendLaw radius_law = BlendLaw::r1;
   std::optional<double> k = {};  ///< length of the spine's start velocity; none: chosen
   std::optional<double> l = {};  ///< length of the spine's end velocity; none: chosen
   double margin = 0.05;          ///< least acceptable min(1 - kappa R), in [0, 1)
+  Continuity continuity = Continuity::g1;
 };
 
 /// End speeds of a blend's spine and what they lead to.
@@ -25,16 +29,20 @@ struct BlendChoice {
   double length = 0;          ///< of the spine
 };
 
-/// A ringed surface with tangent planes continuous to cylinders at both ends [MS06].
+/// A ringed surface that goes on smoothly from cylinders or cones (rings with a slope) at both ends
+/// [MS06]. The spine has the least degree that does it: cubic for G1 between cylinders, quintic for
+/// G1 with a cone and for G2 between cylinders, septic for G2 with a cone (a cone also demands that
+/// the spine's end has no curvature). All but the cubic take a Bezier radius of the same degree,
+/// which is R1's role; R2 is for the cubic only.
 ///
 /// The rings are ports of the neighbours: normals point out of them, so that the blend leaves along
 /// from.normal and arrives against to.normal. The surface stores flipped(from) and flipped(to),
 /// bitwise. Speeds that are not given are chosen by choose_velocities.
 ///
-/// Throws Error{irregular_surface} where given speeds make the surface fold (parameter interval,
-/// missing margin, and speeds that would work), Error{infeasible_blend} where no speeds work (with
-/// the largest margin reachable), Error{invalid_argument} for bad numbers, rings of equal centre,
-/// and rings of cones.
+/// Throws Error{irregular_surface} where given speeds make the surface fold or the radius vanish
+/// (parameter interval, missing margin, and speeds that would work), Error{infeasible_blend} where
+/// no speeds work (with the largest margin reachable), Error{invalid_argument} for bad numbers,
+/// rings of equal centre, and R2 where it does not apply.
 [[nodiscard]] RingedSurface cyclic_blend(const Ring& from, const Ring& to,
                                          const CyclicBlendOptions& options = {});
 

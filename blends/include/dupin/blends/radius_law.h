@@ -51,4 +51,7 @@ struct RadiusValue {
 /// An upper bound of the radii on [0, 1]; attained by all laws but BezierRadius.
 [[nodiscard]] double largest_radius(const RadiusLaw& law);
 
+/// A lower bound of the radii on [0, 1]; attained by all laws but BezierRadius.
+[[nodiscard]] double smallest_radius(const RadiusLaw& law);
+
 }  // namespace dupin
