@@ -218,10 +218,9 @@ const std::vector<Malformed>& senseless() {
        kBad},
       {pipe_and(R"({"name": "c", "cone": {"from": "a.end", "length": 2, "end_radius": 2}},
                    {"name": "b", "pipe": {"from": [15, 3, 0], "to": [20, 3, 0], "radius": 2}},
-                   {"name": "d", "cyclic_blend": {"from": "c.end", "to": "b.start", "radius_law": "R1", "k": 5, "l": 5}})"),
+                   {"name": "d", "cyclic_blend": {"from": "c.end", "to": "b.start", "radius_law": "R2", "k": 5, "l": 5}})"),
        "d.json#/parts/3",
-       "'d': a cyclic blend needs ends of cylinders; a cone's end takes a spine of higher degree",
-       kBad},
+       "'d': the radius law R2 goes with tangent continuity between cylinders only; take R1", kBad},
   };
   return rows;
 }
