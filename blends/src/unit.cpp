@@ -13,14 +13,14 @@ namespace {
 struct UnitRow {
   Unit unit;
   std::string_view symbol;
-  double millimetres;
+  double tenths;  // of a millimetre: whole numbers, so that conversions round once or twice
 };
 
-constexpr std::array<UnitRow, 5> kUnits{{{Unit::millimetre, "mm", 1},
-                                         {Unit::centimetre, "cm", 10},
-                                         {Unit::metre, "m", 1000},
-                                         {Unit::inch, "in", 25.4},
-                                         {Unit::foot, "ft", 304.8}}};
+constexpr std::array<UnitRow, 5> kUnits{{{Unit::millimetre, "mm", 10},
+                                         {Unit::centimetre, "cm", 100},
+                                         {Unit::metre, "m", 10000},
+                                         {Unit::inch, "in", 254},
+                                         {Unit::foot, "ft", 3048}}};
 
 const UnitRow& row(Unit unit) { return kUnits.at(static_cast<std::size_t>(unit)); }
 
@@ -40,7 +40,7 @@ Unit unit_from(std::string_view symbol) {
               "the unit must be mm, cm, m, in or ft, not " + quoted(symbol));
 }
 
-double millimetres(Unit unit) { return row(unit).millimetres; }
+double millimetres(Unit unit) { return row(unit).tenths / 10; }
 
 double parse_length(std::string_view text, Unit unit) {
   double value = 0;
@@ -57,7 +57,7 @@ double parse_length(std::string_view text, Unit unit) {
   if (suffix.empty()) {
     return value;
   }
-  return value * millimetres(unit_from(suffix)) / millimetres(unit);
+  return value * row(unit_from(suffix)).tenths / row(unit).tenths;
 }
 
 }  // namespace dupin

@@ -1,0 +1,234 @@
+#include "dupin/blends/assembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/blends/resolve.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+PortReference start_of(const std::string& part) { return {part, PartEnd::start}; }
+PortReference end_of(const std::string& part) { return {part, PartEnd::end}; }
+
+ResolvedAssembly resolved(std::vector<Part> parts) {
+  return resolve({"", Unit::millimetre, 0.05, {}, std::move(parts)});
+}
+
+const RingedSurface& surface(const ResolvedAssembly& assembly, std::size_t part) {
+  return std::get<RingedSurface>(assembly.parts.at(part).shape);
+}
+
+// A chain of all kinds of parts that begin at ports, from a place in general position.
+std::vector<Part> chain(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto vector = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
+  return {{"a", PipeAlong{Place{100 * vector(), vector(), 1}, 5}},
+          {"b", ElbowTurning{end_of("a"), 3, 1 + uniform(random), vector()}},
+          {"c", PipeAlong{end_of("b"), 2}},
+          {"d", ConeAlong{end_of("c"), 3, 1.5}},
+          {"e", PipeAlong{end_of("d"), 2}},
+          {"f", ElbowTurning{end_of("e"), 4, kPi / 2, vector()}},
+          {"g", PipeAlong{start_of("a"), 2}}};
+}
+
+TEST(Resolve, shares_rings_bitwise) {
+  std::mt19937_64 random(20303);
+  for (int i = 0; i < 100; ++i) {
+    const auto assembly = resolved(chain(random));
+    int joints = 0;
+    for (std::size_t part = 0; part < assembly.parts.size(); ++part) {
+      for (const auto end : {PartEnd::start, PartEnd::end}) {
+        const auto& joined = assembly.parts[part].joined.at(end == PartEnd::start ? 0 : 1);
+        if (!joined) {
+          continue;
+        }
+        ++joints;
+        const auto ring = [&](std::size_t index, PartEnd which) {
+          return which == PartEnd::start ? surface(assembly, index).start
+                                         : surface(assembly, index).end;
+        };
+        EXPECT_EQ(ring(part, end), flipped(ring(joined->part, joined->end)));
+      }
+    }
+    EXPECT_EQ(joints, 12);
+  }
+}
+
+TEST(Resolve, spines_and_laws_agree_with_the_stored_rings) {
+  std::mt19937_64 random(20304);
+  for (int i = 0; i < 100; ++i) {
+    const auto assembly = resolved(chain(random));
+    for (std::size_t part = 0; part < assembly.parts.size(); ++part) {
+      const auto& s = surface(assembly, part);
+      const SpinePoint from = evaluate(s.spine, 0), to = evaluate(s.spine, 1);
+      // A few units in the last place of coordinates of 100.
+      constexpr double kClose = 1e-12;
+      EXPECT_LT((from.position - s.start.center).norm(), kClose);
+      EXPECT_LT((to.position - s.end.center).norm(), kClose);
+      EXPECT_LT((from.first.normalized() + s.start.normal).norm(), kClose);
+      EXPECT_LT((to.first.normalized() - s.end.normal).norm(), kClose);
+      EXPECT_EQ(evaluate(s.radius, 0).value, s.start.radius);
+      EXPECT_EQ(evaluate(s.radius, 1).value, s.end.radius);
+    }
+  }
+}
+
+TEST(Resolve, does_not_depend_on_the_order_of_parts) {
+  std::mt19937_64 random(20305);
+  auto parts = chain(random);
+  const auto forward = resolved(parts);
+  std::reverse(parts.begin(), parts.end());
+  const auto backward = resolved(parts);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::size_t mirrored = parts.size() - 1 - i;
+    EXPECT_EQ(forward.parts[i].name, backward.parts[mirrored].name);
+    EXPECT_EQ(surface(forward, i).start, surface(backward, mirrored).start);
+    EXPECT_EQ(surface(forward, i).end, surface(backward, mirrored).end);
+  }
+}
+
+TEST(Resolve, turns_elbows_exactly_by_quarter_turns) {
+  for (int quarters = 1; quarters <= 3; ++quarters) {
+    const auto assembly = resolved({{"a", ElbowTurning{Place{Vec3::Zero(), Vec3::UnitX(), 1}, 3,
+                                                       quarters * kPi / 2, Vec3::UnitY()}}});
+    const Vec3 centers[] = {Vec3(3, 3, 0), Vec3(0, 6, 0), Vec3(-3, 3, 0)};
+    const Vec3 normals[] = {Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0)};
+    EXPECT_EQ(surface(assembly, 0).end.center, centers[quarters - 1]);
+    EXPECT_EQ(surface(assembly, 0).end.normal, normals[quarters - 1]);
+  }
+}
+
+TEST(Resolve, an_elbow_to_a_point_is_the_tangent_arc) {
+  std::mt19937_64 random(20306);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 direction = Vec3(uniform(random), uniform(random), uniform(random)).normalized();
+    const Vec3 toward(uniform(random), uniform(random), uniform(random));
+    const double angle = 0.1 + 3 * (1 + uniform(random));
+    const auto turned =
+        resolved({{"a", ElbowTurning{Place{Vec3(1, 2, 3), direction, 1}, 5, angle, toward}}});
+    const Ring expected = surface(turned, 0).end;
+    const auto led =
+        resolved({{"a", ElbowTo{Place{Vec3(1, 2, 3), direction, 1}, expected.center}}});
+    const auto& arc = std::get<ArcSpine>(surface(led, 0).spine);
+    EXPECT_EQ(surface(led, 0).end.center, expected.center);
+    EXPECT_LT((surface(led, 0).end.normal - expected.normal).norm(), 1e-11);
+    EXPECT_NEAR(arc.angle, angle, 1e-11);
+    EXPECT_NEAR((arc.start - arc.center).norm(), 5, 1e-9);
+  }
+}
+
+TEST(Resolve, an_elbow_round_a_corner_ends_along_its_second_leg) {
+  const auto assembly = resolved(
+      {{"a", PipeBetween{Vec3(-5, 0, 0), Vec3(0, 0, 0), 1}},
+       {"b", ElbowCorner{end_of("a"), Vec3(3, 0, 0), Vec3(3, 0, 3)}},
+       {"c", ElbowCorner{end_of("b"), Vec3(3, 0, 6.01), Vec3(1.5, 1.5, 6.01 + std::sqrt(4.5))}}});
+  EXPECT_EQ(surface(assembly, 1).end, (Ring{Vec3(3, 0, 3), Vec3(0, 0, 1), 1, 0}));
+  EXPECT_DOUBLE_EQ(std::get<ArcSpine>(surface(assembly, 1).spine).angle, kPi / 2);
+  // The legs of 3.01 and 3 leave the end 0.01 short along the first.
+  EXPECT_LT((surface(assembly, 2).end.center - Vec3(1.5, 1.5, 6 + std::sqrt(4.5))).norm(), 1e-14);
+  EXPECT_LT((surface(assembly, 2).end.normal - Vec3(-0.5, 0.5, std::sqrt(0.5))).norm(), 1e-15);
+}
+
+TEST(Resolve, cones_know_their_half_angle) {
+  const auto assembly = resolved(
+      {{"a", ConeBetween{Vec3(0, 0, 0), Vec3(4, 0, 0), 1, 3}}, {"b", PipeAlong{end_of("a"), 2}}});
+  EXPECT_EQ(surface(assembly, 0).start.slope, -0.5);
+  EXPECT_EQ(surface(assembly, 0).end.slope, 0.5);
+  EXPECT_EQ(surface(assembly, 1).start.slope, -0.5);  // the shared ring's
+  EXPECT_EQ(surface(assembly, 1).end.slope, 0);
+}
+
+TEST(Resolve, names_ends_after_caps_or_ports) {
+  const auto assembly = resolved({{"a", PipeBetween{Vec3(0, 0, 0), Vec3(4, 0, 0), 1}},
+                                  {"lid", CapAt{start_of("a")}},
+                                  {"b", SphereAt{Vec3(9, 9, 9), 1}}});
+  ASSERT_EQ(assembly.parts.size(), 2U);
+  EXPECT_EQ(assembly.parts[0].end_names[0], "lid");
+  EXPECT_EQ(assembly.parts[0].end_names[1], "a.end");
+  EXPECT_EQ(assembly.parts[1].index, 2U);
+  std::vector<std::string> names;
+  for (const auto& port : ports(assembly)) {
+    names.push_back(port.name);
+  }
+  EXPECT_THAT(names, testing::ElementsAre("a.start", "a.end"));
+}
+
+TEST(Resolve, refuses_numbers_that_are_not) {
+  const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+  const std::pair<PartShape, std::string> rows[] = {
+      {PipeBetween{Vec3(0, 0, nan), Vec3(4, 0, 0), 1}, "/parts/0/pipe/from"},
+      {PipeBetween{Vec3(0, 0, 0), Vec3(infinity, 0, 0), 1}, "/parts/0/pipe/to"},
+      {PipeBetween{Vec3(0, 0, 0), Vec3(4, 0, 0), nan}, "/parts/0/pipe/radius"},
+      {PipeAlong{Place{Vec3(0, 0, 0), Vec3(nan, 0, 0), 1}, 1}, "/parts/0/pipe/direction"},
+      {ElbowTurning{Place{Vec3(0, 0, 0), Vec3(1, 0, 0), 1}, 3, nan, Vec3(0, 1, 0)},
+       "/parts/0/elbow/angle"},
+      {SphereAt{Vec3(0, -infinity, 0), 1}, "/parts/0/sphere/center"},
+  };
+  for (const auto& [shape, where] : rows) {
+    try {
+      (void)resolved({{"a", shape}});
+      ADD_FAILURE() << where;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::invalid_argument);
+      EXPECT_EQ(error.part(), "a");
+      EXPECT_EQ(error.where(), where);
+    }
+  }
+}
+
+TEST(Unit, reads_lengths_as_people_type_them) {
+  EXPECT_EQ(parse_length("0.05", Unit::inch), 0.05);
+  EXPECT_EQ(parse_length("1mm", Unit::millimetre), 1);
+  EXPECT_EQ(parse_length("0.5in", Unit::millimetre), 12.7);
+  EXPECT_EQ(parse_length("25.4mm", Unit::inch), 1);
+  EXPECT_EQ(parse_length("1e-3m", Unit::millimetre), 1);
+  EXPECT_EQ(parse_length("2ft", Unit::inch), 24);
+  EXPECT_EQ(parse_length("3cm", Unit::metre), 0.03);
+  const std::pair<std::string, std::string> rows[] = {
+      {"", "'' is not a length such as 0.05, 1mm or 0.5in"},
+      {"mm", "'mm' is not a length such as 0.05, 1mm or 0.5in"},
+      {"nan", "'nan' is not a length such as 0.05, 1mm or 0.5in"},
+      {"inf", "'inf' is not a length such as 0.05, 1mm or 0.5in"},
+      {"1e999", "'1e999' is not a length such as 0.05, 1mm or 0.5in"},
+      {"-1mm", "a length must be positive, not '-1mm'"},
+      {"0", "a length must be positive, not '0'"},
+      {"1 mm", "the unit must be mm, cm, m, in or ft, not ' mm'"},
+      {"1parsec", "the unit must be mm, cm, m, in or ft, not 'parsec'"},
+  };
+  for (const auto& [text, message] : rows) {
+    try {
+      (void)parse_length(text, Unit::millimetre);
+      ADD_FAILURE() << text;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.message(), message);
+      EXPECT_EQ(error.code(), Errc::invalid_argument);
+    }
+  }
+}
+
+TEST(Unit, names_and_symbols_go_round) {
+  for (const auto unit :
+       {Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch, Unit::foot}) {
+    EXPECT_EQ(unit_from(symbol(unit)), unit);
+  }
+  EXPECT_EQ(millimetres(Unit::inch), 25.4);
+  EXPECT_EQ(millimetres(Unit::foot), 304.8);
+}
+
+}  // namespace
+}  // namespace dupin
