@@ -104,6 +104,7 @@ TEST(Build, makes_one_solid_of_every_reducer) {
       {"straight-reducer.json", 617.726875485855916 + 4 * kPi + 324 * kPi},
       {"straight-reducer-r2.json", 150 * kPi + 4 * kPi + 324 * kPi},
       {"coplanar.json", smooth_volume(resolve(example("coplanar.json")))},
+      {"cone-to-pipe.json", smooth_volume(resolve(example("cone-to-pipe.json")))},
       {"u-bend.json", 713.7864803597 + 40 * kPi + 160 * kPi},
   };
   for (const auto& row : rows) {

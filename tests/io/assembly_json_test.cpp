@@ -121,6 +121,9 @@ const std::vector<Malformed>& unreadable() {
            R"({"name": "c", "cyclic_blend": {"from": "a.end", "to": "b.start", "radius_law": "R3", "k": 1, "l": 1}})"),
        "d.json#/parts/1/cyclic_blend/radius_law", "must be \"R1\" or \"R2\", not \"R3\""},
       {pipe_and(
+           R"({"name": "c", "cyclic_blend": {"from": "a.end", "to": "b.start", "radius_law": "R1", "k": 1, "l": 1, "continuity": "C2"}})"),
+       "d.json#/parts/1/cyclic_blend/continuity", "must be \"G1\" or \"G2\", not \"C2\""},
+      {pipe_and(
            R"({"name": "c", "cyclic_blend": {"from": "a.end", "to": "b.start", "radius_law": "R1", "k": 1, "l": "best"}})"),
        "d.json#/parts/1/cyclic_blend/l", "must be a number or \"auto\""},
       {pipe_and(
