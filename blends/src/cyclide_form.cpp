@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include <Eigen/Geometry>
-#include <boost/math/quadrature/gauss.hpp>
 
 #include "complementary_sphere.h"
 #include "dupin/kernel/error.h"
+#include "quadrature.h"
 
 namespace dupin {
 namespace {
@@ -39,12 +39,7 @@ double integrate(const PeArc& arc, Function f) {
   // The integrand has its poles where the weight vanishes, the nearer to [0, 1] the more the arc
   // turns: pieces by turning.
   const int pieces = arc.w() >= 0 ? 2 : 8 + static_cast<int>(8 / (1 + arc.w()));
-  double sum = 0;
-  for (int i = 0; i < pieces; ++i) {
-    sum += boost::math::quadrature::gauss<double, 30>::integrate(
-        integrand, static_cast<double>(i) / pieces, static_cast<double>(i + 1) / pieces);
-  }
-  return sum;
+  return detail::integral(integrand, detail::gauss_panels(pieces));
 }
 
 Vec3 any_orthogonal(const Vec3& axis) {
