@@ -27,7 +27,7 @@ void check_pipe(benchmark::State& state) {
   const Report report = check(mesh);
   bench::require(report.is_solid() && report.components == 1 && report.genus == 0, "topology");
   bench::require(std::abs(report.volume / volume_of_pipe(mesh) - 1) < 1e-4, "volume");
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto iteration : state) {
     benchmark::DoNotOptimize(check(mesh));
   }
   bench::report(state, mesh.triangles.size());
@@ -36,7 +36,7 @@ void check_pipe(benchmark::State& state) {
 void establish_pipe(benchmark::State& state) {
   const TriMesh mesh = pipe_of(state.range(0));
   bench::require(Solid::from(mesh).triangle_count() == mesh.triangles.size(), "triangles");
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto iteration : state) {
     benchmark::DoNotOptimize(Solid::from(mesh));
   }
   bench::report(state, mesh.triangles.size());
@@ -44,7 +44,7 @@ void establish_pipe(benchmark::State& state) {
 
 void exact_volume(benchmark::State& state) {
   const Solid solid = Solid::from(pipe_of(state.range(0)));
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto iteration : state) {
     benchmark::DoNotOptimize(solid.exact_volume());
   }
   bench::report(state, solid.triangle_count());

@@ -35,7 +35,7 @@ dupin::TriMesh torus() {
 
 void write_bench(benchmark::State& state, dupin::MeshFormat format) {
   const dupin::TriMesh mesh = torus();
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto iteration : state) {
     benchmark::DoNotOptimize(dupin::mesh_bytes(mesh, format));
   }
   state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
@@ -44,7 +44,7 @@ void write_bench(benchmark::State& state, dupin::MeshFormat format) {
 void read_bench(benchmark::State& state, dupin::MeshFormat format) {
   const dupin::TriMesh mesh = torus();
   const std::string bytes = dupin::mesh_bytes(mesh, format);
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto iteration : state) {
     const dupin::TriMesh read_back = dupin::read_mesh(bytes, "torus", format);
     if (read_back.triangles.size() != mesh.triangles.size() ||
         read_back.points.size() != mesh.points.size()) {

@@ -28,7 +28,7 @@ void tee(benchmark::State& state) {
       Solid::from(bench::lying(bench::pipe(1, 0, 10, segments, 4), 0.3))};
   const Solid united = unite(pipes);
   require_volume(united, pipes, intersect(pipes).exact_volume());
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto iteration : state) {
     benchmark::DoNotOptimize(unite(pipes));
   }
   bench::report(state, pipes[0].triangle_count() + pipes[1].triangle_count());
@@ -47,7 +47,7 @@ void header(benchmark::State& state) {
     triangles += pipes.back().triangle_count();
   }
   require_volume(unite(pipes), pipes, overlaps);
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto iteration : state) {
     benchmark::DoNotOptimize(unite(pipes));
   }
   bench::report(state, triangles);

@@ -7,7 +7,7 @@
 #include "edge_table.h"
 #include "exact.h"
 #include "mesh_pair.h"
-#include "orientation.h"
+#include "exact_vector.h"
 
 namespace dupin::detail {
 namespace {

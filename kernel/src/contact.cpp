@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "edge_table.h"
+#include "exact_vector.h"
 #include "identical_points.h"
-#include "orientation.h"
 
 namespace dupin::detail {
 namespace {

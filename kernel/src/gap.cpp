@@ -3,7 +3,7 @@
 #include <array>
 
 #include "exact.h"
-#include "orientation.h"
+#include "exact_vector.h"
 
 namespace dupin {
 namespace {

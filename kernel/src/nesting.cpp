@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "orientation.h"
+#include "exact_vector.h"
 
 namespace dupin::detail {
 namespace {

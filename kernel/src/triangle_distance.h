@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "orientation.h"
+#include "exact_vector.h"
 
 namespace dupin::detail {
 

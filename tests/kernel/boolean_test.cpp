@@ -151,7 +151,7 @@ TriMesh pipe(const Ring& from, const Ring& to, const RingSampling& sampling) {
 
 TEST(Boolean, a_chain_of_parts_that_share_rings_becomes_one_part) {
   const Vec3 axis = Vec3(1, 2, 3).normalized();
-  constexpr std::uint32_t kSegments = 16;
+  constexpr std::size_t kSegments = 16;
   constexpr std::size_t kParts = 12;
   const RingSampling sampling{kSegments, 0.37, 0};
   std::vector<Solid> parts;

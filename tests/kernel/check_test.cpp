@@ -194,20 +194,11 @@ TEST(Check, reports_shells_and_their_nesting) {
   const Report report = check(apart);
   ASSERT_TRUE(report.is_solid());
   ASSERT_EQ(report.shells.size(), 4U);
-  const struct {
-    std::uint32_t first_face;
-    std::size_t triangles;
-    double volume;
-    int depth;
-    std::int64_t euler_number;
-  } expected[] = {{0, 12, 729, 0, 2}, {12, 12, -343, 1, 2}, {24, 12, 8, 2, 2}, {36, 32, 64, 0, 0}};
+  const ShellReport expected[] = {
+      {0, 12, 729, 0, 2}, {12, 12, -343, 1, 2}, {24, 12, 8, 2, 2}, {36, 32, 64, 0, 0}};
   for (std::size_t i = 0; i < 4; ++i) {
     SCOPED_TRACE(i);
-    EXPECT_EQ(report.shells[i].first_face, expected[i].first_face);
-    EXPECT_EQ(report.shells[i].triangles, expected[i].triangles);
-    EXPECT_EQ(report.shells[i].volume, expected[i].volume);
-    EXPECT_EQ(report.shells[i].depth, expected[i].depth);
-    EXPECT_EQ(report.shells[i].euler_number, expected[i].euler_number);
+    EXPECT_EQ(report.shells[i], expected[i]);
   }
   EXPECT_EQ(report.components, 3U);
   EXPECT_EQ(report.euler_number, 6);

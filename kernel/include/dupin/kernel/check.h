@@ -42,6 +42,7 @@ struct ShellReport {
   double volume = 0;  ///< signed
   int depth = 0;      ///< number of shells around it; 0 unless all are closed and free of faults
   std::int64_t euler_number = 0;  ///< a point at which its faces form two fans counts twice
+  friend bool operator==(const ShellReport&, const ShellReport&) = default;
 };
 
 /// One sentence without a full stop, with indices, labels and coordinates, for people.
