@@ -1,0 +1,89 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dupin/blends/assembly.h"
+#include "dupin/blends/build.h"
+#include "dupin/blends/unit.h"
+#include "dupin/kernel/check.h"
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/gap.h"
+#include "dupin/kernel/mesh.h"
+#include "dupin/kernel/mesh_gap.h"
+#include "dupin/kernel/rounding.h"
+#include "dupin/kernel/solid.h"
+
+namespace dupin {
+
+/// What a mesh file that was written holds, and how it came to.
+struct OutputReport {
+  std::string file;
+  std::string format;             ///< for people, "binary STL"
+  RoundingReport rounding;        ///< of exact coordinates to the file's
+  Report check;                   ///< of the file as read back
+  std::vector<Contact> contacts;  ///< where the solid touches itself
+};
+
+struct Box {
+  Vec3 low, high;
+};
+
+/// Smallest and largest coordinates; none for a mesh without points.
+[[nodiscard]] std::optional<Box> bounding_box(const TriMesh& mesh);
+
+/// A mesh file, as it was read.
+struct MeshSummary {
+  std::string file;
+  TriMesh mesh;
+  Report check;  ///< without self-intersections
+};
+
+/// How the ends of an assembly fit.
+struct GapSummary {
+  std::string file;
+  Unit unit = Unit::millimetre;
+  double connect = 0;  ///< ends up to this far apart were taken to belong together
+  std::vector<Port> ports;
+  std::vector<GapPair> pairs;
+
+  /// Pairs that are neither welded nor open.
+  [[nodiscard]] std::size_t findings() const;
+};
+
+/// How two mesh files fit, or one by itself (then `file_b` is empty).
+struct MeshGapSummary {
+  std::string file_a, file_b;
+  double connect = 0;
+  MeshGapReport report;
+
+  /// Boundary loops, slits, and a union that falls apart.
+  [[nodiscard]] std::size_t findings() const;
+};
+
+/// A document that was built and written.
+struct BuildReport {
+  std::vector<PartReport> parts;
+  std::size_t runs = 0, pieces = 0;
+  double grid = 0;
+  OutputReport output;
+  GapSummary gaps;
+};
+
+/// JSON objects, indented by two, without a final line break; keys as in docs/cli.md. Numbers are
+/// the shortest decimals that read back to the same double, null where not finite. Always the same
+/// text for the same value.
+[[nodiscard]] std::string to_json(const Report& report);
+[[nodiscard]] std::string to_json(const OutputReport& report);
+[[nodiscard]] std::string to_json(const MeshSummary& summary);
+/// What the document says, not what becomes of it.
+[[nodiscard]] std::string to_json(const Assembly& assembly);
+[[nodiscard]] std::string to_json(const GapSummary& summary);
+[[nodiscard]] std::string to_json(const MeshGapSummary& summary);
+[[nodiscard]] std::string to_json(const BuildReport& report);
+/// `kind` is the error's name for programs, usually name(error.code()).
+[[nodiscard]] std::string error_json(const Error& error, std::string_view kind, int exit_code);
+
+}  // namespace dupin

@@ -1,0 +1,54 @@
+#include "dupin/io/report_json.h"
+#include "json_forms.h"
+
+namespace dupin {
+namespace json_forms {
+namespace {
+
+Json number_or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json part_form(const PartReport& part) {
+  return {{"name", part.name},
+          {"kind", part.kind},
+          {"margin_lower", number_or_null(part.margin_lower)},
+          {"margin_upper", number_or_null(part.margin_upper)},
+          {"start_tangency", number_or_null(part.start_tangency)},
+          {"end_tangency", number_or_null(part.end_tangency)},
+          {"error_bound", part.error_bound},
+          {"segments", part.segments},
+          {"bands", part.bands},
+          {"triangles", part.triangles}};
+}
+
+}  // namespace
+}  // namespace json_forms
+
+std::string to_json(const Assembly& assembly) {
+  json_forms::Json parts = json_forms::Json::array();
+  for (const Part& part : assembly.parts) {
+    parts.push_back({{"name", part.name}, {"kind", kind(part.shape)}});
+  }
+  return json_forms::text({{"file", assembly.source},
+                           {"kind", "assembly"},
+                           {"unit", symbol(assembly.unit)},
+                           {"tolerance", assembly.tolerance},
+                           {"parts", parts}});
+}
+
+std::string to_json(const BuildReport& report) {
+  json_forms::Json parts = json_forms::Json::array();
+  for (const PartReport& part : report.parts) {
+    parts.push_back(json_forms::part_form(part));
+  }
+  return json_forms::text({{"unit", symbol(report.gaps.unit)},
+                           {"runs", report.runs},
+                           {"pieces", report.pieces},
+                           {"grid", report.grid},
+                           {"parts", parts},
+                           {"output", json_forms::form(report.output)},
+                           {"gaps", json_forms::form(report.gaps)}});
+}
+
+}  // namespace dupin

@@ -1,0 +1,133 @@
+#include "dupin/io/report_json.h"
+
+#include "json_forms.h"
+
+namespace dupin {
+namespace json_forms {
+namespace {
+
+using json_forms::form;  // not hidden by the ones below
+
+Json form(const Finding& finding) {
+  return {{"defect", name(finding.defect)},
+          {"faces", finding.faces},
+          {"points", finding.points},
+          {"place", form(finding.place)}};
+}
+
+Json form(const ShellReport& shell) {
+  return {{"first_face", shell.first_face},
+          {"triangles", shell.triangles},
+          {"volume", shell.volume},
+          {"depth", shell.depth},
+          {"euler_number", shell.euler_number}};
+}
+
+Json form(const RoundingReport& rounding) {
+  return {{"coordinates", rounding.coordinates == Coordinates::binary64 ? "binary64" : "binary32"},
+          {"origin", form(rounding.origin)},
+          {"moved_points", rounding.moved},
+          {"largest_move", rounding.largest_move},
+          {"repair_reach", rounding.repair_reach},
+          {"removed_triangles", rounding.removed_triangles},
+          {"removed_shells", rounding.removed_shells}};
+}
+
+Json form(const Contact& contact) {
+  return {{"kind", contact.kind == Contact::Kind::vertex ? "vertex" : "edge"},
+          {"from", form(contact.from)},
+          {"to", form(contact.to)},
+          {"names", contact.names}};
+}
+
+template <class Value>
+Json list(const std::vector<Value>& values) {
+  Json forms = Json::array();
+  for (const Value& value : values) {
+    forms.push_back(form(value));
+  }
+  return forms;
+}
+
+/// Only the defects that occur.
+Json counts_form(const Report& report) {
+  Json counts = Json::object();
+  for (std::size_t index = 0; index < report.counts.size(); ++index) {
+    if (report.counts[index] > 0) {
+      counts[std::string(name(static_cast<Defect>(index)))] = report.counts[index];
+    }
+  }
+  return counts;
+}
+
+}  // namespace
+
+Json form(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
+
+Json form(const Report& report) {
+  return {{"points", report.points},
+          {"triangles", report.triangles},
+          {"solid", report.is_solid()},
+          {"watertight", report.closed()},
+          {"components", report.components},
+          {"euler_number", report.euler_number},
+          {"genus", report.genus},
+          {"volume", report.volume},
+          {"area", report.area},
+          {"counts", counts_form(report)},
+          {"findings", list(report.findings)},
+          {"shells", list(report.shells)}};
+}
+
+Json form(const OutputReport& report) {
+  return {{"file", report.file},
+          {"format", report.format},
+          {"rounding", form(report.rounding)},
+          {"contacts", list(report.contacts)},
+          {"check", form(report.check)}};
+}
+
+std::string text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace json_forms
+
+std::optional<Box> bounding_box(const TriMesh& mesh) {
+  if (mesh.points.empty()) {
+    return std::nullopt;
+  }
+  Box box{mesh.points.front(), mesh.points.front()};
+  for (const Vec3& point : mesh.points) {
+    box.low = box.low.cwiseMin(point);
+    box.high = box.high.cwiseMax(point);
+  }
+  return box;
+}
+
+std::string to_json(const Report& report) { return json_forms::text(json_forms::form(report)); }
+
+std::string to_json(const OutputReport& report) {
+  return json_forms::text(json_forms::form(report));
+}
+
+std::string to_json(const MeshSummary& summary) {
+  json_forms::Json form{{"file", summary.file}, {"kind", "mesh"}};
+  form["names"] = summary.mesh.names;
+  if (const auto box = bounding_box(summary.mesh)) {
+    form["box"] = {json_forms::form(box->low), json_forms::form(box->high)};
+  }
+  form["check"] = json_forms::form(summary.check);
+  return json_forms::text(form);
+}
+
+std::string error_json(const Error& error, std::string_view kind, int exit_code) {
+  return json_forms::text({{"error",
+                            {{"code", kind},
+                             {"exit", exit_code},
+                             {"message", error.message()},
+                             {"part", error.part()},
+                             {"where", error.where()}}}});
+}
+
+}  // namespace dupin

@@ -1,0 +1,95 @@
+#include "dupin/io/report_json.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/shapes.h"
+
+namespace dupin::test {
+namespace {
+
+using nlohmann::json;
+
+TEST(ReportJson, numbers_read_back_to_the_same_double) {
+  Report report = check(box({0, 0, 0}, {1, 1, 1}));
+  for (const double value : {0.1, 1.0 / 3, 1e-300, std::numeric_limits<double>::denorm_min()}) {
+    report.volume = value;
+    EXPECT_EQ(json::parse(to_json(report)).at("volume"), value);
+  }
+}
+
+TEST(ReportJson, numbers_that_are_not_finite_are_null) {
+  Report report = check(box({0, 0, 0}, {1, 1, 1}));
+  report.area = std::numeric_limits<double>::infinity();
+  report.volume = std::numeric_limits<double>::quiet_NaN();
+  const json parsed = json::parse(to_json(report));
+  EXPECT_TRUE(parsed.at("area").is_null());
+  EXPECT_TRUE(parsed.at("volume").is_null());
+}
+
+TEST(ReportJson, names_that_are_no_utf8_do_not_break_it) {
+  OutputReport report;
+  report.file = "a\xff.off";
+  report.check = check(box({0, 0, 0}, {1, 1, 1}));
+  EXPECT_EQ(json::parse(to_json(report)).at("file"), "a\xef\xbf\xbd.off");
+}
+
+TEST(ReportJson, points_are_lists_of_three_even_beside_strings) {
+  OutputReport report;
+  report.check = check(box({0, 0, 0}, {1, 1, 1}));
+  report.contacts.push_back({Contact::Kind::edge, {1, 2, 3}, {4, 5, 6}, {"a", "b"}});
+  const json contact = json::parse(to_json(report)).at("contacts").at(0);
+  EXPECT_EQ(contact.at("from"), json::parse("[1, 2, 3]"));
+  EXPECT_EQ(contact.at("to"), json::parse("[4, 5, 6]"));
+  EXPECT_EQ(contact.at("names"), json::parse(R"(["a", "b"])"));
+}
+
+TEST(ReportJson, only_defects_that_occur_are_counted) {
+  TriMesh mesh = box({0, 0, 0}, {1, 1, 1});
+  mesh.triangles.pop_back();
+  const json parsed = json::parse(to_json(check(mesh)));
+  EXPECT_EQ(parsed.at("counts"), json::parse(R"({"boundary_edge": 3})"));
+  EXPECT_EQ(parsed.at("solid"), false);
+  EXPECT_EQ(parsed.at("watertight"), false);
+}
+
+TEST(ReportJson, gaps_keep_their_rationals) {
+  const Ring end{{0, 0, 0}, {0, 0, 1}, 1, 0};
+  Ring start = flipped(end);
+  start.center.z() = 0.5;
+  start.radius = 1.25;
+  GapSummary summary{"a.json", Unit::inch, 1, {{"a.end", end, "a"}, {"b.start", start, "b"}}, {}};
+  summary.pairs = pair_ends(summary.ports, summary.connect);
+  EXPECT_EQ(summary.findings(), 1);
+  const json parsed = json::parse(to_json(summary));
+  EXPECT_EQ(parsed.at("unit"), "in");
+  const json& pair = parsed.at("pairs").at(0);
+  EXPECT_EQ(pair.at("verdict"), "gap");
+  EXPECT_EQ(pair.at("axial"), json::parse(R"({"lower": 0.5, "upper": 0.5})"));
+  EXPECT_EQ(pair.at("exact").at("axial_dot"), "1/2");
+  EXPECT_EQ(pair.at("exact").at("radius_difference"), "1/4");
+  EXPECT_EQ(pair.at("deviations").size(), 2);
+}
+
+TEST(ReportJson, an_error_says_what_the_exception_says) {
+  const Error error(Errc::parse_failed, "expected a number", "inlet", "a.json#/parts/0");
+  const json parsed = json::parse(error_json(error, name(error.code()), 3)).at("error");
+  EXPECT_EQ(parsed.at("code"), "parse_failed");
+  EXPECT_EQ(parsed.at("exit"), 3);
+  EXPECT_EQ(parsed.at("message"), "expected a number");
+  EXPECT_EQ(parsed.at("part"), "inlet");
+  EXPECT_EQ(parsed.at("where"), "a.json#/parts/0");
+}
+
+TEST(BoundingBox, is_none_without_points) {
+  EXPECT_FALSE(bounding_box(TriMesh()).has_value());
+  const auto box_of_box = bounding_box(box({-1, 2, -3}, {4, 5, 6}));
+  ASSERT_TRUE(box_of_box.has_value());
+  EXPECT_EQ(box_of_box->low, Vec3(-1, 2, -3));
+  EXPECT_EQ(box_of_box->high, Vec3(4, 5, 6));
+}
+
+}  // namespace
+}  // namespace dupin::test
