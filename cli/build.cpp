@@ -1,0 +1,133 @@
+#include "dupin/blends/build.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "commands.h"
+#include "document.h"
+#include "gap_text.h"
+#include "length.h"
+#include "output.h"
+#include "progress_line.h"
+#include "report_text.h"
+
+namespace dupin::cli {
+namespace {
+
+struct BuildArguments {
+  std::string file, output, format, connect;
+  std::uint32_t segments = 0;
+  ContactPolicy contacts = ContactPolicy::report;
+};
+
+/// "3 (2 pipe, 1 cyclic_blend)".
+std::string parts_text(const std::vector<PartReport>& parts) {
+  std::map<std::string, std::size_t> kinds;
+  for (const PartReport& part : parts) {
+    ++kinds[part.kind];
+  }
+  std::string text = std::to_string(parts.size());
+  std::string_view separator = " (";
+  for (const auto& [kind, count] : kinds) {
+    text += std::string(separator) + std::to_string(count) + " " + kind;
+    separator = ", ";
+  }
+  return text + (parts.empty() ? "" : ")");
+}
+
+/// The part that comes closest to folding.
+std::string margin_text(const std::vector<PartReport>& parts) {
+  const PartReport* tightest = nullptr;
+  for (const PartReport& part : parts) {
+    if (part.margin_lower && (!tightest || *part.margin_lower < *tightest->margin_lower)) {
+      tightest = &part;
+    }
+  }
+  return tightest ? number(*tightest->margin_lower) + " (" + tightest->name + ")" : "none";
+}
+
+void print_build(std::ostream& out, const BuildReport& report) {
+  double error = 0;
+  double tangency = 0;
+  for (const PartReport& part : report.parts) {
+    error = std::max(error, part.error_bound);
+    tangency = std::max({tangency, part.start_tangency.value_or(0), part.end_tangency.value_or(0)});
+  }
+  const std::string unit(symbol(report.gaps.unit));
+  print_row(out, "parts", parts_text(report.parts));
+  print_output(out, report.output, unit);
+  print_row(out, "smallest margin", margin_text(report.parts));
+  print_row(out, "mesh error", "at most " + number(error) + " " + unit);
+  print_row(out, "tangent", "within " + number(tangency) + " rad");
+  print_gaps(out, report.gaps);
+}
+
+BuildOptions build_options(const Assembly& assembly, const BuildArguments& arguments,
+                           const CommonOptions& common) {
+  BuildOptions options;
+  if (!common.tolerance.empty()) {
+    options.tolerance = length_in(assembly.unit, common.tolerance, 0);
+  }
+  if (arguments.segments > 0) {
+    options.segments = arguments.segments;
+  }
+  options.connect = length_in(assembly.unit, arguments.connect, assembly.tolerance);
+  options.contacts = arguments.contacts;
+  return options;
+}
+
+ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
+  const Destination to = destination(arguments.output, arguments.format);
+  const Assembly assembly = read_document(arguments.file);
+  BuildOptions options = build_options(assembly, arguments, common);
+  BuildReport report;
+  {
+    ProgressLine line(common.quiet);
+    options.progress = line.callback();
+    Built built = build(assembly, options);
+    report.gaps = {assembly.source, assembly.unit, options.connect, std::move(built.ports),
+                   std::move(built.gaps)};
+    report.output = write_solid(built.solid, to, {}, {std::string(symbol(assembly.unit)), {}});
+    report.parts = std::move(built.parts);
+    report.runs = built.runs;
+    report.pieces = built.pieces;
+    report.grid = built.grid;
+  }
+  if (common.json) {
+    report_stream(to) << to_json(report) << '\n';
+  } else if (!common.quiet) {
+    print_build(report_stream(to), report);
+  }
+  return report.gaps.findings() == 0 ? ExitCode::ok : ExitCode::findings;
+}
+
+}  // namespace
+
+void add_build(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("build", "Make a watertight solid of an assembly");
+  const auto arguments = std::make_shared<BuildArguments>();
+  command->add_option("FILE", arguments->file, "assembly document; - for standard input")
+      ->type_name("")
+      ->required();
+  command->add_option("-o,--output", arguments->output, "mesh file; - for standard output")
+      ->type_name("OUT")
+      ->required();
+  add_format_option(*command, arguments->format);
+  command->add_option("--segments", arguments->segments, "Fixed number of segments of every ring")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(3, 65536));
+  add_connect_option(*command, arguments->connect);
+  add_contacts_option(*command, arguments->contacts);
+  command->footer(
+      "Exit code 1: built and written, but ends that belong together do not meet.\n\n"
+      "Examples:\n"
+      "  dupin build examples/reducer.json -o reducer.stl\n"
+      "  dupin build plant.json -o plant.off --tolerance 0.2mm --connect 1mm\n"
+      "  dupin build - -o - --format stl < plant.json > plant.stl");
+  command->callback([arguments, &action] {
+    action = [arguments](const CommonOptions& common) { return run_build(*arguments, common); };
+  });
+}
+
+}  // namespace dupin::cli

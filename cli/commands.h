@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <CLI/App.hpp>
+
+#include "exit_code.h"
+
+namespace dupin::cli {
+
+/// Options that every command understands.
+struct CommonOptions {
+  bool json = false;
+  bool quiet = false;
+  std::string tolerance;  ///< as typed; empty when not given
+};
+
+/// What the chosen command will do once the whole command line has been read.
+using Action = std::function<ExitCode(const CommonOptions&)>;
+
+/// Each adds one command (or family of commands) to `app`; parsing a command line that chooses it
+/// sets `action`.
+void add_build(CLI::App& app, Action& action);
+void add_booleans(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
+void add_gaps(CLI::App& app, Action& action);
+void add_convert(CLI::App& app, Action& action);
+void add_info(CLI::App& app, Action& action);
+void add_completion(CLI::App& app, Action& action);
+
+}  // namespace dupin::cli

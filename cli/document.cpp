@@ -1,0 +1,33 @@
+#include "document.h"
+
+#include "dupin/blends/resolve.h"
+#include "dupin/io/assembly_json.h"
+#include "input.h"
+#include "length.h"
+
+namespace dupin::cli {
+
+Assembly read_document(const std::string& path) {
+  const Input input = read_input(path);
+  return parse_assembly(input.bytes, input.name);
+}
+
+void add_connect_option(CLI::App& command, std::string& connect) {
+  command
+      .add_option("--connect", connect,
+                  "Ends up to this far apart belong together; the document's\n"
+                  "tolerance if not given")
+      ->type_name("LENGTH");
+}
+
+GapSummary measure_document(const Assembly& assembly, const std::string& connect) {
+  GapSummary summary;
+  summary.file = assembly.source;
+  summary.unit = assembly.unit;
+  summary.connect = length_in(assembly.unit, connect, assembly.tolerance);
+  summary.ports = ports(resolve(assembly));
+  summary.pairs = pair_ends(summary.ports, summary.connect);
+  return summary;
+}
+
+}  // namespace dupin::cli

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <stdexcept>
+
+#include "dupin/kernel/error.h"
+
+namespace dupin::cli {
+
+/// What the shell sees.
+enum class ExitCode {
+  ok = 0,
+  findings = 1,   ///< it ran, and found faults or gaps
+  usage = 2,      ///< the command line makes no sense
+  input = 3,      ///< a file that cannot be read, or is not what it should be
+  refused = 4,    ///< an operation that has no valid result: blend, contact, rounding
+  output = 5,     ///< the result could not be written
+  internal = 70,  ///< a bug of ours, or no memory
+};
+
+[[nodiscard]] ExitCode exit_code(Errc code);
+
+/// A command line that makes no sense.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// An io_failed that came from writing; all others come from reading.
+class OutputError : public Error {
+ public:
+  explicit OutputError(const Error& error) : Error(error) {}
+};
+
+}  // namespace dupin::cli

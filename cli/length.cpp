@@ -1,0 +1,28 @@
+#include "length.h"
+
+#include "exit_code.h"
+
+namespace dupin::cli {
+
+double length_in(Unit unit, const std::string& text, double otherwise) {
+  if (text.empty()) {
+    return otherwise;
+  }
+  try {
+    return parse_length(text, unit);
+  } catch (const Error& error) {
+    throw UsageError(error.what());
+  }
+}
+
+double mesh_length(const std::string& text, double otherwise) {
+  return length_in(Unit::millimetre, text, otherwise);
+}
+
+void refuse_tolerance(const std::string& command, const CommonOptions& common) {
+  if (!common.tolerance.empty()) {
+    throw UsageError(command + " has no use for --tolerance");
+  }
+}
+
+}  // namespace dupin::cli

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "commands.h"
+#include "dupin/blends/unit.h"
+
+namespace dupin::cli {
+
+/// A length typed on the command line, in `unit`; `otherwise` for an empty text. Throws UsageError.
+[[nodiscard]] double length_in(Unit unit, const std::string& text, double otherwise);
+
+/// The same beside files that know no unit: their coordinates are taken as millimetres.
+[[nodiscard]] double mesh_length(const std::string& text, double otherwise);
+
+/// Throws UsageError when --tolerance was given to a command that has no use for it.
+void refuse_tolerance(const std::string& command, const CommonOptions& common);
+
+}  // namespace dupin::cli

@@ -1,0 +1,140 @@
+#include "output.h"
+
+#include <algorithm>
+#include <iostream>
+
+#include "dupin/io/atomic_file.h"
+#include "exit_code.h"
+#include "report_text.h"
+
+namespace dupin::cli {
+namespace {
+
+/// Runs a function that writes; what the system refuses there is an output error.
+template <class Function>
+auto writing(const Function& function) {
+  try {
+    return function();
+  } catch (const Error& error) {
+    if (error.code() == Errc::io_failed) {
+      throw OutputError(error);
+    }
+    throw;
+  }
+}
+
+void write_stdout(const std::string& bytes) {
+  std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+/// The same promise as `write_verified`, for a stream that cannot be taken back.
+Report write_verified_stdout(const TriMesh& mesh, MeshFormat format, const MeshHeader& header) {
+  const std::string bytes = mesh_bytes(mesh, format, header);
+  Report report = check(read_mesh(bytes, "standard output", format));
+  if (!report.is_solid()) {
+    throw Error(
+        Errc::unroundable,
+        "the mesh is no solid any more with the coordinates of " + std::string(name(format)), {},
+        "standard output");
+  }
+  write_stdout(bytes);
+  return report;
+}
+
+/// What rounding every coordinate to the nearest does.
+RoundingReport nearest_rounding(const TriMesh& mesh, Coordinates coordinates) {
+  RoundingReport report;
+  report.coordinates = coordinates;
+  if (coordinates == Coordinates::binary32) {
+    for (const Vec3& point : mesh.points) {
+      const double move = (point.cast<float>().cast<double>() - point).norm();
+      report.moved += move > 0 ? 1 : 0;
+      report.largest_move = std::max(report.largest_move, move);
+    }
+  }
+  return report;
+}
+
+}  // namespace
+
+const std::vector<std::string>& format_names() {
+  static const std::vector<std::string> names{"off", "stl-ascii", "stl", "ply-ascii",
+                                              "ply", "obj",       "3mf", "glb"};
+  return names;
+}
+
+void add_format_option(CLI::App& command, std::string& format) {
+  std::string help = "Instead of what the extension says; needed for standard output:\n";
+  for (const std::string& name : format_names()) {
+    help += (name == format_names().front() ? "" : ", ") + name;
+  }
+  command.add_option("--format", format, help)
+      ->type_name("NAME")
+      ->check(CLI::IsMember(format_names()));
+}
+
+void add_contacts_option(CLI::App& command, ContactPolicy& contacts) {
+  const auto choose = [&contacts](const std::string& name) {
+    contacts = name == "refuse" ? ContactPolicy::refuse : ContactPolicy::report;
+  };
+  command
+      .add_option_function<std::string>(
+          "--contacts", choose, "Where the result touches itself: report it (default) or refuse")
+      ->type_name("POLICY")
+      ->check(CLI::IsMember({"report", "refuse"}));
+}
+
+Destination destination(const std::string& path, const std::string& format) {
+  for (std::size_t index = 0; index < kMeshFormats.size(); ++index) {
+    if (format == format_names().at(index)) {
+      return {path, kMeshFormats.at(index)};
+    }
+  }
+  if (path == "-") {
+    throw UsageError("standard output needs --format");
+  }
+  try {
+    return {path, format_of(path)};
+  } catch (const Error& error) {
+    throw UsageError(error.what() + std::string("; or say --format"));
+  }
+}
+
+OutputReport write_solid(const Solid& solid, const Destination& to, const RoundingOptions& rounding,
+                         const MeshHeader& header) {
+  const Rounded rounded = to_mesh(solid, coordinates(to.format), rounding);
+  OutputReport report{to.is_stdout() ? "standard output" : to.path,
+                      std::string(name(to.format)),
+                      rounded.report,
+                      {},
+                      solid.contacts()};
+  report.check = writing([&] {
+    return to.is_stdout() ? write_verified_stdout(rounded.mesh, to.format, header)
+                          : write_verified(to.path, rounded.mesh, to.format, header);
+  });
+  return report;
+}
+
+OutputReport write_plain(const TriMesh& mesh, const Destination& to) {
+  const std::string bytes = mesh_bytes(mesh, to.format);
+  writing([&] { to.is_stdout() ? write_stdout(bytes) : write_file(to.path, bytes); });
+  return {to.is_stdout() ? "standard output" : to.path,
+          std::string(name(to.format)),
+          nearest_rounding(mesh, coordinates(to.format)),
+          check(read_mesh(bytes, to.path, to.format)),
+          {}};
+}
+
+std::ostream& report_stream(const Destination& to) {
+  return to.is_stdout() ? std::cerr : std::cout;
+}
+
+void print_written(const OutputReport& report, const Destination& to, const CommonOptions& common) {
+  if (common.json) {
+    report_stream(to) << to_json(report) << '\n';
+  } else if (!common.quiet) {
+    print_output(report_stream(to), report, "");
+  }
+}
+
+}  // namespace dupin::cli

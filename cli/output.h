@@ -1,0 +1,54 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "commands.h"
+#include "dupin/io/mesh_file.h"
+#include "dupin/io/report_json.h"
+#include "dupin/kernel/boolean.h"
+#include "dupin/kernel/rounding.h"
+#include "dupin/kernel/solid.h"
+
+namespace dupin::cli {
+
+/// Where a mesh goes: a file, or standard output for "-".
+struct Destination {
+  std::string path;
+  MeshFormat format = MeshFormat::off;
+
+  [[nodiscard]] bool is_stdout() const { return path == "-"; }
+};
+
+/// What --format takes, in the order of kMeshFormats.
+[[nodiscard]] const std::vector<std::string>& format_names();
+
+/// Adds --format, shared by all commands that write a mesh.
+void add_format_option(CLI::App& command, std::string& format);
+
+/// Adds --contacts report|refuse.
+void add_contacts_option(CLI::App& command, ContactPolicy& contacts);
+
+/// The format is the one asked for (see format_names) or, if empty, the one that the
+/// path's extension names. Throws UsageError.
+[[nodiscard]] Destination destination(const std::string& path, const std::string& format);
+
+/// Rounds once to what the format holds, reads the bytes back, checks them, and only then lets the
+/// file take its place. Throws Error{unroundable}, OutputError.
+[[nodiscard]] OutputReport write_solid(const Solid& solid, const Destination& to,
+                                       const RoundingOptions& rounding, const MeshHeader& header);
+
+/// Writes any mesh with every coordinate rounded to the nearest that the format holds, and says
+/// what came of it. Throws OutputError.
+[[nodiscard]] OutputReport write_plain(const TriMesh& mesh, const Destination& to);
+
+/// Where the report goes: standard output, or standard error when the mesh goes to standard output.
+[[nodiscard]] std::ostream& report_stream(const Destination& to);
+
+/// Prints the report as the common options say.
+void print_written(const OutputReport& report, const Destination& to, const CommonOptions& common);
+
+}  // namespace dupin::cli

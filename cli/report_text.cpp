@@ -1,0 +1,120 @@
+#include "report_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <ostream>
+
+namespace dupin::cli {
+namespace {
+
+constexpr std::size_t kLabelWidth = 21;
+/// A list on the screen ends here; JSON has the rest.
+constexpr std::size_t kShownPerDefect = 5;
+constexpr std::size_t kShownFaces = 4;
+
+std::string powered(double value, std::string_view unit, std::string_view power) {
+  return number(value) + (unit.empty() ? "" : " " + std::string(unit) + std::string(power));
+}
+
+std::string finding_text(const Finding& finding) {
+  const bool of_faces = !finding.faces.empty();
+  const auto& items = of_faces ? finding.faces : finding.points;
+  std::string text = of_faces ? "face" : "point";
+  text += items.size() == 1 ? "" : "s";
+  for (std::size_t i = 0; i < std::min(items.size(), kShownFaces); ++i) {
+    text += (i == 0 ? " " : ", ") + std::to_string(items[i]);
+  }
+  if (items.size() > kShownFaces) {
+    text += ", ...";
+  }
+  return text + " at " + place_text(finding.place);
+}
+
+void print_findings(std::ostream& out, const Report& report) {
+  for (std::size_t index = 0; index < report.counts.size(); ++index) {
+    if (report.counts[index] == 0) {
+      continue;
+    }
+    const auto defect = static_cast<Defect>(index);
+    out << name(defect) << ": " << report.counts[index] << '\n';
+    std::size_t shown = 0;
+    for (const Finding& finding : report.findings) {
+      if (finding.defect == defect && shown < kShownPerDefect) {
+        out << "  " << finding_text(finding) << '\n';
+        ++shown;
+      }
+    }
+    if (report.counts[index] > shown) {
+      out << "  and " << report.counts[index] - shown << " more\n";
+    }
+  }
+}
+
+void print_measures(std::ostream& out, const Report& report, std::string_view unit) {
+  print_row(out, "triangles", std::to_string(report.triangles));
+  print_row(out, "points", std::to_string(report.points));
+  print_row(out, "components", std::to_string(report.components));
+  print_row(out, "euler number", std::to_string(report.euler_number));
+  if (report.closed()) {
+    print_row(out, "volume", powered(report.volume, unit, "^3"));
+  }
+  print_row(out, "area", powered(report.area, unit, "^2"));
+  print_row(out, "watertight", report.closed() ? "yes" : "no");
+  print_row(out, "self-intersections", std::to_string(report.count(Defect::self_intersection)));
+}
+
+std::string rounding_text(const RoundingReport& rounding, std::string_view unit) {
+  if (rounding.moved == 0) {
+    return "none";
+  }
+  return counted(rounding.moved, "point") + " moved, at most " +
+         powered(rounding.largest_move, unit, "");
+}
+
+}  // namespace
+
+std::string number(double value) {
+  std::array<char, 32> buffer{};
+  const auto [end, failure] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                            std::chars_format::general, 9);
+  return {buffer.data(), end};
+}
+
+std::string place_text(const Vec3& place) {
+  return "(" + number(place.x()) + ", " + number(place.y()) + ", " + number(place.z()) + ")";
+}
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
+void print_row(std::ostream& out, std::string_view label, std::string_view value) {
+  const std::size_t gap = std::max<std::size_t>(kLabelWidth, label.size() + 1) - label.size();
+  out << label << std::string(gap, ' ') << value << '\n';
+}
+
+void print_report(std::ostream& out, const Report& report) {
+  print_measures(out, report, "");
+  print_row(out, "solid", report.is_solid() ? "yes" : "no");
+  print_findings(out, report);
+}
+
+void print_output(std::ostream& out, const OutputReport& report, std::string_view unit) {
+  print_row(out, "written", report.file + ", " + report.format);
+  print_measures(out, report.check, unit);
+  print_row(out, "rounding", rounding_text(report.rounding, unit));
+  if (!report.contacts.empty()) {
+    print_row(out, "contacts", std::to_string(report.contacts.size()));
+    for (const Contact& contact : report.contacts) {
+      out << "  " << (contact.kind == Contact::Kind::vertex ? "point " : "edge ")
+          << place_text(contact.from);
+      if (contact.kind == Contact::Kind::edge) {
+        out << " to " << place_text(contact.to);
+      }
+      out << '\n';
+    }
+  }
+}
+
+}  // namespace dupin::cli

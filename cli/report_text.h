@@ -1,0 +1,30 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+#include "dupin/io/report_json.h"
+#include "dupin/kernel/check.h"
+
+namespace dupin::cli {
+
+/// A number for people: nine significant digits.
+[[nodiscard]] std::string number(double value);
+
+/// "(1, 2, 3)".
+[[nodiscard]] std::string place_text(const Vec3& place);
+
+/// "1 point", "2 points".
+[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
+
+/// "label               value" and a line break.
+void print_row(std::ostream& out, std::string_view label, std::string_view value);
+
+/// Counts, measures and findings of a mesh.
+void print_report(std::ostream& out, const Report& report);
+
+/// What was written, and how the rounding went. `unit` may be empty.
+void print_output(std::ostream& out, const OutputReport& report, std::string_view unit);
+
+}  // namespace dupin::cli

@@ -1,0 +1,132 @@
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+#include "tool.h"
+
+namespace dupin::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::StartsWith;
+
+using Build = Tool;
+
+constexpr const char* kTwoPipes = R"({"units": "in", "tolerance": 0.005, "parts": [
+  {"name": "a", "pipe": {"from": [0, 0, 0], "to": [4, 0, 0], "radius": 1}},
+  {"name": "b", "pipe": {"from": [4.0078125, 0, 0], "to": [8, 0, 0], "radius": 1}}]})";
+
+TEST_F(Build, reports_what_was_built) {
+  const ProcessResult result = dupin({"build", example("reducer.json"), "-o", "a.stl"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, StartsWith("parts                3 (1 cyclic_blend, 2 pipe)\n"
+                                     "written              a.stl, binary STL\n"));
+  EXPECT_THAT(result.out, HasSubstr("watertight           yes\n"));
+  EXPECT_THAT(result.out, HasSubstr("self-intersections   0\n"));
+  EXPECT_THAT(result.out, testing::ContainsRegex("smallest margin      0\\.[0-9]+ \\(blend\\)\n"));
+  EXPECT_THAT(result.out, HasSubstr("welded               2\n"));
+  EXPECT_THAT(result.out, HasSubstr("open                 2\n"));
+  EXPECT_THAT(result.out, HasSubstr("gaps                 0\n"));
+}
+
+TEST_F(Build, json_agrees_with_the_file) {
+  const auto report = json({"build", example("reducer.json"), "-o", "a.off"}, 0);
+  EXPECT_EQ(report.at("unit"), "mm");
+  EXPECT_EQ(report.at("runs"), 1);
+  ASSERT_EQ(report.at("parts").size(), 3);
+  for (const auto& part : report.at("parts")) {
+    EXPECT_GT(part.at("margin_lower"), 0);
+    EXPECT_LE(part.at("margin_lower"), part.at("margin_upper"));
+    EXPECT_LE(part.at("error_bound"), 0.05);
+  }
+  EXPECT_EQ(json({"check", "a.off"}, 0), report.at("output").at("check"));
+  EXPECT_EQ(report.at("gaps").at("findings"), 0);
+}
+
+TEST_F(Build, every_example_gives_a_solid_but_the_tight_one) {
+  for (const std::string name : {"reducer", "straight-reducer", "coplanar", "u-bend"}) {
+    const auto report = json({"build", example(name + ".json"), "-o", name + ".stl"}, 0);
+    EXPECT_EQ(report.at("output").at("check").at("solid"), true) << name;
+    EXPECT_EQ(report.at("output").at("check").at("euler_number"), 2) << name;
+  }
+  const ProcessResult tight = dupin({"build", example("tight.json"), "-o", "tight.stl"});
+  EXPECT_EQ(tight.exit_code, 4);
+  EXPECT_THAT(tight.err, HasSubstr("'blend'"));
+  EXPECT_THAT(folder_.files(),
+              ElementsAre("coplanar.stl", "reducer.stl", "straight-reducer.stl", "u-bend.stl"));
+}
+
+TEST_F(Build, reads_a_document_from_standard_input) {
+  const ProcessResult result = dupin({"build", "-", "-o", "-", "--format", "off"}, kTwoPipes);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, StartsWith("OFF"));
+  EXPECT_THAT(result.err, StartsWith("parts                2 (2 pipe)\n"));
+}
+
+TEST_F(Build, lengths_of_the_command_line_take_units) {
+  folder_.write("a.json", kTwoPipes);
+  const auto triangles = [&](const std::string& tolerance) {
+    return json({"build", "a.json", "-o", "a.off", "--tolerance", tolerance}, 0)
+        .at("output")
+        .at("check")
+        .at("triangles");
+  };
+  EXPECT_EQ(triangles("0.0254mm"), triangles("0.001"));
+  EXPECT_GT(triangles("0.001in"), triangles("0.01in"));
+}
+
+TEST_F(Build, a_finer_tolerance_overrides_the_document) {
+  const auto coarse = json({"build", example("reducer.json"), "-o", "a.off"}, 0);
+  const auto fine =
+      json({"build", example("reducer.json"), "-o", "a.off", "--tolerance", "0.01mm"}, 0);
+  EXPECT_GT(fine.at("output").at("check").at("triangles"),
+            coarse.at("output").at("check").at("triangles"));
+  for (const auto& part : fine.at("parts")) {
+    EXPECT_LE(part.at("error_bound"), 0.01);
+  }
+}
+
+TEST_F(Build, segments_are_taken_literally) {
+  const auto report =
+      json({"build", example("reducer.json"), "-o", "a.off", "--segments", "12"}, 0);
+  for (const auto& part : report.at("parts")) {
+    EXPECT_EQ(part.at("segments"), 12);
+  }
+}
+
+TEST_F(Build, ends_that_nearly_meet_are_findings_of_a_file_that_is_written) {
+  folder_.write("a.json", kTwoPipes);
+  const ProcessResult result = dupin({"build", "a.json", "-o", "a.off", "--connect", "1mm"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("gaps                 1\n"
+                                    "  gap: a.end to b.start: axial 0.0078125 in\n"));
+  EXPECT_EQ(dupin({"check", "a.off"}).exit_code, 0);
+}
+
+TEST_F(Build, malformed_documents_are_named_with_the_place) {
+  const std::vector<std::pair<std::string, std::string>> table{
+      {R"({"units": "mm", "tolerance": 1, "parts": [], "colour": 1})", "a.json#/colour: "},
+      {R"({"units": "mm", "tolerance": 1, "parts": [{"name": "p", "pipe": {"from": [0,0,0], "to": [1,0,0], "radius": -1}}]})",
+       "a.json#/parts/0/pipe/radius: 'p': "},
+      {R"({"units": "mm", "tolerance": 1, "parts": [{"name": "c", "cap": {"at": "p.end"}}]})",
+       "a.json#/parts/0/cap/at: 'c': "},
+      {R"({"units": "mm",)", "a.json:1:"},
+  };
+  for (const auto& [text, place] : table) {
+    folder_.write("a.json", text);
+    const ProcessResult result = dupin({"build", "a.json", "-o", "a.stl"});
+    EXPECT_EQ(result.exit_code, 3) << text;
+    EXPECT_EQ(result.out, "");
+    EXPECT_THAT(result.err, StartsWith("dupin: " + place));
+    EXPECT_THAT(result.err, MatchesRegex("[^\n]*\n"));
+  }
+  EXPECT_THAT(folder_.files(), ElementsAre("a.json"));
+}
+
+}  // namespace
+}  // namespace dupin::test

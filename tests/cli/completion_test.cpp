@@ -1,0 +1,49 @@
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tool.h"
+
+namespace dupin::test {
+namespace {
+
+using Completion = Tool;
+
+/// What bash would offer after these words, the last of which is still being typed.
+std::string completer(const std::vector<std::string>& words) {
+  std::string quoted;
+  for (const std::string& word : words) {
+    quoted += "'" + word + "' ";
+  }
+  return "source <(dupin completion bash); complete -p dupin > /dev/null || exit 9; COMP_WORDS=(" +
+         quoted + "); COMP_CWORD=" + std::to_string(words.size() - 1) +
+         "; _dupin; echo \"${COMPREPLY[*]}\"";
+}
+
+TEST_F(Completion, offers_commands_options_values_and_files) {
+  folder_.write("part one.off", "");
+  folder_.write("plant.json", "");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> table{
+      {{"dupin", "c"}, "check convert completion"},
+      {{"dupin", "--ve"}, "--version"},
+      {{"dupin", "--json", "sub"}, "subtract"},
+      {{"dupin", "union", "--c"}, "--contacts"},
+      {{"dupin", "build", "--s"}, "--segments"},
+      {{"dupin", "check", "--q"}, "--quiet"},
+      {{"dupin", "convert", "--format", "st"}, "stl-ascii stl"},
+      {{"dupin", "union", "--contacts", ""}, "report refuse"},
+      {{"dupin", "completion", ""}, "bash"},
+      {{"dupin", "check", "part"}, "part one.off"},
+      {{"dupin", "build", "pl"}, "plant.json"},
+      {{"dupin", "gaps", "--connect", ""}, ""},
+  };
+  for (const auto& [words, offered] : table) {
+    const ProcessResult result = shell(completer(words));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, offered + "\n") << words.back();
+  }
+}
+
+}  // namespace
+}  // namespace dupin::test

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tool.h"
+
+namespace dupin::test {
+namespace {
+
+using Docs = Tool;
+
+/// A line after "$ " and the lines that it prints.
+struct Example {
+  std::size_t line = 0;
+  std::string command;
+  std::vector<std::string> output;
+};
+
+/// The examples in a document's console blocks.
+std::vector<Example> examples(const std::string& document) {
+  std::ifstream stream(std::string(DUPIN_SOURCE_DIR) + "/" + document);
+  std::vector<Example> found;
+  bool inside = false;
+  std::string line;
+  for (std::size_t number = 1; std::getline(stream, line); ++number) {
+    if (line.starts_with("```")) {
+      inside = line == "```console";
+    } else if (inside && line.starts_with("$ ")) {
+      found.push_back({number, line.substr(2), {}});
+    } else if (inside && !found.empty()) {
+      found.back().output.push_back(line);
+    }
+  }
+  return found;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+/// "..." stands for any text.
+bool fits(std::string_view pattern, std::string_view text) {
+  const std::size_t dots = pattern.find("...");
+  if (dots == std::string_view::npos || pattern.substr(0, dots) != text.substr(0, dots)) {
+    return pattern == text;
+  }
+  pattern.remove_prefix(dots + 3);
+  for (text.remove_prefix(std::min(dots, text.size())); !fits(pattern, text);
+       text.remove_prefix(1)) {
+    if (text.empty()) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Line by line; a line of "..." stands for any number of lines.
+bool fit(const std::vector<std::string>& patterns, const std::vector<std::string>& lines,
+         std::size_t pattern = 0, std::size_t line = 0) {
+  if (pattern == patterns.size()) {
+    return line == lines.size();
+  }
+  if (patterns[pattern] == "...") {
+    for (std::size_t next = line; next <= lines.size(); ++next) {
+      if (fit(patterns, lines, pattern + 1, next)) {
+        return true;
+      }
+    }
+    return false;
+  }
+  return line < lines.size() && fits(patterns[pattern], lines[line]) &&
+         fit(patterns, lines, pattern + 1, line + 1);
+}
+
+TEST_F(Docs, examples_of_the_manual_print_what_it_says) {
+  const std::vector<Example> manual = examples("docs/cli.md");
+  EXPECT_GE(manual.size(), 12);
+  for (const Example& example : manual) {
+    const ProcessResult result = shell("{ " + example.command + "; } 2>&1");
+    EXPECT_TRUE(fit(example.output, lines_of(result.out)))
+        << "docs/cli.md:" << example.line << ": $ " << example.command << "\nprints\n"
+        << result.out;
+  }
+}
+
+TEST_F(Docs, patterns_fit_only_what_they_say) {
+  EXPECT_TRUE(fit({"volume ... mm^3"}, {"volume 12 mm^3"}));
+  EXPECT_FALSE(fit({"volume ... mm^3"}, {"volume 12 in^3"}));
+  EXPECT_TRUE(fit({"... (a, ...)"}, {"box (a, b)"}));
+  EXPECT_FALSE(fit({"... (a, ...)"}, {"box (b, a"}));
+  EXPECT_TRUE(fit({"a", "...", "d"}, {"a", "b", "c", "d"}));
+  EXPECT_FALSE(fit({"a", "...", "d"}, {"a", "b", "c"}));
+  EXPECT_FALSE(fit({"a"}, {"a", "b"}));
+}
+
+}  // namespace
+}  // namespace dupin::test

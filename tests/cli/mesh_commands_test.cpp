@@ -1,0 +1,164 @@
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/io/mesh_file.h"
+#include "support/shapes.h"
+#include "tool.h"
+
+namespace dupin::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+using MeshCommands = Tool;
+
+TEST_F(MeshCommands, check_reports_a_solid) {
+  put("a.off", frame());
+  const ProcessResult result = dupin({"check", "a.off"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, HasSubstr("volume               64\n"));
+  EXPECT_THAT(result.out, HasSubstr("watertight           yes\n"));
+  const auto report = json({"check", "a.off"}, 0);
+  EXPECT_EQ(report.at("solid"), true);
+  EXPECT_EQ(report.at("volume"), 64);
+  EXPECT_EQ(report.at("genus"), 1);
+  EXPECT_EQ(report.at("counts"), nlohmann::json::object());
+}
+
+TEST_F(MeshCommands, check_lists_faults_with_faces_and_places) {
+  put("a.off", open_box());
+  const ProcessResult result = dupin({"check", "a.off"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.err, "");
+  EXPECT_THAT(result.out, HasSubstr("watertight           no\n"));
+  EXPECT_THAT(result.out, HasSubstr("boundary_edge: 3\n"));
+  const auto report = json({"check", "a.off"}, 1);
+  EXPECT_EQ(report.at("counts"), (nlohmann::json{{"boundary_edge", 3}}));
+  EXPECT_EQ(report.at("findings").size(), 3);
+  EXPECT_EQ(report.at("findings")[0].at("defect"), "boundary_edge");
+  EXPECT_EQ(report.at("findings")[0].at("faces").size(), 1);
+}
+
+TEST_F(MeshCommands, check_reads_standard_input) {
+  const std::string bytes = mesh_bytes(frame(), MeshFormat::stl_binary);
+  EXPECT_EQ(dupin({"check", "-"}, bytes).exit_code, 0);
+  EXPECT_EQ(dupin({"check", "-"}, "nonsense").exit_code, 3);
+}
+
+TEST_F(MeshCommands, malformed_files_are_named_with_the_place) {
+  const std::vector<std::pair<std::string, std::string>> table{
+      {"OFF\n1 0 0\n0 nan 0\n", "a.off:3: found 'nan', expected a coordinate that is finite"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
+       "a.off:6: found '3', expected the index of a vertex, an integer from 0 to 2"},
+      {"OFF\n4000000000 4000000000 0\n0 0 0\n",
+       "a.off:2: found counts of 4000000000 vertices and 4000000000 faces, expected at least "
+       "56000000000 bytes after them, not 6"},
+      {"solid a\nfacet\n", "a.off:3: found the end of the file, expected 'normal'"},
+  };
+  for (const auto& [text, message] : table) {
+    folder_.write("a.off", text);
+    for (const std::string command : {"check", "info", "gaps"}) {
+      const ProcessResult result = dupin({command, "a.off"});
+      EXPECT_EQ(result.exit_code, 3);
+      EXPECT_EQ(result.err, "dupin: " + message + "\n");
+      EXPECT_EQ(result.out, "");
+    }
+    const ProcessResult quiet = dupin({"convert", "a.off", "b.off", "--quiet"});
+    EXPECT_EQ(quiet.err, "dupin: " + message + "\n");
+  }
+  EXPECT_THAT(folder_.files(), ElementsAre("a.off"));
+}
+
+TEST_F(MeshCommands, info_says_what_a_mesh_holds) {
+  put("a.off", box({0, 0, 0}, {2, 3, 4}));
+  const auto info = json({"info", "a.off"}, 0);
+  EXPECT_EQ(info.at("kind"), "mesh");
+  EXPECT_EQ(info.at("box"), (nlohmann::json{{0, 0, 0}, {2, 3, 4}}));
+  EXPECT_EQ(info.at("check").at("volume"), 24);
+  EXPECT_THAT(dupin({"info", "a.off"}).out, HasSubstr("(0, 0, 0) to (2, 3, 4)\n"));
+}
+
+TEST_F(MeshCommands, info_lists_labels) {
+  const TriMesh two = joined(
+      {labelled(box({0, 0, 0}, {1, 1, 1}), "left"), labelled(box({2, 0, 0}, {3, 1, 1}), "right")});
+  folder_.write("a.stl", mesh_bytes(two, MeshFormat::stl_ascii));
+  EXPECT_EQ(json({"info", "a.stl"}, 0).at("names"), (nlohmann::json{"left", "right"}));
+}
+
+TEST_F(MeshCommands, info_lists_the_parts_of_a_document) {
+  const auto info = json({"info", example("reducer.json")}, 0);
+  EXPECT_EQ(info.at("kind"), "assembly");
+  EXPECT_EQ(info.at("unit"), "mm");
+  EXPECT_EQ(info.at("parts").size(), 3);
+}
+
+TEST_F(MeshCommands, union_of_crossing_boxes_has_the_exact_volume) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  put("b.off", box({1, 1, 1}, {3, 3, 3}));
+  const std::vector<std::pair<std::string, double>> table{
+      {"union", 15}, {"intersect", 1}, {"subtract", 7}};
+  for (const auto& [command, volume] : table) {
+    const auto report = json({command, "a.off", "b.off", "-o", "c.off"}, 0);
+    EXPECT_EQ(report.at("file"), "c.off");
+    EXPECT_EQ(report.at("check").at("volume"), volume) << command;
+    EXPECT_EQ(report.at("check").at("solid"), true) << command;
+    EXPECT_EQ(json({"check", "c.off"}, 0), report.at("check")) << command;
+  }
+}
+
+TEST_F(MeshCommands, booleans_name_the_operand_that_is_no_solid) {
+  put("a.off", box({0, 0, 0}, {1, 1, 1}));
+  put("open.off", open_box());
+  const ProcessResult result = dupin({"union", "a.off", "open.off", "-o", "b.off"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, testing::StartsWith("dupin: 'open.off': "));
+  EXPECT_THAT(folder_.files(), ElementsAre("a.off", "open.off"));
+}
+
+TEST_F(MeshCommands, contacts_are_reported_or_refused) {
+  put("a.off", box({0, 0, 0}, {1, 1, 1}));
+  put("b.off", box({1, 1, 0}, {2, 2, 1}));
+  const auto report = json({"union", "a.off", "b.off", "-o", "c.off"}, 0);
+  ASSERT_EQ(report.at("contacts").size(), 1);
+  EXPECT_EQ(report.at("contacts")[0].at("kind"), "edge");
+  const ProcessResult refused =
+      dupin({"union", "a.off", "b.off", "-o", "d.off", "--contacts", "refuse"});
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_THAT(folder_.files(), ElementsAre("a.off", "b.off", "c.off"));
+}
+
+TEST_F(MeshCommands, convert_keeps_a_mesh_in_every_format) {
+  put("a.off", frame());
+  const auto original = json({"check", "a.off"}, 0);
+  for (const std::string format :
+       {"off", "stl-ascii", "stl", "ply-ascii", "ply", "obj", "3mf", "glb"}) {
+    const auto report = json({"convert", "a.off", "b", "--format", format}, 0);
+    EXPECT_EQ(report.at("check").at("volume"), original.at("volume")) << format;
+    EXPECT_EQ(report.at("check").at("triangles"), original.at("triangles")) << format;
+    EXPECT_EQ(json({"check", "b"}, 0), report.at("check")) << format;
+  }
+}
+
+TEST_F(MeshCommands, convert_rounds_a_solid_so_that_it_stays_one) {
+  put("a.off", moved(tube(1.0 / 3, 0, 1, 24), {0.1, 0.2, 0.3}));
+  const auto report = json({"convert", "a.off", "b.stl"}, 0);
+  EXPECT_EQ(report.at("rounding").at("coordinates"), "binary32");
+  EXPECT_GT(report.at("rounding").at("moved_points"), 0);
+  EXPECT_LT(report.at("rounding").at("largest_move"), 1e-6);
+  EXPECT_EQ(report.at("check").at("solid"), true);
+}
+
+TEST_F(MeshCommands, convert_writes_what_is_no_solid_as_it_is) {
+  put("a.off", moved(open_box(), {0.1, 0.2, 0.3}));
+  const auto report = json({"convert", "a.off", "b.stl"}, 0);
+  EXPECT_EQ(report.at("check").at("solid"), false);
+  EXPECT_EQ(report.at("check").at("triangles"), 11);
+  EXPECT_EQ(report.at("rounding").at("moved_points"), 8);
+}
+
+}  // namespace
+}  // namespace dupin::test

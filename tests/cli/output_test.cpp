@@ -1,0 +1,71 @@
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/io/mesh_file.h"
+#include "dupin/kernel/check.h"
+#include "support/shapes.h"
+#include "tool.h"
+
+namespace dupin::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+using Output = Tool;
+
+TEST_F(Output, dash_writes_the_mesh_and_nothing_else_to_standard_output) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  put("b.off", box({1, 1, 1}, {3, 3, 3}));
+  for (const std::string format : {"off", "stl", "stl-ascii"}) {
+    const ProcessResult result = dupin({"union", "a.off", "b.off", "-o", "-", "--format", format});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(check(read_mesh(result.out, "out")).volume, 15) << format;
+    EXPECT_THAT(result.err, HasSubstr("volume               15\n"));
+    EXPECT_EQ(dupin({"union", "a.off", "b.off", "-o", "-", "--format", format, "-q"}).err, "");
+  }
+  EXPECT_THAT(folder_.files(), ElementsAre("a.off", "b.off"));
+}
+
+TEST_F(Output, a_chain_of_pipes_needs_no_files) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  put("b.off", box({1, 1, 1}, {3, 3, 3}));
+  const ProcessResult result = shell(
+      "set -o pipefail; dupin -q union a.off b.off -o - --format off"
+      " | dupin -q subtract - b.off -o - --format stl | dupin check - --json");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(nlohmann::json::parse(result.out).at("volume"), 7);
+}
+
+TEST_F(Output, a_file_that_was_there_survives_a_failure) {
+  folder_.write("out.stl", "precious");
+  EXPECT_EQ(dupin({"build", example("tight.json"), "-o", "out.stl"}).exit_code, 4);
+  EXPECT_EQ(folder_.read("out.stl"), "precious");
+  EXPECT_THAT(folder_.files(), ElementsAre("out.stl"));
+}
+
+TEST_F(Output, no_file_is_left_behind_when_the_disk_is_full) {
+  put("a.off", tube(1, 0, 1, 500));
+  // A limit on the size of files stands in for the full disk; its signal is ignored, the write
+  // fails.
+  const ProcessResult result = shell(
+      "trap '' XFSZ; ulimit -f 8; dupin convert a.off b.stl; code=$?; rm examples; exit $code");
+  EXPECT_EQ(result.exit_code, 5);
+  EXPECT_THAT(result.err, HasSubstr("File too large"));
+  EXPECT_THAT(folder_.files(), ElementsAre("a.off"));
+}
+
+TEST_F(Output, standard_error_is_silent_where_it_is_no_terminal) {
+  EXPECT_EQ(dupin({"build", example("reducer.json"), "-o", "a.stl"}).err, "");
+}
+
+TEST_F(Output, the_same_input_gives_the_same_bytes) {
+  EXPECT_EQ(dupin({"build", example("reducer.json"), "-o", "a.stl", "-q"}).exit_code, 0);
+  EXPECT_EQ(dupin({"build", example("reducer.json"), "-o", "b.stl", "-q"}).exit_code, 0);
+  EXPECT_EQ(folder_.read("a.stl"), folder_.read("b.stl"));
+}
+
+}  // namespace
+}  // namespace dupin::test

@@ -1,0 +1,43 @@
+#include "tool.h"
+
+#include "dupin/io/mesh_file.h"
+#include "support/shapes.h"
+
+namespace dupin::test {
+
+ProcessResult Tool::dupin(std::vector<std::string> arguments, const std::string& input) const {
+  arguments.insert(arguments.begin(), DUPIN_TOOL);
+  return run_process(arguments, folder_.path(), input);
+}
+
+ProcessResult Tool::shell(const std::string& line) const {
+  const std::filesystem::path examples = std::filesystem::path(DUPIN_SOURCE_DIR) / "examples";
+  const std::string prelude = "dupin() { " + std::string(DUPIN_TOOL) +
+                              " \"$@\"; }; [ -e examples ] || ln -s " + examples.string() +
+                              " examples; ";
+  return run_process({"bash", "-c", prelude + line}, folder_.path());
+}
+
+nlohmann::json Tool::json(std::vector<std::string> arguments, int exit_code) const {
+  arguments.insert(arguments.begin(), "--json");
+  const ProcessResult result = dupin(std::move(arguments));
+  EXPECT_EQ(result.exit_code, exit_code) << result.err;
+  EXPECT_EQ(result.err, "");
+  return nlohmann::json::parse(result.out, nullptr, false);
+}
+
+void Tool::put(const std::string& name, const TriMesh& mesh) const {
+  folder_.write(name, mesh_bytes(mesh, MeshFormat::off));
+}
+
+std::string example(const std::string& name) {
+  return std::string(DUPIN_SOURCE_DIR) + "/examples/" + name;
+}
+
+TriMesh open_box() {
+  TriMesh mesh = box({0, 0, 0}, {1, 1, 1});
+  mesh.triangles.erase(mesh.triangles.begin());
+  return mesh;
+}
+
+}  // namespace dupin::test

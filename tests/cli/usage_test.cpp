@@ -1,0 +1,120 @@
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+#include "tool.h"
+
+namespace dupin::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+using Usage = Tool;
+
+const std::vector<std::string>& commands() {
+  static const std::vector<std::string> names{"build", "union", "intersect", "subtract",  "check",
+                                              "gaps",  "info",  "convert",   "completion"};
+  return names;
+}
+
+TEST_F(Usage, faults_are_one_line_on_standard_error) {
+  put("a.off", box({0, 0, 0}, {1, 1, 1}));
+  const std::vector<std::pair<std::vector<std::string>, std::string>> table{
+      {{}, "A subcommand is required"},
+      {{"unite", "a.off"}, "'unite' is no command"},
+      {{"check"}, "FILE is required"},
+      {{"check", "a.off", "--fast"}, "The following argument was not expected: --fast"},
+      {{"check", "a.off", "--tolerance", "1"}, "check has no use for --tolerance"},
+      {{"info", "a.off", "--tolerance", "1"}, "info has no use for --tolerance"},
+      {{"gaps", "a.off", "--tolerance", "1"}, "gaps has no use for --tolerance"},
+      {{"union", "a.off", "-o", "b.off"}, "IN: At least 2 required but received 1"},
+      {{"union", "a.off", "a.off"}, "--output is required"},
+      {{"union", "a.off", "a.off", "-o", "-"}, "standard output needs --format"},
+      {{"union", "a.off", "a.off", "-o", "b.off", "--contacts", "hide"},
+       "--contacts: hide not in {report,refuse}"},
+      {{"convert", "a.off", "b"},
+       "b: the extension '' names no mesh format; known are .off, .stl, .ply, .obj, .3mf, .glb; or "
+       "say --format"},
+      {{"convert", "a.off", "b.stp"},
+       "b.stp: the extension '.stp' names no mesh format; known are .off, .stl, .ply, .obj, .3mf, "
+       ".glb; or say --format"},
+      {{"convert", "a.off", "b.off", "--tolerance", "wide"},
+       "'wide' is not a length such as 0.05, 1mm or 0.5in"},
+      {{"convert", "a.off", "b.off", "--tolerance", "-1mm"},
+       "a length must be positive, not '-1mm'"},
+      {{"convert", "a.off", "b.off", "--tolerance", "1yd"},
+       "the unit must be mm, cm, m, in or ft, not 'yd'"},
+      {{"completion", "zsh"}, "SHELL: zsh not in {bash}"},
+  };
+  for (const auto& [arguments, message] : table) {
+    const ProcessResult result = dupin(arguments);
+    EXPECT_EQ(result.exit_code, 2) << message;
+    EXPECT_EQ(result.err, "dupin: " + message + " (see dupin --help)\n");
+    EXPECT_EQ(result.out, "") << message;
+  }
+  EXPECT_THAT(folder_.files(), ElementsAre("a.off"));
+}
+
+TEST_F(Usage, faults_are_json_when_asked) {
+  const ProcessResult result = dupin({"check", "--json"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+  const auto error = nlohmann::json::parse(result.err).at("error");
+  EXPECT_EQ(error.at("code"), "usage");
+  EXPECT_EQ(error.at("exit"), 2);
+  EXPECT_EQ(error.at("message"), "FILE is required (see dupin --help)");
+}
+
+TEST_F(Usage, help_of_the_tool_lists_every_command) {
+  const ProcessResult result = dupin({"--help"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_THAT(result.out, HasSubstr("Examples:\n"));
+  for (const std::string& command : commands()) {
+    EXPECT_THAT(result.out, HasSubstr("\n  " + command + " "));
+  }
+}
+
+TEST_F(Usage, help_of_every_command_has_an_example_of_it) {
+  for (const std::string& command : commands()) {
+    const ProcessResult result = dupin({command, "--help"});
+    EXPECT_EQ(result.exit_code, 0) << command;
+    const std::size_t examples = result.out.find("Examples:\n");
+    ASSERT_NE(examples, std::string::npos) << command;
+    EXPECT_THAT(result.out.substr(examples), HasSubstr("dupin " + command));
+  }
+}
+
+TEST_F(Usage, lines_of_help_fit_a_terminal) {
+  for (const std::string& command : commands()) {
+    const std::string help = dupin({command, "--help"}).out;
+    for (std::size_t begin = 0; begin < help.size();) {
+      const std::size_t end = std::min(help.find('\n', begin), help.size());
+      EXPECT_LE(end - begin, 110) << help.substr(begin, end - begin);
+      begin = end + 1;
+    }
+  }
+}
+
+TEST_F(Usage, version_is_one_line) {
+  const ProcessResult result = dupin({"--version"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, StartsWith("dupin 0."));
+}
+
+TEST_F(Usage, common_options_stand_before_or_after_the_command) {
+  put("a.off", box({0, 0, 0}, {1, 1, 1}));
+  const std::string before = dupin({"--json", "check", "a.off"}).out;
+  EXPECT_THAT(before, StartsWith("{\n"));
+  EXPECT_EQ(dupin({"check", "a.off", "--json"}).out, before);
+  EXPECT_EQ(dupin({"-q", "check", "a.off"}).out, "");
+  EXPECT_EQ(dupin({"check", "a.off", "--quiet"}).out, "");
+}
+
+}  // namespace
+}  // namespace dupin::test
