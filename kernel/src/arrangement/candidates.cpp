@@ -3,47 +3,150 @@
 #include <algorithm>
 
 #include <CGAL/box_intersection_d.h>
+#include <tbb/parallel_for.h>
+
+#include "frames.h"
 
 namespace dupin::detail {
 namespace {
 
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
+struct TriangleBox {
+  std::array<double, 3> low, high;
+  std::uint32_t triangle;
+};
 
-std::vector<Box> boxes_within(const Scene& scene, std::uint32_t operand,
-                              const Scene::Bounds& window) {
-  std::vector<Box> boxes;
-  const ExactMesh& mesh = *scene.operands[operand];
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    const std::uint32_t t = scene.first_triangle[operand] + i;
-    Scene::Bounds box;
-    for (const std::uint32_t corner : mesh.triangles[i]) {
-      box.extend(mesh.points[corner]);
+struct BoxTraits {
+  using Box = TriangleBox;
+  using Box_parameter = const TriangleBox&;
+  using NT = double;
+  using ID = std::uint32_t;
+  static int dimension() { return 3; }
+  static ID id(const TriangleBox& box) { return box.triangle; }
+  static double min_coord(const TriangleBox& box, int k) {
+    return box.low[static_cast<std::size_t>(k)];
+  }
+  static double max_coord(const TriangleBox& box, int k) {
+    return box.high[static_cast<std::size_t>(k)];
+  }
+};
+
+class Finder {
+ public:
+  explicit Finder(const Scene& scene)
+      : scene_(scene), slack_(rotation_slack(scene.extent)), framed_(scene.operands.size()) {
+    tbb::parallel_for(std::size_t{0}, scene.operands.size(), [&](std::size_t o) {
+      const UpwardRounding rounding;
+      framed_[o] = framed(*scene.operands[o], slack_);
+    });
+  }
+
+  // Each operand is culled by what is left of the other, in its own axes; then what is left of both
+  // is compared in axes common to them.
+  [[nodiscard]] std::vector<TrianglePair> pairs(std::uint32_t a, std::uint32_t b) const {
+    std::vector<std::uint32_t> a_runs, b_runs;
+    Bounds a_bounds = framed_[a].bounds, b_bounds = framed_[b].bounds;
+    keep_runs(a, b, b_bounds, a_runs, a_bounds);
+    keep_runs(b, a, a_bounds, b_runs, b_bounds);
+    keep_runs(a, b, b_bounds, a_runs, a_bounds);
+    if (a_runs.empty() || b_runs.empty()) {
+      return {};
     }
-    if (!scene.merged[t] && box.intersects(window)) {
-      boxes.emplace_back(CGAL::Bbox_3(box.min()[0], box.min()[1], box.min()[2], box.max()[0],
-                                      box.max()[1], box.max()[2]),
-                         t);
+    const bool a_is_longer = framed_[a].bounds.sizes()[0] >= framed_[b].bounds.sizes()[0];
+    const Axes axes = a_is_longer ? common_axes(framed_[a].axes, framed_[b].axes)
+                                  : common_axes(framed_[b].axes, framed_[a].axes);
+    std::vector<TriangleBox> a_boxes = boxes(a, a_runs, axes), b_boxes = boxes(b, b_runs, axes);
+    keep_within(a_boxes, b_boxes);
+    keep_within(b_boxes, a_boxes);
+    std::vector<TrianglePair> result;
+    CGAL::box_intersection_d(
+        a_boxes.begin(), a_boxes.end(), b_boxes.begin(), b_boxes.end(),
+        [&result](const TriangleBox& x, const TriangleBox& y) {
+          result.push_back({x.triangle, y.triangle});
+        },
+        BoxTraits(), std::ptrdiff_t{50});
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+ private:
+  // The runs of one operand that reach into a box of another's, and their bounds.
+  void keep_runs(std::uint32_t operand, std::uint32_t other, const Bounds& box,
+                 std::vector<std::uint32_t>& kept, Bounds& bounds) const {
+    const FramedOperand& mine = framed_[operand];
+    kept.clear();
+    bounds.setEmpty();
+    if (box.isEmpty()) {
+      return;
+    }
+    const Bounds window = bounds_in(mine.axes, framed_[other].axes, box, slack_);
+    for (std::uint32_t i = 0; i < mine.runs.size(); ++i) {
+      if (mine.runs[i].intersects(window)) {
+        kept.push_back(i);
+        bounds.extend(mine.runs[i].intersection(window));
+      }
     }
   }
-  return boxes;
-}
+
+  [[nodiscard]] std::vector<TriangleBox> boxes(std::uint32_t operand,
+                                               const std::vector<std::uint32_t>& runs,
+                                               const Axes& axes) const {
+    const ExactMesh& mesh = *scene_.operands[operand];
+    std::vector<TriangleBox> result;
+    result.reserve(runs.size() * FramedOperand::kRun);
+    for (const std::uint32_t run : runs) {
+      const std::size_t begin = std::size_t{run} * FramedOperand::kRun;
+      const std::size_t end = std::min(begin + FramedOperand::kRun, mesh.triangles.size());
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto t = static_cast<std::uint32_t>(scene_.first_triangle[operand] + i);
+        if (!scene_.merged[t]) {
+          result.push_back(box(mesh, mesh.triangles[i], axes, t));
+        }
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] TriangleBox box(const ExactMesh& mesh, const Triangle& corners, const Axes& axes,
+                                std::uint32_t t) const {
+    const Vec3 p = axes * mesh.points[corners[0]], q = axes * mesh.points[corners[1]],
+               r = axes * mesh.points[corners[2]];
+    const Vec3 low = p.cwiseMin(q).cwiseMin(r), high = p.cwiseMax(q).cwiseMax(r);
+    return {{low[0] - slack_, low[1] - slack_, low[2] - slack_},
+            {high[0] + slack_, high[1] + slack_, high[2] + slack_},
+            t};
+  }
+
+  static void keep_within(std::vector<TriangleBox>& boxes, const std::vector<TriangleBox>& others) {
+    Bounds window;
+    for (const TriangleBox& b : others) {
+      window.extend(Vec3(b.low[0], b.low[1], b.low[2]));
+      window.extend(Vec3(b.high[0], b.high[1], b.high[2]));
+    }
+    std::erase_if(boxes, [&window](const TriangleBox& b) {
+      return !window.intersects(
+          Bounds(Vec3(b.low[0], b.low[1], b.low[2]), Vec3(b.high[0], b.high[1], b.high[2])));
+    });
+  }
+
+  const Scene& scene_;
+  double slack_;
+  std::vector<FramedOperand> framed_;
+};
 
 }  // namespace
 
 std::vector<TrianglePair> find_candidates(const Scene& scene) {
-  std::vector<TrianglePair> pairs;
-  for (const auto& [a, b] : scene.operand_pairs) {
-    const Scene::Bounds window = scene.bounds[a].intersection(scene.bounds[b]);
-    std::vector<Box> first = boxes_within(scene, a, window),
-                     second = boxes_within(scene, b, window);
-    const std::size_t before = pairs.size();
-    CGAL::box_intersection_d(first.begin(), first.end(), second.begin(), second.end(),
-                             [&pairs](const Box& x, const Box& y) {
-                               pairs.push_back({x.info(), y.info()});
-                             });
-    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end());
+  const Finder finder(scene);
+  std::vector<std::vector<TrianglePair>> found(scene.operand_pairs.size());
+  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+    const UpwardRounding rounding;
+    found[i] = finder.pairs(scene.operand_pairs[i][0], scene.operand_pairs[i][1]);
+  });
+  std::vector<TrianglePair> all;
+  for (const std::vector<TrianglePair>& pairs : found) {
+    all.insert(all.end(), pairs.begin(), pairs.end());
   }
-  return pairs;
+  return all;
 }
 
 }  // namespace dupin::detail
