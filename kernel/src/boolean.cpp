@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "arrangement/arrange.h"
+#include "combine.h"
 #include "dupin/kernel/error.h"
 #include "exact_mesh.h"
 #include "text.h"
@@ -24,33 +24,33 @@ void refuse_contacts(const ExactMesh& result) {
               first.names.empty() ? "" : first.names.front());
 }
 
-Solid combine(std::span<const Solid> operands, const detail::BooleanRule& rule,
-              const BooleanOptions& options) {
+}  // namespace
+
+Solid detail::combine(std::span<const Solid> operands, const BooleanRule& rule,
+                      const BooleanOptions& options) {
   std::vector<const ExactMesh*> meshes;
   for (const Solid& operand : operands) {
     meshes.push_back(&operand.exact());
   }
-  ExactMesh result = detail::arrange(meshes, rule, options.progress);
+  ExactMesh result = arrange(meshes, rule, options.progress);
   if (options.contacts == ContactPolicy::refuse) {
     refuse_contacts(result);
   }
   return Solid(std::make_shared<const ExactMesh>(std::move(result)));
 }
 
-}  // namespace
-
 Solid unite(std::span<const Solid> operands, const BooleanOptions& options) {
-  return combine(operands, detail::union_rule(operands.size()), options);
+  return detail::combine(operands, detail::union_rule(operands.size()), options);
 }
 
 Solid intersect(std::span<const Solid> operands, const BooleanOptions& options) {
-  return combine(operands, detail::intersection_rule(operands.size()), options);
+  return detail::combine(operands, detail::intersection_rule(operands.size()), options);
 }
 
 Solid subtract(const Solid& from, std::span<const Solid> operands, const BooleanOptions& options) {
   std::vector<Solid> all = {from};
   all.insert(all.end(), operands.begin(), operands.end());
-  return combine(all, detail::difference_rule(all.size()), options);
+  return detail::combine(all, detail::difference_rule(all.size()), options);
 }
 
 }  // namespace dupin
