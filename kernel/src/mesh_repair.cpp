@@ -83,19 +83,19 @@ bool shift_point(RepairMesh& mesh, const Lattice& lattice, std::uint32_t vertex,
   return false;
 }
 
-bool improve(RepairMesh& mesh, const Lattice& lattice, const Faces& faces, const Terms& terms) {
+bool collapse_or_flip(RepairMesh& mesh, const Faces& faces, const Terms& terms) {
   for (const auto& [length, a, b] : short_edges(mesh, faces, terms.reach)) {
     if (mesh.collapse(a, b, terms) || mesh.collapse(b, a, terms)) {
       return true;
     }
   }
-  for (const std::uint32_t f : faces) {
-    for (int edge = 0; edge < 3; ++edge) {
-      if (mesh.flip(f, edge, terms)) {
-        return true;
-      }
-    }
-  }
+  return std::ranges::any_of(faces, [&](std::uint32_t face) {
+    return mesh.flip(face, 0, terms) || mesh.flip(face, 1, terms) || mesh.flip(face, 2, terms);
+  });
+}
+
+bool shift_any_point(RepairMesh& mesh, const Lattice& lattice, const Faces& faces,
+                     const Terms& terms) {
   Faces vertices;
   for (const std::uint32_t f : faces) {
     vertices.insert(vertices.end(), mesh.triangle(f).begin(), mesh.triangle(f).end());
@@ -103,6 +103,17 @@ bool improve(RepairMesh& mesh, const Lattice& lattice, const Faces& faces, const
   sort_unique(vertices);
   return std::ranges::any_of(
       vertices, [&](std::uint32_t vertex) { return shift_point(mesh, lattice, vertex, terms); });
+}
+
+/// One step that lowers the number of bad items: at the item's own faces, else next to them; new
+/// edges first, because they are cheaper to try than new places.
+bool improve(RepairMesh& mesh, const Lattice& lattice, const BadItem& item, const Terms& terms) {
+  Faces faces = {item.first, item.second};
+  sort_unique(faces);
+  const Faces ring = with_neighbours(mesh, faces);
+  return collapse_or_flip(mesh, faces, terms) || collapse_or_flip(mesh, ring, terms) ||
+         shift_any_point(mesh, lattice, faces, terms) ||
+         shift_any_point(mesh, lattice, ring, terms);
 }
 
 double height(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -169,12 +180,7 @@ void repair(RepairMesh& mesh, const Lattice& lattice, double reach) {
   for (bool progress = true; progress && !items.empty(); items = mesh.bad_items()) {
     progress = false;
     for (const BadItem& item : items) {
-      if (mesh.is_bad(item)) {
-        Faces faces = {item.first, item.second};
-        sort_unique(faces);
-        progress = improve(mesh, lattice, faces, terms) ||
-                   improve(mesh, lattice, with_neighbours(mesh, faces), terms) || progress;
-      }
+      progress = (mesh.is_bad(item) && improve(mesh, lattice, item, terms)) || progress;
     }
   }
 }
