@@ -1,7 +1,8 @@
 #include "dupin/kernel/check.h"
 
-#include <cmath>
+#include <array>
 #include <limits>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -180,6 +181,56 @@ TEST(Check, coordinates_may_be_huge_or_tiny) {
                       reversed(box(Vec3::Constant(-size / 2), Vec3::Constant(size / 2)))}));
     EXPECT_TRUE(report.is_solid());
     EXPECT_EQ(report.components, 1U);
+  }
+}
+
+// Few points on a small grid, so that all kinds of faults come together.
+TriMesh random_mesh(std::mt19937_64& random) {
+  const double odd_ones[] = {std::numeric_limits<double>::quiet_NaN(),
+                             std::numeric_limits<double>::infinity(),
+                             1e308,
+                             -1e308,
+                             5e-324,
+                             -0.0};
+  TriMesh mesh;
+  const std::size_t points = random() % 9;
+  for (std::size_t i = 0; i < points; ++i) {
+    Vec3& point = mesh.points.emplace_back();
+    for (double& coordinate : point) {
+      coordinate = random() % 60 == 0 ? odd_ones[random() % 6] : static_cast<double>(random() % 3);
+    }
+  }
+  const std::size_t faces = random() % 14;
+  for (std::size_t i = 0; i < faces; ++i) {
+    Triangle& corners = mesh.triangles.emplace_back();
+    for (std::uint32_t& corner : corners) {
+      corner = static_cast<std::uint32_t>(random() % (points + (random() % 40 == 0 ? 1 : 0) + 1));
+      corner = corner == points && random() % 8 != 0 ? 0 : corner;
+    }
+  }
+  return mesh;
+}
+
+TEST(Check, survives_any_mesh) {
+  std::mt19937_64 random(2718);
+  std::array<std::size_t, kDefectCount> seen{};
+  for (int i = 0; i < 5000; ++i) {
+    const TriMesh mesh = random_mesh(random);
+    const Report report = check(mesh);
+    EXPECT_LT(report.count(Defect::self_intersection),
+              mesh.triangles.size() * mesh.triangles.size() + 1);  // pairs
+    for (const Finding& finding : report.findings) {
+      ++seen[static_cast<std::size_t>(finding.defect)];
+      EXPECT_NE(describe(finding, mesh), "");
+    }
+  }
+  // Contacts and wrong orientation of whole shells need closed surfaces: chance makes none.
+  for (const Defect defect :
+       {Defect::non_finite_point, Defect::bad_index, Defect::degenerate_face,
+        Defect::duplicate_face, Defect::boundary_edge, Defect::non_manifold_edge,
+        Defect::non_manifold_vertex, Defect::inconsistent_orientation, Defect::self_intersection,
+        Defect::isolated_point}) {
+    EXPECT_GT(seen[static_cast<std::size_t>(defect)], 100U) << name(defect);
   }
 }
 
