@@ -1,5 +1,6 @@
 #include "face_boxes.h"
 
+#include <cmath>
 #include <limits>
 
 namespace dupin::detail {

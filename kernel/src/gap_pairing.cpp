@@ -2,12 +2,12 @@
 #include <cmath>
 #include <numeric>
 #include <queue>
-#include <string>
 #include <tuple>
 
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/gap.h"
 #include "port_tree.h"
+#include "text.h"
 
 namespace dupin {
 namespace {
@@ -20,7 +20,7 @@ void validate(std::span<const Port> ports, double connect) {
     throw Error(Errc::invalid_argument,
                 "the distance within which ends are connected must be a finite length of at least "
                 "0, not " +
-                    std::to_string(connect));
+                    detail::text(connect));
   }
   for (const Port& port : ports) {
     try {

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <string>
 
 #include "boundary_loops.h"
 #include "dupin/kernel/error.h"
 #include "facing_regions.h"
+#include "text.h"
 #include "union_components.h"
 
 namespace dupin {
@@ -18,12 +17,12 @@ void validate(const MeshGapOptions& options) {
     throw Error(Errc::invalid_argument,
                 "the distance within which faces are connected must be a finite length of at least "
                 "0, not " +
-                    std::to_string(options.connect));
+                    detail::text(options.connect));
   }
   if (!(options.cosine > 0 && options.cosine <= 1)) {
     throw Error(Errc::invalid_argument,
                 "the cosine for faces that look at each other must be above 0 and at most 1, not " +
-                    std::to_string(options.cosine));
+                    detail::text(options.cosine));
   }
 }
 

@@ -124,7 +124,7 @@ TEST(PairEnds, agrees_with_brute_force_on_lattices_full_of_ties) {
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   const Vec3 oblique(0.6, 0, 0.8);
   const std::vector<Vec3> normals = {kForth, kBack, Vec3::UnitY(), oblique, -oblique};
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < 12; ++round) {
     std::vector<Port> ports;
     for (int i = 0; i < 60; ++i) {
       ports.push_back(port("p" + std::to_string(1000 + (i * 37) % 60),

@@ -226,8 +226,8 @@ TEST(MeshGap, bad_input_is_refused_by_name) {
   bad = cube(0, 1);
   bad.points[5].y() = std::nan("");
   EXPECT_EQ(message(bad, cube(0, 1), {}), "point 5 of the first mesh is not finite");
-  EXPECT_THAT(message({}, {}, {.connect = -1}), HasSubstr("finite length"));
-  EXPECT_THAT(message({}, {}, {.cosine = 0}), HasSubstr("cosine"));
+  EXPECT_THAT(message({}, {}, {.connect = -0.5}), HasSubstr("length of at least 0, not -0.5"));
+  EXPECT_THAT(message({}, {}, {.cosine = 1.5}), HasSubstr("at most 1, not 1.5"));
 }
 
 }  // namespace
