@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "dupin/blends/rational_ringed_surface.h"
+#include "polynomial.h"
+#include "quaternion.h"
+
+namespace dupin {
+namespace {
+
+using detail::conjugate;
+using detail::product;
+
+// The exact polynomial with these Bezier coefficients, as integers in Bernstein form, is positive.
+bool is_positive(const detail::Polynomial& polynomial) {
+  const auto exact = detail::bernstein(polynomial, polynomial.size() - 1);
+  mpz_class common = 1;
+  for (const mpq_class& x : exact) {
+    common = lcm(common, x.get_den());
+  }
+  detail::Bernstein whole;
+  for (const mpq_class& x : exact) {
+    whole.emplace_back(x.get_num() * (common / x.get_den()));
+  }
+  struct Leaf {
+    detail::Bernstein coefficients;
+    int depth = 0;
+  };
+  constexpr int kMaxDepth = 40;
+  std::vector<Leaf> stack{{whole}};
+  while (!stack.empty()) {
+    const Leaf leaf = std::move(stack.back());
+    stack.pop_back();
+    const auto& c = leaf.coefficients;
+    if (std::all_of(c.begin(), c.end(), [](const mpz_class& x) { return sgn(x) > 0; })) {
+      continue;
+    }
+    if (sgn(c.front()) <= 0 || sgn(c.back()) <= 0 || leaf.depth == kMaxDepth) {
+      return false;
+    }
+    auto [left, right] = detail::halves(c);
+    stack.push_back({std::move(left), leaf.depth + 1});
+    stack.push_back({std::move(right), leaf.depth + 1});
+  }
+  return true;
+}
+
+// The exact quaternion polynomial's coefficients; n = A i A*, |A|^2.
+struct ExactRotation {
+  detail::VectorPolynomial normal;
+  detail::Polynomial square;
+};
+
+ExactRotation exact_rotation(const RationalRingedSurface& surface) {
+  using ExactQuaternion = detail::Quaternion<mpq_class>;
+  std::array<detail::Polynomial, 4> parts;
+  for (std::size_t part = 0; part < 4; ++part) {
+    std::vector<mpq_class> bezier;
+    for (const auto& q : surface.rotation) {
+      bezier.emplace_back(q[part]);
+    }
+    parts[part] = detail::power_basis(bezier);
+  }
+  const std::size_t size = surface.rotation.size();
+  const auto coefficient = [&](std::size_t i) {
+    return ExactQuaternion{parts[0][i], parts[1][i], parts[2][i], parts[3][i]};
+  };
+  const ExactQuaternion unit{0, 1, 0, 0};
+  ExactRotation result{detail::VectorPolynomial(2 * size - 1), detail::Polynomial(2 * size - 1)};
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j) {
+      const ExactQuaternion a = coefficient(i), b = conjugate(coefficient(j));
+      const ExactQuaternion n = product(product(a, unit), b), s = product(a, b);
+      for (std::size_t part = 0; part < 3; ++part) {
+        result.normal[i + j][part] += n[part + 1];
+      }
+      result.square[i + j] += s[0];
+    }
+  }
+  return result;
+}
+
+detail::Polynomial dot(const detail::VectorPolynomial& a, const detail::VectorPolynomial& b) {
+  detail::Polynomial c(a.size() + b.size() - 1);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      c[i + j] += detail::dot(a[i], b[j]);
+    }
+  }
+  return c;
+}
+
+detail::Polynomial derivative(const detail::Polynomial& p) {
+  detail::Polynomial c;
+  for (std::size_t i = 1; i < p.size(); ++i) {
+    c.push_back(mpq_class(static_cast<unsigned long>(i)) * p[i]);
+  }
+  return c;
+}
+
+detail::Polynomial difference(detail::Polynomial a, const detail::Polynomial& b) {
+  a.resize(std::max(a.size(), b.size()));
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    a[i] -= b[i];
+  }
+  return a;
+}
+
+}  // namespace
+
+// With n of length s = |A|^2: discs are disjoint locally if and only if d'.n > 0 and
+// (d'.n)^2 > rho^2 (|n'|^2 - s'^2).
+bool proves_regular(const RationalRingedSurface& surface) {
+  std::vector<detail::ExactVec3> points;
+  for (const Vec3& point : surface.center) {
+    points.push_back(detail::exact(point));
+  }
+  const auto velocity = detail::derivative(detail::power_basis(points));
+  const auto radius =
+      detail::power_basis(std::vector<mpq_class>(surface.radius.begin(), surface.radius.end()));
+  const ExactRotation rotation = exact_rotation(surface);
+  const auto advance = dot(velocity, rotation.normal);
+  const auto turning = difference(detail::squared_norm(detail::derivative(rotation.normal)),
+                                  detail::square(derivative(rotation.square)));
+  return is_positive(radius) && is_positive(advance) &&
+         is_positive(
+             difference(detail::square(advance), detail::product(detail::square(radius), turning)));
+}
+
+}  // namespace dupin
