@@ -126,17 +126,23 @@ class Builder {
     return chosen;
   }
 
-  // Parts of a run may cross each other. Such a run is halved, at a ring, until no piece crosses
-  // itself; the discs of both halves there are the same and vanish in the union.
+  // Parts of a run may cross, touch or cover each other. Such a run is halved, at a ring, until
+  // every piece is a solid; the discs of both halves there are the same and vanish in the union.
   void append_solids(std::span<const std::uint32_t> parts, const RingSampling& chosen) {
     try {
-      const TriMesh mesh = detail::welded(resolved_, parts, tubes_, chosen);
-      solids_.push_back(in_part(resolved_.parts[parts.front()], [&] { return Solid::from(mesh); }));
+      solids_.push_back(Solid::from(detail::welded(resolved_, parts, tubes_, chosen)));
       return;
     } catch (const Error& error) {
-      if (error.code() != Errc::self_intersecting || parts.size() == 1) {
+      if (error.code() == Errc::limit_exceeded) {
         throw;
       }
+    }
+    if (parts.size() == 1) {
+      in_part(resolved_.parts[parts.front()], [] {
+        throw Error(
+            Errc::self_intersecting,
+            "the part comes back and crosses itself; choose other ends, end speeds or radii");
+      });
     }
     const auto half = parts.size() / 2;
     append_solids(parts.first(half), chosen);

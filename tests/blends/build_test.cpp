@@ -205,8 +205,11 @@ TEST(Build, refuses_a_blend_that_crosses_itself_far_away) {
     (void)build(loop);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::self_intersecting) << error.what();
-    EXPECT_EQ(error.part(), "blend");
+    EXPECT_EQ(error.code(), Errc::self_intersecting);
+    EXPECT_STREQ(
+        error.what(),
+        "/parts/2: 'blend': the part comes back and crosses itself; choose other ends, end "
+        "speeds or radii");
   }
 }
 
@@ -225,6 +228,21 @@ TEST(Build, unites_a_run_that_crosses_itself) {
   const auto resolved = resolve(crossing);
   // g crosses a at a right angle: two cylinders of radius 1 share 16/3.
   expect_solid("crossing", crossing, {1, 2, 1, 0, smooth_volume(resolved) - 16.0 / 3});
+}
+
+TEST(Build, unites_a_run_that_comes_back_over_itself) {
+  // Four quarter turns in one plane lead back into the first pipe, which the last one covers.
+  std::vector<Part> parts{pipe("pipe-0", Vec3(0, 0, 0), Vec3(4, 0, 0), 1)};
+  const Vec3 turns[] = {Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0), Vec3(1, 0, 0)};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::string elbow = "elbow-" + std::to_string(i);
+    parts.push_back(
+        {elbow, ElbowTurning{end_of("pipe-" + std::to_string(i)), 2, kPi / 2, turns[i]}});
+    parts.push_back({"pipe-" + std::to_string(i + 1), PipeAlong{end_of(elbow), 4}});
+  }
+  const Assembly ring = assembly(std::move(parts));
+  const auto resolved = resolve(ring);
+  expect_solid("ring", ring, {1, 2, 1, 0, smooth_volume(resolved) - 4 * kPi});
 }
 
 TEST(Build, welds_a_closed_loop_of_parts) {
