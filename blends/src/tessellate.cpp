@@ -277,12 +277,13 @@ Tessellation tessellate(const RingedSurface& surface, const RingSampling& sampli
   Tessellation result{{}, std::uint32_t(knots.size() - 1), along.error_bound + displacement};
   TriMesh& mesh = result.mesh;
   mesh.points.reserve(n * knots.size());
-  mesh.triangles.reserve(2 * n * std::size_t(result.bands));
+  mesh.triangles.reserve(2 * std::size_t(n) * result.bands);
   mesh.points = first_ring;
   for (std::size_t j = 1; j + 1 < knots.size(); ++j) {
     const SpinePoint y = evaluate(surface.spine, knots[j]);
     const double radius = evaluate(surface.radius, knots[j]).value;
-    const Vec3 b1 = firsts[j], b2 = y.first.normalized().cross(b1);
+    const Vec3& b1 = firsts[j];
+    const Vec3 b2 = y.first.normalized().cross(b1);
     const double turned = last.twist * double(j) / result.bands;
     for (std::uint32_t i = 0; i < n; ++i) {
       const double angle = 2 * std::numbers::pi * i / n + turned;

@@ -110,11 +110,11 @@ std::size_t form(const JsonNode& node, std::span<const Form> forms) {
 }
 
 PartShape pipe(const JsonNode& node) {
-  static const std::array<Form, 4> kForms{{{false, {"from", "to", "radius"}},
-                                           {false, {"from", "direction", "length", "radius"}},
-                                           {true, {"from", "length"}},
-                                           {true, {"from", "to"}}}};
-  switch (form(node, kForms)) {
+  static const std::array<Form, 4> forms{{{false, {"from", "to", "radius"}},
+                                          {false, {"from", "direction", "length", "radius"}},
+                                          {true, {"from", "length"}},
+                                          {true, {"from", "to"}}}};
+  switch (form(node, forms)) {
     case 0:
       return PipeBetween{vector(node.at("from")), vector(node.at("to")),
                          node.at("radius").number()};
@@ -126,10 +126,10 @@ PartShape pipe(const JsonNode& node) {
 }
 
 PartShape cone(const JsonNode& node) {
-  static const std::array<Form, 3> kForms{{{false, {"from", "to", "radii"}},
-                                           {false, {"from", "direction", "length", "radii"}},
-                                           {true, {"from", "length", "end_radius"}}}};
-  const auto which = form(node, kForms);
+  static const std::array<Form, 3> forms{{{false, {"from", "to", "radii"}},
+                                          {false, {"from", "direction", "length", "radii"}},
+                                          {true, {"from", "length", "end_radius"}}}};
+  const auto which = form(node, forms);
   if (which == 2) {
     return ConeAlong{port(node.at("from")), node.at("length").number(),
                      node.at("end_radius").number()};
@@ -142,14 +142,14 @@ PartShape cone(const JsonNode& node) {
 }
 
 PartShape elbow(const JsonNode& node) {
-  static const std::array<Form, 6> kForms{
+  static const std::array<Form, 6> forms{
       {{false, {"from", "direction", "radius", "bend_radius", "angle", "toward"}},
        {true, {"from", "bend_radius", "angle", "toward"}},
        {false, {"from", "direction", "to", "radius"}},
        {true, {"from", "to"}},
        {false, {"from", "corner", "to", "radius"}},
        {true, {"from", "corner", "to"}}}};
-  const auto which = form(node, kForms);
+  const auto which = form(node, forms);
   if (which <= 1) {
     return ElbowTurning{origin(node), node.at("bend_radius").number(),
                         node.at("angle").number() / 180 * std::numbers::pi,
