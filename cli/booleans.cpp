@@ -8,6 +8,7 @@
 #include "length.h"
 #include "output.h"
 #include "progress_line.h"
+#include "rounding_options.h"
 
 namespace dupin::cli {
 namespace {
@@ -21,6 +22,7 @@ struct BooleanArguments {
   std::vector<std::string> files;
   std::string output, format;
   ContactPolicy contacts = ContactPolicy::report;
+  RoundingArguments rounding;
 };
 
 Solid subtract_all(std::span<const Solid> operands, const BooleanOptions& options) {
@@ -30,7 +32,8 @@ Solid subtract_all(std::span<const Solid> operands, const BooleanOptions& option
 ExitCode run_boolean(const BooleanCommand& command, const BooleanArguments& arguments,
                      const CommonOptions& common) {
   const Destination to = destination(arguments.output, arguments.format);
-  const RoundingOptions rounding{mesh_length(common.tolerance, 0)};
+  const RoundingOptions rounding =
+      rounding_options(arguments.rounding, Unit::millimetre, mesh_length(common.tolerance, 0));
   std::vector<Solid> operands;
   for (const std::string& file : arguments.files) {
     operands.push_back(read_solid_input(file));
@@ -57,6 +60,7 @@ void add_boolean(CLI::App& app, Action& action, const BooleanCommand& boolean) {
       ->required();
   add_format_option(*command, arguments->format);
   add_contacts_option(*command, arguments->contacts);
+  add_rounding_options(*command, arguments->rounding);
   command->footer(boolean.footer);
   command->callback([arguments, boolean, &action] {
     action = [arguments, boolean](const CommonOptions& common) {

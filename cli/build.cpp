@@ -11,6 +11,7 @@
 #include "output.h"
 #include "progress_line.h"
 #include "report_text.h"
+#include "rounding_options.h"
 
 namespace dupin::cli {
 namespace {
@@ -19,6 +20,7 @@ struct BuildArguments {
   std::string file, output, format, connect;
   std::uint32_t segments = 0;
   ContactPolicy contacts = ContactPolicy::report;
+  RoundingArguments rounding;
 };
 
 /// "3 (2 pipe, 1 cyclic_blend)".
@@ -81,6 +83,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   const Destination to = destination(arguments.output, arguments.format);
   const Assembly assembly = read_document(arguments.file);
   BuildOptions options = build_options(assembly, arguments, common);
+  const RoundingOptions rounding = rounding_options(arguments.rounding, assembly.unit, 0);
   BuildReport report;
   {
     ProgressLine line(common.quiet);
@@ -88,7 +91,8 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     Built built = build(assembly, options);
     report.gaps = {assembly.source, assembly.unit, options.connect, std::move(built.ports),
                    std::move(built.gaps)};
-    report.output = write_solid(built.solid, to, {}, {std::string(symbol(assembly.unit)), {}});
+    report.output =
+        write_solid(built.solid, to, rounding, {std::string(symbol(assembly.unit)), {}});
     report.parts = std::move(built.parts);
     report.runs = built.runs;
     report.pieces = built.pieces;
@@ -119,6 +123,7 @@ void add_build(CLI::App& app, Action& action) {
       ->check(CLI::Range(3, 65536));
   add_connect_option(*command, arguments->connect);
   add_contacts_option(*command, arguments->contacts);
+  add_rounding_options(*command, arguments->rounding);
   command->footer(
       "Exit code 1: built and written, but ends that belong together do not meet.\n\n"
       "Examples:\n"

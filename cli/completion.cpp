@@ -49,7 +49,8 @@ _dupin() {
     --format) COMPREPLY=($(compgen -W ")" +
          joined(format_names()) + R"(" -- "$word")); return ;;
     --contacts) COMPREPLY=($(compgen -W "report refuse" -- "$word")); return ;;
-    --tolerance|--connect) return ;;
+    --origin) COMPREPLY=($(compgen -W "keep auto" -- "$word")); return ;;
+    --tolerance|--connect|--grid) return ;;
   esac
   case $command in
     "") words=")" +

@@ -6,12 +6,14 @@
 #include "input.h"
 #include "length.h"
 #include "output.h"
+#include "rounding_options.h"
 
 namespace dupin::cli {
 namespace {
 
 struct ConvertArguments {
   std::string input, output, format;
+  RoundingArguments rounding;
 };
 
 /// True when every coordinate is a number of the format already.
@@ -23,9 +25,12 @@ bool fits(const TriMesh& mesh, Coordinates coordinates) {
 
 ExitCode run_convert(const ConvertArguments& arguments, const CommonOptions& common) {
   const Destination to = destination(arguments.output, arguments.format);
-  const RoundingOptions rounding{mesh_length(common.tolerance, 0)};
+  const RoundingOptions rounding =
+      rounding_options(arguments.rounding, Unit::millimetre, mesh_length(common.tolerance, 0));
+  const bool unchanged = rounding.grid == 0 && rounding.origin.choice == Origin::Choice::keep;
   const TriMesh mesh = read_mesh_input(arguments.input);
-  const bool stays_solid = !fits(mesh, coordinates(to.format)) && check(mesh).is_solid();
+  const bool stays_solid =
+      !(unchanged && fits(mesh, coordinates(to.format))) && check(mesh).is_solid();
   print_written(
       stays_solid ? write_solid(Solid::from(mesh), to, rounding, {}) : write_plain(mesh, to), to,
       common);
@@ -44,6 +49,7 @@ void add_convert(CLI::App& app, Action& action) {
       ->type_name("")
       ->required();
   add_format_option(*command, arguments->format);
+  add_rounding_options(*command, arguments->rounding);
   command->footer(
       "A solid whose coordinates the format cannot hold is rounded so that it stays one; any\n"
       "other mesh is written as it is.\n\n"

@@ -100,6 +100,7 @@ int run(std::span<char*> arguments) {
   add_check(app, action);
   add_gaps(app, action);
   add_convert(app, action);
+  add_simplify(app, action);
   add_info(app, action);
   add_completion(app, action);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <limits>
+#include <sstream>
 
 #include "dupin/io/atomic_file.h"
 #include "exit_code.h"
@@ -55,6 +57,13 @@ RoundingReport nearest_rounding(const TriMesh& mesh, Coordinates coordinates) {
   return report;
 }
 
+std::string origin_note(const Vec3& origin) {
+  std::ostringstream note;
+  note.precision(std::numeric_limits<double>::max_digits10);
+  note << "origin at " << origin.x() << " " << origin.y() << " " << origin.z();
+  return note.str();
+}
+
 }  // namespace
 
 const std::vector<std::string>& format_names() {
@@ -101,8 +110,11 @@ Destination destination(const std::string& path, const std::string& format) {
 }
 
 OutputReport write_solid(const Solid& solid, const Destination& to, const RoundingOptions& rounding,
-                         const MeshHeader& header) {
+                         MeshHeader header) {
   const Rounded rounded = to_mesh(solid, coordinates(to.format), rounding);
+  if (rounded.report.origin != Vec3::Zero()) {
+    header.note += (header.note.empty() ? "" : "; ") + origin_note(rounded.report.origin);
+  }
   OutputReport report{to.is_stdout() ? "standard output" : to.path,
                       std::string(name(to.format)),
                       rounded.report,
@@ -122,7 +134,8 @@ OutputReport write_plain(const TriMesh& mesh, const Destination& to) {
           std::string(name(to.format)),
           nearest_rounding(mesh, coordinates(to.format)),
           check(read_mesh(bytes, to.path, to.format)),
-          {}};
+          {},
+          std::nullopt};
 }
 
 std::ostream& report_stream(const Destination& to) {

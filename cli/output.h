@@ -37,9 +37,10 @@ void add_contacts_option(CLI::App& command, ContactPolicy& contacts);
 [[nodiscard]] Destination destination(const std::string& path, const std::string& format);
 
 /// Rounds once to what the format holds, reads the bytes back, checks them, and only then lets the
-/// file take its place. Throws Error{unroundable}, OutputError.
+/// file take its place; says so in the header if the origin is moved. Throws Error{unroundable},
+/// OutputError.
 [[nodiscard]] OutputReport write_solid(const Solid& solid, const Destination& to,
-                                       const RoundingOptions& rounding, const MeshHeader& header);
+                                       const RoundingOptions& rounding, MeshHeader header);
 
 /// Writes any mesh with every coordinate rounded to the nearest that the format holds, and says
 /// what came of it. Throws OutputError.

@@ -103,7 +103,16 @@ void print_report(std::ostream& out, const Report& report) {
 void print_output(std::ostream& out, const OutputReport& report, std::string_view unit) {
   print_row(out, "written", report.file + ", " + report.format);
   print_measures(out, report.check, unit);
+  if (report.simplification) {
+    print_row(out, "simplified",
+              counted(report.simplification->removed_triangles, "triangle") +
+                  " less, deviation at most " +
+                  powered(report.simplification->deviation, unit, ""));
+  }
   print_row(out, "rounding", rounding_text(report.rounding, unit));
+  if (report.rounding.origin != Vec3::Zero()) {
+    print_row(out, "origin", place_text(report.rounding.origin));
+  }
   if (!report.contacts.empty()) {
     print_row(out, "contacts", std::to_string(report.contacts.size()));
     for (const Contact& contact : report.contacts) {

@@ -80,11 +80,16 @@ Json form(const Report& report) {
 }
 
 Json form(const OutputReport& report) {
-  return {{"file", report.file},
-          {"format", report.format},
-          {"rounding", form(report.rounding)},
-          {"contacts", list(report.contacts)},
-          {"check", form(report.check)}};
+  Json object{{"file", report.file},
+              {"format", report.format},
+              {"rounding", form(report.rounding)},
+              {"contacts", list(report.contacts)},
+              {"check", form(report.check)}};
+  if (report.simplification) {
+    object["simplification"] = {{"removed_triangles", report.simplification->removed_triangles},
+                                {"deviation", report.simplification->deviation}};
+  }
+  return object;
 }
 
 std::string text(const Json& json) {

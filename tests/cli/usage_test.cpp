@@ -17,8 +17,9 @@ using testing::StartsWith;
 using Usage = Tool;
 
 const std::vector<std::string>& commands() {
-  static const std::vector<std::string> names{"build", "union", "intersect", "subtract",  "check",
-                                              "gaps",  "info",  "convert",   "completion"};
+  static const std::vector<std::string> names{"build",    "union",     "intersect", "subtract",
+                                              "check",    "gaps",      "info",      "convert",
+                                              "simplify", "completion"};
   return names;
 }
 
@@ -49,6 +50,13 @@ TEST_F(Usage, faults_are_one_line_on_standard_error) {
        "a length must be positive, not '-1mm'"},
       {{"convert", "a.off", "b.off", "--tolerance", "1yd"},
        "the unit must be mm, cm, m, in or ft, not 'yd'"},
+      {{"convert", "a.off", "b.off", "--origin", "1,2"},
+       "the origin must be keep, auto or three coordinates such as 1000,2000,0, not '1,2'"},
+      {{"convert", "a.off", "b.off", "--origin", "1,2,3x"},
+       "the origin must be keep, auto or three coordinates such as 1000,2000,0, not '1,2,3x'"},
+      {{"convert", "a.off", "b.off", "--grid", "0.001"},
+       "the grid must be a power of two, such as 0.0009765625, not '0.001'"},
+      {{"simplify", "a.off", "b.off"}, "simplify needs --tolerance"},
       {{"completion", "zsh"}, "SHELL: zsh not in {bash}"},
   };
   for (const auto& [arguments, message] : table) {

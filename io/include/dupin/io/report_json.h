@@ -18,6 +18,12 @@
 
 namespace dupin {
 
+/// What `simplify` left out before.
+struct SimplificationReport {
+  std::size_t removed_triangles = 0;
+  double deviation = 0;
+};
+
 /// What a mesh file that was written holds, and how it came to.
 struct OutputReport {
   std::string file;
@@ -25,6 +31,7 @@ struct OutputReport {
   RoundingReport rounding;        ///< of exact coordinates to the file's
   Report check;                   ///< of the file as read back
   std::vector<Contact> contacts;  ///< where the solid touches itself
+  std::optional<SimplificationReport> simplification = std::nullopt;
 };
 
 struct Box {

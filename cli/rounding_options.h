@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "commands.h"
+#include "dupin/blends/unit.h"
+#include "dupin/kernel/rounding.h"
+
+namespace dupin::cli {
+
+/// --origin and --grid as typed; empty when not given.
+struct RoundingArguments {
+  std::string origin, grid;
+};
+
+/// Adds both, shared by all commands that write a solid.
+void add_rounding_options(CLI::App& command, RoundingArguments& arguments);
+
+/// What they mean beside coordinates in `unit`. Throws UsageError.
+[[nodiscard]] RoundingOptions rounding_options(const RoundingArguments& arguments, Unit unit,
+                                               double tolerance);
+
+}  // namespace dupin::cli
