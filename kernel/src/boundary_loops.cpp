@@ -6,8 +6,8 @@
 
 #include "edge_table.h"
 #include "exact.h"
-#include "mesh_pair.h"
 #include "exact_vector.h"
+#include "mesh_pair.h"
 
 namespace dupin::detail {
 namespace {
