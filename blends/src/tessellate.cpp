@@ -47,8 +47,8 @@ bool is_uniform(const RingedSurface& surface) {
 // Where the surface lies between the corners of a triangle with legs dt along and du around.
 //
 // A linear interpolant on a right triangle with legs dt, du differs from the surface x(t, u) by at
-// most (dt^2 Mtt + 2 dt du Mtu + du^2 Muu) / 8 [FMM86]. If the far corners
-// are turned by s against the frame, the triangle is right-angled in w = u - (s / dt) t, where
+// most (dt^2 Mtt + 2 dt du Mtu + du^2 Muu) / 8 [FMM86]. If the far corners are turned by s against
+// the frame, the triangle is right-angled in w = u - (s / dt) t, where
 //   X_tt = x_tt + 2 (s/dt) x_tu + (s/dt)^2 x_uu,  X_tw = x_tu + (s/dt) x_uu,  X_ww = x_uu,
 // and the bound becomes the one with du + |s| for du:
 //   dt^2 (Mtt + 2 |s|/dt Mtu + (s/dt)^2 Muu) + 2 dt du (Mtu + |s|/dt Muu) + du^2 Muu
