@@ -27,9 +27,9 @@ std::vector<double> grid_axis(const std::optional<double>& given) {
   if (given) {
     return {*given};
   }
-  std::vector<double> axis;
+  std::vector<double> axis(kGridSize);
   for (int i = 0; i < kGridSize; ++i) {
-    axis.push_back(std::log(kShortest) + i * kSpacing);
+    axis[i] = std::log(kShortest) + i * kSpacing;
   }
   return axis;
 }

@@ -212,7 +212,7 @@ Interval CurvatureRatio::at_end(const Leaf& leaf) const {
 bool CurvatureRatio::proves_below(const Leaf& leaf, const mpq_class& bound) const {
   const Bernstein denominator = binomial_scaled(leaf.denominator);
   const Scaled upper = upper_numerator(leaf);
-  const mpz_class numerator_factor = bound.get_den();
+  const mpz_class& numerator_factor = bound.get_den();
   const mpz_class denominator_factor = bound.get_num()
                                        << static_cast<unsigned long>(-upper.exponent);
   for (std::size_t i = 0; i < denominator.size(); ++i) {

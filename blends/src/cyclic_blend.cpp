@@ -201,7 +201,7 @@ RingedSurface cyclic_blend(const Ring& from, const Ring& to, const CyclicBlendOp
     const BlendChoice choice = choose_velocities(from, to, options);
     return assembled(from, to, options, choice.k, choice.l);
   }
-  const RingedSurface surface = assembled(from, to, options, *options.k, *options.l);
+  RingedSurface surface = assembled(from, to, options, *options.k, *options.l);
   if (!is_valid(surface, options.margin)) {
     refuse(from, to, options, surface);
   }

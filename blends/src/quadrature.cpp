@@ -42,10 +42,10 @@ std::array<Node, kPoints> gauss_legendre() {
 }  // namespace
 
 Quadrature gauss_panels(int panels) {
-  static const std::array<Node, kPoints> kRule = gauss_legendre();
+  static const std::array<Node, kPoints> nodes = gauss_legendre();
   Quadrature rule;
   for (int panel = 0; panel < panels; ++panel) {
-    for (const auto& [x, weight] : kRule) {
+    for (const auto& [x, weight] : nodes) {
       rule.nodes.push_back(static_cast<double>((panel + (1 + x) / 2) / panels));
       rule.weights.push_back(static_cast<double>(weight / (2 * panels)));
     }

@@ -25,8 +25,8 @@ template <class Function>
 /// The integral of f over [0, 1] on 8 panels.
 template <class Function>
 [[nodiscard]] double integral(const Function& f) {
-  static const Quadrature kRule = gauss_panels(8);
-  return integral(f, kRule);
+  static const Quadrature rule = gauss_panels(8);
+  return integral(f, rule);
 }
 
 }  // namespace dupin::detail
