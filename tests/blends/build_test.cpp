@@ -168,6 +168,30 @@ TEST(Build, makes_one_solid_of_the_plant_run) {
   expect_solid("plant-run.json", plant, {11, 11, 1, 2, smooth_volume(resolved) - overlap});
 }
 
+TEST(Build, makes_a_solid_of_all_examples_but_the_tight_one) {
+  std::size_t built = 0;
+  const auto folder = std::filesystem::path(DUPIN_SOURCE_DIR) / "examples";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".json" && entry.path().filename() != "tight.json") {
+      const Solid solid = build(read_assembly(entry.path())).solid;
+      EXPECT_TRUE(check(to_mesh(solid).mesh).is_solid()) << entry.path();
+      ++built;
+    }
+  }
+  EXPECT_GE(built, 7U);
+}
+
+TEST(Build, puts_all_points_of_welded_parts_on_the_grid) {
+  const Assembly reducer = example("reducer.json");
+  const Built built = build(reducer);
+  // 1/2048 of the tolerance or less, but more than half of that.
+  EXPECT_LE(built.grid, reducer.tolerance / 2048);
+  EXPECT_GT(built.grid, reducer.tolerance / 4096);
+  for (const Vec3& point : to_mesh(built.solid).mesh.points) {
+    EXPECT_EQ(snapped(point, built.grid), point);
+  }
+}
+
 TEST(Build, refuses_a_tight_blend) {
   try {
     (void)build(example("tight.json"));
