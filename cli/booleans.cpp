@@ -2,6 +2,8 @@
 #include <span>
 #include <vector>
 
+#include <CLI/App.hpp>
+
 #include "commands.h"
 #include "dupin/kernel/boolean.h"
 #include "input.h"

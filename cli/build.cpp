@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
+
+#include <CLI/App.hpp>
 
 #include "commands.h"
 #include "document.h"
@@ -51,17 +54,19 @@ std::string margin_text(const std::vector<PartReport>& parts) {
 
 void print_build(std::ostream& out, const BuildReport& report) {
   double error = 0;
-  double tangency = 0;
+  std::optional<double> tangency;
   for (const PartReport& part : report.parts) {
     error = std::max(error, part.error_bound);
-    tangency = std::max({tangency, part.start_tangency.value_or(0), part.end_tangency.value_or(0)});
+    tangency = std::max({tangency, part.start_tangency, part.end_tangency});
   }
   const std::string unit(symbol(report.gaps.unit));
   print_row(out, "parts", parts_text(report.parts));
   print_output(out, report.output, unit);
   print_row(out, "smallest margin", margin_text(report.parts));
   print_row(out, "mesh error", "at most " + number(error) + " " + unit);
-  print_row(out, "tangent", "within " + number(tangency) + " rad");
+  if (tangency) {
+    print_row(out, "tangent", "within " + number(*tangency) + " rad");
+  }
   print_gaps(out, report.gaps);
 }
 

@@ -3,6 +3,8 @@
 #include <iostream>
 #include <memory>
 
+#include <CLI/App.hpp>
+
 #include "commands.h"
 #include "input.h"
 #include "length.h"

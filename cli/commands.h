@@ -3,9 +3,11 @@
 #include <functional>
 #include <string>
 
-#include <CLI/App.hpp>
-
 #include "exit_code.h"
+
+namespace CLI {
+class App;
+}
 
 namespace dupin::cli {
 

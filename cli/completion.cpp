@@ -2,6 +2,8 @@
 #include <string>
 #include <vector>
 
+#include <CLI/App.hpp>
+
 #include "commands.h"
 #include "output.h"
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <memory>
 
+#include <CLI/App.hpp>
+
 #include "commands.h"
 #include "dupin/kernel/check.h"
 #include "input.h"

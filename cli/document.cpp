@@ -1,5 +1,7 @@
 #include "document.h"
 
+#include <CLI/App.hpp>
+
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 #include "input.h"

@@ -2,10 +2,12 @@
 
 #include <string>
 
-#include <CLI/App.hpp>
-
 #include "dupin/blends/assembly.h"
 #include "dupin/io/report_json.h"
+
+namespace CLI {
+class App;
+}
 
 namespace dupin::cli {
 

@@ -1,6 +1,8 @@
 #include <iostream>
 #include <memory>
 
+#include <CLI/App.hpp>
+
 #include "commands.h"
 #include "document.h"
 #include "dupin/io/assembly_json.h"

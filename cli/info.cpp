@@ -1,6 +1,8 @@
 #include <iostream>
 #include <memory>
 
+#include <CLI/App.hpp>
+
 #include "commands.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/mesh_file.h"

@@ -5,6 +5,8 @@
 #include <limits>
 #include <sstream>
 
+#include <CLI/App.hpp>
+
 #include "dupin/io/atomic_file.h"
 #include "exit_code.h"
 #include "report_text.h"

@@ -4,14 +4,16 @@
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
-
 #include "commands.h"
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/report_json.h"
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/rounding.h"
 #include "dupin/kernel/solid.h"
+
+namespace CLI {
+class App;
+}
 
 namespace dupin::cli {
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include <CLI/App.hpp>
+
 #include "exit_code.h"
 #include "length.h"
 

@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include <CLI/App.hpp>
+
 #include "commands.h"
 #include "exit_code.h"
 #include "input.h"
