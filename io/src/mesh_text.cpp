@@ -15,12 +15,6 @@ void append_shortest(std::string& text, Number value) {
   text.append(digits.data(), result.ptr);
 }
 
-/// Never inlined: GCC 12 at -O2 pairs two such conversions into vectors and then drops both (wrong
-/// code of its SLP vectoriser; clang and -fno-tree-slp-vectorize get it right).
-[[gnu::noinline]] double nearest_binary32(double value) {
-  return static_cast<double>(static_cast<float>(value));
-}
-
 void require_finite(const TriMesh& mesh) {
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     if (!mesh.points[i].allFinite()) {
@@ -98,14 +92,11 @@ std::vector<Vec3> writable_points(const TriMesh& mesh, Coordinates coordinates) 
   std::vector<Vec3> points;
   points.reserve(mesh.points.size());
   for (const Vec3& point : mesh.points) {
-    Vec3 held = point;
-    if (coordinates == Coordinates::binary32) {
-      held = point.unaryExpr(&nearest_binary32);
-      if (!held.allFinite()) {
-        throw Error(Errc::unroundable,
-                    "point " + std::to_string(points.size()) +
-                        " lies beyond the numbers this format holds (3.4e38); use OFF");
-      }
+    const Vec3 held = point.unaryExpr([&](double value) { return nearest(value, coordinates); });
+    if (!held.allFinite()) {
+      throw Error(Errc::unroundable,
+                  "point " + std::to_string(points.size()) +
+                      " lies beyond the numbers this format holds (3.4e38); use OFF");
     }
     points.emplace_back(held.array() + 0.0);  // -0 becomes 0
   }

@@ -11,6 +11,10 @@ namespace dupin {
 /// What a file format can hold.
 enum class Coordinates { binary64, binary32 };
 
+/// The number of the format nearest to `value`, ties to even; an infinity beyond its range. Not to
+/// be written as casts on the spot: GCC 12 drops them where they come in pairs.
+[[nodiscard]] double nearest(double value, Coordinates coordinates);
+
 /// The point that becomes (0, 0, 0) in the file: coordinates near it are finer.
 struct Origin {
   enum class Choice {
