@@ -20,9 +20,8 @@ struct ConvertArguments {
 
 /// True when every coordinate is a number of the format already.
 bool fits(const TriMesh& mesh, Coordinates coordinates) {
-  return coordinates == Coordinates::binary64 ||
-         std::all_of(mesh.points.begin(), mesh.points.end(),
-                     [](const Vec3& point) { return point == point.cast<float>().cast<double>(); });
+  return std::all_of(mesh.points.begin(), mesh.points.end(),
+                     [&](const Vec3& point) { return point == nearest(point, coordinates); });
 }
 
 ExitCode run_convert(const ConvertArguments& arguments, const CommonOptions& common) {
@@ -30,12 +29,14 @@ ExitCode run_convert(const ConvertArguments& arguments, const CommonOptions& com
   const RoundingOptions rounding =
       rounding_options(arguments.rounding, Unit::millimetre, mesh_length(common.tolerance, 0));
   const bool unchanged = rounding.grid == 0 && rounding.origin.choice == Origin::Choice::keep;
-  const TriMesh mesh = read_mesh_input(arguments.input);
+  const Input input = read_input(arguments.input);
+  const TriMesh mesh = read_mesh(input.bytes, input.name);
+  const MeshHeader header{mesh_unit(input.bytes, input.name), {}};
   const bool stays_solid =
       !(unchanged && fits(mesh, coordinates(to.format))) && check(mesh).is_solid();
-  print_written(
-      stays_solid ? write_solid(Solid::from(mesh), to, rounding, {}) : write_plain(mesh, to), to,
-      common);
+  print_written(stays_solid ? write_solid(Solid::from(mesh), to, rounding, header)
+                            : write_plain(mesh, to, header),
+                to, common);
   return ExitCode::ok;
 }
 

@@ -49,12 +49,10 @@ Report write_verified_stdout(const TriMesh& mesh, MeshFormat format, const MeshH
 RoundingReport nearest_rounding(const TriMesh& mesh, Coordinates coordinates) {
   RoundingReport report;
   report.coordinates = coordinates;
-  if (coordinates == Coordinates::binary32) {
-    for (const Vec3& point : mesh.points) {
-      const double move = (point.cast<float>().cast<double>() - point).norm();
-      report.moved += move > 0 ? 1 : 0;
-      report.largest_move = std::max(report.largest_move, move);
-    }
+  for (const Vec3& point : mesh.points) {
+    const double move = (nearest(point, coordinates) - point).norm();
+    report.moved += move > 0 ? 1 : 0;
+    report.largest_move = std::max(report.largest_move, move);
   }
   return report;
 }
@@ -129,8 +127,8 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
   return report;
 }
 
-OutputReport write_plain(const TriMesh& mesh, const Destination& to) {
-  const std::string bytes = mesh_bytes(mesh, to.format);
+OutputReport write_plain(const TriMesh& mesh, const Destination& to, const MeshHeader& header) {
+  const std::string bytes = mesh_bytes(mesh, to.format, header);
   writing([&] { to.is_stdout() ? write_stdout(bytes) : write_file(to.path, bytes); });
   return {to.is_stdout() ? "standard output" : to.path,
           std::string(name(to.format)),

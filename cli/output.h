@@ -46,7 +46,8 @@ void add_contacts_option(CLI::App& command, ContactPolicy& contacts);
 
 /// Writes any mesh with every coordinate rounded to the nearest that the format holds, and says
 /// what came of it. Throws OutputError.
-[[nodiscard]] OutputReport write_plain(const TriMesh& mesh, const Destination& to);
+[[nodiscard]] OutputReport write_plain(const TriMesh& mesh, const Destination& to,
+                                       const MeshHeader& header = {});
 
 /// Where the report goes: standard output, or standard error when the mesh goes to standard output.
 [[nodiscard]] std::ostream& report_stream(const Destination& to);

@@ -278,15 +278,27 @@ class GlbReader {
   bool named_ = false;
 };
 
-}  // namespace
-
-TriMesh read_glb(std::string_view bytes, std::string_view file) {
-  const Chunks chunks = split(bytes, file);
+Json document(const Chunks& chunks, std::string_view file) {
   Json json = Json::parse(chunks.json, nullptr, false);
   if (!json.is_object()) {
     fail(file, "byte 20", "found faulty JSON, expected an object");
   }
-  return GlbReader(std::move(json), chunks.bytes, file).read();
+  return json;
+}
+
+}  // namespace
+
+TriMesh read_glb(std::string_view bytes, std::string_view file) {
+  const Chunks chunks = split(bytes, file);
+  return GlbReader(document(chunks, file), chunks.bytes, file).read();
+}
+
+std::string unit_of_glb(std::string_view bytes, std::string_view file) {
+  const Json json = document(split(bytes, file), file);
+  const Json::json_pointer place("/asset/extras/unit");
+  return json.contains(place) && json[place].is_string()
+             ? clean_line(json[place].get<std::string>())
+             : std::string();
 }
 
 }  // namespace dupin

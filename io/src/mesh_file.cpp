@@ -80,6 +80,10 @@ std::string known_extensions() {
   return known;
 }
 
+bool is_glb(std::string_view bytes) { return bytes.starts_with("glTF"); }
+
+bool is_three_mf(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
+
 bool is_off(std::string_view bytes) {
   TextScanner scanner(bytes, {}, '#');
   scanner.skip_space();
@@ -102,10 +106,10 @@ bool is_stl_ascii(std::string_view bytes) {
 
 MeshFormat format_of_content(std::string_view bytes, std::string_view file) {
   const std::optional<MeshFormat> by_extension = format_by_extension(file);
-  if (bytes.starts_with("glTF")) {
+  if (is_glb(bytes)) {
     return MeshFormat::glb;
   }
-  if (bytes.starts_with("PK\x03\x04")) {
+  if (is_three_mf(bytes)) {
     return MeshFormat::three_mf;
   }
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) {
@@ -155,6 +159,24 @@ TriMesh read_mesh(const std::filesystem::path& path) {
 
 TriMesh read_mesh(std::string_view bytes, std::string_view file, std::optional<MeshFormat> format) {
   return row(format ? *format : format_of_content(bytes, file)).read(bytes, file);
+}
+
+std::string mesh_unit(std::string_view bytes, std::string_view file) {
+  if (is_three_mf(bytes)) {
+    return unit_of_3mf(bytes, file);
+  }
+  if (is_glb(bytes)) {
+    return unit_of_glb(bytes, file);
+  }
+  constexpr std::string_view kMark = "unit: ";
+  constexpr std::size_t kHead = 512;  // our writers note it in the first lines
+  const std::string_view head = bytes.substr(0, kHead);
+  const std::size_t mark = head.find(kMark);
+  if (mark == std::string_view::npos) {
+    return {};
+  }
+  const std::string_view rest = head.substr(mark + kMark.size());
+  return std::string(rest.substr(0, rest.find_first_not_of("abcdefghijklmnopqrstuvwxyz")));
 }
 
 std::string mesh_bytes(const TriMesh& mesh, MeshFormat format, const MeshHeader& header) {

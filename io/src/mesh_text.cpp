@@ -92,7 +92,7 @@ std::vector<Vec3> writable_points(const TriMesh& mesh, Coordinates coordinates) 
   std::vector<Vec3> points;
   points.reserve(mesh.points.size());
   for (const Vec3& point : mesh.points) {
-    const Vec3 held = point.unaryExpr([&](double value) { return nearest(value, coordinates); });
+    const Vec3 held = nearest(point, coordinates);
     if (!held.allFinite()) {
       throw Error(Errc::unroundable,
                   "point " + std::to_string(points.size()) +

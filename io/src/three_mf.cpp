@@ -19,6 +19,15 @@
 namespace dupin {
 namespace {
 
+// The symbols of MeshHeader::unit and their names in 3MF.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kUnits = {
+    {{"mm", "millimeter"},
+     {"cm", "centimeter"},
+     {"m", "meter"},
+     {"in", "inch"},
+     {"ft", "foot"},
+     {"um", "micron"}}};
+
 constexpr std::string_view kModelType =
     "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 constexpr std::string_view kContentTypes =
@@ -34,16 +43,8 @@ constexpr std::string_view kRelationships =
 <Relationship Target="/3D/3dmodel.model" Id="rel0" Type=")";
 
 std::string_view unit_name(std::string_view unit) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kUnits = {
-      {{"", "millimeter"},
-       {"mm", "millimeter"},
-       {"cm", "centimeter"},
-       {"m", "meter"},
-       {"in", "inch"},
-       {"ft", "foot"},
-       {"um", "micron"}}};
   for (const auto& [symbol, unit_in_3mf] : kUnits) {
-    if (symbol == unit) {
+    if (symbol == unit || unit.empty()) {
       return unit_in_3mf;
     }
   }
@@ -137,6 +138,7 @@ std::string model_entry(std::string_view bytes, std::string_view file) {
               if (element == "Relationship" && attributes.find("Type") == kModelType) {
                 target = attributes.find("Target").value_or("");
               }
+              return true;
             },
             [](std::string_view) {}});
   if (target.starts_with('/')) {
@@ -154,6 +156,20 @@ std::string model_entry(std::string_view bytes, std::string_view file) {
 TriMesh read_3mf(std::string_view bytes, std::string_view file) {
   const std::string entry = model_entry(bytes, file);
   return read_3mf_model(unzip(bytes, entry, file), std::string(file) + ":" + clean_line(entry));
+}
+
+std::string unit_of_3mf(std::string_view bytes, std::string_view file) {
+  std::string unit = "mm";  // what a model without the attribute is in
+  const std::string model = unzip(bytes, model_entry(bytes, file), file);
+  read_xml(model, std::string(file),
+           {[&](std::string_view, const XmlAttributes& attributes) {
+              for (const auto& [symbol, unit_in_3mf] : kUnits) {
+                unit = attributes.find("unit") == unit_in_3mf ? symbol : unit;
+              }
+              return false;
+            },
+            [](std::string_view) {}});
+  return unit;
 }
 
 std::string three_mf_bytes(const TriMesh& mesh, const MeshHeader& header) {

@@ -306,6 +306,7 @@ TriMesh read_3mf_model(std::string_view xml, const std::string& place) {
   read_xml(xml, place,
            {[&](std::string_view element, const XmlAttributes& attributes) {
               reader.begin(element, attributes);
+              return true;
             },
             [&](std::string_view element) { reader.end(element); }});
   try {

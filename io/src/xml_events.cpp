@@ -27,35 +27,41 @@ struct State {
   XML_Parser parser = nullptr;
   const XmlEvents* events = nullptr;
   std::exception_ptr failure;
+  bool enough = false;
 };
 
 /// Exceptions must not pass through expat, which is C.
 template <typename Action>
 void guarded(void* user, const Action& action) {
   State& state = *static_cast<State*>(user);
-  if (state.failure) {
+  if (state.failure || state.enough) {
     return;
   }
   try {
-    action(*state.events);
+    state.enough = !action(*state.events);
   } catch (...) {
     state.failure = std::current_exception();
+  }
+  if (state.failure || state.enough) {
     XML_StopParser(state.parser, XML_FALSE);
   }
 }
 
 void XMLCALL on_begin(void* user, const char* name, const char** attributes) {
   guarded(user, [&](const XmlEvents& events) {
-    events.begin(local_name(name), XmlAttributes(attributes));
+    return events.begin(local_name(name), XmlAttributes(attributes));
   });
 }
 
 void XMLCALL on_end(void* user, const char* name) {
-  guarded(user, [&](const XmlEvents& events) { events.end(local_name(name)); });
+  guarded(user, [&](const XmlEvents& events) {
+    events.end(local_name(name));
+    return true;
+  });
 }
 
 void XMLCALL on_doctype(void* user, const char*, const char*, const char*, int) {
-  guarded(user, [](const XmlEvents&) {
+  guarded(user, [](const XmlEvents&) -> bool {
     throw Error(Errc::parse_failed, "found a document type declaration, expected none");
   });
 }
@@ -88,7 +94,7 @@ void read_xml(std::string_view text, const std::string& place, const XmlEvents& 
     last = text.empty();
     status = XML_Parse(parser.get(), chunk.data(), static_cast<int>(chunk.size()), last);
   }
-  if (status == XML_STATUS_OK) {
+  if (status == XML_STATUS_OK || state.enough) {
     return;
   }
   const std::string where = place + ":" + std::to_string(XML_GetCurrentLineNumber(parser.get()));

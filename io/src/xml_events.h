@@ -18,8 +18,8 @@ class XmlAttributes {
 };
 
 struct XmlEvents {
-  /// Names come without their namespace.
-  std::function<void(std::string_view element, const XmlAttributes& attributes)> begin;
+  /// Names come without their namespace. False ends the reading.
+  std::function<bool(std::string_view element, const XmlAttributes& attributes)> begin;
   std::function<void(std::string_view element)> end;
 };
 

@@ -58,6 +58,16 @@ TEST_F(MeshFile, formats_say_what_they_hold) {
   }
 }
 
+TEST_F(MeshFile, the_unit_is_read_back) {
+  for (const MeshFormat format : kMeshFormats) {
+    const bool has_place = format != MeshFormat::stl_ascii;
+    const std::string with = mesh_bytes(test::tetrahedron(), format, {"in", "a note"});
+    EXPECT_EQ(mesh_unit(with, "x"), has_place ? "in" : "") << name(format);
+    const std::string without = mesh_bytes(test::tetrahedron(), format);
+    EXPECT_EQ(mesh_unit(without, "x"), format == MeshFormat::three_mf ? "mm" : "") << name(format);
+  }
+}
+
 TEST_F(MeshFile, the_same_mesh_gives_the_same_bytes_and_they_write_alike_when_read) {
   for (const MeshFormat format : kMeshFormats) {
     const std::string bytes = mesh_bytes(test::labelled_tetrahedron(), format, {"mm", "note"});

@@ -19,8 +19,7 @@ TEST(Coordinates, nearest_goes_to_the_format_s_number_ties_to_even) {
 }
 
 TEST(Coordinates, nearest_rounds_all_coordinates_of_a_point) {
-  const auto to_binary32 = [](double value) { return nearest(value, Coordinates::binary32); };
-  const Vec3 rounded = Vec3::Constant(0.1).unaryExpr(to_binary32);
+  const Vec3 rounded = nearest(Vec3::Constant(0.1), Coordinates::binary32);
   EXPECT_EQ(rounded, Vec3::Constant(13421773 * 0x1p-27));
 }
 

@@ -17,6 +17,9 @@ namespace dupin {
 /// pointer.
 [[nodiscard]] TriMesh read_glb(std::string_view bytes, std::string_view file);
 
+/// The unit that `glb_bytes` noted, or empty. Throws like `read_glb`.
+[[nodiscard]] std::string unit_of_glb(std::string_view bytes, std::string_view file);
+
 /// Binary glTF 2.0: one mesh with all points in one accessor and one primitive with a material of
 /// its own per label. The node turns z upward and, if the header names a unit, scales to metres;
 /// the coordinates themselves are only rounded to binary32.

@@ -49,6 +49,11 @@ inline constexpr std::array kMeshFormats = {
 [[nodiscard]] TriMesh read_mesh(std::string_view bytes, std::string_view file,
                                 std::optional<MeshFormat> format = {});
 
+/// The unit that a mesh file states, as in MeshHeader: 3MF's attribute, or what our own writers
+/// note in comments and headers; empty if none. Throws Error{parse_failed} for a broken 3MF or
+/// glTF.
+[[nodiscard]] std::string mesh_unit(std::string_view bytes, std::string_view file);
+
 /// The bytes of a mesh file; the same mesh always gives the same bytes. Coordinates are rounded to
 /// the nearest number the format holds (see `to_mesh` for a rounding that keeps a solid a solid).
 /// Throws Error{invalid_argument} for a non-finite point or a bad index, Error{unroundable} for a

@@ -17,6 +17,9 @@ namespace dupin {
 /// the line, and Error{limit_exceeded} for a package that expands beyond all measure.
 [[nodiscard]] TriMesh read_3mf(std::string_view bytes, std::string_view file);
 
+/// The unit of the package's coordinates as in MeshHeader. Throws like `read_3mf`.
+[[nodiscard]] std::string unit_of_3mf(std::string_view bytes, std::string_view file);
+
 /// A 3MF package with one object, so that a solid stays one whole; its labels are base materials.
 /// Coordinates are rounded and printed as in `stl_ascii_text`, so that readers of either precision
 /// find the same mesh. The unit is millimetres unless the header names another.
