@@ -81,9 +81,8 @@ void table_of_moves(std::uint32_t seeds) {
   }
 }
 
-/// A pipe about an oblique axis.
-TriMesh pipe(std::uint32_t segments, std::uint32_t rings, const Vec3& place) {
-  const Vec3 axis = Vec3(1, std::sqrt(2.0), std::sqrt(3.0)).normalized();
+/// A pipe of radius 1 and length 10 along an axis.
+TriMesh pipe(std::uint32_t segments, std::uint32_t rings, const Vec3& place, const Vec3& axis) {
   const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
   TriMesh mesh;
   for (std::uint32_t j = 0; j <= rings; ++j) {
@@ -106,11 +105,40 @@ TriMesh pipe(std::uint32_t segments, std::uint32_t rings, const Vec3& place) {
   return mesh;
 }
 
+const Vec3 kOblique = Vec3(1, std::sqrt(2.0), std::sqrt(3.0)).normalized();
+
+/// A pipe through the middle of another one.
+void large_unions() {
+  std::puts("\nlarge unions, seconds");
+  std::printf("  %9s %9s %9s %9s %9s %9s\n", "triangles", "union", "binary64", "check", "binary32",
+              "check");
+  for (const std::uint32_t segments : {128U, 256U, 512U}) {
+    const Vec3 across = kOblique.cross(Vec3(0.3, -0.2, 1)).normalized();
+    const Vec3 middle = Vec3(10, 20, 30) + 5 * kOblique;
+    const std::vector<Solid> operands = {
+        Solid::from(pipe(segments, segments / 2, Vec3(10, 20, 30), kOblique)),
+        Solid::from(pipe(segments, segments / 2, middle - 5 * across, across))};
+    Solid exact;
+    const double uniting = seconds([&] { exact = unite(operands); });
+    double times[4] = {};
+    bool sound = true;
+    for (int i = 0; i < 2; ++i) {
+      Rounded rounded;
+      times[2 * i] = seconds([&] {
+        rounded = to_mesh(exact, i == 0 ? Coordinates::binary64 : Coordinates::binary32);
+      });
+      times[2 * i + 1] = seconds([&] { sound = check(rounded.mesh).is_solid() && sound; });
+    }
+    std::printf("  %9zu %9.3f %9.3f %9.3f %9.3f %9.3f%s\n", exact.triangle_count(), uniting,
+                times[0], times[1], times[2], times[3], sound ? "" : "  BAD");
+  }
+}
+
 void large_meshes() {
   std::puts("\nlarge meshes, seconds");
   std::printf("  %9s %9s %9s %9s %9s\n", "triangles", "Solid", "binary64", "binary32", "check");
   for (const std::uint32_t segments : {256U, 1024U}) {
-    const TriMesh mesh = pipe(segments, segments / 2, Vec3(100, 200, 300));
+    const TriMesh mesh = pipe(segments, segments / 2, Vec3(100, 200, 300), kOblique);
     Solid solid;
     Rounded rounded;
     const double establish = seconds([&] { solid = Solid::from(mesh); });
@@ -130,5 +158,6 @@ void large_meshes() {
 int main(int count, char** arguments) {
   const int seeds = count > 1 ? std::atoi(arguments[1]) : 3;
   dupin::table_of_moves(static_cast<std::uint32_t>(std::max(seeds, 0)));
+  dupin::large_unions();
   dupin::large_meshes();
 }

@@ -43,30 +43,42 @@ class BoxFrame {
 /// A balanced binary tree over boxes in Morton order of their centres, four to a leaf.
 class BoxTree {
  public:
+  static constexpr std::uint32_t kLeafSize = 4;
+
   explicit BoxTree(std::span<const Box> boxes);
 
   /// Calls visit(item) for every item whose box overlaps `box`.
   template <class Visit>
   void visit(const Box& box, Visit&& visit) const {
-    visit_below(1, box, visit);
+    visit_leaves(1, box, [&](std::uint32_t leaf) {
+      for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
+        if (box.overlaps(boxes_[i])) {
+          visit(order_[i]);
+        }
+      }
+    });
   }
-  /// Calls visit(item) for every item that stands after `position` and overlaps its box: over all
-  /// positions, every overlapping pair once.
+  /// Calls visit(i, item) for the i-th of the items of a leaf and every item after it in the tree's
+  /// order that overlaps it: over all leaves, every overlapping pair once.
   template <class Visit>
-  void visit_after(std::uint32_t position, Visit&& visit) const;
+  void visit_pairs(std::uint32_t leaf, Visit&& visit) const;
 
-  /// The item at a position of the tree's order; positions run from 0 to the number of boxes.
-  [[nodiscard]] std::uint32_t item(std::uint32_t position) const { return order_[position]; }
+  [[nodiscard]] std::uint32_t leaf_count() const { return (size() + kLeafSize - 1) / kLeafSize; }
+  [[nodiscard]] std::span<const std::uint32_t> items(std::uint32_t leaf) const {
+    return std::span(order_).subspan(leaf * kLeafSize).first(leaf_end(leaf) - leaf * kLeafSize);
+  }
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(order_.size()); }
 
   /// Makes the box of `item` contain `box` as well. O(log n).
   void grow(std::uint32_t item, const Box& box);
 
  private:
-  static constexpr std::uint32_t kLeafSize = 4;
-
+  [[nodiscard]] std::uint32_t leaf_end(std::uint32_t leaf) const {
+    return std::min((leaf + 1) * kLeafSize, size());
+  }
+  /// Calls visit(leaf) for the leaves below `root` that overlap `box`.
   template <class Visit>
-  void visit_below(std::uint32_t root, const Box& box, Visit&& visit) const;
+  void visit_leaves(std::uint32_t root, const Box& box, Visit&& visit) const;
 
   std::vector<std::uint32_t> order_, position_;
   std::vector<Box> boxes_;  // in the order of the tree
@@ -75,7 +87,7 @@ class BoxTree {
 };
 
 template <class Visit>
-void BoxTree::visit_below(std::uint32_t root, const Box& box, Visit&& visit) const {
+void BoxTree::visit_leaves(std::uint32_t root, const Box& box, Visit&& visit) const {
   if (!box.overlaps(nodes_[root])) {
     return;
   }
@@ -84,34 +96,37 @@ void BoxTree::visit_below(std::uint32_t root, const Box& box, Visit&& visit) con
   stack[depth++] = root;
   while (depth > 0) {
     const std::uint32_t node = stack[--depth];
-    if (node < leaves_) {
-      for (const std::uint32_t child : {2 * node + 1, 2 * node}) {
-        stack[depth] = child;
-        depth += box.overlaps(nodes_[child]) ? 1 : 0;
-      }
+    if (node >= leaves_) {
+      visit(node - leaves_);
       continue;
     }
-    const std::uint32_t first = (node - leaves_) * kLeafSize;
-    for (std::uint32_t i = first; i < std::min(first + kLeafSize, size()); ++i) {
-      if (box.overlaps(boxes_[i])) {
-        visit(order_[i]);
-      }
+    for (const std::uint32_t child : {2 * node + 1, 2 * node}) {
+      stack[depth] = child;
+      depth += box.overlaps(nodes_[child]) ? 1 : 0;
     }
   }
 }
 
 template <class Visit>
-void BoxTree::visit_after(std::uint32_t position, Visit&& visit) const {
-  const Box& box = boxes_[position];
-  const std::uint32_t leaf = position / kLeafSize;
-  for (std::uint32_t i = position + 1; i < std::min((leaf + 1) * kLeafSize, size()); ++i) {
-    if (box.overlaps(boxes_[i])) {
-      visit(order_[i]);
+void BoxTree::visit_pairs(std::uint32_t leaf, Visit&& visit) const {
+  const std::uint32_t first = leaf * kLeafSize, end = leaf_end(leaf);
+  const auto compare = [&](std::uint32_t i, std::uint32_t from, std::uint32_t to) {
+    for (std::uint32_t k = from; k < to; ++k) {
+      if (boxes_[i].overlaps(boxes_[k])) {
+        visit(i - first, order_[k]);
+      }
     }
+  };
+  for (std::uint32_t i = first; i < end; ++i) {
+    compare(i, i + 1, end);
   }
   for (std::uint32_t node = leaves_ + leaf; node > 1; node /= 2) {
     if (node % 2 == 0) {
-      visit_below(node + 1, box, visit);
+      visit_leaves(node + 1, nodes_[leaves_ + leaf], [&](std::uint32_t other) {
+        for (std::uint32_t i = first; i < end; ++i) {
+          compare(i, other * kLeafSize, leaf_end(other));
+        }
+      });
     }
   }
 }

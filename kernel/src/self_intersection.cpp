@@ -1,6 +1,8 @@
 #include "self_intersection.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -27,9 +29,9 @@ class Search {
         tree_(prepare()) {}
 
   SelfIntersections run() const {
-    SelfIntersections found = examined(
-        tree_.size(),
-        [&](std::uint32_t position, SelfIntersections& part) { examine_active(position, part); });
+    SelfIntersections found =
+        examined(tree_.leaf_count(),
+                 [&](std::uint32_t leaf, SelfIntersections& part) { examine_active(leaf, part); });
     if (active_.size() < triangles_.size()) {
       const auto others = static_cast<std::uint32_t>(triangles_.size());
       found = joined(std::move(found),
@@ -83,7 +85,7 @@ class Search {
   SelfIntersections examined(std::uint32_t count, Examine&& examine) const {
     using Range = tbb::blocked_range<std::uint32_t>;
     return tbb::parallel_reduce(
-        Range(0, count, 1024), SelfIntersections{},
+        Range(0, count, 256), SelfIntersections{},
         [&](const Range& range, SelfIntersections part) {
           for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
             examine(i, part);
@@ -96,12 +98,15 @@ class Search {
   }
 
   /// Pairs of active triangles.
-  void examine_active(std::uint32_t position, SelfIntersections& found) const {
-    const std::uint32_t face = active_[tree_.item(position)];
-    const TriangleProbe probe(points_, corners_[face]);
-    tree_.visit_after(position, [&](std::uint32_t item) {
-      const std::uint32_t other = active_[item];
-      record(face, other, probe.meeting(corners_[other]), found);
+  void examine_active(std::uint32_t leaf, SelfIntersections& found) const {
+    std::array<std::optional<TriangleProbe>, BoxTree::kLeafSize> probes;
+    const auto items = tree_.items(leaf);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      probes[i].emplace(points_, corners_[active_[items[i]]]);
+    }
+    tree_.visit_pairs(leaf, [&](std::uint32_t i, std::uint32_t item) {
+      const std::uint32_t face = active_[items[i]], other = active_[item];
+      record(face, other, probes[i]->meeting(corners_[other]), found);
     });
   }
 
