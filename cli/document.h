@@ -5,7 +5,7 @@
 #include "dupin/blends/assembly.h"
 #include "dupin/io/report_json.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
 class App;
 }
 

@@ -121,6 +121,10 @@ int run(std::span<char*> arguments) {
 }  // namespace dupin::cli
 
 int main(int argc, char** argv) {
-  std::ios::sync_with_stdio(false);
-  return dupin::cli::run({argv, static_cast<std::size_t>(argc)});
+  try {
+    std::ios::sync_with_stdio(false);
+    return dupin::cli::run({argv, static_cast<std::size_t>(argc)});
+  } catch (...) {  // even saying why may have failed
+    return static_cast<int>(dupin::cli::ExitCode::internal);
+  }
 }

@@ -200,8 +200,9 @@ std::vector<std::size_t> bias_warnings(const CyclideChain& chain,
         const PeVector q =
             (1 / weight) * (b0 * p[0].sphere + (sign * b1) * p[1].sphere + b2 * p[2].sphere);
         double& least = sign > 0 ? forward : complementary;
-        // A vanishing weight is a point at infinity, which is near nothing.
-        least = std::min(least, weight == 0 ? kInfinity : euclidean_square(q, spheres[2 * i + 1]));
+        if (weight != 0) {  // else a point at infinity, which is near nothing
+          least = std::min(least, euclidean_square(q, spheres[2 * i + 1]));
+        }
       }
     }
     if (complementary < forward) {

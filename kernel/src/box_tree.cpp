@@ -110,7 +110,7 @@ BoxTree::BoxTree(std::span<const Box> boxes)
       node.join(boxes_[i]);
     }
   });
-  for (std::uint32_t node = leaves_ - 1; node > 0; --node) {
+  for (std::size_t node = leaves_ - 1; node > 0; --node) {
     nodes_[node] = nodes_[2 * node];
     nodes_[node].join(nodes_[2 * node + 1]);
   }

@@ -62,9 +62,9 @@ std::vector<std::array<int, 3>> lattice_steps() {
 /// lattice's largest step.
 bool shift_point(RepairMesh& mesh, const Lattice& lattice, std::uint32_t vertex,
                  const Terms& terms) {
-  static const std::vector<std::array<int, 3>> kSteps = lattice_steps();
+  static const std::vector<std::array<int, 3>> steps = lattice_steps();
   const Vec3 here = mesh.point(vertex);
-  for (const auto& step : kSteps) {
+  for (const auto& step : steps) {
     if (mesh.move(vertex,
                   {lattice.shifted(here.x(), step[0]), lattice.shifted(here.y(), step[1]),
                    lattice.shifted(here.z(), step[2])},
@@ -72,13 +72,15 @@ bool shift_point(RepairMesh& mesh, const Lattice& lattice, std::uint32_t vertex,
       return true;
     }
   }
-  for (double far = lattice.step(here.cwiseAbs().maxCoeff()); far <= terms.reach; far *= 2) {
+  double far = lattice.step(here.cwiseAbs().maxCoeff());
+  while (far <= terms.reach) {
     for (std::size_t i = 0; i < kDirections; ++i) {
-      const Vec3 direction(kSteps[i][0], kSteps[i][1], kSteps[i][2]);
+      const Vec3 direction(steps[i][0], steps[i][1], steps[i][2]);
       if (mesh.move(vertex, lattice.nearest(Vec3(here + far * direction)), terms)) {
         return true;
       }
     }
+    far *= 2;
   }
   return false;
 }

@@ -239,8 +239,8 @@ class Simplification {
         allowed.push_back(
             {before + *distance + slack_, (mesh_.point(ring[0]) - centre).norm(), ring[0]});
       }
-      std::ranges::rotate(ring, ring.begin() + 1);
-      std::ranges::rotate(rim, rim.begin() + 1);
+      std::rotate(ring.begin(), ring.begin() + 1, ring.end());
+      std::rotate(rim.begin(), rim.begin() + 1, rim.end());
     }
     std::sort(allowed.begin(), allowed.end());
     return allowed;
