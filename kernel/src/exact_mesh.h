@@ -26,6 +26,14 @@ struct ExactMesh {
   std::vector<std::string> names;
   std::vector<Source> sources;  ///< one per triangle
   std::vector<Contact> contacts;
+  /// Triangles of the first operands, by corners, in whose planes triangles with implicit corners
+  /// lie. New points are cut out by these planes, so that coordinates do not grow from one boolean
+  /// operation to the next.
+  std::vector<std::array<Vec3, 3>> planes;
+  std::vector<std::uint32_t>
+      plane_of;  ///< empty, or per triangle an index into planes or kOwnPlane
+
+  static constexpr std::uint32_t kOwnPlane = 0xffffffff;  ///< the plane through its corners
 
   [[nodiscard]] std::uint32_t double_count() const {
     return static_cast<std::uint32_t>(points.size() - implicit.size());

@@ -50,6 +50,8 @@ ExactMesh concatenated(ExactMesh a, const ExactMesh& b) {
   a.labels.insert(a.labels.end(), b.labels.begin(), b.labels.end());
   a.sources.insert(a.sources.end(), b.sources.begin(), b.sources.end());
   a.contacts.insert(a.contacts.end(), b.contacts.begin(), b.contacts.end());
+  a.planes.clear();
+  a.plane_of.clear();
   return a;
 }
 

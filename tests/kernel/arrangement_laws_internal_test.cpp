@@ -1,14 +1,12 @@
-#include <algorithm>
 #include <random>
-#include <set>
 
 #include <CGAL/box_intersection_d.h>
 #include <gtest/gtest.h>
 
 #include "arrangement/arrange.h"
-#include "arrangement/triangle_pair.h"
 #include "dupin/kernel/solid.h"
 #include "exact_mesh.h"
+#include "kernel/exact_validity.h"
 #include "support/shapes.h"
 
 namespace dupin::detail {
@@ -20,43 +18,6 @@ Solid arranged(const std::vector<Solid>& solids, const BooleanRule& rule) {
     operands.push_back(&solid.exact());
   }
   return Solid(std::make_shared<const ExactMesh>(arrange(operands, rule)));
-}
-
-// Triangles of the mesh that meet outside of common corners, on exact coordinates.
-std::size_t self_intersections(const ExactMesh& mesh) {
-  const UpwardRounding rounding;
-  const ExactMesh* operand = &mesh;
-  const Scene scene = import_operands({&operand, 1}, union_rule(1));
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
-  std::vector<Box> boxes;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    CGAL::Bbox_3 box;
-    for (const std::uint32_t corner : mesh.triangles[t]) {
-      const Vec3& p = mesh.points[corner];
-      box += CGAL::Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
-    }
-    boxes.emplace_back(box, t);
-  }
-  std::vector<Encounter> encounters;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    meet(scene, a.info(), b.info(), encounters);
-  });
-  return encounters.size();
-}
-
-// Every directed edge once, and its reverse once.
-bool is_closed_manifold(const ExactMesh& mesh) {
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!edges.emplace(t[i], t[(i + 1) % 3]).second) {
-        return false;
-      }
-    }
-  }
-  return std::all_of(edges.begin(), edges.end(), [&](const auto& e) {
-    return edges.count({e.second, e.first}) == 1;
-  });
 }
 
 // A box, a tetrahedron or a prism with small integer coordinates.

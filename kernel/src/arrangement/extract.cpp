@@ -1,6 +1,7 @@
 #include "extract.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "umbrellas.h"
@@ -43,18 +44,57 @@ std::vector<Kept> collect(const Scene& scene, const Incidences& incidences, cons
   return kept;
 }
 
+struct NearestDouble {
+  double value;
+  bool is_exact;
+};
+
+// One step of Newton's iteration from the quotient of doubles, checked: the remainder tells how far
+// the quotient is from the next double. Only near a tie, or outside of normal doubles, the slow way
+// is taken.
+NearestDouble nearest(const CGAL::Mpzf& x, const CGAL::Mpzf& w) {
+  const auto slowly = [&] {
+    const double value = nearest_double(x, w);
+    return NearestDouble{value, std::isfinite(value) && CGAL::Mpzf(value) * w == x};
+  };
+  const double weight = w.to_double();
+  double value = x.to_double() / weight;
+  if (!std::isfinite(value)) {
+    return slowly();
+  }
+  CGAL::Mpzf remainder = x - CGAL::Mpzf(value) * w;
+  if (!remainder.is_zero()) {
+    const double better = value + remainder.to_double() / weight;
+    if (better != value) {
+      value = better;
+      remainder = x - CGAL::Mpzf(value) * w;
+    }
+  }
+  if (remainder.is_zero()) {
+    return {value, true};
+  }
+  const double error = remainder.to_double() / weight;
+  const double next = std::nextafter(value, error > 0 ? HUGE_VAL : -HUGE_VAL);
+  // Conversions and the division are off by less than 2^-50 of the error.
+  const double half = std::abs(next - value) / 2 * (1 - 0x1p-48);
+  if (std::isnormal(value) && std::isnormal(error) && std::abs(error) < half) {
+    return {value, false};
+  }
+  return slowly();
+}
+
 // The point as doubles if they hold it, and the nearest ones.
-struct Rounded3 {
+struct RoundedPoint {
   Vec3 point;
   bool is_exact;
 };
 
-Rounded3 rounded(const ExactPoint& exact) {
-  Rounded3 result{Vec3::Zero(), true};
+RoundedPoint rounded(const ExactPoint& exact) {
+  RoundedPoint result{Vec3::Zero(), true};
   for (int k = 0; k < 3; ++k) {
-    const CGAL::Mpzf& x = exact[static_cast<std::size_t>(k)];
-    result.point[k] = nearest_double(x, exact[3]);
-    result.is_exact = result.is_exact && CGAL::Mpzf(result.point[k]) * exact[3] == x;
+    const NearestDouble coordinate = nearest(exact[static_cast<std::size_t>(k)], exact[3]);
+    result.point[k] = coordinate.value;
+    result.is_exact = result.is_exact && coordinate.is_exact;
   }
   return result;
 }
@@ -102,7 +142,7 @@ class PointWriter {
     } else {
       ExactPoint unused;
       const ExactPoint& exact = scene_.points.exact(source, unused);
-      const Rounded3 nearest = rounded(exact);
+      const RoundedPoint nearest = rounded(exact);
       if (!nearest.is_exact) {
         implicit_.push_back({id, nearest.point, &exact});
         return;
@@ -160,6 +200,43 @@ class Labels {
   std::vector<std::uint32_t> unlabelled_;
 };
 
+// Keeps the planes of triangles with implicit corners.
+class PlaneWriter {
+ public:
+  PlaneWriter(const Scene& scene, ExactMesh& mesh) : scene_(scene), mesh_(mesh) {}
+
+  void add(const Kept& kept, const Triangle& corners) {
+    const std::uint32_t first_implicit = mesh_.double_count();
+    const bool is_own = std::all_of(corners.begin(), corners.end(),
+                                    [&](std::uint32_t c) { return c < first_implicit; });
+    const Triangle& support = scene_.support(kept.support);
+    const bool is_known = std::all_of(support.begin(), support.end(),
+                                      [&](PointId id) { return scene_.points.is_double(id); });
+    if (is_own || !is_known) {
+      mesh_.plane_of.push_back(ExactMesh::kOwnPlane);
+      return;
+    }
+    const auto [place, is_new] = known_.emplace(std::pair(support, kept.reversed),
+                                                static_cast<std::uint32_t>(mesh_.planes.size()));
+    if (is_new) {
+      std::array<Vec3, 3> plane;
+      for (std::size_t i = 0; i < 3; ++i) {
+        plane[i] = scene_.points.coordinates(support[i]);
+      }
+      if (kept.reversed) {
+        std::swap(plane[1], plane[2]);
+      }
+      mesh_.planes.push_back(plane);
+    }
+    mesh_.plane_of.push_back(place->second);
+  }
+
+ private:
+  const Scene& scene_;
+  ExactMesh& mesh_;
+  std::map<std::pair<Triangle, bool>, std::uint32_t> known_;
+};
+
 void write_contacts(const Umbrellas& umbrellas, const PointWriter& points, ExactMesh& mesh) {
   for (const Touch& touch : umbrellas.touches) {
     const bool is_vertex = touch.from == touch.to;
@@ -188,11 +265,15 @@ ExactMesh extract(Scene& scene, const Incidences& incidences, const Pieces& piec
   ExactMesh mesh;
   const PointWriter points(scene, umbrellas, kept, mesh);
   const Labels labels(scene, mesh);
+  PlaneWriter planes(scene, mesh);
   mesh.triangles.reserve(kept.size());
   mesh.sources.reserve(kept.size());
   for (const Kept& k : kept) {
     mesh.triangles.push_back(
         {points.number(k.corners[0]), points.number(k.corners[1]), points.number(k.corners[2])});
+    if (!mesh.implicit.empty()) {
+      planes.add(k, mesh.triangles.back());
+    }
     const std::uint32_t operand = scene.operand_of(k.source);
     mesh.sources.push_back({operand, k.source - scene.first_triangle[operand]});
     if (labels.any()) {

@@ -14,11 +14,95 @@ EdgeKey edge_of(const Triangle& corners, Feature feature) {
   return edge_key(corners[i], corners[(i + 1) % 3]);
 }
 
+// The lines of edges with implicit ends, by points of the scene that say less: the coordinates of
+// new points then do not build on those of earlier ones.
+class EdgeLines {
+ public:
+  explicit EdgeLines(const Scene& scene) : scene_(scene) {
+    for (std::uint32_t t = 0; t < scene.supports.size(); ++t) {
+      for (Feature f = 3; f < kInside; ++f) {
+        const EdgeKey edge = edge_of(scene.triangles[t], f);
+        if (!scene.points.is_double(lower_end(edge)) || !scene.points.is_double(upper_end(edge))) {
+          sides_.push_back({edge, t});
+        }
+      }
+    }
+    std::sort(sides_.begin(), sides_.end());
+  }
+
+  /// The point where the edge meets a plane.
+  [[nodiscard]] Definition piercing(EdgeKey edge, const Triangle& plane) const {
+    auto side = std::lower_bound(sides_.begin(), sides_.end(), Side{edge, 0});
+    if (side != sides_.end() && side->edge == edge) {
+      const Triangle& first = scene_.support(side->triangle);
+      for (++side; side != sides_.end() && side->edge == edge; ++side) {
+        const Triangle& second = scene_.support(side->triangle);
+        if (!coplanar(first, second)) {
+          return {Definition::Kind::three_planes,
+                  0,
+                  {first[0], first[1], first[2], second[0], second[1], second[2], plane[0],
+                   plane[1], plane[2]}};
+        }
+        if (const auto line = common_line(first, second, edge)) {
+          return {Definition::Kind::line_plane,
+                  0,
+                  {(*line)[0], (*line)[1], plane[0], plane[1], plane[2]}};
+        }
+      }
+    }
+    return {Definition::Kind::line_plane,
+            0,
+            {lower_end(edge), upper_end(edge), plane[0], plane[1], plane[2]}};
+  }
+
+ private:
+  struct Side {
+    EdgeKey edge;
+    std::uint32_t triangle;
+    friend auto operator<=>(const Side&, const Side&) = default;
+  };
+
+  [[nodiscard]] bool coplanar(const Triangle& a, const Triangle& b) const {
+    return std::all_of(b.begin(), b.end(), [&](PointId p) {
+      return side_of_plane(scene_.points, a[0], a[1], a[2], p) == 0;
+    });
+  }
+
+  // Two corners that the planes have in common, if the edge lies on their line.
+  [[nodiscard]] std::optional<std::array<PointId, 2>> common_line(const Triangle& a,
+                                                                  const Triangle& b,
+                                                                  EdgeKey edge) const {
+    std::vector<PointId> common;
+    for (const PointId p : a) {
+      const bool is_common = std::any_of(b.begin(), b.end(), [&](PointId q) {
+        return scene_.points.is_double(p) && scene_.points.is_double(q) &&
+               scene_.points.coordinates(p) == scene_.points.coordinates(q);
+      });
+      if (is_common) {
+        common.push_back(p);
+      }
+    }
+    if (common.size() != 2) {
+      return std::nullopt;
+    }
+    const int axis = projection_of(scene_.points, a).axis;
+    for (const PointId end : {lower_end(edge), upper_end(edge)}) {
+      if (turn(scene_.points, common[0], common[1], end, axis) != 0) {
+        return std::nullopt;
+      }
+    }
+    return std::array<PointId, 2>{common[0], common[1]};
+  }
+
+  const Scene& scene_;
+  std::vector<Side> sides_;
+};
+
 // Finds or makes the point at an end of an encounter.
 class PointNamer {
  public:
   PointNamer(Scene& scene, std::size_t expected_count)
-      : scene_(scene), numbering_(expected_count), base_(scene.points.size()) {}
+      : scene_(scene), lines_(scene), numbering_(expected_count), base_(scene.points.size()) {}
 
   PointId name(const Encounter& encounter, const Encounter::End& end) {
     const Triangle& first = scene_.triangles[encounter.first];
@@ -71,10 +155,7 @@ class PointNamer {
     return base_ + number;
   }
   Definition piercing(EdgeKey edge, std::uint32_t plane) const {
-    const Triangle& support = scene_.support(plane);
-    return {Definition::Kind::line_plane,
-            0,
-            {lower_end(edge), upper_end(edge), support[0], support[1], support[2]}};
+    return lines_.piercing(edge, scene_.support(plane));
   }
   static Definition crossing(EdgeKey e, EdgeKey f, std::uint8_t axis) {
     return {Definition::Kind::two_lines,
@@ -83,6 +164,7 @@ class PointNamer {
   }
 
   Scene& scene_;
+  EdgeLines lines_;
   KeyNumbering numbering_;
   PointId base_;
   std::vector<std::uint8_t> met_;

@@ -29,6 +29,37 @@ void check_limits(std::span<const ExactMesh* const> operands) {
   }
 }
 
+// Corners of the planes that triangles with implicit corners lie in, as points of their own.
+std::vector<PointId> add_plane_points(Scene& scene) {
+  std::vector<PointId> first_of_operand;
+  for (const ExactMesh* mesh : scene.operands) {
+    first_of_operand.push_back(scene.points.size());
+    for (const std::array<Vec3, 3>& plane : mesh->planes) {
+      for (const Vec3& point : plane) {
+        scene.points.add(point);
+      }
+    }
+  }
+  return first_of_operand;
+}
+
+void find_supports(Scene& scene, const std::vector<PointId>& first_plane_point) {
+  const auto has_planes = [](const ExactMesh* mesh) { return !mesh->planes.empty(); };
+  if (std::none_of(scene.operands.begin(), scene.operands.end(), has_planes)) {
+    return;
+  }
+  scene.supports = scene.triangles;
+  for (std::size_t o = 0; o < scene.operands.size(); ++o) {
+    const std::vector<std::uint32_t>& plane_of = scene.operands[o]->plane_of;
+    for (std::size_t i = 0; i < plane_of.size(); ++i) {
+      if (plane_of[i] != ExactMesh::kOwnPlane) {
+        const PointId first = first_plane_point[o] + 3 * plane_of[i];
+        scene.supports[scene.first_triangle[o] + i] = {first, first + 1, first + 2};
+      }
+    }
+  }
+}
+
 void add_points_and_triangles(Scene& scene) {
   std::size_t doubles = 0, triangles = 0;
   for (const ExactMesh* mesh : scene.operands) {
@@ -44,6 +75,7 @@ void add_points_and_triangles(Scene& scene) {
       scene.points.add(mesh->points[i]);
     }
   }
+  const std::vector<PointId> first_plane_point = add_plane_points(scene);
   for (std::size_t o = 0; o < scene.operands.size(); ++o) {
     const ExactMesh& mesh = *scene.operands[o];
     const PointId first_implicit = scene.points.size();
@@ -60,6 +92,7 @@ void add_points_and_triangles(Scene& scene) {
     }
   }
   scene.first_triangle.push_back(static_cast<std::uint32_t>(scene.triangles.size()));
+  find_supports(scene, first_plane_point);
 }
 
 // Bounds of the nearest doubles of the points. Rounding is monotone: where exact solids meet, these
@@ -144,6 +177,9 @@ class Welder {
     weld_implicit();
     if (welded_) {
       for (Triangle& t : scene_.triangles) {
+        t = {first_[t[0]], first_[t[1]], first_[t[2]]};
+      }
+      for (Triangle& t : scene_.supports) {
         t = {first_[t[0]], first_[t[1]], first_[t[2]]};
       }
     }
