@@ -88,7 +88,7 @@ TEST(PipeCases, do_not_depend_on_the_number_of_threads) {
 TEST(PipeCases, unions_of_unions_stay_exact_and_small_to_depth_twenty) {
   std::vector<Solid> pipes;
   for (int i = 0; i < 20; ++i) {
-    TriMesh mesh = test::tube(1, -3, 3, 16);
+    TriMesh mesh = test::tube(1, -3, 3, 6);
     const Eigen::AngleAxisd turn(0.37 * i + 0.1, Vec3(1, 0.3 * i, 0.7).normalized());
     for (Vec3& point : mesh.points) {
       point = turn * point;
