@@ -17,7 +17,7 @@ void build_bench(benchmark::State& state, const std::string& name, double tolera
   const Assembly assembly =
       read_assembly(std::filesystem::path(DUPIN_SOURCE_DIR) / "examples" / name);
   Built built;
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto iteration : state) {
     built = build(assembly, {.tolerance = tolerance});
     benchmark::DoNotOptimize(built);
   }

@@ -35,7 +35,7 @@ bool is_as_large_as(const RingedSurface& surface, const Tessellation& result, do
 void tessellate_bench(benchmark::State& state, double tolerance) {
   const RingedSurface blend = figure_6();
   Tessellation result;
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto iteration : state) {
     const RingSampling sampling{segments_for(blend, tolerance)};
     result = tessellate(blend, sampling, {tolerance});
     benchmark::DoNotOptimize(result);
