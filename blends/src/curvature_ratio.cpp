@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dupin/kernel/error.h"
+
 namespace dupin::detail {
 namespace {
 
@@ -92,6 +94,9 @@ CurvatureRatio::CurvatureRatio(const RingedSurface& surface) {
                 whole_.numerator, whole_.denominator);
   if (!radius) {
     law_ = std::get<CyclideRadius>(surface.radius);
+    if (!(std::isfinite(law_->start * law_->end) && law_->start > 0 && law_->end > 0)) {
+      throw Error(Errc::invalid_argument, "a surface's radii must be positive, finite numbers");
+    }
     second_derivative_bound_ = second_derivative_bound(*law_);
     whole_.start_radius = enclosed_radius(*law_, 0);
     whole_.end_radius = enclosed_radius(*law_, 1);

@@ -14,17 +14,21 @@ using Mpfi = MpfiInterval<128>;
 std::optional<Polynomial> polynomial(const RadiusLaw& law) {
   struct Visitor {
     std::optional<Polynomial> operator()(const ConstantRadius& l) const {
-      return Polynomial{l.radius};
+      return Polynomial{exact(l.radius)};
     }
     std::optional<Polynomial> operator()(const LinearRadius& l) const {
-      return Polynomial{l.start, mpq_class(l.end) - l.start};
+      return Polynomial{exact(l.start), exact(l.end) - exact(l.start)};
     }
     std::optional<Polynomial> operator()(const CubicRadius& l) const {
-      const mpq_class rise = mpq_class(l.end) - l.start;
+      const mpq_class rise = exact(l.end) - exact(l.start);
       return Polynomial{l.start, 0, 3 * rise, -2 * rise};
     }
     std::optional<Polynomial> operator()(const BezierRadius& l) const {
-      return power_basis(std::vector<mpq_class>(l.coefficients.begin(), l.coefficients.end()));
+      std::vector<mpq_class> coefficients;
+      for (const double c : l.coefficients) {
+        coefficients.push_back(exact(c));
+      }
+      return power_basis(coefficients);
     }
     std::optional<Polynomial> operator()(const CyclideRadius&) const { return std::nullopt; }
   };

@@ -1,9 +1,11 @@
 #include "exact_spine.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Geometry>
 
+#include "dupin/kernel/error.h"
 #include "polynomial.h"
 
 namespace dupin::detail {
@@ -53,7 +55,14 @@ std::optional<Vec3> common_normal(const std::vector<ExactVec3>& vectors) {
 
 }  // namespace
 
-ExactVec3 exact(const Vec3& v) { return {mpq_class(v.x()), mpq_class(v.y()), mpq_class(v.z())}; }
+mpq_class exact(double x) {
+  if (!std::isfinite(x)) {
+    throw Error(Errc::invalid_argument, "the numbers of a surface must be finite");
+  }
+  return x;
+}
+
+ExactVec3 exact(const Vec3& v) { return {exact(v.x()), exact(v.y()), exact(v.z())}; }
 
 ExactVec3 operator+(const ExactVec3& a, const ExactVec3& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
@@ -91,7 +100,7 @@ RationalVelocity velocity(const BezierSpine& bezier) {
   VectorPolynomial points;
   Polynomial weights;
   for (std::size_t i = 0; i < bezier.points.size(); ++i) {
-    weights.emplace_back(bezier.weights.empty() ? 1 : bezier.weights[i]);
+    weights.push_back(exact(bezier.weights.empty() ? 1 : bezier.weights[i]));
     points.push_back(weights.back() * exact(bezier.points[i]));
   }
   const VectorPolynomial p = power_basis(points);

@@ -12,6 +12,8 @@ namespace dupin::detail {
 
 using ExactVec3 = std::array<mpq_class, 3>;
 
+/// The number itself. Throws Error{invalid_argument} if it is not finite.
+[[nodiscard]] mpq_class exact(double x);
 [[nodiscard]] ExactVec3 exact(const Vec3& v);
 [[nodiscard]] ExactVec3 operator+(const ExactVec3& a, const ExactVec3& b);
 [[nodiscard]] ExactVec3 operator-(const ExactVec3& a, const ExactVec3& b);
