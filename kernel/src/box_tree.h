@@ -65,7 +65,8 @@ class BoxTree {
 
   [[nodiscard]] std::uint32_t leaf_count() const { return (size() + kLeafSize - 1) / kLeafSize; }
   [[nodiscard]] std::span<const std::uint32_t> items(std::uint32_t leaf) const {
-    return std::span(order_).subspan(leaf * kLeafSize).first(leaf_end(leaf) - leaf * kLeafSize);
+    const std::size_t begin = std::size_t{leaf} * kLeafSize;
+    return std::span(order_).subspan(begin, leaf_end(leaf) - begin);
   }
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(order_.size()); }
 
