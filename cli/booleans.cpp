@@ -34,17 +34,20 @@ Solid subtract_all(std::span<const Solid> operands, const BooleanOptions& option
 ExitCode run_boolean(const BooleanCommand& command, const BooleanArguments& arguments,
                      const CommonOptions& common) {
   const Destination to = destination(arguments.output, arguments.format);
-  const RoundingOptions rounding =
-      rounding_options(arguments.rounding, Unit::millimetre, mesh_length(common.tolerance, 0));
+  const std::vector<Input> inputs = read_inputs(arguments.files);
+  const MeshHeader header{common_unit(inputs), {}};
+  const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit,
+                                                    mesh_length(common.tolerance, 0, header.unit));
   std::vector<Solid> operands;
-  for (const std::string& file : arguments.files) {
-    operands.push_back(read_solid_input(file));
+  operands.reserve(inputs.size());
+  for (const Input& input : inputs) {
+    operands.push_back(solid_of(input));
   }
   OutputReport report;
   {
     ProgressLine line(common.quiet);
     report = write_solid(command.operation(operands, {arguments.contacts, line.callback()}), to,
-                         rounding, {});
+                         rounding, header);
   }
   print_written(report, to, common);
   return ExitCode::ok;

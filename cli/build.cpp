@@ -88,7 +88,8 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   const Destination to = destination(arguments.output, arguments.format);
   const Assembly assembly = read_document(arguments.file);
   BuildOptions options = build_options(assembly, arguments, common);
-  const RoundingOptions rounding = rounding_options(arguments.rounding, assembly.unit, 0);
+  const std::string unit(symbol(assembly.unit));
+  const RoundingOptions rounding = rounding_options(arguments.rounding, unit, 0);
   BuildReport report;
   {
     ProgressLine line(common.quiet);
@@ -96,8 +97,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     Built built = build(assembly, options);
     report.gaps = {assembly.source, assembly.unit, options.connect, std::move(built.ports),
                    std::move(built.gaps)};
-    report.output =
-        write_solid(built.solid, to, rounding, {std::string(symbol(assembly.unit)), {}});
+    report.output = write_solid(built.solid, to, rounding, {unit, {}});
     report.parts = std::move(built.parts);
     report.runs = built.runs;
     report.pieces = built.pieces;

@@ -52,17 +52,15 @@ MeshGapSummary measure_meshes(const std::vector<Input>& inputs, const std::strin
   }
   meshes.resize(2);
   const MeshGapOptions options{
-      .connect = mesh_length(connect, default_connect(meshes.front(), meshes.back()))};
+      .connect = mesh_length(connect, default_connect(meshes.front(), meshes.back()),
+                             common_unit(inputs))};
   return {inputs.front().name, inputs.size() > 1 ? inputs.back().name : "", options.connect,
           measure_gaps(meshes.front(), meshes.back(), options)};
 }
 
 ExitCode run_gaps(const GapsArguments& arguments, const CommonOptions& common) {
   refuse_tolerance("gaps", common);
-  std::vector<Input> inputs;
-  for (const std::string& file : arguments.files) {
-    inputs.push_back(read_input(file));
-  }
+  const std::vector<Input> inputs = read_inputs(arguments.files);
   if (inputs.size() == 1 && inputs.front().is_document()) {
     const Assembly assembly = parse_assembly(inputs.front().bytes, inputs.front().name);
     return print_summary(measure_document(assembly, arguments.connect), common, print_gaps);

@@ -17,6 +17,9 @@ void print_summary(const MeshSummary& summary) {
   print_row(std::cout, "file", summary.file);
   print_row(std::cout, "triangles", std::to_string(summary.check.triangles));
   print_row(std::cout, "points", std::to_string(summary.check.points));
+  if (!summary.unit.empty()) {
+    print_row(std::cout, "unit", summary.unit);
+  }
   if (const auto box = bounding_box(summary.mesh)) {
     print_row(std::cout, "box", place_text(box->low) + " to " + place_text(box->high));
   }
@@ -56,7 +59,7 @@ ExitCode run_info(const std::string& file, const CommonOptions& common) {
   }
   TriMesh mesh = read_mesh(input.bytes, input.name);
   const Report report = check(mesh, {.limit = 0, .self_intersections = false});
-  print(MeshSummary{input.name, std::move(mesh), report}, common, print_summary);
+  print(MeshSummary{input.name, input.unit(), std::move(mesh), report}, common, print_summary);
   return ExitCode::ok;
 }
 

@@ -14,6 +14,8 @@ bool Input::is_document() const {
   return first != std::string::npos && bytes[first] == '{';
 }
 
+std::string Input::unit() const { return mesh_unit(bytes, name); }
+
 Input read_input(const std::string& path) {
   if (path != "-") {
     return {read_file(path), path};
@@ -25,17 +27,44 @@ Input read_input(const std::string& path) {
   return input;
 }
 
+std::vector<Input> read_inputs(const std::vector<std::string>& paths) {
+  std::vector<Input> inputs;
+  inputs.reserve(paths.size());
+  for (const std::string& path : paths) {
+    inputs.push_back(read_input(path));
+  }
+  return inputs;
+}
+
+std::string common_unit(const std::vector<Input>& inputs) {
+  const Input* first = nullptr;
+  for (const Input& input : inputs) {
+    if (input.unit().empty()) {
+      continue;
+    }
+    if (first == nullptr) {
+      first = &input;
+    } else if (first->unit() != input.unit()) {
+      throw Error(Errc::invalid_argument,
+                  "is in " + input.unit() + ", but " + first->name + " in " + first->unit() +
+                      "; convert one of them first",
+                  {}, input.name);
+    }
+  }
+  return first == nullptr ? std::string() : first->unit();
+}
+
 TriMesh read_mesh_input(const std::string& path) {
   const Input input = read_input(path);
   return read_mesh(input.bytes, input.name);
 }
 
-Solid read_solid_input(const std::string& path) {
-  const TriMesh mesh = read_mesh_input(path);
+Solid solid_of(const Input& input) {
+  const TriMesh mesh = read_mesh(input.bytes, input.name);
   try {
     return Solid::from(mesh);
   } catch (const Error& error) {
-    throw error.in_part(path);
+    throw error.in_part(input.name);
   }
 }
 

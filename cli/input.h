@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
@@ -14,14 +15,23 @@ struct Input {
 
   /// True when the bytes look like an assembly document, not a mesh.
   [[nodiscard]] bool is_document() const;
+
+  /// What the mesh file says; empty if nothing. Throws as `dupin::mesh_unit`.
+  [[nodiscard]] std::string unit() const;
 };
 
 /// Throws Error{io_failed}.
 [[nodiscard]] Input read_input(const std::string& path);
 
+[[nodiscard]] std::vector<Input> read_inputs(const std::vector<std::string>& paths);
+
+/// The unit of meshes that are to be used together: the one that all agree on who state any; empty
+/// if none does. Throws Error{invalid_argument} naming two that differ.
+[[nodiscard]] std::string common_unit(const std::vector<Input>& inputs);
+
 [[nodiscard]] TriMesh read_mesh_input(const std::string& path);
 
 /// Throws Error naming the file as its part when the mesh is not a solid.
-[[nodiscard]] Solid read_solid_input(const std::string& path);
+[[nodiscard]] Solid solid_of(const Input& input);
 
 }  // namespace dupin::cli

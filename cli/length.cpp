@@ -15,8 +15,11 @@ double length_in(Unit unit, const std::string& text, double otherwise) {
   }
 }
 
-double mesh_length(const std::string& text, double otherwise) {
-  return length_in(Unit::millimetre, text, otherwise);
+double mesh_length(const std::string& text, double otherwise, const std::string& mesh_unit) {
+  if (text.empty()) {
+    return otherwise;
+  }
+  return length_in(mesh_unit.empty() ? Unit::millimetre : unit_from(mesh_unit), text, otherwise);
 }
 
 void refuse_tolerance(const std::string& command, const CommonOptions& common) {

@@ -10,8 +10,10 @@ namespace dupin::cli {
 /// A length typed on the command line, in `unit`; `otherwise` for an empty text. Throws UsageError.
 [[nodiscard]] double length_in(Unit unit, const std::string& text, double otherwise);
 
-/// The same beside files that know no unit: their coordinates are taken as millimetres.
-[[nodiscard]] double mesh_length(const std::string& text, double otherwise);
+/// The same beside meshes that state this unit; where they state none, their coordinates are taken
+/// as millimetres.
+[[nodiscard]] double mesh_length(const std::string& text, double otherwise,
+                                 const std::string& mesh_unit);
 
 /// Throws UsageError when --tolerance was given to a command that has no use for it.
 void refuse_tolerance(const std::string& command, const CommonOptions& common);

@@ -43,8 +43,8 @@ Origin origin_of(const std::string& text) {
   return origin;
 }
 
-double grid_of(const std::string& text, Unit unit) {
-  const double grid = length_in(unit, text, 0);
+double grid_of(const std::string& text, const std::string& unit) {
+  const double grid = mesh_length(text, 0, unit);
   int exponent = 0;
   if (grid != 0 && std::frexp(grid, &exponent) != 0.5) {
     std::ostringstream message;
@@ -70,7 +70,8 @@ void add_rounding_options(CLI::App& command, RoundingArguments& arguments) {
       ->type_name("LENGTH");
 }
 
-RoundingOptions rounding_options(const RoundingArguments& arguments, Unit unit, double tolerance) {
+RoundingOptions rounding_options(const RoundingArguments& arguments, const std::string& unit,
+                                 double tolerance) {
   return {tolerance, grid_of(arguments.grid, unit), origin_of(arguments.origin)};
 }
 

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "commands.h"
-#include "dupin/blends/unit.h"
 #include "dupin/kernel/rounding.h"
 
 namespace dupin::cli {
@@ -16,8 +15,8 @@ struct RoundingArguments {
 /// Adds both, shared by all commands that write a solid.
 void add_rounding_options(CLI::App& command, RoundingArguments& arguments);
 
-/// What they mean beside coordinates in `unit`. Throws UsageError.
-[[nodiscard]] RoundingOptions rounding_options(const RoundingArguments& arguments, Unit unit,
-                                               double tolerance);
+/// What they mean beside coordinates in `unit` (see mesh_length). Throws UsageError.
+[[nodiscard]] RoundingOptions rounding_options(const RoundingArguments& arguments,
+                                               const std::string& unit, double tolerance);
 
 }  // namespace dupin::cli

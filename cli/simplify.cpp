@@ -8,26 +8,23 @@
 #include "exit_code.h"
 #include "input.h"
 #include "length.h"
+#include "mesh_to_mesh.h"
 #include "output.h"
-#include "rounding_options.h"
 
 namespace dupin::cli {
 namespace {
 
-struct SimplifyArguments {
-  std::string input, output, format;
-  RoundingArguments rounding;
-};
-
-ExitCode run_simplify(const SimplifyArguments& arguments, const CommonOptions& common) {
+ExitCode run_simplify(const MeshToMesh& arguments, const CommonOptions& common) {
   const Destination to = destination(arguments.output, arguments.format);
   if (common.tolerance.empty()) {
     throw UsageError("simplify needs --tolerance");
   }
-  const double tolerance = mesh_length(common.tolerance, 0);
-  const RoundingOptions rounding = rounding_options(arguments.rounding, Unit::millimetre, 0);
-  const Simplified simple = simplify(read_solid_input(arguments.input), tolerance);
-  OutputReport report = write_solid(Solid::from(simple.mesh), to, rounding, {});
+  const Input input = read_input(arguments.input);
+  const MeshHeader header{input.unit(), {}};
+  const double tolerance = mesh_length(common.tolerance, 0, header.unit);
+  const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit, 0);
+  const Simplified simple = simplify(solid_of(input), tolerance);
+  OutputReport report = write_solid(Solid::from(simple.mesh), to, rounding, header);
   report.simplification = {simple.removed_triangles, simple.deviation};
   print_written(report, to, common);
   return ExitCode::ok;
@@ -38,15 +35,8 @@ ExitCode run_simplify(const SimplifyArguments& arguments, const CommonOptions& c
 void add_simplify(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("simplify", "Fewer triangles within a distance of --tolerance");
-  const auto arguments = std::make_shared<SimplifyArguments>();
-  command->add_option("IN", arguments->input, "solid; - for standard input")
-      ->type_name("")
-      ->required();
-  command->add_option("OUT", arguments->output, "mesh file; - for standard output")
-      ->type_name("")
-      ->required();
-  add_format_option(*command, arguments->format);
-  add_rounding_options(*command, arguments->rounding);
+  const auto arguments = std::make_shared<MeshToMesh>();
+  add_mesh_to_mesh_options(*command, "solid", *arguments);
   command->footer(
       "No point of either surface is further from the other than the tolerance; borders between\n"
       "labels keep their course.\n\n"

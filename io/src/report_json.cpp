@@ -118,6 +118,9 @@ std::string to_json(const OutputReport& report) {
 
 std::string to_json(const MeshSummary& summary) {
   json_forms::Json form{{"file", summary.file}, {"kind", "mesh"}};
+  if (!summary.unit.empty()) {
+    form["unit"] = summary.unit;
+  }
   form["names"] = summary.mesh.names;
   if (const auto box = bounding_box(summary.mesh)) {
     form["box"] = {json_forms::form(box->low), json_forms::form(box->high)};

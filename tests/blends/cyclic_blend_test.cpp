@@ -61,7 +61,7 @@ TEST(CyclicBlend, refuses_figure_5_with_interval_missing_margin_and_remedy) {
 TEST(CyclicBlend, proposes_speeds_that_work) {
   const Error error = error_of([] { (void)cyclic_blend(kInlet, kOutlet, {.k = 18, .l = 25}); });
   EXPECT_THAT(error.message(), HasSubstr("0.3696 short of 0.05"));
-  const std::string message = error.message();
+  const std::string& message = error.message();
   const double k = std::stod(message.substr(message.rfind("k = ") + 4));
   const double l = std::stod(message.substr(message.rfind("l = ") + 4));
   EXPECT_NO_THROW((void)cyclic_blend(kInlet, kOutlet, {.k = k, .l = l}));

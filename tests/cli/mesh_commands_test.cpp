@@ -165,6 +165,24 @@ TEST_F(MeshCommands, convert_moves_the_origin_and_says_so) {
   EXPECT_EQ(given.at("rounding").at("origin"), (std::vector<double>{238409, 81742, 606708}));
 }
 
+// What was 1 inch long must not become 1 mm long on its way through the tool.
+TEST_F(MeshCommands, units_that_files_state_are_kept) {
+  const TriMesh one = box({0, 0, 0}, {1, 1, 1});
+  folder_.write("in.3mf", mesh_bytes(one, MeshFormat::three_mf, {"in", {}}));
+  folder_.write("in.off", mesh_bytes(moved(one, {0.5, 0, 0}), MeshFormat::off, {"in", {}}));
+  folder_.write("mm.off", mesh_bytes(one, MeshFormat::off, {"mm", {}}));
+  put("none.off", moved(one, {2, 0, 0}));
+  const auto unit_of = [&](const std::string& file) { return json({"info", file}, 0).at("unit"); };
+  (void)json({"union", "in.3mf", "in.off", "none.off", "-o", "both.3mf"}, 0);
+  EXPECT_EQ(unit_of("both.3mf"), "in");
+  (void)json({"simplify", "both.3mf", "simple.off", "--tolerance", "0.1mm"}, 0);
+  EXPECT_EQ(unit_of("simple.off"), "in");
+  const ProcessResult mixed = dupin({"union", "in.3mf", "mm.off", "-o", "mixed.off"});
+  EXPECT_EQ(mixed.exit_code, 3);
+  EXPECT_THAT(mixed.err, HasSubstr("mm.off"));
+  EXPECT_THAT(mixed.err, HasSubstr("is in mm, but in.3mf in in; convert one of them first"));
+}
+
 TEST_F(MeshCommands, convert_snaps_to_a_grid) {
   put("a.off", moved(box({0, 0, 0}, {1, 1, 1}), {0.1, 0.2, 0.3}));
   const auto report = json({"convert", "a.off", "b.off", "--grid", "0.25"}, 0);

@@ -80,7 +80,7 @@ class ForeignPrograms : public test::ScratchDirectory {
   [[nodiscard]] std::string written(MeshFormat format, const TriMesh& mesh = torus()) const {
     constexpr std::array<const char*, 8> kNames = {"x.off", "x.stl", "y.stl", "x.ply",
                                                    "y.ply", "x.obj", "x.3mf", "x.glb"};
-    const std::string file = kNames[static_cast<std::size_t>(format)];
+    std::string file = kNames[static_cast<std::size_t>(format)];
     write_mesh(path(file), mesh, format, {"mm", "a note"});
     return file;
   }

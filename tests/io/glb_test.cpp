@@ -104,7 +104,7 @@ TEST(Glb, malformed_files_are_refused_with_their_place) {
       read_glb, "x.glb",
       {
           {"", "x.glb:byte 0: found no header of binary glTF, expected 'glTF' and 8 more bytes"},
-          {"glTF\2\0\0",
+          {std::string("glTF\2\0\0", 7),
            "x.glb:byte 0: found no header of binary glTF, expected 'glTF' and 8 more bytes"},
           {version, "x.glb:byte 4: found version 1, expected 2"},
           {glb + "x", "x.glb:byte 8: found a length of " + size + " in a file of " +

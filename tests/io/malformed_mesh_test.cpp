@@ -57,7 +57,7 @@ TEST(MalformedMesh, off_is_refused_with_its_line) {
           {"OFF\n1 0 0\n0x1p3 0 0\n", "a.off:3: found '0x1p3', expected a coordinate"},
           {"OFF\n1 0 0\n+-1 0 0 0\n", "a.off:3: found '+-1', expected a coordinate"},
           {"OFF\n1 0 0\n0 0 \xff\xfe\n", "a.off:3: found '\\xff\\xfe', expected a coordinate"},
-          {std::string("OFF\n1 0 0\n0 0 \0\n", 17),
+          {std::string("OFF\n1 0 0\n0 0 \0\n", 16),
            "a.off:3: found '\\x00', expected a coordinate"},
           {"COFF\n1 0 0\n0 0 0 red\n",
            "a.off:3: found 'red', expected a component of a normal, colour or texture coordinate"},

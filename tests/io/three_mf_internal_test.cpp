@@ -152,8 +152,10 @@ TEST(ThreeMf, components_that_unfold_without_measure_are_refused) {
   std::string bomb = "<object id=\"1\">" + kMesh;
   for (int id = 2; id < 40; ++id) {
     const std::string child = "<component objectid=\"" + std::to_string(id - 1) + "\"/>";
-    bomb += "<object id=\"" + std::to_string(id) + "\"><components>" + child + child +
-            "</components></object>";
+    bomb += "<object id=\"" + std::to_string(id) + "\"><components>";
+    bomb += child;
+    bomb += child;
+    bomb += "</components></object>";
   }
   std::string chain = "<object id=\"1\"/>";
   for (int id = 2; id < 200; ++id) {

@@ -126,6 +126,7 @@ TEST(PairEnds, agrees_with_brute_force_on_lattices_full_of_ties) {
   const std::vector<Vec3> normals = {kForth, kBack, Vec3::UnitY(), oblique, -oblique};
   for (int round = 0; round < 12; ++round) {
     std::vector<Port> ports;
+    ports.reserve(60);
     for (int i = 0; i < 60; ++i) {
       ports.push_back(port("p" + std::to_string(1000 + (i * 37) % 60),
                            {0.1 * below(4), 0.1 * below(4), 0.1 * below(3)}, normals[below(5)],

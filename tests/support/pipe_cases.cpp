@@ -116,6 +116,7 @@ std::vector<TriMesh> rack(int pipes, double lift, std::uint32_t rows) {
   const Shape shape{64, rows};
   std::vector<TriMesh> parts;
   const double length = 2 * pipes;
+  parts.reserve(2 * static_cast<std::size_t>(pipes));
   for (int i = 0; i < pipes; ++i) {
     parts.push_back(pipe_x({-1, 2.0 * i, 0}, length, 0.4, shape));
   }

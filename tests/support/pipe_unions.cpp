@@ -95,6 +95,7 @@ std::vector<Cylinder> cylinders(UnionKind kind, std::uint32_t seed, Random& rand
     }
     case UnionKind::multi: {
       std::vector<Cylinder> several;
+      several.reserve(4);
       for (int i = 0; i < 4; ++i) {
         several.push_back({1, 6, 0.37 * i, any_rotation(random), origin});
       }

@@ -30,6 +30,7 @@ void write_all(const std::filesystem::path& path, const std::string& text) {
   const int out = open((streams / "out").c_str(), O_WRONLY | O_CREAT, 0600);
   const int err = open((streams / "err").c_str(), O_WRONLY | O_CREAT, 0600);
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& word : command) {
     arguments.push_back(const_cast<char*>(word.c_str()));
   }

@@ -44,6 +44,7 @@ struct Box {
 /// A mesh file, as it was read.
 struct MeshSummary {
   std::string file;
+  std::string unit;  ///< that the file states; may be empty
   TriMesh mesh;
   Report check;  ///< without self-intersections
 };

@@ -1,0 +1,21 @@
+#include "mesh_to_mesh.h"
+
+#include <CLI/App.hpp>
+
+#include "output.h"
+
+namespace dupin::cli {
+
+void add_mesh_to_mesh_options(CLI::App& command, const std::string& input_kind,
+                              MeshToMesh& arguments) {
+  command.add_option("IN", arguments.input, input_kind + "; - for standard input")
+      ->type_name("")
+      ->required();
+  command.add_option("OUT", arguments.output, "mesh file; - for standard output")
+      ->type_name("")
+      ->required();
+  add_format_option(command, arguments.format);
+  add_rounding_options(command, arguments.rounding);
+}
+
+}  // namespace dupin::cli
