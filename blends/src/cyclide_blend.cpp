@@ -99,7 +99,7 @@ std::optional<CyclideChain> three(const Ends& e) {
 
 }  // namespace
 
-CyclideBlend cyclide_blend(const Ring& from, const Ring& to) {
+CyclideTube cyclide_blend(const Ring& from, const Ring& to) {
   validate(from);
   validate(to);
   const Ring arrival = flipped(to);
@@ -107,24 +107,13 @@ CyclideBlend cyclide_blend(const Ring& from, const Ring& to) {
                   contact_tangent(arrival)};
   for (const auto attempt : {single, two, three}) {
     if (auto chain = attempt(ends)) {
-      return {flipped(from), arrival, std::move(*chain)};
+      return {flipped(from), arrival, std::move(*chain), 0};
     }
   }
   throw Error(
       Errc::infeasible_blend,
       "no chain of up to three cyclide pieces joins these ends; move them further apart, or "
       "use a cyclic_blend");
-}
-
-std::string_view kind(const CyclideBlend& blend) {
-  switch (blend.chain.pieces.size()) {
-    case 1:
-      return "single";
-    case 2:
-      return "double";
-    default:
-      return "triple";
-  }
 }
 
 }  // namespace dupin

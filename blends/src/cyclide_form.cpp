@@ -202,11 +202,11 @@ double signed_distance(const PeArc& arc, const Vec3& point) {
   if (high <= low || !clear(low)) {
     return low;
   }
-  for (int i = 0; i < 2000 && low < high; ++i) {
+  // The coefficients are good to a few ulp of the square of this size, so the answer to no less.
+  const double size =
+      (arc.end().m - arc.start().m).norm() + arc.start().r + arc.end().r + high - low;
+  while (high - low > kEpsilon * size) {
     const double middle = low + (high - low) / 2;
-    if (middle == low || middle == high) {
-      break;
-    }
     (clear(middle) ? low : high) = middle;
   }
   return low;

@@ -14,7 +14,7 @@ namespace {
 
 // The rings at the ends must be the contact circles of the chain's end tangents, and neighbours
 // must meet.
-void expect_g1(const CyclideBlend& blend) {
+void expect_g1(const CyclideTube& blend) {
   const auto& pieces = blend.chain.pieces;
   const Ring first = circle_at(pieces.front(), 0), last = circle_at(pieces.back(), 1);
   const double size = (first.center - last.center).norm() + first.radius + last.radius;
@@ -31,7 +31,7 @@ void expect_g1(const CyclideBlend& blend) {
 }
 
 TEST(CyclideBlend, equal_cylinders_with_meeting_axes_take_one_torus) {
-  const CyclideBlend blend =
+  const CyclideTube blend =
       cyclide_blend({Vec3::Zero(), Vec3::UnitZ(), 1}, {Vec3(3, 0, 3), -Vec3::UnitX(), 1});
   EXPECT_EQ(kind(blend), "single");
   EXPECT_EQ(canonical_form(blend.chain.pieces[0]).kind, CyclideKind::torus);
@@ -40,7 +40,7 @@ TEST(CyclideBlend, equal_cylinders_with_meeting_axes_take_one_torus) {
 
 TEST(CyclideBlend, unequal_cylinders_take_two_pieces) {
   // Design C5: the junctions with their regular range contain the equal choice alpha = beta.
-  const CyclideBlend blend =
+  const CyclideTube blend =
       cyclide_blend({Vec3::Zero(), Vec3::UnitZ(), 1}, {Vec3(3, 0, 3), -Vec3::UnitX(), .6});
   EXPECT_EQ(kind(blend), "double");
   expect_g1(blend);
@@ -62,7 +62,7 @@ TEST(CyclideBlend, skew_cones_take_two_pieces) {
   const PeVector b0{Vec3::Zero(), 1}, b3{Vec3(4, 3, 5), .7};
   const Ring start = contact_ring(b0, {std::hypot(1, q0) * Vec3::UnitZ(), q0});
   const Ring end = contact_ring(b3, {std::hypot(1, q3) * Vec3(.6, .8, 0), q3});
-  const CyclideBlend blend = cyclide_blend(start, flipped(end));
+  const CyclideTube blend = cyclide_blend(start, flipped(end));
   EXPECT_EQ(kind(blend), "double");
   expect_g1(blend);
 }
@@ -77,7 +77,7 @@ TEST(CyclideBlend, random_ends_are_joined_g1_or_refused) {
     const Ring from{vector(), vector().normalized(), radius(random), slope(random)};
     const Ring to{vector(), vector().normalized(), radius(random), slope(random)};
     try {
-      const CyclideBlend blend = cyclide_blend(from, to);
+      const CyclideTube blend = cyclide_blend(from, to);
       expect_g1(blend);
       ++joined;
       doubles += kind(blend) == "double" ? 1 : 0;

@@ -10,26 +10,19 @@
 
 #include "dupin/blends/cyclide_form.h"
 #include "dupin/kernel/error.h"
+#include "support/cyclide_cases.h"
 
 namespace dupin {
 namespace {
 
-PeVector sphere(double x, double y, double z, double r) { return {Vec3(x, y, z), r}; }
+using test::crane_hook;
+using test::crane_hook_spheres;
+using test::jet_engine;
+using test::sphere;
 
 double distance(const PeVector& a, const PeVector& b) {
   return std::hypot((a.m - b.m).norm(), a.r - b.r);
 }
-
-// Design C1: the crane hook of [SD94].
-std::vector<PeVector> hook() {
-  return {sphere(0, 8, 0, .55),       sphere(0, 6, 0, .58),      sphere(0, 4.2, 0, .62),
-          sphere(.3, 3.3, 0, .70),    sphere(1, 2.6, 0, .78),    sphere(1.75, 1.95, 0, .87),
-          sphere(2, 1, 0, .95),       sphere(1.4, -.4, 0, 1.0),  sphere(0, -1, 0, 1.05),
-          sphere(-1.75, .05, 0, .85), sphere(-1.9, 1.7, 0, .60), sphere(-1.9, 2.2, 0, .43),
-          sphere(-2, 2.7, 0, .25)};
-}
-
-CyclideChain hook_chain() { return compose(hook(), {Vec3(0, -1, 0), 0}); }
 
 struct PieceOracle {
   double chord, w, power, tx, ty, tau, area, volume;
@@ -50,7 +43,7 @@ const std::array<PieceOracle, 6> kHook{
       -0.52234662373917, 3.06011206133322, 0.674150429888877}}};
 
 TEST(CyclideChain, crane_hook_has_the_oracle_values) {
-  const CyclideChain chain = hook_chain();
+  const CyclideChain chain = crane_hook();
   ASSERT_EQ(chain.pieces.size(), kHook.size());
   for (std::size_t i = 0; i < kHook.size(); ++i) {
     SCOPED_TRACE(i);
@@ -63,7 +56,7 @@ TEST(CyclideChain, crane_hook_has_the_oracle_values) {
     EXPECT_NEAR(area(piece), o.area, 1e-12 * o.area);
     EXPECT_NEAR(volume(piece), o.volume, 1e-12 * o.volume);
   }
-  EXPECT_TRUE(bias_warnings(chain, hook()).empty());
+  EXPECT_TRUE(bias_warnings(chain, crane_hook_spheres()).empty());
 }
 
 TEST(CyclideChain, crane_hook_has_the_canonical_parameters) {
@@ -72,7 +65,7 @@ TEST(CyclideChain, crane_hook_has_the_canonical_parameters) {
     double a, b, c, mu;
     Vec3 origin;
   };
-  const CyclideChain chain = hook_chain();
+  const CyclideChain chain = crane_hook();
   EXPECT_EQ(canonical_form(chain.pieces[0]).kind, CyclideKind::torus);
   EXPECT_NEAR(canonical_form(chain.pieces[0]).a, 103.1078571429, 1e-8);
   EXPECT_NEAR(canonical_form(chain.pieces[0]).mu, -102.5578571429, 1e-8);
@@ -94,7 +87,7 @@ TEST(CyclideChain, crane_hook_has_the_canonical_parameters) {
 }
 
 TEST(CyclideChain, crane_hook_has_the_oracle_points_and_end_circle) {
-  const CyclideChain chain = hook_chain();
+  const CyclideChain chain = crane_hook();
   const Ring end = circle_at(chain.pieces[5], 1);
   EXPECT_LT((end.center - Vec3(-2.05328774765941, 2.80275141595011, 0)).norm(), 1e-13);
   EXPECT_NEAR(end.radius, 0.221590980117953, 1e-13);
@@ -111,7 +104,7 @@ TEST(CyclideChain, crane_hook_has_the_oracle_points_and_end_circle) {
 }
 
 TEST(CyclideChain, patches_of_neighbours_meet_g1) {
-  const CyclideChain chain = hook_chain();
+  const CyclideChain chain = crane_hook();
   for (std::size_t i = 0; i + 1 < chain.pieces.size(); ++i) {
     EXPECT_EQ(chain.pieces[i].end(), chain.pieces[i + 1].start());
     EXPECT_EQ(chain.pieces[i].end_tangent(), chain.pieces[i + 1].start_tangent());
@@ -128,13 +121,13 @@ TEST(CyclideChain, patches_of_neighbours_meet_g1) {
 }
 
 TEST(CyclideChain, twisting_keeps_lengths_and_gives_the_oracle_tangents) {
-  const EditedChain edited = twist(hook_chain(), 3, 25 * std::numbers::pi / 180);
+  const EditedChain edited = twist(crane_hook(), 3, 25 * std::numbers::pi / 180);
   EXPECT_EQ(edited.changed, (std::vector<std::size_t>{3, 4, 5}));
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_NEAR(edited.chain.pieces[i].w(), kHook[i].w, 1e-12);
     EXPECT_NEAR(area(edited.chain.pieces[i]), kHook[i].area, 1e-11);
     if (i < 3) {
-      EXPECT_EQ(edited.chain.pieces[i], hook_chain().pieces[i]);
+      EXPECT_EQ(edited.chain.pieces[i], crane_hook().pieces[i]);
     }
   }
   EXPECT_LT(distance(edited.chain.pieces[3].end_tangent(),
@@ -149,15 +142,6 @@ TEST(CyclideChain, twisting_keeps_lengths_and_gives_the_oracle_tangents) {
              Vec3(-1.67356580315168, 2.80284029350828, -1.71281505103544))
                 .norm(),
             1e-12);
-}
-
-// Design C3.
-CyclideChain jet_engine() {
-  const std::vector<PeVector> spheres{sphere(0, 0, 0, 1.00),   sphere(1.1, 0, 0, 1.25),
-                                      sphere(2.4, 0, 0, 1.35), sphere(3.7, 0, 0, 1.30),
-                                      sphere(5.0, 0, 0, 1.10), sphere(6.4, 0, 0, .85),
-                                      sphere(7.6, 0, 0, .62)};
-  return compose(spheres, {Vec3(1 / std::sqrt(0.91), 0, 0), 0.3 / std::sqrt(0.91)});
 }
 
 TEST(CyclideChain, jet_engine_shells_have_the_oracle_values) {
@@ -205,7 +189,7 @@ TEST(DoubleCyclide, the_equal_junction_of_the_oracle_is_on_the_locus) {
 }
 
 TEST(CyclideChain, moving_a_junction_changes_three_pieces_as_the_oracle_says) {
-  const CyclideChain chain = hook_chain();
+  const CyclideChain chain = crane_hook();
   const EditedChain edited = move_junction(chain, 2, sphere(1.1, 2.5, .2, .8));
   EXPECT_EQ(edited.changed, (std::vector<std::size_t>{1, 2, 3}));
   for (const std::size_t i : {std::size_t{0}, std::size_t{4}, std::size_t{5}}) {
@@ -222,7 +206,7 @@ TEST(CyclideChain, moving_a_junction_changes_three_pieces_as_the_oracle_says) {
 }
 
 TEST(CyclideChain, moving_on_the_locus_changes_two_pieces) {
-  const CyclideChain chain = hook_chain();
+  const CyclideChain chain = crane_hook();
   const EditedChain edited = move_on_locus(chain, 3, sphere(2.1, .9, .1, .97));
   EXPECT_EQ(edited.changed, (std::vector<std::size_t>{2, 3}));
   for (const std::size_t i : {0, 1, 4, 5}) {
@@ -232,7 +216,7 @@ TEST(CyclideChain, moving_on_the_locus_changes_two_pieces) {
 }
 
 TEST(CyclideChain, a_bad_piece_is_named) {
-  auto spheres = hook();
+  auto spheres = crane_hook_spheres();
   spheres[4] = sphere(0, 4.2, 0, 3);
   try {
     (void)compose(spheres, {Vec3(0, -1, 0), 0});

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -10,19 +9,16 @@
 
 #include "dupin/blends/cyclide_form.h"
 #include "dupin/kernel/error.h"
+#include "support/cyclide_cases.h"
 
 namespace dupin {
 namespace {
 
 using std::numbers::pi;
 
-PeVector sphere(double x, double y, double z, double r) { return {Vec3(x, y, z), r}; }
-
-// The PE-unit direction along `axis` with sine of the half angle `sine`.
-PeVector direction(const Vec3& axis, double sine) {
-  const double q = sine / std::sqrt(1 - sine * sine);
-  return {std::hypot(1, q) * axis.normalized(), q};
-}
+using test::direction;
+using test::RandomArcs;
+using test::sphere;
 
 void expect_near(const PeVector& a, const PeVector& b, double tolerance) {
   EXPECT_NEAR(a.m.x(), b.m.x(), tolerance);
@@ -169,22 +165,6 @@ TEST(PeArc, rejections_give_the_reason_and_the_value) {
     EXPECT_THROW((void)PeArc::from(row.start, row.tangent, row.end), Error);
   }
 }
-
-struct RandomArcs {
-  std::mt19937_64 random{1994};
-  std::uniform_real_distribution<double> place{-4, 4}, radius{0.3, 1.2}, sine{-0.4, 0.4};
-
-  Vec3 vector() { return {place(random), place(random), place(random)}; }
-  PeArc next() {
-    for (;;) {
-      const PeVector a{vector(), radius(random)}, b{vector(), radius(random)};
-      const PeVector t = direction(vector(), sine(random));
-      if (validity(a, t, b).fault == ArcFault::none) {
-        return PeArc::from(a, t, b);
-      }
-    }
-  }
-};
 
 TEST(PeArc, reversal_offset_and_halving_keep_the_surface) {
   RandomArcs arcs;

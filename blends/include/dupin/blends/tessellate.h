@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/ringed_surface.h"
 #include "dupin/blends/sphere.h"
 #include "dupin/kernel/mesh.h"
@@ -32,6 +33,8 @@ struct TessellationOptions {
 [[nodiscard]] std::uint32_t segments_for(const RingedSurface& surface, double tolerance,
                                          double grid = 0);
 [[nodiscard]] std::uint32_t segments_for(const Sphere& sphere, double tolerance, double grid = 0);
+[[nodiscard]] std::uint32_t segments_for(const CyclideTube& tube, double tolerance,
+                                         double grid = 0);
 
 /// Triangles of one part and a proof of how far they are from it.
 struct Tessellation {
@@ -50,6 +53,14 @@ struct Tessellation {
 /// tolerance, there are as many bands as suit the segments, and `error_bound` says how far it is.
 /// Throws Error{irregular_surface, invalid_argument}.
 [[nodiscard]] Tessellation tessellate(const RingedSurface& surface, const RingSampling& sampling,
+                                      const TessellationOptions& options = {});
+
+/// The same for a chain of cyclide pieces, whose joints are rows of points. The second derivatives
+/// are bounded in closed form, in intervals.
+///
+/// A hollow tube is closed: outer skin, inner skin inside out, and the two conical rims, which the
+/// labels tell apart (0: skins, 1: start, 2: end).
+[[nodiscard]] Tessellation tessellate(const CyclideTube& tube, const RingSampling& sampling,
                                       const TessellationOptions& options = {});
 
 /// A closed sphere of sampling.segments meridians about the z axis.
