@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -6,6 +9,9 @@
 
 #include "commands.h"
 #include "dupin/kernel/boolean.h"
+#include "dupin/kernel/boolean_expression.h"
+#include "dupin/kernel/repair.h"
+#include "exit_code.h"
 #include "input.h"
 #include "length.h"
 #include "output.h"
@@ -15,61 +21,170 @@
 namespace dupin::cli {
 namespace {
 
+using Operation = Solid (*)(std::span<const Solid> operands, const BooleanOptions& options);
+
 struct BooleanCommand {
   std::string name, purpose, footer;
-  Solid (*operation)(std::span<const Solid> operands, const BooleanOptions& options);
+  Operation operation;
 };
 
-struct BooleanArguments {
-  std::vector<std::string> files;
-  std::string output, format;
-  ContactPolicy contacts = ContactPolicy::report;
+/// What all set operations take.
+struct OperandArguments {
+  std::vector<std::string> operands;
+  std::string output, format, contacts;
+  bool repair = false;
   RoundingArguments rounding;
+};
+
+struct ExpressionArguments {
+  std::string expression;
+  OperandArguments common;
 };
 
 Solid subtract_all(std::span<const Solid> operands, const BooleanOptions& options) {
   return subtract(operands.front(), operands.subspan(1), options);
 }
 
-ExitCode run_boolean(const BooleanCommand& command, const BooleanArguments& arguments,
-                     const CommonOptions& common) {
+/// The solid in a file, mended where that is asked for; what was done goes to `repairs`.
+Solid read_operand(const Input& input, bool is_repaired, std::vector<FileRepair>& repairs) {
+  if (!is_repaired) {
+    return solid_of(input);
+  }
+  Repaired repaired = repaired_solid_of(input);
+  if (repaired.report != RepairReport{}) {
+    repairs.push_back({input.name, repaired.report});
+  }
+  return std::move(repaired.solid);
+}
+
+/// Reads the files, applies `operation` to their solids, settles contacts, writes.
+ExitCode run_operation(
+    const std::vector<std::string>& files, const OperandArguments& arguments,
+    const CommonOptions& common,
+    const std::function<Solid(std::span<const Solid>, const BooleanOptions&)>& operation) {
   const Destination to = destination(arguments.output, arguments.format);
-  const std::vector<Input> inputs = read_inputs(arguments.files);
+  const std::vector<Input> inputs = read_inputs(files);
   const MeshHeader header{common_unit(inputs), {}};
+  const ContactChoice contacts = contact_choice(arguments.contacts, header.unit);
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit,
                                                     mesh_length(common.tolerance, 0, header.unit));
   std::vector<Solid> operands;
-  operands.reserve(inputs.size());
+  std::vector<FileRepair> repairs;
   for (const Input& input : inputs) {
-    operands.push_back(solid_of(input));
+    operands.push_back(read_operand(input, arguments.repair, repairs));
   }
   OutputReport report;
   {
     ProgressLine line(common.quiet);
-    report = write_solid(command.operation(operands, {arguments.contacts, line.callback()}), to,
-                         rounding, header);
+    const Solid result = operation(operands, {contacts.policy(), line.callback()});
+    report = write_solid(result, to, rounding, header, contacts);
   }
+  report.repairs = std::move(repairs);
   print_written(report, to, common);
   return ExitCode::ok;
 }
 
+Expression parsed(const std::string& text) {
+  try {
+    return Expression::parse(text);
+  } catch (const Error& error) {
+    throw UsageError(error.message() + ", at column " + error.where());
+  }
+}
+
+/// Files by the operand's name, each of which `expression` names.
+std::map<std::string, std::string> named_files(const Expression& expression,
+                                               const std::vector<std::string>& operands) {
+  std::map<std::string, std::string> files;
+  const auto& names = expression.names();
+  for (const std::string& operand : operands) {
+    const std::size_t equals = operand.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == operand.size()) {
+      throw UsageError("an operand must be NAME=FILE, not '" + operand + "'");
+    }
+    const std::string name = operand.substr(0, equals);
+    if (!files.emplace(name, operand.substr(equals + 1)).second) {
+      throw UsageError("the operand '" + name + "' is given twice");
+    }
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      throw UsageError("the operand '" + name + "' is not in the expression");
+    }
+  }
+  for (const std::string& name : names) {
+    if (!files.contains(name)) {
+      throw UsageError("the expression names '" + name + "', but there is no " + name + "=FILE");
+    }
+  }
+  return files;
+}
+
+ExitCode run_expression(const ExpressionArguments& arguments, const CommonOptions& common) {
+  const Expression expression = parsed(arguments.expression);
+  const auto file_of = named_files(expression, arguments.common.operands);
+  std::vector<std::string> files;
+  for (const std::string& name : expression.names()) {
+    files.push_back(file_of.at(name));
+  }
+  const auto operation = [&](std::span<const Solid> solids, const BooleanOptions& options) {
+    std::map<std::string, Solid> operands;
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+      operands.emplace(expression.names()[i], solids[i]);
+    }
+    return evaluate(expression, operands, options);
+  };
+  return run_operation(files, arguments.common, common, operation);
+}
+
+void add_operand_options(CLI::App& command, OperandArguments& arguments) {
+  command.add_option("-o,--output", arguments.output, "mesh file; - for standard output")
+      ->type_name("OUT")
+      ->required();
+  add_format_option(command, arguments.format);
+  add_contacts_option(command, arguments.contacts);
+  command.add_flag("--repair", arguments.repair,
+                   "Mend operands that are no solids, where that is safe, and say how: merge\n"
+                   "identical points, drop degenerate and duplicate faces, turn faces round,\n"
+                   "unite what overlaps; holes are never filled");
+  add_rounding_options(command, arguments.rounding);
+}
+
 void add_boolean(CLI::App& app, Action& action, const BooleanCommand& boolean) {
   CLI::App* command = app.add_subcommand(boolean.name, boolean.purpose);
-  const auto arguments = std::make_shared<BooleanArguments>();
-  command->add_option("IN", arguments->files, "solids; - for standard input")
+  const auto arguments = std::make_shared<OperandArguments>();
+  command->add_option("IN", arguments->operands, "solids; - for standard input")
       ->type_name("")
       ->required()
       ->expected(2, -1);
-  command->add_option("-o,--output", arguments->output, "mesh file; - for standard output")
-      ->type_name("OUT")
-      ->required();
-  add_format_option(*command, arguments->format);
-  add_contacts_option(*command, arguments->contacts);
-  add_rounding_options(*command, arguments->rounding);
+  add_operand_options(*command, *arguments);
   command->footer(boolean.footer);
   command->callback([arguments, boolean, &action] {
     action = [arguments, boolean](const CommonOptions& common) {
-      return run_boolean(boolean, *arguments, common);
+      return run_operation(arguments->operands, *arguments, common, boolean.operation);
+    };
+  });
+}
+
+void add_expression(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("boolean", "A set expression of solids, in one exact arrangement");
+  const auto arguments = std::make_shared<ExpressionArguments>();
+  command
+      ->add_option("EXPRESSION", arguments->expression,
+                   "a + b unites, a - b subtracts, a & b intersects (and binds tighter)")
+      ->type_name("")
+      ->required();
+  command->add_option("NAME=FILE", arguments->common.operands, "the solid that a name stands for")
+      ->type_name("")
+      ->required()
+      ->expected(1, -1);
+  add_operand_options(*command, arguments->common);
+  command->footer(
+      "A name is a run of letters, digits, _ and ., or anything in double quotes.\n\n"
+      "Examples:\n"
+      "  dupin boolean \"(a + b) - c & d\" a=f.off b=g.stl c=h.off d=i.off -o out.stl");
+  command->callback([arguments, &action] {
+    action = [arguments](const CommonOptions& common) {
+      return run_expression(*arguments, common);
     };
   });
 }
@@ -90,6 +205,7 @@ void add_booleans(CLI::App& app, Action& action) {
       app, action,
       {"subtract", "The first solid without all the others, exactly",
        "Examples:\n  dupin subtract block.off drill1.off drill2.off -o part.stl", subtract_all});
+  add_expression(app, action);
 }
 
 }  // namespace dupin::cli

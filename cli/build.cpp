@@ -20,9 +20,8 @@ namespace dupin::cli {
 namespace {
 
 struct BuildArguments {
-  std::string file, output, format, connect;
+  std::string file, output, format, connect, contacts;
   std::uint32_t segments = 0;
-  ContactPolicy contacts = ContactPolicy::report;
   RoundingArguments rounding;
 };
 
@@ -80,7 +79,8 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
     options.segments = arguments.segments;
   }
   options.connect = length_in(assembly.unit, arguments.connect, assembly.tolerance);
-  options.contacts = arguments.contacts;
+  options.contacts =
+      contact_choice(arguments.contacts, std::string(symbol(assembly.unit))).policy();
   return options;
 }
 
@@ -97,7 +97,8 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     Built built = build(assembly, options);
     report.gaps = {assembly.source, assembly.unit, options.connect, std::move(built.ports),
                    std::move(built.gaps)};
-    report.output = write_solid(built.solid, to, rounding, {unit, {}});
+    report.output = write_solid(built.solid, to, rounding, {unit, {}},
+                                contact_choice(arguments.contacts, unit));
     report.parts = std::move(built.parts);
     report.runs = built.runs;
     report.pieces = built.pieces;

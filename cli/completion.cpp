@@ -50,7 +50,7 @@ _dupin() {
   case $previous in
     --format) COMPREPLY=($(compgen -W ")" +
          joined(format_names()) + R"(" -- "$word")); return ;;
-    --contacts) COMPREPLY=($(compgen -W "report refuse" -- "$word")); return ;;
+    --contacts) COMPREPLY=($(compgen -W "report refuse separate= bridge=" -- "$word")); return ;;
     --origin) COMPREPLY=($(compgen -W "keep auto" -- "$word")); return ;;
     --tolerance|--connect|--grid) return ;;
   esac

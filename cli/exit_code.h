@@ -9,12 +9,13 @@ namespace dupin::cli {
 /// What the shell sees.
 enum class ExitCode {
   ok = 0,
-  findings = 1,   ///< it ran, and found faults or gaps
-  usage = 2,      ///< the command line makes no sense
-  input = 3,      ///< a file that cannot be read, or is not what it should be
-  refused = 4,    ///< an operation that has no valid result: blend, contact, rounding
-  output = 5,     ///< the result could not be written
-  internal = 70,  ///< a bug of ours, or no memory
+  findings = 1,       ///< it ran, and found faults or gaps
+  usage = 2,          ///< the command line makes no sense
+  input = 3,          ///< a file that cannot be read, or is not what it should be
+  refused = 4,        ///< an operation that has no valid result: blend, contact, rounding
+  output = 5,         ///< the result could not be written
+  internal = 70,      ///< a bug of ours, or no memory
+  interrupted = 130,  ///< by a signal; nothing was written
 };
 
 [[nodiscard]] ExitCode exit_code(Errc code);

@@ -8,6 +8,19 @@
 #include "dupin/kernel/error.h"
 
 namespace dupin::cli {
+namespace {
+
+template <class Function>
+auto blaming(const Input& input, const Function& function) {
+  const TriMesh mesh = read_mesh(input.bytes, input.name);
+  try {
+    return function(mesh);
+  } catch (const Error& error) {
+    throw error.in_part(input.name);
+  }
+}
+
+}  // namespace
 
 bool Input::is_document() const {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
@@ -60,12 +73,11 @@ TriMesh read_mesh_input(const std::string& path) {
 }
 
 Solid solid_of(const Input& input) {
-  const TriMesh mesh = read_mesh(input.bytes, input.name);
-  try {
-    return Solid::from(mesh);
-  } catch (const Error& error) {
-    throw error.in_part(input.name);
-  }
+  return blaming(input, [](const TriMesh& mesh) { return Solid::from(mesh); });
+}
+
+Repaired repaired_solid_of(const Input& input) {
+  return blaming(input, [](const TriMesh& mesh) { return repair(mesh); });
 }
 
 }  // namespace dupin::cli

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
+#include "dupin/kernel/repair.h"
 #include "dupin/kernel/solid.h"
 
 namespace dupin::cli {
@@ -33,5 +34,7 @@ struct Input {
 
 /// Throws Error naming the file as its part when the mesh is not a solid.
 [[nodiscard]] Solid solid_of(const Input& input);
+/// Repairs it first. Throws Error naming the file as its part when that is not possible.
+[[nodiscard]] Repaired repaired_solid_of(const Input& input);
 
 }  // namespace dupin::cli

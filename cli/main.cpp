@@ -13,6 +13,7 @@
 #include "commands.h"
 #include "dupin/io/report_json.h"
 #include "exit_code.h"
+#include "interrupt.h"
 
 namespace dupin::cli {
 namespace {
@@ -91,7 +92,7 @@ int run(std::span<char*> arguments) {
       "  dupin union a.off b.stl -o both.off\n"
       "  dupin check both.off --json\n\n"
       "Exit codes: 0 ok, 1 findings, 2 usage, 3 invalid input, 4 refused, 5 output failed, "
-      "70 internal");
+      "70 internal, 130 interrupted");
   CommonOptions common;
   Action action;
   add_common_options(app, common);
@@ -123,6 +124,7 @@ int run(std::span<char*> arguments) {
 int main(int argc, char** argv) {
   try {
     std::ios::sync_with_stdio(false);
+    dupin::cli::end_on_interrupt();
     return dupin::cli::run({argv, static_cast<std::size_t>(argc)});
   } catch (...) {  // even saying why may have failed
     return static_cast<int>(dupin::cli::ExitCode::internal);

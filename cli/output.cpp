@@ -9,6 +9,7 @@
 
 #include "dupin/io/atomic_file.h"
 #include "exit_code.h"
+#include "interrupt.h"
 #include "report_text.h"
 
 namespace dupin::cli {
@@ -17,6 +18,7 @@ namespace {
 /// Runs a function that writes; what the system refuses there is an output error.
 template <class Function>
 auto writing(const Function& function) {
+  const Uninterrupted whole_file;
   try {
     return function();
   } catch (const Error& error) {
@@ -57,6 +59,25 @@ RoundingReport nearest_rounding(const TriMesh& mesh, Coordinates coordinates) {
   return report;
 }
 
+/// STL has no vertices, only corners: readers weld those that coincide.
+void refuse_contacts(const Solid& solid, const Destination& to) {
+  const bool welds = to.format == MeshFormat::stl_ascii || to.format == MeshFormat::stl_binary;
+  if (!welds || solid.contacts().empty()) {
+    return;
+  }
+  constexpr std::size_t kTold = 3;
+  std::string places;
+  for (std::size_t i = 0; i < std::min(kTold, solid.contacts().size()); ++i) {
+    places += (i == 0 ? " " : ", ") + place_text(solid.contacts()[i].from);
+  }
+  throw Error(Errc::contact,
+              "the solid touches itself in " + counted(solid.contacts().size(), "place") + ", at" +
+                  places + (solid.contacts().size() > kTold ? ", ..." : "") +
+                  ", and readers of STL would weld it there; write another format, or see "
+                  "--contacts separate=LENGTH and bridge=LENGTH",
+              {}, to.is_stdout() ? "standard output" : to.path);
+}
+
 std::string origin_note(const Vec3& origin) {
   std::ostringstream note;
   note.precision(std::numeric_limits<double>::max_digits10);
@@ -82,17 +103,6 @@ void add_format_option(CLI::App& command, std::string& format) {
       ->check(CLI::IsMember(format_names()));
 }
 
-void add_contacts_option(CLI::App& command, ContactPolicy& contacts) {
-  const auto choose = [&contacts](const std::string& name) {
-    contacts = name == "refuse" ? ContactPolicy::refuse : ContactPolicy::report;
-  };
-  command
-      .add_option_function<std::string>(
-          "--contacts", choose, "Where the result touches itself: report it (default) or refuse")
-      ->type_name("POLICY")
-      ->check(CLI::IsMember({"report", "refuse"}));
-}
-
 Destination destination(const std::string& path, const std::string& format) {
   for (std::size_t index = 0; index < kMeshFormats.size(); ++index) {
     if (format == format_names().at(index)) {
@@ -110,16 +120,17 @@ Destination destination(const std::string& path, const std::string& format) {
 }
 
 OutputReport write_solid(const Solid& solid, const Destination& to, const RoundingOptions& rounding,
-                         MeshHeader header) {
-  const Rounded rounded = to_mesh(solid, coordinates(to.format), rounding);
+                         MeshHeader header, const ContactChoice& contacts) {
+  OutputReport report;
+  const Solid settled = settle(solid, contacts, report);
+  refuse_contacts(settled, to);
+  const Rounded rounded = to_mesh(settled, coordinates(to.format), rounding);
   if (rounded.report.origin != Vec3::Zero()) {
     header.note += (header.note.empty() ? "" : "; ") + origin_note(rounded.report.origin);
   }
-  OutputReport report{to.is_stdout() ? "standard output" : to.path,
-                      std::string(name(to.format)),
-                      rounded.report,
-                      {},
-                      solid.contacts()};
+  report.file = to.is_stdout() ? "standard output" : to.path;
+  report.format = name(to.format);
+  report.rounding = rounded.report;
   report.check = writing([&] {
     return to.is_stdout() ? write_verified_stdout(rounded.mesh, to.format, header)
                           : write_verified(to.path, rounded.mesh, to.format, header);

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "commands.h"
+#include "contact_options.h"
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/report_json.h"
-#include "dupin/kernel/boolean.h"
 #include "dupin/kernel/rounding.h"
 #include "dupin/kernel/solid.h"
 
@@ -31,18 +31,17 @@ struct Destination {
 /// Adds --format, shared by all commands that write a mesh.
 void add_format_option(CLI::App& command, std::string& format);
 
-/// Adds --contacts report|refuse.
-void add_contacts_option(CLI::App& command, ContactPolicy& contacts);
-
 /// The format is the one asked for (see format_names) or, if empty, the one that the
 /// path's extension names. Throws UsageError.
 [[nodiscard]] Destination destination(const std::string& path, const std::string& format);
 
-/// Rounds once to what the format holds, reads the bytes back, checks them, and only then lets the
-/// file take its place; says so in the header if the origin is moved. Throws Error{unroundable},
+/// Settles contacts as chosen, rounds once to what the format holds, reads the bytes back, checks
+/// them, and only then lets the file take its place; says so in the header if the origin is moved.
+/// Throws Error{unroundable}, Error{contact} for contacts in a format whose readers weld vertices,
 /// OutputError.
 [[nodiscard]] OutputReport write_solid(const Solid& solid, const Destination& to,
-                                       const RoundingOptions& rounding, MeshHeader header);
+                                       const RoundingOptions& rounding, MeshHeader header,
+                                       const ContactChoice& contacts = {});
 
 /// Writes any mesh with every coordinate rounded to the nearest that the format holds, and says
 /// what came of it. Throws OutputError.

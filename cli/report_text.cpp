@@ -72,6 +72,43 @@ std::string rounding_text(const RoundingReport& rounding, std::string_view unit)
          powered(rounding.largest_move, unit, "");
 }
 
+void print_contacts(std::ostream& out, const std::vector<Contact>& contacts) {
+  for (const Contact& contact : contacts) {
+    out << "  " << (contact.kind == Contact::Kind::vertex ? "point " : "edge ")
+        << place_text(contact.from);
+    if (contact.kind == Contact::Kind::edge) {
+      out << " to " << place_text(contact.to);
+    }
+    std::string_view separator = ": ";
+    for (const std::string& name : contact.names) {
+      out << separator << (name.empty() ? "(no name)" : name);
+      separator = ", ";
+    }
+    out << '\n';
+  }
+}
+
+std::string repair_text(const RepairReport& report) {
+  std::string text;
+  const auto add = [&text](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
+  const struct {
+    std::size_t count;
+    const char *noun, *done;
+  } steps[] = {{report.merged_points, "point", " merged"},
+               {report.degenerate_faces, "face", " without area dropped"},
+               {report.duplicate_faces, "face", " dropped as duplicates"},
+               {report.turned_faces, "face", " turned"}};
+  for (const auto& [count, noun, done] : steps) {
+    if (count > 0) {
+      add(counted(count, noun) + done);
+    }
+  }
+  if (report.united_overlaps) {
+    add("overlaps united");
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string number(double value) {
@@ -113,16 +150,18 @@ void print_output(std::ostream& out, const OutputReport& report, std::string_vie
   if (report.rounding.origin != Vec3::Zero()) {
     print_row(out, "origin", place_text(report.rounding.origin));
   }
-  if (!report.contacts.empty()) {
+  if (report.settled) {
+    print_row(out, "contacts",
+              std::to_string(report.settled->contacts.size()) +
+                  (report.settled->policy == "bridge" ? " bridged" : " separated") + " within " +
+                  powered(report.settled->length, unit, ""));
+    print_contacts(out, report.settled->contacts);
+  } else if (!report.contacts.empty()) {
     print_row(out, "contacts", std::to_string(report.contacts.size()));
-    for (const Contact& contact : report.contacts) {
-      out << "  " << (contact.kind == Contact::Kind::vertex ? "point " : "edge ")
-          << place_text(contact.from);
-      if (contact.kind == Contact::Kind::edge) {
-        out << " to " << place_text(contact.to);
-      }
-      out << '\n';
-    }
+    print_contacts(out, report.contacts);
+  }
+  for (const FileRepair& repair : report.repairs) {
+    print_row(out, "repaired", repair.file + ": " + repair_text(repair.report));
   }
 }
 

@@ -40,6 +40,15 @@ Json form(const Contact& contact) {
           {"names", contact.names}};
 }
 
+Json form(const FileRepair& repair) {
+  return {{"file", repair.file},
+          {"merged_points", repair.report.merged_points},
+          {"degenerate_faces", repair.report.degenerate_faces},
+          {"duplicate_faces", repair.report.duplicate_faces},
+          {"turned_faces", repair.report.turned_faces},
+          {"united_overlaps", repair.report.united_overlaps}};
+}
+
 template <class Value>
 Json list(const std::vector<Value>& values) {
   Json forms = Json::array();
@@ -88,6 +97,14 @@ Json form(const OutputReport& report) {
   if (report.simplification) {
     object["simplification"] = {{"removed_triangles", report.simplification->removed_triangles},
                                 {"deviation", report.simplification->deviation}};
+  }
+  if (report.settled) {
+    object["settled"] = {{"policy", report.settled->policy},
+                         {"length", report.settled->length},
+                         {"contacts", list(report.settled->contacts)}};
+  }
+  if (!report.repairs.empty()) {
+    object["repairs"] = list(report.repairs);
   }
   return object;
 }

@@ -32,7 +32,7 @@ Solid detail::combine(std::span<const Solid> operands, const BooleanRule& rule,
   for (const Solid& operand : operands) {
     meshes.push_back(&operand.exact());
   }
-  ExactMesh result = arrange(meshes, rule, options.progress);
+  ExactMesh result = arrange(meshes, rule, options.progress, options.memory_limit);
   if (options.contacts == ContactPolicy::refuse) {
     refuse_contacts(result);
   }

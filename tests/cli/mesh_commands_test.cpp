@@ -131,6 +131,113 @@ TEST_F(MeshCommands, contacts_are_reported_or_refused) {
   EXPECT_THAT(folder_.files(), ElementsAre("a.off", "b.off", "c.off"));
 }
 
+TEST_F(MeshCommands, stl_is_refused_for_contacts_that_its_readers_would_weld) {
+  put("a.off", box({0, 0, 0}, {1, 1, 1}));
+  put("b.off", box({1, 1, 0}, {2, 2, 1}));
+  const ProcessResult result = dupin({"union", "a.off", "b.off", "-o", "c.stl"});
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_EQ(result.err,
+            "dupin: c.stl: the solid touches itself in 1 place, at (1, 1, 0), and readers of STL "
+            "would weld it there; write another format, or see --contacts separate=LENGTH and "
+            "bridge=LENGTH\n");
+  EXPECT_THAT(folder_.files(), ElementsAre("a.off", "b.off"));
+}
+
+TEST_F(MeshCommands, contacts_are_separated_or_bridged_and_told) {
+  put("a.off", box({0, 0, 0}, {1, 1, 1}));
+  put("b.off", box({1, 1, 0}, {2, 2, 1}));
+  const std::vector<std::pair<std::string, int>> table{{"separate", 2}, {"bridge", 1}};
+  for (const auto& [policy, components] : table) {
+    const auto report =
+        json({"union", "a.off", "b.off", "-o", "c.stl", "--contacts", policy + "=0.125mm"}, 0);
+    EXPECT_EQ(report.at("contacts").size(), 0);
+    EXPECT_EQ(report.at("settled").at("policy"), policy);
+    EXPECT_EQ(report.at("settled").at("length"), 0.125);
+    EXPECT_EQ(report.at("settled").at("contacts")[0].at("kind"), "edge");
+    EXPECT_EQ(report.at("check").at("components"), components);
+  }
+}
+
+TEST_F(MeshCommands, union_takes_any_number_of_files_and_keeps_their_labels) {
+  std::vector<std::string> command = {"union"};
+  for (int i = 0; i < 30; ++i) {
+    const std::string name = "part" + std::to_string(i);
+    folder_.write(name + ".stl",
+                  mesh_bytes(labelled(box({i * 0.5, 0, 0}, {i * 0.5 + 1, 1, 1}), name),
+                             MeshFormat::stl_ascii));
+    command.push_back(name + ".stl");
+  }
+  command.insert(command.end(), {"-o", "all.stl", "--format", "stl-ascii"});
+  EXPECT_EQ(json(command, 0).at("check").at("volume"), 15.5);
+  const auto names = json({"info", "all.stl"}, 0).at("names");
+  EXPECT_EQ(names.size(), 30) << "every box shows some of its sides";
+}
+
+TEST_F(MeshCommands, boolean_evaluates_an_expression_of_named_files) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  put("b.off", box({1, 0, 0}, {3, 2, 2}));
+  put("c.off", box({0, 0, 0}, {1, 1, 1}));
+  put("d.off", box({0, 0, 0}, {1, 2, 2}));
+  const std::vector<std::pair<std::string, double>> table{
+      {"(a + b) - c & d", 11}, {"((a + b) - c) & d", 3}, {"a & b & d", 0}, {"b-c - d + a", 12}};
+  for (const auto& [expression, volume] : table) {
+    std::vector<std::string> command = {"boolean", expression, "-o", "out.off"};
+    for (const std::string name : {"a", "b", "c", "d"}) {
+      if (expression.find(name) != std::string::npos) {
+        command.push_back(name + "=" + name + ".off");
+      }
+    }
+    EXPECT_EQ(json(command, 0).at("check").at("volume"), volume) << expression;
+  }
+}
+
+TEST_F(MeshCommands, boolean_keeps_labels) {
+  const auto put_labelled = [&](const std::string& name, const TriMesh& mesh) {
+    folder_.write(name + ".stl", mesh_bytes(labelled(mesh, name), MeshFormat::stl_ascii));
+  };
+  put_labelled("block", box({0, 0, 0}, {3, 3, 3}));
+  put_labelled("drill", box({1, 1, -1}, {2, 2, 4}));
+  put_labelled("far", box({9, 9, 9}, {10, 10, 10}));
+  const std::vector<std::string> command = {"boolean",         "block - \"the drill\" - far",
+                                            "block=block.stl", "the drill=drill.stl",
+                                            "far=far.stl",     "-o",
+                                            "out.obj"};
+  (void)json(command, 0);
+  EXPECT_EQ(json({"info", "out.obj"}, 0).at("names"), (nlohmann::json{"block", "drill"}));
+}
+
+TEST_F(MeshCommands, operands_are_repaired_only_when_asked) {
+  const TriMesh two = joined({box({0, 0, 0}, {2, 2, 2}), reversed(box({1, 1, 1}, {3, 3, 3}))});
+  put("two.off", two);
+  put("c.off", box({5, 5, 5}, {6, 6, 6}));
+  EXPECT_EQ(dupin({"union", "two.off", "c.off", "-o", "out.off"}).exit_code, 3);
+  const auto report = json({"union", "two.off", "c.off", "-o", "out.off", "--repair"}, 0);
+  EXPECT_EQ(report.at("check").at("volume"), 16);
+  ASSERT_EQ(report.at("repairs").size(), 1);
+  EXPECT_EQ(report.at("repairs")[0].at("file"), "two.off");
+  EXPECT_EQ(report.at("repairs")[0].at("turned_faces"), 12);
+  EXPECT_EQ(report.at("repairs")[0].at("united_overlaps"), true);
+  EXPECT_THAT(dupin({"union", "two.off", "c.off", "-o", "out.off", "--repair"}).out,
+              HasSubstr("repaired             two.off: 12 faces turned, overlaps united\n"));
+}
+
+TEST_F(MeshCommands, holes_are_not_repaired) {
+  put("a.off", box({0, 0, 0}, {1, 1, 1}));
+  put("open.off", open_box());
+  const ProcessResult result = dupin({"union", "a.off", "open.off", "-o", "b.off", "--repair"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, testing::StartsWith(
+                              "dupin: 'open.off': the mesh cannot be repaired: 3 edges are open"));
+  EXPECT_THAT(folder_.files(), ElementsAre("a.off", "open.off"));
+}
+
+TEST_F(MeshCommands, an_interrupt_ends_at_once_and_leaves_no_file) {
+  const ProcessResult result = shell("timeout --preserve-status -s INT 0.5 " DUPIN_TOOL
+                                     " convert - out.off < <(sleep 20); echo $?; ls -A");
+  EXPECT_EQ(result.out, "130\nexamples\n");
+  EXPECT_EQ(result.err, "dupin: interrupted\n");
+}
+
 TEST_F(MeshCommands, convert_keeps_a_mesh_in_every_format) {
   put("a.off", frame());
   const auto original = json({"check", "a.off"}, 0);

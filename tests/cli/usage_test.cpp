@@ -17,9 +17,9 @@ using testing::StartsWith;
 using Usage = Tool;
 
 const std::vector<std::string>& commands() {
-  static const std::vector<std::string> names{"build",    "union",     "intersect", "subtract",
-                                              "check",    "gaps",      "info",      "convert",
-                                              "simplify", "completion"};
+  static const std::vector<std::string> names{"build",   "union",    "intersect", "subtract",
+                                              "boolean", "check",    "gaps",      "info",
+                                              "convert", "simplify", "completion"};
   return names;
 }
 
@@ -37,7 +37,21 @@ TEST_F(Usage, faults_are_one_line_on_standard_error) {
       {{"union", "a.off", "a.off"}, "--output is required"},
       {{"union", "a.off", "a.off", "-o", "-"}, "standard output needs --format"},
       {{"union", "a.off", "a.off", "-o", "b.off", "--contacts", "hide"},
-       "--contacts: hide not in {report,refuse}"},
+       "--contacts takes report, refuse, separate=LENGTH or bridge=LENGTH, not 'hide'"},
+      {{"union", "a.off", "a.off", "-o", "b.off", "--contacts", "bridge"},
+       "--contacts takes report, refuse, separate=LENGTH or bridge=LENGTH, not 'bridge'"},
+      {{"union", "a.off", "a.off", "-o", "b.off", "--contacts", "bridge=far"},
+       "'far' is not a length such as 0.05, 1mm or 0.5in"},
+      {{"boolean", "a + (b", "a=a.off", "b=a.off", "-o", "b.off"},
+       "in the expression \"a + (b\": ')' is expected, at column 7"},
+      {{"boolean", "a + * b", "a=a.off", "b=a.off", "-o", "b.off"},
+       "in the expression \"a + * b\": an operand is expected, not '*', at column 5"},
+      {{"boolean", "a + b", "a=a.off", "-o", "b.off"},
+       "the expression names 'b', but there is no b=FILE"},
+      {{"boolean", "a", "a=a.off", "b=a.off", "-o", "b.off"},
+       "the operand 'b' is not in the expression"},
+      {{"boolean", "a", "a=a.off", "a=a.off", "-o", "b.off"}, "the operand 'a' is given twice"},
+      {{"boolean", "a", "a.off", "-o", "b.off"}, "an operand must be NAME=FILE, not 'a.off'"},
       {{"convert", "a.off", "b"},
        "b: the extension '' names no mesh format; known are .off, .stl, .ply, .obj, .3mf, .glb; or "
        "say --format"},

@@ -1,6 +1,5 @@
 #include "arrange.h"
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include "candidates.h"
@@ -8,6 +7,7 @@
 #include "extract.h"
 #include "faces.h"
 #include "incidences.h"
+#include "limits.h"
 #include "patches.h"
 #include "selection.h"
 #include "triangle_pair.h"
@@ -16,7 +16,8 @@ namespace dupin::detail {
 namespace {
 
 std::vector<Encounter> find_encounters(const Scene& scene,
-                                       const std::vector<TrianglePair>& candidates) {
+                                       const std::vector<TrianglePair>& candidates,
+                                       const Stage& stage) {
   constexpr std::size_t kBatch = 1024;
   std::vector<std::vector<Encounter>> batches((candidates.size() + kBatch - 1) / kBatch);
   tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t b) {
@@ -25,6 +26,7 @@ std::vector<Encounter> find_encounters(const Scene& scene,
     for (std::size_t i = b * kBatch; i < end; ++i) {
       meet(scene, candidates[i].first, candidates[i].second, batches[b]);
     }
+    stage.step(batches.size());
   });
   std::vector<Encounter> encounters;
   for (const std::vector<Encounter>& batch : batches) {
@@ -33,40 +35,63 @@ std::vector<Encounter> find_encounters(const Scene& scene,
   return encounters;
 }
 
-void tell(const Progress& progress, std::string_view stage, double fraction) {
-  if (progress && !progress(stage, fraction)) {
-    throw Error(Errc::cancelled, "the boolean operation was cancelled");
+Incidences intersect_triangles(Scene& scene, const Progress& progress, std::uint64_t memory_limit) {
+  const UpwardRounding rounding;
+  const std::vector<TrianglePair> candidates =
+      find_candidates(scene, Stage(progress, "intersect", 0, 0.2));
+  const std::vector<Encounter> encounters =
+      find_encounters(scene, candidates, Stage(progress, "intersect", 0.2, 0.4));
+  refuse_too_large(scene.triangles.size(), encounters.size(), memory_limit);
+  return gather(scene, encounters);
+}
+
+ExactMesh arrange(Scene& scene, const BooleanRule& rule, const Progress& progress,
+                  std::uint64_t memory_limit) {
+  Incidences incidences = intersect_triangles(scene, progress, memory_limit);
+  Pieces pieces;
+  {
+    const Stage stage(progress, "triangulate", 0.4, 0.7);
+    const UpwardRounding rounding;
+    pieces = retriangulate(scene, rule, incidences, stage);
   }
+  std::optional<Patches> patches;
+  std::vector<std::int8_t> selection;
+  {
+    const Stage stage(progress, "classify", 0.7, 0.9);
+    const UpwardRounding rounding;
+    patches.emplace(scene, rule, incidences, pieces);
+    selection = select(scene, rule, incidences, pieces, *patches);
+  }
+  const Stage stage(progress, "extract", 0.9, 1);
+  return extract(scene, incidences, pieces, *patches, selection);
+}
+
+Scene imported(std::span<const ExactMesh* const> operands, const BooleanRule& rule) {
+  const UpwardRounding rounding;
+  return import_operands(operands, rule);
 }
 
 }  // namespace
 
 ExactMesh arrange(std::span<const ExactMesh* const> operands, const BooleanRule& rule,
-                  const Progress& progress) {
-  Scene scene;
-  Incidences incidences;
-  Pieces pieces;
-  tell(progress, "intersect", 0);
-  {
-    const UpwardRounding rounding;
-    scene = import_operands(operands, rule);
-    incidences = gather(scene, find_encounters(scene, find_candidates(scene)));
+                  const Progress& progress, std::uint64_t memory_limit) {
+  std::uint64_t triangles = 0;
+  for (const ExactMesh* mesh : operands) {
+    triangles += mesh->triangles.size();
   }
-  tell(progress, "triangulate", 0.4);
-  {
-    const UpwardRounding rounding;
-    pieces = retriangulate(scene, rule, incidences);
-  }
-  tell(progress, "classify", 0.7);
-  std::optional<Patches> patches;
-  std::vector<std::int8_t> selection;
-  {
-    const UpwardRounding rounding;
-    patches.emplace(scene, rule, incidences, pieces);
-    selection = select(scene, rule, incidences, pieces, *patches);
-  }
-  tell(progress, "extract", 0.9);
-  return extract(scene, incidences, pieces, *patches, selection);
+  refuse_too_large(triangles, 0, memory_limit);
+  Scene scene = imported(operands, rule);
+  return arrange(scene, rule, progress, memory_limit);
+}
+
+ExactMesh resolve(const ExactMesh& surface, const Progress& progress) {
+  const ExactMesh* const operand = &surface;
+  const BooleanRule rule = union_rule(1);
+  Scene scene = imported({&operand, 1}, rule);
+  scene.operand_pairs = {{0, 0}};
+  // Any edge may have more than two triangles.
+  std::fill(scene.special.begin(), scene.special.end(), std::uint8_t{1});
+  return arrange(scene, rule, progress, 0);
 }
 
 BooleanRule union_rule(std::size_t operands) {

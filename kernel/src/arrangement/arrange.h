@@ -11,9 +11,15 @@ namespace dupin::detail {
 /// surfaces, each piece kept where the rule tells its two sides apart.
 ///
 /// Operands are closed and oriented and do not intersect themselves (contacts apart). Deterministic
-/// whatever the number of threads. Throws Error{limit_exceeded | cancelled | boolean_failed}.
+/// whatever the number of threads. `memory_limit` is in bytes, 0 for the machine's. Throws
+/// Error{limit_exceeded | cancelled | boolean_failed}.
 [[nodiscard]] ExactMesh arrange(std::span<const ExactMesh* const> operands, const BooleanRule& rule,
-                                const Progress& progress = {});
+                                const Progress& progress = {}, std::uint64_t memory_limit = 0);
+
+/// The boundary of the places that a surface winds around a positive number of times. It is closed
+/// (each edge is run along as often one way as the other) and has no degenerate or duplicate
+/// triangles, but may cross and cover itself. Throws like arrange().
+[[nodiscard]] ExactMesh resolve(const ExactMesh& surface, const Progress& progress = {});
 
 /// Inside any, inside all, inside the first but none of the others.
 [[nodiscard]] BooleanRule union_rule(std::size_t operands);

@@ -1,6 +1,7 @@
 #include "candidates.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include <CGAL/box_intersection_d.h>
 #include <tbb/parallel_for.h>
@@ -43,6 +44,9 @@ class Finder {
   // Each operand is culled by what is left of the other, in its own axes; then what is left of both
   // is compared in axes common to them.
   [[nodiscard]] std::vector<TrianglePair> pairs(std::uint32_t a, std::uint32_t b) const {
+    if (a == b) {
+      return pairs_within(a);
+    }
     std::vector<std::uint32_t> a_runs, b_runs;
     Bounds a_bounds = framed_[a].bounds, b_bounds = framed_[b].bounds;
     keep_runs(a, b, b_bounds, a_runs, a_bounds);
@@ -63,12 +67,27 @@ class Finder {
         [&result](const TriangleBox& x, const TriangleBox& y) {
           result.push_back({x.triangle, y.triangle});
         },
-        BoxTraits(), std::ptrdiff_t{50});
+        BoxTraits(), kBoxCutoff);
     std::sort(result.begin(), result.end());
     return result;
   }
 
  private:
+  [[nodiscard]] std::vector<TrianglePair> pairs_within(std::uint32_t operand) const {
+    std::vector<std::uint32_t> runs(framed_[operand].runs.size());
+    std::iota(runs.begin(), runs.end(), 0u);
+    std::vector<TriangleBox> all = boxes(operand, runs, framed_[operand].axes);
+    std::vector<TrianglePair> result;
+    CGAL::box_self_intersection_d(
+        all.begin(), all.end(),
+        [&result](const TriangleBox& x, const TriangleBox& y) {
+          result.push_back({std::min(x.triangle, y.triangle), std::max(x.triangle, y.triangle)});
+        },
+        BoxTraits(), kBoxCutoff);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
   // The runs of one operand that reach into a box of another's, and their bounds.
   void keep_runs(std::uint32_t operand, std::uint32_t other, const Bounds& box,
                  std::vector<std::uint32_t>& kept, Bounds& bounds) const {
@@ -128,6 +147,9 @@ class Finder {
     });
   }
 
+  // Fewer boxes than this are compared all with all.
+  static constexpr std::ptrdiff_t kBoxCutoff = 50;
+
   const Scene& scene_;
   double slack_;
   std::vector<FramedOperand> framed_;
@@ -135,12 +157,13 @@ class Finder {
 
 }  // namespace
 
-std::vector<TrianglePair> find_candidates(const Scene& scene) {
+std::vector<TrianglePair> find_candidates(const Scene& scene, const Stage& stage) {
   const Finder finder(scene);
   std::vector<std::vector<TrianglePair>> found(scene.operand_pairs.size());
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
     const UpwardRounding rounding;
     found[i] = finder.pairs(scene.operand_pairs[i][0], scene.operand_pairs[i][1]);
+    stage.step(found.size());
   });
   std::vector<TrianglePair> all;
   for (const std::vector<TrianglePair>& pairs : found) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scene.h"
+#include "stage.h"
 
 namespace dupin::detail {
 
@@ -12,8 +13,8 @@ struct TrianglePair {
   friend auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
 };
 
-/// Stage 2: pairs of triangles of different operands whose boxes overlap, every pair that meets
-/// among them; merged triangles left out. In a fixed order.
-[[nodiscard]] std::vector<TrianglePair> find_candidates(const Scene& scene);
+/// Stage 2: for each pair of operands in question, pairs of triangles whose boxes overlap, every
+/// pair that meets among them; merged triangles left out. In a fixed order.
+[[nodiscard]] std::vector<TrianglePair> find_candidates(const Scene& scene, const Stage& stage);
 
 }  // namespace dupin::detail

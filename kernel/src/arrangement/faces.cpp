@@ -391,11 +391,13 @@ class Collector {
 
 }  // namespace
 
-Pieces retriangulate(Scene& scene, const BooleanRule& rule, Incidences& incidences) {
+Pieces retriangulate(Scene& scene, const BooleanRule& rule, Incidences& incidences,
+                     const Stage& stage) {
   std::vector<FacePieces> faces(incidences.faces.size());
   tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t i) {
     const UpwardRounding rounding;
     faces[i] = FaceTriangulator(scene, incidences, incidences.faces[i]).run(rule);
+    stage.step(faces.size());
   });
   Collector collector(scene, *incidences.places);
   for (FacePieces& face : faces) {

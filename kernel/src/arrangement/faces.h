@@ -5,6 +5,7 @@
 
 #include "incidences.h"
 #include "scene.h"
+#include "stage.h"
 
 namespace dupin::detail {
 
@@ -31,6 +32,7 @@ struct Pieces {
 
 /// Stage 5: triangulates every face with the points and segments on it. Adds the points where
 /// segments cross to the scene. Needs UpwardRounding.
-[[nodiscard]] Pieces retriangulate(Scene& scene, const BooleanRule& rule, Incidences& incidences);
+[[nodiscard]] Pieces retriangulate(Scene& scene, const BooleanRule& rule, Incidences& incidences,
+                                   const Stage& stage);
 
 }  // namespace dupin::detail

@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "limits.h"
+
 namespace dupin::detail {
 namespace {
 
@@ -183,11 +185,13 @@ PointId PointTable::add(const ExactPoint& point) {
 }
 
 PointId PointTable::add(const Definition& definition) {
+  refuse_too_many(size(), 0);
   implicit_.push_back({definition, evaluate(*this, definition), {}});
   return size() - 1;
 }
 
 PointId PointTable::add(DefinedPoint point) {
+  refuse_too_many(size(), 0);
   implicit_.push_back({point.definition, point.box,
                        point.exact[3].sign() == 0 ? LazyExact() : LazyExact(point.exact)});
   return size() - 1;

@@ -6,7 +6,7 @@
 #include <CGAL/box_intersection_d.h>
 
 #include "../identical_points.h"
-#include "dupin/kernel/error.h"
+#include "limits.h"
 #include "places.h"
 #include "winding_change.h"
 
@@ -14,19 +14,12 @@ namespace dupin::detail {
 namespace {
 
 void check_limits(std::span<const ExactMesh* const> operands) {
-  // Half of the index space is left for the points that intersections add.
-  constexpr std::uint64_t kLimit = std::uint64_t{1} << 31;
   std::uint64_t points = 0, triangles = 0;
   for (const ExactMesh* mesh : operands) {
-    points += mesh->points.size();
+    points += mesh->points.size() + 3 * mesh->planes.size();
     triangles += mesh->triangles.size();
   }
-  if (points >= kLimit || triangles >= kLimit) {
-    throw Error(Errc::limit_exceeded, "the operands have " + std::to_string(points) +
-                                          " points and " + std::to_string(triangles) +
-                                          " triangles; a boolean operation takes fewer than " +
-                                          std::to_string(kLimit) + " of each");
-  }
+  refuse_too_many(points, triangles);
 }
 
 // Corners of the planes that triangles with implicit corners lie in, as points of their own.

@@ -41,7 +41,7 @@ struct Scene {
   std::vector<std::uint32_t> first_triangle;  ///< of each operand, and one past the last
   std::vector<Bounds> bounds;                 ///< of each operand
   double extent = 0;                          ///< bounds the magnitude of all coordinates
-  std::vector<std::array<std::uint32_t, 2>> operand_pairs;  ///< with overlapping bounds, ascending
+  std::vector<std::array<std::uint32_t, 2>> operand_pairs;  ///< to compare, ascending
   std::vector<std::uint8_t> special;  ///< per point: more than one umbrella may meet there
   std::vector<std::uint8_t> merged;   ///< per triangle: cancelled, or a copy of another
   std::vector<Duplicate> duplicates;  ///< of triangles that stay, by triangle

@@ -13,6 +13,7 @@
 #include "dupin/kernel/gap.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/mesh_gap.h"
+#include "dupin/kernel/repair.h"
 #include "dupin/kernel/rounding.h"
 #include "dupin/kernel/solid.h"
 
@@ -24,6 +25,19 @@ struct SimplificationReport {
   double deviation = 0;
 };
 
+/// Contacts that were removed before, by taking material away ("separate") or adding it ("bridge").
+struct ContactSettlement {
+  std::string policy;
+  double length = 0;  ///< nothing farther from a contact changed
+  std::vector<Contact> contacts;
+};
+
+/// What repair() did to an operand.
+struct FileRepair {
+  std::string file;
+  RepairReport report;
+};
+
 /// What a mesh file that was written holds, and how it came to.
 struct OutputReport {
   std::string file;
@@ -32,6 +46,8 @@ struct OutputReport {
   Report check;                   ///< of the file as read back
   std::vector<Contact> contacts;  ///< where the solid touches itself
   std::optional<SimplificationReport> simplification = std::nullopt;
+  std::optional<ContactSettlement> settled = std::nullopt;
+  std::vector<FileRepair> repairs = {};  ///< of operands that needed some
 };
 
 struct Box {

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+
+#include "dupin/io/report_json.h"
+#include "dupin/kernel/boolean.h"
+#include "dupin/kernel/solid.h"
+
+namespace CLI {
+class App;
+}
+
+namespace dupin::cli {
+
+/// What --contacts says to do where a result touches itself.
+struct ContactChoice {
+  enum class Kind { report, refuse, separate, bridge };
+  Kind kind = Kind::report;
+  double length = 0;  ///< to separate or bridge within
+
+  /// What the set operation itself has to do.
+  [[nodiscard]] ContactPolicy policy() const {
+    return kind == Kind::refuse ? ContactPolicy::refuse : ContactPolicy::report;
+  }
+};
+
+/// Adds --contacts report|refuse|separate=LENGTH|bridge=LENGTH.
+void add_contacts_option(CLI::App& command, std::string& contacts);
+
+/// What was typed, lengths in `unit` (see mesh_length). Throws UsageError.
+[[nodiscard]] ContactChoice contact_choice(const std::string& text, const std::string& unit);
+
+/// The solid after what was chosen, told in `report`.
+[[nodiscard]] Solid settle(const Solid& solid, const ContactChoice& choice, OutputReport& report);
+
+}  // namespace dupin::cli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+
+#include "dupin/kernel/mesh.h"
+#include "dupin/kernel/progress.h"
+#include "dupin/kernel/solid.h"
+
+namespace dupin {
+
+/// What repair() changed; all zero for a mesh that was a solid already.
+struct RepairReport {
+  std::size_t merged_points = 0;     ///< points that were copies of others
+  std::size_t degenerate_faces = 0;  ///< dropped for having no area
+  std::size_t duplicate_faces = 0;   ///< dropped for covering others
+  std::size_t turned_faces = 0;      ///< their corners now run the other way round
+  bool united_overlaps = false;      ///< the surface crossed or covered itself
+  friend bool operator==(const RepairReport&, const RepairReport&) = default;
+};
+
+struct Repaired {
+  Solid solid;
+  RepairReport report;
+};
+
+/// A solid from a mesh that is none, by steps that move nothing and invent nothing: merges points
+/// of identical coordinates; drops faces without area (the neighbour across the longest edge takes
+/// the corner on it) and copies of faces; turns faces to agree with most of those they hang
+/// together with, and shells inside out that no other one is around; keeps the places that the
+/// surface then winds around a positive number of times. Sources name the faces of `mesh`.
+///
+/// Holes are never filled. Throws Error{invalid_argument} for what is no mesh (non-finite points,
+/// bad indices or labels), Error{not_closed | not_oriented} where more would have to be guessed,
+/// and what unite() throws.
+[[nodiscard]] Repaired repair(const TriMesh& mesh, const Progress& progress = {});
+
+}  // namespace dupin

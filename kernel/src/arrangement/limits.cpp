@@ -1,0 +1,47 @@
+#include "limits.h"
+
+#include <string>
+
+#include <unistd.h>
+
+#include "dupin/kernel/error.h"
+
+namespace dupin::detail {
+namespace {
+
+// Measured, peak of the whole operation without the operands: untouched triangles are stored, boxed
+// and copied; each meeting of two makes a segment, a point and some six new triangles.
+constexpr std::uint64_t kBytesPerTriangle = 200, kBytesPerEncounter = 2000;
+
+std::uint64_t machine_memory() {
+  return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+         static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+std::string megabytes(std::uint64_t bytes) { return std::to_string(bytes / 1000000) + " MB"; }
+
+}  // namespace
+
+void refuse_too_many(std::uint64_t points, std::uint64_t triangles) {
+  if (points >= kMostPoints || triangles >= kMostPoints) {
+    throw Error(Errc::limit_exceeded, "the operands have " + std::to_string(points) +
+                                          " points and " + std::to_string(triangles) +
+                                          " triangles; a boolean operation takes fewer than " +
+                                          std::to_string(kMostPoints) + " of each");
+  }
+}
+
+void refuse_too_large(std::uint64_t triangles, std::uint64_t encounters, std::uint64_t limit) {
+  const std::uint64_t allowed = limit == 0 ? machine_memory() : limit;
+  const std::uint64_t needed = kBytesPerTriangle * triangles + kBytesPerEncounter * encounters;
+  if (needed > allowed) {
+    throw Error(
+        Errc::limit_exceeded,
+        "the boolean operation on " + std::to_string(triangles) + " triangles" +
+            (encounters == 0 ? "" : ", of which " + std::to_string(encounters) + " pairs meet,") +
+            " would need about " + megabytes(needed) + " of memory; allowed are " +
+            megabytes(allowed));
+  }
+}
+
+}  // namespace dupin::detail

@@ -1,0 +1,190 @@
+#include "dupin/kernel/repair.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/check.h"
+#include "dupin/kernel/error.h"
+#include "support/shapes.h"
+
+namespace dupin {
+namespace {
+
+using test::box;
+using test::joined;
+using test::reversed;
+
+TriMesh cube(double low, double high) { return box(Vec3::Constant(low), Vec3::Constant(high)); }
+
+// Every triangle with points of its own, as in STL.
+TriMesh unwelded(const TriMesh& mesh) {
+  TriMesh soup;
+  for (const Triangle& t : mesh.triangles) {
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    for (const std::uint32_t corner : t) {
+      soup.points.push_back(mesh.points[corner]);
+    }
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  return soup;
+}
+
+TriMesh with_face(TriMesh mesh, const Triangle& face) {
+  mesh.triangles.push_back(face);
+  return mesh;
+}
+
+TriMesh with_turned(TriMesh mesh, std::initializer_list<std::size_t> faces) {
+  for (const std::size_t face : faces) {
+    std::swap(mesh.triangles[face][1], mesh.triangles[face][2]);
+  }
+  return mesh;
+}
+
+// A cap without area on an edge: its middle is a point that the other face of the edge lacks.
+TriMesh with_cap() {
+  TriMesh mesh = cube(0, 2);
+  const Triangle t = mesh.triangles[0];
+  const auto middle = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.emplace_back((mesh.points[t[0]] + mesh.points[t[1]]) / 2);
+  mesh.triangles[0] = {t[0], middle, t[2]};
+  mesh.triangles.push_back({middle, t[1], t[2]});
+  mesh.triangles.push_back({t[0], t[1], middle});
+  return mesh;
+}
+
+struct Row {
+  const char* name;
+  TriMesh mesh;
+  mpq_class volume;
+  std::size_t components, shells;
+  RepairReport report;
+};
+
+std::vector<Row> rows() {
+  const TriMesh whole = cube(0, 2);
+  const Triangle first = whole.triangles[0];
+  const Triangle turned = {first[0], first[2], first[1]};
+  const TriMesh beside = box({2, 0, 0}, {4, 2, 2});
+  return {
+      {"a solid", whole, 8, 1, 1, {}},
+      {"points of their own", unwelded(whole), 8, 1, 1, {.merged_points = 28}},
+      {"an edge twice", with_face(whole, {0, 1, 1}), 8, 1, 1, {.degenerate_faces = 1}},
+      {"a cap", with_cap(), 8, 1, 1, {.degenerate_faces = 1}},
+      {"a face twice", with_face(whole, first), 8, 1, 1, {.duplicate_faces = 1}},
+      {"a face and its back", with_face(whole, turned), 8, 1, 1, {.duplicate_faces = 1}},
+      {"all twice", joined({whole, whole}), 8, 1, 1, {.merged_points = 8, .duplicate_faces = 12}},
+      {"a wall between",
+       joined({whole, beside}),
+       16,
+       1,
+       1,
+       {.merged_points = 4, .duplicate_faces = 4}},
+      {"some faces turned", with_turned(whole, {0, 5, 7}), 8, 1, 1, {.turned_faces = 3}},
+      {"inside out", reversed(whole), 8, 1, 1, {.turned_faces = 12}},
+      {"a void", joined({cube(0, 5), reversed(cube(1, 2))}), 124, 1, 2, {}},
+      {"a block in a block",
+       joined({cube(0, 5), cube(1, 2)}),
+       125,
+       1,
+       1,
+       {.united_overlaps = true}},
+      {"blocks that overlap",
+       joined({cube(0, 2), cube(1, 3)}),
+       15,
+       1,
+       1,
+       {.united_overlaps = true}},
+      {"one of them inside out",
+       joined({cube(0, 2), reversed(cube(1, 3))}),
+       15,
+       1,
+       1,
+       {.turned_faces = 12, .united_overlaps = true}},
+  };
+}
+
+TEST(Repair, mends_what_can_be_mended_and_says_so) {
+  for (const Row& row : rows()) {
+    SCOPED_TRACE(row.name);
+    const Repaired repaired = repair(row.mesh);
+    EXPECT_EQ(repaired.solid.exact_volume(), row.volume);
+    EXPECT_EQ(repaired.solid.components(), row.components);
+    EXPECT_EQ(repaired.solid.shells(), row.shells);
+    EXPECT_EQ(repaired.report, row.report)
+        << repaired.report.merged_points << ' ' << repaired.report.degenerate_faces << ' '
+        << repaired.report.duplicate_faces << ' ' << repaired.report.turned_faces << ' '
+        << repaired.report.united_overlaps;
+    TriMesh again;
+    again.points = repaired.solid.nearest_points();  // small integers, so exact
+    again.triangles = repaired.solid.triangles();
+    EXPECT_TRUE(check(again).is_solid());
+  }
+}
+
+TEST(Repair, keeps_sources_and_labels) {
+  TriMesh mesh = joined({test::labelled(cube(0, 2), "a"), test::labelled(cube(1, 3), "b")});
+  mesh.triangles.insert(mesh.triangles.begin(), Triangle{0, 0, 1});
+  mesh.labels.insert(mesh.labels.begin(), 0);
+  const Solid solid = repair(mesh).solid;
+  ASSERT_EQ(solid.labels().size(), solid.triangle_count());
+  for (std::size_t i = 0; i < solid.triangle_count(); ++i) {
+    const Source source = solid.sources()[i];
+    EXPECT_EQ(source.operand, 0U);
+    EXPECT_EQ(solid.names()[solid.labels()[i]], mesh.names[mesh.labels[source.triangle]]);
+  }
+}
+
+// A surface that crosses itself along with what it shares: two tetrahedra through each other that
+// have one vertex in common.
+TEST(Repair, unites_a_surface_that_crosses_itself_and_shares_points) {
+  TriMesh mesh = test::tetrahedron({0, 0, 0});
+  const TriMesh other = test::moved(test::tetrahedron({0, 0, 0}), Vec3(0.25, 0.25, 0));
+  const Repaired repaired = repair(joined({mesh, other}));
+  EXPECT_TRUE(repaired.report.united_overlaps);
+  EXPECT_EQ(repaired.solid.components(), 1U);
+  EXPECT_GT(repaired.solid.exact_volume(), Solid::from(mesh).exact_volume());
+}
+
+struct Refusal {
+  const char* name;
+  TriMesh mesh;
+  Errc code;
+};
+
+TEST(Repair, refuses_to_guess) {
+  TriMesh open = cube(0, 1), wild = cube(0, 1), mislabelled = cube(0, 1), far = cube(0, 1), fin;
+  open.triangles.pop_back();
+  wild.triangles[0][0] = 99;
+  mislabelled.labels = {0};
+  far.points[0].x() = std::numeric_limits<double>::quiet_NaN();
+  fin = cube(0, 1);
+  fin.points.emplace_back(5, 5, 5);
+  fin.triangles.push_back({0, 1, 8});
+  TriMesh moebius;
+  for (int i = 0; i < 5; ++i) {
+    moebius.points.emplace_back(std::cos(1.2566 * i), std::sin(1.2566 * i), 0.1 * i * i);
+  }
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    moebius.triangles.push_back({i, (i + 1) % 5, (i + 2) % 5});
+  }
+  const Refusal refusals[] = {{"a hole", open, Errc::not_closed},
+                              {"a fin", fin, Errc::not_closed},
+                              {"a bad index", wild, Errc::invalid_argument},
+                              {"a bad label", mislabelled, Errc::invalid_argument},
+                              {"a point that is none", far, Errc::invalid_argument},
+                              {"one side", moebius, Errc::not_oriented}};
+  for (const Refusal& row : refusals) {
+    SCOPED_TRACE(row.name);
+    try {
+      (void)repair(row.mesh);
+      ADD_FAILURE() << "should have thrown";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), row.code) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dupin
