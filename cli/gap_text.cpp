@@ -16,7 +16,7 @@ std::size_t count(const GapSummary& summary, GapVerdict verdict) {
 
 bool is_length(Deviation::Kind kind) {
   return kind == Deviation::Kind::axial || kind == Deviation::Kind::radius ||
-         kind == Deviation::Kind::offset;
+         kind == Deviation::Kind::across || kind == Deviation::Kind::offset;
 }
 
 /// The middle of an enclosure, which is so narrow that this says all that fits on a line.
@@ -29,7 +29,7 @@ std::string deviation_text(const Deviation& deviation, Unit unit) {
   std::string text = std::string(name(deviation.kind)) + " " + middle(deviation.size);
   if (is_length(deviation.kind)) {
     text += " " + std::string(symbol(unit));
-  } else if (deviation.kind == Deviation::Kind::kink) {
+  } else if (deviation.kind == Deviation::Kind::kink || deviation.kind == Deviation::Kind::turn) {
     text += " rad";
   }
   return text;

@@ -24,7 +24,10 @@ Json exact_form(const GapReport& report) {
           {"offset_squared", report.offset_squared.get_str()},
           {"distance_squared", report.distance_squared.get_str()},
           {"radius_difference", report.radius_difference.get_str()},
+          {"across_difference", report.across_difference.get_str()},
+          {"turn_sine_squared", report.turn_sine_squared.get_str()},
           {"slope_difference", report.slope_difference.get_str()},
+          {"across_slope_difference", report.across_slope_difference.get_str()},
           {"kink_sine_squared", report.kink_sine_squared.get_str()},
           {"kink_cosine_squared", report.kink_cosine_squared.get_str()}};
 }
@@ -38,6 +41,8 @@ Json form(const GapPair& pair, const std::vector<Port>& ports) {
     result["axial"] = form(report.axial);
     result["offset"] = form(report.offset);
     result["radius"] = form(report.radius);
+    result["across"] = form(report.across);
+    result["turn"] = form(report.turn);
     result["kink"] = form(report.kink);
     result["deviations"] = Json::array();
     for (const Deviation& deviation : report.deviations) {

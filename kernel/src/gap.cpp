@@ -1,6 +1,7 @@
 #include "dupin/kernel/gap.h"
 
 #include <array>
+#include <utility>
 
 #include "exact.h"
 #include "exact_vector.h"
@@ -22,8 +23,11 @@ GapVerdict verdict_of(const GapReport& report, bool facing, bool same_normal) {
   if (const int side = sgn(report.axial_dot); side != 0) {
     return side > 0 ? GapVerdict::gap : GapVerdict::overlap;
   }
-  if (report.radius_difference != 0) {
+  if (report.radius_difference != 0 || report.across_difference != 0) {
     return GapVerdict::step;
+  }
+  if (report.turn_sine_squared != 0) {
+    return GapVerdict::turn;
   }
   if (!same_normal) {
     return GapVerdict::kink;
@@ -31,7 +35,7 @@ GapVerdict verdict_of(const GapReport& report, bool facing, bool same_normal) {
   return report.offset_squared != 0 ? GapVerdict::offset : GapVerdict::welded;
 }
 
-std::vector<Deviation> deviations_of(const GapReport& report, bool same_normal) {
+std::vector<Deviation> deviations_of(const GapReport& report, bool same_normal, bool elliptic) {
   std::vector<Deviation> all;
   const auto list = [&all](bool present, Deviation::Kind kind, const Enclosure& size) {
     if (present) {
@@ -40,9 +44,13 @@ std::vector<Deviation> deviations_of(const GapReport& report, bool same_normal) 
   };
   list(report.axial_dot != 0, Deviation::Kind::axial, report.axial);
   list(report.radius_difference != 0, Deviation::Kind::radius, report.radius);
+  list(elliptic && report.across_difference != 0, Deviation::Kind::across, report.across);
+  list(report.turn_sine_squared != 0, Deviation::Kind::turn, report.turn);
   list(!same_normal, Deviation::Kind::kink, report.kink);
   list(report.offset_squared != 0, Deviation::Kind::offset, report.offset);
-  list(report.slope_difference != 0, Deviation::Kind::slope, enclosure_of(report.slope_difference));
+  const bool first = report.slope_difference != 0;
+  list(first || report.across_slope_difference != 0, Deviation::Kind::slope,
+       enclosure_of(first ? report.slope_difference : report.across_slope_difference));
   return all;
 }
 
@@ -51,16 +59,42 @@ Enclosure signed_length(const mpq_class& scaled, const mpq_class& scale_squared)
   return scaled < 0 ? -length : length;
 }
 
+// The rings' semi-axes and slopes, those of b in the order of the directions of a's that they are
+// nearer to.
+void compare_axes(const Ring& a, Ring b, GapReport& report) {
+  if (a.ellipse && b.ellipse) {
+    const ExactVector u = exact(a.ellipse->axis), v = exact(b.ellipse->axis), turn = cross(u, v);
+    const mpq_class along = rational(dot(u, v)), aside_squared = rational(dot(turn, turn));
+    const bool exchanged = aside_squared > along * along;
+    if (exchanged) {
+      std::swap(b.radius, b.ellipse->across);
+      std::swap(b.slope, b.ellipse->across_slope);
+    }
+    const mpq_class sine = exchanged ? along * along : aside_squared;
+    const mpq_class cosine = exchanged ? aside_squared : along * along;
+    report.turn_sine_squared = sine / rational(dot(u, u) * dot(v, v));
+    // tan(turn) = sqrt(sine / cosine)
+    report.turn = angle_of(sine / cosine, 1);
+  }
+  report.radius_difference = mpq_class(b.radius) - mpq_class(a.radius);
+  report.across_difference = mpq_class(across(b)) - mpq_class(across(a));
+  report.slope_difference = mpq_class(a.slope) + mpq_class(b.slope);
+  report.across_slope_difference = mpq_class(across_slope(a)) + mpq_class(across_slope(b));
+  report.radius = enclosure_of(report.radius_difference);
+  report.across = enclosure_of(report.across_difference);
+}
+
 }  // namespace
 
 std::string_view name(GapVerdict verdict) {
-  constexpr std::array<std::string_view, 7> kNames = {"welded", "gap",    "overlap", "step",
-                                                      "kink",   "offset", "open"};
+  constexpr std::array<std::string_view, 8> kNames = {"welded", "gap",  "overlap", "step",
+                                                      "turn",   "kink", "offset",  "open"};
   return kNames.at(static_cast<std::size_t>(verdict));
 }
 
 std::string_view name(Deviation::Kind kind) {
-  constexpr std::array<std::string_view, 5> kNames = {"axial", "radius", "kink", "offset", "slope"};
+  constexpr std::array<std::string_view, 7> kNames = {"axial", "radius", "across", "turn",
+                                                      "kink",  "offset", "slope"};
   return kNames.at(static_cast<std::size_t>(kind));
 }
 
@@ -79,16 +113,14 @@ GapReport measure_gap(const Ring& a, const Ring& b) {
   report.normal_squared = rational(dot(n, n));
   report.offset_squared = rational(dot(across, across)) / report.normal_squared;
   report.distance_squared = rational(dot(d, d));
-  report.radius_difference = mpq_class(b.radius) - mpq_class(a.radius);
-  report.slope_difference = mpq_class(a.slope) + mpq_class(b.slope);
+  compare_axes(a, b, report);
   report.kink_sine_squared = turn_squared / both_squared;
   report.kink_cosine_squared = along * along / both_squared;
   report.axial = signed_length(report.axial_dot, report.normal_squared);
   report.offset = root_of(report.offset_squared);
-  report.radius = enclosure_of(report.radius_difference);
   report.kink = angle_of(turn_squared, -along);
   report.verdict = verdict_of(report, along < 0, same_normal);
-  report.deviations = deviations_of(report, same_normal);
+  report.deviations = deviations_of(report, same_normal, a.ellipse || b.ellipse);
   return report;
 }
 

@@ -77,16 +77,17 @@ void Pairing::join(std::uint32_t a, std::uint32_t b) {
   pairs_.push_back({first, second, measure_gap(ports_[first].ring, ports_[second].ring)});
 }
 
-// Rings on the same circle are neighbours in this order: it does not see which way they face.
-auto circle_key(const Ring& ring) {
+// Rings on the same curve are neighbours in this order: it does not see which way they face.
+auto curve_key(const Ring& ring) {
   const Vec3 other = -ring.normal;
   const auto triple = [](const Vec3& v) { return std::tuple(v.x(), v.y(), v.z()); };
-  return std::tuple(triple(ring.center), ring.radius, std::max(triple(ring.normal), triple(other)));
+  return std::tuple(triple(ring.center), ring.radius, across(ring),
+                    std::max(triple(ring.normal), triple(other)));
 }
 
 void Pairing::join_welded() {
   std::vector<std::uint32_t> order = by_name_;
-  const auto key = [&](std::uint32_t port) { return circle_key(ports_[port].ring); };
+  const auto key = [&](std::uint32_t port) { return curve_key(ports_[port].ring); };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   for (auto from = order.begin(); from != order.end();) {

@@ -38,11 +38,43 @@ Vec3 axis_of(const Vec3& normal) {
   return across.normalized();
 }
 
+void require_positive(double radius) {
+  if (radius <= 0) {
+    throw Error(Errc::invalid_argument,
+                "a ring's radius must be positive, not " + std::to_string(radius));
+  }
+}
+
+void validate(const Ellipse& ellipse, const Vec3& normal) {
+  if (!ellipse.axis.allFinite() || !std::isfinite(ellipse.across) ||
+      !std::isfinite(ellipse.across_slope)) {
+    throw Error(Errc::invalid_argument, "an elliptic ring's numbers must be finite");
+  }
+  require_positive(ellipse.across);
+  // As for a ring's normal: typed-in numbers are admitted, and nothing turns by more than that.
+  if (std::abs(ellipse.axis.norm() - 1) > 1e-9 || std::abs(ellipse.axis.dot(normal)) > 1e-9) {
+    throw Error(Errc::invalid_argument,
+                "an elliptic ring's axis must have unit length and be orthogonal to its normal");
+  }
+}
+
 }  // namespace
 
 Ring flipped(const Ring& ring) {
-  return {ring.center, negated(ring.normal), ring.radius, 0.0 - ring.slope};
+  Ring result{ring.center, negated(ring.normal), ring.radius, 0.0 - ring.slope, ring.ellipse};
+  if (result.ellipse) {
+    result.ellipse->across_slope = 0.0 - result.ellipse->across_slope;
+  }
+  return result;
 }
+
+double across(const Ring& ring) { return ring.ellipse ? ring.ellipse->across : ring.radius; }
+
+double across_slope(const Ring& ring) {
+  return ring.ellipse ? ring.ellipse->across_slope : ring.slope;
+}
+
+double largest_radius(const Ring& ring) { return std::max(ring.radius, across(ring)); }
 
 void validate(const Ring& ring) {
   if (!ring.center.allFinite() || !ring.normal.allFinite() || !std::isfinite(ring.radius) ||
@@ -50,19 +82,21 @@ void validate(const Ring& ring) {
     throw Error(Errc::invalid_argument,
                 "a ring's centre, normal, radius and slope must be finite numbers");
   }
-  if (ring.radius <= 0) {
-    throw Error(Errc::invalid_argument,
-                "a ring's radius must be positive, not " + std::to_string(ring.radius));
-  }
+  require_positive(ring.radius);
   // A normal that came from one normalisation is unit to 2 ulp; 1e-9 admits typed-in ones and turns
   // no point by more than that.
   if (std::abs(ring.normal.norm() - 1) > 1e-9) {
     throw Error(Errc::invalid_argument,
                 "a ring's normal must have unit length, not " + std::to_string(ring.normal.norm()));
   }
+  if (ring.ellipse) {
+    validate(*ring.ellipse, ring.normal);
+  }
 }
 
-Vec3 reference_axis(const Ring& ring) { return axis_of(canonical_normal(ring.normal)); }
+Vec3 reference_axis(const Ring& ring) {
+  return ring.ellipse ? ring.ellipse->axis : axis_of(canonical_normal(ring.normal));
+}
 
 Vec3 snapped(const Vec3& point, double grid) {
   if (grid == 0) {
@@ -78,13 +112,15 @@ std::vector<Vec3> sample(const Ring& ring, const RingSampling& sampling) {
                 "a ring needs at least 3 segments, not " + std::to_string(sampling.segments));
   }
   const Vec3 normal = canonical_normal(ring.normal);
-  const Vec3 u = axis_of(normal);
+  const Vec3 u = reference_axis(ring);
   const Vec3 v = normal.cross(u);
   std::vector<Vec3> points;
   points.reserve(sampling.segments);
   for (std::uint32_t i = 0; i < sampling.segments; ++i) {
     const double angle = 2 * std::numbers::pi * (i + sampling.phase) / sampling.segments;
-    const Vec3 offset = ring.radius * (std::cos(angle) * u + std::sin(angle) * v);
+    const double c = std::cos(angle), s = std::sin(angle);
+    const Vec3 offset = ring.ellipse ? Vec3(ring.radius * c * u + ring.ellipse->across * s * v)
+                                     : Vec3(ring.radius * (c * u + s * v));
     points.push_back(snapped(ring.center + offset, sampling.grid));
   }
   if (!is_canonical(ring.normal)) {

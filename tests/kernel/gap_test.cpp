@@ -306,6 +306,61 @@ TEST(Gap, change_of_slope_is_listed_but_opens_nothing) {
   EXPECT_THAT(report.deviations, ElementsAre(Deviation{Kind::slope, {0.25, 0.25}}));
 }
 
+const Ellipse kFlat{Vec3(0, 0.6, 0.8), 1};
+
+Ring elliptic(const Ellipse& ellipse) {
+  Ring ring = kStraight;
+  ring.ellipse = ellipse;
+  return ring;
+}
+
+TEST(Gap, of_ellipses_compares_both_semi_axes_and_their_directions) {
+  const Ring a = elliptic(kFlat);
+  struct Row {
+    const char* name;
+    Ring b;
+    GapVerdict verdict;
+    mpq_class across_difference, turn_sine_squared;
+    std::vector<Kind> deviations;
+  };
+  Ring exchanged = elliptic({Vec3(0, -0.8, 0.6), 2});
+  exchanged.radius = 1;
+  const mpq_class long_side = kSix * kSix + kEight * kEight;
+  const std::vector<Row> rows{
+      {"the same", flipped(a), GapVerdict::welded, 0, 0, {}},
+      {"axis reversed", flipped(elliptic({-kFlat.axis, 1})), GapVerdict::welded, 0, 0, {}},
+      {"axes exchanged", flipped(exchanged), GapVerdict::welded, 0, 0, {}},
+      {"a circle", flipped(kStraight), GapVerdict::step, 1, 0, {Kind::across}},
+      {"thinner",
+       flipped(elliptic({kFlat.axis, 0.75})),
+       GapVerdict::step,
+       mpq_class(-1, 4),
+       0,
+       {Kind::across}},
+      {"turned",
+       flipped(elliptic({Vec3(0, 0, 1), 1})),
+       GapVerdict::turn,
+       0,
+       kSix * kSix / long_side,
+       {Kind::turn}},
+      {"of another slope",
+       flipped(elliptic({kFlat.axis, 1, 0.5})),
+       GapVerdict::welded,
+       0,
+       0,
+       {Kind::slope}}};
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.name);
+    const GapReport report = measure_gap(a, row.b);
+    EXPECT_EQ(name(report.verdict), name(row.verdict));
+    EXPECT_EQ(report.across_difference, row.across_difference);
+    EXPECT_EQ(report.turn_sine_squared, row.turn_sine_squared);
+    EXPECT_EQ(kinds(report), row.deviations);
+    EXPECT_TRUE(report.turn.contains(std::asin(std::sqrt(row.turn_sine_squared.get_d()))) ||
+                report.turn.upper - report.turn.lower < 1e-15);
+  }
+}
+
 TEST(Gap, of_an_invalid_ring_is_refused) {
   EXPECT_THROW((void)measure_gap(kStraight, with_radius(kStraight, -1)), Error);
   EXPECT_THROW((void)measure_gap(with_normal(kStraight, {0, 0, 0}), kStraight), Error);

@@ -55,6 +55,22 @@ TEST(Ring, sample_runs_counter_clockwise_on_the_circle) {
   }
 }
 
+TEST(Ring, sample_of_an_ellipse_lies_on_it_and_is_shared_with_the_flipped_ring) {
+  const Ring ring{{1, 2, 3}, {0.6, 0, 0.8}, 2, 0, Ellipse{Vec3(-0.8, 0, 0.6), 0.5}};
+  const Vec3 side = ring.normal.cross(ring.ellipse->axis);
+  for (const double phase : {0.0, 0.3}) {
+    auto points = sample(ring, {9, phase});
+    for (const Vec3& point : points) {
+      const double x = (point - ring.center).dot(ring.ellipse->axis) / 2;
+      const double y = (point - ring.center).dot(side) / 0.5;
+      EXPECT_NEAR(x * x + y * y, 1, 1e-14);
+    }
+    const auto back = sample(flipped(ring), {9, phase});
+    std::reverse(points.begin() + 1, points.end());
+    EXPECT_EQ(points, back);
+  }
+}
+
 TEST(Ring, flipping_twice_gives_the_ring) {
   std::mt19937_64 random(20063);
   const Ring ring = random_ring(random);

@@ -15,12 +15,14 @@
 namespace dupin {
 
 /// What keeps two facing ends apart. The first of these that is not exactly zero decides, in this
-/// order: axial distance (gap, overlap), radius (step), normals (kink), lateral offset (offset).
+/// order: axial distance (gap, overlap), radius (step), an ellipse's axes (turn), normals (kink),
+/// lateral offset (offset).
 enum class GapVerdict {
-  welded,   ///< the same circle, bitwise: b's centre and radius are a's, its normal a's negated
+  welded,   ///< the same curve, bitwise: b's centre and radii are a's, its normal a's negated
   gap,      ///< axial distance > 0, be it one ulp
   overlap,  ///< axial distance < 0
   step,     ///< no axial distance, but different radii
+  turn,     ///< ellipses with equal semi-axes, turned against each other
   kink,     ///< concentric within one plane of a, but b's normal is not a's negated
   offset,   ///< nothing but a lateral offset
   open,     ///< the ends do not face each other (b.normal . a.normal >= 0), or there is no b
@@ -33,6 +35,8 @@ struct Deviation {
   enum class Kind {
     axial,   ///< length, signed
     radius,  ///< length, signed: b's minus a's
+    across,  ///< length, signed, of the other semi-axis where one of the rings is an ellipse
+    turn,    ///< angle between the axes of two ellipses
     kink,    ///< angle between b's normal and a's negated; 0 if they differ in length alone
     offset,  ///< length
     slope,   ///< change of dR/ds across the seam: an edge in the wall, not a gap
@@ -47,7 +51,8 @@ struct Deviation {
 /// How two ends fit, computed from the stored coordinates without rounding.
 ///
 /// A stored normal n is unit to rounding only, so lengths along it carry |n|: the rationals leave
-/// it in, as stated with each, and the enclosures divide by it. With d = b.center - a.center,
+/// it in, as stated with each, and the enclosures divide by it. Semi-axes of two ellipses are
+/// compared with those that they are nearer to in direction. With d = b.center - a.center,
 /// n = a.normal, m = b.normal:
 struct GapReport {
   GapVerdict verdict = GapVerdict::open;
@@ -55,15 +60,20 @@ struct GapReport {
   mpq_class normal_squared;  ///< n . n
   mpq_class
       offset_squared;  ///< |d x n|^2 / n . n: the squared distance of b's centre from a's axis
-  mpq_class distance_squared;     ///< d . d, between the centres
-  mpq_class radius_difference;    ///< b.radius - a.radius
-  mpq_class slope_difference;     ///< a.slope + b.slope; 0 where the walls continue each other
-  mpq_class kink_sine_squared;    ///< |n x m|^2 / (n . n m . m)
-  mpq_class kink_cosine_squared;  ///< (n . m)^2 / (n . n m . m)
+  mpq_class distance_squared;         ///< d . d, between the centres
+  mpq_class radius_difference;        ///< b.radius - a.radius
+  mpq_class across_difference;        ///< the same for the semi-axes across
+  mpq_class turn_sine_squared;        ///< of the angle between the axes of two ellipses, else 0
+  mpq_class slope_difference;         ///< a.slope + b.slope; 0 where the walls continue each other
+  mpq_class across_slope_difference;  ///< the same for the semi-axes across
+  mpq_class kink_sine_squared;        ///< |n x m|^2 / (n . n m . m)
+  mpq_class kink_cosine_squared;      ///< (n . m)^2 / (n . n m . m)
 
   Enclosure axial;   ///< d . n / |n|
   Enclosure offset;  ///< the root of offset_squared
   Enclosure radius;  ///< around radius_difference
+  Enclosure across;  ///< around across_difference
+  Enclosure turn;    ///< radians in [0, pi/4]
   Enclosure kink;    ///< radians in [0, pi], between m and -n
 
   std::vector<Deviation> deviations;  ///< all that are not zero, in order of Kind
