@@ -106,15 +106,21 @@ class Builder {
     return result;
   }
 
+  [[nodiscard]] Tessellation meshed(const Sphere& sphere, const RingSampling& chosen) const {
+    return tessellate(sphere, chosen);
+  }
+
+  template <class Tube>
+  [[nodiscard]] Tessellation meshed(const Tube& tube, const RingSampling& chosen) const {
+    return tessellate(tube, chosen, {assembly_.tolerance});
+  }
+
   RingSampling tessellated(const detail::Run& run, std::size_t position) {
     const RingSampling chosen = sampling(run, position);
     for (const auto index : run.parts) {
       const ResolvedPart& part = resolved_.parts[index];
       Tessellation result = in_part(part, [&] {
-        const auto* sphere = std::get_if<Sphere>(&part.shape);
-        return sphere != nullptr
-                   ? tessellate(*sphere, chosen)
-                   : tessellate(std::get<RingedSurface>(part.shape), chosen, {assembly_.tolerance});
+        return std::visit([&](const auto& shape) { return meshed(shape, chosen); }, part.shape);
       });
       PartReport& entry = built_.parts[index];
       entry.error_bound = result.error_bound;

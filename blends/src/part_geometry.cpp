@@ -244,12 +244,9 @@ class Geometry {
 
 }  // namespace
 
-std::variant<RingedSurface, Sphere> geometry(const PartContext& context) {
-  return std::visit(
-      [&](const auto& shape) -> std::variant<RingedSurface, Sphere> {
-        return Geometry(context)(shape);
-      },
-      context.assembly.parts.at(context.index).shape);
+PartSurface geometry(const PartContext& context) {
+  return std::visit([&](const auto& shape) -> PartSurface { return Geometry(context)(shape); },
+                    context.assembly.parts.at(context.index).shape);
 }
 
 }  // namespace dupin::detail

@@ -16,6 +16,6 @@ struct PartContext {
 };
 
 /// The geometry of a part that is not a cap. Throws as resolve() does.
-[[nodiscard]] std::variant<RingedSurface, Sphere> geometry(const PartContext& context);
+[[nodiscard]] PartSurface geometry(const PartContext& context);
 
 }  // namespace dupin::detail

@@ -214,7 +214,7 @@ class Resolver {
              assembly_.parts[circle.front()].name + "'");
   }
 
-  [[nodiscard]] std::variant<RingedSurface, Sphere> geometry(std::uint32_t part) const {
+  [[nodiscard]] PartSurface geometry(std::uint32_t part) const {
     const auto ring = [this](const PortReference& port) -> const Ring& { return ring_at(port); };
     return detail::blaming(assembly_, part, [&] {
       return detail::geometry({assembly_, part, ring});
@@ -222,8 +222,7 @@ class Resolver {
   }
 
   [[nodiscard]] const Ring& ring_at(const PortReference& port) const {
-    const auto& surface = std::get<RingedSurface>(shapes_[index_.at(port.part)]);
-    return port.end == PartEnd::start ? surface.start : surface.end;
+    return *port_ring(shapes_[index_.at(port.part)], port.end);
   }
 
   ResolvedAssembly collected() {
@@ -257,7 +256,7 @@ class Resolver {
   const Assembly& assembly_;
   std::map<std::string, std::uint32_t> index_;
   std::vector<std::array<End, 2>> ends_;
-  std::vector<std::variant<RingedSurface, Sphere>> shapes_;
+  std::vector<PartSurface> shapes_;
 };
 
 }  // namespace
@@ -267,9 +266,10 @@ ResolvedAssembly resolve(const Assembly& assembly) { return Resolver(assembly).r
 std::vector<Port> ports(const ResolvedAssembly& assembly) {
   std::vector<Port> result;
   for (const auto& part : assembly.parts) {
-    if (const auto* surface = std::get_if<RingedSurface>(&part.shape)) {
-      result.push_back({to_string({part.name, PartEnd::start}), surface->start, part.name});
-      result.push_back({to_string({part.name, PartEnd::end}), surface->end, part.name});
+    for (const PartEnd end : {PartEnd::start, PartEnd::end}) {
+      if (const Ring* ring = port_ring(part.shape, end)) {
+        result.push_back({to_string({part.name, end}), *ring, part.name});
+      }
     }
   }
   return result;

@@ -69,13 +69,15 @@ double lattice_spacing(const ResolvedAssembly& assembly, double tolerance) {
       extent.include(sphere->center, sphere->radius);
       continue;
     }
-    const auto& surface = std::get<RingedSurface>(part.shape);
-    for (const Ring& ring : {surface.start, surface.end}) {
-      extent.include(ring.radius);
-      extent.include(ring.center, ring.radius);
+    for (const PartEnd end : {PartEnd::start, PartEnd::end}) {
+      if (const Ring* ring = port_ring(part.shape, end)) {
+        extent.include(std::min(ring->radius, across(*ring)));
+        extent.include(ring->center, largest_radius(*ring));
+      }
     }
-    if (std::holds_alternative<LineSpine>(surface.spine)) {
-      extent.include((surface.end.center - surface.start.center).norm());
+    const auto* surface = std::get_if<RingedSurface>(&part.shape);
+    if (surface != nullptr && std::holds_alternative<LineSpine>(surface->spine)) {
+      extent.include((surface->end.center - surface->start.center).norm());
     }
   }
   const double spacing = std::ldexp(1.0, std::ilogb(extent.smallest) - 11);

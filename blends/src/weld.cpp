@@ -33,11 +33,11 @@ class Welder {
   void append(std::uint32_t index, const TriMesh& tube) {
     const ResolvedPart& part = assembly_.parts[index];
     const std::uint32_t label = new_label(part.name);
-    if (std::holds_alternative<Sphere>(part.shape)) {
+    const Ring* start_ring = port_ring(part.shape, PartEnd::start);
+    if (start_ring == nullptr) {
       append_triangles(tube, appended(tube.points), label);
       return;
     }
-    const auto& surface = std::get<RingedSurface>(part.shape);
     const auto n = std::ptrdiff_t(sampling_.segments);
     const std::span points(tube.points);
     RingVertices& start = ring({index, PartEnd::start});
@@ -48,8 +48,8 @@ class Welder {
     const auto last = on_ring(end, points.last(n));
     vertices.insert(vertices.end(), last.begin(), last.end());
     append_triangles(tube, vertices, label);
-    close(index, PartEnd::start, surface.start, label);
-    close(index, PartEnd::end, surface.end, label);
+    close(index, PartEnd::start, *start_ring, label);
+    close(index, PartEnd::end, *port_ring(part.shape, PartEnd::end), label);
   }
 
   [[nodiscard]] TriMesh take() { return std::move(mesh_); }

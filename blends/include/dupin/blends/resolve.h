@@ -4,12 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "dupin/blends/assembly.h"
-#include "dupin/blends/ringed_surface.h"
-#include "dupin/blends/sphere.h"
+#include "dupin/blends/part_surface.h"
 #include "dupin/kernel/gap.h"
 
 namespace dupin {
@@ -26,7 +24,7 @@ struct ResolvedPart {
   std::string name;
   std::string kind;
   std::uint32_t index = 0;  ///< in Assembly::parts
-  std::variant<RingedSurface, Sphere> shape;
+  PartSurface shape;
   /// What start and end are joined to; the two rings are flips of each other, bitwise.
   std::array<std::optional<EndIndex>, 2> joined;
   /// What the discs that close open ends are called: the cap's name, or "part.start".

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <variant>
+
+#include "dupin/blends/assembly.h"
+#include "dupin/blends/ringed_surface.h"
+#include "dupin/blends/sphere.h"
+
+namespace dupin {
+
+/// The geometry of a part.
+using PartSurface = std::variant<RingedSurface, Sphere>;
+
+/// The ring of a part's port, its normal pointing out of the part; none where the part is closed.
+[[nodiscard]] const Ring* port_ring(const PartSurface& surface, PartEnd end);
+
+}  // namespace dupin

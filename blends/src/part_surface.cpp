@@ -1,0 +1,19 @@
+#include "dupin/blends/part_surface.h"
+
+namespace dupin {
+namespace {
+
+const Ring* ring_of(const Sphere&, PartEnd) { return nullptr; }
+
+template <class Tube>
+const Ring* ring_of(const Tube& tube, PartEnd end) {
+  return end == PartEnd::start ? &tube.start : &tube.end;
+}
+
+}  // namespace
+
+const Ring* port_ring(const PartSurface& surface, PartEnd end) {
+  return std::visit([end](const auto& shape) { return ring_of(shape, end); }, surface);
+}
+
+}  // namespace dupin
