@@ -61,6 +61,14 @@ void print_build(std::ostream& out, const BuildReport& report) {
   const std::string unit(symbol(report.gaps.unit));
   print_row(out, "parts", parts_text(report.parts));
   print_output(out, report.output, unit);
+  for (const PartReport& part : report.parts) {
+    if (!part.construction.empty()) {
+      print_row(out, "construction", part.construction + " (" + part.name + ")");
+    }
+    for (const std::string& warning : part.warnings) {
+      print_row(out, "warning", warning + " (" + part.name + ")");
+    }
+  }
   print_row(out, "smallest margin", margin_text(report.parts));
   print_row(out, "mesh error", "at most " + number(error) + " " + unit);
   if (tangency) {

@@ -20,6 +20,8 @@ std::string_view kind(const PartShape& shape) {
     std::string_view operator()(const ElbowCorner&) const { return "elbow"; }
     std::string_view operator()(const SphereAt&) const { return "sphere"; }
     std::string_view operator()(const CyclicBlendBetween&) const { return "cyclic_blend"; }
+    std::string_view operator()(const CyclideBlendBetween&) const { return "cyclide_blend"; }
+    std::string_view operator()(const CyclideChainThrough&) const { return "cyclide_chain"; }
     std::string_view operator()(const CapAt&) const { return "cap"; }
   };
   return std::visit(Kind(), shape);

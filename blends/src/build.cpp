@@ -65,10 +65,43 @@ class Builder {
     }
   }
 
-  [[nodiscard]] static PartReport certified(const ResolvedPart& part) {
+  static std::vector<std::string> bias_sentences(const CyclideTube& tube,
+                                                 const CyclideChainThrough& chain) {
+    std::vector<PeVector> spheres = chain.spheres;
+    const bool from_port = std::holds_alternative<PortReference>(chain.from);
+    if (from_port) {
+      spheres.insert(spheres.begin(), tube.chain.pieces.front().start());
+    }
+    std::vector<std::string> sentences;
+    for (const std::size_t piece : bias_warnings(tube.chain, spheres)) {
+      sentences.push_back("piece " + std::to_string(piece) + " turns away from sphere " +
+                          std::to_string(2 * piece + (from_port ? 0 : 1)));
+    }
+    return sentences;
+  }
+
+  // PeArc proved regularity when it was made, exactly.
+  static void describe(const CyclideTube& tube, const PartShape& shape, PartReport& result) {
+    const Enclosure bounds = margin(tube);
+    result.margin_lower = bounds.lower;
+    result.margin_upper = bounds.upper;
+    if (result.kind == "cyclide_blend") {
+      result.construction = kind(tube);
+      result.start_tangency = tangency_bound(tube, SurfaceEnd::start);
+      result.end_tangency = tangency_bound(tube, SurfaceEnd::end);
+    } else {
+      result.construction = std::to_string(tube.chain.pieces.size()) + " pieces";
+      result.warnings = bias_sentences(tube, std::get<CyclideChainThrough>(shape));
+    }
+  }
+
+  [[nodiscard]] PartReport certified(const ResolvedPart& part) const {
     PartReport result;
     result.name = part.name;
     result.kind = part.kind;
+    if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
+      describe(*tube, assembly_.parts[part.index].shape, result);
+    }
     if (const auto* surface = std::get_if<RingedSurface>(&part.shape)) {
       const Regularity margin = regularity(*surface);
       if (!(margin.lower > 0)) {
@@ -79,7 +112,10 @@ class Builder {
       }
       result.margin_lower = margin.lower;
       result.margin_upper = margin.upper;
-      if (part.kind == "cyclic_blend") {
+      if (part.kind == "cyclide_blend") {
+        result.construction = "ringed";
+      }
+      if (part.kind == "cyclic_blend" || part.kind == "cyclide_blend") {
         result.start_tangency = tangency_at_end(*surface, SurfaceEnd::start).deviation.upper;
         result.end_tangency = tangency_at_end(*surface, SurfaceEnd::end).deviation.upper;
       }

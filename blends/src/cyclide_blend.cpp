@@ -1,13 +1,13 @@
 #include "dupin/blends/cyclide_blend.h"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include <Eigen/Geometry>
 
 #include "dupin/kernel/error.h"
+#include "tangent_rounding.h"
 
 namespace dupin {
 namespace {
@@ -18,21 +18,13 @@ struct Ends {
 
 double size(const Ends& e) { return (e.end.m - e.start.m).norm() + e.start.r + e.end.r; }
 
-// What cancellation may leave of equal tangents: the spheres' coordinates carry an error of an ulp
-// of their size, and the end tangent divides it by the chord.
-double rounding(const Ends& e, double chord) {
-  const double magnitude =
-      e.start.m.cwiseAbs().maxCoeff() + e.end.m.cwiseAbs().maxCoeff() + size(e);
-  return 64 * std::numeric_limits<double>::epsilon() * magnitude / chord;
-}
-
 std::optional<CyclideChain> single(const Ends& e) {
   if (validity(e.start, e.start_tangent, e.end).fault != ArcFault::none) {
     return std::nullopt;
   }
   PeArc arc = PeArc::from(e.start, e.start_tangent, e.end);
   const PeVector miss = arc.end_tangent() - e.end_tangent;
-  if (std::hypot(miss.m.norm(), miss.r) > rounding(e, arc.chord())) {
+  if (std::hypot(miss.m.norm(), miss.r) > detail::tangent_rounding(e.start, e.end)) {
     return std::nullopt;
   }
   return CyclideChain{{std::move(arc)}};

@@ -6,7 +6,9 @@
 
 #include <Eigen/Geometry>
 
+#include "decimal.h"
 #include "dupin/kernel/error.h"
+#include "tangent_rounding.h"
 
 namespace dupin {
 namespace {
@@ -141,6 +143,20 @@ void check_junction(std::size_t junction, std::size_t last) {
   }
 }
 
+// The tangents of a double-cyclide blend's end and of what it meets there are equal but for what
+// cancellation leaves of the spheres' coordinates.
+void check_pin(const PeVector& arriving, const PinnedTangent& pin, const PeVector& before,
+               const PeVector& at) {
+  const PeVector miss = arriving - pin.tangent;
+  const double size = std::hypot(miss.m.norm(), miss.r);
+  if (!(size <= detail::tangent_rounding(before, at))) {
+    throw Error(Errc::invalid_argument,
+                "the tangent given at sphere " + std::to_string(pin.sphere) +
+                    " must be the arriving one up to rounding, but differs by " +
+                    detail::decimal(size));
+  }
+}
+
 PeVector turned(const PeVector& a, const Eigen::AngleAxisd& rotation, const Vec3& center) {
   return {center + rotation * (a.m - center), a.r};
 }
@@ -167,7 +183,8 @@ PeArc through_three(const PeVector& first, const PeVector& second, const PeVecto
   return PeArc::from(first, initial_tangent(first, second, third), third);
 }
 
-CyclideChain compose(std::span<const PeVector> spheres, const PeVector& tangent) {
+CyclideChain compose(std::span<const PeVector> spheres, const PeVector& tangent,
+                     std::span<const PinnedTangent> pinned) {
   if (spheres.size() < 3 || spheres.size() % 2 == 0) {
     throw Error(Errc::invalid_argument,
                 "a chain needs an odd number of spheres, three at least, not " +
@@ -176,6 +193,12 @@ CyclideChain compose(std::span<const PeVector> spheres, const PeVector& tangent)
   CyclideChain chain;
   PeVector direction = tangent;
   for (std::size_t i = 0; i + 2 < spheres.size(); i += 2) {
+    for (const PinnedTangent& pin : pinned) {
+      if (pin.sphere == i) {
+        check_pin(direction, pin, i == 0 ? spheres[0] : spheres[i - 2], spheres[i]);
+        direction = pin.tangent;
+      }
+    }
     try {
       chain.pieces.push_back(PeArc::from(spheres[i], direction, spheres[i + 2]));
     } catch (const Error& error) {

@@ -104,6 +104,25 @@ Enclosure margin(const CyclideTube& tube) {
   return least;
 }
 
+// The walls differ by at most the angle between the axes and that between the half angles, which is
+// at most the difference of their tangents. For a sine x <= 1/2 the angle is at most x (1 + x^2).
+double tangency_bound(const CyclideTube& tube, SurfaceEnd end) {
+  const bool at_start = end == SurfaceEnd::start;
+  const Ring ring = at_start ? flipped(tube.start) : tube.end;
+  const PeVector tangent =
+      at_start ? tube.chain.pieces.front().start_tangent() : tube.chain.pieces.back().end_tangent();
+  if (tangent == PeVector{ring.normal, ring.slope}) {
+    return 0;
+  }
+  const auto axis = detail::interval_vec(tangent.m), normal = detail::interval_vec(ring.normal);
+  const Interval sine = norm(cross(axis, normal)) / (norm(axis) * norm(normal));
+  if (sine.upper > 0.5) {
+    return std::numbers::pi;
+  }
+  const Interval angle = sine * (Interval(1) + square(sine));
+  return (angle + Interval((Interval(tangent.r) - ring.slope).magnitude())).upper;
+}
+
 double area(const CyclideTube& tube) {
   double sum = tube.wall > 0 ? area(inner_tube(tube)) : 0;
   for (const PeArc& piece : tube.chain.pieces) {

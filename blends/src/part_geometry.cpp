@@ -5,7 +5,9 @@
 
 #include <Eigen/Geometry>
 
+#include "cyclide_part.h"
 #include "decimal.h"
+#include "dupin/blends/cyclide_blend.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin::detail {
@@ -136,6 +138,22 @@ class Geometry {
       positive(*blend.options.l, "l");
     }
     return cyclic_blend(context_.ring(blend.from), context_.ring(blend.to), blend.options);
+  }
+
+  PartSurface operator()(const CyclideBlendBetween& blend) const {
+    const Ring &from = context_.ring(blend.from), &to = context_.ring(blend.to);
+    try {
+      return cyclide_blend(from, to);
+    } catch (const Error& error) {
+      if (error.code() != Errc::infeasible_blend) {
+        throw;
+      }
+      return cyclic_blend(from, to);
+    }
+  }
+
+  CyclideTube operator()(const CyclideChainThrough& chain) const {
+    return cyclide_chain(context_, chain);
   }
 
   Sphere operator()(const CapAt&) const { return {}; }  // caps are resolved as names of ends

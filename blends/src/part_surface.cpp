@@ -5,6 +5,13 @@ namespace {
 
 const Ring* ring_of(const Sphere&, PartEnd) { return nullptr; }
 
+const Ring* ring_of(const CyclideTube& tube, PartEnd end) {
+  if (tube.wall > 0) {
+    return nullptr;
+  }
+  return end == PartEnd::start ? &tube.start : &tube.end;
+}
+
 template <class Tube>
 const Ring* ring_of(const Tube& tube, PartEnd end) {
   return end == PartEnd::start ? &tube.start : &tube.end;

@@ -23,6 +23,13 @@ std::vector<Reference> references(const PartShape& shape) {
   if (const auto* blend = std::get_if<CyclicBlendBetween>(&shape)) {
     return {{blend->from, "from", PartEnd::start}, {blend->to, "to", PartEnd::end}};
   }
+  if (const auto* blend = std::get_if<CyclideBlendBetween>(&shape)) {
+    return {{blend->from, "from", PartEnd::start}, {blend->to, "to", PartEnd::end}};
+  }
+  if (const auto* chain = std::get_if<CyclideChainThrough>(&shape)) {
+    const auto* port = std::get_if<PortReference>(&chain->from);
+    return port == nullptr ? std::vector<Reference>() : std::vector<Reference>{{*port, "from"}};
+  }
   if (const auto* cap = std::get_if<CapAt>(&shape)) {
     return {{cap->at, "at"}};
   }
@@ -124,6 +131,10 @@ class Resolver {
     if (std::holds_alternative<SphereAt>(shape) || std::holds_alternative<CapAt>(shape)) {
       fail(part, reference.key,
            "'" + reference.port.part + "' is a " + std::string(kind(shape)) + " and has no ports");
+    }
+    const auto* chain = std::get_if<CyclideChainThrough>(&shape);
+    if (chain != nullptr && chain->wall > 0) {
+      fail(part, reference.key, "'" + reference.port.part + "' is hollow and has no ports");
     }
     return found->second;
   }

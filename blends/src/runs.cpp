@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "decimal.h"
+#include "dupin/blends/cyclide_form.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin::detail {
@@ -32,6 +33,17 @@ struct Extent {
     largest = std::max(largest, point.cwiseAbs().maxCoeff() + radius);
   }
 };
+
+void include(Extent& extent, const CyclideTube& tube) {
+  if (tube.wall > 0) {
+    extent.include(tube.wall);
+  }
+  for (const PeArc& piece : tube.chain.pieces) {
+    extent.include(least_radius(piece) - tube.wall);
+    extent.include(piece.start().m, piece.start().r);
+    extent.include(piece.end().m, piece.end().r);
+  }
+}
 
 }  // namespace
 
@@ -68,6 +80,9 @@ double lattice_spacing(const ResolvedAssembly& assembly, double tolerance) {
       extent.include(sphere->radius);
       extent.include(sphere->center, sphere->radius);
       continue;
+    }
+    if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
+      include(extent, *tube);
     }
     for (const PartEnd end : {PartEnd::start, PartEnd::end}) {
       if (const Ring* ring = port_ring(part.shape, end)) {

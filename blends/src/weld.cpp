@@ -35,7 +35,7 @@ class Welder {
     const std::uint32_t label = new_label(part.name);
     const Ring* start_ring = port_ring(part.shape, PartEnd::start);
     if (start_ring == nullptr) {
-      append_triangles(tube, appended(tube.points), label);
+      append_closed(part, tube, label);
       return;
     }
     const auto n = std::ptrdiff_t(sampling_.segments);
@@ -90,6 +90,19 @@ class Welder {
       vertices.push_back(entry->second);
     }
     return vertices;
+  }
+
+  // The labels of a closed part tell its ends apart, if it has any.
+  void append_closed(const ResolvedPart& part, const TriMesh& mesh, std::uint32_t label) {
+    append_triangles(mesh, appended(mesh.points), label);
+    if (mesh.labels.empty()) {
+      return;
+    }
+    const std::array<std::uint32_t, 3> labels{label, new_label(part.end_names[0]),
+                                              new_label(part.end_names[1])};
+    std::transform(mesh.labels.begin(), mesh.labels.end(),
+                   mesh_.labels.end() - std::ptrdiff_t(mesh.labels.size()),
+                   [&](std::uint32_t own) { return labels.at(own); });
   }
 
   void append_triangles(const TriMesh& part, const std::vector<std::uint32_t>& vertices,

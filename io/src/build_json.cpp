@@ -12,6 +12,8 @@ Json number_or_null(const std::optional<double>& value) {
 Json part_form(const PartReport& part) {
   return {{"name", part.name},
           {"kind", part.kind},
+          {"construction", part.construction.empty() ? Json(nullptr) : Json(part.construction)},
+          {"warnings", part.warnings},
           {"margin_lower", number_or_null(part.margin_lower)},
           {"margin_upper", number_or_null(part.margin_upper)},
           {"start_tangency", number_or_null(part.start_tangency)},

@@ -42,12 +42,18 @@ double smooth_volume(const ResolvedPart& part) {
   if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
     return 4 * kPi / 3 * std::pow(sphere->radius, 3);
   }
+  if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
+    return volume(*tube);
+  }
   return volume(std::get<RingedSurface>(part.shape));
 }
 
 double smooth_area(const ResolvedPart& part) {
   if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
     return 4 * kPi * sphere->radius * sphere->radius;
+  }
+  if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
+    return area(*tube);
   }
   return area(std::get<RingedSurface>(part.shape));
 }
@@ -116,6 +122,103 @@ TEST(Build, makes_one_solid_of_every_reducer) {
   };
   for (const auto& row : rows) {
     expect_solid(row.name, example(row.name), {1, 1, 1, 0, row.volume});
+  }
+}
+
+TEST(Build, makes_solids_of_chains_and_blends_of_cyclides) {
+  // Volumes of mathematics C1 and closed forms; the jet engine's wall is checked in
+  // cyclide_tube_test.
+  const double hook = 32.431540285655 + 1.5 * kPi * 0.55 * 0.55;
+  const double shell = smooth_volume(resolve(example("jet-engine.json")));
+  expect_solid("crane-hook.json", example("crane-hook.json"), {1, 1, 1, 0, hook});
+  expect_solid("crane-hook-twisted.json", example("crane-hook-twisted.json"), {1, 1, 1, 0, hook});
+  expect_solid("jet-engine.json", example("jet-engine.json"), {1, 1, 1, 1, shell});
+  for (const std::string name : {"reducing-elbow.json", "skew-pipes.json"}) {
+    const Assembly document = example(name);
+    expect_solid(name, document, {1, 1, 1, 0, smooth_volume(resolve(document))});
+    EXPECT_EQ(build(document).parts[2].construction, "double");
+  }
+  const Assembly bends = example("u-bend-cyclide.json");
+  expect_solid("u-bend-cyclide.json", bends, {2, 2, 2, 0, smooth_volume(resolve(bends))});
+  EXPECT_EQ(build(bends).parts[2].construction, "single");
+}
+
+TEST(Build, cyclide_parts_share_their_rings_and_are_tangent_there) {
+  const Assembly document = example("skew-pipes.json");
+  const Built built = build(document);
+  EXPECT_LT(*built.parts[2].start_tangency, 1e-15);
+  EXPECT_LT(*built.parts[2].end_tangency, 1e-15);
+  EXPECT_EQ(built.gaps.size(), 4U);  // two welded pairs, two open ends
+  EXPECT_EQ(
+      std::count_if(built.gaps.begin(), built.gaps.end(),
+                    [](const GapPair& pair) { return pair.report.verdict == GapVerdict::welded; }),
+      2);
+}
+
+TEST(Build, a_chain_goes_on_from_a_port) {
+  const Assembly document = assembly(
+      {pipe("a", {-3, 0, 0}, {0, 0, 0}, 1),
+       {"chain",
+        CyclideChainThrough{end_of("a"), {{Vec3(2, 1, 0), .9}, {Vec3(3, 3, 1), .8}}, {}, 0}},
+       {"c", PipeAlong{end_of("chain"), 2}}});
+  const auto resolved = resolve(document);
+  EXPECT_EQ(*port_ring(resolved.parts[1].shape, PartEnd::start),
+            flipped(*port_ring(resolved.parts[0].shape, PartEnd::end)));
+  expect_solid("chain", document, {1, 1, 1, 0, smooth_volume(resolved)});
+}
+
+TEST(Build, warns_of_a_piece_that_turns_away_from_its_bias_sphere) {
+  const Assembly document =
+      assembly({{"chain", CyclideChainThrough{
+                              ChainDirection{Vec3::UnitX(), 0},
+                              {{Vec3(0, 0, 0), .5}, {Vec3(-2, 2, 0), .5}, {Vec3(0, 4, 0), .5}},
+                              {},
+                              0}}});
+  const Built built = build(document);
+  EXPECT_THAT(built.parts[0].warnings, testing::ElementsAre("piece 0 turns away from sphere 1"));
+}
+
+TEST(Build, refuses_chains_with_the_reason_the_value_and_the_sphere) {
+  // Mathematics C7.
+  struct Row {
+    ChainDirection direction;
+    std::vector<PeVector> spheres;
+    std::string value;
+  };
+  const PeVector unit{Vec3::Zero(), 1}, bias{Vec3(0, 0, 9), 1};
+  const ChainDirection up{Vec3::UnitZ(), 0};
+  const Row rows[] = {
+      {up, {unit, bias, {Vec3(.3, 0, 0), 1.5}}, "-0.16"},
+      {up, {unit, bias, {Vec3(0, 0, -3), 2}}, "-1.0606601717"},
+      {up, {unit, bias, {Vec3(.8, 0, .8), 1}}, "-0.32"},
+      {{Vec3::UnitZ(), -.7 / std::sqrt(.51)}, {unit, bias, {Vec3(5, 0, 3), .2}}, "-1.791949950"},
+  };
+  for (const Row& row : rows) {
+    Assembly document =
+        assembly({{"chain", CyclideChainThrough{row.direction, row.spheres, {}, 0}}});
+    document.source = "c.json";
+    try {
+      (void)build(document);
+      FAIL() << row.value;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::infeasible_blend);
+      EXPECT_EQ(error.part(), "chain");
+      EXPECT_EQ(error.where(), "c.json#/parts/0/cyclide_chain/spheres/2");
+      EXPECT_THAT(error.message(), testing::HasSubstr(row.value));
+    }
+  }
+}
+
+TEST(Build, refuses_ports_of_hollow_chains) {
+  const std::vector<PeVector> spheres{{Vec3(0, 0, 0), 1}, {Vec3(2, 1, 0), .9}, {Vec3(3, 3, 1), .8}};
+  const Assembly document = assembly({{"shell", CyclideChainThrough{ChainFree(), spheres, {}, .1}},
+                                      {"pipe", PipeAlong{end_of("shell"), 2}}});
+  try {
+    (void)build(document);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "/parts/1/pipe/from");
+    EXPECT_THAT(error.message(), testing::HasSubstr("hollow"));
   }
 }
 

@@ -72,11 +72,14 @@ const std::vector<Malformed>& unreadable() {
       {document("{}"), "d.json#/parts/0", "the key 'name' is missing"},
       {document(R"({"name": 5})"), "d.json#/parts/0/name", "must be a string, not number"},
       {document(R"({"name": "a"})"), "d.json#/parts/0",
-       "a part must have exactly one of the keys pipe, cone, elbow, sphere, cyclic_blend, cap"},
+       "a part must have exactly one of the keys pipe, cone, elbow, sphere, cyclic_blend, "
+       "cyclide_blend, cyclide_chain, cap"},
       {document(R"({"name": "a", "cap": {"at": "b.end"}, "pipe": {}})"), "d.json#/parts/0",
-       "a part must have exactly one of the keys pipe, cone, elbow, sphere, cyclic_blend, cap"},
+       "a part must have exactly one of the keys pipe, cone, elbow, sphere, cyclic_blend, "
+       "cyclide_blend, cyclide_chain, cap"},
       {document(R"({"name": "a", "tee": {}})"), "d.json#/parts/0/tee",
-       "unknown key; known here are name, comment, pipe, cone, elbow, sphere, cyclic_blend, cap"},
+       "unknown key; known here are name, comment, pipe, cone, elbow, sphere, cyclic_blend, "
+       "cyclide_blend, cyclide_chain, cap"},
       {document(R"({"name": "a", "pipe": []})"), "d.json#/parts/0/pipe",
        "must be an object, not array"},
       {document(R"({"name": "a", "pipe": {"from": [0, 0, 0], "too": [1, 0, 0]}})"),
@@ -129,6 +132,18 @@ const std::vector<Malformed>& unreadable() {
       {pipe_and(
            R"({"name": "c", "cyclic_blend": {"from": "a.end", "to": "b.start", "radius_law": "R1", "k": 1}})"),
        "d.json#/parts/1/cyclic_blend", "the key 'l' is missing"},
+      {document(R"({"name": "c", "cyclide_chain": {"spheres": [[0, 0, 0]]}})"),
+       "d.json#/parts/0/cyclide_chain/spheres/0", "must be four numbers [x, y, z, radius], not 3"},
+      {document(R"({"name": "c", "cyclide_chain": {"spheres": [], "slope": 1}})"),
+       "d.json#/parts/0/cyclide_chain/slope", "a slope needs a direction"},
+      {document(
+           R"({"name": "c", "cyclide_chain": {"spheres": [], "from": "a.end", "direction": [1, 0, 0]}})"),
+       "d.json#/parts/0/cyclide_chain/direction", "a chain from a port has its direction already"},
+      {document(
+           R"({"name": "c", "cyclide_chain": {"spheres": [], "tangents": [{"sphere": -1, "tangent": [1, 0, 0, 0]}]}})"),
+       "d.json#/parts/0/cyclide_chain/tangents/0/sphere", "must be an index, counted from 0"},
+      {document(R"({"name": "c", "cyclide_chain": {"spheres": [], "wall": 0}})"),
+       "d.json#/parts/0/cyclide_chain/wall", "the wall's thickness must be positive"},
   };
   return rows;
 }

@@ -38,9 +38,16 @@ REFUSED = [
     document({"name": "a", "cyclic_blend": {"from": "b.end", "to": "c.start", "radius_law": "R1", "k": 1, "l": "best"}}),
     document({"name": "a", "cyclic_blend": {"from": "b.end", "to": "c.start", "radius_law": "R1", "k": 1}}),
     document({"name": "a", "cap": {"at": 1}}),
+    document({"name": "a", "cyclide_blend": {"from": "b.end"}}),
+    document({"name": "a", "cyclide_chain": {"spheres": [[0, 0, 0], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
+    document({"name": "a", "cyclide_chain": {"slope": 1, "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
+    document({"name": "a", "cyclide_chain": {"from": "b.end", "direction": [1, 0, 0], "spheres": [[1, 0, 0, 1], [2, 0, 0, 1]]}}),
+    document({"name": "a", "cyclide_chain": {"wall": 0, "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
 ]
 
 ACCEPTED = [
+    document({"name": "a", "cyclide_blend": {"from": "b.end", "to": "c.start"}}),
+    document({"name": "a", "cyclide_chain": {"from": "b.end", "spheres": [[1, 0, 0, 1], [2, 0, 0, 1]], "tangents": [{"sphere": 1, "tangent": [1, 0, 0, 0]}]}}),
     document({"name": "a", "comment": "", "elbow": {"from": "b.end", "to": [1, 2, 3]}}),
     document({"name": "a", "elbow": {"from": "b.end", "corner": [1, 2, 3], "to": [1, 2, 4]}}),
     document({"name": "a", "elbow": {"from": [0, 0, 0], "direction": [1, 0, 0], "radius": 1, "bend_radius": 3, "angle": 90, "toward": [0, 1, 0]}}),

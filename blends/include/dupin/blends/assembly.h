@@ -8,24 +8,12 @@
 #include <vector>
 
 #include "dupin/blends/cyclic_blend.h"
+#include "dupin/blends/cyclide_parts.h"
+#include "dupin/blends/port_reference.h"
 #include "dupin/blends/unit.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin {
-
-/// The two ends of a pipe, cone, elbow or blend; each is a port.
-enum class PartEnd { start, end };
-
-[[nodiscard]] std::string_view name(PartEnd end);
-
-/// A port of another part, written "part.start" or "part.end".
-struct PortReference {
-  std::string part;
-  PartEnd end = PartEnd::end;
-  friend bool operator==(const PortReference&, const PortReference&) = default;
-};
-
-[[nodiscard]] std::string to_string(const PortReference& port);
 
 /// The circle a part begins with, where it does not begin at another part's port.
 struct Place {
@@ -107,9 +95,10 @@ struct CapAt {
 };
 
 using PartShape = std::variant<PipeBetween, PipeAlong, PipeTo, ConeBetween, ConeAlong, ElbowTurning,
-                               ElbowTo, ElbowCorner, SphereAt, CyclicBlendBetween, CapAt>;
+                               ElbowTo, ElbowCorner, SphereAt, CyclicBlendBetween,
+                               CyclideBlendBetween, CyclideChainThrough, CapAt>;
 
-/// "pipe", "cone", "elbow", "sphere", "cyclic_blend" or "cap": its key in a document.
+/// "pipe", "cone", "elbow", ...: its key in a document.
 [[nodiscard]] std::string_view kind(const PartShape& shape);
 
 struct Part {

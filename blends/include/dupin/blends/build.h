@@ -26,6 +26,10 @@ struct BuildOptions {
 struct PartReport {
   std::string name;
   std::string kind;  ///< its key in a document: "pipe", "cyclic_blend", ...
+  /// What a cyclide part turned out to be: "single", "double" or "triple" cyclide, "ringed" blend,
+  /// or "6 pieces" of a chain. Empty for other parts.
+  std::string construction;
+  std::vector<std::string> warnings;  ///< what its designer may not have meant, as sentences
   /// Certified bounds of min(1 - kappa R) along the part; none for spheres.
   std::optional<double> margin_lower, margin_upper;
   /// Certified upper bounds of the angles, in radians, between a blend's tangent planes at its

@@ -19,16 +19,25 @@ namespace dupin {
 [[nodiscard]] PeArc through_three(const PeVector& first, const PeVector& second,
                                   const PeVector& third);
 
-/// Pieces that meet G1: each starts in the sphere and tangent in which the one before ends,
-/// bitwise.
+/// Pieces that meet G1: each starts in the sphere in which the one before ends, bitwise, and in its
+/// tangent, bitwise but for edited chains, where rounding may part them.
 struct CyclideChain {
   std::vector<PeArc> pieces;
 };
 
+/// The tangent with which the piece after a sphere begins: the arriving one up to rounding, so that
+/// a piece stays bitwise the same when one before it changes.
+struct PinnedTangent {
+  std::size_t sphere = 0;  ///< index
+  PeVector tangent;        ///< PE-unit
+};
+
 /// The chain of [SD94] TCCT: junctions are the spheres of even index; those of odd index say on
 /// which side the designer expects the piece (see `bias_warnings`). Needs an odd number of spheres,
-/// three at least. Errors name the piece ("piece 2").
-[[nodiscard]] CyclideChain compose(std::span<const PeVector> spheres, const PeVector& tangent);
+/// three at least. Errors name the piece ("piece 2"). Throws Error{invalid_argument} for a pinned
+/// tangent that differs from the arriving one by more than rounding.
+[[nodiscard]] CyclideChain compose(std::span<const PeVector> spheres, const PeVector& tangent,
+                                   std::span<const PinnedTangent> pinned = {});
 
 /// Pieces whose bias sphere is nearer (in R^4) to the complementary arc than to the piece that the
 /// tangent forces.

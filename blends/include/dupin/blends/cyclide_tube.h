@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "dupin/blends/cyclide_chain.h"
+#include "dupin/blends/tangency.h"
 #include "dupin/kernel/enclosure.h"
 #include "dupin/kernel/ring.h"
 
@@ -33,6 +34,10 @@ struct CyclideTube {
 
 /// The least over all pieces of the outer skin.
 [[nodiscard]] Enclosure margin(const CyclideTube& tube);
+
+/// A certified upper bound of the angle, in radians, between the tube's tangent planes at an end
+/// and those of the cone or cylinder that its stored ring belongs to.
+[[nodiscard]] double tangency_bound(const CyclideTube& tube, SurfaceEnd end);
 
 /// Of all skins, without end discs and rims.
 [[nodiscard]] double area(const CyclideTube& tube);

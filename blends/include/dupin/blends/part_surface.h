@@ -3,13 +3,14 @@
 #include <variant>
 
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/ringed_surface.h"
 #include "dupin/blends/sphere.h"
 
 namespace dupin {
 
 /// The geometry of a part.
-using PartSurface = std::variant<RingedSurface, Sphere>;
+using PartSurface = std::variant<RingedSurface, Sphere, CyclideTube>;
 
 /// The ring of a part's port, its normal pointing out of the part; none where the part is closed.
 [[nodiscard]] const Ring* port_ring(const PartSurface& surface, PartEnd end);
