@@ -276,8 +276,8 @@ EditedChain move_junction(const CyclideChain& chain, std::size_t junction, const
   check_junction(junction, chain.pieces.size() - 2);
   const PeArc &before = chain.pieces[junction - 1], &last = chain.pieces[junction + 1];
   PeArc first = PeArc::from(before.start(), before.start_tangent(), sphere);
-  DoubleCyclide pair =
-      double_cyclide(first.end(), first.end_tangent(), last.end(), last.end_tangent());
+  DoubleCyclide pair = double_cyclide_near(first.end(), first.end_tangent(), last.end(),
+                                           last.end_tangent(), last.start());
   EditedChain edited{chain, {junction - 1, junction, junction + 1}};
   edited.chain.pieces[junction - 1] = std::move(first);
   edited.chain.pieces[junction] = std::move(pair.first);

@@ -39,6 +39,19 @@ std::string to_json(const Assembly& assembly) {
                            {"parts", parts}});
 }
 
+std::string to_json(const EditReport& report) {
+  json_forms::Json spheres = json_forms::Json::array();
+  for (const auto& [sphere, value] : report.spheres) {
+    spheres.push_back(
+        {{"sphere", sphere}, {"value", {value.m.x(), value.m.y(), value.m.z(), value.r}}});
+  }
+  return json_forms::text({{"file", report.file},
+                           {"part", report.part},
+                           {"pieces", report.pieces},
+                           {"changed", report.changed},
+                           {"spheres", spheres}});
+}
+
 std::string to_json(const BuildReport& report) {
   json_forms::Json parts = json_forms::Json::array();
   for (const PartReport& part : report.parts) {

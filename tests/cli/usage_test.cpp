@@ -17,9 +17,9 @@ using testing::StartsWith;
 using Usage = Tool;
 
 const std::vector<std::string>& commands() {
-  static const std::vector<std::string> names{"build",   "union",    "intersect", "subtract",
-                                              "boolean", "check",    "gaps",      "info",
-                                              "convert", "simplify", "completion"};
+  static const std::vector<std::string> names{"build",   "union",   "intersect", "subtract",
+                                              "boolean", "check",   "gaps",      "info",
+                                              "edit",    "convert", "simplify",  "completion"};
   return names;
 }
 

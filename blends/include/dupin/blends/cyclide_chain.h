@@ -83,7 +83,7 @@ struct EditedChain {
                                         const PeVector& sphere);
 
 /// Puts the junction exactly at `sphere`: three pieces change ([SD94] TCET), the following junction
-/// is chosen by least bending. 1 <= junction < pieces - 1.
+/// stays as near to its place as it can. 1 <= junction < pieces - 1.
 [[nodiscard]] EditedChain move_junction(const CyclideChain& chain, std::size_t junction,
                                         const PeVector& sphere);
 

@@ -96,6 +96,18 @@ struct BuildReport {
   GapSummary gaps;
 };
 
+/// A chain that was edited.
+struct EditReport {
+  struct MovedSphere {
+    std::size_t sphere = 0;
+    PeVector value;
+  };
+  std::string file, part;
+  std::size_t pieces = 0;
+  std::vector<std::size_t> changed;  ///< pieces that differ by any bit
+  std::vector<MovedSphere> spheres;
+};
+
 /// JSON objects, indented by two, without a final line break; keys as in docs/cli.md. Numbers are
 /// the shortest decimals that read back to the same double, null where not finite. Always the same
 /// text for the same value.
@@ -107,6 +119,7 @@ struct BuildReport {
 [[nodiscard]] std::string to_json(const GapSummary& summary);
 [[nodiscard]] std::string to_json(const MeshGapSummary& summary);
 [[nodiscard]] std::string to_json(const BuildReport& report);
+[[nodiscard]] std::string to_json(const EditReport& report);
 /// `kind` is the error's name for programs, usually name(error.code()).
 [[nodiscard]] std::string error_json(const Error& error, std::string_view kind, int exit_code);
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "dupin/blends/assembly.h"
+
+namespace dupin {
+
+/// The position in Assembly::parts of the cyclide_chain with this name, or of the only one if there
+/// is no name. Throws Error{invalid_argument}.
+[[nodiscard]] std::uint32_t find_chain(const Assembly& assembly,
+                                       const std::optional<std::string>& name);
+
+/// The chain with one sphere moved, `sphere` being its position in CyclideChainThrough::spheres.
+/// Pieces elsewhere stay bitwise the same, for which the result pins tangents.
+///
+/// A junction goes exactly there and three pieces change, the next junction staying as near
+/// to its place as it can [SD94]; with `on_locus`, and for the last junction but one, two pieces change and it goes
+/// to the nearest place that these allow. Of the last junction one piece changes, of a bias sphere
+/// none. Throws Error{infeasible_blend} where the pieces are not regular, Error{invalid_argument}
+/// for the first junction and positions out of range.
+[[nodiscard]] CyclideChainThrough move_sphere(const Assembly& assembly, std::uint32_t part,
+                                              std::size_t sphere, const PeVector& to,
+                                              bool on_locus = false);
+
+/// The chain with everything after a junction turned by `angle` radians about the axis of the
+/// tangent cone there. Throws Error{invalid_argument} for a sphere that is no inner junction.
+[[nodiscard]] CyclideChainThrough twist_chain(const Assembly& assembly, std::uint32_t part,
+                                              std::size_t sphere, double angle);
+
+}  // namespace dupin

@@ -1,0 +1,129 @@
+#include "dupin/io/edit_json.h"
+
+#include <filesystem>
+#include <numbers>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/blends/edit_chain.h"
+#include "dupin/blends/resolve.h"
+#include "dupin/io/assembly_json.h"
+#include "dupin/io/atomic_file.h"
+#include "dupin/kernel/error.h"
+#include "support/cyclide_cases.h"
+
+namespace dupin {
+namespace {
+
+using test::sphere;
+
+std::string hook() {
+  return read_file(std::filesystem::path(DUPIN_SOURCE_DIR) / "examples" / "crane-hook.json");
+}
+
+CyclideChain pieces(const std::string& text) {
+  return std::get<CyclideTube>(resolve(parse_assembly(text)).parts.at(0).shape).chain;
+}
+
+std::vector<std::size_t> differing(const CyclideChain& a, const CyclideChain& b) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < a.pieces.size(); ++i) {
+    if (!(a.pieces[i] == b.pieces[i])) {
+      result.push_back(i);
+    }
+  }
+  return result;
+}
+
+std::string moved(const std::string& text, std::size_t index, const PeVector& to,
+                  bool on_locus = false) {
+  return with_chain(text, {}, 0, move_sphere(parse_assembly(text), 0, index, to, on_locus));
+}
+
+TEST(EditJson, changes_the_pieces_it_must_and_no_other_bit) {
+  struct Row {
+    std::size_t sphere;
+    PeVector to;
+    bool on_locus;
+    std::vector<std::size_t> changed;
+  };
+  const Row rows[] = {
+      {4, sphere(1.1, 2.5, .2, .8), false, {1, 2, 3}},
+      {6, sphere(2.1, .9, .1, .97), true, {2, 3}},
+      {10, sphere(-1.9, 1.6, .1, .6), false, {4, 5}},  // the last junction between pieces
+      {12, sphere(-2.1, 2.8, .1, .25), false, {5}},
+      {7, sphere(1.4, -.3, 0, 1), false, {}},  // a bias sphere
+  };
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.sphere);
+    const std::string text = moved(hook(), row.sphere, row.to, row.on_locus);
+    EXPECT_EQ(differing(pieces(hook()), pieces(text)), row.changed);
+  }
+  // Once more, on what was edited before.
+  const std::string once = moved(hook(), 4, sphere(1.1, 2.5, .2, .8));
+  const std::string twice = moved(once, 6, sphere(2, .9, .1, .97));
+  EXPECT_EQ(differing(pieces(once), pieces(twice)), (std::vector<std::size_t>{2, 3, 4}));
+}
+
+TEST(EditJson, pieces_still_meet_g1) {
+  const auto chain = pieces(moved(hook(), 4, sphere(1.1, 2.5, .2, .8)));
+  for (std::size_t i = 0; i + 1 < chain.pieces.size(); ++i) {
+    EXPECT_EQ(chain.pieces[i].end(), chain.pieces[i + 1].start());
+    const PeVector miss = chain.pieces[i].end_tangent() - chain.pieces[i + 1].start_tangent();
+    EXPECT_LT(miss.m.norm() + std::abs(miss.r), 1e-14);
+  }
+}
+
+TEST(EditJson, the_moved_junction_has_the_values_of_the_oracle) {
+  // Mathematics C8: piece 1, and pieces 0, 4 and 5 as they were.
+  const auto chain = pieces(moved(hook(), 4, sphere(1.1, 2.5, .2, .8)));
+  EXPECT_NEAR(chain.pieces[1].chord(), 2.02672149048654, 1e-12);
+  EXPECT_NEAR(chain.pieces[1].w(), 0.836089373485377, 1e-12);
+  EXPECT_NEAR(chain.pieces[1].least_power(), 2.57661523067349, 1e-12);
+}
+
+TEST(EditJson, keeps_all_other_text) {
+  const std::string text = moved(hook(), 12, sphere(-2.125, 2.75, .125, .25));
+  std::string expected = hook();
+  const std::string before = "[-2, 2.7, 0, 0.25]";
+  expected.replace(expected.find(before), before.size(), "[-2.125, 2.75, 0.125, 0.25]");
+  EXPECT_EQ(text, expected);
+}
+
+TEST(EditJson, finds_values_behind_brackets_in_strings) {
+  const std::string text =
+      R"({"comment": "]}\\\"[", "units": "mm", "tolerance": 1, "parts": [ {"name": "a", "sphere": {"center": [0,0,9], "radius": 1}},
+  {"comment": "{", "cyclide_chain": {"spheres": [[0,0,0,1], [2,0,0,1],[4,0,0,1]]}, "name": "b"}]})";
+  const auto chain = move_sphere(parse_assembly(text), 1, 2, sphere(4, 1, 0, 1));
+  const std::string edited = with_chain(text, {}, 1, chain);
+  EXPECT_THAT(edited, testing::HasSubstr("[[0,0,0,1], [2,0,0,1],[4.0, 1.0, 0.0, 1.0]], "
+                                         "\"tangents\": [{\"sphere\": 0, \"tangent\": "));
+  EXPECT_THAT(edited, testing::StartsWith(R"({"comment": "]}\\\"[", "units")"));
+}
+
+TEST(EditJson, twisting_turns_what_follows) {
+  const auto chain = twist_chain(parse_assembly(hook()), 0, 6, 25 * std::numbers::pi / 180);
+  const auto turned = pieces(with_chain(hook(), {}, 0, chain));
+  const auto expected = test::twisted_crane_hook();
+  EXPECT_EQ(differing(pieces(hook()), turned), (std::vector<std::size_t>{3, 4, 5}));
+  for (std::size_t i = 0; i < 6; ++i) {
+    const PeVector miss = turned.pieces[i].end() - expected.pieces[i].end();
+    EXPECT_LT(miss.m.norm(), 1e-13);
+    EXPECT_NEAR(turned.pieces[i].w(), expected.pieces[i].w(), 1e-13);
+  }
+}
+
+TEST(EditJson, refuses_what_cannot_be_edited) {
+  const Assembly assembly = parse_assembly(hook());
+  EXPECT_THROW((void)move_sphere(assembly, 0, 0, sphere(0, 8, 0, 1)), Error);
+  EXPECT_THROW((void)move_sphere(assembly, 0, 13, sphere(0, 8, 0, 1)), Error);
+  EXPECT_THROW((void)move_sphere(assembly, 0, 4, sphere(0, 4, 0, 4)), Error);
+  EXPECT_THROW((void)twist_chain(assembly, 0, 5, 1), Error);
+  EXPECT_THROW((void)find_chain(assembly, "shank"), Error);
+  EXPECT_EQ(find_chain(assembly, {}), 0U);
+}
+
+}  // namespace
+}  // namespace dupin
