@@ -88,6 +88,13 @@ Box BoxFrame::around(const Vec3& a, const Vec3& b, const Vec3& c) const {
   return box;
 }
 
+FramedTriangle BoxFrame::mapped(const Vec3& a, const Vec3& b, const Vec3& c) const {
+  const auto mapped_point = [&](const Vec3& p) -> Eigen::Vector3f {
+    return {map(p[0], 0), map(p[1], 1), map(p[2], 2)};
+  };
+  return {mapped_point(a), mapped_point(b), mapped_point(c)};
+}
+
 BoxTree::BoxTree(std::span<const Box> boxes)
     : order_(boxes.size()),
       position_(boxes.size()),
@@ -116,12 +123,52 @@ BoxTree::BoxTree(std::span<const Box> boxes)
   }
 }
 
-void BoxTree::grow(std::uint32_t item, const Box& box) {
+void BoxTree::set_oriented(std::uint32_t node, const OrientedBox& box) {
+  // Below that, the other box alone is cheaper.
+  constexpr float kSlanted = 4;
+  const OrientedBox upright(nodes_[node]);
+  slanted_[node] = kSlanted * box.surface() < upright.surface() ? 1 : 0;
+  oriented_[node] = slanted_[node] != 0 ? box : upright;
+}
+
+void BoxTree::orient_leaf(std::uint32_t leaf, std::span<const FramedTriangle> triangles) {
+  if (!triangles.empty()) {
+    set_oriented(leaves_ + leaf, OrientedBox(triangles));
+  }
+}
+
+void BoxTree::orient_inner_nodes() {
+  if (std::ranges::none_of(slanted_, [](std::uint8_t slanted) { return slanted != 0; })) {
+    oriented_ = {};
+    return;
+  }
+  for (std::uint32_t node = leaves_ - 1; node > 0; --node) {
+    const std::uint32_t left = 2 * node, right = left + 1;
+    if (nodes_[left].is_nothing() || nodes_[right].is_nothing()) {
+      const std::uint32_t only = nodes_[left].is_nothing() ? right : left;
+      oriented_[node] = oriented_[only];
+      slanted_[node] = slanted_[only];
+    } else if (slanted_[left] == 0 && slanted_[right] == 0) {
+      oriented_[node] = OrientedBox(nodes_[node]);
+    } else {
+      set_oriented(node, OrientedBox(oriented_[left], oriented_[right]));
+    }
+  }
+}
+
+void BoxTree::grow(std::uint32_t item, const Box& box, const FramedTriangle& triangle) {
   const std::uint32_t at = position_[item];
   boxes_[at].join(box);
-  for (std::uint32_t node = leaves_ + at / kLeafSize; node > 0 && !nodes_[node].contains(box);
-       node /= 2) {
+  for (std::uint32_t node = leaves_ + at / kLeafSize; node > 0; node /= 2) {
+    const bool was_nothing = nodes_[node].is_nothing();
     nodes_[node].join(box);
+    if (!oriented_.empty()) {
+      if (was_nothing) {
+        oriented_[node] = OrientedBox({&triangle, 1});
+      } else {
+        oriented_[node].include(triangle);
+      }
+    }
   }
 }
 

@@ -6,7 +6,11 @@
 #include <span>
 #include <vector>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include "dupin/kernel/mesh.h"
+#include "oriented_box.h"
 
 namespace dupin::detail {
 
@@ -23,6 +27,7 @@ struct Box {
   void join(const Box& other);
   /// Contains nothing, overlaps nothing.
   [[nodiscard]] static Box nothing();
+  [[nodiscard]] bool is_nothing() const { return high[0] < low[0]; }
 };
 
 /// Maps coordinates to floats about the middle of a point set. The map is monotone per coordinate,
@@ -31,6 +36,7 @@ class BoxFrame {
  public:
   explicit BoxFrame(std::span<const Vec3> points);
   [[nodiscard]] Box around(const Vec3& a, const Vec3& b, const Vec3& c) const;
+  [[nodiscard]] FramedTriangle mapped(const Vec3& a, const Vec3& b, const Vec3& c) const;
 
  private:
   [[nodiscard]] float map(double coordinate, int axis) const {
@@ -47,19 +53,26 @@ class BoxTree {
 
   explicit BoxTree(std::span<const Box> boxes);
 
+  /// The same over triangles that lie in the boxes. Where they are long and slanted, nodes have
+  /// oriented boxes besides. `triangle(item)` is asked for all whose box is not nothing.
+  template <class Triangles>
+  BoxTree(std::span<const Box> boxes, Triangles&& triangle);
+
+  /// Whether `box` overlaps the box around all items.
+  [[nodiscard]] bool overlaps(const Box& box) const { return box.overlaps(nodes_[1]); }
   /// Calls visit(item) for every item whose box overlaps `box`.
   template <class Visit>
   void visit(const Box& box, Visit&& visit) const {
-    visit_leaves(1, box, [&](std::uint32_t leaf) {
-      for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
-        if (box.overlaps(boxes_[i])) {
-          visit(order_[i]);
-        }
-      }
-    });
+    visit_items(box, OrientedBox(box), visit);
   }
-  /// Calls visit(i, item) for the i-th of the items of a leaf and every item after it in the tree's
-  /// order that overlaps it: over all leaves, every overlapping pair once.
+  /// Calls visit(item) for every item whose triangle meets the one given, which lies in `box`, and
+  /// some others.
+  template <class Visit>
+  void visit(const Box& box, const FramedTriangle& triangle, Visit&& visit) const {
+    visit_items(box, oriented_.empty() ? OrientedBox() : OrientedBox({&triangle, 1}), visit);
+  }
+  /// Calls visit(i, item) for the i-th of the items of a leaf and items after it in the tree's
+  /// order: over all leaves once for every pair of boxes that overlap, or of triangles that meet.
   template <class Visit>
   void visit_pairs(std::uint32_t leaf, Visit&& visit) const;
 
@@ -70,26 +83,72 @@ class BoxTree {
   }
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(order_.size()); }
 
-  /// Makes the box of `item` contain `box` as well. O(log n).
-  void grow(std::uint32_t item, const Box& box);
+  /// Makes the box of `item` contain `box` as well, and those around it the triangle therein.
+  /// O(log n).
+  void grow(std::uint32_t item, const Box& box, const FramedTriangle& triangle);
 
  private:
   [[nodiscard]] std::uint32_t leaf_end(std::uint32_t leaf) const {
     return std::min((leaf + 1) * kLeafSize, size());
   }
-  /// Calls visit(leaf) for the leaves below `root` that overlap `box`.
+  /// Calls visit(leaf) for the leaves below `root` that overlap the box around what is sought.
   template <class Visit>
-  void visit_leaves(std::uint32_t root, const Box& box, Visit&& visit) const;
+  void visit_leaves(std::uint32_t root, const Box& box, const OrientedBox& oriented, bool slanted,
+                    Visit&& visit) const;
+  template <class Visit>
+  void visit_items(const Box& box, const OrientedBox& oriented, Visit&& visit) const;
+  [[nodiscard]] bool overlap(std::uint32_t node, const Box& box, const OrientedBox& oriented,
+                             bool slanted) const {
+    return box.overlaps(nodes_[node]) && (oriented_.empty() || !(slanted || slanted_[node] != 0) ||
+                                          !oriented_[node].apart(oriented));
+  }
+  void orient_leaf(std::uint32_t leaf, std::span<const FramedTriangle> triangles);
+  void orient_inner_nodes();
+  void set_oriented(std::uint32_t node, const OrientedBox& box);
 
   std::vector<std::uint32_t> order_, position_;
   std::vector<Box> boxes_;  // in the order of the tree
   std::uint32_t leaves_;    // a power of two
   std::vector<Box> nodes_;  // node i has the children 2i and 2i + 1; the leaves come last
+  // Of nodes, and whether it is much smaller than the other box; empty if it never is.
+  std::vector<OrientedBox> oriented_;
+  std::vector<std::uint8_t> slanted_;
 };
 
+template <class Triangles>
+BoxTree::BoxTree(std::span<const Box> boxes, Triangles&& triangle) : BoxTree(boxes) {
+  oriented_.resize(nodes_.size());
+  slanted_.resize(nodes_.size());
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, leaf_count(), 64), [&](const auto& some) {
+    for (std::uint32_t leaf = some.begin(); leaf < some.end(); ++leaf) {
+      std::array<FramedTriangle, kLeafSize> triangles;
+      std::size_t count = 0;
+      for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
+        if (!boxes_[i].is_nothing()) {
+          triangles[count++] = triangle(order_[i]);
+        }
+      }
+      orient_leaf(leaf, std::span(triangles).first(count));
+    }
+  });
+  orient_inner_nodes();
+}
+
 template <class Visit>
-void BoxTree::visit_leaves(std::uint32_t root, const Box& box, Visit&& visit) const {
-  if (!box.overlaps(nodes_[root])) {
+void BoxTree::visit_items(const Box& box, const OrientedBox& oriented, Visit&& visit) const {
+  visit_leaves(1, box, oriented, true, [&](std::uint32_t leaf) {
+    for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
+      if (box.overlaps(boxes_[i])) {
+        visit(order_[i]);
+      }
+    }
+  });
+}
+
+template <class Visit>
+void BoxTree::visit_leaves(std::uint32_t root, const Box& box, const OrientedBox& oriented,
+                           bool slanted, Visit&& visit) const {
+  if (!overlap(root, box, oriented, slanted)) {
     return;
   }
   std::array<std::uint32_t, 40> stack;  // deeper than any tree over 2^32 items
@@ -103,7 +162,7 @@ void BoxTree::visit_leaves(std::uint32_t root, const Box& box, Visit&& visit) co
     }
     for (const std::uint32_t child : {2 * node + 1, 2 * node}) {
       stack[depth] = child;
-      depth += box.overlaps(nodes_[child]) ? 1 : 0;
+      depth += overlap(child, box, oriented, slanted) ? 1 : 0;
     }
   }
 }
@@ -121,9 +180,12 @@ void BoxTree::visit_pairs(std::uint32_t leaf, Visit&& visit) const {
   for (std::uint32_t i = first; i < end; ++i) {
     compare(i, i + 1, end);
   }
-  for (std::uint32_t node = leaves_ + leaf; node > 1; node /= 2) {
+  const std::uint32_t own = leaves_ + leaf;
+  const OrientedBox oriented = oriented_.empty() ? OrientedBox() : oriented_[own];
+  const bool slanted = !oriented_.empty() && slanted_[own] != 0;
+  for (std::uint32_t node = own; node > 1; node /= 2) {
     if (node % 2 == 0) {
-      visit_leaves(node + 1, nodes_[leaves_ + leaf], [&](std::uint32_t other) {
+      visit_leaves(node + 1, nodes_[own], oriented, slanted, [&](std::uint32_t other) {
         for (std::uint32_t i = first; i < end; ++i) {
           compare(i, other * kLeafSize, leaf_end(other));
         }

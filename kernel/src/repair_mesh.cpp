@@ -125,6 +125,11 @@ Box RepairMesh::box(std::uint32_t face) const {
   return frame_.around(points_[t[0]], points_[t[1]], points_[t[2]]);
 }
 
+FramedTriangle RepairMesh::framed(std::uint32_t face) const {
+  const Triangle& t = triangles_[face];
+  return frame_.mapped(points_[t[0]], points_[t[1]], points_[t[2]]);
+}
+
 BoxTree& RepairMesh::tree() {
   if (!tree_) {
     std::vector<Box> boxes(triangles_.size(), Box::nothing());
@@ -133,7 +138,7 @@ BoxTree& RepairMesh::tree() {
         boxes[f] = box(f);
       }
     }
-    tree_.emplace(boxes);
+    tree_.emplace(boxes, [&](std::uint32_t f) { return framed(f); });
   }
   return *tree_;
 }

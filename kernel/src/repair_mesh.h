@@ -66,8 +66,9 @@ class RepairMesh {
   void place(std::vector<Vec3> points);
 
   /// Looks for all bad items that involve a face with a marked point. The caller knows that there
-  /// are no others.
-  void find_bad_items(std::span<const std::uint8_t> marked_points);
+  /// are no others but those of `known` that involve none.
+  void find_bad_items(std::span<const std::uint8_t> marked_points,
+                      std::span<const BadItem> known = {});
   /// Those found and not yet removed, and those that edits have made; ascending.
   [[nodiscard]] std::vector<BadItem> bad_items() const;
   [[nodiscard]] bool is_bad(const BadItem& item) const;
@@ -79,6 +80,7 @@ class RepairMesh {
   [[nodiscard]] bool degenerate(std::uint32_t face) const;
   [[nodiscard]] bool bad_pair(std::uint32_t f, std::uint32_t g) const;
   [[nodiscard]] Box box(std::uint32_t face) const;
+  [[nodiscard]] FramedTriangle framed(std::uint32_t face) const;
   BoxTree& tree();
   [[nodiscard]] std::vector<BadItem> known_bad(std::span<const std::uint32_t> faces) const;
   [[nodiscard]] bool promising(std::span<const std::uint32_t> faces, const Terms& terms) const;

@@ -43,20 +43,29 @@ bool RepairMesh::is_bad(const BadItem& item) const {
   return !degenerate(item.first) && !degenerate(item.second) && bad_pair(item.first, item.second);
 }
 
-void RepairMesh::find_bad_items(std::span<const std::uint8_t> marked_points) {
+void RepairMesh::find_bad_items(std::span<const std::uint8_t> marked_points,
+                                std::span<const BadItem> known) {
   std::vector<std::uint32_t> faces;
   std::vector<Triangle> triangles;
   std::vector<std::uint8_t> active;
+  const auto marked = [&](std::uint32_t face) {
+    return std::ranges::any_of(triangles_[face],
+                               [&](std::uint32_t v) { return marked_points[v] != 0; });
+  };
   for (std::uint32_t f = 0; f < triangles_.size(); ++f) {
     if (alive(f)) {
-      const Triangle& t = triangles_[f];
       faces.push_back(f);
-      triangles.push_back(t);
-      active.push_back(marked_points[t[0]] | marked_points[t[1]] | marked_points[t[2]]);
+      triangles.push_back(triangles_[f]);
+      active.push_back(marked(f) ? 1 : 0);
     }
   }
   const SelfIntersections found = find_self_intersections(points_, triangles, {.active = active});
   bad_.clear();
+  for (const BadItem& item : known) {
+    if (alive(item.first) && alive(item.second) && !marked(item.first) && !marked(item.second)) {
+      remember(item);
+    }
+  }
   for (const std::uint32_t i : found.degenerate) {
     remember({faces[i], faces[i]});
   }
@@ -155,8 +164,7 @@ void RepairMesh::look_everywhere(std::span<const std::uint32_t> faces,
     if (degenerate(f)) {
       continue;
     }
-    const Box around = box(f);
-    tree().visit(around, [&](std::uint32_t g) {
+    tree().visit(box(f), framed(f), [&](std::uint32_t g) {
       if (found.size() < limit && alive(g) && stamp_[g] != searches_ && !degenerate(g) &&
           bad_pair(f, g)) {
         found.push_back({std::min(f, g), std::max(f, g)});
@@ -192,7 +200,7 @@ bool RepairMesh::settle(std::span<const std::uint32_t> before, std::span<const s
   std::ranges::for_each(known, [&](const BadItem& item) { forget(item); });
   std::ranges::for_each(found, [&](const BadItem& item) { remember(item); });
   for (const std::uint32_t f : after) {
-    tree().grow(f, box(f));
+    tree().grow(f, box(f), framed(f));
   }
   edited_.insert(edited_.end(), after.begin(), after.end());
   return true;

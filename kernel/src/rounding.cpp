@@ -104,11 +104,12 @@ class Rounding {
     if (broken.empty()) {
       return finished(direct, 0, 0);
     }
+    const std::vector<BadItem> broken_pairs = direct.bad_items();
     for (double reach = kReachGrowth * step_;; reach *= kReachGrowth) {
       reach = std::min(reach, tolerance_);
       RepairMesh mesh = mesh_of(rounded_.doubles);
       const std::size_t shells = detail::remove_small_shells(mesh, broken, reach);
-      attempt(mesh, broken, reach);
+      attempt(mesh, broken, broken_pairs, reach);
       const std::vector<std::uint32_t> left = faults(mesh);
       if (left.empty() && !all_removed(mesh)) {
         return finished(mesh, reach, shells);
@@ -142,13 +143,17 @@ class Rounding {
   }
 
   /// Repairs the mesh of doubles, then, for a coarser lattice, thickens what is thin around the
-  /// places that rounding breaks, rounds, and repairs again.
-  void attempt(RepairMesh& mesh, const std::vector<std::uint32_t>& broken, double reach) const {
-    mesh.find_bad_items(rounded_.inexact);
-    detail::repair(mesh, Lattice(Coordinates::binary64), reach / step_ * double_step_);
+  /// places that rounding breaks, rounds, and repairs again. `broken_pairs` are the bad items of
+  /// the mesh that is rounded only.
+  void attempt(RepairMesh& mesh, const std::vector<std::uint32_t>& broken,
+               const std::vector<BadItem>& broken_pairs, double reach) const {
     if (lattice_.holds_doubles()) {
+      mesh.find_bad_items(differing_points(mesh), broken_pairs);
+      detail::repair(mesh, lattice_, reach);
       return;
     }
+    mesh.find_bad_items(rounded_.inexact);
+    detail::repair(mesh, Lattice(Coordinates::binary64), reach / step_ * double_step_);
     detail::clean_up(mesh, reach, detail::with_neighbours(mesh, broken));
     std::vector<Vec3> points(mesh.points().begin(), mesh.points().end());
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -156,8 +161,24 @@ class Rounding {
           points[i] == rounded_.doubles[i] ? rounded_.on_lattice[i] : lattice_.nearest(points[i]);
     }
     mesh.place(std::move(points));
-    mesh.find_bad_items(std::vector<std::uint8_t>(mesh.points().size(), 1));
+    mesh.find_bad_items(differing_points(mesh), broken_pairs);
     detail::repair(mesh, lattice_, reach);
+  }
+
+  /// The corners of faces that are not as in the mesh that is rounded only.
+  [[nodiscard]] std::vector<std::uint8_t> differing_points(const RepairMesh& mesh) const {
+    std::vector<std::uint8_t> differing(mesh.points().size(), 0);
+    for (std::uint32_t v = 0; v < differing.size(); ++v) {
+      differing[v] = mesh.point(v) != rounded_.on_lattice[v] ? 1 : 0;
+    }
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+      if (mesh.alive(f) && mesh.triangle(f) != exact_.triangles[f]) {
+        for (const std::uint32_t v : mesh.triangle(f)) {
+          differing[v] = 1;
+        }
+      }
+    }
+    return differing;
   }
 
   [[nodiscard]] Rounded finished(const RepairMesh& mesh, double reach,

@@ -29,6 +29,9 @@ class Search {
         tree_(prepare()) {}
 
   SelfIntersections run() const {
+    if (active_.empty()) {
+      return {};
+    }
     SelfIntersections found =
         examined(tree_.leaf_count(),
                  [&](std::uint32_t leaf, SelfIntersections& part) { examine_active(leaf, part); });
@@ -49,31 +52,45 @@ class Search {
   }
 
  private:
-  /// Fills corners_, degenerate_ and active_ and returns the tree over the active triangles.
+  /// Fills corners_ and active_, degenerate_ where active, and returns the tree over the active
+  /// triangles.
   BoxTree prepare() {
     tbb::parallel_for(std::size_t{0}, triangles_.size(), [&](std::size_t i) {
       for (int k = 0; k < 3; ++k) {
         corners_[i][k] = first_identical_[triangles_[i][k]];
       }
-      const Vec3 &a = points_[corners_[i][0]], &b = points_[corners_[i][1]],
-                 &c = points_[corners_[i][2]];
-      degenerate_[i] = !PlaneFilter(a, b, c).certain() && collinear(a, b, c);
     });
+    for (std::uint32_t i = 0; i < points_.size() && !touching_apart_; ++i) {
+      touching_apart_ = first_identical_[i] != i;
+    }
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
       if (active(i)) {
         active_.push_back(i);
       }
     }
     std::vector<Box> boxes(active_.size());
-    tbb::parallel_for(std::size_t{0}, active_.size(),
-                      [&](std::size_t i) { boxes[i] = box(active_[i]); });
-    return BoxTree(boxes);
+    tbb::parallel_for(std::size_t{0}, active_.size(), [&](std::size_t i) {
+      const std::uint32_t face = active_[i];
+      degenerate_[face] = is_degenerate(face) ? 1 : 0;
+      boxes[i] = degenerate_[face] != 0 ? Box::nothing() : box(face);
+    });
+    return BoxTree(boxes, [&](std::uint32_t i) { return framed(active_[i]); });
   }
 
   [[nodiscard]] Box box(std::uint32_t face) const {
     const Triangle& t = corners_[face];
-    return degenerate_[face] != 0 ? Box::nothing()
-                                  : frame_.around(points_[t[0]], points_[t[1]], points_[t[2]]);
+    return frame_.around(points_[t[0]], points_[t[1]], points_[t[2]]);
+  }
+
+  [[nodiscard]] bool is_degenerate(std::uint32_t face) const {
+    const Triangle& t = corners_[face];
+    const Vec3 &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
+    return !PlaneFilter(a, b, c).certain() && collinear(a, b, c);
+  }
+
+  [[nodiscard]] FramedTriangle framed(std::uint32_t face) const {
+    const Triangle& t = corners_[face];
+    return frame_.mapped(points_[t[0]], points_[t[1]], points_[t[2]]);
   }
 
   [[nodiscard]] bool active(std::uint32_t triangle) const {
@@ -115,10 +132,20 @@ class Search {
     if (active(face)) {
       return;
     }
-    const TriangleProbe probe(points_, corners_[face]);
-    tree_.visit(box(face), [&](std::uint32_t item) {
+    const Box around = box(face);
+    if (!tree_.overlaps(around)) {
+      return;
+    }
+    std::optional<TriangleProbe> probe;  // few passive triangles need it
+    tree_.visit(around, framed(face), [&](std::uint32_t item) {
+      if (!probe) {
+        if (is_degenerate(face)) {
+          return;
+        }
+        probe.emplace(points_, corners_[face]);
+      }
       const std::uint32_t other = active_[item];
-      record(face, other, probe.meeting(corners_[other]), found);
+      record(face, other, probe->meeting(corners_[other]), found);
     });
   }
 
@@ -134,7 +161,7 @@ class Search {
         ++found.overlaps;
         break;
       case Meeting::none:
-        if (!touch_apart(face, other)) {
+        if (!touching_apart_ || !touch_apart(face, other)) {
           return;
         }
         pair.kind = FacePair::Kind::contact;
@@ -182,6 +209,7 @@ class Search {
   std::vector<std::uint32_t> first_identical_;
   BoxFrame frame_;
   std::vector<Triangle> corners_;  // with identical points merged
+  bool touching_apart_ = false;    // whether there are identical points
   std::vector<std::uint8_t> degenerate_;
   std::vector<std::uint32_t> active_;
   BoxTree tree_;

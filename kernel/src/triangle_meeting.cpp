@@ -1,6 +1,7 @@
 #include "triangle_meeting.h"
 
 #include <array>
+#include <optional>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -168,6 +169,32 @@ bool cones_certainly_apart(const Corners& a, const Corners& b, int axis) {
   return false;
 }
 
+/// The corner that the plane of another triangle, whose sides are given, cuts off alone; none if a
+/// side is uncertain.
+std::optional<int> lone_corner(const Sides& sides) {
+  if (sides[0] == 0 || sides[1] == 0 || sides[2] == 0) {
+    return std::nullopt;
+  }
+  return sides[1] == sides[2] ? 0 : sides[0] == sides[2] ? 1 : 2;
+}
+
+/// For triangles that cross each other's planes, if certain: how they meet. Both cut a segment out
+/// of the line that their planes have in common [Guigue and Devillers, Fast and Robust
+/// Triangle-Triangle Overlap Test Using Orientation Predicates, 2003]; its ends lie on the edges at
+/// the lone corners, and the four turns of an edge of one and an edge of the other say how the ends
+/// follow each other: all alike if the segments are apart.
+std::optional<Meeting> certain_meeting(const Corners& a, int lone_a, const Corners& b, int lone_b) {
+  const Vec3 &p = a[lone_a], &q = b[lone_b];
+  const Vec3 &q1 = b[(lone_b + 1) % 3], &q2 = b[(lone_b + 2) % 3];
+  const PlaneFilter first(p, q, a[(lone_a + 1) % 3]), second(p, q, a[(lone_a + 2) % 3]);
+  const Sides turns = {first.side(q1), first.side(q2), second.side(q1)};
+  const int last = second.side(q2);
+  if (turns[0] == 0 || turns[1] == 0 || turns[2] == 0 || last == 0) {
+    return std::nullopt;
+  }
+  return common_sign(turns) == last ? Meeting::none : Meeting::crossing;
+}
+
 bool all_edges_meet_nothing(const Corners& edges, const Sides& sides, const Corners& t, int axis) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
@@ -252,13 +279,21 @@ Meeting TriangleProbe::sharing_one(int mine, const Triangle& other, int others) 
 
 Meeting TriangleProbe::sharing_none(const Triangle& other) const {
   const Corners b = {points_[other[0]], points_[other[1]], points_[other[2]]};
-  if (common_sign({plane_.side(b[0]), plane_.side(b[1]), plane_.side(b[2])}) != 0) {
+  const Sides certain_b = {plane_.side(b[0]), plane_.side(b[1]), plane_.side(b[2])};
+  if (common_sign(certain_b) != 0) {
     return Meeting::none;
   }
   const Corners a = {points_[corners_[0]], points_[corners_[1]], points_[corners_[2]]};
   const PlaneFilter plane(b[0], b[1], b[2]);
-  if (common_sign({plane.side(a[0]), plane.side(a[1]), plane.side(a[2])}) != 0) {
+  const Sides certain_a = {plane.side(a[0]), plane.side(a[1]), plane.side(a[2])};
+  if (common_sign(certain_a) != 0) {
     return Meeting::none;
+  }
+  const auto lone_a = lone_corner(certain_a), lone_b = lone_corner(certain_b);
+  if (lone_a && lone_b) {
+    if (const auto meeting = certain_meeting(a, *lone_a, b, *lone_b)) {
+      return *meeting;
+    }
   }
   const int axis = plane_.main_axis();
   if (edge_separates(a, b, axis, side_of_line) || edge_separates(b, a, axis, side_of_line)) {

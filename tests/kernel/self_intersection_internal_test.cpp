@@ -113,6 +113,27 @@ TEST(SelfIntersection, agrees_with_clipping_in_rationals) {
   EXPECT_EQ(seen.size(), 3);
 }
 
+TEST(SelfIntersection, of_needles_agrees_with_clipping_in_rationals) {
+  std::mt19937 random(17);
+  std::size_t pairs = 0;
+  for (int round = 0; round < 20; ++round) {
+    Soup soup;
+    const auto near = [&](const Vec3& p) -> Vec3 {
+      std::uniform_int_distribution<int> offset(-4, 4);
+      return p + Vec3(offset(random), offset(random), offset(random));
+    };
+    for (std::uint32_t i = 0; i < 40; ++i) {
+      const Vec3 from = near(Vec3::Zero());
+      soup.points.insert(soup.points.end(), {from, near(from), near(Vec3(900, 700, -800))});
+      soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    const auto found = find_self_intersections(soup.points, soup.triangles);
+    ASSERT_EQ(found.pairs, brute_force(soup)) << "round " << round;
+    pairs += found.pairs.size();
+  }
+  EXPECT_GT(pairs, 1000U);
+}
+
 TEST(SelfIntersection, sees_the_same_after_an_exact_shear_off_the_axes) {
   // Multiplication by 3 and addition are exact here, so the shear keeps every coincidence while no
   // plane stays parallel to an axis.
