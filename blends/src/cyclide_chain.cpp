@@ -110,7 +110,13 @@ bool is_regular(const JunctionLocus& locus, const PeVector& start, const PeVecto
 
 DoubleCyclide at_tau(const JunctionLocus& locus, const PeVector& start,
                      const PeVector& start_tangent, const PeVector& end, double tau) {
-  PeArc first = PeArc::from(start, start_tangent, locus.at(tau));
+  const PeVector junction = locus.at(tau);
+  if (!(junction.r > 0)) {
+    throw Error(Errc::infeasible_blend,
+                "no double-cyclide blend: the junction sphere would have the radius " +
+                    detail::decimal(junction.r) + "; choose another tau");
+  }
+  PeArc first = PeArc::from(start, start_tangent, junction);
   PeArc second = PeArc::from(first.end(), first.end_tangent(), end);
   return {std::move(first), std::move(second), tau};
 }

@@ -6,29 +6,13 @@
 #include <sstream>
 
 #include <Eigen/Geometry>
-#include <gmpxx.h>
 
 #include "complementary_sphere.h"
 #include "dupin/kernel/error.h"
+#include "exact_pe.h"
 
 namespace dupin {
 namespace {
-
-struct ExactPeVector {
-  std::array<mpq_class, 3> m;
-  mpq_class r;
-};
-
-ExactPeVector exact(const PeVector& a) { return {{a.m.x(), a.m.y(), a.m.z()}, a.r}; }
-
-mpq_class dot(const std::array<mpq_class, 3>& a, const std::array<mpq_class, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-// lhs > -sqrt(square), square >= 0.
-bool exceeds_negative_root(const mpq_class& lhs, const mpq_class& square) {
-  return lhs > 0 || lhs * lhs < square;
-}
 
 // V1 to V4, each freed of its roots, so that rational arithmetic decides it. With D = <d, d> = L^2,
 // e = <d, T0>:
@@ -37,18 +21,18 @@ bool exceeds_negative_root(const mpq_class& lhs, const mpq_class& square) {
 //   V4  times |A|^2:  (|Dm|^2 + r0^2 - r2^2) |A|^2 + 2 r0 tau (A.Dm) > 2 r0 sqrt(|A|^2 |Dm|^2 -
 //   (A.Dm)^2)
 ArcFault exact_fault(const PeVector& start, const PeVector& tangent, const PeVector& end) {
-  const ExactPeVector b0 = exact(start), t0 = exact(tangent), b2 = exact(end);
-  const std::array<mpq_class, 3> dm{b2.m[0] - b0.m[0], b2.m[1] - b0.m[1], b2.m[2] - b0.m[2]};
-  const mpq_class dr = b2.r - b0.r;
-  const mpq_class dm2 = dot(dm, dm), along = dot(dm, t0.m), a2 = dot(t0.m, t0.m);
+  const auto b0 = detail::exact(start), t0 = detail::exact(tangent), b2 = detail::exact(end);
+  const auto [dm, dr] = b2 - b0;
+  const mpq_class dm2 = detail::dot(dm, dm), along = detail::dot(dm, t0.m),
+                  a2 = detail::dot(t0.m, t0.m);
   const mpq_class dd = dm2 - dr * dr, e = along - dr * t0.r;
   if (dd <= 0) {
     return ArcFault::nested;
   }
-  if (!exceeds_negative_root(e, dd)) {
+  if (!detail::exceeds_negative_root(e, dd)) {
     return ArcFault::through_infinity;
   }
-  if (!exceeds_negative_root(e * b0.r + dd * t0.r / 2, dd * b0.r * b2.r)) {
+  if (!detail::exceeds_negative_root(e * b0.r + dd * t0.r / 2, dd * b0.r * b2.r)) {
     return ArcFault::radius_vanishes;
   }
   const mpq_class power = (dm2 + b0.r * b0.r - b2.r * b2.r) * a2 + 2 * b0.r * t0.r * along;

@@ -178,6 +178,30 @@ TEST(DoubleCyclide, skew_pipes_have_the_oracle_junctions) {
   EXPECT_LT(distance(best.second.end_tangent(), t3), 1e-12);
 }
 
+TEST(DoubleCyclide, every_junction_of_the_locus_ends_in_the_given_tangent) {
+  test::RandomArcs random;
+  int joined = 0;
+  for (int i = 0; i < 400; ++i) {
+    const PeVector b0{random.vector(), random.radius(random.random)};
+    const PeVector b3{random.vector(), random.radius(random.random)};
+    const PeVector t0 = test::direction(random.vector(), random.sine(random.random));
+    const PeVector t3 = test::direction(random.vector(), random.sine(random.random));
+    for (const double tau : {0.2, 0.5, 0.8}) {
+      try {
+        const DoubleCyclide pair = double_cyclide(b0, t0, b3, t3, tau);
+        ++joined;
+        // The tangents divide by the chords and, for the first, by how far it is from a whole turn.
+        const double slack = 1e-10 / std::min(pair.first.chord(), pair.second.chord()) /
+                             (1 + std::min(pair.first.w(), pair.second.w()));
+        EXPECT_LT(distance(pair.second.end_tangent(), t3), slack);
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Errc::infeasible_blend);
+      }
+    }
+  }
+  EXPECT_GT(joined, 300);
+}
+
 TEST(DoubleCyclide, the_equal_junction_of_the_oracle_is_on_the_locus) {
   const PeVector b0 = sphere(0, 0, 0, 1), t0{Vec3(0, 0, 1), 0};
   const PeVector b3 = sphere(4, 3, 5, .7), t3{Vec3(.6, .8, 0), 0};

@@ -1,5 +1,6 @@
 #include "dupin/blends/pe_arc.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -181,6 +182,40 @@ TEST(PeArc, reversal_offset_and_halving_keep_the_surface) {
     EXPECT_NEAR(pe_length(sub_arc(arc, 0, 0.3)) + pe_length(sub_arc(arc, 0.3, 1)), pe_length(arc),
                 1e-9 * pe_length(arc));
   }
+}
+
+TEST(PeArc, turning_the_data_turns_the_surface) {
+  RandomArcs arcs;
+  const Eigen::AngleAxisd rotation(1.1, Vec3(1, -2, 3).normalized());
+  const Vec3 shift(3, -1, 2);
+  const auto turned = [&](const PeVector& b) { return PeVector{rotation * b.m + shift, b.r}; };
+  for (int i = 0; i < 100; ++i) {
+    const PeArc arc = arcs.next();
+    const PeArc other =
+        PeArc::from(turned(arc.start()), {rotation * arc.start_tangent().m, arc.start_tangent().r},
+                    turned(arc.end()));
+    EXPECT_NEAR(other.w(), arc.w(), 1e-12);
+    EXPECT_NEAR(other.least_power(), arc.least_power(), 1e-11);
+    EXPECT_NEAR(area(other), area(arc), 1e-9 * area(arc));
+    EXPECT_NEAR(volume(other), volume(arc), 1e-9 * volume(arc));
+    const Vec3 expected = rotation * point_at(arc, 0.4, 2).position + shift;
+    const double slack = 1e-13 * 20 / (1 + arc.w());  // of a point where the weight is small
+    EXPECT_LT((point_at(other, 0.4, 2).position - expected).norm(), slack);
+  }
+}
+
+TEST(PeArc, patches_of_random_pieces_have_positive_weights) {
+  RandomArcs arcs;
+  std::size_t count = 0;
+  for (int i = 0; i < 120; ++i) {
+    for (const BiquadraticPatch& patch : patches(arcs.next())) {
+      ++count;
+      for (const auto& row : patch.weights) {
+        EXPECT_GT(*std::min_element(row.begin(), row.end()), 0);
+      }
+    }
+  }
+  EXPECT_GT(count, 1000U);
 }
 
 TEST(PeArc, circles_and_points_agree) {
