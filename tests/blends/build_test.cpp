@@ -141,6 +141,15 @@ TEST(Build, makes_solids_of_chains_and_blends_of_cyclides) {
   const Assembly bends = example("u-bend-cyclide.json");
   expect_solid("u-bend-cyclide.json", bends, {2, 2, 2, 0, smooth_volume(resolve(bends))});
   EXPECT_EQ(build(bends).parts[2].construction, "single");
+  for (const std::string name : {"crane-hook.json", "crane-hook-twisted.json", "jet-engine.json",
+                                 "reducing-elbow.json", "skew-pipes.json", "u-bend-cyclide.json"}) {
+    const Solid solid = build(example(name)).solid;
+    const Report exact = check(to_mesh(solid).mesh);
+    const Report rounded = check(to_mesh(solid, Coordinates::binary32).mesh);
+    EXPECT_TRUE(rounded.is_solid()) << name;
+    EXPECT_EQ(rounded.count(Defect::self_intersection), 0U) << name;
+    EXPECT_EQ(rounded.euler_number, exact.euler_number) << name;
+  }
 }
 
 TEST(Build, cyclide_parts_share_their_rings_and_are_tangent_there) {
