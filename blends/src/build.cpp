@@ -5,12 +5,10 @@
 #include <span>
 
 #include "blame.h"
-#include "decimal.h"
-#include "dupin/blends/regularity.h"
 #include "dupin/blends/resolve.h"
-#include "dupin/blends/tangency.h"
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/error.h"
+#include "part_claims.h"
 #include "runs.h"
 #include "weld.h"
 
@@ -80,15 +78,9 @@ class Builder {
     return sentences;
   }
 
-  // PeArc proved regularity when it was made, exactly.
   static void describe(const CyclideTube& tube, const PartShape& shape, PartReport& result) {
-    const Enclosure bounds = margin(tube);
-    result.margin_lower = bounds.lower;
-    result.margin_upper = bounds.upper;
     if (result.kind == "cyclide_blend") {
       result.construction = kind(tube);
-      result.start_tangency = tangency_bound(tube, SurfaceEnd::start);
-      result.end_tangency = tangency_bound(tube, SurfaceEnd::end);
     } else {
       result.construction = std::to_string(tube.chain.pieces.size()) + " pieces";
       result.warnings = bias_sentences(tube, std::get<CyclideChainThrough>(shape));
@@ -99,26 +91,15 @@ class Builder {
     PartReport result;
     result.name = part.name;
     result.kind = part.kind;
+    const detail::PartClaims proven = detail::claims(part);
+    result.margin_lower = proven.margin_lower;
+    result.margin_upper = proven.margin_upper;
+    result.start_tangency = proven.start_tangency;
+    result.end_tangency = proven.end_tangency;
     if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
       describe(*tube, assembly_.parts[part.index].shape, result);
-    }
-    if (const auto* surface = std::get_if<RingedSurface>(&part.shape)) {
-      const Regularity margin = regularity(*surface);
-      if (!(margin.lower > 0)) {
-        throw Error(Errc::irregular_surface,
-                    "the surface folds: the margin 1 - kappa R is " +
-                        detail::decimal(margin.upper) +
-                        " where it must be positive; use a smaller radius or a larger bend radius");
-      }
-      result.margin_lower = margin.lower;
-      result.margin_upper = margin.upper;
-      if (part.kind == "cyclide_blend") {
-        result.construction = "ringed";
-      }
-      if (part.kind == "cyclic_blend" || part.kind == "cyclide_blend") {
-        result.start_tangency = tangency_at_end(*surface, SurfaceEnd::start).deviation.upper;
-        result.end_tangency = tangency_at_end(*surface, SurfaceEnd::end).deviation.upper;
-      }
+    } else if (part.kind == "cyclide_blend") {
+      result.construction = "ringed";
     }
     return result;
   }

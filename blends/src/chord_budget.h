@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "dupin/blends/elliptic_tube.h"
 #include "dupin/blends/ringed_surface.h"
 #include "dupin/blends/sphere.h"
 
@@ -15,7 +16,8 @@ inline double point_error(double size, double grid) {
   return std::numbers::sqrt3 / 2 * grid + std::ldexp(size, -47);
 }
 
-inline double point_error(const RingedSurface& surface, double grid) {
+/// The sum of the lengths of all vectors that a spine is computed from.
+inline double spine_size(const Spine& spine) {
   struct Size {
     double operator()(const LineSpine& line) const { return line.from.norm() + line.to.norm(); }
     double operator()(const ArcSpine& arc) const {
@@ -32,8 +34,16 @@ inline double point_error(const RingedSurface& surface, double grid) {
       return sum;
     }
   };
-  return point_error(std::visit(Size(), surface.spine) + surface.start.radius + surface.end.radius,
-                     grid);
+  return std::visit(Size(), spine);
+}
+
+inline double point_error(const RingedSurface& surface, double grid) {
+  return point_error(spine_size(surface.spine) + surface.start.radius + surface.end.radius, grid);
+}
+
+inline double point_error(const EllipticTube& tube, double grid) {
+  return point_error(
+      spine_size(tube.spine) + largest_radius(tube.start) + largest_radius(tube.end), grid);
 }
 
 inline double point_error(const Sphere& sphere, double grid) {

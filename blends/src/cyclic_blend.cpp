@@ -1,5 +1,6 @@
 #include "dupin/blends/cyclic_blend.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -7,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "blend_search.h"
+#include "blend_shape.h"
 #include "decimal.h"
 #include "dupin/blends/regularity.h"
 #include "dupin/kernel/error.h"
@@ -21,34 +23,46 @@ using detail::decimal;
 constexpr double kCertificateWidth = 1e-8;
 
 int spine_degree(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
-  const bool cone = from.slope != 0 || to.slope != 0;
+  const bool cone = from.slope != 0 || to.slope != 0 || across_slope(from) != 0 ||
+                    across_slope(to) != 0;
   return 3 + (cone ? 2 : 0) + (options.continuity == Continuity::g2 ? 2 : 0);
 }
 
+// Of the circles about elliptic ends.
+detail::EndRadii radii_about(const Ring& from, const Ring& to) {
+  return {largest_radius(from), std::max(from.slope, across_slope(from)), largest_radius(to),
+          std::max(to.slope, across_slope(to))};
+}
+
 // As far as the spine is straight at an end, the radius is that of the cone there.
-BezierRadius cone_ended(const Ring& from, const Ring& to, double k, double l, int degree) {
+BezierRadius cone_ended(const detail::EndRadii& radii, double k, double l, int degree) {
   BezierRadius result;
   for (int i = 0; 2 * i < degree; ++i) {
-    result.coefficients.push_back(from.radius + i * k * from.slope / degree);
+    result.coefficients.push_back(radii.start + i * k * radii.start_slope / degree);
   }
   for (int i = degree / 2; i >= 0; --i) {
-    result.coefficients.push_back(to.radius + i * l * to.slope / degree);
+    result.coefficients.push_back(radii.end + i * l * radii.end_slope / degree);
   }
   return result;
+}
+
+RadiusLaw cylinder_ended(const detail::EndRadii& radii, const CyclicBlendOptions& options) {
+  if (options.radius_law == BlendLaw::r2) {
+    return CyclideRadius{radii.start, radii.end};
+  }
+  return CubicRadius{radii.start, radii.end};
 }
 
 RingedSurface assembled(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
                         double k, double l) {
   const HermiteSpine spine{from.center, to.center, k * from.normal, -l * to.normal};
   const int degree = spine_degree(from, to, options);
+  const detail::EndRadii radii = radii_about(from, to);
   if (degree > 3) {
     return {flipped(from), flipped(to), degree == 5 ? quintic_spine(spine) : septic_spine(spine),
-            cone_ended(from, to, k, l, degree)};
+            cone_ended(radii, k, l, degree)};
   }
-  if (options.radius_law == BlendLaw::r2) {
-    return {flipped(from), flipped(to), spine, CyclideRadius{from.radius, to.radius}};
-  }
-  return {flipped(from), flipped(to), spine, CubicRadius{from.radius, to.radius}};
+  return {flipped(from), flipped(to), spine, cylinder_ended(radii, options)};
 }
 
 detail::BlendSearch search(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
@@ -195,7 +209,20 @@ std::string remedy(const Ring& from, const Ring& to, CyclicBlendOptions options)
 
 }  // namespace
 
-RingedSurface cyclic_blend(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+namespace detail {
+
+RadiusLaw blend_radius(const EndRadii& radii, const Spine& spine,
+                       const CyclicBlendOptions& options) {
+  const auto* bezier = std::get_if<BezierSpine>(&spine);
+  if (bezier == nullptr) {
+    return cylinder_ended(radii, options);
+  }
+  return cone_ended(radii, evaluate(spine, 0).first.norm(), evaluate(spine, 1).first.norm(),
+                    int(bezier->points.size()) - 1);
+}
+
+RingedSurface surrounding_blend(const Ring& from, const Ring& to,
+                                const CyclicBlendOptions& options) {
   validate(from, to, options);
   if (!options.k || !options.l) {
     const BlendChoice choice = choose_velocities(from, to, options);
@@ -206,6 +233,15 @@ RingedSurface cyclic_blend(const Ring& from, const Ring& to, const CyclicBlendOp
     refuse(from, to, options, surface);
   }
   return surface;
+}
+
+}  // namespace detail
+
+RingedSurface cyclic_blend(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  if (from.ellipse || to.ellipse) {
+    throw Error(Errc::invalid_argument, "a ringed surface has circular ends, not elliptic ones");
+  }
+  return detail::surrounding_blend(from, to, options);
 }
 
 BlendChoice choose_velocities(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {

@@ -20,7 +20,7 @@ class ChainPart {
   }
 
   [[noreturn]] void fail(Errc code, const std::string& key, const std::string& message) const {
-    const auto& [assembly, index, ring] = context_;
+    const auto& [assembly, index, ring, motion] = context_;
     throw Error(code, message, assembly.parts.at(index).name, document_place(assembly, index, key));
   }
 

@@ -6,9 +6,11 @@
 
 #include <Eigen/Geometry>
 
+#include "blend_shape.h"
 #include "dupin/blends/regularity.h"
 #include "dupin/kernel/error.h"
 #include "quadrature.h"
+#include "second_derivatives.h"
 
 namespace dupin {
 namespace {
@@ -36,32 +38,6 @@ Axes axes_at(const Frame& frame, double angle) {
   return {c * frame.first + s * frame.second, c * frame.second - s * frame.first};
 }
 
-Ring circle_about(const EllipticRing& ring) {
-  return {ring.center, ring.normal, std::max(ring.first, ring.second)};
-}
-
-void validate(const EllipticRing& ring) {
-  for (const double radius : {ring.first, ring.second}) {
-    validate(Ring{ring.center, ring.normal, radius});
-  }
-  // As for a ring's normal: typed-in numbers are admitted, and nothing turns by more than that.
-  if (!ring.axis.allFinite() || std::abs(ring.axis.norm() - 1) > 1e-9 ||
-      std::abs(ring.axis.dot(ring.normal)) > 1e-9) {
-    throw Error(Errc::invalid_argument,
-                "an elliptic ring's axis must have unit length and be orthogonal to its normal");
-  }
-}
-
-RadiusLaw radius_between(double from, double to, const CyclicBlendOptions& options) {
-  if (options.continuity == Continuity::g2) {
-    return BezierRadius{{from, from, from, to, to, to}};
-  }
-  if (options.radius_law == BlendLaw::r2) {
-    return CyclideRadius{from, to};
-  }
-  return CubicRadius{from, to};
-}
-
 // From the frame's first axis to the line along `axis`, in (-pi/2, pi/2].
 double shortest_turn(const Frame& frame, const Vec3& axis) {
   const double angle = std::atan2(axis.dot(frame.second), axis.dot(frame.first));
@@ -70,14 +46,8 @@ double shortest_turn(const Frame& frame, const Vec3& axis) {
 
 }  // namespace
 
-EllipticRing flipped(const EllipticRing& ring) {
-  EllipticRing result = ring;
-  result.normal = flipped(Ring{ring.center, ring.normal, ring.first}).normal;
-  return result;
-}
-
 FrameField frames(const EllipticTube& tube, const FrameOptions& options) {
-  return {tube.spine, tube.start.axis, options};
+  return {tube.spine, tube.axis, options};
 }
 
 // With p = a cos u c1 + b sin u c2: x_t = (v - p.T') T + w, x_u = q, where w is the change of p in
@@ -122,21 +92,62 @@ double volume(const EllipticTube& tube) {
          });
 }
 
-EllipticTube elliptic_blend(const EllipticRing& from, const EllipticRing& to,
-                            const CyclicBlendOptions& options) {
-  validate(from);
-  validate(to);
-  EllipticTube tube{flipped(from),
-                    flipped(to),
-                    cyclic_blend(circle_about(from), circle_about(to), options).spine,
-                    radius_between(from.first, to.first, options),
-                    radius_between(from.second, to.second, options),
-                    0,
-                    options.continuity};
-  if (to.first != to.second) {
-    tube.turn = shortest_turn(frames(tube).at(1), to.axis);
+namespace {
+
+// The rate of a semi-axis per advance of the spine, less the slope that its ring has: the greatest
+// absolute value where the advance lies in `advance`.
+double slope_excess(const RadiusLaw& law, double t, double slope, const detail::Interval& advance) {
+  const double rate = evaluate(law, t).first;
+  if (rate == 0 && slope == 0) {
+    return 0;
+  }
+  return (detail::Interval(rate) / advance - slope).magnitude();
+}
+
+}  // namespace
+
+// The tube's normal at the end is parallel to q x T + q x w / advance with advance = v - p.T' and w
+// the rates of the semi-axes, that of the ruled surface to q x T + q x s with the slopes s. As q x
+// T is as long as q and at right angles to both q x w and q x s, the angle's sine is at most
+// |w / advance - s|, and the angle at most pi / 2 times that.
+double tangency_bound(const EllipticTube& tube, SurfaceEnd end) {
+  const double t = end == SurfaceEnd::start ? 0 : 1, outward = end == SurfaceEnd::start ? -1 : 1;
+  const Ring& ring = end == SurfaceEnd::start ? tube.start : tube.end;
+  const auto y = detail::spine_bounds(tube.spine, t);
+  const detail::Interval bend = detail::Interval(largest_radius(ring)) * y.turning;
+  const detail::Interval advance{(y.speed - bend).lower, (y.speed + bend).upper};
+  if (!(advance.lower > 0)) {
+    throw Error(Errc::irregular_surface, "the tube folds there", {},
+                end == SurfaceEnd::start ? "start" : "end");
+  }
+  const double first = slope_excess(tube.first, t, outward * ring.slope, advance);
+  const double second = slope_excess(tube.second, t, outward * across_slope(ring), advance);
+  return kPi / 2 * std::hypot(first, second);
+}
+
+EllipticTube elliptic_tube(const Ring& start, const Ring& end, const Spine& spine,
+                           const RadiusLaw& first, const RadiusLaw& second, Continuity continuity) {
+  EllipticTube tube{start, end, spine, first, second, reference_axis(start), 0, continuity};
+  if (end.ellipse) {
+    const double turn = shortest_turn(frames(tube).at(1), end.ellipse->axis);
+    if (start.ellipse) {
+      tube.turn = turn;
+    } else {
+      // A frame that starts turned arrives turned by as much.
+      tube.axis = axes_at(frames(tube).at(0), turn).first;
+    }
   }
   return tube;
+}
+
+EllipticTube elliptic_blend(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  const RingedSurface about = detail::surrounding_blend(from, to, options);
+  const auto law = [&](double r0, double slope0, double r1, double slope1) {
+    return detail::blend_radius({r0, slope0, r1, slope1}, about.spine, options);
+  };
+  return elliptic_tube(
+      flipped(from), flipped(to), about.spine, law(from.radius, from.slope, to.radius, to.slope),
+      law(across(from), across_slope(from), across(to), across_slope(to)), options.continuity);
 }
 
 }  // namespace dupin

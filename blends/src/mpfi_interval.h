@@ -44,7 +44,7 @@ class MpfiInterval {
 
   [[nodiscard]] bool is_positive() const { return mpfi_is_strictly_pos(value_) > 0; }
   [[nodiscard]] Enclosure rounded_outward() const {
-    return {mpfr_get_d(&value_->left, MPFR_RNDD), mpfr_get_d(&value_->right, MPFR_RNDU)};
+    return {mpfr_get_d(&value_->left, MPFR_RNDD), 0.0 + mpfr_get_d(&value_->right, MPFR_RNDU)};
   }
 
  private:

@@ -2,12 +2,14 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include <Eigen/Geometry>
 
 #include "cyclide_part.h"
 #include "decimal.h"
 #include "dupin/blends/cyclide_blend.h"
+#include "dupin/blends/two_cone_spine.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin::detail {
@@ -30,19 +32,18 @@ class Geometry {
  public:
   explicit Geometry(const PartContext& context) : context_(context) {}
 
-  RingedSurface operator()(const PipeBetween& pipe) const {
-    positive(pipe.radius, "radius");
-    return line(start_between(pipe.from, pipe.to, pipe.radius), pipe.to, pipe.radius);
+  PartSurface operator()(const PipeBetween& pipe) const {
+    return cylinder(start_between(pipe.from, pipe.to, pipe.radius, pipe.axes, kSection), pipe.to);
   }
 
-  RingedSurface operator()(const PipeAlong& pipe) const {
-    const Ring start = origin(pipe.from, "radius");
+  PartSurface operator()(const PipeAlong& pipe) const {
+    const Ring start = origin(pipe.from, kSection);
     positive(pipe.length, "length");
-    return line(start, start.center + pipe.length * opposite(start.normal), start.radius);
+    return cylinder(start, start.center + pipe.length * opposite(start.normal));
   }
 
-  RingedSurface operator()(const PipeTo& pipe) const {
-    const Ring start = origin(pipe.from, "radius");
+  PartSurface operator()(const PipeTo& pipe) const {
+    const Ring start = origin(pipe.from, kSection);
     finite(pipe.to, "to");
     const Vec3 travel = opposite(start.normal), chord = pipe.to - start.center;
     const double length = chord.dot(travel), aside = (chord - length * travel).norm();
@@ -51,28 +52,36 @@ class Geometry {
                      decimal(-length) + " behind it");
     }
     within_tolerance(aside, "to", "the point is " + decimal(aside) + " off the pipe's axis");
-    return line(start, start.center + length * travel, start.radius);
+    return cylinder(start, start.center + length * travel);
   }
 
-  RingedSurface operator()(const ConeBetween& cone) const {
-    positive(cone.start_radius, "radii/0");
-    positive(cone.end_radius, "radii/1");
-    return coned(
-        line(start_between(cone.from, cone.to, cone.start_radius), cone.to, cone.end_radius));
+  PartSurface operator()(const ConeBetween& cone) const {
+    const Ring start =
+        start_between(cone.from, cone.to, cone.start_radius, cone.start_axes, kConeSection);
+    const EndSection end = end_section(start, cone.end_radius, cone.end_across, {}, true);
+    return line(start, cone.to, end, true);
   }
 
-  RingedSurface operator()(const ConeAlong& cone) const {
-    const Ring start = origin(cone.from, "radii/0");
+  PartSurface operator()(const ConeAlong& cone) const {
+    const Ring start = origin(cone.from, kConeSection);
     positive(cone.length, "length");
     const bool own_start = std::holds_alternative<Place>(cone.from);
-    positive(cone.end_radius, own_start ? "radii/1" : "end_radius");
-    const auto surface =
-        line(start, start.center + cone.length * opposite(start.normal), cone.end_radius);
-    return own_start ? coned(surface) : surface;
+    const EndSection end =
+        end_section(start, cone.end_radius, cone.end_across, cone.axis, own_start);
+    return line(start, start.center + cone.length * opposite(start.normal), end, own_start);
   }
 
-  RingedSurface operator()(const ElbowTurning& elbow) const {
-    const Ring start = origin(elbow.from, "radius");
+  PartSurface operator()(const ObliqueBetween& part) const {
+    finite(part.from, "from");
+    finite(part.to, "to");
+    finite(part.normal, "normal");
+    positive(part.start_radius, "radii/0");
+    positive(part.end_radius, "radii/1");
+    return oblique_tube(part.from, part.to, part.normal, part.start_radius, part.end_radius);
+  }
+
+  PartSurface operator()(const ElbowTurning& elbow) const {
+    const Ring start = origin(elbow.from, kSection);
     positive(elbow.bend_radius, "bend_radius");
     if (!(elbow.angle > 0 && elbow.angle < 2 * std::numbers::pi)) {
       fail("angle", "an elbow's angle must lie between 0 and 360 degrees, not at " +
@@ -92,17 +101,17 @@ class Geometry {
                elbow.bend_radius, elbow.angle);
   }
 
-  RingedSurface operator()(const ElbowTo& elbow) const {
-    return elbow_to(origin(elbow.from, "radius"), elbow.to);
+  PartSurface operator()(const ElbowTo& elbow) const {
+    return elbow_to(origin(elbow.from, kSection), elbow.to);
   }
 
   // Both legs subtend half the angle a from the bend's centre: leg = bend radius tan(a / 2), and
   // tan(a / 2) = sin a / (1 + cos a). The direction at the end comes from the corner alone, so that
   // roundings of a long line's coordinates do not add up.
-  RingedSurface operator()(const ElbowCorner& elbow) const {
+  PartSurface operator()(const ElbowCorner& elbow) const {
     finite(elbow.corner, "corner");
     finite(elbow.to, "to");
-    const Ring start = origin(elbow.from, "radius");
+    const Ring start = origin(elbow.from, kSection);
     const Vec3 travel = opposite(start.normal), to_corner = elbow.corner - start.center;
     const double first = to_corner.dot(travel), second = (elbow.to - elbow.corner).norm();
     const double aside = (to_corner - first * travel).norm();
@@ -130,14 +139,54 @@ class Geometry {
     return {sphere.center, sphere.radius};
   }
 
-  RingedSurface operator()(const CyclicBlendBetween& blend) const {
-    if (blend.options.k) {
-      positive(*blend.options.k, "k");
+  PartSurface operator()(const SplineBetween& spline) const {
+    check(spline.through);
+    return SplinePipe{
+        spline_pipe(right_end(spline.from, "from"), spline.through, right_end(spline.to, "to")),
+        false};
+  }
+
+  PartSurface operator()(const SplineRound& spline) const {
+    check(spline.through);
+    return SplinePipe{closed_spline_pipe(spline.through), true};
+  }
+
+  PartSurface operator()(const CyclicBlendBetween& blend) const {
+    check_speeds(blend.options.k, blend.options.l);
+    const Ring &from = right_end(blend.from, "from"), &to = right_end(blend.to, "to");
+    if (from.ellipse || to.ellipse) {
+      return elliptic_blend(from, to, blend.options);
     }
-    if (blend.options.l) {
-      positive(*blend.options.l, "l");
+    return cyclic_blend(from, to, blend.options);
+  }
+
+  PartSurface operator()(const TwoConeBlendBetween& blend) const {
+    const Ring &from = right_end(blend.from, "from"), &to = right_end(blend.to, "to");
+    positive(blend.reach[0], "reach/0");
+    positive(blend.reach[1], "reach/1");
+    for (std::size_t i = 0; i < 3; ++i) {
+      positive(blend.m.at(i), "m/" + std::to_string(i));
+      positive(blend.w.at(i), "w/" + std::to_string(i));
     }
-    return cyclic_blend(context_.ring(blend.from), context_.ring(blend.to), blend.options);
+    for (const auto& [ring, key] : {std::pair(&from, "from"), std::pair(&to, "to")}) {
+      if (ring->slope != 0 || across_slope(*ring) != 0) {
+        fail(key, "a blend on the spine of two cones goes on from cylinders only, not from a cone");
+      }
+    }
+    const Spine spine = two_cone_spine({from.center, from.center + blend.reach[0] * from.normal,
+                                        to.center + blend.reach[1] * to.normal, to.center},
+                                       blend.m, blend.w);
+    const Ring start = flipped(from), end = flipped(to);
+    if (from.ellipse || to.ellipse) {
+      return elliptic_tube(start, end, spine, CubicRadius{from.radius, to.radius},
+                           CubicRadius{across(from), across(to)});
+    }
+    return RingedSurface{start, end, spine, CubicRadius{from.radius, to.radius}};
+  }
+
+  PartSurface operator()(const RingedBlendBetween& blend) const {
+    check_speeds(blend.k, blend.l);
+    return ringed_blend_part(context_, blend);
   }
 
   PartSurface operator()(const CyclideBlendBetween& blend) const {
@@ -160,7 +209,7 @@ class Geometry {
 
  private:
   [[noreturn]] void fail(std::string_view key, const std::string& message) const {
-    const auto& [assembly, index, ring] = context_;
+    const auto& [assembly, index, ring, motion] = context_;
     throw Error(Errc::invalid_argument, message, assembly.parts.at(index).name,
                 document_place(assembly, index, key));
   }
@@ -184,53 +233,164 @@ class Geometry {
     }
   }
 
-  Ring start_between(const Vec3& from, const Vec3& to, double radius) const {
+  // The ring of a port whose part ends in a right cylinder or cone, or another canal surface of its
+  // slope q: d' across n is -q rho n' [BL15]. Rounding leaves some ulp of the unit speed.
+  const Ring& right_end(const PortReference& port, std::string_view key) const {
+    const Ring& ring = context_.ring(port);
+    const MovingRing motion = context_.motion(port);
+    const double advance = motion.center_rate.dot(motion.normal);
+    const Vec3 aside = motion.center_rate - advance * motion.normal +
+                       ring.slope * ring.radius * motion.normal_rate;
+    if (!(aside.norm() <= kNoDirection)) {
+      fail(key, "'" + to_string(port) +
+                    "' ends an oblique cylinder or cone; only a ringed_blend goes on from there");
+    }
+    return ring;
+  }
+
+  void check(const std::vector<Waypoint>& through) const {
+    for (std::size_t i = 0; i < through.size(); ++i) {
+      const std::string key = "through/" + std::to_string(i);
+      finite(through[i].point, key + "/point");
+      positive(through[i].radius, key + "/radius");
+    }
+  }
+
+  void check_speeds(const std::optional<double>& k, const std::optional<double>& l) const {
+    if (k) {
+      positive(*k, "k");
+    }
+    if (l) {
+      positive(*l, "l");
+    }
+  }
+
+  // The keys under which a document has a section's numbers.
+  struct SectionKeys {
+    std::string_view radius, first, across;
+  };
+  static constexpr SectionKeys kSection{"radius", "semi_axes/0", "semi_axes/1"};
+  static constexpr SectionKeys kConeSection{"radii/0", "semi_axes/0/0", "semi_axes/0/1"};
+
+  // The axis of an ellipse in the planes across `normal`, from a direction that need not be so.
+  Vec3 axis_across(const Vec3& normal, const Vec3& direction) const {
+    finite(direction, "axis");
+    const Vec3 across = direction - direction.dot(normal) * normal;
+    if (!(across.norm() > kNoDirection * direction.norm())) {
+      fail("axis", "the axis must have a part across the direction of travel");
+    }
+    return plain(across.normalized());
+  }
+
+  Ring start_ring(const Vec3& center, const Vec3& travel, double radius,
+                  const std::optional<SectionAxes>& axes, const SectionKeys& keys) const {
+    positive(radius, axes ? keys.first : keys.radius);
+    Ring ring{center, opposite(travel.normalized()), radius};
+    if (axes) {
+      positive(axes->across, keys.across);
+      ring.ellipse = Ellipse{axis_across(ring.normal, axes->axis), axes->across};
+    }
+    return ring;
+  }
+
+  Ring start_between(const Vec3& from, const Vec3& to, double radius,
+                     const std::optional<SectionAxes>& axes, const SectionKeys& keys) const {
     finite(from, "from");
     finite(to, "to");
     if (!((to - from).norm() >= kSmallest)) {
       fail("to", "the point must differ from the one at 'from'");
     }
-    return {from, opposite((to - from).normalized()), radius};
+    return start_ring(from, to - from, radius, axes, keys);
   }
 
-  Ring origin(const PartStart& from, std::string_view radius_key) const {
+  Ring origin(const PartStart& from, const SectionKeys& keys) const {
     if (const auto* port = std::get_if<PortReference>(&from)) {
       return flipped(context_.ring(*port));
     }
     const auto& place = std::get<Place>(from);
     finite(place.point, "from");
     finite(place.direction, "direction");
-    positive(place.radius, radius_key);
     if (!(place.direction.norm() >= kSmallest)) {
       fail("direction", "the direction must not be zero");
     }
-    return {place.point, opposite(place.direction.normalized()), place.radius};
+    return start_ring(place.point, place.direction, place.radius, place.axes, keys);
   }
 
-  static RingedSurface line(const Ring& start, const Vec3& to, double end_radius) {
-    const double slope = (end_radius - start.radius) / (to - start.center).norm();
-    const Ring end{plain(to), opposite(start.normal), end_radius, slope};
-    const RadiusLaw law = end_radius == start.radius ? RadiusLaw(ConstantRadius{end_radius})
-                                                     : LinearRadius{start.radius, end_radius};
-    return {start, end, LineSpine{start.center, end.center}, law};
+  // The section in which a cone ends: an ellipse if it has two semi-axes.
+  struct EndSection {
+    double radius;
+    std::optional<Ellipse> ellipse;
+  };
+
+  EndSection end_section(const Ring& start, double radius, const std::optional<double>& across,
+                         const std::optional<Vec3>& axis, bool own_start) const {
+    positive(radius, across ? (own_start ? "semi_axes/1/0" : "end_semi_axes/0")
+                            : (own_start ? "radii/1" : "end_radius"));
+    if (!across) {
+      return {radius, std::nullopt};
+    }
+    positive(*across, own_start ? "semi_axes/1/1" : "end_semi_axes/1");
+    if (start.ellipse && axis) {
+      fail("axis", "the cone begins in an ellipse, whose axis it keeps");
+    }
+    if (!start.ellipse && !axis) {
+      fail("end_semi_axes",
+           "the cone begins in a circle; say by an 'axis' which way the ellipse "
+           "that it ends in lies");
+    }
+    return {radius, Ellipse{start.ellipse ? start.ellipse->axis : axis_across(start.normal, *axis),
+                            *across}};
+  }
+
+  static RadiusLaw linear(double start, double end) {
+    return start == end ? RadiusLaw(ConstantRadius{end}) : LinearRadius{start, end};
+  }
+
+  static PartSurface cylinder(const Ring& start, const Vec3& to) {
+    return line(start, to, {start.radius, start.ellipse}, false);
   }
 
   // A cone whose start ring is its own knows its half angle at both ends.
-  static RingedSurface coned(RingedSurface cone) {
-    cone.start.slope = 0 - cone.end.slope;
-    return cone;
+  static PartSurface line(Ring start, const Vec3& to, const EndSection& section, bool own_start) {
+    const double length = (to - start.center).norm();
+    Ring end{plain(to), opposite(start.normal), section.radius,
+             (section.radius - start.radius) / length, section.ellipse};
+    const bool elliptic = start.ellipse || end.ellipse;
+    if (end.ellipse) {
+      end.ellipse->across_slope = (across(end) - across(start)) / length;
+    }
+    if (own_start) {
+      start.slope = 0 - end.slope;
+      if (start.ellipse) {
+        start.ellipse->across_slope = (across(start) - across(end)) / length;
+      }
+    }
+    const LineSpine spine{start.center, end.center};
+    if (elliptic) {
+      return elliptic_tube(start, end, spine, linear(start.radius, end.radius),
+                           linear(across(start), across(end)));
+    }
+    return RingedSurface{start, end, spine, linear(start.radius, end.radius)};
   }
 
-  static RingedSurface arc(const Ring& start, const Ring& end, const Vec3& inward,
-                           double bend_radius, double angle) {
+  // An ellipse's axis has a part along the bend's axis, which stays, and one inward, which turns.
+  static PartSurface arc(const Ring& start, Ring end, const Vec3& inward, double bend_radius,
+                         double angle) {
     const Vec3 axis = opposite(start.normal).cross(inward).normalized();
-    return {start, end, ArcSpine{start.center + bend_radius * inward, axis, start.center, angle},
-            ConstantRadius{start.radius}};
+    const ArcSpine spine{start.center + bend_radius * inward, axis, start.center, angle};
+    if (!start.ellipse) {
+      return RingedSurface{start, end, spine, ConstantRadius{start.radius}};
+    }
+    const Vec3& first = start.ellipse->axis;
+    const Vec3 turned = first.dot(axis) * axis + first.dot(inward) * axis.cross(end.normal);
+    end.ellipse = Ellipse{plain(turned.normalized()), start.ellipse->across};
+    return elliptic_tube(start, end, spine, ConstantRadius{start.radius},
+                         ConstantRadius{start.ellipse->across});
   }
 
   // With e = to - start.center = p travel + q inward, the chord turns by half the angle:
   // tan(angle / 2) = q / p, bend radius = (p^2 + q^2) / (2 q).
-  RingedSurface elbow_to(const Ring& start, const Vec3& to) const {
+  PartSurface elbow_to(const Ring& start, const Vec3& to) const {
     finite(to, "to");
     const Vec3 travel = opposite(start.normal), chord = to - start.center;
     const double p = chord.dot(travel);

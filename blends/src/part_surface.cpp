@@ -12,6 +12,13 @@ const Ring* ring_of(const CyclideTube& tube, PartEnd end) {
   return end == PartEnd::start ? &tube.start : &tube.end;
 }
 
+const Ring* ring_of(const SplinePipe& pipe, PartEnd end) {
+  if (pipe.closed) {
+    return nullptr;
+  }
+  return end == PartEnd::start ? &pipe.pieces.front().start : &pipe.pieces.back().end;
+}
+
 template <class Tube>
 const Ring* ring_of(const Tube& tube, PartEnd end) {
   return end == PartEnd::start ? &tube.start : &tube.end;

@@ -19,9 +19,34 @@ struct Reference {
   PartEnd own_end = PartEnd::start;
 };
 
+template <class Blend>
+std::vector<Reference> both_ends(const Blend& blend) {
+  return {{blend.from, "from", PartEnd::start}, {blend.to, "to", PartEnd::end}};
+}
+
+std::vector<Reference> port_ends(const RingedBlendBetween& blend) {
+  std::vector<Reference> result;
+  if (const auto* port = std::get_if<PortReference>(&blend.from)) {
+    result.push_back({*port, "from", PartEnd::start});
+  }
+  if (const auto* port = std::get_if<PortReference>(&blend.to)) {
+    result.push_back({*port, "to", PartEnd::end});
+  }
+  return result;
+}
+
 std::vector<Reference> references(const PartShape& shape) {
   if (const auto* blend = std::get_if<CyclicBlendBetween>(&shape)) {
-    return {{blend->from, "from", PartEnd::start}, {blend->to, "to", PartEnd::end}};
+    return both_ends(*blend);
+  }
+  if (const auto* blend = std::get_if<TwoConeBlendBetween>(&shape)) {
+    return both_ends(*blend);
+  }
+  if (const auto* blend = std::get_if<RingedBlendBetween>(&shape)) {
+    return port_ends(*blend);
+  }
+  if (const auto* spline = std::get_if<SplineBetween>(&shape)) {
+    return both_ends(*spline);
   }
   if (const auto* blend = std::get_if<CyclideBlendBetween>(&shape)) {
     return {{blend->from, "from", PartEnd::start}, {blend->to, "to", PartEnd::end}};
@@ -128,9 +153,12 @@ class Resolver {
       fail(part, reference.key, "there is no part named '" + reference.port.part + "'");
     }
     const PartShape& shape = assembly_.parts[found->second].shape;
-    if (std::holds_alternative<SphereAt>(shape) || std::holds_alternative<CapAt>(shape)) {
+    if (std::holds_alternative<SphereAt>(shape) || std::holds_alternative<CapAt>(shape) ||
+        std::holds_alternative<SplineRound>(shape)) {
       fail(part, reference.key,
-           "'" + reference.port.part + "' is a " + std::string(kind(shape)) + " and has no ports");
+           "'" + reference.port.part + "' is a " +
+               (std::holds_alternative<SplineRound>(shape) ? "closed " : "") +
+               std::string(kind(shape)) + " and has no ports");
     }
     const auto* chain = std::get_if<CyclideChainThrough>(&shape);
     if (chain != nullptr && chain->wall > 0) {
@@ -227,13 +255,23 @@ class Resolver {
 
   [[nodiscard]] PartSurface geometry(std::uint32_t part) const {
     const auto ring = [this](const PortReference& port) -> const Ring& { return ring_at(port); };
+    const auto motion = [this](const PortReference& port) { return motion_at(port); };
     return detail::blaming(assembly_, part, [&] {
-      return detail::geometry({assembly_, part, ring});
+      return detail::geometry({assembly_, part, ring, motion});
     });
   }
 
   [[nodiscard]] const Ring& ring_at(const PortReference& port) const {
     return *port_ring(shapes_[index_.at(port.part)], port.end);
+  }
+
+  [[nodiscard]] MovingRing motion_at(const PortReference& port) const {
+    const PartSurface& surface = shapes_[index_.at(port.part)];
+    if (const auto* tube = std::get_if<RingedTube>(&surface)) {
+      return leaving(*tube, port.end);
+    }
+    const Ring& ring = *port_ring(surface, port.end);
+    return along_canal({ring.center, ring.normal, ring.radius}, ring.slope, 1);
   }
 
   ResolvedAssembly collected() {

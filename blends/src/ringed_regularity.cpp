@@ -108,11 +108,33 @@ detail::Polynomial difference(detail::Polynomial a, const detail::Polynomial& b)
   return a;
 }
 
+// 1 for an end at which the circle's centre and plane stand still while its radius changes: there
+// d'.n and |n'| vanish like t, or 1 - t, and the surface goes on into the circle's plane.
+std::array<int, 2> standing_ends(const RationalRingedSurface& surface) {
+  const auto& [center, radius, rotation] = surface;
+  const std::size_t last = rotation.size() - 1;
+  return {center[0] == center[1] && radius[0] != radius[1] && rotation[0] == rotation[1],
+          center[3] == center[2] && radius[3] != radius[2] && rotation[last] == rotation[last - 1]};
+}
+
+// p / (t^start (1 - t)^end), which must divide it.
+detail::Polynomial divided(detail::Polynomial p, int start, int end) {
+  p.erase(p.begin(), p.begin() + start);
+  for (; end > 0; --end) {
+    // p = (1 - t) q: the coefficients of q are the sums of those of p.
+    for (std::size_t i = 1; i < p.size(); ++i) {
+      p[i] += p[i - 1];
+    }
+    p.pop_back();
+  }
+  return p;
+}
+
 }  // namespace
 
 // With n of length s = |A|^2: discs are disjoint locally if and only if d'.n > 0 and
 // (d'.n)^2 > rho^2 (|n'|^2 - s'^2).
-bool proves_regular(const RationalRingedSurface& surface) {
+bool proves_regular(const RationalRingedSurface& surface, double margin) {
   std::vector<detail::ExactVec3> points;
   for (const Vec3& point : surface.center) {
     points.push_back(detail::exact(point));
@@ -124,9 +146,21 @@ bool proves_regular(const RationalRingedSurface& surface) {
   const auto advance = dot(velocity, rotation.normal);
   const auto turning = difference(detail::squared_norm(detail::derivative(rotation.normal)),
                                   detail::square(derivative(rotation.square)));
-  return is_positive(radius) && is_positive(advance) &&
-         is_positive(
-             difference(detail::square(advance), detail::product(detail::square(radius), turning)));
+  const auto [start, end] = standing_ends(surface);
+  detail::Polynomial most{1 - mpq_class(margin)};
+  const auto excess = difference(detail::square(detail::product(most, advance)),
+                                 detail::product(detail::square(radius), turning));
+  return is_positive(radius) && is_positive(divided(advance, start, end)) &&
+         is_positive(divided(excess, 2 * start, 2 * end));
+}
+
+double certified_margin(const RationalRingedSurface& surface) {
+  int proven = 0, open = 256;
+  while (open - proven > 1) {
+    const int middle = (proven + open) / 2;
+    (proves_regular(surface, middle / 256.) ? proven : open) = middle;
+  }
+  return proven / 256.;
 }
 
 }  // namespace dupin

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "dupin/blends/elliptic_tube.h"
+#include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/blends/ringed_surface.h"
 #include "dupin/blends/tessellate.h"
 #include "interval.h"
@@ -30,5 +32,8 @@ struct BandBounds {
 
 /// See second_derivative_bounds().
 [[nodiscard]] BandBounds band_bounds(const RingedSurface& surface, double from, double to);
+[[nodiscard]] BandBounds band_bounds(const EllipticTube& tube, double from, double to);
+/// Its frame is given, not carried: the bound of the turning is 0.
+[[nodiscard]] BandBounds band_bounds(const RationalRingedSurface& surface, double from, double to);
 
 }  // namespace dupin::detail

@@ -12,102 +12,24 @@
 #include <vector>
 
 #include "json_document.h"
+#include "part_forms.h"
 
 namespace dupin {
 namespace {
 
+using detail::allow_only;
+using detail::form;
+using detail::Form;
+using detail::is_elliptic;
 using detail::JsonNode;
-using Keys = std::vector<std::string_view>;
-
-std::string listed(const Keys& keys) {
-  std::string result;
-  for (const auto key : keys) {
-    result += (result.empty() ? "" : ", ") + std::string(key);
-  }
-  return result;
-}
-
-void allow_only(const JsonNode& node, const Keys& keys) {
-  node.require_object();
-  for (const auto& [key, value] : node.value().items()) {
-    if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-      node.at(key).fail("unknown key; known here are " + listed(keys));
-    }
-  }
-}
-
-Vec3 vector(const JsonNode& node) {
-  if (node.require_array() != 3) {
-    node.fail("must be three numbers [x, y, z], not " + std::to_string(node.value().size()));
-  }
-  return {node.at(std::size_t(0)).number(), node.at(1).number(), node.at(2).number()};
-}
-
-PortReference port(const JsonNode& node) {
-  const std::string text = node.text();
-  const auto dot = text.rfind('.');
-  const std::string end = dot == std::string::npos ? "" : text.substr(dot + 1);
-  if (dot == 0 || (end != "start" && end != "end")) {
-    node.fail("must name a port as 'part.start' or 'part.end', not '" + text + "'");
-  }
-  return {text.substr(0, dot), end == "start" ? PartEnd::start : PartEnd::end};
-}
-
-bool begins_at_port(const JsonNode& node) { return node.at("from").value().is_string(); }
-
-PartStart origin(const JsonNode& node, double radius) {
-  return Place{vector(node.at("from")), vector(node.at("direction")), radius};
-}
-
-PartStart origin(const JsonNode& node) {
-  return begins_at_port(node) ? PartStart(port(node.at("from")))
-                              : origin(node, node.at("radius").number());
-}
-
-std::array<double, 2> radii(const JsonNode& node) {
-  if (node.require_array() != 2) {
-    node.fail("must be two radii [start, end]");
-  }
-  return {node.at(std::size_t(0)).number(), node.at(1).number()};
-}
-
-// One of the sets of keys that make a part, for parts from a port or from a point.
-struct Form {
-  bool from_port = false;
-  Keys keys;
-};
-
-// The position of the form that has exactly the node's keys.
-std::size_t form(const JsonNode& node, std::span<const Form> forms) {
-  Keys known;
-  for (const auto& [from_port, keys] : forms) {
-    for (const auto key : keys) {
-      if (std::find(known.begin(), known.end(), key) == known.end()) {
-        known.push_back(key);
-      }
-    }
-  }
-  allow_only(node, known);
-  const JsonNode from = node.at("from");
-  if (!from.value().is_string() && !from.value().is_array()) {
-    from.fail(std::string("must be a point [x, y, z] or a port 'part.end', not ") +
-              from.value().type_name());
-  }
-  std::string choices;
-  for (std::size_t i = 0; i < forms.size(); ++i) {
-    if (forms[i].from_port != begins_at_port(node)) {
-      continue;
-    }
-    const auto has = [&](std::string_view key) { return node.has(key); };
-    if (forms[i].keys.size() == node.value().size() &&
-        std::all_of(forms[i].keys.begin(), forms[i].keys.end(), has)) {
-      return i;
-    }
-    choices += (choices.empty() ? "{" : " or {") + listed(forms[i].keys) + "}";
-  }
-  node.fail(std::string("from a ") + (begins_at_port(node) ? "port" : "point") + ", give " +
-            choices);
-}
+using detail::Keys;
+using detail::listed;
+using detail::origin;
+using detail::pair;
+using detail::port;
+using detail::section;
+using detail::Section;
+using detail::vector;
 
 PartShape pipe(const JsonNode& node) {
   static const std::array<Form, 4> forms{{{false, {"from", "to", "radius"}},
@@ -116,8 +38,8 @@ PartShape pipe(const JsonNode& node) {
                                           {true, {"from", "to"}}}};
   switch (form(node, forms)) {
     case 0:
-      return PipeBetween{vector(node.at("from")), vector(node.at("to")),
-                         node.at("radius").number()};
+      return PipeBetween{vector(node.at("from")), vector(node.at("to")), section(node).radius,
+                         section(node).axes};
     case 3:
       return PipeTo{port(node.at("from")), vector(node.at("to"))};
     default:
@@ -125,20 +47,61 @@ PartShape pipe(const JsonNode& node) {
   }
 }
 
+PartShape oblique(const JsonNode& node) {
+  allow_only(node, {"from", "to", "normal", "radii"});
+  const auto [start, end] = pair(node.at("radii"), "start, end");
+  return ObliqueBetween{vector(node.at("from")), vector(node.at("to")), vector(node.at("normal")),
+                        start, end};
+}
+
+// The sections of a cone that does not begin at a port.
+struct ConeSections {
+  Section start;
+  double end_radius = 1;
+  std::optional<double> end_across;
+};
+
+ConeSections cone_sections(const JsonNode& node) {
+  if (!is_elliptic(node)) {
+    const auto [start, end] = pair(node.at("radii"), "start, end");
+    return {{start, std::nullopt}, end, std::nullopt};
+  }
+  const JsonNode both = node.at("semi_axes");
+  if (both.require_array() != 2) {
+    both.fail("must be the semi-axes at both ends [start, end]");
+  }
+  const std::string meaning = "along the axis, across it";
+  const auto [radius, across] = pair(both.at(std::size_t(0)), meaning);
+  const auto [end_radius, end_across] = pair(both.at(1), meaning);
+  return {{radius, SectionAxes{vector(node.at("axis")), across}}, end_radius, end_across};
+}
+
 PartShape cone(const JsonNode& node) {
-  static const std::array<Form, 3> forms{{{false, {"from", "to", "radii"}},
+  static const std::array<Form, 5> forms{{{false, {"from", "to", "radii"}},
                                           {false, {"from", "direction", "length", "radii"}},
-                                          {true, {"from", "length", "end_radius"}}}};
+                                          {true, {"from", "length", "end_radius"}},
+                                          {true, {"from", "length", "end_semi_axes"}},
+                                          {true, {"from", "length", "end_semi_axes", "axis"}}}};
   const auto which = form(node, forms);
   if (which == 2) {
     return ConeAlong{port(node.at("from")), node.at("length").number(),
                      node.at("end_radius").number()};
   }
-  const auto [start, end] = radii(node.at("radii"));
-  if (which == 0) {
-    return ConeBetween{vector(node.at("from")), vector(node.at("to")), start, end};
+  if (which > 2) {
+    const auto [radius, across] = pair(node.at("end_semi_axes"), "along the axis, across it");
+    return ConeAlong{port(node.at("from")), node.at("length").number(), radius, across,
+                     which == 4 ? std::optional(vector(node.at("axis"))) : std::nullopt};
   }
-  return ConeAlong{origin(node, start), node.at("length").number(), end};
+  const auto [start, end_radius, end_across] = cone_sections(node);
+  if (which == 0) {
+    return ConeBetween{vector(node.at("from")),
+                       vector(node.at("to")),
+                       start.radius,
+                       end_radius,
+                       start.axes,
+                       end_across};
+  }
+  return ConeAlong{origin(node, start), node.at("length").number(), end_radius, end_across};
 }
 
 PartShape elbow(const JsonNode& node) {
@@ -166,115 +129,13 @@ PartShape elbow(const JsonNode& node) {
   if (corner == from) {
     node.at("corner").fail("the corner must differ from the point at 'from'");
   }
-  return ElbowCorner{Place{from, corner - from, node.at("radius").number()}, corner, to};
+  const Section start = section(node);
+  return ElbowCorner{Place{from, corner - from, start.radius, start.axes}, corner, to};
 }
 
 PartShape sphere(const JsonNode& node) {
   allow_only(node, {"center", "radius"});
   return SphereAt{vector(node.at("center")), node.at("radius").number()};
-}
-
-std::optional<double> number_or_auto(const JsonNode& node) {
-  if (node.value().is_number()) {
-    return node.number();
-  }
-  if (!node.value().is_string() || node.text() != "auto") {
-    node.fail("must be a number or \"auto\"");
-  }
-  return std::nullopt;
-}
-
-PartShape cyclic_blend(const JsonNode& node) {
-  allow_only(node, {"from", "to", "radius_law", "k", "l", "continuity"});
-  CyclicBlendBetween blend{port(node.at("from")), port(node.at("to")), {}};
-  const JsonNode law = node.at("radius_law");
-  if (law.text() != "R1" && law.text() != "R2") {
-    law.fail("must be \"R1\" or \"R2\", not \"" + law.text() + "\"");
-  }
-  blend.options.radius_law = law.text() == "R1" ? BlendLaw::r1 : BlendLaw::r2;
-  if (node.has("continuity")) {
-    const JsonNode continuity = node.at("continuity");
-    if (continuity.text() != "G1" && continuity.text() != "G2") {
-      continuity.fail("must be \"G1\" or \"G2\", not \"" + continuity.text() + "\"");
-    }
-    blend.options.continuity = continuity.text() == "G1" ? Continuity::g1 : Continuity::g2;
-  }
-  blend.options.k = number_or_auto(node.at("k"));
-  blend.options.l = number_or_auto(node.at("l"));
-  return blend;
-}
-
-std::optional<std::uint32_t> whole_number(const JsonNode& node) {
-  const auto& value = node.value();
-  if (!value.is_number_unsigned() ||
-      value.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max()) {
-    return std::nullopt;
-  }
-  return value.get<std::uint32_t>();
-}
-
-std::size_t index(const JsonNode& node) {
-  const auto value = whole_number(node);
-  if (!value) {
-    node.fail("must be an index, counted from 0");
-  }
-  return *value;
-}
-
-PartShape cyclide_blend(const JsonNode& node) {
-  allow_only(node, {"from", "to"});
-  return CyclideBlendBetween{port(node.at("from")), port(node.at("to"))};
-}
-
-// A sphere [x, y, z, radius] or a tangent [x, y, z, slope].
-PeVector pe_vector(const JsonNode& node, const char* what) {
-  if (node.require_array() != 4) {
-    node.fail(std::string("must be four numbers ") + what + ", not " +
-              std::to_string(node.value().size()));
-  }
-  return {{node.at(std::size_t(0)).number(), node.at(1).number(), node.at(2).number()},
-          node.at(3).number()};
-}
-
-PinnedTangent pinned_tangent(const JsonNode& node) {
-  allow_only(node, {"sphere", "tangent"});
-  return {index(node.at("sphere")), pe_vector(node.at("tangent"), "[x, y, z, slope]")};
-}
-
-PartShape cyclide_chain(const JsonNode& node) {
-  allow_only(node, {"from", "direction", "slope", "spheres", "tangents", "wall"});
-  CyclideChainThrough chain;
-  if (node.has("from")) {
-    chain.from = port(node.at("from"));
-  }
-  if (node.has("direction")) {
-    if (node.has("from")) {
-      node.at("direction").fail("a chain from a port has its direction already");
-    }
-    chain.from = ChainDirection{vector(node.at("direction")),
-                                node.has("slope") ? node.at("slope").number() : 0};
-  } else if (node.has("slope")) {
-    node.at("slope").fail("a slope needs a direction");
-  }
-  const JsonNode spheres = node.at("spheres");
-  const std::size_t count = spheres.require_array();
-  for (std::size_t i = 0; i < count; ++i) {
-    chain.spheres.push_back(pe_vector(spheres.at(i), "[x, y, z, radius]"));
-  }
-  if (node.has("tangents")) {
-    const JsonNode tangents = node.at("tangents");
-    const std::size_t pins = tangents.require_array();
-    for (std::size_t i = 0; i < pins; ++i) {
-      chain.tangents.push_back(pinned_tangent(tangents.at(i)));
-    }
-  }
-  if (node.has("wall")) {
-    chain.wall = node.at("wall").number();
-    if (!(chain.wall > 0)) {
-      node.at("wall").fail("the wall's thickness must be positive");
-    }
-  }
-  return chain;
 }
 
 PartShape cap(const JsonNode& node) {
@@ -287,14 +148,18 @@ struct Kind {
   PartShape (*read)(const JsonNode&);
 };
 
-constexpr std::array<Kind, 8> kKinds{{{"pipe", pipe},
-                                      {"cone", cone},
-                                      {"elbow", elbow},
-                                      {"sphere", sphere},
-                                      {"cyclic_blend", cyclic_blend},
-                                      {"cyclide_blend", cyclide_blend},
-                                      {"cyclide_chain", cyclide_chain},
-                                      {"cap", cap}}};
+constexpr std::array<Kind, 12> kKinds{{{"pipe", pipe},
+                                       {"cone", cone},
+                                       {"oblique", oblique},
+                                       {"elbow", elbow},
+                                       {"sphere", sphere},
+                                       {"spline", detail::read_spline},
+                                       {"cyclic_blend", detail::read_cyclic_blend},
+                                       {"two_cone_blend", detail::read_two_cone_blend},
+                                       {"ringed_blend", detail::read_ringed_blend},
+                                       {"cyclide_blend", detail::read_cyclide_blend},
+                                       {"cyclide_chain", detail::read_cyclide_chain},
+                                       {"cap", cap}}};
 
 Part part(const JsonNode& node) {
   Keys known{"name", "comment"}, kinds;

@@ -15,23 +15,26 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-const EllipticRing kFrom{Vec3(0, 0, 0), Vec3::UnitX(), Vec3(0, .6, .8), 1.2, .7};
+const Ring kFrom{Vec3(0, 0, 0), Vec3::UnitX(), 1.2, 0, Ellipse{Vec3(0, .6, .8), .7}};
 
-EllipticRing outlet(double first, double second) {
+Ring outlet(double first, double second) {
   const Vec3 normal = -test::skew_axis();
   const Vec3 axis = normal.cross(Vec3(1, .3, .2)).normalized();
-  return {Vec3(10, 4, 0), normal, axis, first, second};
+  return {Vec3(10, 4, 0), normal, first, 0, Ellipse{axis, second}};
 }
 
+Ring round_outlet(double radius) { return {Vec3(10, 4, 0), -test::skew_axis(), radius}; }
+
 // How far x is off the elliptic cylinder about the ring, in multiples of its semi-axes, squared.
-double off_cylinder(const EllipticRing& ring, const Vec3& x) {
-  const Vec3 across = ring.normal.cross(ring.axis), d = x - ring.center;
-  return std::pow(d.dot(ring.axis) / ring.first, 2) + std::pow(d.dot(across) / ring.second, 2) - 1;
+double off_cylinder(const Ring& ring, const Vec3& x) {
+  const Vec3 axis = reference_axis(ring), side = ring.normal.cross(axis), d = x - ring.center;
+  return std::pow(d.dot(axis) / ring.radius, 2) + std::pow(d.dot(side) / across(ring), 2) - 1;
 }
 
 TEST(EllipticTube, of_circles_is_the_ringed_surface) {
   const RingedSurface round = test::figure6();
-  const EllipticTube tube{{}, {}, round.spine, round.radius, round.radius, /*turn=*/0.7, {}};
+  const EllipticTube tube{{},          {}, round.spine, round.radius, round.radius, Vec3::UnitY(),
+                          /*turn=*/0.7};
   const FrameField field(round.spine, Vec3::UnitY());
   for (const double t : {0., .3, .8}) {
     const double turned = .7 * t * t * (3 - 2 * t);
@@ -60,7 +63,7 @@ TEST(EllipticTube, has_the_derivatives_and_normal_of_its_points) {
 }
 
 TEST(EllipticTube, ends_on_its_rings_tangent_to_their_cylinders) {
-  for (const EllipticRing& to : {outlet(1.5, .8), outlet(.8, 1.5), outlet(1.1, 1.1)}) {
+  for (const Ring& to : {outlet(1.5, .8), outlet(.8, 1.5), round_outlet(1.1)}) {
     const EllipticTube tube = elliptic_blend(kFrom, to, {.k = 10, .l = 20, .margin = 0});
     EXPECT_EQ(tube.start, flipped(kFrom));
     EXPECT_EQ(tube.end, flipped(to));
@@ -68,12 +71,13 @@ TEST(EllipticTube, ends_on_its_rings_tangent_to_their_cylinders) {
     const FrameField field = frames(tube);
     for (double u = 0; u < 6; u += .4) {
       for (const double t : {0., 1.}) {
-        const EllipticRing& ring = t == 0 ? kFrom : to;
+        const Ring& ring = t == 0 ? kFrom : to;
         const SurfacePoint x = evaluate(tube, field, t, u);
         EXPECT_NEAR(off_cylinder(ring, x.position), 0, 1e-14);
-        const Vec3 across = ring.normal.cross(ring.axis), d = x.position - ring.center;
-        const Vec3 normal = (d.dot(ring.axis) / std::pow(ring.first, 2) * ring.axis +
-                             d.dot(across) / std::pow(ring.second, 2) * across)
+        const Vec3 axis = reference_axis(ring), side = ring.normal.cross(axis);
+        const Vec3 d = x.position - ring.center;
+        const Vec3 normal = (d.dot(axis) / std::pow(ring.radius, 2) * axis +
+                             d.dot(side) / std::pow(across(ring), 2) * side)
                                 .normalized();
         EXPECT_LT((x.normal - normal).norm(), 1e-14);
       }
@@ -82,7 +86,7 @@ TEST(EllipticTube, ends_on_its_rings_tangent_to_their_cylinders) {
 }
 
 TEST(EllipticTube, stays_near_the_cylinder_to_the_order_of_its_continuity) {
-  EllipticRing far = outlet(1.5, .8);
+  Ring far = outlet(1.5, .8);
   far.center = Vec3(20, 8, 10);
   const auto deviation = [&](Continuity continuity, double t) {
     const EllipticTube tube =
@@ -127,11 +131,12 @@ TEST(EllipticTube, in_the_frenet_frame_would_not_be_tangent) {
 
 TEST(EllipticTube, on_the_two_cone_spine_is_tangent_in_its_own_frame) {
   const std::array<Vec3, 4> vertices{Vec3(4, 0, 0), Vec3(4, 4, 0), Vec3(0, 4, 0), Vec3(0, 6, 5)};
-  const EllipticTube tube{{vertices[0], -Vec3::UnitY(), Vec3::UnitX(), 1, .5},
+  const EllipticTube tube{{},
                           {},
                           two_cone_spine(vertices, {1, 1, 1}, {1, 1, 1}),
                           ConstantRadius{1},
                           ConstantRadius{.5},
+                          Vec3::UnitX(),
                           .4};
   const FrameField field = frames(tube);
   for (const double t : {0., 1.}) {
@@ -151,6 +156,7 @@ TEST(EllipticTube, certifies_no_more_than_its_margin) {
   }
   EXPECT_LE(certified_margin(tube), sampled);
   EXPECT_GE(certified_margin(tube), 0);
+  EXPECT_EQ(tangency_bound(tube, SurfaceEnd::start), 0);
 }
 
 TEST(EllipticTube, of_a_straight_spine_has_the_volume_of_the_cylinder) {
@@ -159,10 +165,46 @@ TEST(EllipticTube, of_a_straight_spine_has_the_volume_of_the_cylinder) {
   EXPECT_NEAR(volume(tube), 10 * kPi, 1e-13);
 }
 
+TEST(EllipticTube, between_a_circle_and_an_ellipse_does_not_turn) {
+  const Ring circle{Vec3(0, 0, 0), Vec3::UnitX(), 1};
+  const EllipticTube opening = elliptic_blend(circle, outlet(1.5, .8), {.k = 10, .l = 20});
+  const EllipticTube closing = elliptic_blend(kFrom, round_outlet(1.4), {.margin = 0});
+  EXPECT_EQ(opening.turn, 0);
+  EXPECT_EQ(closing.turn, 0);
+  const Frame arriving = frames(opening).at(1);
+  EXPECT_NEAR(arriving.first.cross(opening.end.ellipse->axis).norm(), 0, 1e-14);
+}
+
+// An elliptic cone from (1, 2) to the ring's semi-axes over a length of 4.
+TEST(EllipticTube, goes_on_from_an_elliptic_cone) {
+  Ring from = kFrom;
+  from.slope = .05;
+  from.ellipse->across_slope = -.04;
+  for (const auto continuity : {Continuity::g1, Continuity::g2}) {
+    const EllipticTube tube =
+        elliptic_blend(from, outlet(1.5, .8), {.margin = 0, .continuity = continuity});
+    EXPECT_LT(tangency_bound(tube, SurfaceEnd::start), 1e-14);
+    EXPECT_EQ(tangency_bound(tube, SurfaceEnd::end), 0);
+    const FrameField field = frames(tube);
+    const double speed = evaluate(tube.spine, 0).first.norm();
+    for (double u = 0; u < 6; u += .5) {
+      // The ruling of the cone through the point lies in the tube's tangent plane.
+      const Vec3 side = from.normal.cross(from.ellipse->axis);
+      const SurfacePoint x = evaluate(tube, field, 0, u);
+      const Vec3 d = x.position - from.center;
+      const double a = d.dot(from.ellipse->axis) / from.radius, b = d.dot(side) / across(from);
+      const Vec3 ruling =
+          from.normal + a * from.slope * from.ellipse->axis + b * across_slope(from) * side;
+      EXPECT_NEAR(x.normal.dot(ruling), 0, 1e-14);
+      EXPECT_NEAR(x.along.norm(), speed * ruling.norm(), 1e-13 * speed);
+    }
+  }
+}
+
 TEST(EllipticTube, refuses_bad_rings) {
-  EllipticRing slanted = kFrom, thin = kFrom;
-  slanted.axis = Vec3(.1, .6, .8);
-  thin.second = 0;
+  Ring slanted = kFrom, thin = kFrom;
+  slanted.ellipse->axis = Vec3(.1, .6, .8);
+  thin.ellipse->across = 0;
   EXPECT_THROW((void)elliptic_blend(slanted, outlet(1, 1)), Error);
   EXPECT_THROW((void)elliptic_blend(thin, outlet(1, 1)), Error);
 }

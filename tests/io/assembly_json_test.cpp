@@ -72,14 +72,42 @@ const std::vector<Malformed>& unreadable() {
       {document("{}"), "d.json#/parts/0", "the key 'name' is missing"},
       {document(R"({"name": 5})"), "d.json#/parts/0/name", "must be a string, not number"},
       {document(R"({"name": "a"})"), "d.json#/parts/0",
-       "a part must have exactly one of the keys pipe, cone, elbow, sphere, cyclic_blend, "
-       "cyclide_blend, cyclide_chain, cap"},
+       "a part must have exactly one of the keys pipe, cone, oblique, elbow, sphere, spline, "
+       "cyclic_blend, two_cone_blend, ringed_blend, cyclide_blend, cyclide_chain, cap"},
+      {document(
+           R"({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "semi_axes": [1], "axis": [0, 0, 1]}})"),
+       "d.json#/parts/0/pipe/semi_axes", "must be two numbers [along the axis, across it]"},
+      {document(
+           R"({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "semi_axes": [1, 2]}})"),
+       "d.json#/parts/0/pipe",
+       "from a point, give {from, to, semi_axes, axis} or {from, direction, length, semi_axes, "
+       "axis}"},
+      {document(
+           R"({"name": "a", "cone": {"from": [0, 0, 0], "to": [1, 0, 0], "semi_axes": [[1, 2], [1, 2], [1, 2]], "axis": [0, 0, 1]}})"),
+       "d.json#/parts/0/cone/semi_axes", "must be the semi-axes at both ends [start, end]"},
+      {document(R"({"name": "a", "spline": {"through": [], "closed": false}})"),
+       "d.json#/parts/0/spline/closed", "must be true, or left out for a pipe between two ports"},
+      {document(R"({"name": "a", "spline": {"from": "b.end", "through": [], "closed": true}})"),
+       "d.json#/parts/0/spline",
+       "a closed pipe has no ports to begin or end at; leave out 'from' and 'to'"},
+      {document(
+           R"({"name": "a", "ringed_blend": {"from": "b.end", "to": {"center": [0, 0, 0], "direction": [0, 0, 1], "radius": 1, "apex": [0, 0, 1], "slope": 0}}})"),
+       "d.json#/parts/0/ringed_blend/to", "give at most one of slope, sphere, apex, ruling, plate"},
+      {document(
+           R"({"name": "a", "ringed_blend": {"from": "b.end", "to": {"center": [0, 0, 0], "direction": [0, 0, 1], "radius": 1, "plate": 1}}})"),
+       "d.json#/parts/0/ringed_blend/to/plate", "must be a string, not number"},
+      {document(
+           R"({"name": "a", "ringed_blend": {"from": "b.end", "to": "c.start", "bidegree": [3, 2]}})"),
+       "d.json#/parts/0/ringed_blend/bidegree", "must be [9, 2] or [5, 2]"},
+      {document(
+           R"({"name": "a", "two_cone_blend": {"from": "b.end", "to": "c.start", "reach": 1}})"),
+       "d.json#/parts/0/two_cone_blend/reach", "must be an array, not number"},
       {document(R"({"name": "a", "cap": {"at": "b.end"}, "pipe": {}})"), "d.json#/parts/0",
-       "a part must have exactly one of the keys pipe, cone, elbow, sphere, cyclic_blend, "
-       "cyclide_blend, cyclide_chain, cap"},
+       "a part must have exactly one of the keys pipe, cone, oblique, elbow, sphere, spline, "
+       "cyclic_blend, two_cone_blend, ringed_blend, cyclide_blend, cyclide_chain, cap"},
       {document(R"({"name": "a", "tee": {}})"), "d.json#/parts/0/tee",
-       "unknown key; known here are name, comment, pipe, cone, elbow, sphere, cyclic_blend, "
-       "cyclide_blend, cyclide_chain, cap"},
+       "unknown key; known here are name, comment, pipe, cone, oblique, elbow, sphere, spline, "
+       "cyclic_blend, two_cone_blend, ringed_blend, cyclide_blend, cyclide_chain, cap"},
       {document(R"({"name": "a", "pipe": []})"), "d.json#/parts/0/pipe",
        "must be an object, not array"},
       {document(R"({"name": "a", "pipe": {"from": [0, 0, 0], "too": [1, 0, 0]}})"),
@@ -106,9 +134,12 @@ const std::vector<Malformed>& unreadable() {
        "d.json#/parts/0/pipe/from",
        "must name a port as 'part.start' or 'part.end', not 'b.middle'"},
       {document(R"({"name": "a", "cone": {"from": [0, 0, 0], "to": [1, 0, 0], "radii": [1]}})"),
-       "d.json#/parts/0/cone/radii", "must be two radii [start, end]"},
+       "d.json#/parts/0/cone/radii", "must be two numbers [start, end]"},
       {document(R"({"name": "a", "cone": {"from": "b.end", "length": 1, "radii": [1, 2]}})"),
-       "d.json#/parts/0/cone", "from a port, give {from, length, end_radius}"},
+       "d.json#/parts/0/cone",
+       "from a port, give {from, length, end_radius} or {from, length, end_semi_axes} or {from, "
+       "length, "
+       "end_semi_axes, axis}"},
       {document(R"({"name": "a", "elbow": {"from": [0, 0, 0], "to": [1, 0, 0]}})"),
        "d.json#/parts/0/elbow",
        "from a point, give {from, direction, radius, bend_radius, angle, toward} or {from, "

@@ -48,6 +48,18 @@ REFUSED = [
 ACCEPTED = [
     document({"name": "a", "cyclide_blend": {"from": "b.end", "to": "c.start"}}),
     document({"name": "a", "cyclide_chain": {"from": "b.end", "spheres": [[1, 0, 0, 1], [2, 0, 0, 1]], "tangents": [{"sphere": 1, "tangent": [1, 0, 0, 0]}]}}),
+    document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "semi_axes": [1, 2]}}),
+    document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "semi_axes": [1, 0], "axis": [0, 0, 1]}}),
+    document({"name": "a", "spline": {"through": [], "closed": False}}),
+    document({"name": "a", "ringed_blend": {"from": "b.end", "to": "c.start", "bidegree": [3, 2]}}),
+    document({"name": "a", "ringed_blend": {"from": "b.end", "to": {"center": [0, 0, 0], "direction": [0, 0, 1], "radius": 1, "plate": "flat"}}}),
+    document({"name": "a", "two_cone_blend": {"from": "b.end", "to": "c.start"}}),
+]
+
+ACCEPTED = [
+    document({"name": "a", "cone": {"from": "b.end", "length": 1, "end_semi_axes": [2, 1], "axis": [0, 0, 1]}}),
+    document({"name": "a", "elbow": {"from": [0, 0, 0], "direction": [1, 0, 0], "to": [1, 2, 3], "semi_axes": [2, 1], "axis": [0, 0, 1]}}),
+    document({"name": "a", "ringed_blend": {"from": "b.end", "to": {"center": [0, 0, 0], "direction": [0, 0, 1], "radius": 1, "ruling": [0, 1, 1]}, "k": "auto"}}),
     document({"name": "a", "comment": "", "elbow": {"from": "b.end", "to": [1, 2, 3]}}),
     document({"name": "a", "elbow": {"from": "b.end", "corner": [1, 2, 3], "to": [1, 2, 4]}}),
     document({"name": "a", "elbow": {"from": [0, 0, 0], "direction": [1, 0, 0], "radius": 1, "bend_radius": 3, "angle": 90, "toward": [0, 1, 0]}}),

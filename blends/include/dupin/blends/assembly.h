@@ -7,19 +7,28 @@
 #include <variant>
 #include <vector>
 
-#include "dupin/blends/cyclic_blend.h"
+#include "dupin/blends/blend_parts.h"
 #include "dupin/blends/cyclide_parts.h"
 #include "dupin/blends/port_reference.h"
+#include "dupin/blends/spline_pipe.h"
 #include "dupin/blends/unit.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin {
 
-/// The circle a part begins with, where it does not begin at another part's port.
+/// What makes a section an ellipse: its radius is the semi-axis along `axis` (whose part across the
+/// direction of travel counts), `across` the other one.
+struct SectionAxes {
+  Vec3 axis = Vec3::UnitX();
+  double across = 1;
+};
+
+/// The circle or ellipse a part begins with, where it does not begin at another part's port.
 struct Place {
   Vec3 point = Vec3::Zero();
   Vec3 direction = Vec3::UnitZ();  ///< of travel, of any length but zero
   double radius = 1;
+  std::optional<SectionAxes> axes = {};
 };
 
 /// Where a part begins. A port is shared bitwise with the part that owns it.
@@ -29,6 +38,7 @@ using PartStart = std::variant<PortReference, Place>;
 struct PipeBetween {
   Vec3 from, to;
   double radius = 1;
+  std::optional<SectionAxes> axes = {};
 };
 
 /// A cylinder of a given length.
@@ -48,12 +58,34 @@ struct PipeTo {
 struct ConeBetween {
   Vec3 from, to;
   double start_radius = 1, end_radius = 1;
+  std::optional<SectionAxes> start_axes = {};
+  std::optional<double> end_across = {};  ///< none: a circle
 };
 
-/// A frustum of a given length.
+/// A frustum of a given length. The axes of its ends agree; an elliptic end of one that begins at a
+/// circular port needs an axis.
 struct ConeAlong {
   PartStart from;
   double length = 1, end_radius = 1;
+  std::optional<double> end_across = {};  ///< none: a circle
+  std::optional<Vec3> axis = {};
+};
+
+/// Circles in planes orthogonal to `normal` from centre to centre: an oblique cylinder or cone.
+struct ObliqueBetween {
+  Vec3 from, to, normal;
+  double start_radius = 1, end_radius = 1;
+};
+
+/// A pipe from port to port through points; see spline_pipe.h.
+struct SplineBetween {
+  PortReference from, to;
+  std::vector<Waypoint> through;
+};
+
+/// A closed pipe through points.
+struct SplineRound {
+  std::vector<Waypoint> through;
 };
 
 /// A torus segment that turns by `angle` radians towards `toward` (its part across the direction of
@@ -83,20 +115,15 @@ struct SphereAt {
   double radius = 1;
 };
 
-/// A cyclic blend [MS06] between two ports; see cyclic_blend.h.
-struct CyclicBlendBetween {
-  PortReference from, to;
-  CyclicBlendOptions options;
-};
-
 /// Closes and names a flat end. Ends that nothing is joined to are closed too, but nameless.
 struct CapAt {
   PortReference at;
 };
 
-using PartShape = std::variant<PipeBetween, PipeAlong, PipeTo, ConeBetween, ConeAlong, ElbowTurning,
-                               ElbowTo, ElbowCorner, SphereAt, CyclicBlendBetween,
-                               CyclideBlendBetween, CyclideChainThrough, CapAt>;
+using PartShape = std::variant<PipeBetween, PipeAlong, PipeTo, ConeBetween, ConeAlong,
+                               ObliqueBetween, ElbowTurning, ElbowTo, ElbowCorner, SphereAt,
+                               SplineBetween, SplineRound, CyclicBlendBetween, TwoConeBlendBetween,
+                               RingedBlendBetween, CyclideBlendBetween, CyclideChainThrough, CapAt>;
 
 /// "pipe", "cone", "elbow", ...: its key in a document.
 [[nodiscard]] std::string_view kind(const PartShape& shape);

@@ -1,31 +1,19 @@
 #pragma once
 
-#include <optional>
-
 #include "dupin/blends/cyclic_blend.h"
 #include "dupin/blends/ringed_surface.h"
+#include "dupin/blends/tangency.h"
 
 namespace dupin {
 
-/// A port whose rim is an ellipse (or a circle, where both radii agree).
-struct EllipticRing {
-  Vec3 center = Vec3::Zero();
-  Vec3 normal = Vec3::UnitZ();   ///< unit, pointing out of the part
-  Vec3 axis = Vec3::UnitX();     ///< unit, orthogonal to the normal: the direction of `first`
-  double first = 1, second = 1;  ///< semi-axes along `axis` and across it
-  friend bool operator==(const EllipticRing&, const EllipticRing&) = default;
-};
-
-/// The same rim seen from the neighbour.
-[[nodiscard]] EllipticRing flipped(const EllipticRing& ring);
-
 /// Ellipses with semi-axes first(t), second(t) along a spine, in its normal planes. Their axes turn
-/// by `turn` radians in all against the rotation-minimising frame that starts at start.axis, eased
-/// so that they do not turn at the ends.
+/// by `turn` radians in all against the rotation-minimising frame that starts at `axis`, eased so
+/// that they do not turn at the ends.
 struct EllipticTube {
-  EllipticRing start, end;  ///< stored, shared with the neighbours bitwise
+  Ring start, end;  ///< stored, shared with the neighbours bitwise; circles or ellipses
   Spine spine;
   RadiusLaw first, second;
+  Vec3 axis = Vec3::UnitX();  ///< unit, across the spine: the direction of `first` at the start
   double turn = 0;
   Continuity continuity = Continuity::g1;  ///< how flatly the turn begins and ends
 };
@@ -48,14 +36,25 @@ struct EllipticTube {
 /// pi times the integral of first second |y'|.
 [[nodiscard]] double volume(const EllipticTube& tube);
 
-/// A tube between elliptic cylinders, tangent (G1) or of equal curvature (G2) all around, which the
-/// Frenet frame of [BWL17] is not. options.k, l and margin act as for cyclic_blend of the circles
-/// about the ellipses; radius_law applies to each semi-axis. Of the two ways to turn the axes (they
-/// are lines, not arrows) the shorter is taken; circles do not turn.
+/// An upper bound, in radians, of the angle between the tube's tangent planes at an end and those
+/// of the ruled surface that its ring's slopes stand for, by interval arithmetic on the stored
+/// numbers; 0 where slopes and rates vanish. It leaves out what rounding turned the ring's axes by.
+[[nodiscard]] double tangency_bound(const EllipticTube& tube, SurfaceEnd end);
+
+/// A tube between elliptic (or circular) cylinders or cones, tangent (G1) or of equal curvature
+/// (G2) all around, which the Frenet frame of [BWL17] is not. options.k, l and margin act as for
+/// cyclic_blend of the circles about the ellipses; radius_law applies to each semi-axis. Of the two
+/// ways to turn the axes (they are lines, not arrows) the shorter is taken; where an end is a
+/// circle nothing turns.
 ///
-/// Throws as cyclic_blend, and Error{invalid_argument} for axes that are not unit and orthogonal to
-/// their normals (to 1e-9).
-[[nodiscard]] EllipticTube elliptic_blend(const EllipticRing& from, const EllipticRing& to,
+/// Throws as cyclic_blend.
+[[nodiscard]] EllipticTube elliptic_blend(const Ring& from, const Ring& to,
                                           const CyclicBlendOptions& options = {});
+
+/// The tube about `spine` between the rings, with these laws of the semi-axes and the same choice
+/// of axes.
+[[nodiscard]] EllipticTube elliptic_tube(const Ring& start, const Ring& end, const Spine& spine,
+                                         const RadiusLaw& first, const RadiusLaw& second,
+                                         Continuity continuity = Continuity::g1);
 
 }  // namespace dupin

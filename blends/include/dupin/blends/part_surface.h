@@ -4,13 +4,17 @@
 
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/cyclide_tube.h"
+#include "dupin/blends/elliptic_tube.h"
 #include "dupin/blends/ringed_surface.h"
+#include "dupin/blends/ringed_tube.h"
 #include "dupin/blends/sphere.h"
+#include "dupin/blends/spline_pipe.h"
 
 namespace dupin {
 
 /// The geometry of a part.
-using PartSurface = std::variant<RingedSurface, Sphere, CyclideTube>;
+using PartSurface =
+    std::variant<RingedSurface, Sphere, EllipticTube, RingedTube, SplinePipe, CyclideTube>;
 
 /// The ring of a part's port, its normal pointing out of the part; none where the part is closed.
 [[nodiscard]] const Ring* port_ring(const PartSurface& surface, PartEnd end);

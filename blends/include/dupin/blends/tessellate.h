@@ -3,8 +3,11 @@
 #include <cstdint>
 
 #include "dupin/blends/cyclide_tube.h"
+#include "dupin/blends/elliptic_tube.h"
 #include "dupin/blends/ringed_surface.h"
+#include "dupin/blends/ringed_tube.h"
 #include "dupin/blends/sphere.h"
+#include "dupin/blends/spline_pipe.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/ring.h"
 
@@ -35,6 +38,10 @@ struct TessellationOptions {
 [[nodiscard]] std::uint32_t segments_for(const Sphere& sphere, double tolerance, double grid = 0);
 [[nodiscard]] std::uint32_t segments_for(const CyclideTube& tube, double tolerance,
                                          double grid = 0);
+[[nodiscard]] std::uint32_t segments_for(const EllipticTube& tube, double tolerance,
+                                         double grid = 0);
+[[nodiscard]] std::uint32_t segments_for(const RingedTube& tube, double tolerance, double grid = 0);
+[[nodiscard]] std::uint32_t segments_for(const SplinePipe& pipe, double tolerance, double grid = 0);
 
 /// Triangles of one part and a proof of how far they are from it.
 struct Tessellation {
@@ -61,6 +68,16 @@ struct Tessellation {
 /// A hollow tube is closed: outer skin, inner skin inside out, and the two conical rims, which the
 /// labels tell apart (0: skins, 1: start, 2: end).
 [[nodiscard]] Tessellation tessellate(const CyclideTube& tube, const RingSampling& sampling,
+                                      const TessellationOptions& options = {});
+
+/// The same for elliptic tubes, whose polygons follow the ellipses' parameter; the bound includes
+/// what the frame along the spine may have lost.
+[[nodiscard]] Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
+                                      const TessellationOptions& options = {});
+[[nodiscard]] Tessellation tessellate(const RingedTube& tube, const RingSampling& sampling,
+                                      const TessellationOptions& options = {});
+/// A closed pipe's last row is its first one.
+[[nodiscard]] Tessellation tessellate(const SplinePipe& pipe, const RingSampling& sampling,
                                       const TessellationOptions& options = {});
 
 /// A closed sphere of sampling.segments meridians about the z axis.
