@@ -26,13 +26,27 @@ Nef to_nef(const Solid& solid) {
 Nef combined(NefOperation operation, const Nef& a, const Nef& b) {
   switch (operation) {
     case NefOperation::unite:
-      return (a + b).regularization();
+      return a + b;
     case NefOperation::intersect:
-      return (a * b).regularization();
+      return a * b;
     case NefOperation::subtract:
-      return (a - b).regularization();
+      return a - b;
   }
   return Nef(Nef::EMPTY);
+}
+
+Nef evaluated(std::span<const NefStep> steps, std::span<const Solid> operands) {
+  std::vector<Nef> stack;
+  for (const NefStep& step : steps) {
+    if (const auto* operand = std::get_if<std::size_t>(&step)) {
+      stack.push_back(to_nef(operands[*operand]));
+      continue;
+    }
+    const Nef right = std::move(stack.back());
+    stack.pop_back();
+    stack.back() = combined(std::get<NefOperation>(step), stack.back(), right);
+  }
+  return stack.back().regularization();
 }
 
 mpq_class volume(const Surface& surface) {
@@ -53,7 +67,13 @@ mpq_class volume(const Surface& surface) {
 }  // namespace
 
 std::optional<NefResult> by_nef(NefOperation operation, const Solid& a, const Solid& b) {
-  const Nef nef = combined(operation, to_nef(a), to_nef(b));
+  const Solid operands[] = {a, b};
+  const NefStep steps[] = {std::size_t{0}, std::size_t{1}, operation};
+  return by_nef(steps, operands);
+}
+
+std::optional<NefResult> by_nef(std::span<const NefStep> steps, std::span<const Solid> operands) {
+  const Nef nef = evaluated(steps, operands);
   if (nef.is_empty()) {
     return NefResult{};
   }

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <variant>
 
 #include <gmpxx.h>
 
@@ -22,5 +24,12 @@ struct NefResult {
 /// Nothing if the result's boundary is not 2-manifold.
 [[nodiscard]] std::optional<NefResult> by_nef(NefOperation operation, const Solid& a,
                                               const Solid& b);
+
+/// Of reverse Polish notation: an operand's index, or what to do with the last two sets.
+using NefStep = std::variant<std::size_t, NefOperation>;
+
+/// The same for any expression; regularised once, at the end.
+[[nodiscard]] std::optional<NefResult> by_nef(std::span<const NefStep> steps,
+                                              std::span<const Solid> operands);
 
 }  // namespace dupin::test

@@ -176,6 +176,22 @@ std::vector<TriMesh> chain(int bends, End bend_ends) {
 const std::map<std::string, std::function<std::vector<TriMesh>()>, std::less<>>& cases() {
   static const Shape coarse{64, 4};
   static const std::map<std::string, std::function<std::vector<TriMesh>()>, std::less<>> all{
+      {"tee_n32",
+       [] {
+         return tee({32, 1});
+       }},
+      {"tee_n128",
+       [] {
+         return tee({128, 1});
+       }},
+      {"tee_n512",
+       [] {
+         return tee({512, 1});
+       }},
+      {"tee_n2048",
+       [] {
+         return tee({2048, 1});
+       }},
       {"tee_10k",
        [] {
          return tee({128, 19});
@@ -198,11 +214,23 @@ const std::map<std::string, std::function<std::vector<TriMesh>()>, std::less<>>&
       {"rack_eq", [] { return rack(20, 0, 1); }},
       {"blend_1", [] { return chain(1, End::centre); }},
       {"blend_1_fan", [] { return chain(1, End::fan); }},
+      {"chain_10", [] { return chain(10, End::centre); }},
+      {"chain_10_fan", [] { return chain(10, End::fan); }},
       {"chain_100", [] { return chain(100, End::centre); }},
       {"chain_100_fan", [] { return chain(100, End::fan); }},
       {"coax",
        [] {
          return std::vector{pipe_z({0, 0, 0}, 4, 1, coarse), pipe_z({0, 0, 2.5}, 4.5, 1, coarse)};
+       }},
+      {"coax_phase",
+       [] {
+         return std::vector{pipe_z({0, 0, 0}, 4, 1, coarse),
+                            pipe_z({0, 0, 2.5}, 4.5, 1, {64, 4, 0.5})};
+       }},
+      {"coax_turned",
+       [] {
+         return std::vector{pipe_z({0, 0, 0}, 4, 1, coarse),
+                            pipe_z({0, 0, 2.5}, 4.5, 1, {64, 4, std::sqrt(0.2)})};
        }},
       {"coax_butt",
        [] {

@@ -45,8 +45,9 @@ Incidences intersect_triangles(Scene& scene, const Progress& progress, std::uint
   return gather(scene, encounters);
 }
 
-ExactMesh arrange(Scene& scene, const BooleanRule& rule, const Progress& progress,
-                  std::uint64_t memory_limit) {
+// All that stands between the scene and these ends here, to make room for the result.
+std::vector<Kept> select_triangles(Scene& scene, const BooleanRule& rule, const Progress& progress,
+                                   std::uint64_t memory_limit) {
   Incidences incidences = intersect_triangles(scene, progress, memory_limit);
   Pieces pieces;
   {
@@ -54,16 +55,18 @@ ExactMesh arrange(Scene& scene, const BooleanRule& rule, const Progress& progres
     const UpwardRounding rounding;
     pieces = retriangulate(scene, rule, incidences, stage);
   }
-  std::optional<Patches> patches;
-  std::vector<std::int8_t> selection;
-  {
-    const Stage stage(progress, "classify", 0.7, 0.9);
-    const UpwardRounding rounding;
-    patches.emplace(scene, rule, incidences, pieces);
-    selection = select(scene, rule, incidences, pieces, *patches);
-  }
+  const Stage stage(progress, "classify", 0.7, 0.9);
+  const UpwardRounding rounding;
+  const Patches patches(scene, rule, incidences, pieces);
+  const std::vector<std::int8_t> selection = select(scene, rule, incidences, pieces, patches);
+  return collect(scene, incidences, pieces, patches, selection);
+}
+
+ExactMesh arrange(Scene& scene, const BooleanRule& rule, const Progress& progress,
+                  std::uint64_t memory_limit) {
+  std::vector<Kept> kept = select_triangles(scene, rule, progress, memory_limit);
   const Stage stage(progress, "extract", 0.9, 1);
-  return extract(scene, incidences, pieces, *patches, selection);
+  return extract(scene, std::move(kept));
 }
 
 Scene imported(std::span<const ExactMesh* const> operands, const BooleanRule& rule) {

@@ -12,7 +12,8 @@ constexpr std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
 constexpr std::size_t previous(std::size_t i) { return i == 0 ? 2 : i - 1; }
 
 // True only if d lies inside the circle through a, b, c beyond doubt. The bound is stage A of
-// Shewchuk's incircle test, (10 + 96 u) u times the permanent, u = 2^-52 as rounding is upward.
+// Shewchuk's incircle test, (10 + 96 u) u times the permanent, u = 2^-52 as rounding is upward; the
+// addend covers underflow.
 bool certainly_in_circle(const Planar& a, const Planar& b, const Planar& c, const Planar& d) {
   const double ax = a[0] - d[0], ay = a[1] - d[1], bx = b[0] - d[0], by = b[1] - d[1],
                cx = c[0] - d[0], cy = c[1] - d[1];
@@ -22,7 +23,7 @@ bool certainly_in_circle(const Planar& a, const Planar& b, const Planar& c, cons
   const double permanent = aa * (std::abs(bx * cy) + std::abs(by * cx)) +
                            bb * (std::abs(cx * ay) + std::abs(cy * ax)) +
                            cc * (std::abs(ax * by) + std::abs(ay * bx));
-  return value > 12 * 0x1p-52 * permanent;
+  return value > 12 * 0x1p-52 * permanent + 0x1p-900;
 }
 
 }  // namespace
@@ -51,8 +52,7 @@ void Triangulation::improve(const Triangle& support) {
   const Vec3 first = (points_.approximation(support[1]) - origin).normalized();
   const Vec3 normal = first.cross(points_.approximation(support[2]) - origin).normalized();
   const Vec3 second = normal.cross(first);
-  std::vector<Planar> planar;
-  planar.reserve(vertices_.size());
+  planar_.clear();
   for (const VertexData& v : vertices_) {
     Vec3 p = origin;
     if (v.id < kNewPoint) {
@@ -61,20 +61,19 @@ void Triangulation::improve(const Triangle& support) {
       const IntervalPoint& box = new_points_[v.id - kNewPoint].box;
       p = {box[0].sup(), box[1].sup(), box[2].sup()};
     }
-    planar.push_back({(p - origin).dot(first), (p - origin).dot(second)});
+    planar_.push_back({(p - origin).dot(first), (p - origin).dot(second)});
   }
-  std::vector<std::pair<std::uint32_t, int>> edges;
   const auto push = [&](std::uint32_t face) {
     for (int i = 0; i < 3; ++i) {
-      edges.emplace_back(face, i);
+      edges_.emplace_back(face, i);
     }
   };
   for (std::uint32_t face = 0; face < faces_.size(); ++face) {
     push(face);
   }
-  while (!edges.empty()) {
-    const auto [face, corner] = edges.back();
-    edges.pop_back();
+  while (!edges_.empty()) {
+    const auto [face, corner] = edges_.back();
+    edges_.pop_back();
     const auto i = static_cast<std::size_t>(corner);
     const Face& f = faces_[face];
     const std::uint32_t other = f.neighbours[i];
@@ -85,8 +84,8 @@ void Triangulation::improve(const Triangle& support) {
     const Vertex c = faces_[other].corners[static_cast<std::size_t>(corner_facing(other, face))];
     const auto is_frame = [this](Vertex v) { return vertices_[v].id >= kFirstFrameCorner; };
     if (is_frame(a) || is_frame(b) || is_frame(c) || is_frame(d) ||
-        !certainly_in_circle(planar[a], planar[b], planar[d], planar[c]) || turn(a, b, c) <= 0 ||
-        turn(a, c, d) <= 0) {
+        !certainly_in_circle(planar_[a], planar_[b], planar_[d], planar_[c]) ||
+        turn(a, b, c) <= 0 || turn(a, c, d) <= 0) {
       continue;
     }
     flip(face, corner);

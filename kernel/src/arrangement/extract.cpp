@@ -2,47 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
+#include <tbb/parallel_for.h>
+
+#include "key_numbering.h"
 #include "umbrellas.h"
 
 namespace dupin::detail {
 namespace {
-
-std::vector<Kept> collect(const Scene& scene, const Incidences& incidences, const Pieces& pieces,
-                          const Patches& patches, const std::vector<std::int8_t>& selection) {
-  std::vector<Kept> kept;
-  const auto add = [&kept](Triangle corners, std::uint32_t support, bool reversed,
-                           std::uint32_t source) {
-    if (reversed) {
-      std::swap(corners[1], corners[2]);
-    }
-    kept.push_back({corners, support, reversed, source});
-  };
-  // The source agrees in orientation where there is a choice.
-  const auto source = [](std::span<const SignedTriangle> cover, int selected) {
-    const auto agrees = [selected](const SignedTriangle& t) { return t.sign == selected; };
-    const auto place = std::find_if(cover.begin(), cover.end(), agrees);
-    return place != cover.end() ? place->triangle : cover.front().triangle;
-  };
-  for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
-    if (incidences.touched[t] || scene.merged[t]) {
-      continue;
-    }
-    const std::int8_t selected = selection[patches.of_triangle(t)];
-    if (selected != 0) {
-      add(scene.triangles[t], t, selected < 0, source(scene.cover(t), selected));
-    }
-  }
-  for (const Pieces::Piece& piece : pieces.pieces) {
-    const std::int8_t selected = selection[patches.of_region(piece.region)];
-    if (selected != 0) {
-      add(piece.corners, pieces.regions[piece.region].support, selected < 0,
-          source(pieces.cover(piece.region), selected));
-    }
-  }
-  return kept;
-}
 
 struct NearestDouble {
   double value;
@@ -85,12 +54,12 @@ NearestDouble nearest(const CGAL::Mpzf& x, const CGAL::Mpzf& w) {
 
 // The point as doubles if they hold it, and the nearest ones.
 struct RoundedPoint {
-  Vec3 point;
-  bool is_exact;
+  Vec3 point = Vec3::Zero();
+  bool is_exact = true;
 };
 
 RoundedPoint rounded(const ExactPoint& exact) {
-  RoundedPoint result{Vec3::Zero(), true};
+  RoundedPoint result;
   for (int k = 0; k < 3; ++k) {
     const NearestDouble coordinate = nearest(exact[static_cast<std::size_t>(k)], exact[3]);
     result.point[k] = coordinate.value;
@@ -104,60 +73,72 @@ class PointWriter {
  public:
   PointWriter(const Scene& scene, const Umbrellas& umbrellas, const std::vector<Kept>& kept,
               ExactMesh& mesh)
-      : scene_(scene), umbrellas_(umbrellas), mesh_(mesh) {
+      : scene_(scene), umbrellas_(umbrellas) {
     number_.assign(umbrellas.first_copy + umbrellas.copies.size(), kNone);
     for (const Kept& k : kept) {
       for (const PointId id : k.corners) {
         number_[id] = 0;
       }
     }
-    for (PointId id = 0; id < number_.size(); ++id) {
-      if (number_[id] == 0) {
-        write(id);
-      }
-    }
-    for (const auto& [id, point, exact] : implicit_) {
-      number_[id] = static_cast<std::uint32_t>(mesh.points.size());
-      mesh.points.push_back(point);
-      mesh.implicit.push_back(*exact);
-    }
+    const std::vector<RoundedPoint> nearest = evaluate(mesh.implicit);
+    write_doubles(nearest, mesh);
+    write_others(nearest, mesh);
   }
   [[nodiscard]] std::uint32_t number(PointId id) const { return number_[id]; }
+
+ private:
   [[nodiscard]] PointId original(PointId id) const {
     return id < umbrellas_.first_copy ? id : umbrellas_.copies[id - umbrellas_.first_copy];
   }
-
- private:
-  struct Implicit {
-    PointId id;
-    Vec3 point;
-    const ExactPoint* exact;
-  };
-
-  void write(PointId id) {
-    const PointId source = original(id);
-    Vec3 point;
-    if (scene_.points.is_double(source)) {
-      point = scene_.points.coordinates(source);
-    } else {
-      ExactPoint unused;
-      const ExactPoint& exact = scene_.points.exact(source, unused);
-      const RoundedPoint nearest = rounded(exact);
-      if (!nearest.is_exact) {
-        implicit_.push_back({id, nearest.point, &exact});
-        return;
+  std::vector<RoundedPoint> evaluate(std::vector<ExactPoint>& exact) {
+    for (PointId id = 0; id < number_.size(); ++id) {
+      if (number_[id] == 0 && !scene_.points.is_double(original(id))) {
+        implicit_.push_back(id);
       }
-      point = nearest.point;
     }
-    number_[id] = static_cast<std::uint32_t>(mesh_.points.size());
-    mesh_.points.push_back(point);
+    std::vector<RoundedPoint> nearest(implicit_.size());
+    exact.resize(implicit_.size());
+    tbb::parallel_for(std::size_t{0}, implicit_.size(), [&](std::size_t i) {
+      exact[i] = scene_.points.exact_value(original(implicit_[i]));
+      nearest[i] = rounded(exact[i]);
+    });
+    return nearest;
+  }
+  void write(PointId id, const Vec3& point, ExactMesh& mesh) {
+    number_[id] = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.push_back(point);
+  }
+  void write_doubles(const std::vector<RoundedPoint>& nearest, ExactMesh& mesh) {
+    std::size_t next = 0;
+    for (PointId id = 0; id < number_.size(); ++id) {
+      if (next < implicit_.size() && implicit_[next] == id) {
+        if (nearest[next].is_exact) {
+          write(id, nearest[next].point, mesh);
+        }
+        ++next;
+      } else if (number_[id] == 0) {
+        write(id, scene_.points.coordinates(original(id)), mesh);
+      }
+    }
+  }
+  void write_others(const std::vector<RoundedPoint>& nearest, ExactMesh& mesh) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < implicit_.size(); ++i) {
+      if (!nearest[i].is_exact) {
+        write(implicit_[i], nearest[i].point, mesh);
+        if (kept != i) {
+          mesh.implicit[kept] = std::move(mesh.implicit[i]);
+        }
+        ++kept;
+      }
+    }
+    mesh.implicit.resize(kept);
   }
 
   const Scene& scene_;
   const Umbrellas& umbrellas_;
-  ExactMesh& mesh_;
   std::vector<std::uint32_t> number_;
-  std::vector<Implicit> implicit_;
+  std::vector<PointId> implicit_;  // points in use that are no doubles, ascending
 };
 
 // The operands' names in one list, and each operand's labels as indices into it.
@@ -216,9 +197,9 @@ class PlaneWriter {
       mesh_.plane_of.push_back(ExactMesh::kOwnPlane);
       return;
     }
-    const auto [place, is_new] = known_.emplace(std::pair(support, kept.reversed),
-                                                static_cast<std::uint32_t>(mesh_.planes.size()));
-    if (is_new) {
+    const std::uint32_t number = known_.number({std::uint64_t{support[0]} << 32 | support[1],
+                                                std::uint64_t{support[2]} << 1 | kept.reversed});
+    if (number == mesh_.planes.size()) {
       std::array<Vec3, 3> plane;
       for (std::size_t i = 0; i < 3; ++i) {
         plane[i] = scene_.points.coordinates(support[i]);
@@ -228,13 +209,13 @@ class PlaneWriter {
       }
       mesh_.planes.push_back(plane);
     }
-    mesh_.plane_of.push_back(place->second);
+    mesh_.plane_of.push_back(number);
   }
 
  private:
   const Scene& scene_;
   ExactMesh& mesh_;
-  std::map<std::pair<Triangle, bool>, std::uint32_t> known_;
+  KeyNumbering known_{0};
 };
 
 void write_contacts(const Umbrellas& umbrellas, const PointWriter& points, ExactMesh& mesh) {
@@ -255,9 +236,42 @@ void write_contacts(const Umbrellas& umbrellas, const PointWriter& points, Exact
 
 }  // namespace
 
-ExactMesh extract(Scene& scene, const Incidences& incidences, const Pieces& pieces,
-                  const Patches& patches, const std::vector<std::int8_t>& selection) {
-  std::vector<Kept> kept = collect(scene, incidences, pieces, patches, selection);
+std::vector<Kept> collect(const Scene& scene, const Incidences& incidences, const Pieces& pieces,
+                          const Patches& patches, const std::vector<std::int8_t>& selection) {
+  std::vector<Kept> kept;
+  const auto add = [&kept](Triangle corners, std::uint32_t support, bool reversed,
+                           std::uint32_t source) {
+    if (reversed) {
+      std::swap(corners[1], corners[2]);
+    }
+    kept.push_back({corners, support, reversed, source});
+  };
+  // The source agrees in orientation where there is a choice.
+  const auto source = [](std::span<const SignedTriangle> cover, int selected) {
+    const auto agrees = [selected](const SignedTriangle& t) { return t.sign == selected; };
+    const auto place = std::find_if(cover.begin(), cover.end(), agrees);
+    return place != cover.end() ? place->triangle : cover.front().triangle;
+  };
+  for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
+    if (incidences.touched[t] || scene.merged[t]) {
+      continue;
+    }
+    const std::int8_t selected = selection[patches.of_triangle(t)];
+    if (selected != 0) {
+      add(scene.triangles[t], t, selected < 0, source(scene.cover(t), selected));
+    }
+  }
+  for (const Pieces::Piece& piece : pieces.pieces) {
+    const std::int8_t selected = selection[patches.of_region(piece.region)];
+    if (selected != 0) {
+      add(piece.corners, pieces.regions[piece.region].support, selected < 0,
+          source(pieces.cover(piece.region), selected));
+    }
+  }
+  return kept;
+}
+
+ExactMesh extract(Scene& scene, std::vector<Kept> kept) {
   const Umbrellas umbrellas = [&] {
     const UpwardRounding rounding;
     return separate_umbrellas(scene, kept);

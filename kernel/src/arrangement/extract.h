@@ -4,12 +4,17 @@
 #include <vector>
 
 #include "patches.h"
+#include "umbrellas.h"
 
 namespace dupin::detail {
 
-/// Stage 7: the mesh of the selected patches. Points that doubles hold come first; triangles that
-/// nothing touched keep their order; every triangle names its source.
-[[nodiscard]] ExactMesh extract(Scene& scene, const Incidences& incidences, const Pieces& pieces,
-                                const Patches& patches, const std::vector<std::int8_t>& selection);
+/// Stage 7a: the triangles of the selected patches; those that nothing touched keep their order.
+[[nodiscard]] std::vector<Kept> collect(const Scene& scene, const Incidences& incidences,
+                                        const Pieces& pieces, const Patches& patches,
+                                        const std::vector<std::int8_t>& selection);
+
+/// Stage 7b: the mesh they make. Points that doubles hold come first; every triangle names its
+/// source.
+[[nodiscard]] ExactMesh extract(Scene& scene, std::vector<Kept> kept);
 
 }  // namespace dupin::detail

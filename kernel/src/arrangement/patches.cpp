@@ -1,6 +1,7 @@
 #include "patches.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "winding_change.h"
 
@@ -72,7 +73,11 @@ void Patches::add_side(PointId from, PointId to, const Sheet& sheet, std::uint32
 
 void Patches::add_pieces(const BooleanRule& rule) {
   for (std::uint32_t r = 0; r < pieces_.regions.size(); ++r) {
-    member_changes_.push_back(change_number(winding_change(scene_, rule, pieces_.cover(r))));
+    const bool is_known =
+        r > 0 && pieces_.regions[r].first_cover == pieces_.regions[r - 1].first_cover;
+    member_changes_.push_back(is_known
+                                  ? member_changes_.back()
+                                  : change_number(winding_change(scene_, rule, pieces_.cover(r))));
   }
   for (const Pieces::Piece& piece : pieces_.pieces) {
     const std::uint32_t member = first_region_ + piece.region;
@@ -116,8 +121,10 @@ void Patches::add_triangles(const BooleanRule& rule) {
 }
 
 void Patches::join_sides() {
-  std::stable_sort(sides_.begin(), sides_.end(),
-                   [](const Side& a, const Side& b) { return a.edge < b.edge; });
+  std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.edge, a.sheet.owner, a.sheet.apex) <
+           std::tie(b.edge, b.sheet.owner, b.sheet.apex);
+  });
   for (std::size_t i = 0, end = 0; i < sides_.size(); i = end) {
     end = i + 1;
     while (end < sides_.size() && sides_[end].edge == sides_[i].edge) {
@@ -127,13 +134,14 @@ void Patches::join_sides() {
     if (end == i + 2 && a.forward != b.forward && sides_[i].change == sides_[i + 1].change) {
       classes_.unite(a.owner, b.owner);
     } else {
-      Seam seam{sides_[i].edge, {}};
+      const auto first = static_cast<std::uint32_t>(sheets_.size());
       for (std::size_t j = i; j < end; ++j) {
-        seam.sheets.push_back(sides_[j].sheet);
+        sheets_.push_back(sides_[j].sheet);
       }
-      seams_.push_back(std::move(seam));
+      seams_.push_back({sides_[i].edge, first, static_cast<std::uint32_t>(sheets_.size())});
     }
   }
+  sides_ = {};
 }
 
 void Patches::number_patches() {

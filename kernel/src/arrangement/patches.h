@@ -21,7 +21,7 @@ class Patches {
  public:
   struct Seam {
     EdgeKey edge;
-    std::vector<Sheet> sheets;  ///< owner: a member
+    std::uint32_t first_sheet, end_sheet;
   };
 
   /// Needs UpwardRounding.
@@ -44,6 +44,10 @@ class Patches {
   }
   /// Edges where patches meet, in ascending order.
   [[nodiscard]] const std::vector<Seam>& seams() const { return seams_; }
+  /// Owners are members.
+  [[nodiscard]] std::span<const Sheet> sheets(const Seam& seam) const {
+    return std::span(sheets_).subspan(seam.first_sheet, seam.end_sheet - seam.first_sheet);
+  }
 
  private:
   struct Side {  // of an edge whose ends are both special
@@ -70,6 +74,7 @@ class Patches {
   std::vector<std::uint32_t> member_changes_;  // of regions and loose triangles
   std::vector<Side> sides_;
   std::vector<Seam> seams_;
+  std::vector<Sheet> sheets_;  // of the seams
   std::map<std::vector<int>, std::uint32_t> change_numbers_;
   std::vector<std::vector<int>> all_changes_;
   std::vector<std::uint32_t> number_;   // of the patch of each member that has one

@@ -1,6 +1,9 @@
 #include "points.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <span>
 
 #include "limits.h"
 
@@ -34,7 +37,27 @@ Direction direction(const ExactPoint& from, const ExactPoint& to) {
           to[2] * from[3] - from[2] * to[3]};
 }
 
+ExactPoint homogeneous(const Vec3& p) {
+  return {Number(p[0]), Number(p[1]), Number(p[2]), Number(1)};
+}
+
+Direction direction(const Vec3& from, const Vec3& to) {
+  return {Number(to[0]) - Number(from[0]), Number(to[1]) - Number(from[1]),
+          Number(to[2]) - Number(from[2])};
+}
+
+bool are_doubles(const PointTable& points, std::span<const PointId> ids) {
+  return std::all_of(ids.begin(), ids.end(), [&](PointId id) { return points.is_double(id); });
+}
+
 Plane plane_through(const PointTable& points, const PointId* of) {
+  if (are_doubles(points, {of, 3})) {
+    const Vec3& a = points.coordinates(of[0]);
+    Direction normal =
+        cross(direction(a, points.coordinates(of[1])), direction(a, points.coordinates(of[2])));
+    Number offset = -dot(normal, {Number(a[0]), Number(a[1]), Number(a[2])});
+    return {std::move(normal), std::move(offset)};
+  }
   std::array<ExactPoint, 3> scratch;
   const ExactPoint& a = points.exact(of[0], scratch[0]);
   const Direction normal = cross(direction(a, points.exact(of[1], scratch[1])),
@@ -62,7 +85,20 @@ ExactPoint divide(const ExactPoint& p, const ExactPoint& q, const Number& alpha,
                                p[2] * beta - q[2] * alpha, p[3] * beta - q[3] * alpha});
 }
 
+// The same as below by fewer products, as all weights are 1.
+ExactPoint meet_line_plane(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,
+                           const Vec3& c) {
+  const Direction normal = cross(direction(a, b), direction(a, c));
+  const Number alpha = dot(normal, direction(a, p)), beta = dot(normal, direction(a, q));
+  const auto coordinate = [&](int k) { return Number(p[k]) * beta - Number(q[k]) * alpha; };
+  return with_positive_weight({coordinate(0), coordinate(1), coordinate(2), beta - alpha});
+}
+
 ExactPoint meet_line_plane(const PointTable& points, const Definition& d) {
+  if (are_doubles(points, {d.of.data(), 5})) {
+    const auto at = [&](std::size_t i) -> const Vec3& { return points.coordinates(d.of[i]); };
+    return meet_line_plane(at(0), at(1), at(2), at(3), at(4));
+  }
   ExactPoint p_scratch, q_scratch;
   const ExactPoint& p = points.exact(d.of[0], p_scratch);
   const ExactPoint& q = points.exact(d.of[1], q_scratch);
@@ -135,6 +171,17 @@ IntervalPoint enclose_planes(const PointTable& points, const Definition& d) {
   return point;
 }
 
+Interval enclose_quotient(const Number& x, const Number& w, const Interval& weight) {
+  const Interval quotient = Interval(x.to_interval()) / weight;
+  // Three roundings, unless a number lies beyond what doubles hold.
+  const double width = quotient.sup() - quotient.inf();
+  if (std::isfinite(width) && width <= 8 * 0x1p-52 * std::abs(quotient.inf())) {
+    return quotient;
+  }
+  const double nearest = nearest_double(x, w);
+  return {std::nextafter(nearest, -HUGE_VAL), std::nextafter(nearest, HUGE_VAL)};
+}
+
 }  // namespace
 
 ExactPoint evaluate_exact(const PointTable& points, const Definition& definition) {
@@ -169,8 +216,9 @@ IntervalPoint evaluate(const PointTable& points, const Definition& definition) {
 
 IntervalPoint enclose(const ExactPoint& point) {
   const Interval weight(point[3].to_interval());
-  return {Interval(point[0].to_interval()) / weight, Interval(point[1].to_interval()) / weight,
-          Interval(point[2].to_interval()) / weight};
+  return {enclose_quotient(point[0], point[3], weight),
+          enclose_quotient(point[1], point[3], weight),
+          enclose_quotient(point[2], point[3], weight)};
 }
 
 PointId PointTable::add(const Vec3& point) {
@@ -208,12 +256,20 @@ Vec3 PointTable::approximation(PointId id) const {
 
 const ExactPoint& PointTable::exact(PointId id, ExactPoint& scratch) const {
   if (is_double(id)) {
-    const Vec3& p = doubles_[id];
-    scratch = {Number(p[0]), Number(p[1]), Number(p[2]), Number(1)};
+    scratch = homogeneous(doubles_[id]);
     return scratch;
   }
   const Implicit& point = implicit_[id - doubles_.size()];
   return point.exact.get([&] { return evaluate_exact(*this, point.definition); });
+}
+
+ExactPoint PointTable::exact_value(PointId id) const {
+  if (is_double(id)) {
+    return homogeneous(doubles_[id]);
+  }
+  const Implicit& point = implicit_[id - doubles_.size()];
+  const ExactPoint* known = point.exact.known();
+  return known != nullptr ? *known : evaluate_exact(*this, point.definition);
 }
 
 void PointTable::tighten(PointId id) {

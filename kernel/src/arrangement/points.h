@@ -58,6 +58,8 @@ class LazyExact {
   LazyExact& operator=(const LazyExact&) = delete;
   ~LazyExact() { delete value_.load(); }
 
+  /// Null if not computed yet.
+  [[nodiscard]] const ExactPoint* known() const { return value_.load(std::memory_order_acquire); }
   template <class Compute>
   const ExactPoint& get(Compute&& compute) const {
     const ExactPoint* known = value_.load(std::memory_order_acquire);
@@ -108,6 +110,8 @@ class PointTable {
   }
   /// Positive last coordinate. `scratch` holds the result where it is not kept.
   [[nodiscard]] const ExactPoint& exact(PointId id, ExactPoint& scratch) const;
+  /// The same, without keeping it.
+  [[nodiscard]] ExactPoint exact_value(PointId id) const;
   /// Coordinates to within a few ulp; replaces a wide interval by that of the exact point.
   void tighten(PointId id);
 

@@ -209,6 +209,31 @@ class Welder {
   bool welded_ = false;
 };
 
+// An edge along which an operand touches itself may have copies of one end only: the umbrella of
+// the other end then passes it twice.
+void mark_repeated_edges(Scene& scene) {
+  std::vector<std::array<PointId, 2>> edges;
+  for (std::size_t o = 0; o < scene.operands.size(); ++o) {
+    if (scene.operands[o]->contacts.empty()) {
+      continue;
+    }
+    edges.clear();
+    for (std::uint32_t t = scene.first_triangle[o]; t < scene.first_triangle[o + 1]; ++t) {
+      const Triangle& corners = scene.triangles[t];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const PointId from = corners[i], to = corners[(i + 1) % 3];
+        if (scene.special[from] || scene.special[to]) {
+          edges.push_back({from, to});
+        }
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    for (auto e = edges.begin(); (e = std::adjacent_find(e, edges.end())) != edges.end(); ++e) {
+      scene.special[(*e)[0]] = scene.special[(*e)[1]] = 1;
+    }
+  }
+}
+
 bool same_orientation(const Triangle& a, const Triangle& b) {
   const auto k = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
   return b[(k + 1) % 3] == a[1];
@@ -279,6 +304,7 @@ Scene import_operands(std::span<const ExactMesh* const> operands, const BooleanR
   find_bounds(scene);
   find_operand_pairs(scene);
   Welder(scene).weld();
+  mark_repeated_edges(scene);
   merge_coincident_triangles(scene, rule);
   return scene;
 }

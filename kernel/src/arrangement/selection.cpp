@@ -68,12 +68,13 @@ class Relations {
 void relate_around(const Scene& scene, const Patches& patches, const Patches::Seam& seam,
                    Relations& relations) {
   const auto patch = [&](const Sheet& s) { return patches.of_member(s.owner); };
-  const std::uint32_t first_root = relations.root(patch(seam.sheets[0]));
-  if (std::all_of(seam.sheets.begin(), seam.sheets.end(),
+  const std::span<const Sheet> around = patches.sheets(seam);
+  const std::uint32_t first_root = relations.root(patch(around[0]));
+  if (std::all_of(around.begin(), around.end(),
                   [&](const Sheet& s) { return relations.root(patch(s)) == first_root; })) {
     return;
   }
-  std::vector<Sheet> sheets = seam.sheets;
+  std::vector<Sheet> sheets(around.begin(), around.end());
   sort_around_edge(scene, sheets);
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     const Sheet &a = sheets[i], &b = sheets[(i + 1) % sheets.size()];

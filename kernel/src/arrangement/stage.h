@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <string_view>
 #include <thread>
@@ -28,7 +29,8 @@ class Stage {
     }
     const std::size_t done = done_.fetch_add(1, std::memory_order_relaxed) + 1;
     if (std::this_thread::get_id() == thread_) {
-      tell(begin_ + (end_ - begin_) * static_cast<double>(done) / static_cast<double>(total));
+      const double part = static_cast<double>(done) / static_cast<double>(total);
+      tell(std::clamp(begin_ + (end_ - begin_) * part, begin_, end_));
     }
   }
 

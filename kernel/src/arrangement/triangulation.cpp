@@ -16,8 +16,19 @@ constexpr PointId kFrame = Triangulation::kFirstFrameCorner;
 
 }  // namespace
 
-Triangulation::Triangulation(const PointTable& points, const Projection& projection, Caller caller)
-    : points_(points), projection_(projection), caller_(std::move(caller)) {}
+Triangulation::Triangulation(const PointTable& points, Caller caller)
+    : points_(points), caller_(std::move(caller)) {}
+
+void Triangulation::clear(const Projection& projection) {
+  projection_ = projection;
+  vertices_.clear();
+  faces_.clear();
+  new_points_.clear();
+  frame_corners_.clear();
+  in_cavity_.clear();
+  hint_ = 0;
+  random_ = 1;
+}
 
 Triangulation::Vertex Triangulation::add(PointId id, std::uint8_t sides) {
   const int u = (projection_.axis + 1) % 3, v = (projection_.axis + 2) % 3;

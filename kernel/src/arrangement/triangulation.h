@@ -33,7 +33,9 @@ class Triangulation {
     std::function<std::uint32_t(std::uint32_t, std::uint32_t)> both;
   };
 
-  Triangulation(const PointTable& points, const Projection& projection, Caller caller);
+  Triangulation(const PointTable& points, Caller caller);
+  /// Empties it, for another plane.
+  void clear(const Projection& projection);
 
   /// Makes a vertex without inserting it. `sides` is a set of lines, one bit each, that it is known
   /// to lie on: three vertices with a common bit are collinear.
@@ -111,6 +113,8 @@ class Triangulation {
   std::vector<std::uint8_t> in_cavity_;
   std::vector<Link> left_, right_, stack_;
   std::vector<Dangling> dangling_;
+  std::vector<std::array<double, 2>> planar_;
+  std::vector<std::pair<std::uint32_t, int>> edges_;
 };
 
 }  // namespace dupin::detail

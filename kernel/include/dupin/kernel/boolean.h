@@ -20,10 +20,11 @@ struct BooleanOptions {
   std::uint64_t memory_limit = 0;  ///< in bytes; 0: what the machine has
 };
 
-/// Exact set operations, regularised. The result keeps exact coordinates; its triangles know their
-/// source operand and triangle. Throws Error{contact | cancelled}, and Error{limit_exceeded} for
-/// 2^31 points or triangles or more, or if an estimate made before anything large is allocated is
-/// above the memory limit.
+/// Exact set operations, regularised, with a result that does not depend on the order of operands
+/// (but for its sources) nor on the number of threads. The result keeps exact coordinates; its
+/// triangles know their source operand and triangle. Throws Error{contact | cancelled}, and
+/// Error{limit_exceeded} for 2^31 points or triangles or more, or if an estimate made before
+/// anything large is allocated is above the memory limit.
 [[nodiscard]] Solid unite(std::span<const Solid> operands, const BooleanOptions& options = {});
 [[nodiscard]] Solid intersect(std::span<const Solid> operands, const BooleanOptions& options = {});
 /// `from` without the union of `operands`; in the sources, `from` is operand 0.

@@ -1,0 +1,350 @@
+#include "face_triangulator.h"
+
+#include <algorithm>
+
+#include "predicates.h"
+#include "triangle_pair.h"
+#include "winding_change.h"
+
+namespace dupin::detail {
+namespace {
+
+// Adds the members that are not there, and removes those that are.
+std::vector<std::uint32_t> toggled(std::vector<std::uint32_t> cover,
+                                   const std::vector<std::uint32_t>& members) {
+  for (const std::uint32_t t : members) {
+    const auto place = std::lower_bound(cover.begin(), cover.end(), t);
+    if (place != cover.end() && *place == t) {
+      cover.erase(place);
+    } else {
+      cover.insert(place, t);
+    }
+  }
+  return cover;
+}
+
+}  // namespace
+
+FaceTriangulator::FaceTriangulator(const Scene& scene, const BooleanRule& rule,
+                                   const Incidences& incidences)
+    : scene_(scene),
+      rule_(rule),
+      incidences_(incidences),
+      triangulation_(scene.points,
+                     {[this](std::uint32_t a, std::uint32_t b) { return crossing(a, b); },
+                      [this](std::uint32_t a, std::uint32_t b) { return both(a, b); }}) {}
+
+void FaceTriangulator::append(std::span<const std::uint32_t> members, FacePieces& result) {
+  members_ = members;
+  projection_ = projection_of(scene_.points, scene_.support(members[0]));
+  triangulation_.clear(projection_);
+  slots_.clear();
+  const bool is_single = members.size() == 1;
+  collect_points();
+  if (is_single) {
+    start_from_triangle();
+  } else {
+    start_from_frame();
+  }
+  constrain_segments();
+  triangulation_.improve(scene_.support(members[0]));
+  find_regions();
+  if (is_single) {
+    emit_single(result);
+  } else {
+    emit_overlapping(result);
+  }
+  std::vector<Triangulation::NewPoint>& points = triangulation_.new_points();
+  std::move(points.begin(), points.end(), std::back_inserter(result.new_points));
+}
+
+Definition FaceTriangulator::crossing(std::uint32_t a, std::uint32_t b) const {
+  std::array<std::uint32_t, 3> planes{members_[0], slots_[a].partner, slots_[b].partner};
+  std::sort(planes.begin(), planes.end());
+  Definition definition{Definition::Kind::three_planes, 0, {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Triangle& support = scene_.support(planes[i]);
+    std::copy(support.begin(), support.end(), definition.of.begin() + static_cast<long>(3 * i));
+  }
+  return definition;
+}
+
+std::uint32_t FaceTriangulator::both(std::uint32_t present, std::uint32_t added) {
+  if (slots_[added].bounding.empty() && slots_[present].partner != kNone) {
+    return present;
+  }
+  Slot slot{std::min(slots_[present].partner, slots_[added].partner), slots_[present].bounding};
+  slot.bounding.insert(slot.bounding.end(), slots_[added].bounding.begin(),
+                       slots_[added].bounding.end());
+  slots_.push_back(std::move(slot));
+  return last_slot();
+}
+
+EdgeKey FaceTriangulator::edge(std::uint32_t triangle, std::size_t i) const {
+  const Triangle& corners = scene_.triangles[triangle];
+  return edge_key(corners[i], corners[(i + 1) % 3]);
+}
+
+void FaceTriangulator::collect_points() {
+  ids_.clear();
+  for (const std::uint32_t t : members_) {
+    const Triangle& corners = scene_.triangles[t];
+    ids_.insert(ids_.end(), corners.begin(), corners.end());
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (const auto& p : incidences_.on_edge(edge(t, i))) {
+        ids_.push_back(p.point);
+      }
+    }
+    for (const auto& p : incidences_.inside(t)) {
+      ids_.push_back(p.point);
+    }
+    for (const auto& s : incidences_.segments_of(t)) {
+      ids_.insert(ids_.end(), {s.from, s.to});
+    }
+  }
+  std::sort(ids_.begin(), ids_.end());
+  ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+  vertices_.assign(ids_.size(), kNone);
+}
+
+Triangulation::Vertex& FaceTriangulator::vertex(PointId id) {
+  const auto i = std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin();
+  return vertices_[static_cast<std::size_t>(i)];
+}
+
+void FaceTriangulator::place(PointId id, std::uint8_t sides) {
+  Triangulation::Vertex& v = vertex(id);
+  if (v == kNone) {
+    v = triangulation_.add(id, sides);
+    triangulation_.insert(v);
+  }
+}
+
+// The points on the triangle's edges are known to be collinear with its corners.
+void FaceTriangulator::start_from_triangle() {
+  const std::uint32_t t = members_[0];
+  const Triangle& corners = scene_.triangles[t];
+  std::array<Triangulation::Vertex, 3> v{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    v[i] = vertex(corners[i]) = triangulation_.add(
+        corners[i], static_cast<std::uint8_t>((1u << i) | (1u << ((i + 2) % 3))));
+  }
+  triangulation_.start(v[0], v[1], v[2]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (const auto& p : incidences_.on_edge(edge(t, i))) {
+      place(p.point, static_cast<std::uint8_t>(1u << i));
+    }
+  }
+  place_remaining();
+}
+
+void FaceTriangulator::place_remaining() {
+  for (const std::uint32_t t : members_) {
+    for (const auto& s : incidences_.segments_of(t)) {
+      place(s.from, 0);
+      place(s.to, 0);
+    }
+    for (const auto& p : incidences_.inside(t)) {
+      place(p.point, 0);
+    }
+  }
+}
+
+// Several triangles: a triangle around them all, and their edges as constraints.
+void FaceTriangulator::start_from_frame() {
+  const int u = (projection_.axis + 1) % 3, v = (projection_.axis + 2) % 3;
+  Eigen::AlignedBox2d box;
+  for (const PointId id : ids_) {
+    const Vec3 p = scene_.points.approximation(id);
+    box.extend(Eigen::Vector2d(p[u], p[v]));
+  }
+  const Eigen::Vector2d center = box.center();
+  const double size = 2 * box.diagonal().norm();
+  const double high = projection_.orientation > 0 ? size : -size;
+  const auto a = triangulation_.add_frame_corner(center[0] - 2 * size, center[1] - high);
+  const auto b = triangulation_.add_frame_corner(center[0] + 2 * size, center[1] - high);
+  const auto c = triangulation_.add_frame_corner(center[0], center[1] + 2 * high);
+  triangulation_.start(a, b, c);
+  for (const std::uint32_t t : members_) {
+    for (const PointId id : scene_.triangles[t]) {
+      place(id, 0);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (const auto& p : incidences_.on_edge(edge(t, i))) {
+        place(p.point, 0);
+      }
+    }
+  }
+  place_remaining();
+  for (const std::uint32_t t : members_) {
+    constrain_edges(t);
+  }
+}
+
+void FaceTriangulator::constrain_edges(std::uint32_t triangle) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const EdgeKey key = edge(triangle, i);
+    slots_.push_back({kNone, {triangle}});
+    const std::uint32_t slot = last_slot();
+    PointId from = lower_end(key);
+    for (const auto& p : incidences_.on_edge(key)) {
+      triangulation_.constrain(vertex(from), vertex(p.point), slot);
+      from = p.point;
+    }
+    triangulation_.constrain(vertex(from), vertex(upper_end(key)), slot);
+  }
+}
+
+void FaceTriangulator::constrain_segments() {
+  for (const std::uint32_t t : members_) {
+    for (const Incidences::Segment& s : incidences_.segments_of(t)) {
+      slots_.push_back({s.partner, {}});
+      triangulation_.constrain(vertex(s.from), vertex(s.to), last_slot());
+    }
+  }
+}
+
+// The parts of the face that no constraint divides.
+void FaceTriangulator::find_regions() {
+  const auto& faces = triangulation_.faces();
+  region_of_.assign(faces.size(), kNone);
+  first_in_region_.clear();
+  in_order_.clear();
+  for (std::uint32_t seed = 0; seed < faces.size(); ++seed) {
+    if (region_of_[seed] != kNone) {
+      continue;
+    }
+    const auto region = static_cast<std::uint32_t>(first_in_region_.size());
+    first_in_region_.push_back(static_cast<std::uint32_t>(in_order_.size()));
+    region_of_[seed] = region;
+    in_order_.push_back(seed);
+    for (std::size_t i = in_order_.size() - 1; i < in_order_.size(); ++i) {
+      const Triangulation::Face& face = faces[in_order_[i]];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t n = face.neighbours[k];
+        if (n != kNone && face.slots[k] == kNone && region_of_[n] == kNone) {
+          region_of_[n] = region;
+          in_order_.push_back(n);
+        }
+      }
+    }
+  }
+  first_in_region_.push_back(static_cast<std::uint32_t>(in_order_.size()));
+}
+
+// Which members cover each region, ascending. Crossing a member's edge enters or leaves it.
+std::vector<FaceTriangulator::Members> FaceTriangulator::find_covers() const {
+  std::vector<Members> covers(region_count());
+  const auto& faces = triangulation_.faces();
+  std::vector<std::uint32_t> queue{region_of_[face_at_frame()]};
+  std::vector<std::uint8_t> known(covers.size(), 0);
+  known[queue[0]] = 1;
+  for (std::size_t q = 0; q < queue.size(); ++q) {
+    const std::uint32_t region = queue[q];
+    for (std::uint32_t i = first_in_region_[region]; i < first_in_region_[region + 1]; ++i) {
+      const Triangulation::Face& face = faces[in_order_[i]];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (face.slots[k] == kNone || face.neighbours[k] == kNone) {
+          continue;
+        }
+        const std::uint32_t other = region_of_[face.neighbours[k]];
+        if (!known[other]) {
+          known[other] = 1;
+          covers[other] = toggled(covers[region], slots_[face.slots[k]].bounding);
+          queue.push_back(other);
+        }
+      }
+    }
+  }
+  return covers;
+}
+
+std::uint32_t FaceTriangulator::face_at_frame() const {
+  const auto& faces = triangulation_.faces();
+  const auto at_frame = [this](const Triangulation::Face& face) {
+    return std::any_of(face.corners.begin(), face.corners.end(), [this](auto v) {
+      return triangulation_.point(v) >= Triangulation::kFirstFrameCorner;
+    });
+  };
+  return static_cast<std::uint32_t>(std::find_if(faces.begin(), faces.end(), at_frame) -
+                                    faces.begin());
+}
+
+std::vector<SignedTriangle> FaceTriangulator::signed_cover(
+    std::span<const std::uint32_t> members) const {
+  std::vector<SignedTriangle> cover;
+  for (const std::uint32_t t : members) {
+    int sign = 1;
+    if (t != members_[0]) {
+      const Triangle& s = scene_.support(t);
+      sign = projection_.orientation * turn(scene_.points, s[0], s[1], s[2], projection_.axis);
+    }
+    for (const SignedTriangle& c : scene_.cover(t)) {
+      cover.push_back({c.triangle, sign * c.sign});
+    }
+  }
+  std::sort(cover.begin(), cover.end(),
+            [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
+  return cover;
+}
+
+// All regions of a triangle alone have one cover.
+void FaceTriangulator::emit_single(FacePieces& result) const {
+  const std::vector<SignedTriangle> cover = signed_cover(members_);
+  if (changes_nothing(winding_change(scene_, rule_, cover))) {
+    return;
+  }
+  Pieces& local = result.local;
+  const auto first = static_cast<std::uint32_t>(local.covers.size());
+  local.covers.insert(local.covers.end(), cover.begin(), cover.end());
+  for (std::uint32_t region = 0; region < region_count(); ++region) {
+    local.regions.push_back({first, static_cast<std::uint32_t>(local.covers.size()), members_[0]});
+    emit_pieces(region, false, result);
+  }
+}
+
+void FaceTriangulator::emit_overlapping(FacePieces& result) const {
+  const std::vector<Members> covers = find_covers();
+  Pieces& local = result.local;
+  for (std::uint32_t region = 0; region < covers.size(); ++region) {
+    std::vector<SignedTriangle> cover = signed_cover(covers[region]);
+    if (changes_nothing(winding_change(scene_, rule_, cover))) {
+      continue;
+    }
+    // A region of one triangle takes its orientation: it may be joined to others around a corner.
+    const bool reversed = covers[region].size() == 1 && cover.front().sign < 0;
+    for (SignedTriangle& t : cover) {
+      t.sign = reversed ? -t.sign : t.sign;
+    }
+    const auto first = static_cast<std::uint32_t>(local.covers.size());
+    local.covers.insert(local.covers.end(), cover.begin(), cover.end());
+    local.regions.push_back({first, static_cast<std::uint32_t>(local.covers.size()),
+                             reversed ? covers[region][0] : members_[0]});
+    emit_pieces(region, reversed, result);
+  }
+}
+
+void FaceTriangulator::emit_pieces(std::uint32_t region, bool reversed, FacePieces& result) const {
+  const auto number = static_cast<std::uint32_t>(result.local.regions.size() - 1);
+  const auto known_points = static_cast<PointId>(result.new_points.size());
+  const auto& faces = triangulation_.faces();
+  for (std::uint32_t i = first_in_region_[region]; i < first_in_region_[region + 1]; ++i) {
+    const Triangulation::Face& face = faces[in_order_[i]];
+    Pieces::Piece piece{{}, number, 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PointId id = triangulation_.point(face.corners[k]);
+      piece.corners[k] = id < Triangulation::kNewPoint ? id : id + known_points;
+      if (face.neighbours[k] == kNone || face.slots[k] != kNone) {
+        piece.open = static_cast<std::uint8_t>(piece.open | (1u << k));
+      }
+    }
+    if (reversed) {
+      std::swap(piece.corners[1], piece.corners[2]);
+      piece.open = static_cast<std::uint8_t>((piece.open & 1u) | (piece.open & 2u) << 1 |
+                                             (piece.open & 4u) >> 1);
+    }
+    result.local.pieces.push_back(piece);
+  }
+}
+
+}  // namespace dupin::detail
