@@ -57,21 +57,10 @@ TEST_P(RoundedUnions, are_solids_in_doubles_and_floats) {
   }
 }
 
-#ifdef DUPIN_ALL_SEEDS
-INSTANTIATE_TEST_SUITE_P(all, RoundedUnions,
-                         testing::Values(Batch{"design_64", test::kDesignKinds, {64}, 30},
-                                         Batch{"design_128", test::kDesignKinds, {128}, 15},
-                                         Batch{"design_256", test::kDesignKinds, {256}, 10},
-                                         Batch{"design_512", test::kDesignKinds, {512}, 5},
-                                         Batch{"plant_64", test::kPlantKinds, {64}, 75},
-                                         Batch{"plant_192", test::kPlantKinds, {192}, 75}),
-                         [](const auto& test) { return test.param.name; });
-#else
 INSTANTIATE_TEST_SUITE_P(some, RoundedUnions,
                          testing::Values(Batch{"design", test::kDesignKinds, {64}, 1},
                                          Batch{"plant", test::kPlantKinds, {64, 192}, 1}),
                          [](const auto& test) { return test.param.name; });
-#endif
 
 }  // namespace
 }  // namespace dupin
