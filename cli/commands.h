@@ -27,6 +27,8 @@ void add_build(CLI::App& app, Action& action);
 void add_booleans(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_gaps(CLI::App& app, Action& action);
+void add_certify(CLI::App& app, Action& action);
+void add_verify(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
 void add_simplify(CLI::App& app, Action& action);
 void add_edit(CLI::App& app, Action& action);

@@ -21,10 +21,10 @@ namespace {
 void add_common_options(CLI::App& app, CommonOptions& common) {
   app.add_flag("--json", common.json, "Write the report, or the error, as JSON");
   app.add_flag("-q,--quiet", common.quiet, "Write no report and no progress");
-  app.add_option(
-         "--tolerance", common.tolerance,
-         "Length such as 0.05, 1mm or 0.5in. build: largest distance between smooth surface "
-         "and mesh; otherwise: largest move of a point by rounding")
+  app.add_option("--tolerance", common.tolerance,
+                 "Length such as 0.05, 1mm or 0.5in. build, certify: largest distance between "
+                 "smooth surface "
+                 "and mesh; otherwise: largest move of a point by rounding")
       ->type_name("LENGTH");
   app.set_version_flag("--version", std::string("dupin ") + DUPIN_VERSION);
 }
@@ -100,6 +100,8 @@ int run(std::span<char*> arguments) {
   add_booleans(app, action);
   add_check(app, action);
   add_gaps(app, action);
+  add_certify(app, action);
+  add_verify(app, action);
   add_convert(app, action);
   add_simplify(app, action);
   add_edit(app, action);

@@ -149,6 +149,10 @@ OutputReport write_plain(const TriMesh& mesh, const Destination& to, const MeshH
           std::nullopt};
 }
 
+void write_text(const std::string& path, const std::string& text) {
+  writing([&] { path == "-" ? write_stdout(text) : write_file(path, text); });
+}
+
 std::ostream& report_stream(const Destination& to) {
   return to.is_stdout() ? std::cerr : std::cout;
 }

@@ -48,6 +48,9 @@ void add_format_option(CLI::App& command, std::string& format);
 [[nodiscard]] OutputReport write_plain(const TriMesh& mesh, const Destination& to,
                                        const MeshHeader& header = {});
 
+/// Writes text to a file, in one step, or to standard output for "-". Throws OutputError.
+void write_text(const std::string& path, const std::string& text);
+
 /// Where the report goes: standard output, or standard error when the mesh goes to standard output.
 [[nodiscard]] std::ostream& report_stream(const Destination& to);
 

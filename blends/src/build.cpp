@@ -1,7 +1,6 @@
 #include "dupin/blends/build.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 #include "blame.h"
@@ -9,6 +8,7 @@
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/error.h"
 #include "part_claims.h"
+#include "run_sampling.h"
 #include "runs.h"
 #include "weld.h"
 
@@ -104,41 +104,11 @@ class Builder {
     return result;
   }
 
-  // One number of segments per run: the most that any of its parts needs. Runs start at different
-  // angles, as aligned facets of equal pipes that cross are the worst case for rounding.
-  [[nodiscard]] RingSampling sampling(const detail::Run& run, std::size_t position) const {
-    RingSampling result{0, std::fmod(0.37 * double(position), 1), built_.grid};
-    for (const auto index : run.parts) {
-      const ResolvedPart& part = resolved_.parts[index];
-      const auto needed = in_part(part, [&] {
-        return std::visit(
-            [&](const auto& shape) {
-              return segments_for(shape, assembly_.tolerance, built_.grid);
-            },
-            part.shape);
-      });
-      result.segments = std::max(result.segments, needed);
-    }
-    result.segments = assembly_.segments.value_or(result.segments);
-    return result;
-  }
-
-  [[nodiscard]] Tessellation meshed(const Sphere& sphere, const RingSampling& chosen) const {
-    return tessellate(sphere, chosen);
-  }
-
-  template <class Tube>
-  [[nodiscard]] Tessellation meshed(const Tube& tube, const RingSampling& chosen) const {
-    return tessellate(tube, chosen, {assembly_.tolerance});
-  }
-
   RingSampling tessellated(const detail::Run& run, std::size_t position) {
-    const RingSampling chosen = sampling(run, position);
+    const RingSampling chosen =
+        detail::run_sampling(assembly_, resolved_, run, position, built_.grid);
     for (const auto index : run.parts) {
-      const ResolvedPart& part = resolved_.parts[index];
-      Tessellation result = in_part(part, [&] {
-        return std::visit([&](const auto& shape) { return meshed(shape, chosen); }, part.shape);
-      });
+      Tessellation result = detail::tessellated(assembly_, resolved_.parts[index], chosen);
       PartReport& entry = built_.parts[index];
       entry.error_bound = result.error_bound;
       entry.segments = chosen.segments;

@@ -12,11 +12,12 @@ inline IntervalVec hull(const IntervalVec& a, const IntervalVec& b) {
   return {hull(a[0], b[0]), hull(a[1], b[1]), hull(a[2], b[2])};
 }
 
-/// Encloses a Bezier polynomial (of numbers or vectors) on t: the hull of its control points on
-/// that part of [0, 1], which are its blossoms.
+/// Encloses the control points (numbers or vectors) of a Bezier polynomial on the part t of [0, 1]:
+/// its blossoms.
 template <class T>
-[[nodiscard]] T bezier_range(const std::vector<T>& points, const Interval& t) {
-  const auto blossom = [&](std::size_t times_upper) {
+[[nodiscard]] std::vector<T> bezier_part(const std::vector<T>& points, const Interval& t) {
+  std::vector<T> part;
+  for (std::size_t times_upper = 0; times_upper < points.size(); ++times_upper) {
     std::vector<T> row = points;
     for (std::size_t r = 1; r < points.size(); ++r) {
       const Interval at = r <= times_upper ? t.upper : t.lower;
@@ -24,11 +25,18 @@ template <class T>
         row[i] = (Interval(1) - at) * row[i] + at * row[i + 1];
       }
     }
-    return row.front();
-  };
-  T range = blossom(0);
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    range = hull(range, blossom(i));
+    part.push_back(row.front());
+  }
+  return part;
+}
+
+/// Encloses a Bezier polynomial (of numbers or vectors) on t: the hull of its control points there.
+template <class T>
+[[nodiscard]] T bezier_range(const std::vector<T>& points, const Interval& t) {
+  const std::vector<T> part = bezier_part(points, t);
+  T range = part.front();
+  for (const T& point : part) {
+    range = hull(range, point);
   }
   return range;
 }

@@ -18,6 +18,16 @@ class MpfiInterval {
   }
   ~MpfiInterval() { mpfi_clear(value_); }
 
+  /// A rational number.
+  explicit MpfiInterval(const mpq_class& value) : MpfiInterval(Raw{}) {
+    mpfi_set_q(value_, value.get_mpq_t());
+  }
+  [[nodiscard]] static MpfiInterval between(double lower, double upper) {
+    MpfiInterval result{Raw{}};
+    mpfi_interv_d(result.value_, lower, upper);
+    return result;
+  }
+
   [[nodiscard]] static MpfiInterval pi() { return made(mpfi_const_pi); }
 
   friend MpfiInterval operator+(const MpfiInterval& a, const MpfiInterval& b) {

@@ -1,6 +1,7 @@
 #include "dupin/blends/regularity.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -168,6 +169,11 @@ std::vector<ParameterInterval> violations(const RingedSurface& surface, double m
                      : violations(CurvatureRatio(surface), margin);
 }
 
+std::string_view name(Verdict verdict) {
+  constexpr std::array<std::string_view, 3> kNames = {"proved", "refuted", "undecided"};
+  return kNames.at(static_cast<std::size_t>(verdict));
+}
+
 MarginProof prove_margin(const RingedSurface& surface, double margin) {
   require_finite(margin);
   MarginProof proof;
@@ -184,6 +190,7 @@ MarginProof prove_margin(const RingedSurface& surface, double margin) {
     proof.depth = std::max(proof.depth, leaf.depth);
     if (ratio.proves_below(leaf, bound)) {
       ++proof.leaves;
+      proof.proven.push_back({leaf.from, leaf.to});
       continue;
     }
     proof.where = {leaf.from, leaf.to};

@@ -118,7 +118,7 @@ Tessellation tessellate(const RingedSurface& surface, const RingSampling& sampli
                                     detail::first_direction(flipped(surface.start), sampling));
   const detail::Arrival last = detail::arrival(surface.end, sampling, firsts.back());
 
-  Tessellation result{{}, std::uint32_t(knots.size() - 1), along.error_bound + displacement};
+  Tessellation result{{}, std::uint32_t(knots.size() - 1), along.error_bound + displacement, knots};
   TriMesh& mesh = result.mesh;
   mesh.points.reserve(n * knots.size());
   mesh.triangles.reserve(2 * std::size_t(n) * result.bands);

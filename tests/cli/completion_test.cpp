@@ -25,11 +25,13 @@ TEST_F(Completion, offers_commands_options_values_and_files) {
   folder_.write("part one.off", "");
   folder_.write("plant.json", "");
   const std::vector<std::pair<std::vector<std::string>, std::string>> table{
-      {{"dupin", "c"}, "check convert completion"},
+      {{"dupin", "c"}, "check certify convert completion"},
       {{"dupin", "--ve"}, "--version"},
       {{"dupin", "--json", "sub"}, "subtract"},
       {{"dupin", "boolean", "--rep"}, "--repair"},
       {{"dupin", "boolean", "a + b", "a", "=", "part"}, "part one.off"},
+      {{"dupin", "certify", "--m"}, "--margin"},
+      {{"dupin", "verify", "pl"}, "plant.json"},
       {{"dupin", "union", "--c"}, "--contacts"},
       {{"dupin", "build", "--s"}, "--segments"},
       {{"dupin", "check", "--q"}, "--quiet"},

@@ -17,9 +17,9 @@ using testing::StartsWith;
 using Usage = Tool;
 
 const std::vector<std::string>& commands() {
-  static const std::vector<std::string> names{"build",   "union",   "intersect", "subtract",
-                                              "boolean", "check",   "gaps",      "info",
-                                              "edit",    "convert", "simplify",  "completion"};
+  static const std::vector<std::string> names{
+      "build", "union", "intersect", "subtract", "boolean", "check",  "gaps",
+      "info",  "edit",  "convert",   "simplify", "certify", "verify", "completion"};
   return names;
 }
 
@@ -70,6 +70,9 @@ TEST_F(Usage, faults_are_one_line_on_standard_error) {
        "the origin must be keep, auto or three coordinates such as 1000,2000,0, not '1,2,3x'"},
       {{"convert", "a.off", "b.off", "--grid", "0.001"},
        "the grid must be a power of two, such as 0.0009765625, not '0.001'"},
+      {{"certify", "a.json"}, "--output is required"},
+      {{"verify"}, "CERTIFICATE is required"},
+      {{"verify", "a.off", "--tolerance", "1"}, "verify has no use for --tolerance"},
       {{"simplify", "a.off", "b.off"}, "simplify needs --tolerance"},
       {{"completion", "zsh"}, "SHELL: zsh not in {bash}"},
   };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "dupin/blends/ringed_surface.h"
@@ -42,11 +43,15 @@ struct RegularityOptions {
 
 enum class Verdict { proved, refuted, undecided };
 
+/// The enumerator's name.
+[[nodiscard]] std::string_view name(Verdict verdict);
+
 /// The outcome of one subdivision proof of 1 - kappa R > margin on [0, 1].
 struct MarginProof {
   Verdict verdict = Verdict::undecided;
-  std::size_t leaves = 0;   ///< subintervals on which the claim was proven
-  int depth = 0;            ///< of the deepest subinterval looked at
+  std::size_t leaves = 0;                 ///< subintervals on which the claim was proven
+  int depth = 0;                          ///< of the deepest subinterval looked at
+  std::vector<ParameterInterval> proven;  ///< these subintervals, ascending
   ParameterInterval where;  ///< refuted: holds the counterexample; undecided: where it failed
 };
 

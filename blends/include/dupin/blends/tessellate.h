@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/elliptic_tube.h"
@@ -49,6 +50,7 @@ struct Tessellation {
   std::uint32_t bands = 0;  ///< rows of quadrilaterals along the part
   double error_bound = 0;  ///< of the distance between smooth surface and mesh, both ways, in model
                            ///< units; includes snapping
+  std::vector<double> knots = {};  ///< the spine parameters of a ringed surface's rows
 };
 
 /// The tube without end discs: bands + 1 polygons of sampling.segments points each, one after the

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "disc_sweep.h"
+#include "dupin/blends/certificate.h"
+
+namespace dupin::detail {
+
+/// A lower bound of the distance of two sets of discs, all of `first` being behind and all of
+/// `second` in front of a slab of that width across `direction`; not positive if none was found.
+struct Separation {
+  Vec3 direction = Vec3::UnitX();
+  double distance = 0;
+  double nearest = 0;  ///< roughly the distance of the two convex hulls, from above
+};
+
+[[nodiscard]] Separation separation(const DiscHull& first, const DiscHull& second);
+
+/// Proves or refutes that the discs at any two parameters are disjoint, given that they are locally
+/// with this margin.
+[[nodiscard]] EmbeddedClaim prove_embedded(const DiscSweep& sweep, double margin,
+                                           std::size_t boxes);
+
+/// Finds a lower bound of the distance of two sets of discs, or a point in both.
+[[nodiscard]] ClearanceClaim prove_clearance(const DiscSweep& first, const DiscSweep& second,
+                                             std::size_t boxes);
+
+}  // namespace dupin::detail

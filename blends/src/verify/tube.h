@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "../interval.h"
+#include "bernstein.h"
+#include "dupin/blends/ringed_surface.h"
+
+namespace dupin::verifier {
+
+using detail::Interval;
+using detail::IntervalVec;
+
+/// The spine on a stretch: points / weight, and a curve with the direction of its velocity.
+struct Stretch {
+  Curve points;
+  Polynomial weight;
+  Curve tangent;
+};
+
+/// Discs on a stretch: their centres are in the hull of `centers`, their normals in the cone of
+/// `tangents`; first and last are those at its ends. A ball has no tangents.
+struct Discs {
+  std::vector<IntervalVec> centers, tangents;
+  Interval radius;
+};
+
+/// A ringed surface, read exactly.
+class Tube {
+ public:
+  explicit Tube(const RingedSurface& surface);
+
+  [[nodiscard]] const ArcSpine* arc() const { return std::get_if<ArcSpine>(&surface_.spine); }
+  [[nodiscard]] const RingedSurface& surface() const { return surface_; }
+  /// Of spines that are no arcs.
+  [[nodiscard]] Stretch stretch(double from, double to) const;
+  /// Coefficients of the radius; none for CyclideRadius.
+  [[nodiscard]] Polynomial radius(double from, double to) const;
+  [[nodiscard]] Interval radius_range(double from, double to) const;
+  /// For 0 <= from <= to <= 1.
+  [[nodiscard]] Discs discs(double from, double to) const;
+  /// Of the straight pipe or cone that goes on from an end: parameters in [-1, 0] or [1, 2].
+  [[nodiscard]] Discs extended(double from, double to, double length) const;
+
+ private:
+  RingedSurface surface_;
+  Curve points_;
+  Polynomial weight_, radius_;
+};
+
+[[nodiscard]] Interval enclosed(const mpq_class& value);
+
+/// The largest value of x.w over the discs' points is below this.
+[[nodiscard]] double furthest(const Discs& discs, const IntervalVec& w);
+
+/// An upper bound, in radians, of how much the direction turns along the tangents.
+[[nodiscard]] double turning(const std::vector<IntervalVec>& tangents);
+
+}  // namespace dupin::verifier

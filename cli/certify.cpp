@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include <CLI/App.hpp>
+
+#include "commands.h"
+#include "dupin/blends/certificate.h"
+#include "dupin/io/assembly_json.h"
+#include "dupin/io/certificate_json.h"
+#include "dupin/io/sha256.h"
+#include "input.h"
+#include "length.h"
+#include "output.h"
+#include "report_text.h"
+
+namespace dupin::cli {
+namespace {
+
+struct CertifyArguments {
+  std::string file, output;
+  std::optional<double> margin;
+};
+
+std::string named(const Certificate& certificate, const ClearanceClaim& claim) {
+  return certificate.parts[claim.first].name + " and " + certificate.parts[claim.second].name;
+}
+
+/// Every claim that is not proved, on a line of its own.
+void print_findings(std::ostream& out, const Certificate& certificate) {
+  const auto print = [&](const std::string& about, std::string_view claim, Verdict verdict) {
+    if (verdict != Verdict::proved) {
+      out << "  " << name(verdict) << ": " << about << ": " << claim << '\n';
+    }
+  };
+  for (std::size_t i = 0; i < certificate.parts.size(); ++i) {
+    const PartClaims& claims = certificate.claims[i];
+    if (claims.regular && claims.embedded) {
+      print(certificate.parts[i].name, "margin above " + number(claims.regular->margin),
+            claims.regular->verdict);
+      print(certificate.parts[i].name, "embedded", claims.embedded->verdict);
+    }
+  }
+  for (const ClearanceClaim& claim : certificate.clearances) {
+    print(named(certificate, claim), "clearance", claim.verdict);
+  }
+}
+
+void print_certificate(std::ostream& out, const Certificate& certificate) {
+  const PartClaims* tightest = nullptr;
+  double error = 0;
+  for (const PartClaims& claims : certificate.claims) {
+    error = std::max(error, claims.mesh ? claims.mesh->error_bound : 0);
+    if (claims.regular && claims.regular->verdict == Verdict::proved &&
+        (tightest == nullptr || claims.regular->margin < tightest->regular->margin)) {
+      tightest = &claims;
+    }
+  }
+  const ClearanceClaim* nearest = nullptr;
+  std::size_t overlaps = 0;
+  for (const ClearanceClaim& claim : certificate.clearances) {
+    overlaps += claim.overlap ? 1 : 0;
+    if (claim.verdict == Verdict::proved && !claim.overlap &&
+        (nearest == nullptr || claim.distance < nearest->distance)) {
+      nearest = &claim;
+    }
+  }
+  const std::string unit = " " + std::string(symbol(certificate.unit));
+  print_row(out, "parts", std::to_string(certificate.parts.size()));
+  if (tightest != nullptr) {
+    const auto part = certificate.parts[std::size_t(tightest - certificate.claims.data())];
+    print_row(out, "smallest margin",
+              "above " + number(tightest->regular->margin) + " (" + part.name + ")");
+  }
+  print_row(out, "mesh error", "at most " + number(error) + unit);
+  if (nearest != nullptr) {
+    print_row(
+        out, "smallest clearance",
+        "at least " + number(nearest->distance) + unit + " (" + named(certificate, *nearest) + ")");
+  }
+  print_row(out, "overlapping pairs", std::to_string(overlaps));
+  print_row(out, "not proved", std::to_string(certificate.findings()));
+  print_findings(out, certificate);
+}
+
+void print_summary(std::ostream& out, const Certificate& certificate, const CommonOptions& common) {
+  if (common.json) {
+    out << certificate_summary_json(certificate) << '\n';
+  } else if (!common.quiet) {
+    print_certificate(out, certificate);
+  }
+}
+
+ExitCode verdict_on(const Certificate& certificate) {
+  return certificate.findings() == 0 ? ExitCode::ok : ExitCode::findings;
+}
+
+ExitCode run_certify(const CertifyArguments& arguments, const CommonOptions& common) {
+  const Input input = read_input(arguments.file);
+  Assembly assembly = parse_assembly(input.bytes, input.name);
+  assembly.tolerance = length_in(assembly.unit, common.tolerance, assembly.tolerance);
+  Certificate certificate = certify(assembly, {.margin = arguments.margin});
+  certificate.document_sha256 = sha256(input.bytes);
+  write_text(arguments.output, certificate_json(certificate));
+  print_summary(arguments.output == "-" ? std::cerr : std::cout, certificate, common);
+  return verdict_on(certificate);
+}
+
+ExitCode run_verify(const std::string& file, const std::string& document,
+                    const CommonOptions& common) {
+  refuse_tolerance("verify", common);
+  const Input input = read_input(file);
+  const Certificate certificate = parse_certificate(input.bytes, input.name);
+  if (!document.empty() && sha256(read_input(document).bytes) != certificate.document_sha256) {
+    throw Error(Errc::invalid_argument, "the certificate is not about this document", {}, document);
+  }
+  verify(certificate);
+  print_summary(std::cout, certificate, common);
+  return verdict_on(certificate);
+}
+
+}  // namespace
+
+void add_certify(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("certify", "Prove that the smooth parts of an assembly are sound");
+  const auto arguments = std::make_shared<CertifyArguments>();
+  command->add_option("FILE", arguments->file, "assembly document; - for standard input")
+      ->type_name("")
+      ->required();
+  command->add_option("-o,--output", arguments->output, "certificate; - for standard output")
+      ->type_name("OUT")
+      ->required();
+  command
+      ->add_option("--margin", arguments->margin,
+                   "Prove 1 - kappa R > NUMBER, instead of nearly the largest that holds")
+      ->type_name("NUMBER");
+  command->footer(
+      "Exit code 1 means that a claim is refuted or undecided.\n\n"
+      "Examples:\n"
+      "  dupin certify examples/reducer.json -o reducer.cert.json\n"
+      "  dupin verify reducer.cert.json");
+  command->callback([arguments, &action] {
+    action = [arguments](const CommonOptions& common) { return run_certify(*arguments, common); };
+  });
+}
+
+void add_verify(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("verify", "Check every claim of a certificate again, independently");
+  const auto file = std::make_shared<std::string>(), document = std::make_shared<std::string>();
+  command->add_option("CERTIFICATE", *file, "what certify wrote; - for standard input")
+      ->type_name("")
+      ->required();
+  command->add_option("FILE", *document, "the document it must be about")->type_name("");
+  command->footer(
+      "Exit code 1 means that it holds, but a claim is refuted or undecided; 3 that it was "
+      "changed\n"
+      "or that a claim does not follow.\n\n"
+      "Examples:\n"
+      "  dupin verify reducer.cert.json examples/reducer.json");
+  command->callback([file, document, &action] {
+    action = [file, document](const CommonOptions& common) {
+      return run_verify(*file, *document, common);
+    };
+  });
+}
+
+}  // namespace dupin::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "dupin/blends/certificate.h"
+
+namespace dupin {
+
+/// The certificate as a JSON document, see docs/certificate_format.md. Numbers are decimals that
+/// read back to the same double; the last key holds the SHA-256 digest of all bytes before it.
+/// Always the same text for the same certificate.
+[[nodiscard]] std::string certificate_json(const Certificate& certificate);
+
+/// What a certificate says, without what proves it: one object, keys as in docs/cli.md.
+[[nodiscard]] std::string certificate_summary_json(const Certificate& certificate);
+
+/// Reads it back. Throws Error{parse_failed} for text that is not a certificate, or one of which a
+/// byte was changed. Whether its claims follow is for `verify` to say.
+[[nodiscard]] Certificate parse_certificate(std::string_view text, const std::string& source = {});
+
+}  // namespace dupin

@@ -1,0 +1,285 @@
+#include "dupin/blends/certificate.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <functional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/io/assembly_json.h"
+#include "dupin/io/certificate_json.h"
+#include "dupin/io/sha256.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin {
+namespace {
+
+Assembly example(const std::string& name) {
+  return read_assembly(std::filesystem::path(DUPIN_SOURCE_DIR) / "examples" / name);
+}
+
+const std::size_t kBlend = 2;  // of the reducer, Fig. 6 of [MS06]
+
+const Certificate& reducer() {
+  static const Certificate certificate = certify(example("reducer.json"));
+  return certificate;
+}
+
+Verdict margin_verdict(double margin) {
+  const Certificate certificate = certify(example("reducer.json"), {.margin = margin});
+  verify(certificate);
+  return certificate.claims[kBlend].regular->verdict;
+}
+
+TEST(Certificate, proves_all_of_figure_6) {
+  const Certificate& certificate = reducer();
+  EXPECT_EQ(certificate.findings(), 0u);
+  const PartClaims& blend = certificate.claims[kBlend];
+  EXPECT_GT(blend.regular->margin, 0.0840);
+  EXPECT_LT(blend.regular->margin, 0.0848584660472);
+  EXPECT_EQ(blend.embedded->extension, (std::array{10.0, 10.0}));  // both pipes
+  for (const TangencyClaim& end : blend.tangency) {
+    EXPECT_EQ(end.deviation, 0);
+    EXPECT_LT(end.axis_angle, 1e-16);
+  }
+  EXPECT_LT(blend.mesh->error_bound, certificate.tolerance);
+  ASSERT_EQ(certificate.clearances.size(), 1u);  // inlet and outlet
+  EXPECT_GT(certificate.clearances[0].distance, 8);
+  EXPECT_NO_THROW(verify(certificate));
+}
+
+TEST(Certificate, finds_figure_6_margin_to_four_digits) {
+  EXPECT_EQ(margin_verdict(0.0848), Verdict::proved);
+  EXPECT_EQ(margin_verdict(0.0849), Verdict::refuted);
+}
+
+TEST(Certificate, refuses_a_margin_that_is_none) {
+  for (const double margin : {-0.1, 1.0, 2.0}) {
+    EXPECT_THROW((void)certify(example("reducer.json"), {.margin = margin}), Error);
+  }
+}
+
+TEST(Certificate, is_the_same_document_every_time_and_after_reading) {
+  const std::string text = certificate_json(reducer());
+  EXPECT_EQ(certificate_json(certify(example("reducer.json"))), text);
+  EXPECT_EQ(certificate_json(parse_certificate(text)), text);
+}
+
+TEST(Certificate, of_every_example_is_proved_and_verified) {
+  std::size_t count = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(DUPIN_SOURCE_DIR) / "examples")) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() != ".json") {
+      continue;
+    }
+    SCOPED_TRACE(name);
+    ++count;
+    if (name == "tight.json") {
+      EXPECT_THROW((void)certify(example(name)), Error);
+      continue;
+    }
+    const Certificate certificate = certify(example(name));
+    const bool is_known = std::none_of(
+        certificate.parts.begin(), certificate.parts.end(),
+        [](const auto& part) { return std::holds_alternative<OtherShape>(part.shape); });
+    EXPECT_EQ(certificate.findings() == 0, is_known);
+    EXPECT_NO_THROW(verify(parse_certificate(certificate_json(certificate))));
+  }
+  EXPECT_GE(count, 8u);
+}
+
+// One digit of one number, every time another.
+TEST(Certificate, with_one_digit_changed_is_rejected) {
+  const std::string text = certificate_json(reducer());
+  std::mt19937_64 random(5);
+  for (int i = 0; i < 100; ++i) {
+    std::string changed = text;
+    std::size_t place = 0;
+    do {
+      place = random() % text.size();
+    } while (std::isdigit(static_cast<unsigned char>(text[place])) == 0);
+    const char old = text[place];
+    changed[place] = static_cast<char>('0' + (old - '0' + 1 + random() % 9) % 10);
+    EXPECT_THROW((void)parse_certificate(changed), Error) << place << ": " << old;
+  }
+}
+
+// Sealed again, so that only the checker stands in the way.
+struct Lie {
+  std::string about;
+  std::function<void(Certificate&)> tell;
+};
+
+class Liar : public testing::TestWithParam<Lie> {};
+
+TEST_P(Liar, is_caught_by_the_checker) {
+  Certificate certificate = reducer();
+  GetParam().tell(certificate);
+  try {
+    verify(parse_certificate(certificate_json(certificate)));
+    ADD_FAILURE() << "believed";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::invalid_argument);
+    EXPECT_THAT(error.what(), testing::HasSubstr("does not follow"));
+  }
+}
+
+PartClaims& blend(Certificate& c) { return c.claims[kBlend]; }
+
+HermiteSpine& spine(Certificate& c) {
+  return std::get<HermiteSpine>(std::get<RingedSurface>(c.parts[kBlend].shape).spine);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Certificate, Liar,
+    testing::Values(
+        Lie{"margin", [](auto& c) { blend(c).regular->margin = 0.0849; }},
+        Lie{"no_margin_leaves", [](auto& c) { blend(c).regular->leaves.clear(); }},
+        Lie{"missing_margin_leaf", [](auto& c) { blend(c).regular->leaves.pop_back(); }},
+        Lie{"one_large_margin_leaf",
+            [](auto& c) {
+              blend(c).regular->leaves = {{0, 1}};
+            }},
+        Lie{"false_refutation", [](auto& c) { blend(c).regular->verdict = Verdict::refuted; }},
+        Lie{"missing_pair", [](auto& c) { blend(c).embedded->leaves.pop_back(); }},
+        Lie{"smaller_pair", [](auto& c) { blend(c).embedded->leaves.back().second.to -= 0.01; }},
+        Lie{"one_large_pair",
+            [](auto& c) {
+              blend(c).embedded->leaves = {{{0, 1}, {0, 1}, {}}};
+            }},
+        Lie{"other_way",
+            [](auto& c) {
+              for (DiscPairs& leaf : blend(c).embedded->leaves) {
+                leaf.direction = leaf.direction ? -*leaf.direction : leaf.direction;
+              }
+            }},
+        Lie{"false_overlap",
+            [](auto& c) {
+              blend(c).embedded->verdict = Verdict::refuted;
+              blend(c).embedded->overlap = Overlap{Vec3(0, 0, 0), {0, .25}, {.5, 1}};
+            }},
+        Lie{"shorter_pipe", [](auto& c) { blend(c).embedded->extension[0] = 1; }},
+        Lie{"bent_axis", [](auto& c) { spine(c).start_velocity.y() = 1e-3; }},
+        Lie{"tighter_bend", [](auto& c) { spine(c).start_velocity.x() = 18; }},
+        Lie{"mesh_bound", [](auto& c) { blend(c).mesh->error_bound *= 0.9; }},
+        Lie{"fewer_segments", [](auto& c) { blend(c).mesh->segments -= 2; }},
+        Lie{"missing_knot",
+            [](auto& c) { blend(c).mesh->knots.erase(blend(c).mesh->knots.begin() + 5); }},
+        Lie{"missing_last_knot", [](auto& c) { blend(c).mesh->knots.pop_back(); }},
+        Lie{"clearance", [](auto& c) { c.clearances[0].distance += 3; }},
+        Lie{"no_clearance_leaves", [](auto& c) { c.clearances[0].leaves.clear(); }},
+        Lie{"no_clearance", [](auto& c) { c.clearances.clear(); }},
+        Lie{"clearance_overlap",
+            [](auto& c) {
+              c.clearances[0].overlap = Overlap{Vec3(0, 0, 0), {0, 1}, {0, 1}};
+            }},
+        Lie{"claims_missing", [](auto& c) { blend(c).regular.reset(); }}),
+    [](const auto& row) { return row.param.about; });
+
+TEST(Certificate, of_a_loop_that_comes_back_is_refuted_by_a_common_point) {
+  // The spine leaves along x and comes back across its own beginning.
+  const auto place = [](const Vec3& point, const Vec3& direction) {
+    return PipeAlong{Place{point, direction, 1}, 1};
+  };
+  const Assembly loop{"",
+                      Unit::millimetre,
+                      0.1,
+                      {},
+                      {{"a", place({0, 0, 0}, {1, 0, 0})},
+                       {"b", place({4, -4, 0}, {0, -1, 0})},
+                       {"loop", CyclicBlendBetween{{"a", PartEnd::end},
+                                                   {"b", PartEnd::start},
+                                                   {.k = 60.0, .l = 60.0, .margin = 0}}}}};
+  const Certificate certificate = certify(loop);
+  const PartClaims& claims = certificate.claims[2];
+  EXPECT_EQ(claims.regular->verdict, Verdict::proved);
+  EXPECT_EQ(claims.embedded->verdict, Verdict::refuted);
+  EXPECT_TRUE(claims.embedded->overlap.has_value());
+  EXPECT_GT(certificate.findings(), 0u);
+  EXPECT_NO_THROW(verify(certificate));
+}
+
+TEST(Certificate, tells_overlap_from_clearance_for_pipes_that_cross) {
+  const auto with_height = [](double height) {
+    const Assembly assembly{"",
+                            Unit::millimetre,
+                            0.1,
+                            {},
+                            {{"a", PipeBetween{{-5, 0, 0}, {5, 0, 0}, 1}},
+                             {"b", PipeBetween{{0, -5, height}, {0, 5, height}, 1}},
+                             {"ball", SphereAt{{0, 0, 2 * height}, 1}}}};
+    const Certificate certificate = certify(assembly);
+    verify(certificate);
+    return certificate.clearances;
+  };
+  for (const ClearanceClaim& claim : with_height(1.75)) {
+    EXPECT_EQ(claim.verdict, Verdict::proved);
+    EXPECT_EQ(claim.overlap.has_value(), claim.first == 0 ? claim.second == 1 : true);
+    EXPECT_LE(claim.distance, 1.5);
+  }
+  const auto apart = with_height(2.5);
+  EXPECT_FALSE(apart[0].overlap);
+  EXPECT_LE(apart[0].distance, 0.5);
+  EXPECT_GE(apart[0].distance, 0.9 * 0.5);
+  EXPECT_GE(apart[1].distance, 0.9 * 3);
+}
+
+TEST(Certificate, leaves_what_its_limit_forbids_undecided) {
+  const Certificate certificate = certify(example("reducer.json"), {.boxes = 2});
+  EXPECT_EQ(certificate.claims[kBlend].embedded->verdict, Verdict::undecided);
+  EXPECT_GT(certificate.findings(), 0u);
+  EXPECT_NO_THROW(verify(certificate));
+}
+
+std::string resealed(std::string text) {
+  text.resize(text.rfind("  \"sha256\""));
+  return text + "  \"sha256\": \"" + sha256(text) + "\"\n}\n";
+}
+
+TEST(Certificate, that_is_malformed_is_refused_with_its_place) {
+  const std::string text = certificate_json(reducer());
+  const std::vector<std::array<std::string, 3>> table = {
+      {"\"format\": \"dupin certificate 1\"", "\"format\": \"dupin certificate 2\"", "/format"},
+      {"\"units\": \"mm\"", "\"units\": \"ell\"", "unit"},
+      {"\"verdict\":\"proved\"", "\"verdict\":\"likely\"", "/claims/0/regular/verdict"},
+      {"\"segments\":29", "\"segments\":29.5", "/claims/0/mesh/segments"},
+      {"\"joined\":[null", "\"joined\":[[7,\"end\"]", "/parts/0/joined/0/0"},
+      {"\"kind\":\"pipe\"", "\"kind\":7", "/parts/0/kind"},
+      {"\"extension\":[0.0,0.0]", "\"extension\":[0.0]", "/claims/0/embedded/extension"},
+      {"\"radius\":1.0", "\"radius\":1.5", "/inputs_sha256"},
+      {"\"tolerance\"", "\"tolerances\"", "tolerance"}};
+  for (const auto& [from, to, place] : table) {
+    std::string changed = text;
+    const std::size_t at = changed.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    changed.replace(at, from.size(), to);
+    try {
+      (void)parse_certificate(resealed(changed));
+      ADD_FAILURE() << "accepted " << to;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr(place));
+    }
+  }
+  for (const std::string& bytes : {std::string(), std::string("{}"), text.substr(0, 100)}) {
+    EXPECT_THROW((void)parse_certificate(bytes), Error);
+  }
+}
+
+TEST(Sha256, of_the_standards_messages_is_as_published) {
+  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(sha256(std::string(1'000'000, 'a')),
+            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+}  // namespace
+}  // namespace dupin
