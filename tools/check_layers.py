@@ -14,7 +14,7 @@ LIBRARIES = {
     "CGAL/": ["kernel/src/", "kernel/include/dupin/interop/", "tests/kernel/", "bench/",
               "tests/io/foreign_cgal_test.cpp"],
     "boost/": ["kernel/src/", "kernel/include/dupin/interop/", "tests/kernel/", "bench/"],
-    "tbb/": ["kernel/src/", "blends/src/", "tests/kernel/"],
+    "tbb/": ["kernel/src/", "blends/src/", "tests/kernel/", "bench/"],
     "nlohmann/": ["io/src/", "tests/"],
     "expat.h": ["io/src/"],
     "zip.h": ["io/src/"],
