@@ -31,6 +31,12 @@ TEST_P(RoundedPipeCase, is_a_solid_in_doubles_and_floats) {
   }
 }
 
+#ifdef DUPIN_LARGE_CASES
+INSTANTIATE_TEST_SUITE_P(Large, RoundedPipeCase,
+                         testing::Values("tee_100k", "tee_100k_rot", "header_100_rot",
+                                         "chain_100_rot", "rack_fine_rot"),
+                         [](const auto& name) { return name.param; });
+#else
 INSTANTIATE_TEST_SUITE_P(Small, RoundedPipeCase,
                          testing::Values("tee_10k", "tee_10k_rot", "header_10", "header_10_rot",
                                          "rack_small", "rack_eq_small", "blend_1", "blend_1_rot",
@@ -39,6 +45,7 @@ INSTANTIATE_TEST_SUITE_P(Small, RoundedPipeCase,
                                          "inner_tangent_rot", "flushcap", "flushcap_rot",
                                          "steinmetz", "steinmetz_rot"),
                          [](const auto& name) { return name.param; });
+#endif
 
 }  // namespace
 }  // namespace dupin
