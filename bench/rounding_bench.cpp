@@ -156,8 +156,8 @@ int main(int count, char** arguments) {
     dupin::large_unions({given.begin() + 1, given.end()});
     return EXIT_SUCCESS;
   }
+  dupin::large_meshes();
   dupin::large_unions({"tee_100k", "tee_100k_rot", "header_100_rot", "chain_100_rot",
                        "rack_fine_rot", "tee_1M", "tee_1M_rot"});
-  dupin::large_meshes();
   return EXIT_SUCCESS;
 }

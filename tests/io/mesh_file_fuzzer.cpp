@@ -4,7 +4,9 @@
 //   mkdir corpus && build/fuzz/tests/io/mesh_file_fuzzer -max_total_time=600 -rss_limit_mb=2048
 //   corpus
 //
-// The first byte of an input chooses the format. An input that crashes is written to crash-*; give
+// The first byte of an input chooses the format, in the order of MeshFormat. Start the corpus with
+// a small file of each, as `dupin convert` writes them, behind that byte: the containers of 3MF and
+// glTF are hard to guess. An input that crashes is written to crash-*; give
 // its name as the argument to run it again, and add what it taught to the tables of malformed
 // files.
 
