@@ -104,6 +104,7 @@ int run(std::span<char*> arguments) {
   add_verify(app, action);
   add_convert(app, action);
   add_simplify(app, action);
+  add_nurbs(app, action);
   add_edit(app, action);
   add_info(app, action);
   add_completion(app, action);

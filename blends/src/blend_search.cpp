@@ -145,6 +145,14 @@ std::optional<Trial> BlendSearch::least_energy(double margin) const {
   return found && found->margin >= margin ? found : std::nullopt;
 }
 
+std::optional<Trial> BlendSearch::nearest(double margin, double k, double l) const {
+  const auto found = best([=](const Trial& trial) {
+    return Cost{std::max(0.0, margin - trial.margin),
+                std::hypot(std::log(trial.k / k), std::log(trial.l / l))};
+  });
+  return found && found->margin >= margin ? found : std::nullopt;
+}
+
 std::optional<Trial> BlendSearch::largest_margin() const {
   return best([](const Trial& trial) { return Cost{-trial.margin, 0}; });
 }

@@ -30,6 +30,8 @@ class BlendSearch {
 
   /// Least energy with at least this margin; none if there is none.
   [[nodiscard]] std::optional<Trial> least_energy(double margin) const;
+  /// With at least this margin, that of least hypot(ln(k / wanted k), ln(l / wanted l)).
+  [[nodiscard]] std::optional<Trial> nearest(double margin, double k, double l) const;
   /// Largest margin; none if nothing is within the length allowed.
   [[nodiscard]] std::optional<Trial> largest_margin() const;
 

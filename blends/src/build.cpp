@@ -114,6 +114,7 @@ class Builder {
       entry.segments = chosen.segments;
       entry.bands = result.bands;
       entry.triangles = result.mesh.triangles.size();
+      entry.smallest_angle = smallest_angle(result.mesh);
       tubes_[index] = std::move(result.mesh);
     }
     return chosen;

@@ -23,8 +23,8 @@ using detail::decimal;
 constexpr double kCertificateWidth = 1e-8;
 
 int spine_degree(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
-  const bool cone = from.slope != 0 || to.slope != 0 || across_slope(from) != 0 ||
-                    across_slope(to) != 0;
+  const bool cone =
+      from.slope != 0 || to.slope != 0 || across_slope(from) != 0 || across_slope(to) != 0;
   return 3 + (cone ? 2 : 0) + (options.continuity == Continuity::g2 ? 2 : 0);
 }
 
@@ -124,18 +124,15 @@ std::optional<BlendChoice> straight_choice(const Ring& from, const Ring& to,
   return certified(from, to, options, {distance, distance, bending_energy(spine), length(spine)});
 }
 
-std::optional<BlendChoice> feasible_choice(const Ring& from, const Ring& to,
-                                           const CyclicBlendOptions& options) {
-  const auto straight = straight_choice(from, to, options);
-  if (straight && straight->margin >= options.margin) {
-    return straight;
-  }
-  const detail::BlendSearch blends = search(from, to, options);
+// What `find` finds for a margin, certified to have it.
+template <class Find>
+std::optional<BlendChoice> certified_choice(const Ring& from, const Ring& to,
+                                            const CyclicBlendOptions& options, const Find& find) {
   double aim = options.margin + 2 * kCertificateWidth;
   // The certificate has the last word; where it sees a lower margin than the samples did, the
   // search aims higher.
   for (int attempt = 0; attempt < 3; ++attempt) {
-    const auto found = blends.least_energy(aim);
+    const auto found = find(aim);
     if (!found) {
       return std::nullopt;
     }
@@ -146,6 +143,16 @@ std::optional<BlendChoice> feasible_choice(const Ring& from, const Ring& to,
     aim += options.margin - choice.margin + kCertificateWidth;
   }
   return std::nullopt;
+}
+
+std::optional<BlendChoice> feasible_choice(const Ring& from, const Ring& to,
+                                           const CyclicBlendOptions& options) {
+  const auto straight = straight_choice(from, to, options);
+  if (straight && straight->margin >= options.margin) {
+    return straight;
+  }
+  const detail::BlendSearch blends = search(from, to, options);
+  return certified_choice(from, to, options, [&](double aim) { return blends.least_energy(aim); });
 }
 
 [[noreturn]] void refuse_infeasible(const Ring& from, const Ring& to,
@@ -160,51 +167,73 @@ std::optional<BlendChoice> feasible_choice(const Ring& from, const Ring& to,
           "; move the ends apart, reduce the radii, or ask for less margin");
 }
 
-std::string remedy(const Ring& from, const Ring& to, CyclicBlendOptions options) {
-  options.k = options.l = std::nullopt;
-  const auto choice = feasible_choice(from, to, options);
-  if (!choice) {
-    return "no other end speeds work either";
-  }
-  // As few digits as still work: the best choice may lie on the edge of what is possible.
+// In as few digits as still work: the nearest choice lies on the edge of what is possible.
+std::string speeds_text(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                        const BlendChoice& choice) {
   std::string k, l;
   for (int digits = 4; digits <= 17; ++digits) {
-    k = decimal(choice->k, digits);
-    l = decimal(choice->l, digits);
-    const RingedSurface surface = assembled(from, to, options, std::stod(k), std::stod(l));
-    if (is_valid(surface, options.margin)) {
+    k = decimal(choice.k, digits);
+    l = decimal(choice.l, digits);
+    if (is_valid(assembled(from, to, options, std::stod(k), std::stod(l)), options.margin)) {
       break;
     }
   }
-  return "k = " + k + ", l = " + l + " works";
+  return "k = " + k + ", l = " + l;
+}
+
+std::string remedy(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                   const BlendAdvice& advice) {
+  std::string widest;
+  if (advice.widest) {
+    widest = "the largest margin, " + decimal(advice.widest->margin, 4) +
+             ", has k = " + decimal(advice.widest->k, 4) + ", l = " + decimal(advice.widest->l, 4);
+  }
+  if (!advice.nearest) {
+    return "no other end speeds work either" + (widest.empty() ? "" : "; " + widest);
+  }
+  return widest + "; nearest to those given, " + speeds_text(from, to, options, *advice.nearest) +
+         " works";
+}
+
+// Sampled where the margin is missed, for the message: what is proven is the interval.
+double missing_length(const RingedSurface& surface, const std::vector<ParameterInterval>& where,
+                      double margin) {
+  constexpr int kSamples = 256;
+  double largest = 0;
+  for (const auto& [from, to] : where) {
+    for (int i = 0; i <= kSamples; ++i) {
+      const double t = from + (to - from) * i / kSamples;
+      const double kappa = curvature(evaluate(surface.spine, t));
+      largest = std::max(largest, evaluate(surface.radius, t).value - (1 - margin) / kappa);
+    }
+  }
+  return largest;
 }
 
 [[noreturn]] void refuse(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
                          const RingedSurface& surface) {
   const Regularity found = regularity(surface);
+  const BlendAdvice advice = blend_advice(from, to, options);
+  const std::string help = "; " + remedy(from, to, options, advice);
   const std::string speeds = "k = " + decimal(*options.k) + ", l = " + decimal(*options.l);
   if (!(smallest_radius(surface.radius) > 0)) {
     throw Error(Errc::irregular_surface,
                 "with " + speeds +
-                    " the blend's radius cannot follow the cones at its ends and stay positive; " +
-                    remedy(from, to, options));
+                    " the blend's radius cannot follow the cones at its ends and stay positive" +
+                    help);
   }
   if (!found.stops.empty()) {
-    const std::string where = "t = " + decimal(found.stops.front().from, 4);
-    throw Error(Errc::irregular_surface,
-                "with " + speeds + " the blend's spine stops at " + where + "; " +
-                    remedy(from, to, options),
-                {}, where);
+    throw Error(Errc::irregular_surface, "with " + speeds + " the blend's spine stops there" + help,
+                {}, "t = " + decimal(found.stops.front().from, 4));
   }
-  const auto bad = violations(surface, options.margin);
-  const std::string where =
-      "t in [" + decimal(bad.front().from, 4) + ", " + decimal(bad.back().to, 4) + "]";
+  const auto& bad = advice.violations;
   throw Error(Errc::irregular_surface,
               "with " + speeds + " the blend " + (found.upper <= 0 ? "folds" : "nearly folds") +
-                  " for " + where + ": its margin min(1 - kappa R) is " + decimal(found.lower, 4) +
-                  ", " + decimal(options.margin - found.lower, 4) + " short of " +
-                  decimal(options.margin) + "; " + remedy(from, to, options),
-              {}, where);
+                  " there: its margin min(1 - kappa R) is " + decimal(found.lower, 4) + ", " +
+                  decimal(advice.missing_margin, 4) + " short of " + decimal(options.margin) +
+                  ", its radius " + decimal(advice.missing_length, 4) + " too large for the bend" +
+                  help,
+              {}, "t in [" + decimal(bad.front().from, 4) + ", " + decimal(bad.back().to, 4) + "]");
 }
 
 }  // namespace
@@ -258,6 +287,32 @@ BlendChoice widest_velocities(const Ring& from, const Ring& to, const CyclicBlen
     return certified(from, to, options, *widest);
   }
   refuse_infeasible(from, to, options);
+}
+
+BlendAdvice blend_advice(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  validate(from, to, options);
+  if (!options.k || !options.l) {
+    throw Error(Errc::invalid_argument, "advice on a blend needs both its end speeds");
+  }
+  const RingedSurface surface = assembled(from, to, options, *options.k, *options.l);
+  BlendAdvice advice;
+  if (smallest_radius(surface.radius) > 0) {
+    const Regularity found = regularity(surface);
+    advice.violations = found.stops.empty() ? violations(surface, options.margin) : found.stops;
+    advice.missing_margin = std::max(0.0, options.margin - found.lower);
+    if (found.stops.empty()) {
+      advice.missing_length = missing_length(surface, advice.violations, options.margin);
+    }
+  }
+  CyclicBlendOptions any = options;
+  any.k = any.l = std::nullopt;
+  const detail::BlendSearch blends = search(from, to, any);
+  advice.nearest = certified_choice(
+      from, to, any, [&](double aim) { return blends.nearest(aim, *options.k, *options.l); });
+  if (const auto widest = blends.largest_margin()) {
+    advice.widest = certified(from, to, any, *widest);
+  }
+  return advice;
 }
 
 double bending_energy(const Spine& spine) {

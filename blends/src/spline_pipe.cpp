@@ -139,8 +139,7 @@ void certify(const RingedSurface& piece, std::size_t span, double margin) {
                             detail::decimal(bad.back().to, 4) + "]";
   throw Error(Errc::irregular_surface,
               "the pipe is bent too sharply between its points " + std::to_string(span) + " and " +
-                  std::to_string(span + 1) + ", for " + where +
-                  ": its margin min(1 - kappa R) is " +
+                  std::to_string(span + 1) + ": its margin min(1 - kappa R) is " +
                   detail::decimal(regularity(piece).lower, 4) + ", not " + detail::decimal(margin) +
                   "; move the points apart or reduce the radii",
               {}, where);

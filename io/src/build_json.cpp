@@ -21,7 +21,8 @@ Json part_form(const PartReport& part) {
           {"error_bound", part.error_bound},
           {"segments", part.segments},
           {"bands", part.bands},
-          {"triangles", part.triangles}};
+          {"triangles", part.triangles},
+          {"smallest_angle", part.smallest_angle}};
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ namespace dupin {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 const Ring kInlet{Vec3(0, 0, 0), Vec3::UnitX(), 1};
 const Ring kOutlet{Vec3(10, 4, 0), -test::skew_axis(), 2};
@@ -56,6 +57,9 @@ TEST(CyclicBlend, refuses_figure_5_with_interval_missing_margin_and_remedy) {
   EXPECT_THAT(error.message(), HasSubstr("folds"));
   EXPECT_THAT(error.message(), HasSubstr("-0.3196"));
   EXPECT_THAT(error.message(), HasSubstr("works"));
+  EXPECT_THAT(error.message(), HasSubstr("0.4394 too large"));
+  EXPECT_THAT(error.message(), HasSubstr("the largest margin, 0.1564"));
+  EXPECT_THAT(error.message(), Not(HasSubstr("t in")));
 }
 
 TEST(CyclicBlend, proposes_speeds_that_work) {
@@ -65,6 +69,36 @@ TEST(CyclicBlend, proposes_speeds_that_work) {
   const double k = std::stod(message.substr(message.rfind("k = ") + 4));
   const double l = std::stod(message.substr(message.rfind("l = ") + 4));
   EXPECT_NO_THROW((void)cyclic_blend(kInlet, kOutlet, {.k = k, .l = l}));
+}
+
+// Fig. 5: rho - R is at least -0.439440223609 [MS06]; the tabulated largest margin.
+TEST(BlendAdvice, says_what_is_missing_and_what_is_nearest) {
+  const CyclicBlendOptions figure5{.k = 18, .l = 25, .margin = 0};
+  const BlendAdvice advice = blend_advice(kInlet, kOutlet, figure5);
+  ASSERT_EQ(advice.violations.size(), 1U);
+  EXPECT_NEAR(advice.violations[0].from, 0.659510100362, 1e-12);
+  EXPECT_NEAR(advice.violations[0].to, 0.787707736547, 1e-12);
+  EXPECT_NEAR(advice.missing_margin, 0.319643125931, 1e-6);
+  EXPECT_NEAR(advice.missing_length, 0.439440223609, 1e-4);
+  EXPECT_NEAR(advice.widest.value().margin, 0.15637578, 2e-8);
+  const auto distance = [&](double k, double l) {
+    return std::hypot(std::log(k / 18), std::log(l / 25));
+  };
+  const BlendChoice nearest = advice.nearest.value();
+  EXPECT_GE(nearest.margin, 0);
+  EXPECT_NO_THROW(
+      (void)cyclic_blend(kInlet, kOutlet, {.k = nearest.k, .l = nearest.l, .margin = 0}));
+  // No speeds of a fine grid are nearer and work.
+  for (double k = 6; k <= 22; k += .5) {
+    for (double l = 10; l <= 40; l += .5) {
+      if (distance(k, l) < distance(nearest.k, nearest.l) * .999) {
+        EXPECT_NE(
+            prove_margin(test::ringed(test::skew_spine(k, l), 1, 2, CubicRadius{1, 2}), 0).verdict,
+            Verdict::proved)
+            << k << " " << l;
+      }
+    }
+  }
 }
 
 TEST(CyclicBlend, refuses_a_margin_that_is_positive_but_too_small) {

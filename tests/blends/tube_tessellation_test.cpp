@@ -170,6 +170,12 @@ TEST(TubeTessellation, of_a_closed_pipe_is_closed) {
   }
 }
 
+TEST(SmallestAngle, is_that_of_the_sharpest_corner) {
+  const TriMesh mesh{
+      {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(4, 0, 1)}, {{0, 1, 2}, {0, 3, 2}}, {}, {}};
+  EXPECT_NEAR(smallest_angle(mesh), std::atan(1 / std::sqrt(17)), 1e-15);
+}
+
 TEST(RingedTube, leaves_along_its_rulings) {
   const RingedTube cone = oblique_tube(Vec3(0, 0, 0), Vec3(3, 0, 4), Vec3::UnitZ(), 1, 2);
   const MovingRing out = leaving(cone, PartEnd::end), in = leaving(cone, PartEnd::start);

@@ -18,8 +18,8 @@ using Usage = Tool;
 
 const std::vector<std::string>& commands() {
   static const std::vector<std::string> names{
-      "build", "union", "intersect", "subtract", "boolean", "check",  "gaps",
-      "info",  "edit",  "convert",   "simplify", "certify", "verify", "completion"};
+      "build", "union",   "intersect", "subtract", "boolean", "check", "gaps",      "info",
+      "edit",  "convert", "simplify",  "certify",  "verify",  "nurbs", "completion"};
   return names;
 }
 

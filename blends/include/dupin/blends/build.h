@@ -39,6 +39,7 @@ struct PartReport {
   std::uint32_t segments = 0;  ///< around
   std::uint32_t bands = 0;     ///< along
   std::size_t triangles = 0;   ///< of the part alone, without end discs
+  double smallest_angle = 0;   ///< of its triangles, in radians
 };
 
 /// A built assembly.

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "dupin/blends/regularity.h"
 #include "dupin/blends/ringed_surface.h"
 #include "dupin/kernel/ring.h"
 
@@ -55,6 +57,21 @@ struct BlendChoice {
 /// Of the same speeds, those of the largest margin (options.margin has no influence).
 [[nodiscard]] BlendChoice widest_velocities(const Ring& from, const Ring& to,
                                             const CyclicBlendOptions& options = {});
+
+/// What is wrong with given speeds, and what would be right.
+struct BlendAdvice {
+  std::vector<ParameterInterval> violations;  ///< where the margin is missed, proven outside
+  double missing_margin = 0;                  ///< options.margin less the surface's
+  /// The most by which the radius exceeds the radius of curvature that the margin leaves it, (1 -
+  /// margin) / kappa.
+  double missing_length = 0;
+  std::optional<BlendChoice> nearest;  ///< speeds that work, nearest in the logarithms
+  std::optional<BlendChoice> widest;   ///< speeds of the largest margin
+};
+
+/// Both speeds must be given. Throws as cyclic_blend for bad numbers.
+[[nodiscard]] BlendAdvice blend_advice(const Ring& from, const Ring& to,
+                                       const CyclicBlendOptions& options);
 
 /// The integral of kappa^2 ds along a spine that does not stop.
 [[nodiscard]] double bending_energy(const Spine& spine);

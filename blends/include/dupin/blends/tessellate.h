@@ -85,6 +85,9 @@ struct Tessellation {
 /// A closed sphere of sampling.segments meridians about the z axis.
 [[nodiscard]] Tessellation tessellate(const Sphere& sphere, const RingSampling& sampling);
 
+/// The smallest angle of a mesh's triangles, in radians; 0 if one has none.
+[[nodiscard]] double smallest_angle(const TriMesh& mesh);
+
 /// The flat end: sample(ring, sampling) with the triangles between these points only, normals along
 /// the ring's. The disc of flipped(ring) has the same triangles the other way round, so that discs
 /// that meet cancel exactly.

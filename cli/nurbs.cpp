@@ -1,0 +1,99 @@
+#include "dupin/blends/nurbs.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include <CLI/App.hpp>
+
+#include "commands.h"
+#include "document.h"
+#include "dupin/blends/resolve.h"
+#include "dupin/io/atomic_file.h"
+#include "dupin/io/nurbs_json.h"
+#include "exit_code.h"
+#include "length.h"
+#include "report_text.h"
+
+namespace dupin::cli {
+namespace {
+
+struct NurbsArguments {
+  std::string file, output;
+};
+
+std::vector<NamedNurbs> nurbs_of(const Assembly& assembly, double tolerance) {
+  std::vector<NamedNurbs> result;
+  for (const ResolvedPart& part : resolve(assembly).parts) {
+    try {
+      result.push_back({part.name, part.kind, nurbs(part.shape, tolerance)});
+    } catch (const Error& error) {
+      throw error.in_part(part.name);
+    }
+  }
+  return result;
+}
+
+void print_nurbs(std::ostream& out, const std::vector<NamedNurbs>& parts, const std::string& output,
+                 Unit unit) {
+  std::size_t surfaces = 0, points = 0, exact = 0;
+  double error = 0;
+  for (const NamedNurbs& part : parts) {
+    surfaces += part.form.surfaces.size();
+    exact += part.form.error_bound == 0 ? 1 : 0;
+    error = std::max(error, part.form.error_bound);
+    for (const NurbsSurface& surface : part.form.surfaces) {
+      points += surface.net.size() * surface.net.front().size();
+    }
+  }
+  print_row(out, "parts", std::to_string(parts.size()) + ", " + std::to_string(exact) + " exact");
+  print_row(out, "surfaces", std::to_string(surfaces));
+  print_row(out, "control points", std::to_string(points));
+  print_row(out, "error", "at most " + number(error) + " " + std::string(symbol(unit)));
+  print_row(out, "written", output);
+}
+
+ExitCode run_nurbs(const NurbsArguments& arguments, const CommonOptions& common) {
+  const Assembly assembly = read_document(arguments.file);
+  const double tolerance = length_in(assembly.unit, common.tolerance, assembly.tolerance);
+  const auto parts = nurbs_of(assembly, tolerance);
+  const std::string text = nurbs_json(parts, assembly.unit) + "\n";
+  if (arguments.output == "-") {
+    std::cout << text;
+    return ExitCode::ok;
+  }
+  try {
+    write_file(arguments.output, text);
+  } catch (const Error& error) {
+    throw OutputError(error);
+  }
+  if (common.json) {
+    std::cout << nurbs_report_json(parts, arguments.output) << '\n';
+  } else if (!common.quiet) {
+    print_nurbs(std::cout, parts, arguments.output, assembly.unit);
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_nurbs(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("nurbs", "Write the parts' surfaces as NURBS, in JSON");
+  const auto arguments = std::make_shared<NurbsArguments>();
+  command->add_option("FILE", arguments->file, "assembly document; - for standard input")
+      ->type_name("")
+      ->required();
+  command->add_option("-o,--output", arguments->output, "JSON file; - for standard output")
+      ->type_name("OUT")
+      ->required();
+  command->footer(
+      "Rational surfaces are exact; others are within --tolerance (the document's if not given),\n"
+      "as proven: 'error_bound' says how far.\n\n"
+      "Examples:\n"
+      "  dupin nurbs examples/reducer.json -o reducer-nurbs.json --tolerance 0.001mm");
+  command->callback([arguments, &action] {
+    action = [arguments](const CommonOptions& common) { return run_nurbs(*arguments, common); };
+  });
+}
+
+}  // namespace dupin::cli
