@@ -18,10 +18,10 @@ namespace dupin {
 /// Pieces elsewhere stay bitwise the same, for which the result pins tangents.
 ///
 /// A junction goes exactly there and three pieces change, the next junction staying as near
-/// to its place as it can [SD94]; with `on_locus`, and for the last junction but one, two pieces change and it goes
-/// to the nearest place that these allow. Of the last junction one piece changes, of a bias sphere
-/// none. Throws Error{infeasible_blend} where the pieces are not regular, Error{invalid_argument}
-/// for the first junction and positions out of range.
+/// to its place as it can [SD94]; with `on_locus`, and for the last junction but one, two pieces
+/// change and it goes to the nearest place that these allow. Of the last junction one piece
+/// changes, of a bias sphere none. Throws Error{infeasible_blend} where the pieces are not regular,
+/// Error{invalid_argument} for the first junction and positions out of range.
 [[nodiscard]] CyclideChainThrough move_sphere(const Assembly& assembly, std::uint32_t part,
                                               std::size_t sphere, const PeVector& to,
                                               bool on_locus = false);
