@@ -100,6 +100,9 @@ Tube::Tube(const RingedSurface& surface) : surface_(surface), weight_{1} {
   } else if (const auto* law = std::get_if<BezierRadius>(&surface.radius)) {
     radius_ = {law->coefficients.begin(), law->coefficients.end()};
   }
+  if (radius_.empty() && !std::holds_alternative<CyclideRadius>(surface.radius)) {
+    throw Error(Errc::invalid_argument, "a radius needs coefficients");
+  }
 }
 
 Stretch Tube::stretch(double from, double to) const {
