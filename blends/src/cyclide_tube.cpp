@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "arc_bounds.h"
+#include "decimal.h"
 #include "dupin/blends/cyclide_form.h"
 #include "dupin/kernel/error.h"
 
@@ -67,6 +68,15 @@ CyclideTube cyclide_tube(CyclideChain chain, double wall) {
   const Ring start = flipped(circle_at(chain.pieces.front(), 0));
   const Ring end = circle_at(chain.pieces.back(), 1);
   CyclideTube tube{start, end, std::move(chain), wall};
+  for (std::size_t i = 0; wall > 0 && i < tube.chain.pieces.size(); ++i) {
+    const double least = least_radius(tube.chain.pieces[i]);
+    if (!(least > wall)) {
+      throw Error(Errc::infeasible_blend,
+                  "the wall of " + detail::decimal(wall) +
+                      " is no thinner than the least sphere, of radius " + detail::decimal(least),
+                  "piece " + std::to_string(i));
+    }
+  }
   if (wall > 0) {
     (void)inner_tube(tube);
   }

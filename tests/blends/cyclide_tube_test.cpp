@@ -163,6 +163,7 @@ TEST(CyclideTube, walls_thicker_than_the_tube_are_refused) {
     (void)cyclide_tube(test::crane_hook(), 0.4);
     FAIL();
   } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::infeasible_blend);
     EXPECT_EQ(error.part(), "piece 5");  // ends with radius 0.25
   }
   EXPECT_THROW((void)cyclide_tube(test::crane_hook(), -0.1), Error);
