@@ -94,6 +94,10 @@ std::optional<CyclideChain> three(const Ends& e) {
 CyclideTube cyclide_blend(const Ring& from, const Ring& to) {
   validate(from);
   validate(to);
+  if (from.ellipse || to.ellipse) {
+    throw Error(Errc::invalid_argument,
+                "cyclides join circles only; a cyclic_blend joins ellipses too");
+  }
   const Ring arrival = flipped(to);
   const Ends ends{contact_sphere(from), contact_tangent(from), contact_sphere(arrival),
                   contact_tangent(arrival)};

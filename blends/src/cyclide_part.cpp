@@ -57,6 +57,10 @@ class ChainPart {
       fail(Errc::invalid_argument, "wall",
            "the wall's thickness must be positive, not " + decimal(chain_.wall));
     }
+    if (port_ != nullptr && context_.ring(*port_).ellipse) {
+      fail(Errc::invalid_argument, "from",
+           "a chain of cyclides begins at a circle, not an ellipse");
+    }
     if (chain_.wall > 0 && port_ != nullptr) {
       fail(Errc::invalid_argument, "wall", "a hollow chain has no ports and begins at none");
     }

@@ -67,6 +67,13 @@ TEST(CyclideBlend, skew_cones_take_two_pieces) {
   expect_g1(blend);
 }
 
+TEST(CyclideBlend, ellipses_are_refused) {
+  const Ring circle{Vec3::Zero(), Vec3::UnitZ(), 1};
+  const Ring ellipse{Vec3(3, 0, 3), -Vec3::UnitX(), 1, 0, Ellipse{Vec3::UnitY(), 0.5, 0}};
+  EXPECT_THROW((void)cyclide_blend(circle, ellipse), Error);
+  EXPECT_THROW((void)cyclide_blend(ellipse, circle), Error);
+}
+
 TEST(CyclideBlend, random_ends_are_joined_g1_or_refused) {
   std::mt19937_64 random(58);
   std::uniform_real_distribution<double> place(-4, 4), radius(0.3, 1.2), slope(-0.4, 0.4);

@@ -12,7 +12,7 @@ namespace dupin {
 ///
 /// A single piece counts as meeting the end cone if its end tangent differs from the ring's by no
 /// more than the rounding of the data. Throws Error{infeasible_blend} when three pieces do not do
-/// either; a ringed blend may.
+/// either; a ringed blend may; Error{invalid_argument} for ellipses.
 [[nodiscard]] CyclideTube cyclide_blend(const Ring& from, const Ring& to);
 
 }  // namespace dupin
