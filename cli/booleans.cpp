@@ -69,6 +69,7 @@ ExitCode run_operation(
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit,
                                                     mesh_length(common.tolerance, 0, header.unit));
   std::vector<Solid> operands;
+  operands.reserve(inputs.size());
   std::vector<FileRepair> repairs;
   for (const Input& input : inputs) {
     operands.push_back(read_operand(input, arguments.repair, repairs));
@@ -110,10 +111,11 @@ std::map<std::string, std::string> named_files(const Expression& expression,
       throw UsageError("the operand '" + name + "' is not in the expression");
     }
   }
-  for (const std::string& name : names) {
-    if (!files.contains(name)) {
-      throw UsageError("the expression names '" + name + "', but there is no " + name + "=FILE");
-    }
+  const auto missing = std::find_if(names.begin(), names.end(),
+                                    [&](const std::string& name) { return !files.contains(name); });
+  if (missing != names.end()) {
+    throw UsageError("the expression names '" + *missing + "', but there is no " + *missing +
+                     "=FILE");
   }
   return files;
 }
@@ -122,6 +124,7 @@ ExitCode run_expression(const ExpressionArguments& arguments, const CommonOption
   const Expression expression = parsed(arguments.expression);
   const auto file_of = named_files(expression, arguments.common.operands);
   std::vector<std::string> files;
+  files.reserve(expression.names().size());
   for (const std::string& name : expression.names()) {
     files.push_back(file_of.at(name));
   }

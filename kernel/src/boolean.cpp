@@ -30,6 +30,7 @@ void refuse_contacts(const ExactMesh& result) {
 ExactMesh arranged(std::span<const Solid> operands, const detail::BooleanRule& rule,
                    const BooleanOptions& options) {
   std::vector<const ExactMesh*> meshes;
+  meshes.reserve(operands.size());
   for (const Solid& operand : operands) {
     meshes.push_back(&operand.exact());
   }
@@ -85,6 +86,7 @@ Solid combine_alike(std::span<const Solid> operands, std::size_t first_alike,
                      return precedes(operands[i].exact(), operands[j].exact());
                    });
   std::vector<Solid> sorted;
+  sorted.reserve(order.size());
   for (const std::uint32_t i : order) {
     sorted.push_back(operands[i]);
   }
