@@ -27,9 +27,12 @@ inline TriMesh pipe(double radius, double low, double high, std::uint32_t segmen
     }
   }
   const std::uint32_t top = rows * segments;
-  for (std::uint32_t i = 1; i + 1 < segments; ++i) {
-    mesh.triangles.push_back({0, i + 1, i});
-    mesh.triangles.push_back({top, top + i, top + i + 1});
+  // In a zigzag: in a fan of n, all n^2 pairs would be neighbours.
+  for (std::uint32_t left = 0, right = segments - 1; right - left > 1;) {
+    const std::uint32_t next = (left + right) % 2 == (segments - 1) % 2 ? left + 1 : right - 1;
+    mesh.triangles.push_back({left, right, next});
+    mesh.triangles.push_back({top + left, top + next, top + right});
+    (next == left + 1 ? left : right) = next;
   }
   return mesh;
 }

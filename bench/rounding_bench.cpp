@@ -134,7 +134,7 @@ TriMesh oblique_pipe(std::uint32_t segments, std::uint32_t rings) {
 void large_meshes() {
   std::puts("\nverification of a mesh; processor seconds and seconds");
   std::printf("  %9s %9s %9s %9s\n", "triangles", "rings", "processor", "seconds");
-  for (const std::uint32_t rings : {512U, 64U, 8U, 1U}) {
+  for (const std::uint32_t rings : {512U, 64U, 8U}) {
     const TriMesh mesh = oblique_pipe(500000 / (rings + 1), rings);
     bool sound = false;
     double wall = 0;
