@@ -37,12 +37,4 @@ inline TriMesh pipe(double radius, double low, double high, std::uint32_t segmen
   return mesh;
 }
 
-/// About the x axis instead, moved by `along` in z: to cross a pipe about z.
-inline TriMesh lying(TriMesh mesh, double along) {
-  for (Vec3& point : mesh.points) {
-    point = Vec3(point.z(), point.x(), point.y() + along);
-  }
-  return mesh;
-}
-
 }  // namespace dupin::bench
