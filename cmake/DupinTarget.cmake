@@ -5,6 +5,7 @@ function(dupin_target target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
     -Wno-missing-field-initializers  # designated initialisers of options leave the rest defaulted
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-restrict>  # GCC 12 sees ghosts in std::string (bug 105651)
     -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual $<$<BOOL:${DUPIN_WERROR}>:-Werror>)
   if(DUPIN_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${DUPIN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)

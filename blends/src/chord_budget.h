@@ -42,8 +42,8 @@ inline double point_error(const RingedSurface& surface, double grid) {
 }
 
 inline double point_error(const EllipticTube& tube, double grid) {
-  return point_error(
-      spine_size(tube.spine) + largest_radius(tube.start) + largest_radius(tube.end), grid);
+  return point_error(spine_size(tube.spine) + largest_radius(tube.start) + largest_radius(tube.end),
+                     grid);
 }
 
 inline double point_error(const Sphere& sphere, double grid) {

@@ -53,6 +53,7 @@ class MpfiInterval {
   friend MpfiInterval magnitude(const MpfiInterval& a) { return made(mpfi_abs, a); }
 
   [[nodiscard]] bool is_positive() const { return mpfi_is_strictly_pos(value_) > 0; }
+  // Zeros are +0: people read them.
   [[nodiscard]] Enclosure rounded_outward() const {
     return {mpfr_get_d(&value_->left, MPFR_RNDD), 0.0 + mpfr_get_d(&value_->right, MPFR_RNDU)};
   }

@@ -11,6 +11,7 @@
 #include "dupin/blends/cyclide_blend.h"
 #include "dupin/blends/two_cone_spine.h"
 #include "dupin/kernel/error.h"
+#include "line_and_arc.h"
 
 namespace dupin::detail {
 namespace {
@@ -22,11 +23,6 @@ constexpr double kLargest = 1e12, kSmallest = 1e-12;
 // A vector whose part across another one is, relatively, no larger than this has none but what
 // rounding made of it: a few units of 2^-53, and what the coordinates' own last digits leave.
 constexpr double kNoDirection = 0x1p-40;
-
-// +0 for -0, so that equal vectors are equal bitwise.
-Vec3 plain(const Vec3& v) { return v.array() + 0.0; }
-
-Vec3 opposite(const Vec3& v) { return Vec3::Zero() - v; }
 
 class Geometry {
  public:
@@ -316,12 +312,6 @@ class Geometry {
     return start_ring(place.point, place.direction, place.radius, place.axes, keys);
   }
 
-  // The section in which a cone ends: an ellipse if it has two semi-axes.
-  struct EndSection {
-    double radius;
-    std::optional<Ellipse> ellipse;
-  };
-
   EndSection end_section(const Ring& start, double radius, const std::optional<double>& across,
                          const std::optional<Vec3>& axis, bool own_start) const {
     positive(radius, across ? (own_start ? "semi_axes/1/0" : "end_semi_axes/0")
@@ -342,52 +332,6 @@ class Geometry {
                             *across}};
   }
 
-  static RadiusLaw linear(double start, double end) {
-    return start == end ? RadiusLaw(ConstantRadius{end}) : LinearRadius{start, end};
-  }
-
-  static PartSurface cylinder(const Ring& start, const Vec3& to) {
-    return line(start, to, {start.radius, start.ellipse}, false);
-  }
-
-  // A cone whose start ring is its own knows its half angle at both ends.
-  static PartSurface line(Ring start, const Vec3& to, const EndSection& section, bool own_start) {
-    const double length = (to - start.center).norm();
-    Ring end{plain(to), opposite(start.normal), section.radius,
-             (section.radius - start.radius) / length, section.ellipse};
-    const bool elliptic = start.ellipse || end.ellipse;
-    if (end.ellipse) {
-      end.ellipse->across_slope = (across(end) - across(start)) / length;
-    }
-    if (own_start) {
-      start.slope = 0 - end.slope;
-      if (start.ellipse) {
-        start.ellipse->across_slope = (across(start) - across(end)) / length;
-      }
-    }
-    const LineSpine spine{start.center, end.center};
-    if (elliptic) {
-      return elliptic_tube(start, end, spine, linear(start.radius, end.radius),
-                           linear(across(start), across(end)));
-    }
-    return RingedSurface{start, end, spine, linear(start.radius, end.radius)};
-  }
-
-  // An ellipse's axis has a part along the bend's axis, which stays, and one inward, which turns.
-  static PartSurface arc(const Ring& start, Ring end, const Vec3& inward, double bend_radius,
-                         double angle) {
-    const Vec3 axis = opposite(start.normal).cross(inward).normalized();
-    const ArcSpine spine{start.center + bend_radius * inward, axis, start.center, angle};
-    if (!start.ellipse) {
-      return RingedSurface{start, end, spine, ConstantRadius{start.radius}};
-    }
-    const Vec3& first = start.ellipse->axis;
-    const Vec3 turned = first.dot(axis) * axis + first.dot(inward) * axis.cross(end.normal);
-    end.ellipse = Ellipse{plain(turned.normalized()), start.ellipse->across};
-    return elliptic_tube(start, end, spine, ConstantRadius{start.radius},
-                         ConstantRadius{start.ellipse->across});
-  }
-
   // With e = to - start.center = p travel + q inward, the chord turns by half the angle:
   // tan(angle / 2) = q / p, bend radius = (p^2 + q^2) / (2 q).
   PartSurface elbow_to(const Ring& start, const Vec3& to) const {
@@ -404,17 +348,6 @@ class Geometry {
     const double cosine = (p * p - q * q) / squared, sine = 2 * p * q / squared;
     const Ring end{to, plain(cosine * travel + sine * inward), start.radius};
     return arc(start, end, inward, squared / (2 * q), 2 * std::atan2(q, p));
-  }
-
-  // Exact for quarter turns, which documents mean exactly.
-  static std::pair<double, double> cosine_and_sine(double angle) {
-    constexpr double kQuarter = std::numbers::pi / 2;
-    for (int turns = 1; turns <= 3; ++turns) {
-      if (angle == turns * kQuarter) {
-        return {turns == 2 ? -1 : 0, turns == 2 ? 0 : 2 - turns};
-      }
-    }
-    return {std::cos(angle), std::sin(angle)};
   }
 
   const PartContext& context_;

@@ -22,7 +22,8 @@ RingedTube oblique_tube(const Vec3& from, const Vec3& to, const Vec3& normal, do
   const Ring end{to, unit, end_radius, slope};
   validate(start);
   validate(end);
-  const MovingRing motion{from, unit, start_radius, travel, end_radius - start_radius, Vec3::Zero()};
+  const MovingRing motion{from,        unit, start_radius, travel, end_radius - start_radius,
+                          Vec3::Zero()};
   MovingRing last = motion;
   last.center = to;
   last.radius = end_radius;

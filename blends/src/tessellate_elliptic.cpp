@@ -112,8 +112,7 @@ std::vector<LoftRow> rows_at(const EllipticTube& tube, const std::vector<double>
     const Vec3 second = y.first.normalized().cross(firsts[j]);
     const double angle = turn * eased(tube, knots[j]);
     const double c = std::cos(angle), s = std::sin(angle);
-    rows.push_back({y.position,
-                    evaluate(tube.first, knots[j]).value * (c * firsts[j] + s * second),
+    rows.push_back({y.position, evaluate(tube.first, knots[j]).value * (c * firsts[j] + s * second),
                     evaluate(tube.second, knots[j]).value * (c * second - s * firsts[j])});
   }
   return rows;
@@ -144,8 +143,8 @@ Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
   }
   const Carrier frames = carrier(tube, cells, options.tolerance);
   const double misplaced = 2 * frames.drift * largest_radius(tube);
-  const auto bands = detail::loft_bands(std::move(cells), allowed - misplaced,
-                                        largest_radius(tube), sampling.segments);
+  const auto bands = detail::loft_bands(std::move(cells), allowed - misplaced, largest_radius(tube),
+                                        sampling.segments);
   const auto rows = rows_at(tube, bands.knots, frames.steps);
   return {detail::lofted(tube.start, tube.end, rows, sampling), std::uint32_t(rows.size() - 1),
           bands.error_bound + misplaced + displacement};

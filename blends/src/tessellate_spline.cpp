@@ -10,8 +10,8 @@ namespace {
 std::vector<std::uint32_t> appended_vertices(TriMesh& mesh, const TriMesh& piece,
                                              std::uint32_t segments) {
   const auto row = std::uint32_t(mesh.points.size()) - segments;
-  const auto first = std::find(piece.points.begin(), piece.points.begin() + segments,
-                               mesh.points[row]);
+  const auto first =
+      std::find(piece.points.begin(), piece.points.begin() + segments, mesh.points[row]);
   const auto offset = std::uint32_t(first - piece.points.begin());
   std::vector<std::uint32_t> vertices(piece.points.size());
   for (std::uint32_t i = 0; i < segments; ++i) {

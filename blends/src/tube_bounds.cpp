@@ -18,9 +18,8 @@ TurnBounds turn_bounds(const EllipticTube& tube, const Interval& t) {
   const Interval bend = Interval(1) - Interval(2) * t;
   const Interval rate = tube.continuity == Continuity::g1 ? Interval(6) * rise * turn
                                                           : Interval(30) * square(rise) * turn;
-  const Interval change = tube.continuity == Continuity::g1
-                              ? Interval(6) * bend * turn
-                              : Interval(60) * rise * bend * turn;
+  const Interval change = tube.continuity == Continuity::g1 ? Interval(6) * bend * turn
+                                                            : Interval(60) * rise * bend * turn;
   return {rate.magnitude(), change.magnitude()};
 }
 
@@ -55,8 +54,7 @@ Spin spin_bounds(const RationalRingedSurface& surface, const Interval& t) {
   const auto [a, a1, a2] = rotation_range(surface, t);
   const QuaternionRange back = conjugate(a);
   const Interval size = square(a[0]) + square(a[1]) + square(a[2]) + square(a[3]);
-  const Interval growth =
-      Interval(2) * (a[0] * a1[0] + a[1] * a1[1] + a[2] * a1[2] + a[3] * a1[3]);
+  const Interval growth = Interval(2) * (a[0] * a1[0] + a[1] * a1[1] + a[2] * a1[2] + a[3] * a1[3]);
   const IntervalVec omega = Interval(2) / size * vector_part(product(a1, back));
   const IntervalVec change =
       Interval(2) / size * vector_part(product(a2, back)) - growth / size * omega;
@@ -98,8 +96,7 @@ BandBounds band_bounds(const RationalRingedSurface& surface, double from, double
     points.push_back(interval_vec(point));
   }
   const auto d = bezier_jet(points, t);
-  const auto r =
-      bezier_jet(std::vector<Interval>(surface.radius.begin(), surface.radius.end()), t);
+  const auto r = bezier_jet(std::vector<Interval>(surface.radius.begin(), surface.radius.end()), t);
   const Spin spin = spin_bounds(surface, t);
   const Interval rate = spin.rate, radius = r[0].magnitude(), slope = r[1].magnitude();
   const Interval along = norm(d[2]) + Interval(r[2].magnitude()) + Interval(2) * slope * rate +

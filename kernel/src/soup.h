@@ -19,7 +19,8 @@ struct Soup {
 [[nodiscard]] Soup merged(const TriMesh& mesh, RepairReport& report);
 
 /// Drops triangles without area. One with three different corners goes by splitting the triangles
-/// across its longest edge at the corner between, so that no slit opens; it stays if there are none.
+/// across its longest edge at the corner between, so that no slit opens; it stays if there are
+/// none.
 void drop_degenerate_faces(Soup& soup, RepairReport& report);
 
 /// Drops copies of triangles. Of those that cover the same place both ways, one stays if the
