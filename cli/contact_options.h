@@ -6,7 +6,7 @@
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/solid.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
 class App;
 }
 

@@ -260,6 +260,7 @@ Vec3 evaluate(const NurbsSurface& surface, double along, double around) {
   std::vector<Eigen::Array4d> column;
   for (const auto& row : surface.net) {
     std::vector<Eigen::Array4d> points;
+    points.reserve(row.size());
     for (const auto& p : row) {
       points.emplace_back(p[0], p[1], p[2], p[3]);
     }

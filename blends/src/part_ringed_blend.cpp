@@ -79,7 +79,7 @@ class RingedBlend {
     return along_canal(ring, canal.slope, 1);
   }
   static MovingRing motion(const TravelRing& ring, const SphereContact& sphere, End& end) {
-    const MovingRing result = along_sphere(ring, sphere.center, 1);
+    MovingRing result = along_sphere(ring, sphere.center, 1);
     end.port.slope = result.radius_rate;
     return result;
   }

@@ -50,9 +50,9 @@ struct SpineForm {
 };
 
 struct RadiusForm {
-  static Json law(const char* name, std::vector<double> numbers) {
+  static Json law(const char* name, const std::vector<double>& numbers) {
     Json object = Json::object();
-    object[name] = std::move(numbers);
+    object[name] = numbers;
     return object;
   }
   Json operator()(const ConstantRadius& r) const { return law("constant", {r.radius}); }

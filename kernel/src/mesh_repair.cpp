@@ -176,15 +176,20 @@ std::vector<std::uint32_t> with_neighbours(const RepairMesh& mesh, const Faces& 
   return ring;
 }
 
-void repair(RepairMesh& mesh, const Lattice& lattice, double reach) {
+std::uint64_t repair(RepairMesh& mesh, const Lattice& lattice, double reach, std::uint64_t trials) {
   const Terms terms{Terms::Rule::fewer_bad, reach};
+  const std::uint64_t first = mesh.trials();
   std::vector<BadItem> items = mesh.bad_items();
   for (bool progress = true; progress && !items.empty(); items = mesh.bad_items()) {
     progress = false;
     for (const BadItem& item : items) {
+      if (mesh.trials() - first >= trials) {
+        return 0;
+      }
       progress = (mesh.is_bad(item) && improve(mesh, lattice, item, terms)) || progress;
     }
   }
+  return trials - std::min(trials, mesh.trials() - first);
 }
 
 void clean_up(RepairMesh& mesh, double reach, Faces faces) {

@@ -9,8 +9,9 @@ namespace dupin::detail {
 
 /// Removes the known bad items one by one, in order, by collapsing an edge not longer than `reach`,
 /// else flipping an edge, else moving a point to a near number of the lattice. Every step lowers
-/// their number.
-void repair(RepairMesh& mesh, const Lattice& lattice, double reach);
+/// their number. Gives up once about as many edits have been tried as `trials` says; returns how
+/// many are left, 0 if it gave up.
+std::uint64_t repair(RepairMesh& mesh, const Lattice& lattice, double reach, std::uint64_t trials);
 
 /// Collapses edges shorter than `reach` and flips away triangles that are lower, among `faces` and
 /// what these edits touch, where the mesh stays free of bad items. What is thinner than the

@@ -73,6 +73,9 @@ class RepairMesh {
   [[nodiscard]] std::vector<BadItem> bad_items() const;
   [[nodiscard]] bool is_bad(const BadItem& item) const;
 
+  /// The number of edits tried so far whose effect had to be looked at.
+  [[nodiscard]] std::uint64_t trials() const { return trials_; }
+
   /// The faces edited since the last call that are still there, ascending.
   [[nodiscard]] std::vector<std::uint32_t> take_edited();
 
@@ -112,6 +115,7 @@ class RepairMesh {
   std::vector<std::uint32_t> edited_;
   std::vector<std::uint32_t> stamp_;  // number of the last search that had looked at the face
   std::uint32_t searches_ = 0;
+  std::uint64_t trials_ = 0;
 };
 
 }  // namespace dupin::detail

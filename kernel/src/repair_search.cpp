@@ -177,6 +177,7 @@ void RepairMesh::look_everywhere(std::span<const std::uint32_t> faces,
 /// `after`, a part of them. If accepted, the books are brought up to date.
 bool RepairMesh::settle(std::span<const std::uint32_t> before, std::span<const std::uint32_t> after,
                         const Terms& terms) {
+  ++trials_;
   const std::vector<BadItem> known = known_bad(before);
   const std::size_t limit = terms.rule == Terms::Rule::none_bad ? 1 : known.size();
   std::vector<std::uint32_t> hot;  // where a bad edit shows first

@@ -265,7 +265,7 @@ TEST_F(Edit, repairs_what_random_moves_have_broken) {
     RepairMesh tube = mesh();
     tube.find_bad_items(std::vector<std::uint8_t>(shape.points.size(), 1));
     const std::size_t before = tube.bad_items().size();
-    repair(tube, lattice, 2);
+    repair(tube, lattice, 2, 1'000'000);
     const Report after = check(result(tube));
     EXPECT_EQ(tube.bad_items().empty(),
               after.count(Defect::self_intersection) + after.count(Defect::degenerate_face) == 0)

@@ -5,6 +5,7 @@
 
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/rounding.h"
 #include "support/pipe_cases.h"
 
@@ -32,6 +33,22 @@ TEST_P(RoundedPipeCase, is_a_solid_in_doubles_and_floats) {
 }
 
 #ifdef DUPIN_LARGE_CASES
+// A slit a few ulp thick runs through the whole pipe, and no edit of few triangles closes it. What
+// may not happen is that the search has no end, or that a file is written that is no solid.
+TEST(RoundedSlit, is_refused_with_its_place) {
+  std::vector<Solid> operands;
+  for (const TriMesh& mesh : test::pipe_case("blend_1_fan")) {
+    operands.push_back(Solid::from(mesh));
+  }
+  try {
+    const Rounded rounded = to_mesh(unite(operands), Coordinates::binary32);
+    FAIL() << "the slit was closed: " << rounded.report.removed_triangles;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::unroundable);
+    EXPECT_NE(error.where(), "");
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Large, RoundedPipeCase,
                          testing::Values("tee_100k", "tee_100k_rot", "header_100_rot",
                                          "chain_100_rot", "rack_fine_rot"),
