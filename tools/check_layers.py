@@ -23,7 +23,7 @@ LIBRARIES = {
 LIMITS = [  # first match wins: (pattern, most lines)
     (re.compile(r"^\w+/include/.*\.h$"), 200),
     (re.compile(r"^tests/.*"), 600),
-    (re.compile(r".*"), 450),
+    (re.compile(r".*"), 400),
 ]
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 

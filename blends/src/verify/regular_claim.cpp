@@ -1,0 +1,93 @@
+#include <algorithm>
+
+#include "claims.h"
+
+namespace dupin::verifier {
+namespace {
+
+// The curvature as |y' x y''|^2 w^4 / |y'|^6, in the stretch's own parameter: it makes no
+// difference.
+struct Curvature {
+  Polynomial above, below;
+};
+
+Polynomial square(const Polynomial& p) { return product(p, p); }
+
+Curvature curvature(const Tube& tube, double from, double to) {
+  if (const ArcSpine* arc = tube.arc()) {
+    // The affine image of a circle: |y'|^2 is not below the least eigenvalue of its Gram matrix.
+    Curve u, v;
+    for (int k = 0; k < 3; ++k) {
+      u[k] = {mpq_class(arc->start[k]) - mpq_class(arc->center[k])};
+    }
+    const Vec3& axis = arc->axis;
+    v = cross(Curve{Polynomial{axis.x()}, Polynomial{axis.y()}, Polynomial{axis.z()}}, u);
+    const mpq_class uu = dot(u, u)[0], vv = dot(v, v)[0], uv = dot(u, v)[0];
+    const mpq_class least = std::min(uu, vv) - abs(uv);
+    const Curve bend = cross(u, v);
+    return {dot(bend, bend), {least * least * least}};
+  }
+  const Stretch s = tube.stretch(from, to);
+  const Curve bend = cross(s.tangent, derivative(s.tangent));
+  const Polynomial speed = dot(s.tangent, s.tangent);
+  return {product(dot(bend, bend), square(square(s.weight))), product(speed, square(speed))};
+}
+
+// (1 - margin)^2 |y'|^6 - R^2 |y' x y''|^2 w^4
+Polynomial excess(const Tube& tube, double margin, double from, double to,
+                  const Polynomial& radius) {
+  const Curvature c = curvature(tube, from, to);
+  const mpq_class room = 1 - mpq_class(margin);
+  return difference(product({room * room}, c.below), product(square(radius), c.above));
+}
+
+bool all_positive(const Polynomial& p) {
+  return std::all_of(p.begin(), p.end(), [](const mpq_class& x) { return x > 0; });
+}
+
+// A CyclideRadius is replaced by its largest value, on smaller stretches where that is too much.
+bool is_regular_on(const Tube& tube, double margin, double from, double to, int halvings) {
+  const Polynomial radius = tube.radius(from, to);
+  if (!radius.empty()) {
+    return all_positive(radius) && all_positive(excess(tube, margin, from, to, radius));
+  }
+  const Interval range = tube.radius_range(from, to);
+  if (range.lower > 0 && all_positive(excess(tube, margin, from, to, {range.upper}))) {
+    return true;
+  }
+  const double middle = (from + to) / 2;
+  return halvings > 0 && is_regular_on(tube, margin, from, middle, halvings - 1) &&
+         is_regular_on(tube, margin, middle, to, halvings - 1);
+}
+
+bool fails_at(const Tube& tube, double margin, double t) {
+  const Polynomial radius = tube.radius(t, t);
+  const double least = tube.radius_range(t, t).lower;
+  return tube.arc() == nullptr && least > 0 &&
+         excess(tube, margin, t, t, radius.empty() ? Polynomial{least} : radius).front() <= 0;
+}
+
+}  // namespace
+
+bool follows(const Tube& tube, const RegularClaim& claim) {
+  if (!(claim.margin >= 0 && claim.margin < 1)) {
+    return false;
+  }
+  if (claim.verdict == Verdict::refuted) {
+    return 0 <= claim.where.from && claim.where.to <= 1 &&
+           (fails_at(tube, claim.margin, claim.where.from) ||
+            fails_at(tube, claim.margin, claim.where.to));
+  }
+  constexpr int kHalvings = 24;
+  double reached = 0;
+  for (const ParameterInterval& leaf : claim.leaves) {
+    if (leaf.from != reached || !(leaf.from < leaf.to && leaf.to <= 1) ||
+        !is_regular_on(tube, claim.margin, leaf.from, leaf.to, kHalvings)) {
+      return false;
+    }
+    reached = leaf.to;
+  }
+  return reached == 1;
+}
+
+}  // namespace dupin::verifier
