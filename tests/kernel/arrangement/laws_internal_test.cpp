@@ -3,22 +3,13 @@
 #include <CGAL/box_intersection_d.h>
 #include <gtest/gtest.h>
 
-#include "arrangement/arrange.h"
-#include "dupin/kernel/solid.h"
-#include "exact_mesh.h"
 #include "kernel/exact_validity.h"
-#include "support/shapes.h"
+#include "stages.h"
 
 namespace dupin::detail {
 namespace {
 
-Solid arranged(const std::vector<Solid>& solids, const BooleanRule& rule) {
-  std::vector<const ExactMesh*> operands;
-  for (const Solid& solid : solids) {
-    operands.push_back(&solid.exact());
-  }
-  return Solid(std::make_shared<const ExactMesh>(arrange(operands, rule)));
-}
+using test::arranged;
 
 // A box, a tetrahedron or a prism with small integer coordinates.
 Solid random_solid(std::mt19937& random) {

@@ -1,28 +1,18 @@
 #include <gtest/gtest.h>
 
-#include "arrangement/arrange.h"
-#include "dupin/kernel/solid.h"
-#include "exact_mesh.h"
-#include "support/shapes.h"
+#include "stages.h"
 
 namespace dupin::detail {
 namespace {
 
 using test::box;
+using test::cube;
 using test::moved;
 using test::tetrahedron;
 using test::tube;
 
 Solid arranged(const std::vector<TriMesh>& meshes, const BooleanRule& rule) {
-  std::vector<Solid> solids;
-  std::vector<const ExactMesh*> operands;
-  for (const TriMesh& mesh : meshes) {
-    solids.push_back(Solid::from(mesh));
-  }
-  for (const Solid& solid : solids) {
-    operands.push_back(&solid.exact());
-  }
-  return Solid(std::make_shared<const ExactMesh>(arrange(operands, rule)));
+  return test::arranged(test::solids_of(meshes), rule);
 }
 
 struct Expected {
@@ -37,10 +27,6 @@ struct Case {
   std::vector<TriMesh> operands;
   Expected united, common, difference;
 };
-
-TriMesh cube(double x, double y, double z, double size = 2) {
-  return box({x, y, z}, {x + size, y + size, z + size});
-}
 
 void expect(const Solid& solid, const Expected& expected, const char* what) {
   SCOPED_TRACE(what);
