@@ -2,6 +2,7 @@
 #include <array>
 #include <functional>
 
+#include "convex_fill.h"
 #include "dupin/blends/tessellate.h"
 
 namespace dupin {
@@ -11,8 +12,10 @@ bool precedes(const Vec3& a, const Vec3& b) {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
 
-// The convex polygon of the corners first..last, by halving: triangles as round as can be, and no
-// corner in more than O(log n) of them.
+}  // namespace
+
+namespace detail {
+
 void fill(std::uint32_t first, std::uint32_t last, std::vector<Triangle>& triangles) {
   if (last - first < 2) {
     return;
@@ -23,14 +26,14 @@ void fill(std::uint32_t first, std::uint32_t last, std::vector<Triangle>& triang
   fill(middle, last, triangles);
 }
 
-}  // namespace
+}  // namespace detail
 
 TriMesh disc(const Ring& ring, const RingSampling& sampling) {
   TriMesh mesh{sample(ring, sampling), {}, {}, {}};
   const std::uint32_t n = sampling.segments;
   // The polygon of flipped(ring) runs the other way from the same first corner. Both sides halve in
   // the direction whose second corner precedes its last.
-  fill(0, n - 1, mesh.triangles);
+  detail::fill(0, n - 1, mesh.triangles);
   if (!precedes(mesh.points[1], mesh.points[n - 1])) {
     for (auto& triangle : mesh.triangles) {
       for (auto& corner : triangle) {

@@ -6,40 +6,20 @@
 
 #include <Eigen/Geometry>
 
-#include "arc_bounds.h"
-#include "band_march.h"
 #include "chord_budget.h"
+#include "cyclide_rows.h"
 #include "dupin/blends/tessellate.h"
 
 namespace dupin {
 namespace {
 
 using detail::March;
+using detail::Row;
 
-// Cells of a piece on which the second derivatives are bounded once. They vary with the cosine of
-// at most a turn over a piece, so that the bounds exceed the suprema by a few percent.
-constexpr std::uint32_t kCells = 32;
-
-March march_of(const PeArc& arc, double around) {
-  const detail::ArcConstants constants(arc);
-  std::vector<detail::BandBounds> cells;
-  cells.reserve(kCells);
-  for (std::uint32_t i = 0; i < kCells; ++i) {
-    cells.push_back(
-        detail::band_bounds(arc, constants, double(i) / kCells, double(i + 1) / kCells));
-  }
-  return {std::move(cells), around};
-}
-
-// The radius of a piece's spheres is convex, concave or monotone: the largest is at an end or near
-// the largest of samples, which the bounds of the cells (not this estimate) make certain.
 double largest_radius(const CyclideChain& chain) {
   double largest = 0;
   for (const PeArc& arc : chain.pieces) {
-    for (std::uint32_t i = 0; i <= kCells; ++i) {
-      largest =
-          std::max(largest, circle_at(arc, detail::parameter_at(arc, double(i) / kCells)).radius);
-    }
+    largest = std::max(largest, detail::largest_circle(arc));
   }
   return largest;
 }
@@ -65,7 +45,7 @@ std::vector<PieceBands> bands(const CyclideChain& chain, double allowed, std::ui
   std::vector<March> marches;
   std::vector<PieceBands> result;
   for (const PeArc& arc : chain.pieces) {
-    marches.push_back(march_of(arc, around));
+    marches.push_back(detail::march_of(arc, around));
     result.push_back({marches.back().knots(budget.enough, 0, kNoLimit), 0});
   }
   const double twist = around / 2 / double(band_count(result));
@@ -74,23 +54,6 @@ std::vector<PieceBands> bands(const CyclideChain& chain, double allowed, std::ui
     result[i].error_bound = marches[i].error_bound(result[i].knots, twist);
   }
   return result;
-}
-
-// A row of points: a circle with the frame that the symmetry plane of its piece carries along, and
-// the angle in it of the polygon's first corner.
-struct Row {
-  Ring circle;
-  Vec3 first, second;
-  double angle = 0;
-
-  [[nodiscard]] Vec3 direction(double a) const {
-    return std::cos(a) * first + std::sin(a) * second;
-  }
-};
-
-Row row_at(const PeArc& arc, double fraction, const Vec3& plane_normal) {
-  const Ring circle = circle_at(arc, detail::parameter_at(arc, fraction));
-  return {circle, plane_normal.cross(circle.normal).normalized(), plane_normal, 0};
 }
 
 // The rows between the tube's end rings. `first` is the direction of the start polygon's first
@@ -103,10 +66,10 @@ std::vector<Row> inner_rows(const CyclideChain& chain, const std::vector<PieceBa
   for (std::size_t p = 0; p < chain.pieces.size(); ++p) {
     const PeArc& arc = chain.pieces[p];
     const Vec3 plane_normal = frame(arc).second;
-    const Row start = row_at(arc, 0, plane_normal);
+    const Row start = detail::row_at(arc, 0, plane_normal);
     const double angle = std::atan2(first.dot(start.second), first.dot(start.first));
     for (std::size_t j = 1; j < bands[p].knots.size(); ++j) {
-      rows.push_back(row_at(arc, bands[p].knots[j], plane_normal));
+      rows.push_back(detail::row_at(arc, bands[p].knots[j], plane_normal));
       rows.back().angle = angle;
     }
     first = rows.back().direction(angle);
@@ -115,17 +78,12 @@ std::vector<Row> inner_rows(const CyclideChain& chain, const std::vector<PieceBa
   return rows;
 }
 
-// A point is N / W with quadratics N and W, where W is at least (1 + w) / 2.
 double point_error(const CyclideTube& tube, double grid) {
   double largest = 0;
   for (const PeArc& arc : tube.chain.pieces) {
-    double size = 0;
-    for (const auto& [sphere, weight] : bezier_points(arc)) {
-      size += sphere.m.norm() + std::abs(sphere.r);
-    }
-    largest = std::max(largest, size * std::max(1.0, 2 / (1 + arc.w())));
+    largest = std::max(largest, detail::point_error(arc, grid));
   }
-  return detail::point_error(largest, grid);
+  return largest;
 }
 
 struct Skin {
