@@ -64,11 +64,11 @@ Change<kCount> change(std::string_view option, const std::string& typed, std::st
   return result;
 }
 
-CyclideChain pieces(const Assembly& assembly, std::uint32_t part) {
+std::vector<PeArc> pieces(const Assembly& assembly, std::uint32_t part) {
   const ResolvedAssembly resolved = resolve(assembly);
   const auto found = std::find_if(resolved.parts.begin(), resolved.parts.end(),
                                   [&](const ResolvedPart& p) { return p.index == part; });
-  return std::get<CyclideTube>(found->shape).chain;
+  return cyclide_pieces(found->shape);
 }
 
 CyclideChainThrough edited_chain(const EditArguments& arguments, const Assembly& assembly,
@@ -86,14 +86,14 @@ CyclideChainThrough edited_chain(const EditArguments& arguments, const Assembly&
 
 // What differs is compared bit by bit in the document that will be written.
 EditReport compared(const Assembly& before, const Assembly& after, std::uint32_t part) {
-  const CyclideChain old_pieces = pieces(before, part), new_pieces = pieces(after, part);
+  const auto old_pieces = pieces(before, part), new_pieces = pieces(after, part);
   const auto& old_chain = std::get<CyclideChainThrough>(before.parts[part].shape);
   const auto& new_chain = std::get<CyclideChainThrough>(after.parts[part].shape);
   EditReport report;
   report.part = before.parts[part].name;
-  report.pieces = new_pieces.pieces.size();
+  report.pieces = new_pieces.size();
   for (std::size_t i = 0; i < report.pieces; ++i) {
-    if (!(old_pieces.pieces[i] == new_pieces.pieces[i])) {
+    if (!(old_pieces[i] == new_pieces[i])) {
       report.changed.push_back(i);
     }
   }

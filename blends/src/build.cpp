@@ -98,6 +98,8 @@ class Builder {
     result.end_tangency = proven.end_tangency;
     if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
       describe(*tube, assembly_.parts[part.index].shape, result);
+    } else if (const auto* chain = std::get_if<KneecapChain>(&part.shape)) {
+      result.construction = std::to_string(chain->pieces.size()) + " pieces with kneecaps";
     } else if (part.kind == "cyclide_blend") {
       result.construction = "ringed";
     }
@@ -120,11 +122,29 @@ class Builder {
     return chosen;
   }
 
+  // The pieces of a chain with kneecaps overlap each other.
+  [[nodiscard]] std::vector<Solid> solids_of(std::span<const std::uint32_t> parts,
+                                             const RingSampling& chosen) const {
+    TriMesh mesh = detail::welded(resolved_, parts, tubes_, chosen);
+    const bool overlaps = std::any_of(parts.begin(), parts.end(), [&](std::uint32_t part) {
+      return std::holds_alternative<KneecapChain>(resolved_.parts[part].shape);
+    });
+    if (!overlaps) {
+      return {Solid::from(mesh)};
+    }
+    std::vector<Solid> solids;
+    for (const TriMesh& shell : detail::connected_parts(mesh)) {
+      solids.push_back(Solid::from(shell));
+    }
+    return solids;
+  }
+
   // Parts of a run may cross, touch or cover each other. Such a run is halved, at a ring, until
   // every piece is a solid; the discs of both halves there are the same and vanish in the union.
   void append_solids(std::span<const std::uint32_t> parts, const RingSampling& chosen) {
     try {
-      solids_.push_back(Solid::from(detail::welded(resolved_, parts, tubes_, chosen)));
+      auto solids = solids_of(parts, chosen);
+      solids_.insert(solids_.end(), solids.begin(), solids.end());
       return;
     } catch (const Error& error) {
       if (error.code() == Errc::limit_exceeded) {

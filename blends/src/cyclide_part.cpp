@@ -4,6 +4,7 @@
 #include <string>
 
 #include "decimal.h"
+#include "dupin/blends/kneecap.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin::detail {
@@ -109,10 +110,20 @@ class ChainPart {
   ChainPart(const PartContext& context, const CyclideChainThrough& chain)
       : context_(context), chain_(chain), port_(std::get_if<PortReference>(&chain.from)) {}
 
-  CyclideTube tube() const {
+  PartSurface surface() const {
     check_numbers();
     const auto spheres = all_spheres();
-    if (spheres.size() < 3 || spheres.size() % 2 == 0) {
+    check_count(spheres.size());
+    if (chain_.joints == ChainJoints::kneecaps) {
+      check_kneecaps();
+      return at_piece([&] { return kneecap_chain(spheres); });
+    }
+    return tube(spheres);
+  }
+
+ private:
+  void check_count(std::size_t spheres) const {
+    if (spheres < 3 || spheres % 2 == 0) {
       fail(Errc::invalid_argument, "spheres",
            std::string(port_ == nullptr ? "a chain needs an odd number of spheres, three at least"
                                         : "a chain from a port needs an even number of spheres, "
@@ -120,6 +131,23 @@ class ChainPart {
                ": junctions and bias spheres in turn, not " +
                std::to_string(chain_.spheres.size()));
     }
+  }
+
+  // Its spheres alone shape every piece.
+  void check_kneecaps() const {
+    const auto refuse = [&](bool is_given, const std::string& key) {
+      if (is_given) {
+        fail(Errc::invalid_argument, key,
+             "a chain with kneecaps is shaped by its spheres alone and takes no '" + key + "'");
+      }
+    };
+    refuse(port_ != nullptr, "from");
+    refuse(std::holds_alternative<ChainDirection>(chain_.from), "direction");
+    refuse(!chain_.tangents.empty(), "tangents");
+    refuse(chain_.wall > 0, "wall");
+  }
+
+  CyclideTube tube(const std::vector<PeVector>& spheres) const {
     const CyclideChain pieces = composed(spheres);
     CyclideTube tube = at_piece([&] { return cyclide_tube(pieces, chain_.wall); });
     if (port_ != nullptr) {
@@ -128,7 +156,6 @@ class ChainPart {
     return tube;
   }
 
- private:
   const PartContext& context_;
   const CyclideChainThrough& chain_;
   const PortReference* port_;
@@ -136,8 +163,8 @@ class ChainPart {
 
 }  // namespace
 
-CyclideTube cyclide_chain(const PartContext& context, const CyclideChainThrough& chain) {
-  return ChainPart(context, chain).tube();
+PartSurface cyclide_chain(const PartContext& context, const CyclideChainThrough& chain) {
+  return ChainPart(context, chain).surface();
 }
 
 }  // namespace dupin::detail

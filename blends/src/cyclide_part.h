@@ -1,13 +1,13 @@
 #pragma once
 
-#include "dupin/blends/cyclide_tube.h"
+#include "dupin/blends/part_surface.h"
 #include "part_geometry.h"
 
 namespace dupin::detail {
 
 /// The geometry of a chain in an assembly. Throws as resolve() does; faults of a piece are laid at
 /// the sphere it leads to.
-[[nodiscard]] CyclideTube cyclide_chain(const PartContext& context,
+[[nodiscard]] PartSurface cyclide_chain(const PartContext& context,
                                         const CyclideChainThrough& chain);
 
 }  // namespace dupin::detail

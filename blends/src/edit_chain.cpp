@@ -21,13 +21,17 @@ class Editor {
     const ResolvedAssembly resolved = resolve(assembly);
     const auto found = std::find_if(resolved.parts.begin(), resolved.parts.end(),
                                     [&](const ResolvedPart& p) { return p.index == part; });
-    pieces_ = std::get<CyclideTube>(found->shape).chain;
+    pieces_.pieces = cyclide_pieces(found->shape);
   }
 
   CyclideChainThrough moved(std::size_t sphere, const PeVector& to, bool on_locus) {
     if (sphere >= edited_.spheres.size()) {
       fail("there is no sphere " + std::to_string(sphere) + "; the last is " +
            std::to_string(edited_.spheres.size() - 1));
+    }
+    if (edited_.joints == ChainJoints::kneecaps) {
+      edited_.spheres[sphere] = to;
+      return edited_;
     }
     const std::size_t position = sphere + own_, count = pieces_.pieces.size();
     if (position == 0) {
@@ -50,6 +54,9 @@ class Editor {
   }
 
   CyclideChainThrough twisted(std::size_t sphere, double angle) {
+    if (edited_.joints == ChainJoints::kneecaps) {
+      fail("a chain with kneecaps has no common tangent cones to turn about");
+    }
     const std::size_t position = sphere + own_;
     if (position % 2 != 0 || position == 0 || position / 2 >= pieces_.pieces.size()) {
       fail("sphere " + std::to_string(sphere) + " is no junction between two pieces");

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <Eigen/Geometry>
 
+#include "decimal.h"
 #include "dupin/blends/cyclide_chain.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
@@ -76,6 +79,32 @@ Kneecap kneecap(const PeArc& before, const PeArc& after) {
   knee.overlap_area = square * common;
   knee.exposed_area = square * (4 * pi - cap_area(knee.before) - cap_area(knee.after) + common);
   return knee;
+}
+
+KneecapChain kneecap_chain(std::span<const PeVector> spheres) {
+  std::vector<PeArc> pieces = through_all(spheres);
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const Kneecap knee = kneecap(pieces[i - 1], pieces[i]);
+    if (knee.between <= std::abs(knee.before - knee.after)) {
+      throw Error(Errc::infeasible_blend,
+                  "the piece turns back into the one before it: they leave their common sphere at "
+                  "an angle of " +
+                      detail::decimal(knee.between * 180 / pi, 4) +
+                      " degrees; move the spheres after it further round",
+                  "piece " + std::to_string(i));
+    }
+  }
+  const Ring start = flipped(circle_at(pieces.front(), 0)), end = circle_at(pieces.back(), 1);
+  return {start, end, std::move(pieces)};
+}
+
+Enclosure margin(const KneecapChain& chain) {
+  Enclosure least = margin(chain.pieces.front());
+  for (const PeArc& piece : chain.pieces) {
+    const Enclosure here = margin(piece);
+    least = {std::min(least.lower, here.lower), std::min(least.upper, here.upper)};
+  }
+  return least;
 }
 
 }  // namespace dupin

@@ -192,9 +192,19 @@ class Exact {
 
   NurbsForm operator()(const CyclideTube& tube) const {
     NurbsForm result;
-    append(tube.chain, result);
+    append(tube.chain.pieces, result);
     if (tube.wall > 0) {
-      append(inner_tube(tube).chain, result);
+      append(inner_tube(tube).chain.pieces, result);
+    }
+    return result;
+  }
+
+  NurbsForm operator()(const KneecapChain& chain) const {
+    NurbsForm result;
+    append(chain.pieces, result);
+    for (std::size_t i = 1; i < chain.pieces.size(); ++i) {
+      const auto& [center, radius] = chain.pieces[i].start();
+      result.surfaces.push_back((*this)(Sphere{center, radius}).surfaces.front());
     }
     return result;
   }
@@ -214,8 +224,8 @@ class Exact {
   }
 
  private:
-  static void append(const CyclideChain& chain, NurbsForm& form) {
-    for (const PeArc& arc : chain.pieces) {
+  static void append(const std::vector<PeArc>& pieces, NurbsForm& form) {
+    for (const PeArc& arc : pieces) {
       for (const BiquadraticPatch& patch : patches(arc)) {
         NurbsSurface surface{2, 2, detail::bezier_knots(2, 1), detail::bezier_knots(2, 1), {}};
         for (std::size_t i = 0; i < 3; ++i) {

@@ -58,6 +58,11 @@ class Claims {
     return result;
   }
 
+  PartClaims operator()(const KneecapChain& chain) const {
+    const Enclosure bounds = margin(chain);
+    return {bounds.lower, bounds.upper, {}, {}};
+  }
+
   PartClaims operator()(const RingedTube& tube) const {
     return {certified_margin(tube.surface), {}, {}, {}};
   }

@@ -197,7 +197,7 @@ class Geometry {
     }
   }
 
-  CyclideTube operator()(const CyclideChainThrough& chain) const {
+  PartSurface operator()(const CyclideChainThrough& chain) const {
     return cyclide_chain(context_, chain);
   }
 

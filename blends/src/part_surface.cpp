@@ -30,4 +30,12 @@ const Ring* port_ring(const PartSurface& surface, PartEnd end) {
   return std::visit([end](const auto& shape) { return ring_of(shape, end); }, surface);
 }
 
+std::vector<PeArc> cyclide_pieces(const PartSurface& surface) {
+  if (const auto* tube = std::get_if<CyclideTube>(&surface)) {
+    return tube->chain.pieces;
+  }
+  const auto* chain = std::get_if<KneecapChain>(&surface);
+  return chain == nullptr ? std::vector<PeArc>() : chain->pieces;
+}
+
 }  // namespace dupin

@@ -34,12 +34,12 @@ struct Extent {
   }
 };
 
-void include(Extent& extent, const CyclideTube& tube) {
-  if (tube.wall > 0) {
-    extent.include(tube.wall);
+void include(Extent& extent, const std::vector<PeArc>& pieces, double wall) {
+  if (wall > 0) {
+    extent.include(wall);
   }
-  for (const PeArc& piece : tube.chain.pieces) {
-    extent.include(least_radius(piece) - tube.wall);
+  for (const PeArc& piece : pieces) {
+    extent.include(least_radius(piece) - wall);
     extent.include(piece.start().m, piece.start().r);
     extent.include(piece.end().m, piece.end().r);
   }
@@ -82,7 +82,10 @@ double lattice_spacing(const ResolvedAssembly& assembly, double tolerance) {
       continue;
     }
     if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
-      include(extent, *tube);
+      include(extent, tube->chain.pieces, tube->wall);
+    }
+    if (const auto* chain = std::get_if<KneecapChain>(&part.shape)) {
+      include(extent, chain->pieces, 0);
     }
     for (const PartEnd end : {PartEnd::start, PartEnd::end}) {
       if (const Ring* ring = port_ring(part.shape, end)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 
 #include "dupin/blends/tessellate.h"
 
@@ -145,6 +146,44 @@ TriMesh welded(const ResolvedAssembly& assembly, std::span<const std::uint32_t> 
     welder.append(part, tubes[part]);
   }
   return welder.take();
+}
+
+std::vector<TriMesh> connected_parts(const TriMesh& mesh) {
+  const auto none = std::uint32_t(mesh.points.size());
+  std::vector<std::uint32_t> parent(mesh.points.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t point) {
+    while (parent[point] != point) {
+      parent[point] = parent[parent[point]];
+      point = parent[point];
+    }
+    return point;
+  };
+  for (const auto& [a, b, c] : mesh.triangles) {
+    parent[root(b)] = root(a);
+    parent[root(c)] = root(a);
+  }
+  std::vector<TriMesh> parts;
+  std::vector<std::uint32_t> part_of(mesh.points.size(), none), index(mesh.points.size(), none);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    std::uint32_t& part = part_of[root(mesh.triangles[i][0])];
+    if (part == none) {
+      part = std::uint32_t(parts.size());
+      parts.push_back({{}, {}, {}, mesh.names});
+    }
+    TriMesh& here = parts[part];
+    Triangle triangle = mesh.triangles[i];
+    for (std::uint32_t& corner : triangle) {
+      if (index[corner] == none) {
+        index[corner] = std::uint32_t(here.points.size());
+        here.points.push_back(mesh.points[corner]);
+      }
+      corner = index[corner];
+    }
+    here.triangles.push_back(triangle);
+    here.labels.push_back(mesh.labels[i]);
+  }
+  return parts;
 }
 
 }  // namespace dupin::detail

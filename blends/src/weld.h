@@ -15,4 +15,8 @@ namespace dupin::detail {
 [[nodiscard]] TriMesh welded(const ResolvedAssembly& assembly, std::span<const std::uint32_t> parts,
                              const std::vector<TriMesh>& tubes, const RingSampling& sampling);
 
+/// The parts of a labelled mesh that share no points, each with the points it uses, in the order of
+/// their first triangles.
+[[nodiscard]] std::vector<TriMesh> connected_parts(const TriMesh& mesh);
+
 }  // namespace dupin::detail

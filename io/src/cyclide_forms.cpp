@@ -26,6 +26,17 @@ PinnedTangent pinned_tangent(const JsonNode& node) {
   return {index(node.at("sphere")), pe_vector(node.at("tangent"), "[x, y, z, slope]")};
 }
 
+ChainJoints joints(const JsonNode& node) {
+  const std::string text = node.text();
+  if (text == "kneecaps") {
+    return ChainJoints::kneecaps;
+  }
+  if (text != "smooth") {
+    node.fail("must be \"smooth\" or \"kneecaps\", not \"" + text + "\"");
+  }
+  return ChainJoints::smooth;
+}
+
 }  // namespace
 
 PartShape read_cyclide_blend(const JsonNode& node) {
@@ -34,8 +45,11 @@ PartShape read_cyclide_blend(const JsonNode& node) {
 }
 
 PartShape read_cyclide_chain(const JsonNode& node) {
-  allow_only(node, {"from", "direction", "slope", "spheres", "tangents", "wall"});
+  allow_only(node, {"from", "direction", "slope", "spheres", "tangents", "wall", "joints"});
   CyclideChainThrough chain;
+  if (node.has("joints")) {
+    chain.joints = joints(node.at("joints"));
+  }
   if (node.has("from")) {
     chain.from = port(node.at("from"));
   }

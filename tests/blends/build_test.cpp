@@ -141,8 +141,9 @@ TEST(Build, makes_solids_of_chains_and_blends_of_cyclides) {
   const Assembly bends = example("u-bend-cyclide.json");
   expect_solid("u-bend-cyclide.json", bends, {2, 2, 2, 0, smooth_volume(resolve(bends))});
   EXPECT_EQ(build(bends).parts[2].construction, "single");
-  for (const std::string name : {"crane-hook.json", "crane-hook-twisted.json", "jet-engine.json",
-                                 "reducing-elbow.json", "skew-pipes.json", "u-bend-cyclide.json"}) {
+  for (const std::string name :
+       {"crane-hook.json", "crane-hook-twisted.json", "jet-engine.json", "reducing-elbow.json",
+        "skew-pipes.json", "u-bend-cyclide.json", "ucct-arm.json"}) {
     const Solid solid = build(example(name)).solid;
     const Report exact = check(to_mesh(solid).mesh);
     const Report rounded = check(to_mesh(solid, Coordinates::binary32).mesh);

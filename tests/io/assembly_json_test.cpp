@@ -173,6 +173,8 @@ const std::vector<Malformed>& unreadable() {
       {document(
            R"({"name": "c", "cyclide_chain": {"spheres": [], "tangents": [{"sphere": -1, "tangent": [1, 0, 0, 0]}]}})"),
        "d.json#/parts/0/cyclide_chain/tangents/0/sphere", "must be an index, counted from 0"},
+      {document(R"({"name": "c", "cyclide_chain": {"spheres": [], "joints": "caps"}})"),
+       "d.json#/parts/0/cyclide_chain/joints", "must be \"smooth\" or \"kneecaps\", not \"caps\""},
       {document(R"({"name": "c", "cyclide_chain": {"spheres": [], "wall": 0}})"),
        "d.json#/parts/0/cyclide_chain/wall", "the wall's thickness must be positive"},
   };

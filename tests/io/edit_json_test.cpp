@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/blends/edit_chain.h"
+#include "dupin/blends/part_surface.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/atomic_file.h"
@@ -113,6 +114,26 @@ TEST(EditJson, twisting_turns_what_follows) {
     EXPECT_LT(miss.m.norm(), 1e-13);
     EXPECT_NEAR(turned.pieces[i].w(), expected.pieces[i].w(), 1e-13);
   }
+}
+
+TEST(EditJson, a_chain_with_kneecaps_changes_in_the_pieces_through_the_sphere) {
+  const std::string text =
+      R"({"units": "mm", "tolerance": 0.01, "parts": [{"name": "c", "cyclide_chain": {"joints": "kneecaps",
+      "spheres": [[0,0,0,1],[2,1,0,0.8],[4,1,0,1],[6,0.2,0,0.9],[8,1,0,0.7],[10,1.4,0,0.7],[12,1,0,0.7]]}}]})";
+  const auto kneecap_pieces = [](const std::string& document) {
+    return CyclideChain{cyclide_pieces(resolve(parse_assembly(document)).parts.at(0).shape)};
+  };
+  const std::vector<std::vector<std::size_t>> changed{{0}, {0}, {0, 1}, {1}, {1, 2}, {2}, {2}};
+  const auto spheres =
+      std::get<CyclideChainThrough>(parse_assembly(text).parts.at(0).shape).spheres;
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    PeVector to = spheres[i];
+    to.m.z() += 0.125;
+    const std::string edited = moved(text, i, to);
+    EXPECT_EQ(differing(kneecap_pieces(text), kneecap_pieces(edited)), changed[i]) << i;
+    EXPECT_THAT(edited, testing::Not(testing::HasSubstr("tangents")));
+  }
+  EXPECT_THROW((void)twist_chain(parse_assembly(text), 0, 2, 1), Error);
 }
 
 TEST(EditJson, refuses_what_cannot_be_edited) {

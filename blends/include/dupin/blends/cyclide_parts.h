@@ -26,6 +26,10 @@ struct ChainDirection {
 /// The first three spheres decide.
 struct ChainFree {};
 
+/// How the pieces of a chain meet: in one circle, tangent to each other; or each passing through
+/// its own three spheres, with parts of the common spheres between them, see kneecap.h.
+enum class ChainJoints { smooth, kneecaps };
+
 /// A chain of cyclide pieces [SD94], see cyclide_chain.h.
 struct CyclideChainThrough {
   std::variant<ChainFree, ChainDirection, PortReference> from;
@@ -34,6 +38,7 @@ struct CyclideChainThrough {
   std::vector<PeVector> spheres;
   std::vector<PinnedTangent> tangents;  ///< by positions in `spheres`
   double wall = 0;                      ///< 0: solid
+  ChainJoints joints = ChainJoints::smooth;
 };
 
 }  // namespace dupin

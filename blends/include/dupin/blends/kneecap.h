@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "dupin/blends/pe_arc.h"
+#include "dupin/kernel/enclosure.h"
+#include "dupin/kernel/ring.h"
 
 namespace dupin {
 
@@ -29,5 +31,20 @@ struct Kneecap {
 
 /// Throws Error{invalid_argument} unless `before` ends in the sphere where `after` starts, bitwise.
 [[nodiscard]] Kneecap kneecap(const PeArc& before, const PeArc& after);
+
+/// A chain with kneecaps as a part of an assembly: the union of its pieces, each between the flat
+/// discs of its contact circles, and at every joint of what the ball has beyond the disc of the
+/// piece before and ahead of that of the piece after.
+struct KneecapChain {
+  Ring start, end;            ///< the stored end rings, normals pointing out
+  std::vector<PeArc> pieces;  ///< each starts in the sphere in which the one before ends, bitwise
+};
+
+/// The chain through_all `spheres`. Throws Error{infeasible_blend}, which names the piece, for one
+/// that turns back into the one before it.
+[[nodiscard]] KneecapChain kneecap_chain(std::span<const PeVector> spheres);
+
+/// The least margin of the pieces, see cyclide_tube.h.
+[[nodiscard]] Enclosure margin(const KneecapChain& chain);
 
 }  // namespace dupin

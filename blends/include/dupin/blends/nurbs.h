@@ -28,7 +28,8 @@ struct NurbsForm {
 
 /// Exact, as the papers' surfaces are rational: cylinders, cones and elbows of any section,
 /// spheres, straight blends with polynomial radii, rational ringed surfaces (bidegree (9, 2) or (5,
-/// 2)) and pieces of cyclides (2, 2).
+/// 2)) and pieces of cyclides (2, 2); of a chain with kneecaps the pieces and the whole spheres at
+/// the joints, which trim each other.
 ///
 /// Others have no exact form, because |y'| is irrational: cyclic blends, splines, elliptic blends.
 /// They are lofted through their own circles by cubics that share the tangent planes of the part

@@ -5,6 +5,7 @@
 
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/elliptic_tube.h"
+#include "dupin/blends/kneecap.h"
 #include "dupin/blends/ringed_surface.h"
 #include "dupin/blends/ringed_tube.h"
 #include "dupin/blends/sphere.h"
@@ -43,6 +44,8 @@ struct TessellationOptions {
                                          double grid = 0);
 [[nodiscard]] std::uint32_t segments_for(const RingedTube& tube, double tolerance, double grid = 0);
 [[nodiscard]] std::uint32_t segments_for(const SplinePipe& pipe, double tolerance, double grid = 0);
+[[nodiscard]] std::uint32_t segments_for(const KneecapChain& chain, double tolerance,
+                                         double grid = 0);
 
 /// Triangles of one part and a proof of how far they are from it.
 struct Tessellation {
@@ -80,6 +83,13 @@ struct Tessellation {
                                       const TessellationOptions& options = {});
 /// A closed pipe's last row is its first one.
 [[nodiscard]] Tessellation tessellate(const SplinePipe& pipe, const RingSampling& sampling,
+                                      const TessellationOptions& options = {});
+
+/// One mesh of several: the pieces, closed but for the chain's ends, and the sectors of the joints'
+/// balls that the kneecaps bound. They share no points, but have copies of the same where they
+/// meet, and cover parts of each other; their union is the chain. Circles apart by less than a
+/// sixteenth of the tolerance count as one.
+[[nodiscard]] Tessellation tessellate(const KneecapChain& chain, const RingSampling& sampling,
                                       const TessellationOptions& options = {});
 
 /// A closed sphere of sampling.segments meridians about the z axis.

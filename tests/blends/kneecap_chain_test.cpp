@@ -1,0 +1,358 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/blends/build.h"
+#include "dupin/blends/cyclide_form.h"
+#include "dupin/blends/kneecap.h"
+#include "dupin/blends/tessellate.h"
+#include "dupin/kernel/check.h"
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/rounding.h"
+#include "support/cyclide_cases.h"
+
+namespace dupin {
+namespace {
+
+using std::numbers::pi;
+using test::sphere;
+
+using Spheres = std::vector<PeVector>;
+
+// Mathematics C9.
+Spheres five() {
+  return {sphere(0, 0, 0, 1), sphere(2, 1, 0, .8), sphere(4, 1, 0, 1), sphere(6, .2, 0, .9),
+          sphere(8, 1, 0, .7)};
+}
+
+// Balls of radius 1 along a line of length 4 to the origin and one of length 4 from there, at an
+// angle to it.
+Spheres corner(double bend) {
+  const Vec3 on(std::cos(bend), std::sin(bend), 0);
+  return {sphere(-4, 0, 0, 1), sphere(-2, 0, 0, 1), {Vec3::Zero(), 1}, {2 * on, 1}, {4 * on, 1}};
+}
+
+// A cylinder along the x axis to the origin, then a cone whose balls grow by `sine` of the way.
+Spheres to_cone(double sine, double bend) {
+  Spheres spheres = corner(bend);
+  spheres[3].r += 2 * sine;
+  spheres[4].r += 4 * sine;
+  return spheres;
+}
+
+Assembly document(const Spheres& spheres, double tolerance) {
+  CyclideChainThrough chain;
+  chain.spheres = spheres;
+  chain.joints = ChainJoints::kneecaps;
+  return {"", Unit::millimetre, tolerance, {}, {{"chain", chain}}};
+}
+
+struct Measure {
+  double area = 0, volume = 0;
+};
+
+Measure measure(const TriMesh& mesh) {
+  Measure sum;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3 &p = mesh.points[a], &q = mesh.points[b], &r = mesh.points[c];
+    sum.area += (q - p).cross(r - p).norm() / 2;
+    sum.volume += p.dot(q.cross(r)) / 6;
+  }
+  return sum;
+}
+
+double disc_area(const Ring& ring) { return pi * ring.radius * ring.radius; }
+
+// The pieces' own, with the discs at the chain's ends.
+Measure of_pieces(const KneecapChain& chain) {
+  Measure sum{disc_area(chain.start) + disc_area(chain.end), 0};
+  for (const PeArc& piece : chain.pieces) {
+    sum.area += area(piece);
+    sum.volume += volume(piece);
+  }
+  return sum;
+}
+
+template <class MeasureAt>
+void expect_second_order(const Measure& exact, const MeasureAt& measure_at) {
+  constexpr int kHalvings = 2;
+  std::array<Measure, 2> errors;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double tolerance = 0.004 / std::pow(4, i == 0 ? 0 : kHalvings);
+    const Measure found = measure_at(tolerance);
+    errors.at(i) = {std::abs(found.area - exact.area), std::abs(found.volume - exact.volume)};
+    EXPECT_LT(errors.at(i).volume, 1.5 * tolerance * exact.area);
+  }
+  const auto order = [](double coarse, double fine) {
+    return std::log2(coarse / fine) / kHalvings;
+  };
+  EXPECT_GE(order(errors[0].volume, errors[1].volume), 1.85);
+  EXPECT_GE(order(errors[0].area, errors[1].area), 1.85);
+}
+
+Measure built(const Spheres& spheres, double tolerance) {
+  const Solid solid = build(document(spheres, tolerance)).solid;
+  return {solid.area(), solid.volume()};
+}
+
+// The inner halves of the pipes up to the plane between them are hoofs: of volume 2/3 tan(bend / 2)
+// and lateral area 2 tan(bend / 2). Both lose theirs, and one of the volumes counts twice.
+TEST(KneecapChain, corner_of_two_pipes_has_a_sector_of_a_ball) {
+  for (const double bend : {0.3, pi / 2, 2.0}) {
+    SCOPED_TRACE(bend);
+    const double t = std::tan(bend / 2);
+    const Measure exact{2 * pi * 8 + 2 * pi + 2 * bend - 4 * t, pi * 8 + 2 * bend / 3 - 4 * t / 3};
+    expect_second_order(exact, [&](double tolerance) { return built(corner(bend), tolerance); });
+  }
+}
+
+// Mathematics B13, B14: the tubes meet the sphere in circles that do not cross.
+TEST(KneecapChain, band_joint_has_the_area_and_volume_of_its_parts) {
+  for (const double bend : {0.0, 0.15}) {
+    SCOPED_TRACE(bend);
+    const Spheres spheres = to_cone(-0.2, bend);
+    const KneecapChain chain = kneecap_chain(spheres);
+    const Kneecap knee = kneecap(chain.pieces[0], chain.pieces[1]);
+    ASSERT_TRUE(knee.is_clean());
+    Measure exact = of_pieces(chain);
+    exact.area += knee.exposed_area;
+    const auto segment = [](double angle) {
+      const double h = 1 - std::cos(angle);
+      return pi * h * h * (3 - h) / 3;
+    };
+    exact.volume += 4 * pi / 3 - segment(knee.before) - segment(knee.after);
+    expect_second_order(exact, [&](double tolerance) { return built(spheres, tolerance); });
+  }
+}
+
+// The cone leaves the cylinder where it gets wider, behind the common sphere's centre.
+TEST(KneecapChain, hidden_joint_is_the_union_of_the_pieces) {
+  const double sine = 0.2, angle = std::asin(sine), x = std::tan(angle / 2);
+  const KneecapChain chain = kneecap_chain(to_cone(sine, 0));
+  const double end_x = chain.end.center.x(), end_r = chain.end.radius, height = end_x + x;
+  const Measure exact{2 * pi * (4 - x) + pi * (1 + end_r) * height / std::cos(angle) +
+                          disc_area(chain.start) + disc_area(chain.end),
+                      pi * (4 - x) + pi / 3 * height * (1 + end_r + end_r * end_r)};
+  expect_second_order(exact, [&](double tolerance) { return built(to_cone(sine, 0), tolerance); });
+}
+
+TEST(KneecapChain, pieces_of_one_torus_meet_in_one_circle) {
+  Spheres spheres;
+  for (const int degrees : {0, 25, 40, 70, 90}) {
+    const double a = degrees * pi / 180;
+    spheres.push_back({3 * Vec3(std::cos(a), std::sin(a), 0), 1});
+  }
+  const Measure exact{3 * pi * pi + 2 * pi, 1.5 * pi * pi};
+  expect_second_order(exact, [&](double tolerance) { return built(spheres, tolerance); });
+}
+
+// Of a disc, beyond the chord of an arc.
+double segment_area(const Ring& circle, double arc) {
+  return circle.radius * circle.radius / 2 * (arc - std::sin(arc));
+}
+
+// The angle of the part of circle u.n1 = h1 of the unit sphere with u.n2 < h2.
+double arc_behind(double h1, double h2, double n12) {
+  return 2 * std::acos((n12 * h1 - h2) / std::sqrt((1 - h1 * h1) * (1 - n12 * n12)));
+}
+
+// The mesh of the pieces, before they are united: the kneecap is a lune, its sector of the ball is
+// the cone over it from the centre with those over the discs' segments.
+TEST(KneecapChain, pieces_with_the_oracles_kneecap_converge_at_second_order) {
+  const KneecapChain chain = kneecap_chain(five());
+  const Kneecap knee = kneecap(chain.pieces[0], chain.pieces[1]);
+  const Ring before = circle_at(chain.pieces[0], 1), after = circle_at(chain.pieces[1], 0);
+  const double h1 = (before.center - knee.sphere.m).dot(before.normal);
+  const double h2 = (after.center - knee.sphere.m).dot(after.normal);
+  const double n12 = before.normal.dot(after.normal);
+  const double segment1 = segment_area(before, arc_behind(h1, h2, n12));
+  const double segment2 = segment_area(after, arc_behind(-h2, -h1, n12));
+  Measure exact = of_pieces(chain);
+  // The discs close the pieces, their segments the sector of the ball.
+  exact.area += knee.exposed_area + disc_area(before) + disc_area(after) + segment1 + segment2;
+  exact.volume += (knee.exposed_area - h1 * segment1 + h2 * segment2) / 3;
+  EXPECT_NEAR(knee.exposed_area, 1.77031001528072, 1e-12);
+  expect_second_order(exact, [&](double tolerance) {
+    const RingSampling sampling{segments_for(chain, tolerance)};
+    const Tessellation result = tessellate(chain, sampling, {tolerance});
+    EXPECT_LE(result.error_bound, tolerance);
+    Measure found = measure(result.mesh);
+    for (const Ring& ring : {chain.start, chain.end}) {
+      const Measure end = measure(disc(ring, sampling));
+      found.area += end.area;
+      found.volume += end.volume;
+    }
+    return found;
+  });
+}
+
+// Outside positive. The joint's ball is one of both pieces' own.
+double distance_to(const KneecapChain& chain, const Vec3& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const PeArc& arc : chain.pieces) {
+    least = std::min(least, signed_distance(arc, point));
+  }
+  return least;
+}
+
+TEST(KneecapChain, solid_is_as_near_to_the_smooth_one_as_the_report_says) {
+  const Spheres spheres = five();
+  const KneecapChain chain = kneecap_chain(spheres);
+  const Built result = build(document(spheres, 0.01));
+  const double bound = result.parts[0].error_bound;
+  EXPECT_LE(bound, 0.01);
+  EXPECT_EQ(result.parts[0].construction, "2 pieces with kneecaps");
+  EXPECT_EQ(result.pieces, 3U);
+  const TriMesh mesh = to_mesh(result.solid).mesh;
+  double largest = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 7) {
+    if (mesh.names.at(mesh.labels.at(i)) == "chain") {
+      const auto& [a, b, c] = mesh.triangles[i];
+      const Vec3 middle = (mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3;
+      largest = std::max(largest, std::abs(distance_to(chain, middle)));
+    }
+  }
+  EXPECT_LE(largest, bound);
+  EXPECT_GE(largest, bound / 10) << "the bound would be useless";
+}
+
+TEST(KneecapChain, ends_in_its_stored_rings_bitwise) {
+  const KneecapChain chain = kneecap_chain(five());
+  const RingSampling sampling{64, 0.25, std::ldexp(1.0, -20)};
+  const TriMesh mesh = tessellate(chain, sampling, {0.01}).mesh;
+  const auto first = sample(flipped(chain.start), sampling);
+  EXPECT_TRUE(std::equal(first.begin(), first.end(), mesh.points.begin()));
+  const auto last = sample(chain.end, sampling);
+  EXPECT_TRUE(std::is_permutation(mesh.points.end() - 64, mesh.points.end(), last.begin()));
+}
+
+void expect_ball(const Spheres& spheres, double tolerance) {
+  const Solid solid = build(document(spheres, tolerance)).solid;
+  for (const Coordinates coordinates : {Coordinates::binary64, Coordinates::binary32}) {
+    const Report report = check(to_mesh(solid, coordinates).mesh);
+    EXPECT_TRUE(report.is_solid());
+    EXPECT_EQ(report.count(Defect::self_intersection), 0U);
+    EXPECT_EQ(report.euler_number, 2);
+    EXPECT_EQ(report.components, 1U);
+  }
+}
+
+TEST(KneecapChain, every_kind_of_joint_is_watertight_before_and_after_float32) {
+  for (const Spheres& spheres :
+       {five(), corner(1), to_cone(-0.1, 0), to_cone(-0.2, 0.1), to_cone(0.2, 0.1),
+        to_cone(-0.2, 1), to_cone(0.3, 2), corner(1e-9), corner(1e-4), corner(0.02)}) {
+    expect_ball(spheres, 0.02);
+  }
+}
+
+// Circles that all but touch, from both sides.
+TEST(KneecapChain, circles_that_nearly_touch_are_watertight) {
+  const double sine = -0.2, touching = std::asin(-sine);
+  for (const double off : {-1e-3, -1e-6, -1e-12, 0.0, 1e-12, 1e-6, 1e-3}) {
+    SCOPED_TRACE(off);
+    expect_ball(to_cone(sine, touching + off), 0.02);
+    expect_ball(to_cone(-sine, touching + off), 0.02);
+  }
+}
+
+// Random walks whose directions stay within 60 degrees of the x axis, so that they do not come
+// back to themselves.
+TEST(KneecapChain, random_chains_are_watertight) {
+  std::mt19937_64 random(1994);
+  std::uniform_real_distribution<double> aside(-1.2, 1.2), radius(0.6, 1);
+  int chains = 0;
+  for (int i = 0; chains < 12 && i < 400; ++i) {
+    Spheres spheres;
+    Vec3 place = Vec3::Zero();
+    for (int k = 0; k < 7; ++k) {
+      spheres.push_back({place, radius(random)});
+      place += Vec3(2.2, aside(random), aside(random));
+    }
+    try {
+      (void)kneecap_chain(spheres);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::infeasible_blend);
+      continue;
+    }
+    SCOPED_TRACE(i);
+    ++chains;
+    expect_ball(spheres, 0.05);
+  }
+  EXPECT_EQ(chains, 12);
+}
+
+TEST(KneecapChain, refuses_a_piece_that_turns_back_into_the_one_before) {
+  Spheres spheres = to_cone(-0.2, pi - 0.1);
+  spheres[0].r = 2.2;
+  spheres[1].r = 1.6;
+  try {
+    (void)kneecap_chain(spheres);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::infeasible_blend);
+    EXPECT_EQ(error.part(), "piece 1");
+    EXPECT_THAT(error.message(), testing::HasSubstr("turns back"));
+  }
+}
+
+TEST(KneecapChain, documents_errors_have_their_places) {
+  struct Row {
+    const char* place;
+    CyclideChainThrough chain;
+  };
+  const auto with = [](const auto& change) {
+    CyclideChainThrough chain;
+    chain.spheres = five();
+    chain.joints = ChainJoints::kneecaps;
+    change(chain);
+    return chain;
+  };
+  const Row rows[] = {
+      {"direction", with([](auto& chain) { chain.from = ChainDirection{}; })},
+      {"tangents", with([](auto& chain) {
+         chain.tangents = {{2, {Vec3::UnitX(), 0}}};
+       })},
+      {"wall", with([](auto& chain) { chain.wall = 0.1; })},
+      {"spheres", with([](auto& chain) { chain.spheres.pop_back(); })},
+      {"spheres/1", with([](auto& chain) { chain.spheres[1].r = -1; })},
+      {"spheres/4", with([](auto& chain) { chain.spheres[3].r = 5; })},
+  };
+  for (const Row& row : rows) {
+    try {
+      (void)build({"c.json", Unit::millimetre, 0.01, {}, {{"chain", row.chain}}});
+      FAIL() << row.place;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.part(), "chain");
+      EXPECT_EQ(error.where(), "c.json#/parts/0/cyclide_chain/" + std::string(row.place));
+    }
+  }
+}
+
+TEST(KneecapChain, is_welded_to_the_parts_at_its_ends) {
+  CyclideChainThrough chain;
+  chain.spheres = corner(1);
+  chain.joints = ChainJoints::kneecaps;
+  const Assembly assembly{"",
+                          Unit::millimetre,
+                          0.01,
+                          {},
+                          {{"a", PipeAlong{PortReference{"chain", PartEnd::start}, 1}},
+                           {"chain", chain},
+                           {"b", PipeAlong{PortReference{"chain", PartEnd::end}, 2}}}};
+  const Built result = build(assembly);
+  EXPECT_EQ(result.runs, 1U);
+  EXPECT_EQ(result.pieces, 3U);
+  EXPECT_EQ(result.solid.euler_number(), 2);
+  EXPECT_NEAR(result.solid.volume(), build(document(corner(1), 0.01)).solid.volume() + 3 * pi,
+              0.01 * 2 * pi * 3);
+}
+
+}  // namespace
+}  // namespace dupin
