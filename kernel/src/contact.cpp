@@ -21,18 +21,35 @@ ExactVector difference(const ExactPoint& a, const ExactPoint& b) {
 // A half-plane that ends in the edge, from the first one counter-clockwise.
 struct Leaf {
   ExactVector direction;  // from the edge into the face
-  bool along = false;     // whether the face runs along the edge from low to high
-  int half_turn = 0;      // 0 in [0, pi) from the first leaf, 1 in [pi, 2 pi)
+  std::uint32_t half_edge = 0;
+  int half_turn = 0;  // 0 in [0, pi) from the first leaf, 1 in [pi, 2 pi)
 };
 
-// Whether faces around the edge from `low` to `high` leave and enter the solid in turn.
+// Whether faces around the edge leave and enter the solid in turn.
 bool alternates(const MeshView& mesh, const EdgeTable& edges, const Edge& edge) {
+  const std::vector<std::uint32_t> around = sorted_around(mesh, edges, edge);
+  const auto same_way = [&](std::uint32_t a, std::uint32_t b) {
+    return edges.origin(a) == edges.origin(b);
+  };
+  return !same_way(around.front(), around.back()) &&
+         std::adjacent_find(around.begin(), around.end(), same_way) == around.end();
+}
+
+void sort_unique(std::vector<std::uint32_t>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> sorted_around(const MeshView& mesh, const EdgeTable& edges,
+                                         const Edge& edge) {
   const ExactPoint low = mesh.exact(edge.low);
   const ExactVector axis = difference(mesh.exact(edge.high), low);
   std::vector<Leaf> leaves;
   for (const std::uint32_t half_edge : edge.half_edges) {
     const std::uint32_t apex = edges.target(next_half_edge(half_edge));
-    leaves.push_back({difference(mesh.exact(apex), low), edges.origin(half_edge) == edge.low, 0});
+    leaves.push_back({difference(mesh.exact(apex), low), half_edge, 0});
   }
   const auto turn = [&](const ExactVector& a, const ExactVector& b) {
     return sign(dot(axis, cross(a, b)));
@@ -49,17 +66,13 @@ bool alternates(const MeshView& mesh, const EdgeTable& edges, const Edge& edge) 
     return a.half_turn != b.half_turn ? a.half_turn < b.half_turn
                                       : turn(a.direction, b.direction) > 0;
   });
-  const auto same_way = [](const Leaf& a, const Leaf& b) { return a.along == b.along; };
-  return leaves.front().along != leaves.back().along &&
-         std::adjacent_find(leaves.begin(), leaves.end(), same_way) == leaves.end();
+  std::vector<std::uint32_t> half_edges;
+  half_edges.reserve(leaves.size());
+  for (const Leaf& leaf : leaves) {
+    half_edges.push_back(leaf.half_edge);
+  }
+  return half_edges;
 }
-
-void sort_unique(std::vector<std::uint32_t>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
-}  // namespace
 
 std::vector<ContactPlace> find_contacts(const MeshView& mesh,
                                         std::span<const std::uint32_t> first_identical) {
@@ -150,7 +163,10 @@ std::vector<std::uint32_t> first_identical(const ExactMesh& mesh) {
 
 void separate_contacts(ExactMesh& mesh) {
   const EdgeTable edges(mesh.triangles, mesh.points.size());
-  const auto fans = corner_fans(mesh.triangles, edges);
+  separate_fans(mesh, corner_fans(mesh.triangles, edges));
+}
+
+void separate_fans(ExactMesh& mesh, std::span<const std::uint32_t> fans) {
   const auto point_of = [&](std::uint32_t corner) {
     return mesh.triangles[corner / 3][corner % 3];
   };

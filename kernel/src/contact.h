@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "edge_table.h"
 #include "mesh_view.h"
 
 namespace dupin::detail {
@@ -18,6 +19,11 @@ struct ContactPlace {
   /// surface crosses or covers itself.
   bool alternating = true;
 };
+
+/// The half-edges along an edge in the order of their faces around it, counter-clockwise about its
+/// direction from low to high, exactly.
+[[nodiscard]] std::vector<std::uint32_t> sorted_around(const MeshView& mesh, const EdgeTable& edges,
+                                                       const Edge& edge);
 
 /// Where a closed oriented 2-manifold surface touches itself: edges first, then vertices that are
 /// in no such edge. `first_identical` names for each point the first one of the same coordinates.
@@ -37,5 +43,8 @@ struct ContactPlace {
 /// wherever its edges are, and lists the contacts. Every edge has two faces that run along it in
 /// opposite directions.
 void separate_contacts(ExactMesh& mesh);
+
+/// The same for fans given like those of corner_fans(), whatever number of faces edges have.
+void separate_fans(ExactMesh& mesh, std::span<const std::uint32_t> fans);
 
 }  // namespace dupin::detail

@@ -99,8 +99,13 @@ Shells shells(std::size_t face_count, const EdgeTable& edges) {
       sets.join(edge.half_edges[0] / 3, half_edge / 3);
     }
   }
+  return grouped(std::move(sets).representatives());
+}
+
+Shells grouped(std::vector<std::uint32_t> lowest_faces) {
+  const auto face_count = static_cast<std::uint32_t>(lowest_faces.size());
   Shells result;
-  result.of_face = std::move(sets).representatives();
+  result.of_face = std::move(lowest_faces);
   result.starts.push_back(0);
   for (std::uint32_t face = 0; face < face_count; ++face) {
     const std::uint32_t lowest = result.of_face[face];

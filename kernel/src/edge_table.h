@@ -59,6 +59,9 @@ struct Shells {
 
 [[nodiscard]] Shells shells(std::size_t face_count, const EdgeTable& edges);
 
+/// Sets of faces as shells: per face the lowest one of its set is given.
+[[nodiscard]] Shells grouped(std::vector<std::uint32_t> lowest_faces);
+
 /// V - E + F of each shell, points counted once per fan.
 [[nodiscard]] std::vector<std::int64_t> euler_numbers(const Shells& shells, const EdgeTable& edges,
                                                       std::span<const std::uint32_t> fans);

@@ -66,6 +66,17 @@ TriMesh tube(double radius, double low, double high, std::uint32_t segments) {
   return mesh;
 }
 
+std::vector<TriMesh> pyramids(const std::array<double, 4>& heights) {
+  TriMesh low;
+  low.points = {{0, 0, heights[0]}, {1, 0, heights[1]}, {1, 1, heights[2]}, {0, 1, heights[3]}};
+  TriMesh high = low;
+  low.points.emplace_back(0.5, 0.5, -1);
+  low.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}};
+  high.points.emplace_back(0.5, 0.5, 2);
+  high.triangles = {{0, 3, 1}, {1, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  return {low, high};
+}
+
 TriMesh joined(std::initializer_list<TriMesh> meshes) {
   TriMesh result;
   for (const TriMesh& mesh : meshes) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "dupin/kernel/mesh.h"
 
@@ -22,6 +24,12 @@ namespace dupin::test {
 /// A prism over the regular `segments`-gon inscribed in a circle of the radius about the z axis
 /// from z = low to high; fans from the first corner at both ends.
 [[nodiscard]] TriMesh tube(double radius, double low, double high, std::uint32_t segments);
+
+/// Two pyramids with tips at (0.5, 0.5, -1) and (0.5, 0.5, 2) over a ring of points above the
+/// corners of the unit square, each closing it by another diagonal: the lower one by that from
+/// corner 0 to 2, the upper one by that from 1 to 3. A void remains between them if the latter runs
+/// above.
+[[nodiscard]] std::vector<TriMesh> pyramids(const std::array<double, 4>& heights);
 
 /// All faces in one mesh, points not merged; labels kept where there are any.
 [[nodiscard]] TriMesh joined(std::initializer_list<TriMesh> meshes);
