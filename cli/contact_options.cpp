@@ -38,7 +38,6 @@ ContactChoice contact_choice(const std::string& text, const std::string& unit) {
 Solid settle(const Solid& solid, const ContactChoice& choice, OutputReport& report) {
   const bool is_bridge = choice.kind == ContactChoice::Kind::bridge;
   if ((!is_bridge && choice.kind != ContactChoice::Kind::separate) || solid.contacts().empty()) {
-    report.contacts = solid.contacts();
     return solid;
   }
   Settled settled = is_bridge ? bridge(solid, choice.length) : separate(solid, choice.length);

@@ -60,19 +60,19 @@ RoundingReport nearest_rounding(const TriMesh& mesh, Coordinates coordinates) {
 }
 
 /// STL has no vertices, only corners: readers weld those that coincide.
-void refuse_contacts(const Solid& solid, const Destination& to) {
+void refuse_contacts(const std::vector<Contact>& contacts, const Destination& to) {
   const bool welds = to.format == MeshFormat::stl_ascii || to.format == MeshFormat::stl_binary;
-  if (!welds || solid.contacts().empty()) {
+  if (!welds || contacts.empty()) {
     return;
   }
   constexpr std::size_t kTold = 3;
   std::string places;
-  for (std::size_t i = 0; i < std::min(kTold, solid.contacts().size()); ++i) {
-    places += (i == 0 ? " " : ", ") + place_text(solid.contacts()[i].from);
+  for (std::size_t i = 0; i < std::min(kTold, contacts.size()); ++i) {
+    places += (i == 0 ? " " : ", ") + place_text(contacts[i].from);
   }
   throw Error(Errc::contact,
-              "the solid touches itself in " + counted(solid.contacts().size(), "place") + ", at" +
-                  places + (solid.contacts().size() > kTold ? ", ..." : "") +
+              "the solid touches itself in " + counted(contacts.size(), "place") + ", at" + places +
+                  (contacts.size() > kTold ? ", ..." : "") +
                   ", and readers of STL would weld it there; write another format, or see "
                   "--contacts separate=LENGTH and bridge=LENGTH",
               {}, to.is_stdout() ? "standard output" : to.path);
@@ -123,8 +123,9 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
                          MeshHeader header, const ContactChoice& contacts) {
   OutputReport report;
   const Solid settled = settle(solid, contacts, report);
-  refuse_contacts(settled, to);
   const Rounded rounded = to_mesh(settled, coordinates(to.format), rounding);
+  refuse_contacts(rounded.contacts, to);
+  report.contacts = rounded.contacts;
   if (rounded.report.origin != Vec3::Zero()) {
     header.note += (header.note.empty() ? "" : "; ") + origin_note(rounded.report.origin);
   }

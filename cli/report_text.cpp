@@ -147,6 +147,11 @@ void print_output(std::ostream& out, const OutputReport& report, std::string_vie
                   powered(report.simplification->deviation, unit, ""));
   }
   print_row(out, "rounding", rounding_text(report.rounding, unit));
+  if (report.rounding.filled_slits > 0) {
+    print_row(out, "slits",
+              counted(report.rounding.filled_slits, "void") + " filled, at most " +
+                  powered(report.rounding.slit_width, unit, "") + " wide");
+  }
   if (report.rounding.origin != Vec3::Zero()) {
     print_row(out, "origin", place_text(report.rounding.origin));
   }

@@ -30,7 +30,9 @@ Json form(const RoundingReport& rounding) {
           {"largest_move", rounding.largest_move},
           {"repair_reach", rounding.repair_reach},
           {"removed_triangles", rounding.removed_triangles},
-          {"removed_shells", rounding.removed_shells}};
+          {"removed_shells", rounding.removed_shells},
+          {"filled_slits", rounding.filled_slits},
+          {"slit_width", rounding.slit_width}};
 }
 
 Json form(const Contact& contact) {

@@ -10,6 +10,7 @@
 #include "exact_rounding.h"
 #include "mesh_repair.h"
 #include "shell_check.h"
+#include "slits.h"
 
 namespace dupin {
 namespace {
@@ -23,10 +24,22 @@ using detail::RepairMesh;
 constexpr double kReachGrowth = 4;
 constexpr double kDefaultTolerance = 1024;  // steps
 
+/// Enclosed slits are filled before repair reaches a sixteenth of their width: filling moves no
+/// point.
+constexpr double kSlitWidth = 16;
+
 /// Edits to be tried in all, per bad item that rounding leaves and besides: 50 times as many as the
-/// 600 unions of io_written_unions_test need. What takes more, such as slits across a whole pipe,
-/// gets nowhere.
+/// 600 unions of io_written_unions_test need. What takes more gets nowhere.
 constexpr std::uint64_t kTrialsPerItem = 64, kTrials = 1 << 17;
+
+/// What has been done before the solid is rounded anew without some slits.
+struct Past {
+  double reach = 0;          ///< of the next attempt at repair; 0 for the first
+  std::uint64_t trials = 0;  ///< left for it
+  std::size_t slits = 0;     ///< filled
+  double slit_width = 0;     ///< of the widest
+  std::size_t removed_triangles = 0;
+};
 
 struct Bounds {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();
@@ -83,8 +96,11 @@ Vec3 chosen_origin(const Origin& origin, std::span<const Vec3> points) {
 
 class Rounding {
  public:
-  Rounding(const ExactMesh& exact, Coordinates coordinates, const RoundingOptions& options)
+  Rounding(const ExactMesh& exact, Coordinates coordinates, const RoundingOptions& options,
+           const Past& past = {})
       : exact_(exact),
+        options_(options),
+        past_(past),
         coordinates_(coordinates),
         lattice_(coordinates, options.grid),
         origin_(chosen_origin(options.origin, exact.points)),
@@ -109,23 +125,7 @@ class Rounding {
     if (broken.empty()) {
       return finished(direct, 0, 0);
     }
-    const std::vector<BadItem> broken_pairs = direct.bad_items();
-    trials_left_ = kTrials + kTrialsPerItem * broken_pairs.size();
-    for (double reach = kReachGrowth * step_;; reach *= kReachGrowth) {
-      reach = std::min(reach, tolerance_);
-      RepairMesh mesh = mesh_of(rounded_.doubles);
-      const std::size_t shells = detail::remove_small_shells(mesh, broken, reach);
-      attempt(mesh, broken, broken_pairs, reach);
-      const std::vector<std::uint32_t> left = faults(mesh);
-      if (left.empty() && !all_removed(mesh)) {
-        return finished(mesh, reach, shells);
-      }
-      if (reach == tolerance_ || trials_left_ == 0) {
-        throw unroundable(left.empty() ? Vec3(rounded_.doubles[0])
-                                       : mesh.point(mesh.triangle(left[0])[0]));
-      }
-      broken.insert(broken.end(), left.begin(), left.end());
-    }
+    return repaired(direct.bad_items(), std::move(broken));
   }
 
  private:
@@ -134,18 +134,54 @@ class Rounding {
                                                  : std::numeric_limits<float>::max();
   }
 
+  /// Fills slits and repairs, as far as the tolerance allows.
+  Rounded repaired(const std::vector<BadItem>& broken_pairs, std::vector<std::uint32_t> broken) {
+    const bool is_first = past_.reach == 0;
+    trials_left_ = is_first ? kTrials + kTrialsPerItem * broken_pairs.size() : past_.trials;
+    const double farthest = tolerance_ - past_.slit_width / 2;
+    const detail::Slits slits(exact_, twins_, tolerance_);
+    for (double reach = is_first ? kReachGrowth * step_ : past_.reach;; reach *= kReachGrowth) {
+      reach = std::min(reach, farthest);
+      if (const auto filled = slits.filled(std::min(kSlitWidth * reach, tolerance_))) {
+        const Past past{
+            reach, trials_left_, past_.slits + filled->count,
+            std::max(past_.slit_width, filled->width),
+            past_.removed_triangles + exact_.triangles.size() - filled->mesh.triangles.size()};
+        return Rounding(filled->mesh, coordinates_, options_, past).run();
+      }
+      RepairMesh mesh = mesh_of(rounded_.doubles);
+      const std::size_t shells = detail::remove_small_shells(mesh, broken, reach);
+      attempt(mesh, broken, broken_pairs, reach);
+      const std::vector<std::uint32_t> left = faults(mesh);
+      if (left.empty() && !all_removed(mesh)) {
+        return finished(mesh, reach, shells);
+      }
+      if (reach == farthest || trials_left_ == 0) {
+        throw unroundable(left.empty() ? Vec3(rounded_.doubles[0])
+                                       : mesh.point(mesh.triangle(left[0])[0]));
+      }
+      broken.insert(broken.end(), left.begin(), left.end());
+    }
+  }
+
   [[nodiscard]] RepairMesh mesh_of(const std::vector<Vec3>& points) const {
     return {points, exact_.triangles, classes_, twins_};
   }
 
-  /// Faces of bad items and of shells turned inside out.
+  /// Faces of bad items, else of shells turned inside out and at contacts that became crossings.
   [[nodiscard]] std::vector<std::uint32_t> faults(const RepairMesh& mesh) const {
     std::vector<std::uint32_t> faces;
     for (const BadItem& item : mesh.bad_items()) {
       faces.push_back(item.first);
       faces.push_back(item.second);
     }
-    return faces.empty() ? detail::turned_shells(exact_, mesh, largest_move(mesh)) : faces;
+    if (faces.empty()) {
+      faces = detail::turned_shells(exact_, mesh, largest_move(mesh));
+      const auto crossed = exact_.contacts.empty() ? std::vector<std::uint32_t>()
+                                                   : detail::crossed_contacts(mesh, twins_);
+      faces.insert(faces.end(), crossed.begin(), crossed.end());
+    }
+    return faces;
   }
 
   /// Repairs the mesh of doubles, then, for a coarser lattice, thickens what is thin around the
@@ -202,6 +238,8 @@ class Rounding {
   [[nodiscard]] Error unroundable(const Vec3& at) const;
 
   const ExactMesh& exact_;
+  const RoundingOptions& options_;
+  Past past_;
   Coordinates coordinates_;
   Lattice lattice_;
   Vec3 origin_;
@@ -214,7 +252,15 @@ class Rounding {
 Rounded Rounding::finished(const RepairMesh& mesh, double reach, std::size_t removed_shells) const {
   Rounded result;
   RoundingReport& report = result.report;
-  report = {coordinates_, origin_, 0, largest_move(mesh), reach, 0, removed_shells};
+  report = {.coordinates = coordinates_,
+            .origin = origin_,
+            .largest_move = largest_move(mesh),
+            .repair_reach = reach,
+            .removed_triangles = past_.removed_triangles,
+            .removed_shells = removed_shells,
+            .filled_slits = past_.slits,
+            .slit_width = past_.slit_width};
+  result.contacts = exact_.contacts;
   result.mesh.names = exact_.names;
   std::vector<std::uint32_t> position(exact_.points.size());
   for (std::uint32_t v = 0; v < exact_.points.size(); ++v) {
@@ -241,8 +287,9 @@ Rounded Rounding::finished(const RepairMesh& mesh, double reach, std::size_t rem
   return result;
 }
 
-/// Of exact place to nearest double, of that to the lattice, and by repair. The factor covers the
-/// rounding of these few sums and norms.
+/// Of exact place to nearest double, of that to the lattice, and by repair; and half the width of
+/// slits, in which no place is farther from the solid. The factor covers the rounding of these few
+/// sums and norms.
 double Rounding::largest_move(const RepairMesh& mesh) const {
   double vertex = 0, surface = 0, rounding = 0;
   for (std::uint32_t v = 0; v < exact_.points.size(); ++v) {
@@ -254,7 +301,7 @@ double Rounding::largest_move(const RepairMesh& mesh) const {
   for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
     surface = mesh.alive(f) ? std::max(surface, mesh.deviation(f)) : surface;
   }
-  return (vertex + surface + rounding) * (1 + 0x1p-48);
+  return (vertex + surface + rounding + past_.slit_width / 2) * (1 + 0x1p-48);
 }
 
 Error Rounding::unroundable(const Vec3& at) const {

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "contact.h"
 #include "measure.h"
 
 namespace dupin::detail {
@@ -90,6 +91,26 @@ std::vector<std::uint32_t> turned_shells(const ExactMesh& exact, const RepairMes
     }
   }
   return turned;
+}
+
+std::vector<std::uint32_t> crossed_contacts(const RepairMesh& mesh,
+                                            std::span<const std::uint32_t> twins) {
+  std::vector<std::uint32_t> faces, crossed;
+  std::vector<Triangle> triangles;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.alive(f)) {
+      faces.push_back(f);
+      triangles.push_back(mesh.triangle(f));
+    }
+  }
+  for (const ContactPlace& place : find_contacts(MeshView(mesh.points(), triangles), twins)) {
+    for (const std::uint32_t i : place.faces) {
+      if (!place.alternating) {
+        crossed.push_back(faces[i]);
+      }
+    }
+  }
+  return crossed;
 }
 
 std::size_t remove_small_shells(RepairMesh& mesh, const std::vector<std::uint32_t>& faces,

@@ -1,3 +1,4 @@
+#include <array>
 #include <string>
 #include <vector>
 
@@ -257,6 +258,25 @@ TEST_F(MeshCommands, convert_rounds_a_solid_so_that_it_stays_one) {
   EXPECT_GT(report.at("rounding").at("moved_points"), 0);
   EXPECT_LT(report.at("rounding").at("largest_move"), 1e-6);
   EXPECT_EQ(report.at("check").at("solid"), true);
+}
+
+TEST_F(MeshCommands, union_fills_slits_and_says_so) {
+  std::array<double, 4> heights = {0.6, 1.4, 0.6, 0.4};  // in float steps: rounding breaks the void
+  for (double& height : heights) {
+    height = 0.25 + height * 0x1p-25;
+  }
+  const std::vector<TriMesh> parts = pyramids(heights);
+  put("a.off", parts[0]);
+  put("b.off", parts[1]);
+  const ProcessResult result = dupin({"union", "a.off", "b.off", "-o", "c.stl"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("slits                1 void filled, at most "));
+  const auto report = json({"union", "a.off", "b.off", "-o", "c.stl"}, 0);
+  EXPECT_EQ(report.at("rounding").at("filled_slits"), 1);
+  EXPECT_GT(report.at("rounding").at("slit_width"), 0);
+  EXPECT_EQ(report.at("contacts").size(), 0);
+  EXPECT_EQ(json({"check", "c.stl"}, 0).at("components"), 1);
+  EXPECT_EQ(json({"union", "a.off", "b.off", "-o", "c.off"}, 0).at("contacts").size(), 4);
 }
 
 TEST_F(MeshCommands, convert_moves_the_origin_and_says_so) {

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
 #include "support/shapes.h"
@@ -159,6 +160,54 @@ TEST(ToMesh, turns_no_shell_inside_out) {
   }
   EXPECT_GT(kept, 20);
   EXPECT_GT(removed, 20);
+}
+
+/// Heights of a ring, in float steps above 0.25, for pyramids with a void between them that turns
+/// inside out when rounded to floats, and one that stays.
+constexpr std::array<double, 4> kTurningVoid = {0.6, 1.4, 0.6, 0.4}, kLastingVoid = {0, 2, 0, 3};
+
+std::vector<Solid> pyramids(std::array<double, 4> steps) {
+  for (double& height : steps) {
+    height = 0.25 + height * 0x1p-25;
+  }
+  std::vector<Solid> solids;
+  for (const TriMesh& mesh : test::pyramids(steps)) {
+    solids.push_back(Solid::from(mesh));
+  }
+  return solids;
+}
+
+TEST(ToMesh, fills_slits_that_rounding_turns_inside_out) {
+  const Solid solid = unite(pyramids(kTurningVoid));
+  EXPECT_EQ(solid.contacts().size(), 4);
+  EXPECT_EQ(to_mesh(solid).report.filled_slits, 0) << "doubles hold it as it is";
+  const Rounded rounded = to_mesh(solid, Coordinates::binary32);
+  EXPECT_EQ(rounded.report.filled_slits, 1);
+  EXPECT_EQ(rounded.report.removed_triangles, 4);
+  EXPECT_TRUE(rounded.contacts.empty());
+  EXPECT_EQ(rounded.mesh.points.size(), 6);
+  EXPECT_TRUE(check(rounded.mesh).is_solid());
+  EXPECT_GE(rounded.report.largest_move, rounded.report.slit_width / 2);
+}
+
+TEST(ToMesh, keeps_slits_that_rounding_keeps) {
+  const Solid solid = unite(pyramids(kLastingVoid));
+  const Rounded rounded = to_mesh(solid, Coordinates::binary32);
+  EXPECT_EQ(rounded.report.filled_slits, 0);
+  EXPECT_EQ(rounded.contacts.size(), 4);
+  EXPECT_TRUE(check(rounded.mesh).is_solid());
+}
+
+TEST(ToMesh, refuses_slits_wider_than_the_tolerance) {
+  try {
+    static_cast<void>(
+        to_mesh(unite(pyramids(kTurningVoid)), Coordinates::binary32, {.tolerance = 0x1p-28}));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::unroundable);
+    EXPECT_THAT(error.where(), HasSubstr(", 0.25)"));
+    EXPECT_THAT(error.message(), HasSubstr("larger tolerance"));
+  }
 }
 
 TEST(ToMesh, says_what_would_help_where_it_cannot) {
