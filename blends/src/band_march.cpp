@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "chord_budget.h"
+
 namespace dupin::detail {
 namespace {
 
@@ -138,6 +140,16 @@ Arrival arrival(const Ring& end, const RingSampling& sampling, const Vec3& carri
   Arrival result{sample(end, sampling), angle - double(whole) * segment, std::uint32_t(shift)};
   std::rotate(result.points.begin(), result.points.begin() + shift, result.points.end());
   return result;
+}
+
+TriMesh first_row(const std::vector<Vec3>& points, std::size_t bands) {
+  const std::size_t triangles = 2 * points.size() * bands;
+  refuse_too_fine(triangles);
+  TriMesh mesh;
+  mesh.points.reserve(points.size() * (bands + 1));
+  mesh.points.insert(mesh.points.end(), points.begin(), points.end());
+  mesh.triangles.reserve(triangles);
+  return mesh;
 }
 
 void append_band(TriMesh& mesh, std::uint32_t segments) {

@@ -68,6 +68,10 @@ struct Arrival {
 [[nodiscard]] Arrival arrival(const Ring& end, const RingSampling& sampling,
                               const Vec3& carried_first);
 
+/// A mesh with a row of points, and room for so many bands from there. Throws
+/// Error{limit_exceeded} as refuse_too_fine().
+[[nodiscard]] TriMesh first_row(const std::vector<Vec3>& points, std::size_t bands);
+
 /// The quadrilaterals between the last two rows of points, halved along the shorter diagonals.
 void append_band(TriMesh& mesh, std::uint32_t segments);
 

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "blame.h"
+#include "chord_budget.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/error.h"
@@ -35,7 +36,7 @@ class Builder {
         options_(options),
         resolved_(resolve(assembly)),
         tubes_(resolved_.parts.size()) {
-    built_.grid = detail::lattice_spacing(resolved_, assembly.tolerance);
+    built_.grid = detail::lattice_spacing(assembly, resolved_);
   }
 
   Built run() {
@@ -116,6 +117,8 @@ class Builder {
       entry.segments = chosen.segments;
       entry.bands = result.bands;
       entry.triangles = result.mesh.triangles.size();
+      triangles_ += entry.triangles;
+      detail::refuse_too_fine(triangles_);
       entry.smallest_angle = smallest_angle(result.mesh);
       tubes_[index] = std::move(result.mesh);
     }
@@ -154,7 +157,7 @@ class Builder {
     if (parts.size() == 1) {
       in_part(resolved_.parts[parts.front()], [] {
         throw Error(
-            Errc::self_intersecting,
+            Errc::irregular_surface,
             "the part comes back and crosses itself; choose other ends, end speeds or radii");
       });
     }
@@ -167,6 +170,7 @@ class Builder {
   const BuildOptions& options_;
   ResolvedAssembly resolved_;
   std::vector<TriMesh> tubes_;  // by part
+  std::size_t triangles_ = 0;   // of them all
   std::vector<Solid> solids_;
   Built built_;
 };

@@ -110,7 +110,7 @@ class Certifier {
   }
 
   void append_meshes() {
-    const double grid = detail::lattice_spacing(resolved_, assembly_.tolerance);
+    const double grid = detail::lattice_spacing(assembly_, resolved_);
     const auto runs = detail::runs(resolved_);
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const RingSampling sampling = detail::run_sampling(assembly_, resolved_, runs[i], i, grid);

@@ -26,4 +26,13 @@ std::uint32_t segment_count(double wanted) {
   return std::max(kFewest, std::uint32_t(std::ceil(wanted)));
 }
 
+void refuse_too_fine(std::size_t triangles) {
+  constexpr std::size_t kMost = 50'000'000;
+  if (triangles > kMost) {
+    throw Error(Errc::limit_exceeded, "the tolerance asks for " + std::to_string(triangles) +
+                                          " triangles, more than " + std::to_string(kMost) +
+                                          "; use a larger one, or smaller parts");
+  }
+}
+
 }  // namespace dupin::detail

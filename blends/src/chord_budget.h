@@ -57,4 +57,8 @@ double allowed_error(double tolerance, double displacement);
 /// Error{limit_exceeded} beyond a million.
 std::uint32_t segment_count(double wanted);
 
+/// Throws Error{limit_exceeded} for more than 50 million triangles: a build needs 400 bytes for
+/// each.
+void refuse_too_fine(std::size_t triangles);
+
 }  // namespace dupin::detail

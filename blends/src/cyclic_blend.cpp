@@ -155,9 +155,22 @@ std::optional<BlendChoice> feasible_choice(const Ring& from, const Ring& to,
   return certified_choice(from, to, options, [&](double aim) { return blends.least_energy(aim); });
 }
 
+// None if all spines stop.
+std::optional<BlendChoice> widest_choice(const Ring& from, const Ring& to,
+                                         const CyclicBlendOptions& options,
+                                         const detail::BlendSearch& blends) {
+  if (const auto widest = blends.largest_margin()) {
+    const BlendChoice choice = certified(from, to, options, *widest);
+    if (std::isfinite(choice.margin)) {
+      return choice;
+    }
+  }
+  return std::nullopt;
+}
+
 [[noreturn]] void refuse_infeasible(const Ring& from, const Ring& to,
                                     const CyclicBlendOptions& options) {
-  const auto widest = search(from, to, options).largest_margin();
+  const auto widest = widest_choice(from, to, options, search(from, to, options));
   throw Error(
       Errc::infeasible_blend,
       "no end speeds give this blend a margin min(1 - kappa R) of " + decimal(options.margin) +
@@ -283,8 +296,8 @@ BlendChoice choose_velocities(const Ring& from, const Ring& to, const CyclicBlen
 
 BlendChoice widest_velocities(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
   validate(from, to, options);
-  if (const auto widest = search(from, to, options).largest_margin()) {
-    return certified(from, to, options, *widest);
+  if (const auto widest = widest_choice(from, to, options, search(from, to, options))) {
+    return *widest;
   }
   refuse_infeasible(from, to, options);
 }
@@ -309,9 +322,7 @@ BlendAdvice blend_advice(const Ring& from, const Ring& to, const CyclicBlendOpti
   const detail::BlendSearch blends = search(from, to, any);
   advice.nearest = certified_choice(
       from, to, any, [&](double aim) { return blends.nearest(aim, *options.k, *options.l); });
-  if (const auto widest = blends.largest_margin()) {
-    advice.widest = certified(from, to, any, *widest);
-  }
+  advice.widest = widest_choice(from, to, any, blends);
   return advice;
 }
 

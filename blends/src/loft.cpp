@@ -41,10 +41,7 @@ TriMesh lofted(const Ring& start, const Ring& end, const std::vector<LoftRow>& r
   const double twist = angle - double(whole) * segment;
   const auto count = long(n), shift = ((-whole) % count + count) % count;
 
-  TriMesh mesh;
-  mesh.points = sample(flipped(start), sampling);
-  mesh.points.reserve(n * rows.size());
-  mesh.triangles.reserve(std::size_t{2} * n * (rows.size() - 1));
+  TriMesh mesh = first_row(sample(flipped(start), sampling), rows.size() - 1);
   for (std::size_t j = 1; j + 1 < rows.size(); ++j) {
     const auto& [center, a, b] = rows[j];
     const double turned = first + twist * double(j) / double(rows.size() - 1);

@@ -1,6 +1,7 @@
 #include "part_claims.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "decimal.h"
 #include "dupin/blends/regularity.h"
@@ -12,8 +13,11 @@ namespace {
 
 [[noreturn]] void refuse(double margin) {
   throw Error(Errc::irregular_surface,
-              "the surface folds: the margin 1 - kappa R is " + decimal(margin) +
-                  " where it must be positive; use a smaller radius or a larger bend radius");
+              std::isfinite(margin)
+                  ? "the surface folds: the margin 1 - kappa R is " + decimal(margin) +
+                        " where it must be positive; use a smaller radius or a larger bend radius"
+                  : "the surface folds: its spine stops and turns round on the spot; choose other "
+                    "ends or points");
 }
 
 class Claims {

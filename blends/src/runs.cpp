@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include "decimal.h"
 #include "dupin/blends/cyclide_form.h"
@@ -45,6 +47,32 @@ void include(Extent& extent, const std::vector<PeArc>& pieces, double wall) {
   }
 }
 
+Extent extent_of(const PartSurface& shape) {
+  Extent extent{std::numeric_limits<double>::infinity(), 0};
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+    extent.include(sphere->radius);
+    extent.include(sphere->center, sphere->radius);
+    return extent;
+  }
+  if (const auto* tube = std::get_if<CyclideTube>(&shape)) {
+    include(extent, tube->chain.pieces, tube->wall);
+  }
+  if (const auto* chain = std::get_if<KneecapChain>(&shape)) {
+    include(extent, chain->pieces, 0);
+  }
+  for (const PartEnd end : {PartEnd::start, PartEnd::end}) {
+    if (const Ring* ring = port_ring(shape, end)) {
+      extent.include(std::min(ring->radius, across(*ring)));
+      extent.include(ring->center, largest_radius(*ring));
+    }
+  }
+  const auto* surface = std::get_if<RingedSurface>(&shape);
+  if (surface != nullptr && std::holds_alternative<LineSpine>(surface->spine)) {
+    extent.include((surface->end.center - surface->start.center).norm());
+  }
+  return extent;
+}
+
 }  // namespace
 
 std::vector<Run> runs(const ResolvedAssembly& assembly) {
@@ -73,37 +101,32 @@ std::vector<Run> runs(const ResolvedAssembly& assembly) {
   return result;
 }
 
-double lattice_spacing(const ResolvedAssembly& assembly, double tolerance) {
-  Extent extent{tolerance, 0};
-  for (const auto& part : assembly.parts) {
-    if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
-      extent.include(sphere->radius);
-      extent.include(sphere->center, sphere->radius);
-      continue;
+double lattice_spacing(const Assembly& assembly, const ResolvedAssembly& resolved) {
+  Extent extent{assembly.tolerance, 0};
+  const ResolvedPart *smallest = nullptr, *largest = nullptr;
+  for (const ResolvedPart& part : resolved.parts) {
+    const Extent own = extent_of(part.shape);
+    if (own.smallest < extent.smallest) {
+      extent.smallest = own.smallest;
+      smallest = &part;
     }
-    if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
-      include(extent, tube->chain.pieces, tube->wall);
-    }
-    if (const auto* chain = std::get_if<KneecapChain>(&part.shape)) {
-      include(extent, chain->pieces, 0);
-    }
-    for (const PartEnd end : {PartEnd::start, PartEnd::end}) {
-      if (const Ring* ring = port_ring(part.shape, end)) {
-        extent.include(std::min(ring->radius, across(*ring)));
-        extent.include(ring->center, largest_radius(*ring));
-      }
-    }
-    const auto* surface = std::get_if<RingedSurface>(&part.shape);
-    if (surface != nullptr && std::holds_alternative<LineSpine>(surface->spine)) {
-      extent.include((surface->end.center - surface->start.center).norm());
+    if (own.largest > extent.largest) {
+      extent.largest = own.largest;
+      largest = &part;
     }
   }
   const double spacing = std::ldexp(1.0, std::ilogb(extent.smallest) - 11);
   // One bit is left for bends that reach further than their ends.
   if (!(extent.largest < std::ldexp(spacing, 51))) {
-    throw Error(Errc::invalid_argument,
-                "the tolerance, or the smallest radius or length, " + decimal(extent.smallest) +
-                    ", is too small for coordinates of " + decimal(extent.largest));
+    const std::string problem = decimal(extent.smallest) + ", is too small for coordinates of " +
+                                decimal(extent.largest) + " (of '" + largest->name +
+                                "'); it must be at least " +
+                                decimal(std::ldexp(extent.largest, -39), 2);
+    throw smallest == nullptr
+        ? Error(Errc::invalid_argument, "the tolerance, " + problem, {},
+                document_place(assembly, "/tolerance"))
+        : Error(Errc::invalid_argument, "its smallest radius or length, " + problem, smallest->name,
+                document_place(assembly, smallest->index));
   }
   return spacing;
 }

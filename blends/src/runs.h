@@ -19,6 +19,6 @@ struct Run {
 /// The spacing of the lattice that mesh points lie on: a power of two, at most 1/2048 of the
 /// tolerance and of the smallest radius and straight length. Throws Error{invalid_argument} if the
 /// coordinates do not fit doubles on such a lattice.
-[[nodiscard]] double lattice_spacing(const ResolvedAssembly& assembly, double tolerance);
+[[nodiscard]] double lattice_spacing(const Assembly& assembly, const ResolvedAssembly& resolved);
 
 }  // namespace dupin::detail

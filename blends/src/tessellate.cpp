@@ -119,10 +119,7 @@ Tessellation tessellate(const RingedSurface& surface, const RingSampling& sampli
   const detail::Arrival last = detail::arrival(surface.end, sampling, firsts.back());
 
   Tessellation result{{}, std::uint32_t(knots.size() - 1), along.error_bound + displacement, knots};
-  TriMesh& mesh = result.mesh;
-  mesh.points.reserve(n * knots.size());
-  mesh.triangles.reserve(2 * std::size_t(n) * result.bands);
-  mesh.points = first_ring;
+  TriMesh& mesh = result.mesh = detail::first_row(first_ring, result.bands);
   for (std::size_t j = 1; j + 1 < knots.size(); ++j) {
     const SpinePoint y = evaluate(surface.spine, knots[j]);
     const double radius = evaluate(surface.radius, knots[j]).value;

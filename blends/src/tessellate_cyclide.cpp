@@ -106,10 +106,8 @@ Skin skin(const CyclideTube& tube, const RingSampling& sampling,
   for (const PieceBands& piece : along) {
     result.tube.error_bound = std::max(result.tube.error_bound, piece.error_bound + displacement);
   }
-  TriMesh& mesh = result.tube.mesh;
-  mesh.points.reserve(n * (rows.size() + 2));
-  mesh.triangles.reserve(2 * std::size_t(n) * (rows.size() + 1));
-  mesh.points = sample(flipped(tube.start), sampling);
+  TriMesh& mesh = result.tube.mesh =
+      detail::first_row(sample(flipped(tube.start), sampling), result.tube.bands);
   for (std::size_t j = 0; j < rows.size(); ++j) {
     const Row& row = rows[j];
     const double turned = row.angle + last.twist * double(j + 1) / double(rows.size() + 1);

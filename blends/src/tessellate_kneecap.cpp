@@ -194,6 +194,7 @@ class Mesher {
     result_.error_bound =
         std::max(result_.error_bound, march.error_bound(rows, along.twist() / double(bands)));
     result_.bands += std::uint32_t(bands);
+    detail::refuse_too_fine(2 * std::size_t{sampling_.segments} * result_.bands);
 
     TriMesh& mesh = result_.mesh;
     const std::uint32_t n = sampling_.segments;

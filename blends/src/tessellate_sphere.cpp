@@ -41,6 +41,7 @@ std::uint32_t segments_for(const Sphere& sphere, double tolerance, double grid) 
 
 Tessellation tessellate(const Sphere& sphere, const RingSampling& sampling) {
   const std::uint32_t n = sampling.segments, bands = bands_for(n);
+  detail::refuse_too_fine(2 * std::size_t{n} * bands);
   Tessellation result{
       {}, bands, graticule_error(sphere.radius, n) + detail::point_error(sphere, sampling.grid)};
   TriMesh& mesh = result.mesh;

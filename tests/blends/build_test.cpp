@@ -326,6 +326,38 @@ TEST(Build, refuses_a_tight_blend) {
   }
 }
 
+TEST(Build, refuses_sizes_too_small_for_the_coordinates) {
+  Assembly far = assembly({pipe("a", Vec3(0, 0, 0), Vec3(0, 0, 1e9), 1),
+                           pipe("b", Vec3(0, 0, 0), Vec3(0, 0, 1), 1e-7)});
+  for (const bool by_tolerance : {false, true}) {
+    far.tolerance = by_tolerance ? 1e-9 : 0.05;
+    try {
+      (void)build(far);
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::invalid_argument);
+      EXPECT_EQ(error.part(), by_tolerance ? "" : "b");
+      EXPECT_EQ(error.where(), by_tolerance ? "/tolerance" : "/parts/1");
+      EXPECT_THAT(error.message(), testing::HasSubstr("(of 'a'); it must be at least 0.0018"));
+    }
+  }
+}
+
+TEST(Build, refuses_more_triangles_than_memory_is_there_for) {
+  Assembly vast = assembly(
+      {{"vast", ElbowTurning{Place{Vec3::Zero(), Vec3::UnitX(), 1e5}, 1e6, 1, Vec3::UnitY()}}});
+  vast.tolerance = 1e-3;
+  try {
+    (void)build(vast);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::limit_exceeded);
+    EXPECT_EQ(error.part(), "vast");
+    EXPECT_EQ(error.where(), "/parts/0");
+    EXPECT_THAT(error.message(), testing::HasSubstr("more than 50000000; use a larger one"));
+  }
+}
+
 TEST(Build, refuses_an_elbow_that_is_thicker_than_its_bend) {
   const Assembly fat = assembly(
       {{"fat", ElbowTurning{Place{Vec3::Zero(), Vec3::UnitX(), 2}, 1.5, 1, Vec3::UnitY()}}});
@@ -351,7 +383,7 @@ TEST(Build, refuses_a_blend_that_crosses_itself_far_away) {
     (void)build(loop);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::self_intersecting);
+    EXPECT_EQ(error.code(), Errc::irregular_surface);
     EXPECT_STREQ(
         error.what(),
         "/parts/2: 'blend': the part comes back and crosses itself; choose other ends, end "

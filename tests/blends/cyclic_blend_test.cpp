@@ -62,6 +62,17 @@ TEST(CyclicBlend, refuses_figure_5_with_interval_missing_margin_and_remedy) {
   EXPECT_THAT(error.message(), Not(HasSubstr("t in")));
 }
 
+// From one end of a straight pipe back to its other end: every spine turns round on the spot.
+TEST(CyclicBlend, knows_when_no_speeds_give_any_margin) {
+  const Ring below{Vec3(0, 0, 0), -Vec3::UnitY(), 0.5}, above{Vec3(0, 14, 0), Vec3::UnitY(), 2};
+  const Error given = error_of([&] { (void)cyclic_blend(below, above, {.k = 12, .l = 2}); });
+  EXPECT_EQ(given.code(), Errc::irregular_surface);
+  EXPECT_THAT(given.message(), testing::EndsWith("; no other end speeds work either"));
+  const Error automatic = error_of([&] { (void)cyclic_blend(below, above, {}); });
+  EXPECT_EQ(automatic.code(), Errc::infeasible_blend);
+  EXPECT_THAT(automatic.message(), Not(HasSubstr("largest reachable")));
+}
+
 TEST(CyclicBlend, proposes_speeds_that_work) {
   const Error error = error_of([] { (void)cyclic_blend(kInlet, kOutlet, {.k = 18, .l = 25}); });
   EXPECT_THAT(error.message(), HasSubstr("0.3696 short of 0.05"));

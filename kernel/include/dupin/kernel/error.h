@@ -13,7 +13,8 @@ enum class Errc {
   not_manifold,       ///< an edge or vertex whose faces do not form one fan
   not_oriented,       ///< neighbouring faces that disagree, or an inside-out shell
   self_intersecting,  ///< faces that meet where they should not
-  irregular_surface,  ///< a blend that folds: 1 - kappa R is not positive everywhere
+  irregular_surface,  ///< a part that folds (1 - kappa R is not positive everywhere) or crosses
+                      ///< itself
   infeasible_blend,   ///< no blend of the asked kind exists between these ends
   boolean_failed,     ///< a boolean operation that the engine refuses
   contact,            ///< a result that touches itself, under a policy that forbids it
