@@ -1,8 +1,8 @@
 #include "incidences.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "../disjoint_sets.h"
 #include "key_numbering.h"
 #include "predicates.h"
 
@@ -279,28 +279,20 @@ std::vector<std::vector<std::uint32_t>> group_faces(const std::vector<std::uint8
   }
   std::sort(overlapping.begin(), overlapping.end());
   overlapping.erase(std::unique(overlapping.begin(), overlapping.end()), overlapping.end());
-  std::vector<std::uint32_t> parent(overlapping.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&parent](std::uint32_t i) {
-    while (parent[i] != i) {
-      i = parent[i] = parent[parent[i]];
-    }
-    return i;
-  };
+  DisjointSets classes(overlapping.size());
   const auto index = [&overlapping](std::uint32_t triangle) {
     return static_cast<std::uint32_t>(
         std::lower_bound(overlapping.begin(), overlapping.end(), triangle) - overlapping.begin());
   };
   for (const Encounter& e : encounters) {
     if (e.kind == Encounter::Kind::overlap) {
-      const std::uint32_t a = root(index(e.first)), b = root(index(e.second));
-      parent[std::max(a, b)] = std::min(a, b);
+      classes.unite(index(e.first), index(e.second));
     }
   }
   std::vector<std::vector<std::uint32_t>> faces;
   std::vector<std::uint32_t> face_of(overlapping.size(), kNone);
   for (std::uint32_t i = 0; i < overlapping.size(); ++i) {
-    std::uint32_t& face = face_of[root(i)];
+    std::uint32_t& face = face_of[classes.find(i)];
     if (face == kNone) {
       face = static_cast<std::uint32_t>(faces.size());
       faces.emplace_back();

@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "../disjoint_sets.h"
 #include "faces.h"
 #include "incidences.h"
 #include "scene.h"
 #include "sheets.h"
-#include "union_find.h"
 
 namespace dupin::detail {
 
@@ -70,7 +70,7 @@ class Patches {
   const Pieces& pieces_;
   std::uint32_t first_region_, first_loose_;
   std::vector<std::uint32_t> loose_;  // untouched triangles with special corners only, ascending
-  UnionFind classes_;
+  DisjointSets classes_;
   std::vector<std::uint32_t> member_changes_;  // of regions and loose triangles
   std::vector<Side> sides_;
   std::vector<Seam> seams_;
