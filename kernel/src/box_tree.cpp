@@ -156,6 +156,21 @@ void BoxTree::orient_inner_nodes() {
   }
 }
 
+void BoxTree::group(std::span<const std::uint32_t> groups) {
+  groups_.assign(nodes_.size(), kNoGroup);
+  for (std::uint32_t leaf = 0; leaf < leaf_count(); ++leaf) {
+    const std::uint32_t first = leaf * kLeafSize;
+    std::uint32_t& group = groups_[leaves_ + leaf];
+    group = groups[order_[first]];
+    for (std::uint32_t i = first; i < leaf_end(leaf); ++i) {
+      group = groups[order_[i]] == group ? group : kNoGroup;
+    }
+  }
+  for (std::uint32_t node = leaves_ - 1; node > 0; --node) {
+    groups_[node] = groups_[2 * node] == groups_[2 * node + 1] ? groups_[2 * node] : kNoGroup;
+  }
+}
+
 void BoxTree::grow(std::uint32_t item, const Box& box, const FramedTriangle& triangle) {
   const std::uint32_t at = position_[item];
   boxes_[at].join(box);

@@ -71,17 +71,20 @@ class BoxTree {
   void visit(const Box& box, const FramedTriangle& triangle, Visit&& visit) const {
     visit_items(box, oriented_.empty() ? OrientedBox() : OrientedBox({&triangle, 1}), visit);
   }
-  /// Calls visit(i, item) for the i-th of the items of a leaf and items after it in the tree's
-  /// order: over all leaves once for every pair of boxes that overlap, or of triangles that meet.
+  /// Calls visit(i, k) for items i of a leaf and k after it, by their places in the tree's order:
+  /// over all leaves once for every pair of boxes that overlap, or of triangles that meet.
   template <class Visit>
   void visit_pairs(std::uint32_t leaf, Visit&& visit) const;
 
   [[nodiscard]] std::uint32_t leaf_count() const { return (size() + kLeafSize - 1) / kLeafSize; }
-  [[nodiscard]] std::span<const std::uint32_t> items(std::uint32_t leaf) const {
-    const std::size_t begin = std::size_t{leaf} * kLeafSize;
-    return std::span(order_).subspan(begin, leaf_end(leaf) - begin);
-  }
+  /// The items in the tree's order, kLeafSize to a leaf.
+  [[nodiscard]] std::span<const std::uint32_t> items() const { return order_; }
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(order_.size()); }
+
+  /// Gives each item a group. From now on visit_pairs may leave out pairs of items of one group
+  /// other than kNoGroup.
+  void group(std::span<const std::uint32_t> groups);
+  static constexpr std::uint32_t kNoGroup = 0xffffffff;
 
   /// Makes the box of `item` contain `box` as well, and those around it the triangle therein.
   /// O(log n).
@@ -91,16 +94,23 @@ class BoxTree {
   [[nodiscard]] std::uint32_t leaf_end(std::uint32_t leaf) const {
     return std::min((leaf + 1) * kLeafSize, size());
   }
+  /// What is sought among nodes.
+  struct Target {
+    const Box& box;
+    const OrientedBox& oriented;
+    bool slanted;
+    std::uint32_t group = kNoGroup;
+  };
   /// Calls visit(leaf) for the leaves below `root` that overlap the box around what is sought.
   template <class Visit>
-  void visit_leaves(std::uint32_t root, const Box& box, const OrientedBox& oriented, bool slanted,
-                    Visit&& visit) const;
+  void visit_leaves(std::uint32_t root, const Target& target, Visit&& visit) const;
   template <class Visit>
   void visit_items(const Box& box, const OrientedBox& oriented, Visit&& visit) const;
-  [[nodiscard]] bool overlap(std::uint32_t node, const Box& box, const OrientedBox& oriented,
-                             bool slanted) const {
-    return box.overlaps(nodes_[node]) && (oriented_.empty() || !(slanted || slanted_[node] != 0) ||
-                                          !oriented_[node].apart(oriented));
+  [[nodiscard]] bool overlap(std::uint32_t node, const Target& target) const {
+    return target.box.overlaps(nodes_[node]) &&
+           (target.group == kNoGroup || target.group != groups_[node]) &&
+           (oriented_.empty() || !(target.slanted || slanted_[node] != 0) ||
+            !oriented_[node].apart(target.oriented));
   }
   void orient_leaf(std::uint32_t leaf, std::span<const FramedTriangle> triangles);
   void orient_inner_nodes();
@@ -113,6 +123,7 @@ class BoxTree {
   // Of nodes, and whether it is much smaller than the other box; empty if it never is.
   std::vector<OrientedBox> oriented_;
   std::vector<std::uint8_t> slanted_;
+  std::vector<std::uint32_t> groups_;  // of all items below a node; empty if there are none
 };
 
 template <class Triangles>
@@ -136,7 +147,7 @@ BoxTree::BoxTree(std::span<const Box> boxes, Triangles&& triangle) : BoxTree(box
 
 template <class Visit>
 void BoxTree::visit_items(const Box& box, const OrientedBox& oriented, Visit&& visit) const {
-  visit_leaves(1, box, oriented, true, [&](std::uint32_t leaf) {
+  visit_leaves(1, {box, oriented, true}, [&](std::uint32_t leaf) {
     for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
       if (box.overlaps(boxes_[i])) {
         visit(order_[i]);
@@ -146,9 +157,8 @@ void BoxTree::visit_items(const Box& box, const OrientedBox& oriented, Visit&& v
 }
 
 template <class Visit>
-void BoxTree::visit_leaves(std::uint32_t root, const Box& box, const OrientedBox& oriented,
-                           bool slanted, Visit&& visit) const {
-  if (!overlap(root, box, oriented, slanted)) {
+void BoxTree::visit_leaves(std::uint32_t root, const Target& target, Visit&& visit) const {
+  if (!overlap(root, target)) {
     return;
   }
   std::array<std::uint32_t, 40> stack;  // deeper than any tree over 2^32 items
@@ -162,7 +172,7 @@ void BoxTree::visit_leaves(std::uint32_t root, const Box& box, const OrientedBox
     }
     for (const std::uint32_t child : {2 * node + 1, 2 * node}) {
       stack[depth] = child;
-      depth += overlap(child, box, oriented, slanted) ? 1 : 0;
+      depth += overlap(child, target) ? 1 : 0;
     }
   }
 }
@@ -173,7 +183,7 @@ void BoxTree::visit_pairs(std::uint32_t leaf, Visit&& visit) const {
   const auto compare = [&](std::uint32_t i, std::uint32_t from, std::uint32_t to) {
     for (std::uint32_t k = from; k < to; ++k) {
       if (boxes_[i].overlaps(boxes_[k])) {
-        visit(i - first, order_[k]);
+        visit(i, k);
       }
     }
   };
@@ -182,10 +192,11 @@ void BoxTree::visit_pairs(std::uint32_t leaf, Visit&& visit) const {
   }
   const std::uint32_t own = leaves_ + leaf;
   const OrientedBox oriented = oriented_.empty() ? OrientedBox() : oriented_[own];
-  const bool slanted = !oriented_.empty() && slanted_[own] != 0;
+  const Target target{nodes_[own], oriented, !oriented_.empty() && slanted_[own] != 0,
+                      groups_.empty() ? kNoGroup : groups_[own]};
   for (std::uint32_t node = own; node > 1; node /= 2) {
     if (node % 2 == 0) {
-      visit_leaves(node + 1, nodes_[own], oriented, slanted, [&](std::uint32_t other) {
+      visit_leaves(node + 1, target, [&](std::uint32_t other) {
         for (std::uint32_t i = first; i < end; ++i) {
           compare(i, other * kLeafSize, leaf_end(other));
         }

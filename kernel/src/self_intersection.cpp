@@ -9,6 +9,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include "box_tree.h"
+#include "flat_stars.h"
 #include "identical_points.h"
 #include "triangle_meeting.h"
 
@@ -28,9 +29,17 @@ class Search {
         degenerate_(triangles.size()),
         tree_(prepare()) {}
 
-  SelfIntersections run() const {
+  SelfIntersections run() {
     if (active_.empty()) {
       return {};
+    }
+    placed_.reserve(active_.size());
+    if (active_.size() == triangles_.size()) {
+      flat_stars_ = flat_stars(points_, corners_);
+      group_large_stars();
+    }
+    for (const std::uint32_t item : tree_.items()) {
+      placed_.push_back({corners_[active_[item]], active_[item]});
     }
     SelfIntersections found =
         examined(tree_.leaf_count(),
@@ -52,6 +61,11 @@ class Search {
   }
 
  private:
+  struct Placed {
+    Triangle corners;
+    std::uint32_t face;
+  };
+
   /// Fills corners_ and active_, degenerate_ where active, and returns the tree over the active
   /// triangles.
   BoxTree prepare() {
@@ -75,6 +89,21 @@ class Search {
       boxes[i] = degenerate_[face] != 0 ? Box::nothing() : box(face);
     });
     return BoxTree(boxes, [&](std::uint32_t i) { return framed(active_[i]); });
+  }
+
+  /// Pairs of triangles around one point of many need not even be found, unless they are contacts.
+  void group_large_stars() {
+    constexpr std::uint32_t kLarge = 64;
+    if (touching_apart_ || std::ranges::none_of(flat_stars_, [](auto n) { return n >= kLarge; })) {
+      return;
+    }
+    std::vector<std::uint32_t> groups;
+    groups.reserve(corners_.size());
+    for (const Triangle& t : corners_) {
+      const auto largest = std::ranges::max(t, {}, [&](std::uint32_t v) { return flat_stars_[v]; });
+      groups.push_back(flat_stars_[largest] >= kLarge ? largest : BoxTree::kNoGroup);
+    }
+    tree_.group(groups);
   }
 
   [[nodiscard]] Box box(std::uint32_t face) const {
@@ -117,13 +146,27 @@ class Search {
   /// Pairs of active triangles.
   void examine_active(std::uint32_t leaf, SelfIntersections& found) const {
     std::array<std::optional<TriangleProbe>, BoxTree::kLeafSize> probes;
-    const auto items = tree_.items(leaf);
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      probes[i].emplace(points_, corners_[active_[items[i]]]);
+    tree_.visit_pairs(leaf, [&](std::uint32_t i, std::uint32_t k) {
+      const Placed &one = placed_[i], &other = placed_[k];
+      if (share_flat_star(one.corners, other.corners)) {
+        record(one.face, other.face, Meeting::none, found);
+        return;
+      }
+      auto& probe = probes[i % BoxTree::kLeafSize];
+      if (!probe) {
+        probe.emplace(points_, one.corners);
+      }
+      record(one.face, other.face, probe->meeting(other.corners), found);
+    });
+  }
+
+  /// Whether the triangles have a corner in common around which triangles keep apart.
+  [[nodiscard]] bool share_flat_star(const Triangle& a, const Triangle& b) const {
+    if (flat_stars_.empty()) {
+      return false;
     }
-    tree_.visit_pairs(leaf, [&](std::uint32_t i, std::uint32_t item) {
-      const std::uint32_t face = active_[items[i]], other = active_[item];
-      record(face, other, probes[i]->meeting(corners_[other]), found);
+    return std::ranges::any_of(a, [&](std::uint32_t v) {
+      return (v == b[0] || v == b[1] || v == b[2]) && flat_stars_[v] != 0;
     });
   }
 
@@ -213,6 +256,8 @@ class Search {
   std::vector<std::uint8_t> degenerate_;
   std::vector<std::uint32_t> active_;
   BoxTree tree_;
+  std::vector<Placed> placed_;             // the active triangles in the order of the tree
+  std::vector<std::uint32_t> flat_stars_;  // empty if few triangles are active
 };
 
 }  // namespace

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dupin/kernel/mesh.h"
+
+namespace dupin::detail {
+
+/// For each point how many triangles there are around it if the triangles around it certainly meet
+/// each other in nothing but the point and the edges that neighbours share: if they make one closed
+/// fan that, seen along an axis of coordinates, goes around the point once, always the same way;
+/// else 0. O(n log n).
+[[nodiscard]] std::vector<std::uint32_t> flat_stars(std::span<const Vec3> points,
+                                                    std::span<const Triangle> triangles);
+
+}  // namespace dupin::detail
