@@ -41,9 +41,13 @@ void print_findings(std::ostream& out, const Certificate& certificate) {
             claims.regular->verdict);
       print(certificate.parts[i].name, "embedded", claims.embedded->verdict);
     }
+    print(certificate.parts[i].name, "mesh error",
+          claims.mesh ? Verdict::proved : Verdict::undecided);
   }
   for (const ClearanceClaim& claim : certificate.clearances) {
-    print(named(certificate, claim), "clearance", claim.verdict);
+    print(named(certificate, claim),
+          certificate.joined(claim) ? "nothing in common but the joint" : "clearance",
+          claim.verdict);
   }
 }
 
@@ -61,8 +65,7 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
   std::size_t overlaps = 0;
   for (const ClearanceClaim& claim : certificate.clearances) {
     overlaps += claim.overlap ? 1 : 0;
-    if (claim.verdict == Verdict::proved && !claim.overlap &&
-        (nearest == nullptr || claim.distance < nearest->distance)) {
+    if (claim.distance > 0 && (nearest == nullptr || claim.distance < nearest->distance)) {
       nearest = &claim;
     }
   }

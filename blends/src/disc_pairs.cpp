@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -24,10 +25,10 @@ std::pair<ParameterInterval, ParameterInterval> halves(const ParameterInterval& 
   return {{t.from, middle}, {middle, t.to}};
 }
 
-// The seams of extensions are whole numbers.
+// Seams are whole numbers.
 std::vector<ParameterInterval> stretches(const DiscSweep& sweep) {
   std::vector<ParameterInterval> result;
-  for (double t = sweep.from(); t < sweep.to(); ++t) {
+  for (double t = 0; t < sweep.length(); ++t) {
     result.push_back({t, t + 1});
   }
   return result;
@@ -71,12 +72,20 @@ double distance_that_occurs(const DiscSweep& a, const DiscSweep& b, const Box& b
   return separation(a.over({s, s}), b.over({t, t})).nearest;
 }
 
+double height(const DiscHull& disc, const Vec3& point) {
+  return disc.tangents.empty()
+             ? 0
+             : dot(interval_vec(point) - disc.centers.front(), disc.tangents.front()).lower;
+}
+
 // Whether the point is proven to lie inside a disc of the stretch.
-bool crosses(const DiscHull& discs, const Vec3& point) {
+bool crosses(const DiscSweep& sweep, const ParameterInterval& t, const Vec3& point) {
+  const DiscHull discs = sweep.over(t), first = sweep.over({t.from, t.from}),
+                 last = sweep.over({t.to, t.to});
   const IntervalVec p = interval_vec(point);
   const bool passes =
-      discs.tangents.empty() || (dot(p - discs.centers.front(), discs.tangents.front()).lower > 0 &&
-                                 dot(p - discs.centers.back(), discs.tangents.back()).upper < 0);
+      discs.tangents.empty() || (dot(p - first.centers.front(), first.tangents.front()).lower > 0 &&
+                                 dot(p - last.centers.back(), last.tangents.back()).upper < 0);
   return passes &&
          std::all_of(discs.centers.begin(), discs.centers.end(), [&](const IntervalVec& center) {
            return norm(p - center).upper < discs.radius.lower * (1 - kSlack);
@@ -86,35 +95,38 @@ bool crosses(const DiscHull& discs, const Vec3& point) {
 // The stretches in which the planes of discs are thought to pass the point, made short.
 std::vector<ParameterInterval> crossings(const DiscSweep& sweep, const Vec3& point) {
   constexpr int kStretches = 64, kHalvings = 12;
-  const auto height = [&](double t) {
-    const DiscHull disc = sweep.over({t, t});
-    return disc.tangents.empty()
-               ? 0
-               : dot(interval_vec(point) - disc.centers.front(), disc.tangents.front()).lower;
-  };
-  std::vector<ParameterInterval> result;
-  double before = height(0);
-  for (int i = 0; i < kStretches; ++i) {
-    ParameterInterval t{double(i) / kStretches, double(i + 1) / kStretches};
-    const double after = height(t.to);
-    if (before > 0 && after <= 0) {
-      for (int k = 0; k < kHalvings; ++k) {
-        const auto [left, right] = halves(t);
-        t = height(left.to) <= 0 ? left : right;
-      }
-      result.push_back({std::max(0.0, t.from - size(t)), std::min(1.0, t.to + size(t))});
-    }
-    before = after;
+  if (sweep.over({0, 1}).tangents.empty()) {
+    return {{0, 1}};
   }
-  return result.empty() && sweep.over({0, 1}).tangents.empty()
-             ? std::vector{ParameterInterval{0, 1}}
-             : result;
+  std::vector<ParameterInterval> result;
+  for (const ParameterInterval& piece : stretches(sweep)) {
+    const auto height_at = [&](double t) { return height(sweep.over({t, t}), point); };
+    double before = height_at(piece.from);
+    for (int i = 0; i < kStretches; ++i) {
+      ParameterInterval t{piece.from + double(i) / kStretches,
+                          piece.from + double(i + 1) / kStretches};
+      const double after = height_at(t.to);
+      if (before > 0 && after <= 0) {
+        for (int k = 0; k < kHalvings; ++k) {
+          const auto [left, right] = halves(t);
+          t = height_at(left.to) <= 0 ? left : right;
+        }
+        result.push_back(
+            {std::max(piece.from, t.from - size(t)), std::min(piece.to, t.to + size(t))});
+      }
+      before = after;
+    }
+  }
+  return result;
 }
 
 // Points of some discs, tried on all others.
 std::optional<Overlap> overlap(const DiscSweep& a, const DiscSweep& b, bool same) {
   constexpr int kDiscs = 24, kAngles = 8;
-  for (int i = 0; i < kDiscs; ++i) {
+  if (!a.full() || !b.full()) {
+    return std::nullopt;
+  }
+  for (int i = 0; i < kDiscs * int(a.length()); ++i) {
     const double t = (i + 0.5) / kDiscs;
     const ParameterInterval around{t - 0x1p-16, t + 0x1p-16};
     const DiscHull disc = a.over(around);
@@ -125,18 +137,30 @@ std::optional<Overlap> overlap(const DiscSweep& a, const DiscSweep& b, bool same
       const double reach = disc.radius.lower * (k == 0 ? 0 : k <= kAngles ? 0.5 : 0.9);
       const Vec3 point =
           disc.middle() + reach * (std::cos(angle) * across + std::sin(angle) * axis.cross(across));
-      if (!crosses(disc, point)) {
+      if (!crosses(a, around, point)) {
         continue;
       }
       for (const ParameterInterval& other : crossings(b, point)) {
         const bool own = same && other.from <= around.to && around.from <= other.to;
-        if (!own && crosses(b.over(other), point)) {
+        if (!own && crosses(b, other, point)) {
           return Overlap{point, around, other};
         }
       }
     }
   }
   return std::nullopt;
+}
+
+// Points of either part, tried on the other.
+std::optional<Overlap> overlap(const DiscSweep& a, const DiscSweep& b) {
+  auto result = overlap(a, b, false);
+  if (!result) {
+    result = overlap(b, a, false);
+    if (result) {
+      std::swap(result->first, result->second);
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -173,42 +197,41 @@ Separation separation(const DiscHull& first, const DiscHull& second) {
   return best;
 }
 
-EmbeddedClaim prove_embedded(const DiscSweep& sweep, double margin, std::size_t boxes) {
-  EmbeddedClaim claim;
-  struct Pair {
-    ParameterInterval first, second;
-  };
-  std::vector<Pair> stack;
-  const auto pieces = stretches(sweep);
-  for (std::size_t i = pieces.size(); i-- > 0;) {
-    for (std::size_t j = pieces.size(); j-- > i;) {
-      stack.push_back({pieces[i], pieces[j]});
-    }
-  }
+namespace {
+
+struct Pair {
+  ParameterInterval first, second;
+};
+
+using ShortWay = std::function<bool(const Pair&)>;
+
+// Leaves that cover the pairs, each by a short way or a plane between; none when the limit of work
+// was reached. Pairs of equal stretches are taken to need the order first <= second only.
+std::optional<std::vector<DiscPairs>> leaves_of(const DiscSweep& first, const DiscSweep& second,
+                                                std::vector<Pair> stack, const ShortWay& is_short,
+                                                std::size_t boxes) {
+  std::vector<DiscPairs> leaves;
   for (std::size_t looked_at = 0; !stack.empty(); ++looked_at) {
     const Pair pair = stack.back();
     stack.pop_back();
-    if (sweep.turns_little({pair.first.from, pair.second.to}, margin)) {
-      claim.leaves.push_back({pair.first, pair.second, {}});
+    if (is_short(pair)) {
+      leaves.push_back({pair.first, pair.second, {}});
       continue;
     }
     if (looked_at >= boxes || std::max(size(pair.first), size(pair.second)) < kShortest) {
-      claim.leaves.clear();
-      claim.overlap = overlap(sweep, sweep, true);
-      claim.verdict = claim.overlap ? Verdict::refuted : Verdict::undecided;
-      return claim;
+      return std::nullopt;
     }
     const auto [left, right] = halves(pair.first);
-    if (pair.first == pair.second) {
+    if (&first == &second && pair.first == pair.second) {
       stack.push_back({right, right});
       stack.push_back({left, right});
       stack.push_back({left, left});
       continue;
     }
-    const Box whole = box(sweep, sweep, pair.first, pair.second);
+    const Box whole = box(first, second, pair.first, pair.second);
     if (whole.apart.distance > 0) {
-      claim.leaves.push_back({pair.first, pair.second, whole.apart.direction});
-    } else if (size(pair.first) >= size(pair.second)) {
+      leaves.push_back({pair.first, pair.second, whole.apart.direction});
+    } else if (whole.first_hull.extent() >= whole.second_hull.extent()) {
       stack.push_back({right, pair.second});
       stack.push_back({left, pair.second});
     } else {
@@ -217,7 +240,73 @@ EmbeddedClaim prove_embedded(const DiscSweep& sweep, double margin, std::size_t 
       stack.push_back({pair.first, near});
     }
   }
-  claim.verdict = Verdict::proved;
+  return leaves;
+}
+
+// Ways that are longer are not looked at: some piece turns too much on them.
+constexpr double kLongestWay = 2;
+
+}  // namespace
+
+EmbeddedClaim prove_embedded(const DiscSweep& sweep, double margin, std::size_t boxes) {
+  EmbeddedClaim claim;
+  std::vector<Pair> stack;
+  const auto pieces = stretches(sweep);
+  for (std::size_t i = pieces.size(); i-- > 0;) {
+    for (std::size_t j = pieces.size(); j-- > i;) {
+      stack.push_back({pieces[i], pieces[j]});
+    }
+  }
+  const auto is_short = [&](const Pair& pair) {
+    const ParameterInterval all{pair.first.from, pair.second.to};
+    std::vector<DiscPace> way, around;
+    return sweep.turns_little(all, margin) ||
+           (size(all) <= kLongestWay && sweep.append_way(all, way) && advances(way)) ||
+           (sweep.closed() && sweep.length() - pair.second.from + pair.first.to <= kLongestWay &&
+            sweep.append_way({pair.second.from, sweep.length()}, around) &&
+            sweep.append_way({0, pair.first.to}, around) && advances(around));
+  };
+  auto leaves = leaves_of(sweep, sweep, std::move(stack), is_short, boxes);
+  if (leaves) {
+    claim.verdict = Verdict::proved;
+    claim.leaves = std::move(*leaves);
+    return claim;
+  }
+  claim.overlap = overlap(sweep, sweep, true);
+  claim.verdict = claim.overlap ? Verdict::refuted : Verdict::undecided;
+  return claim;
+}
+
+ClearanceClaim prove_joint(const DiscSweep& first, const DiscSweep& second,
+                           const std::vector<Joint>& joints, std::size_t boxes) {
+  ClearanceClaim claim;
+  std::vector<Pair> stack;
+  for (const auto& a : stretches(first)) {
+    for (const auto& b : stretches(second)) {
+      stack.push_back({a, b});
+    }
+  }
+  const auto to_joint = [](const DiscSweep& sweep, const ParameterInterval& t, PartEnd end) {
+    return end == PartEnd::end ? ParameterInterval{t.from, sweep.length()}
+                               : ParameterInterval{0, t.to};
+  };
+  const auto is_short = [&](const Pair& pair) {
+    return std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
+      const auto one = to_joint(first, pair.first, joint.first);
+      const auto other = to_joint(second, pair.second, joint.second);
+      std::vector<DiscPace> way;
+      return size(one) + size(other) <= kLongestWay && first.append_way(one, way) &&
+             second.append_way(other, way) && advances(way);
+    });
+  };
+  auto leaves = leaves_of(first, second, std::move(stack), is_short, boxes);
+  if (leaves) {
+    claim.verdict = Verdict::proved;
+    claim.leaves = std::move(*leaves);
+    return claim;
+  }
+  claim.overlap = overlap(first, second);
+  claim.verdict = claim.overlap ? Verdict::refuted : Verdict::undecided;
   return claim;
 }
 
@@ -225,11 +314,18 @@ EmbeddedClaim prove_embedded(const DiscSweep& sweep, double margin, std::size_t 
 // that certainly occurs, that of two points.
 ClearanceClaim prove_clearance(const DiscSweep& first, const DiscSweep& second, std::size_t boxes) {
   constexpr double kEnough = 0.9;  // of the distance
+  constexpr std::size_t kTries = 64;
   ClearanceClaim claim;
   const auto nearer = [](const Box& a, const Box& b) {
     return a.apart.distance > b.apart.distance;
   };
-  std::vector<Box> heap{box(first, second, {0, 1}, {0, 1})};
+  std::vector<Box> heap;
+  for (const auto& a : stretches(first)) {
+    for (const auto& b : stretches(second)) {
+      heap.push_back(box(first, second, a, b));
+    }
+  }
+  std::make_heap(heap.begin(), heap.end(), nearer);
   double occurs = std::numeric_limits<double>::infinity();
   for (std::size_t looked_at = 0;; ++looked_at) {
     const Box& front = heap.front();
@@ -241,14 +337,8 @@ ClearanceClaim prove_clearance(const DiscSweep& first, const DiscSweep& second, 
       break;
     }
     // Overlapping parts never come apart; look for a common point before much work is done.
-    if (looked_at == 64 && !(front.apart.distance > 0)) {
-      claim.overlap = overlap(first, second, false);
-      if (!claim.overlap) {
-        claim.overlap = overlap(second, first, false);
-        if (claim.overlap) {
-          std::swap(claim.overlap->first, claim.overlap->second);
-        }
-      }
+    if (looked_at == kTries && !(front.apart.distance > 0)) {
+      claim.overlap = overlap(first, second);
       if (claim.overlap) {
         claim.verdict = Verdict::proved;
         return claim;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "disc_sweep.h"
 #include "dupin/blends/certificate.h"
@@ -22,6 +23,16 @@ struct Separation {
 /// with this margin.
 [[nodiscard]] EmbeddedClaim prove_embedded(const DiscSweep& sweep, double margin,
                                            std::size_t boxes);
+
+/// The ends at which two parts are joined.
+struct Joint {
+  PartEnd first, second;
+};
+
+/// Proves or refutes that two parts that are joined have nothing in common but the discs of the
+/// joints.
+[[nodiscard]] ClearanceClaim prove_joint(const DiscSweep& first, const DiscSweep& second,
+                                         const std::vector<Joint>& joints, std::size_t boxes);
 
 /// Finds a lower bound of the distance of two sets of discs, or a point in both.
 [[nodiscard]] ClearanceClaim prove_clearance(const DiscSweep& first, const DiscSweep& second,

@@ -1,23 +1,24 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <variant>
 #include <vector>
 
-#include "dupin/blends/regularity.h"
-#include "dupin/blends/sphere.h"
+#include "disc_tube.h"
+#include "dupin/blends/certificate.h"
 #include "interval.h"
+#include "moving_disc.h"
 
 namespace dupin::detail {
 
 /// Encloses the discs of a stretch of a part. A ball counts as a disc of any normal.
 struct DiscHull {
   std::vector<IntervalVec> centers;   ///< their convex hull contains all centres
-  std::vector<IntervalVec> tangents;  ///< the cone they span contains all normals
+  std::vector<IntervalVec> tangents;  ///< the cone they span contains all normals, but for `spread`
   Vec3 axis = Vec3::Zero();           ///< roughly the mean normal
   double cosine = 0;  ///< below those of all angles between axis and normals; 0: any normal
-  Interval radius;    ///< of all radii
+  Interval radius;    ///< of all radii; infinite where nothing is known
+  double spread = 0;  ///< the largest angle between a normal and the cone
 
   [[nodiscard]] Vec3 middle() const;
   /// A length that falls as the stretch does.
@@ -30,35 +31,45 @@ struct DiscHull {
 /// Roughly the point of the hull furthest in this direction.
 [[nodiscard]] Vec3 support_point(const DiscHull& hull, const Vec3& direction);
 
-/// The discs of a part with those of straight pipes or cones that go on from its ends, in outward
-/// rounded arithmetic. Parameters are in [from(), to()], whole numbers being the seams; stretches
-/// must not contain a seam inside.
+/// The discs of a piece; parameters are in [0, 1].
+using PieceDiscs = std::variant<DiscTube, CyclidePiece, RationalRingedSurface>;
+
+[[nodiscard]] PieceDiscs piece_discs(const CertifiedPiece& piece);
+[[nodiscard]] DiscHull hull_over(const PieceDiscs& piece, const ParameterInterval& t);
+/// None where the numbers do not tell.
+[[nodiscard]] std::optional<DiscPace> pace_over(const PieceDiscs& piece,
+                                                const ParameterInterval& t);
+
+/// The discs of a part, in outward rounded arithmetic. Parameters are in [0, length()], whole
+/// numbers being the seams of a chain; a ball's are in [0, 1]. Of other shapes nothing is known:
+/// their length is 0.
 class DiscSweep {
  public:
   explicit DiscSweep(const Sphere& sphere);
-  DiscSweep(const RingedSurface& surface, const std::array<double, 2>& extension);
+  explicit DiscSweep(const PieceChain& chain);
+  explicit DiscSweep(const OtherShape&) : full_(false) {}
 
-  [[nodiscard]] double from() const { return extension_[0] > 0 ? -1 : 0; }
-  [[nodiscard]] double to() const { return extension_[1] > 0 ? 2 : 1; }
+  [[nodiscard]] double length() const { return sphere_ ? 1 : double(pieces_.size()); }
+  [[nodiscard]] bool closed() const { return closed_; }
+  /// The part is the union of its discs: neither hollow nor elliptic.
+  [[nodiscard]] bool full() const { return full_; }
+
+  /// Requires no seam inside t.
   [[nodiscard]] DiscHull over(const ParameterInterval& t) const;
 
-  /// Whether the discs at any two parameters in t, seams allowed, are disjoint because the spine
-  /// turns by at most a right angle, given that 1 - kappa R > margin >= 0 on [0, 1].
+  /// Whether the discs at any two parameters in t are disjoint because t has no seam and the spine
+  /// turns by at most a right angle, given that the part is regular with this margin.
   [[nodiscard]] bool turns_little(const ParameterInterval& t, double margin) const;
 
- private:
-  struct Part {
-    std::vector<IntervalVec> centers, tangents;
-  };
+  /// Appends what `advances` needs about t, seams allowed; false where the numbers do not tell.
+  [[nodiscard]] bool append_way(const ParameterInterval& t, std::vector<DiscPace>& way) const;
 
-  [[nodiscard]] Part curve(const ParameterInterval& t) const;
-  [[nodiscard]] Part extended(const ParameterInterval& t) const;
-  [[nodiscard]] Interval radius(const ParameterInterval& t) const;
-  [[nodiscard]] double turning(const ParameterInterval& t) const;
+ private:
+  [[nodiscard]] std::size_t piece_of(const ParameterInterval& t) const;
 
   std::optional<Sphere> sphere_;
-  RingedSurface surface_;
-  std::array<double, 2> extension_ = {};
+  std::vector<PieceDiscs> pieces_;
+  bool closed_ = false, full_ = true;
 };
 
 }  // namespace dupin::detail

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "dupin/kernel/vec.h"
@@ -22,11 +24,21 @@ struct Interval {
   [[nodiscard]] double magnitude() const { return std::max(std::abs(lower), std::abs(upper)); }
 };
 
-/// One ulp outwards on both sides: what one correctly rounded operation may have lost.
-inline Interval outward(double low, double high) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return {std::nextafter(low, -kInfinity), std::nextafter(high, kInfinity)};
+/// The next smaller double; std::nextafter is a call. Doubles of one sign are ordered as their
+/// bits.
+inline double next_below(double x) {
+  if (!(x > -std::numeric_limits<double>::infinity())) {
+    return x;
+  }
+  if (x == 0) {
+    return -std::numeric_limits<double>::denorm_min();
+  }
+  const auto bits = std::bit_cast<std::int64_t>(x);
+  return std::bit_cast<double>(x > 0 ? bits - 1 : bits + 1);
 }
+
+/// One ulp outwards on both sides: what one correctly rounded operation may have lost.
+inline Interval outward(double low, double high) { return {next_below(low), -next_below(-high)}; }
 
 inline Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};

@@ -102,6 +102,13 @@ Skin skin(const CyclideTube& tube, const RingSampling& sampling,
 
   Skin result;
   result.shift = last.shift;
+  result.tube.knots = {0};
+  for (std::size_t p = 0; p < along.size(); ++p) {
+    for (std::size_t j = 1; j < along[p].knots.size(); ++j) {
+      result.tube.knots.push_back(double(p) +
+                                  detail::parameter_at(tube.chain.pieces[p], along[p].knots[j]));
+    }
+  }
   result.tube.bands = std::uint32_t(rows.size() + 1);
   for (const PieceBands& piece : along) {
     result.tube.error_bound = std::max(result.tube.error_bound, piece.error_bound + displacement);
@@ -154,6 +161,7 @@ Tessellation hollow(Skin outer, Skin inner, std::uint32_t segments) {
   }
   outer.tube.error_bound = std::max(outer.tube.error_bound, inner.tube.error_bound);
   outer.tube.bands += inner.tube.bands;
+  outer.tube.knots.clear();  // the skins have their own
   return std::move(outer.tube);
 }
 

@@ -57,6 +57,9 @@ Tessellation tessellate(const SplinePipe& pipe, const RingSampling& sampling,
     for (const auto& [a, b, c] : piece.mesh.triangles) {
       result.mesh.triangles.push_back({vertices[a], vertices[b], vertices[c]});
     }
+    for (std::size_t k = 1; k < piece.knots.size(); ++k) {
+      result.knots.push_back(double(i) + piece.knots[k]);
+    }
     result.bands += piece.bands;
     result.error_bound = std::max(result.error_bound, piece.error_bound);
   }

@@ -56,8 +56,19 @@ ParameterInterval interval(const JsonNode& node) {
 }
 
 Ring ring(const JsonNode& node) {
-  return {vector(node.at("center")), vector(node.at("normal")), node.at("radius").number(),
-          node.at("slope").number()};
+  Ring result{vector(node.at("center")), vector(node.at("normal")), node.at("radius").number(),
+              node.at("slope").number()};
+  if (node.has("ellipse")) {
+    const JsonNode e = node.at("ellipse");
+    result.ellipse =
+        Ellipse{vector(e.at("axis")), e.at("across").number(), e.at("across_slope").number()};
+  }
+  return result;
+}
+
+PeVector sphere(const JsonNode& node) {
+  const auto [x, y, z, r] = numbers<4>(node);
+  return {Vec3(x, y, z), r};
 }
 
 Spine spine(const JsonNode& node) {
@@ -99,7 +110,53 @@ RadiusLaw radius(const JsonNode& node) {
   return BezierRadius{numbers(node.at("bezier"))};
 }
 
-std::variant<RingedSurface, Sphere, OtherShape> shape(const JsonNode& node) {
+RingedTube rational_ringed_surface(const JsonNode& node) {
+  RingedTube result{ring(node.at("start")), ring(node.at("end")), {}};
+  const auto points = list<Vec3>(node.at("center"), vector);
+  if (points.size() != result.surface.center.size()) {
+    node.at("center").fail("must hold 4 points");
+  }
+  std::copy(points.begin(), points.end(), result.surface.center.begin());
+  result.surface.radius = numbers<4>(node.at("radius"));
+  result.surface.rotation = list<std::array<double, 4>>(
+      node.at("rotation"), [](const JsonNode& control) { return numbers<4>(control); });
+  if (result.surface.rotation.size() < 2) {
+    node.at("rotation").fail("must hold 2 quaternions at least");
+  }
+  return result;
+}
+
+CertifiedPiece piece(const JsonNode& node) {
+  if (node.has("rational_ringed_surface")) {
+    return rational_ringed_surface(node.at("rational_ringed_surface"));
+  }
+  if (node.has("cyclide")) {
+    const JsonNode s = node.at("cyclide");
+    if (!(s.at("chord").number() > 0)) {
+      s.at("chord").fail("must be positive");
+    }
+    return CyclidePiece{ring(s.at("start")),     ring(s.at("end")),    sphere(s.at("first")),
+                        sphere(s.at("tangent")), sphere(s.at("last")), s.at("chord").number()};
+  }
+  if (node.has("elliptic_tube")) {
+    const JsonNode s = node.at("elliptic_tube");
+    EllipticTube tube{ring(s.at("start")), ring(s.at("end")), spine(s.at("spine")),
+                      radius(s.at("first")), radius(s.at("second"))};
+    return tube;
+  }
+  const JsonNode s = node.at("ringed_surface");
+  return RingedSurface{ring(s.at("start")), ring(s.at("end")), spine(s.at("spine")),
+                       radius(s.at("radius"))};
+}
+
+bool boolean(const JsonNode& node) {
+  if (!node.value().is_boolean()) {
+    node.fail("must be true or false");
+  }
+  return node.value().get<bool>();
+}
+
+std::variant<PieceChain, Sphere, OtherShape> shape(const JsonNode& node) {
   if (node.has("sphere")) {
     const JsonNode s = node.at("sphere");
     return Sphere{vector(s.at("center")), s.at("radius").number()};
@@ -107,9 +164,12 @@ std::variant<RingedSurface, Sphere, OtherShape> shape(const JsonNode& node) {
   if (node.has("other_shape")) {
     return OtherShape{};
   }
-  const JsonNode s = node.at("ringed_surface");
-  return RingedSurface{ring(s.at("start")), ring(s.at("end")), spine(s.at("spine")),
-                       radius(s.at("radius"))};
+  PieceChain chain{list<CertifiedPiece>(node.at("pieces"), piece), boolean(node.at("closed")),
+                   node.at("wall").number()};
+  if (chain.pieces.empty()) {
+    node.at("pieces").fail("must not be empty");
+  }
+  return chain;
 }
 
 CertifiedPart part(const JsonNode& node, std::uint32_t parts) {
@@ -175,13 +235,16 @@ PartClaims part_claims(const JsonNode& node) {
   }
   if (node.has("embedded")) {
     const JsonNode claim = node.at("embedded");
-    result.embedded = {verdict(claim.at("verdict")), numbers<2>(claim.at("extension")),
+    result.embedded = {verdict(claim.at("verdict")),
                        list<DiscPairs>(claim.at("leaves"), disc_pairs),
                        overlap(claim.at("overlap"))};
   }
   result.tangency = list<TangencyClaim>(node.at("tangency"), [](const JsonNode& bounds) {
-    const auto [deviation, axis_angle] = numbers<2>(bounds);
-    return TangencyClaim{deviation, axis_angle};
+    TangencyClaim claim{{}, bounds.at("axis_angle").number(), bounds.at("offset").number()};
+    if (!bounds.at("deviation").value().is_null()) {
+      claim.deviation = bounds.at("deviation").number();
+    }
+    return claim;
   });
   if (node.has("mesh")) {
     const JsonNode mesh = node.at("mesh");

@@ -20,11 +20,19 @@ Json form(const std::vector<Vec3>& points) {
 }
 
 Json form(const Ring& ring) {
-  return {{"center", form(ring.center)},
-          {"normal", form(ring.normal)},
-          {"radius", ring.radius},
-          {"slope", ring.slope}};
+  Json object{{"center", form(ring.center)},
+              {"normal", form(ring.normal)},
+              {"radius", ring.radius},
+              {"slope", ring.slope}};
+  if (ring.ellipse) {
+    object["ellipse"] = {{"axis", form(ring.ellipse->axis)},
+                         {"across", ring.ellipse->across},
+                         {"across_slope", ring.ellipse->across_slope}};
+  }
+  return object;
 }
+
+Json form(const PeVector& sphere) { return {sphere.m.x(), sphere.m.y(), sphere.m.z(), sphere.r}; }
 
 struct SpineForm {
   Json operator()(const LineSpine& s) const {
@@ -62,17 +70,54 @@ struct RadiusForm {
   Json operator()(const BezierRadius& r) const { return law("bezier", r.coefficients); }
 };
 
+struct PieceForm {
+  static Json named(const char* kind, const Ring& start, const Ring& end, const Json& more) {
+    Json numbers{{"start", form(start)}, {"end", form(end)}};
+    numbers.update(more);
+    Json object = Json::object();
+    object[kind] = numbers;
+    return object;
+  }
+  Json operator()(const RingedSurface& s) const {
+    return named("ringed_surface", s.start, s.end,
+                 {{"spine", std::visit(SpineForm{}, s.spine)},
+                  {"radius", std::visit(RadiusForm{}, s.radius)}});
+  }
+  Json operator()(const EllipticTube& s) const {
+    return named("elliptic_tube", s.start, s.end,
+                 {{"spine", std::visit(SpineForm{}, s.spine)},
+                  {"first", std::visit(RadiusForm{}, s.first)},
+                  {"second", std::visit(RadiusForm{}, s.second)}});
+  }
+  Json operator()(const CyclidePiece& s) const {
+    return named("cyclide", s.start, s.end,
+                 {{"first", form(s.first)},
+                  {"tangent", form(s.tangent)},
+                  {"last", form(s.last)},
+                  {"chord", s.chord}});
+  }
+  Json operator()(const RingedTube& s) const {
+    Json points = Json::array();
+    for (const Vec3& point : s.surface.center) {
+      points.push_back(form(point));
+    }
+    return named(
+        "rational_ringed_surface", s.start, s.end,
+        {{"center", points}, {"radius", s.surface.radius}, {"rotation", s.surface.rotation}});
+  }
+};
+
 struct ShapeForm {
   Json operator()(const OtherShape&) const { return {{"other_shape", Json::object()}}; }
   Json operator()(const Sphere& s) const {
     return {{"sphere", {{"center", form(s.center)}, {"radius", s.radius}}}};
   }
-  Json operator()(const RingedSurface& s) const {
-    return {{"ringed_surface",
-             {{"start", form(s.start)},
-              {"end", form(s.end)},
-              {"spine", std::visit(SpineForm{}, s.spine)},
-              {"radius", std::visit(RadiusForm{}, s.radius)}}}};
+  Json operator()(const PieceChain& s) const {
+    Json pieces = Json::array();
+    for (const CertifiedPiece& piece : s.pieces) {
+      pieces.push_back(std::visit(PieceForm{}, piece));
+    }
+    return {{"pieces", pieces}, {"closed", s.closed}, {"wall", s.wall}};
   }
 };
 
@@ -120,7 +165,6 @@ Json form(const RegularClaim& claim) {
 
 Json form(const EmbeddedClaim& claim) {
   return {{"verdict", name(claim.verdict)},
-          {"extension", claim.extension},
           {"leaves", form(claim.leaves)},
           {"overlap", form(claim.overlap)}};
 }
@@ -135,7 +179,9 @@ Json form(const PartClaims& claims) {
   }
   object["tangency"] = Json::array();
   for (const TangencyClaim& claim : claims.tangency) {
-    object["tangency"].push_back({claim.deviation, claim.axis_angle});
+    object["tangency"].push_back({{"deviation", claim.deviation ? Json(*claim.deviation) : Json()},
+                                  {"axis_angle", claim.axis_angle},
+                                  {"offset", claim.offset}});
   }
   if (claims.mesh) {
     object["mesh"] = {{"segments", claims.mesh->segments},
@@ -205,6 +251,7 @@ std::string certificate_summary_json(const Certificate& certificate) {
     clearances.push_back(
         {{"parts", {certificate.parts[claim.first].name, certificate.parts[claim.second].name}},
          {"verdict", name(claim.verdict)},
+         {"joined", certificate.joined(claim)},
          {"overlap", claim.overlap.has_value()},
          {"distance", claim.distance}});
   }

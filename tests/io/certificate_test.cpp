@@ -4,6 +4,7 @@
 #include <cctype>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <random>
 #include <string>
 #include <utility>
@@ -43,14 +44,19 @@ TEST(Certificate, proves_all_of_figure_6) {
   const PartClaims& blend = certificate.claims[kBlend];
   EXPECT_GT(blend.regular->margin, 0.0840);
   EXPECT_LT(blend.regular->margin, 0.0848584660472);
-  EXPECT_EQ(blend.embedded->extension, (std::array{10.0, 10.0}));  // both pipes
   for (const TangencyClaim& end : blend.tangency) {
     EXPECT_EQ(end.deviation, 0);
     EXPECT_LT(end.axis_angle, 1e-16);
+    EXPECT_LT(end.offset, 1e-100);  // 0, rounded up
   }
   EXPECT_LT(blend.mesh->error_bound, certificate.tolerance);
-  ASSERT_EQ(certificate.clearances.size(), 1u);  // inlet and outlet
-  EXPECT_GT(certificate.clearances[0].distance, 8);
+  ASSERT_EQ(certificate.clearances.size(), 3u);
+  EXPECT_GT(certificate.clearances[0].distance, 8);  // inlet and outlet
+  for (const std::size_t pipe : {1, 2}) {            // and the blend
+    EXPECT_EQ(certificate.clearances[pipe].verdict, Verdict::proved);
+    EXPECT_TRUE(certificate.joined(certificate.clearances[pipe]));
+    EXPECT_EQ(certificate.clearances[pipe].distance, 0);
+  }
   EXPECT_NO_THROW(verify(certificate));
 }
 
@@ -71,6 +77,12 @@ TEST(Certificate, is_the_same_document_every_time_and_after_reading) {
   EXPECT_EQ(certificate_json(parse_certificate(text)), text);
 }
 
+// What stays undecided in some examples: the meshes of elliptic tubes, rational ringed surfaces and
+// hollow chains, and chains with kneecaps.
+const std::map<std::string, std::size_t> kUndecided = {
+    {"jet-engine.json", 1},   {"oblique-nozzle.json", 4}, {"oval-duct.json", 7},
+    {"ringed-canal.json", 2}, {"two-cones.json", 3},      {"ucct-arm.json", 5}};
+
 TEST(Certificate, of_every_example_is_proved_and_verified) {
   std::size_t count = 0;
   for (const auto& entry :
@@ -86,10 +98,13 @@ TEST(Certificate, of_every_example_is_proved_and_verified) {
       continue;
     }
     const Certificate certificate = certify(example(name));
-    const bool is_known = std::none_of(
-        certificate.parts.begin(), certificate.parts.end(),
-        [](const auto& part) { return std::holds_alternative<OtherShape>(part.shape); });
-    EXPECT_EQ(certificate.findings() == 0, is_known);
+    EXPECT_EQ(certificate.findings(), kUndecided.contains(name) ? kUndecided.at(name) : 0);
+    for (std::size_t i = 0; i < certificate.parts.size(); ++i) {
+      const bool is_known = !std::holds_alternative<OtherShape>(certificate.parts[i].shape);
+      const PartClaims& claims = certificate.claims[i];
+      EXPECT_EQ(!claims.regular || claims.regular->verdict == Verdict::proved, is_known);
+      EXPECT_EQ(!claims.embedded || claims.embedded->verdict == Verdict::proved, is_known);
+    }
     EXPECT_NO_THROW(verify(parse_certificate(certificate_json(certificate))));
   }
   EXPECT_GE(count, 8u);
@@ -133,9 +148,15 @@ TEST_P(Liar, is_caught_by_the_checker) {
 
 PartClaims& blend(Certificate& c) { return c.claims[kBlend]; }
 
-HermiteSpine& spine(Certificate& c) {
-  return std::get<HermiteSpine>(std::get<RingedSurface>(c.parts[kBlend].shape).spine);
+PieceChain& chain(Certificate& c, std::size_t part) {
+  return std::get<PieceChain>(c.parts[part].shape);
 }
+
+RingedSurface& tube(Certificate& c, std::size_t part) {
+  return std::get<RingedSurface>(chain(c, part).pieces[0]);
+}
+
+HermiteSpine& spine(Certificate& c) { return std::get<HermiteSpine>(tube(c, kBlend).spine); }
 
 INSTANTIATE_TEST_SUITE_P(
     Certificate, Liar,
@@ -165,7 +186,11 @@ INSTANTIATE_TEST_SUITE_P(
               blend(c).embedded->verdict = Verdict::refuted;
               blend(c).embedded->overlap = Overlap{Vec3(0, 0, 0), {0, .25}, {.5, 1}};
             }},
-        Lie{"shorter_pipe", [](auto& c) { blend(c).embedded->extension[0] = 1; }},
+        Lie{"longer_pipe", [](auto& c) { std::get<LineSpine>(tube(c, 0).spine).from.x() = -60; }},
+        Lie{"other_joint", [](auto& c) { tube(c, 0).end.center.y() += 1e-9; }},
+        Lie{"moved_start", [](auto& c) { spine(c).from.y() += 1e-13; }},
+        Lie{"missing_joint_leaf", [](auto& c) { c.clearances[1].leaves.pop_back(); }},
+        Lie{"joint_with_distance", [](auto& c) { c.clearances[1].distance = 1; }},
         Lie{"bent_axis", [](auto& c) { spine(c).start_velocity.y() = 1e-3; }},
         Lie{"tighter_bend", [](auto& c) { spine(c).start_velocity.x() = 18; }},
         Lie{"mesh_bound", [](auto& c) { blend(c).mesh->error_bound *= 0.9; }},
@@ -252,7 +277,11 @@ TEST(Certificate, that_is_malformed_is_refused_with_its_place) {
       {"\"segments\":29", "\"segments\":29.5", "/claims/0/mesh/segments"},
       {"\"joined\":[null", "\"joined\":[[7,\"end\"]", "/parts/0/joined/0/0"},
       {"\"kind\":\"pipe\"", "\"kind\":7", "/parts/0/kind"},
-      {"\"extension\":[0.0,0.0]", "\"extension\":[0.0]", "/claims/0/embedded/extension"},
+      {"\"closed\":false", "\"closed\":0", "/parts/0/closed"},
+      {"\"wall\":0.0", "\"wall\":\"none\"", "/parts/0/wall"},
+      {"\"pieces\":[{", "\"pieces\":[],\"was\":[{", "/parts/0/pieces"},
+      {"\"ringed_surface\"", "\"surface\"", "/parts/0/pieces/0"},
+      {"\"offset\":", "\"off\":", "/claims/0/tangency/0"},
       {"\"radius\":1.0", "\"radius\":1.5", "/inputs_sha256"},
       {"\"tolerance\"", "\"tolerances\"", "tolerance"}};
   for (const auto& [from, to, place] : table) {

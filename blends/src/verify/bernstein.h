@@ -53,14 +53,15 @@ inline Polynomial derivative(const Polynomial& p) {
   return d;
 }
 
-/// On the part [from, to] of the stretch [0, 1].
-inline Polynomial part(const Polynomial& p, const mpq_class& from, const mpq_class& to) {
-  Polynomial result;
+/// On the part [from, to] of the stretch [0, 1]; for rational numbers or intervals.
+template <class Number>
+std::vector<Number> part(const std::vector<Number>& p, const Number& from, const Number& to) {
+  std::vector<Number> result;
   for (std::size_t upper = 0; upper < p.size(); ++upper) {
-    Polynomial row = p;
+    std::vector<Number> row = p;
     for (std::size_t r = 1; r < p.size(); ++r) {
       for (std::size_t i = 0; i + r < p.size(); ++i) {
-        row[i] += (r <= upper ? to : from) * (row[i + 1] - row[i]);
+        row[i] = row[i] + (r <= upper ? to : from) * (row[i + 1] - row[i]);
       }
     }
     result.push_back(row.front());

@@ -1,17 +1,25 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "dupin/blends/certificate.h"
-#include "tube.h"
+#include "solid.h"
 
 namespace dupin::verifier {
 
+/// The ends at which two parts are joined, true being `end`.
+struct Joint {
+  bool first_at_end = false, second_at_end = false;
+};
+
 /// Whether a claim that is proved or refuted follows from the certificate's inputs.
-[[nodiscard]] bool follows(const Tube& tube, const RegularClaim& claim);
-[[nodiscard]] bool follows(const Tube& tube, const TangencyClaim& claim, bool at_end);
-[[nodiscard]] bool follows(const std::vector<CertifiedPart>& parts, const CertifiedPart& part,
-                           const EmbeddedClaim& claim, const RegularClaim& regular);
-[[nodiscard]] bool follows(const std::vector<CertifiedPart>& parts, const ClearanceClaim& claim);
+[[nodiscard]] bool follows(const Solid& solid, const RegularClaim& claim);
+[[nodiscard]] bool follows(const Piece& piece, const TangencyClaim& claim, bool at_end);
+[[nodiscard]] bool follows(const Solid& solid, const EmbeddedClaim& claim,
+                           const RegularClaim& regular);
+[[nodiscard]] bool follows(const Solid& first, const Solid& second,
+                           const std::vector<Joint>& joints, const ClearanceClaim& claim);
+[[nodiscard]] bool follows(const Solid& solid, const MeshClaim& claim);
 
 }  // namespace dupin::verifier

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <limits>
 #include <numbers>
 
 #include "claims.h"
@@ -58,145 +58,202 @@ Pairs listed(const std::vector<DiscPairs>& leaves) {
   return result;
 }
 
-using Sweep = std::function<Discs(const ParameterInterval&)>;
-
-Sweep sweep_of(const CertifiedPart& part, const std::array<double, 2>& extension = {}) {
-  if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
-    return [ball = Discs{{detail::interval_vec(sphere->center)}, {}, sphere->radius}](
-               const ParameterInterval&) { return ball; };
+// The least upper bound that so many cells give of x.w on the stretch.
+double furthest(const Solid& solid, const ParameterInterval& t, const IntervalVec& w, int cells) {
+  double result = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < cells; ++i) {
+    const auto discs = solid.discs({std::lerp(t.from, t.to, double(i) / cells),
+                                    std::lerp(t.from, t.to, double(i + 1) / cells)});
+    if (!discs) {
+      return std::numeric_limits<double>::infinity();
+    }
+    result = std::max(result, furthest(*discs, w));
   }
-  return [tube = Tube(std::get<RingedSurface>(part.shape)), extension](const ParameterInterval& t) {
-    if (t.to <= 0 && t.from < 0) {
-      return tube.extended(t.from, t.to, extension[0]);
-    }
-    return t.from >= 1 && t.to > 1 ? tube.extended(t.from, t.to, extension[1])
-                                   : tube.discs(t.from, t.to);
-  };
+  return result;
 }
 
-// The width of the slab between them.
-double apart(const Discs& first, const Discs& second, const Vec3& direction) {
-  const IntervalVec w = detail::interval_vec(direction);
-  const Interval behind = furthest(first, w), front = furthest(second, Interval(-1) * w);
+// Whether there is a slab of this width, and of any, between the discs.
+bool apart(const Solid& first, const Solid& second, const DiscPairs& leaf, double distance) {
+  constexpr int kMostCells = 16;
+  const IntervalVec w = detail::interval_vec(*leaf.direction);
   const Interval length = norm(w);
-  return length.lower > 0 ? ((-front - behind) / length).lower : -1;
+  for (int cells = 1; cells <= kMostCells; cells *= 2) {
+    const Interval behind = furthest(first, leaf.first, w, cells);
+    const Interval front = furthest(second, leaf.second, Interval(-1) * w, cells);
+    const double width = length.lower > 0 ? ((-front - behind) / length).lower : -1;
+    if (width > 0 && width >= distance) {
+      return true;
+    }
+  }
+  return false;
 }
 
-// The lemma of docs/certificate_format.md; the surface is known to be regular with this margin.
-bool turns_little(const Tube& tube, const ParameterInterval& t, const EmbeddedClaim& claim,
-                  double margin) {
-  const double from = std::clamp(t.from, 0.0, 1.0), to = std::clamp(t.to, 0.0, 1.0);
-  Interval range = tube.radius_range(from, to);
+// The first lemma of docs/certificate_format.md; the piece is known to be regular with this margin.
+bool turns_little(const std::vector<Tube>& tubes, const ParameterInterval& t, double margin) {
+  if (tubes.empty() ||
+      !(turning(tubes.front().discs(t.from, t.to).tangents) <= std::numbers::pi / 2)) {
+    return false;
+  }
+  Interval range = tubes.front().radius_range(t.from, t.to);
   bool grows = true, falls = true;
-  if (from < to) {
-    if (!(turning(tube.discs(from, to).tangents) <= std::numbers::pi / 2)) {
-      return false;
-    }
-    Polynomial r = tube.radius(from, to);
+  for (const Tube& tube : tubes) {
+    const Interval here = tube.radius_range(t.from, t.to);
+    range = {std::max(range.lower, here.lower), std::max(range.upper, here.upper)};
+    Polynomial r = tube.radius(t.from, t.to);
     if (r.empty()) {
       r = {evaluate(tube.surface().radius, 0).value, evaluate(tube.surface().radius, 1).value};
     }
-    grows = std::is_sorted(r.begin(), r.end());
-    falls = std::is_sorted(r.rbegin(), r.rend());
-  }
-  if (t.from < 0) {
-    range = hull(range, tube.extended(t.from, std::min(t.to, 0.0), claim.extension[0]).radius);
-    grows = grows && tube.surface().start.slope <= 0;
-    falls = falls && tube.surface().start.slope >= 0;
-  }
-  if (t.to > 1) {
-    range = hull(range, tube.extended(std::max(t.from, 1.0), t.to, claim.extension[1]).radius);
-    grows = grows && tube.surface().end.slope >= 0;
-    falls = falls && tube.surface().end.slope <= 0;
+    grows = grows && std::is_sorted(r.begin(), r.end());
+    falls = falls && std::is_sorted(r.rbegin(), r.rend());
   }
   return range.lower > 0 &&
          (grows || falls || ((Interval(1) - margin) * range.upper).upper <= range.lower);
 }
 
-// The plane of the discs passes the point within the stretch, which is nearer than the radius then.
-bool crosses(const Discs& discs, const Vec3& point) {
-  const IntervalVec p = detail::interval_vec(point);
-  const bool passes =
-      discs.tangents.empty() || (dot(p - discs.centers.front(), discs.tangents.front()).lower > 0 &&
-                                 dot(p - discs.centers.back(), discs.tangents.back()).upper < 0);
-  return passes && std::all_of(discs.centers.begin(), discs.centers.end(), [&](const auto& center) {
-           return norm(p - center).upper < discs.radius.lower;
+// A stretch of a piece on the way between two discs.
+struct Cell {
+  const Piece* piece;
+  ParameterInterval t;
+};
+
+bool append(const Solid& solid, const ParameterInterval& t, std::vector<Cell>& way) {
+  for (const ParameterInterval& stretch : cut(t)) {
+    const Piece* piece = solid.piece(stretch);
+    if (piece == nullptr) {
+      return false;
+    }
+    way.push_back({piece, within_piece(stretch)});
+  }
+  return !solid.ball();
+}
+
+// The second lemma, with sines and cosines replaced by phi and 1 - phi^2 / 2.
+bool advances(const std::vector<Cell>& way, int cells) {
+  struct Bounds {
+    Interval advance, sideways, turning;
+  };
+  std::vector<Bounds> all;
+  Interval radius = 0, phi = 0;
+  for (const auto& [piece, t] : way) {
+    for (int i = 0; i < cells; ++i) {
+      const double from = std::lerp(t.from, t.to, double(i) / cells);
+      const double to = std::lerp(t.from, t.to, double(i + 1) / cells);
+      const auto disc = piece->steered(from, to);
+      if (!disc || !(disc->radius[0].lower > 0)) {
+        return false;
+      }
+      const IntervalVec normal = part(disc->normal, 0), velocity = part(disc->center, 1);
+      const Interval turning = norm(part(disc->normal, 1)).upper;
+      all.push_back({dot(velocity, normal).lower, norm(cross(velocity, normal)).upper, turning});
+      radius = std::max(radius.upper, disc->radius[0].upper);
+      phi = phi + (Interval(to) - from) * turning;
+    }
+  }
+  phi = phi.upper;
+  const Interval cosine = (Interval(1) - square(phi) / 2).lower;
+  return phi.upper < 1 && std::all_of(all.begin(), all.end(), [&](const Bounds& bounds) {
+           return (bounds.advance * cosine - bounds.sideways * phi - radius * bounds.turning)
+                      .lower > 0;
          });
 }
 
-bool follows(const Overlap& overlap, const Sweep& first, const Sweep& second) {
-  const ParameterInterval all{0, 1};
-  return contains(all, overlap.first) && contains(all, overlap.second) &&
-         overlap.first.from < overlap.first.to && overlap.second.from < overlap.second.to &&
-         crosses(first(overlap.first), overlap.point) &&
-         crosses(second(overlap.second), overlap.point);
+bool advances(const std::vector<Cell>& way) {
+  constexpr int kMostCells = 32;
+  for (int cells = 2; cells <= kMostCells; cells *= 4) {
+    if (advances(way, cells)) {
+      return true;
+    }
+  }
+  return false;
 }
 
-bool within_one_piece(const ParameterInterval& t) {
-  return t.from < t.to && std::floor(t.from) + 1 >= t.to;
+// The plane of the discs passes the point within the stretch, which is nearer than the radius then.
+bool crosses(const Solid& solid, const ParameterInterval& t, const Vec3& point) {
+  const auto discs = solid.discs(t), first = solid.discs({t.from, t.from}),
+             last = solid.discs({t.to, t.to});
+  if (!(t.from < t.to) || !discs || !first || !last) {
+    return false;
+  }
+  const IntervalVec p = detail::interval_vec(point);
+  const bool passes = solid.ball() != nullptr ||
+                      (dot(p - first->centers.front(), first->tangents.front()).lower > 0 &&
+                       dot(p - last->centers.back(), last->tangents.back()).upper < 0);
+  return passes &&
+         std::all_of(discs->centers.begin(), discs->centers.end(), [&](const IntervalVec& center) {
+           return norm(p - center).upper < discs->radius.lower;
+         });
 }
 
-// The length of the straight part beyond an end.
-double straight_neighbour(const std::vector<CertifiedPart>& parts,
-                          const std::optional<EndIndex>& end) {
-  const auto* tube = end ? std::get_if<RingedSurface>(&parts[end->part].shape) : nullptr;
-  const auto* line = tube != nullptr ? std::get_if<LineSpine>(&tube->spine) : nullptr;
-  const bool is_straight = line != nullptr && Tube(*tube).radius(0, 1).size() - 1 < 2 &&
-                           !std::holds_alternative<BezierRadius>(tube->radius);
-  return is_straight ? (line->to - line->from).norm() : 0;
+bool follows(const Overlap& overlap, const Solid& first, const Solid& second) {
+  return first.is_full() && second.is_full() && crosses(first, overlap.first, overlap.point) &&
+         crosses(second, overlap.second, overlap.point);
+}
+
+// Whether the way between the discs of the leaf is one on which they do not come back.
+bool is_short_way(const Solid& solid, const DiscPairs& leaf, double margin) {
+  const ParameterInterval all{leaf.first.from, std::max(leaf.first.to, leaf.second.to)};
+  const Piece* piece = solid.piece(all);
+  if (leaf.first.from > leaf.second.from) {
+    return false;
+  }
+  if (piece != nullptr && turns_little(piece->tubes, within_piece(all), margin)) {
+    return true;
+  }
+  std::vector<Cell> way, around;
+  return (append(solid, all, way) && advances(way)) ||
+         (solid.closed() && append(solid, {leaf.second.from, solid.length()}, around) &&
+          append(solid, {0, leaf.first.to}, around) && advances(around));
+}
+
+// The discs from the stretch to the end where the joint is.
+ParameterInterval to_joint(const Solid& solid, const ParameterInterval& t, bool at_end) {
+  return at_end ? ParameterInterval{t.from, solid.length()} : ParameterInterval{0, t.to};
+}
+
+bool is_short_way(const Solid& first, const Solid& second, const std::vector<Joint>& joints,
+                  const DiscPairs& leaf) {
+  return std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
+    std::vector<Cell> way;
+    return append(first, to_joint(first, leaf.first, joint.first_at_end), way) &&
+           append(second, to_joint(second, leaf.second, joint.second_at_end), way) && advances(way);
+  });
+}
+
+bool has_leaf(const Solid& solid, const ParameterInterval& t) {
+  return t.from < t.to && (solid.ball() != nullptr || solid.piece(t) != nullptr);
 }
 
 }  // namespace
 
-bool follows(const std::vector<CertifiedPart>& parts, const CertifiedPart& part,
-             const EmbeddedClaim& claim, const RegularClaim& regular) {
-  const Sweep sweep = sweep_of(part, claim.extension);
+bool follows(const Solid& solid, const EmbeddedClaim& claim, const RegularClaim& regular) {
   if (claim.verdict == Verdict::refuted) {
     return claim.overlap &&
            (claim.overlap->first.to < claim.overlap->second.from ||
             claim.overlap->second.to < claim.overlap->first.from) &&
-           follows(*claim.overlap, sweep, sweep);
+           follows(*claim.overlap, solid, solid);
   }
-  const ParameterInterval all{claim.extension[0] > 0 ? -1.0 : 0.0,
-                              claim.extension[1] > 0 ? 2.0 : 1.0};
-  for (const std::size_t end : {0, 1}) {
-    if (claim.extension[end] != straight_neighbour(parts, part.joined[end])) {
-      return false;
-    }
-  }
-  if (regular.verdict != Verdict::proved || !covered(all, all, listed(claim.leaves), true)) {
-    return false;
-  }
-  const Tube tube(std::get<RingedSurface>(part.shape));
-  return std::all_of(claim.leaves.begin(), claim.leaves.end(), [&](const DiscPairs& leaf) {
-    if (!within_one_piece(leaf.first) || !within_one_piece(leaf.second) ||
-        !contains(all, leaf.first) || !contains(all, leaf.second)) {
-      return false;
-    }
-    return leaf.direction
-               ? apart(sweep(leaf.first), sweep(leaf.second), *leaf.direction) > 0
-               : leaf.first.from <= leaf.second.from &&
-                     turns_little(tube, {leaf.first.from, std::max(leaf.first.to, leaf.second.to)},
-                                  claim, regular.margin);
-  });
+  const ParameterInterval all{0, solid.length()};
+  return regular.verdict == Verdict::proved && covered(all, all, listed(claim.leaves), true) &&
+         std::all_of(claim.leaves.begin(), claim.leaves.end(), [&](const DiscPairs& leaf) {
+           return has_leaf(solid, leaf.first) && has_leaf(solid, leaf.second) &&
+                  (leaf.direction ? apart(solid, solid, leaf, 0)
+                                  : is_short_way(solid, leaf, regular.margin));
+         });
 }
 
-bool follows(const std::vector<CertifiedPart>& parts, const ClearanceClaim& claim) {
-  for (const std::uint32_t part : {claim.first, claim.second}) {
-    if (std::holds_alternative<OtherShape>(parts[part].shape)) {
-      return false;
-    }
-  }
-  const Sweep first = sweep_of(parts[claim.first]), second = sweep_of(parts[claim.second]);
+bool follows(const Solid& first, const Solid& second, const std::vector<Joint>& joints,
+             const ClearanceClaim& claim) {
+  const bool joined = !joints.empty();
   if (claim.overlap) {
-    return follows(*claim.overlap, first, second);
+    return claim.verdict == (joined ? Verdict::refuted : Verdict::proved) &&
+           follows(*claim.overlap, first, second);
   }
-  const ParameterInterval all{0, 1};
-  return claim.verdict == Verdict::proved && claim.distance > 0 &&
-         covered(all, all, listed(claim.leaves), false) &&
+  return claim.verdict == Verdict::proved && (joined ? claim.distance == 0 : claim.distance > 0) &&
+         covered({0, first.length()}, {0, second.length()}, listed(claim.leaves), false) &&
          std::all_of(claim.leaves.begin(), claim.leaves.end(), [&](const DiscPairs& leaf) {
-           return leaf.direction && contains(all, leaf.first) && contains(all, leaf.second) &&
-                  apart(first(leaf.first), second(leaf.second), *leaf.direction) >= claim.distance;
+           return has_leaf(first, leaf.first) && has_leaf(second, leaf.second) &&
+                  (leaf.direction ? apart(first, second, leaf, claim.distance)
+                                  : is_short_way(first, second, joints, leaf));
          });
 }
 

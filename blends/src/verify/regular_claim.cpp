@@ -60,6 +60,33 @@ bool is_regular_on(const Tube& tube, double margin, double from, double to, int 
          is_regular_on(tube, margin, middle, to, halvings - 1);
 }
 
+// By intervals: (1 - margin) c'.n > R |n'|.
+bool is_regular_on(const Motion& motion, double margin, double from, double to, int halvings) {
+  const auto disc = motion(from, to);
+  if (disc) {
+    const Interval advance = dot(part(disc->center, 1), part(disc->normal, 0));
+    const Interval turning = norm(part(disc->normal, 1));
+    if (disc->radius[0].lower > 0 &&
+        ((Interval(1) - margin) * advance - disc->radius[0] * turning).lower > 0) {
+      return true;
+    }
+  }
+  const double middle = (from + to) / 2;
+  return halvings > 0 && is_regular_on(motion, margin, from, middle, halvings - 1) &&
+         is_regular_on(motion, margin, middle, to, halvings - 1);
+}
+
+bool is_regular_on(const Piece& piece, double margin, const ParameterInterval& t) {
+  constexpr int kHalvings = 24, kMotionHalvings = 6;
+  if (piece.tubes.empty()) {
+    return is_regular_on(piece.steered, margin, t.from, t.to, kMotionHalvings) &&
+           (!piece.inner || is_regular_on(piece.inner, margin, t.from, t.to, kMotionHalvings));
+  }
+  return std::all_of(piece.tubes.begin(), piece.tubes.end(), [&](const Tube& tube) {
+    return is_regular_on(tube, margin, t.from, t.to, kHalvings);
+  });
+}
+
 bool fails_at(const Tube& tube, double margin, double t) {
   const Polynomial radius = tube.radius(t, t);
   const double least = tube.radius_range(t, t).lower;
@@ -67,27 +94,36 @@ bool fails_at(const Tube& tube, double margin, double t) {
          excess(tube, margin, t, t, radius.empty() ? Polynomial{least} : radius).front() <= 0;
 }
 
+// An ellipse may keep clear where the circle about it does not.
+bool is_refuted(const Solid& solid, const RegularClaim& claim) {
+  const Piece* piece = solid.piece(claim.where);
+  if (piece == nullptr || piece->tubes.size() != 1) {
+    return false;
+  }
+  const ParameterInterval where = within_piece(claim.where);
+  return fails_at(piece->tubes.front(), claim.margin, where.from) ||
+         fails_at(piece->tubes.front(), claim.margin, where.to);
+}
+
 }  // namespace
 
-bool follows(const Tube& tube, const RegularClaim& claim) {
+bool follows(const Solid& solid, const RegularClaim& claim) {
   if (!(claim.margin >= 0 && claim.margin < 1)) {
     return false;
   }
   if (claim.verdict == Verdict::refuted) {
-    return 0 <= claim.where.from && claim.where.to <= 1 &&
-           (fails_at(tube, claim.margin, claim.where.from) ||
-            fails_at(tube, claim.margin, claim.where.to));
+    return is_refuted(solid, claim);
   }
-  constexpr int kHalvings = 24;
   double reached = 0;
   for (const ParameterInterval& leaf : claim.leaves) {
-    if (leaf.from != reached || !(leaf.from < leaf.to && leaf.to <= 1) ||
-        !is_regular_on(tube, claim.margin, leaf.from, leaf.to, kHalvings)) {
+    const Piece* piece = solid.piece(leaf);
+    if (leaf.from != reached || !(leaf.from < leaf.to) || piece == nullptr ||
+        !is_regular_on(*piece, claim.margin, within_piece(leaf))) {
       return false;
     }
     reached = leaf.to;
   }
-  return reached == 1;
+  return reached == solid.length();
 }
 
 }  // namespace dupin::verifier

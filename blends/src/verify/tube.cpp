@@ -52,7 +52,8 @@ Discs arc_discs(const ArcSpine& arc, double from, double to) {
   return {
       {center + spoke(first), center + stretch * spoke((first + last) / 2), center + spoke(last)},
       {direction(first), direction(last)},
-      {}};
+      {},
+      0};
 }
 
 }  // namespace
@@ -107,9 +108,9 @@ Tube::Tube(const RingedSurface& surface) : surface_(surface), weight_{1} {
 
 Stretch Tube::stretch(double from, double to) const {
   Stretch result;
-  result.weight = part(weight_, from, to);
+  result.weight = part<mpq_class>(weight_, from, to);
   for (std::size_t k = 0; k < 3; ++k) {
-    Polynomial& p = result.points[k] = part(points_[k], from, to);
+    Polynomial& p = result.points[k] = part<mpq_class>(points_[k], from, to);
     result.tangent[k] = weight_.size() == 1 ? derivative(p)
                                             : difference(product(derivative(p), result.weight),
                                                          product(p, derivative(result.weight)));
@@ -118,7 +119,7 @@ Stretch Tube::stretch(double from, double to) const {
 }
 
 Polynomial Tube::radius(double from, double to) const {
-  return radius_.empty() ? radius_ : part(radius_, from, to);
+  return radius_.empty() ? radius_ : part<mpq_class>(radius_, from, to);
 }
 
 Interval Tube::radius_range(double from, double to) const {
@@ -131,6 +132,14 @@ Interval Tube::radius_range(double from, double to) const {
 }
 
 Discs Tube::discs(double from, double to) const {
+  if (from == to) {  // stretches have their ends' tangents
+    const bool at_end = from == 1;
+    const Discs around = at_end ? discs(0, 1) : discs(from, 1);
+    return {{at_end ? around.centers.back() : around.centers.front()},
+            {at_end ? around.tangents.back() : around.tangents.front()},
+            radius_range(from, from),
+            0};
+  }
   Discs result;
   if (arc() != nullptr) {
     result = arc_discs(*arc(), from, to);
@@ -148,21 +157,6 @@ Discs Tube::discs(double from, double to) const {
   return result;
 }
 
-Discs Tube::extended(double from, double to, double length) const {
-  const bool before = to <= 0;
-  const double seam = before ? 0 : 1;
-  const Discs whole = discs(0, 1);
-  const IntervalVec& end = before ? whole.centers.front() : whole.centers.back();
-  const IntervalVec& along = before ? whole.tangents.front() : whole.tangents.back();
-  const Interval first = Interval(length) * (Interval(from) - seam);
-  const Interval last = Interval(length) * (Interval(to) - seam);
-  const Interval slope = before ? -surface_.start.slope : surface_.end.slope;
-  const Interval over_norm = Interval(1) / norm(along);
-  return {{end + first * over_norm * along, end + last * over_norm * along},
-          {along},
-          radius_range(seam, seam) + slope * hull(first, last)};
-}
-
 // A disc of normal T reaches R |T x w| from its centre. Where all tangents are on one side of the
 // plane across w, so is their cone, and its largest angle to w is that of one of them.
 double furthest(const Discs& discs, const IntervalVec& w) {
@@ -176,7 +170,8 @@ double furthest(const Discs& discs, const IntervalVec& w) {
     sine = scale.lower > 0 ? std::max(sine, (norm(cross(tangent, w)) / scale).upper) : 1;
   }
   const Interval reach =
-      Interval(discs.radius.upper) * length * (with || against ? std::min(sine, 1.0) : 1);
+      Interval(discs.radius.upper) * length *
+      (with || against ? std::min((Interval(sine) + discs.spread).upper, 1.0) : 1);
   double result = -std::numeric_limits<double>::infinity();
   for (const IntervalVec& center : discs.centers) {
     result = std::max(result, (dot(center, w) + reach).upper);

@@ -19,11 +19,12 @@ struct Stretch {
   Curve tangent;
 };
 
-/// Discs on a stretch: their centres are in the hull of `centers`, their normals in the cone of
-/// `tangents`; first and last are those at its ends. A ball has no tangents.
+/// Discs on a stretch: their centres are in the hull of `centers`, their normals at most an angle
+/// of `spread` outside of the cone of `tangents`. A ball has no tangents.
 struct Discs {
   std::vector<IntervalVec> centers, tangents;
   Interval radius;
+  double spread = 0;
 };
 
 /// A ringed surface, read exactly.
@@ -40,8 +41,6 @@ class Tube {
   [[nodiscard]] Interval radius_range(double from, double to) const;
   /// For 0 <= from <= to <= 1.
   [[nodiscard]] Discs discs(double from, double to) const;
-  /// Of the straight pipe or cone that goes on from an end: parameters in [-1, 0] or [1, 2].
-  [[nodiscard]] Discs extended(double from, double to, double length) const;
 
  private:
   RingedSurface surface_;

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "claims.h"
 #include "dupin/kernel/error.h"
-#include "mesh_bound.h"
 
 namespace dupin::verifier {
 namespace {
@@ -15,35 +15,68 @@ void require(bool follows, const std::string& part, const std::string& claim) {
   }
 }
 
-void verify_part(const std::vector<CertifiedPart>& parts, const CertifiedPart& part,
-                 const PartClaims& claims) {
-  if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
-    require(sphere->radius > 0 && claims.mesh && mesh_follows(*sphere, *claims.mesh), part.name,
-            "mesh");
-    return;
-  }
-  if (std::holds_alternative<OtherShape>(part.shape)) {
-    require(claims.regular && claims.regular->verdict == Verdict::undecided && claims.embedded &&
-                claims.embedded->verdict == Verdict::undecided && claims.tangency.empty() &&
-                !claims.mesh,
-            part.name, "undecided");
-    return;
-  }
-  require(claims.regular && claims.embedded && claims.tangency.size() == 2, part.name, "regular");
-  const Tube tube(std::get<RingedSurface>(part.shape));
-  require(claims.regular->verdict == Verdict::undecided || follows(tube, *claims.regular),
-          part.name, "regular");
-  require(claims.embedded->verdict == Verdict::undecided ||
-              follows(parts, part, *claims.embedded, *claims.regular),
-          part.name, "embedded");
-  require(follows(tube, claims.tangency[0], false) && follows(tube, claims.tangency[1], true),
-          part.name, "tangency");
-  require(claims.mesh && mesh_follows(tube, *claims.mesh), part.name, "mesh");
+bool is_undecided(Verdict verdict) { return verdict == Verdict::undecided; }
+
+bool are_flips(const Ring& a, const Ring& b) {
+  const Ellipse none;
+  const Ellipse x = a.ellipse.value_or(none), y = b.ellipse.value_or(none);
+  return a.center == b.center && a.normal == -b.normal && a.radius == b.radius &&
+         a.slope == -b.slope && a.ellipse.has_value() == b.ellipse.has_value() &&
+         x.axis == y.axis && x.across == y.across &&
+         (!a.ellipse || x.across_slope == -y.across_slope);
 }
 
-bool joined(const CertifiedPart& part, std::uint32_t other) {
-  return std::any_of(part.joined.begin(), part.joined.end(),
-                     [other](const auto& end) { return end && end->part == other; });
+const Ring& end_ring(const Solid& solid, bool at_end) {
+  return at_end ? solid.pieces().back().end : solid.pieces().front().start;
+}
+
+void verify_part(const Solid& solid, const std::string& name, const PartClaims& claims) {
+  if (solid.ball() != nullptr) {
+    require(solid.ball()->radius > 0, name, "radius");
+  } else if (solid.pieces().empty()) {
+    require(claims.regular && is_undecided(claims.regular->verdict) && claims.embedded &&
+                is_undecided(claims.embedded->verdict) && claims.tangency.empty() && !claims.mesh,
+            name, "undecided");
+  } else {
+    const auto& pieces = solid.pieces();
+    require(claims.regular && claims.embedded && claims.tangency.size() == 2 * pieces.size(), name,
+            "regular");
+    require(is_undecided(claims.regular->verdict) || follows(solid, *claims.regular), name,
+            "regular");
+    require(
+        is_undecided(claims.embedded->verdict) || follows(solid, *claims.embedded, *claims.regular),
+        name, "embedded");
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      require(follows(pieces[i], claims.tangency[2 * i], false) &&
+                  follows(pieces[i], claims.tangency[2 * i + 1], true),
+              name, "tangency");
+      require(i == 0 ? !solid.closed() || are_flips(pieces.back().end, pieces.front().start)
+                     : are_flips(pieces[i - 1].end, pieces[i].start),
+              name, "joints");
+    }
+  }
+  require(!claims.mesh || follows(solid, *claims.mesh), name, "mesh");
+}
+
+// Where a part is joined to another: in rings that are the same, bitwise.
+std::vector<Joint> joints(const std::vector<Solid>& solids, const std::vector<CertifiedPart>& parts,
+                          std::uint32_t first, std::uint32_t second) {
+  std::vector<Joint> result;
+  for (const std::size_t end : {0, 1}) {
+    const auto& other = parts[first].joined.at(end);
+    if (other && other->part == second) {
+      const Joint joint{end == 1, other->end == PartEnd::end};
+      if (solids[first].length() == 0 || solids[second].length() == 0) {
+        continue;  // nothing can be claimed
+      }
+      require(solids[first].ball() == nullptr && solids[second].ball() == nullptr &&
+                  are_flips(end_ring(solids[first], joint.first_at_end),
+                            end_ring(solids[second], joint.second_at_end)),
+              parts[first].name, "joined");
+      result.push_back(joint);
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -54,20 +87,19 @@ namespace dupin {
 void verify(const Certificate& certificate) {
   const auto& parts = certificate.parts;
   verifier::require(certificate.claims.size() == parts.size(), "", "parts");
+  std::vector<verifier::Solid> solids;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    verifier::verify_part(parts, parts[i], certificate.claims[i]);
+    solids.emplace_back(parts[i]);
+    verifier::verify_part(solids[i], parts[i].name, certificate.claims[i]);
   }
   auto claim = certificate.clearances.begin();
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
-    for (std::uint32_t j = i + 1; j < parts.size(); ++j) {
-      if (verifier::joined(parts[i], j)) {
-        continue;
-      }
+    for (std::uint32_t j = i + 1; j < parts.size(); ++j, ++claim) {
       verifier::require(
           claim != certificate.clearances.end() && claim->first == i && claim->second == j &&
-              (claim->verdict == Verdict::undecided || verifier::follows(parts, *claim)),
+              (verifier::is_undecided(claim->verdict) ||
+               follows(solids[i], solids[j], verifier::joints(solids, parts, i, j), *claim)),
           parts[i].name, "clearance of " + parts[j].name);
-      ++claim;
     }
   }
   verifier::require(claim == certificate.clearances.end(), "", "clearance");

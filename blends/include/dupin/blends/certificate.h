@@ -9,34 +9,60 @@
 #include <vector>
 
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/elliptic_tube.h"
+#include "dupin/blends/pe_arc.h"
 #include "dupin/blends/regularity.h"
 #include "dupin/blends/resolve.h"
+#include "dupin/blends/ringed_tube.h"
 #include "dupin/blends/sphere.h"
 
 namespace dupin {
 
+/// A piece of a cyclide: the canal surface of the spheres (m; r) on the rational quadratic with the
+/// homogeneous points first, (e first + D tangent / 2) / chord, D / chord^2 last and the weights 1,
+/// e / chord, D / chord^2, where d = last - first, D = <d, d>, e = <d, tangent>. It is defined by
+/// these numbers exactly, even where the tangent is a PE-unit vector only up to rounding.
+struct CyclidePiece {
+  Ring start, end;
+  PeVector first, tangent, last;
+  double chord = 1;
+};
+
+/// Discs that move for t in [0, 1]: the circles of a surface filled, or, for an elliptic tube, the
+/// larger circles about its ellipses.
+using CertifiedPiece = std::variant<RingedSurface, EllipticTube, CyclidePiece, RingedTube>;
+
+/// Pieces one after the other, piece i being that of the parameters [i, i + 1]; a closed chain
+/// begins again where it ends.
+struct PieceChain {
+  std::vector<CertifiedPiece> pieces;
+  bool closed = false;
+  double wall = 0;  ///< of a hollow chain of cyclide pieces, inwards; 0: solid
+};
+
 /// A shape that nothing is proven about: all claims about it are undecided.
 struct OtherShape {};
 
-/// What a certificate is about: a part as `resolve` made it. A tube is the union of its discs, the
-/// circles of the ringed surface filled; a sphere is a ball.
+/// What a certificate is about: a part as `resolve` made it. A tube is the union of its discs; a
+/// sphere is a ball.
 struct CertifiedPart {
   std::string name, kind;
-  std::variant<RingedSurface, Sphere, OtherShape> shape;
+  std::variant<PieceChain, Sphere, OtherShape> shape;
   std::array<std::optional<EndIndex>, 2> joined;
 };
 
-/// 1 - kappa R > margin and R > 0 on [0, 1].
+/// R > 0 and 1 - R |n'| / (c'.n) > margin for centres c and normals n: 1 - kappa R where the discs
+/// are normal to the curve of their centres.
 struct RegularClaim {
   Verdict verdict = Verdict::undecided;
   double margin = 0;
-  std::vector<ParameterInterval> leaves;  ///< proved: they cover [0, 1], in order
+  std::vector<ParameterInterval> leaves;  ///< proved: they cover all parameters, in order
   ParameterInterval where;                ///< refuted: the claim fails at one of its ends
 };
 
 /// A rectangle of pairs of parameters and why their discs are apart: all of `first` lie behind and
-/// all of `second` in front of a plane across `direction`; or, without one, the spine turns by at
-/// most a right angle between them (docs/certificate_format.md has the proof).
+/// all of `second` in front of a plane across `direction`; or, without one, they do not turn enough
+/// on the way to come back (docs/certificate_format.md has the proofs).
 struct DiscPairs {
   ParameterInterval first, second;
   std::optional<Vec3> direction;
@@ -49,19 +75,19 @@ struct Overlap {
   ParameterInterval first, second;
 };
 
-/// The discs are pairwise disjoint, together with those of straight pipes or cones that go on from
-/// the ends: of length extension[0] for parameters in [-1, 0] and extension[1] in [1, 2]; 0 for
-/// none.
+/// The discs are pairwise disjoint.
 struct EmbeddedClaim {
   Verdict verdict = Verdict::undecided;
-  std::array<double, 2> extension = {};
   std::vector<DiscPairs> leaves;   ///< proved: they cover all pairs first <= second
   std::optional<Overlap> overlap;  ///< refuted
 };
 
-/// Upper bounds, in radians, of Tangency::deviation and Tangency::axis_angle at an end.
+/// Upper bounds at an end of a piece.
 struct TangencyClaim {
-  double deviation = 0, axis_angle = 0;
+  /// Tangency::deviation, in radians; none for elliptic tubes and general ringed surfaces.
+  std::optional<double> deviation;
+  double axis_angle = 0;  ///< between the disc's normal and the ring's, in radians
+  double offset = 0;      ///< of the disc's centre from the ring's, plus that of the radii
 };
 
 /// The mesh with vertices on the circles at `knots` (those of spheres follow from the segments)
@@ -76,18 +102,20 @@ struct MeshClaim {
 struct PartClaims {
   std::optional<RegularClaim> regular;    ///< none for spheres
   std::optional<EmbeddedClaim> embedded;  ///< none for spheres
-  std::vector<TangencyClaim> tangency;    ///< at start and end; none for spheres
-  std::optional<MeshClaim> mesh;          ///< none for other shapes
+  std::vector<TangencyClaim> tangency;    ///< at start and end of every piece; none for spheres
+  std::optional<MeshClaim> mesh;          ///< none: undecided
 };
 
-/// How far apart two parts are that are not joined. Proved without an overlap: no two points of
-/// them are closer than `distance` > 0. Proved with one: they overlap, so that they are connected
-/// anyhow.
+/// How far apart two parts are. Proved without an overlap: no two points of them are closer than
+/// `distance` > 0 or, for parts that are joined, they have nothing in common but the disc of the
+/// joint. With one: they overlap, which proves that parts that are not joined are connected anyhow,
+/// and refutes the claim for others.
 struct ClearanceClaim {
   std::uint32_t first = 0, second = 0;
   Verdict verdict = Verdict::undecided;
   double distance = 0;
-  std::vector<DiscPairs> leaves;  ///< cover all pairs of parameters; each has a direction
+  std::vector<DiscPairs>
+      leaves;  ///< cover all pairs of parameters; a direction is missing near a joint only
   std::optional<Overlap> overlap;
 };
 
@@ -100,8 +128,11 @@ struct Certificate {
   std::vector<PartClaims> claims;  ///< one per part
   std::vector<ClearanceClaim> clearances;
 
-  /// Claims that are refuted or undecided.
+  /// Claims that are refuted or undecided, missing ones included.
   [[nodiscard]] std::size_t findings() const;
+
+  /// Whether the two parts are joined at a port.
+  [[nodiscard]] bool joined(const ClearanceClaim& claim) const;
 };
 
 struct CertifyOptions {

@@ -53,7 +53,9 @@ struct Tessellation {
   std::uint32_t bands = 0;  ///< rows of quadrilaterals along the part
   double error_bound = 0;  ///< of the distance between smooth surface and mesh, both ways, in model
                            ///< units; includes snapping
-  std::vector<double> knots = {};  ///< the spine parameters of a ringed surface's rows
+  /// The parameters of the rows of ringed surfaces and cyclides: i + t on the i-th piece. None for
+  /// other parts.
+  std::vector<double> knots = {};
 };
 
 /// The tube without end discs: bands + 1 polygons of sampling.segments points each, one after the
