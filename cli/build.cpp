@@ -65,6 +65,9 @@ void print_build(std::ostream& out, const BuildReport& report) {
     if (!part.construction.empty()) {
       print_row(out, "construction", part.construction + " (" + part.name + ")");
     }
+    for (const std::string& reason : part.rejected) {
+      print_row(out, "not", reason + " (" + part.name + ")");
+    }
     for (const std::string& warning : part.warnings) {
       print_row(out, "warning", warning + " (" + part.name + ")");
     }

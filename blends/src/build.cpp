@@ -5,6 +5,7 @@
 
 #include "blame.h"
 #include "chord_budget.h"
+#include "dupin/blends/cyclide_blend.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/error.h"
@@ -103,6 +104,11 @@ class Builder {
       result.construction = std::to_string(chain->pieces.size()) + " pieces with kneecaps";
     } else if (part.kind == "cyclide_blend") {
       result.construction = "ringed";
+    }
+    if (part.kind == "cyclide_blend") {
+      result.rejected = search_cyclide_blend(flipped(*port_ring(part.shape, PartEnd::start)),
+                                             flipped(*port_ring(part.shape, PartEnd::end)))
+                            .rejected;
     }
     return result;
   }

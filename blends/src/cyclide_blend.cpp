@@ -1,12 +1,19 @@
 #include "dupin/blends/cyclide_blend.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
 
+#include "decimal.h"
+#include "double_search.h"
+#include "dupin/blends/cyclide_form.h"
 #include "dupin/kernel/error.h"
+#include "piece_crossing.h"
 #include "tangent_rounding.h"
 
 namespace dupin {
@@ -14,31 +21,85 @@ namespace {
 
 struct Ends {
   PeVector start, start_tangent, end, end_tangent;
+  Ring from, to;  // normals in travel direction
+};
+
+// What there is, or why there is nothing.
+struct Attempt {
+  std::optional<CyclideChain> chain;
+  std::string reason;
 };
 
 double size(const Ends& e) { return (e.end.m - e.start.m).norm() + e.start.r + e.end.r; }
 
-std::optional<CyclideChain> single(const Ends& e) {
-  if (validity(e.start, e.start_tangent, e.end).fault != ArcFault::none) {
-    return std::nullopt;
+// What makes regular pieces a bad blend; empty for nothing. Turning beyond this share of a circle
+// leads far away, where coordinates lose digits; of a lesser margin, meshes cross themselves.
+std::string flaw(const std::vector<PeArc>& pieces, const Ends& e) {
+  constexpr double kThinnest = 1.0 / 8, kLeastWeight = -15.0 / 16, kLeastMargin = 1.0 / 64;
+  const double thinnest = kThinnest * std::min(e.from.radius, e.to.radius);
+  for (const PeArc& piece : pieces) {
+    const double least = least_radius(piece);
+    if (least < thinnest) {
+      return "it would get as thin as " + detail::decimal(least, 3);
+    }
+    if (piece.w() < kLeastWeight) {
+      return "it would turn nearly all round";
+    }
+    const double least_margin = margin(piece).lower;
+    if (least_margin < kLeastMargin) {
+      return "it would all but fold: its margin 1 - kappa R is " + detail::decimal(least_margin, 3);
+    }
   }
-  PeArc arc = PeArc::from(e.start, e.start_tangent, e.end);
-  const PeVector miss = arc.end_tangent() - e.end_tangent;
-  if (std::hypot(miss.m.norm(), miss.r) > detail::tangent_rounding(e.start, e.end)) {
-    return std::nullopt;
-  }
-  return CyclideChain{{std::move(arc)}};
+  return detail::pieces_cross(pieces, e.from, e.to)
+             ? "it would cross itself or the parts at its ends"
+             : "";
 }
 
-std::optional<CyclideChain> two(const Ends& e) {
+Attempt single(const Ends& e) {
   try {
-    DoubleCyclide d = double_cyclide(e.start, e.start_tangent, e.end, e.end_tangent);
-    return CyclideChain{{std::move(d.first), std::move(d.second)}};
+    PeArc arc = PeArc::from(e.start, e.start_tangent, e.end);
+    const PeVector& arriving = arc.end_tangent();
+    const PeVector miss = arriving - e.end_tangent;
+    if (std::hypot(miss.m.norm(), miss.r) > detail::tangent_rounding(e.start, e.end)) {
+      const double axes =
+          std::atan2(arriving.m.cross(e.end_tangent.m).norm(), arriving.m.dot(e.end_tangent.m));
+      const double halves = std::atan(arriving.r) - std::atan(e.end_tangent.r);
+      const auto degrees = [](double x) {
+        return detail::decimal(std::abs(x) * 180 / std::numbers::pi, 3) + " degrees";
+      };
+      return {{},
+              "its end would be off the port's axis by " + degrees(axes) +
+                  " and off its half angle by " + degrees(halves)};
+    }
+    std::string reason = flaw({arc}, e);
+    return {reason.empty() ? std::optional(CyclideChain{{std::move(arc)}}) : std::nullopt, reason};
+  } catch (const Error& error) {
+    return {{}, error.message()};
+  }
+}
+
+double bending_of(const DoubleCyclide& d) { return bending(d.first) + bending(d.second); }
+
+// The sound one of least bending; the reason is that of the one of least bending of all.
+Attempt two(const Ends& e) {
+  std::string first_flaw;
+  try {
+    const DoubleCyclide any = double_cyclide(e.start, e.start_tangent, e.end, e.end_tangent);
+    first_flaw = flaw({any.first, any.second}, e);
+    if (first_flaw.empty()) {
+      return {CyclideChain{{any.first, any.second}}, {}};
+    }
+    DoubleCyclide sound = detail::best_double(
+        e.start, e.start_tangent, e.end, e.end_tangent, [&](const DoubleCyclide& d) {
+          return flaw({d.first, d.second}, e).empty() ? bending_of(d)
+                                                      : std::numeric_limits<double>::infinity();
+        });
+    return {CyclideChain{{std::move(sound.first), std::move(sound.second)}}, {}};
   } catch (const Error& error) {
     if (error.code() != Errc::infeasible_blend) {
       throw;
     }
-    return std::nullopt;
+    return {{}, first_flaw.empty() ? error.message() : first_flaw};
   }
 }
 
@@ -51,47 +112,62 @@ double radical_inverse(unsigned index, unsigned base) {
   return result;
 }
 
-double total_bending(const CyclideChain& chain) {
+// Bending alone would prefer the widest detour; with this, a circle costs least whose radius is the
+// size of the ends.
+double cost(const CyclideChain& chain, const Ends& e) {
   double sum = 0;
   for (const PeArc& piece : chain.pieces) {
-    sum += bending(piece);
+    sum += bending(piece) + pe_length(piece) / (size(e) * size(e));
   }
   return sum;
 }
 
-// Three pieces: a first junction anywhere around the ends, then a double blend; the least bending
-// of those that are regular.
-std::optional<CyclideChain> three(const Ends& e) {
-  constexpr unsigned kCandidates = 192, kEnough = 8;
-  unsigned regular = 0;
+// The regular pieces to a first junction and from there, two.
+std::optional<CyclideChain> through(const Ends& e, const PeVector& junction) {
+  try {
+    const PeArc first = PeArc::from(e.start, e.start_tangent, junction);
+    const DoubleCyclide rest = double_cyclide(junction, first.end_tangent(), e.end, e.end_tangent);
+    return CyclideChain{{first, rest.first, rest.second}};
+  } catch (const Error& error) {
+    if (error.code() != Errc::infeasible_blend) {
+      throw;
+    }
+    return std::nullopt;
+  }
+}
+
+// A first junction anywhere around the ends; the cheapest of the first that are sound.
+Attempt three(const Ends& e) {
+  constexpr unsigned kCandidates = 192, kMostRegular = 64, kEnough = 8;
+  unsigned tried = 0, regular = 0, sound = 0;
   std::optional<CyclideChain> best;
   const Vec3 middle = (e.start.m + e.end.m) / 2;
   const double reach = size(e);
-  for (unsigned i = 1; i <= kCandidates && regular < kEnough; ++i) {
+  while (tried < kCandidates && regular < kMostRegular && sound < kEnough) {
+    const unsigned i = ++tried;
     const Vec3 place(radical_inverse(i, 2), radical_inverse(i, 3), radical_inverse(i, 5));
     const double s = radical_inverse(i, 7);
-    const PeVector junction{middle + reach * (2 * place - Vec3::Ones()),
-                            (1 - s) * e.start.r + s * e.end.r};
-    if (validity(e.start, e.start_tangent, junction).fault != ArcFault::none) {
-      continue;
-    }
-    const PeArc first = PeArc::from(e.start, e.start_tangent, junction);
-    auto rest = two({junction, first.end_tangent(), e.end, e.end_tangent});
-    if (!rest) {
+    auto chain = through(
+        e, {middle + reach * (2 * place - Vec3::Ones()), (1 - s) * e.start.r + s * e.end.r});
+    if (!chain) {
       continue;
     }
     ++regular;
-    rest->pieces.insert(rest->pieces.begin(), first);
-    if (!best || total_bending(*rest) < total_bending(*best)) {
-      best = std::move(rest);
+    if (!flaw(chain->pieces, e).empty()) {
+      continue;
+    }
+    ++sound;
+    if (!best || cost(*chain, e) < cost(*best, e)) {
+      best = std::move(chain);
     }
   }
-  return best;
+  return {best, "of " + std::to_string(tried) + " first junctions that were tried, " +
+                    std::to_string(regular) +
+                    " lead to regular pieces, all of which cross themselves or the parts at the "
+                    "ends, get too thin, all but fold or turn nearly all round"};
 }
 
-}  // namespace
-
-CyclideTube cyclide_blend(const Ring& from, const Ring& to) {
+Ends ends_of(const Ring& from, const Ring& to) {
   validate(from);
   validate(to);
   if (from.ellipse || to.ellipse) {
@@ -99,17 +175,49 @@ CyclideTube cyclide_blend(const Ring& from, const Ring& to) {
                 "cyclides join circles only; a cyclic_blend joins ellipses too");
   }
   const Ring arrival = flipped(to);
-  const Ends ends{contact_sphere(from), contact_tangent(from), contact_sphere(arrival),
-                  contact_tangent(arrival)};
-  for (const auto attempt : {single, two, three}) {
-    if (auto chain = attempt(ends)) {
-      return {flipped(from), arrival, std::move(*chain), 0};
+  return {contact_sphere(from),
+          contact_tangent(from),
+          contact_sphere(arrival),
+          contact_tangent(arrival),
+          from,
+          arrival};
+}
+
+}  // namespace
+
+CyclideSearch search_cyclide_blend(const Ring& from, const Ring& to) {
+  const Ends ends = ends_of(from, to);
+  struct Construction {
+    const char* name;
+    Attempt (*attempt)(const Ends&);
+  };
+  CyclideSearch result;
+  for (const auto& [name, attempt] :
+       {Construction{"single", single}, {"double", two}, {"triple", three}}) {
+    Attempt found = attempt(ends);
+    if (found.chain) {
+      result.tube = CyclideTube{flipped(from), ends.to, std::move(*found.chain), 0};
+      return result;
     }
+    result.rejected.push_back(std::string(name) + ": " + found.reason);
+  }
+  return result;
+}
+
+CyclideTube cyclide_blend(const Ring& from, const Ring& to) {
+  CyclideSearch search = search_cyclide_blend(from, to);
+  if (search.tube) {
+    return std::move(*search.tube);
+  }
+  std::string reasons;
+  for (const std::string& reason : search.rejected) {
+    reasons += "; " + reason;
   }
   throw Error(
       Errc::infeasible_blend,
       "no chain of up to three cyclide pieces joins these ends; move them further apart, or "
-      "use a cyclic_blend");
+      "use a cyclic_blend" +
+          reasons);
 }
 
 }  // namespace dupin

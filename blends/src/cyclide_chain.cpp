@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "decimal.h"
+#include "double_search.h"
 #include "dupin/kernel/error.h"
 #include "tangent_rounding.h"
 
@@ -121,26 +122,6 @@ DoubleCyclide at_tau(const JunctionLocus& locus, const PeVector& start,
   return {std::move(first), std::move(second), tau};
 }
 
-template <class Objective>
-DoubleCyclide best_double(const PeVector& start, const PeVector& start_tangent, const PeVector& end,
-                          const PeVector& end_tangent, Objective objective) {
-  const JunctionLocus locus(start, start_tangent, end, end_tangent);
-  if (!locus.exists()) {
-    throw_no_locus();
-  }
-  const double tau = best_tau([&](double t) {
-    return is_regular(locus, start, start_tangent, end, t)
-               ? objective(at_tau(locus, start, start_tangent, end, t))
-               : kInfinity;
-  });
-  if (tau < 0) {
-    throw Error(Errc::infeasible_blend,
-                "no double-cyclide blend: no junction sphere of the locus gives two regular "
-                "pieces; use three pieces or move the ends apart");
-  }
-  return at_tau(locus, start, start_tangent, end, tau);
-}
-
 void check_junction(std::size_t junction, std::size_t last) {
   if (junction < 1 || junction > last) {
     throw Error(Errc::invalid_argument, "junction " + std::to_string(junction) +
@@ -168,6 +149,30 @@ PeVector turned(const PeVector& a, const Eigen::AngleAxisd& rotation, const Vec3
 }
 
 }  // namespace
+
+namespace detail {
+
+DoubleCyclide best_double(const PeVector& start, const PeVector& start_tangent, const PeVector& end,
+                          const PeVector& end_tangent,
+                          const std::function<double(const DoubleCyclide&)>& objective) {
+  const JunctionLocus locus(start, start_tangent, end, end_tangent);
+  if (!locus.exists()) {
+    throw_no_locus();
+  }
+  const double tau = best_tau([&](double t) {
+    return is_regular(locus, start, start_tangent, end, t)
+               ? objective(at_tau(locus, start, start_tangent, end, t))
+               : kInfinity;
+  });
+  if (tau < 0) {
+    throw Error(Errc::infeasible_blend,
+                "no double-cyclide blend: no junction sphere of the locus gives two regular "
+                "pieces; use three pieces or move the ends apart");
+  }
+  return at_tau(locus, start, start_tangent, end, tau);
+}
+
+}  // namespace detail
 
 double bending(const PeArc& arc) {
   // The squared PE curvature <K, K> = 4 (1 - w^2) / L^2 is constant along the arc.
@@ -255,14 +260,15 @@ DoubleCyclide double_cyclide(const PeVector& start, const PeVector& start_tangen
 
 DoubleCyclide double_cyclide(const PeVector& start, const PeVector& start_tangent,
                              const PeVector& end, const PeVector& end_tangent) {
-  return best_double(start, start_tangent, end, end_tangent,
-                     [](const DoubleCyclide& d) { return bending(d.first) + bending(d.second); });
+  return detail::best_double(start, start_tangent, end, end_tangent, [](const DoubleCyclide& d) {
+    return bending(d.first) + bending(d.second);
+  });
 }
 
 DoubleCyclide double_cyclide_near(const PeVector& start, const PeVector& start_tangent,
                                   const PeVector& end, const PeVector& end_tangent,
                                   const PeVector& sphere) {
-  return best_double(start, start_tangent, end, end_tangent, [&](const DoubleCyclide& d) {
+  return detail::best_double(start, start_tangent, end, end_tangent, [&](const DoubleCyclide& d) {
     return euclidean_square(d.first.end(), sphere);
   });
 }

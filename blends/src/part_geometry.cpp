@@ -186,14 +186,23 @@ class Geometry {
   }
 
   PartSurface operator()(const CyclideBlendBetween& blend) const {
-    const Ring &from = context_.ring(blend.from), &to = context_.ring(blend.to);
+    const Ring &from = right_end(blend.from, "from"), &to = right_end(blend.to, "to");
+    CyclideSearch search = search_cyclide_blend(from, to);
+    if (search.tube) {
+      return std::move(*search.tube);
+    }
     try {
-      return cyclide_blend(from, to);
+      return cyclic_blend(from, to);
     } catch (const Error& error) {
       if (error.code() != Errc::infeasible_blend) {
         throw;
       }
-      return cyclic_blend(from, to);
+      std::string reasons;
+      for (const std::string& reason : search.rejected) {
+        reasons += reason + "; ";
+      }
+      throw Error(error.code(),
+                  "no blend joins these ends. " + reasons + "ringed: " + error.message());
     }
   }
 

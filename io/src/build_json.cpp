@@ -13,6 +13,7 @@ Json part_form(const PartReport& part) {
   return {{"name", part.name},
           {"kind", part.kind},
           {"construction", part.construction.empty() ? Json(nullptr) : Json(part.construction)},
+          {"rejected", part.rejected},
           {"warnings", part.warnings},
           {"margin_lower", number_or_null(part.margin_lower)},
           {"margin_upper", number_or_null(part.margin_upper)},

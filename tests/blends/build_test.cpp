@@ -143,13 +143,85 @@ TEST(Build, makes_solids_of_chains_and_blends_of_cyclides) {
   EXPECT_EQ(build(bends).parts[2].construction, "single");
   for (const std::string name :
        {"crane-hook.json", "crane-hook-twisted.json", "jet-engine.json", "reducing-elbow.json",
-        "skew-pipes.json", "u-bend-cyclide.json", "ucct-arm.json"}) {
+        "skew-pipes.json", "u-bend-cyclide.json", "ucct-arm.json", "cyclide-blends.json"}) {
     const Solid solid = build(example(name)).solid;
     const Report exact = check(to_mesh(solid).mesh);
     const Report rounded = check(to_mesh(solid, Coordinates::binary32).mesh);
     EXPECT_TRUE(rounded.is_solid()) << name;
     EXPECT_EQ(rounded.count(Defect::self_intersection), 0U) << name;
     EXPECT_EQ(rounded.euler_number, exact.euler_number) << name;
+  }
+}
+
+TEST(Build, cyclide_blends_say_what_they_are_and_why_not_less) {
+  const Assembly document = example("cyclide-blends.json");
+  const Built built = build(document);
+  const std::string kConstructions[] = {"single", "double", "triple", "ringed"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const PartReport& part = built.parts.at(3 * i + 2);
+    SCOPED_TRACE(part.name);
+    EXPECT_EQ(part.construction, kConstructions[i]);
+    // What is not tangent to the ports, or crosses itself, is no blend at all.
+    EXPECT_LT(*part.start_tangency, 1e-12);
+    EXPECT_LT(*part.end_tangency, 1e-12);
+    EXPECT_GT(*part.margin_lower, 0.05);
+    ASSERT_EQ(part.rejected.size(), i);
+    for (std::size_t k = 0; k < i; ++k) {
+      EXPECT_THAT(part.rejected[k], testing::StartsWith(kConstructions[k] + ": "));
+    }
+  }
+  EXPECT_THAT(built.parts[5].rejected[0], testing::HasSubstr("off its half angle by 7.66 degrees"));
+  EXPECT_THAT(built.parts[8].rejected[1], testing::HasSubstr("no locus of junction spheres"));
+  EXPECT_THAT(built.parts[11].rejected[2], testing::HasSubstr("cross themselves"));
+  EXPECT_EQ(check(to_mesh(built.solid).mesh).euler_number, 8);
+}
+
+// Where one end's sphere contains, or nearly, the other's no cyclides join them that do not
+// cross themselves. If the ports are too near each other for a ringed blend too, all reasons are
+// given.
+TEST(Build, cyclide_blends_fall_back_to_ringed_ones_or_give_every_reason) {
+  struct Row {
+    double radius, offset, height;
+    const char* reason;
+  };
+  for (const Row& row : {Row{5, 0, 2, ""}, Row{5, 0.3, 4.5, ""}, Row{2, 0, 0.8, ""},
+                         Row{5, 0.3, 2, "ringed: no end speeds"}}) {
+    const Assembly document =
+        assembly({pipe("a", {0, 0, -1}, {0, 0, 0}, row.radius),
+                  pipe("b", {row.offset, 0, row.height}, {row.offset, 0, row.height + 1}, 1),
+                  {"blend", CyclideBlendBetween{end_of("a"), start_of("b")}}});
+    try {
+      const Built built = build(document);
+      EXPECT_STREQ(row.reason, "");
+      EXPECT_EQ(built.parts[2].construction, "ringed");
+      EXPECT_LT(*built.parts[2].start_tangency, 1e-12);
+      EXPECT_LT(*built.parts[2].end_tangency, 1e-12);
+      EXPECT_THAT(built.parts[2].rejected, testing::ElementsAre(testing::HasSubstr("single: "),
+                                                                testing::HasSubstr("double: "),
+                                                                testing::HasSubstr("triple: ")));
+      EXPECT_EQ(built.solid.euler_number(), 2);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::infeasible_blend);
+      EXPECT_EQ(error.part(), "blend");
+      for (const std::string reason : {"single: ", "double: ", "triple: ", row.reason}) {
+        EXPECT_THAT(error.message(), testing::HasSubstr(reason));
+      }
+      EXPECT_STRNE(row.reason, "");
+    }
+  }
+}
+
+TEST(Build, cyclide_blends_go_on_from_right_ends_only) {
+  const Assembly document =
+      assembly({{"oblique", ObliqueBetween{{0, 0, -2}, {1, 0, 0}, Vec3::UnitZ(), 1, 1}},
+                pipe("b", {4, 0, 4}, {5, 0, 4}, 1),
+                {"blend", CyclideBlendBetween{end_of("oblique"), start_of("b")}}});
+  try {
+    (void)build(document);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "/parts/2/cyclide_blend/from");
+    EXPECT_THAT(error.message(), testing::HasSubstr("only a ringed_blend"));
   }
 }
 

@@ -29,6 +29,7 @@ struct PartReport {
   /// What a cyclide part turned out to be: "single", "double" or "triple" cyclide, "ringed" blend,
   /// or "6 pieces" of a chain. Empty for other parts.
   std::string construction;
+  std::vector<std::string> rejected;  ///< CyclideSearch::rejected of a cyclide_blend
   std::vector<std::string> warnings;  ///< what its designer may not have meant, as sentences
   /// Certified bounds of min(1 - kappa R) along the part; none for spheres.
   std::optional<double> margin_lower, margin_upper;

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/ring.h"
 
@@ -14,5 +18,17 @@ namespace dupin {
 /// more than the rounding of the data. Throws Error{infeasible_blend} when three pieces do not do
 /// either; a ringed blend may; Error{invalid_argument} for ellipses.
 [[nodiscard]] CyclideTube cyclide_blend(const Ring& from, const Ring& to);
+
+/// What cyclide_blend finds, and why it is not simpler.
+struct CyclideSearch {
+  std::optional<CyclideTube> tube;
+  /// One sentence for each of the single, double and triple blend that was tried in vain: "single:
+  /// ...". Pieces are also refused where they would cross each other or the parts at the ports, get
+  /// thinner than an eighth of these, all but fold, or turn nearly all round.
+  std::vector<std::string> rejected;
+};
+
+/// Throws Error{invalid_argument} for ellipses.
+[[nodiscard]] CyclideSearch search_cyclide_blend(const Ring& from, const Ring& to);
 
 }  // namespace dupin
