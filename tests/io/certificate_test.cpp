@@ -65,6 +65,22 @@ TEST(Certificate, finds_figure_6_margin_to_four_digits) {
   EXPECT_EQ(margin_verdict(0.0849), Verdict::refuted);
 }
 
+// The radius exceeds the bend's, in a direction where every coordinate is rounded.
+TEST(Certificate, refutes_an_elbow_that_folds) {
+  const std::string text = certificate_json(certify(parse_assembly(
+      R"({"units": "mm", "tolerance": 0.2, "parts": [{"name": "fat", "elbow": {
+          "from": [-4, 0, -4], "direction": [1, 2, 3], "radius": 1.9, "bend_radius": 1.4,
+          "angle": 90, "toward": [0, 1, 0]}}]})",
+      "fat.json")));
+  const Certificate certificate = parse_certificate(text);
+  EXPECT_EQ(certificate.claims.front().regular->verdict, Verdict::refuted);
+  EXPECT_NO_THROW(verify(certificate));
+  Certificate slim = certificate;
+  auto& pieces = std::get<PieceChain>(slim.parts.front().shape).pieces;
+  std::get<RingedSurface>(pieces.front()).radius = ConstantRadius{1.3};
+  EXPECT_THROW(verify(slim), Error);
+}
+
 TEST(Certificate, refuses_a_margin_that_is_none) {
   for (const double margin : {-0.1, 1.0, 2.0}) {
     EXPECT_THROW((void)certify(example("reducer.json"), {.margin = margin}), Error);

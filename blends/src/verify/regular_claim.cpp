@@ -6,16 +6,17 @@ namespace dupin::verifier {
 namespace {
 
 // The curvature as |y' x y''|^2 w^4 / |y'|^6, in the stretch's own parameter: it makes no
-// difference.
+// difference. Of arcs, a bound of it.
 struct Curvature {
   Polynomial above, below;
 };
+enum class Bound { upper, lower };
 
 Polynomial square(const Polynomial& p) { return product(p, p); }
 
-Curvature curvature(const Tube& tube, double from, double to) {
+Curvature curvature(const Tube& tube, double from, double to, Bound bound) {
   if (const ArcSpine* arc = tube.arc()) {
-    // The affine image of a circle: |y'|^2 is not below the least eigenvalue of its Gram matrix.
+    // The affine image of a circle: |y'|^2 lies between the eigenvalues of its Gram matrix.
     Curve u, v;
     for (int k = 0; k < 3; ++k) {
       u[k] = {mpq_class(arc->start[k]) - mpq_class(arc->center[k])};
@@ -23,9 +24,10 @@ Curvature curvature(const Tube& tube, double from, double to) {
     const Vec3& axis = arc->axis;
     v = cross(Curve{Polynomial{axis.x()}, Polynomial{axis.y()}, Polynomial{axis.z()}}, u);
     const mpq_class uu = dot(u, u)[0], vv = dot(v, v)[0], uv = dot(u, v)[0];
-    const mpq_class least = std::min(uu, vv) - abs(uv);
+    const mpq_class speed = bound == Bound::upper ? mpq_class(std::min(uu, vv) - abs(uv))
+                                                  : mpq_class(std::max(uu, vv) + abs(uv));
     const Curve bend = cross(u, v);
-    return {dot(bend, bend), {least * least * least}};
+    return {dot(bend, bend), {speed * speed * speed}};
   }
   const Stretch s = tube.stretch(from, to);
   const Curve bend = cross(s.tangent, derivative(s.tangent));
@@ -34,9 +36,9 @@ Curvature curvature(const Tube& tube, double from, double to) {
 }
 
 // (1 - margin)^2 |y'|^6 - R^2 |y' x y''|^2 w^4
-Polynomial excess(const Tube& tube, double margin, double from, double to,
-                  const Polynomial& radius) {
-  const Curvature c = curvature(tube, from, to);
+Polynomial excess(const Tube& tube, double margin, double from, double to, const Polynomial& radius,
+                  Bound bound = Bound::upper) {
+  const Curvature c = curvature(tube, from, to, bound);
   const mpq_class room = 1 - mpq_class(margin);
   return difference(product({room * room}, c.below), product(square(radius), c.above));
 }
@@ -90,8 +92,9 @@ bool is_regular_on(const Piece& piece, double margin, const ParameterInterval& t
 bool fails_at(const Tube& tube, double margin, double t) {
   const Polynomial radius = tube.radius(t, t);
   const double least = tube.radius_range(t, t).lower;
-  return tube.arc() == nullptr && least > 0 &&
-         excess(tube, margin, t, t, radius.empty() ? Polynomial{least} : radius).front() <= 0;
+  return least > 0 &&
+         excess(tube, margin, t, t, radius.empty() ? Polynomial{least} : radius, Bound::lower)
+                 .front() <= 0;
 }
 
 // An ellipse may keep clear where the circle about it does not.

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -13,12 +16,12 @@ using MpfiVec = std::array<Mpfi, 3>;
 
 Mpfi dot(const MpfiVec& a, const MpfiVec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-Mpfi length_of_cross(const MpfiVec& a, const MpfiVec& b) {
-  const MpfiVec c{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  return square_root(dot(c, c));
-}
+// Squares of intervals about zero, unlike products with themselves, have a root.
+Mpfi length(const MpfiVec& a) { return square_root(square(a[0]) + square(a[1]) + square(a[2])); }
 
-Mpfi length(const MpfiVec& a) { return square_root(dot(a, a)); }
+Mpfi length_of_cross(const MpfiVec& a, const MpfiVec& b) {
+  return length({a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+}
 
 MpfiVec difference(const MpfiVec& a, const MpfiVec& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -77,11 +80,12 @@ struct Difference {
 // one of this slope.
 double deviation(const Mpfi& rise, const std::vector<Mpfi>& advances, const Mpfi& slope,
                  bool as_angle) {
-  constexpr double kAny = 4;  // more than pi
+  const double any = as_angle ? std::nextafter(std::numbers::pi, 4)  // the double above pi
+                              : std::numeric_limits<double>::infinity();
   double largest = 0;
   for (const Mpfi& advance : advances) {
     if (!advance.is_positive()) {
-      return kAny;
+      return any;
     }
     const Mpfi off = magnitude(rise - advance * slope);
     largest =
