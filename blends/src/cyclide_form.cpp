@@ -4,11 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include <Eigen/Geometry>
 
 #include "complementary_sphere.h"
 #include "dupin/kernel/error.h"
+#include "golden_section.h"
 #include "quadrature.h"
 
 namespace dupin {
@@ -101,6 +104,85 @@ CanonicalCyclide hyperbolic(const PeArc& arc, const PeVector& k, double kk) {
           z};
 }
 
+// The places x = t / (1 - t) > 0 where a (1 - t)^2 + 2 b t (1 - t) + c t^2 vanishes, that is c x^2
+// + 2 b x + a, without cancellation; as t, ascending.
+std::vector<double> inner_zeros(double a, double b, double c) {
+  const double discriminant = b * b - a * c;
+  std::vector<double> zeros;
+  if (discriminant >= 0) {
+    const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+    for (const double x : {q / c, a / q}) {
+      if (x > 0 && std::isfinite(x)) {
+        zeros.push_back(x / (1 + x));
+      }
+    }
+  }
+  std::sort(zeros.begin(), zeros.end());
+  return zeros;
+}
+
+struct RadiusRange {
+  double least = 0, largest = 0;
+};
+
+// r = R / W with quadratics R (Bernstein r0, r1, r2) and W (1, w, 1); R' W - R W' has the
+// Bernstein coefficients a, b, c.
+RadiusRange radius_range(const PeArc& arc) {
+  const auto p = bezier_points(arc);
+  const double w = arc.w(), r0 = p[0].sphere.r, r1 = p[1].sphere.r, r2 = p[2].sphere.r;
+  RadiusRange range{std::min(r0, r2), std::max(r0, r2)};
+  for (const double t : inner_zeros(r1 - w * r0, (r2 - r0) / 2, w * r2 - r1)) {
+    const double r = sphere_at(arc, t).r;
+    range = {std::min(range.least, r), std::max(range.largest, r)};
+  }
+  return range;
+}
+
+// Bernstein coefficients of a quadratic on [0, 1], and its polar form.
+struct Quadratic {
+  double c0 = 0, c1 = 0, c2 = 0;
+
+  [[nodiscard]] double polar(double a, double b) const {
+    return (1 - a) * (1 - b) * c0 + (a * (1 - b) + b * (1 - a)) * c1 + a * b * c2;
+  }
+
+  [[nodiscard]] bool is_positive(double a, double b) const {
+    const double at_a = polar(a, a), middle = polar(a, b), at_b = polar(b, b);
+    return at_a > 0 && at_b > 0 && (middle > 0 || middle * middle < at_a * at_b);
+  }
+
+  // Where on [a, b], as a share of it, the quadratic that just fails to be positive vanishes.
+  [[nodiscard]] double lowest(double a, double b) const {
+    const double at_a = std::sqrt(std::max(0.0, polar(a, a)));
+    const double at_b = std::sqrt(std::max(0.0, polar(b, b)));
+    return at_a + at_b > 0 ? at_a / (at_a + at_b) : 0.5;
+  }
+};
+
+// Where a ball of the arc reaches the point, if all radii grow by delta; those that shrink to
+// nothing are gone. <gamma - P, gamma - P> W with P = (x; -delta) is a quadratic that is positive
+// where a ball, of positive radius, does not.
+std::optional<double> reaching_ball(const PeArc& arc, const Vec3& point, double delta) {
+  const PeVector p{point, -delta};
+  const double c0 = squared_tangential_distance(arc.start(), p);
+  const Quadratic distance{
+      c0, arc.w() * c0 + arc.chord() * product(arc.start_tangent(), arc.start() - p),
+      squared_tangential_distance(arc.end(), p)};
+  const auto b = bezier_points(arc);
+  const Quadratic radius{b[0].sphere.r + delta, b[1].sphere.r + delta * arc.w(),
+                         b[2].sphere.r + delta};
+  std::vector<double> ends = inner_zeros(radius.c0, radius.c1, radius.c2);
+  ends.insert(ends.begin(), 0);
+  ends.push_back(1);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const double from = ends[i], to = ends[i + 1], middle = (from + to) / 2;
+    if (radius.polar(middle, middle) > 0 && !distance.is_positive(from, to)) {
+      return from + distance.lowest(from, to) * (to - from);
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 double area(const PeArc& arc) {
@@ -165,51 +247,30 @@ double implicit_value(const CanonicalCyclide& f, const Vec3& point) {
   return s * s - 4 * u * u - 4 * f.b * f.b * y * y;
 }
 
-double least_radius(const PeArc& arc) {
-  // r = R / W with quadratics R (Bernstein r0, r1, r2) and W (1, w, 1); R' W - R W' has the
-  // Bernstein coefficients a, b, c.
-  const auto p = bezier_points(arc);
-  const double w = arc.w(), r0 = p[0].sphere.r, r1 = p[1].sphere.r, r2 = p[2].sphere.r;
-  const double a = r1 - w * r0, b = (r2 - r0) / 2, c = w * r2 - r1;
-  double least = std::min(r0, r2);
-  const double discriminant = b * b - a * c;
-  if (discriminant >= 0) {
-    // a (1-t)^2 + 2 b t (1-t) + c t^2 = 0 for x = t / (1-t): c x^2 + 2 b x + a = 0, both roots
-    // without cancellation.
-    const double q = -(b + std::copysign(std::sqrt(discriminant), b));
-    for (const double x : {q / c, a / q}) {
-      if (x > 0 && std::isfinite(x)) {
-        least = std::min(least, sphere_at(arc, x / (1 + x)).r);
-      }
-    }
-  }
-  return least;
-}
+double least_radius(const PeArc& arc) { return radius_range(arc).least; }
 
+// The bisection finds the ball to half the digits, where the depth of its centre is asked; the
+// search beside it, all.
 double signed_distance(const PeArc& arc, const Vec3& point) {
-  // The balls of the arc keep distance delta from the point iff the quadratic <gamma - P, gamma -
-  // P> W, P = (x; -delta), has no root in [0, 1]: Bernstein coefficients c0, c2 > 0 and c1 >
-  // -sqrt(c0 c2).
-  const auto clear = [&](double delta) {
-    const PeVector p{point, -delta};
-    const double c0 = squared_tangential_distance(arc.start(), p);
-    const double c2 = squared_tangential_distance(arc.end(), p);
-    const double c1 = arc.w() * c0 + arc.chord() * product(arc.start_tangent(), arc.start() - p);
-    return c0 > 0 && c2 > 0 && (c1 > 0 || c1 * c1 < c0 * c2);
-  };
-  // The quadratic speaks of positive radii r + delta only, which bounds the answer from below.
-  double high = (point - arc.start().m).norm() - arc.start().r, low = -least_radius(arc);
-  if (high <= low || !clear(low)) {
-    return low;
-  }
-  // The coefficients are good to a few ulp of the square of this size, so the answer to no less.
+  double high = (point - arc.start().m).norm() - arc.start().r;
+  double low = -radius_range(arc).largest, at = 0;
   const double size =
       (arc.end().m - arc.start().m).norm() + arc.start().r + arc.end().r + high - low;
   while (high - low > kEpsilon * size) {
     const double middle = low + (high - low) / 2;
-    (clear(middle) ? low : high) = middle;
+    const auto reached = reaching_ball(arc, point, middle);
+    (reached ? high : low) = middle;
+    at = reached.value_or(at);
   }
-  return low;
+  const auto distance = [&](double t) {
+    const PeVector ball = sphere_at(arc, t);
+    return (ball.m - point).norm() - ball.r;
+  };
+  constexpr double kBeside = 0x1p-10;
+  constexpr int kSections = 64;
+  const auto found = detail::golden_section(distance, std::max(0.0, at - kBeside),
+                                            std::min(1.0, at + kBeside), kSections);
+  return std::min({found.value, distance(at), distance(0), distance(1)});
 }
 
 }  // namespace dupin

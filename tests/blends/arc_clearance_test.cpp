@@ -35,9 +35,8 @@ TEST(ArcClearance, of_the_skew_pipes_is_the_oracle_s) {
 
 // The least distance from the arc's balls to a point, by samples and refinement around the best.
 double measured(const PeArc& arc, const Vec3& point) {
-  double low = 0, high = 1, least = std::numeric_limits<double>::infinity();
+  double low = 0, high = 1, best = 0, least = std::numeric_limits<double>::infinity();
   for (int round = 0; round < 8; ++round) {
-    double best = low;
     const double step = (high - low) / 400;
     for (int i = 0; i <= 400; ++i) {
       const PeVector ball = sphere_at(arc, low + i * step);
@@ -72,9 +71,33 @@ TEST(ArcClearance, decisions_agree_with_brute_force) {
       ++near;
     } else {
       EXPECT_TRUE(contains(arc, point));
+      EXPECT_NEAR(clearance(arc, {point, 0}), expected, 1e-9);
+      EXPECT_NEAR(clearance(arc, {point, 1}), expected - 1, 1e-9);
     }
   }
   EXPECT_GT(near, 100);
+}
+
+// Deeper than the thinnest ball is thick: those count that are thicker.
+TEST(ArcClearance, points_deep_inside_are_as_deep_as_in_the_deepest_ball) {
+  const PeArc cone = PeArc::from(test::sphere(0, 0, 0, 1), test::direction(Vec3::UnitZ(), .25),
+                                 test::sphere(0, 0, 4, 2));
+  EXPECT_NEAR(clearance(cone, {Vec3(0, 0, 4), 0}), -2, 1e-12);
+  EXPECT_NEAR(clearance(cone, {Vec3(0, 0, 0), 0}), -1, 1e-12);
+  const double r2 = 1 + .25 * 2;
+  EXPECT_NEAR(clearance(cone, {Vec3(0, 0, 2), 0}), -r2, 1e-12);
+  EXPECT_NEAR(clearance(cone, {Vec3(0, 0, 2), 0.5}), -r2 - 0.5, 1e-12);
+  test::RandomArcs arcs;
+  for (int i = 0; i < 100; ++i) {
+    const PeArc arc = arcs.next();
+    if (arc.w() < -0.9) {
+      continue;
+    }
+    for (const double t : {0.0, 0.2, 0.7, 1.0}) {
+      const Vec3 point = sphere_at(arc, t).m + 0.2 * sphere_at(arc, t).r * Vec3::UnitY();
+      EXPECT_NEAR(clearance(arc, {point, 0}), measured(arc, point), 1e-9);
+    }
+  }
 }
 
 TEST(ArcClearance, touching_is_neither_inside_nor_clear) {

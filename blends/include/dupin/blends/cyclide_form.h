@@ -65,9 +65,8 @@ struct PrincipalCurvatures {
 [[nodiscard]] double least_radius(const PeArc& arc);
 
 /// Largest delta such that the tube (the union of the arc's balls) keeps distance delta from
-/// `point`: the signed distance of the point from the tube;
-/// deep inside no less than -least_radius(arc). Absolute error below 1e-12 of the size
-/// of the data.
+/// `point`: outside the distance from the tube, inside minus the depth in the ball that the point
+/// lies deepest in. Absolute error below 1e-12 of the size of the data.
 [[nodiscard]] double signed_distance(const PeArc& arc, const Vec3& point);
 
 /// A rational biquadratic Bezier patch: 3 x 3 homogeneous control points (w x, w y, w z, w), rows
