@@ -76,6 +76,9 @@ CyclideChainThrough edited_chain(const EditArguments& arguments, const Assembly&
   if (arguments.move.empty() == arguments.twist.empty()) {
     throw UsageError("edit needs either --move or --twist");
   }
+  if (arguments.on_locus && arguments.move.empty()) {
+    throw UsageError("--on-locus is for --move");
+  }
   if (!arguments.move.empty()) {
     const auto [sphere, to] = change<4>("--move", arguments.move, "SPHERE=X,Y,Z,RADIUS");
     return move_sphere(assembly, part, sphere, {{to[0], to[1], to[2]}, to[3]}, arguments.on_locus);
@@ -128,7 +131,7 @@ ExitCode run_edit(const EditArguments& arguments, const CommonOptions& common) {
       find_chain(before, arguments.part.empty() ? std::nullopt : std::optional(arguments.part));
   const std::string text =
       with_chain(input.bytes, input.name, part, edited_chain(arguments, before, part));
-  EditReport report = compared(before, parse_assembly(text, arguments.output), part);
+  EditReport report = compared(before, parse_assembly(text, input.name), part);
   report.file = arguments.output;
   const bool to_stdout = arguments.output == "-";
   if (to_stdout) {
@@ -171,12 +174,16 @@ void add_edit(CLI::App& app, Action& action) {
                    "Turn what follows a junction about the axis of its\ntangent cone")
       ->type_name("SPHERE=DEGREES");
   command->footer(
-      "Three pieces change when a junction moves, all others stay the same bit by bit. The rest "
-      "of\n"
-      "the document is kept.\n\n"
+      "Spheres count from 0 as in the document. Three pieces change when a junction moves (two "
+      "with\n"
+      "--on-locus), of a chain with kneecaps those through the sphere; all others stay the same "
+      "bit\n"
+      "by bit, and so does the rest of the document.\n\n"
       "Examples:\n"
       "  dupin edit hook.json --move 4=1.1,2.5,0.2,0.8 -o new.json\n"
-      "  dupin edit hook.json --twist 6=25 -o twisted.json");
+      "  dupin edit hook.json --move 6=2.1,0.9,0.1,0.97 --on-locus -o new.json\n"
+      "  dupin edit plant.json --part hook --twist 6=25 -o twisted.json\n"
+      "  dupin edit hook.json --move 4=1.1,2.5,0.2,0.8 -o - -q | dupin build - -o hook.stl");
   command->callback([arguments, &action] {
     action = [arguments](const CommonOptions& common) { return run_edit(*arguments, common); };
   });

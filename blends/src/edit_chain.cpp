@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "decimal.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/error.h"
 
@@ -29,6 +30,9 @@ class Editor {
       fail("there is no sphere " + std::to_string(sphere) + "; the last is " +
            std::to_string(edited_.spheres.size() - 1));
     }
+    if (!to.m.allFinite() || !(to.r > 0 && std::isfinite(to.r))) {
+      fail("a sphere needs finite coordinates and a positive radius, not " + detail::decimal(to.r));
+    }
     if (edited_.joints == ChainJoints::kneecaps) {
       edited_.spheres[sphere] = to;
       return edited_;
@@ -44,9 +48,10 @@ class Editor {
     }
     const std::size_t junction = position / 2;
     if (junction < count) {
-      const EditedChain result = on_locus || junction + 1 == count
-                                     ? move_on_locus(pieces_, junction, to)
-                                     : move_junction(pieces_, junction, to);
+      const EditedChain result = reached(sphere, [&] {
+        return on_locus || junction + 1 == count ? move_on_locus(pieces_, junction, to)
+                                                 : move_junction(pieces_, junction, to);
+      });
       take(result.chain, result.changed.front(), result.changed.back());
     }
     pin_start(position);
@@ -59,7 +64,7 @@ class Editor {
     }
     const std::size_t position = sphere + own_;
     if (position % 2 != 0 || position == 0 || position / 2 >= pieces_.pieces.size()) {
-      fail("sphere " + std::to_string(sphere) + " is no junction between two pieces");
+      fail("sphere " + std::to_string(sphere) + " is no junction between two pieces" + junctions());
     }
     const PeArc& next = pieces_.pieces[position / 2];
     const Vec3 center = next.start().m;
@@ -80,6 +85,27 @@ class Editor {
   [[noreturn]] void fail(const std::string& message) const {
     throw Error(Errc::invalid_argument, message, assembly_.parts[part_].name,
                 document_place(assembly_, part_, "spheres"));
+  }
+
+  // "; these are 2, 4".
+  [[nodiscard]] std::string junctions() const {
+    std::string result;
+    for (std::size_t piece = 1; piece < pieces_.pieces.size(); ++piece) {
+      result += (result.empty() ? "; these are " : ", ") + std::to_string(2 * piece - own_);
+    }
+    return result.empty() ? "; the chain has none" : result;
+  }
+
+  template <class Work>
+  EditedChain reached(std::size_t sphere, const Work& work) const {
+    try {
+      return work();
+    } catch (const Error& error) {
+      throw Error(error.code(),
+                  "sphere " + std::to_string(sphere) + " cannot be moved there: " + error.message(),
+                  assembly_.parts[part_].name,
+                  document_place(assembly_, part_, "spheres/" + std::to_string(sphere)));
+    }
   }
 
   // Junctions after the pieces first..last as the new chain has them; the tangent after these
@@ -137,7 +163,12 @@ std::uint32_t find_chain(const Assembly& assembly, const std::optional<std::stri
   if (chains.empty()) {
     throw Error(Errc::invalid_argument, "the document has no cyclide_chain", {}, assembly.source);
   }
-  if (name || *found == assembly.parts.size()) {
+  if (name) {
+    throw Error(Errc::invalid_argument,
+                "'" + *name + "' is no cyclide_chain of the document; there is " + chains, {},
+                assembly.source);
+  }
+  if (*found == assembly.parts.size()) {
     throw Error(Errc::invalid_argument, "name one of the chains " + chains, {}, assembly.source);
   }
   return *found;

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +14,11 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 using Edit = Tool;
+
+constexpr const char* kTwoChains =
+    R"({"units": "mm", "tolerance": 0.01, "parts": [
+    {"name": "a", "cyclide_chain": {"spheres": [[0,0,0,1],[2,0,0,1],[4,0,0,1]]}},
+    {"name": "b", "cyclide_chain": {"spheres": [[0,9,0,1],[2,9,0,1],[4,9,0,1]]}}]})";
 
 TEST_F(Edit, says_which_pieces_changed) {
   const ProcessResult result =
@@ -46,6 +53,70 @@ TEST_F(Edit, a_refused_edit_leaves_no_file) {
   }
   EXPECT_EQ(dupin({"edit", hook, "-o", "new.json"}).exit_code, 2);
   EXPECT_THAT(folder_.files(), IsEmpty());
+}
+
+TEST_F(Edit, says_in_one_line_what_is_wrong) {
+  const std::string hook = example("crane-hook.json"), arm = example("ucct-arm.json");
+  const std::string spheres = "#/parts/0/cyclide_chain/spheres";
+  folder_.write("two.json", kTwoChains);
+  struct Row {
+    std::vector<std::string> arguments;
+    int exit_code;
+    std::string error;
+  };
+  const Row rows[] = {
+      {{hook, "--move", "13=1,2,3,1"},
+       3,
+       spheres + ": 'hook': there is no sphere 13; the last is 12"},
+      {{hook, "--move", "0=0,8,0,1"}, 3, spheres + ": 'hook': the chain's first sphere cannot be"},
+      {{hook, "--move", "4=1,2.6,0,-1"}, 3, "a positive radius, not -1"},
+      // Swallows both of its neighbours, and the last junction's only one.
+      {{hook, "--move", "4=1.4,-0.4,0,3"},
+       4,
+       spheres + "/4: 'hook': sphere 4 cannot be moved there: "},
+      {{hook, "--move", "12=-2,2.7,0,2"},
+       4,
+       "/12: 'hook': piece 5: no cyclide piece: one end sphere"},
+      {{hook, "--twist", "5=25"},
+       3,
+       "sphere 5 is no junction between two pieces; these are 2, 4, 6, 8, 10"},
+      {{hook, "--twist", "12=25"}, 3, "sphere 12 is no junction between two pieces"},
+      {{"two.json", "--part", "a", "--twist", "2=25"},
+       3,
+       "no junction between two pieces; the chain has none"},
+      {{arm, "--twist", "2=25"}, 3, "a chain with kneecaps has no common tangent cones"},
+      {{arm, "--move", "3=6,0.2,0,5"}, 4, "/4: 'arm': piece 1: no cyclide through three spheres"},
+      {{hook, "--twist", "6=25", "--on-locus"}, 2, "--on-locus is for --move"},
+      {{hook, "--move", "6=1,1,1,1", "--twist", "6=25"}, 2, "edit needs either --move or --twist"},
+      {{example("reducer.json"), "--twist", "6=25"}, 3, "the document has no cyclide_chain"},
+      {{"two.json", "--move", "2=4,1,0,1"}, 3, "name one of the chains 'a', 'b'"},
+      {{hook, "--part", "shank", "--twist", "6=25"},
+       3,
+       "'shank' is no cyclide_chain of the document; there is 'hook'"},
+  };
+  for (const Row& row : rows) {
+    std::vector<std::string> arguments = row.arguments;
+    arguments.insert(arguments.begin(), "edit");
+    arguments.insert(arguments.end(), {"-o", "new.json"});
+    const ProcessResult result = dupin(arguments);
+    EXPECT_EQ(result.exit_code, row.exit_code) << row.error;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(row.error));
+    EXPECT_EQ(result.out, "");
+  }
+  const ProcessResult as_json =
+      dupin({"--json", "edit", hook, "--move", "13=1,2,3,1", "-o", "new.json"});
+  EXPECT_EQ(nlohmann::json::parse(as_json.err).at("error").at("part"), "hook");
+  EXPECT_THAT(folder_.files(), testing::ElementsAre("two.json"));
+}
+
+TEST_F(Edit, edits_the_chain_that_is_named) {
+  folder_.write("two.json", kTwoChains);
+  const auto report =
+      json({"edit", "two.json", "--part", "b", "--move", "2=4,9.5,0,1", "-o", "new.json"}, 0);
+  EXPECT_EQ(report, nlohmann::json::parse(
+                        R"({"file": "new.json", "part": "b", "pieces": 1, "changed": [0],
+                            "spheres": [{"sphere": 2, "value": [4.0, 9.5, 0.0, 1.0]}]})"));
 }
 
 }  // namespace
