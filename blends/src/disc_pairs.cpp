@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include "exact_spine.h"
+
 namespace dupin::detail {
 namespace {
 
@@ -144,6 +146,32 @@ std::optional<Overlap> overlap(const DiscSweep& a, const DiscSweep& b, bool same
         const bool own = same && other.from <= around.to && around.from <= other.to;
         if (!own && crosses(b, other, point)) {
           return Overlap{point, around, other};
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// Exactly, border included.
+bool lies_in(const Ring& ring, const Vec3& point) {
+  const ExactVec3 d = exact(point) - exact(ring.center);
+  const mpq_class radius = ring.radius;
+  return !ring.ellipse && dot(d, exact(ring.normal)) == 0 && dot(d, d) <= radius * radius;
+}
+
+// Centres of end rings that lie in an end ring of the other part.
+std::optional<Overlap> contact(const DiscSweep& a, const DiscSweep& b) {
+  if (!a.full() || !b.full()) {
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < a.end_rings().size(); ++i) {
+    for (std::size_t j = 0; j < b.end_rings().size(); ++j) {
+      const Ring &first = a.end_rings()[i], &second = b.end_rings()[j];
+      const double s = i == 0 ? 0 : a.length(), t = j == 0 ? 0 : b.length();
+      for (const Vec3& point : {first.center, second.center}) {
+        if (lies_in(first, point) && lies_in(second, point)) {
+          return Overlap{point, {s, s}, {t, t}};
         }
       }
     }
@@ -338,7 +366,10 @@ ClearanceClaim prove_clearance(const DiscSweep& first, const DiscSweep& second, 
     }
     // Overlapping parts never come apart; look for a common point before much work is done.
     if (looked_at == kTries && !(front.apart.distance > 0)) {
-      claim.overlap = overlap(first, second);
+      claim.overlap = contact(first, second);
+      if (!claim.overlap) {
+        claim.overlap = overlap(first, second);
+      }
       if (claim.overlap) {
         claim.verdict = Verdict::proved;
         return claim;

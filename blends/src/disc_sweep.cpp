@@ -154,6 +154,10 @@ DiscSweep::DiscSweep(const PieceChain& chain) : closed_(chain.closed), full_(cha
     pieces_.push_back(piece_discs(piece));
     full_ = full_ && !std::holds_alternative<EllipticTube>(piece);
   }
+  if (!closed_) {
+    end_rings_ = {std::visit([](const auto& piece) { return piece.start; }, chain.pieces.front()),
+                  std::visit([](const auto& piece) { return piece.end; }, chain.pieces.back())};
+  }
 }
 
 std::size_t DiscSweep::piece_of(const ParameterInterval& t) const {

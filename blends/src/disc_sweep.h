@@ -53,6 +53,8 @@ class DiscSweep {
   [[nodiscard]] bool closed() const { return closed_; }
   /// The part is the union of its discs: neither hollow nor elliptic.
   [[nodiscard]] bool full() const { return full_; }
+  /// The stored rings of its ends, if it has any.
+  [[nodiscard]] const std::vector<Ring>& end_rings() const { return end_rings_; }
 
   /// Requires no seam inside t.
   [[nodiscard]] DiscHull over(const ParameterInterval& t) const;
@@ -69,6 +71,7 @@ class DiscSweep {
 
   std::optional<Sphere> sphere_;
   std::vector<PieceDiscs> pieces_;
+  std::vector<Ring> end_rings_;
   bool closed_ = false, full_ = true;
 };
 

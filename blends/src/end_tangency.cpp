@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "disc_sweep.h"
+#include "dupin/blends/curvature_jump.h"
+#include "dupin/kernel/error.h"
 #include "mpfi_interval.h"
 
 namespace dupin::detail {
@@ -64,14 +66,28 @@ double offset(const CertifiedPiece& piece, const EndRing& end) {
 TangencyClaim differences(const RingedSurface& tube, const EndRing& end) {
   const Tangency found = tangency_at_end(tube, end.at_end ? SurfaceEnd::end : SurfaceEnd::start);
   // Adding 0 takes the sign from a zero.
-  return {found.deviation.upper + 0.0, found.axis_angle.upper + 0.0, 0};
+  return {found.deviation.upper + 0.0, found.axis_angle.upper + 0.0, 0, {}};
+}
+
+// None where the surface folds. With room for a checker's own rounding.
+std::optional<double> curvature(const RingedSurface& tube, bool at_end) {
+  try {
+    const double bound = curvature_jump_bound(tube, at_end ? SurfaceEnd::end : SurfaceEnd::start);
+    const double radius = evaluate(tube.radius, at_end ? 1 : 0).value;
+    const bool is_straight = std::holds_alternative<LineSpine>(tube.spine) &&
+                             (std::holds_alternative<ConstantRadius>(tube.radius) ||
+                              std::holds_alternative<LinearRadius>(tube.radius));
+    return is_straight ? 0 : bound * (1 + 0x1p-20) + 0x1p-40 / radius;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
 }
 
 TangencyClaim differences(const EllipticTube& tube, const EndRing& end) {
   const TangencyClaim about =
       differences(RingedSurface{tube.start, tube.end, tube.spine, tube.first}, end);
   const double deviation = tangency_bound(tube, end.at_end ? SurfaceEnd::end : SurfaceEnd::start);
-  return {deviation * (1 + 0x1p-20), about.axis_angle, 0};  // room for a checker's own rounding
+  return {deviation * (1 + 0x1p-20), about.axis_angle, 0, {}};  // room for a checker's own rounding
 }
 
 // With the PE-tangent (A; tau) at the end, (2 e / D) d - tangent.
@@ -88,14 +104,16 @@ TangencyClaim differences(const CyclidePiece& piece, const EndRing& end) {
   const Interval advance = sqrt(dot(along, along) - square(rise)), slope = end.slope();
   const Interval off = (rise - advance * slope).magnitude();
   return {largest_angle(off, advance + rise * slope),
-          largest_angle(norm(cross(along, end.travel())), dot(along, end.travel())), 0};
+          largest_angle(norm(cross(along, end.travel())), dot(along, end.travel())),
+          0,
+          {}};
 }
 
 TangencyClaim differences(const RingedTube& tube, const EndRing& end) {
   const double t = end.at_end ? 1 : 0;
   const DiscHull disc = hull_over(tube.surface, {t, t});
   const IntervalVec& normal = disc.tangents.front();
-  return {{}, largest_angle(norm(cross(normal, end.travel())), dot(normal, end.travel())), 0};
+  return {{}, largest_angle(norm(cross(normal, end.travel())), dot(normal, end.travel())), 0, {}};
 }
 
 }  // namespace
@@ -107,6 +125,9 @@ TangencyClaim end_tangency(const CertifiedPiece& piece, SurfaceEnd end) {
         const EndRing ring{at_end ? surface.end : surface.start, at_end};
         TangencyClaim result = differences(surface, ring);
         result.offset = offset(piece, ring);
+        if (const auto* tube = std::get_if<RingedSurface>(&piece)) {
+          result.curvature = curvature(*tube, at_end);
+        }
         return result;
       },
       piece);

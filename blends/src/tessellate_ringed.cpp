@@ -54,7 +54,7 @@ Tessellation tessellate(const RingedTube& tube, const RingSampling& sampling,
     rows.push_back(row_at(tube.surface, t));
   }
   return {detail::lofted(tube.start, tube.end, rows, sampling), std::uint32_t(rows.size() - 1),
-          bands.error_bound + displacement};
+          bands.error_bound + displacement, bands.knots};
 }
 
 }  // namespace dupin

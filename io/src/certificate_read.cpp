@@ -225,6 +225,10 @@ std::optional<Overlap> overlap(const JsonNode& node) {
   return Overlap{vector(node.at("point")), interval(node.at("first")), interval(node.at("second"))};
 }
 
+std::optional<double> optional_number(const JsonNode& node) {
+  return node.value().is_null() ? std::nullopt : std::optional(node.number());
+}
+
 PartClaims part_claims(const JsonNode& node) {
   PartClaims result;
   if (node.has("regular")) {
@@ -240,10 +244,9 @@ PartClaims part_claims(const JsonNode& node) {
                        overlap(claim.at("overlap"))};
   }
   result.tangency = list<TangencyClaim>(node.at("tangency"), [](const JsonNode& bounds) {
-    TangencyClaim claim{{}, bounds.at("axis_angle").number(), bounds.at("offset").number()};
-    if (!bounds.at("deviation").value().is_null()) {
-      claim.deviation = bounds.at("deviation").number();
-    }
+    const TangencyClaim claim{optional_number(bounds.at("deviation")),
+                              bounds.at("axis_angle").number(), bounds.at("offset").number(),
+                              optional_number(bounds.at("curvature"))};
     return claim;
   });
   if (node.has("mesh")) {

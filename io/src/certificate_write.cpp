@@ -179,9 +179,11 @@ Json form(const PartClaims& claims) {
   }
   object["tangency"] = Json::array();
   for (const TangencyClaim& claim : claims.tangency) {
-    object["tangency"].push_back({{"deviation", claim.deviation ? Json(*claim.deviation) : Json()},
-                                  {"axis_angle", claim.axis_angle},
-                                  {"offset", claim.offset}});
+    object["tangency"].push_back(
+        {{"deviation", claim.deviation ? Json(*claim.deviation) : Json()},
+         {"axis_angle", claim.axis_angle},
+         {"offset", claim.offset},
+         {"curvature", claim.curvature ? Json(*claim.curvature) : Json()}});
   }
   if (claims.mesh) {
     object["mesh"] = {{"segments", claims.mesh->segments},

@@ -23,6 +23,20 @@ struct Bounds {
   Interval length = 0;
 };
 
+// e' = omega x e for the directions e from the centre c, hence
+//   x_tt = c'' + R'' e + 2 R' omega x e + R (omega' x e + omega x (omega x e)),
+//   x_tu = R' e_u + R omega x e_u.
+void include_spinning(Bounds& bounds, const MovingDisc& disc) {
+  const auto& [omega, change] = *disc.spin;
+  const Interval rate = norm(omega).upper, slope = disc.radius[1].magnitude();
+  const Interval radius = disc.radius[0].upper;
+  const Interval along = norm(part(disc.center, 2)) + disc.radius[2].magnitude() +
+                         Interval(2) * slope * rate + radius * (norm(change) + square(rate));
+  bounds.along = std::max(bounds.along, along.upper);
+  bounds.mixed = std::max(bounds.mixed, (slope + radius * rate).upper);
+  bounds.around = std::max(bounds.around, radius.upper);
+}
+
 // e' = -(e.n') n for the directions e from the centre c, hence
 //   x_tt = [c''.n - 2 R' e.n' - R e.n''] n + the rest of c'' + R'' e - R (e.n') n',
 //   x_tu = R' e_u - R (e_u.n') n.
@@ -30,6 +44,11 @@ bool include(Bounds& bounds, const Motion& motion, double from, double to) {
   const auto disc = motion(from, to);
   if (!disc || !(disc->pace[0].lower > 0)) {
     return false;
+  }
+  bounds.length = bounds.length + (Interval(to) - from) * disc->pace[0].upper;
+  if (disc->spin) {
+    include_spinning(bounds, *disc);
+    return true;
   }
   const Jet<2> pace{{disc->pace[0], disc->pace[1]}};
   const Jet<1> value{{disc->pace[0]}};
@@ -46,7 +65,6 @@ bool include(Bounds& bounds, const Motion& motion, double from, double to) {
   bounds.mixed = std::max(bounds.mixed, sqrt(square(slope) + square(radius * turn)).upper);
   bounds.around = std::max(bounds.around, radius.upper);
   bounds.turning = std::max(bounds.turning, turn.upper);
-  bounds.length = bounds.length + (Interval(to) - from) * disc->pace[0].upper;
   return true;
 }
 
@@ -82,19 +100,13 @@ Interval displacement(double grid, double size) {
 }
 
 bool is_straight(const Tube& tube) {
-  const RingedSurface& s = tube.surface();
-  return std::holds_alternative<LineSpine>(s.spine) && s.end.normal == -s.start.normal &&
-         (std::holds_alternative<ConstantRadius>(s.radius) ||
-          std::holds_alternative<LinearRadius>(s.radius));
+  return tube.is_cone() && tube.surface().end.normal == -tube.surface().start.normal;
 }
 
 // The half segment that the last ring may ask for is shared by so many bands.
 bool piece_follows(const Piece& piece, const std::vector<double>& knots, std::uint32_t segments,
                    std::size_t sharing, double allowed) {
   const Mpfi pi = Mpfi::pi();
-  if (std::holds_alternative<RingedTube>(piece.shape)) {
-    return false;  // its rows follow a frame that spins
-  }
   if (knots.size() == 2 && !piece.tubes.empty() && is_straight(piece.tubes.front())) {
     const Mpfi sagitta =
         wide(piece.tubes.front().radius_range(0, 1)) * (1 - cosine(pi / double(segments)));

@@ -149,14 +149,18 @@ Polynomial mirrored(Polynomial p) {
   return p;
 }
 
-// A i A*, along the normals.
-Curve rotated_axis(const RationalRingedSurface& surface) {
+std::array<Polynomial, 4> quaternion(const RationalRingedSurface& surface) {
   std::array<Polynomial, 4> q;
   for (std::size_t part = 0; part < 4; ++part) {
     for (const auto& control : surface.rotation) {
       q[part].emplace_back(control[part]);
     }
   }
+  return q;
+}
+
+// A i A*, along the normals.
+Curve rotated_axis(const std::array<Polynomial, 4>& q) {
   const auto twice = [](const Polynomial& p) { return product(p, {2}); };
   const auto minus = [](const Polynomial& p) { return product(p, {-1}); };
   const auto& [w, x, y, z] = q;
@@ -178,9 +182,29 @@ RingedCurves curves(const RationalRingedSurface& surface) {
       result.center[k].emplace_back(mpq_class(point[k]) - mpq_class(surface.center[0][k]));
     }
   }
-  result.axis = rotated_axis(surface);
+  result.axis = rotated_axis(quaternion(surface));
   result.radius = {surface.radius.begin(), surface.radius.end()};
   return result;
+}
+
+// 2 vec(A' A*) / |A|^2 = 2 (w v' - w' v - v' x v) / |A|^2 with A = (w; v), and its derivative.
+std::optional<std::array<IntervalVec, 2>> spin(const Jet<3>& scalar, const JetVec<3>& vector) {
+  const auto first_two = [](const Jet<3>& a) { return Jet<2>{{a[0], a[1]}}; };
+  const Jet<2> w = first_two(scalar), w1 = derivative(scalar);
+  const JetVec<2> v{first_two(vector[0]), first_two(vector[1]), first_two(vector[2])};
+  const JetVec<2> v1 = derivative(vector);
+  Jet<2> squared = squared_norm(v) + w * w;
+  squared[0] = squared_norm(v)[0] + square(w[0]);
+  if (!(squared[0].lower > 0)) {
+    return std::nullopt;
+  }
+  const Jet<2> two{{2, 0}};
+  JetVec<2> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    result[k] = two * (w * v1[k] - w1 * v[k] - (v1[i] * v[j] - v1[j] * v[i])) / squared;
+  }
+  return std::array<IntervalVec, 2>{part(result, 0), part(result, 1)};
 }
 
 bool rests(const Curve& rate, bool at_end) {
@@ -272,16 +296,18 @@ Motion motion(const CyclidePiece& piece, double wall) {
 
 Motion motion(const RationalRingedSurface& surface) {
   const RingedCurves c = curves(surface);
+  const auto q = quaternion(surface);
   return [base = detail::interval_vec(surface.center[0]), center = EnclosedCurve<3>(c.center),
-          axis = EnclosedCurve<3>(c.axis),
-          radius = Enclosed<3>(c.radius)](double from, double to) -> std::optional<MovingDisc> {
+          axis = EnclosedCurve<3>(c.axis), radius = Enclosed<3>(c.radius),
+          scalar = Enclosed<3>(q[0]), vector = EnclosedCurve<3>({q[1], q[2], q[3]})](
+             double from, double to) -> std::optional<MovingDisc> {
     const JetVec<3> n = axis.over(from, to);
     const Jet<3> squared = squared_norm(n);
     if (!(squared[0].lower > 0)) {
       return std::nullopt;
     }
     return MovingDisc{moved(center.over(from, to), base), n / sqrt(squared), radius.over(from, to),
-                      kOne};
+                      kOne, spin(scalar.over(from, to), vector.over(from, to))};
   };
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -14,6 +15,9 @@ namespace dupin::verifier {
 struct MovingDisc {
   JetVec<3> center, normal;
   Jet<3> radius, pace;
+  /// The rotation of the frame that the rows of `mesh` follow, and its derivative; none where they
+  /// follow one that does not spin about the normal.
+  std::optional<std::array<IntervalVec, 2>> spin = {};
 };
 
 /// Encloses the discs over the stretch [from, to] within [0, 1]; none where the numbers do not tell

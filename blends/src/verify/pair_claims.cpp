@@ -167,8 +167,23 @@ bool advances(const std::vector<Cell>& way) {
   return false;
 }
 
+// Exactly: the point lies in the plane of the ring, and not outside of it.
+bool lies_in(const Ring& ring, const Vec3& point) {
+  mpq_class height, squared;
+  for (int k = 0; k < 3; ++k) {
+    const mpq_class d = mpq_class(point[k]) - mpq_class(ring.center[k]);
+    height += d * mpq_class(ring.normal[k]);
+    squared += d * d;
+  }
+  return !ring.ellipse && height == 0 && squared <= mpq_class(ring.radius) * mpq_class(ring.radius);
+}
+
 // The plane of the discs passes the point within the stretch, which is nearer than the radius then.
 bool crosses(const Solid& solid, const ParameterInterval& t, const Vec3& point) {
+  if (!solid.pieces().empty() && !solid.closed() && t.from == t.to &&
+      (t.from == 0 || t.to == solid.length())) {
+    return lies_in(t.from == 0 ? solid.pieces().front().start : solid.pieces().back().end, point);
+  }
   const auto discs = solid.discs(t), first = solid.discs({t.from, t.from}),
              last = solid.discs({t.to, t.to});
   if (!(t.from < t.to) || !discs || !first || !last) {
@@ -227,7 +242,8 @@ bool has_leaf(const Solid& solid, const ParameterInterval& t) {
 
 bool follows(const Solid& solid, const EmbeddedClaim& claim, const RegularClaim& regular) {
   if (claim.verdict == Verdict::refuted) {
-    return claim.overlap &&
+    return claim.overlap && claim.overlap->first.from < claim.overlap->first.to &&
+           claim.overlap->second.from < claim.overlap->second.to &&
            (claim.overlap->first.to < claim.overlap->second.from ||
             claim.overlap->second.to < claim.overlap->first.from) &&
            follows(*claim.overlap, solid, solid);
@@ -245,7 +261,10 @@ bool follows(const Solid& first, const Solid& second, const std::vector<Joint>& 
              const ClearanceClaim& claim) {
   const bool joined = !joints.empty();
   if (claim.overlap) {
-    return claim.verdict == (joined ? Verdict::refuted : Verdict::proved) &&
+    const bool touching = claim.overlap->first.from == claim.overlap->first.to ||
+                          claim.overlap->second.from == claim.overlap->second.to;
+    return !(joined && touching) &&
+           claim.verdict == (joined ? Verdict::refuted : Verdict::proved) &&
            follows(*claim.overlap, first, second);
   }
   return claim.verdict == Verdict::proved && (joined ? claim.distance == 0 : claim.distance > 0) &&

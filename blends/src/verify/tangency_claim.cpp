@@ -167,9 +167,34 @@ Difference difference_at(const RationalRingedSurface& surface, const Ring& ring,
           std::nullopt};
 }
 
+// With q = v - R e.T', x_t = q T + R' e, and the normal curvature along x_t is
+//   (q (q e.T' + R'') - R' (v' - 2 R' e.T' - R e.T'')) / (q^2 + R'^2)^(3/2).
+bool curvature_follows(const Piece& piece, double claimed, bool at_end) {
+  const double t = at_end ? 1 : 0;
+  const auto disc = piece.tubes.size() == 1 ? piece.motion(t, t) : std::nullopt;
+  if (!disc) {
+    return false;
+  }
+  const IntervalVec n = part(disc->normal, 0), velocity = part(disc->center, 1);
+  const Interval either(-1, 1), bend = either * norm(part(disc->normal, 1)).upper;
+  const Interval across = either * norm(cross(part(disc->normal, 2), n)).upper;
+  const Jet<3>& r = disc->radius;
+  const Interval q = norm(velocity) - r[0] * bend;
+  const Interval along = dot(part(disc->center, 2), n) - Interval(2) * r[1] * bend - r[0] * across;
+  const Interval squared = square(q) + square(r[1]);
+  return q.lower > 0 &&
+         ((q * (q * bend + r[2]) - r[1] * along) / (squared * sqrt(squared))).magnitude() <=
+             claimed;
+}
+
 }  // namespace
 
 bool follows(const Piece& piece, const TangencyClaim& claim, bool at_end) {
+  const bool has_none = piece.tubes.size() == 1 && piece.tubes.front().is_cone();
+  if (claim.curvature &&
+      !(has_none ? *claim.curvature >= 0 : curvature_follows(piece, *claim.curvature, at_end))) {
+    return false;
+  }
   const Ring& ring = at_end ? piece.end : piece.start;
   const MpfiVec normal = vector(at_end ? ring.normal : Vec3(-ring.normal));
   const auto* cyclide = std::get_if<CyclidePiece>(&piece.shape);

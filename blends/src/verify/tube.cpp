@@ -106,6 +106,12 @@ Tube::Tube(const RingedSurface& surface) : surface_(surface), weight_{1} {
   }
 }
 
+bool Tube::is_cone() const {
+  return std::holds_alternative<LineSpine>(surface_.spine) &&
+         (std::holds_alternative<ConstantRadius>(surface_.radius) ||
+          std::holds_alternative<LinearRadius>(surface_.radius));
+}
+
 Stretch Tube::stretch(double from, double to) const {
   Stretch result;
   result.weight = part<mpq_class>(weight_, from, to);

@@ -33,6 +33,8 @@ class Tube {
   explicit Tube(const RingedSurface& surface);
 
   [[nodiscard]] const ArcSpine* arc() const { return std::get_if<ArcSpine>(&surface_.spine); }
+  /// A cylinder or cone.
+  [[nodiscard]] bool is_cone() const;
   [[nodiscard]] const RingedSurface& surface() const { return surface_; }
   /// Of spines that are no arcs.
   [[nodiscard]] Stretch stretch(double from, double to) const;

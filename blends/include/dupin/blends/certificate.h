@@ -69,7 +69,8 @@ struct DiscPairs {
 };
 
 /// A point that lies inside a disc at some parameter within `first`, and inside another one, of the
-/// other part or of the same, at some parameter within `second`.
+/// other part or of the same, at some parameter within `second`. An interval of length 0 at an end
+/// of an open chain stands for the disc of the stored ring there, border included.
 struct Overlap {
   Vec3 point;
   ParameterInterval first, second;
@@ -88,6 +89,9 @@ struct TangencyClaim {
   std::optional<double> deviation;
   double axis_angle = 0;  ///< between the disc's normal and the ring's, in radians
   double offset = 0;      ///< of the disc's centre from the ring's, plus that of the radii
+  /// Of ringed surfaces, their curvature along the parameter lines: what it jumps by where a
+  /// cylinder or cone goes on (curvature_jump.h).
+  std::optional<double> curvature = {};
 };
 
 /// The mesh with vertices on the circles at `knots` (those of spheres follow from the segments)
