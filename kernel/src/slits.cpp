@@ -37,7 +37,7 @@ std::vector<std::uint32_t> points_of(std::span<const Triangle> triangles,
 }
 
 /// The mean normal of the triangles that face the same way as the largest, of length 1 but for
-/// rounding; zero if none has an area.
+/// rounding; any direction if doubles cannot tell it.
 Vec3 mean_normal(const ExactMesh& mesh, std::span<const std::uint32_t> faces) {
   std::vector<Vec3> normals;
   Vec3 largest = Vec3::Zero(), sum = Vec3::Zero();
@@ -50,7 +50,8 @@ Vec3 mean_normal(const ExactMesh& mesh, std::span<const std::uint32_t> faces) {
   for (const Vec3& normal : normals) {
     sum += normal.dot(largest) > 0 ? normal : Vec3::Zero();
   }
-  return sum.stableNormalized();
+  const Vec3 normal = sum.stableNormalized();
+  return normal.allFinite() && !normal.isZero(0) ? normal : Vec3::UnitZ();
 }
 
 /// The distance of the two planes across `normal` that enclose the points, rounded up; infinite if
@@ -187,13 +188,20 @@ std::vector<Slits::Slit> Slits::find_slits(double widest) const {
     }
   }
   const std::vector<Bounds> bounds = bounds_of(cells_, mesh_);
-  std::erase_if(slits, [&](const Slit& slit) {
-    for (std::uint32_t cell = 0; cell < cells_.count; ++cell) {
-      if (cell != slit.cell && bounds[slit.cell].contains(bounds[cell]) && !is_void(cell)) {
-        return true;
-      }
+  std::vector<std::uint8_t> is_slit(cells_.count, 0);
+  for (const Slit& slit : slits) {
+    is_slit[slit.cell] = 1;
+  }
+  std::vector<std::uint32_t> others;
+  for (std::uint32_t cell = 0; cell < cells_.count; ++cell) {
+    if (is_slit[cell] == 0) {
+      others.push_back(cell);
     }
-    return false;
+  }
+  std::erase_if(slits, [&](const Slit& slit) {
+    return std::ranges::any_of(others, [&](std::uint32_t cell) {
+      return bounds[slit.cell].contains(bounds[cell]) && !is_void(cell);
+    });
   });
   return slits;
 }

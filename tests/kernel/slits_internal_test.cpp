@@ -89,6 +89,18 @@ TEST(Slits, in_which_material_floats_stay) {
   EXPECT_FALSE(filled(Solid::from(test::joined({cube_with_voids({kStep}), island})), 0.5));
 }
 
+TEST(Slits, may_lie_at_any_coordinates) {
+  for (const double scale : {0x1p-700, 0x1p700}) {
+    TriMesh cube = cube_with_voids({kStep});
+    for (Vec3& point : cube.points) {
+      point *= scale;
+    }
+    const auto result = filled(Solid::from(cube), 0.5 * scale);
+    ASSERT_TRUE(result) << scale;
+    EXPECT_NEAR(result->width / scale, kStep, kStep * 1e-9);
+  }
+}
+
 TEST(Slits, leave_other_contacts_as_they_are) {
   const std::vector<TriMesh> parts = test::pyramids(kHeights);
   const auto result = filled(
