@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "decimal.h"
+#include "dupin/blends/kneecap.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/error.h"
 
@@ -13,6 +14,21 @@ namespace dupin {
 namespace {
 
 class Editor {
+  // What `work` returns; its faults are laid at the sphere that was to move.
+  template <class Work>
+  auto reached(std::size_t sphere, const Work& work) const {
+    try {
+      return work();
+    } catch (const Error& error) {
+      const std::string piece = error.part().empty() ? "" : error.part() + ": ";
+      throw Error(
+          error.code(),
+          "sphere " + std::to_string(sphere) + " cannot be moved there: " + piece + error.message(),
+          assembly_.parts[part_].name,
+          document_place(assembly_, part_, "spheres/" + std::to_string(sphere)));
+    }
+  }
+
  public:
   Editor(const Assembly& assembly, std::uint32_t part)
       : assembly_(assembly),
@@ -35,6 +51,7 @@ class Editor {
     }
     if (edited_.joints == ChainJoints::kneecaps) {
       edited_.spheres[sphere] = to;
+      (void)reached(sphere, [&] { return kneecap_chain(edited_.spheres); });
       return edited_;
     }
     const std::size_t position = sphere + own_, count = pieces_.pieces.size();
@@ -94,18 +111,6 @@ class Editor {
       result += (result.empty() ? "; these are " : ", ") + std::to_string(2 * piece - own_);
     }
     return result.empty() ? "; the chain has none" : result;
-  }
-
-  template <class Work>
-  EditedChain reached(std::size_t sphere, const Work& work) const {
-    try {
-      return work();
-    } catch (const Error& error) {
-      throw Error(error.code(),
-                  "sphere " + std::to_string(sphere) + " cannot be moved there: " + error.message(),
-                  assembly_.parts[part_].name,
-                  document_place(assembly_, part_, "spheres/" + std::to_string(sphere)));
-    }
   }
 
   // Junctions after the pieces first..last as the new chain has them; the tangent after these
