@@ -9,6 +9,7 @@
 #include "decimal.h"
 #include "double_search.h"
 #include "dupin/kernel/error.h"
+#include "rounded_validity.h"
 #include "tangent_rounding.h"
 
 namespace dupin {
@@ -95,18 +96,20 @@ double best_tau(Objective objective) {
   return refined > 0 && refined < 1 && objective(refined) <= value ? refined : best;
 }
 
-// True, with the two pieces' faults excluded, if the junction of `tau` gives two regular pieces.
-bool is_regular(const JunctionLocus& locus, const PeVector& start, const PeVector& start_tangent,
-                const PeVector& end, double tau) {
+// Whether the junction of `tau` gives two regular pieces, by the rounded numbers.
+bool seems_regular(const JunctionLocus& locus, const PeVector& start, const PeVector& start_tangent,
+                   const PeVector& end, double tau) {
   const PeVector junction = locus.at(tau);
   if (!(junction.r > 0) || !junction.m.allFinite()) {
     return false;
   }
-  if (validity(start, start_tangent, junction).fault != ArcFault::none) {
+  const ArcValidity first = detail::rounded_validity(start, start_tangent, junction);
+  if (first.fault != ArcFault::none) {
     return false;
   }
-  const PeArc first = PeArc::from(start, start_tangent, junction);
-  return validity(junction, first.end_tangent(), end).fault == ArcFault::none;
+  const PeVector tangent =
+      (2 * first.w / std::sqrt(first.squared_length)) * (junction - start) - start_tangent;
+  return detail::rounded_validity(junction, tangent, end).fault == ArcFault::none;
 }
 
 DoubleCyclide at_tau(const JunctionLocus& locus, const PeVector& start,
@@ -160,9 +163,17 @@ DoubleCyclide best_double(const PeVector& start, const PeVector& start_tangent, 
     throw_no_locus();
   }
   const double tau = best_tau([&](double t) {
-    return is_regular(locus, start, start_tangent, end, t)
-               ? objective(at_tau(locus, start, start_tangent, end, t))
-               : kInfinity;
+    if (!seems_regular(locus, start, start_tangent, end, t)) {
+      return kInfinity;
+    }
+    try {
+      return objective(at_tau(locus, start, start_tangent, end, t));
+    } catch (const Error& error) {
+      if (error.code() != Errc::infeasible_blend) {
+        throw;
+      }
+      return kInfinity;  // what is irregular by less than rounding
+    }
   });
   if (tau < 0) {
     throw Error(Errc::infeasible_blend,

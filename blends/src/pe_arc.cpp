@@ -10,6 +10,7 @@
 #include "complementary_sphere.h"
 #include "dupin/kernel/error.h"
 #include "exact_pe.h"
+#include "rounded_validity.h"
 
 namespace dupin {
 namespace {
@@ -102,9 +103,9 @@ Ring contact_ring(const PeVector& b, const PeVector& tangent) {
           b.r / stretch, tangent.r};
 }
 
-ArcValidity validity(const PeVector& start, const PeVector& tangent, const PeVector& end) {
+ArcValidity detail::rounded_validity(const PeVector& start, const PeVector& tangent,
+                                     const PeVector& end) {
   ArcValidity v;
-  v.fault = exact_fault(start, tangent, end);
   const PeVector d = end - start;
   v.squared_length = squared_tangential_distance(start, end);
   const double length = std::sqrt(std::max(0.0, v.squared_length));
@@ -116,6 +117,17 @@ ArcValidity validity(const PeVector& start, const PeVector& tangent, const PeVec
   const double along = axis.dot(d.m), across = (d.m - along * axis).norm();
   v.least_power = d.m.squaredNorm() + start.r * start.r - end.r * end.r -
                   2 * start.r * (across - tangent.r * along) / stretch;
+  v.fault = !(v.squared_length > 0)  ? ArcFault::nested
+            : !(v.w > -1)            ? ArcFault::through_infinity
+            : !(v.radius_margin > 0) ? ArcFault::radius_vanishes
+            : !(v.least_power > 0)   ? ArcFault::pinched
+                                     : ArcFault::none;
+  return v;
+}
+
+ArcValidity validity(const PeVector& start, const PeVector& tangent, const PeVector& end) {
+  ArcValidity v = detail::rounded_validity(start, tangent, end);
+  v.fault = exact_fault(start, tangent, end);
   return v;
 }
 
