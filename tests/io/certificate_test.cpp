@@ -81,6 +81,25 @@ TEST(Certificate, refutes_an_elbow_that_folds) {
   EXPECT_THROW(verify(slim), Error);
 }
 
+// Coarse meshes, whose errors prover and checker bound by different means.
+TEST(Certificate, claims_no_less_error_than_the_checker_finds) {
+  const char* chains[] = {
+      R"([4, 5, -3, 1], [6.143, 5.295, -4.966, 1], [10.867, 4.911, -6.161, 0.857],
+         [14.719, 6.612, -4.854, 2], [19.635, 4.902, -6.129, 2])",
+      R"([1, -4, -6, 1], [6.535, -2.468, -5.099, 0.5], [9.164, -2.339, -4.261, 1.993],
+         [14.715, -0.732, -5.116, 2], [16.95, -1.841, -3.314, 0.5])"};
+  for (const char* chain : chains) {
+    for (const std::string segments : {"", R"("segments": 3, )"}) {
+      const std::string text = R"({"units": "mm", "tolerance": 0.5, )" + segments +
+                               R"("parts": [{"name": "c", "cyclide_chain": {"spheres": [)" + chain +
+                               "]}}]}";
+      const Certificate certificate = certify(parse_assembly(text, "chain.json"));
+      EXPECT_TRUE(certificate.claims.front().mesh);
+      EXPECT_NO_THROW(verify(certificate)) << text;
+    }
+  }
+}
+
 TEST(Certificate, refuses_a_margin_that_is_none) {
   for (const double margin : {-0.1, 1.0, 2.0}) {
     EXPECT_THROW((void)certify(example("reducer.json"), {.margin = margin}), Error);

@@ -123,17 +123,26 @@ bool piece_follows(const Piece& piece, const std::vector<double>& knots, std::ui
 }
 
 // How large the coordinates may be.
+double size_over(const Solid& solid, const ParameterInterval& t, int halvings) {
+  if (const auto discs = solid.discs(t)) {
+    double size = discs->radius.upper;
+    for (const IntervalVec& center : discs->centers) {
+      size = std::max(size, norm(center).upper);
+    }
+    return size;
+  }
+  const double middle = (t.from + t.to) / 2;
+  return halvings == 0 ? std::numeric_limits<double>::infinity()
+                       : std::max(size_over(solid, {t.from, middle}, halvings - 1),
+                                  size_over(solid, {middle, t.to}, halvings - 1));
+}
+
 double size_of(const Solid& solid) {
   constexpr double kCells = 16;
+  constexpr int kHalvings = 8;
   double size = 0;
   for (double i = 0; i < kCells * solid.length(); ++i) {
-    const auto discs = solid.discs({i / kCells, (i + 1) / kCells});
-    if (!discs) {
-      return std::numeric_limits<double>::infinity();
-    }
-    for (const IntervalVec& center : discs->centers) {
-      size = std::max({size, discs->radius.upper, norm(center).upper});
-    }
+    size = std::max(size, size_over(solid, {i / kCells, (i + 1) / kCells}, kHalvings));
   }
   return size;
 }
