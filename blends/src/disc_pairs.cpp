@@ -4,37 +4,17 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
 
-#include "exact_spine.h"
+#include "disc_overlap.h"
 
 namespace dupin::detail {
 namespace {
 
-// Whoever checks a claim rounds in his own way; nothing is claimed that hangs on the last bits.
-constexpr double kSlack = 0x1p-40;
-
 // Shorter stretches only show the rounding of their ends.
 constexpr double kShortest = 0x1p-40;
-
-double size(const ParameterInterval& t) { return t.to - t.from; }
-
-std::pair<ParameterInterval, ParameterInterval> halves(const ParameterInterval& t) {
-  const double middle = (t.from + t.to) / 2;
-  return {{t.from, middle}, {middle, t.to}};
-}
-
-// Seams are whole numbers.
-std::vector<ParameterInterval> stretches(const DiscSweep& sweep) {
-  std::vector<ParameterInterval> result;
-  for (double t = 0; t < sweep.length(); ++t) {
-    result.push_back({t, t + 1});
-  }
-  return result;
-}
 
 // A stretch of one sweep against one of the same or another.
 struct Box {
@@ -74,123 +54,6 @@ double distance_that_occurs(const DiscSweep& a, const DiscSweep& b, const Box& b
   return separation(a.over({s, s}), b.over({t, t})).nearest;
 }
 
-double height(const DiscHull& disc, const Vec3& point) {
-  return disc.tangents.empty()
-             ? 0
-             : dot(interval_vec(point) - disc.centers.front(), disc.tangents.front()).lower;
-}
-
-// Whether the point is proven to lie inside a disc of the stretch.
-bool crosses(const DiscSweep& sweep, const ParameterInterval& t, const Vec3& point) {
-  const DiscHull discs = sweep.over(t), first = sweep.over({t.from, t.from}),
-                 last = sweep.over({t.to, t.to});
-  const IntervalVec p = interval_vec(point);
-  const bool passes =
-      discs.tangents.empty() || (dot(p - first.centers.front(), first.tangents.front()).lower > 0 &&
-                                 dot(p - last.centers.back(), last.tangents.back()).upper < 0);
-  return passes &&
-         std::all_of(discs.centers.begin(), discs.centers.end(), [&](const IntervalVec& center) {
-           return norm(p - center).upper < discs.radius.lower * (1 - kSlack);
-         });
-}
-
-// The stretches in which the planes of discs are thought to pass the point, made short.
-std::vector<ParameterInterval> crossings(const DiscSweep& sweep, const Vec3& point) {
-  constexpr int kStretches = 64, kHalvings = 12;
-  if (sweep.over({0, 1}).tangents.empty()) {
-    return {{0, 1}};
-  }
-  std::vector<ParameterInterval> result;
-  for (const ParameterInterval& piece : stretches(sweep)) {
-    const auto height_at = [&](double t) { return height(sweep.over({t, t}), point); };
-    double before = height_at(piece.from);
-    for (int i = 0; i < kStretches; ++i) {
-      ParameterInterval t{piece.from + double(i) / kStretches,
-                          piece.from + double(i + 1) / kStretches};
-      const double after = height_at(t.to);
-      if (before > 0 && after <= 0) {
-        for (int k = 0; k < kHalvings; ++k) {
-          const auto [left, right] = halves(t);
-          t = height_at(left.to) <= 0 ? left : right;
-        }
-        result.push_back(
-            {std::max(piece.from, t.from - size(t)), std::min(piece.to, t.to + size(t))});
-      }
-      before = after;
-    }
-  }
-  return result;
-}
-
-// Points of some discs, tried on all others.
-std::optional<Overlap> overlap(const DiscSweep& a, const DiscSweep& b, bool same) {
-  constexpr int kDiscs = 24, kAngles = 8;
-  if (!a.full() || !b.full()) {
-    return std::nullopt;
-  }
-  for (int i = 0; i < kDiscs * int(a.length()); ++i) {
-    const double t = (i + 0.5) / kDiscs;
-    const ParameterInterval around{t - 0x1p-16, t + 0x1p-16};
-    const DiscHull disc = a.over(around);
-    const Vec3 axis = disc.tangents.empty() ? Vec3::UnitZ() : disc.axis;
-    const Vec3 across = axis.unitOrthogonal();
-    for (int k = 0; k < 2 * kAngles + 1; ++k) {
-      const double angle = 2 * std::numbers::pi * k / kAngles;
-      const double reach = disc.radius.lower * (k == 0 ? 0 : k <= kAngles ? 0.5 : 0.9);
-      const Vec3 point =
-          disc.middle() + reach * (std::cos(angle) * across + std::sin(angle) * axis.cross(across));
-      if (!crosses(a, around, point)) {
-        continue;
-      }
-      for (const ParameterInterval& other : crossings(b, point)) {
-        const bool own = same && other.from <= around.to && around.from <= other.to;
-        if (!own && crosses(b, other, point)) {
-          return Overlap{point, around, other};
-        }
-      }
-    }
-  }
-  return std::nullopt;
-}
-
-// Exactly, border included.
-bool lies_in(const Ring& ring, const Vec3& point) {
-  const ExactVec3 d = exact(point) - exact(ring.center);
-  const mpq_class radius = ring.radius;
-  return !ring.ellipse && dot(d, exact(ring.normal)) == 0 && dot(d, d) <= radius * radius;
-}
-
-// Centres of end rings that lie in an end ring of the other part.
-std::optional<Overlap> contact(const DiscSweep& a, const DiscSweep& b) {
-  if (!a.full() || !b.full()) {
-    return std::nullopt;
-  }
-  for (std::size_t i = 0; i < a.end_rings().size(); ++i) {
-    for (std::size_t j = 0; j < b.end_rings().size(); ++j) {
-      const Ring &first = a.end_rings()[i], &second = b.end_rings()[j];
-      const double s = i == 0 ? 0 : a.length(), t = j == 0 ? 0 : b.length();
-      for (const Vec3& point : {first.center, second.center}) {
-        if (lies_in(first, point) && lies_in(second, point)) {
-          return Overlap{point, {s, s}, {t, t}};
-        }
-      }
-    }
-  }
-  return std::nullopt;
-}
-
-// Points of either part, tried on the other.
-std::optional<Overlap> overlap(const DiscSweep& a, const DiscSweep& b) {
-  auto result = overlap(a, b, false);
-  if (!result) {
-    result = overlap(b, a, false);
-    if (result) {
-      std::swap(result->first, result->second);
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 // Frank and Wolfe's descent towards the shortest vector from one hull to the other, in plain
@@ -221,7 +84,8 @@ Separation separation(const DiscHull& first, const DiscHull& second) {
                        second.extent() + first.radius.upper + second.radius.upper;
   const Interval behind = support(first, best.direction), front = support(second, -best.direction);
   best.distance =
-      ((Interval(0) - front - behind) / norm(interval_vec(best.direction)) - kSlack * scale).lower;
+      ((Interval(0) - front - behind) / norm(interval_vec(best.direction)) - kDiscSlack * scale)
+          .lower;
   return best;
 }
 
@@ -279,7 +143,7 @@ constexpr double kLongestWay = 2;
 EmbeddedClaim prove_embedded(const DiscSweep& sweep, double margin, std::size_t boxes) {
   EmbeddedClaim claim;
   std::vector<Pair> stack;
-  const auto pieces = stretches(sweep);
+  const auto pieces = sweep.stretches();
   for (std::size_t i = pieces.size(); i-- > 0;) {
     for (std::size_t j = pieces.size(); j-- > i;) {
       stack.push_back({pieces[i], pieces[j]});
@@ -300,7 +164,7 @@ EmbeddedClaim prove_embedded(const DiscSweep& sweep, double margin, std::size_t 
     claim.leaves = std::move(*leaves);
     return claim;
   }
-  claim.overlap = overlap(sweep, sweep, true);
+  claim.overlap = self_overlap(sweep);
   claim.verdict = claim.overlap ? Verdict::refuted : Verdict::undecided;
   return claim;
 }
@@ -309,8 +173,8 @@ ClearanceClaim prove_joint(const DiscSweep& first, const DiscSweep& second,
                            const std::vector<Joint>& joints, std::size_t boxes) {
   ClearanceClaim claim;
   std::vector<Pair> stack;
-  for (const auto& a : stretches(first)) {
-    for (const auto& b : stretches(second)) {
+  for (const auto& a : first.stretches()) {
+    for (const auto& b : second.stretches()) {
       stack.push_back({a, b});
     }
   }
@@ -348,8 +212,8 @@ ClearanceClaim prove_clearance(const DiscSweep& first, const DiscSweep& second, 
     return a.apart.distance > b.apart.distance;
   };
   std::vector<Box> heap;
-  for (const auto& a : stretches(first)) {
-    for (const auto& b : stretches(second)) {
+  for (const auto& a : first.stretches()) {
+    for (const auto& b : second.stretches()) {
       heap.push_back(box(first, second, a, b));
     }
   }

@@ -81,7 +81,7 @@ std::optional<DiscPace> pace_of(const Piece& piece, const ParameterInterval& t) 
   return disc ? std::optional(pace(*disc, (Interval(t.to) - t.from).upper)) : std::nullopt;
 }
 
-ParameterInterval halved(const ParameterInterval& t, int part, int parts) {
+ParameterInterval part_of(const ParameterInterval& t, int part, int parts) {
   return {std::lerp(t.from, t.to, double(part) / parts),
           std::lerp(t.from, t.to, double(part + 1) / parts)};
 }
@@ -137,6 +137,11 @@ Vec3 support_point(const DiscHull& hull, const Vec3& direction) {
                                              : furthest;
 }
 
+std::pair<ParameterInterval, ParameterInterval> halves(const ParameterInterval& t) {
+  const double middle = (t.from + t.to) / 2;
+  return {{t.from, middle}, {middle, t.to}};
+}
+
 PieceDiscs piece_discs(const CertifiedPiece& piece) { return std::visit(Reader{}, piece); }
 
 DiscHull hull_over(const PieceDiscs& piece, const ParameterInterval& t) {
@@ -158,6 +163,14 @@ DiscSweep::DiscSweep(const PieceChain& chain) : closed_(chain.closed), full_(cha
     end_rings_ = {std::visit([](const auto& piece) { return piece.start; }, chain.pieces.front()),
                   std::visit([](const auto& piece) { return piece.end; }, chain.pieces.back())};
   }
+}
+
+std::vector<ParameterInterval> DiscSweep::stretches() const {
+  std::vector<ParameterInterval> result;
+  for (double t = 0; t < length(); ++t) {
+    result.push_back({t, t + 1});
+  }
+  return result;
 }
 
 std::size_t DiscSweep::piece_of(const ParameterInterval& t) const {
@@ -186,7 +199,7 @@ bool DiscSweep::append_way(const ParameterInterval& t, std::vector<DiscPace>& wa
     const std::size_t i = piece_of({from, to});
     for (int k = 0; k < kCells; ++k) {
       const auto pace =
-          pace_over(pieces_[i], halved({from - double(i), to - double(i)}, k, kCells));
+          pace_over(pieces_[i], part_of({from - double(i), to - double(i)}, k, kCells));
       if (!pace) {
         return false;
       }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct DiscHull {
 /// Roughly the point of the hull furthest in this direction.
 [[nodiscard]] Vec3 support_point(const DiscHull& hull, const Vec3& direction);
 
+[[nodiscard]] inline double size(const ParameterInterval& t) { return t.to - t.from; }
+[[nodiscard]] std::pair<ParameterInterval, ParameterInterval> halves(const ParameterInterval& t);
+
 /// The discs of a piece; parameters are in [0, 1].
 using PieceDiscs = std::variant<DiscTube, CyclidePiece, RationalRingedSurface>;
 
@@ -53,6 +57,8 @@ class DiscSweep {
   [[nodiscard]] bool closed() const { return closed_; }
   /// The part is the union of its discs: neither hollow nor elliptic.
   [[nodiscard]] bool full() const { return full_; }
+  /// One for each piece, or for the ball.
+  [[nodiscard]] std::vector<ParameterInterval> stretches() const;
   /// The stored rings of its ends, if it has any.
   [[nodiscard]] const std::vector<Ring>& end_rings() const { return end_rings_; }
 

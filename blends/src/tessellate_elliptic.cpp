@@ -134,8 +134,10 @@ Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
   const double displacement = detail::point_error(tube, sampling.grid);
   const double allowed = detail::allowed_error(options.tolerance, displacement);
   if (is_straight(tube)) {
-    return {detail::lofted(tube.start, tube.end, rows_at(tube, {0, 1}, 1), sampling), 1,
-            sagitta(largest_radius(tube), sampling.segments) + displacement};
+    return {detail::lofted(tube.start, tube.end, rows_at(tube, {0, 1}, 1), sampling),
+            1,
+            sagitta(largest_radius(tube), sampling.segments) + displacement,
+            {0, 1}};
   }
   std::vector<detail::BandBounds> cells;
   for (std::uint32_t i = 0; i < kCells; ++i) {

@@ -14,8 +14,6 @@ using Mpfi = detail::MpfiInterval<128>;
 
 constexpr int kRefinements = 10;  // a band's bounds are taken over up to 2^10 cells
 
-Mpfi wide(const Interval& x) { return Mpfi::between(x.lower, x.upper); }
-
 // Upper bounds, over a stretch, of |x_tt|, |x_tu|, |x_uu| in a frame that does not spin, of |n'|,
 // and of the length by which t is measured here.
 struct Bounds {
@@ -99,18 +97,33 @@ Interval displacement(double grid, double size) {
   return sqrt(Interval(3)) / 2 * grid + Interval(std::ldexp(size, -47));
 }
 
-bool is_straight(const Tube& tube) {
-  return tube.is_cone() && tube.surface().end.normal == -tube.surface().start.normal;
+// A cylinder or cone between rings that look the same way: of ellipses, similar ones with the same
+// axes.
+bool is_straight(const Piece& piece) {
+  const Ring &a = piece.start, &b = piece.end;
+  const auto& tubes = piece.tubes;
+  return !tubes.empty() &&
+         std::all_of(tubes.begin(), tubes.end(), [](const Tube& t) { return t.is_cone(); }) &&
+         b.normal == -a.normal &&
+         (tubes.size() == 1 || (a.ellipse && b.ellipse && a.ellipse->axis == b.ellipse->axis &&
+                                mpq_class(a.radius) * mpq_class(b.ellipse->across) ==
+                                    mpq_class(b.radius) * mpq_class(a.ellipse->across)));
 }
 
 // The half segment that the last ring may ask for is shared by so many bands.
 bool piece_follows(const Piece& piece, const std::vector<double>& knots, std::uint32_t segments,
                    std::size_t sharing, double allowed) {
   const Mpfi pi = Mpfi::pi();
-  if (knots.size() == 2 && !piece.tubes.empty() && is_straight(piece.tubes.front())) {
-    const Mpfi sagitta =
-        wide(piece.tubes.front().radius_range(0, 1)) * (1 - cosine(pi / double(segments)));
+  if (knots.size() == 2 && is_straight(piece)) {
+    double largest = 0;
+    for (const Tube& tube : piece.tubes) {
+      largest = std::max(largest, tube.radius_range(0, 1).upper);
+    }
+    const Mpfi sagitta = Mpfi(largest) * (1 - cosine(pi / double(segments)));
     return sagitta.rounded_outward().upper <= allowed;
+  }
+  if (!piece.motion) {
+    return false;  // nothing is known of the frame that ellipses follow
   }
   const Enclosure twist = (pi / double(segments) / double(sharing)).rounded_outward();
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
@@ -185,7 +198,7 @@ bool follows(const Solid& solid, const MeshClaim& claim) {
     }
     const Piece& piece = solid.pieces()[i];
     const bool is_cyclide = std::holds_alternative<CyclidePiece>(piece.shape);
-    if (claim.segments < 3 || !solid.is_full() || knots.size() < 2 || knots.front() != 0 ||
+    if (claim.segments < 3 || piece.inner || knots.size() < 2 || knots.front() != 0 ||
         knots.back() != 1 ||
         std::adjacent_find(knots.begin(), knots.end(), std::greater_equal<>()) != knots.end() ||
         !piece_follows(piece, knots, claim.segments,

@@ -53,8 +53,8 @@ struct Tessellation {
   std::uint32_t bands = 0;  ///< rows of quadrilaterals along the part
   double error_bound = 0;  ///< of the distance between smooth surface and mesh, both ways, in model
                            ///< units; includes snapping
-  /// The parameters of the rows of ringed surfaces and cyclides: i + t on the i-th piece. None for
-  /// other parts.
+  /// The parameters of the rows, i + t on the i-th piece; none for spheres, chains with kneecaps,
+  /// hollow chains, and elliptic tubes but cylinders and cones.
   std::vector<double> knots = {};
 };
 
