@@ -146,6 +146,11 @@ INSTANTIATE_TEST_SUITE_P(
             [](auto& c) {
               std::get<HermiteSpine>(piece<RingedSurface>(c, "hose", 2).spine).end_velocity *= 3;
             }},
+        Lie{"loose_joint", "way-points",
+            [](auto& c) {
+              TangencyClaim& joint = claims(c, "hose").tangency[1];
+              joint.offset = joint.axis_angle = 1;
+            }},
         Lie{"spline_order", "way-points",
             [](auto& c) { std::swap(chain(c, "hose").pieces[0], chain(c, "hose").pieces[1]); }},
         Lie{"open_ring", "pipe-ring", [](auto& c) { chain(c, "ring").closed = false; }},

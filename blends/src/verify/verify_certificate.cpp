@@ -30,7 +30,13 @@ const Ring& end_ring(const Solid& solid, bool at_end) {
   return at_end ? solid.pieces().back().end : solid.pieces().front().start;
 }
 
-void verify_part(const Solid& solid, const std::string& name, const PartClaims& claims) {
+// What the other claims leave out is less than the tolerance.
+bool is_near(const TangencyClaim& claim, const Ring& ring, double tolerance) {
+  return claim.offset + claim.axis_angle * ring.radius <= tolerance;
+}
+
+void verify_part(const Solid& solid, const std::string& name, const PartClaims& claims,
+                 double tolerance) {
   if (solid.ball() != nullptr) {
     require(solid.ball()->radius > 0, name, "radius");
   } else if (solid.pieces().empty()) {
@@ -50,6 +56,9 @@ void verify_part(const Solid& solid, const std::string& name, const PartClaims& 
       require(follows(pieces[i], claims.tangency[2 * i], false) &&
                   follows(pieces[i], claims.tangency[2 * i + 1], true),
               name, "tangency");
+      require(is_near(claims.tangency[2 * i], pieces[i].start, tolerance) &&
+                  is_near(claims.tangency[2 * i + 1], pieces[i].end, tolerance),
+              name, "joints");
       require(i == 0 ? !solid.closed() || are_flips(pieces.back().end, pieces.front().start)
                      : are_flips(pieces[i - 1].end, pieces[i].start),
               name, "joints");
@@ -90,7 +99,7 @@ void verify(const Certificate& certificate) {
   std::vector<verifier::Solid> solids;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     solids.emplace_back(parts[i]);
-    verifier::verify_part(solids[i], parts[i].name, certificate.claims[i]);
+    verifier::verify_part(solids[i], parts[i].name, certificate.claims[i], certificate.tolerance);
   }
   auto claim = certificate.clearances.begin();
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
