@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -100,6 +101,7 @@ struct Columns {
 // The shift of least twist among those next to the one that twists the first column least.
 Columns columns(const std::vector<double>& from, const std::vector<double>& end) {
   const auto n = std::uint32_t(from.size());
+  assert(n > 0 && n == end.size());
   std::uint32_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::uint32_t i = 0; i < n; ++i) {

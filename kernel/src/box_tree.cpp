@@ -166,7 +166,7 @@ void BoxTree::group(std::span<const std::uint32_t> groups) {
       group = groups[order_[i]] == group ? group : kNoGroup;
     }
   }
-  for (std::uint32_t node = leaves_ - 1; node > 0; --node) {
+  for (std::size_t node = leaves_ - 1; node > 0; --node) {
     groups_[node] = groups_[2 * node] == groups_[2 * node + 1] ? groups_[2 * node] : kNoGroup;
   }
 }
