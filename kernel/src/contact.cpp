@@ -1,14 +1,13 @@
 #include "contact.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
 
 #include "edge_table.h"
+#include "exact_rounding.h"
 #include "exact_vector.h"
-#include "identical_points.h"
 
 namespace dupin::detail {
 namespace {
@@ -137,30 +136,6 @@ Contact to_contact(const ContactPlace& place, const MeshView& mesh,
           {involved.begin(), involved.end()}};
 }
 
-std::vector<std::uint32_t> first_identical(const ExactMesh& mesh) {
-  const auto close = first_identical(mesh.points);  // the nearest doubles are the same
-  const auto same = [&](std::uint32_t a, std::uint32_t b) {
-    const ExactVector gap = difference(exact_point(mesh, a), exact_point(mesh, b));
-    return gap[0].is_zero() && gap[1].is_zero() && gap[2].is_zero();
-  };
-  std::vector<std::uint32_t> first(mesh.points.size());
-  std::map<std::uint32_t, std::vector<std::uint32_t>> different;  // by the first close one
-  for (std::uint32_t i = 0; i < first.size(); ++i) {
-    first[i] = i;
-    if (close[i] != i) {
-      auto& candidates = different.try_emplace(close[i], 1, close[i]).first->second;
-      const auto match = std::find_if(candidates.begin(), candidates.end(),
-                                      [&](std::uint32_t other) { return same(other, i); });
-      if (match != candidates.end()) {
-        first[i] = *match;
-      } else {
-        candidates.push_back(i);
-      }
-    }
-  }
-  return first;
-}
-
 void separate_contacts(ExactMesh& mesh) {
   const EdgeTable edges(mesh.triangles, mesh.points.size());
   separate_fans(mesh, corner_fans(mesh.triangles, edges));
@@ -199,7 +174,7 @@ void separate_fans(ExactMesh& mesh, std::span<const std::uint32_t> fans) {
 
   mesh.contacts.clear();
   const MeshView view(mesh);
-  for (const ContactPlace& place : find_contacts(view, first_identical(mesh))) {
+  for (const ContactPlace& place : find_contacts(view, exact_twins(mesh))) {
     mesh.contacts.push_back(to_contact(place, view, mesh.labels, mesh.names));
   }
 }

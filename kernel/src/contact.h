@@ -36,9 +36,6 @@ struct ContactPlace {
                                  std::span<const std::uint32_t> labels,
                                  std::span<const std::string> names);
 
-/// For each point the index of the first one with the same exact coordinates.
-[[nodiscard]] std::vector<std::uint32_t> first_identical(const ExactMesh& mesh);
-
 /// Gives each fan of faces a point of its own, so that the surface is 2-manifold combinatorially
 /// wherever its edges are, and lists the contacts. Every edge has two faces that run along it in
 /// opposite directions.

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "contact.h"
 #include "dupin/kernel/check.h"
+#include "exact_rounding.h"
 #include "slits.h"
 #include "support/shapes.h"
 
@@ -14,7 +14,7 @@ constexpr double kStep = 0x1p-30;
 const std::array<double, 4> kHeights = {0.25, 0.25 + kStep, 0.25, 0.25 + kStep};
 
 std::optional<FilledSlits> filled(const Solid& solid, double width) {
-  return Slits(solid.exact(), first_identical(solid.exact()), width).filled(width);
+  return Slits(solid.exact(), exact_twins(solid.exact()), width).filled(width);
 }
 
 Solid solid(ExactMesh mesh) { return Solid(std::make_shared<const ExactMesh>(std::move(mesh))); }
@@ -72,7 +72,7 @@ TEST(Slits, wider_than_asked_for_stay) {
 
 TEST(Slits, that_touch_nothing_are_filled_by_width) {
   const Solid cube = Solid::from(cube_with_voids({kStep, 1, 4 * kStep}));
-  const Slits slits(cube.exact(), first_identical(cube.exact()), 0.5);
+  const Slits slits(cube.exact(), exact_twins(cube.exact()), 0.5);
   const auto one = slits.filled(kStep * 1.5), both = slits.filled(0.5);
   ASSERT_TRUE(one && both);
   EXPECT_EQ(one->count, 1);

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "contact.h"
 #include "dupin/kernel/boolean.h"
+#include "exact_rounding.h"
 #include "slits.h"
 
 namespace dupin::detail {
@@ -72,7 +72,7 @@ TEST(FilledSlits, leave_the_solid_around_them) {
     }
     const std::vector<Solid> parts = {Solid::from(low), Solid::from(high)};
     const Solid united = unite(parts), expected = Solid::from(whole);
-    const auto filled = Slits(united.exact(), first_identical(united.exact()), kTip).filled(kTip);
+    const auto filled = Slits(united.exact(), exact_twins(united.exact()), kTip).filled(kTip);
     ASSERT_EQ(filled.has_value(), united.exact_volume() != expected.exact_volume()) << round;
     if (!filled) {
       continue;

@@ -2,17 +2,10 @@
 
 #include <algorithm>
 
-#include "../mpfi_interval.h"
+#include "narrowed.h"
 
 namespace dupin::verifier {
 namespace {
-
-using Mpfi = detail::MpfiInterval<128>;
-
-Interval narrowed(const Mpfi& x) {
-  const Enclosure e = x.rounded_outward();
-  return {e.lower, e.upper};
-}
 
 // A polynomial and its derivatives, ready to be enclosed.
 template <std::size_t count>

@@ -4,19 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "../mpfi_interval.h"
 #include "dupin/kernel/enclosure.h"
 #include "dupin/kernel/error.h"
+#include "narrowed.h"
 
 namespace dupin::verifier {
 namespace {
-
-using Mpfi = detail::MpfiInterval<128>;
-
-Interval narrowed(const Mpfi& x) {
-  const Enclosure e = x.rounded_outward();
-  return {e.lower, e.upper};
-}
 
 IntervalVec coefficient(const Curve& curve, std::size_t i) {
   return {enclosed(curve[0][i]), enclosed(curve[1][i]), enclosed(curve[2][i])};

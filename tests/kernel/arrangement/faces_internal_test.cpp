@@ -98,14 +98,7 @@ TEST_P(Face, segments_are_edges_of_pieces) {
   }
 }
 
-std::string face_name(const testing::TestParamInfo<test::Meeting>& info) {
-  std::string name = info.param.name;
-  std::erase(name, ',');
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Meetings, Face, testing::ValuesIn(test::meetings()), face_name);
+INSTANTIATE_TEST_SUITE_P(Meetings, Face, testing::ValuesIn(test::meetings()), test::meeting_name);
 
 // A square grid of constraints across a triangle, in the plane z = 0.
 class Constraints : public testing::Test {

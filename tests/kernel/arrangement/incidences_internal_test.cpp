@@ -99,14 +99,8 @@ TEST_P(Incidence, faces_hold_every_touched_triangle_once) {
   }
 }
 
-std::string meeting_name(const testing::TestParamInfo<test::Meeting>& info) {
-  std::string name = info.param.name;
-  std::erase(name, ',');
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Meetings, Incidence, testing::ValuesIn(test::meetings()), meeting_name);
+INSTANTIATE_TEST_SUITE_P(Meetings, Incidence, testing::ValuesIn(test::meetings()),
+                         test::meeting_name);
 
 TEST(Incidences, of_a_corner_in_a_corner_close_to_a_hexagon) {
   test::Stages s({test::cube(0, 0, 0), test::cube(1, 1, 1)});

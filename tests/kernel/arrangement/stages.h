@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <gmpxx.h>
+#include <gtest/gtest.h>
 
 #include "arrangement/arrange.h"
 #include "arrangement/candidates.h"
@@ -102,6 +105,14 @@ struct Meeting {
   const char* name;
   std::vector<TriMesh> solids;
 };
+
+/// Its name, to name a test after it.
+[[nodiscard]] inline std::string meeting_name(const testing::TestParamInfo<Meeting>& info) {
+  std::string name = info.param.name;
+  std::erase(name, ',');
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
 
 [[nodiscard]] inline TriMesh cube(double x, double y, double z, double size = 2) {
   return box({x, y, z}, {x + size, y + size, z + size});
