@@ -1,7 +1,5 @@
 #include "arrange.h"
 
-#include <tbb/parallel_for.h>
-
 #include "candidates.h"
 #include "dupin/kernel/error.h"
 #include "extract.h"
@@ -19,20 +17,16 @@ std::vector<Encounter> find_encounters(const Scene& scene,
                                        const std::vector<TrianglePair>& candidates,
                                        const Stage& stage) {
   constexpr std::size_t kBatch = 1024;
-  std::vector<std::vector<Encounter>> batches((candidates.size() + kBatch - 1) / kBatch);
-  tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t b) {
+  std::vector<std::vector<Encounter>> batches(block_count(candidates.size(), kBatch));
+  const auto meet_all = [&](const Block& block) {
     const UpwardRounding rounding;
-    const std::size_t end = std::min((b + 1) * kBatch, candidates.size());
-    for (std::size_t i = b * kBatch; i < end; ++i) {
-      meet(scene, candidates[i].first, candidates[i].second, batches[b]);
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      meet(scene, candidates[i].first, candidates[i].second, batches[block.number]);
     }
     stage.step(batches.size());
-  });
-  std::vector<Encounter> encounters;
-  for (const std::vector<Encounter>& batch : batches) {
-    encounters.insert(encounters.end(), batch.begin(), batch.end());
-  }
-  return encounters;
+  };
+  for_each_block(candidates.size(), meet_all, kBatch);
+  return joined(std::move(batches));
 }
 
 Incidences intersect_triangles(Scene& scene, const Progress& progress, std::uint64_t memory_limit) {
@@ -46,8 +40,8 @@ Incidences intersect_triangles(Scene& scene, const Progress& progress, std::uint
 }
 
 // All that stands between the scene and these ends here, to make room for the result.
-std::vector<Kept> select_triangles(Scene& scene, const BooleanRule& rule, const Progress& progress,
-                                   std::uint64_t memory_limit) {
+BulkVector<Kept> select_triangles(Scene& scene, const BooleanRule& rule, const Progress& progress,
+                                  std::uint64_t memory_limit) {
   Incidences incidences = intersect_triangles(scene, progress, memory_limit);
   Pieces pieces;
   {
@@ -64,7 +58,7 @@ std::vector<Kept> select_triangles(Scene& scene, const BooleanRule& rule, const 
 
 ExactMesh arrange(Scene& scene, const BooleanRule& rule, const Progress& progress,
                   std::uint64_t memory_limit) {
-  std::vector<Kept> kept = select_triangles(scene, rule, progress, memory_limit);
+  BulkVector<Kept> kept = select_triangles(scene, rule, progress, memory_limit);
   const Stage stage(progress, "extract", 0.9, 1);
   return extract(scene, std::move(kept));
 }

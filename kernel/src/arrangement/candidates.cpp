@@ -165,11 +165,7 @@ std::vector<TrianglePair> find_candidates(const Scene& scene, const Stage& stage
     found[i] = finder.pairs(scene.operand_pairs[i][0], scene.operand_pairs[i][1]);
     stage.step(found.size());
   });
-  std::vector<TrianglePair> all;
-  for (const std::vector<TrianglePair>& pairs : found) {
-    all.insert(all.end(), pairs.begin(), pairs.end());
-  }
-  return all;
+  return joined(std::move(found));
 }
 
 }  // namespace dupin::detail

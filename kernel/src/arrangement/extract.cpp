@@ -1,11 +1,13 @@
 #include "extract.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include "key_numbering.h"
 #include "umbrellas.h"
@@ -71,15 +73,18 @@ RoundedPoint rounded(const ExactPoint& exact) {
 // Numbers the points in use, those that doubles hold first.
 class PointWriter {
  public:
-  PointWriter(const Scene& scene, const Umbrellas& umbrellas, const std::vector<Kept>& kept,
+  PointWriter(const Scene& scene, const Umbrellas& umbrellas, const BulkVector<Kept>& kept,
               ExactMesh& mesh)
-      : scene_(scene), umbrellas_(umbrellas) {
-    number_.assign(umbrellas.first_copy + umbrellas.copies.size(), kNone);
-    for (const Kept& k : kept) {
-      for (const PointId id : k.corners) {
-        number_[id] = 0;
+      : scene_(scene),
+        umbrellas_(umbrellas),
+        number_(umbrellas.first_copy + umbrellas.copies.size(), kNone) {
+    for_each_block(kept.size(), [&](const Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        for (const PointId id : kept[i].corners) {
+          std::atomic_ref(number_[id]).store(0, std::memory_order_relaxed);
+        }
       }
-    }
+    });
     const std::vector<RoundedPoint> nearest = evaluate(mesh.implicit);
     write_doubles(nearest, mesh);
     write_others(nearest, mesh);
@@ -91,11 +96,14 @@ class PointWriter {
     return id < umbrellas_.first_copy ? id : umbrellas_.copies[id - umbrellas_.first_copy];
   }
   std::vector<RoundedPoint> evaluate(std::vector<ExactPoint>& exact) {
-    for (PointId id = 0; id < number_.size(); ++id) {
-      if (number_[id] == 0 && !scene_.points.is_double(original(id))) {
-        implicit_.push_back(id);
-      }
-    }
+    const PointId first = scene_.points.double_count();
+    implicit_ = collect_in_order<PointId>(
+        number_.size() - first, [&](std::size_t i, std::vector<PointId>& found) {
+          const auto id = static_cast<PointId>(first + i);
+          if (number_[id] == 0 && !scene_.points.is_double(original(id))) {
+            found.push_back(id);
+          }
+        });
     std::vector<RoundedPoint> nearest(implicit_.size());
     exact.resize(implicit_.size());
     tbb::parallel_for(std::size_t{0}, implicit_.size(), [&](std::size_t i) {
@@ -104,28 +112,30 @@ class PointWriter {
     });
     return nearest;
   }
-  void write(PointId id, const Vec3& point, ExactMesh& mesh) {
-    number_[id] = static_cast<std::uint32_t>(mesh.points.size());
-    mesh.points.push_back(point);
-  }
   void write_doubles(const std::vector<RoundedPoint>& nearest, ExactMesh& mesh) {
-    std::size_t next = 0;
-    for (PointId id = 0; id < number_.size(); ++id) {
-      if (next < implicit_.size() && implicit_[next] == id) {
-        if (nearest[next].is_exact) {
-          write(id, nearest[next].point, mesh);
-        }
-        ++next;
-      } else if (number_[id] == 0) {
-        write(id, scene_.points.coordinates(original(id)), mesh);
-      }
+    for (std::size_t i = 0; i < implicit_.size(); ++i) {
+      number_[implicit_[i]] = nearest[i].is_exact ? 0 : kNone;
     }
+    const Ranking doubles(number_.size(), [this](std::size_t id) { return number_[id] == 0; });
+    mesh.points.reserve(doubles.size() + implicit_.size());
+    mesh.points.resize(doubles.size());
+    doubles.for_each([&](std::size_t i, std::size_t number) {
+      const auto id = static_cast<PointId>(i);
+      if (const PointId original_id = original(id); scene_.points.is_double(original_id)) {
+        mesh.points[number] = scene_.points.coordinates(original_id);
+      } else {
+        const auto place = std::lower_bound(implicit_.begin(), implicit_.end(), id);
+        mesh.points[number] = nearest[static_cast<std::size_t>(place - implicit_.begin())].point;
+      }
+      number_[id] = static_cast<std::uint32_t>(number);
+    });
   }
   void write_others(const std::vector<RoundedPoint>& nearest, ExactMesh& mesh) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < implicit_.size(); ++i) {
       if (!nearest[i].is_exact) {
-        write(implicit_[i], nearest[i].point, mesh);
+        number_[implicit_[i]] = static_cast<std::uint32_t>(mesh.points.size());
+        mesh.points.push_back(nearest[i].point);
         if (kept != i) {
           mesh.implicit[kept] = std::move(mesh.implicit[i]);
         }
@@ -182,41 +192,83 @@ class Labels {
 };
 
 // Keeps the planes of triangles with implicit corners.
-class PlaneWriter {
- public:
-  PlaneWriter(const Scene& scene, ExactMesh& mesh) : scene_(scene), mesh_(mesh) {}
-
-  void add(const Kept& kept, const Triangle& corners) {
-    const std::uint32_t first_implicit = mesh_.double_count();
-    const bool is_own = std::all_of(corners.begin(), corners.end(),
-                                    [&](std::uint32_t c) { return c < first_implicit; });
-    const Triangle& support = scene_.support(kept.support);
-    const bool is_known = std::all_of(support.begin(), support.end(),
-                                      [&](PointId id) { return scene_.points.is_double(id); });
-    if (is_own || !is_known) {
-      mesh_.plane_of.push_back(ExactMesh::kOwnPlane);
-      return;
-    }
-    const std::uint32_t number = known_.number({std::uint64_t{support[0]} << 32 | support[1],
-                                                std::uint64_t{support[2]} << 1 | kept.reversed});
-    if (number == mesh_.planes.size()) {
-      std::array<Vec3, 3> plane;
-      for (std::size_t i = 0; i < 3; ++i) {
-        plane[i] = scene_.points.coordinates(support[i]);
-      }
-      if (kept.reversed) {
-        std::swap(plane[1], plane[2]);
-      }
-      mesh_.planes.push_back(plane);
-    }
-    mesh_.plane_of.push_back(number);
+void write_planes(const Scene& scene, const BulkVector<Kept>& kept, ExactMesh& mesh) {
+  if (mesh.implicit.empty()) {
+    return;
   }
+  mesh.plane_of.resize(kept.size(), ExactMesh::kOwnPlane);
+  const auto collect = [&, first_implicit = mesh.double_count()](
+                           std::size_t i, std::vector<std::uint32_t>& found) {
+    const Triangle &corners = mesh.triangles[i], &support = scene.support(kept[i].support);
+    const auto is_implicit = [&](std::uint32_t c) { return c >= first_implicit; };
+    const auto is_known = [&](PointId id) { return scene.points.is_double(id); };
+    if (std::any_of(corners.begin(), corners.end(), is_implicit) &&
+        std::all_of(support.begin(), support.end(), is_known)) {
+      found.push_back(static_cast<std::uint32_t>(i));
+    }
+  };
+  KeyNumbering known(0);
+  for (const std::uint32_t i : collect_in_order<std::uint32_t>(kept.size(), collect)) {
+    const Triangle& support = scene.support(kept[i].support);
+    const bool reversed = kept[i].reversed;
+    mesh.plane_of[i] = known.number({std::uint64_t{support[0]} << 32 | support[1],
+                                     std::uint64_t{support[2]} << 1 | std::uint64_t{reversed}});
+    if (mesh.plane_of[i] == mesh.planes.size()) {
+      const std::size_t second = reversed ? 2 : 1, third = reversed ? 1 : 2;
+      mesh.planes.push_back({scene.points.coordinates(support[0]),
+                             scene.points.coordinates(support[second]),
+                             scene.points.coordinates(support[third])});
+    }
+  }
+}
 
- private:
-  const Scene& scene_;
-  ExactMesh& mesh_;
-  KeyNumbering known_{0};
-};
+void write_triangles(const Scene& scene, const BulkVector<Kept>& kept, const PointWriter& points,
+                     const Labels& labels, ExactMesh& mesh) {
+  tbb::parallel_invoke([&] { mesh.triangles.resize(kept.size()); },
+                       [&] { mesh.sources.resize(kept.size()); },
+                       [&] { mesh.labels.resize(labels.any() ? kept.size() : 0); });
+  for_each_block(kept.size(), [&](const Block& block) {
+    std::uint32_t operand = 0;
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const Kept& k = kept[i];
+      mesh.triangles[i] = {points.number(k.corners[0]), points.number(k.corners[1]),
+                           points.number(k.corners[2])};
+      if (k.source < scene.first_triangle[operand] ||
+          k.source >= scene.first_triangle[operand + 1]) {
+        operand = scene.operand_of(k.source);
+      }
+      mesh.sources[i] = {operand, k.source - scene.first_triangle[operand]};
+      if (labels.any()) {
+        mesh.labels[i] = labels.label(mesh.sources[i]);
+      }
+    }
+  });
+}
+
+// The source agrees in orientation where there is a choice.
+std::uint32_t source_of(std::span<const SignedTriangle> cover, int selected) {
+  const auto agrees = [selected](const SignedTriangle& t) { return t.sign == selected; };
+  const auto place = std::find_if(cover.begin(), cover.end(), agrees);
+  return place != cover.end() ? place->triangle : cover.front().triangle;
+}
+
+Kept kept_face(Triangle corners, std::uint32_t support, int selected, std::uint32_t source) {
+  if (selected < 0) {
+    std::swap(corners[1], corners[2]);
+  }
+  return {corners, support, selected < 0, source};
+}
+
+Kept kept_triangle(const Scene& scene, std::uint32_t t, int selected) {
+  const std::uint32_t source = selected < 0 ? source_of(scene.cover(t), selected) : t;
+  return kept_face(scene.triangles[t], t, selected, source);
+}
+
+Kept kept_piece(const Pieces& pieces, std::uint32_t p, int selected) {
+  const Pieces::Piece& piece = pieces.pieces[p];
+  return kept_face(piece.corners, pieces.regions[piece.region].support, selected,
+                   source_of(pieces.cover(piece.region), selected));
+}
 
 void write_contacts(const Umbrellas& umbrellas, const PointWriter& points, ExactMesh& mesh) {
   for (const Touch& touch : umbrellas.touches) {
@@ -236,42 +288,32 @@ void write_contacts(const Umbrellas& umbrellas, const PointWriter& points, Exact
 
 }  // namespace
 
-std::vector<Kept> collect(const Scene& scene, const Incidences& incidences, const Pieces& pieces,
-                          const Patches& patches, const std::vector<std::int8_t>& selection) {
-  std::vector<Kept> kept;
-  const auto add = [&kept](Triangle corners, std::uint32_t support, bool reversed,
-                           std::uint32_t source) {
-    if (reversed) {
-      std::swap(corners[1], corners[2]);
+BulkVector<Kept> collect(const Scene& scene, const Incidences& incidences, const Pieces& pieces,
+                         const Patches& patches, const std::vector<std::int8_t>& selection) {
+  const auto count = static_cast<std::uint32_t>(scene.triangles.size());
+  BulkVector<std::int8_t> selected(count + pieces.pieces.size());
+  for_each_block(selected.size(), [&](const Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const auto t = static_cast<std::uint32_t>(i);
+      if (t >= count) {
+        selected[i] = selection[patches.of_region(pieces.pieces[t - count].region)];
+      } else {
+        selected[i] = incidences.touched[t] || scene.merged[t] ? std::int8_t{0}
+                                                               : selection[patches.of_triangle(t)];
+      }
     }
-    kept.push_back({corners, support, reversed, source});
-  };
-  // The source agrees in orientation where there is a choice.
-  const auto source = [](std::span<const SignedTriangle> cover, int selected) {
-    const auto agrees = [selected](const SignedTriangle& t) { return t.sign == selected; };
-    const auto place = std::find_if(cover.begin(), cover.end(), agrees);
-    return place != cover.end() ? place->triangle : cover.front().triangle;
-  };
-  for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
-    if (incidences.touched[t] || scene.merged[t]) {
-      continue;
-    }
-    const std::int8_t selected = selection[patches.of_triangle(t)];
-    if (selected != 0) {
-      add(scene.triangles[t], t, selected < 0, source(scene.cover(t), selected));
-    }
-  }
-  for (const Pieces::Piece& piece : pieces.pieces) {
-    const std::int8_t selected = selection[patches.of_region(piece.region)];
-    if (selected != 0) {
-      add(piece.corners, pieces.regions[piece.region].support, selected < 0,
-          source(pieces.cover(piece.region), selected));
-    }
-  }
+  });
+  const Ranking ranking(selected.size(), [&](std::size_t i) { return selected[i] != 0; });
+  BulkVector<Kept> kept(ranking.size());
+  ranking.for_each([&](std::size_t i, std::size_t rank) {
+    const auto t = static_cast<std::uint32_t>(i);
+    kept[rank] = t < count ? kept_triangle(scene, t, selected[i])
+                           : kept_piece(pieces, t - count, selected[i]);
+  });
   return kept;
 }
 
-ExactMesh extract(Scene& scene, std::vector<Kept> kept) {
+ExactMesh extract(Scene& scene, BulkVector<Kept> kept) {
   const Umbrellas umbrellas = [&] {
     const UpwardRounding rounding;
     return separate_umbrellas(scene, kept);
@@ -279,21 +321,8 @@ ExactMesh extract(Scene& scene, std::vector<Kept> kept) {
   ExactMesh mesh;
   const PointWriter points(scene, umbrellas, kept, mesh);
   const Labels labels(scene, mesh);
-  PlaneWriter planes(scene, mesh);
-  mesh.triangles.reserve(kept.size());
-  mesh.sources.reserve(kept.size());
-  for (const Kept& k : kept) {
-    mesh.triangles.push_back(
-        {points.number(k.corners[0]), points.number(k.corners[1]), points.number(k.corners[2])});
-    if (!mesh.implicit.empty()) {
-      planes.add(k, mesh.triangles.back());
-    }
-    const std::uint32_t operand = scene.operand_of(k.source);
-    mesh.sources.push_back({operand, k.source - scene.first_triangle[operand]});
-    if (labels.any()) {
-      mesh.labels.push_back(labels.label(mesh.sources.back()));
-    }
-  }
+  write_triangles(scene, kept, points, labels, mesh);
+  write_planes(scene, kept, mesh);
   write_contacts(umbrellas, points, mesh);
   return mesh;
 }

@@ -41,6 +41,24 @@ Axes principal_axes(const ExactMesh& mesh) {
   return axes.allFinite() ? axes : Axes::Identity();
 }
 
+Bounds run_bounds(const ExactMesh& mesh, std::size_t begin, std::size_t end, const Axes& axes,
+                  double slack) {
+  Bounds box;
+  for (std::size_t t = begin; t < end; ++t) {
+    // Neighbours share corners and often follow one another.
+    const Triangle& previous = mesh.triangles[t > begin ? t - 1 : t];
+    for (const std::uint32_t corner : mesh.triangles[t]) {
+      if (t == begin || std::find(previous.begin(), previous.end(), corner) == previous.end()) {
+        const Vec3& p = mesh.points[corner];
+        box.extend(Vec3(axes.row(0).dot(p), axes.row(1).dot(p), axes.row(2).dot(p)));
+      }
+    }
+  }
+  box.min().array() -= slack;
+  box.max().array() += slack;
+  return box;
+}
+
 }  // namespace
 
 double rotation_slack(double extent) {
@@ -58,18 +76,20 @@ FramedOperand framed(const ExactMesh& mesh, double slack) {
   }
   result.axes = principal_axes(mesh);
   const std::size_t count = mesh.triangles.size();
-  result.runs.reserve(count / FramedOperand::kRun + 1);
-  for (std::size_t begin = 0; begin < count; begin += FramedOperand::kRun) {
-    Bounds box;
-    for (std::size_t t = begin; t < std::min(begin + FramedOperand::kRun, count); ++t) {
-      for (const std::uint32_t corner : mesh.triangles[t]) {
-        box.extend(result.axes * mesh.points[corner]);
-      }
-    }
-    box.min().array() -= slack;
-    box.max().array() += slack;
-    result.bounds.extend(box);
-    result.runs.push_back(box);
+  result.runs.resize((count + FramedOperand::kRun - 1) / FramedOperand::kRun);
+  for_each_block(
+      result.runs.size(),
+      [&](const Block& block) {
+        const UpwardRounding rounding;
+        for (std::size_t i = block.begin; i < block.end; ++i) {
+          const std::size_t begin = i * FramedOperand::kRun;
+          const std::size_t end = std::min(begin + FramedOperand::kRun, count);
+          result.runs[i] = run_bounds(mesh, begin, end, result.axes, slack);
+        }
+      },
+      Block::kSize / FramedOperand::kRun);
+  for (const Bounds& run : result.runs) {
+    result.bounds.extend(run);
   }
   Eigen::Index longest = 0;
   result.bounds.sizes().maxCoeff(&longest);

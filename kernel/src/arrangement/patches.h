@@ -37,7 +37,6 @@ class Patches {
     return number_[member_of_triangle(triangle)];
   }
   [[nodiscard]] std::uint32_t of_member(std::uint32_t member) const { return number_[member]; }
-  [[nodiscard]] bool is_empty(std::uint32_t patch) const { return changes_[patch] == kNone; }
   /// How the counts of the groups grow from the front of a patch to its back.
   [[nodiscard]] const std::vector<int>& change(std::uint32_t patch) const {
     return all_changes_[changes_[patch]];
@@ -50,34 +49,41 @@ class Patches {
   }
 
  private:
+  struct Owner {
+    std::uint32_t member, support, change;
+  };
   struct Side {  // of an edge whose ends are both special
     EdgeKey edge;
     Sheet sheet;
     std::uint32_t change;
   };
 
+  static constexpr unsigned kAllEdges = 7;
+
   [[nodiscard]] std::uint32_t member_of_triangle(std::uint32_t triangle) const;
   [[nodiscard]] std::uint32_t change_number(std::vector<int> change);
+  void find_changes_of_regions(const BooleanRule& rule);
+  void add_pieces();
   void add_triangles(const BooleanRule& rule);
-  void add_pieces(const BooleanRule& rule);
-  void add_side(PointId from, PointId to, const Sheet& sheet, std::uint32_t change);
+  void add_loose(const BooleanRule& rule);
+  void add_sides(const Triangle& corners, unsigned edges, const Owner& owner,
+                 std::vector<Side>& sides) const;
   void join_sides();
-  void number_patches();
-  void find_changes(const BooleanRule& rule);
+  void number_patches(const BooleanRule& rule);
 
   const Scene& scene_;
   const Incidences& incidences_;
   const Pieces& pieces_;
   std::uint32_t first_region_, first_loose_;
-  std::vector<std::uint32_t> loose_;  // untouched triangles with special corners only, ascending
   DisjointSets classes_;
+  std::vector<std::uint32_t> loose_;  // untouched triangles with special corners only, ascending
   std::vector<std::uint32_t> member_changes_;  // of regions and loose triangles
   std::vector<Side> sides_;
   std::vector<Seam> seams_;
   std::vector<Sheet> sheets_;  // of the seams
   std::map<std::vector<int>, std::uint32_t> change_numbers_;
   std::vector<std::vector<int>> all_changes_;
-  std::vector<std::uint32_t> number_;   // of the patch of each member that has one
+  BulkVector<std::uint32_t> number_;    // of the patch of each member that has one
   std::vector<std::uint32_t> changes_;  // of each patch, into all_changes_
 };
 

@@ -86,7 +86,9 @@ class PointTable {
   PointId add(const Definition& definition);
   PointId add(DefinedPoint point);
   void remove_last() { implicit_.pop_back(); }
-  void reserve_doubles(std::size_t count) { doubles_.reserve(count); }
+  /// Makes room for points that doubles hold, to be set by any threads.
+  void set_double_count(std::size_t count) { doubles_.resize(count); }
+  void set(PointId id, const Vec3& point) { doubles_[id] = point; }
 
   [[nodiscard]] std::uint32_t size() const {
     return static_cast<std::uint32_t>(doubles_.size() + implicit_.size());

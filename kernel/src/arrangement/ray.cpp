@@ -1,6 +1,8 @@
 #include "ray.h"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "predicates.h"
 #include "triangle_pair.h"
@@ -28,14 +30,16 @@ class Ray {
 
   // May be wrong only by saying yes.
   [[nodiscard]] bool may_meet(const Scene::Bounds& box) const {
-    for (const int k : {(axis_ + 1) % 3, (axis_ + 2) % 3}) {
-      const Interval x = scene_.points.interval(start_, k);
-      if (x.sup() < box.min()[k] || x.inf() > box.max()[k]) {
-        return false;
-      }
-    }
-    const Interval x = scene_.points.interval(start_, axis_);
-    return direction_ > 0 ? x.inf() <= box.max()[axis_] : x.sup() >= box.min()[axis_];
+    return may_meet_extent([&box](int k) { return std::pair(box.min()[k], box.max()[k]); });
+  }
+  [[nodiscard]] bool may_meet(const Triangle& corners) const {
+    return may_meet_extent([&](int k) {
+      const Interval a = scene_.points.interval(corners[0], k),
+                     b = scene_.points.interval(corners[1], k),
+                     c = scene_.points.interval(corners[2], k);
+      return std::pair(std::min({a.inf(), b.inf(), c.inf()}),
+                       std::max({a.sup(), b.sup(), c.sup()}));
+    });
   }
 
   // +1 if the ray enters the triangle's back and leaves through its front, -1 if the other way
@@ -69,19 +73,44 @@ class Ray {
   }
 
  private:
+  // Of something that lies between the ends of extent(k) along each axis k.
+  template <class Extent>
+  [[nodiscard]] bool may_meet_extent(const Extent& extent) const {
+    for (const int k : {(axis_ + 1) % 3, (axis_ + 2) % 3}) {
+      const Interval x = scene_.points.interval(start_, k);
+      const auto [low, high] = extent(k);
+      if (x.sup() < low || x.inf() > high) {
+        return false;
+      }
+    }
+    const Interval x = scene_.points.interval(start_, axis_);
+    const auto [low, high] = extent(axis_);
+    return direction_ > 0 ? x.inf() <= high : x.sup() >= low;
+  }
+
   const Scene& scene_;
   PointId start_;
   int axis_, direction_;
 };
 
-Scene::Bounds bounds_of(const PointTable& points, const Triangle& corners) {
-  Scene::Bounds box;
-  for (const PointId id : corners) {
-    const IntervalPoint p = points.interval(id);
-    box.extend(Vec3(p[0].inf(), p[1].inf(), p[2].inf()));
-    box.extend(Vec3(p[0].sup(), p[1].sup(), p[2].sup()));
-  }
-  return box;
+// How often the ray leaves the operand more than it enters it. The triangles that cover the start
+// do not count.
+int crossings(const Scene& scene, const Ray& ray, std::size_t operand,
+              std::span<const SignedTriangle> cover) {
+  const std::uint32_t first = scene.first_triangle[operand];
+  const std::uint32_t count = scene.first_triangle[operand + 1] - first;
+  std::vector<int> sums(block_count(count), 0);
+  for_each_block(count, [&](const Block& block) {
+    const UpwardRounding rounding;
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const auto t = static_cast<std::uint32_t>(first + i);
+      const auto is_t = [t](const SignedTriangle& s) { return s.triangle == t; };
+      if (ray.may_meet(scene.triangles[t]) && std::none_of(cover.begin(), cover.end(), is_t)) {
+        sums[block.number] += ray.crossing(scene.triangles[t], scene.support(t));
+      }
+    }
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0);
 }
 
 }  // namespace
@@ -92,16 +121,8 @@ std::vector<int> counts_in_front(Scene& scene, const BooleanRule& rule, const Tr
   const Ray ray(scene, start, projection_of(scene.points, support));
   std::vector<int> counts(rule.groups, 0);
   for (std::size_t o = 0; o < scene.operands.size(); ++o) {
-    if (!ray.may_meet(scene.bounds[o])) {
-      continue;
-    }
-    int& count = counts[rule.group_of_operand[o]];
-    for (std::uint32_t t = scene.first_triangle[o]; t < scene.first_triangle[o + 1]; ++t) {
-      const auto is_t = [t](const SignedTriangle& s) { return s.triangle == t; };
-      if (ray.may_meet(bounds_of(scene.points, scene.triangles[t])) &&
-          std::none_of(cover.begin(), cover.end(), is_t)) {
-        count += ray.crossing(scene.triangles[t], scene.support(t));
-      }
+    if (ray.may_meet(scene.bounds[o])) {
+      counts[rule.group_of_operand[o]] += crossings(scene, ray, o, cover);
     }
   }
   scene.points.remove_last();

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include <CGAL/box_intersection_d.h>
+#include <tbb/parallel_for.h>
 
 #include "../identical_points.h"
 #include "limits.h"
@@ -22,31 +23,90 @@ void check_limits(std::span<const ExactMesh* const> operands) {
   refuse_too_many(points, triangles);
 }
 
-// Corners of the planes that triangles with implicit corners lie in, as points of their own.
-std::vector<PointId> add_plane_points(Scene& scene) {
-  std::vector<PointId> first_of_operand;
+// The places of the operands' points and triangles in the scene.
+void lay_out(Scene& scene) {
+  PointId doubles = 0;
+  std::uint32_t triangles = 0;
+  std::size_t planes = 0;
   for (const ExactMesh* mesh : scene.operands) {
-    first_of_operand.push_back(scene.points.size());
-    for (const std::array<Vec3, 3>& plane : mesh->planes) {
-      for (const Vec3& point : plane) {
-        scene.points.add(point);
-      }
-    }
+    scene.first_double.push_back(doubles);
+    scene.first_triangle.push_back(triangles);
+    doubles += mesh->double_count();
+    triangles += static_cast<std::uint32_t>(mesh->triangles.size());
+    planes += mesh->planes.size();
   }
-  return first_of_operand;
+  scene.first_double.push_back(doubles);
+  scene.first_triangle.push_back(triangles);
+  scene.triangles.resize(triangles);
+  scene.points.set_double_count(doubles + 3 * planes);
 }
 
-void find_supports(Scene& scene, const std::vector<PointId>& first_plane_point) {
+void add_implicit_points(Scene& scene) {
+  for (const ExactMesh* mesh : scene.operands) {
+    scene.first_implicit.push_back(scene.points.size());
+    for (const ExactPoint& point : mesh->implicit) {
+      scene.points.add(point);
+    }
+  }
+  scene.first_implicit.push_back(scene.points.size());
+}
+
+void copy_triangles(Scene& scene, std::size_t o) {
+  const ExactMesh& mesh = *scene.operands[o];
+  const std::uint32_t doubles = mesh.double_count();
+  const PointId first_double = scene.first_double[o], first_implicit = scene.first_implicit[o];
+  const auto global = [&](std::uint32_t i) {
+    return i < doubles ? first_double + i : first_implicit + (i - doubles);
+  };
+  for_each_block(mesh.triangles.size(), [&](const Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const Triangle& t = mesh.triangles[i];
+      scene.triangles[scene.first_triangle[o] + i] = {global(t[0]), global(t[1]), global(t[2])};
+    }
+  });
+}
+
+// Bounds of the nearest doubles of the points. Rounding is monotone: where exact solids meet, these
+// overlap.
+Scene::Bounds copy_points(Scene& scene, std::size_t o) {
+  const ExactMesh& mesh = *scene.operands[o];
+  std::vector<Scene::Bounds> bounds(block_count(mesh.points.size()));
+  for_each_block(mesh.points.size(), [&](const Block& block) {
+    Scene::Bounds& part = bounds[block.number];
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const Vec3& point = mesh.points[i];
+      part.extend(point);
+      if (i < mesh.double_count()) {
+        scene.points.set(scene.first_double[o] + static_cast<PointId>(i), point);
+      }
+    }
+  });
+  Scene::Bounds all;
+  for (const Scene::Bounds& part : bounds) {
+    all.extend(part);
+  }
+  return all;
+}
+
+// The planes that triangles with implicit corners lie in, by points of their own.
+void find_supports(Scene& scene) {
   const auto has_planes = [](const ExactMesh* mesh) { return !mesh->planes.empty(); };
   if (std::none_of(scene.operands.begin(), scene.operands.end(), has_planes)) {
     return;
   }
   scene.supports = scene.triangles;
+  PointId next = scene.first_double.back();
   for (std::size_t o = 0; o < scene.operands.size(); ++o) {
+    const PointId first_plane_point = next;
+    for (const std::array<Vec3, 3>& plane : scene.operands[o]->planes) {
+      for (const Vec3& point : plane) {
+        scene.points.set(next++, point);
+      }
+    }
     const std::vector<std::uint32_t>& plane_of = scene.operands[o]->plane_of;
     for (std::size_t i = 0; i < plane_of.size(); ++i) {
       if (plane_of[i] != ExactMesh::kOwnPlane) {
-        const PointId first = first_plane_point[o] + 3 * plane_of[i];
+        const PointId first = first_plane_point + 3 * plane_of[i];
         scene.supports[scene.first_triangle[o] + i] = {first, first + 1, first + 2};
       }
     }
@@ -54,54 +114,20 @@ void find_supports(Scene& scene, const std::vector<PointId>& first_plane_point) 
 }
 
 void add_points_and_triangles(Scene& scene) {
-  std::size_t doubles = 0, triangles = 0;
-  for (const ExactMesh* mesh : scene.operands) {
-    doubles += mesh->double_count();
-    triangles += mesh->triangles.size();
-  }
-  scene.points.reserve_doubles(doubles);
-  scene.triangles.reserve(triangles);
-  std::vector<PointId> first_double;
-  for (const ExactMesh* mesh : scene.operands) {
-    first_double.push_back(scene.points.size());
-    for (std::uint32_t i = 0; i < mesh->double_count(); ++i) {
-      scene.points.add(mesh->points[i]);
-    }
-  }
-  const std::vector<PointId> first_plane_point = add_plane_points(scene);
-  for (std::size_t o = 0; o < scene.operands.size(); ++o) {
-    const ExactMesh& mesh = *scene.operands[o];
-    const PointId first_implicit = scene.points.size();
-    for (const ExactPoint& point : mesh.implicit) {
-      scene.points.add(point);
-    }
-    const auto global = [&](std::uint32_t i) {
-      return i < mesh.double_count() ? first_double[o] + i
-                                     : first_implicit + (i - mesh.double_count());
-    };
-    scene.first_triangle.push_back(static_cast<std::uint32_t>(scene.triangles.size()));
-    for (const Triangle& t : mesh.triangles) {
-      scene.triangles.push_back({global(t[0]), global(t[1]), global(t[2])});
-    }
-  }
-  scene.first_triangle.push_back(static_cast<std::uint32_t>(scene.triangles.size()));
-  find_supports(scene, first_plane_point);
-}
-
-// Bounds of the nearest doubles of the points. Rounding is monotone: where exact solids meet, these
-// overlap.
-void find_bounds(Scene& scene) {
-  for (const ExactMesh* mesh : scene.operands) {
-    Scene::Bounds box;
-    for (const Vec3& point : mesh->points) {
-      box.extend(point);
-    }
-    scene.bounds.push_back(box);
-    if (!mesh->points.empty()) {
+  lay_out(scene);
+  add_implicit_points(scene);
+  scene.bounds.resize(scene.operands.size());
+  tbb::parallel_for(std::size_t{0}, scene.operands.size(), [&](std::size_t o) {
+    copy_triangles(scene, o);
+    scene.bounds[o] = copy_points(scene, o);
+  });
+  for (const Scene::Bounds& box : scene.bounds) {
+    if (!box.isEmpty()) {
       scene.extent = std::max(
           {scene.extent, box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()});
     }
   }
+  find_supports(scene);
 }
 
 void find_operand_pairs(Scene& scene) {
@@ -131,60 +157,66 @@ std::vector<std::vector<std::uint32_t>> shared_candidates(const Scene& scene) {
     neighbours[b].push_back(a);
   }
   std::vector<std::vector<std::uint32_t>> candidates(scene.operands.size());
-  for (std::size_t o = 0; o < scene.operands.size(); ++o) {
+  tbb::parallel_for(std::size_t{0}, scene.operands.size(), [&](std::size_t o) {
     const ExactMesh& mesh = *scene.operands[o];
     const bool all = !mesh.contacts.empty() || neighbours[o].size() > kManyNeighbours;
-    for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
+    const auto collect = [&](std::size_t i, std::vector<std::uint32_t>& found) {
       const auto holds = [&](std::uint32_t other) {
         return scene.bounds[other].contains(mesh.points[i]);
       };
       if (all || std::any_of(neighbours[o].begin(), neighbours[o].end(), holds)) {
-        candidates[o].push_back(i);
+        found.push_back(static_cast<std::uint32_t>(i));
       }
-    }
-  }
+    };
+    candidates[o] = collect_in_order<std::uint32_t>(mesh.points.size(), collect);
+  });
   return candidates;
 }
 
 class Welder {
  public:
-  explicit Welder(Scene& scene) : scene_(scene), first_(scene.points.size()) {
-    std::iota(first_.begin(), first_.end(), 0u);
-    scene.special.assign(scene.points.size(), 0);
-  }
+  explicit Welder(Scene& scene) : scene_(scene) { scene.special.assign(scene.points.size(), 0); }
 
   void weld() {
     const auto candidates = shared_candidates(scene_);
-    PointId next_double = 0, next_implicit = scene_.points.double_count();
     for (std::size_t o = 0; o < scene_.operands.size(); ++o) {
-      const ExactMesh& mesh = *scene_.operands[o];
+      const std::uint32_t doubles = scene_.operands[o]->double_count();
       for (const std::uint32_t i : candidates[o]) {
-        const bool is_double = i < mesh.double_count();
-        (is_double ? doubles_ : implicit_)
-            .push_back(is_double ? next_double + i : next_implicit + (i - mesh.double_count()));
+        if (i < doubles) {
+          doubles_.push_back(scene_.first_double[o] + i);
+        } else {
+          implicit_.push_back(scene_.first_implicit[o] + (i - doubles));
+        }
       }
-      next_double += mesh.double_count();
-      next_implicit += static_cast<PointId>(mesh.implicit.size());
     }
     weld_doubles();
     weld_implicit();
-    if (welded_) {
-      for (Triangle& t : scene_.triangles) {
-        t = {first_[t[0]], first_[t[1]], first_[t[2]]};
-      }
-      for (Triangle& t : scene_.supports) {
-        t = {first_[t[0]], first_[t[1]], first_[t[2]]};
-      }
+    if (!first_.empty()) {
+      renumber(scene_.triangles);
+      renumber(scene_.supports);
     }
   }
 
  private:
   void join(PointId id, PointId first) {
-    if (id != first) {
-      first_[id] = first;
-      scene_.special[first] = 1;
-      welded_ = true;
+    if (id == first) {
+      return;
     }
+    if (first_.empty()) {
+      first_.resize(scene_.points.size());
+      std::iota(first_.begin(), first_.end(), 0u);
+    }
+    first_[id] = first;
+    scene_.special[first] = scene_.special[id] = 1;
+  }
+  void renumber(BulkVector<Triangle>& triangles) const {
+    for_each_block(triangles.size(), [&](const Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        for (PointId& corner : triangles[i]) {
+          corner = first_[corner];
+        }
+      }
+    });
   }
   void weld_doubles() {
     std::vector<Vec3> places;
@@ -205,8 +237,8 @@ class Welder {
   }
 
   Scene& scene_;
-  std::vector<PointId> first_, doubles_, implicit_;
-  bool welded_ = false;
+  std::vector<PointId> doubles_, implicit_;  // that may have a twin
+  std::vector<PointId> first_;               // of each point's place; empty while no two are one
 };
 
 // An edge along which an operand touches itself may have copies of one end only: the umbrella of
@@ -241,14 +273,15 @@ bool same_orientation(const Triangle& a, const Triangle& b) {
 
 void merge_coincident_triangles(Scene& scene, const BooleanRule& rule) {
   scene.merged.assign(scene.triangles.size(), 0);
-  std::vector<std::pair<Triangle, std::uint32_t>> shared;
-  for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
+  using Shared = std::pair<Triangle, std::uint32_t>;
+  const auto collect = [&scene](std::size_t t, std::vector<Shared>& found) {
     Triangle corners = scene.triangles[t];
     if (scene.special[corners[0]] && scene.special[corners[1]] && scene.special[corners[2]]) {
       std::sort(corners.begin(), corners.end());
-      shared.emplace_back(corners, t);
+      found.emplace_back(corners, static_cast<std::uint32_t>(t));
     }
-  }
+  };
+  std::vector<Shared> shared = collect_in_order<Shared>(scene.triangles.size(), collect);
   std::sort(shared.begin(), shared.end());
   for (std::size_t i = 0, end = 0; i < shared.size(); i = end) {
     end = i + 1;
@@ -285,6 +318,12 @@ std::uint32_t Scene::operand_of(std::uint32_t triangle) const {
       first_triangle.begin() - 1);
 }
 
+std::uint32_t Scene::operand_of_point(PointId point) const {
+  const std::vector<PointId>& first = points.is_double(point) ? first_double : first_implicit;
+  return static_cast<std::uint32_t>(std::upper_bound(first.begin(), first.end(), point) -
+                                    first.begin() - 1);
+}
+
 std::vector<SignedTriangle> Scene::cover(std::uint32_t triangle) const {
   std::vector<SignedTriangle> all{{triangle, 1}};
   const auto begin =
@@ -301,7 +340,6 @@ Scene import_operands(std::span<const ExactMesh* const> operands, const BooleanR
   Scene scene;
   scene.operands = operands;
   add_points_and_triangles(scene);
-  find_bounds(scene);
   find_operand_pairs(scene);
   Welder(scene).weld();
   mark_repeated_edges(scene);

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "blocks.h"
 #include "points.h"
 
 namespace dupin::detail {
@@ -36,17 +37,22 @@ struct Scene {
 
   std::span<const ExactMesh* const> operands;
   PointTable points;
-  std::vector<Triangle> triangles;            ///< of all operands, in order
-  std::vector<Triangle> supports;             ///< empty if every triangle is its own support
+  std::vector<PointId> first_double;          ///< of each operand, and one past the last
+  std::vector<PointId> first_implicit;        ///< of each operand, and one past the last
+  BulkVector<Triangle> triangles;             ///< of all operands, in order
+  BulkVector<Triangle> supports;              ///< empty if every triangle is its own support
   std::vector<std::uint32_t> first_triangle;  ///< of each operand, and one past the last
   std::vector<Bounds> bounds;                 ///< of each operand
   double extent = 0;                          ///< bounds the magnitude of all coordinates
   std::vector<std::array<std::uint32_t, 2>> operand_pairs;  ///< to compare, ascending
-  std::vector<std::uint8_t> special;  ///< per point: more than one umbrella may meet there
+  /// Per point: more than one umbrella may meet there, or no triangle has it for a corner.
+  std::vector<std::uint8_t> special;
   std::vector<std::uint8_t> merged;   ///< per triangle: cancelled, or a copy of another
   std::vector<Duplicate> duplicates;  ///< of triangles that stay, by triangle
 
   [[nodiscard]] std::uint32_t operand_of(std::uint32_t triangle) const;
+  /// Of a point that an operand brought.
+  [[nodiscard]] std::uint32_t operand_of_point(PointId point) const;
   /// Three points that span the plane of the triangle, with its orientation.
   [[nodiscard]] const Triangle& support(std::uint32_t triangle) const {
     return supports.empty() ? triangles[triangle] : supports[triangle];

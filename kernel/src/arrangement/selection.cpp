@@ -89,26 +89,36 @@ void relate_around(const Scene& scene, const Patches& patches, const Patches::Se
   }
 }
 
-// Some piece of each patch that has one: an untouched triangle where possible.
+// Some piece of each set of related patches: an untouched triangle where possible.
 struct Sample {
   bool found = false;
   bool is_triangle = false;
   std::uint32_t index = 0;  // of the triangle or the piece
 };
 
+// By the root of the set.
 std::vector<Sample> find_samples(const Scene& scene, const Incidences& incidences,
                                  const Pieces& pieces, const Patches& patches,
                                  Relations& relations) {
   std::vector<Sample> samples(patches.size());
-  for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) {
+  std::uint32_t missing = 0;
+  for (std::uint32_t p = 0; p < patches.size(); ++p) {
+    missing += relations.root(p) == p ? 1 : 0;
+  }
+  const auto offer = [&](std::uint32_t patch, bool is_triangle, std::uint32_t index) {
+    Sample& sample = samples[relations.root(patch)];
+    if (!sample.found) {
+      sample = {true, is_triangle, index};
+      --missing;
+    }
+  };
+  for (std::uint32_t t = 0; t < scene.triangles.size() && missing > 0; ++t) {
     if (!incidences.touched[t] && !scene.merged[t]) {
-      Sample& sample = samples[relations.root(patches.of_triangle(t))];
-      sample = sample.found ? sample : Sample{true, true, t};
+      offer(patches.of_triangle(t), true, t);
     }
   }
-  for (std::uint32_t p = 0; p < pieces.pieces.size(); ++p) {
-    Sample& sample = samples[relations.root(patches.of_region(pieces.pieces[p].region))];
-    sample = sample.found ? sample : Sample{true, false, p};
+  for (std::uint32_t p = 0; p < pieces.pieces.size() && missing > 0; ++p) {
+    offer(patches.of_region(pieces.pieces[p].region), false, p);
   }
   return samples;
 }
@@ -148,9 +158,6 @@ std::vector<std::int8_t> select(Scene& scene, const BooleanRule& rule, const Inc
                                    : patches.of_region(pieces.pieces[sample.index].region);
       front_of_root[root] =
           sum(counts_in_front_of(scene, rule, pieces, sample), relations.offset(at), -1);
-    }
-    if (patches.is_empty(p)) {
-      continue;
     }
     const Counts front = sum(front_of_root[root], relations.offset(p));
     const Counts back = sum(front, patches.change(p));

@@ -43,15 +43,17 @@ bool is_one_fan(Spokes spokes) {
 
 class Separator {
  public:
-  Separator(Scene& scene, std::vector<Kept>& kept) : scene_(scene), kept_(kept) {
-    for (std::uint32_t f = 0; f < kept.size(); ++f) {
+  Separator(Scene& scene, BulkVector<Kept>& kept) : scene_(scene), kept_(kept) {
+    const auto collect = [&](std::size_t f, std::vector<Spoke>& spokes) {
       const Triangle& t = kept[f].corners;
       for (std::uint8_t i = 0; i < 3; ++i) {
         if (scene.special[t[i]]) {
-          spokes_.push_back({t[i], t[(i + 1u) % 3], t[(i + 2u) % 3], f, i});
+          spokes.push_back(
+              {t[i], t[(i + 1u) % 3], t[(i + 2u) % 3], static_cast<std::uint32_t>(f), i});
         }
       }
-    }
+    };
+    spokes_ = collect_in_order<Spoke>(kept.size(), collect);
     std::stable_sort(spokes_.begin(), spokes_.end(),
                      [](const Spoke& a, const Spoke& b) { return a.vertex < b.vertex; });
   }
@@ -297,7 +299,7 @@ class Separator {
   using Corner = std::pair<std::uint32_t, std::uint8_t>;  // of a kept triangle
 
   Scene& scene_;
-  std::vector<Kept>& kept_;
+  BulkVector<Kept>& kept_;
   std::vector<Spoke> spokes_;    // at special vertices, by vertex
   std::vector<Spokes> tangled_;  // of vertices with more than one umbrella
   std::map<EdgeKey, std::vector<Neighbours>> contact_edges_;
@@ -307,7 +309,7 @@ class Separator {
 
 }  // namespace
 
-Umbrellas separate_umbrellas(Scene& scene, std::vector<Kept>& kept) {
+Umbrellas separate_umbrellas(Scene& scene, BulkVector<Kept>& kept) {
   return Separator(scene, kept).run();
 }
 

@@ -32,6 +32,6 @@ struct Umbrellas {
 /// surface becomes 2-manifold. At an edge of more than two triangles those that bound the same part
 /// of the solid stay together; where copies of its ends do not tell them apart, it is split in the
 /// middle, a point added to the scene. Needs UpwardRounding.
-[[nodiscard]] Umbrellas separate_umbrellas(Scene& scene, std::vector<Kept>& kept);
+[[nodiscard]] Umbrellas separate_umbrellas(Scene& scene, BulkVector<Kept>& kept);
 
 }  // namespace dupin::detail

@@ -25,11 +25,9 @@ Selected selected(const std::vector<TriMesh>& solids, const BooleanRule& rule) {
   Selected result;
   const auto selection = select(stages.scene, rule, incidences, pieces, patches);
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
-    if (!patches.is_empty(p)) {
-      ++result.patches;
-      result.kept += selection[p] == 1 ? 1 : 0;
-      result.reversed += selection[p] == -1 ? 1 : 0;
-    }
+    ++result.patches;
+    result.kept += selection[p] == 1 ? 1 : 0;
+    result.reversed += selection[p] == -1 ? 1 : 0;
   }
   return result;
 }
