@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -67,6 +67,24 @@ template <class Item, class Collect>
   return joined(std::move(parts));
 }
 
+/// Items from `begin` to before `end` that have the same key, while their neighbours have others.
+struct Run {
+  std::uint32_t begin, end;
+};
+
+template <class Items, class Key>
+[[nodiscard]] std::vector<Run> runs_of_equal(const Items& items, const Key& key) {
+  return collect_in_order<Run>(items.size(), [&](std::size_t i, std::vector<Run>& found) {
+    if (i == 0 || key(items[i - 1]) != key(items[i])) {
+      std::size_t end = i + 1;
+      while (end < items.size() && key(items[end]) == key(items[i])) {
+        ++end;
+      }
+      found.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end)});
+    }
+  });
+}
+
 /// Ranks, in ascending order, the indices below a count that a condition holds for.
 template <class Condition>
 class Ranking {
@@ -102,24 +120,5 @@ class Ranking {
   Condition holds_;
   std::vector<std::size_t> first_rank_;  // of each block, and one past the last
 };
-
-/// Leaves items that a vector grows by unset: the threads that fill them touch their memory first.
-template <class T>
-struct UnsetAllocator : std::allocator<T> {
-  template <class U>
-  struct rebind {
-    using other = UnsetAllocator<U>;
-  };
-  template <class U>
-  void construct(U* place) {
-    ::new (static_cast<void*>(place)) U;
-  }
-  template <class U, class... Arguments>
-  void construct(U* place, Arguments&&... arguments) {
-    std::construct_at(place, std::forward<Arguments>(arguments)...);
-  }
-};
-template <class T>
-using BulkVector = std::vector<T, UnsetAllocator<T>>;
 
 }  // namespace dupin::detail

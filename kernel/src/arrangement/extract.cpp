@@ -85,7 +85,7 @@ class PointWriter {
         }
       }
     });
-    const std::vector<RoundedPoint> nearest = evaluate(mesh.implicit);
+    std::vector<RoundedPoint> nearest = evaluate(mesh.implicit);
     write_doubles(nearest, mesh);
     write_others(nearest, mesh);
   }
@@ -105,7 +105,7 @@ class PointWriter {
           }
         });
     std::vector<RoundedPoint> nearest(implicit_.size());
-    exact.resize(implicit_.size());
+    resize_bulk(exact, implicit_.size());
     tbb::parallel_for(std::size_t{0}, implicit_.size(), [&](std::size_t i) {
       exact[i] = scene_.points.exact_value(original(implicit_[i]));
       nearest[i] = rounded(exact[i]);
@@ -117,7 +117,7 @@ class PointWriter {
       number_[implicit_[i]] = nearest[i].is_exact ? 0 : kNone;
     }
     const Ranking doubles(number_.size(), [this](std::size_t id) { return number_[id] == 0; });
-    mesh.points.reserve(doubles.size() + implicit_.size());
+    resize_bulk(mesh.points, doubles.size() + implicit_.size());
     mesh.points.resize(doubles.size());
     doubles.for_each([&](std::size_t i, std::size_t number) {
       const auto id = static_cast<PointId>(i);
@@ -130,24 +130,32 @@ class PointWriter {
       number_[id] = static_cast<std::uint32_t>(number);
     });
   }
-  void write_others(const std::vector<RoundedPoint>& nearest, ExactMesh& mesh) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < implicit_.size(); ++i) {
+  // Holes that points leave which doubles hold are filled from the end.
+  void write_others(std::vector<RoundedPoint>& nearest, ExactMesh& mesh) {
+    std::size_t kept = implicit_.size();
+    for (std::size_t i = 0; i < kept;) {
       if (!nearest[i].is_exact) {
-        number_[implicit_[i]] = static_cast<std::uint32_t>(mesh.points.size());
-        mesh.points.push_back(nearest[i].point);
-        if (kept != i) {
-          mesh.implicit[kept] = std::move(mesh.implicit[i]);
-        }
-        ++kept;
+        ++i;
+      } else if (i != --kept) {
+        mesh.implicit[i] = std::move(mesh.implicit[kept]);
+        nearest[i] = nearest[kept];
+        implicit_[i] = implicit_[kept];
       }
     }
     mesh.implicit.resize(kept);
+    const std::size_t doubles = mesh.points.size();
+    mesh.points.resize(doubles + kept);
+    for_each_block(kept, [&](const Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        number_[implicit_[i]] = static_cast<std::uint32_t>(doubles + i);
+        mesh.points[doubles + i] = nearest[i].point;
+      }
+    });
   }
 
   const Scene& scene_;
   const Umbrellas& umbrellas_;
-  std::vector<std::uint32_t> number_;
+  BulkVector<std::uint32_t> number_;
   std::vector<PointId> implicit_;  // points in use that are no doubles, ascending
 };
 
@@ -224,9 +232,9 @@ void write_planes(const Scene& scene, const BulkVector<Kept>& kept, ExactMesh& m
 
 void write_triangles(const Scene& scene, const BulkVector<Kept>& kept, const PointWriter& points,
                      const Labels& labels, ExactMesh& mesh) {
-  tbb::parallel_invoke([&] { mesh.triangles.resize(kept.size()); },
-                       [&] { mesh.sources.resize(kept.size()); },
-                       [&] { mesh.labels.resize(labels.any() ? kept.size() : 0); });
+  tbb::parallel_invoke([&] { resize_bulk(mesh.triangles, kept.size()); },
+                       [&] { resize_bulk(mesh.sources, kept.size()); },
+                       [&] { resize_bulk(mesh.labels, labels.any() ? kept.size() : 0); });
   for_each_block(kept.size(), [&](const Block& block) {
     std::uint32_t operand = 0;
     for (std::size_t i = block.begin; i < block.end; ++i) {

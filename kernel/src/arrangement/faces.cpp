@@ -10,45 +10,65 @@
 namespace dupin::detail {
 namespace {
 
-// Puts the results behind one another, in order.
-class Collector {
- public:
-  Collector(Scene& scene, PlaceIndex& places) : scene_(scene), places_(places) {}
-
-  void append(FacePieces&& batch) {
-    std::vector<PointId> ids;
-    for (Triangulation::NewPoint& point : batch.new_points) {
-      const PointId id = scene_.points.add(std::move(point));
-      const PointId first = places_.first_at_place_of(id);
-      if (first != id) {
-        scene_.points.remove_last();
-      }
-      ids.push_back(first);
+// Adds the new points of a batch to the scene; their ids, each place's first.
+std::vector<PointId> add_new_points(Scene& scene, PlaceIndex& places, FacePieces& batch) {
+  std::vector<PointId> ids;
+  for (Triangulation::NewPoint& point : batch.new_points) {
+    const PointId id = scene.points.add(std::move(point));
+    const PointId first = places.first_at_place_of(id);
+    if (first != id) {
+      scene.points.remove_last();
     }
-    const auto first_region = static_cast<std::uint32_t>(result_.regions.size());
-    const auto first_cover = static_cast<std::uint32_t>(result_.covers.size());
-    for (Pieces::Piece piece : batch.local.pieces) {
-      for (PointId& id : piece.corners) {
-        id = id < Triangulation::kNewPoint ? id : ids[id - Triangulation::kNewPoint];
-      }
-      piece.region += first_region;
-      result_.pieces.push_back(piece);
-    }
-    for (Pieces::Region region : batch.local.regions) {
-      region.first_cover += first_cover;
-      region.end_cover += first_cover;
-      result_.regions.push_back(region);
-    }
-    result_.covers.insert(result_.covers.end(), batch.local.covers.begin(),
-                          batch.local.covers.end());
+    ids.push_back(first);
   }
-  Pieces take() { return std::move(result_); }
+  return ids;
+}
 
- private:
-  Scene& scene_;
-  PlaceIndex& places_;
-  Pieces result_;
+// Where the pieces of a batch go.
+struct Offsets {
+  std::uint32_t piece = 0, region = 0, cover = 0;
 };
+
+void copy_pieces(const FacePieces& batch, const std::vector<PointId>& new_ids,
+                 const Offsets& offsets, Pieces& result) {
+  const Pieces& local = batch.local;
+  for (std::size_t i = 0; i < local.pieces.size(); ++i) {
+    Pieces::Piece& piece = result.pieces[offsets.piece + i] = local.pieces[i];
+    for (PointId& id : piece.corners) {
+      id = id < Triangulation::kNewPoint ? id : new_ids[id - Triangulation::kNewPoint];
+    }
+    piece.region += offsets.region;
+  }
+  for (std::size_t i = 0; i < local.regions.size(); ++i) {
+    Pieces::Region& region = result.regions[offsets.region + i] = local.regions[i];
+    region.first_cover += offsets.cover;
+    region.end_cover += offsets.cover;
+  }
+  std::copy(local.covers.begin(), local.covers.end(), result.covers.begin() + offsets.cover);
+}
+
+// Puts the batches behind one another, in order.
+Pieces joined(Scene& scene, PlaceIndex& places, std::vector<FacePieces> batches) {
+  std::vector<std::vector<PointId>> new_ids;
+  std::vector<Offsets> offsets;
+  Offsets next;
+  for (FacePieces& batch : batches) {
+    new_ids.push_back(add_new_points(scene, places, batch));
+    offsets.push_back(next);
+    next.piece += static_cast<std::uint32_t>(batch.local.pieces.size());
+    next.region += static_cast<std::uint32_t>(batch.local.regions.size());
+    next.cover += static_cast<std::uint32_t>(batch.local.covers.size());
+  }
+  Pieces result;
+  result.pieces.resize(next.piece);
+  result.regions.resize(next.region);
+  result.covers.resize(next.cover);
+  tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t b) {
+    copy_pieces(batches[b], new_ids[b], offsets[b], result);
+    batches[b] = {};
+  });
+  return result;
+}
 
 }  // namespace
 
@@ -67,13 +87,9 @@ Pieces retriangulate(Scene& scene, const BooleanRule& rule, Incidences& incidenc
     }
     stage.step(batches.size());
   });
-  Collector collector(scene, *incidences.places);
-  for (FacePieces& batch : batches) {
-    collector.append(std::move(batch));
-    batch = {};
-  }
+  Pieces pieces = joined(scene, *incidences.places, std::move(batches));
   scene.special.resize(scene.points.size(), 1);
-  return collector.take();
+  return pieces;
 }
 
 }  // namespace dupin::detail

@@ -14,14 +14,14 @@ struct Pieces {
   struct Piece {
     Triangle corners;  ///< oriented as the support of the region's first triangle
     std::uint32_t region;
-    std::uint8_t open = 0;  ///< bit i: the edge opposite to corner i bounds the region
+    std::uint8_t open;  ///< bit i: the edge opposite to corner i bounds the region
   };
   struct Region {
     std::uint32_t first_cover, end_cover;  ///< the triangles that cover it
     std::uint32_t support;                 ///< a triangle whose plane and orientation it has
   };
-  std::vector<Piece> pieces;
-  std::vector<Region> regions;
+  BulkVector<Piece> pieces;
+  BulkVector<Region> regions;
   std::vector<SignedTriangle> covers;
 
   [[nodiscard]] std::span<const SignedTriangle> cover(std::uint32_t region) const {

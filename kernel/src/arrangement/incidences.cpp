@@ -5,6 +5,7 @@
 #include "../disjoint_sets.h"
 #include "key_numbering.h"
 #include "predicates.h"
+#include "sort_by_key.h"
 
 namespace dupin::detail {
 namespace {
@@ -246,26 +247,30 @@ Direction direction_of(const PointTable& points, EdgeKey edge) {
 }
 
 void sort_along_edges(const PointTable& points, std::vector<Incidences::OnEdge>& on_edges) {
-  const auto by_edge = [](const auto& a, const auto& b) {
-    return a.edge != b.edge ? a.edge < b.edge : a.point < b.point;
-  };
-  std::sort(on_edges.begin(), on_edges.end(), by_edge);
-  const auto same = [](const auto& a, const auto& b) {
+  using OnEdge = Incidences::OnEdge;
+  sort_by_key(
+      on_edges, points.size(), [](const OnEdge& p) { return lower_end(p.edge); },
+      [](const OnEdge& a, const OnEdge& b) {
+        return a.edge != b.edge ? a.edge < b.edge : a.point < b.point;
+      });
+  const auto same = [](const OnEdge& a, const OnEdge& b) {
     return a.edge == b.edge && a.point == b.point;
   };
   on_edges.erase(std::unique(on_edges.begin(), on_edges.end(), same), on_edges.end());
-  for (auto begin = on_edges.begin(); begin != on_edges.end();) {
-    const EdgeKey edge = begin->edge;
-    const auto end =
-        std::find_if(begin, on_edges.end(), [edge](const auto& p) { return p.edge != edge; });
-    if (end - begin > 1) {
-      const Direction direction = direction_of(points, edge);
-      std::sort(begin, end, [&](const auto& a, const auto& b) {
-        return direction.sign * compare(points, a.point, b.point, direction.axis) < 0;
-      });
+  const std::vector<Run> edges = runs_of_equal(on_edges, [](const OnEdge& p) { return p.edge; });
+  for_each_block(edges.size(), [&](const Block& block) {
+    const UpwardRounding rounding;
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const auto [begin, end] = edges[i];
+      if (end - begin > 1) {
+        const Direction direction = direction_of(points, on_edges[begin].edge);
+        std::sort(on_edges.begin() + begin, on_edges.begin() + end,
+                  [&](const OnEdge& a, const OnEdge& b) {
+                    return direction.sign * compare(points, a.point, b.point, direction.axis) < 0;
+                  });
+      }
     }
-    begin = end;
-  }
+  });
 }
 
 // Classes of triangles that overlap in a common plane, and every other touched triangle alone.
@@ -305,6 +310,14 @@ std::vector<std::vector<std::uint32_t>> group_faces(const std::vector<std::uint8
     }
   }
   return faces;
+}
+
+template <class Item>
+void sort_by_triangle(const Scene& scene, std::vector<Item>& items) {
+  sort_by_key(
+      items, static_cast<std::uint32_t>(scene.triangles.size()),
+      [](const Item& item) { return item.triangle; },
+      [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
 }
 
 template <class Item>
@@ -365,9 +378,8 @@ Incidences gather(Scene& scene, std::span<const Encounter> encounters) {
     scene.special[id] = 1;
   }
   sort_along_edges(scene.points, result.on_edges);
-  const auto by_triangle = [](const auto& a, const auto& b) { return a.triangle < b.triangle; };
-  std::stable_sort(result.insides.begin(), result.insides.end(), by_triangle);
-  std::stable_sort(result.segments.begin(), result.segments.end(), by_triangle);
+  sort_by_triangle(scene, result.insides);
+  sort_by_triangle(scene, result.segments);
   result.faces = group_faces(result.touched, encounters);
   return result;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "sort_by_key.h"
 #include "winding_change.h"
 
 namespace dupin::detail {
@@ -136,27 +137,23 @@ void Patches::add_loose(const BooleanRule& rule) {
 }
 
 void Patches::join_sides() {
-  std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.edge, a.sheet.owner, a.sheet.apex) <
-           std::tie(b.edge, b.sheet.owner, b.sheet.apex);
-  });
-  for (std::size_t i = 0, end = 0; i < sides_.size(); i = end) {
-    end = i + 1;
-    while (end < sides_.size() && sides_[end].edge == sides_[i].edge) {
-      ++end;
-    }
-    const Sheet &a = sides_[i].sheet, &b = sides_[end - 1].sheet;
-    if (end == i + 2 && a.forward != b.forward && sides_[i].change == sides_[i + 1].change) {
-      classes_.unite(a.owner, b.owner);
+  sort_by_key(
+      sides_, scene_.points.size(), [](const Side& side) { return lower_end(side.edge); },
+      [](const Side& a, const Side& b) {
+        return std::tie(a.edge, a.sheet.owner, a.sheet.apex) <
+               std::tie(b.edge, b.sheet.owner, b.sheet.apex);
+      });
+  const std::vector<Run> edges = runs_of_equal(sides_, [](const Side& side) { return side.edge; });
+  seams_ = collect_in_order<Run>(edges.size(), [&](std::size_t i, std::vector<Run>& seams) {
+    const auto [begin, end] = edges[i];
+    const Side &first = sides_[begin], &last = sides_[end - 1];
+    if (end == begin + 2 && first.sheet.forward != last.sheet.forward &&
+        first.change == last.change) {
+      classes_.unite(first.sheet.owner, last.sheet.owner);
     } else {
-      const auto first = static_cast<std::uint32_t>(sheets_.size());
-      for (std::size_t j = i; j < end; ++j) {
-        sheets_.push_back(sides_[j].sheet);
-      }
-      seams_.push_back({sides_[i].edge, first, static_cast<std::uint32_t>(sheets_.size())});
+      seams.push_back({begin, end});
     }
-  }
-  sides_ = {};
+  });
 }
 
 void Patches::number_patches(const BooleanRule& rule) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../disjoint_sets.h"
+#include "blocks.h"
 #include "faces.h"
 #include "incidences.h"
 #include "scene.h"
@@ -19,9 +20,10 @@ namespace dupin::detail {
 /// around it), then the regions, then the triangles whose corners are all special.
 class Patches {
  public:
-  struct Seam {
+  struct Side {  ///< of an edge whose ends are both special
     EdgeKey edge;
-    std::uint32_t first_sheet, end_sheet;
+    Sheet sheet;           ///< its owner is a member
+    std::uint32_t change;  ///< of that member
   };
 
   /// Needs UpwardRounding.
@@ -41,21 +43,15 @@ class Patches {
   [[nodiscard]] const std::vector<int>& change(std::uint32_t patch) const {
     return all_changes_[changes_[patch]];
   }
-  /// Edges where patches meet, in ascending order.
-  [[nodiscard]] const std::vector<Seam>& seams() const { return seams_; }
-  /// Owners are members.
-  [[nodiscard]] std::span<const Sheet> sheets(const Seam& seam) const {
-    return std::span(sheets_).subspan(seam.first_sheet, seam.end_sheet - seam.first_sheet);
+  /// Edges where patches meet, in ascending order: runs of sides.
+  [[nodiscard]] const std::vector<Run>& seams() const { return seams_; }
+  [[nodiscard]] std::span<const Side> sides(const Run& seam) const {
+    return std::span(sides_).subspan(seam.begin, seam.end - seam.begin);
   }
 
  private:
   struct Owner {
     std::uint32_t member, support, change;
-  };
-  struct Side {  // of an edge whose ends are both special
-    EdgeKey edge;
-    Sheet sheet;
-    std::uint32_t change;
   };
 
   static constexpr unsigned kAllEdges = 7;
@@ -78,9 +74,8 @@ class Patches {
   DisjointSets classes_;
   std::vector<std::uint32_t> loose_;  // untouched triangles with special corners only, ascending
   std::vector<std::uint32_t> member_changes_;  // of regions and loose triangles
-  std::vector<Side> sides_;
-  std::vector<Seam> seams_;
-  std::vector<Sheet> sheets_;  // of the seams
+  std::vector<Side> sides_;                    // by edge
+  std::vector<Run> seams_;
   std::map<std::vector<int>, std::uint32_t> change_numbers_;
   std::vector<std::vector<int>> all_changes_;
   BulkVector<std::uint32_t> number_;    // of the patch of each member that has one

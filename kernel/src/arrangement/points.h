@@ -10,6 +10,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include "../exact_mesh.h"
+#include "bulk_vector.h"
 
 namespace dupin::detail {
 
@@ -123,7 +124,7 @@ class PointTable {
     IntervalPoint box;
     LazyExact exact;
   };
-  std::vector<Vec3> doubles_;
+  BulkVector<Vec3> doubles_;
   std::vector<Implicit> implicit_;
 };
 

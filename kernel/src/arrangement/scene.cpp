@@ -1,6 +1,8 @@
 #include "scene.h"
 
 #include <algorithm>
+#include <atomic>
+#include <bit>
 #include <numeric>
 
 #include <CGAL/box_intersection_d.h>
@@ -52,16 +54,12 @@ void add_implicit_points(Scene& scene) {
 }
 
 void copy_triangles(Scene& scene, std::size_t o) {
-  const ExactMesh& mesh = *scene.operands[o];
-  const std::uint32_t doubles = mesh.double_count();
-  const PointId first_double = scene.first_double[o], first_implicit = scene.first_implicit[o];
-  const auto global = [&](std::uint32_t i) {
-    return i < doubles ? first_double + i : first_implicit + (i - doubles);
-  };
-  for_each_block(mesh.triangles.size(), [&](const Block& block) {
+  const std::vector<Triangle>& triangles = scene.operands[o]->triangles;
+  for_each_block(triangles.size(), [&](const Block& block) {
     for (std::size_t i = block.begin; i < block.end; ++i) {
-      const Triangle& t = mesh.triangles[i];
-      scene.triangles[scene.first_triangle[o] + i] = {global(t[0]), global(t[1]), global(t[2])};
+      const auto& [a, b, c] = triangles[i];
+      scene.triangles[scene.first_triangle[o] + i] = {scene.point_of(o, a), scene.point_of(o, b),
+                                                      scene.point_of(o, c)};
     }
   });
 }
@@ -148,7 +146,7 @@ void find_operand_pairs(Scene& scene) {
 
 // Points that may have a twin: those inside the bounds of another operand, and all of an operand
 // whose surface touches itself.
-std::vector<std::vector<std::uint32_t>> shared_candidates(const Scene& scene) {
+std::vector<PointId> shared_candidates(const Scene& scene) {
   // With more neighbours than this, asking all of them costs more than hashing the point.
   constexpr std::size_t kManyNeighbours = 16;
   std::vector<std::vector<std::uint32_t>> neighbours(scene.operands.size());
@@ -156,21 +154,47 @@ std::vector<std::vector<std::uint32_t>> shared_candidates(const Scene& scene) {
     neighbours[a].push_back(b);
     neighbours[b].push_back(a);
   }
-  std::vector<std::vector<std::uint32_t>> candidates(scene.operands.size());
+  std::vector<std::vector<PointId>> candidates(scene.operands.size());
   tbb::parallel_for(std::size_t{0}, scene.operands.size(), [&](std::size_t o) {
     const ExactMesh& mesh = *scene.operands[o];
     const bool all = !mesh.contacts.empty() || neighbours[o].size() > kManyNeighbours;
-    const auto collect = [&](std::size_t i, std::vector<std::uint32_t>& found) {
+    const auto collect = [&](std::size_t i, std::vector<PointId>& found) {
       const auto holds = [&](std::uint32_t other) {
         return scene.bounds[other].contains(mesh.points[i]);
       };
       if (all || std::any_of(neighbours[o].begin(), neighbours[o].end(), holds)) {
-        found.push_back(static_cast<std::uint32_t>(i));
+        found.push_back(scene.point_of(o, static_cast<std::uint32_t>(i)));
       }
     };
-    candidates[o] = collect_in_order<std::uint32_t>(mesh.points.size(), collect);
+    candidates[o] = collect_in_order<PointId>(mesh.points.size(), collect);
   });
-  return candidates;
+  return joined(std::move(candidates));
+}
+
+// Drops points whose hash no other has, by a table far smaller than the points: in two bits per
+// slot, whether there is one, and whether there are more.
+void keep_possible_twins(const PointTable& points, std::vector<PointId>& ids) {
+  const std::size_t slots = std::bit_ceil(4 * ids.size() + 4);
+  std::vector<std::uint8_t> seen(slots / 4, 0);
+  const auto slot = [&](std::size_t i) {
+    return hash_of(points.coordinates(ids[i])) & (slots - 1);
+  };
+  const auto one = [](std::size_t s) { return static_cast<std::uint8_t>(1u << s % 4 * 2); };
+  const auto more = [](std::size_t s) { return static_cast<std::uint8_t>(2u << s % 4 * 2); };
+  for_each_block(ids.size(), [&](const Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const std::size_t s = slot(i);
+      const std::atomic_ref bits(seen[s / 4]);
+      if ((bits.fetch_or(one(s), std::memory_order_relaxed) & one(s)) != 0) {
+        bits.fetch_or(more(s), std::memory_order_relaxed);
+      }
+    }
+  });
+  ids = collect_in_order<PointId>(ids.size(), [&](std::size_t i, std::vector<PointId>& kept) {
+    if (const std::size_t s = slot(i); (seen[s / 4] & more(s)) != 0) {
+      kept.push_back(ids[i]);
+    }
+  });
 }
 
 class Welder {
@@ -178,16 +202,12 @@ class Welder {
   explicit Welder(Scene& scene) : scene_(scene) { scene.special.assign(scene.points.size(), 0); }
 
   void weld() {
-    const auto candidates = shared_candidates(scene_);
-    for (std::size_t o = 0; o < scene_.operands.size(); ++o) {
-      const std::uint32_t doubles = scene_.operands[o]->double_count();
-      for (const std::uint32_t i : candidates[o]) {
-        if (i < doubles) {
-          doubles_.push_back(scene_.first_double[o] + i);
-        } else {
-          implicit_.push_back(scene_.first_implicit[o] + (i - doubles));
-        }
-      }
+    doubles_ = shared_candidates(scene_);
+    if (scene_.points.size() > scene_.points.double_count()) {
+      const auto is_double = [this](PointId id) { return scene_.points.is_double(id); };
+      const auto first = std::stable_partition(doubles_.begin(), doubles_.end(), is_double);
+      implicit_.assign(first, doubles_.end());
+      doubles_.erase(first, doubles_.end());
     }
     weld_doubles();
     weld_implicit();
@@ -219,6 +239,7 @@ class Welder {
     });
   }
   void weld_doubles() {
+    keep_possible_twins(scene_.points, doubles_);
     std::vector<Vec3> places;
     places.reserve(doubles_.size());
     for (const PointId id : doubles_) {

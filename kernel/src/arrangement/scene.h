@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "blocks.h"
+#include "bulk_vector.h"
 #include "points.h"
 
 namespace dupin::detail {
@@ -51,6 +52,12 @@ struct Scene {
   std::vector<Duplicate> duplicates;  ///< of triangles that stay, by triangle
 
   [[nodiscard]] std::uint32_t operand_of(std::uint32_t triangle) const;
+  /// A point of an operand, before any are welded.
+  [[nodiscard]] PointId point_of(std::size_t operand, std::uint32_t index) const {
+    const std::uint32_t doubles = first_double[operand + 1] - first_double[operand];
+    return index < doubles ? first_double[operand] + index
+                           : first_implicit[operand] + (index - doubles);
+  }
   /// Of a point that an operand brought.
   [[nodiscard]] std::uint32_t operand_of_point(PointId point) const;
   /// Three points that span the plane of the triangle, with its orientation.

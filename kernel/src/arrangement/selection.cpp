@@ -65,16 +65,18 @@ class Relations {
 // Between two neighbouring sheets lies one place: the side of the first that faces onward is in
 // the same place as the side of the second that faces back. Forward sheets have their front
 // onward.
-void relate_around(const Scene& scene, const Patches& patches, const Patches::Seam& seam,
+void relate_around(const Scene& scene, const Patches& patches, const Run& seam,
                    Relations& relations) {
   const auto patch = [&](const Sheet& s) { return patches.of_member(s.owner); };
-  const std::span<const Sheet> around = patches.sheets(seam);
-  const std::uint32_t first_root = relations.root(patch(around[0]));
-  if (std::all_of(around.begin(), around.end(),
+  std::vector<Sheet> sheets;
+  for (const Patches::Side& side : patches.sides(seam)) {
+    sheets.push_back(side.sheet);
+  }
+  const std::uint32_t first_root = relations.root(patch(sheets[0]));
+  if (std::all_of(sheets.begin(), sheets.end(),
                   [&](const Sheet& s) { return relations.root(patch(s)) == first_root; })) {
     return;
   }
-  std::vector<Sheet> sheets(around.begin(), around.end());
   sort_around_edge(scene, sheets);
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     const Sheet &a = sheets[i], &b = sheets[(i + 1) % sheets.size()];
@@ -140,7 +142,7 @@ Counts counts_in_front_of(Scene& scene, const BooleanRule& rule, const Pieces& p
 std::vector<std::int8_t> select(Scene& scene, const BooleanRule& rule, const Incidences& incidences,
                                 const Pieces& pieces, const Patches& patches) {
   Relations relations(patches.size(), rule.groups);
-  for (const Patches::Seam& seam : patches.seams()) {
+  for (const Run& seam : patches.seams()) {
     relate_around(scene, patches, seam, relations);
   }
   const std::vector<Sample> samples = find_samples(scene, incidences, pieces, patches, relations);

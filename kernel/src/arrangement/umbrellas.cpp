@@ -6,6 +6,7 @@
 
 #include "dupin/kernel/error.h"
 #include "sheets.h"
+#include "sort_by_key.h"
 
 namespace dupin::detail {
 namespace {
@@ -54,8 +55,9 @@ class Separator {
       }
     };
     spokes_ = collect_in_order<Spoke>(kept.size(), collect);
-    std::stable_sort(spokes_.begin(), spokes_.end(),
-                     [](const Spoke& a, const Spoke& b) { return a.vertex < b.vertex; });
+    sort_by_key(
+        spokes_, scene.points.size(), [](const Spoke& spoke) { return spoke.vertex; },
+        [](const Spoke& a, const Spoke& b) { return a.vertex < b.vertex; });
   }
 
   Umbrellas run() {
@@ -79,16 +81,16 @@ class Separator {
 
  private:
   void find_tangled() {
-    for (std::size_t i = 0, end = 0; i < spokes_.size(); i = end) {
-      end = i + 1;
-      while (end < spokes_.size() && spokes_[end].vertex == spokes_[i].vertex) {
-        ++end;
-      }
-      const Spokes spokes = Spokes(spokes_).subspan(i, end - i);
-      if (!is_one_fan(spokes)) {
-        tangled_.push_back(spokes);
-      }
-    }
+    const std::vector<Run> vertices =
+        runs_of_equal(spokes_, [](const Spoke& spoke) { return spoke.vertex; });
+    tangled_ =
+        collect_in_order<Spokes>(vertices.size(), [&](std::size_t i, std::vector<Spokes>& tangled) {
+          const auto [begin, end] = vertices[i];
+          const Spokes spokes = Spokes(spokes_).subspan(begin, end - begin);
+          if (!is_one_fan(spokes)) {
+            tangled.push_back(spokes);
+          }
+        });
   }
 
   // The spokes that follow each one around the vertex.
