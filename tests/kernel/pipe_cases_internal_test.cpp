@@ -71,19 +71,23 @@ TEST(PipeCases, ends_that_differ_by_rounding_leave_a_valid_solid) {
   EXPECT_EQ(united.exact_volume(), sum - overlaps);
 }
 
+// Many crossings; many untouched triangles; many welded points.
 TEST(PipeCases, do_not_depend_on_the_number_of_threads) {
-  const std::vector<Solid> parts = operands("rack_eq_small");
-  const auto with_threads = [&](std::size_t threads) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    return unite(parts);
-  };
-  const Solid one = with_threads(1);
-  EXPECT_TRUE(detail::is_closed_manifold(one.exact()));
-  for (const std::size_t threads : {2U, 8U}) {
-    const Solid other = with_threads(threads);
-    EXPECT_EQ(one.triangles(), other.triangles());
-    EXPECT_EQ(one.nearest_points(), other.nearest_points());
-    EXPECT_EQ(one.sources(), other.sources());
+  for (const char* name : {"rack_eq_small", "tee_10k_rot", "chain_10"}) {
+    SCOPED_TRACE(name);
+    const std::vector<Solid> parts = operands(name);
+    const auto with_threads = [&](std::size_t threads) {
+      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      return unite(parts);
+    };
+    const Solid one = with_threads(1);
+    EXPECT_TRUE(detail::is_closed_manifold(one.exact()));
+    for (const std::size_t threads : {2U, 8U}) {
+      const Solid other = with_threads(threads);
+      EXPECT_EQ(one.triangles(), other.triangles());
+      EXPECT_EQ(one.nearest_points(), other.nearest_points());
+      EXPECT_EQ(one.sources(), other.sources());
+    }
   }
 }
 
