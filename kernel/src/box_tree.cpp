@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
@@ -95,25 +96,45 @@ FramedTriangle BoxFrame::mapped(const Vec3& a, const Vec3& b, const Vec3& c) con
   return {mapped_point(a), mapped_point(b), mapped_point(c)};
 }
 
-BoxTree::BoxTree(std::span<const Box> boxes)
-    : order_(boxes.size()),
+std::vector<std::uint32_t> BoxTree::given_order(std::size_t size) {
+  std::vector<std::uint32_t> order(size);
+  std::iota(order.begin(), order.end(), 0U);
+  return order;
+}
+
+std::vector<std::uint32_t> BoxTree::morton_order(std::span<const Box> boxes) {
+  std::vector<Keyed> keyed(boxes.size());
+  tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t i) {
+    keyed[i] = {morton_key(boxes[i]), static_cast<std::uint32_t>(i)};
+  });
+  tbb::parallel_sort(keyed.begin(), keyed.end());
+  std::vector<std::uint32_t> order;
+  order.reserve(keyed.size());
+  for (const Keyed& entry : keyed) {
+    order.push_back(entry.item);
+  }
+  return order;
+}
+
+BoxTree::BoxTree(std::span<const Box> boxes) : BoxTree(boxes, given_order(boxes.size())) {
+  if (is_crowded()) {
+    *this = BoxTree(boxes, morton_order(boxes));
+  }
+}
+
+BoxTree::BoxTree(std::span<const Box> boxes, std::vector<std::uint32_t> order)
+    : order_(std::move(order)),
       position_(boxes.size()),
       boxes_(boxes.size()),
       leaves_(std::bit_ceil(std::max<std::uint32_t>(
           1, (static_cast<std::uint32_t>(boxes.size()) + kLeafSize - 1) / kLeafSize))),
       nodes_(2 * std::size_t{leaves_}, Box::nothing()) {
-  std::vector<Keyed> keyed(boxes.size());
-  tbb::parallel_for(std::uint32_t{0}, size(), [&](std::uint32_t i) {
-    keyed[i] = {morton_key(boxes[i]), i};
-  });
-  tbb::parallel_sort(keyed.begin(), keyed.end());
   tbb::parallel_for(std::uint32_t{0}, leaves_, [&](std::uint32_t leaf) {
     Box& node = nodes_[leaves_ + leaf];
     const std::uint64_t first = std::uint64_t{leaf} * kLeafSize;
     for (std::uint64_t i = first; i < std::min<std::uint64_t>(first + kLeafSize, size()); ++i) {
-      order_[i] = keyed[i].item;
-      position_[keyed[i].item] = static_cast<std::uint32_t>(i);
-      boxes_[i] = boxes[keyed[i].item];
+      position_[order_[i]] = static_cast<std::uint32_t>(i);
+      boxes_[i] = boxes[order_[i]];
       node.join(boxes_[i]);
     }
   });
@@ -154,6 +175,45 @@ void BoxTree::orient_inner_nodes() {
       set_oriented(node, OrientedBox(oriented_[left], oriented_[right]));
     }
   }
+}
+
+bool BoxTree::overlap(std::uint32_t node, const BoxTree& other, std::uint32_t other_node) const {
+  if (!nodes_[node].overlaps(other.nodes_[other_node])) {
+    return false;
+  }
+  const auto slanted = [](const BoxTree& tree, std::uint32_t i) {
+    return !tree.oriented_.empty() && tree.slanted_[i] != 0;
+  };
+  if (!slanted(*this, node) && !slanted(other, other_node)) {
+    return true;
+  }
+  const auto oriented = [](const BoxTree& tree, std::uint32_t i) {
+    return tree.oriented_.empty() ? OrientedBox(tree.nodes_[i]) : tree.oriented_[i];
+  };
+  return !oriented(*this, node).apart(oriented(other, other_node));
+}
+
+bool BoxTree::is_crowded() const {
+  // Leaves of meshes in good order meet 80 to 250 nodes, which grows with the tree's height.
+  constexpr std::uint32_t kSamples = 64, kMany = 512;
+  const std::uint32_t count = std::min(kSamples, leaf_count());
+  std::size_t met = 0;
+  std::vector<std::uint32_t> nodes;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto place = static_cast<std::uint32_t>(std::uint64_t{i} * leaf_count() / count);
+    nodes.assign({1});
+    while (!nodes.empty()) {
+      const std::uint32_t node = nodes.back();
+      nodes.pop_back();
+      if (++met > count * kMany) {
+        return true;
+      }
+      if (node < leaves_ && overlap(leaves_ + place, *this, node)) {
+        nodes.insert(nodes.end(), {2 * node, 2 * node + 1});
+      }
+    }
+  }
+  return false;
 }
 
 void BoxTree::group(std::span<const std::uint32_t> groups) {

@@ -46,11 +46,13 @@ class BoxFrame {
   double scale_;  // a power of two
 };
 
-/// A balanced binary tree over boxes in Morton order of their centres, four to a leaf.
+/// A balanced binary tree over boxes, four to a leaf.
 class BoxTree {
  public:
   static constexpr std::uint32_t kLeafSize = 4;
 
+  /// The order is kept where neighbours come together, as from any generator of meshes: such trees
+  /// are quick to make and better than those in Morton order, which is taken else.
   explicit BoxTree(std::span<const Box> boxes);
 
   /// The same over triangles that lie in the boxes. Where they are long and slanted, nodes have
@@ -71,18 +73,13 @@ class BoxTree {
   void visit(const Box& box, const FramedTriangle& triangle, Visit&& visit) const {
     visit_items(box, oriented_.empty() ? OrientedBox() : OrientedBox({&triangle, 1}), visit);
   }
-  /// Calls visit(i, k) for items i of a leaf and k after it, by their places in the tree's order:
-  /// over all leaves once for every pair of boxes that overlap, or of triangles that meet.
-  template <class Visit>
-  void visit_pairs(std::uint32_t leaf, Visit&& visit) const;
 
-  [[nodiscard]] std::uint32_t leaf_count() const { return (size() + kLeafSize - 1) / kLeafSize; }
   /// The items in the tree's order, kLeafSize to a leaf.
   [[nodiscard]] std::span<const std::uint32_t> items() const { return order_; }
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(order_.size()); }
 
-  /// Gives each item a group. From now on visit_pairs may leave out pairs of items of one group
-  /// other than kNoGroup.
+  /// Gives each item a group. From now on visit_pairs, within this tree, may leave out pairs of
+  /// items of one group other than kNoGroup.
   void group(std::span<const std::uint32_t> groups);
   static constexpr std::uint32_t kNoGroup = 0xffffffff;
 
@@ -91,6 +88,11 @@ class BoxTree {
   void grow(std::uint32_t item, const Box& box, const FramedTriangle& triangle);
 
  private:
+  friend class TreePairs;
+  BoxTree(std::span<const Box> boxes, std::vector<std::uint32_t> order);
+  [[nodiscard]] static std::vector<std::uint32_t> given_order(std::size_t size);
+  [[nodiscard]] static std::vector<std::uint32_t> morton_order(std::span<const Box> boxes);
+  [[nodiscard]] std::uint32_t leaf_count() const { return (size() + kLeafSize - 1) / kLeafSize; }
   [[nodiscard]] std::uint32_t leaf_end(std::uint32_t leaf) const {
     return std::min((leaf + 1) * kLeafSize, size());
   }
@@ -98,20 +100,22 @@ class BoxTree {
   struct Target {
     const Box& box;
     const OrientedBox& oriented;
-    bool slanted;
-    std::uint32_t group = kNoGroup;
   };
-  /// Calls visit(leaf) for the leaves below `root` that overlap the box around what is sought.
+  /// Calls visit(leaf) for the leaves that overlap the box around what is sought.
   template <class Visit>
-  void visit_leaves(std::uint32_t root, const Target& target, Visit&& visit) const;
+  void visit_leaves(const Target& target, Visit&& visit) const;
   template <class Visit>
   void visit_items(const Box& box, const OrientedBox& oriented, Visit&& visit) const;
   [[nodiscard]] bool overlap(std::uint32_t node, const Target& target) const {
     return target.box.overlaps(nodes_[node]) &&
-           (target.group == kNoGroup || target.group != groups_[node]) &&
-           (oriented_.empty() || !(target.slanted || slanted_[node] != 0) ||
-            !oriented_[node].apart(target.oriented));
+           (oriented_.empty() || !oriented_[node].apart(target.oriented));
   }
+  [[nodiscard]] bool overlap(std::uint32_t node, const BoxTree& other,
+                             std::uint32_t other_node) const;
+  /// Whether the tree's leaves meet so many nodes that it should be made in another order.
+  [[nodiscard]] bool is_crowded() const;
+  template <class Triangles>
+  void orient(Triangles&& triangle);
   void orient_leaf(std::uint32_t leaf, std::span<const FramedTriangle> triangles);
   void orient_inner_nodes();
   void set_oriented(std::uint32_t node, const OrientedBox& box);
@@ -127,7 +131,17 @@ class BoxTree {
 };
 
 template <class Triangles>
-BoxTree::BoxTree(std::span<const Box> boxes, Triangles&& triangle) : BoxTree(boxes) {
+BoxTree::BoxTree(std::span<const Box> boxes, Triangles&& triangle)
+    : BoxTree(boxes, given_order(boxes.size())) {
+  orient(triangle);
+  if (is_crowded()) {
+    *this = BoxTree(boxes, morton_order(boxes));
+    orient(triangle);
+  }
+}
+
+template <class Triangles>
+void BoxTree::orient(Triangles&& triangle) {
   oriented_.resize(nodes_.size());
   slanted_.resize(nodes_.size());
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, leaf_count(), 64), [&](const auto& some) {
@@ -147,7 +161,7 @@ BoxTree::BoxTree(std::span<const Box> boxes, Triangles&& triangle) : BoxTree(box
 
 template <class Visit>
 void BoxTree::visit_items(const Box& box, const OrientedBox& oriented, Visit&& visit) const {
-  visit_leaves(1, {box, oriented, true}, [&](std::uint32_t leaf) {
+  visit_leaves({box, oriented}, [&](std::uint32_t leaf) {
     for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
       if (box.overlaps(boxes_[i])) {
         visit(order_[i]);
@@ -157,13 +171,13 @@ void BoxTree::visit_items(const Box& box, const OrientedBox& oriented, Visit&& v
 }
 
 template <class Visit>
-void BoxTree::visit_leaves(std::uint32_t root, const Target& target, Visit&& visit) const {
-  if (!overlap(root, target)) {
+void BoxTree::visit_leaves(const Target& target, Visit&& visit) const {
+  if (!overlap(1, target)) {
     return;
   }
   std::array<std::uint32_t, 40> stack;  // deeper than any tree over 2^32 items
   std::size_t depth = 0;
-  stack[depth++] = root;
+  stack[depth++] = 1;
   while (depth > 0) {
     const std::uint32_t node = stack[--depth];
     if (node >= leaves_) {
@@ -173,34 +187,6 @@ void BoxTree::visit_leaves(std::uint32_t root, const Target& target, Visit&& vis
     for (const std::uint32_t child : {2 * node + 1, 2 * node}) {
       stack[depth] = child;
       depth += overlap(child, target) ? 1 : 0;
-    }
-  }
-}
-
-template <class Visit>
-void BoxTree::visit_pairs(std::uint32_t leaf, Visit&& visit) const {
-  const std::uint32_t first = leaf * kLeafSize, end = leaf_end(leaf);
-  const auto compare = [&](std::uint32_t i, std::uint32_t from, std::uint32_t to) {
-    for (std::uint32_t k = from; k < to; ++k) {
-      if (boxes_[i].overlaps(boxes_[k])) {
-        visit(i, k);
-      }
-    }
-  };
-  for (std::uint32_t i = first; i < end; ++i) {
-    compare(i, i + 1, end);
-  }
-  const std::uint32_t own = leaves_ + leaf;
-  const OrientedBox oriented = oriented_.empty() ? OrientedBox() : oriented_[own];
-  const Target target{nodes_[own], oriented, !oriented_.empty() && slanted_[own] != 0,
-                      groups_.empty() ? kNoGroup : groups_[own]};
-  for (std::uint32_t node = own; node > 1; node /= 2) {
-    if (node % 2 == 0) {
-      visit_leaves(node + 1, target, [&](std::uint32_t other) {
-        for (std::uint32_t i = first; i < end; ++i) {
-          compare(i, other * kLeafSize, leaf_end(other));
-        }
-      });
     }
   }
 }

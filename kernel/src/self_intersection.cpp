@@ -11,6 +11,7 @@
 #include "box_tree.h"
 #include "flat_stars.h"
 #include "identical_points.h"
+#include "tree_pairs.h"
 #include "triangle_meeting.h"
 
 namespace dupin::detail {
@@ -33,23 +34,14 @@ class Search {
     if (active_.empty()) {
       return {};
     }
-    placed_.reserve(active_.size());
     if (active_.size() == triangles_.size()) {
       flat_stars_ = flat_stars(points_, corners_);
       group_large_stars();
     }
-    for (const std::uint32_t item : tree_.items()) {
-      placed_.push_back({corners_[active_[item]], active_[item]});
-    }
-    SelfIntersections found =
-        examined(tree_.leaf_count(),
-                 [&](std::uint32_t leaf, SelfIntersections& part) { examine_active(leaf, part); });
+    placed_ = in_order_of(tree_, active_);
+    SelfIntersections found = examined(TreePairs(tree_), placed_);
     if (active_.size() < triangles_.size()) {
-      const auto others = static_cast<std::uint32_t>(triangles_.size());
-      found = joined(std::move(found),
-                     examined(others, [&](std::uint32_t face, SelfIntersections& part) {
-                       examine_passive(face, part);
-                     }));
+      found = joined(std::move(found), examined_passive());
     }
     trim(found.pairs);
     for (const std::uint32_t face : active_) {
@@ -126,15 +118,15 @@ class Search {
     return options_.active.empty() || options_.active[triangle] != 0;
   }
 
-  /// Calls examine(i, part) for all i below `count`, in parallel, and joins the parts.
-  template <class Examine>
-  SelfIntersections examined(std::uint32_t count, Examine&& examine) const {
-    using Range = tbb::blocked_range<std::uint32_t>;
+  /// Examines pairs of the triangles in the order of the one tree, and the active ones.
+  SelfIntersections examined(const TreePairs& pairs, std::span<const Placed> placed) const {
+    constexpr std::size_t kTasks = 512;
+    const std::vector<TreePairs::Nodes> tasks = pairs.tasks(kTasks);
     return tbb::parallel_reduce(
-        Range(0, count, 256), SelfIntersections{},
-        [&](const Range& range, SelfIntersections part) {
-          for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
-            examine(i, part);
+        tbb::blocked_range<std::size_t>(0, tasks.size()), SelfIntersections{},
+        [&](const auto& range, SelfIntersections part) {
+          for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            examine(pairs, tasks[i], placed, part);
           }
           return part;
         },
@@ -143,21 +135,50 @@ class Search {
         });
   }
 
-  /// Pairs of active triangles.
-  void examine_active(std::uint32_t leaf, SelfIntersections& found) const {
-    std::array<std::optional<TriangleProbe>, BoxTree::kLeafSize> probes;
-    tree_.visit_pairs(leaf, [&](std::uint32_t i, std::uint32_t k) {
-      const Placed &one = placed_[i], &other = placed_[k];
+  void examine(const TreePairs& pairs, const TreePairs::Nodes& nodes,
+               std::span<const Placed> placed, SelfIntersections& found) const {
+    std::optional<TriangleProbe> probe;
+    std::uint32_t probed = 0;
+    pairs.visit(nodes, [&](std::uint32_t i, std::uint32_t k) {
+      const Placed &one = placed[i], &other = placed_[k];
       if (share_flat_star(one.corners, other.corners)) {
         record(one.face, other.face, Meeting::none, found);
         return;
       }
-      auto& probe = probes[i % BoxTree::kLeafSize];
-      if (!probe) {
+      if (!probe || probed != i) {
         probe.emplace(points_, one.corners);
+        probed = i;
       }
       record(one.face, other.face, probe->meeting(other.corners), found);
     });
+  }
+
+  [[nodiscard]] std::vector<Placed> in_order_of(const BoxTree& tree,
+                                                std::span<const std::uint32_t> faces) const {
+    std::vector<Placed> placed;
+    placed.reserve(faces.size());
+    for (const std::uint32_t item : tree.items()) {
+      placed.push_back({corners_[faces[item]], faces[item]});
+    }
+    return placed;
+  }
+
+  /// Pairs of a passive and an active triangle.
+  SelfIntersections examined_passive() const {
+    std::vector<std::uint32_t> near;
+    std::vector<Box> boxes;
+    for (std::uint32_t face = 0; face < triangles_.size(); ++face) {
+      if (active(face)) {
+        continue;
+      }
+      const Box around = box(face);
+      if (tree_.overlaps(around) && !is_degenerate(face)) {
+        near.push_back(face);
+        boxes.push_back(around);
+      }
+    }
+    const BoxTree tree(boxes, [&](std::uint32_t i) { return framed(near[i]); });
+    return examined(TreePairs(tree, tree_), in_order_of(tree, near));
   }
 
   /// Whether the triangles have a corner in common around which triangles keep apart.
@@ -167,28 +188,6 @@ class Search {
     }
     return std::ranges::any_of(a, [&](std::uint32_t v) {
       return (v == b[0] || v == b[1] || v == b[2]) && flat_stars_[v] != 0;
-    });
-  }
-
-  /// Pairs of a passive and an active triangle.
-  void examine_passive(std::uint32_t face, SelfIntersections& found) const {
-    if (active(face)) {
-      return;
-    }
-    const Box around = box(face);
-    if (!tree_.overlaps(around)) {
-      return;
-    }
-    std::optional<TriangleProbe> probe;  // few passive triangles need it
-    tree_.visit(around, framed(face), [&](std::uint32_t item) {
-      if (!probe) {
-        if (is_degenerate(face)) {
-          return;
-        }
-        probe.emplace(points_, corners_[face]);
-      }
-      const std::uint32_t other = active_[item];
-      record(face, other, probe->meeting(corners_[other]), found);
     });
   }
 

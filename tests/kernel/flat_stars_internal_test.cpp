@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "box_tree.h"
+#include "tree_pairs.h"
 #include "flat_stars.h"
 #include "self_intersection.h"
 #include "triangle_meeting.h"
@@ -135,9 +135,7 @@ TEST(BoxTree, leaves_out_pairs_of_one_group) {
   BoxTree tree(boxes);
   const auto pairs = [&] {
     std::size_t count = 0;
-    for (std::uint32_t leaf = 0; leaf < tree.leaf_count(); ++leaf) {
-      tree.visit_pairs(leaf, [&](std::uint32_t, std::uint32_t) { ++count; });
-    }
+    TreePairs(tree).visit({1, 1}, [&](std::uint32_t, std::uint32_t) { ++count; });
     return count;
   };
   const std::size_t all = pairs();

@@ -1,0 +1,43 @@
+#include "tree_pairs.h"
+
+namespace dupin::detail {
+
+bool TreePairs::overlap(const Nodes& nodes) const {
+  const auto [one, other] = nodes;
+  const bool of_one_group = within_one() && !one_.groups_.empty() &&
+                            one_.groups_[one] != BoxTree::kNoGroup &&
+                            one_.groups_[one] == one_.groups_[other];
+  return !of_one_group && ((within_one() && one == other) || one_.overlap(one, other_, other));
+}
+
+bool TreePairs::larger(const Box& a, const Box& b) {
+  const auto extent = [](const Box& box) {
+    return box.high[0] - box.low[0] + (box.high[1] - box.low[1]) + (box.high[2] - box.low[2]);
+  };
+  return extent(a) > extent(b);
+}
+
+std::vector<TreePairs::Nodes> TreePairs::tasks(std::size_t count) const {
+  std::vector<Nodes> tasks = {{1, 1}}, below;
+  if (!within_one() && !overlap({1, 1})) {
+    return {};
+  }
+  while (tasks.size() < count) {
+    below.clear();
+    for (const Nodes& nodes : tasks) {
+      if (is_leaf(one_, nodes.one) && is_leaf(other_, nodes.other)) {
+        below.push_back(nodes);
+      } else {
+        expand(nodes, [&](const Nodes& pair) { below.push_back(pair); });
+      }
+    }
+    const bool only_leaves = below == tasks;
+    tasks.swap(below);
+    if (only_leaves) {
+      break;
+    }
+  }
+  return tasks;
+}
+
+}  // namespace dupin::detail
