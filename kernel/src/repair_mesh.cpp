@@ -78,6 +78,26 @@ RepairMesh::RepairMesh(std::vector<Vec3> points, std::vector<Triangle> triangles
   }
 }
 
+std::vector<std::uint32_t> RepairMesh::alive_faces() const {
+  std::vector<std::uint32_t> faces;
+  faces.reserve(triangles_.size());
+  for (std::uint32_t f = 0; f < triangles_.size(); ++f) {
+    if (alive(f)) {
+      faces.push_back(f);
+    }
+  }
+  return faces;
+}
+
+std::vector<Triangle> RepairMesh::triangles_of(std::span<const std::uint32_t> faces) const {
+  std::vector<Triangle> triangles;
+  triangles.reserve(faces.size());
+  for (const std::uint32_t f : faces) {
+    triangles.push_back(triangles_[f]);
+  }
+  return triangles;
+}
+
 std::span<const std::uint32_t> RepairMesh::faces(std::uint32_t vertex) const {
   if (own_list_[vertex] != kNoList) {
     return lists_[own_list_[vertex]];
@@ -138,7 +158,7 @@ BoxTree& RepairMesh::tree() {
         boxes[f] = box(f);
       }
     }
-    tree_.emplace(boxes, [&](std::uint32_t f) { return framed(f); });
+    tree_.emplace(boxes);
   }
   return *tree_;
 }

@@ -6,17 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "bad_items.h"
 #include "box_tree.h"
 #include "dupin/kernel/mesh.h"
 
 namespace dupin::detail {
-
-/// A fault of the embedding: two triangles that meet where they should not, or, with first ==
-/// second, a degenerate triangle.
-struct BadItem {
-  std::uint32_t first = 0, second = 0;
-  friend auto operator<=>(const BadItem&, const BadItem&) = default;
-};
 
 /// When an edit of a RepairMesh is accepted.
 struct Terms {
@@ -44,6 +38,8 @@ class RepairMesh {
     return static_cast<std::uint32_t>(triangles_.size());
   }
   [[nodiscard]] bool alive(std::uint32_t face) const { return alive_[face] != 0; }
+  [[nodiscard]] std::vector<std::uint32_t> alive_faces() const;
+  [[nodiscard]] std::vector<Triangle> triangles_of(std::span<const std::uint32_t> faces) const;
   [[nodiscard]] std::span<const std::uint32_t> faces(std::uint32_t vertex) const;
   /// The face with the directed edge from a to b, if any.
   [[nodiscard]] std::optional<std::uint32_t> face_with_edge(std::uint32_t a, std::uint32_t b) const;
@@ -80,6 +76,7 @@ class RepairMesh {
   [[nodiscard]] std::vector<std::uint32_t> take_edited();
 
  private:
+  [[nodiscard]] Embedding embedding() const { return {points_, triangles_, twins_}; }
   [[nodiscard]] bool degenerate(std::uint32_t face) const;
   [[nodiscard]] bool bad_pair(std::uint32_t f, std::uint32_t g) const;
   [[nodiscard]] Box box(std::uint32_t face) const;

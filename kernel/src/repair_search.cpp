@@ -1,36 +1,13 @@
 #include <algorithm>
-#include <array>
 
 #include "repair_mesh.h"
-#include "self_intersection.h"
-#include "triangle_meeting.h"
 
 namespace dupin::detail {
 
-bool RepairMesh::degenerate(std::uint32_t face) const {
-  const Triangle& t = triangles_[face];
-  const Vec3 &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
-  return !PlaneFilter(a, b, c).certain() && collinear(a, b, c);
-}
+bool RepairMesh::degenerate(std::uint32_t face) const { return is_degenerate(embedding(), face); }
 
 bool RepairMesh::bad_pair(std::uint32_t f, std::uint32_t g) const {
-  std::array<Vec3, 6> corners;
-  Triangle second{};
-  bool foreign_contact = false;
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    corners[i] = points_[triangles_[f][i]];
-    corners[3 + i] = points_[triangles_[g][i]];
-    second[i] = 3 + i;
-  }
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    for (std::uint32_t j = 0; j < 3; ++j) {
-      if (corners[i] == corners[3 + j]) {
-        second[j] = i;
-        foreign_contact = foreign_contact || twins_[triangles_[f][i]] != twins_[triangles_[g][j]];
-      }
-    }
-  }
-  return foreign_contact || TriangleProbe(corners, {0, 1, 2}).meeting(second) != Meeting::none;
+  return is_bad_pair(embedding(), f, g);
 }
 
 bool RepairMesh::is_bad(const BadItem& item) const {
@@ -45,35 +22,20 @@ bool RepairMesh::is_bad(const BadItem& item) const {
 
 void RepairMesh::find_bad_items(std::span<const std::uint8_t> marked_points,
                                 std::span<const BadItem> known) {
-  std::vector<std::uint32_t> faces;
-  std::vector<Triangle> triangles;
-  std::vector<std::uint8_t> active;
   const auto marked = [&](std::uint32_t face) {
     return std::ranges::any_of(triangles_[face],
                                [&](std::uint32_t v) { return marked_points[v] != 0; });
   };
-  for (std::uint32_t f = 0; f < triangles_.size(); ++f) {
-    if (alive(f)) {
-      faces.push_back(f);
-      triangles.push_back(triangles_[f]);
-      active.push_back(marked(f) ? 1 : 0);
-    }
-  }
-  const SelfIntersections found = find_self_intersections(points_, triangles, {.active = active});
   bad_.clear();
   for (const BadItem& item : known) {
     if (alive(item.first) && alive(item.second) && !marked(item.first) && !marked(item.second)) {
       remember(item);
     }
   }
-  for (const std::uint32_t i : found.degenerate) {
-    remember({faces[i], faces[i]});
-  }
-  for (const FacePair& pair : found.pairs) {
-    const BadItem item{faces[pair.first], faces[pair.second]};
-    if (pair.kind != FacePair::Kind::contact || bad_pair(item.first, item.second)) {
-      remember(item);
-    }
+  const std::vector<std::uint32_t> faces = alive_faces();
+  const std::vector<Triangle> triangles = triangles_of(faces);
+  for (const BadItem& item : detail::find_bad_items({points_, triangles, twins_}, marked_points)) {
+    remember({faces[item.first], faces[item.second]});
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include "dupin/kernel/error.h"
@@ -18,6 +19,7 @@ namespace {
 using detail::BadItem;
 using detail::ExactMesh;
 using detail::Lattice;
+using detail::MeshView;
 using detail::RepairMesh;
 
 /// The first attempt at repair reaches 4 steps of the lattice, each further one 4 times as far.
@@ -106,6 +108,7 @@ class Rounding {
         origin_(chosen_origin(options.origin, exact.points)),
         rounded_(detail::round_points(exact, lattice_, origin_)),
         twins_(detail::exact_twins(exact)),
+        shell_of_(detail::shell_of_points(exact)),
         classes_(exact.labels) {
     const double largest = largest_coordinate(rounded_.doubles);
     if (!(largest_coordinate(rounded_.on_lattice) <= largest_number())) {
@@ -119,13 +122,15 @@ class Rounding {
   }
 
   Rounded run() {
-    RepairMesh direct = mesh_of(rounded_.on_lattice);
-    direct.find_bad_items(rounded_.moved);
-    std::vector<std::uint32_t> broken = faults(direct);
+    const std::vector<BadItem> bad =
+        detail::find_bad_items({rounded_.on_lattice, exact_.triangles, twins_}, rounded_.moved);
+    const MeshView direct(rounded_.on_lattice, exact_.triangles);
+    const double move = largest_move();
+    std::vector<std::uint32_t> broken = bad.empty() ? misplaced(direct, move) : faces_of(bad);
     if (broken.empty()) {
-      return finished(direct, 0, 0);
+      return finished(direct, {}, {.largest_move = move});
     }
-    return repaired(direct.bad_items(), std::move(broken));
+    return repaired(bad, std::move(broken));
   }
 
  private:
@@ -139,22 +144,31 @@ class Rounding {
     const bool is_first = past_.reach == 0;
     trials_left_ = is_first ? kTrials + kTrialsPerItem * broken_pairs.size() : past_.trials;
     const double farthest = tolerance_ - past_.slit_width / 2;
-    const detail::Slits slits(exact_, twins_, tolerance_);
+    const auto slits =
+        may_have_voids() ? std::optional(detail::Slits(exact_, twins_, tolerance_)) : std::nullopt;
     for (double reach = is_first ? kReachGrowth * step_ : past_.reach;; reach *= kReachGrowth) {
       reach = std::min(reach, farthest);
-      if (const auto filled = slits.filled(std::min(kSlitWidth * reach, tolerance_))) {
+      const double widest = std::min(kSlitWidth * reach, tolerance_);
+      if (const auto filled = slits ? slits->filled(widest) : std::nullopt) {
         const Past past{
             reach, trials_left_, past_.slits + filled->count,
             std::max(past_.slit_width, filled->width),
             past_.removed_triangles + exact_.triangles.size() - filled->mesh.triangles.size()};
         return Rounding(filled->mesh, coordinates_, options_, past).run();
       }
-      RepairMesh mesh = mesh_of(rounded_.doubles);
+      RepairMesh mesh(rounded_.doubles, exact_.triangles, classes_, twins_);
       const std::size_t shells = detail::remove_small_shells(mesh, broken, reach);
       attempt(mesh, broken, broken_pairs, reach);
       const std::vector<std::uint32_t> left = faults(mesh);
-      if (left.empty() && !all_removed(mesh)) {
-        return finished(mesh, reach, shells);
+      if (const auto alive = mesh.alive_faces(); left.empty() && !alive.empty()) {
+        const std::vector<Triangle> triangles = mesh.triangles_of(alive);
+        std::vector<std::uint32_t> parents;
+        for (const std::uint32_t face : alive) {
+          parents.push_back(mesh.parent(face));
+        }
+        return finished(
+            {mesh.points(), triangles}, parents,
+            {.largest_move = largest_move(&mesh), .repair_reach = reach, .removed_shells = shells});
       }
       if (reach == farthest || trials_left_ == 0) {
         throw unroundable(left.empty() ? Vec3(rounded_.doubles[0])
@@ -164,22 +178,44 @@ class Rounding {
     }
   }
 
-  [[nodiscard]] RepairMesh mesh_of(const std::vector<Vec3>& points) const {
-    return {points, exact_.triangles, classes_, twins_};
+  /// Without a second shell and without contacts the solid leaves free one connected space.
+  [[nodiscard]] bool may_have_voids() const {
+    const std::uint32_t shell = shell_of_[exact_.triangles[0][0]];
+    return !exact_.contacts.empty() ||
+           std::ranges::any_of(exact_.triangles,
+                               [&](const Triangle& t) { return shell_of_[t[0]] != shell; });
   }
 
-  /// Faces of bad items, else of shells turned inside out and at contacts that became crossings.
-  [[nodiscard]] std::vector<std::uint32_t> faults(const RepairMesh& mesh) const {
+  static std::vector<std::uint32_t> faces_of(const std::vector<BadItem>& bad) {
     std::vector<std::uint32_t> faces;
-    for (const BadItem& item : mesh.bad_items()) {
+    for (const BadItem& item : bad) {
       faces.push_back(item.first);
       faces.push_back(item.second);
     }
-    if (faces.empty()) {
-      faces = detail::turned_shells(exact_, mesh, largest_move(mesh));
-      const auto crossed = exact_.contacts.empty() ? std::vector<std::uint32_t>()
-                                                   : detail::crossed_contacts(mesh, twins_);
+    return faces;
+  }
+
+  /// Triangles, by their places, of shells turned inside out and at contacts that became crossings.
+  [[nodiscard]] std::vector<std::uint32_t> misplaced(const MeshView& mesh, double move) const {
+    std::vector<std::uint32_t> faces = detail::turned_shells(exact_, shell_of_, mesh, move);
+    if (!exact_.contacts.empty()) {
+      const auto crossed = detail::crossed_contacts(mesh, twins_);
       faces.insert(faces.end(), crossed.begin(), crossed.end());
+    }
+    return faces;
+  }
+
+  /// Faces of bad items, else misplaced ones.
+  [[nodiscard]] std::vector<std::uint32_t> faults(const RepairMesh& mesh) const {
+    const std::vector<BadItem> bad = mesh.bad_items();
+    if (!bad.empty()) {
+      return faces_of(bad);
+    }
+    const std::vector<std::uint32_t> alive = mesh.alive_faces();
+    const std::vector<Triangle> triangles = mesh.triangles_of(alive);
+    std::vector<std::uint32_t> faces = misplaced({mesh.points(), triangles}, largest_move(&mesh));
+    for (std::uint32_t& face : faces) {
+      face = alive[face];
     }
     return faces;
   }
@@ -224,17 +260,9 @@ class Rounding {
     return differing;
   }
 
-  [[nodiscard]] Rounded finished(const RepairMesh& mesh, double reach,
-                                 std::size_t removed_shells) const;
-  [[nodiscard]] bool all_removed(const RepairMesh& mesh) const {
-    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-      if (mesh.alive(f)) {
-        return false;
-      }
-    }
-    return true;
-  }
-  [[nodiscard]] double largest_move(const RepairMesh& mesh) const;
+  [[nodiscard]] Rounded finished(const MeshView& mesh, std::span<const std::uint32_t> parents,
+                                 RoundingReport report) const;
+  [[nodiscard]] double largest_move(const RepairMesh* repaired = nullptr) const;
   [[nodiscard]] Error unroundable(const Vec3& at) const;
 
   const ExactMesh& exact_;
@@ -244,62 +272,74 @@ class Rounding {
   Lattice lattice_;
   Vec3 origin_;
   detail::RoundedPoints rounded_;
-  std::vector<std::uint32_t> twins_, classes_;
+  std::vector<std::uint32_t> twins_, shell_of_, classes_;
   double step_ = 0, double_step_ = 0, tolerance_ = 0;
   std::uint64_t trials_left_ = 0;
 };
 
-Rounded Rounding::finished(const RepairMesh& mesh, double reach, std::size_t removed_shells) const {
+/// The result, whose triangles have the places and properties of `parents`, or of all triangles of
+/// the solid in turn if there are none given.
+Rounded Rounding::finished(const MeshView& mesh, std::span<const std::uint32_t> parents,
+                           RoundingReport report) const {
   Rounded result;
-  RoundingReport& report = result.report;
-  report = {.coordinates = coordinates_,
-            .origin = origin_,
-            .largest_move = largest_move(mesh),
-            .repair_reach = reach,
-            .removed_triangles = past_.removed_triangles,
-            .removed_shells = removed_shells,
-            .filled_slits = past_.slits,
-            .slit_width = past_.slit_width};
-  result.contacts = exact_.contacts;
-  result.mesh.names = exact_.names;
-  std::vector<std::uint32_t> position(exact_.points.size());
-  for (std::uint32_t v = 0; v < exact_.points.size(); ++v) {
-    const bool used = !mesh.faces(v).empty();
-    const bool moved = rounded_.moved[v] != 0 || mesh.point(v) != rounded_.on_lattice[v];
-    report.moved += !used || moved ? 1 : 0;
+  report.coordinates = coordinates_;
+  report.origin = origin_;
+  report.removed_triangles =
+      past_.removed_triangles + exact_.triangles.size() - mesh.triangles.size();
+  report.filled_slits = past_.slits;
+  report.slit_width = past_.slit_width;
+  std::vector<std::uint8_t> used(mesh.points.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    used[t[0]] = used[t[1]] = used[t[2]] = 1;
+  }
+  std::vector<std::uint32_t> position(mesh.points.size());
+  result.mesh.points.reserve(mesh.points.size());
+  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+    const bool moved = rounded_.moved[v] != 0 || mesh.points[v] != rounded_.on_lattice[v];
+    report.moved += used[v] == 0 || moved ? 1 : 0;
     position[v] = static_cast<std::uint32_t>(result.mesh.points.size());
-    if (used) {
-      result.mesh.points.push_back(mesh.point(v));
+    if (used[v] != 0) {
+      result.mesh.points.push_back(mesh.points[v]);
     }
   }
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    if (!mesh.alive(f)) {
-      ++report.removed_triangles;
-      continue;
-    }
-    const Triangle& t = mesh.triangle(f);
+  result.mesh.triangles.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) {
     result.mesh.triangles.push_back({position[t[0]], position[t[1]], position[t[2]]});
-    result.sources.push_back(exact_.sources[mesh.parent(f)]);
+  }
+  if (parents.empty()) {
+    result.sources = exact_.sources;
+    result.mesh.labels = exact_.labels;
+  }
+  for (const std::uint32_t parent : parents) {
+    result.sources.push_back(exact_.sources[parent]);
     if (!exact_.labels.empty()) {
-      result.mesh.labels.push_back(exact_.labels[mesh.parent(f)]);
+      result.mesh.labels.push_back(exact_.labels[parent]);
     }
   }
+  result.mesh.names = exact_.names;
+  result.contacts = exact_.contacts;
+  result.report = report;
   return result;
 }
 
 /// Of exact place to nearest double, of that to the lattice, and by repair; and half the width of
 /// slits, in which no place is farther from the solid. The factor covers the rounding of these few
 /// sums and norms.
-double Rounding::largest_move(const RepairMesh& mesh) const {
+double Rounding::largest_move(const RepairMesh* repaired) const {
   double vertex = 0, surface = 0, rounding = 0;
   for (std::uint32_t v = 0; v < exact_.points.size(); ++v) {
-    const bool placed = mesh.point(v) == rounded_.on_lattice[v] && mesh.reach(v) == 0;
-    vertex =
-        std::max(vertex, placed ? (mesh.point(v) - rounded_.doubles[v]).norm() : mesh.reach(v));
+    const Vec3& place = rounded_.on_lattice[v];
+    if (repaired != nullptr && (repaired->point(v) != place || repaired->reach(v) != 0)) {
+      vertex = std::max(vertex, repaired->reach(v));
+    } else if (rounded_.moved[v] != 0) {
+      vertex = std::max(vertex, (place - rounded_.doubles[v]).norm());
+    }
     rounding = rounded_.inexact[v] != 0 ? std::sqrt(0.75) * double_step_ : rounding;
   }
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    surface = mesh.alive(f) ? std::max(surface, mesh.deviation(f)) : surface;
+  if (repaired != nullptr) {
+    for (const std::uint32_t f : repaired->alive_faces()) {
+      surface = std::max(surface, repaired->deviation(f));
+    }
   }
   return (vertex + surface + rounding + past_.slit_width / 2) * (1 + 0x1p-48);
 }

@@ -24,7 +24,8 @@ class Search {
       : points_(points),
         triangles_(triangles),
         options_(options),
-        first_identical_(first_identical(points)),
+        identical_(options.same.empty() ? first_identical(points) : std::vector<std::uint32_t>()),
+        first_(options.same.empty() ? std::span<const std::uint32_t>(identical_) : options.same),
         frame_(points),
         corners_(triangles.size()),
         degenerate_(triangles.size()),
@@ -34,8 +35,10 @@ class Search {
     if (active_.empty()) {
       return {};
     }
-    if (active_.size() == triangles_.size()) {
+    if (2 * active_.size() > triangles_.size()) {
       flat_stars_ = flat_stars(points_, corners_);
+    }
+    if (active_.size() == triangles_.size()) {
       group_large_stars();
     }
     placed_ = in_order_of(tree_, active_);
@@ -63,11 +66,11 @@ class Search {
   BoxTree prepare() {
     tbb::parallel_for(std::size_t{0}, triangles_.size(), [&](std::size_t i) {
       for (int k = 0; k < 3; ++k) {
-        corners_[i][k] = first_identical_[triangles_[i][k]];
+        corners_[i][k] = first_[triangles_[i][k]];
       }
     });
     for (std::uint32_t i = 0; i < points_.size() && !touching_apart_; ++i) {
-      touching_apart_ = first_identical_[i] != i;
+      touching_apart_ = first_[i] != i;
     }
     for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
       if (active(i)) {
@@ -248,7 +251,8 @@ class Search {
   std::span<const Vec3> points_;
   std::span<const Triangle> triangles_;
   const SelfIntersectionOptions& options_;
-  std::vector<std::uint32_t> first_identical_;
+  std::vector<std::uint32_t> identical_;
+  std::span<const std::uint32_t> first_;  // per point the first one that is the same
   BoxFrame frame_;
   std::vector<Triangle> corners_;  // with identical points merged
   bool touching_apart_ = false;    // whether there are identical points

@@ -28,6 +28,10 @@ struct SelfIntersectionOptions {
   /// One entry per triangle: only pairs with a non-zero one are examined, and only those for
   /// degeneracy. Empty examines all. Cheap where few are active.
   std::span<const std::uint8_t> active;
+  /// Per point the first one of those that count as the same: they have the same coordinates, and
+  /// are contacts where they meet. Others must not coincide, which is a crossing. Empty finds all
+  /// points of the same coordinates.
+  std::span<const std::uint32_t> same;
 };
 
 struct SelfIntersections {

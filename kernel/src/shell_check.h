@@ -4,20 +4,25 @@
 #include <span>
 #include <vector>
 
-#include "exact_mesh.h"
+#include "mesh_view.h"
 #include "repair_mesh.h"
 
 namespace dupin::detail {
 
-/// One face of each shell that lies inside out after rounding: whose volume has changed its sign.
-/// `mesh` began as the triangles of `exact`; no point moved further than `largest_move`.
-[[nodiscard]] std::vector<std::uint32_t> turned_shells(const ExactMesh& exact,
-                                                       const RepairMesh& mesh, double largest_move);
+/// For each point the lowest one of its shell: points that triangles connect.
+[[nodiscard]] std::vector<std::uint32_t> shell_of_points(const ExactMesh& exact);
 
-/// The faces at edges where the mesh touches itself and where rounding has made one sheet pass
-/// through another, so that the faces around do not bound inside and outside in turn. `twins` is as
-/// for the mesh.
-[[nodiscard]] std::vector<std::uint32_t> crossed_contacts(const RepairMesh& mesh,
+/// One triangle, by its place, of each shell that lies inside out after rounding: whose volume has
+/// changed its sign. `mesh` began as the triangles of `exact`, whose shells are given; no point
+/// moved further than `largest_move`.
+[[nodiscard]] std::vector<std::uint32_t> turned_shells(const ExactMesh& exact,
+                                                       std::span<const std::uint32_t> shell_of,
+                                                       const MeshView& mesh, double largest_move);
+
+/// The triangles, by their places, at edges where the mesh touches itself and where rounding has
+/// made one sheet pass through another, so that the triangles around do not bound inside and
+/// outside in turn. `twins` names for each point the first of those that it touches.
+[[nodiscard]] std::vector<std::uint32_t> crossed_contacts(const MeshView& mesh,
                                                           std::span<const std::uint32_t> twins);
 
 /// Removes the shells of the given faces that lie within `reach` of one of their points. Returns

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <numeric>
 #include <random>
 #include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "identical_points.h"
 #include "self_intersection.h"
 #include "support/clipped_triangle.h"
 
@@ -177,20 +179,71 @@ TEST(SelfIntersection, keeps_the_lowest_pairs_and_complete_counts) {
 TEST(SelfIntersection, examines_the_pairs_of_active_triangles_only) {
   std::mt19937 random(11);
   const Soup soup = random_soup(random, 3, 30, 100);
-  std::vector<std::uint8_t> active(soup.triangles.size(), 0);
-  for (std::size_t i = 0; i < active.size(); i += 7) {
-    active[i] = 1;
+  const auto all = find_self_intersections(soup.points, soup.triangles).pairs;
+  for (const bool every_seventh : {true, false}) {  // or all others
+    std::vector<std::uint8_t> active(soup.triangles.size());
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      active[i] = (i % 7 == 0) == every_seventh ? 1 : 0;
+    }
+    std::vector<FacePair> expected = all;
+    std::erase_if(expected, [&](const FacePair& pair) {
+      return active[pair.first] == 0 && active[pair.second] == 0;
+    });
+    const auto found = find_self_intersections(soup.points, soup.triangles, {.active = active});
+    EXPECT_EQ(found.pairs, expected);
+    EXPECT_EQ(found.pairs.size(), found.crossings + found.overlaps + found.contacts);
+    for (const std::uint32_t f : found.degenerate) {
+      EXPECT_EQ(active[f], 1);
+    }
   }
-  std::vector<FacePair> expected = find_self_intersections(soup.points, soup.triangles).pairs;
-  std::erase_if(expected, [&](const FacePair& pair) {
-    return active[pair.first] == 0 && active[pair.second] == 0;
+}
+
+std::set<std::pair<std::uint32_t, std::uint32_t>> faces_of(const SelfIntersections& found) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> faces;
+  for (const FacePair& pair : found.pairs) {
+    faces.emplace(pair.first, pair.second);
+  }
+  return faces;
+}
+
+TEST(SelfIntersection, takes_points_that_coincide_for_the_same_where_told_so) {
+  std::mt19937 random(11);
+  std::size_t contacts = 0;
+  for (int round = 0; round < 200; ++round) {
+    const Soup soup = random_soup(random, 3, 24, 30);
+    const SelfIntersections all = find_self_intersections(soup.points, soup.triangles);
+    const std::vector<std::uint32_t> first = first_identical(soup.points);
+    EXPECT_EQ(find_self_intersections(soup.points, soup.triangles, {.same = first}).pairs,
+              all.pairs);
+    std::vector<std::uint32_t> none(soup.points.size());
+    std::iota(none.begin(), none.end(), 0U);
+    const SelfIntersections strict =
+        find_self_intersections(soup.points, soup.triangles, {.same = none});
+    EXPECT_EQ(strict.contacts, 0);
+    EXPECT_EQ(faces_of(strict), faces_of(all)) << "round " << round;
+    EXPECT_EQ(strict.degenerate, all.degenerate);
+    contacts += all.contacts;
+  }
+  EXPECT_GT(contacts, 1000);
+}
+
+TEST(SelfIntersection, does_not_depend_on_the_order_of_the_triangles) {
+  std::mt19937 random(12);
+  const Soup soup = random_soup(random, 40, 800, 1500);
+  Soup mixed = soup;
+  std::vector<std::uint32_t> order(soup.triangles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return soup.points[soup.triangles[a][0]].x() < soup.points[soup.triangles[b][0]].x();
   });
-  const auto found = find_self_intersections(soup.points, soup.triangles, {.active = active});
-  EXPECT_EQ(found.pairs, expected);
-  EXPECT_EQ(found.pairs.size(), found.crossings + found.overlaps + found.contacts);
-  for (const std::uint32_t f : found.degenerate) {
-    EXPECT_EQ(active[f], 1);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    mixed.triangles[i] = soup.triangles[order[i]];
   }
+  const SelfIntersections one = find_self_intersections(soup.points, soup.triangles);
+  const SelfIntersections other = find_self_intersections(mixed.points, mixed.triangles);
+  EXPECT_EQ(one.crossings, other.crossings);
+  EXPECT_EQ(one.overlaps, other.overlaps);
+  EXPECT_EQ(one.contacts, other.contacts);
 }
 
 TEST(SelfIntersection, is_found_at_every_scale) {

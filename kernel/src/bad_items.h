@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dupin/kernel/mesh.h"
+
+namespace dupin::detail {
+
+/// A fault of the embedding: two triangles that meet where they should not, or, with first ==
+/// second, a degenerate triangle.
+struct BadItem {
+  std::uint32_t first = 0, second = 0;
+  friend auto operator<=>(const BadItem&, const BadItem&) = default;
+};
+
+/// A mesh whose triangles should meet in common corners and edges only.
+struct Embedding {
+  std::span<const Vec3> points;
+  std::span<const Triangle> triangles;
+  std::span<const std::uint32_t> twins;  ///< per point the first of those it may coincide with
+};
+
+[[nodiscard]] bool is_degenerate(const Embedding& mesh, std::uint32_t face);
+
+/// Whether two triangles, none of them degenerate, are a bad item.
+[[nodiscard]] bool is_bad_pair(const Embedding& mesh, std::uint32_t f, std::uint32_t g);
+
+/// All bad items that involve a face with a marked point. Twins must coincide.
+[[nodiscard]] std::vector<BadItem> find_bad_items(const Embedding& mesh,
+                                                  std::span<const std::uint8_t> marked_points);
+
+}  // namespace dupin::detail
