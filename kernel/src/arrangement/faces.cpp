@@ -75,7 +75,7 @@ Pieces joined(Scene& scene, PlaceIndex& places, std::vector<FacePieces> batches)
 Pieces retriangulate(Scene& scene, const BooleanRule& rule, Incidences& incidences,
                      const Stage& stage) {
   constexpr std::size_t kBatch = 32;
-  const std::size_t count = incidences.faces.size();
+  const std::size_t count = incidences.face_count();
   std::vector<FacePieces> batches((count + kBatch - 1) / kBatch);
   tbb::enumerable_thread_specific<FaceTriangulator> triangulators(
       [&] { return FaceTriangulator(scene, rule, incidences); });
@@ -83,7 +83,7 @@ Pieces retriangulate(Scene& scene, const BooleanRule& rule, Incidences& incidenc
     const UpwardRounding rounding;
     FaceTriangulator& triangulator = triangulators.local();
     for (std::size_t i = b * kBatch; i < std::min((b + 1) * kBatch, count); ++i) {
-      triangulator.append(incidences.faces[i], batches[b]);
+      triangulator.append(incidences.face(i), batches[b]);
     }
     stage.step(batches.size());
   });

@@ -1,209 +1,57 @@
 #include "incidences.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "../disjoint_sets.h"
-#include "key_numbering.h"
+#include "names.h"
 #include "predicates.h"
 #include "sort_by_key.h"
 
 namespace dupin::detail {
 namespace {
 
-EdgeKey edge_of(const Triangle& corners, Feature feature) {
-  const std::size_t i = feature - 3u;
-  return edge_key(corners[i], corners[(i + 1) % 3]);
-}
-
-// The lines of edges with implicit ends, by points of the scene that say less: the coordinates of
-// new points then do not build on those of earlier ones.
-class EdgeLines {
- public:
-  explicit EdgeLines(const Scene& scene) : scene_(scene) {
-    for (std::uint32_t t = 0; t < scene.supports.size(); ++t) {
-      for (Feature f = 3; f < kInside; ++f) {
-        const EdgeKey edge = edge_of(scene.triangles[t], f);
-        if (!scene.points.is_double(lower_end(edge)) || !scene.points.is_double(upper_end(edge))) {
-          sides_.push_back({edge, t});
-        }
-      }
-    }
-    std::sort(sides_.begin(), sides_.end());
-  }
-
-  /// The point where the edge meets a plane.
-  [[nodiscard]] Definition piercing(EdgeKey edge, const Triangle& plane) const {
-    auto side = std::lower_bound(sides_.begin(), sides_.end(), Side{edge, 0});
-    if (side != sides_.end() && side->edge == edge) {
-      const Triangle& first = scene_.support(side->triangle);
-      for (++side; side != sides_.end() && side->edge == edge; ++side) {
-        const Triangle& second = scene_.support(side->triangle);
-        if (!coplanar(first, second)) {
-          return {Definition::Kind::three_planes,
-                  0,
-                  {first[0], first[1], first[2], second[0], second[1], second[2], plane[0],
-                   plane[1], plane[2]}};
-        }
-        if (const auto line = common_line(first, second, edge)) {
-          return {Definition::Kind::line_plane,
-                  0,
-                  {(*line)[0], (*line)[1], plane[0], plane[1], plane[2]}};
-        }
-      }
-    }
-    return {Definition::Kind::line_plane,
-            0,
-            {lower_end(edge), upper_end(edge), plane[0], plane[1], plane[2]}};
-  }
-
- private:
-  struct Side {
-    EdgeKey edge;
-    std::uint32_t triangle;
-    friend auto operator<=>(const Side&, const Side&) = default;
-  };
-
-  [[nodiscard]] bool coplanar(const Triangle& a, const Triangle& b) const {
-    return std::all_of(b.begin(), b.end(), [&](PointId p) {
-      return side_of_plane(scene_.points, a[0], a[1], a[2], p) == 0;
-    });
-  }
-
-  // Two corners that the planes have in common, if the edge lies on their line.
-  [[nodiscard]] std::optional<std::array<PointId, 2>> common_line(const Triangle& a,
-                                                                  const Triangle& b,
-                                                                  EdgeKey edge) const {
-    std::vector<PointId> common;
-    for (const PointId p : a) {
-      const bool is_common = std::any_of(b.begin(), b.end(), [&](PointId q) {
-        return scene_.points.is_double(p) && scene_.points.is_double(q) &&
-               scene_.points.coordinates(p) == scene_.points.coordinates(q);
-      });
-      if (is_common) {
-        common.push_back(p);
-      }
-    }
-    if (common.size() != 2) {
-      return std::nullopt;
-    }
-    const int axis = projection_of(scene_.points, a).axis;
-    for (const PointId end : {lower_end(edge), upper_end(edge)}) {
-      if (turn(scene_.points, common[0], common[1], end, axis) != 0) {
-        return std::nullopt;
-      }
-    }
-    return std::array<PointId, 2>{common[0], common[1]};
-  }
-
-  const Scene& scene_;
-  std::vector<Side> sides_;
-};
-
-// Finds or makes the point at an end of an encounter.
-class PointNamer {
- public:
-  PointNamer(Scene& scene, std::size_t expected_count)
-      : scene_(scene), lines_(scene), numbering_(expected_count), base_(scene.points.size()) {}
-
-  PointId name(const Encounter& encounter, const Encounter::End& end) {
-    const Triangle& first = scene_.triangles[encounter.first];
-    const Triangle& second = scene_.triangles[encounter.second];
-    if (is_corner(end.on_first)) {
-      return corner(first[end.on_first]);
-    }
-    if (is_corner(end.on_second)) {
-      return corner(second[end.on_second]);
-    }
-    if (is_edge(end.on_first) && is_edge(end.on_second)) {
-      const EdgeKey e = edge_of(first, end.on_first), f = edge_of(second, end.on_second);
-      return named({std::min(e, f), std::max(e, f)}, [&] {
-        return encounter.coplanar  ? crossing(e, f, encounter.axis)
-               : end.first_crosses ? piercing(e, encounter.second)
-                                   : piercing(f, encounter.first);
-      });
-    }
-    const bool first_pierces = is_edge(end.on_first);
-    const EdgeKey edge =
-        first_pierces ? edge_of(first, end.on_first) : edge_of(second, end.on_second);
-    const std::uint32_t plane = first_pierces ? encounter.second : encounter.first;
-    return named({edge, kPlane | plane}, [&] { return piercing(edge, plane); });
-  }
-
-  /// Corners met, in order of first use.
-  [[nodiscard]] const std::vector<PointId>& corners() const { return corners_; }
-  [[nodiscard]] PointId first_new_point() const { return base_; }
-
- private:
-  static constexpr std::uint64_t kPlane = std::uint64_t{1} << 63;
-
-  PointId corner(PointId id) {
-    if (met_.size() <= id) {
-      met_.resize(base_, 0);
-    }
-    if (!met_[id]) {
-      met_[id] = 1;
-      corners_.push_back(id);
-    }
-    return id;
-  }
-  template <class Define>
-  PointId named(const KeyNumbering::Key& key, Define&& define) {
-    const std::uint32_t known = numbering_.size();
-    const std::uint32_t number = numbering_.number(key);
-    if (number == known) {
-      scene_.points.add(define());
-    }
-    return base_ + number;
-  }
-  Definition piercing(EdgeKey edge, std::uint32_t plane) const {
-    return lines_.piercing(edge, scene_.support(plane));
-  }
-  static Definition crossing(EdgeKey e, EdgeKey f, std::uint8_t axis) {
-    return {Definition::Kind::two_lines,
-            axis,
-            {lower_end(e), upper_end(e), lower_end(f), upper_end(f)}};
-  }
-
-  Scene& scene_;
-  EdgeLines lines_;
-  KeyNumbering numbering_;
-  PointId base_;
-  std::vector<std::uint8_t> met_;
-  std::vector<PointId> corners_;
-};
-
 // One id per place.
 class Representatives {
  public:
-  Representatives(Scene& scene, const PointNamer& namer, PlaceIndex& places)
-      : base_(namer.first_new_point()) {
-    for (const PointId id : namer.corners()) {
+  Representatives(Scene& scene, const Names& names, PlaceIndex& places)
+      : base_(names.first_new_point) {
+    for (const PointId id : names.corners) {
       places.first_at_place_of(id);
     }
     for (PointId id = base_; id < scene.points.size(); ++id) {
       first_.push_back(places.first_at_place_of(id));
     }
   }
-  PointId operator()(PointId id) const { return id < base_ ? id : first_[id - base_]; }
+  PointId operator()(PointId id) const {
+    return id < base_ || id == kNone ? id : first_[id - base_];
+  }
 
  private:
   PointId base_;
   std::vector<PointId> first_;
 };
 
+// Hands encounters to the triangles and edges they lie on.
 class Distributor {
  public:
-  Distributor(const Scene& scene, Incidences& result) : scene_(scene), result_(result) {}
+  Distributor(const Scene& scene, std::vector<std::uint8_t>& touched)
+      : scene_(scene), touched_(touched) {}
 
-  void distribute(const Encounter& encounter, const std::array<PointId, 2>& ids) {
+  void distribute(const Encounter& encounter, PointId from, PointId to) {
+    if (encounter.kind == Encounter::Kind::overlap) {
+      touch(encounter.first);
+      touch(encounter.second);
+      return;
+    }
     const auto hand = [&](std::uint32_t triangle, std::uint32_t partner,
                           Feature Encounter::End::*feature) {
-      const Feature from = encounter.ends[0].*feature, to = encounter.ends[1].*feature;
-      point(triangle, from, ids[0]);
+      const Feature at_from = encounter.ends[0].*feature, at_to = encounter.ends[1].*feature;
+      point(triangle, at_from, from);
       if (encounter.kind == Encounter::Kind::segment) {
-        point(triangle, to, ids[1]);
-        if (ids[0] != ids[1] && !on_common_edge(from, to)) {
-          result_.segments.push_back({triangle, ids[0], ids[1], partner});
+        point(triangle, at_to, to);
+        if (from != to && !on_common_edge(at_from, at_to)) {
+          segments.push_back({triangle, from, to, partner});
           touch(triangle);
         }
       }
@@ -212,22 +60,45 @@ class Distributor {
     hand(encounter.second, encounter.first, &Encounter::End::on_second);
   }
 
-  void touch(std::uint32_t triangle) { result_.touched[triangle] = 1; }
+  std::vector<Incidences::OnEdge> on_edges;
+  std::vector<Incidences::Inside> insides;
+  std::vector<Incidences::Segment> segments;
 
  private:
+  void touch(std::uint32_t triangle) {
+    std::atomic_ref(touched_[triangle]).store(1, std::memory_order_relaxed);
+  }
   void point(std::uint32_t triangle, Feature feature, PointId id) {
     if (is_edge(feature)) {
-      result_.on_edges.push_back({edge_of(scene_.triangles[triangle], feature), id});
+      on_edges.push_back({edge_of(scene_.triangles[triangle], feature), id});
       touch(triangle);
     } else if (feature == kInside) {
-      result_.insides.push_back({triangle, id});
+      insides.push_back({triangle, id});
       touch(triangle);
     }
   }
 
   const Scene& scene_;
-  Incidences& result_;
+  std::vector<std::uint8_t>& touched_;
 };
+
+void distribute(const Scene& scene, std::span<const Encounter> encounters, const Names& names,
+                const Representatives& representative, Incidences& result) {
+  result.touched.assign(scene.triangles.size(), 0);
+  std::vector<Distributor> parts(block_count(encounters.size()),
+                                 Distributor(scene, result.touched));
+  for_each_block(encounters.size(), [&](const Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      parts[block.number].distribute(encounters[i], representative(names.ends[2 * i]),
+                                     representative(names.ends[2 * i + 1]));
+    }
+  });
+  for (const Distributor& part : parts) {
+    result.on_edges.insert(result.on_edges.end(), part.on_edges.begin(), part.on_edges.end());
+    result.insides.insert(result.insides.end(), part.insides.begin(), part.insides.end());
+    result.segments.insert(result.segments.end(), part.segments.begin(), part.segments.end());
+  }
+}
 
 // The sign of q - p along some axis on which they differ, and the axis.
 struct Direction {
@@ -246,10 +117,12 @@ Direction direction_of(const PointTable& points, EdgeKey edge) {
   return {};
 }
 
-void sort_along_edges(const PointTable& points, std::vector<Incidences::OnEdge>& on_edges) {
+// The ends of the edges are all below `first_new_point`.
+void sort_along_edges(const PointTable& points, PointId first_new_point,
+                      std::vector<Incidences::OnEdge>& on_edges) {
   using OnEdge = Incidences::OnEdge;
   sort_by_key(
-      on_edges, points.size(), [](const OnEdge& p) { return lower_end(p.edge); },
+      on_edges, first_new_point, [](const OnEdge& p) { return lower_end(p.edge); },
       [](const OnEdge& a, const OnEdge& b) {
         return a.edge != b.edge ? a.edge < b.edge : a.point < b.point;
       });
@@ -258,7 +131,7 @@ void sort_along_edges(const PointTable& points, std::vector<Incidences::OnEdge>&
   };
   on_edges.erase(std::unique(on_edges.begin(), on_edges.end(), same), on_edges.end());
   const std::vector<Run> edges = runs_of_equal(on_edges, [](const OnEdge& p) { return p.edge; });
-  for_each_block(edges.size(), [&](const Block& block) {
+  const auto sort_runs = [&](const Block& block) {
     const UpwardRounding rounding;
     for (std::size_t i = block.begin; i < block.end; ++i) {
       const auto [begin, end] = edges[i];
@@ -270,12 +143,13 @@ void sort_along_edges(const PointTable& points, std::vector<Incidences::OnEdge>&
                   });
       }
     }
-  });
+  };
+  constexpr std::size_t kFewEdges = 256;
+  for_each_block(edges.size(), sort_runs, kFewEdges);
 }
 
 // Classes of triangles that overlap in a common plane, and every other touched triangle alone.
-std::vector<std::vector<std::uint32_t>> group_faces(const std::vector<std::uint8_t>& touched,
-                                                    std::span<const Encounter> encounters) {
+void group_faces(std::span<const Encounter> encounters, Incidences& result) {
   std::vector<std::uint32_t> overlapping;
   for (const Encounter& e : encounters) {
     if (e.kind == Encounter::Kind::overlap) {
@@ -294,7 +168,7 @@ std::vector<std::vector<std::uint32_t>> group_faces(const std::vector<std::uint8
       classes.unite(index(e.first), index(e.second));
     }
   }
-  std::vector<std::vector<std::uint32_t>> faces;
+  std::vector<std::vector<std::uint32_t>>& faces = result.overlapping;
   std::vector<std::uint32_t> face_of(overlapping.size(), kNone);
   for (std::uint32_t i = 0; i < overlapping.size(); ++i) {
     std::uint32_t& face = face_of[classes.find(i)];
@@ -304,12 +178,13 @@ std::vector<std::vector<std::uint32_t>> group_faces(const std::vector<std::uint8
     }
     faces[face].push_back(overlapping[i]);
   }
-  for (std::uint32_t t = 0; t < touched.size(); ++t) {
-    if (touched[t] && !std::binary_search(overlapping.begin(), overlapping.end(), t)) {
-      faces.push_back({t});
+  const auto collect = [&](std::size_t i, std::vector<std::uint32_t>& found) {
+    const auto t = static_cast<std::uint32_t>(i);
+    if (result.touched[t] && !std::binary_search(overlapping.begin(), overlapping.end(), t)) {
+      found.push_back(t);
     }
-  }
-  return faces;
+  };
+  result.alone = collect_in_order<std::uint32_t>(result.touched.size(), collect);
 }
 
 template <class Item>
@@ -349,38 +224,18 @@ std::span<const Incidences::Segment> Incidences::segments_of(std::uint32_t trian
 
 Incidences gather(Scene& scene, std::span<const Encounter> encounters) {
   Incidences result;
-  result.touched.assign(scene.triangles.size(), 0);
-  PointNamer namer(scene, encounters.size());
-  std::vector<std::array<PointId, 2>> names;
-  names.reserve(encounters.size());
-  for (const Encounter& e : encounters) {
-    std::array<PointId, 2> ids{kNone, kNone};
-    if (e.kind != Encounter::Kind::overlap) {
-      ids[0] = namer.name(e, e.ends[0]);
-      ids[1] = e.kind == Encounter::Kind::segment ? namer.name(e, e.ends[1]) : ids[0];
-    }
-    names.push_back(ids);
-  }
-  result.places.emplace(scene.points, scene.extent, scene.points.size() - namer.first_new_point());
-  const Representatives representative(scene, namer, *result.places);
-  Distributor distributor(scene, result);
-  for (std::size_t i = 0; i < encounters.size(); ++i) {
-    if (encounters[i].kind == Encounter::Kind::overlap) {
-      distributor.touch(encounters[i].first);
-      distributor.touch(encounters[i].second);
-    } else {
-      distributor.distribute(encounters[i],
-                             {representative(names[i][0]), representative(names[i][1])});
-    }
-  }
+  const Names names = name_points(scene, encounters);
+  result.places.emplace(scene.points, scene.extent, scene.points.size() - names.first_new_point);
+  const Representatives representative(scene, names, *result.places);
+  distribute(scene, encounters, names, representative, result);
   scene.special.resize(scene.points.size(), 1);
-  for (const PointId id : namer.corners()) {
+  for (const PointId id : names.corners) {
     scene.special[id] = 1;
   }
-  sort_along_edges(scene.points, result.on_edges);
+  sort_along_edges(scene.points, names.first_new_point, result.on_edges);
   sort_by_triangle(scene, result.insides);
   sort_by_triangle(scene, result.segments);
-  result.faces = group_faces(result.touched, encounters);
+  group_faces(encounters, result);
   return result;
 }
 

@@ -5,19 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "edge_key.h"
 #include "places.h"
 #include "scene.h"
 #include "triangle_pair.h"
 
 namespace dupin::detail {
-
-/// An edge by its ends, the lower one first.
-using EdgeKey = std::uint64_t;
-[[nodiscard]] constexpr EdgeKey edge_key(PointId a, PointId b) {
-  return a < b ? (EdgeKey{a} << 32 | b) : (EdgeKey{b} << 32 | a);
-}
-[[nodiscard]] constexpr PointId lower_end(EdgeKey edge) { return static_cast<PointId>(edge >> 32); }
-[[nodiscard]] constexpr PointId upper_end(EdgeKey edge) { return static_cast<PointId>(edge); }
 
 /// What the arrangement adds to each triangle and edge. All triangles at an edge see the same
 /// points on it.
@@ -39,12 +32,18 @@ struct Incidences {
   std::vector<OnEdge> on_edges;   ///< by edge, then from its lower to its upper end
   std::vector<Inside> insides;    ///< by triangle
   std::vector<Segment> segments;  ///< by triangle
-  /// Triangles to retriangulate together, first those with more than one: connected by coplanar
-  /// overlap. Members ascend.
-  std::vector<std::vector<std::uint32_t>> faces;
-  std::vector<std::uint8_t> touched;  ///< per triangle: part of a face above
+  /// Triangles to retriangulate together: connected by coplanar overlap. Members ascend.
+  std::vector<std::vector<std::uint32_t>> overlapping;
+  std::vector<std::uint32_t> alone;   ///< triangles to retriangulate by themselves, ascending
+  std::vector<std::uint8_t> touched;  ///< per triangle: part of a face
   std::optional<PlaceIndex> places;   ///< of all points that may coincide with new ones
 
+  /// What to retriangulate: first what overlaps, then triangles alone.
+  [[nodiscard]] std::size_t face_count() const { return overlapping.size() + alone.size(); }
+  [[nodiscard]] std::span<const std::uint32_t> face(std::size_t i) const {
+    return i < overlapping.size() ? std::span(overlapping[i])
+                                  : std::span(alone).subspan(i - overlapping.size(), 1);
+  }
   [[nodiscard]] std::span<const OnEdge> on_edge(EdgeKey edge) const;
   [[nodiscard]] std::span<const Inside> inside(std::uint32_t triangle) const;
   [[nodiscard]] std::span<const Segment> segments_of(std::uint32_t triangle) const;

@@ -238,6 +238,17 @@ PointId PointTable::add(const Definition& definition) {
   return size() - 1;
 }
 
+void PointTable::add_undefined(std::size_t count) {
+  refuse_too_many(size() + count, 0);
+  implicit_.resize(implicit_.size() + count);
+}
+
+void PointTable::define(PointId id, const Definition& definition) {
+  Implicit& point = implicit_[id - doubles_.size()];
+  point.definition = definition;
+  point.box = evaluate(*this, definition);
+}
+
 PointId PointTable::add(DefinedPoint point) {
   refuse_too_many(size(), 0);
   implicit_.push_back({point.definition, point.box,

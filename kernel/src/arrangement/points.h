@@ -85,6 +85,9 @@ class PointTable {
   PointId add(const Vec3& point);
   PointId add(const ExactPoint& point);
   PointId add(const Definition& definition);
+  /// Makes room for points that any threads may define, by points before these.
+  void add_undefined(std::size_t count);
+  void define(PointId id, const Definition& definition);
   PointId add(DefinedPoint point);
   void remove_last() { implicit_.pop_back(); }
   /// Makes room for points that doubles hold, to be set by any threads.

@@ -85,7 +85,8 @@ TEST_P(Incidence, points_have_one_name_per_place) {
 
 TEST_P(Incidence, faces_hold_every_touched_triangle_once) {
   std::vector<int> seen(stages.scene.triangles.size(), 0);
-  for (const auto& face : incidences.faces) {
+  for (std::size_t i = 0; i < incidences.face_count(); ++i) {
+    const std::span<const std::uint32_t> face = incidences.face(i);
     EXPECT_TRUE(std::is_sorted(face.begin(), face.end()));
     for (const std::uint32_t t : face) {
       ++seen[t];
