@@ -1,7 +1,9 @@
 #include "candidates.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <span>
 
 #include <CGAL/box_intersection_d.h>
 #include <tbb/parallel_for.h>
@@ -31,6 +33,16 @@ struct BoxTraits {
   }
 };
 
+bool reaches_into(const TriangleBox& box, const Bounds& window) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    if (box.high[k] < window.min()[axis] || box.low[k] > window.max()[axis]) {
+      return false;
+    }
+  }
+  return true;
+}
+
 class Finder {
  public:
   explicit Finder(const Scene& scene)
@@ -58,25 +70,36 @@ class Finder {
     const bool a_is_longer = framed_[a].bounds.sizes()[0] >= framed_[b].bounds.sizes()[0];
     const Axes axes = a_is_longer ? common_axes(framed_[a].axes, framed_[b].axes)
                                   : common_axes(framed_[b].axes, framed_[a].axes);
-    std::vector<TriangleBox> a_boxes = boxes(a, a_runs, axes), b_boxes = boxes(b, b_runs, axes);
-    keep_within(a_boxes, b_boxes);
-    keep_within(b_boxes, a_boxes);
-    std::vector<TrianglePair> result;
-    CGAL::box_intersection_d(
-        a_boxes.begin(), a_boxes.end(), b_boxes.begin(), b_boxes.end(),
-        [&result](const TriangleBox& x, const TriangleBox& y) {
-          result.push_back({x.triangle, y.triangle});
-        },
-        BoxTraits(), kBoxCutoff);
-    std::sort(result.begin(), result.end());
-    return result;
+    const auto window = [&](std::uint32_t operand, const Bounds& bounds) {
+      return bounds_in(axes, framed_[operand].axes, bounds, slack_);
+    };
+    std::vector<TriangleBox> b_boxes = boxes(b, b_runs, axes, window(a, a_bounds));
+    std::vector<TriangleBox> a_boxes = boxes(a, a_runs, axes, bounds_of(b_boxes));
+    b_boxes = within(bounds_of(a_boxes), b_boxes);
+    // Triangles that follow one another are neighbours, mostly: few others reach into their bounds.
+    std::vector<std::vector<TrianglePair>> parts(block_count(a_boxes.size()));
+    for_each_block(a_boxes.size(), [&](const Block& block) {
+      const std::span<TriangleBox> mine =
+          std::span(a_boxes).subspan(block.begin, block.end - block.begin);
+      std::vector<TriangleBox> others = within(bounds_of(mine), b_boxes);
+      std::vector<TrianglePair>& found = parts[block.number];
+      CGAL::box_intersection_d(
+          mine.begin(), mine.end(), others.begin(), others.end(),
+          [&found](const TriangleBox& x, const TriangleBox& y) {
+            found.push_back({x.triangle, y.triangle});
+          },
+          BoxTraits(), kBoxCutoff);
+      std::sort(found.begin(), found.end());
+    });
+    return joined(std::move(parts));
   }
 
  private:
   [[nodiscard]] std::vector<TrianglePair> pairs_within(std::uint32_t operand) const {
     std::vector<std::uint32_t> runs(framed_[operand].runs.size());
     std::iota(runs.begin(), runs.end(), 0u);
-    std::vector<TriangleBox> all = boxes(operand, runs, framed_[operand].axes);
+    std::vector<TriangleBox> all =
+        boxes(operand, runs, framed_[operand].axes, framed_[operand].bounds);
     std::vector<TrianglePair> result;
     CGAL::box_self_intersection_d(
         all.begin(), all.end(),
@@ -106,45 +129,51 @@ class Finder {
     }
   }
 
+  // Those that reach into a window, in `axes`.
   [[nodiscard]] std::vector<TriangleBox> boxes(std::uint32_t operand,
                                                const std::vector<std::uint32_t>& runs,
-                                               const Axes& axes) const {
+                                               const Axes& axes, const Bounds& window) const {
     const ExactMesh& mesh = *scene_.operands[operand];
-    std::vector<TriangleBox> result;
-    result.reserve(runs.size() * FramedOperand::kRun);
-    for (const std::uint32_t run : runs) {
-      const std::size_t begin = std::size_t{run} * FramedOperand::kRun;
-      const std::size_t end = std::min(begin + FramedOperand::kRun, mesh.triangles.size());
-      for (std::size_t i = begin; i < end; ++i) {
-        const auto t = static_cast<std::uint32_t>(scene_.first_triangle[operand] + i);
-        if (!scene_.merged[t]) {
-          result.push_back(box(mesh, mesh.triangles[i], axes, t));
-        }
-      }
-    }
-    return result;
+    return collect_in_order<TriangleBox>(
+        runs.size() * FramedOperand::kRun, [&](std::size_t n, std::vector<TriangleBox>& found) {
+          const std::size_t i = std::size_t{runs[n / FramedOperand::kRun]} * FramedOperand::kRun +
+                                n % FramedOperand::kRun;
+          const auto t = static_cast<std::uint32_t>(scene_.first_triangle[operand] + i);
+          if (i >= mesh.triangles.size() || scene_.merged[t]) {
+            return;
+          }
+          const TriangleBox triangle = box(mesh, mesh.triangles[i], axes, t);
+          if (reaches_into(triangle, window)) {
+            found.push_back(triangle);
+          }
+        });
   }
 
   [[nodiscard]] TriangleBox box(const ExactMesh& mesh, const Triangle& corners, const Axes& axes,
                                 std::uint32_t t) const {
-    const Vec3 p = axes * mesh.points[corners[0]], q = axes * mesh.points[corners[1]],
-               r = axes * mesh.points[corners[2]];
+    const Vec3 p = rotated(axes, mesh.points[corners[0]]),
+               q = rotated(axes, mesh.points[corners[1]]),
+               r = rotated(axes, mesh.points[corners[2]]);
     const Vec3 low = p.cwiseMin(q).cwiseMin(r), high = p.cwiseMax(q).cwiseMax(r);
     return {{low[0] - slack_, low[1] - slack_, low[2] - slack_},
             {high[0] + slack_, high[1] + slack_, high[2] + slack_},
             t};
   }
 
-  static void keep_within(std::vector<TriangleBox>& boxes, const std::vector<TriangleBox>& others) {
-    Bounds window;
-    for (const TriangleBox& b : others) {
-      window.extend(Vec3(b.low[0], b.low[1], b.low[2]));
-      window.extend(Vec3(b.high[0], b.high[1], b.high[2]));
+  [[nodiscard]] static Bounds bounds_of(std::span<const TriangleBox> boxes) {
+    Bounds all;
+    for (const TriangleBox& b : boxes) {
+      all.extend(Vec3(b.low[0], b.low[1], b.low[2]));
+      all.extend(Vec3(b.high[0], b.high[1], b.high[2]));
     }
-    std::erase_if(boxes, [&window](const TriangleBox& b) {
-      return !window.intersects(
-          Bounds(Vec3(b.low[0], b.low[1], b.low[2]), Vec3(b.high[0], b.high[1], b.high[2])));
-    });
+    return all;
+  }
+  [[nodiscard]] static std::vector<TriangleBox> within(const Bounds& window,
+                                                       std::span<const TriangleBox> boxes) {
+    std::vector<TriangleBox> kept;
+    std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(kept),
+                 [&window](const TriangleBox& b) { return reaches_into(b, window); });
+    return kept;
   }
 
   // Fewer boxes than this are compared all with all.

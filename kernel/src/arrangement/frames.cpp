@@ -49,8 +49,7 @@ Bounds run_bounds(const ExactMesh& mesh, std::size_t begin, std::size_t end, con
     const Triangle& previous = mesh.triangles[t > begin ? t - 1 : t];
     for (const std::uint32_t corner : mesh.triangles[t]) {
       if (t == begin || std::find(previous.begin(), previous.end(), corner) == previous.end()) {
-        const Vec3& p = mesh.points[corner];
-        box.extend(Vec3(axes.row(0).dot(p), axes.row(1).dot(p), axes.row(2).dot(p)));
+        box.extend(rotated(axes, mesh.points[corner]));
       }
     }
   }
