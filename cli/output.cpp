@@ -124,17 +124,17 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
   OutputReport report;
   const Solid settled = settle(solid, contacts, report);
   const Rounded rounded = to_mesh(settled, coordinates(to.format), rounding);
-  refuse_contacts(rounded.contacts, to);
-  report.contacts = rounded.contacts;
-  if (rounded.report.origin != Vec3::Zero()) {
-    header.note += (header.note.empty() ? "" : "; ") + origin_note(rounded.report.origin);
+  refuse_contacts(rounded.contacts(), to);
+  report.contacts = rounded.contacts();
+  if (rounded.report().origin != Vec3::Zero()) {
+    header.note += (header.note.empty() ? "" : "; ") + origin_note(rounded.report().origin);
   }
   report.file = to.is_stdout() ? "standard output" : to.path;
   report.format = name(to.format);
-  report.rounding = rounded.report;
+  report.rounding = rounded.report();
   report.check = writing([&] {
-    return to.is_stdout() ? write_verified_stdout(rounded.mesh, to.format, header)
-                          : write_verified(to.path, rounded.mesh, to.format, header);
+    return to.is_stdout() ? write_verified_stdout(rounded.mesh(), to.format, header)
+                          : write_verified(to.path, rounded.mesh(), to.format, header);
   });
   return report;
 }

@@ -96,7 +96,9 @@ Vec3 chosen_origin(const Origin& origin, std::span<const Vec3> points) {
   return place;
 }
 
-class Rounding {
+}  // namespace
+
+class detail::Rounding {
  public:
   Rounding(const ExactMesh& exact, Coordinates coordinates, const RoundingOptions& options,
            const Past& past = {})
@@ -279,8 +281,8 @@ class Rounding {
 
 /// The result, whose triangles have the places and properties of `parents`, or of all triangles of
 /// the solid in turn if there are none given.
-Rounded Rounding::finished(const MeshView& mesh, std::span<const std::uint32_t> parents,
-                           RoundingReport report) const {
+Rounded detail::Rounding::finished(const MeshView& mesh, std::span<const std::uint32_t> parents,
+                                   RoundingReport report) const {
   Rounded result;
   report.coordinates = coordinates_;
   report.origin = origin_;
@@ -293,39 +295,39 @@ Rounded Rounding::finished(const MeshView& mesh, std::span<const std::uint32_t> 
     used[t[0]] = used[t[1]] = used[t[2]] = 1;
   }
   std::vector<std::uint32_t> position(mesh.points.size());
-  result.mesh.points.reserve(mesh.points.size());
+  result.mesh_.points.reserve(mesh.points.size());
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
     const bool moved = rounded_.moved[v] != 0 || mesh.points[v] != rounded_.on_lattice[v];
     report.moved += used[v] == 0 || moved ? 1 : 0;
-    position[v] = static_cast<std::uint32_t>(result.mesh.points.size());
+    position[v] = static_cast<std::uint32_t>(result.mesh_.points.size());
     if (used[v] != 0) {
-      result.mesh.points.push_back(mesh.points[v]);
+      result.mesh_.points.push_back(mesh.points[v]);
     }
   }
-  result.mesh.triangles.reserve(mesh.triangles.size());
+  result.mesh_.triangles.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
-    result.mesh.triangles.push_back({position[t[0]], position[t[1]], position[t[2]]});
+    result.mesh_.triangles.push_back({position[t[0]], position[t[1]], position[t[2]]});
   }
   if (parents.empty()) {
-    result.sources = exact_.sources;
-    result.mesh.labels = exact_.labels;
+    result.sources_ = exact_.sources;
+    result.mesh_.labels = exact_.labels;
   }
   for (const std::uint32_t parent : parents) {
-    result.sources.push_back(exact_.sources[parent]);
+    result.sources_.push_back(exact_.sources[parent]);
     if (!exact_.labels.empty()) {
-      result.mesh.labels.push_back(exact_.labels[parent]);
+      result.mesh_.labels.push_back(exact_.labels[parent]);
     }
   }
-  result.mesh.names = exact_.names;
-  result.contacts = exact_.contacts;
-  result.report = report;
+  result.mesh_.names = exact_.names;
+  result.contacts_ = exact_.contacts;
+  result.report_ = report;
   return result;
 }
 
 /// Of exact place to nearest double, of that to the lattice, and by repair; and half the width of
 /// slits, in which no place is farther from the solid. The factor covers the rounding of these few
 /// sums and norms.
-double Rounding::largest_move(const RepairMesh* repaired) const {
+double detail::Rounding::largest_move(const RepairMesh* repaired) const {
   double vertex = 0, surface = 0, rounding = 0;
   for (std::uint32_t v = 0; v < exact_.points.size(); ++v) {
     const Vec3& place = rounded_.on_lattice[v];
@@ -344,7 +346,7 @@ double Rounding::largest_move(const RepairMesh* repaired) const {
   return (vertex + surface + rounding + past_.slit_width / 2) * (1 + 0x1p-48);
 }
 
-Error Rounding::unroundable(const Vec3& at) const {
+Error detail::Rounding::unroundable(const Vec3& at) const {
   const Vec3 place = at + origin_;
   const Bounds all = bounds(rounded_.doubles);
   std::ostringstream where, message;
@@ -361,11 +363,9 @@ Error Rounding::unroundable(const Vec3& at) const {
   return Error(Errc::unroundable, message.str(), {}, where.str());
 }
 
-}  // namespace
-
 Rounded to_mesh(const Solid& solid, Coordinates coordinates, const RoundingOptions& options) {
   validate(options);
-  return Rounding(solid.exact(), coordinates, options).run();
+  return detail::Rounding(solid.exact(), coordinates, options).run();
 }
 
 }  // namespace dupin

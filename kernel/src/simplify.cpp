@@ -124,12 +124,12 @@ class FanDistance {
 class Simplification {
  public:
   Simplification(const Rounded& rounded, double tolerance)
-      : input_(rounded.mesh),
+      : input_(rounded.mesh()),
         tolerance_(tolerance),
-        classes_(classes(rounded.mesh)),
-        twins_(detail::first_identical(rounded.mesh.points)),
-        mesh_(rounded.mesh.points, rounded.mesh.triangles, classes_, twins_),
-        deviation_(rounded.mesh.triangles.size(), 0) {
+        classes_(classes(rounded.mesh())),
+        twins_(detail::first_identical(rounded.mesh().points)),
+        mesh_(rounded.mesh().points, rounded.mesh().triangles, classes_, twins_),
+        deviation_(rounded.mesh().triangles.size(), 0) {
     double largest = 0;
     for (const Vec3& point : input_.points) {
       largest = std::max(largest, point.cwiseAbs().maxCoeff());
@@ -315,7 +315,7 @@ Simplified simplify(const Solid& solid, double tolerance) {
   const Rounded rounded = to_mesh(solid);
   Simplification simplification(rounded, tolerance);
   simplification.run();
-  return simplification.result(rounded.sources);
+  return simplification.result(rounded.sources());
 }
 
 }  // namespace dupin

@@ -92,7 +92,7 @@ struct Expectation {
 void expect_solid(const std::string& name, const Assembly& document, const Expectation& expected) {
   const auto resolved = resolve(document);
   const Built built = build(document);
-  const Report report = check(to_mesh(built.solid).mesh);
+  const Report report = check(to_mesh(built.solid).mesh());
   EXPECT_TRUE(report.is_solid()) << name;
   EXPECT_EQ(report.count(Defect::self_intersection), 0U) << name;
   EXPECT_EQ(report.euler_number, expected.euler_number()) << name;
@@ -145,8 +145,8 @@ TEST(Build, makes_solids_of_chains_and_blends_of_cyclides) {
        {"crane-hook.json", "crane-hook-twisted.json", "jet-engine.json", "reducing-elbow.json",
         "skew-pipes.json", "u-bend-cyclide.json", "ucct-arm.json", "cyclide-blends.json"}) {
     const Solid solid = build(example(name)).solid;
-    const Report exact = check(to_mesh(solid).mesh);
-    const Report rounded = check(to_mesh(solid, Coordinates::binary32).mesh);
+    const Report exact = check(to_mesh(solid).mesh());
+    const Report rounded = check(to_mesh(solid, Coordinates::binary32).mesh());
     EXPECT_TRUE(rounded.is_solid()) << name;
     EXPECT_EQ(rounded.count(Defect::self_intersection), 0U) << name;
     EXPECT_EQ(rounded.euler_number, exact.euler_number) << name;
@@ -173,7 +173,7 @@ TEST(Build, cyclide_blends_say_what_they_are_and_why_not_less) {
   EXPECT_THAT(built.parts[5].rejected[0], testing::HasSubstr("off its half angle by 7.66 degrees"));
   EXPECT_THAT(built.parts[8].rejected[1], testing::HasSubstr("no locus of junction spheres"));
   EXPECT_THAT(built.parts[11].rejected[2], testing::HasSubstr("cross themselves"));
-  EXPECT_EQ(check(to_mesh(built.solid).mesh).euler_number, 8);
+  EXPECT_EQ(check(to_mesh(built.solid).mesh()).euler_number, 8);
 }
 
 // Where one end's sphere contains, or nearly, the other's no cyclides join them that do not
@@ -368,7 +368,7 @@ TEST(Build, makes_a_solid_of_all_examples_but_the_tight_one) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".json" && entry.path().filename() != "tight.json") {
       const Solid solid = build(read_assembly(entry.path())).solid;
-      EXPECT_TRUE(check(to_mesh(solid).mesh).is_solid()) << entry.path();
+      EXPECT_TRUE(check(to_mesh(solid).mesh()).is_solid()) << entry.path();
       ++built;
     }
   }
@@ -381,7 +381,7 @@ TEST(Build, puts_all_points_of_welded_parts_on_the_grid) {
   // 1/2048 of the tolerance or less, but more than half of that.
   EXPECT_LE(built.grid, reducer.tolerance / 2048);
   EXPECT_GT(built.grid, reducer.tolerance / 4096);
-  for (const Vec3& point : to_mesh(built.solid).mesh.points) {
+  for (const Vec3& point : to_mesh(built.solid).mesh().points) {
     EXPECT_EQ(snapped(point, built.grid), point);
   }
 }
@@ -525,7 +525,7 @@ TEST(Build, keeps_separate_parts_apart) {
 TEST(Build, labels_parts_ends_and_caps) {
   Assembly reducer = example("reducer.json");
   reducer.parts.push_back({"lid", CapAt{end_of("outlet")}});
-  const TriMesh mesh = to_mesh(build(reducer).solid).mesh;
+  const TriMesh mesh = to_mesh(build(reducer).solid).mesh();
   EXPECT_THAT(mesh.names,
               testing::UnorderedElementsAre("inlet", "outlet", "blend", "inlet.start", "lid"));
   ASSERT_EQ(mesh.labels.size(), mesh.triangles.size());
@@ -578,7 +578,8 @@ TEST(Build, obeys_its_options) {
 
 TEST(Build, gives_the_same_bytes_twice) {
   const Assembly header = example("header.json");
-  const TriMesh once = to_mesh(build(header).solid).mesh, twice = to_mesh(build(header).solid).mesh;
+  const TriMesh once = to_mesh(build(header).solid).mesh(),
+                twice = to_mesh(build(header).solid).mesh();
   EXPECT_EQ(once.points, twice.points);
   EXPECT_EQ(once.triangles, twice.triangles);
   EXPECT_EQ(once.labels, twice.labels);

@@ -210,7 +210,7 @@ TEST(KneecapChain, solid_is_as_near_to_the_smooth_one_as_the_report_says) {
   EXPECT_LE(bound, 0.01);
   EXPECT_EQ(result.parts[0].construction, "2 pieces with kneecaps");
   EXPECT_EQ(result.pieces, 3U);
-  const TriMesh mesh = to_mesh(result.solid).mesh;
+  const TriMesh mesh = to_mesh(result.solid).mesh();
   double largest = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); i += 7) {
     if (mesh.names.at(mesh.labels.at(i)) == "chain") {
@@ -236,7 +236,7 @@ TEST(KneecapChain, ends_in_its_stored_rings_bitwise) {
 void expect_ball(const Spheres& spheres, double tolerance) {
   const Solid solid = build(document(spheres, tolerance)).solid;
   for (const Coordinates coordinates : {Coordinates::binary64, Coordinates::binary32}) {
-    const Report report = check(to_mesh(solid, coordinates).mesh);
+    const Report report = check(to_mesh(solid, coordinates).mesh());
     EXPECT_TRUE(report.is_solid());
     EXPECT_EQ(report.count(Defect::self_intersection), 0U);
     EXPECT_EQ(report.euler_number, 2);

@@ -51,7 +51,7 @@ TEST(RingedParts, build_to_solids_of_their_volumes) {
       smooth += std::visit(Volume(), part.shape);
     }
     const Built built = build(assembly);
-    const Report report = check(to_mesh(built.solid).mesh);
+    const Report report = check(to_mesh(built.solid).mesh());
     EXPECT_TRUE(report.is_solid()) << name;
     // A mesh within e of a surface of area A encloses a volume within about e A.
     EXPECT_NEAR(report.volume, smooth, 1.1 * assembly.tolerance * report.area) << name;

@@ -26,8 +26,8 @@ class WrittenUnions : public test::ScratchDirectory, public testing::WithParamIn
  protected:
   void expect_valid_file(const Solid& exact, MeshFormat format) const {
     const Rounded rounded = to_mesh(exact, coordinates(format));
-    ASSERT_EQ(rounded.report.origin, Vec3::Zero());
-    write_verified(path("x"), rounded.mesh, format);
+    ASSERT_EQ(rounded.report().origin, Vec3::Zero());
+    write_verified(path("x"), rounded.mesh(), format);
     const Report report = check(read_mesh(path("x")));
     EXPECT_TRUE(report.is_solid());
     EXPECT_EQ(report.count(Defect::contact), 0);
@@ -35,7 +35,7 @@ class WrittenUnions : public test::ScratchDirectory, public testing::WithParamIn
     EXPECT_EQ(report.genus, exact.genus());
     // The boundary has moved by at most this; twice for the growth of the area on the way.
     EXPECT_NEAR(report.volume, exact.volume(),
-                2 * report.area * rounded.report.largest_move + 1e-12 * exact.volume());
+                2 * report.area * rounded.report().largest_move + 1e-12 * exact.volume());
   }
 };
 

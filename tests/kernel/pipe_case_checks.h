@@ -31,7 +31,7 @@ inline void expect_valid(const Solid& solid) {
 inline void expect_valid_when_rounded(const Solid& solid) {
   for (const Coordinates coordinates : {Coordinates::binary64, Coordinates::binary32}) {
     const Rounded rounded = to_mesh(solid, coordinates);
-    const Report report = check(rounded.mesh);
+    const Report report = check(rounded.mesh());
     EXPECT_TRUE(report.is_solid());
     EXPECT_NEAR(report.volume, solid.volume(), 1e-6 * solid.volume());
   }

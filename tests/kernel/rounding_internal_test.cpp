@@ -105,17 +105,17 @@ TEST(Rounding, goes_to_the_nearest_number) {
   const Solid solid = thirds(integers);
   for (const Coordinates target : {Coordinates::binary64, Coordinates::binary32}) {
     const Rounded rounded = to_mesh(solid, target);
-    ASSERT_EQ(rounded.mesh.points.size(), solid.point_count());
+    ASSERT_EQ(rounded.mesh().points.size(), solid.point_count());
     for (std::uint32_t v = 0; v < solid.point_count(); ++v) {
       for (int k = 0; k < 3; ++k) {
         const double third = solid.exact().points[v][k];  // the quotient of integers by 3, rounded
-        EXPECT_EQ(rounded.mesh.points[v][k], target == Coordinates::binary64
-                                                 ? third
-                                                 : static_cast<double>(static_cast<float>(third)));
+        EXPECT_EQ(rounded.mesh().points[v][k],
+                  target == Coordinates::binary64 ? third
+                                                  : static_cast<double>(static_cast<float>(third)));
       }
     }
-    EXPECT_EQ(rounded.report.moved, solid.exact().implicit.size());
-    EXPECT_TRUE(check(rounded.mesh).is_solid());
+    EXPECT_EQ(rounded.report().moved, solid.exact().implicit.size());
+    EXPECT_TRUE(check(rounded.mesh()).is_solid());
   }
 }
 
@@ -125,7 +125,7 @@ TEST(Rounding, is_done_once) {
   const CGAL::Mpzf weight(0x1p80);
   exact->points.back() = Vec3(0, 0, 1 + 0x1p-24);
   exact->implicit = {{0, 0, weight + CGAL::Mpzf(0x1p56) + CGAL::Mpzf(1), weight}};
-  EXPECT_EQ(to_mesh(Solid(exact), Coordinates::binary32).mesh.points.back().z(), 1 + 0x1p-23);
+  EXPECT_EQ(to_mesh(Solid(exact), Coordinates::binary32).mesh().points.back().z(), 1 + 0x1p-23);
 }
 
 TEST(Rounding, bounds_every_move) {
@@ -133,15 +133,15 @@ TEST(Rounding, bounds_every_move) {
   for (const Vec3& place : {Vec3(0, 0, 0), Vec3(1e5, 0.3, 7)}) {
     const Rounded rounded =
         to_mesh(solid, Coordinates::binary32, {.origin = {Origin::Choice::given, place}});
-    ASSERT_EQ(rounded.mesh.points.size(), 8);
-    EXPECT_EQ(rounded.report.origin, place);
-    const mpq_class bound(rounded.report.largest_move);
+    ASSERT_EQ(rounded.mesh().points.size(), 8);
+    EXPECT_EQ(rounded.report().origin, place);
+    const mpq_class bound(rounded.report().largest_move);
     mpq_class largest = 0;
     for (std::uint32_t v = 0; v < 8; ++v) {
       mpq_class squares = 0;
       for (int k = 0; k < 3; ++k) {
         const mpq_class move = coordinate(solid.exact(), v, k) - mpq_class(place[k]) -
-                               mpq_class(rounded.mesh.points[v][k]);
+                               mpq_class(rounded.mesh().points[v][k]);
         squares += move * move;
       }
       largest = std::max(largest, squares);
@@ -156,10 +156,10 @@ TEST(Rounding, keeps_contacts_of_points_that_no_double_holds) {
                                            test::box(Vec3::Constant(4), Vec3::Constant(5))}));
   for (const Coordinates target : {Coordinates::binary64, Coordinates::binary32}) {
     const Rounded rounded = to_mesh(solid, target);
-    const Report report = check(rounded.mesh);
+    const Report report = check(rounded.mesh());
     EXPECT_TRUE(report.is_solid());
     EXPECT_EQ(report.count(Defect::contact), 1);
-    EXPECT_EQ(rounded.mesh.points.size(), 16);
+    EXPECT_EQ(rounded.mesh().points.size(), 16);
   }
 }
 

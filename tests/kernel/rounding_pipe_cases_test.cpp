@@ -22,12 +22,12 @@ TEST_P(RoundedPipeCase, is_a_solid_in_doubles_and_floats) {
   for (const Coordinates target : {Coordinates::binary64, Coordinates::binary32}) {
     SCOPED_TRACE(target == Coordinates::binary64 ? "binary64" : "binary32");
     const Rounded rounded = to_mesh(exact, target);
-    const Report report = check(rounded.mesh);
+    const Report report = check(rounded.mesh());
     EXPECT_TRUE(report.is_solid());
     EXPECT_EQ(report.components, exact.components());
     EXPECT_EQ(report.genus, exact.genus());
     EXPECT_NEAR(report.volume, exact.volume(),
-                2 * report.area * rounded.report.largest_move + 1e-12 * exact.volume());
+                2 * report.area * rounded.report().largest_move + 1e-12 * exact.volume());
   }
 }
 
@@ -45,16 +45,16 @@ TEST_P(RoundedSlitCase, is_one_pipe_in_doubles_and_floats) {
   for (const Coordinates target : {Coordinates::binary64, Coordinates::binary32}) {
     SCOPED_TRACE(target == Coordinates::binary64 ? "binary64" : "binary32");
     const Rounded rounded = to_mesh(exact, target);
-    EXPECT_GT(rounded.report.filled_slits, 0);
-    EXPECT_LE(rounded.report.slit_width, 0x1p-40);
-    EXPECT_TRUE(rounded.contacts.empty());
-    const Report report = check(rounded.mesh);
+    EXPECT_GT(rounded.report().filled_slits, 0);
+    EXPECT_LE(rounded.report().slit_width, 0x1p-40);
+    EXPECT_TRUE(rounded.contacts().empty());
+    const Report report = check(rounded.mesh());
     EXPECT_TRUE(report.is_solid());
     EXPECT_EQ(report.count(Defect::contact), 0);
     EXPECT_EQ(report.shells.size(), 1);
     EXPECT_EQ(report.genus, 0);
     EXPECT_NEAR(report.volume, exact.volume(),
-                2 * report.area * rounded.report.largest_move + 1e-12 * exact.volume());
+                2 * report.area * rounded.report().largest_move + 1e-12 * exact.volume());
   }
 }
 

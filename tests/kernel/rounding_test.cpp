@@ -37,33 +37,33 @@ TEST(ToMesh, copies_what_needs_no_rounding) {
                                      test::labelled(test::tetrahedron(Vec3(5, 5, 5)), "b")});
   for (const Coordinates target : {Coordinates::binary64, Coordinates::binary32}) {
     const Rounded rounded = to_mesh(Solid::from(mesh), target);
-    EXPECT_EQ(rounded.mesh.points, mesh.points);
-    EXPECT_EQ(rounded.mesh.triangles, mesh.triangles);
-    EXPECT_EQ(rounded.mesh.labels, mesh.labels);
-    EXPECT_EQ(rounded.mesh.names, mesh.names);
-    EXPECT_EQ(rounded.sources.size(), mesh.triangles.size());
-    EXPECT_EQ(rounded.sources[3], (Source{0, 3}));
-    EXPECT_EQ(rounded.report.coordinates, target);
-    EXPECT_EQ(rounded.report.moved, 0);
-    EXPECT_EQ(rounded.report.largest_move, 0);
-    EXPECT_EQ(rounded.report.repair_reach, 0);
-    EXPECT_EQ(rounded.report.removed_triangles, 0);
+    EXPECT_EQ(rounded.mesh().points, mesh.points);
+    EXPECT_EQ(rounded.mesh().triangles, mesh.triangles);
+    EXPECT_EQ(rounded.mesh().labels, mesh.labels);
+    EXPECT_EQ(rounded.mesh().names, mesh.names);
+    EXPECT_EQ(rounded.sources().size(), mesh.triangles.size());
+    EXPECT_EQ(rounded.sources()[3], (Source{0, 3}));
+    EXPECT_EQ(rounded.report().coordinates, target);
+    EXPECT_EQ(rounded.report().moved, 0);
+    EXPECT_EQ(rounded.report().largest_move, 0);
+    EXPECT_EQ(rounded.report().repair_reach, 0);
+    EXPECT_EQ(rounded.report().removed_triangles, 0);
   }
-  EXPECT_TRUE(to_mesh(Solid()).mesh.triangles.empty());
+  EXPECT_TRUE(to_mesh(Solid()).mesh().triangles.empty());
 }
 
 TEST(ToMesh, thins_out_what_floats_cannot_hold) {
   // At 10000 the floats are 2^-10 apart; the sides of the polygon are a fifth of that.
   const TriMesh mesh = test::moved(test::tube(0.03125, 0, 1, 1024), Vec3(1e4, 2e3, -1e4));
   const Rounded rounded = to_mesh(Solid::from(mesh), Coordinates::binary32);
-  EXPECT_TRUE(check(rounded.mesh).is_solid());
-  EXPECT_TRUE(holds_floats(rounded.mesh));
-  EXPECT_EQ(rounded.report.moved, mesh.points.size());
-  EXPECT_EQ(rounded.report.removed_triangles,
-            mesh.triangles.size() - rounded.mesh.triangles.size());
-  EXPECT_LE(rounded.report.largest_move, 1024 * 0x1p-10 + std::sqrt(0.75) * 0x1p-10);
+  EXPECT_TRUE(check(rounded.mesh()).is_solid());
+  EXPECT_TRUE(holds_floats(rounded.mesh()));
+  EXPECT_EQ(rounded.report().moved, mesh.points.size());
+  EXPECT_EQ(rounded.report().removed_triangles,
+            mesh.triangles.size() - rounded.mesh().triangles.size());
+  EXPECT_LE(rounded.report().largest_move, 1024 * 0x1p-10 + std::sqrt(0.75) * 0x1p-10);
   for (const Vec3& point : mesh.points) {
-    EXPECT_LE(distance_to_points(point, rounded.mesh), rounded.report.largest_move);
+    EXPECT_LE(distance_to_points(point, rounded.mesh()), rounded.report().largest_move);
   }
 }
 
@@ -72,13 +72,13 @@ TEST(ToMesh, keeps_labels_through_repair) {
       {test::labelled(test::moved(test::tube(0.03125, 0, 1, 512), Vec3(1e4, 0, 0)), "thin"),
        test::labelled(test::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), "box")});
   const Rounded rounded = to_mesh(Solid::from(mesh), Coordinates::binary32);
-  ASSERT_EQ(rounded.mesh.labels.size(), rounded.mesh.triangles.size());
-  ASSERT_EQ(rounded.sources.size(), rounded.mesh.triangles.size());
-  EXPECT_LT(rounded.mesh.triangles.size(), mesh.triangles.size());
-  for (std::size_t f = 0; f < rounded.mesh.triangles.size(); ++f) {
-    const bool thin = rounded.mesh.points[rounded.mesh.triangles[f][0]].x() > 100;
-    EXPECT_EQ(rounded.mesh.names[rounded.mesh.labels[f]], thin ? "thin" : "box");
-    EXPECT_EQ(rounded.mesh.labels[f], mesh.labels[rounded.sources[f].triangle]);
+  ASSERT_EQ(rounded.mesh().labels.size(), rounded.mesh().triangles.size());
+  ASSERT_EQ(rounded.sources().size(), rounded.mesh().triangles.size());
+  EXPECT_LT(rounded.mesh().triangles.size(), mesh.triangles.size());
+  for (std::size_t f = 0; f < rounded.mesh().triangles.size(); ++f) {
+    const bool thin = rounded.mesh().points[rounded.mesh().triangles[f][0]].x() > 100;
+    EXPECT_EQ(rounded.mesh().names[rounded.mesh().labels[f]], thin ? "thin" : "box");
+    EXPECT_EQ(rounded.mesh().labels[f], mesh.labels[rounded.sources()[f].triangle]);
   }
 }
 
@@ -87,8 +87,8 @@ TEST(ToMesh, is_the_same_every_time) {
       Solid::from(test::moved(test::tube(0.03125, 0, 1, 1024), Vec3(1e4, 2e3, -1e4)));
   const Rounded first = to_mesh(solid, Coordinates::binary32);
   const Rounded second = to_mesh(solid, Coordinates::binary32);
-  EXPECT_EQ(first.mesh.points, second.mesh.points);
-  EXPECT_EQ(first.mesh.triangles, second.mesh.triangles);
+  EXPECT_EQ(first.mesh().points, second.mesh().points);
+  EXPECT_EQ(first.mesh().triangles, second.mesh().triangles);
 }
 
 TEST(ToMesh, recentres_on_demand) {
@@ -96,24 +96,25 @@ TEST(ToMesh, recentres_on_demand) {
   const Solid solid = Solid::from(mesh);
   const Rounded rounded =
       to_mesh(solid, Coordinates::binary32, {.origin = {.choice = Origin::Choice::automatic}});
-  EXPECT_TRUE(check(rounded.mesh).is_solid());
-  EXPECT_EQ(rounded.mesh.triangles, mesh.triangles);
-  EXPECT_LT(rounded.report.largest_move, 1e-7);
+  EXPECT_TRUE(check(rounded.mesh()).is_solid());
+  EXPECT_EQ(rounded.mesh().triangles, mesh.triangles);
+  EXPECT_LT(rounded.report().largest_move, 1e-7);
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    EXPECT_LE((rounded.mesh.points[v] + rounded.report.origin - mesh.points[v]).norm(),
-              rounded.report.largest_move * 1.001);
+    EXPECT_LE((rounded.mesh().points[v] + rounded.report().origin - mesh.points[v]).norm(),
+              rounded.report().largest_move * 1.001);
   }
   EXPECT_EQ(to_mesh(Solid::from(test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1))), Coordinates::binary32,
                     {.origin = {.choice = Origin::Choice::automatic}})
-                .report.origin,
+                .report()
+                .origin,
             Vec3(0, 0, 0));
 }
 
 TEST(ToMesh, snaps_to_a_grid_on_demand) {
   const TriMesh mesh = test::moved(test::tube(1, 0, 2, 48), Vec3(0.1, 0.2, 0.3));
   const Rounded rounded = to_mesh(Solid::from(mesh), Coordinates::binary64, {.grid = 0x1p-8});
-  EXPECT_TRUE(check(rounded.mesh).is_solid());
-  for (const Vec3& p : rounded.mesh.points) {
+  EXPECT_TRUE(check(rounded.mesh()).is_solid());
+  for (const Vec3& p : rounded.mesh().points) {
     EXPECT_EQ(p, Vec3((p * 0x1p8).array().round() * 0x1p-8));
   }
 }
@@ -123,19 +124,19 @@ TEST(ToMesh, keeps_contacts) {
                                                  test::box(Vec3(1, 1, 0), Vec3(2, 2, 1))}),
                                    Vec3(0.1, 0.7, 0.3));
   const Rounded rounded = to_mesh(Solid::from(mesh), Coordinates::binary32);
-  const Report report = check(rounded.mesh);
+  const Report report = check(rounded.mesh());
   EXPECT_TRUE(report.is_solid());
   EXPECT_EQ(report.count(Defect::contact), check(mesh).count(Defect::contact));
-  EXPECT_EQ(rounded.mesh.points.size(), 16);
+  EXPECT_EQ(rounded.mesh().points.size(), 16);
 }
 
 TEST(ToMesh, leaves_out_shells_that_are_too_small) {
   const TriMesh box = test::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
   const TriMesh mesh = test::joined({box, test::tetrahedron(Vec3(5, 5, 5), 1e-9)});
   const Rounded rounded = to_mesh(Solid::from(mesh), Coordinates::binary32);
-  EXPECT_EQ(rounded.mesh.triangles, box.triangles);
-  EXPECT_EQ(rounded.report.removed_shells, 1);
-  EXPECT_EQ(rounded.report.removed_triangles, 4);
+  EXPECT_EQ(rounded.mesh().triangles, box.triangles);
+  EXPECT_EQ(rounded.report().removed_shells, 1);
+  EXPECT_EQ(rounded.report().removed_triangles, 4);
 }
 
 /// Tetrahedra of a few float steps that rounding may flatten or turn inside out.
@@ -154,8 +155,8 @@ TEST(ToMesh, turns_no_shell_inside_out) {
       mesh = test::joined({box, test::reversed(tiny)});
     }
     const Rounded rounded = to_mesh(Solid::from(mesh), Coordinates::binary32);
-    ASSERT_TRUE(check(rounded.mesh).is_solid()) << round;
-    ++(rounded.report.removed_shells == 1 ? removed : kept);
+    ASSERT_TRUE(check(rounded.mesh()).is_solid()) << round;
+    ++(rounded.report().removed_shells == 1 ? removed : kept);
   }
   EXPECT_GT(kept, 20);
   EXPECT_GT(removed, 20);
@@ -176,22 +177,22 @@ Solid pyramids(std::array<double, 4> steps) {
 TEST(ToMesh, fills_slits_that_rounding_turns_inside_out) {
   const Solid solid = pyramids(kTurningVoid);
   EXPECT_EQ(solid.contacts().size(), 4);
-  EXPECT_EQ(to_mesh(solid).report.filled_slits, 0) << "doubles hold it as it is";
+  EXPECT_EQ(to_mesh(solid).report().filled_slits, 0) << "doubles hold it as it is";
   const Rounded rounded = to_mesh(solid, Coordinates::binary32);
-  EXPECT_EQ(rounded.report.filled_slits, 1);
-  EXPECT_EQ(rounded.report.removed_triangles, 4);
-  EXPECT_TRUE(rounded.contacts.empty());
-  EXPECT_EQ(rounded.mesh.points.size(), 6);
-  EXPECT_TRUE(check(rounded.mesh).is_solid());
-  EXPECT_GE(rounded.report.largest_move, rounded.report.slit_width / 2);
+  EXPECT_EQ(rounded.report().filled_slits, 1);
+  EXPECT_EQ(rounded.report().removed_triangles, 4);
+  EXPECT_TRUE(rounded.contacts().empty());
+  EXPECT_EQ(rounded.mesh().points.size(), 6);
+  EXPECT_TRUE(check(rounded.mesh()).is_solid());
+  EXPECT_GE(rounded.report().largest_move, rounded.report().slit_width / 2);
 }
 
 TEST(ToMesh, keeps_slits_that_rounding_keeps) {
   const Solid solid = pyramids(kLastingVoid);
   const Rounded rounded = to_mesh(solid, Coordinates::binary32);
-  EXPECT_EQ(rounded.report.filled_slits, 0);
-  EXPECT_EQ(rounded.contacts.size(), 4);
-  EXPECT_TRUE(check(rounded.mesh).is_solid());
+  EXPECT_EQ(rounded.report().filled_slits, 0);
+  EXPECT_EQ(rounded.contacts().size(), 4);
+  EXPECT_TRUE(check(rounded.mesh()).is_solid());
 }
 
 TEST(ToMesh, refuses_slits_wider_than_the_tolerance) {

@@ -24,16 +24,16 @@ std::ostream& operator<<(std::ostream& out, const Batch& batch) { return out << 
 /// What the rounded mesh promises, checked on its very numbers.
 void expect_sound(const Solid& exact, Coordinates target) {
   const Rounded rounded = to_mesh(exact, target);
-  const Report report = check(rounded.mesh);
+  const Report report = check(rounded.mesh());
   EXPECT_TRUE(report.is_solid());
   EXPECT_EQ(report.count(Defect::contact), 0) << "no two points are the same";
   EXPECT_EQ(report.components, exact.components());
   EXPECT_EQ(report.genus, exact.genus());
   // The boundary has moved by at most this; twice for the growth of the area on the way.
   EXPECT_NEAR(report.volume, exact.volume(),
-              2 * report.area * rounded.report.largest_move + 1e-12 * exact.volume());
+              2 * report.area * rounded.report().largest_move + 1e-12 * exact.volume());
   if (target == Coordinates::binary32) {
-    for (const Vec3& p : rounded.mesh.points) {
+    for (const Vec3& p : rounded.mesh().points) {
       ASSERT_EQ(p, p.cast<float>().cast<double>());
     }
   }

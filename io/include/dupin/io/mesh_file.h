@@ -73,4 +73,11 @@ void write_mesh(const std::filesystem::path& path, const TriMesh& mesh);
 Report write_verified(const std::filesystem::path& path, const TriMesh& mesh, MeshFormat format,
                       const MeshHeader& header = {});
 
+/// The same promise for a mesh that rounding has proved, at the cost of reading it back: the file
+/// must give the very same numbers and neighbours, for which the proof then holds. Throws
+/// Error{unroundable} naming the first triangle that differs: the format holds coarser numbers than
+/// the solid was rounded to, or its readers weld what only touches (contacts).
+void write_verified(const std::filesystem::path& path, const Rounded& rounded, MeshFormat format,
+                    const MeshHeader& header = {});
+
 }  // namespace dupin

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
@@ -55,11 +56,29 @@ struct RoundingReport {
   double slit_width = 0;
 };
 
-struct Rounded {
-  TriMesh mesh;
-  std::vector<Source> sources;    ///< one per triangle, as in the solid
-  std::vector<Contact> contacts;  ///< those of the solid that filled slits have not ended
-  RoundingReport report;
+namespace detail {
+class Rounding;
+}
+
+/// A mesh that represents a solid by exact tests on its own numbers. Only `to_mesh` makes one.
+class Rounded {
+ public:
+  [[nodiscard]] const TriMesh& mesh() const& { return mesh_; }
+  [[nodiscard]] TriMesh mesh() && { return std::move(mesh_); }
+  /// One per triangle, as in the solid.
+  [[nodiscard]] const std::vector<Source>& sources() const { return sources_; }
+  /// Those of the solid that filled slits have not ended.
+  [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
+  [[nodiscard]] const RoundingReport& report() const { return report_; }
+
+ private:
+  friend class detail::Rounding;
+  Rounded() = default;
+
+  TriMesh mesh_;
+  std::vector<Source> sources_;
+  std::vector<Contact> contacts_;
+  RoundingReport report_;
 };
 
 /// The one rounding: exact coordinates to representable ones, such that the mesh, identical
