@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <sstream>
 
@@ -109,7 +110,7 @@ class detail::Rounding {
         lattice_(coordinates, options.grid),
         origin_(chosen_origin(options.origin, exact.points)),
         rounded_(detail::round_points(exact, lattice_, origin_)),
-        twins_(detail::exact_twins(exact)),
+        twins_(twins(exact)),
         shell_of_(detail::shell_of_points(exact)),
         classes_(exact.labels) {
     const double largest = largest_coordinate(rounded_.doubles);
@@ -136,6 +137,16 @@ class detail::Rounding {
   }
 
  private:
+  /// Points of a solid coincide at contacts only.
+  static std::vector<std::uint32_t> twins(const ExactMesh& exact) {
+    if (!exact.contacts.empty()) {
+      return detail::exact_twins(exact);
+    }
+    std::vector<std::uint32_t> own(exact.points.size());
+    std::iota(own.begin(), own.end(), 0U);
+    return own;
+  }
+
   [[nodiscard]] double largest_number() const {
     return coordinates_ == Coordinates::binary64 ? std::numeric_limits<double>::max()
                                                  : std::numeric_limits<float>::max();

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "contact.h"
 #include "dupin/kernel/check.h"
 #include "exact.h"
 #include "exact_mesh.h"
@@ -41,6 +42,7 @@ Solid thirds(const TriMesh& mesh) {
     exact->triangles.push_back({position[t[0]], position[t[1]], position[t[2]]});
     exact->sources.push_back({0, f});
   }
+  separate_contacts(*exact);
   return Solid(exact);
 }
 
