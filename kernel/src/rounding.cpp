@@ -233,8 +233,8 @@ class detail::Rounding {
     return faces;
   }
 
-  /// Repairs the mesh of doubles, then, for a coarser lattice, thickens what is thin around the
-  /// places that rounding breaks, rounds, and repairs again. `broken_pairs` are the bad items of
+  /// Around the places that rounding breaks: repairs the mesh of doubles, then, for a coarser
+  /// lattice, thickens what is thin. Rounds, and repairs again. `broken_pairs` are the bad items of
   /// the mesh that is rounded only.
   void attempt(RepairMesh& mesh, const std::vector<std::uint32_t>& broken,
                const std::vector<BadItem>& broken_pairs, double reach) {
@@ -243,7 +243,8 @@ class detail::Rounding {
       trials_left_ = detail::repair(mesh, lattice_, reach, trials_left_);
       return;
     }
-    mesh.find_bad_items(rounded_.inexact);
+    const std::vector<std::uint32_t> around = detail::with_neighbours(mesh, broken);
+    mesh.find_bad_items(inexact_points(mesh, detail::with_neighbours(mesh, around)));
     trials_left_ = detail::repair(mesh, Lattice(Coordinates::binary64),
                                   reach / step_ * double_step_, trials_left_);
     detail::clean_up(mesh, reach, detail::with_neighbours(mesh, broken));
@@ -255,6 +256,18 @@ class detail::Rounding {
     mesh.place(std::move(points));
     mesh.find_bad_items(differing_points(mesh), broken_pairs);
     trials_left_ = detail::repair(mesh, lattice_, reach, trials_left_);
+  }
+
+  /// The corners of faces that are not where the solid has them.
+  [[nodiscard]] std::vector<std::uint8_t> inexact_points(
+      const RepairMesh& mesh, const std::vector<std::uint32_t>& faces) const {
+    std::vector<std::uint8_t> inexact(mesh.points().size(), 0);
+    for (const std::uint32_t f : faces) {
+      for (const std::uint32_t v : mesh.triangle(f)) {
+        inexact[v] = rounded_.inexact[v];
+      }
+    }
+    return inexact;
   }
 
   /// The corners of faces that are not as in the mesh that is rounded only.

@@ -180,7 +180,10 @@ class Search {
         boxes.push_back(around);
       }
     }
-    const BoxTree tree(boxes, [&](std::uint32_t i) { return framed(near[i]); });
+    constexpr std::size_t kMany = 8;  // times more passive ones: most are far from any active one
+    const BoxTree tree = near.size() > kMany * active_.size()
+                             ? BoxTree(boxes)
+                             : BoxTree(boxes, [&](std::uint32_t i) { return framed(near[i]); });
     return examined(TreePairs(tree, tree_), in_order_of(tree, near));
   }
 
