@@ -35,11 +35,15 @@ struct UnsetAllocator : std::allocator<T> {
 template <class T>
 using BulkVector = std::vector<T, UnsetAllocator<T>>;
 
-/// A large resize() of an empty vector.
+/// A large reserve(), or resize(), of an empty vector.
 template <class T>
-void resize_bulk(std::vector<T>& items, std::size_t count) {
+void reserve_bulk(std::vector<T>& items, std::size_t count) {
   items.reserve(count);
   prefer_huge_pages(items.data(), count * sizeof(T));
+}
+template <class T>
+void resize_bulk(std::vector<T>& items, std::size_t count) {
+  reserve_bulk(items, count);
   items.resize(count);
 }
 

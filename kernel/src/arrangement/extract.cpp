@@ -117,7 +117,7 @@ class PointWriter {
       number_[implicit_[i]] = nearest[i].is_exact ? 0 : kNone;
     }
     const Ranking doubles(number_.size(), [this](std::size_t id) { return number_[id] == 0; });
-    resize_bulk(mesh.points, doubles.size() + implicit_.size());
+    reserve_bulk(mesh.points, doubles.size() + implicit_.size());
     mesh.points.resize(doubles.size());
     doubles.for_each([&](std::size_t i, std::size_t number) {
       const auto id = static_cast<PointId>(i);
@@ -204,9 +204,10 @@ void write_planes(const Scene& scene, const BulkVector<Kept>& kept, ExactMesh& m
   if (mesh.implicit.empty()) {
     return;
   }
-  mesh.plane_of.resize(kept.size(), ExactMesh::kOwnPlane);
+  resize_bulk(mesh.plane_of, kept.size());
   const auto collect = [&, first_implicit = mesh.double_count()](
                            std::size_t i, std::vector<std::uint32_t>& found) {
+    mesh.plane_of[i] = ExactMesh::kOwnPlane;
     const Triangle &corners = mesh.triangles[i], &support = scene.support(kept[i].support);
     const auto is_implicit = [&](std::uint32_t c) { return c >= first_implicit; };
     const auto is_known = [&](PointId id) { return scene.points.is_double(id); };
@@ -215,10 +216,19 @@ void write_planes(const Scene& scene, const BulkVector<Kept>& kept, ExactMesh& m
       found.push_back(static_cast<std::uint32_t>(i));
     }
   };
+  const auto with_planes = collect_in_order<std::uint32_t>(kept.size(), collect);
   KeyNumbering known(0);
-  for (const std::uint32_t i : collect_in_order<std::uint32_t>(kept.size(), collect)) {
-    const Triangle& support = scene.support(kept[i].support);
+  std::uint32_t previous = with_planes.empty() ? 0 : with_planes.front();
+  for (const std::uint32_t i : with_planes) {
     const bool reversed = kept[i].reversed;
+    // Pieces of one triangle follow one another.
+    if (i != previous && kept[i].support == kept[previous].support &&
+        reversed == kept[previous].reversed) {
+      mesh.plane_of[i] = mesh.plane_of[previous];
+      continue;
+    }
+    previous = i;
+    const Triangle& support = scene.support(kept[i].support);
     mesh.plane_of[i] = known.number({std::uint64_t{support[0]} << 32 | support[1],
                                      std::uint64_t{support[2]} << 1 | std::uint64_t{reversed}});
     if (mesh.plane_of[i] == mesh.planes.size()) {

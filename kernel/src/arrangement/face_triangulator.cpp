@@ -87,18 +87,23 @@ EdgeKey FaceTriangulator::edge(std::uint32_t triangle, std::size_t i) const {
 
 void FaceTriangulator::collect_points() {
   ids_.clear();
+  incidences_of_.clear();
   for (const std::uint32_t t : members_) {
     const Triangle& corners = scene_.triangles[t];
     ids_.insert(ids_.end(), corners.begin(), corners.end());
+    MemberIncidences& found = incidences_of_.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
-      for (const auto& p : incidences_.on_edge(edge(t, i))) {
+      found.on_edges[i] = incidences_.on_edge(edge(t, i));
+      for (const auto& p : found.on_edges[i]) {
         ids_.push_back(p.point);
       }
     }
-    for (const auto& p : incidences_.inside(t)) {
+    found.insides = incidences_.inside(t);
+    for (const auto& p : found.insides) {
       ids_.push_back(p.point);
     }
-    for (const auto& s : incidences_.segments_of(t)) {
+    found.segments = incidences_.segments_of(t);
+    for (const auto& s : found.segments) {
       ids_.insert(ids_.end(), {s.from, s.to});
     }
   }
@@ -122,8 +127,7 @@ void FaceTriangulator::place(PointId id, std::uint8_t sides) {
 
 // The points on the triangle's edges are known to be collinear with its corners.
 void FaceTriangulator::start_from_triangle() {
-  const std::uint32_t t = members_[0];
-  const Triangle& corners = scene_.triangles[t];
+  const Triangle& corners = scene_.triangles[members_[0]];
   std::array<Triangulation::Vertex, 3> v{};
   for (std::size_t i = 0; i < 3; ++i) {
     v[i] = vertex(corners[i]) = triangulation_.add(
@@ -131,7 +135,7 @@ void FaceTriangulator::start_from_triangle() {
   }
   triangulation_.start(v[0], v[1], v[2]);
   for (std::size_t i = 0; i < 3; ++i) {
-    for (const auto& p : incidences_.on_edge(edge(t, i))) {
+    for (const auto& p : incidences_of_[0].on_edges[i]) {
       place(p.point, static_cast<std::uint8_t>(1u << i));
     }
   }
@@ -139,12 +143,12 @@ void FaceTriangulator::start_from_triangle() {
 }
 
 void FaceTriangulator::place_remaining() {
-  for (const std::uint32_t t : members_) {
-    for (const auto& s : incidences_.segments_of(t)) {
+  for (const MemberIncidences& found : incidences_of_) {
+    for (const auto& s : found.segments) {
       place(s.from, 0);
       place(s.to, 0);
     }
-    for (const auto& p : incidences_.inside(t)) {
+    for (const auto& p : found.insides) {
       place(p.point, 0);
     }
   }
@@ -165,29 +169,29 @@ void FaceTriangulator::start_from_frame() {
   const auto b = triangulation_.add_frame_corner(center[0] + 2 * size, center[1] - high);
   const auto c = triangulation_.add_frame_corner(center[0], center[1] + 2 * high);
   triangulation_.start(a, b, c);
-  for (const std::uint32_t t : members_) {
-    for (const PointId id : scene_.triangles[t]) {
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    for (const PointId id : scene_.triangles[members_[m]]) {
       place(id, 0);
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (const auto& p : incidences_.on_edge(edge(t, i))) {
+    for (const auto& points : incidences_of_[m].on_edges) {
+      for (const auto& p : points) {
         place(p.point, 0);
       }
     }
   }
   place_remaining();
-  for (const std::uint32_t t : members_) {
-    constrain_edges(t);
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    constrain_edges(m);
   }
 }
 
-void FaceTriangulator::constrain_edges(std::uint32_t triangle) {
+void FaceTriangulator::constrain_edges(std::size_t member) {
   for (std::size_t i = 0; i < 3; ++i) {
-    const EdgeKey key = edge(triangle, i);
-    slots_.push_back({kNone, {triangle}});
+    const EdgeKey key = edge(members_[member], i);
+    slots_.push_back({kNone, {members_[member]}});
     const std::uint32_t slot = last_slot();
     PointId from = lower_end(key);
-    for (const auto& p : incidences_.on_edge(key)) {
+    for (const auto& p : incidences_of_[member].on_edges[i]) {
       triangulation_.constrain(vertex(from), vertex(p.point), slot);
       from = p.point;
     }
@@ -196,8 +200,8 @@ void FaceTriangulator::constrain_edges(std::uint32_t triangle) {
 }
 
 void FaceTriangulator::constrain_segments() {
-  for (const std::uint32_t t : members_) {
-    for (const Incidences::Segment& s : incidences_.segments_of(t)) {
+  for (const MemberIncidences& found : incidences_of_) {
+    for (const Incidences::Segment& s : found.segments) {
       slots_.push_back({s.partner, {}});
       triangulation_.constrain(vertex(s.from), vertex(s.to), last_slot());
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,6 +35,11 @@ class FaceTriangulator {
     std::uint32_t partner;                ///< a triangle whose plane holds the line, or kNone
     std::vector<std::uint32_t> bounding;  ///< members of which it is an edge
   };
+  struct MemberIncidences {
+    std::array<std::span<const Incidences::OnEdge>, 3> on_edges;
+    std::span<const Incidences::Inside> insides;
+    std::span<const Incidences::Segment> segments;
+  };
   using Members = std::vector<std::uint32_t>;
 
   [[nodiscard]] Definition crossing(std::uint32_t a, std::uint32_t b) const;
@@ -48,7 +54,7 @@ class FaceTriangulator {
   void start_from_triangle();
   void start_from_frame();
   void place_remaining();
-  void constrain_edges(std::uint32_t triangle);
+  void constrain_edges(std::size_t member);
   void constrain_segments();
   void find_regions();
   [[nodiscard]] std::size_t region_count() const { return first_in_region_.size() - 1; }
@@ -66,6 +72,7 @@ class FaceTriangulator {
   Triangulation triangulation_;
   // Of the present face:
   std::span<const std::uint32_t> members_;
+  std::vector<MemberIncidences> incidences_of_;  // of each member
   Projection projection_;
   std::vector<Slot> slots_;
   std::vector<PointId> ids_;

@@ -208,9 +208,10 @@ std::span<const Item> of_triangle(const std::vector<Item>& items, std::uint32_t 
 }  // namespace
 
 std::span<const Incidences::OnEdge> Incidences::on_edge(EdgeKey edge) const {
-  const auto [begin, end] =
-      std::equal_range(on_edges.begin(), on_edges.end(), OnEdge{edge, 0},
-                       [](const OnEdge& a, const OnEdge& b) { return a.edge < b.edge; });
+  const auto begin = std::lower_bound(on_edges.begin(), on_edges.end(), edge,
+                                      [](const OnEdge& p, EdgeKey key) { return p.edge < key; });
+  const auto end =
+      std::find_if(begin, on_edges.end(), [edge](const OnEdge& p) { return p.edge != edge; });
   return {begin, end};
 }
 
