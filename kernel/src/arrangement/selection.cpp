@@ -68,14 +68,16 @@ class Relations {
 void relate_around(const Scene& scene, const Patches& patches, const Run& seam,
                    Relations& relations) {
   const auto patch = [&](const Sheet& s) { return patches.of_member(s.owner); };
-  std::vector<Sheet> sheets;
-  for (const Patches::Side& side : patches.sides(seam)) {
-    sheets.push_back(side.sheet);
-  }
-  const std::uint32_t first_root = relations.root(patch(sheets[0]));
-  if (std::all_of(sheets.begin(), sheets.end(),
-                  [&](const Sheet& s) { return relations.root(patch(s)) == first_root; })) {
+  const std::span<const Patches::Side> sides = patches.sides(seam);
+  const std::uint32_t first_root = relations.root(patch(sides[0].sheet));
+  if (std::all_of(sides.begin(), sides.end(), [&](const Patches::Side& side) {
+        return relations.root(patch(side.sheet)) == first_root;
+      })) {
     return;
+  }
+  std::vector<Sheet> sheets;
+  for (const Patches::Side& side : sides) {
+    sheets.push_back(side.sheet);
   }
   sort_around_edge(scene, sheets);
   for (std::size_t i = 0; i < sheets.size(); ++i) {
