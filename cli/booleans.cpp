@@ -31,7 +31,8 @@ struct BooleanCommand {
 /// What all set operations take.
 struct OperandArguments {
   std::vector<std::string> operands;
-  std::string output, format, contacts;
+  std::string contacts;
+  OutputArguments output;
   bool repair = false;
   RoundingArguments rounding;
 };
@@ -62,7 +63,7 @@ ExitCode run_operation(
     const std::vector<std::string>& files, const OperandArguments& arguments,
     const CommonOptions& common,
     const std::function<Solid(std::span<const Solid>, const BooleanOptions&)>& operation) {
-  const Destination to = destination(arguments.output, arguments.format);
+  const Destination to = destination(arguments.output);
   const std::vector<Input> inputs = read_inputs(files);
   const MeshHeader header{common_unit(inputs), {}};
   const ContactChoice contacts = contact_choice(arguments.contacts, header.unit);
@@ -139,10 +140,10 @@ ExitCode run_expression(const ExpressionArguments& arguments, const CommonOption
 }
 
 void add_operand_options(CLI::App& command, OperandArguments& arguments) {
-  command.add_option("-o,--output", arguments.output, "mesh file; - for standard output")
+  command.add_option("-o,--output", arguments.output.path, "mesh file; - for standard output")
       ->type_name("OUT")
       ->required();
-  add_format_option(command, arguments.format);
+  add_output_options(command, arguments.output);
   add_contacts_option(command, arguments.contacts);
   command.add_flag("--repair", arguments.repair,
                    "Mend operands that are no solids, where that is safe, and say how: merge\n"

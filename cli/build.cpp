@@ -20,7 +20,8 @@ namespace dupin::cli {
 namespace {
 
 struct BuildArguments {
-  std::string file, output, format, connect, contacts;
+  std::string file, connect, contacts;
+  OutputArguments output;
   std::uint32_t segments = 0;
   RoundingArguments rounding;
 };
@@ -96,7 +97,7 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
 }
 
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
-  const Destination to = destination(arguments.output, arguments.format);
+  const Destination to = destination(arguments.output);
   const Assembly assembly = read_document(arguments.file);
   BuildOptions options = build_options(assembly, arguments, common);
   const std::string unit(symbol(assembly.unit));
@@ -131,10 +132,10 @@ void add_build(CLI::App& app, Action& action) {
   command->add_option("FILE", arguments->file, "assembly document; - for standard input")
       ->type_name("")
       ->required();
-  command->add_option("-o,--output", arguments->output, "mesh file; - for standard output")
+  command->add_option("-o,--output", arguments->output.path, "mesh file; - for standard output")
       ->type_name("OUT")
       ->required();
-  add_format_option(*command, arguments->format);
+  add_output_options(*command, arguments->output);
   command->add_option("--segments", arguments->segments, "Fixed number of segments of every ring")
       ->type_name("NUMBER")
       ->check(CLI::Range(3, 65536));

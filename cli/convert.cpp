@@ -20,7 +20,7 @@ bool fits(const TriMesh& mesh, Coordinates coordinates) {
 }
 
 ExitCode run_convert(const MeshToMesh& arguments, const CommonOptions& common) {
-  const Destination to = destination(arguments.output, arguments.format);
+  const Destination to = destination(arguments.output);
   const Input input = read_input(arguments.input);
   const MeshHeader header{input.unit(), {}};
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit,

@@ -2,8 +2,6 @@
 
 #include <CLI/App.hpp>
 
-#include "output.h"
-
 namespace dupin::cli {
 
 void add_mesh_to_mesh_options(CLI::App& command, const std::string& input_kind,
@@ -11,10 +9,10 @@ void add_mesh_to_mesh_options(CLI::App& command, const std::string& input_kind,
   command.add_option("IN", arguments.input, input_kind + "; - for standard input")
       ->type_name("")
       ->required();
-  command.add_option("OUT", arguments.output, "mesh file; - for standard output")
+  command.add_option("OUT", arguments.output.path, "mesh file; - for standard output")
       ->type_name("")
       ->required();
-  add_format_option(command, arguments.format);
+  add_output_options(command, arguments.output);
   add_rounding_options(command, arguments.rounding);
 }
 

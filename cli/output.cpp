@@ -47,6 +47,15 @@ Report write_verified_stdout(const TriMesh& mesh, MeshFormat format, const MeshH
   return report;
 }
 
+/// Returns the bytes written.
+std::string write_unverified(const TriMesh& mesh, const Destination& to, const MeshHeader& header) {
+  std::string bytes = mesh_bytes(mesh, to.format, header);
+  to.is_stdout() ? write_stdout(bytes) : write_file(to.path, bytes);
+  return bytes;
+}
+
+std::string shown(const Destination& to) { return to.is_stdout() ? "standard output" : to.path; }
+
 /// What rounding every coordinate to the nearest does.
 RoundingReport nearest_rounding(const TriMesh& mesh, Coordinates coordinates) {
   RoundingReport report;
@@ -75,7 +84,7 @@ void refuse_contacts(const std::vector<Contact>& contacts, const Destination& to
                   (contacts.size() > kTold ? ", ..." : "") +
                   ", and readers of STL would weld it there; write another format, or see "
                   "--contacts separate=LENGTH and bridge=LENGTH",
-              {}, to.is_stdout() ? "standard output" : to.path);
+              {}, shown(to));
 }
 
 std::string origin_note(const Vec3& origin) {
@@ -93,27 +102,30 @@ const std::vector<std::string>& format_names() {
   return names;
 }
 
-void add_format_option(CLI::App& command, std::string& format) {
+void add_output_options(CLI::App& command, OutputArguments& arguments) {
   std::string help = "Instead of what the extension says; needed for standard output:\n";
   for (const std::string& name : format_names()) {
     help += (name == format_names().front() ? "" : ", ") + name;
   }
-  command.add_option("--format", format, help)
+  command.add_option("--format", arguments.format, help)
       ->type_name("NAME")
       ->check(CLI::IsMember(format_names()));
+  command.add_flag("--no-verify", arguments.no_verify,
+                   "Write without reading the file back and checking it");
 }
 
-Destination destination(const std::string& path, const std::string& format) {
+Destination destination(const OutputArguments& arguments) {
+  const auto& [path, format, no_verify] = arguments;
   for (std::size_t index = 0; index < kMeshFormats.size(); ++index) {
     if (format == format_names().at(index)) {
-      return {path, kMeshFormats.at(index)};
+      return {path, kMeshFormats.at(index), !no_verify};
     }
   }
   if (path == "-") {
     throw UsageError("standard output needs --format");
   }
   try {
-    return {path, format_of(path)};
+    return {path, format_of(path), !no_verify};
   } catch (const Error& error) {
     throw UsageError(error.what() + std::string("; or say --format"));
   }
@@ -129,10 +141,14 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
   if (rounded.report().origin != Vec3::Zero()) {
     header.note += (header.note.empty() ? "" : "; ") + origin_note(rounded.report().origin);
   }
-  report.file = to.is_stdout() ? "standard output" : to.path;
+  report.file = shown(to);
   report.format = name(to.format);
   report.rounding = rounded.report();
-  report.check = writing([&] {
+  report.check = writing([&]() -> std::optional<Report> {
+    if (!to.verify) {
+      static_cast<void>(write_unverified(rounded.mesh(), to, header));
+      return std::nullopt;
+    }
     return to.is_stdout() ? write_verified_stdout(rounded.mesh(), to.format, header)
                           : write_verified(to.path, rounded.mesh(), to.format, header);
   });
@@ -140,14 +156,15 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
 }
 
 OutputReport write_plain(const TriMesh& mesh, const Destination& to, const MeshHeader& header) {
-  const std::string bytes = mesh_bytes(mesh, to.format, header);
-  writing([&] { to.is_stdout() ? write_stdout(bytes) : write_file(to.path, bytes); });
-  return {to.is_stdout() ? "standard output" : to.path,
-          std::string(name(to.format)),
-          nearest_rounding(mesh, coordinates(to.format)),
-          check(read_mesh(bytes, to.path, to.format)),
-          {},
-          std::nullopt};
+  OutputReport report;
+  report.file = shown(to);
+  report.format = name(to.format);
+  report.rounding = nearest_rounding(mesh, coordinates(to.format));
+  const std::string bytes = writing([&] { return write_unverified(mesh, to, header); });
+  if (to.verify) {
+    report.check = check(read_mesh(bytes, to.path, to.format));
+  }
+  return report;
 }
 
 void write_text(const std::string& path, const std::string& text) {

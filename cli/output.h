@@ -21,6 +21,7 @@ namespace dupin::cli {
 struct Destination {
   std::string path;
   MeshFormat format = MeshFormat::off;
+  bool verify = true;  ///< whether the bytes are read back and checked
 
   [[nodiscard]] bool is_stdout() const { return path == "-"; }
 };
@@ -28,17 +29,23 @@ struct Destination {
 /// What --format takes, in the order of kMeshFormats.
 [[nodiscard]] const std::vector<std::string>& format_names();
 
-/// Adds --format, shared by all commands that write a mesh.
-void add_format_option(CLI::App& command, std::string& format);
+/// What the commands that write a mesh are told of where it goes.
+struct OutputArguments {
+  std::string path, format;
+  bool no_verify = false;
+};
+
+/// Adds --format and --no-verify, shared by all commands that write a mesh.
+void add_output_options(CLI::App& command, OutputArguments& arguments);
 
 /// The format is the one asked for (see format_names) or, if empty, the one that the
 /// path's extension names. Throws UsageError.
-[[nodiscard]] Destination destination(const std::string& path, const std::string& format);
+[[nodiscard]] Destination destination(const OutputArguments& arguments);
 
-/// Settles contacts as chosen, rounds once to what the format holds, reads the bytes back, checks
-/// them, and only then lets the file take its place; says so in the header if the origin is moved.
-/// Throws Error{unroundable}, Error{contact} for contacts in a format whose readers weld vertices,
-/// OutputError.
+/// Settles contacts as chosen, rounds once to what the format holds, reads the bytes back and
+/// checks them unless told otherwise, and only then lets the file take its place; says so in the
+/// header if the origin is moved. Throws Error{unroundable}, Error{contact} for contacts in a
+/// format whose readers weld vertices, OutputError.
 [[nodiscard]] OutputReport write_solid(const Solid& solid, const Destination& to,
                                        const RoundingOptions& rounding, MeshHeader header,
                                        const ContactChoice& contacts = {});

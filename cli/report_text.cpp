@@ -139,7 +139,9 @@ void print_report(std::ostream& out, const Report& report) {
 
 void print_output(std::ostream& out, const OutputReport& report, std::string_view unit) {
   print_row(out, "written", report.file + ", " + report.format);
-  print_measures(out, report.check, unit);
+  if (report.check) {
+    print_measures(out, *report.check, unit);
+  }
   if (report.simplification) {
     print_row(out, "simplified",
               counted(report.simplification->removed_triangles, "triangle") +
@@ -147,6 +149,7 @@ void print_output(std::ostream& out, const OutputReport& report, std::string_vie
                   powered(report.simplification->deviation, unit, ""));
   }
   print_row(out, "rounding", rounding_text(report.rounding, unit));
+  print_row(out, "verified", report.check ? "read back and checked" : "no");
   if (report.rounding.filled_slits > 0) {
     print_row(out, "slits",
               counted(report.rounding.filled_slits, "void") + " filled, at most " +

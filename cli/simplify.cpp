@@ -15,7 +15,7 @@ namespace dupin::cli {
 namespace {
 
 ExitCode run_simplify(const MeshToMesh& arguments, const CommonOptions& common) {
-  const Destination to = destination(arguments.output, arguments.format);
+  const Destination to = destination(arguments.output);
   if (common.tolerance.empty()) {
     throw UsageError("simplify needs --tolerance");
   }

@@ -95,7 +95,10 @@ Json form(const OutputReport& report) {
               {"format", report.format},
               {"rounding", form(report.rounding)},
               {"contacts", list(report.contacts)},
-              {"check", form(report.check)}};
+              {"verified", report.check.has_value()}};
+  if (report.check) {
+    object["check"] = form(*report.check);
+  }
   if (report.simplification) {
     object["simplification"] = {{"removed_triangles", report.simplification->removed_triangles},
                                 {"deviation", report.simplification->deviation}};

@@ -13,6 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 using Output = Tool;
 
@@ -37,6 +38,30 @@ TEST_F(Output, a_chain_of_pipes_needs_no_files) {
       " | dupin -q subtract - b.off -o - --format stl | dupin check - --json");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(nlohmann::json::parse(result.out).at("volume"), 7);
+}
+
+TEST_F(Output, is_not_read_back_with_no_verify) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  put("b.off", box({1, 1, 1}, {3, 3, 3}));
+  const std::vector<std::string> unite = {"union", "a.off", "b.off", "-o", "ab.stl"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), unite.begin(), unite.end());
+    const ProcessResult result = dupin(more);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.out;
+  };
+  EXPECT_THAT(with({}), HasSubstr("verified             read back and checked\n"));
+  const std::string verified = folder_.read("ab.stl");
+  const std::string report = with({"--no-verify"});
+  EXPECT_THAT(report, HasSubstr("verified             no\n"));
+  EXPECT_THAT(report, Not(HasSubstr("volume")));
+  EXPECT_EQ(folder_.read("ab.stl"), verified);
+  const auto json = nlohmann::json::parse(with({"--no-verify", "--json"}));
+  EXPECT_EQ(json.at("verified"), false);
+  EXPECT_FALSE(json.contains("check"));
+  EXPECT_EQ(nlohmann::json::parse(with({"--json"})).at("verified"), true);
+  EXPECT_EQ(dupin({"convert", "a.off", "a.stl", "--no-verify", "-q"}).exit_code, 0);
+  EXPECT_EQ(check(read_mesh(folder_.read("a.stl"), "a.stl")).volume, 8);
 }
 
 TEST_F(Output, a_file_that_was_there_survives_a_failure) {

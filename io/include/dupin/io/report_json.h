@@ -43,7 +43,7 @@ struct OutputReport {
   std::string file;
   std::string format;             ///< for people, "binary STL"
   RoundingReport rounding;        ///< of exact coordinates to the file's
-  Report check;                   ///< of the file as read back
+  std::optional<Report> check;    ///< of the file as read back; none if it was not
   std::vector<Contact> contacts;  ///< where the solid touches itself
   std::optional<SimplificationReport> simplification = std::nullopt;
   std::optional<ContactSettlement> settled = std::nullopt;
