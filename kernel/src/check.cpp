@@ -219,7 +219,7 @@ class Inspector {
     }
     const auto duplicates = check_degenerate_and_duplicate(merged, edges);
     if (options_.self_intersections) {
-      check_self_intersections(duplicates);
+      check_self_intersections(first, duplicates);
     }
     if (report().closed() && !found(Defect::degenerate_face) && duplicates.empty()) {
       check_contacts(first);
@@ -253,10 +253,12 @@ class Inspector {
     return groups;
   }
 
-  void check_self_intersections(const std::vector<std::vector<std::uint32_t>>& duplicates) {
+  void check_self_intersections(std::span<const std::uint32_t> first,
+                                const std::vector<std::vector<std::uint32_t>>& duplicates) {
     // Enough to find options_.limit real ones among pairs that are contacts or duplicates.
     constexpr std::size_t kSlack = std::size_t{1} << 20;
-    const auto found = find_self_intersections(points_, triangles_, {kSlack + options_.limit, {}});
+    const auto found = find_self_intersections(points_, triangles_,
+                                               {.limit = kSlack + options_.limit, .same = first});
     std::vector<std::pair<std::uint32_t, std::uint32_t>> known;
     for (const auto& group : duplicates) {
       for (std::size_t i = 0; i < group.size(); ++i) {

@@ -48,6 +48,14 @@ class DisjointSets {
       }
     }
   }
+  /// Per member the lowest one of its set.
+  [[nodiscard]] std::vector<std::uint32_t> representatives() {
+    std::vector<std::uint32_t> lowest(parent_.size());
+    for (std::uint32_t member = 0; member < lowest.size(); ++member) {
+      lowest[member] = parent_[member] == member ? member : lowest[parent_[member]];
+    }
+    return lowest;
+  }
   [[nodiscard]] std::size_t count() const {
     std::size_t roots = 0;
     for (std::size_t i = 0; i < parent_.size(); ++i) {

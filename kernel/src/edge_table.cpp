@@ -3,40 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "disjoint_sets.h"
+
 namespace dupin::detail {
-namespace {
-
-// Disjoint sets whose representative is their lowest member.
-class Sets {
- public:
-  explicit Sets(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-  }
-  std::uint32_t find(std::uint32_t member) {
-    while (parent_[member] != member) {
-      parent_[member] = parent_[parent_[member]];
-      member = parent_[member];
-    }
-    return member;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-  std::vector<std::uint32_t> representatives() && {
-    for (std::uint32_t i = 0; i < parent_.size(); ++i) {
-      parent_[i] = parent_[parent_[i]];  // parents come first and are settled
-    }
-    return std::move(parent_);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-}  // namespace
-
 EdgeTable::EdgeTable(std::span<const Triangle> triangles, std::size_t point_count)
     : triangles_(triangles), half_edges_(3 * triangles.size()) {
   const auto low = [&](std::uint32_t h) { return std::min(origin(h), target(h)); };
@@ -76,7 +45,7 @@ Edge EdgeTable::operator[](std::size_t edge) const {
 
 std::vector<std::uint32_t> corner_fans(std::span<const Triangle> triangles,
                                        const EdgeTable& edges) {
-  Sets fans(3 * triangles.size());
+  DisjointSets fans(3 * triangles.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Edge edge = edges[i];
     const auto corner_at = [&](std::uint32_t half_edge, std::uint32_t point) {
@@ -84,22 +53,22 @@ std::vector<std::uint32_t> corner_fans(std::span<const Triangle> triangles,
     };
     for (const std::uint32_t half_edge : edge.half_edges.subspan(1)) {
       for (const std::uint32_t point : {edge.low, edge.high}) {
-        fans.join(corner_at(edge.half_edges[0], point), corner_at(half_edge, point));
+        fans.unite(corner_at(edge.half_edges[0], point), corner_at(half_edge, point));
       }
     }
   }
-  return std::move(fans).representatives();
+  return fans.representatives();
 }
 
 Shells shells(std::size_t face_count, const EdgeTable& edges) {
-  Sets sets(face_count);
+  DisjointSets sets(face_count);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Edge edge = edges[i];
     for (const std::uint32_t half_edge : edge.half_edges.subspan(1)) {
-      sets.join(edge.half_edges[0] / 3, half_edge / 3);
+      sets.unite(edge.half_edges[0] / 3, half_edge / 3);
     }
   }
-  return grouped(std::move(sets).representatives());
+  return grouped(sets.representatives());
 }
 
 Shells grouped(std::vector<std::uint32_t> lowest_faces) {

@@ -59,11 +59,7 @@ std::vector<std::uint32_t> shell_of_points(const ExactMesh& exact) {
     sets.unite(t[0], t[1]);
     sets.unite(t[0], t[2]);
   }
-  std::vector<std::uint32_t> shell_of(exact.points.size());
-  for (std::uint32_t v = 0; v < shell_of.size(); ++v) {
-    shell_of[v] = sets.find(v);
-  }
-  return shell_of;
+  return sets.representatives();
 }
 
 std::vector<std::uint32_t> turned_shells(const ExactMesh& exact,

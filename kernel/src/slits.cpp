@@ -158,11 +158,7 @@ Shells Slits::find_cells() const {
   for (std::uint32_t h = 0; h < across.size(); ++h) {
     sets.unite(h / 3, across[h] / 3);
   }
-  std::vector<std::uint32_t> lowest(merged_.size());
-  for (std::uint32_t f = 0; f < lowest.size(); ++f) {
-    lowest[f] = sets.find(f);
-  }
-  return grouped(std::move(lowest));
+  return grouped(sets.representatives());
 }
 
 /// Whether the cell's surface encloses free space. Others enclose material.
@@ -238,11 +234,7 @@ ExactMesh Slits::without(const std::vector<std::uint8_t>& gone) const {
       sets.unite(corner(h), corner(next_half_edge(across[h])));
     }
   }
-  std::vector<std::uint32_t> fans(3 * old.size());
-  for (std::uint32_t c = 0; c < fans.size(); ++c) {
-    fans[c] = sets.find(c);
-  }
-  separate_fans(rest, fans);
+  separate_fans(rest, sets.representatives());
   return rest;
 }
 

@@ -19,6 +19,7 @@ TEST(DisjointSets, are_represented_by_their_lowest_members) {
   for (std::uint32_t i = 0; i < 6; ++i) {
     EXPECT_EQ(sets.find(i), lowest[i]);
   }
+  EXPECT_EQ(sets.representatives(), std::vector(lowest.begin(), lowest.end()));
   EXPECT_EQ(sets.count(), 3);
 }
 
