@@ -1,5 +1,7 @@
 #include "arrange.h"
 
+#include <tbb/parallel_for.h>
+
 #include "candidates.h"
 #include "dupin/kernel/error.h"
 #include "extract.h"
@@ -64,6 +66,8 @@ ExactMesh arrange(Scene& scene, const BooleanRule& rule, const Progress& progres
 }
 
 Scene imported(std::span<const ExactMesh* const> operands, const BooleanRule& rule) {
+  // All tasks of a thread's arena take over the rounding in which it ran the first.
+  tbb::parallel_for(0, 1, [](int) {});
   const UpwardRounding rounding;
   return import_operands(operands, rule);
 }

@@ -1,4 +1,8 @@
+#include <atomic>
+#include <thread>
+
 #include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
 
 #include "stages.h"
 
@@ -125,6 +129,18 @@ INSTANTIATE_TEST_SUITE_P(
              {"8", 1, 1, 0, 0},
              {"64", 1, 1, 1, 0}}),
     [](const auto& test_case) { return std::string(test_case.param.name); });
+
+// Arrangements round upward, in a thread whose first parallel loop may be theirs.
+TEST(Arrange, leaves_the_rounding_of_later_tasks_alone) {
+  const std::vector<Solid> solids = test::solids_of({cube(0, 0, 0), cube(1, 1, 1)});
+  const volatile double one = 1, tiny = 0x1p-60;
+  std::atomic<int> rounded_up = 0;
+  std::thread([&] {
+    (void)test::arranged(solids, union_rule(2));
+    tbb::parallel_for(0, 1000, [&](int) { rounded_up += one + tiny > 1 ? 1 : 0; });
+  }).join();
+  EXPECT_EQ(rounded_up, 0);
+}
 
 }  // namespace
 }  // namespace dupin::detail
