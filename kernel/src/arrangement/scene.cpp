@@ -199,7 +199,12 @@ void keep_possible_twins(const PointTable& points, std::vector<PointId>& ids) {
 
 class Welder {
  public:
-  explicit Welder(Scene& scene) : scene_(scene) { scene.special.assign(scene.points.size(), 0); }
+  explicit Welder(Scene& scene) : scene_(scene) {
+    scene.special.assign(scene.points.size(), 0);
+    // Points of planes are corners of no triangle.
+    std::fill(scene.special.begin() + scene.first_double.back(),
+              scene.special.begin() + scene.points.double_count(), std::uint8_t{1});
+  }
 
   void weld() {
     doubles_ = shared_candidates(scene_);

@@ -99,6 +99,28 @@ TEST(Scene, welds_implicit_points_by_their_exact_place) {
     places.insert(place);
   }
   EXPECT_EQ(places.size(), used.size());
+  // Twins and points that only span planes.
+  ASSERT_LT(used.size(), scene.points.size());
+  for (PointId id = 0; id < scene.points.size(); ++id) {
+    EXPECT_TRUE(scene.special[id] != 0 || used.count(id) != 0) << id;
+  }
+}
+
+TEST(Scene, knows_the_operand_of_a_point) {
+  const Solid cut = intersect(
+      std::vector{Solid::from(cube(-3, -3, -3, 4)), Solid::from(test::slanted_tetrahedron())});
+  const Solid beside = Solid::from(cube(9, 9, 9));
+  ASSERT_FALSE(cut.exact().implicit.empty());
+  const std::vector<const ExactMesh*> operands{&beside.exact(), &cut.exact(), &beside.exact()};
+  const UpwardRounding rounding;
+  const Scene scene = import_operands(operands, union_rule(3));
+  for (std::uint32_t t = 0; t < scene.first_triangle[2]; ++t) {
+    if (!scene.merged[t]) {
+      for (const PointId id : scene.triangles[t]) {
+        EXPECT_EQ(scene.operand_of_point(id), scene.operand_of(t));
+      }
+    }
+  }
 }
 
 }  // namespace
