@@ -11,7 +11,7 @@ namespace {
 
 // Rounded up from the peaks that boolean_bench reports, operands not counted: untouched triangles
 // are stored, boxed and copied (100 bytes); each meeting of two makes a segment, a point and up to
-// six new triangles (600 to 1300 bytes).
+// six new triangles (600 to 1900 bytes).
 constexpr std::uint64_t kBytesPerTriangle = 200, kBytesPerEncounter = 2000;
 
 std::uint64_t machine_memory() {
