@@ -205,7 +205,7 @@ bool BoxTree::is_crowded() const {
     while (!nodes.empty()) {
       const std::uint32_t node = nodes.back();
       nodes.pop_back();
-      if (++met > count * kMany) {
+      if (++met > std::size_t{count} * kMany) {
         return true;
       }
       if (node < leaves_ && overlap(leaves_ + place, *this, node)) {

@@ -7,15 +7,14 @@
 namespace dupin::detail {
 
 void prefer_huge_pages(void* memory, std::size_t bytes) {
-  constexpr std::uintptr_t kPage = 4096, kWorthwhile = std::uintptr_t{4} << 20;
+  constexpr std::size_t kPage = 4096, kWorthwhile = std::size_t{4} << 20;
   if (bytes < kWorthwhile) {
     return;
   }
-  const auto begin = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t first = (begin + kPage - 1) / kPage * kPage;
-  const std::uintptr_t end = (begin + bytes) / kPage * kPage;
+  const std::size_t ahead = (kPage - reinterpret_cast<std::uintptr_t>(memory) % kPage) % kPage;
   // It is only advice: a system without huge pages may refuse.
-  (void)::madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+  (void)::madvise(static_cast<std::byte*>(memory) + ahead, (bytes - ahead) / kPage * kPage,
+                  MADV_HUGEPAGE);
 }
 
 }  // namespace dupin::detail

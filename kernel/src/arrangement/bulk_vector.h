@@ -14,10 +14,12 @@ void prefer_huge_pages(void* memory, std::size_t bytes);
 /// Leaves items that a vector grows by unset: the threads that fill them touch their memory first.
 template <class T>
 struct UnsetAllocator : std::allocator<T> {
+  // NOLINTBEGIN(readability-identifier-naming): the names that std::allocator_traits asks for
   template <class U>
   struct rebind {
     using other = UnsetAllocator<U>;
   };
+  // NOLINTEND(readability-identifier-naming)
   [[nodiscard]] T* allocate(std::size_t count) {
     T* const memory = std::allocator<T>::allocate(count);
     prefer_huge_pages(memory, count * sizeof(T));
