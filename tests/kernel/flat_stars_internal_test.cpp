@@ -5,9 +5,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "tree_pairs.h"
 #include "flat_stars.h"
 #include "self_intersection.h"
+#include "tree_pairs.h"
 #include "triangle_meeting.h"
 
 namespace dupin::detail {

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "tree_pairs.h"
 #include "oriented_box.h"
+#include "tree_pairs.h"
 #include "triangle_meeting.h"
 
 namespace dupin::detail {
