@@ -2,8 +2,10 @@
 
 #include <atomic>
 #include <cerrno>
+#include <span>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -20,6 +22,9 @@ namespace fs = std::filesystem;
   throw Error(Errc::io_failed, "cannot " + action + ": " + std::generic_category().message(reason),
               {}, path.string());
 }
+
+/// Bytes to read at once into memory that stays in the cache.
+constexpr std::size_t kPiece = std::size_t{1} << 18;
 
 /// An open file; closed on every way out.
 class Descriptor {
@@ -39,6 +44,27 @@ class Descriptor {
  private:
   int number_;
 };
+
+Descriptor opened(const fs::path& path) {
+  const int number = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (number < 0) {
+    fail("read the file", path, errno);
+  }
+  return Descriptor(number);
+}
+
+/// Fills the piece from its beginning, as far as the system gives at once; 0 at the file's end.
+std::size_t read_some(const Descriptor& file, std::span<char> piece, const fs::path& path) {
+  for (;;) {
+    const ssize_t taken = ::read(file.number(), piece.data(), piece.size());
+    if (taken >= 0) {
+      return static_cast<std::size_t>(taken);
+    }
+    if (errno != EINTR) {
+      fail("read the file", path, errno);
+    }
+  }
+}
 
 int write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
@@ -85,19 +111,16 @@ fs::path resolved(const fs::path& target) {
 }  // namespace
 
 std::string read_file(const fs::path& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  const Descriptor file = opened(path);
   struct stat status {};
-  if (file.number() < 0 || ::fstat(file.number(), &status) != 0) {
+  if (::fstat(file.number(), &status) != 0) {
     fail("read the file", path, errno);
   }
   std::string bytes(S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) + 1 : 65536,
                     '\0');
   for (std::size_t filled = 0;;) {
-    const ssize_t taken = ::read(file.number(), bytes.data() + filled, bytes.size() - filled);
-    if (taken < 0 && errno != EINTR) {
-      fail("read the file", path, errno);
-    }
-    filled += taken > 0 ? static_cast<std::size_t>(taken) : 0;
+    const std::size_t taken = read_some(file, std::span(bytes).subspan(filled), path);
+    filled += taken;
     if (taken == 0) {
       bytes.resize(filled);
       return bytes;
@@ -147,6 +170,21 @@ AsideFile::AsideFile(const fs::path& target, std::string_view bytes) : target_(r
 AsideFile::~AsideFile() {
   if (pending_) {
     ::unlink(aside_.c_str());
+  }
+}
+
+bool AsideFile::holds(std::string_view bytes) const {
+  const Descriptor file = opened(aside_);
+  std::vector<char> piece(kPiece);
+  for (;;) {
+    const std::size_t size = read_some(file, piece, aside_);
+    if (size == 0) {
+      return bytes.empty();
+    }
+    if (!bytes.starts_with(std::string_view(piece.data(), size))) {
+      return false;
+    }
+    bytes.remove_prefix(size);
   }
 }
 

@@ -39,6 +39,9 @@ std::optional<std::uint32_t> first_difference(const TriMesh& mesh, const TriMesh
 }  // namespace
 
 std::optional<std::uint32_t> first_difference(const TriMesh& mesh, const TriMesh& read_back) {
+  if (read_back.points == mesh.points && read_back.triangles == mesh.triangles) {
+    return std::nullopt;
+  }
   std::vector<std::uint32_t> order(mesh.triangles.size());
   std::iota(order.begin(), order.end(), 0U);
   const auto difference = first_difference(mesh, read_back, order);

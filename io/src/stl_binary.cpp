@@ -14,6 +14,7 @@
 #include "mesh_text.h"
 #include "point_merger.h"
 #include "stl_facet.h"
+#include "stl_lists.h"
 #include "text_scanner.h"
 
 namespace dupin {
@@ -21,7 +22,8 @@ namespace {
 
 constexpr std::size_t kHeader = 80;
 constexpr std::size_t kPreamble = kHeader + 4;  // the header and the count of triangles
-constexpr std::size_t kFacet = 50;              // normal, three corners, two bytes of attributes
+constexpr std::size_t kNormal = 12, kPoint = 12;
+constexpr std::size_t kFacet = kNormal + 3 * kPoint + 2;  // with two bytes of attributes
 constexpr std::string_view kNameMark = "solid ";
 
 [[noreturn]] void fail(std::string_view file, std::size_t place, const std::string& message) {
@@ -40,15 +42,21 @@ std::string name_in(std::string_view header) {
                                        : std::string();
 }
 
-Vec3 read_point(std::string_view bytes, std::size_t place, std::string_view file) {
-  const auto coordinates = load<std::array<float, 3>>(bytes, place);
-  const Vec3 point(coordinates[0], coordinates[1], coordinates[2]);
+/// The coordinates of the three corners of the facet that begins at `place`.
+std::array<float, 9> corners_at(std::string_view bytes, std::size_t place) {
+  return load<std::array<float, 9>>(bytes, place + kNormal);
+}
+
+Vec3 point_of(const std::array<float, 9>& corners, std::size_t corner) {
+  return {corners[3 * corner], corners[3 * corner + 1], corners[3 * corner + 2]};
+}
+
+void require_finite(const Vec3& point, std::size_t place, std::string_view file) {
   if (!point.allFinite()) {
     std::string found;
     append_point(found, point);
     fail(file, place, "found the point (" + found + "), expected finite coordinates");
   }
-  return point.array() + 0.0;  // -0 becomes 0
 }
 
 /// At most 80 bytes, cut between characters; must not begin with "solid".
@@ -106,9 +114,12 @@ TriMesh read_stl_binary(std::string_view bytes, std::string_view file) {
   TriMesh mesh;
   mesh.triangles.reserve(count);
   for (std::size_t facet = kPreamble; facet < bytes.size(); facet += kFacet) {
+    const auto corners = corners_at(bytes, facet);
     Triangle triangle;
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      triangle[corner] = points.index_of(read_point(bytes, facet + 12 * (corner + 1), file));
+      const Vec3 point = point_of(corners, corner);
+      require_finite(point, facet + kNormal + corner * kPoint, file);
+      triangle[corner] = points.index_of(point.array() + 0.0);  // -0 becomes 0
     }
     mesh.triangles.push_back(triangle);
   }
@@ -119,6 +130,24 @@ TriMesh read_stl_binary(std::string_view bytes, std::string_view file) {
     mesh.labels.assign(count, 0);
   }
   return mesh;
+}
+
+bool stl_binary_lists(const TriMesh& mesh, std::string_view bytes) {
+  if (!has_size_of_binary_stl(bytes) ||
+      bytes.size() != kPreamble + mesh.triangles.size() * kFacet) {
+    return false;
+  }
+  std::size_t facet = kPreamble;
+  for (const Triangle& triangle : mesh.triangles) {
+    const auto corners = corners_at(bytes, facet);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      if (mesh.points[triangle[corner]] != point_of(corners, corner)) {
+        return false;
+      }
+    }
+    facet += kFacet;
+  }
+  return true;
 }
 
 std::string stl_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {

@@ -57,6 +57,24 @@ TEST_F(AtomicFile, leaves_the_old_file_until_commit_and_cleans_up_without) {
   EXPECT_EQ(entries(directory()), 1);
 }
 
+TEST_F(AtomicFile, is_read_back_from_disk) {
+  const std::string bytes(1000001, 'a');  // longer than what is read at once
+  const AsideFile aside(path("x"), bytes);
+  EXPECT_TRUE(aside.holds(bytes));
+  EXPECT_FALSE(aside.holds(bytes + 'a'));
+  EXPECT_FALSE(aside.holds(bytes.substr(1)));
+  EXPECT_FALSE(aside.holds(""));
+  std::string other = bytes;
+  other[700000] = 'b';
+  EXPECT_FALSE(aside.holds(other));
+  fs::resize_file(aside.path(), 0);
+  EXPECT_TRUE(aside.holds(""));
+  EXPECT_FALSE(aside.holds("a"));
+  fs::remove(aside.path());
+  EXPECT_NE(message_of([&] { (void)aside.holds(bytes); }).find("cannot read the file: No such"),
+            std::string::npos);
+}
+
 TEST_F(AtomicFile, keeps_permissions_and_follows_links) {
   write_file(path("x"), "old");
   fs::permissions(path("x"), fs::perms::owner_read | fs::perms::owner_write);

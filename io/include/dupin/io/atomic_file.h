@@ -25,6 +25,8 @@ class AsideFile {
 
   /// Where the bytes are until `commit`.
   [[nodiscard]] const std::filesystem::path& path() const { return aside_; }
+  /// Reads the file from disk: whether it is there with these bytes and no others.
+  [[nodiscard]] bool holds(std::string_view bytes) const;
   void commit();
 
  private:

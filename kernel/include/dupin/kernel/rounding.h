@@ -67,7 +67,8 @@ class Rounded {
   [[nodiscard]] TriMesh mesh() && { return std::move(mesh_); }
   /// One per triangle, as in the solid.
   [[nodiscard]] const std::vector<Source>& sources() const { return sources_; }
-  /// Those of the solid that filled slits have not ended.
+  /// Those of the solid that filled slits have not ended. Points of the mesh are in the same place
+  /// at contacts only.
   [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
   [[nodiscard]] const RoundingReport& report() const { return report_; }
 
