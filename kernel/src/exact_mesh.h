@@ -16,7 +16,7 @@ namespace dupin::detail {
 using ExactPoint = std::array<CGAL::Mpzf, 4>;
 
 /// The boundary of a Solid. Points that doubles hold exactly come first; each of the rest is
-/// followed up in `implicit`.
+/// followed up in `implicit`. Every point is a corner of a triangle.
 struct ExactMesh {
   std::vector<Vec3>
       points;  ///< exact below double_count(), nearest doubles of the exact value above

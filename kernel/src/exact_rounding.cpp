@@ -1,10 +1,11 @@
 #include "exact_rounding.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
-#include <tbb/parallel_for.h>
-
+#include "arrangement/blocks.h"
+#include "arrangement/bulk_vector.h"
 #include "identical_points.h"
 
 namespace dupin::detail {
@@ -22,52 +23,120 @@ bool same_place(const ExactPoint& a, const ExactPoint& b) {
   return a[0] * b[3] == b[0] * a[3] && a[1] * b[3] == b[1] * a[3] && a[2] * b[3] == b[2] * a[3];
 }
 
-void round_double_point(const Vec3& point, const Vec3& origin, const Lattice& lattice,
-                        RoundedPoints& rounded, std::uint32_t i) {
-  for (int k = 0; k < 3; ++k) {
-    const double value = point[k] - origin[k];
-    const double error = difference_error(point[k], origin[k], value);
-    rounded.doubles[i][k] = value + 0.0;
-    rounded.on_lattice[i][k] = lattice.nearest(value, [&] { return sign(error); });
-    if (error != 0) {
-      rounded.inexact[i] = rounded.moved[i] = 1;
-    }
-    if (rounded.on_lattice[i][k] != value) {
-      rounded.moved[i] = 1;
-    }
-  }
-}
+/// What many points have in common.
+struct Summary {
+  Vec3 largest = Vec3::Zero(), largest_on_lattice = Vec3::Zero();  // coordinates
+  double squared_move = 0;
 
-void round_implicit_point(const ExactPoint& point, const Vec3& nearest, const Vec3& origin,
-                          const Lattice& lattice, RoundedPoints& rounded, std::uint32_t i) {
-  const CGAL::Mpzf& weight = point[3];
-  for (int k = 0; k < 3; ++k) {
-    const double value = origin[k] == 0
-                             ? nearest[k]
-                             : nearest_double(point[k] - CGAL::Mpzf(origin[k]) * weight, weight);
-    rounded.doubles[i][k] = value + 0.0;
-    rounded.on_lattice[i][k] = lattice.nearest(value, [&] {
-      return static_cast<int>(
-          CGAL::sign(point[k] - (CGAL::Mpzf(origin[k]) + CGAL::Mpzf(value)) * weight));
-    });
+  void add(const Vec3& nearest_double, const Vec3& on_lattice) {
+    largest = largest.cwiseMax(nearest_double.cwiseAbs());
+    largest_on_lattice = largest_on_lattice.cwiseMax(on_lattice.cwiseAbs());
+    squared_move = std::max(squared_move, (on_lattice - nearest_double).squaredNorm());
   }
-  rounded.inexact[i] = rounded.moved[i] = 1;
-}
+  void add(const Summary& other) {
+    largest = largest.cwiseMax(other.largest);
+    largest_on_lattice = largest_on_lattice.cwiseMax(other.largest_on_lattice);
+    squared_move = std::max(squared_move, other.squared_move);
+  }
+};
+
+class Rounder {
+ public:
+  Rounder(const ExactMesh& mesh, const Lattice& lattice, const Vec3& origin, RoundedPoints& rounded)
+      : mesh_(mesh), lattice_(lattice), origin_(origin), rounded_(rounded) {}
+
+  void round(std::size_t begin, std::size_t end) const {
+    const std::size_t doubles = std::clamp<std::size_t>(mesh_.double_count(), begin, end);
+    if (!rounded_.shifted.empty()) {
+      for (std::size_t i = begin; i < doubles; ++i) {
+        round_shifted_double(i);
+      }
+    } else if (lattice_.holds_doubles()) {
+      for (std::size_t i = begin; i < doubles; ++i) {
+        rounded_.on_lattice[i] = mesh_.points[i].array() + 0.0;
+      }
+    } else {
+      for (std::size_t i = begin; i < doubles; ++i) {
+        rounded_.on_lattice[i] = lattice_.nearest(mesh_.points[i]);
+        rounded_.moved[i] = rounded_.on_lattice[i] != mesh_.points[i] ? 1 : 0;
+      }
+    }
+    for (std::size_t i = doubles; i < end; ++i) {
+      round_implicit(i);
+      rounded_.inexact[i] = rounded_.moved[i] = 1;
+    }
+  }
+
+ private:
+  void round_shifted_double(std::size_t i) const {
+    for (int k = 0; k < 3; ++k) {
+      const double coordinate = mesh_.points[i][k], value = coordinate - origin_[k];
+      const double error = difference_error(coordinate, origin_[k], value);
+      rounded_.shifted[i][k] = value + 0.0;
+      rounded_.on_lattice[i][k] = lattice_.nearest(value, [&] { return sign(error); });
+      if (error != 0) {
+        rounded_.inexact[i] = rounded_.moved[i] = 1;
+      }
+      if (rounded_.on_lattice[i][k] != value) {
+        rounded_.moved[i] = 1;
+      }
+    }
+  }
+
+  void round_implicit(std::size_t i) const {
+    const ExactPoint& point = mesh_.implicit[i - mesh_.double_count()];
+    const CGAL::Mpzf& weight = point[3];
+    for (int k = 0; k < 3; ++k) {
+      const double value = origin_[k] == 0
+                               ? mesh_.points[i][k]
+                               : nearest_double(point[k] - CGAL::Mpzf(origin_[k]) * weight, weight);
+      if (!rounded_.shifted.empty()) {
+        rounded_.shifted[i][k] = value + 0.0;
+      }
+      rounded_.on_lattice[i][k] = lattice_.nearest(value, [&] {
+        return static_cast<int>(
+            CGAL::sign(point[k] - (CGAL::Mpzf(origin_[k]) + CGAL::Mpzf(value)) * weight));
+      });
+    }
+  }
+
+  const ExactMesh& mesh_;
+  const Lattice& lattice_;
+  const Vec3& origin_;
+  RoundedPoints& rounded_;
+};
 
 }  // namespace
 
 RoundedPoints round_points(const ExactMesh& mesh, const Lattice& lattice, const Vec3& origin) {
-  const auto count = static_cast<std::uint32_t>(mesh.points.size());
-  const std::uint32_t doubles = mesh.double_count();
-  RoundedPoints rounded{std::vector<Vec3>(count), std::vector<std::uint8_t>(count, 0),
-                        std::vector<Vec3>(count), std::vector<std::uint8_t>(count, 0)};
-  tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) {
-    if (i < doubles) {
-      round_double_point(mesh.points[i], origin, lattice, rounded, i);
-    } else {
-      round_implicit_point(mesh.implicit[i - doubles], mesh.points[i], origin, lattice, rounded, i);
+  constexpr std::size_t kBlockSize = 512;  // implicit points take long
+  const std::size_t count = mesh.points.size();
+  const bool is_shifted = !origin.isZero(0);
+  RoundedPoints rounded;
+  resize_bulk(rounded.shifted, is_shifted ? count : 0);
+  resize_bulk(rounded.on_lattice, count);
+  rounded.inexact.resize(count, 0);
+  rounded.moved.resize(count, 0);
+  const Rounder rounder(mesh, lattice, origin, rounded);
+  const std::vector<Vec3>& doubles = is_shifted ? rounded.shifted : mesh.points;
+  std::vector<Summary> summaries(block_count(count, kBlockSize));
+  const auto round_block = [&](const Block& block) {
+    rounder.round(block.begin, block.end);
+    Summary summary;
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      summary.add(doubles[i], rounded.on_lattice[i]);
     }
-  });
+    summaries[block.number] = summary;
+  };
+  for_each_block(count, round_block, kBlockSize);
+  Summary all;
+  for (const Summary& of_block : summaries) {
+    all.add(of_block);
+  }
+  rounded.any_inexact = std::ranges::find(rounded.inexact, 1) != rounded.inexact.end();
+  rounded.largest = all.largest.maxCoeff();
+  rounded.largest_on_lattice = all.largest_on_lattice.maxCoeff();
+  rounded.largest_move = std::sqrt(all.squared_move);
   return rounded;
 }
 

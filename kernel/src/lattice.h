@@ -44,6 +44,11 @@ class Lattice {
     return (floor + (up ? 1 : 0)) * unit + 0.0;
   }
   [[nodiscard]] double nearest(double value) const {
+    constexpr double kFarFromOverflow = 0x1p127;  // in binary32
+    if (spacing_ == 0 && std::abs(value) < kFarFromOverflow) {
+      const auto target = digits_ == 53 ? Coordinates::binary64 : Coordinates::binary32;
+      return dupin::nearest(value, target) + 0.0;
+    }
     return nearest(value, [] { return 0; });
   }
   [[nodiscard]] Vec3 nearest(const Vec3& point) const {

@@ -7,10 +7,14 @@
 #include <optional>
 #include <sstream>
 
+#include <tbb/parallel_invoke.h>
+
+#include "arrangement/bulk_vector.h"
 #include "dupin/kernel/error.h"
 #include "exact_mesh.h"
 #include "exact_rounding.h"
 #include "mesh_repair.h"
+#include "origin.h"
 #include "shell_check.h"
 #include "slits.h"
 
@@ -44,27 +48,6 @@ struct Past {
   std::size_t removed_triangles = 0;
 };
 
-struct Bounds {
-  Vec3 low = Vec3::Zero(), high = Vec3::Zero();
-};
-
-Bounds bounds(std::span<const Vec3> points) {
-  Bounds all;
-  if (!points.empty()) {
-    all = {points[0], points[0]};
-  }
-  for (const Vec3& point : points) {
-    all.low = all.low.cwiseMin(point);
-    all.high = all.high.cwiseMax(point);
-  }
-  return all;
-}
-
-double largest_coordinate(std::span<const Vec3> points) {
-  const Bounds all = bounds(points);
-  return std::max(all.low.cwiseAbs().maxCoeff(), all.high.cwiseAbs().maxCoeff());
-}
-
 void validate(const RoundingOptions& options) {
   int exponent = 0;
   if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
@@ -80,21 +63,10 @@ void validate(const RoundingOptions& options) {
   }
 }
 
-Vec3 chosen_origin(const Origin& origin, std::span<const Vec3> points) {
-  if (origin.choice == Origin::Choice::keep || points.empty()) {
-    return Vec3::Zero();
-  }
-  if (origin.choice == Origin::Choice::given) {
-    return origin.place;
-  }
-  const Bounds all = bounds(points);
-  const double extent = (all.high / 2 - all.low / 2).maxCoeff();
-  const double step = extent > 0 ? std::exp2(std::ilogb(extent) - 3) : 0;
-  Vec3 place = all.low / 2 + all.high / 2;
-  for (double& coordinate : place) {
-    coordinate = step > 0 ? std::nearbyint(coordinate / step) * step : coordinate;
-  }
-  return place;
+template <class Item>
+void copy(const std::vector<Item>& from, std::vector<Item>& to) {
+  detail::reserve_bulk(to, from.size());
+  to.assign(from.begin(), from.end());
 }
 
 }  // namespace
@@ -108,20 +80,16 @@ class detail::Rounding {
         past_(past),
         coordinates_(coordinates),
         lattice_(coordinates, options.grid),
-        origin_(chosen_origin(options.origin, exact.points)),
+        origin_(detail::chosen_origin(options.origin, exact.points)),
         rounded_(detail::round_points(exact, lattice_, origin_)),
-        twins_(twins(exact)),
-        shell_of_(detail::shell_of_points(exact)),
-        classes_(exact.labels) {
-    const double largest = largest_coordinate(rounded_.doubles);
-    if (!(largest_coordinate(rounded_.on_lattice) <= largest_number())) {
+        twins_(twins(exact)) {
+    if (!(rounded_.largest_on_lattice <= largest_number())) {
       throw Error(Errc::unroundable,
                   "coordinates exceed the range of binary32; use a format that holds doubles");
     }
-    step_ = lattice_.step(largest);
-    double_step_ = Lattice(Coordinates::binary64).step(largest);
+    step_ = lattice_.step(rounded_.largest);
+    double_step_ = Lattice(Coordinates::binary64).step(rounded_.largest);
     tolerance_ = options.tolerance > 0 ? options.tolerance : kDefaultTolerance * step_;
-    classes_.resize(exact.triangles.size(), 0);
   }
 
   Rounded run() {
@@ -131,7 +99,7 @@ class detail::Rounding {
     const double move = largest_move();
     std::vector<std::uint32_t> broken = bad.empty() ? misplaced(direct, move) : faces_of(bad);
     if (broken.empty()) {
-      return finished(direct, {}, {.largest_move = move});
+      return unrepaired(move);
     }
     return repaired(bad, std::move(broken));
   }
@@ -147,6 +115,19 @@ class detail::Rounding {
     return own;
   }
 
+  /// The places of the points in the nearest doubles.
+  [[nodiscard]] std::span<const Vec3> doubles() const {
+    return rounded_.shifted.empty() ? exact_.points : rounded_.shifted;
+  }
+
+  /// Found when first asked for: most solids round without any question that needs them.
+  const std::vector<std::uint32_t>& shell_of() {
+    if (shell_of_.empty()) {
+      shell_of_ = detail::shell_of_points(exact_);
+    }
+    return shell_of_;
+  }
+
   [[nodiscard]] double largest_number() const {
     return coordinates_ == Coordinates::binary64 ? std::numeric_limits<double>::max()
                                                  : std::numeric_limits<float>::max();
@@ -157,6 +138,8 @@ class detail::Rounding {
     const bool is_first = past_.reach == 0;
     trials_left_ = is_first ? kTrials + kTrialsPerItem * broken_pairs.size() : past_.trials;
     const double farthest = tolerance_ - past_.slit_width / 2;
+    std::vector<std::uint32_t> classes = exact_.labels;
+    classes.resize(exact_.triangles.size(), 0);
     const auto slits =
         may_have_voids() ? std::optional(detail::Slits(exact_, twins_, tolerance_)) : std::nullopt;
     for (double reach = is_first ? kReachGrowth * step_ : past_.reach;; reach *= kReachGrowth) {
@@ -169,7 +152,7 @@ class detail::Rounding {
             past_.removed_triangles + exact_.triangles.size() - filled->mesh.triangles.size()};
         return Rounding(filled->mesh, coordinates_, options_, past).run();
       }
-      RepairMesh mesh(rounded_.doubles, exact_.triangles, classes_, twins_);
+      RepairMesh mesh({doubles().begin(), doubles().end()}, exact_.triangles, classes, twins_);
       const std::size_t shells = detail::remove_small_shells(mesh, broken, reach);
       attempt(mesh, broken, broken_pairs, reach);
       const std::vector<std::uint32_t> left = faults(mesh);
@@ -184,19 +167,16 @@ class detail::Rounding {
             {.largest_move = largest_move(&mesh), .repair_reach = reach, .removed_shells = shells});
       }
       if (reach == farthest || trials_left_ == 0) {
-        throw unroundable(left.empty() ? Vec3(rounded_.doubles[0])
-                                       : mesh.point(mesh.triangle(left[0])[0]));
+        throw unroundable(left.empty() ? doubles()[0] : mesh.point(mesh.triangle(left[0])[0]));
       }
       broken.insert(broken.end(), left.begin(), left.end());
     }
   }
 
   /// Without a second shell and without contacts the solid leaves free one connected space.
-  [[nodiscard]] bool may_have_voids() const {
-    const std::uint32_t shell = shell_of_[exact_.triangles[0][0]];
+  bool may_have_voids() {
     return !exact_.contacts.empty() ||
-           std::ranges::any_of(exact_.triangles,
-                               [&](const Triangle& t) { return shell_of_[t[0]] != shell; });
+           std::ranges::any_of(shell_of(), [](std::uint32_t shell) { return shell != 0; });
   }
 
   static std::vector<std::uint32_t> faces_of(const std::vector<BadItem>& bad) {
@@ -209,8 +189,8 @@ class detail::Rounding {
   }
 
   /// Triangles, by their places, of shells turned inside out and at contacts that became crossings.
-  [[nodiscard]] std::vector<std::uint32_t> misplaced(const MeshView& mesh, double move) const {
-    std::vector<std::uint32_t> faces = detail::turned_shells(exact_, shell_of_, mesh, move);
+  std::vector<std::uint32_t> misplaced(const MeshView& mesh, double move) {
+    std::vector<std::uint32_t> faces = detail::turned_shells(exact_, shell_of(), mesh, move);
     if (!exact_.contacts.empty()) {
       const auto crossed = detail::crossed_contacts(mesh, twins_);
       faces.insert(faces.end(), crossed.begin(), crossed.end());
@@ -219,7 +199,7 @@ class detail::Rounding {
   }
 
   /// Faces of bad items, else misplaced ones.
-  [[nodiscard]] std::vector<std::uint32_t> faults(const RepairMesh& mesh) const {
+  std::vector<std::uint32_t> faults(const RepairMesh& mesh) {
     const std::vector<BadItem> bad = mesh.bad_items();
     if (!bad.empty()) {
       return faces_of(bad);
@@ -250,8 +230,7 @@ class detail::Rounding {
     detail::clean_up(mesh, reach, detail::with_neighbours(mesh, broken));
     std::vector<Vec3> points(mesh.points().begin(), mesh.points().end());
     for (std::size_t i = 0; i < points.size(); ++i) {
-      points[i] =
-          points[i] == rounded_.doubles[i] ? rounded_.on_lattice[i] : lattice_.nearest(points[i]);
+      points[i] = points[i] == doubles()[i] ? rounded_.on_lattice[i] : lattice_.nearest(points[i]);
     }
     mesh.place(std::move(points));
     mesh.find_bad_items(differing_points(mesh), broken_pairs);
@@ -286,8 +265,10 @@ class detail::Rounding {
     return differing;
   }
 
+  Rounded unrepaired(double move);
   [[nodiscard]] Rounded finished(const MeshView& mesh, std::span<const std::uint32_t> parents,
                                  RoundingReport report) const;
+  [[nodiscard]] Rounded with_report(RoundingReport report, std::size_t triangles) const;
   [[nodiscard]] double largest_move(const RepairMesh* repaired = nullptr) const;
   [[nodiscard]] Error unroundable(const Vec3& at) const;
 
@@ -298,43 +279,60 @@ class detail::Rounding {
   Lattice lattice_;
   Vec3 origin_;
   detail::RoundedPoints rounded_;
-  std::vector<std::uint32_t> twins_, shell_of_, classes_;
+  std::vector<std::uint32_t> twins_, shell_of_;
   double step_ = 0, double_step_ = 0, tolerance_ = 0;
   std::uint64_t trials_left_ = 0;
 };
 
-/// The result, whose triangles have the places and properties of `parents`, or of all triangles of
-/// the solid in turn if there are none given.
-Rounded detail::Rounding::finished(const MeshView& mesh, std::span<const std::uint32_t> parents,
-                                   RoundingReport report) const {
+/// A result of so many triangles, less its mesh and sources.
+Rounded detail::Rounding::with_report(RoundingReport report, std::size_t triangles) const {
   Rounded result;
   report.coordinates = coordinates_;
   report.origin = origin_;
-  report.removed_triangles =
-      past_.removed_triangles + exact_.triangles.size() - mesh.triangles.size();
+  report.removed_triangles = past_.removed_triangles + exact_.triangles.size() - triangles;
   report.filled_slits = past_.slits;
   report.slit_width = past_.slit_width;
+  result.mesh_.names = exact_.names;
+  result.contacts_ = exact_.contacts;
+  result.report_ = report;
+  return result;
+}
+
+/// The solid's own triangles, on the rounded points, which are taken.
+Rounded detail::Rounding::unrepaired(double move) {
+  RoundingReport report{.largest_move = move};
+  report.moved = static_cast<std::size_t>(std::ranges::count(rounded_.moved, 1));
+  Rounded result = with_report(report, exact_.triangles.size());
+  result.mesh_.points = std::move(rounded_.on_lattice);
+  tbb::parallel_invoke([&] { copy(exact_.triangles, result.mesh_.triangles); },
+                       [&] { copy(exact_.sources, result.sources_); },
+                       [&] { copy(exact_.labels, result.mesh_.labels); });
+  return result;
+}
+
+/// The repaired mesh, whose triangles have the places and properties of `parents`.
+Rounded detail::Rounding::finished(const MeshView& mesh, std::span<const std::uint32_t> parents,
+                                   RoundingReport report) const {
   std::vector<std::uint8_t> used(mesh.points.size(), 0);
   for (const Triangle& t : mesh.triangles) {
     used[t[0]] = used[t[1]] = used[t[2]] = 1;
   }
   std::vector<std::uint32_t> position(mesh.points.size());
-  result.mesh_.points.reserve(mesh.points.size());
+  std::vector<Vec3> points;
+  points.reserve(mesh.points.size());
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
     const bool moved = rounded_.moved[v] != 0 || mesh.points[v] != rounded_.on_lattice[v];
     report.moved += used[v] == 0 || moved ? 1 : 0;
-    position[v] = static_cast<std::uint32_t>(result.mesh_.points.size());
+    position[v] = static_cast<std::uint32_t>(points.size());
     if (used[v] != 0) {
-      result.mesh_.points.push_back(mesh.points[v]);
+      points.push_back(mesh.points[v].array() + 0.0);
     }
   }
+  Rounded result = with_report(report, mesh.triangles.size());
+  result.mesh_.points = std::move(points);
   result.mesh_.triangles.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
     result.mesh_.triangles.push_back({position[t[0]], position[t[1]], position[t[2]]});
-  }
-  if (parents.empty()) {
-    result.sources_ = exact_.sources;
-    result.mesh_.labels = exact_.labels;
   }
   for (const std::uint32_t parent : parents) {
     result.sources_.push_back(exact_.sources[parent]);
@@ -342,9 +340,6 @@ Rounded detail::Rounding::finished(const MeshView& mesh, std::span<const std::ui
       result.mesh_.labels.push_back(exact_.labels[parent]);
     }
   }
-  result.mesh_.names = exact_.names;
-  result.contacts_ = exact_.contacts;
-  result.report_ = report;
   return result;
 }
 
@@ -352,32 +347,29 @@ Rounded detail::Rounding::finished(const MeshView& mesh, std::span<const std::ui
 /// slits, in which no place is farther from the solid. The factor covers the rounding of these few
 /// sums and norms.
 double detail::Rounding::largest_move(const RepairMesh* repaired) const {
-  double vertex = 0, surface = 0, rounding = 0;
-  for (std::uint32_t v = 0; v < exact_.points.size(); ++v) {
-    const Vec3& place = rounded_.on_lattice[v];
-    if (repaired != nullptr && (repaired->point(v) != place || repaired->reach(v) != 0)) {
-      vertex = std::max(vertex, repaired->reach(v));
-    } else if (rounded_.moved[v] != 0) {
-      vertex = std::max(vertex, (place - rounded_.doubles[v]).norm());
-    }
-    rounding = rounded_.inexact[v] != 0 ? std::sqrt(0.75) * double_step_ : rounding;
-  }
+  double vertex = rounded_.largest_move, surface = 0;
   if (repaired != nullptr) {
+    vertex = 0;
+    for (std::uint32_t v = 0; v < exact_.points.size(); ++v) {
+      const Vec3& place = rounded_.on_lattice[v];
+      const bool is_kept = repaired->point(v) == place && repaired->reach(v) == 0;
+      vertex = std::max(vertex, is_kept ? (place - doubles()[v]).norm() : repaired->reach(v));
+    }
     for (const std::uint32_t f : repaired->alive_faces()) {
       surface = std::max(surface, repaired->deviation(f));
     }
   }
+  const double rounding = rounded_.any_inexact ? std::sqrt(0.75) * double_step_ : 0;
   return (vertex + surface + rounding + past_.slit_width / 2) * (1 + 0x1p-48);
 }
 
 Error detail::Rounding::unroundable(const Vec3& at) const {
   const Vec3 place = at + origin_;
-  const Bounds all = bounds(rounded_.doubles);
   std::ostringstream where, message;
   where << "(" << place.x() << ", " << place.y() << ", " << place.z() << ")";
   message << "no valid mesh with coordinates of the target format within the tolerance of "
           << tolerance_ << "; what would help: ";
-  if ((all.high - all.low).maxCoeff() < largest_coordinate(rounded_.doubles)) {
+  if (detail::extent(doubles()) < rounded_.largest) {
     message << "recentring (origin auto), ";
   }
   if (coordinates_ == Coordinates::binary32) {

@@ -58,8 +58,11 @@ TEST(Lattice, rounds_to_the_nearest_float_with_ties_to_even) {
     const auto bits = random();
     const double value =
         std::ldexp(static_cast<double>(bits >> 11), static_cast<int>(bits % 260) - 190);
-    ASSERT_EQ(floats.nearest(value), static_cast<double>(static_cast<float>(value))) << value;
-    ASSERT_EQ(floats.nearest(-value), -static_cast<double>(static_cast<float>(value))) << value;
+    const auto expected = static_cast<double>(static_cast<float>(value));
+    for (const double sign : {1.0, -1.0}) {
+      ASSERT_EQ(floats.nearest(sign * value), sign * expected) << value;
+      ASSERT_EQ(floats.nearest(sign * value, [] { return 0; }), sign * expected) << value;
+    }
   }
 }
 
