@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -82,7 +83,8 @@ class PlyReader {
   void skip_property(const PlyProperty& property) {
     std::int64_t count = 1;
     if (property.is_list) {
-      count = numbers_.integer(property.count_type, 0, kMostPoints, "the length of a list");
+      count =
+          numbers_.integer(property.count_type, 0, kMostPoints, "the length of a list, an integer");
     }
     for (std::int64_t i = 0; i < count; ++i) {
       numbers_.skip(property.type);
@@ -144,14 +146,14 @@ class PlyReader {
       numbers_.begin_element();
       for (std::size_t k = 0; k < element.properties.size(); ++k) {
         if (k == *corners) {
-          read_corners(element.properties[k]);
+          read_polygon(element.properties[k]);
         } else if (k == label) {
-          label_ = numbers_.integer(element.properties[k].type, 0, kMostPoints, "a label");
+          label_ =
+              numbers_.integer(element.properties[k].type, 0, kMostPoints, "a label, an integer");
         } else {
           skip_property(element.properties[k]);
         }
       }
-      triangulate(corners_, mesh_.points, mesh_.triangles);
       if (label) {
         mesh_.labels.resize(mesh_.triangles.size(), labels_.label(label_name()));
       }
@@ -159,15 +161,22 @@ class PlyReader {
     }
   }
 
-  void read_corners(const PlyProperty& property) {
-    const std::int64_t size =
-        numbers_.integer(property.count_type, 3, kMostPoints, "the number of a face's vertices");
+  void read_polygon(const PlyProperty& property) {
+    if constexpr (std::is_same_v<Numbers, PlyByteNumbers>) {
+      if (numbers_.at_triangle(property, mesh_.points.size())) {
+        mesh_.triangles.push_back(numbers_.take_triangle());
+        return;
+      }
+    }
+    const std::int64_t size = numbers_.integer(property.count_type, 3, kMostPoints,
+                                               "the number of a face's vertices, an integer");
     corners_.clear();
     for (std::int64_t i = 0; i < size; ++i) {
       corners_.push_back(static_cast<std::uint32_t>(
           numbers_.integer(property.type, 0, static_cast<std::int64_t>(mesh_.points.size()) - 1,
-                           "the index of a vertex")));
+                           "the index of a vertex, an integer")));
     }
+    triangulate(corners_, mesh_.points, mesh_.triangles);
   }
 
   [[nodiscard]] std::string label_name() const {

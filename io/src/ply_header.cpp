@@ -92,8 +92,6 @@ PlyElement read_element(TextScanner& scanner, std::size_t place) {
 
 std::size_t size_of(PlyType type) { return kTypes[static_cast<std::size_t>(type)].size; }
 
-bool is_integer(PlyType type) { return type < PlyType::float32; }
-
 std::size_t PlyElement::smallest_size(PlyEncoding encoding) const {
   std::size_t size = 0;
   for (const PlyProperty& property : properties) {

@@ -13,7 +13,10 @@ enum class PlyEncoding { ascii, little_endian, big_endian };
 /// The number types of PLY.
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 [[nodiscard]] std::size_t size_of(PlyType type);
-[[nodiscard]] bool is_integer(PlyType type);
+[[nodiscard]] constexpr bool is_integer(PlyType type) { return type < PlyType::float32; }
+[[nodiscard]] constexpr bool is_4_byte_integer(PlyType type) {
+  return type == PlyType::int32 || type == PlyType::uint32;
+}
 
 struct PlyProperty {
   std::string name;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -9,6 +10,7 @@
 #include <string_view>
 
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/mesh.h"
 #include "little_endian.h"
 #include "ply_header.h"
 #include "text_scanner.h"
@@ -27,7 +29,7 @@ class PlyTextNumbers {
   void end_element() { scanner_.end_line("the end of the element's line"); }
   double number(PlyType, std::string_view what) { return scanner_.number(what); }
   std::int64_t integer(PlyType, std::int64_t lowest, std::int64_t highest, std::string_view what) {
-    return scanner_.integer(lowest, highest, std::string(what) + ", an integer");
+    return scanner_.integer(lowest, highest, what);
   }
   /// Normals and colours may be anything.
   void skip(PlyType) {
@@ -62,7 +64,7 @@ class PlyByteNumbers {
 
   double number(PlyType type, std::string_view what) {
     const std::size_t place = position_;
-    const double value = take(type);
+    const auto value = take<double>(type);
     if (!std::isfinite(value)) {
       fail(place, "found " + std::to_string(value) + ", expected " + std::string(what) +
                       " that is finite");
@@ -72,15 +74,30 @@ class PlyByteNumbers {
   std::int64_t integer(PlyType type, std::int64_t lowest, std::int64_t highest,
                        std::string_view what) {
     const std::size_t place = position_;
-    const auto value = static_cast<std::int64_t>(take(type));
+    const auto value = take<std::int64_t>(type);
     if (value < lowest || value > highest) {
-      fail(place, "found " + std::to_string(value) + ", expected " + std::string(what) +
-                      ", an integer from " + std::to_string(lowest) + " to " +
-                      std::to_string(highest));
+      fail(place, "found " + std::to_string(value) + ", expected " + std::string(what) + " from " +
+                      std::to_string(lowest) + " to " + std::to_string(highest));
     }
     return value;
   }
-  void skip(PlyType type) { (void)take(type); }
+  /// Whether a list has the form that most files have, a byte 3 and three integers of 4 bytes,
+  /// which are indices of points.
+  [[nodiscard]] bool at_triangle(const PlyProperty& list, std::size_t points) const {
+    if (swap_ || list.count_type != PlyType::uint8 || !is_4_byte_integer(list.type) ||
+        remaining() < 1 + sizeof(Triangle) || bytes_[position_] != 3) {
+      return false;
+    }
+    const std::size_t end = list.type == PlyType::int32 ? std::min(points, kPastInt32) : points;
+    return corner(0) < end && corner(1) < end && corner(2) < end;
+  }
+  /// Takes that list.
+  Triangle take_triangle() {
+    const Triangle triangle = {corner(0), corner(1), corner(2)};
+    position_ += 1 + sizeof(Triangle);
+    return triangle;
+  }
+  void skip(PlyType type) { (void)take<double>(type); }
   void end() const {
     if (position_ != bytes_.size()) {
       fail(position_, "found " + std::to_string(remaining()) +
@@ -90,44 +107,51 @@ class PlyByteNumbers {
   [[nodiscard]] std::size_t remaining() const { return bytes_.size() - position_; }
 
  private:
+  static constexpr std::size_t kPastInt32 = std::size_t{1} << 31;
+
+  [[nodiscard]] std::uint32_t corner(std::size_t i) const {
+    return load<std::uint32_t>(bytes_, position_ + 1 + 4 * i);
+  }
+
   [[noreturn]] void fail(std::size_t place, const std::string& message) const {
     throw Error(Errc::parse_failed, message, {},
                 std::string(file_) + ":byte " + std::to_string(place));
   }
 
-  template <typename Number>
-  double take() {
-    std::array<char, sizeof(Number)> raw;
-    std::copy_n(bytes_.data() + position_, raw.size(), raw.data());
+  /// The next number, of the type `Stored`.
+  template <typename Number, typename Stored>
+  Number take_stored() {
+    if (remaining() < sizeof(Stored)) {
+      fail(position_, "found the end of the file, expected a number of " +
+                          std::to_string(sizeof(Stored)) + " bytes");
+    }
+    auto raw = load<std::array<char, sizeof(Stored)>>(bytes_, position_);
     if (swap_) {
       std::reverse(raw.begin(), raw.end());
     }
-    position_ += raw.size();
-    return static_cast<double>(load<Number>({raw.data(), raw.size()}, 0));
+    position_ += sizeof(Stored);
+    return static_cast<Number>(std::bit_cast<Stored>(raw));
   }
 
-  double take(PlyType type) {
-    if (remaining() < size_of(type)) {
-      fail(position_, "found the end of the file, expected a number of " +
-                          std::to_string(size_of(type)) + " bytes");
-    }
+  template <typename Number>
+  Number take(PlyType type) {
     switch (type) {
       case PlyType::int8:
-        return take<std::int8_t>();
+        return take_stored<Number, std::int8_t>();
       case PlyType::uint8:
-        return take<std::uint8_t>();
+        return take_stored<Number, std::uint8_t>();
       case PlyType::int16:
-        return take<std::int16_t>();
+        return take_stored<Number, std::int16_t>();
       case PlyType::uint16:
-        return take<std::uint16_t>();
+        return take_stored<Number, std::uint16_t>();
       case PlyType::int32:
-        return take<std::int32_t>();
+        return take_stored<Number, std::int32_t>();
       case PlyType::uint32:
-        return take<std::uint32_t>();
+        return take_stored<Number, std::uint32_t>();
       case PlyType::float32:
-        return take<float>();
+        return take_stored<Number, float>();
       case PlyType::float64:
-        return take<double>();
+        return take_stored<Number, double>();
     }
     return 0;
   }

@@ -178,12 +178,8 @@ class EarClipper {
 
 }  // namespace
 
-void triangulate(std::span<const std::uint32_t> corners, const std::vector<Vec3>& points,
-                 std::vector<Triangle>& triangles) {
-  if (corners.size() == 3) {
-    triangles.push_back({corners[0], corners[1], corners[2]});
-    return;
-  }
+void cut_into_triangles(std::span<const std::uint32_t> corners, const std::vector<Vec3>& points,
+                        std::vector<Triangle>& triangles) {
   if (corners.size() > kLargestPolygon) {
     throw Error(Errc::limit_exceeded,
                 "a face of " + std::to_string(corners.size()) + " vertices is more than the " +

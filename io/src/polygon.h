@@ -16,7 +16,17 @@ namespace dupin {
 ///
 /// Requires at least three corners, all of them indices into `points`. Throws Error{limit_exceeded}
 /// for more than 20 000 corners, whose cutting could take minutes.
-void triangulate(std::span<const std::uint32_t> corners, const std::vector<Vec3>& points,
-                 std::vector<Triangle>& triangles);
+void cut_into_triangles(std::span<const std::uint32_t> corners, const std::vector<Vec3>& points,
+                        std::vector<Triangle>& triangles);
+
+/// The same; a polygon that is a triangle is just appended.
+inline void triangulate(std::span<const std::uint32_t> corners, const std::vector<Vec3>& points,
+                        std::vector<Triangle>& triangles) {
+  if (corners.size() == 3) {
+    triangles.push_back({corners[0], corners[1], corners[2]});
+  } else {
+    cut_into_triangles(corners, points, triangles);
+  }
+}
 
 }  // namespace dupin

@@ -87,6 +87,50 @@ TEST(Ply, big_endian_reads_like_little_endian) {
   EXPECT_TRUE(test::identical(read_ply(big, "x.ply"), mesh));
 }
 
+/// A pyramid over a square in bytes of either order, its lists of these types.
+template <typename Count, typename Index>
+std::string pyramid(bool big, const std::string& count, const std::string& index) {
+  std::string bytes = "ply\nformat binary_" + std::string(big ? "big" : "little") +
+                      "_endian 1.0\nelement vertex 5\nproperty char x\nproperty char y\n"
+                      "property char z\nelement face 5\nproperty list " +
+                      count + ' ' + index + " vertex_indices\nend_header\n";
+  bytes += std::string("\0\0\0\1\0\0\1\1\0\0\1\0\0\0\1", 15);
+  const auto append = [&](auto number) {
+    std::string raw(sizeof number, '\0');
+    std::memcpy(raw.data(), &number, sizeof number);
+    if (big) {
+      std::reverse(raw.begin(), raw.end());
+    }
+    bytes += raw;
+  };
+  const std::vector<std::vector<int>> faces = {
+      {0, 1, 4}, {0, 3, 2, 1}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  for (const std::vector<int>& face : faces) {
+    append(static_cast<Count>(face.size()));
+    for (const int corner : face) {
+      append(static_cast<Index>(corner));
+    }
+  }
+  return bytes;
+}
+
+TEST(Ply, binary_lists_of_all_types_read_alike) {
+  const TriMesh mesh = read_ply(pyramid<std::uint8_t, std::int32_t>(false, "uchar", "int"), "x");
+  EXPECT_EQ(mesh.triangles.size(), 6U);
+  EXPECT_EQ(mesh.triangles[0], (Triangle{0, 1, 4}));
+  EXPECT_EQ(mesh.triangles[5], (Triangle{3, 0, 4}));
+  for (const bool big : {false, true}) {
+    for (const std::string& file : {pyramid<std::uint8_t, std::int32_t>(big, "uchar", "int"),
+                                    pyramid<std::uint8_t, std::uint32_t>(big, "uchar", "uint"),
+                                    pyramid<std::int8_t, std::int32_t>(big, "char", "int"),
+                                    pyramid<std::int32_t, std::uint32_t>(big, "int", "uint"),
+                                    pyramid<std::uint8_t, std::uint16_t>(big, "uchar", "ushort"),
+                                    pyramid<std::uint16_t, std::int8_t>(big, "ushort", "char")}) {
+      EXPECT_TRUE(test::identical(read_ply(file, "x"), mesh)) << file.substr(0, 220);
+    }
+  }
+}
+
 TEST(Ply, polygons_are_cut_and_keep_their_label) {
   const TriMesh mesh = read_ply(
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty int x\nproperty int y\nproperty int z\n"
@@ -108,6 +152,8 @@ TEST(Ply, malformed_files_are_refused_with_their_place) {
   nan.replace(body + 8, 8, std::string("\0\0\0\0\0\0\xf8\x7f", 8));
   std::string index = binary;
   index[body + 96 + 1] = '\x04';
+  std::string negative = binary;
+  negative[body + 96 + 4] = '\xff';
   std::string few = binary;
   few[body + 96] = '\x02';
   std::string many = binary;
@@ -165,6 +211,9 @@ TEST(Ply, malformed_files_are_refused_with_their_place) {
                     ": found nan, expected a coordinate that is finite"},
           {index, "x.ply:byte " + std::to_string(body + 97) +
                       ": found 4, expected the index of a vertex, an integer from 0 to 3"},
+          {negative,
+           "x.ply:byte " + std::to_string(body + 97) +
+               ": found -16777216, expected the index of a vertex, an integer from 0 to 3"},
           {few, "x.ply:byte " + std::to_string(body + 96) +
                     ": found 2, expected the number of a face's vertices, an integer from 3 to "
                     "4294967295"},
