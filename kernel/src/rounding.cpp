@@ -17,6 +17,7 @@
 #include "origin.h"
 #include "shell_check.h"
 #include "slits.h"
+#include "steady_shells.h"
 
 namespace dupin {
 namespace {
@@ -97,6 +98,10 @@ class detail::Rounding {
         detail::find_bad_items({rounded_.on_lattice, exact_.triangles, twins_}, rounded_.moved);
     const MeshView direct(rounded_.on_lattice, exact_.triangles);
     const double move = largest_move();
+    if (bad.empty() && exact_.contacts.empty() &&
+        detail::shells_keep_their_sides(direct, rounded_.moved, move)) {
+      return unrepaired(move);
+    }
     std::vector<std::uint32_t> broken = bad.empty() ? misplaced(direct, move) : faces_of(bad);
     if (broken.empty()) {
       return unrepaired(move);
