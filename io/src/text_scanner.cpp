@@ -10,17 +10,13 @@
 namespace dupin {
 namespace {
 
-bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 std::size_t line_of(std::string_view bytes, std::size_t position) {
   std::size_t line = 1;
   for (std::size_t i = 0; i < position; ++i) {
-    const bool first_half_of_crlf =
-        bytes[i] == '\r' && i + 1 < bytes.size() && bytes[i + 1] == '\n';
-    line += is_line_end(bytes[i]) && !first_half_of_crlf;
+    const bool is_last_of_file = i + 1 == bytes.size();
+    line += bytes[i] == '\n' || (bytes[i] == '\r' && (is_last_of_file || bytes[i + 1] != '\n'));
   }
   return line;
 }
@@ -34,26 +30,18 @@ TextScanner::TextScanner(std::string_view bytes, std::string_view file, char com
   }
 }
 
-bool TextScanner::ends_token(std::size_t position) const {
-  if (position >= bytes_.size()) {
-    return true;
-  }
-  const char c = bytes_[position];
-  return is_blank(c) || is_line_end(c) || (comment_ != '\0' && c == comment_);
-}
-
-void TextScanner::skip_blanks() {
+void TextScanner::skip_all_blanks() {
   while (position_ < bytes_.size() && is_blank(bytes_[position_])) {
     ++position_;
   }
-  if (comment_ != '\0' && position_ < bytes_.size() && bytes_[position_] == comment_) {
+  if (position_ < bytes_.size() && is_comment(bytes_[position_])) {
     while (position_ < bytes_.size() && !is_line_end(bytes_[position_])) {
       ++position_;
     }
   }
 }
 
-void TextScanner::skip_space() {
+void TextScanner::skip_all_space() {
   for (;;) {
     skip_blanks();
     if (position_ == bytes_.size() || !is_line_end(bytes_[position_])) {
@@ -61,11 +49,6 @@ void TextScanner::skip_space() {
     }
     ++position_;
   }
-}
-
-bool TextScanner::at_line_end() {
-  skip_blanks();
-  return position_ == bytes_.size() || is_line_end(bytes_[position_]);
 }
 
 bool TextScanner::at_end() {
@@ -117,7 +100,7 @@ std::string_view TextScanner::rest_of_line() {
   return rest;
 }
 
-void TextScanner::end_line(std::string_view expected) {
+void TextScanner::end_other_line(std::string_view expected) {
   if (!at_line_end()) {
     fail(expected);
   }
@@ -128,6 +111,13 @@ double TextScanner::number(std::string_view expected) {
   skip_blanks();
   const char* const end = bytes_.data() + bytes_.size();
   const char* begin = bytes_.data() + position_;
+  if (const auto plain = read_plain_decimal(begin, end); plain.end != nullptr) {
+    const auto next = static_cast<std::size_t>(plain.end - bytes_.data());
+    if (ends_token(next)) {
+      position_ = next;
+      return plain.value + 0.0;  // -0 becomes 0
+    }
+  }
   if (end - begin > 1 && begin[0] == '+' && begin[1] != '-') {
     ++begin;
   }
@@ -154,9 +144,8 @@ Vec3 TextScanner::vector(std::string_view expected) {
   return {x, y, z};
 }
 
-std::int64_t TextScanner::integer(std::int64_t lowest, std::int64_t highest,
-                                  std::string_view expected) {
-  skip_blanks();
+std::int64_t TextScanner::other_integer(std::int64_t lowest, std::int64_t highest,
+                                        std::string_view expected) {
   const char* const end = bytes_.data() + bytes_.size();
   std::int64_t value = 0;
   const auto [last, error] = std::from_chars(bytes_.data() + position_, end, value);
