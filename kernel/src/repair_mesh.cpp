@@ -40,10 +40,10 @@ double thickness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 }  // namespace
 
-RepairMesh::RepairMesh(std::vector<Vec3> points, std::vector<Triangle> triangles,
+RepairMesh::RepairMesh(std::span<const Vec3> points, std::span<const Triangle> triangles,
                        std::span<const std::uint32_t> classes, std::span<const std::uint32_t> twins)
-    : points_(std::move(points)),
-      triangles_(std::move(triangles)),
+    : points_(points.begin(), points.end()),
+      triangles_(triangles.begin(), triangles.end()),
       classes_(classes),
       twins_(twins),
       alive_(triangles_.size(), 1),
@@ -69,7 +69,7 @@ RepairMesh::RepairMesh(std::vector<Vec3> points, std::vector<Triangle> triangles
   for (std::size_t v = 0; v < points_.size(); ++v) {
     slice_start_[v + 1] += slice_start_[v];
   }
-  std::vector<std::uint32_t> next(slice_start_.begin(), slice_start_.end() - 1);
+  BulkVector<std::uint32_t> next(slice_start_.begin(), slice_start_.end() - 1);
   for (std::uint32_t f = 0; f < triangles_.size(); ++f) {
     parent_[f] = f;
     for (const std::uint32_t v : triangles_[f]) {
@@ -78,8 +78,8 @@ RepairMesh::RepairMesh(std::vector<Vec3> points, std::vector<Triangle> triangles
   }
 }
 
-std::vector<std::uint32_t> RepairMesh::alive_faces() const {
-  std::vector<std::uint32_t> faces;
+BulkVector<std::uint32_t> RepairMesh::alive_faces() const {
+  BulkVector<std::uint32_t> faces;
   faces.reserve(triangles_.size());
   for (std::uint32_t f = 0; f < triangles_.size(); ++f) {
     if (alive(f)) {
@@ -89,8 +89,8 @@ std::vector<std::uint32_t> RepairMesh::alive_faces() const {
   return faces;
 }
 
-std::vector<Triangle> RepairMesh::triangles_of(std::span<const std::uint32_t> faces) const {
-  std::vector<Triangle> triangles;
+BulkVector<Triangle> RepairMesh::triangles_of(std::span<const std::uint32_t> faces) const {
+  BulkVector<Triangle> triangles;
   triangles.reserve(faces.size());
   for (const std::uint32_t f : faces) {
     triangles.push_back(triangles_[f]);
@@ -297,7 +297,7 @@ void RepairMesh::remove(std::span<const std::uint32_t> faces) {
   }
 }
 
-void RepairMesh::place(std::vector<Vec3> points) {
+void RepairMesh::place(BulkVector<Vec3> points) {
   for (std::size_t v = 0; v < points.size(); ++v) {
     reach_[v] += (points[v] - points_[v]).norm();
   }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "arrangement/bulk_vector.h"
 #include "bad_items.h"
 #include "box_tree.h"
 #include "dupin/kernel/mesh.h"
@@ -28,7 +29,7 @@ class RepairMesh {
  public:
   /// `classes`: one number per triangle; triangles of different classes do not lend their area to
   /// each other. `twins`: per point the first of those that may coincide with it (contacts).
-  RepairMesh(std::vector<Vec3> points, std::vector<Triangle> triangles,
+  RepairMesh(std::span<const Vec3> points, std::span<const Triangle> triangles,
              std::span<const std::uint32_t> classes, std::span<const std::uint32_t> twins);
 
   [[nodiscard]] std::span<const Vec3> points() const { return points_; }
@@ -38,8 +39,8 @@ class RepairMesh {
     return static_cast<std::uint32_t>(triangles_.size());
   }
   [[nodiscard]] bool alive(std::uint32_t face) const { return alive_[face] != 0; }
-  [[nodiscard]] std::vector<std::uint32_t> alive_faces() const;
-  [[nodiscard]] std::vector<Triangle> triangles_of(std::span<const std::uint32_t> faces) const;
+  [[nodiscard]] BulkVector<std::uint32_t> alive_faces() const;
+  [[nodiscard]] BulkVector<Triangle> triangles_of(std::span<const std::uint32_t> faces) const;
   [[nodiscard]] std::span<const std::uint32_t> faces(std::uint32_t vertex) const;
   /// The face with the directed edge from a to b, if any.
   [[nodiscard]] std::optional<std::uint32_t> face_with_edge(std::uint32_t a, std::uint32_t b) const;
@@ -59,7 +60,7 @@ class RepairMesh {
   void remove(std::span<const std::uint32_t> faces);
 
   /// Moves all points without asking.
-  void place(std::vector<Vec3> points);
+  void place(BulkVector<Vec3> points);
 
   /// Looks for all bad items that involve a face with a marked point. The caller knows that there
   /// are no others but those of `known` that involve none.
@@ -97,20 +98,20 @@ class RepairMesh {
   void add_face(std::uint32_t vertex, std::uint32_t face);
   void drop_face(std::uint32_t vertex, std::uint32_t face);
 
-  std::vector<Vec3> points_;
-  std::vector<Triangle> triangles_;
+  BulkVector<Vec3> points_;
+  BulkVector<Triangle> triangles_;
   std::span<const std::uint32_t> classes_, twins_;
-  std::vector<std::uint8_t> alive_, has_twin_;
-  std::vector<std::uint32_t> parent_;
-  std::vector<double> reach_, deviation_;
+  BulkVector<std::uint8_t> alive_, has_twin_;
+  BulkVector<std::uint32_t> parent_;
+  BulkVector<double> reach_, deviation_;
   // Faces around vertices: slices of one array, or, once edited, a list of their own.
-  std::vector<std::uint32_t> slice_start_, slices_, own_list_;
+  BulkVector<std::uint32_t> slice_start_, slices_, own_list_;
   std::vector<std::vector<std::uint32_t>> lists_;
   BoxFrame frame_;
   std::optional<BoxTree> tree_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> bad_;  // per face its partners in bad items
   std::vector<std::uint32_t> edited_;
-  std::vector<std::uint32_t> stamp_;  // number of the last search that had looked at the face
+  BulkVector<std::uint32_t> stamp_;  // number of the last search that had looked at the face
   std::uint32_t searches_ = 0;
   std::uint64_t trials_ = 0;
 };

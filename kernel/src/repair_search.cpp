@@ -32,8 +32,8 @@ void RepairMesh::find_bad_items(std::span<const std::uint8_t> marked_points,
       remember(item);
     }
   }
-  const std::vector<std::uint32_t> faces = alive_faces();
-  const std::vector<Triangle> triangles = triangles_of(faces);
+  const BulkVector<std::uint32_t> faces = alive_faces();
+  const BulkVector<Triangle> triangles = triangles_of(faces);
   for (const BadItem& item : detail::find_bad_items({points_, triangles, twins_}, marked_points)) {
     remember({faces[item.first], faces[item.second]});
   }

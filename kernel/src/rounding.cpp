@@ -9,6 +9,7 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include "arrangement/blocks.h"
 #include "arrangement/bulk_vector.h"
 #include "dupin/kernel/error.h"
 #include "exact_mesh.h"
@@ -97,7 +98,7 @@ class detail::Rounding {
     const std::vector<BadItem> bad =
         detail::find_bad_items({rounded_.on_lattice, exact_.triangles, twins_}, rounded_.moved);
     const MeshView direct(rounded_.on_lattice, exact_.triangles);
-    const double move = largest_move();
+    const double move = largest_move(rounded_.largest_move);
     if (bad.empty() && exact_.contacts.empty() &&
         detail::shells_keep_their_sides(direct, rounded_.moved, move)) {
       return unrepaired(move);
@@ -157,19 +158,15 @@ class detail::Rounding {
             past_.removed_triangles + exact_.triangles.size() - filled->mesh.triangles.size()};
         return Rounding(filled->mesh, coordinates_, options_, past).run();
       }
-      RepairMesh mesh({doubles().begin(), doubles().end()}, exact_.triangles, classes, twins_);
+      RepairMesh mesh(doubles(), exact_.triangles, classes, twins_);
       const std::size_t shells = detail::remove_small_shells(mesh, broken, reach);
       attempt(mesh, broken, broken_pairs, reach);
-      const std::vector<std::uint32_t> left = faults(mesh);
-      if (const auto alive = mesh.alive_faces(); left.empty() && !alive.empty()) {
-        const std::vector<Triangle> triangles = mesh.triangles_of(alive);
-        std::vector<std::uint32_t> parents;
-        for (const std::uint32_t face : alive) {
-          parents.push_back(mesh.parent(face));
-        }
-        return finished(
-            {mesh.points(), triangles}, parents,
-            {.largest_move = largest_move(&mesh), .repair_reach = reach, .removed_shells = shells});
+      const auto alive = mesh.alive_faces();
+      const double move = largest_move(mesh, alive);
+      const std::vector<std::uint32_t> left = faults(mesh, alive, move);
+      if (left.empty() && !alive.empty()) {
+        return finished(mesh, alive,
+                        {.largest_move = move, .repair_reach = reach, .removed_shells = shells});
       }
       if (reach == farthest || trials_left_ == 0) {
         throw unroundable(left.empty() ? doubles()[0] : mesh.point(mesh.triangle(left[0])[0]));
@@ -204,14 +201,14 @@ class detail::Rounding {
   }
 
   /// Faces of bad items, else misplaced ones.
-  std::vector<std::uint32_t> faults(const RepairMesh& mesh) {
+  std::vector<std::uint32_t> faults(const RepairMesh& mesh, std::span<const std::uint32_t> alive,
+                                    double move) {
     const std::vector<BadItem> bad = mesh.bad_items();
     if (!bad.empty()) {
       return faces_of(bad);
     }
-    const std::vector<std::uint32_t> alive = mesh.alive_faces();
-    const std::vector<Triangle> triangles = mesh.triangles_of(alive);
-    std::vector<std::uint32_t> faces = misplaced({mesh.points(), triangles}, largest_move(&mesh));
+    const auto triangles = mesh.triangles_of(alive);
+    std::vector<std::uint32_t> faces = misplaced({mesh.points(), triangles}, move);
     for (std::uint32_t& face : faces) {
       face = alive[face];
     }
@@ -233,10 +230,13 @@ class detail::Rounding {
     trials_left_ = detail::repair(mesh, Lattice(Coordinates::binary64),
                                   reach / step_ * double_step_, trials_left_);
     detail::clean_up(mesh, reach, detail::with_neighbours(mesh, broken));
-    std::vector<Vec3> points(mesh.points().begin(), mesh.points().end());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      points[i] = points[i] == doubles()[i] ? rounded_.on_lattice[i] : lattice_.nearest(points[i]);
-    }
+    detail::BulkVector<Vec3> points(mesh.points().size());
+    detail::for_each_block(points.size(), [&](const detail::Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        const Vec3& here = mesh.points()[i];
+        points[i] = here == doubles()[i] ? rounded_.on_lattice[i] : lattice_.nearest(here);
+      }
+    });
     mesh.place(std::move(points));
     mesh.find_bad_items(differing_points(mesh), broken_pairs);
     trials_left_ = detail::repair(mesh, lattice_, reach, trials_left_);
@@ -271,10 +271,12 @@ class detail::Rounding {
   }
 
   Rounded unrepaired(double move);
-  [[nodiscard]] Rounded finished(const MeshView& mesh, std::span<const std::uint32_t> parents,
+  [[nodiscard]] Rounded finished(const RepairMesh& mesh, std::span<const std::uint32_t> alive,
                                  RoundingReport report) const;
   [[nodiscard]] Rounded with_report(RoundingReport report, std::size_t triangles) const;
-  [[nodiscard]] double largest_move(const RepairMesh* repaired = nullptr) const;
+  [[nodiscard]] double largest_move(double from_doubles) const;
+  [[nodiscard]] double largest_move(const RepairMesh& repaired,
+                                    std::span<const std::uint32_t> alive) const;
   [[nodiscard]] Error unroundable(const Vec3& at) const;
 
   const ExactMesh& exact_;
@@ -315,57 +317,62 @@ Rounded detail::Rounding::unrepaired(double move) {
   return result;
 }
 
-/// The repaired mesh, whose triangles have the places and properties of `parents`.
-Rounded detail::Rounding::finished(const MeshView& mesh, std::span<const std::uint32_t> parents,
+/// The mesh of the faces that repair has left alive.
+Rounded detail::Rounding::finished(const RepairMesh& mesh, std::span<const std::uint32_t> alive,
                                    RoundingReport report) const {
-  std::vector<std::uint8_t> used(mesh.points.size(), 0);
-  for (const Triangle& t : mesh.triangles) {
-    used[t[0]] = used[t[1]] = used[t[2]] = 1;
-  }
-  std::vector<std::uint32_t> position(mesh.points.size());
-  std::vector<Vec3> points;
-  points.reserve(mesh.points.size());
-  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
-    const bool moved = rounded_.moved[v] != 0 || mesh.points[v] != rounded_.on_lattice[v];
-    report.moved += used[v] == 0 || moved ? 1 : 0;
-    position[v] = static_cast<std::uint32_t>(points.size());
-    if (used[v] != 0) {
-      points.push_back(mesh.points[v].array() + 0.0);
+  Rounded result = with_report(report, alive.size());
+  constexpr std::uint32_t kUnused = 0xffffffff;
+  detail::BulkVector<std::uint32_t> position(mesh.points().size(), kUnused);
+  for (const std::uint32_t face : alive) {
+    for (const std::uint32_t v : mesh.triangle(face)) {
+      position[v] = 0;
     }
   }
-  Rounded result = with_report(report, mesh.triangles.size());
-  result.mesh_.points = std::move(points);
-  result.mesh_.triangles.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
-    result.mesh_.triangles.push_back({position[t[0]], position[t[1]], position[t[2]]});
+  detail::reserve_bulk(result.mesh_.points, mesh.points().size());
+  for (std::uint32_t v = 0; v < position.size(); ++v) {
+    const Vec3& point = mesh.point(v);
+    const bool is_used = position[v] != kUnused;
+    const bool has_moved = rounded_.moved[v] != 0 || point != rounded_.on_lattice[v];
+    result.report_.moved += !is_used || has_moved ? 1 : 0;
+    if (is_used) {
+      position[v] = static_cast<std::uint32_t>(result.mesh_.points.size());
+      result.mesh_.points.push_back(point.array() + 0.0);
+    }
   }
-  for (const std::uint32_t parent : parents) {
-    result.sources_.push_back(exact_.sources[parent]);
+  detail::reserve_bulk(result.mesh_.triangles, alive.size());
+  detail::reserve_bulk(result.sources_, alive.size());
+  detail::reserve_bulk(result.mesh_.labels, exact_.labels.empty() ? 0 : alive.size());
+  for (const std::uint32_t face : alive) {
+    const Triangle& t = mesh.triangle(face);
+    result.mesh_.triangles.push_back({position[t[0]], position[t[1]], position[t[2]]});
+    result.sources_.push_back(exact_.sources[mesh.parent(face)]);
     if (!exact_.labels.empty()) {
-      result.mesh_.labels.push_back(exact_.labels[parent]);
+      result.mesh_.labels.push_back(exact_.labels[mesh.parent(face)]);
     }
   }
   return result;
 }
 
-/// Of exact place to nearest double, of that to the lattice, and by repair; and half the width of
-/// slits, in which no place is farther from the solid. The factor covers the rounding of these few
-/// sums and norms.
-double detail::Rounding::largest_move(const RepairMesh* repaired) const {
-  double vertex = rounded_.largest_move, surface = 0;
-  if (repaired != nullptr) {
-    vertex = 0;
-    for (std::uint32_t v = 0; v < exact_.points.size(); ++v) {
-      const Vec3& place = rounded_.on_lattice[v];
-      const bool is_kept = repaired->point(v) == place && repaired->reach(v) == 0;
-      vertex = std::max(vertex, is_kept ? (place - doubles()[v]).norm() : repaired->reach(v));
-    }
-    for (const std::uint32_t f : repaired->alive_faces()) {
-      surface = std::max(surface, repaired->deviation(f));
-    }
+double detail::Rounding::largest_move(const RepairMesh& repaired,
+                                      std::span<const std::uint32_t> alive) const {
+  double vertex = 0, surface = 0;
+  for (std::uint32_t v = 0; v < exact_.points.size(); ++v) {
+    const Vec3& place = rounded_.on_lattice[v];
+    const bool is_kept = repaired.point(v) == place && repaired.reach(v) == 0;
+    vertex = std::max(vertex, is_kept ? (place - doubles()[v]).norm() : repaired.reach(v));
   }
+  for (const std::uint32_t f : alive) {
+    surface = std::max(surface, repaired.deviation(f));
+  }
+  return largest_move(vertex + surface);
+}
+
+/// Of exact place to nearest double, of that to the lattice and by repair, as given; and half the
+/// width of slits, in which no place is farther from the solid. The factor covers the rounding of
+/// these few sums and norms.
+double detail::Rounding::largest_move(double from_doubles) const {
   const double rounding = rounded_.any_inexact ? std::sqrt(0.75) * double_step_ : 0;
-  return (vertex + surface + rounding + past_.slit_width / 2) * (1 + 0x1p-48);
+  return (from_doubles + rounding + past_.slit_width / 2) * (1 + 0x1p-48);
 }
 
 Error detail::Rounding::unroundable(const Vec3& at) const {

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 #include <Eigen/Geometry>
 
+#include "arrangement/blocks.h"
 #include "contact.h"
 #include "disjoint_sets.h"
 #include "measure.h"
@@ -17,24 +20,46 @@ struct Measures {
   double volume = 0, magnitude = 0, area = 0;  // six times, bounds of the terms, two times or more
   std::uint32_t face = 0;
   std::size_t faces = 0;
+
+  void add(const Measures& other) {
+    volume += other.volume;
+    magnitude += other.magnitude;
+    area += other.area;
+    face = other.face;
+    faces += other.faces;
+  }
 };
 
-/// Per shell, at its lowest point.
-std::vector<Measures> measured(const MeshView& mesh, std::span<const std::uint32_t> shell_of) {
-  std::vector<Measures> measures(mesh.points.size());
-  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-    const Triangle& t = mesh.triangles[f];
-    const std::uint32_t shell = shell_of[t[0]];
-    const Vec3& origin = mesh.points[shell];
-    const Vec3 a = mesh.points[t[0]] - origin, u = mesh.points[t[1]] - mesh.points[t[0]],
-               v = mesh.points[t[2]] - mesh.points[t[0]];
-    const Vec3 normal = u.cross(v);
-    Measures& sums = measures[shell];
-    sums.volume += a.dot(normal);
-    sums.magnitude += a.lpNorm<1>() * u.lpNorm<1>() * v.lpNorm<1>();
-    sums.area += normal.lpNorm<1>();
-    sums.face = f;
-    ++sums.faces;
+Measures measured(const MeshView& mesh, std::uint32_t face, const Vec3& origin) {
+  const Triangle& t = mesh.triangles[face];
+  const Vec3 a = mesh.points[t[0]] - origin, u = mesh.points[t[1]] - mesh.points[t[0]],
+             v = mesh.points[t[2]] - mesh.points[t[0]];
+  const Vec3 normal = u.cross(v);
+  return {a.dot(normal), a.lpNorm<1>() * u.lpNorm<1>() * v.lpNorm<1>(), normal.lpNorm<1>(), face,
+          1};
+}
+
+/// Per shell, by its lowest point.
+std::map<std::uint32_t, Measures> measured(const MeshView& mesh,
+                                           std::span<const std::uint32_t> shell_of) {
+  using OfShell = std::pair<std::uint32_t, Measures>;
+  std::vector<std::vector<OfShell>> parts(block_count(mesh.triangles.size()));
+  for_each_block(mesh.triangles.size(), [&](const Block& block) {
+    std::vector<OfShell> part;  // per run of triangles of one shell
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const std::uint32_t shell = shell_of[mesh.triangles[i][0]];
+      if (part.empty() || part.back().first != shell) {
+        part.emplace_back(shell, Measures());
+      }
+      part.back().second.add(measured(mesh, static_cast<std::uint32_t>(i), mesh.points[shell]));
+    }
+    parts[block.number] = std::move(part);
+  });
+  std::map<std::uint32_t, Measures> measures;
+  for (const std::vector<OfShell>& part : parts) {
+    for (const auto& [shell, sums] : part) {
+      measures[shell].add(sums);
+    }
   }
   return measures;
 }
@@ -55,25 +80,26 @@ int sign_of_shell(MeshView view, std::span<const std::uint32_t> shell_of, std::u
 
 std::vector<std::uint32_t> shell_of_points(const ExactMesh& exact) {
   DisjointSets sets(exact.points.size());
-  for (const Triangle& t : exact.triangles) {
-    sets.unite(t[0], t[1]);
-    sets.unite(t[0], t[2]);
-  }
+  for_each_block(exact.triangles.size(), [&](const Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const Triangle& t = exact.triangles[i];
+      sets.unite(t[0], t[1]);
+      sets.unite(t[0], t[2]);
+    }
+  });
   return sets.representatives();
 }
 
 std::vector<std::uint32_t> turned_shells(const ExactMesh& exact,
                                          std::span<const std::uint32_t> shell_of,
                                          const MeshView& mesh, double largest_move) {
-  const std::vector<Measures> measures = measured(mesh, shell_of);
   std::vector<std::uint32_t> turned;
-  for (std::uint32_t shell = 0; shell < measures.size(); ++shell) {
-    const Measures& sums = measures[shell];
+  for (const auto& [shell, sums] : measured(mesh, shell_of)) {
     // The volume has changed by at most the area times the move, doubled for the area's own change.
     // The terms, n in number, are summed with errors below n 2^-52 of what they are made of.
     const double doubt = 6 * sums.area * largest_move +
                          sums.magnitude * static_cast<double>(sums.faces + 10) * 0x1p-52;
-    if (sums.faces > 0 && !(std::abs(sums.volume) > doubt) &&
+    if (!(std::abs(sums.volume) > doubt) &&
         sign_of_shell(mesh, shell_of, shell) != sign_of_shell(MeshView(exact), shell_of, shell)) {
       turned.push_back(sums.face);
     }
