@@ -32,6 +32,12 @@ void RepairMesh::find_bad_items(std::span<const std::uint8_t> marked_points,
       remember(item);
     }
   }
+  if (std::ranges::find(alive_, 0) == alive_.end()) {
+    for (const BadItem& item : detail::find_bad_items(embedding(), marked_points)) {
+      remember(item);
+    }
+    return;
+  }
   const BulkVector<std::uint32_t> faces = alive_faces();
   const BulkVector<Triangle> triangles = triangles_of(faces);
   for (const BadItem& item : detail::find_bad_items({points_, triangles, twins_}, marked_points)) {

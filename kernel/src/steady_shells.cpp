@@ -29,7 +29,9 @@ struct Box {
   }
 };
 
-Box joined(const Box& a, const Box& b) { return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; }
+Box around_both(const Box& a, const Box& b) {
+  return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+}
 
 using Corners = std::array<Vec3, 3>;
 
@@ -96,7 +98,7 @@ class MovingTriangles {
       if (triangles_.size() % kGroup == 1) {
         groups_.push_back(box);
       }
-      groups_.back() = joined(groups_.back(), box);
+      groups_.back() = around_both(groups_.back(), box);
       largest_ = std::max(largest_, box.largest_coordinate());
     }
   }
@@ -126,18 +128,23 @@ class MovingTriangles {
   double move_, largest_ = 0;
 };
 
-/// The triangles with a marked corner, but for those that have one with another mark.
-std::vector<std::uint32_t> faces_with(std::span<const Triangle> triangles,
-                                      std::span<const std::uint8_t> marked,
-                                      std::span<const std::uint8_t> excluded) {
-  return collect_in_order<std::uint32_t>(
-      triangles.size(), [&](std::size_t face, std::vector<std::uint32_t>& found) {
-        const auto& [a, b, c] = triangles[face];
-        if ((marked[a] | marked[b] | marked[c]) != 0 &&
-            (excluded.empty() || (excluded[a] | excluded[b] | excluded[c]) == 0)) {
-          found.push_back(static_cast<std::uint32_t>(face));
-        }
-      });
+constexpr std::uint8_t kOwn = 1, kForeign = 2;
+
+/// The triangles with an own corner and without a foreign one.
+std::vector<std::uint32_t> own_faces(std::span<const Triangle> triangles,
+                                     std::span<const std::uint8_t> marks) {
+  std::vector<std::vector<std::uint32_t>> parts(block_count(triangles.size()));
+  for_each_block(triangles.size(), [&](const Block& block) {
+    std::vector<std::uint32_t> part;
+    for (std::size_t face = block.begin; face < block.end; ++face) {
+      const auto& [a, b, c] = triangles[face];
+      if ((marks[a] | marks[b] | marks[c]) == kOwn) {
+        part.push_back(static_cast<std::uint32_t>(face));
+      }
+    }
+    parts[block.number] = std::move(part);
+  });
+  return joined(std::move(parts));
 }
 
 /// A connected part of the surface that does not stay, with the triangles next to it.
@@ -150,7 +157,7 @@ struct Region {
 
 bool shells_keep_their_sides(const MeshView& mesh, std::span<const std::uint8_t> moved,
                              double largest_move) {
-  const std::vector<std::uint32_t> moving = faces_with(mesh.triangles, moved, {});
+  const std::vector<std::uint32_t> moving = own_faces(mesh.triangles, moved);
   if (moving.size() * kSparse > mesh.triangles.size()) {
     return false;
   }
@@ -158,17 +165,22 @@ bool shells_keep_their_sides(const MeshView& mesh, std::span<const std::uint8_t>
     return true;
   }
   DisjointSets sets(mesh.points.size());
-  std::vector<std::uint8_t> touched(mesh.points.size(), 0);
+  std::vector<std::uint8_t> marks(moved.begin(), moved.end());
+  for (std::uint8_t& mark : marks) {
+    mark *= kForeign;
+  }
   const auto unite = [&](const Triangle& t) {
     sets.unite(t[0], t[1]);
     sets.unite(t[0], t[2]);
   };
   for (const std::uint32_t face : moving) {
     const Triangle& t = mesh.triangles[face];
-    touched[t[0]] = touched[t[1]] = touched[t[2]] = 1;
+    for (const std::uint32_t point : t) {
+      marks[point] |= kOwn;
+    }
     unite(t);
   }
-  const std::vector<std::uint32_t> staying = faces_with(mesh.triangles, touched, moved);
+  const std::vector<std::uint32_t> staying = own_faces(mesh.triangles, marks);
   for (const std::uint32_t face : staying) {
     unite(mesh.triangles[face]);
   }
