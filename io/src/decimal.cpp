@@ -39,10 +39,7 @@ constexpr double power_of_two(int exponent) {
 /// digits * 10^-places, rounded to nearest. Nothing if the bounds below do not decide it.
 std::optional<double> nearest(std::uint64_t digits, int places) {
   const NegativePower& scale = kNegativePowers[static_cast<std::size_t>(places)];
-  if (digits <= std::uint64_t{1} << 53) {
-    return static_cast<double>(digits) / scale.inverse;  // of two exact numbers
-  }
-  if (places == 0) {
+  if (places == 0 || digits == 0) {
     return static_cast<double>(digits);
   }
   // The product of 64-bit numbers is too small by less than digits << zeros < 2^64, for the
@@ -55,9 +52,10 @@ std::optional<double> nearest(std::uint64_t digits, int places) {
   const std::uint64_t half = std::uint64_t{1} << (spare - 1);
   const std::uint64_t rest = high & (2 * half - 1);
   if (rest == half || rest == half - 1) {
-    return std::nullopt;
+    const bool are_exact = digits <= std::uint64_t{1} << 53;
+    return are_exact ? std::optional(static_cast<double>(digits) / scale.inverse) : std::nullopt;
   }
-  const std::uint64_t mantissa = (high >> spare) + (rest > half ? 1 : 0);
+  const auto mantissa = static_cast<std::int64_t>((high >> spare) + (rest > half ? 1 : 0));
   return static_cast<double>(mantissa) * power_of_two(exponent + spare);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -55,6 +56,20 @@ void read_corners(TextScanner& scanner, std::size_t points, std::vector<std::uin
   }
 }
 
+/// Appends the face that comes next, if it is one, cut into triangles. `corners` is room for those
+/// of one face.
+bool read_face(TextScanner& scanner, std::vector<std::uint32_t>& corners, TriMesh& mesh) {
+  if (scanner.take_triangle('f', 1, mesh.points.size(), mesh.triangles)) {
+    return true;
+  }
+  if (!scanner.take("f")) {
+    return false;
+  }
+  read_corners(scanner, mesh.points.size(), corners);
+  triangulate(corners, mesh.points, mesh.triangles);
+  return true;
+}
+
 void read_vertex(TextScanner& scanner, TriMesh& mesh) {
   mesh.points.push_back(scanner.vector("a coordinate"));
   // A weight, or a colour of three or four components.
@@ -80,18 +95,21 @@ TriMesh read_obj(std::string_view bytes, std::string_view file) {
   LabelBuilder labels;
   TriMesh mesh;
   std::string group;
+  std::optional<std::uint32_t> label;  // of this group, which may be without faces
   bool named = false;
   std::vector<std::uint32_t> corners;
   while (!scanner.at_end()) {
     if (scanner.take("v")) {
       read_vertex(scanner, mesh);
-    } else if (scanner.take("f")) {
-      read_corners(scanner, mesh.points.size(), corners);
-      triangulate(corners, mesh.points, mesh.triangles);
-      mesh.labels.resize(mesh.triangles.size(), labels.label(group.empty() ? "default" : group));
+    } else if (read_face(scanner, corners, mesh)) {
+      if (!label) {
+        label = labels.label(group.empty() ? "default" : group);
+      }
+      mesh.labels.resize(mesh.triangles.size(), *label);
       named = named || !group.empty();
     } else if (scanner.take("g") || scanner.take("o")) {
       group = clean_line(scanner.rest_of_line());
+      label.reset();
     } else {
       skip_statement(scanner);
     }

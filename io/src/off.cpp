@@ -74,8 +74,13 @@ Counts read_counts(TextScanner& scanner) {
   return counts;
 }
 
-void read_face(TextScanner& scanner, std::size_t points, std::vector<std::uint32_t>& corners) {
+/// Appends the face, cut into triangles. `corners` is room for those of one face.
+void read_face(TextScanner& scanner, std::vector<std::uint32_t>& corners, TriMesh& mesh) {
+  const std::size_t points = mesh.points.size();
   scanner.skip_space();
+  if (scanner.take_triangle('3', 0, points, mesh.triangles)) {
+    return;
+  }
   const std::size_t place = scanner.position();
   const std::int64_t size =
       scanner.integer(3, kMostPoints, "a face: its number of vertices, an integer");
@@ -91,6 +96,7 @@ void read_face(TextScanner& scanner, std::size_t points, std::vector<std::uint32
     scanner.fail_at(place, "found more than 4 numbers behind a face of " + std::to_string(size) +
                                " vertices, expected at most a colour");
   }
+  triangulate(corners, mesh.points, mesh.triangles);
 }
 
 }  // namespace
@@ -112,8 +118,7 @@ TriMesh read_off(std::string_view bytes, std::string_view file) {
   mesh.triangles.reserve(counts.faces);
   std::vector<std::uint32_t> corners;
   for (std::size_t i = 0; i < counts.faces; ++i) {
-    read_face(scanner, counts.points, corners);
-    triangulate(corners, mesh.points, mesh.triangles);
+    read_face(scanner, corners, mesh);
   }
   if (!scanner.at_end()) {
     scanner.fail("the end of the file behind the last face");

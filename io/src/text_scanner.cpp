@@ -161,6 +161,33 @@ std::int64_t TextScanner::other_integer(std::int64_t lowest, std::int64_t highes
   return value;
 }
 
+bool TextScanner::take_triangle(char head, std::uint32_t first, std::size_t points,
+                                std::vector<Triangle>& triangles) {
+  if (!is_at(head)) {
+    return false;
+  }
+  const char* const end = bytes_.data() + bytes_.size();
+  const char* next = bytes_.data() + position_ + 1;
+  Triangle triangle;
+  for (std::uint32_t& corner : triangle) {
+    if (next == end || *next != ' ') {
+      return false;
+    }
+    const DigitRun digits = take_few_digits(next + 1, end);
+    corner = static_cast<std::uint32_t>(digits.value) - first;  // below the first: a large number
+    if (digits.end == next + 1 || corner >= points) {
+      return false;
+    }
+    next = digits.end;
+  }
+  if (next == end || *next != '\n') {
+    return false;
+  }
+  triangles.push_back({triangle[0], triangle[1], triangle[2]});
+  position_ = static_cast<std::size_t>(next + 1 - bytes_.data());
+  return true;
+}
+
 void TextScanner::fail(std::string_view expected) {
   const std::string_view next = peek();
   std::string found = quoted(next);

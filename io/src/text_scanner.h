@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "decimal.h"
+#include "dupin/kernel/mesh.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin {
@@ -68,20 +70,23 @@ class TextScanner {
   Vec3 vector(std::string_view expected);
   /// An integer in [lowest, highest].
   std::int64_t integer(std::int64_t lowest, std::int64_t highest, std::string_view expected) {
-    constexpr std::ptrdiff_t kMostDigits = 18;  // all of their numbers are less than 2^63
     skip_blanks();
     const char* const begin = bytes_.data() + position_;
-    const DigitRun digits = take_digits(begin, bytes_.data() + bytes_.size());
+    const DigitRun digits = take_few_digits(begin, bytes_.data() + bytes_.size());
     const auto value = static_cast<std::int64_t>(digits.value);
-    const std::ptrdiff_t count = digits.end - begin;
-    const std::size_t next = position_ + static_cast<std::size_t>(count);
-    if (count == 0 || count > kMostDigits || value < lowest || value > highest ||
-        !ends_token(next)) {
+    const auto next = static_cast<std::size_t>(digits.end - bytes_.data());
+    if (next == position_ || value < lowest || value > highest || !ends_token(next)) {
       return other_integer(lowest, highest, expected);
     }
     position_ = next;
     return value;
   }
+
+  /// Takes a line "HEAD a b c" and appends the triangle, if it is written as most files have it:
+  /// single blanks, at most seven digits each, LF behind, and indices of `points` points of which
+  /// `first` is the first. Otherwise takes nothing.
+  bool take_triangle(char head, std::uint32_t first, std::size_t points,
+                     std::vector<Triangle>& triangles);
 
   [[nodiscard]] std::size_t position() const { return position_; }
   [[nodiscard]] std::size_t remaining() const { return bytes_.size() - position_; }

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -74,6 +75,45 @@ TEST(TextScanner, reads_integers_within_their_limits) {
                                       "99999999999999999999999", "+1", "1.5", "1x", "", "x", "-"}) {
     TextScanner scanner(text, "x");
     EXPECT_THROW((void)scanner.integer(kLow, kHigh, "a number"), Error) << text;
+  }
+}
+
+TEST(TextScanner, takes_plain_lines_of_triangles) {
+  std::vector<Triangle> triangles;
+  const std::string bytes = "3 0 1 2\n3 9 0 1234566\n3 1 2 3 # the end\n";
+  TextScanner scanner(bytes, "x");
+  EXPECT_TRUE(scanner.take_triangle('3', 0, 10, triangles));
+  EXPECT_FALSE(scanner.take_triangle('3', 0, 1234566, triangles)) << "an index too large";
+  EXPECT_EQ(scanner.position(), 8U);
+  EXPECT_TRUE(scanner.take_triangle('3', 0, 1234567, triangles));
+  EXPECT_FALSE(scanner.take_triangle('f', 0, 10, triangles)) << "another head";
+  EXPECT_EQ(triangles[0], (Triangle{0, 1, 2}));
+  EXPECT_EQ(triangles[1], (Triangle{9, 0, 1234566}));
+  for (const std::string_view line : {"",
+                                      "3",
+                                      "3 ",
+                                      "3 1",
+                                      "3 1 1",
+                                      "3 1 1 1",
+                                      "3 1 1 1 ",
+                                      "3 1 1 1\r\n",
+                                      "3 1 1 1 1\n",
+                                      "3  1 1 1\n",
+                                      "3 1 1 1 \n",
+                                      "3 1 1 0\n",
+                                      "3 1 1 4\n",
+                                      "3 1 1 -1\n",
+                                      "3 1 1 4294967297\n",
+                                      "3 1 1 00000001\n",
+                                      "3 1 1 1.\n",
+                                      "3 1 1 1/1\n",
+                                      "31 1 1\n",
+                                      "4 1 1 1 1\n"}) {
+    TextScanner other(line, "x");
+    std::vector<Triangle> none;
+    EXPECT_FALSE(other.take_triangle('3', 1, 3, none)) << line;
+    EXPECT_EQ(other.position(), 0U) << line;
+    EXPECT_TRUE(none.empty()) << line;
   }
 }
 
