@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "arrangement/blocks.h"
+
 namespace dupin::detail {
 namespace {
 
@@ -152,12 +154,13 @@ FramedTriangle RepairMesh::framed(std::uint32_t face) const {
 
 BoxTree& RepairMesh::tree() {
   if (!tree_) {
-    std::vector<Box> boxes(triangles_.size(), Box::nothing());
-    for (std::uint32_t f = 0; f < triangles_.size(); ++f) {
-      if (alive(f)) {
-        boxes[f] = box(f);
+    BulkVector<Box> boxes(triangles_.size());
+    for_each_block(boxes.size(), [&](const Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        const auto f = static_cast<std::uint32_t>(i);
+        boxes[i] = alive(f) ? box(f) : Box::nothing();
       }
-    }
+    });
     tree_.emplace(boxes);
   }
   return *tree_;

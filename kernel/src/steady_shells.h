@@ -7,9 +7,9 @@
 
 namespace dupin::detail {
 
-/// True if it is certain that no shell turns inside out while the points marked as moved come from
-/// anywhere within `largest_move` to where `mesh` has them. Before and after, no shell may meet
-/// itself.
+/// True if it is certain that no shell turns inside out while the points that `moved` has a 1 for,
+/// not a 0, come from anywhere within `largest_move` to where `mesh` has them. Before and after, no
+/// shell may meet itself.
 ///
 /// Which side of a shell is inside shows in the winding numbers of the shell on both sides of any
 /// of its places, and these only change where the shell passes. So a place that stays, farther than
