@@ -9,9 +9,8 @@
 namespace dupin::detail {
 
 bool is_degenerate(const Embedding& mesh, std::uint32_t face) {
-  const Triangle& t = mesh.triangles[face];
-  const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-  return !PlaneFilter(a, b, c).certain() && collinear(a, b, c);
+  const auto& [a, b, c] = mesh.triangles[face];
+  return collinear(mesh.points[a], mesh.points[b], mesh.points[c]);
 }
 
 bool is_bad_pair(const Embedding& mesh, std::uint32_t f, std::uint32_t g) {
@@ -42,8 +41,8 @@ std::vector<BadItem> find_bad_items(const Embedding& mesh,
     const auto& [a, b, c] = mesh.triangles[f];
     active[f] = marked_points[a] | marked_points[b] | marked_points[c];
   }
-  const SelfIntersections found =
-      find_self_intersections(mesh.points, mesh.triangles, {.active = active, .same = mesh.twins});
+  const SelfIntersections found = find_self_intersections(
+      mesh.points, mesh.triangles, {.active = active, .same = mesh.twins, .closed = true});
   std::vector<BadItem> bad;
   for (const std::uint32_t face : found.degenerate) {
     bad.push_back({face, face});

@@ -14,9 +14,7 @@ namespace {
 struct Keyed {
   std::uint64_t key;
   std::uint32_t item;
-  bool operator<(const Keyed& other) const {
-    return key != other.key ? key < other.key : item < other.item;
-  }
+  auto operator<=>(const Keyed&) const = default;
 };
 
 /// The low 21 bits of `value`, two zeros between each two.
@@ -117,8 +115,11 @@ std::vector<std::uint32_t> BoxTree::morton_order(std::span<const Box> boxes) {
 }
 
 BoxTree::BoxTree(std::span<const Box> boxes) : BoxTree(boxes, given_order(boxes.size())) {
-  if (is_crowded()) {
-    *this = BoxTree(boxes, morton_order(boxes));
+  if (const double crowded = crowding(); crowded > kCrowded) {
+    BoxTree other(boxes, morton_order(boxes));
+    if (other.crowding() < crowded) {
+      *this = std::move(other);
+    }
   }
 }
 
@@ -193,37 +194,46 @@ bool BoxTree::overlap(std::uint32_t node, const BoxTree& other, std::uint32_t ot
   return !oriented(*this, node).apart(oriented(other, other_node));
 }
 
-bool BoxTree::is_crowded() const {
-  // Leaves of meshes in good order meet 80 to 250 nodes, which grows with the tree's height.
-  constexpr std::uint32_t kSamples = 64, kMany = 512;
+double BoxTree::crowding() const {
+  constexpr std::uint32_t kSamples = 64, kMost = 1 << 14, kLeaf = 8;  // times an inner node
   const std::uint32_t count = std::min(kSamples, leaf_count());
-  std::size_t met = 0;
+  std::uint32_t met = 0;
   std::vector<std::uint32_t> nodes;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const auto place = static_cast<std::uint32_t>(std::uint64_t{i} * leaf_count() / count);
+    const auto leaf = leaves_ + static_cast<std::uint32_t>(std::uint64_t{i} * leaf_count() / count);
     nodes.assign({1});
-    while (!nodes.empty()) {
+    while (!nodes.empty() && met < count * kMost) {
       const std::uint32_t node = nodes.back();
       nodes.pop_back();
-      if (++met > std::size_t{count} * kMany) {
-        return true;
+      ++met;
+      if (node == leaf || of_one_group(leaf, node) || !overlap(leaf, *this, node)) {
+        continue;
       }
-      if (node < leaves_ && overlap(leaves_ + place, *this, node)) {
+      if (node < leaves_) {
         nodes.insert(nodes.end(), {2 * node, 2 * node + 1});
+      } else {
+        met += kLeaf;
       }
     }
   }
-  return false;
+  return count == 0 ? 0 : static_cast<double>(met) / count;
 }
 
-void BoxTree::group(std::span<const std::uint32_t> groups) {
+void BoxTree::set_groups(std::span<const std::uint32_t> groups) {
+  if (groups.empty()) {
+    return;
+  }
+  item_groups_.resize(size());
+  for (std::uint32_t i = 0; i < size(); ++i) {
+    item_groups_[i] = groups[order_[i]];
+  }
   groups_.assign(nodes_.size(), kNoGroup);
   for (std::uint32_t leaf = 0; leaf < leaf_count(); ++leaf) {
     const std::uint32_t first = leaf * kLeafSize;
     std::uint32_t& group = groups_[leaves_ + leaf];
-    group = groups[order_[first]];
+    group = item_groups_[first];
     for (std::uint32_t i = first; i < leaf_end(leaf); ++i) {
-      group = groups[order_[i]] == group ? group : kNoGroup;
+      group = item_groups_[i] == group ? group : kNoGroup;
     }
   }
   for (std::size_t node = leaves_ - 1; node > 0; --node) {

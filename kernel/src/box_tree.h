@@ -55,10 +55,14 @@ class BoxTree {
   /// are quick to make and better than those in Morton order, which is taken else.
   explicit BoxTree(std::span<const Box> boxes);
 
-  /// The same over triangles that lie in the boxes. Where they are long and slanted, nodes have
-  /// oriented boxes besides. `triangle(item)` is asked for all whose box is not nothing.
+  /// The same over triangles that lie in the boxes. Where they are long and slanted, and many boxes
+  /// overlap for that, nodes have oriented boxes besides. `triangle(item)` is asked for all whose
+  /// box is not nothing. Items may belong to groups other than kNoGroup: TreePairs, within the
+  /// tree, leaves out pairs of one group.
   template <class Triangles>
-  BoxTree(std::span<const Box> boxes, Triangles&& triangle);
+  BoxTree(std::span<const Box> boxes, Triangles&& triangle,
+          std::span<const std::uint32_t> groups = {});
+  static constexpr std::uint32_t kNoGroup = 0xffffffff;
 
   /// Whether `box` overlaps the box around all items.
   [[nodiscard]] bool overlaps(const Box& box) const { return box.overlaps(nodes_[1]); }
@@ -78,11 +82,6 @@ class BoxTree {
   [[nodiscard]] std::span<const std::uint32_t> items() const { return order_; }
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(order_.size()); }
 
-  /// Gives each item a group. From now on visit_pairs, within this tree, may leave out pairs of
-  /// items of one group other than kNoGroup.
-  void group(std::span<const std::uint32_t> groups);
-  static constexpr std::uint32_t kNoGroup = 0xffffffff;
-
   /// Makes the box of `item` contain `box` as well, and those around it the triangle therein.
   /// O(log n).
   void grow(std::uint32_t item, const Box& box, const FramedTriangle& triangle);
@@ -92,6 +91,14 @@ class BoxTree {
   BoxTree(std::span<const Box> boxes, std::vector<std::uint32_t> order);
   [[nodiscard]] static std::vector<std::uint32_t> given_order(std::size_t size);
   [[nodiscard]] static std::vector<std::uint32_t> morton_order(std::span<const Box> boxes);
+  void set_groups(std::span<const std::uint32_t> groups);
+  [[nodiscard]] bool of_one_group(std::uint32_t node, std::uint32_t other) const {
+    return !groups_.empty() && groups_[node] != kNoGroup && groups_[node] == groups_[other];
+  }
+  [[nodiscard]] bool items_of_one_group(std::uint32_t i, std::uint32_t k) const {
+    return !item_groups_.empty() && item_groups_[i] != kNoGroup &&
+           item_groups_[i] == item_groups_[k];
+  }
   [[nodiscard]] std::uint32_t leaf_count() const { return (size() + kLeafSize - 1) / kLeafSize; }
   [[nodiscard]] std::uint32_t leaf_end(std::uint32_t leaf) const {
     return std::min((leaf + 1) * kLeafSize, size());
@@ -112,10 +119,13 @@ class BoxTree {
   }
   [[nodiscard]] bool overlap(std::uint32_t node, const BoxTree& other,
                              std::uint32_t other_node) const;
-  /// Whether the tree's leaves meet so many nodes that it should be made in another order.
-  [[nodiscard]] bool is_crowded() const;
+  /// What a leaf costs: nodes that it meets, leaves more than others, not those of one group.
+  [[nodiscard]] double crowding() const;
+  /// Leaves of meshes in good order cost 70 to 350, which grows with the tree's height.
+  static constexpr double kCrowded = 1000;
+  /// Makes oriented boxes if the tree is crowded without them. Returns the crowding.
   template <class Triangles>
-  void orient(Triangles&& triangle);
+  double orient_if_crowded(Triangles&& triangle);
   void orient_leaf(std::uint32_t leaf, std::span<const FramedTriangle> triangles);
   void orient_inner_nodes();
   void set_oriented(std::uint32_t node, const OrientedBox& box);
@@ -127,21 +137,30 @@ class BoxTree {
   // Of nodes, and whether it is much smaller than the other box; empty if it never is.
   std::vector<OrientedBox> oriented_;
   std::vector<std::uint8_t> slanted_;
-  std::vector<std::uint32_t> groups_;  // of all items below a node; empty if there are none
+  std::vector<std::uint32_t> groups_;       // of all items below a node; empty if there are none
+  std::vector<std::uint32_t> item_groups_;  // in the order of the tree
 };
 
 template <class Triangles>
-BoxTree::BoxTree(std::span<const Box> boxes, Triangles&& triangle)
+BoxTree::BoxTree(std::span<const Box> boxes, Triangles&& triangle,
+                 std::span<const std::uint32_t> groups)
     : BoxTree(boxes, given_order(boxes.size())) {
-  orient(triangle);
-  if (is_crowded()) {
-    *this = BoxTree(boxes, morton_order(boxes));
-    orient(triangle);
+  set_groups(groups);
+  const double crowded = orient_if_crowded(triangle);
+  if (crowded > kCrowded) {
+    BoxTree other(boxes, morton_order(boxes));
+    other.set_groups(groups);
+    if (other.orient_if_crowded(triangle) < crowded) {
+      *this = std::move(other);
+    }
   }
 }
 
 template <class Triangles>
-void BoxTree::orient(Triangles&& triangle) {
+double BoxTree::orient_if_crowded(Triangles&& triangle) {
+  if (const double crowded = crowding(); crowded <= kCrowded) {
+    return crowded;
+  }
   oriented_.resize(nodes_.size());
   slanted_.resize(nodes_.size());
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, leaf_count(), 64), [&](const auto& some) {
@@ -157,6 +176,7 @@ void BoxTree::orient(Triangles&& triangle) {
     }
   });
   orient_inner_nodes();
+  return crowding();
 }
 
 template <class Visit>

@@ -232,9 +232,9 @@ class Inspector {
     std::vector<std::uint32_t> positions;
     for (std::uint32_t i = 0; i < merged.size(); ++i) {
       const Triangle& t = merged[i];
-      const Vec3 &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
-      if (!PlaneFilter(a, b, c).certain() && collinear(a, b, c)) {
-        add(Defect::degenerate_face, {i}, {triangles_[i].begin(), triangles_[i].end()}, a);
+      if (collinear(points_[t[0]], points_[t[1]], points_[t[2]])) {
+        add(Defect::degenerate_face, {i}, {triangles_[i].begin(), triangles_[i].end()},
+            points_[t[0]]);
       } else {
         proper.push_back(t);
         positions.push_back(i);
@@ -257,8 +257,9 @@ class Inspector {
                                 const std::vector<std::vector<std::uint32_t>>& duplicates) {
     // Enough to find options_.limit real ones among pairs that are contacts or duplicates.
     constexpr std::size_t kSlack = std::size_t{1} << 20;
-    const auto found = find_self_intersections(points_, triangles_,
-                                               {.limit = kSlack + options_.limit, .same = first});
+    const auto found = find_self_intersections(
+        points_, triangles_,
+        {.limit = kSlack + options_.limit, .same = first, .closed = report().closed()});
     std::vector<std::pair<std::uint32_t, std::uint32_t>> known;
     for (const auto& group : duplicates) {
       for (std::size_t i = 0; i < group.size(); ++i) {

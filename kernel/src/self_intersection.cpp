@@ -1,16 +1,17 @@
 #include "self_intersection.h"
 
 #include <algorithm>
-#include <array>
+#include <numeric>
 #include <optional>
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
+#include "arrangement/blocks.h"
 #include "box_tree.h"
 #include "flat_stars.h"
 #include "identical_points.h"
+#include "monotone_patches.h"
 #include "tree_pairs.h"
 #include "triangle_meeting.h"
 
@@ -35,12 +36,6 @@ class Search {
     if (active_.empty()) {
       return {};
     }
-    if (2 * active_.size() > triangles_.size()) {
-      flat_stars_ = flat_stars(points_, corners_);
-    }
-    if (active_.size() == triangles_.size()) {
-      group_large_stars();
-    }
     placed_ = in_order_of(tree_, active_);
     SelfIntersections found = examined(TreePairs(tree_), placed_);
     if (active_.size() < triangles_.size()) {
@@ -61,12 +56,13 @@ class Search {
     std::uint32_t face;
   };
 
-  /// Fills corners_ and active_, degenerate_ where active, and returns the tree over the active
-  /// triangles.
+  /// Fills all but placed_ and returns the tree over the active triangles.
   BoxTree prepare() {
-    tbb::parallel_for(std::size_t{0}, triangles_.size(), [&](std::size_t i) {
-      for (int k = 0; k < 3; ++k) {
-        corners_[i][k] = first_[triangles_[i][k]];
+    for_each_block(triangles_.size(), [&](const Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        for (int k = 0; k < 3; ++k) {
+          corners_[i][k] = first_[triangles_[i][k]];
+        }
       }
     });
     for (std::uint32_t i = 0; i < points_.size() && !touching_apart_; ++i) {
@@ -77,28 +73,67 @@ class Search {
         active_.push_back(i);
       }
     }
+    if (2 * active_.size() > triangles_.size()) {
+      find_groups();
+    }
     std::vector<Box> boxes(active_.size());
-    tbb::parallel_for(std::size_t{0}, active_.size(), [&](std::size_t i) {
-      const std::uint32_t face = active_[i];
-      degenerate_[face] = is_degenerate(face) ? 1 : 0;
-      boxes[i] = degenerate_[face] != 0 ? Box::nothing() : box(face);
+    std::vector<std::uint32_t> groups(groups_.empty() ? 0 : active_.size());
+    for_each_block(active_.size(), [&](const Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        const std::uint32_t face = active_[i];
+        degenerate_[face] = is_degenerate(face) ? 1 : 0;
+        boxes[i] = degenerate_[face] != 0 ? Box::nothing() : box(face);
+        if (!groups.empty()) {
+          groups[i] = groups_[face];
+        }
+      }
     });
-    return BoxTree(boxes, [&](std::uint32_t i) { return framed(active_[i]); });
+    return BoxTree(
+        boxes, [&](std::uint32_t i) { return framed(active_[i]); }, groups);
   }
 
-  /// Pairs of triangles around one point of many need not even be found, unless they are contacts.
-  void group_large_stars() {
+  /// Finds groups of triangles that certainly keep apart.
+  void find_groups() {
+    Patches patches = monotone_patches(points_, triangles_, options_.closed);
+    groups_ = std::move(patches.of_triangle);
+    std::uint32_t count = patches.count;
+    flat_stars_ = flat_stars(points_, corners_, points_of_several());
+    if (!touching_apart_) {
+      group_large_stars(count);
+    }
+  }
+
+  /// Marks the points whose triangles are not all of one patch.
+  [[nodiscard]] std::vector<std::uint8_t> points_of_several() const {
+    constexpr std::uint32_t kUnseen = Patches::kNone - 1;
+    std::vector<std::uint32_t> seen(points_.size(), kUnseen);
+    std::vector<std::uint8_t> several(points_.size(), 0);
+    for (std::uint32_t f = 0; f < corners_.size(); ++f) {
+      for (const std::uint32_t v : corners_[f]) {
+        const bool known = seen[v] == groups_[f] && groups_[f] != Patches::kNone;
+        several[v] = seen[v] == kUnseen || known ? several[v] : 1;
+        seen[v] = groups_[f];
+      }
+    }
+    return several;
+  }
+
+  /// Makes groups of the triangles around points that have many. They are none of those that touch
+  /// apart.
+  void group_large_stars(std::uint32_t& count) {
     constexpr std::uint32_t kLarge = 64;
-    if (touching_apart_ || std::ranges::none_of(flat_stars_, [](auto n) { return n >= kLarge; })) {
+    if (std::ranges::none_of(flat_stars_, [](auto n) { return n >= kLarge; })) {
       return;
     }
-    std::vector<std::uint32_t> groups;
-    groups.reserve(corners_.size());
-    for (const Triangle& t : corners_) {
+    std::vector<std::uint32_t> number(points_.size(), BoxTree::kNoGroup);
+    for (std::uint32_t f = 0; f < corners_.size(); ++f) {
+      const Triangle& t = corners_[f];
       const auto largest = std::ranges::max(t, {}, [&](std::uint32_t v) { return flat_stars_[v]; });
-      groups.push_back(flat_stars_[largest] >= kLarge ? largest : BoxTree::kNoGroup);
+      if (flat_stars_[largest] >= kLarge) {
+        number[largest] = number[largest] == BoxTree::kNoGroup ? count++ : number[largest];
+        groups_[f] = number[largest];
+      }
     }
-    tree_.group(groups);
   }
 
   [[nodiscard]] Box box(std::uint32_t face) const {
@@ -107,9 +142,9 @@ class Search {
   }
 
   [[nodiscard]] bool is_degenerate(std::uint32_t face) const {
-    const Triangle& t = corners_[face];
-    const Vec3 &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
-    return !PlaneFilter(a, b, c).certain() && collinear(a, b, c);
+    const auto& [a, b, c] = corners_[face];
+    const bool of_patch = !groups_.empty() && groups_[face] != BoxTree::kNoGroup;
+    return !of_patch && collinear(points_[a], points_[b], points_[c]);
   }
 
   [[nodiscard]] FramedTriangle framed(std::uint32_t face) const {
@@ -261,9 +296,9 @@ class Search {
   bool touching_apart_ = false;    // whether there are identical points
   std::vector<std::uint8_t> degenerate_;
   std::vector<std::uint32_t> active_;
+  std::vector<std::uint32_t> groups_, flat_stars_;  // empty if few triangles are active
   BoxTree tree_;
-  std::vector<Placed> placed_;             // the active triangles in the order of the tree
-  std::vector<std::uint32_t> flat_stars_;  // empty if few triangles are active
+  std::vector<Placed> placed_;  // the active triangles in the order of the tree
 };
 
 }  // namespace

@@ -32,6 +32,8 @@ struct SelfIntersectionOptions {
   /// are contacts where they meet. Others must not coincide, which is a crossing. Empty finds all
   /// points of the same coordinates.
   std::span<const std::uint32_t> same;
+  /// Promises that every edge is run through as often one way as the other; saves work.
+  bool closed = false;
 };
 
 struct SelfIntersections {

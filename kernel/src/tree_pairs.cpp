@@ -4,10 +4,8 @@ namespace dupin::detail {
 
 bool TreePairs::overlap(const Nodes& nodes) const {
   const auto [one, other] = nodes;
-  const bool of_one_group = within_one() && !one_.groups_.empty() &&
-                            one_.groups_[one] != BoxTree::kNoGroup &&
-                            one_.groups_[one] == one_.groups_[other];
-  return !of_one_group && ((within_one() && one == other) || one_.overlap(one, other_, other));
+  return !(within_one() && one_.of_one_group(one, other)) &&
+         ((within_one() && one == other) || one_.overlap(one, other_, other));
 }
 
 bool TreePairs::larger(const Box& a, const Box& b) {

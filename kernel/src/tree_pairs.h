@@ -89,7 +89,8 @@ class TreePairs {
         continue;
       }
       for (std::uint32_t k = same ? i + 1 : other * BoxTree::kLeafSize; k < other_end; ++k) {
-        if (one_.boxes_[i].overlaps(other_.boxes_[k])) {
+        if (one_.boxes_[i].overlaps(other_.boxes_[k]) &&
+            !(within_one() && one_.items_of_one_group(i, k))) {
           visit(i, k);
         }
       }

@@ -18,12 +18,6 @@ int exact_side(const Corners& plane, const Vec3& p) {
   return CGAL::orientation(point(plane[0]), point(plane[1]), point(plane[2]), point(p));
 }
 
-int exact_side_of_line(const Vec3& a, const Vec3& b, const Vec3& p, int axis) {
-  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-  return CGAL::orientation(Kernel::Point_2(a[i], a[j]), Kernel::Point_2(b[i], b[j]),
-                           Kernel::Point_2(p[i], p[j]));
-}
-
 /// +1 or -1 if all three have that sign, else 0.
 int common_sign(const Sides& sides) {
   return sides[0] == sides[1] && sides[1] == sides[2] ? sides[0] : 0;
@@ -207,8 +201,14 @@ bool all_edges_meet_nothing(const Corners& edges, const Sides& sides, const Corn
 
 }  // namespace
 
+int exact_side_of_line(const Vec3& a, const Vec3& b, const Vec3& p, int axis) {
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  return CGAL::orientation(Kernel::Point_2(a[i], a[j]), Kernel::Point_2(b[i], b[j]),
+                           Kernel::Point_2(p[i], p[j]));
+}
+
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return CGAL::collinear(point(a), point(b), point(c));
+  return !PlaneFilter(a, b, c).certain() && CGAL::collinear(point(a), point(b), point(c));
 }
 
 TriangleProbe::TriangleProbe(std::span<const Vec3> points, const Triangle& corners)

@@ -17,6 +17,9 @@ enum class Meeting {
 /// Whether the three points are collinear, exactly.
 [[nodiscard]] bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// The sign of (b - a) x (p - a) seen along `axis`, exactly.
+[[nodiscard]] int exact_side_of_line(const Vec3& a, const Vec3& b, const Vec3& p, int axis);
+
 /// One triangle to be tested against others, exactly. Corners are the same when their indices are;
 /// points with different indices in the two triangles have different coordinates. Neither triangle
 /// is degenerate.

@@ -38,7 +38,9 @@ std::vector<Vec3> circle(std::uint32_t count, int turns = 1, double rise = 0) {
   return rim;
 }
 
-std::uint32_t at_centre(const Fan& fan) { return flat_stars(fan.points, fan.triangles)[0]; }
+std::uint32_t at_centre(const Fan& fan) {
+  return flat_stars(fan.points, fan.triangles, std::vector<std::uint8_t>(fan.points.size(), 1))[0];
+}
 
 bool keeps_apart(const Fan& fan) {
   return find_self_intersections(fan.points, fan.triangles, {.active = {}}).none();
@@ -132,18 +134,24 @@ TEST(BoxTree, leaves_out_pairs_of_one_group) {
   for (const Triangle& t : large.triangles) {
     boxes.push_back(frame.around(large.points[t[0]], large.points[t[1]], large.points[t[2]]));
   }
-  BoxTree tree(boxes);
-  const auto pairs = [&] {
+  const auto triangle = [&](std::uint32_t i) {
+    const auto& [a, b, c] = large.triangles[i];
+    return frame.mapped(large.points[a], large.points[b], large.points[c]);
+  };
+  const auto pairs = [&](const std::vector<std::uint32_t>& groups) {
+    const BoxTree tree(boxes, triangle, groups);
     std::size_t count = 0;
     TreePairs(tree).visit({1, 1}, [&](std::uint32_t, std::uint32_t) { ++count; });
     return count;
   };
-  const std::size_t all = pairs();
+  const std::size_t all = pairs({});
   EXPECT_GT(all, 1000 * 1000 / 16);
-  tree.group(std::vector<std::uint32_t>(1000, BoxTree::kNoGroup));
-  EXPECT_EQ(pairs(), all);
-  tree.group(std::vector<std::uint32_t>(1000, 7));
-  EXPECT_LE(pairs(), 1000 * BoxTree::kLeafSize) << "within leaves only";
+  EXPECT_EQ(pairs(std::vector<std::uint32_t>(1000, BoxTree::kNoGroup)), all);
+  EXPECT_EQ(pairs(std::vector<std::uint32_t>(1000, 7)), 0);
+  std::vector<std::uint32_t> half(1000, 7);
+  std::fill_n(half.begin(), 500, 3);
+  EXPECT_LT(pairs(half), all);
+  EXPECT_GT(pairs(half), 0);
 }
 
 }  // namespace

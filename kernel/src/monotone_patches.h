@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dupin/kernel/mesh.h"
+
+namespace dupin::detail {
+
+/// A partition of triangles, or of some of them, into patches.
+struct Patches {
+  std::vector<std::uint32_t> of_triangle;  ///< its patch, or kNone
+  std::uint32_t count = 0;
+  static constexpr std::uint32_t kNone = 0xffffffff;
+};
+
+/// Patches whose triangles certainly meet each other in nothing but corners and edges that they
+/// share: seen along an axis of coordinates, the patch is monotone. All its triangles turn the same
+/// way, and the edges at which it ends make simple closed curves, apart from each other, that wind
+/// about every place once or not at all. As many triangles lie over a place as the curves wind
+/// about it; so no two lie over each other.
+///
+/// `closed` promises that every edge is run through as often one way as the other; it saves work.
+/// O(n) for the inside of patches, O(n log n) for their borders.
+[[nodiscard]] Patches monotone_patches(std::span<const Vec3> points,
+                                       std::span<const Triangle> triangles, bool closed);
+
+}  // namespace dupin::detail
