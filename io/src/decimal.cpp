@@ -48,12 +48,13 @@ std::optional<double> nearest(std::uint64_t digits, int places) {
   const auto high = static_cast<std::uint64_t>(Uint128{digits << zeros} * scale.reciprocal >> 64);
   const int exponent = 64 - zeros - scale.shift;
   // high >= 2^62, of which 53 bits stay.
-  const int spare = 11 - std::countl_zero(high);
+  const int spare = (high >> 63) != 0 ? 11 : 10;
   const std::uint64_t half = std::uint64_t{1} << (spare - 1);
   const std::uint64_t rest = high & (2 * half - 1);
   if (rest == half || rest == half - 1) {
-    const bool are_exact = digits <= std::uint64_t{1} << 53;
-    return are_exact ? std::optional(static_cast<double>(digits) / scale.inverse) : std::nullopt;
+    // The quotient of two numbers that doubles hold is rounded once.
+    const bool exact = digits <= std::uint64_t{1} << 53;
+    return exact ? std::optional(static_cast<double>(digits) / scale.inverse) : std::nullopt;
   }
   const auto mantissa = static_cast<std::int64_t>((high >> spare) + (rest > half ? 1 : 0));
   return static_cast<double>(mantissa) * power_of_two(exponent + spare);
