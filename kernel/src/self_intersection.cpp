@@ -43,7 +43,7 @@ class Search {
     }
     trim(found.pairs);
     for (const std::uint32_t face : active_) {
-      if (degenerate_[face] != 0) {
+      if (degenerate_[face] != 0 && active(face)) {
         found.degenerate.push_back(face);
       }
     }
@@ -74,6 +74,9 @@ class Search {
       }
     }
     if (2 * active_.size() > triangles_.size()) {
+      // Then it is quicker to search among all.
+      active_.resize(triangles_.size());
+      std::iota(active_.begin(), active_.end(), 0U);
       find_groups();
     }
     std::vector<Box> boxes(active_.size());
@@ -234,6 +237,9 @@ class Search {
 
   void record(std::uint32_t face, std::uint32_t other, Meeting meeting,
               SelfIntersections& found) const {
+    if (!active(face) && !active(other)) {
+      return;
+    }
     FacePair pair{std::min(face, other), std::max(face, other)};
     switch (meeting) {
       case Meeting::crossing:
