@@ -8,6 +8,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
+#include "arrangement/blocks.h"
+
 namespace dupin::detail {
 namespace {
 
@@ -47,13 +49,6 @@ bool Box::contains(const Box& other) const {
     }
   }
   return true;
-}
-
-void Box::join(const Box& other) {
-  for (int k = 0; k < 3; ++k) {
-    low[k] = std::min(low[k], other.low[k]);
-    high[k] = std::max(high[k], other.high[k]);
-  }
 }
 
 Box Box::nothing() {
@@ -100,45 +95,46 @@ std::vector<std::uint32_t> BoxTree::given_order(std::size_t size) {
   return order;
 }
 
-std::vector<std::uint32_t> BoxTree::morton_order(std::span<const Box> boxes) {
-  std::vector<Keyed> keyed(boxes.size());
-  tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t i) {
-    keyed[i] = {morton_key(boxes[i]), static_cast<std::uint32_t>(i)};
+BoxTree BoxTree::reordered() const {
+  std::vector<Keyed> keyed(size());
+  tbb::parallel_for(std::uint32_t{0}, size(), [&](std::uint32_t i) {
+    keyed[i] = {morton_key(boxes_[i]), i};
   });
   tbb::parallel_sort(keyed.begin(), keyed.end());
-  std::vector<std::uint32_t> order;
-  order.reserve(keyed.size());
-  for (const Keyed& entry : keyed) {
-    order.push_back(entry.item);
+  std::vector<std::uint32_t> order(size());
+  BulkVector<Box> boxes(size());
+  for (std::uint32_t i = 0; i < size(); ++i) {
+    order[i] = order_[keyed[i].item];
+    boxes[i] = boxes_[keyed[i].item];
   }
-  return order;
+  return {std::move(boxes), std::move(order)};
 }
 
-BoxTree::BoxTree(std::span<const Box> boxes) : BoxTree(boxes, given_order(boxes.size())) {
+BoxTree::BoxTree(std::span<const Box> boxes)
+    : BoxTree(BulkVector<Box>(boxes.begin(), boxes.end()), given_order(boxes.size())) {
   if (const double crowded = crowding(); crowded > kCrowded) {
-    BoxTree other(boxes, morton_order(boxes));
+    BoxTree other = reordered();
     if (other.crowding() < crowded) {
       *this = std::move(other);
     }
   }
 }
 
-BoxTree::BoxTree(std::span<const Box> boxes, std::vector<std::uint32_t> order)
+BoxTree::BoxTree(BulkVector<Box> boxes, std::vector<std::uint32_t> order)
     : order_(std::move(order)),
-      position_(boxes.size()),
-      boxes_(boxes.size()),
-      leaves_(std::bit_ceil(std::max<std::uint32_t>(
-          1, (static_cast<std::uint32_t>(boxes.size()) + kLeafSize - 1) / kLeafSize))),
-      nodes_(2 * std::size_t{leaves_}, Box::nothing()) {
-  tbb::parallel_for(std::uint32_t{0}, leaves_, [&](std::uint32_t leaf) {
-    Box& node = nodes_[leaves_ + leaf];
-    const std::uint64_t first = std::uint64_t{leaf} * kLeafSize;
-    for (std::uint64_t i = first; i < std::min<std::uint64_t>(first + kLeafSize, size()); ++i) {
-      position_[order_[i]] = static_cast<std::uint32_t>(i);
-      boxes_[i] = boxes[order_[i]];
-      node.join(boxes_[i]);
+      boxes_(std::move(boxes)),
+      leaves_(std::bit_ceil(std::max(1U, leaf_count()))),
+      nodes_(2 * std::size_t{leaves_}) {
+  for_each_block(leaves_, [&](const Block& block) {
+    for (auto leaf = static_cast<std::uint32_t>(block.begin); leaf < block.end; ++leaf) {
+      Box node = Box::nothing();
+      for (std::uint32_t i = leaf * kLeafSize; leaf < leaf_count() && i < leaf_end(leaf); ++i) {
+        node.join(boxes_[i]);
+      }
+      nodes_[leaves_ + leaf] = node;
     }
   });
+  nodes_[0] = Box::nothing();
   for (std::size_t node = leaves_ - 1; node > 0; --node) {
     nodes_[node] = nodes_[2 * node];
     nodes_[node].join(nodes_[2 * node + 1]);
@@ -242,6 +238,12 @@ void BoxTree::set_groups(std::span<const std::uint32_t> groups) {
 }
 
 void BoxTree::grow(std::uint32_t item, const Box& box, const FramedTriangle& triangle) {
+  if (position_.empty()) {
+    position_.resize(size());
+    for (std::uint32_t i = 0; i < size(); ++i) {
+      position_[order_[i]] = i;
+    }
+  }
   const std::uint32_t at = position_[item];
   boxes_[at].join(box);
   for (std::uint32_t node = leaves_ + at / kLeafSize; node > 0; node /= 2) {

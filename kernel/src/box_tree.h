@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "arrangement/bulk_vector.h"
 #include "dupin/kernel/mesh.h"
 #include "oriented_box.h"
 
@@ -24,7 +26,12 @@ struct Box {
   }
   [[nodiscard]] bool contains(const Box& other) const;
   /// Makes the box contain `other` too.
-  void join(const Box& other);
+  void join(const Box& other) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], other.low[k]);
+      high[k] = std::max(high[k], other.high[k]);
+    }
+  }
   /// Contains nothing, overlaps nothing.
   [[nodiscard]] static Box nothing();
   [[nodiscard]] bool is_nothing() const { return high[0] < low[0]; }
@@ -60,8 +67,7 @@ class BoxTree {
   /// box is not nothing. Items may belong to groups other than kNoGroup: TreePairs, within the
   /// tree, leaves out pairs of one group.
   template <class Triangles>
-  BoxTree(std::span<const Box> boxes, Triangles&& triangle,
-          std::span<const std::uint32_t> groups = {});
+  BoxTree(BulkVector<Box> boxes, Triangles&& triangle, std::span<const std::uint32_t> groups = {});
   static constexpr std::uint32_t kNoGroup = 0xffffffff;
 
   /// Whether `box` overlaps the box around all items.
@@ -88,9 +94,11 @@ class BoxTree {
 
  private:
   friend class TreePairs;
-  BoxTree(std::span<const Box> boxes, std::vector<std::uint32_t> order);
+  /// Over boxes in this order.
+  BoxTree(BulkVector<Box> boxes, std::vector<std::uint32_t> order);
   [[nodiscard]] static std::vector<std::uint32_t> given_order(std::size_t size);
-  [[nodiscard]] static std::vector<std::uint32_t> morton_order(std::span<const Box> boxes);
+  /// The same items in Morton order.
+  [[nodiscard]] BoxTree reordered() const;
   void set_groups(std::span<const std::uint32_t> groups);
   [[nodiscard]] bool of_one_group(std::uint32_t node, std::uint32_t other) const {
     return !groups_.empty() && groups_[node] != kNoGroup && groups_[node] == groups_[other];
@@ -130,10 +138,10 @@ class BoxTree {
   void orient_inner_nodes();
   void set_oriented(std::uint32_t node, const OrientedBox& box);
 
-  std::vector<std::uint32_t> order_, position_;
-  std::vector<Box> boxes_;  // in the order of the tree
-  std::uint32_t leaves_;    // a power of two
-  std::vector<Box> nodes_;  // node i has the children 2i and 2i + 1; the leaves come last
+  std::vector<std::uint32_t> order_, position_;  // the latter once an item grows
+  BulkVector<Box> boxes_;                        // in the order of the tree
+  std::uint32_t leaves_;                         // a power of two
+  BulkVector<Box> nodes_;  // node i has the children 2i and 2i + 1; the leaves come last
   // Of nodes, and whether it is much smaller than the other box; empty if it never is.
   std::vector<OrientedBox> oriented_;
   std::vector<std::uint8_t> slanted_;
@@ -142,13 +150,12 @@ class BoxTree {
 };
 
 template <class Triangles>
-BoxTree::BoxTree(std::span<const Box> boxes, Triangles&& triangle,
-                 std::span<const std::uint32_t> groups)
-    : BoxTree(boxes, given_order(boxes.size())) {
+BoxTree::BoxTree(BulkVector<Box> boxes, Triangles&& triangle, std::span<const std::uint32_t> groups)
+    : BoxTree(std::move(boxes), given_order(boxes.size())) {
   set_groups(groups);
   const double crowded = orient_if_crowded(triangle);
   if (crowded > kCrowded) {
-    BoxTree other(boxes, morton_order(boxes));
+    BoxTree other = reordered();
     other.set_groups(groups);
     if (other.orient_if_crowded(triangle) < crowded) {
       *this = std::move(other);

@@ -94,7 +94,7 @@ std::vector<std::uint32_t> flat_stars(std::span<const Vec3> points,
   std::vector<std::uint32_t> start(points.size() + 1, 0);
   for (const Triangle& t : triangles) {
     for (const std::uint32_t v : t) {
-      start[v + 1] += marked[v] != 0 ? 1 : 0;
+      start[v + 1] += marked[v] == 0 ? 1 : 0;
     }
   }
   for (std::size_t v = 0; v < points.size(); ++v) {
@@ -103,7 +103,7 @@ std::vector<std::uint32_t> flat_stars(std::span<const Vec3> points,
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1), corners(start.back());
   for (std::uint32_t f = 0; f < triangles.size(); ++f) {
     for (std::uint32_t k = 0; k < 3; ++k) {
-      if (marked[triangles[f][k]] != 0) {
+      if (marked[triangles[f][k]] == 0) {
         corners[next[triangles[f][k]]++] = 3 * f + k;
       }
     }

@@ -279,6 +279,10 @@ class PatchSearch {
       }
     }
     patches.of_triangle = std::move(patch_);
+    for (std::uint32_t v = 0; v < points_.size(); ++v) {
+      ways_at_[v] = is_inner(v) ? 1 : 0;
+    }
+    patches.is_inner = std::move(ways_at_);
     return patches;
   }
 

@@ -12,6 +12,8 @@ namespace dupin::detail {
 struct Patches {
   std::vector<std::uint32_t> of_triangle;  ///< its patch, or kNone
   std::uint32_t count = 0;
+  /// For each point 1 if all triangles around it are of one patch; not always then.
+  std::vector<std::uint8_t> is_inner;
   static constexpr std::uint32_t kNone = 0xffffffff;
 };
 

@@ -28,7 +28,7 @@ class Search {
         identical_(options.same.empty() ? first_identical(points) : std::vector<std::uint32_t>()),
         first_(options.same.empty() ? std::span<const std::uint32_t>(identical_) : options.same),
         frame_(points),
-        corners_(triangles.size()),
+        corners_(triangles),
         degenerate_(triangles.size()),
         tree_(prepare()) {}
 
@@ -58,67 +58,63 @@ class Search {
 
   /// Fills all but placed_ and returns the tree over the active triangles.
   BoxTree prepare() {
-    for_each_block(triangles_.size(), [&](const Block& block) {
-      for (std::size_t i = block.begin; i < block.end; ++i) {
-        for (int k = 0; k < 3; ++k) {
-          corners_[i][k] = first_[triangles_[i][k]];
-        }
-      }
-    });
     for (std::uint32_t i = 0; i < points_.size() && !touching_apart_; ++i) {
       touching_apart_ = first_[i] != i;
     }
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+    if (touching_apart_) {
+      merge_corners();
+    }
+    for (std::uint32_t i = 0; i < triangles_.size() && !options_.active.empty(); ++i) {
       if (active(i)) {
         active_.push_back(i);
       }
     }
-    if (2 * active_.size() > triangles_.size()) {
+    const bool all = options_.active.empty();
+    if (all || 2 * active_.size() > triangles_.size()) {
       // Then it is quicker to search among all.
       active_.resize(triangles_.size());
       std::iota(active_.begin(), active_.end(), 0U);
       find_groups();
     }
-    std::vector<Box> boxes(active_.size());
-    std::vector<std::uint32_t> groups(groups_.empty() ? 0 : active_.size());
+    BulkVector<Box> boxes(active_.size());
     for_each_block(active_.size(), [&](const Block& block) {
       for (std::size_t i = block.begin; i < block.end; ++i) {
         const std::uint32_t face = active_[i];
         degenerate_[face] = is_degenerate(face) ? 1 : 0;
         boxes[i] = degenerate_[face] != 0 ? Box::nothing() : box(face);
-        if (!groups.empty()) {
-          groups[i] = groups_[face];
-        }
       }
     });
     return BoxTree(
-        boxes, [&](std::uint32_t i) { return framed(active_[i]); }, groups);
+        std::move(boxes), [&](std::uint32_t i) { return framed(active_[i]); }, groups_);
+  }
+
+  void merge_corners() {
+    merged_.resize(triangles_.size());
+    for_each_block(triangles_.size(), [&](const Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          merged_[i][k] = first_[triangles_[i][k]];
+        }
+      }
+    });
+    corners_ = merged_;
   }
 
   /// Finds groups of triangles that certainly keep apart.
   void find_groups() {
     Patches patches = monotone_patches(points_, triangles_, options_.closed);
     groups_ = std::move(patches.of_triangle);
-    std::uint32_t count = patches.count;
-    flat_stars_ = flat_stars(points_, corners_, points_of_several());
-    if (!touching_apart_) {
-      group_large_stars(count);
-    }
-  }
-
-  /// Marks the points whose triangles are not all of one patch.
-  [[nodiscard]] std::vector<std::uint8_t> points_of_several() const {
-    constexpr std::uint32_t kUnseen = Patches::kNone - 1;
-    std::vector<std::uint32_t> seen(points_.size(), kUnseen);
-    std::vector<std::uint8_t> several(points_.size(), 0);
-    for (std::uint32_t f = 0; f < corners_.size(); ++f) {
-      for (const std::uint32_t v : corners_[f]) {
-        const bool known = seen[v] == groups_[f] && groups_[f] != Patches::kNone;
-        several[v] = seen[v] == kUnseen || known ? several[v] : 1;
-        seen[v] = groups_[f];
+    if (touching_apart_) {
+      for (std::uint32_t i = 0; i < points_.size(); ++i) {
+        if (first_[i] != i) {
+          patches.is_inner[first_[i]] = 0;
+        }
       }
     }
-    return several;
+    flat_stars_ = flat_stars(points_, corners_, patches.is_inner);
+    if (!touching_apart_) {
+      group_large_stars(patches.count);
+    }
   }
 
   /// Makes groups of the triangles around points that have many. They are none of those that touch
@@ -207,7 +203,7 @@ class Search {
   /// Pairs of a passive and an active triangle.
   SelfIntersections examined_passive() const {
     std::vector<std::uint32_t> near;
-    std::vector<Box> boxes;
+    BulkVector<Box> boxes;
     for (std::uint32_t face = 0; face < triangles_.size(); ++face) {
       if (active(face)) {
         continue;
@@ -219,9 +215,10 @@ class Search {
       }
     }
     constexpr std::size_t kMany = 8;  // times more passive ones: most are far from any active one
-    const BoxTree tree = near.size() > kMany * active_.size()
-                             ? BoxTree(boxes)
-                             : BoxTree(boxes, [&](std::uint32_t i) { return framed(near[i]); });
+    const BoxTree tree =
+        near.size() > kMany * active_.size()
+            ? BoxTree(std::span<const Box>(boxes))
+            : BoxTree(std::move(boxes), [&](std::uint32_t i) { return framed(near[i]); });
     return examined(TreePairs(tree, tree_), in_order_of(tree, near));
   }
 
@@ -298,8 +295,9 @@ class Search {
   std::vector<std::uint32_t> identical_;
   std::span<const std::uint32_t> first_;  // per point the first one that is the same
   BoxFrame frame_;
-  std::vector<Triangle> corners_;  // with identical points merged
-  bool touching_apart_ = false;    // whether there are identical points
+  std::vector<Triangle> merged_;       // if there are identical points
+  std::span<const Triangle> corners_;  // with these merged
+  bool touching_apart_ = false;        // whether there are identical points
   std::vector<std::uint8_t> degenerate_;
   std::vector<std::uint32_t> active_;
   std::vector<std::uint32_t> groups_, flat_stars_;  // empty if few triangles are active

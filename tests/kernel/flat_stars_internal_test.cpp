@@ -39,7 +39,7 @@ std::vector<Vec3> circle(std::uint32_t count, int turns = 1, double rise = 0) {
 }
 
 std::uint32_t at_centre(const Fan& fan) {
-  return flat_stars(fan.points, fan.triangles, std::vector<std::uint8_t>(fan.points.size(), 1))[0];
+  return flat_stars(fan.points, fan.triangles, std::vector<std::uint8_t>(fan.points.size(), 0))[0];
 }
 
 bool keeps_apart(const Fan& fan) {
@@ -130,7 +130,7 @@ TEST(SelfIntersection, of_a_large_fan_is_found) {
 TEST(BoxTree, leaves_out_pairs_of_one_group) {
   const Fan large = fan(circle(1000));
   const BoxFrame frame(large.points);
-  std::vector<Box> boxes;
+  BulkVector<Box> boxes;
   for (const Triangle& t : large.triangles) {
     boxes.push_back(frame.around(large.points[t[0]], large.points[t[1]], large.points[t[2]]));
   }

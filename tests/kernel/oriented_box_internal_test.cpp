@@ -89,7 +89,8 @@ TEST(BoxTree, visits_few_pairs_of_long_slanted_triangles) {
     return pairs;
   };
   EXPECT_GT(visited(BoxTree(boxes)), 100 * kCount);
-  EXPECT_LT(visited(BoxTree(boxes, [&](std::uint32_t i) { return framed(facets[i]); })),
+  EXPECT_LT(visited(BoxTree(BulkVector<Box>(boxes.begin(), boxes.end()),
+                            [&](std::uint32_t i) { return framed(facets[i]); })),
             40 * kCount);
 }
 
