@@ -6,6 +6,7 @@
 #include "disjoint_sets.h"
 
 namespace dupin::detail {
+
 EdgeTable::EdgeTable(std::span<const Triangle> triangles, std::size_t point_count)
     : triangles_(triangles), half_edges_(3 * triangles.size()) {
   const auto low = [&](std::uint32_t h) { return std::min(origin(h), target(h)); };

@@ -28,8 +28,6 @@ class TriangleProbe {
   TriangleProbe(std::span<const Vec3> points, const Triangle& corners);
 
   [[nodiscard]] Meeting meeting(const Triangle& other) const;
-  /// True only if the triangle is certainly not degenerate; quick.
-  [[nodiscard]] bool certainly_proper() const { return plane_.certain(); }
 
  private:
   [[nodiscard]] Meeting sharing_none(const Triangle& other) const;

@@ -5,6 +5,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include "blocks.h"
 #include "face_triangulator.h"
 
 namespace dupin::detail {
@@ -76,17 +77,20 @@ Pieces retriangulate(Scene& scene, const BooleanRule& rule, Incidences& incidenc
                      const Stage& stage) {
   constexpr std::size_t kBatch = 32;
   const std::size_t count = incidences.face_count();
-  std::vector<FacePieces> batches((count + kBatch - 1) / kBatch);
+  std::vector<FacePieces> batches(block_count(count, kBatch));
   tbb::enumerable_thread_specific<FaceTriangulator> triangulators(
       [&] { return FaceTriangulator(scene, rule, incidences); });
-  tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t b) {
-    const UpwardRounding rounding;
-    FaceTriangulator& triangulator = triangulators.local();
-    for (std::size_t i = b * kBatch; i < std::min((b + 1) * kBatch, count); ++i) {
-      triangulator.append(incidences.face(i), batches[b]);
-    }
-    stage.step(batches.size());
-  });
+  for_each_block(
+      count,
+      [&](const Block& block) {
+        const UpwardRounding rounding;
+        FaceTriangulator& triangulator = triangulators.local();
+        for (std::size_t i = block.begin; i < block.end; ++i) {
+          triangulator.append(incidences.face(i), batches[block.number]);
+        }
+        stage.step(batches.size());
+      },
+      kBatch);
   Pieces pieces = joined(scene, *incidences.places, std::move(batches));
   scene.special.resize(scene.points.size(), 1);
   return pieces;

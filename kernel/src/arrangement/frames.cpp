@@ -75,7 +75,7 @@ FramedOperand framed(const ExactMesh& mesh, double slack) {
   }
   result.axes = principal_axes(mesh);
   const std::size_t count = mesh.triangles.size();
-  result.runs.resize((count + FramedOperand::kRun - 1) / FramedOperand::kRun);
+  result.runs.resize(block_count(count, FramedOperand::kRun));
   for_each_block(
       result.runs.size(),
       [&](const Block& block) {
