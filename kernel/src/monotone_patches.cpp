@@ -299,6 +299,10 @@ class PatchSearch {
 
 Patches monotone_patches(std::span<const Vec3> points, std::span<const Triangle> triangles,
                          bool closed) {
+  if (points.size() + 2 * triangles.size() >= Patches::kNone) {  // more than numbers for patches
+    return {std::vector<std::uint32_t>(triangles.size(), Patches::kNone), 0,
+            std::vector<std::uint8_t>(points.size(), 0)};
+  }
   return PatchSearch(points, triangles, closed).run();
 }
 
