@@ -107,11 +107,11 @@ BoxTree BoxTree::reordered() const {
     order[i] = order_[keyed[i].item];
     boxes[i] = boxes_[keyed[i].item];
   }
-  return {std::move(boxes), std::move(order)};
+  return {std::move(order), std::move(boxes)};
 }
 
 BoxTree::BoxTree(std::span<const Box> boxes)
-    : BoxTree(BulkVector<Box>(boxes.begin(), boxes.end()), given_order(boxes.size())) {
+    : BoxTree(given_order(boxes.size()), BulkVector<Box>(boxes.begin(), boxes.end())) {
   if (const double crowded = crowding(); crowded > kCrowded) {
     BoxTree other = reordered();
     if (other.crowding() < crowded) {
@@ -120,7 +120,7 @@ BoxTree::BoxTree(std::span<const Box> boxes)
   }
 }
 
-BoxTree::BoxTree(BulkVector<Box> boxes, std::vector<std::uint32_t> order)
+BoxTree::BoxTree(std::vector<std::uint32_t> order, BulkVector<Box>&& boxes)
     : order_(std::move(order)),
       boxes_(std::move(boxes)),
       leaves_(std::bit_ceil(std::max(1U, leaf_count()))),

@@ -95,7 +95,7 @@ class BoxTree {
  private:
   friend class TreePairs;
   /// Over boxes in this order.
-  BoxTree(BulkVector<Box> boxes, std::vector<std::uint32_t> order);
+  BoxTree(std::vector<std::uint32_t> order, BulkVector<Box>&& boxes);
   [[nodiscard]] static std::vector<std::uint32_t> given_order(std::size_t size);
   /// The same items in Morton order.
   [[nodiscard]] BoxTree reordered() const;
@@ -151,7 +151,7 @@ class BoxTree {
 
 template <class Triangles>
 BoxTree::BoxTree(BulkVector<Box> boxes, Triangles&& triangle, std::span<const std::uint32_t> groups)
-    : BoxTree(std::move(boxes), given_order(boxes.size())) {
+    : BoxTree(given_order(boxes.size()), std::move(boxes)) {
   set_groups(groups);
   const double crowded = orient_if_crowded(triangle);
   if (crowded > kCrowded) {
