@@ -43,13 +43,15 @@ double thickness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }  // namespace
 
 RepairMesh::RepairMesh(std::span<const Vec3> points, std::span<const Triangle> triangles,
-                       std::span<const std::uint32_t> classes, std::span<const std::uint32_t> twins)
+                       std::span<const std::uint32_t> classes, std::span<const std::uint32_t> twins,
+                       std::span<const std::uint8_t> complete)
     : points_(points.begin(), points.end()),
       triangles_(triangles.begin(), triangles.end()),
       classes_(classes),
       twins_(twins),
+      complete_(complete),
       alive_(triangles_.size(), 1),
-      has_twin_(points_.size(), 0),
+      fixed_(points_.size(), 0),
       parent_(triangles_.size()),
       reach_(points_.size(), 0),
       deviation_(triangles_.size(), 0),
@@ -60,7 +62,7 @@ RepairMesh::RepairMesh(std::span<const Vec3> points, std::span<const Triangle> t
       stamp_(triangles_.size(), 0) {
   for (std::uint32_t v = 0; v < points_.size(); ++v) {
     if (twins_[v] != v) {
-      has_twin_[v] = has_twin_[twins_[v]] = 1;
+      fixed_[v] = fixed_[twins_[v]] = 1;
     }
   }
   for (const Triangle& triangle : triangles_) {
@@ -77,7 +79,17 @@ RepairMesh::RepairMesh(std::span<const Vec3> points, std::span<const Triangle> t
     for (const std::uint32_t v : triangles_[f]) {
       slices_[next[v]++] = f;
     }
+    if (!all_complete(triangles_[f])) {
+      for (const std::uint32_t v : triangles_[f]) {
+        fixed_[v] = 1;
+      }
+    }
   }
+}
+
+bool RepairMesh::all_complete(std::span<const std::uint32_t> points) const {
+  return complete_.empty() ||
+         std::ranges::all_of(points, [&](std::uint32_t v) { return complete_[v] != 0; });
 }
 
 BulkVector<std::uint32_t> RepairMesh::alive_faces() const {
@@ -198,7 +210,7 @@ bool RepairMesh::collapsible(std::uint32_t from, std::uint32_t to) const {
 bool RepairMesh::collapse(std::uint32_t from, std::uint32_t to, const Terms& terms) {
   const double moved = reach_[from] + (points_[from] - points_[to]).norm();
   const auto all = faces(from);
-  if (has_twin_[from] != 0 || moved > terms.reach || !promising(all, terms) ||
+  if (fixed_[from] != 0 || moved > terms.reach || !promising(all, terms) ||
       !collapsible(from, to)) {
     return false;
   }
@@ -242,13 +254,15 @@ bool RepairMesh::flip(std::uint32_t face, int edge, const Terms& terms) {
   }
   const std::array<std::uint32_t, 2> pair = {face, *across};
   const std::uint32_t d = third(triangles_[*across], a, b);
-  if (!promising(pair, terms) || c == d || face_with_edge(c, d) || face_with_edge(d, c)) {
+  const std::array<std::uint32_t, 4> corners = {a, b, c, d};
+  if (!promising(pair, terms) || !all_complete(corners) || c == d || face_with_edge(c, d) ||
+      face_with_edge(d, c)) {
     return false;
   }
   const Vec3 &pa = points_[a], &pb = points_[b], &pc = points_[c], &pd = points_[d];
   const double moved = std::max(deviation_[face], deviation_[*across]) + thickness(pa, pb, pc, pd);
   const double mine = area(pa, pb, pc), others = area(pa, pb, pd);
-  const bool mixes = classes_[parent_[face]] != classes_[parent_[*across]];
+  const bool mixes = !classes_.empty() && classes_[parent_[face]] != classes_[parent_[*across]];
   const bool needle = 2 * std::min(mine, others) <= terms.reach * (pa - pb).norm();
   if (moved > terms.reach || (mixes && !needle)) {
     return false;
@@ -275,7 +289,7 @@ bool RepairMesh::flip(std::uint32_t face, int edge, const Terms& terms) {
 bool RepairMesh::move(std::uint32_t vertex, const Vec3& position, const Terms& terms) {
   const double moved = reach_[vertex] + (position - points_[vertex]).norm();
   const auto around = faces(vertex);
-  if (has_twin_[vertex] != 0 || moved > terms.reach || !promising(around, terms)) {
+  if (fixed_[vertex] != 0 || moved > terms.reach || !promising(around, terms)) {
     return false;
   }
   const Vec3 before = points_[vertex];

@@ -23,14 +23,18 @@ struct Terms {
   double reach = 0;  ///< largest move of a vertex, and of a surface by flips, since the beginning
 };
 
-/// A closed triangle mesh under edits that keep it a 2-manifold and are accepted only if exact
-/// predicates say that its embedding gets better, or stays without fault.
+/// A closed triangle mesh, or a part of one, under edits that keep it a 2-manifold and are accepted
+/// only if exact predicates say that its embedding gets better, or stays without fault.
 class RepairMesh {
  public:
-  /// `classes`: one number per triangle; triangles of different classes do not lend their area to
-  /// each other. `twins`: per point the first of those that may coincide with it (contacts).
+  /// `classes`: empty, or one number per triangle; triangles of different classes do not lend their
+  /// area to each other. `twins`: per point the first of those that may coincide with it
+  /// (contacts).
+  /// `complete`: empty, or, of a part of a mesh, 1 for points that have all their triangles in it,
+  /// else 0. Edits change only triangles all whose corners have a 1.
   RepairMesh(std::span<const Vec3> points, std::span<const Triangle> triangles,
-             std::span<const std::uint32_t> classes, std::span<const std::uint32_t> twins);
+             std::span<const std::uint32_t> classes, std::span<const std::uint32_t> twins,
+             std::span<const std::uint8_t> complete = {});
 
   [[nodiscard]] std::span<const Vec3> points() const { return points_; }
   [[nodiscard]] const Vec3& point(std::uint32_t vertex) const { return points_[vertex]; }
@@ -78,11 +82,14 @@ class RepairMesh {
 
  private:
   [[nodiscard]] Embedding embedding() const { return {points_, triangles_, twins_}; }
+  [[nodiscard]] bool all_complete(std::span<const std::uint32_t> points) const;
   [[nodiscard]] bool degenerate(std::uint32_t face) const;
   [[nodiscard]] bool bad_pair(std::uint32_t f, std::uint32_t g) const;
   [[nodiscard]] Box box(std::uint32_t face) const;
   [[nodiscard]] FramedTriangle framed(std::uint32_t face) const;
   BoxTree& tree();
+  template <class Marked>
+  void find_bad_items_of(std::uint32_t face, const Marked& marked);
   [[nodiscard]] std::vector<BadItem> known_bad(std::span<const std::uint32_t> faces) const;
   [[nodiscard]] bool promising(std::span<const std::uint32_t> faces, const Terms& terms) const;
   [[nodiscard]] bool settle(std::span<const std::uint32_t> before,
@@ -101,7 +108,9 @@ class RepairMesh {
   BulkVector<Vec3> points_;
   BulkVector<Triangle> triangles_;
   std::span<const std::uint32_t> classes_, twins_;
-  BulkVector<std::uint8_t> alive_, has_twin_;
+  std::span<const std::uint8_t> complete_;
+  BulkVector<std::uint8_t> alive_;
+  BulkVector<std::uint8_t> fixed_;  // points with twins, and neighbours of incomplete ones
   BulkVector<std::uint32_t> parent_;
   BulkVector<double> reach_, deviation_;
   // Faces around vertices: slices of one array, or, once edited, a list of their own.

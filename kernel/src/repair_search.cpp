@@ -20,6 +20,21 @@ bool RepairMesh::is_bad(const BadItem& item) const {
   return !degenerate(item.first) && !degenerate(item.second) && bad_pair(item.first, item.second);
 }
 
+/// Of a marked face: those with other marked ones once, from the lower.
+template <class Marked>
+void RepairMesh::find_bad_items_of(std::uint32_t face, const Marked& marked) {
+  if (degenerate(face)) {
+    remember({face, face});
+    return;
+  }
+  tree().visit(box(face), framed(face), [&](std::uint32_t other) {
+    const bool is_first = face < other || (face != other && !marked(other));
+    if (is_first && alive(other) && !degenerate(other) && bad_pair(face, other)) {
+      remember({std::min(face, other), std::max(face, other)});
+    }
+  });
+}
+
 void RepairMesh::find_bad_items(std::span<const std::uint8_t> marked_points,
                                 std::span<const BadItem> known) {
   const auto marked = [&](std::uint32_t face) {
@@ -31,6 +46,14 @@ void RepairMesh::find_bad_items(std::span<const std::uint8_t> marked_points,
     if (alive(item.first) && alive(item.second) && !marked(item.first) && !marked(item.second)) {
       remember(item);
     }
+  }
+  if (!complete_.empty()) {  // a part is not closed, which the search in whole meshes relies on
+    for (std::uint32_t f = 0; f < face_count(); ++f) {
+      if (alive(f) && marked(f)) {
+        find_bad_items_of(f, marked);
+      }
+    }
+    return;
   }
   if (std::ranges::find(alive_, 0) == alive_.end()) {
     for (const BadItem& item : detail::find_bad_items(embedding(), marked_points)) {

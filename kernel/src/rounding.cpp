@@ -14,6 +14,7 @@
 #include "dupin/kernel/error.h"
 #include "exact_mesh.h"
 #include "exact_rounding.h"
+#include "mesh_part.h"
 #include "mesh_repair.h"
 #include "origin.h"
 #include "shell_check.h"
@@ -24,8 +25,10 @@ namespace dupin {
 namespace {
 
 using detail::BadItem;
+using detail::BrokenMesh;
 using detail::ExactMesh;
 using detail::Lattice;
+using detail::MeshPart;
 using detail::MeshView;
 using detail::RepairMesh;
 
@@ -144,8 +147,6 @@ class detail::Rounding {
     const bool is_first = past_.reach == 0;
     trials_left_ = is_first ? kTrials + kTrialsPerItem * broken_pairs.size() : past_.trials;
     const double farthest = tolerance_ - past_.slit_width / 2;
-    std::vector<std::uint32_t> classes = exact_.labels;
-    classes.resize(exact_.triangles.size(), 0);
     const auto slits =
         may_have_voids() ? std::optional(detail::Slits(exact_, twins_, tolerance_)) : std::nullopt;
     for (double reach = is_first ? kReachGrowth * step_ : past_.reach;; reach *= kReachGrowth) {
@@ -158,9 +159,12 @@ class detail::Rounding {
             past_.removed_triangles + exact_.triangles.size() - filled->mesh.triangles.size()};
         return Rounding(filled->mesh, coordinates_, options_, past).run();
       }
-      RepairMesh mesh(doubles(), exact_.triangles, classes, twins_);
+      if (auto done = repaired_in_part(broken, broken_pairs, reach)) {
+        return std::move(*done);
+      }
+      RepairMesh mesh(doubles(), exact_.triangles, exact_.labels, twins_);
       const std::size_t shells = detail::remove_small_shells(mesh, broken, reach);
-      attempt(mesh, broken, broken_pairs, reach);
+      attempt(mesh, whole(), broken, broken_pairs, reach);
       const auto alive = mesh.alive_faces();
       const double move = largest_move(mesh, alive);
       const std::vector<std::uint32_t> left = faults(mesh, alive, move);
@@ -173,6 +177,40 @@ class detail::Rounding {
       }
       broken.insert(broken.end(), left.begin(), left.end());
     }
+  }
+
+  [[nodiscard]] BrokenMesh whole() const {
+    return {doubles(),        rounded_.on_lattice, rounded_.inexact,
+            exact_.triangles, exact_.labels,       twins_};
+  }
+
+  /// Repaired by edits near the broken faces only; none if these are many or that does not do.
+  std::optional<Rounded> repaired_in_part(const std::vector<std::uint32_t>& broken,
+                                          const std::vector<BadItem>& broken_pairs, double reach) {
+    const auto part = MeshPart::around(whole(), broken, reach, step_);
+    if (!part) {
+      return std::nullopt;
+    }
+    const BrokenMesh view = part->view();
+    RepairMesh mesh(view.doubles, view.triangles, view.labels, view.twins, view.complete);
+    std::vector<std::uint32_t> faces;
+    for (const std::uint32_t face : broken) {
+      faces.push_back(part->face(face));
+    }
+    std::vector<BadItem> pairs;
+    for (const BadItem& item : broken_pairs) {
+      pairs.push_back({part->face(item.first), part->face(item.second)});
+    }
+    const std::uint64_t trials = trials_left_;
+    const std::size_t shells = detail::remove_small_shells(mesh, faces, reach);
+    attempt(mesh, view, faces, pairs, reach);
+    if (mesh.bad_items().empty()) {
+      if (auto done = spliced(mesh, *part, {.repair_reach = reach, .removed_shells = shells})) {
+        return done;
+      }
+    }
+    trials_left_ = trials;
+    return std::nullopt;
   }
 
   /// Without a second shell and without contacts the solid leaves free one connected space.
@@ -218,15 +256,16 @@ class detail::Rounding {
   /// Around the places that rounding breaks: repairs the mesh of doubles, then, for a coarser
   /// lattice, thickens what is thin. Rounds, and repairs again. `broken_pairs` are the bad items of
   /// the mesh that is rounded only.
-  void attempt(RepairMesh& mesh, const std::vector<std::uint32_t>& broken,
-               const std::vector<BadItem>& broken_pairs, double reach) {
+  void attempt(RepairMesh& mesh, const BrokenMesh& original,
+               const std::vector<std::uint32_t>& broken, const std::vector<BadItem>& broken_pairs,
+               double reach) {
     if (lattice_.holds_doubles()) {
-      mesh.find_bad_items(differing_points(mesh), broken_pairs);
+      mesh.find_bad_items(differing_points(mesh, original), broken_pairs);
       trials_left_ = detail::repair(mesh, lattice_, reach, trials_left_);
       return;
     }
     const std::vector<std::uint32_t> around = detail::with_neighbours(mesh, broken);
-    mesh.find_bad_items(inexact_points(mesh, detail::with_neighbours(mesh, around)));
+    mesh.find_bad_items(inexact_points(mesh, original, detail::with_neighbours(mesh, around)));
     trials_left_ = detail::repair(mesh, Lattice(Coordinates::binary64),
                                   reach / step_ * double_step_, trials_left_);
     detail::clean_up(mesh, reach, detail::with_neighbours(mesh, broken));
@@ -234,34 +273,35 @@ class detail::Rounding {
     detail::for_each_block(points.size(), [&](const detail::Block& block) {
       for (std::size_t i = block.begin; i < block.end; ++i) {
         const Vec3& here = mesh.points()[i];
-        points[i] = here == doubles()[i] ? rounded_.on_lattice[i] : lattice_.nearest(here);
+        points[i] = here == original.doubles[i] ? original.on_lattice[i] : lattice_.nearest(here);
       }
     });
     mesh.place(std::move(points));
-    mesh.find_bad_items(differing_points(mesh), broken_pairs);
+    mesh.find_bad_items(differing_points(mesh, original), broken_pairs);
     trials_left_ = detail::repair(mesh, lattice_, reach, trials_left_);
   }
 
   /// The corners of faces that are not where the solid has them.
-  [[nodiscard]] std::vector<std::uint8_t> inexact_points(
-      const RepairMesh& mesh, const std::vector<std::uint32_t>& faces) const {
+  [[nodiscard]] static std::vector<std::uint8_t> inexact_points(
+      const RepairMesh& mesh, const BrokenMesh& original, const std::vector<std::uint32_t>& faces) {
     std::vector<std::uint8_t> inexact(mesh.points().size(), 0);
     for (const std::uint32_t f : faces) {
       for (const std::uint32_t v : mesh.triangle(f)) {
-        inexact[v] = rounded_.inexact[v];
+        inexact[v] = original.inexact[v];
       }
     }
     return inexact;
   }
 
   /// The corners of faces that are not as in the mesh that is rounded only.
-  [[nodiscard]] std::vector<std::uint8_t> differing_points(const RepairMesh& mesh) const {
+  [[nodiscard]] static std::vector<std::uint8_t> differing_points(const RepairMesh& mesh,
+                                                                  const BrokenMesh& original) {
     std::vector<std::uint8_t> differing(mesh.points().size(), 0);
     for (std::uint32_t v = 0; v < differing.size(); ++v) {
-      differing[v] = mesh.point(v) != rounded_.on_lattice[v] ? 1 : 0;
+      differing[v] = mesh.point(v) != original.on_lattice[v] ? 1 : 0;
     }
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-      if (mesh.alive(f) && mesh.triangle(f) != exact_.triangles[f]) {
+      if (mesh.alive(f) && mesh.triangle(f) != original.triangles[f]) {
         for (const std::uint32_t v : mesh.triangle(f)) {
           differing[v] = 1;
         }
@@ -271,6 +311,8 @@ class detail::Rounding {
   }
 
   Rounded unrepaired(double move);
+  std::optional<Rounded> spliced(const RepairMesh& mesh, const MeshPart& part,
+                                 RoundingReport report);
   [[nodiscard]] Rounded finished(const RepairMesh& mesh, std::span<const std::uint32_t> alive,
                                  RoundingReport report) const;
   [[nodiscard]] Rounded with_report(RoundingReport report, std::size_t triangles) const;
@@ -350,6 +392,53 @@ Rounded detail::Rounding::finished(const RepairMesh& mesh, std::span<const std::
       result.mesh_.labels.push_back(exact_.labels[mesh.parent(face)]);
     }
   }
+  return result;
+}
+
+/// The whole mesh, its part replaced by the repaired one; none if that is not free of faults. Takes
+/// the rounded points, or leaves them as they were.
+std::optional<Rounded> detail::Rounding::spliced(const RepairMesh& mesh, const MeshPart& part,
+                                                 RoundingReport report) {
+  const BrokenMesh original = part.view();
+  double vertex = rounded_.largest_move, surface = 0;
+  std::vector<std::uint32_t> unused, dead;  // points and triangles of the whole
+  std::size_t moved = 0;                    // which rounding has left in place
+  for (std::uint32_t v = 0; v < mesh.points().size(); ++v) {
+    const std::uint32_t point = part.points()[v];
+    const bool is_used = !mesh.faces(v).empty();
+    const bool is_kept = is_used && mesh.point(v) == original.on_lattice[v];
+    moved += rounded_.moved[point] == 0 && !is_kept ? 1 : 0;
+    vertex = std::max(vertex, mesh.reach(v));
+    if (!is_used) {
+      unused.push_back(point);
+    }
+  }
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.alive(f)) {
+      surface = std::max(surface, mesh.deviation(f));
+    } else {
+      dead.push_back(part.faces()[f]);
+    }
+  }
+  report.largest_move = largest_move(vertex + surface);
+  report.moved = moved + static_cast<std::size_t>(std::ranges::count(rounded_.moved, 1));
+  Rounded result = with_report(report, exact_.triangles.size() - dead.size());
+  TriMesh& whole = result.mesh_;
+  tbb::parallel_invoke([&] { copy(exact_.triangles, whole.triangles); },
+                       [&] { copy(exact_.sources, result.sources_); },
+                       [&] { copy(exact_.labels, whole.labels); });
+  whole.points = std::move(rounded_.on_lattice);
+  part.put(mesh, whole, result.sources_);
+  const bool meets_rest = part.meets_rest(mesh, {whole.points, whole.triangles, twins_});
+  erase_at(dead, whole.triangles);
+  if (meets_rest || !misplaced({whole.points, whole.triangles}, report.largest_move).empty()) {
+    rounded_.on_lattice = std::move(whole.points);
+    part.put_back(rounded_.on_lattice);
+    return std::nullopt;
+  }
+  erase_at(dead, result.sources_);
+  erase_at(dead, whole.labels);
+  erase_points(unused, whole);
   return result;
 }
 

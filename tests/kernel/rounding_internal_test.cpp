@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -11,6 +12,7 @@
 #include "exact.h"
 #include "exact_mesh.h"
 #include "lattice.h"
+#include "mesh_part.h"
 #include "mesh_repair.h"
 #include "repair_mesh.h"
 #include "support/shapes.h"
@@ -280,6 +282,83 @@ TEST_F(Edit, repairs_what_random_moves_have_broken) {
     broken += before > 0 && tube.bad_items().empty() ? 1 : 0;
   }
   EXPECT_GE(broken, 25) << "most can be repaired";
+}
+
+/// No point of it has more than six triangles.
+TriMesh torus(std::uint32_t around, std::uint32_t across) {
+  TriMesh mesh;
+  for (std::uint32_t i = 0; i < around; ++i) {
+    for (std::uint32_t k = 0; k < across; ++k) {
+      const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * k / across;
+      const double radius = 2 + std::cos(v);
+      mesh.points.emplace_back(radius * std::cos(u), radius * std::sin(u), std::sin(v));
+      const std::uint32_t a = i * across + k, b = (i + 1) % around * across + k;
+      const std::uint32_t c = (i + 1) % around * across + (k + 1) % across;
+      const std::uint32_t d = i * across + (k + 1) % across;
+      mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
+    }
+  }
+  return mesh;
+}
+
+/// Some triangles of a fine torus that are to be repaired, and those around them.
+struct Part : Edit {
+  Part() : Edit(torus(48, 24)) {}
+  std::optional<MeshPart> around(const std::vector<std::uint32_t>& broken) {
+    const BrokenMesh whole{shape.points, shape.points, inexact, shape.triangles, classes, twins};
+    return MeshPart::around(whole, broken, 1e-4, 1e-5);
+  }
+  std::vector<std::uint8_t> inexact = std::vector<std::uint8_t>(shape.points.size(), 0);
+};
+
+TEST_F(Part, has_all_triangles_of_its_complete_points) {
+  const auto part = around({100, 101});
+  ASSERT_TRUE(part);
+  EXPECT_LT(part->faces().size(), shape.triangles.size() / 4);
+  EXPECT_EQ(part->faces()[part->face(100)], 100);
+  std::vector<std::size_t> in_whole(shape.points.size(), 0), in_part(shape.points.size(), 0);
+  for (const Triangle& t : shape.triangles) {
+    std::ranges::for_each(t, [&](std::uint32_t v) { ++in_whole[v]; });
+  }
+  for (const std::uint32_t f : part->faces()) {
+    std::ranges::for_each(shape.triangles[f], [&](std::uint32_t v) { ++in_part[v]; });
+  }
+  const BrokenMesh view = part->view();
+  std::size_t complete = 0;
+  for (std::uint32_t v = 0; v < part->points().size(); ++v) {
+    const std::uint32_t point = part->points()[v];
+    EXPECT_EQ(view.doubles[v], shape.points[point]);
+    if (view.complete[v] != 0) {
+      EXPECT_EQ(in_part[point], in_whole[point]);
+      ++complete;
+    }
+  }
+  EXPECT_GT(complete, 3);
+  EXPECT_LT(complete, part->points().size());
+}
+
+TEST_F(Part, is_edited_where_no_other_triangle_is_near) {
+  const auto part = around({100});
+  ASSERT_TRUE(part);
+  const BrokenMesh view = part->view();
+  RepairMesh mesh(view.doubles, view.triangles, view.labels, view.twins, view.complete);
+  const auto move = [&](std::uint32_t v) {
+    return mesh.move(v, mesh.point(v) + Vec3(0, 0, 1e-5), terms);
+  };
+  for (const std::uint32_t v : view.triangles[part->face(100)]) {
+    EXPECT_TRUE(move(v));
+  }
+  for (std::uint32_t v = 0; v < view.complete.size(); ++v) {
+    if (view.complete[v] == 0) {
+      EXPECT_FALSE(move(v));
+    }
+  }
+}
+
+TEST_F(Part, is_not_taken_if_it_would_be_the_most) {
+  std::vector<std::uint32_t> many(shape.triangles.size() / 2);
+  std::iota(many.begin(), many.end(), 0U);
+  EXPECT_FALSE(around(many));
 }
 
 }  // namespace

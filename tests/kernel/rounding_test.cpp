@@ -67,6 +67,32 @@ TEST(ToMesh, thins_out_what_floats_cannot_hold) {
   }
 }
 
+TEST(ToMesh, leaves_what_is_far_from_repair_as_it_is_rounded) {
+  const TriMesh thin = test::moved(test::tube(0.03125, 0, 1, 256), Vec3(1e4, 2e3, -1e4));
+  const TriMesh plain = test::moved(test::tube(1000, 300, 500, 2048), Vec3(0.1, 0.2, 0.3));
+  const Solid solid = Solid::from(test::joined({thin, plain}));
+  const Rounded rounded = to_mesh(solid, Coordinates::binary32);
+  EXPECT_TRUE(check(rounded.mesh()).is_solid());
+  EXPECT_TRUE(holds_floats(rounded.mesh()));
+  EXPECT_GT(rounded.report().repair_reach, 0);
+  EXPECT_EQ(rounded.report().removed_triangles,
+            solid.triangle_count() - rounded.mesh().triangles.size());
+  const std::size_t points = rounded.mesh().points.size() - plain.points.size();
+  const std::size_t triangles = rounded.mesh().triangles.size() - plain.triangles.size();
+  EXPECT_LT(points, thin.points.size());
+  for (std::size_t i = 0; i < plain.points.size(); ++i) {
+    ASSERT_EQ(rounded.mesh().points[points + i], nearest(plain.points[i], Coordinates::binary32));
+  }
+  for (std::size_t i = 0; i < plain.triangles.size(); ++i) {
+    const Triangle& t = rounded.mesh().triangles[triangles + i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      ASSERT_EQ(t[k], points + plain.triangles[i][k]);
+    }
+    ASSERT_EQ(rounded.sources()[triangles + i],
+              (Source{0, static_cast<std::uint32_t>(thin.triangles.size() + i)}));
+  }
+}
+
 TEST(ToMesh, keeps_labels_through_repair) {
   const TriMesh mesh = test::joined(
       {test::labelled(test::moved(test::tube(0.03125, 0, 1, 512), Vec3(1e4, 0, 0)), "thin"),
