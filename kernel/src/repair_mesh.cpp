@@ -173,7 +173,11 @@ BoxTree& RepairMesh::tree() {
         boxes[i] = alive(f) ? box(f) : Box::nothing();
       }
     });
-    tree_.emplace(boxes);
+    if (complete_.empty()) {
+      tree_.emplace(boxes);
+    } else {  // a part, small enough for oriented boxes to pay off
+      tree_.emplace(boxes, [&](std::uint32_t f) { return framed(f); });
+    }
   }
   return *tree_;
 }
