@@ -190,6 +190,23 @@ bool BoxTree::overlap(std::uint32_t node, const BoxTree& other, std::uint32_t ot
   return !oriented(*this, node).apart(oriented(other, other_node));
 }
 
+bool BoxTree::overlaps(const Box& box) const {
+  std::array<std::uint32_t, 40> stack;  // deeper than any tree over 2^32 items
+  std::size_t depth = 0;
+  stack[depth++] = 1;
+  while (depth > 0) {
+    const std::uint32_t node = stack[--depth];
+    if (box.overlaps(nodes_[node])) {
+      if (node >= leaves_) {
+        return true;
+      }
+      stack[depth++] = 2 * node;
+      stack[depth++] = 2 * node + 1;
+    }
+  }
+  return false;
+}
+
 double BoxTree::crowding() const {
   constexpr std::uint32_t kSamples = 64, kMost = 1 << 14, kLeaf = 8;  // times an inner node
   const std::uint32_t count = std::min(kSamples, leaf_count());

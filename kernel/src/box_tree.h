@@ -70,8 +70,8 @@ class BoxTree {
   BoxTree(BulkVector<Box> boxes, Triangles&& triangle, std::span<const std::uint32_t> groups = {});
   static constexpr std::uint32_t kNoGroup = 0xffffffff;
 
-  /// Whether `box` overlaps the box around all items.
-  [[nodiscard]] bool overlaps(const Box& box) const { return box.overlaps(nodes_[1]); }
+  /// Whether `box` overlaps the box around some neighbouring items.
+  [[nodiscard]] bool overlaps(const Box& box) const;
   /// Calls visit(item) for every item whose box overlaps `box`.
   template <class Visit>
   void visit(const Box& box, Visit&& visit) const {

@@ -202,23 +202,19 @@ class Search {
 
   /// Pairs of a passive and an active triangle.
   SelfIntersections examined_passive() const {
-    std::vector<std::uint32_t> near;
+    const auto near = collect_in_order<std::uint32_t>(
+        triangles_.size(), [&](std::size_t i, std::vector<std::uint32_t>& found) {
+          const auto face = static_cast<std::uint32_t>(i);
+          if (!active(face) && tree_.overlaps(box(face)) && !is_degenerate(face)) {
+            found.push_back(face);
+          }
+        });
     BulkVector<Box> boxes;
-    for (std::uint32_t face = 0; face < triangles_.size(); ++face) {
-      if (active(face)) {
-        continue;
-      }
-      const Box around = box(face);
-      if (tree_.overlaps(around) && !is_degenerate(face)) {
-        near.push_back(face);
-        boxes.push_back(around);
-      }
+    boxes.reserve(near.size());
+    for (const std::uint32_t face : near) {
+      boxes.push_back(box(face));
     }
-    constexpr std::size_t kMany = 8;  // times more passive ones: most are far from any active one
-    const BoxTree tree =
-        near.size() > kMany * active_.size()
-            ? BoxTree(std::span<const Box>(boxes))
-            : BoxTree(std::move(boxes), [&](std::uint32_t i) { return framed(near[i]); });
+    const BoxTree tree(std::move(boxes), [&](std::uint32_t i) { return framed(near[i]); });
     return examined(TreePairs(tree, tree_), in_order_of(tree, near));
   }
 
