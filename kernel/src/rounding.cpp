@@ -17,6 +17,7 @@
 #include "mesh_part.h"
 #include "mesh_repair.h"
 #include "origin.h"
+#include "repair_attempt.h"
 #include "shell_check.h"
 #include "slits.h"
 #include "steady_shells.h"
@@ -164,7 +165,8 @@ class detail::Rounding {
       }
       RepairMesh mesh(doubles(), exact_.triangles, exact_.labels, twins_);
       const std::size_t shells = detail::remove_small_shells(mesh, broken, reach);
-      attempt(mesh, whole(), broken, broken_pairs, reach);
+      trials_left_ = detail::attempt_repair(mesh, whole(), broken, broken_pairs,
+                                            {lattice_, rounded_.largest, reach, trials_left_});
       const auto alive = mesh.alive_faces();
       const double move = largest_move(mesh, alive);
       const std::vector<std::uint32_t> left = faults(mesh, alive, move);
@@ -203,7 +205,8 @@ class detail::Rounding {
     }
     const std::uint64_t trials = trials_left_;
     const std::size_t shells = detail::remove_small_shells(mesh, faces, reach);
-    attempt(mesh, view, faces, pairs, reach);
+    trials_left_ = detail::attempt_repair(mesh, view, faces, pairs,
+                                          {lattice_, rounded_.largest, reach, trials_left_});
     if (mesh.bad_items().empty()) {
       if (auto done = spliced(mesh, *part, {.repair_reach = reach, .removed_shells = shells})) {
         return done;
@@ -251,63 +254,6 @@ class detail::Rounding {
       face = alive[face];
     }
     return faces;
-  }
-
-  /// Around the places that rounding breaks: repairs the mesh of doubles, then, for a coarser
-  /// lattice, thickens what is thin. Rounds, and repairs again. `broken_pairs` are the bad items of
-  /// the mesh that is rounded only.
-  void attempt(RepairMesh& mesh, const BrokenMesh& original,
-               const std::vector<std::uint32_t>& broken, const std::vector<BadItem>& broken_pairs,
-               double reach) {
-    if (lattice_.holds_doubles()) {
-      mesh.find_bad_items(differing_points(mesh, original), broken_pairs);
-      trials_left_ = detail::repair(mesh, lattice_, reach, trials_left_);
-      return;
-    }
-    const std::vector<std::uint32_t> around = detail::with_neighbours(mesh, broken);
-    mesh.find_bad_items(inexact_points(mesh, original, detail::with_neighbours(mesh, around)));
-    trials_left_ = detail::repair(mesh, Lattice(Coordinates::binary64),
-                                  reach / step_ * double_step_, trials_left_);
-    detail::clean_up(mesh, reach, detail::with_neighbours(mesh, broken));
-    detail::BulkVector<Vec3> points(mesh.points().size());
-    detail::for_each_block(points.size(), [&](const detail::Block& block) {
-      for (std::size_t i = block.begin; i < block.end; ++i) {
-        const Vec3& here = mesh.points()[i];
-        points[i] = here == original.doubles[i] ? original.on_lattice[i] : lattice_.nearest(here);
-      }
-    });
-    mesh.place(std::move(points));
-    mesh.find_bad_items(differing_points(mesh, original), broken_pairs);
-    trials_left_ = detail::repair(mesh, lattice_, reach, trials_left_);
-  }
-
-  /// The corners of faces that are not where the solid has them.
-  [[nodiscard]] static std::vector<std::uint8_t> inexact_points(
-      const RepairMesh& mesh, const BrokenMesh& original, const std::vector<std::uint32_t>& faces) {
-    std::vector<std::uint8_t> inexact(mesh.points().size(), 0);
-    for (const std::uint32_t f : faces) {
-      for (const std::uint32_t v : mesh.triangle(f)) {
-        inexact[v] = original.inexact[v];
-      }
-    }
-    return inexact;
-  }
-
-  /// The corners of faces that are not as in the mesh that is rounded only.
-  [[nodiscard]] static std::vector<std::uint8_t> differing_points(const RepairMesh& mesh,
-                                                                  const BrokenMesh& original) {
-    std::vector<std::uint8_t> differing(mesh.points().size(), 0);
-    for (std::uint32_t v = 0; v < differing.size(); ++v) {
-      differing[v] = mesh.point(v) != original.on_lattice[v] ? 1 : 0;
-    }
-    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-      if (mesh.alive(f) && mesh.triangle(f) != original.triangles[f]) {
-        for (const std::uint32_t v : mesh.triangle(f)) {
-          differing[v] = 1;
-        }
-      }
-    }
-    return differing;
   }
 
   Rounded unrepaired(double move);
