@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "arrangement/blocks.h"
 #include "arrangement/bulk_vector.h"
@@ -163,6 +164,15 @@ std::vector<std::uint32_t> exact_twins(const ExactMesh& mesh) {
     }
   }
   return twins;
+}
+
+std::vector<std::uint32_t> twins_at_contacts(const ExactMesh& mesh) {
+  if (!mesh.contacts.empty()) {
+    return exact_twins(mesh);
+  }
+  std::vector<std::uint32_t> own(mesh.points.size());
+  std::iota(own.begin(), own.end(), 0U);
+  return own;
 }
 
 }  // namespace dupin::detail

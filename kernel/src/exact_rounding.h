@@ -25,4 +25,7 @@ struct RoundedPoints {
 /// For each point the first one in exactly the same place: another one only at contacts.
 [[nodiscard]] std::vector<std::uint32_t> exact_twins(const ExactMesh& mesh);
 
+/// The same for a mesh whose contacts are known; quick if there are none.
+[[nodiscard]] std::vector<std::uint32_t> twins_at_contacts(const ExactMesh& mesh);
+
 }  // namespace dupin::detail

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
-#include <sstream>
 
 #include <tbb/parallel_invoke.h>
 
@@ -18,6 +16,7 @@
 #include "mesh_repair.h"
 #include "origin.h"
 #include "repair_attempt.h"
+#include "rounding_errors.h"
 #include "shell_check.h"
 #include "slits.h"
 #include "steady_shells.h"
@@ -54,21 +53,6 @@ struct Past {
   std::size_t removed_triangles = 0;
 };
 
-void validate(const RoundingOptions& options) {
-  int exponent = 0;
-  if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
-    throw Error(Errc::invalid_argument, "the rounding tolerance must be finite and not negative");
-  }
-  if (options.grid != 0 && !(options.grid > 0 && std::isfinite(options.grid) &&
-                             std::frexp(options.grid, &exponent) == 0.5)) {
-    throw Error(Errc::invalid_argument,
-                "the grid spacing must be 0 or a power of two, such as 0.0009765625 (2^-10)");
-  }
-  if (!options.origin.place.allFinite()) {
-    throw Error(Errc::invalid_argument, "the origin must be finite");
-  }
-}
-
 template <class Item>
 void copy(const std::vector<Item>& from, std::vector<Item>& to) {
   detail::reserve_bulk(to, from.size());
@@ -88,7 +72,7 @@ class detail::Rounding {
         lattice_(coordinates, options.grid),
         origin_(detail::chosen_origin(options.origin, exact.points)),
         rounded_(detail::round_points(exact, lattice_, origin_)),
-        twins_(twins(exact)) {
+        twins_(detail::twins_at_contacts(exact)) {
     if (!(rounded_.largest_on_lattice <= largest_number())) {
       throw Error(Errc::unroundable,
                   "coordinates exceed the range of binary32; use a format that holds doubles");
@@ -115,16 +99,6 @@ class detail::Rounding {
   }
 
  private:
-  /// Points of a solid coincide at contacts only.
-  static std::vector<std::uint32_t> twins(const ExactMesh& exact) {
-    if (!exact.contacts.empty()) {
-      return detail::exact_twins(exact);
-    }
-    std::vector<std::uint32_t> own(exact.points.size());
-    std::iota(own.begin(), own.end(), 0U);
-    return own;
-  }
-
   /// The places of the points in the nearest doubles.
   [[nodiscard]] std::span<const Vec3> doubles() const {
     return rounded_.shifted.empty() ? exact_.points : rounded_.shifted;
@@ -411,23 +385,12 @@ double detail::Rounding::largest_move(double from_doubles) const {
 }
 
 Error detail::Rounding::unroundable(const Vec3& at) const {
-  const Vec3 place = at + origin_;
-  std::ostringstream where, message;
-  where << "(" << place.x() << ", " << place.y() << ", " << place.z() << ")";
-  message << "no valid mesh with coordinates of the target format within the tolerance of "
-          << tolerance_ << "; what would help: ";
-  if (detail::extent(doubles()) < rounded_.largest) {
-    message << "recentring (origin auto), ";
-  }
-  if (coordinates_ == Coordinates::binary32) {
-    message << "a format that holds doubles (OFF, OBJ, PLY instead of STL), ";
-  }
-  message << "a larger tolerance";
-  return Error(Errc::unroundable, message.str(), {}, where.str());
+  const bool is_far = detail::extent(doubles()) < rounded_.largest;
+  return detail::unroundable_error(at + origin_, tolerance_, coordinates_, is_far);
 }
 
 Rounded to_mesh(const Solid& solid, Coordinates coordinates, const RoundingOptions& options) {
-  validate(options);
+  detail::validate(options);
   return detail::Rounding(solid.exact(), coordinates, options).run();
 }
 
