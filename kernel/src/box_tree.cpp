@@ -42,53 +42,6 @@ std::uint64_t morton_key(const Box& box) {
 
 }  // namespace
 
-bool Box::contains(const Box& other) const {
-  for (int k = 0; k < 3; ++k) {
-    if (other.low[k] < low[k] || high[k] < other.high[k]) {
-      return false;
-    }
-  }
-  return true;
-}
-
-Box Box::nothing() {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-}
-
-BoxFrame::BoxFrame(std::span<const Vec3> points) : middle_(Vec3::Zero()), scale_(1) {
-  if (points.empty()) {
-    return;
-  }
-  Vec3 low = points[0], high = points[0];
-  for (const Vec3& point : points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  middle_ = low / 2 + high / 2;
-  const double reach = (high / 2 - low / 2).maxCoeff();
-  if (reach > 0) {
-    // std::logb(reach) < log2(reach) + 1: the mapped points stay within (-1, 1).
-    scale_ = std::exp2(std::clamp(-std::logb(reach) - 1, -1000.0, 1000.0));
-  }
-}
-
-Box BoxFrame::around(const Vec3& a, const Vec3& b, const Vec3& c) const {
-  Box box;
-  for (int k = 0; k < 3; ++k) {
-    box.low[k] = map(std::min({a[k], b[k], c[k]}), k);
-    box.high[k] = map(std::max({a[k], b[k], c[k]}), k);
-  }
-  return box;
-}
-
-FramedTriangle BoxFrame::mapped(const Vec3& a, const Vec3& b, const Vec3& c) const {
-  const auto mapped_point = [&](const Vec3& p) -> Eigen::Vector3f {
-    return {map(p[0], 0), map(p[1], 1), map(p[2], 2)};
-  };
-  return {mapped_point(a), mapped_point(b), mapped_point(c)};
-}
-
 std::vector<std::uint32_t> BoxTree::given_order(std::size_t size) {
   std::vector<std::uint32_t> order(size);
   std::iota(order.begin(), order.end(), 0U);

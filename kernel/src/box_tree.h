@@ -11,47 +11,10 @@
 #include <tbb/parallel_for.h>
 
 #include "arrangement/bulk_vector.h"
-#include "dupin/kernel/mesh.h"
+#include "box_frame.h"
 #include "oriented_box.h"
 
 namespace dupin::detail {
-
-/// An axis-parallel box in the single precision coordinates of a BoxFrame.
-struct Box {
-  std::array<float, 3> low, high;
-
-  [[nodiscard]] bool overlaps(const Box& other) const {
-    return (low[0] <= other.high[0]) & (other.low[0] <= high[0]) & (low[1] <= other.high[1]) &
-           (other.low[1] <= high[1]) & (low[2] <= other.high[2]) & (other.low[2] <= high[2]);
-  }
-  [[nodiscard]] bool contains(const Box& other) const;
-  /// Makes the box contain `other` too.
-  void join(const Box& other) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], other.low[k]);
-      high[k] = std::max(high[k], other.high[k]);
-    }
-  }
-  /// Contains nothing, overlaps nothing.
-  [[nodiscard]] static Box nothing();
-  [[nodiscard]] bool is_nothing() const { return high[0] < low[0]; }
-};
-
-/// Maps coordinates to floats about the middle of a point set. The map is monotone per coordinate,
-/// so boxes that overlap do so after it as well: no outward rounding is needed.
-class BoxFrame {
- public:
-  explicit BoxFrame(std::span<const Vec3> points);
-  [[nodiscard]] Box around(const Vec3& a, const Vec3& b, const Vec3& c) const;
-  [[nodiscard]] FramedTriangle mapped(const Vec3& a, const Vec3& b, const Vec3& c) const;
-
- private:
-  [[nodiscard]] float map(double coordinate, int axis) const {
-    return static_cast<float>((coordinate - middle_[axis]) * scale_);
-  }
-  Vec3 middle_;
-  double scale_;  // a power of two
-};
 
 /// A balanced binary tree over boxes, four to a leaf.
 class BoxTree {

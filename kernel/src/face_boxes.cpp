@@ -21,7 +21,7 @@ std::vector<Box> FaceBoxes::boxes_of_b() const {
   std::vector<Box> boxes;
   for (auto face = pair_.faces_of_a; face < pair_.triangles.size(); ++face) {
     const auto [a, b, c] = pair_.corners(face);
-    boxes.push_back(pair_.flat[face] != 0 ? Box::nothing() : frame_.around(a, b, c));
+    boxes.push_back(pair_.flat[face] != 0 ? Box::nothing() : frame_.around(frame_.map(a, b, c)));
   }
   return boxes;
 }
@@ -39,7 +39,7 @@ Box FaceBoxes::around(std::uint32_t face, double reach) const {
   const Vec3 margin = Vec3::Constant(reach);
   const Vec3 low = (a.cwiseMin(b).cwiseMin(c) - margin).unaryExpr(down).cwiseMax(low_);
   const Vec3 high = (a.cwiseMax(b).cwiseMax(c) + margin).unaryExpr(up).cwiseMin(high_);
-  return frame_.around(low, high, high);
+  return frame_.around(low, high);
 }
 
 }  // namespace dupin::detail

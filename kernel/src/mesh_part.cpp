@@ -5,6 +5,7 @@
 
 #include "arrangement/blocks.h"
 #include "arrangement/bulk_vector.h"
+#include "box_tree.h"
 
 namespace dupin::detail {
 namespace {
@@ -62,49 +63,38 @@ std::uint32_t position(const std::vector<std::uint32_t>& ascending, std::uint32_
                                     ascending.begin());
 }
 
-Bounds bounds(std::span<const Vec3> points, const Triangle& triangle) {
-  const Vec3 &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
-  return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+FramedTriangle framed(const BoxFrame& frame, std::span<const Vec3> points,
+                      const Triangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  return frame.map(points[a], points[b], points[c]);
 }
 
-/// Calls visit(face, near, found) for the faces in blocks whose boxes meet zones, with the numbers
-/// of these zones. Returns what that appends to `found`, in the order of the faces.
+/// Calls visit(face, its box, found) for the faces with boxes near those in the tree. Returns what
+/// that appends to `found`, in the order of the faces.
 template <class Visit>
-std::vector<std::uint32_t> visit_near(std::span<const Vec3> points,
-                                      std::span<const Triangle> triangles,
-                                      std::span<const Bounds> zones, const Visit& visit) {
-  constexpr std::size_t kBlock = 512;  // mostly neighbours, far from all zones but few
+std::vector<std::uint32_t> visit_near(const BoxFrame& frame, std::span<const Vec3> points,
+                                      std::span<const Triangle> triangles, const BoxTree& tree,
+                                      const Visit& visit) {
+  constexpr std::size_t kBlock = 512;  // mostly neighbours, far from all but few
   std::vector<std::vector<std::uint32_t>> parts(block_count(triangles.size(), kBlock));
   const auto visit_block = [&](const Block& block) {
-    Bounds all = bounds(points, triangles[block.begin]);
+    Vec3 low = points[triangles[block.begin][0]], high = low;
     for (std::size_t i = block.begin; i < block.end; ++i) {
-      all.join(bounds(points, triangles[i]));
-    }
-    std::vector<std::uint32_t> near;
-    for (std::uint32_t i = 0; i < zones.size(); ++i) {
-      if (zones[i].meets(all)) {
-        near.push_back(i);
+      for (const std::uint32_t v : triangles[i]) {
+        low = low.cwiseMin(points[v]);
+        high = high.cwiseMax(points[v]);
       }
     }
-    for (std::size_t i = block.begin; i < block.end && !near.empty(); ++i) {
-      visit(static_cast<std::uint32_t>(i), near, parts[block.number]);
+    const std::size_t end = tree.overlaps(frame.around(low, high)) ? block.end : block.begin;
+    for (std::size_t i = block.begin; i < end; ++i) {
+      const Box own = frame.around(framed(frame, points, triangles[i]));
+      if (tree.overlaps(own)) {
+        visit(static_cast<std::uint32_t>(i), own, parts[block.number]);
+      }
     }
   };
   for_each_block(triangles.size(), visit_block, kBlock);
   return joined(std::move(parts));
-}
-
-/// The triangles whose rounded ones have boxes that meet a zone.
-std::vector<std::uint32_t> faces_in(const BrokenMesh& whole, std::span<const Bounds> zones) {
-  return visit_near(
-      whole.on_lattice, whole.triangles, zones,
-      [&](std::uint32_t face, const std::vector<std::uint32_t>& near,
-          std::vector<std::uint32_t>& found) {
-        const Bounds own = bounds(whole.on_lattice, whole.triangles[face]);
-        if (std::ranges::any_of(near, [&](std::uint32_t i) { return zones[i].meets(own); })) {
-          found.push_back(face);
-        }
-      });
 }
 
 }  // namespace
@@ -119,14 +109,15 @@ std::optional<MeshPart> MeshPart::around(const BrokenMesh& whole,
       return std::nullopt;
     }
   }
-  MeshPart part;
+  MeshPart part(whole);
   for (const std::uint32_t face : core) {
-    Bounds zone = bounds(whole.doubles, whole.triangles[face]);
-    zone.low.array() -= 2 * (reach + step);
-    zone.high.array() += 2 * (reach + step);
-    part.zones_.push_back(zone);
+    part.zones_.push_back(part.frame_.around(
+        framed(part.frame_, whole.doubles, whole.triangles[face]), 2 * (reach + step)));
   }
-  part.faces_ = faces_in(whole, part.zones_);
+  part.faces_ = visit_near(part.frame_, whole.on_lattice, whole.triangles, BoxTree(part.zones_),
+                           [](std::uint32_t face, const Box&, std::vector<std::uint32_t>& found) {
+                             found.push_back(face);
+                           });
   if (part.faces_.size() * kShare > whole.triangles.size()) {
     return std::nullopt;
   }
@@ -166,15 +157,15 @@ std::uint32_t MeshPart::face(std::uint32_t of_whole) const { return position(fac
 
 bool MeshPart::meets_rest(const RepairMesh& repaired, const Embedding& whole) const {
   std::vector<std::uint32_t> edited;
-  std::vector<Bounds> outside;  // of the zones, which only triangles of the part meet
+  std::vector<Box> outside;  // of the zones, which only triangles of the part meet
   for (std::uint32_t f = 0; f < triangles_.size(); ++f) {
     const Triangle& after = repaired.triangle(f);
     const auto moved = [&](std::uint32_t v) { return repaired.point(v) != on_lattice_[v]; };
     if (!repaired.alive(f) || (triangles_[f] == after && std::ranges::none_of(after, moved))) {
       continue;
     }
-    const Bounds own = bounds(repaired.points(), after);
-    if (std::ranges::none_of(zones_, [&](const Bounds& zone) { return zone.contains(own); })) {
+    const Box own = frame_.around(framed(frame_, repaired.points(), after));
+    if (std::ranges::none_of(zones_, [&](const Box& zone) { return zone.contains(own); })) {
       edited.push_back(faces_[f]);
       outside.push_back(own);
     }
@@ -182,17 +173,15 @@ bool MeshPart::meets_rest(const RepairMesh& repaired, const Embedding& whole) co
   if (outside.empty()) {
     return false;
   }
-  const auto meets = [&](std::uint32_t face, const std::vector<std::uint32_t>& near,
-                         std::vector<std::uint32_t>& found) {
-    const Bounds own = bounds(whole.points, whole.triangles[face]);
-    for (const std::uint32_t i : near) {
-      if (outside[i].meets(own) && !std::ranges::binary_search(faces_, face) &&
-          is_bad_pair(whole, edited[i], face)) {
+  const BoxTree tree(outside);
+  const auto meets = [&](std::uint32_t face, const Box& own, std::vector<std::uint32_t>& found) {
+    tree.visit(own, [&](std::uint32_t i) {
+      if (!std::ranges::binary_search(faces_, face) && is_bad_pair(whole, edited[i], face)) {
         found.push_back(face);
       }
-    }
+    });
   };
-  return !visit_near(whole.points, whole.triangles, outside, meets).empty();
+  return !visit_near(frame_, whole.points, whole.triangles, tree, meets).empty();
 }
 
 void MeshPart::put(const RepairMesh& repaired, TriMesh& whole, std::vector<Source>& sources) const {

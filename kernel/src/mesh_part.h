@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bad_items.h"
+#include "box_frame.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
 #include "repair_mesh.h"
@@ -22,21 +23,6 @@ struct BrokenMesh {
   std::span<const std::uint32_t> labels;  ///< per triangle; may be empty
   std::span<const std::uint32_t> twins;   ///< per point the first of those that coincide with it
   std::span<const std::uint8_t> complete = {};  ///< as RepairMesh has them
-};
-
-/// An axis-parallel box.
-struct Bounds {
-  Vec3 low, high;
-  [[nodiscard]] bool meets(const Bounds& other) const {
-    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
-  }
-  [[nodiscard]] bool contains(const Bounds& other) const {
-    return (low.array() <= other.low.array()).all() && (other.high.array() <= high.array()).all();
-  }
-  void join(const Bounds& other) {
-    low = low.cwiseMin(other.low);
-    high = high.cwiseMax(other.high);
-  }
 };
 
 /// The surroundings of bad items, as a mesh of its own with a border: the triangles some rings
@@ -68,9 +54,11 @@ class MeshPart {
   void put_back(std::vector<Vec3>& points) const;
 
  private:
+  explicit MeshPart(const BrokenMesh& whole) : frame_(whole.doubles, whole.triangles) {}
   void copy(const BrokenMesh& whole);
 
-  std::vector<Bounds> zones_;  // all triangles whose rounded ones meet them are in the part
+  BoxFrame frame_;
+  std::vector<Box> zones_;  // all triangles whose rounded ones' boxes meet them are in the part
   std::vector<std::uint32_t> faces_, points_;
   std::vector<Vec3> doubles_, on_lattice_;
   std::vector<std::uint8_t> inexact_, complete_;

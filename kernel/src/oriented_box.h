@@ -9,8 +9,9 @@ namespace dupin::detail {
 
 struct Box;
 
-/// The corners of a triangle in the single precision coordinates of a BoxFrame.
-using FramedTriangle = std::array<Eigen::Vector3f, 3>;
+/// In the single precision coordinates of a BoxFrame; the latter by its corners.
+using FramedPoint = Eigen::Vector3f;
+using FramedTriangle = std::array<FramedPoint, 3>;
 
 /// A box along axes of its own: long facets fill it, where they leave a Box empty. All coordinates
 /// are at most 1, as a BoxFrame gives them.

@@ -187,9 +187,13 @@ class Curves {
     }
     frame_.emplace(origins);
     for (const auto& [from, to] : edges_) {
-      boxes.push_back(flat(frame_->around(points_[from], points_[to], points_[to])));
+      boxes.push_back(flat(box(points_[from], points_[to])));
     }
     tree_.emplace(boxes);
+  }
+
+  [[nodiscard]] Box box(const Vec3& from, const Vec3& to) const {
+    return frame_->around(frame_->map(from, to, to));
   }
 
   [[nodiscard]] Box flat(Box box) const {
@@ -201,7 +205,7 @@ class Curves {
   /// How often the other curves wind about an end, counted where they cross a ray downward.
   [[nodiscard]] int windings_of_others(const End& end) {
     const Vec3& p = points_[end.point];
-    Box ray = flat(frame_->around(p, p, p));
+    Box ray = flat(box(p, p));
     ray.low[static_cast<std::size_t>(u_)] = -std::numeric_limits<float>::infinity();
     const std::uint32_t own = curves_.find(end.edge);
     int windings = 0;

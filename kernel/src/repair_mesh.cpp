@@ -58,7 +58,7 @@ RepairMesh::RepairMesh(std::span<const Vec3> points, std::span<const Triangle> t
       slice_start_(points_.size() + 1, 0),
       slices_(3 * triangles_.size()),
       own_list_(points_.size(), kNoList),
-      frame_(points_),
+      frame_(points_, triangles_),
       stamp_(triangles_.size(), 0) {
   for (std::uint32_t v = 0; v < points_.size(); ++v) {
     if (twins_[v] != v) {
@@ -154,14 +154,11 @@ std::optional<std::uint32_t> RepairMesh::face_with_edge(std::uint32_t a, std::ui
   return std::nullopt;
 }
 
-Box RepairMesh::box(std::uint32_t face) const {
-  const Triangle& t = triangles_[face];
-  return frame_.around(points_[t[0]], points_[t[1]], points_[t[2]]);
-}
+Box RepairMesh::box(std::uint32_t face) const { return frame_.around(framed(face)); }
 
 FramedTriangle RepairMesh::framed(std::uint32_t face) const {
   const Triangle& t = triangles_[face];
-  return frame_.mapped(points_[t[0]], points_[t[1]], points_[t[2]]);
+  return frame_.map(points_[t[0]], points_[t[1]], points_[t[2]]);
 }
 
 BoxTree& RepairMesh::tree() {

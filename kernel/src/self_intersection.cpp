@@ -27,7 +27,8 @@ class Search {
         options_(options),
         identical_(options.same.empty() ? first_identical(points) : std::vector<std::uint32_t>()),
         first_(options.same.empty() ? std::span<const std::uint32_t>(identical_) : options.same),
-        frame_(points),
+        frame_(points, triangles),
+        framed_(frame_.map(points)),
         corners_(triangles),
         degenerate_(triangles.size()),
         tree_(prepare()) {}
@@ -135,10 +136,7 @@ class Search {
     }
   }
 
-  [[nodiscard]] Box box(std::uint32_t face) const {
-    const Triangle& t = corners_[face];
-    return frame_.around(points_[t[0]], points_[t[1]], points_[t[2]]);
-  }
+  [[nodiscard]] Box box(std::uint32_t face) const { return frame_.around(framed(face)); }
 
   [[nodiscard]] bool is_degenerate(std::uint32_t face) const {
     const auto& [a, b, c] = corners_[face];
@@ -148,7 +146,7 @@ class Search {
 
   [[nodiscard]] FramedTriangle framed(std::uint32_t face) const {
     const Triangle& t = corners_[face];
-    return frame_.mapped(points_[t[0]], points_[t[1]], points_[t[2]]);
+    return {framed_[t[0]], framed_[t[1]], framed_[t[2]]};
   }
 
   [[nodiscard]] bool active(std::uint32_t triangle) const {
@@ -291,6 +289,7 @@ class Search {
   std::vector<std::uint32_t> identical_;
   std::span<const std::uint32_t> first_;  // per point the first one that is the same
   BoxFrame frame_;
+  BulkVector<FramedPoint> framed_;
   std::vector<Triangle> merged_;       // if there are identical points
   std::span<const Triangle> corners_;  // with these merged
   bool touching_apart_ = false;        // whether there are identical points

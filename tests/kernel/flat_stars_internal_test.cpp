@@ -130,14 +130,14 @@ TEST(SelfIntersection, of_a_large_fan_is_found) {
 TEST(BoxTree, leaves_out_pairs_of_one_group) {
   const Fan large = fan(circle(1000));
   const BoxFrame frame(large.points);
-  BulkVector<Box> boxes;
-  for (const Triangle& t : large.triangles) {
-    boxes.push_back(frame.around(large.points[t[0]], large.points[t[1]], large.points[t[2]]));
-  }
   const auto triangle = [&](std::uint32_t i) {
     const auto& [a, b, c] = large.triangles[i];
-    return frame.mapped(large.points[a], large.points[b], large.points[c]);
+    return frame.map(large.points[a], large.points[b], large.points[c]);
   };
+  BulkVector<Box> boxes;
+  for (std::uint32_t i = 0; i < large.triangles.size(); ++i) {
+    boxes.push_back(frame.around(triangle(i)));
+  }
   const auto pairs = [&](const std::vector<std::uint32_t>& groups) {
     const BoxTree tree(boxes, triangle, groups);
     std::size_t count = 0;

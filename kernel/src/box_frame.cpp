@@ -1,0 +1,89 @@
+#include "box_frame.h"
+
+#include <cmath>
+#include <limits>
+
+#include "arrangement/blocks.h"
+#include "main_directions.h"
+
+namespace dupin::detail {
+namespace {
+
+/// To round to floats, numbers below 1, errs by 2^-25, and so does taking a margin off; what is
+/// done in doubles errs by far less.
+constexpr float kRounding = 0x1p-23F;
+
+}  // namespace
+
+bool Box::contains(const Box& other) const {
+  for (int k = 0; k < 3; ++k) {
+    if (other.low[k] < low[k] || high[k] < other.high[k]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Box Box::nothing() {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+}
+
+BoxFrame::BoxFrame(std::span<const Vec3> points) : middle_(Vec3::Zero()), scale_(1) {
+  if (points.empty()) {
+    return;
+  }
+  Vec3 low = points[0], high = points[0];
+  for (const Vec3& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  middle_ = low / 2 + high / 2;
+  const double reach = (high / 2 - low / 2).maxCoeff();
+  if (reach > 0) {
+    // std::logb(reach) < log2(reach) + 1: the mapped points stay within (-1, 1).
+    scale_ = std::exp2(std::clamp(-std::logb(reach) - 1, -1000.0, 1000.0));
+  }
+}
+
+BoxFrame::BoxFrame(std::span<const Vec3> points, std::span<const Triangle> triangles)
+    : BoxFrame(points) {
+  axes_ = main_directions(points, triangles);
+  if (axes_) {
+    scale_ /= 2;  // a point is at most sqrt(3) times as far from the middle along another axis
+    rounding_ = kRounding;
+  }
+}
+
+BulkVector<FramedPoint> BoxFrame::map(std::span<const Vec3> points) const {
+  BulkVector<FramedPoint> mapped(points.size());
+  for_each_block(points.size(), [&](const Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      mapped[i] = map(points[i]);
+    }
+  });
+  return mapped;
+}
+
+Box BoxFrame::around(const Vec3& low, const Vec3& high) const {
+  Box box = Box::nothing();
+  for (const double x : {low[0], high[0]}) {
+    for (const double y : {low[1], high[1]}) {
+      const FramedPoint near = map({x, y, low[2]}), far = map({x, y, high[2]});
+      box.join(around({near, far, far}));
+    }
+  }
+  return box;
+}
+
+Box BoxFrame::around(const FramedTriangle& triangle, double margin) const {
+  const float more = static_cast<float>(margin * scale_) + 2 * kRounding;
+  Box box = around(triangle);
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] -= more;
+    box.high[k] += more;
+  }
+  return box;
+}
+
+}  // namespace dupin::detail
