@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "arrangement/blocks.h"
 #include "self_intersection.h"
 #include "triangle_meeting.h"
 
@@ -34,15 +35,21 @@ bool is_bad_pair(const Embedding& mesh, std::uint32_t f, std::uint32_t g) {
   return foreign_contact || TriangleProbe(corners, {0, 1, 2}).meeting(second) != Meeting::none;
 }
 
-std::vector<BadItem> find_bad_items(const Embedding& mesh,
-                                    std::span<const std::uint8_t> marked_points) {
-  std::vector<std::uint8_t> active(mesh.triangles.size());
-  for (std::size_t f = 0; f < active.size(); ++f) {
-    const auto& [a, b, c] = mesh.triangles[f];
-    active[f] = marked_points[a] | marked_points[b] | marked_points[c];
-  }
+BulkVector<std::uint8_t> marked_faces(std::span<const Triangle> triangles,
+                                      std::span<const std::uint8_t> marked_points) {
+  BulkVector<std::uint8_t> marked(triangles.size());
+  for_each_block(marked.size(), [&](const Block& block) {
+    for (std::size_t f = block.begin; f < block.end; ++f) {
+      const auto& [a, b, c] = triangles[f];
+      marked[f] = marked_points[a] | marked_points[b] | marked_points[c];
+    }
+  });
+  return marked;
+}
+
+std::vector<BadItem> find_bad_items(const Embedding& mesh, std::span<const std::uint8_t> marked) {
   const SelfIntersections found = find_self_intersections(
-      mesh.points, mesh.triangles, {.active = active, .same = mesh.twins, .closed = true});
+      mesh.points, mesh.triangles, {.active = marked, .same = mesh.twins, .closed = true});
   std::vector<BadItem> bad;
   for (const std::uint32_t face : found.degenerate) {
     bad.push_back({face, face});

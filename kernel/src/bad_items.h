@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "arrangement/bulk_vector.h"
 #include "dupin/kernel/mesh.h"
 
 namespace dupin::detail {
@@ -27,8 +28,12 @@ struct Embedding {
 /// Whether two triangles, none of them degenerate, are a bad item.
 [[nodiscard]] bool is_bad_pair(const Embedding& mesh, std::uint32_t f, std::uint32_t g);
 
-/// All bad items that involve a face with a marked point. Twins must coincide.
+/// A mark per triangle: whether it has a marked point.
+[[nodiscard]] BulkVector<std::uint8_t> marked_faces(std::span<const Triangle> triangles,
+                                                    std::span<const std::uint8_t> marked_points);
+
+/// All bad items that involve a marked face. Twins must coincide.
 [[nodiscard]] std::vector<BadItem> find_bad_items(const Embedding& mesh,
-                                                  std::span<const std::uint8_t> marked_points);
+                                                  std::span<const std::uint8_t> marked);
 
 }  // namespace dupin::detail

@@ -1,7 +1,6 @@
 #include "mesh_part.h"
 
 #include <algorithm>
-#include <map>
 
 #include "arrangement/blocks.h"
 #include "arrangement/bulk_vector.h"
@@ -10,9 +9,8 @@
 namespace dupin::detail {
 namespace {
 
-/// A part with more of the triangles than one in so many saves little, and so it does where edits
-/// may change many.
-constexpr std::size_t kShare = 4, kLargestCore = 8192;
+/// A part with more of the triangles than one in so many saves little.
+constexpr std::size_t kShare = 4;
 
 /// Edits change the triangles of bad items, those around them, and those that share points with
 /// these.
@@ -45,24 +43,6 @@ std::vector<Item> items(std::span<const Item> of_whole, std::span<const std::uin
   return chosen;
 }
 
-/// Ascending.
-std::vector<std::uint32_t> corners(std::span<const Triangle> triangles,
-                                   std::span<const std::uint32_t> faces) {
-  std::vector<std::uint32_t> points;
-  points.reserve(3 * faces.size());
-  for (const std::uint32_t face : faces) {
-    points.insert(points.end(), triangles[face].begin(), triangles[face].end());
-  }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
-}
-
-std::uint32_t position(const std::vector<std::uint32_t>& ascending, std::uint32_t number) {
-  return static_cast<std::uint32_t>(std::ranges::lower_bound(ascending, number) -
-                                    ascending.begin());
-}
-
 FramedTriangle framed(const BoxFrame& frame, std::span<const Vec3> points,
                       const Triangle& triangle) {
   const auto& [a, b, c] = triangle;
@@ -75,7 +55,7 @@ template <class Visit>
 std::vector<std::uint32_t> visit_near(const BoxFrame& frame, std::span<const Vec3> points,
                                       std::span<const Triangle> triangles, const BoxTree& tree,
                                       const Visit& visit) {
-  constexpr std::size_t kBlock = 512;  // mostly neighbours, far from all but few
+  constexpr std::size_t kBlock = 128;  // mostly neighbours, far from all but few
   std::vector<std::vector<std::uint32_t>> parts(block_count(triangles.size(), kBlock));
   const auto visit_block = [&](const Block& block) {
     Vec3 low = points[triangles[block.begin][0]], high = low;
@@ -105,7 +85,7 @@ std::optional<MeshPart> MeshPart::around(const BrokenMesh& whole,
   std::vector<std::uint32_t> core(broken.begin(), broken.end());
   for (int i = 0; i < kRings; ++i) {
     core = ring(whole, core);
-    if (core.size() > kLargestCore) {
+    if (core.size() * kShare > whole.triangles.size()) {
       return std::nullopt;
     }
   }
@@ -121,31 +101,47 @@ std::optional<MeshPart> MeshPart::around(const BrokenMesh& whole,
   if (part.faces_.size() * kShare > whole.triangles.size()) {
     return std::nullopt;
   }
-  part.copy(whole);
-  for (const std::uint32_t v : corners(whole.triangles, core)) {
-    part.complete_[position(part.points_, v)] = 1;
-  }
+  part.copy(whole, core);
   return part;
 }
 
-void MeshPart::copy(const BrokenMesh& whole) {
+void MeshPart::copy(const BrokenMesh& whole, std::span<const std::uint32_t> core) {
+  constexpr std::uint32_t kNone = 0xffffffff;
+  BulkVector<std::uint32_t> number(whole.doubles.size(), kNone);  // in the part
   triangles_ = items(whole.triangles, faces_);
-  points_ = corners(whole.triangles, faces_);
+  for (const Triangle& triangle : triangles_) {
+    for (const std::uint32_t v : triangle) {
+      number[v] = 0;
+    }
+  }
+  for (std::uint32_t v = 0; v < number.size(); ++v) {
+    if (number[v] != kNone) {
+      number[v] = static_cast<std::uint32_t>(points_.size());
+      points_.push_back(v);
+    }
+  }
   for (Triangle& triangle : triangles_) {
     for (std::uint32_t& v : triangle) {
-      v = position(points_, v);
+      v = number[v];
+    }
+  }
+  complete_.resize(points_.size(), 0);
+  for (const std::uint32_t face : core) {
+    for (const std::uint32_t v : whole.triangles[face]) {
+      complete_[number[v]] = 1;
     }
   }
   doubles_ = items(whole.doubles, points_);
   on_lattice_ = items(whole.on_lattice, points_);
   inexact_ = items(whole.inexact, points_);
-  complete_.resize(points_.size(), 0);
   if (!whole.labels.empty()) {
     labels_ = items(whole.labels, faces_);
   }
-  std::map<std::uint32_t, std::uint32_t> first;  // in the part, of those of the whole
+  BulkVector<std::uint32_t> first(whole.doubles.size(), kNone);  // of twins, in the part
   for (std::uint32_t i = 0; i < points_.size(); ++i) {
-    twins_.push_back(first.try_emplace(whole.twins[points_[i]], i).first->second);
+    std::uint32_t& twin = first[whole.twins[points_[i]]];
+    twin = std::min(twin, i);
+    twins_.push_back(twin);
   }
 }
 
@@ -153,7 +149,9 @@ BrokenMesh MeshPart::view() const {
   return {doubles_, on_lattice_, inexact_, triangles_, labels_, twins_, complete_};
 }
 
-std::uint32_t MeshPart::face(std::uint32_t of_whole) const { return position(faces_, of_whole); }
+std::uint32_t MeshPart::face(std::uint32_t of_whole) const {
+  return static_cast<std::uint32_t>(std::ranges::lower_bound(faces_, of_whole) - faces_.begin());
+}
 
 bool MeshPart::meets_rest(const RepairMesh& repaired, const Embedding& whole) const {
   std::vector<std::uint32_t> edited;

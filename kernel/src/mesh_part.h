@@ -55,7 +55,7 @@ class MeshPart {
 
  private:
   explicit MeshPart(const BrokenMesh& whole) : frame_(whole.doubles, whole.triangles) {}
-  void copy(const BrokenMesh& whole);
+  void copy(const BrokenMesh& whole, std::span<const std::uint32_t> core);
 
   BoxFrame frame_;
   std::vector<Box> zones_;  // all triangles whose rounded ones' boxes meet them are in the part

@@ -1,6 +1,6 @@
 #include "repair_attempt.h"
 
-#include <utility>
+#include <algorithm>
 
 #include "arrangement/blocks.h"
 #include "arrangement/bulk_vector.h"
@@ -9,31 +9,31 @@
 namespace dupin::detail {
 namespace {
 
-/// The corners of faces that are not where the solid has them.
-std::vector<std::uint8_t> inexact_points(const RepairMesh& mesh, const BrokenMesh& original,
-                                         const std::vector<std::uint32_t>& faces) {
-  std::vector<std::uint8_t> inexact(mesh.points().size(), 0);
+/// The faces with corners, of the faces given, that are not where the solid has them.
+BulkVector<std::uint8_t> inexact_faces(const RepairMesh& mesh, const BrokenMesh& original,
+                                       const std::vector<std::uint32_t>& faces) {
+  BulkVector<std::uint8_t> inexact(mesh.face_count(), 0);
   for (const std::uint32_t f : faces) {
     for (const std::uint32_t v : mesh.triangle(f)) {
-      inexact[v] = original.inexact[v];
+      for (const std::uint32_t face : mesh.faces(v)) {
+        inexact[face] |= original.inexact[v];
+      }
     }
   }
   return inexact;
 }
 
-/// The corners of faces that are not as in the mesh that is rounded only.
-std::vector<std::uint8_t> differing_points(const RepairMesh& mesh, const BrokenMesh& original) {
-  std::vector<std::uint8_t> differing(mesh.points().size(), 0);
-  for (std::uint32_t v = 0; v < differing.size(); ++v) {
-    differing[v] = mesh.point(v) != original.on_lattice[v] ? 1 : 0;
-  }
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    if (mesh.alive(f) && mesh.triangle(f) != original.triangles[f]) {
-      for (const std::uint32_t v : mesh.triangle(f)) {
-        differing[v] = 1;
-      }
+/// The faces that are not as in the mesh that is rounded only.
+BulkVector<std::uint8_t> differing_faces(const RepairMesh& mesh, const BrokenMesh& original) {
+  BulkVector<std::uint8_t> differing(mesh.face_count());
+  for_each_block(differing.size(), [&](const Block& block) {
+    for (auto f = static_cast<std::uint32_t>(block.begin); f < block.end; ++f) {
+      const Triangle& t = mesh.triangle(f);
+      const bool has_moved = std::ranges::any_of(
+          t, [&](std::uint32_t v) { return mesh.point(v) != original.on_lattice[v]; });
+      differing[f] = mesh.alive(f) && (has_moved || t != original.triangles[f]) ? 1 : 0;
     }
-  }
+  });
   return differing;
 }
 
@@ -59,12 +59,12 @@ std::uint64_t attempt_repair(RepairMesh& mesh, const BrokenMesh& original,
   if (!lattice.holds_doubles()) {
     const Lattice doubles(Coordinates::binary64);
     const auto around = with_neighbours(mesh, with_neighbours(mesh, broken));
-    mesh.find_bad_items(inexact_points(mesh, original, around));
+    mesh.find_bad_items(inexact_faces(mesh, original, around));
     left = repair(mesh, doubles, reach / lattice.step(largest) * doubles.step(largest), left);
     clean_up(mesh, reach, with_neighbours(mesh, broken));
     place_on_lattice(mesh, original, lattice);
   }
-  mesh.find_bad_items(differing_points(mesh, original), broken_pairs);
+  mesh.find_bad_items(differing_faces(mesh, original), broken_pairs);
   return repair(mesh, lattice, reach, left);
 }
 

@@ -66,9 +66,9 @@ class RepairMesh {
   /// Moves all points without asking.
   void place(BulkVector<Vec3> points);
 
-  /// Looks for all bad items that involve a face with a marked point. The caller knows that there
-  /// are no others but those of `known` that involve none.
-  void find_bad_items(std::span<const std::uint8_t> marked_points,
+  /// Looks for all bad items that involve a marked face, a mark per face. The caller knows that
+  /// there are no others but those of `known` that involve none.
+  void find_bad_items(std::span<const std::uint8_t> marked,
                       std::span<const BadItem> known = {});
   /// Those found and not yet removed, and those that edits have made; ascending.
   [[nodiscard]] std::vector<BadItem> bad_items() const;
@@ -88,8 +88,7 @@ class RepairMesh {
   [[nodiscard]] Box box(std::uint32_t face) const;
   [[nodiscard]] FramedTriangle framed(std::uint32_t face) const;
   BoxTree& tree();
-  template <class Marked>
-  void find_bad_items_of(std::uint32_t face, const Marked& marked);
+  void find_bad_items_of(std::uint32_t face, std::span<const std::uint8_t> marked);
   [[nodiscard]] std::vector<BadItem> known_bad(std::span<const std::uint32_t> faces) const;
   [[nodiscard]] bool promising(std::span<const std::uint32_t> faces, const Terms& terms) const;
   [[nodiscard]] bool settle(std::span<const std::uint32_t> before,

@@ -21,49 +21,50 @@ bool RepairMesh::is_bad(const BadItem& item) const {
 }
 
 /// Of a marked face: those with other marked ones once, from the lower.
-template <class Marked>
-void RepairMesh::find_bad_items_of(std::uint32_t face, const Marked& marked) {
+void RepairMesh::find_bad_items_of(std::uint32_t face, std::span<const std::uint8_t> marked) {
   if (degenerate(face)) {
     remember({face, face});
     return;
   }
   tree().visit(box(face), framed(face), [&](std::uint32_t other) {
-    const bool is_first = face < other || (face != other && !marked(other));
+    const bool is_first = face < other || (face != other && marked[other] == 0);
     if (is_first && alive(other) && !degenerate(other) && bad_pair(face, other)) {
       remember({std::min(face, other), std::max(face, other)});
     }
   });
 }
 
-void RepairMesh::find_bad_items(std::span<const std::uint8_t> marked_points,
+void RepairMesh::find_bad_items(std::span<const std::uint8_t> marked,
                                 std::span<const BadItem> known) {
-  const auto marked = [&](std::uint32_t face) {
-    return std::ranges::any_of(triangles_[face],
-                               [&](std::uint32_t v) { return marked_points[v] != 0; });
-  };
   bad_.clear();
   for (const BadItem& item : known) {
-    if (alive(item.first) && alive(item.second) && !marked(item.first) && !marked(item.second)) {
+    if (alive(item.first) && alive(item.second) && marked[item.first] == 0 &&
+        marked[item.second] == 0) {
       remember(item);
     }
   }
   if (!complete_.empty()) {  // a part is not closed, which the search in whole meshes relies on
     for (std::uint32_t f = 0; f < face_count(); ++f) {
-      if (alive(f) && marked(f)) {
+      if (alive(f) && marked[f] != 0) {
         find_bad_items_of(f, marked);
       }
     }
     return;
   }
   if (std::ranges::find(alive_, 0) == alive_.end()) {
-    for (const BadItem& item : detail::find_bad_items(embedding(), marked_points)) {
+    for (const BadItem& item : detail::find_bad_items(embedding(), marked)) {
       remember(item);
     }
     return;
   }
   const BulkVector<std::uint32_t> faces = alive_faces();
+  BulkVector<std::uint8_t> marks;
+  marks.reserve(faces.size());
+  for (const std::uint32_t f : faces) {
+    marks.push_back(marked[f]);
+  }
   const BulkVector<Triangle> triangles = triangles_of(faces);
-  for (const BadItem& item : detail::find_bad_items({points_, triangles, twins_}, marked_points)) {
+  for (const BadItem& item : detail::find_bad_items({points_, triangles, twins_}, marks)) {
     remember({faces[item.first], faces[item.second]});
   }
 }

@@ -84,7 +84,8 @@ class detail::Rounding {
 
   Rounded run() {
     const std::vector<BadItem> bad =
-        detail::find_bad_items({rounded_.on_lattice, exact_.triangles, twins_}, rounded_.moved);
+        detail::find_bad_items({rounded_.on_lattice, exact_.triangles, twins_},
+                               detail::marked_faces(exact_.triangles, rounded_.moved));
     const MeshView direct(rounded_.on_lattice, exact_.triangles);
     const double move = largest_move(rounded_.largest_move);
     if (bad.empty() && exact_.contacts.empty() &&

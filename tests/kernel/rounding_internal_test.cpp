@@ -270,7 +270,7 @@ TEST_F(Edit, repairs_what_random_moves_have_broken) {
     twins.resize(shape.points.size());
     std::iota(twins.begin(), twins.end(), 0);
     RepairMesh tube = mesh();
-    tube.find_bad_items(std::vector<std::uint8_t>(shape.points.size(), 1));
+    tube.find_bad_items(std::vector<std::uint8_t>(shape.triangles.size(), 1));
     const std::size_t before = tube.bad_items().size();
     repair(tube, lattice, 2, 1'000'000);
     const Report after = check(result(tube));
