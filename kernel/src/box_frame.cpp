@@ -65,17 +65,6 @@ BulkVector<FramedPoint> BoxFrame::map(std::span<const Vec3> points) const {
   return mapped;
 }
 
-Box BoxFrame::around(const Vec3& low, const Vec3& high) const {
-  Box box = Box::nothing();
-  for (const double x : {low[0], high[0]}) {
-    for (const double y : {low[1], high[1]}) {
-      const FramedPoint near = map({x, y, low[2]}), far = map({x, y, high[2]});
-      box.join(around({near, far, far}));
-    }
-  }
-  return box;
-}
-
 Box BoxFrame::around(const FramedTriangle& triangle, double margin) const {
   const float more = static_cast<float>(margin * scale_) + 2 * kRounding;
   Box box = around(triangle);

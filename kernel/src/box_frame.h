@@ -65,8 +65,6 @@ class BoxFrame {
     }
     return box;
   }
-  /// Of all between two points, each coordinate by itself.
-  [[nodiscard]] Box around(const Vec3& low, const Vec3& high) const;
   /// Contains the boxes of triangles with corners within `margin` of these.
   [[nodiscard]] Box around(const FramedTriangle& triangle, double margin) const;
 

@@ -39,7 +39,7 @@ Box FaceBoxes::around(std::uint32_t face, double reach) const {
   const Vec3 margin = Vec3::Constant(reach);
   const Vec3 low = (a.cwiseMin(b).cwiseMin(c) - margin).unaryExpr(down).cwiseMax(low_);
   const Vec3 high = (a.cwiseMax(b).cwiseMax(c) + margin).unaryExpr(up).cwiseMin(high_);
-  return frame_.around(low, high);
+  return frame_.around(frame_.map(low, high, high));
 }
 
 }  // namespace dupin::detail

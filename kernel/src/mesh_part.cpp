@@ -49,32 +49,15 @@ FramedTriangle framed(const BoxFrame& frame, std::span<const Vec3> points,
   return frame.map(points[a], points[b], points[c]);
 }
 
-/// Calls visit(face, its box, found) for the faces with boxes near those in the tree. Returns what
-/// that appends to `found`, in the order of the faces.
-template <class Visit>
-std::vector<std::uint32_t> visit_near(const BoxFrame& frame, std::span<const Vec3> points,
-                                      std::span<const Triangle> triangles, const BoxTree& tree,
-                                      const Visit& visit) {
-  constexpr std::size_t kBlock = 128;  // mostly neighbours, far from all but few
-  std::vector<std::vector<std::uint32_t>> parts(block_count(triangles.size(), kBlock));
-  const auto visit_block = [&](const Block& block) {
-    Vec3 low = points[triangles[block.begin][0]], high = low;
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      for (const std::uint32_t v : triangles[i]) {
-        low = low.cwiseMin(points[v]);
-        high = high.cwiseMax(points[v]);
-      }
-    }
-    const std::size_t end = tree.overlaps(frame.around(low, high)) ? block.end : block.begin;
-    for (std::size_t i = block.begin; i < end; ++i) {
-      const Box own = frame.around(framed(frame, points, triangles[i]));
-      if (tree.overlaps(own)) {
-        visit(static_cast<std::uint32_t>(i), own, parts[block.number]);
-      }
-    }
-  };
-  for_each_block(triangles.size(), visit_block, kBlock);
-  return joined(std::move(parts));
+/// The triangles with boxes near those in the tree.
+std::vector<std::uint32_t> faces_near(const BoxTree& tree, const BoxFrame& frame,
+                                      std::span<const Vec3> points,
+                                      std::span<const Triangle> triangles) {
+  const BulkVector<FramedPoint> mapped = frame.map(points);
+  return tree.overlapping(triangles.size(), [&](std::uint32_t face) {
+    const auto& [a, b, c] = triangles[face];
+    return frame.around({mapped[a], mapped[b], mapped[c]});
+  });
 }
 
 }  // namespace
@@ -94,10 +77,7 @@ std::optional<MeshPart> MeshPart::around(const BrokenMesh& whole,
     part.zones_.push_back(part.frame_.around(
         framed(part.frame_, whole.doubles, whole.triangles[face]), 2 * (reach + step)));
   }
-  part.faces_ = visit_near(part.frame_, whole.on_lattice, whole.triangles, BoxTree(part.zones_),
-                           [](std::uint32_t face, const Box&, std::vector<std::uint32_t>& found) {
-                             found.push_back(face);
-                           });
+  part.faces_ = faces_near(BoxTree(part.zones_), part.frame_, whole.on_lattice, whole.triangles);
   if (part.faces_.size() * kShare > whole.triangles.size()) {
     return std::nullopt;
   }
@@ -172,14 +152,14 @@ bool MeshPart::meets_rest(const RepairMesh& repaired, const Embedding& whole) co
     return false;
   }
   const BoxTree tree(outside);
-  const auto meets = [&](std::uint32_t face, const Box& own, std::vector<std::uint32_t>& found) {
-    tree.visit(own, [&](std::uint32_t i) {
-      if (!std::ranges::binary_search(faces_, face) && is_bad_pair(whole, edited[i], face)) {
-        found.push_back(face);
-      }
-    });
-  };
-  return !visit_near(frame_, whole.points, whole.triangles, tree, meets).empty();
+  bool meets = false;
+  for (const std::uint32_t face : faces_near(tree, frame_, whole.points, whole.triangles)) {
+    if (!std::ranges::binary_search(faces_, face)) {
+      tree.visit(frame_.around(framed(frame_, whole.points, whole.triangles[face])),
+                 [&](std::uint32_t i) { meets = meets || is_bad_pair(whole, edited[i], face); });
+    }
+  }
+  return meets;
 }
 
 void MeshPart::put(const RepairMesh& repaired, TriMesh& whole, std::vector<Source>& sources) const {

@@ -58,7 +58,7 @@ std::uint64_t attempt_repair(RepairMesh& mesh, const BrokenMesh& original,
   std::uint64_t left = trials;
   if (!lattice.holds_doubles()) {
     const Lattice doubles(Coordinates::binary64);
-    const auto around = with_neighbours(mesh, with_neighbours(mesh, broken));
+    const auto around = with_neighbours(mesh, broken);
     mesh.find_bad_items(inexact_faces(mesh, original, around));
     left = repair(mesh, doubles, reach / lattice.step(largest) * doubles.step(largest), left);
     clean_up(mesh, reach, with_neighbours(mesh, broken));

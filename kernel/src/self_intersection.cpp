@@ -37,8 +37,7 @@ class Search {
     if (active_.empty()) {
       return {};
     }
-    placed_ = in_order_of(tree_, active_);
-    SelfIntersections found = examined(TreePairs(tree_), placed_);
+    SelfIntersections found = examined(TreePairs(tree_), {tree_, active_});
     if (active_.size() < triangles_.size()) {
       found = joined(std::move(found), examined_passive());
     }
@@ -52,12 +51,14 @@ class Search {
   }
 
  private:
-  struct Placed {
-    Triangle corners;
-    std::uint32_t face;
+  /// What the items of a tree are.
+  struct Items {
+    const BoxTree& tree;
+    std::span<const std::uint32_t> faces;
+    std::uint32_t face(std::uint32_t place) const { return faces[tree.items()[place]]; }
   };
 
-  /// Fills all but placed_ and returns the tree over the active triangles.
+  /// Fills what comes before it and returns the tree over the active triangles.
   BoxTree prepare() {
     for (std::uint32_t i = 0; i < points_.size() && !touching_apart_; ++i) {
       touching_apart_ = first_[i] != i;
@@ -153,15 +154,15 @@ class Search {
     return options_.active.empty() || options_.active[triangle] != 0;
   }
 
-  /// Examines pairs of the triangles in the order of the one tree, and the active ones.
-  SelfIntersections examined(const TreePairs& pairs, std::span<const Placed> placed) const {
+  /// Examines pairs of the one tree's triangles and the active ones.
+  SelfIntersections examined(const TreePairs& pairs, const Items& items) const {
     constexpr std::size_t kTasks = 512;
     const std::vector<TreePairs::Nodes> tasks = pairs.tasks(kTasks);
     return tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, tasks.size()), SelfIntersections{},
         [&](const auto& range, SelfIntersections part) {
           for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            examine(pairs, tasks[i], placed, part);
+            examine(pairs, tasks[i], items, part);
           }
           return part;
         },
@@ -170,50 +171,38 @@ class Search {
         });
   }
 
-  void examine(const TreePairs& pairs, const TreePairs::Nodes& nodes,
-               std::span<const Placed> placed, SelfIntersections& found) const {
+  void examine(const TreePairs& pairs, const TreePairs::Nodes& nodes, const Items& items,
+               SelfIntersections& found) const {
+    const Items others{tree_, active_};
     std::optional<TriangleProbe> probe;
     std::uint32_t probed = 0;
     pairs.visit(nodes, [&](std::uint32_t i, std::uint32_t k) {
-      const Placed &one = placed[i], &other = placed_[k];
-      if (share_flat_star(one.corners, other.corners)) {
-        record(one.face, other.face, Meeting::none, found);
+      const std::uint32_t face = items.face(i), other = others.face(k);
+      if (share_flat_star(corners_[face], corners_[other])) {
+        record(face, other, Meeting::none, found);
         return;
       }
       if (!probe || probed != i) {
-        probe.emplace(points_, one.corners);
+        probe.emplace(points_, corners_[face]);
         probed = i;
       }
-      record(one.face, other.face, probe->meeting(other.corners), found);
+      record(face, other, probe->meeting(corners_[other]), found);
     });
-  }
-
-  [[nodiscard]] std::vector<Placed> in_order_of(const BoxTree& tree,
-                                                std::span<const std::uint32_t> faces) const {
-    std::vector<Placed> placed;
-    placed.reserve(faces.size());
-    for (const std::uint32_t item : tree.items()) {
-      placed.push_back({corners_[faces[item]], faces[item]});
-    }
-    return placed;
   }
 
   /// Pairs of a passive and an active triangle.
   SelfIntersections examined_passive() const {
-    const auto near = collect_in_order<std::uint32_t>(
-        triangles_.size(), [&](std::size_t i, std::vector<std::uint32_t>& found) {
-          const auto face = static_cast<std::uint32_t>(i);
-          if (!active(face) && tree_.overlaps(box(face)) && !is_degenerate(face)) {
-            found.push_back(face);
-          }
-        });
-    BulkVector<Box> boxes;
-    boxes.reserve(near.size());
-    for (const std::uint32_t face : near) {
-      boxes.push_back(box(face));
-    }
+    const auto near = tree_.overlapping(triangles_.size(), [&](std::uint32_t face) {
+      return active(face) ? Box::nothing() : box(face);
+    });
+    BulkVector<Box> boxes(near.size());
+    for_each_block(near.size(), [&](const Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        boxes[i] = is_degenerate(near[i]) ? Box::nothing() : box(near[i]);
+      }
+    });
     const BoxTree tree(std::move(boxes), [&](std::uint32_t i) { return framed(near[i]); });
-    return examined(TreePairs(tree, tree_), in_order_of(tree, near));
+    return examined(TreePairs(tree, tree_), {tree, near});
   }
 
   /// Whether the triangles have a corner in common around which triangles keep apart.
@@ -296,8 +285,7 @@ class Search {
   std::vector<std::uint8_t> degenerate_;
   std::vector<std::uint32_t> active_;
   std::vector<std::uint32_t> groups_, flat_stars_;  // empty if few triangles are active
-  BoxTree tree_;
-  std::vector<Placed> placed_;  // the active triangles in the order of the tree
+  BoxTree tree_;                                    // over the active triangles
 };
 
 }  // namespace

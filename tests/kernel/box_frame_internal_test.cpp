@@ -128,15 +128,5 @@ TEST_F(TurnedFrame, has_wider_boxes_around_what_may_move) {
   }
 }
 
-TEST_F(TurnedFrame, has_boxes_around_upright_ones) {
-  for (int round = 0; round < 1000; ++round) {
-    const std::vector<Vec3> points = {any(1), any(1), any(1)};
-    const Vec3 low = points[0].cwiseMin(points[1]).cwiseMin(points[2]);
-    const Vec3 high = points[0].cwiseMax(points[1]).cwiseMax(points[2]);
-    ASSERT_TRUE(
-        frame_.around(low, high).contains(frame_.around(mapped(frame_, points, {0, 1, 2}))));
-  }
-}
-
 }  // namespace
 }  // namespace dupin::detail
