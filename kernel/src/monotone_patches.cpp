@@ -53,12 +53,18 @@ void for_each_bundle(std::span<const OuterEdge> sorted, Visit&& visit) {
   }
 }
 
+Patches none(std::size_t points, std::size_t triangles) {
+  return {std::vector<std::uint32_t>(triangles, Patches::kNone), 0,
+          std::vector<std::uint8_t>(points, 0)};
+}
+
 class PatchSearch {
  public:
-  PatchSearch(std::span<const Vec3> points, std::span<const Triangle> triangles, bool closed)
+  PatchSearch(std::span<const Vec3> points, std::span<const Triangle> triangles,
+              const PatchOptions& options)
       : points_(points),
         triangles_(triangles),
-        closed_(closed),
+        options_(options),
         ways_(triangles.size()),
         ways_at_(points.size(), 0),
         patch_(triangles.size()),
@@ -66,6 +72,9 @@ class PatchSearch {
 
   Patches run() {
     find_ways();
+    if (!is_smooth()) {
+      return none(points_.size(), triangles_.size());
+    }
     std::vector<std::uint32_t> faces(triangles_.size());
     std::iota(faces.begin(), faces.end(), 0U);
     std::vector<OuterEdge> edges = outer_edges(faces);
@@ -117,10 +126,22 @@ class PatchSearch {
     });
   }
 
+  [[nodiscard]] bool faces_one_way(std::uint32_t point) const {
+    const unsigned ways = ways_at_[point] & ~unsigned{kMark};
+    return (ways & (ways - 1)) == 0 && ways != kNoWayBit;
+  }
+
   /// True only if all triangles around a point are of one patch, which does not end there.
   [[nodiscard]] bool is_inner(std::uint32_t point) const {
-    const unsigned ways = ways_at_[point] & ~unsigned{kMark};
-    return closed_ && (ways & (ways - 1)) == 0 && ways != kNoWayBit;
+    return options_.closed && faces_one_way(point);
+  }
+
+  [[nodiscard]] bool is_smooth() const {
+    std::size_t smooth = 0;
+    for (std::uint32_t v = 0; v < points_.size(); ++v) {
+      smooth += faces_one_way(v) ? 1 : 0;
+    }
+    return static_cast<double>(smooth) >= options_.smooth * static_cast<double>(points_.size());
   }
 
   [[nodiscard]] std::vector<OuterEdge> outer_edges(const std::vector<std::uint32_t>& faces) const {
@@ -288,7 +309,7 @@ class PatchSearch {
 
   std::span<const Vec3> points_;
   std::span<const Triangle> triangles_;
-  bool closed_;
+  PatchOptions options_;
   std::vector<Way> ways_;              // of triangles
   std::vector<std::uint8_t> ways_at_;  // of triangles around each point, a bit each
   std::vector<std::uint32_t> patch_;   // of triangles; ways at first
@@ -298,12 +319,11 @@ class PatchSearch {
 }  // namespace
 
 Patches monotone_patches(std::span<const Vec3> points, std::span<const Triangle> triangles,
-                         bool closed) {
+                         const PatchOptions& options) {
   if (points.size() + 2 * triangles.size() >= Patches::kNone) {  // more than numbers for patches
-    return {std::vector<std::uint32_t>(triangles.size(), Patches::kNone), 0,
-            std::vector<std::uint8_t>(points.size(), 0)};
+    return none(points.size(), triangles.size());
   }
-  return PatchSearch(points, triangles, closed).run();
+  return PatchSearch(points, triangles, options).run();
 }
 
 }  // namespace dupin::detail

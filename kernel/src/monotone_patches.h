@@ -17,15 +17,23 @@ struct Patches {
   static constexpr std::uint32_t kNone = 0xffffffff;
 };
 
+struct PatchOptions {
+  bool closed = false;  ///< promises that every edge is run through as often one way as the other;
+                        ///< it saves work
+  /// The share of points whose triangles must all face the same way; else there are no patches. On
+  /// rough surfaces it takes longer to prove them than to look at pairs of triangles.
+  double smooth = 0;
+};
+
 /// Patches whose triangles certainly meet each other in nothing but corners and edges that they
 /// share: seen along an axis of coordinates, the patch is monotone. All its triangles turn the same
 /// way, and the edges at which it ends make simple closed curves, apart from each other, that wind
 /// about every place once or not at all. As many triangles lie over a place as the curves wind
 /// about it; so no two lie over each other.
 ///
-/// `closed` promises that every edge is run through as often one way as the other; it saves work.
 /// O(n) for the inside of patches, O(n log n) for their borders.
 [[nodiscard]] Patches monotone_patches(std::span<const Vec3> points,
-                                       std::span<const Triangle> triangles, bool closed);
+                                       std::span<const Triangle> triangles,
+                                       const PatchOptions& options = {});
 
 }  // namespace dupin::detail

@@ -28,7 +28,6 @@ class Search {
         identical_(options.same.empty() ? first_identical(points) : std::vector<std::uint32_t>()),
         first_(options.same.empty() ? std::span<const std::uint32_t>(identical_) : options.same),
         frame_(points, triangles),
-        framed_(frame_.map(points)),
         corners_(triangles),
         degenerate_(triangles.size()),
         tree_(prepare()) {}
@@ -78,6 +77,9 @@ class Search {
       std::iota(active_.begin(), active_.end(), 0U);
       find_groups();
     }
+    if (!active_.empty()) {
+      framed_ = frame_.map(points_);
+    }
     BulkVector<Box> boxes(active_.size());
     for_each_block(active_.size(), [&](const Block& block) {
       for (std::size_t i = block.begin; i < block.end; ++i) {
@@ -104,7 +106,9 @@ class Search {
 
   /// Finds groups of triangles that certainly keep apart.
   void find_groups() {
-    Patches patches = monotone_patches(points_, triangles_, options_.closed);
+    constexpr double kSmooth = 0.8;  // tees and chains have 0.9, headers and racks up to 0.7
+    Patches patches =
+        monotone_patches(points_, triangles_, {.closed = options_.closed, .smooth = kSmooth});
     groups_ = std::move(patches.of_triangle);
     if (touching_apart_) {
       for (std::uint32_t i = 0; i < points_.size(); ++i) {

@@ -133,18 +133,13 @@ constexpr std::uint8_t kOwn = 1, kForeign = 2;
 /// The triangles with an own corner and without a foreign one.
 std::vector<std::uint32_t> own_faces(std::span<const Triangle> triangles,
                                      std::span<const std::uint8_t> marks) {
-  std::vector<std::vector<std::uint32_t>> parts(block_count(triangles.size()));
-  for_each_block(triangles.size(), [&](const Block& block) {
-    std::vector<std::uint32_t> part;
-    for (std::size_t face = block.begin; face < block.end; ++face) {
-      const auto& [a, b, c] = triangles[face];
-      if ((marks[a] | marks[b] | marks[c]) == kOwn) {
-        part.push_back(static_cast<std::uint32_t>(face));
-      }
-    }
-    parts[block.number] = std::move(part);
-  });
-  return joined(std::move(parts));
+  return collect_in_order<std::uint32_t>(triangles.size(),
+                                         [&](std::size_t face, std::vector<std::uint32_t>& found) {
+                                           const auto& [a, b, c] = triangles[face];
+                                           if ((marks[a] | marks[b] | marks[c]) == kOwn) {
+                                             found.push_back(static_cast<std::uint32_t>(face));
+                                           }
+                                         });
 }
 
 /// A connected part of the surface that does not stay, with the triangles next to it.

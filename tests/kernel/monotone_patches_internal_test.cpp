@@ -81,11 +81,11 @@ std::size_t largest(const Patches& patches) {
 
 TEST(MonotonePatches, are_few_on_smooth_surfaces) {
   const Mesh mesh = torus(64, 256, 10, 2);
-  const Patches patches = monotone_patches(mesh.points, mesh.triangles, true);
+  const Patches patches = monotone_patches(mesh.points, mesh.triangles, {.closed = true});
   EXPECT_LE(patches.count, 40);
   EXPECT_EQ(std::ranges::count(patches.of_triangle, Patches::kNone), 0);
   EXPECT_GT(largest(patches), mesh.triangles.size() / 8);
-  EXPECT_EQ(monotone_patches(mesh.points, mesh.triangles, false).of_triangle, patches.of_triangle);
+  EXPECT_EQ(monotone_patches(mesh.points, mesh.triangles).of_triangle, patches.of_triangle);
 }
 
 TEST(MonotonePatches, are_apart_on_rough_surfaces) {
@@ -95,12 +95,28 @@ TEST(MonotonePatches, are_apart_on_rough_surfaces) {
     Mesh mesh = torus(6 + round % 5, 9 + round % 7, 2, round % 2 == 0 ? 1 : 1.9);
     shake(mesh, 0.02 * (round % 40), random);
     for (const bool closed : {true, false}) {
-      pairs += expect_apart(mesh, monotone_patches(mesh.points, mesh.triangles, closed));
+      pairs +=
+          expect_apart(mesh, monotone_patches(mesh.points, mesh.triangles, {.closed = closed}));
     }
     crossing += find_self_intersections(mesh.points, mesh.triangles).none() ? 0 : 1;
   }
   EXPECT_GT(pairs, 100000);
   EXPECT_GT(crossing, 100);
+}
+
+TEST(MonotonePatches, are_not_sought_where_fewer_points_are_smooth_than_asked_for) {
+  Mesh mesh = torus(64, 256, 10, 2);
+  const auto patches = [&](double smooth) {
+    return monotone_patches(mesh.points, mesh.triangles, {.closed = true, .smooth = smooth});
+  };
+  EXPECT_EQ(patches(0.8).of_triangle, patches(0).of_triangle);
+  std::mt19937 random(8);
+  shake(mesh, 0.2, random);
+  EXPECT_GT(patches(0).count, 0);
+  const Patches none = patches(0.8);
+  EXPECT_EQ(none.count, 0);
+  EXPECT_EQ(std::ranges::count(none.of_triangle, Patches::kNone), mesh.triangles.size());
+  EXPECT_EQ(std::ranges::count(none.is_inner, 1), 0);
 }
 
 TEST(MonotonePatches, are_apart_where_points_lie_on_a_coarse_grid) {
@@ -112,7 +128,7 @@ TEST(MonotonePatches, are_apart_where_points_lie_on_a_coarse_grid) {
     for (Vec3& p : mesh.points) {
       p = p.array().round();
     }
-    pairs += expect_apart(mesh, monotone_patches(mesh.points, mesh.triangles, true));
+    pairs += expect_apart(mesh, monotone_patches(mesh.points, mesh.triangles, {.closed = true}));
   }
   EXPECT_GT(pairs, 10000);
 }
@@ -132,7 +148,7 @@ TEST(MonotonePatches, are_apart_in_soups) {
                           static_cast<std::uint32_t>(random() % 8)};
       soup.triangles.push_back(t);
     }
-    pairs += expect_apart(soup, monotone_patches(soup.points, soup.triangles, false));
+    pairs += expect_apart(soup, monotone_patches(soup.points, soup.triangles));
   }
   EXPECT_GT(pairs, 1000);
 }
@@ -150,7 +166,7 @@ TEST(MonotonePatches, do_not_lie_over_themselves) {
       ramp.triangles.push_back({2 * i, 2 * i + 3, 2 * i + 2});
     }
   }
-  const Patches patches = monotone_patches(ramp.points, ramp.triangles, false);
+  const Patches patches = monotone_patches(ramp.points, ramp.triangles);
   const double turns = 0.1 * kSteps / (2 * std::numbers::pi);
   EXPECT_LT(static_cast<double>(largest(patches)),
             1.001 * static_cast<double>(ramp.triangles.size()) / turns);
@@ -166,7 +182,7 @@ TEST(MonotonePatches, go_round_a_point_once) {
     mesh.points.emplace_back(std::cos(angle), std::sin(angle), 0.01 * i);
     mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % 16});
   }
-  const Patches patches = monotone_patches(mesh.points, mesh.triangles, false);
+  const Patches patches = monotone_patches(mesh.points, mesh.triangles);
   expect_apart(mesh, patches);
   EXPECT_LE(largest(patches), 8);
 }
