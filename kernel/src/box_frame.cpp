@@ -9,8 +9,8 @@
 namespace dupin::detail {
 namespace {
 
-/// To round to floats, numbers below 1, errs by 2^-25, and so does taking a margin off; what is
-/// done in doubles errs by far less.
+/// Rounding to floats is monotone, but the products before it err, by less than 2^-48. Two ulps of
+/// floats below 1, one of which is lost where they are added, are more than that.
 constexpr float kRounding = 0x1p-23F;
 
 }  // namespace

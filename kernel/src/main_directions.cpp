@@ -1,6 +1,7 @@
 #include "main_directions.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include <Eigen/Geometry>

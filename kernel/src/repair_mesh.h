@@ -68,8 +68,7 @@ class RepairMesh {
 
   /// Looks for all bad items that involve a marked face, a mark per face. The caller knows that
   /// there are no others but those of `known` that involve none.
-  void find_bad_items(std::span<const std::uint8_t> marked,
-                      std::span<const BadItem> known = {});
+  void find_bad_items(std::span<const std::uint8_t> marked, std::span<const BadItem> known = {});
   /// Those found and not yet removed, and those that edits have made; ascending.
   [[nodiscard]] std::vector<BadItem> bad_items() const;
   [[nodiscard]] bool is_bad(const BadItem& item) const;

@@ -1,4 +1,4 @@
-#include <limits>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -7,6 +7,7 @@
 
 #include "box_frame.h"
 #include "main_directions.h"
+#include "self_intersection.h"
 #include "support/pipe_cases.h"
 #include "triangle_meeting.h"
 
@@ -78,6 +79,45 @@ TEST(MainDirections, are_none_where_numbers_fail) {
   EXPECT_FALSE(main_directions(scaled(1e300), mesh.triangles));
   EXPECT_FALSE(main_directions(scaled(1e-300), mesh.triangles));
   EXPECT_FALSE(main_directions({}, {}));
+}
+
+/// All pairs that meet otherwise than neighbours do and of which one is active.
+std::vector<FacePair> compared(const TriMesh& mesh, std::span<const std::uint8_t> active) {
+  std::vector<FacePair> found;
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    const TriangleProbe probe(mesh.points, mesh.triangles[f]);
+    for (std::uint32_t g = f + 1; g < mesh.triangles.size(); ++g) {
+      const Meeting meeting = probe.meeting(mesh.triangles[g]);
+      if ((active[f] != 0 || active[g] != 0) && meeting != Meeting::none) {
+        using Kind = FacePair::Kind;
+        found.push_back({f, g, meeting == Meeting::overlap ? Kind::overlap : Kind::crossing});
+      }
+    }
+  }
+  return found;
+}
+
+TEST(SelfIntersection, of_turned_pipes_is_found_in_turned_boxes) {
+  std::mt19937 random(20261122);
+  std::size_t pairs = 0;
+  for (const char* name : {"tee_n128_rot", "steinmetz_rot", "tangent_perp_rot"}) {
+    const TriMesh mesh = soup(name);
+    ASSERT_TRUE(main_directions(mesh.points, mesh.triangles)) << name;
+    std::vector<std::uint32_t> apart(mesh.points.size());  // points that coincide are not the same
+    std::iota(apart.begin(), apart.end(), 0U);
+    for (const unsigned share : {100U, 60U, 30U, 10U}) {  // of active triangles, per cent
+      std::vector<std::uint8_t> active(mesh.triangles.size());
+      for (std::uint8_t& is_active : active) {
+        is_active = random() % 100 < share ? 1 : 0;
+      }
+      const auto found =
+          find_self_intersections(mesh.points, mesh.triangles, {.active = active, .same = apart})
+              .pairs;
+      EXPECT_TRUE(found == compared(mesh, active)) << name << " " << share;
+      pairs += found.size();
+    }
+  }
+  EXPECT_GT(pairs, 1000);
 }
 
 class TurnedFrame : public testing::Test {
