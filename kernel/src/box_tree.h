@@ -10,7 +10,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "arrangement/blocks.h"
 #include "arrangement/bulk_vector.h"
 #include "box_frame.h"
 #include "oriented_box.h"
@@ -36,11 +35,6 @@ class BoxTree {
 
   /// Whether `box` overlaps the box around some neighbouring items.
   [[nodiscard]] bool overlaps(const Box& box) const;
-  /// The indices below `count` of boxes that overlap the box around some neighbouring items,
-  /// ascending. Quick where boxes with near indices are near each other.
-  template <class BoxOf>
-  [[nodiscard]] std::vector<std::uint32_t> overlapping(std::size_t count,
-                                                       const BoxOf& box_of) const;
   /// Calls visit(item) for every item whose box overlaps `box`.
   template <class Visit>
   void visit(const Box& box, Visit&& visit) const {
@@ -153,30 +147,6 @@ double BoxTree::orient_if_crowded(Triangles&& triangle) {
   });
   orient_inner_nodes();
   return crowding();
-}
-
-template <class BoxOf>
-std::vector<std::uint32_t> BoxTree::overlapping(std::size_t count, const BoxOf& box_of) const {
-  constexpr std::size_t kTogether = 64;
-  std::vector<std::vector<std::uint32_t>> parts(block_count(count));
-  for_each_block(count, [&](const Block& block) {
-    std::array<Box, kTogether> boxes;
-    for (std::size_t begin = block.begin; begin < block.end; begin += kTogether) {
-      const std::size_t size = std::min(kTogether, block.end - begin);
-      Box all = Box::nothing();
-      for (std::size_t i = 0; i < size; ++i) {
-        boxes[i] = box_of(static_cast<std::uint32_t>(begin + i));
-        all.join(boxes[i]);
-      }
-      const std::size_t end = overlaps(all) ? size : 0;
-      for (std::size_t i = 0; i < end; ++i) {
-        if (overlaps(boxes[i])) {
-          parts[block.number].push_back(static_cast<std::uint32_t>(begin + i));
-        }
-      }
-    }
-  });
-  return joined(std::move(parts));
 }
 
 template <class Visit>

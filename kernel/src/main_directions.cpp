@@ -67,6 +67,16 @@ double box_surface(const std::vector<std::array<Vec3, 3>>& some, const Eigen::Ma
 
 }  // namespace
 
+Eigen::Matrix3d orthonormal(const Vec3& first, const Vec3& second) {
+  Eigen::Matrix3d axes;
+  const Vec3 a = first.normalized();
+  Vec3 b = second - second.dot(a) * a;
+  b.normalize();
+  b = (b - b.dot(a) * a).normalized();
+  axes << a.transpose(), b.transpose(), a.cross(b).transpose();
+  return axes;
+}
+
 std::optional<Eigen::Matrix3d> main_directions(std::span<const Vec3> points,
                                                std::span<const Triangle> triangles) {
   constexpr double kMuchLess = 0.75;
@@ -80,14 +90,10 @@ std::optional<Eigen::Matrix3d> main_directions(std::span<const Vec3> points,
   for (Vec3& edge : edges) {
     edge -= edge.dot(first) * first;
   }
-  const Vec3 across = main_direction(edges);
-  const Vec3 second = (across - across.dot(first) * first).normalized();
-  if (!(first.squaredNorm() > 0.5 && second.squaredNorm() > 0.5)) {
-    return std::nullopt;
-  }
-  Eigen::Matrix3d axes;
-  axes << first.transpose(), second.transpose(), first.cross(second).transpose();
-  if (box_surface(some, axes) < kMuchLess * box_surface(some, Eigen::Matrix3d::Identity())) {
+  const Eigen::Matrix3d axes = orthonormal(first, main_direction(edges));
+  const bool are_found = axes.row(0).squaredNorm() > 0.5 && axes.row(1).squaredNorm() > 0.5;
+  if (are_found &&
+      box_surface(some, axes) < kMuchLess * box_surface(some, Eigen::Matrix3d::Identity())) {
     return axes;
   }
   return std::nullopt;

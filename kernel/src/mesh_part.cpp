@@ -4,7 +4,7 @@
 
 #include "arrangement/blocks.h"
 #include "arrangement/bulk_vector.h"
-#include "box_tree.h"
+#include "boxes_near.h"
 
 namespace dupin::detail {
 namespace {
@@ -24,11 +24,11 @@ std::vector<std::uint32_t> ring(const BrokenMesh& mesh, std::span<const std::uin
       marks[v] = 1;
     }
   }
-  return collect_in_order<std::uint32_t>(mesh.triangles.size(),
-                                         [&](std::size_t i, std::vector<std::uint32_t>& found) {
-                                           const auto& [a, b, c] = mesh.triangles[i];
-                                           if ((marks[a] | marks[b] | marks[c]) != 0) {
-                                             found.push_back(static_cast<std::uint32_t>(i));
+  const BulkVector<std::uint8_t> marked = marked_faces(mesh.triangles, marks);
+  return collect_in_order<std::uint32_t>(marked.size(),
+                                         [&](std::size_t face, std::vector<std::uint32_t>& found) {
+                                           if (marked[face] != 0) {
+                                             found.push_back(static_cast<std::uint32_t>(face));
                                            }
                                          });
 }
@@ -54,7 +54,7 @@ std::vector<std::uint32_t> faces_near(const BoxTree& tree, const BoxFrame& frame
                                       std::span<const Vec3> points,
                                       std::span<const Triangle> triangles) {
   const BulkVector<FramedPoint> mapped = frame.map(points);
-  return tree.overlapping(triangles.size(), [&](std::uint32_t face) {
+  return boxes_near(tree, triangles.size(), [&](std::uint32_t face) {
     const auto& [a, b, c] = triangles[face];
     return frame.around({mapped[a], mapped[b], mapped[c]});
   });
@@ -72,12 +72,15 @@ std::optional<MeshPart> MeshPart::around(const BrokenMesh& whole,
       return std::nullopt;
     }
   }
-  MeshPart part(whole);
+  const BoxFrame frame(whole.doubles, whole.triangles);
+  std::vector<Box> zones;
+  zones.reserve(core.size());
   for (const std::uint32_t face : core) {
-    part.zones_.push_back(part.frame_.around(
-        framed(part.frame_, whole.doubles, whole.triangles[face]), 2 * (reach + step)));
+    zones.push_back(
+        frame.around(framed(frame, whole.doubles, whole.triangles[face]), 2 * (reach + step)));
   }
-  part.faces_ = faces_near(BoxTree(part.zones_), part.frame_, whole.on_lattice, whole.triangles);
+  MeshPart part(frame, std::move(zones));
+  part.faces_ = faces_near(part.zone_tree_, frame, whole.on_lattice, whole.triangles);
   if (part.faces_.size() * kShare > whole.triangles.size()) {
     return std::nullopt;
   }
@@ -143,7 +146,9 @@ bool MeshPart::meets_rest(const RepairMesh& repaired, const Embedding& whole) co
       continue;
     }
     const Box own = frame_.around(framed(frame_, repaired.points(), after));
-    if (std::ranges::none_of(zones_, [&](const Box& zone) { return zone.contains(own); })) {
+    bool in_zone = false;
+    zone_tree_.visit(own, [&](std::uint32_t i) { in_zone = in_zone || zones_[i].contains(own); });
+    if (!in_zone) {
       edited.push_back(faces_[f]);
       outside.push_back(own);
     }

@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "bad_items.h"
 #include "box_frame.h"
+#include "box_tree.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
 #include "repair_mesh.h"
@@ -54,11 +56,13 @@ class MeshPart {
   void put_back(std::vector<Vec3>& points) const;
 
  private:
-  explicit MeshPart(const BrokenMesh& whole) : frame_(whole.doubles, whole.triangles) {}
+  MeshPart(const BoxFrame& frame, std::vector<Box> zones)
+      : frame_(frame), zones_(std::move(zones)), zone_tree_(zones_) {}
   void copy(const BrokenMesh& whole, std::span<const std::uint32_t> core);
 
   BoxFrame frame_;
   std::vector<Box> zones_;  // all triangles whose rounded ones' boxes meet them are in the part
+  BoxTree zone_tree_;
   std::vector<std::uint32_t> faces_, points_;
   std::vector<Vec3> doubles_, on_lattice_;
   std::vector<std::uint8_t> inexact_, complete_;

@@ -9,6 +9,7 @@
 
 #include "arrangement/blocks.h"
 #include "box_tree.h"
+#include "boxes_near.h"
 #include "flat_stars.h"
 #include "identical_points.h"
 #include "monotone_patches.h"
@@ -196,7 +197,7 @@ class Search {
 
   /// Pairs of a passive and an active triangle.
   SelfIntersections examined_passive() const {
-    const auto near = tree_.overlapping(triangles_.size(), [&](std::uint32_t face) {
+    const auto near = boxes_near(tree_, triangles_.size(), [&](std::uint32_t face) {
       return active(face) ? Box::nothing() : box(face);
     });
     BulkVector<Box> boxes(near.size());

@@ -1,5 +1,6 @@
 #include <numeric>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -9,6 +10,7 @@
 #include "main_directions.h"
 #include "self_intersection.h"
 #include "support/pipe_cases.h"
+#include "support/shapes.h"
 #include "triangle_meeting.h"
 
 namespace dupin::detail {
@@ -31,17 +33,7 @@ double box_surface(const BoxFrame& frame, const TriMesh& mesh) {
 }
 
 /// Of all the operands.
-TriMesh soup(const char* name) {
-  TriMesh all;
-  for (const TriMesh& mesh : test::pipe_case(name)) {
-    const auto first = static_cast<std::uint32_t>(all.points.size());
-    all.points.insert(all.points.end(), mesh.points.begin(), mesh.points.end());
-    for (const auto& [a, b, c] : mesh.triangles) {
-      all.triangles.push_back({first + a, first + b, first + c});
-    }
-  }
-  return all;
-}
+TriMesh soup(const std::string& name) { return test::joined(test::pipe_case(name)); }
 
 TEST(MainDirections, are_none_of_upright_pipes) {
   for (const char* name : {"tee_10k", "rack_small"}) {
@@ -52,7 +44,7 @@ TEST(MainDirections, are_none_of_upright_pipes) {
 
 TEST(MainDirections, of_turned_pipes_are_those_of_the_turn) {
   for (const char* name : {"tee_10k", "header_10", "rack_small"}) {
-    const TriMesh mesh = soup(name), turned = soup((std::string(name) + "_rot").c_str());
+    const TriMesh mesh = soup(name), turned = soup(std::string(name) + "_rot");
     const auto axes = main_directions(turned.points, turned.triangles);
     ASSERT_TRUE(axes) << name;
     EXPECT_TRUE((*axes * axes->transpose()).isIdentity(1e-12)) << name;

@@ -77,7 +77,7 @@ std::vector<TriMesh> pyramids(const std::array<double, 4>& heights) {
   return {low, high};
 }
 
-TriMesh joined(std::initializer_list<TriMesh> meshes) {
+TriMesh joined(const std::vector<TriMesh>& meshes) {
   TriMesh result;
   for (const TriMesh& mesh : meshes) {
     const auto first_point = static_cast<std::uint32_t>(result.points.size());

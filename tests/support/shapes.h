@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -32,7 +31,7 @@ namespace dupin::test {
 [[nodiscard]] std::vector<TriMesh> pyramids(const std::array<double, 4>& heights);
 
 /// All faces in one mesh, points not merged; labels kept where there are any.
-[[nodiscard]] TriMesh joined(std::initializer_list<TriMesh> meshes);
+[[nodiscard]] TriMesh joined(const std::vector<TriMesh>& meshes);
 
 /// The same surface seen from inside.
 [[nodiscard]] TriMesh reversed(TriMesh mesh);

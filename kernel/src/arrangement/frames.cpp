@@ -5,22 +5,13 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "../main_directions.h"
+
 namespace dupin::detail {
 namespace {
 
 // Principal axes need not be exact, nor seen from every point.
 constexpr std::size_t kSamples = 512;
-
-// Unit rows, orthogonal to a few units in the last place, near the given first two directions.
-Axes orthonormal(const Vec3& first, const Vec3& second) {
-  Axes axes;
-  const Vec3 a = first.normalized();
-  Vec3 b = second - second.dot(a) * a;
-  b.normalize();
-  b = (b - b.dot(a) * a).normalized();
-  axes << a.transpose(), b.transpose(), a.cross(b).transpose();
-  return axes;
-}
 
 Axes principal_axes(const ExactMesh& mesh) {
   const std::size_t step = std::max<std::size_t>(1, mesh.points.size() / kSamples);
