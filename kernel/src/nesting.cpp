@@ -1,7 +1,6 @@
 #include "nesting.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "exact_vector.h"
 
@@ -42,45 +41,29 @@ bool is_hit(const ExactVector& q, const std::array<ExactVector, 3>& corners) {
 
 }  // namespace
 
-ShellNest::Bounds::Bounds()
-    : lower(Vec3::Constant(std::numeric_limits<double>::infinity())), upper(-lower) {}
-
-void ShellNest::Bounds::join(const Vec3& point) {
-  lower = lower.cwiseMin(point);
-  upper = upper.cwiseMax(point);
-}
-
-bool ShellNest::Bounds::contains(const Bounds& other) const {
-  return (lower.array() <= other.lower.array()).all() &&
-         (upper.array() >= other.upper.array()).all();
-}
-
 ShellNest::ShellNest(const MeshView& mesh, const Shells& shells)
     : mesh_(mesh), shells_(shells), boxes_(shells.count), test_faces_(shells.count) {
   for (std::size_t shell = 0; shell < shells.count; ++shell) {
     for (const std::uint32_t face : shells.faces_of(shell)) {
       for (const std::uint32_t corner : mesh.triangles[face]) {
-        boxes_[shell].join(mesh.points[corner]);
+        boxes_[shell].extend(mesh.points[corner]);
       }
     }
     test_faces_[shell] = test_face(shell);
   }
 }
 
-ShellNest::Bounds ShellNest::bounds_of(std::uint32_t face) const {
-  Bounds bounds;
+Eigen::AlignedBox3d ShellNest::bounds_of(std::uint32_t face) const {
+  Eigen::AlignedBox3d bounds;
   for (const std::uint32_t corner : mesh_.triangles[face]) {
-    bounds.join(mesh_.points[corner]);
+    bounds.extend(mesh_.points[corner]);
   }
   return bounds;
 }
 
 // A small face makes few candidates for the ray.
 std::uint32_t ShellNest::test_face(std::size_t shell) const {
-  const auto spread = [&](std::uint32_t face) {
-    const Bounds bounds = bounds_of(face);
-    return (bounds.upper - bounds.lower).tail<2>().sum();
-  };
+  const auto spread = [&](std::uint32_t face) { return bounds_of(face).sizes().tail<2>().sum(); };
   const auto faces = shells_.faces_of(shell);
   return *std::min_element(faces.begin(), faces.end(),
                            [&](std::uint32_t a, std::uint32_t b) { return spread(a) < spread(b); });
@@ -98,13 +81,13 @@ bool ShellNest::encloses(std::size_t outer, std::size_t inner) const {
       point[i] = point[i] + Mpzf(mesh_.points[corner][i]);
     }
   }
-  const Bounds around = bounds_of(test_faces_[inner]);
+  const Eigen::AlignedBox3d around = bounds_of(test_faces_[inner]);
   bool inside = false;
   for (const std::uint32_t face : shells_.faces_of(outer)) {
-    const Bounds bounds = bounds_of(face);
-    if (bounds.upper.x() < around.lower.x() || bounds.lower.y() > around.upper.y() ||
-        bounds.upper.y() < around.lower.y() || bounds.lower.z() > around.upper.z() ||
-        bounds.upper.z() < around.lower.z()) {
+    const Eigen::AlignedBox3d bounds = bounds_of(face);
+    if (bounds.max().x() < around.min().x() || bounds.min().y() > around.max().y() ||
+        bounds.max().y() < around.min().y() || bounds.min().z() > around.max().z() ||
+        bounds.max().z() < around.min().z()) {
       continue;
     }
     const Triangle& t = mesh_.triangles[face];

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "edge_table.h"
 #include "mesh_view.h"
 
@@ -18,19 +20,12 @@ class ShellNest {
   [[nodiscard]] bool encloses(std::size_t outer, std::size_t inner) const;
 
  private:
-  struct Bounds {
-    Vec3 lower, upper;
-    Bounds();
-    void join(const Vec3& point);
-    [[nodiscard]] bool contains(const Bounds& other) const;
-  };
-
-  [[nodiscard]] Bounds bounds_of(std::uint32_t face) const;
+  [[nodiscard]] Eigen::AlignedBox3d bounds_of(std::uint32_t face) const;
   [[nodiscard]] std::uint32_t test_face(std::size_t shell) const;
 
   MeshView mesh_;
   const Shells& shells_;
-  std::vector<Bounds> boxes_;
+  std::vector<Eigen::AlignedBox3d> boxes_;
   std::vector<std::uint32_t> test_faces_;
 };
 

@@ -2,21 +2,15 @@
 
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 namespace dupin::detail {
 namespace {
 
-struct Bounds {
-  Vec3 low = Vec3::Zero(), high = Vec3::Zero();
-};
-
-Bounds bounds(std::span<const Vec3> points) {
-  Bounds all;
-  if (!points.empty()) {
-    all = {points[0], points[0]};
-  }
+Eigen::AlignedBox3d bounds(std::span<const Vec3> points) {
+  Eigen::AlignedBox3d all;
   for (const Vec3& point : points) {
-    all.low = all.low.cwiseMin(point);
-    all.high = all.high.cwiseMax(point);
+    all.extend(point);
   }
   return all;
 }
@@ -24,8 +18,7 @@ Bounds bounds(std::span<const Vec3> points) {
 }  // namespace
 
 double extent(std::span<const Vec3> points) {
-  const Bounds all = bounds(points);
-  return (all.high - all.low).maxCoeff();
+  return points.empty() ? 0 : bounds(points).sizes().maxCoeff();
 }
 
 Vec3 chosen_origin(const Origin& origin, std::span<const Vec3> points) {
@@ -35,10 +28,10 @@ Vec3 chosen_origin(const Origin& origin, std::span<const Vec3> points) {
   if (origin.choice == Origin::Choice::given) {
     return origin.place;
   }
-  const Bounds all = bounds(points);
-  const double extent = (all.high / 2 - all.low / 2).maxCoeff();
+  const Eigen::AlignedBox3d all = bounds(points);
+  const double extent = (all.max() / 2 - all.min() / 2).maxCoeff();
   const double step = extent > 0 ? std::exp2(std::ilogb(extent) - 3) : 0;
-  Vec3 place = all.low / 2 + all.high / 2;
+  Vec3 place = all.min() / 2 + all.max() / 2;
   for (double& coordinate : place) {
     coordinate = step > 0 ? std::nearbyint(coordinate / step) * step : coordinate;
   }

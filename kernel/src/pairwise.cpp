@@ -1,10 +1,12 @@
 #include "pairwise.h"
 
 #include <algorithm>
-#include <limits>
+#include <iterator>
 #include <numeric>
 #include <span>
 #include <utility>
+
+#include <Eigen/Geometry>
 
 #include "corefinement.h"
 #include "dupin/kernel/error.h"
@@ -12,23 +14,15 @@
 namespace dupin::detail {
 namespace {
 
-struct Bounds {
-  Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 upper = -lower;
-
-  // Implicit points are within half an ulp of theirs; closed bounds of nearest doubles still tell
-  // disjoint sets apart safely, because rounding is monotone.
-  explicit Bounds(const ExactMesh& mesh) {
-    for (const Vec3& point : mesh.points) {
-      lower = lower.cwiseMin(point);
-      upper = upper.cwiseMax(point);
-    }
+// Implicit points are within half an ulp of theirs; closed bounds of nearest doubles still tell
+// disjoint sets apart safely, because rounding is monotone.
+Eigen::AlignedBox3d bounds_of(const ExactMesh& mesh) {
+  Eigen::AlignedBox3d bounds;
+  for (const Vec3& point : mesh.points) {
+    bounds.extend(point);
   }
-  [[nodiscard]] bool meets(const Bounds& other) const {
-    return (lower.array() <= other.upper.array()).all() &&
-           (other.lower.array() <= upper.array()).all();
-  }
-};
+  return bounds;
+}
 
 ExactMesh concatenated(ExactMesh a, const ExactMesh& b) {
   const std::uint32_t a_doubles = a.double_count(), b_doubles = b.double_count();
@@ -73,7 +67,7 @@ class Pairwise {
   ExactMesh folded(std::vector<ExactMesh> operands) {
     ExactMesh result = std::move(operands.front());
     for (std::size_t i = 1; i < operands.size() && !result.triangles.empty(); ++i) {
-      if (Bounds(result).meets(Bounds(operands[i]))) {
+      if (bounds_of(result).intersects(bounds_of(operands[i]))) {
         result = step(result, operands[i]);
       } else if (operation_ == SetOperation::intersect) {
         result = {};
@@ -98,17 +92,19 @@ class Pairwise {
     }
     const ExactMesh left = united_tree(operands.first(operands.size() / 2));
     const ExactMesh right = united_tree(operands.subspan(operands.size() / 2));
-    return Bounds(left).meets(Bounds(right)) ? step(left, right) : concatenated(left, right);
+    return bounds_of(left).intersects(bounds_of(right)) ? step(left, right)
+                                                        : concatenated(left, right);
   }
 
   // Operands whose boxes hang together, in the order of their first members.
   static std::vector<std::vector<ExactMesh>> grouped(std::vector<ExactMesh> operands) {
-    const std::vector<Bounds> bounds(operands.begin(), operands.end());
+    std::vector<Eigen::AlignedBox3d> bounds;
+    std::ranges::transform(operands, std::back_inserter(bounds), bounds_of);
     std::vector<std::size_t> group(operands.size());
     std::iota(group.begin(), group.end(), std::size_t{0});
     for (std::size_t i = 0; i < operands.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        if (group[i] != group[j] && bounds[i].meets(bounds[j])) {
+        if (group[i] != group[j] && bounds[i].intersects(bounds[j])) {
           const auto [kept, dropped] = std::minmax(group[i], group[j]);
           std::replace(group.begin(), group.end(), std::size_t{dropped}, std::size_t{kept});
         }

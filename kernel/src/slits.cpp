@@ -82,22 +82,12 @@ double width_across(const Vec3& normal, const ExactMesh& mesh,
   return width;
 }
 
-struct Bounds {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-
-  [[nodiscard]] bool contains(const Bounds& other) const {
-    return (low.array() <= other.low.array()).all() && (other.high.array() <= high.array()).all();
-  }
-};
-
 /// Per shell. Nearest doubles do not change the order of coordinates.
-std::vector<Bounds> bounds_of(const Shells& shells, const ExactMesh& mesh) {
-  std::vector<Bounds> bounds(shells.count);
+std::vector<Eigen::AlignedBox3d> bounds_of(const Shells& shells, const ExactMesh& mesh) {
+  std::vector<Eigen::AlignedBox3d> bounds(shells.count);
   for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
-    Bounds& own = bounds[shells.of_face[face]];
     for (const std::uint32_t point : mesh.triangles[face]) {
-      own.low = own.low.cwiseMin(mesh.points[point]);
-      own.high = own.high.cwiseMax(mesh.points[point]);
+      bounds[shells.of_face[face]].extend(mesh.points[point]);
     }
   }
   return bounds;
@@ -183,7 +173,7 @@ std::vector<Slits::Slit> Slits::find_slits(double widest) const {
       slits.push_back({cell, width});
     }
   }
-  const std::vector<Bounds> bounds = bounds_of(cells_, mesh_);
+  const std::vector<Eigen::AlignedBox3d> bounds = bounds_of(cells_, mesh_);
   std::vector<std::uint8_t> is_slit(cells_.count, 0);
   for (const Slit& slit : slits) {
     is_slit[slit.cell] = 1;
