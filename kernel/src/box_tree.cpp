@@ -5,7 +5,6 @@
 #include <limits>
 #include <numeric>
 
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include "arrangement/blocks.h"
@@ -50,8 +49,10 @@ std::vector<std::uint32_t> BoxTree::given_order(std::size_t size) {
 
 BoxTree BoxTree::reordered() const {
   std::vector<Keyed> keyed(size());
-  tbb::parallel_for(std::uint32_t{0}, size(), [&](std::uint32_t i) {
-    keyed[i] = {morton_key(boxes_[i]), i};
+  for_each_block(size(), [&](const Block& block) {
+    for (auto i = static_cast<std::uint32_t>(block.begin); i < block.end; ++i) {
+      keyed[i] = {morton_key(boxes_[i]), i};
+    }
   });
   tbb::parallel_sort(keyed.begin(), keyed.end());
   std::vector<std::uint32_t> order(size());

@@ -7,9 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "arrangement/blocks.h"
 #include "arrangement/bulk_vector.h"
 #include "box_frame.h"
 #include "oriented_box.h"
@@ -133,8 +131,9 @@ double BoxTree::orient_if_crowded(Triangles&& triangle) {
   }
   oriented_.resize(nodes_.size());
   slanted_.resize(nodes_.size());
-  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, leaf_count(), 64), [&](const auto& some) {
-    for (std::uint32_t leaf = some.begin(); leaf < some.end(); ++leaf) {
+  constexpr std::size_t kLeaves = 64;
+  const auto orient = [&](const Block& block) {
+    for (auto leaf = static_cast<std::uint32_t>(block.begin); leaf < block.end; ++leaf) {
       std::array<FramedTriangle, kLeafSize> triangles;
       std::size_t count = 0;
       for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
@@ -144,7 +143,8 @@ double BoxTree::orient_if_crowded(Triangles&& triangle) {
       }
       orient_leaf(leaf, std::span(triangles).first(count));
     }
-  });
+  };
+  for_each_block(leaf_count(), orient, kLeaves);
   orient_inner_nodes();
   return crowding();
 }

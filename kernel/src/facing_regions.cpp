@@ -3,8 +3,7 @@
 #include <map>
 #include <set>
 
-#include <tbb/parallel_for.h>
-
+#include "arrangement/blocks.h"
 #include "disjoint_sets.h"
 #include "edge_table.h"
 #include "exact.h"
@@ -32,7 +31,8 @@ std::vector<std::vector<Sight>> all_sights(const MeshPair& pair, const FaceBoxes
                                            const MeshGapOptions& options) {
   const Fraction limit{CGAL::Mpzf(options.connect) * CGAL::Mpzf(options.connect), 1};
   std::vector<std::vector<Sight>> sights(pair.faces_of_a);
-  tbb::parallel_for(0U, pair.faces_of_a, [&](std::uint32_t face) {
+  for_each_in_parallel(pair.faces_of_a, [&](std::size_t index) {
+    const auto face = static_cast<std::uint32_t>(index);
     const ExactTriangle a = exact_corners(pair, face);
     boxes.visit_near(face, options.connect, [&](std::uint32_t other) {
       const ExactTriangle b = exact_corners(pair, other);

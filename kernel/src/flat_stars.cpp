@@ -3,9 +3,8 @@
 #include <algorithm>
 
 #include <Eigen/Geometry>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
+#include "arrangement/blocks.h"
 #include "sign_filter.h"
 
 namespace dupin::detail {
@@ -109,9 +108,10 @@ std::vector<std::uint32_t> flat_stars(std::span<const Vec3> points,
     }
   }
   std::vector<std::uint32_t> flat(points.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1024), [&](const auto& some) {
+  constexpr std::size_t kPoints = 1024;
+  const auto find_flat = [&](const Block& block) {
     Star star(points);
-    for (std::size_t v = some.begin(); v < some.end(); ++v) {
+    for (std::size_t v = block.begin; v < block.end; ++v) {
       star.clear();
       for (std::uint32_t i = start[v]; i < start[v + 1]; ++i) {
         const Triangle& t = triangles[corners[i] / 3];
@@ -120,7 +120,8 @@ std::vector<std::uint32_t> flat_stars(std::span<const Vec3> points,
       }
       flat[v] = star.is_flat(static_cast<std::uint32_t>(v)) ? start[v + 1] - start[v] : 0;
     }
-  });
+  };
+  for_each_block(points.size(), find_flat, kPoints);
   return flat;
 }
 

@@ -4,8 +4,6 @@
 #include <atomic>
 #include <numeric>
 
-#include <tbb/parallel_for.h>
-
 #include "arrangement/blocks.h"
 #include "arrangement/sort_by_key.h"
 #include "disjoint_sets.h"
@@ -222,7 +220,7 @@ class PatchSearch {
     const std::vector<Run> runs =
         runs_of_equal(borders, [](const BorderEdge& border) { return border.patch; });
     std::vector<std::vector<std::uint32_t>> blamed(runs.size());
-    tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t r) {
+    for_each_in_parallel(runs.size(), [&](std::size_t r) {
       const auto border = std::span(borders).subspan(runs[r].begin, runs[r].end - runs[r].begin);
       std::vector<DirectedEdge> edges;
       edges.reserve(border.size());

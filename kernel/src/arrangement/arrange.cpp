@@ -1,7 +1,6 @@
 #include "arrange.h"
 
-#include <tbb/parallel_for.h>
-
+#include "blocks.h"
 #include "candidates.h"
 #include "dupin/kernel/error.h"
 #include "extract.h"
@@ -67,7 +66,7 @@ ExactMesh arrange(Scene& scene, const BooleanRule& rule, const Progress& progres
 
 Scene imported(std::span<const ExactMesh* const> operands, const BooleanRule& rule) {
   // All tasks of a thread's arena take over the rounding in which it ran the first.
-  tbb::parallel_for(0, 1, [](int) {});
+  for_each_in_parallel(1, [](std::size_t) {});
   const UpwardRounding rounding;
   return import_operands(operands, rule);
 }

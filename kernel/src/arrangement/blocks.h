@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <utility>
 #include <vector>
 
-#include <tbb/parallel_for.h>
-
 namespace dupin::detail {
+
+/// Calls `visit(index)` for all indices below `count`, in parallel.
+void for_each_in_parallel(std::size_t count, const std::function<void(std::size_t)>& visit);
 
 /// Consecutive indices that one thread deals with. Blocks do not depend on the number of threads,
 /// nor does what they find, joined in their order.
@@ -35,7 +37,7 @@ void for_each_block(std::size_t count, const Visit& visit, std::size_t block_siz
     }
     return;
   }
-  tbb::parallel_for(std::size_t{0}, block_count(count, block_size), visit_block);
+  for_each_in_parallel(block_count(count, block_size), visit_block);
 }
 
 template <class Item>

@@ -6,8 +6,8 @@
 #include <span>
 
 #include <CGAL/box_intersection_d.h>
-#include <tbb/parallel_for.h>
 
+#include "blocks.h"
 #include "frames.h"
 
 namespace dupin::detail {
@@ -47,7 +47,7 @@ class Finder {
  public:
   explicit Finder(const Scene& scene)
       : scene_(scene), slack_(rotation_slack(scene.extent)), framed_(scene.operands.size()) {
-    tbb::parallel_for(std::size_t{0}, scene.operands.size(), [&](std::size_t o) {
+    for_each_in_parallel(scene.operands.size(), [&](std::size_t o) {
       const UpwardRounding rounding;
       framed_[o] = framed(*scene.operands[o], slack_);
     });
@@ -189,7 +189,7 @@ class Finder {
 std::vector<TrianglePair> find_candidates(const Scene& scene, const Stage& stage) {
   const Finder finder(scene);
   std::vector<std::vector<TrianglePair>> found(scene.operand_pairs.size());
-  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+  for_each_in_parallel(found.size(), [&](std::size_t i) {
     const UpwardRounding rounding;
     found[i] = finder.pairs(scene.operand_pairs[i][0], scene.operand_pairs[i][1]);
     stage.step(found.size());

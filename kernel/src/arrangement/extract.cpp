@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 #include "key_numbering.h"
@@ -106,7 +105,7 @@ class PointWriter {
         });
     std::vector<RoundedPoint> nearest(implicit_.size());
     resize_bulk(exact, implicit_.size());
-    tbb::parallel_for(std::size_t{0}, implicit_.size(), [&](std::size_t i) {
+    for_each_in_parallel(implicit_.size(), [&](std::size_t i) {
       exact[i] = scene_.points.exact_value(original(implicit_[i]));
       nearest[i] = rounded(exact[i]);
     });

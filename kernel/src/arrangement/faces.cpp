@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include "blocks.h"
 #include "face_triangulator.h"
@@ -64,7 +63,7 @@ Pieces joined(Scene& scene, PlaceIndex& places, std::vector<FacePieces> batches)
   result.pieces.resize(next.piece);
   result.regions.resize(next.region);
   result.covers.resize(next.cover);
-  tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t b) {
+  for_each_in_parallel(batches.size(), [&](std::size_t b) {
     copy_pieces(batches[b], new_ids[b], offsets[b], result);
     batches[b] = {};
   });

@@ -6,9 +6,9 @@
 #include <numeric>
 
 #include <CGAL/box_intersection_d.h>
-#include <tbb/parallel_for.h>
 
 #include "../identical_points.h"
+#include "blocks.h"
 #include "limits.h"
 #include "places.h"
 #include "winding_change.h"
@@ -115,7 +115,7 @@ void add_points_and_triangles(Scene& scene) {
   lay_out(scene);
   add_implicit_points(scene);
   scene.bounds.resize(scene.operands.size());
-  tbb::parallel_for(std::size_t{0}, scene.operands.size(), [&](std::size_t o) {
+  for_each_in_parallel(scene.operands.size(), [&](std::size_t o) {
     copy_triangles(scene, o);
     scene.bounds[o] = copy_points(scene, o);
   });
@@ -155,7 +155,7 @@ std::vector<PointId> shared_candidates(const Scene& scene) {
     neighbours[b].push_back(a);
   }
   std::vector<std::vector<PointId>> candidates(scene.operands.size());
-  tbb::parallel_for(std::size_t{0}, scene.operands.size(), [&](std::size_t o) {
+  for_each_in_parallel(scene.operands.size(), [&](std::size_t o) {
     const ExactMesh& mesh = *scene.operands[o];
     const bool all = !mesh.contacts.empty() || neighbours[o].size() > kManyNeighbours;
     const auto collect = [&](std::size_t i, std::vector<PointId>& found) {

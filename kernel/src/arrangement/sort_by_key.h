@@ -7,8 +7,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <tbb/parallel_for.h>
-
 #include "blocks.h"
 #include "bulk_vector.h"
 
@@ -55,7 +53,7 @@ void sort_by_key(std::vector<Item>& items, std::uint32_t key_end, const Key& key
         }
       },
       block_size);
-  tbb::parallel_for(std::size_t{0}, kBuckets, [&](std::size_t b) {
+  for_each_in_parallel(kBuckets, [&](std::size_t b) {
     const auto begin = scattered.begin() + static_cast<std::ptrdiff_t>(starts[b]),
                end = scattered.begin() + static_cast<std::ptrdiff_t>(starts[b + 1]);
     std::stable_sort(begin, end, less);
