@@ -150,12 +150,19 @@ bool BoxTree::overlaps(const Box& box) const {
   stack[depth++] = 1;
   while (depth > 0) {
     const std::uint32_t node = stack[--depth];
-    if (box.overlaps(nodes_[node])) {
-      if (node >= leaves_) {
-        return true;
-      }
+    if (!box.overlaps(nodes_[node])) {
+      continue;
+    }
+    if (node < leaves_) {
       stack[depth++] = 2 * node;
       stack[depth++] = 2 * node + 1;
+      continue;
+    }
+    const std::uint32_t leaf = node - leaves_;
+    for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
+      if (box.overlaps(boxes_[i])) {
+        return true;
+      }
     }
   }
   return false;

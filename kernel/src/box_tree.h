@@ -31,7 +31,7 @@ class BoxTree {
   BoxTree(BulkVector<Box> boxes, Triangles&& triangle, std::span<const std::uint32_t> groups = {});
   static constexpr std::uint32_t kNoGroup = 0xffffffff;
 
-  /// Whether `box` overlaps the box around some neighbouring items.
+  /// Whether `box` overlaps that of some item.
   [[nodiscard]] bool overlaps(const Box& box) const;
   /// Calls visit(item) for every item whose box overlaps `box`.
   template <class Visit>
@@ -92,6 +92,9 @@ class BoxTree {
   [[nodiscard]] double crowding() const;
   /// Leaves of meshes in good order cost 70 to 350, which grows with the tree's height.
   static constexpr double kCrowded = 1000;
+  /// Few items may be picked here and there, and are quick to put in order.
+  static constexpr std::uint32_t kFew = 1 << 16;
+  static constexpr double kCrowdedFew = 100;
   /// Makes oriented boxes if the tree is crowded without them. Returns the crowding.
   template <class Triangles>
   double orient_if_crowded(Triangles&& triangle);
@@ -115,7 +118,7 @@ BoxTree::BoxTree(BulkVector<Box> boxes, Triangles&& triangle, std::span<const st
     : BoxTree(given_order(boxes.size()), std::move(boxes)) {
   set_groups(groups);
   const double crowded = orient_if_crowded(triangle);
-  if (crowded > kCrowded) {
+  if (crowded > (size() <= kFew ? kCrowdedFew : kCrowded)) {
     BoxTree other = reordered();
     other.set_groups(groups);
     if (other.orient_if_crowded(triangle) < crowded) {

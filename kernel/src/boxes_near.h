@@ -11,8 +11,8 @@
 
 namespace dupin::detail {
 
-/// The indices below `count` whose boxes, box_of(index), overlap the box around some neighbouring
-/// items of the tree, ascending. Quick where boxes with near indices are near each other.
+/// The indices below `count` whose boxes, box_of(index), overlap that of some item of the tree,
+/// ascending. Quick where boxes with near indices are near each other.
 template <class BoxOf>
 [[nodiscard]] std::vector<std::uint32_t> boxes_near(const BoxTree& tree, std::size_t count,
                                                     const BoxOf& box_of) {
