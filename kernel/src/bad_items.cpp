@@ -49,7 +49,8 @@ BulkVector<std::uint8_t> marked_faces(std::span<const Triangle> triangles,
 
 std::vector<BadItem> find_bad_items(const Embedding& mesh, std::span<const std::uint8_t> marked) {
   const SelfIntersections found = find_self_intersections(
-      mesh.points, mesh.triangles, {.active = marked, .same = mesh.twins, .closed = true});
+      mesh.points, mesh.triangles,
+      {.active = marked, .same = mesh.twins, .closed = true, .classes = mesh.classes});
   std::vector<BadItem> bad;
   for (const std::uint32_t face : found.degenerate) {
     bad.push_back({face, face});

@@ -21,6 +21,7 @@ struct Embedding {
   std::span<const Vec3> points;
   std::span<const Triangle> triangles;
   std::span<const std::uint32_t> twins;  ///< per point the first of those it may coincide with
+  std::span<const std::uint32_t> classes = {};  ///< see SelfIntersectionOptions
 };
 
 [[nodiscard]] bool is_degenerate(const Embedding& mesh, std::uint32_t face);

@@ -64,10 +64,12 @@ BoxTree BoxTree::reordered() const {
   return {std::move(order), std::move(boxes)};
 }
 
-BoxTree::BoxTree(std::span<const Box> boxes)
+BoxTree::BoxTree(std::span<const Box> boxes, std::span<const std::uint32_t> groups)
     : BoxTree(given_order(boxes.size()), BulkVector<Box>(boxes.begin(), boxes.end())) {
+  set_groups(groups);
   if (const double crowded = crowding(); crowded > kCrowded) {
     BoxTree other = reordered();
+    other.set_groups(groups);
     if (other.crowding() < crowded) {
       *this = std::move(other);
     }

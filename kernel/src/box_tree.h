@@ -20,13 +20,13 @@ class BoxTree {
   static constexpr std::uint32_t kLeafSize = 4;
 
   /// The order is kept where neighbours come together, as from any generator of meshes: such trees
-  /// are quick to make and better than those in Morton order, which is taken else.
-  explicit BoxTree(std::span<const Box> boxes);
+  /// are quick to make and better than those in Morton order, which is taken else. Items may belong
+  /// to groups other than kNoGroup: TreePairs, within the tree, leaves out pairs of one group.
+  explicit BoxTree(std::span<const Box> boxes, std::span<const std::uint32_t> groups = {});
 
   /// The same over triangles that lie in the boxes. Where they are long and slanted, and many boxes
   /// overlap for that, nodes have oriented boxes besides. `triangle(item)` is asked for all whose
-  /// box is not nothing. Items may belong to groups other than kNoGroup: TreePairs, within the
-  /// tree, leaves out pairs of one group.
+  /// box is not nothing.
   template <class Triangles>
   BoxTree(BulkVector<Box> boxes, Triangles&& triangle, std::span<const std::uint32_t> groups = {});
   static constexpr std::uint32_t kNoGroup = 0xffffffff;
@@ -48,6 +48,9 @@ class BoxTree {
   /// The items in the tree's order, kLeafSize to a leaf.
   [[nodiscard]] std::span<const std::uint32_t> items() const { return order_; }
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(order_.size()); }
+  /// Whether some boxes of nodes lie along axes of their own, and contain nothing but the
+  /// triangles.
+  [[nodiscard]] bool is_oriented() const { return !oriented_.empty(); }
 
   /// Makes the box of `item` contain `box` as well, and those around it the triangle therein.
   /// O(log n).

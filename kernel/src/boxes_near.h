@@ -4,10 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "arrangement/blocks.h"
+#include "arrangement/bulk_vector.h"
 #include "box_tree.h"
+#include "tree_pairs.h"
 
 namespace dupin::detail {
 
@@ -36,6 +39,45 @@ template <class BoxOf>
     }
   });
   return joined(std::move(parts));
+}
+
+/// The indices of groups whose boxes, box_of(index), may overlap one of another group, ascending;
+/// those of BoxTree::kNoGroup are a group each. Quick where boxes with near indices are near each
+/// other and of one group: those of far groups have one box in common.
+template <class BoxOf>
+[[nodiscard]] std::vector<std::uint32_t> boxes_near_other_groups(
+    std::span<const std::uint32_t> groups, const BoxOf& box_of) {
+  constexpr std::size_t kTogether = 64;
+  const auto end_of = [&](std::size_t run) {
+    return std::min((run + 1) * kTogether, groups.size());
+  };
+  const std::size_t runs = (groups.size() + kTogether - 1) / kTogether;
+  BulkVector<Box> boxes(runs);
+  std::vector<std::uint32_t> group(runs);
+  for_each_block(runs, [&](const Block& block) {
+    for (std::size_t run = block.begin; run < block.end; ++run) {
+      boxes[run] = Box::nothing();
+      group[run] = groups[run * kTogether];
+      for (std::size_t i = run * kTogether; i < end_of(run); ++i) {
+        boxes[run].join(box_of(static_cast<std::uint32_t>(i)));
+        group[run] = group[run] == groups[i] ? groups[i] : BoxTree::kNoGroup;
+      }
+    }
+  });
+  const BoxTree tree(std::span<const Box>(boxes), group);
+  std::vector<std::uint8_t> near(runs);
+  std::ranges::transform(group, near.begin(),
+                         [](std::uint32_t g) { return g == BoxTree::kNoGroup ? 1 : 0; });
+  TreePairs(tree).visit({1, 1}, [&](std::uint32_t i, std::uint32_t k) {
+    near[tree.items()[i]] = near[tree.items()[k]] = 1;
+  });
+  std::vector<std::uint32_t> found;
+  for (std::size_t run = 0; run < runs; ++run) {
+    for (std::size_t i = run * kTogether; near[run] != 0 && i < end_of(run); ++i) {
+      found.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  return found;
 }
 
 }  // namespace dupin::detail

@@ -50,8 +50,8 @@ std::vector<std::vector<std::uint32_t>> duplicate_groups(std::span<const Triangl
 
 class Inspector {
  public:
-  Inspector(const TriMesh& mesh, const CheckOptions& options)
-      : mesh_(mesh), options_(options), points_(mesh.points), kept_(kDefectCount) {
+  Inspector(const TriMesh& mesh, const CheckOptions& options, double margin)
+      : mesh_(mesh), options_(options), margin_(margin), points_(mesh.points), kept_(kDefectCount) {
     report().points = mesh.points.size();
     report().triangles = mesh.triangles.size();
     report().counts.assign(kDefectCount, 0);
@@ -257,9 +257,12 @@ class Inspector {
                                 const std::vector<std::vector<std::uint32_t>>& duplicates) {
     // Enough to find options_.limit real ones among pairs that are contacts or duplicates.
     constexpr std::size_t kSlack = std::size_t{1} << 20;
-    const auto found = find_self_intersections(
-        points_, triangles_,
-        {.limit = kSlack + options_.limit, .same = first, .closed = report().closed()});
+    auto found = find_self_intersections(points_, triangles_,
+                                         {.limit = kSlack + options_.limit,
+                                          .same = first,
+                                          .closed = report().closed(),
+                                          .margin = margin_});
+    inspection_.steady = std::move(found.steady);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> known;
     for (const auto& group : duplicates) {
       for (std::size_t i = 0; i < group.size(); ++i) {
@@ -341,6 +344,7 @@ class Inspector {
 
   const TriMesh& mesh_;
   const CheckOptions options_;
+  double margin_;
   std::span<const Vec3> points_;
   std::vector<Triangle> triangles_;         // those with three different corners
   std::vector<std::uint32_t> face_ids_;     // of triangles_ in the mesh
@@ -351,8 +355,8 @@ class Inspector {
 
 }  // namespace
 
-Inspection inspect(const TriMesh& mesh, const CheckOptions& options) {
-  return Inspector(mesh, options).run();
+Inspection inspect(const TriMesh& mesh, const CheckOptions& options, double margin) {
+  return Inspector(mesh, options, margin).run();
 }
 
 }  // namespace detail

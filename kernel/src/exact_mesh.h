@@ -9,6 +9,7 @@
 
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
+#include "steady_classes.h"
 
 namespace dupin::detail {
 
@@ -32,6 +33,7 @@ struct ExactMesh {
   std::vector<std::array<Vec3, 3>> planes;
   std::vector<std::uint32_t>
       plane_of;  ///< empty, or per triangle an index into planes or kOwnPlane
+  SteadyClasses steady;
 
   static constexpr std::uint32_t kOwnPlane = 0xffffffff;  ///< the plane through its corners
 

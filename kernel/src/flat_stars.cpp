@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "arrangement/blocks.h"
-#include "sign_filter.h"
+#include "steady_signs.h"
 
 namespace dupin::detail {
 namespace {
@@ -17,7 +17,7 @@ struct Link {
 
 class Star {
  public:
-  explicit Star(std::span<const Vec3> points) : points_(points) {}
+  Star(std::span<const Vec3> points, double margin) : points_(points), margin_(margin) {}
 
   void clear() { links_.clear(); }
   void add(const Link& link) { links_.push_back(link); }
@@ -55,18 +55,23 @@ class Star {
     return place != end && place->from == point ? &*place : nullptr;
   }
 
+  /// The way that a link turns about the point; 0 if that is not certain.
+  [[nodiscard]] int way_of(const Vec3& v, const Link& link, int axis) const {
+    return steady_side_of_line(v, points_[link.from], points_[link.to], axis, margin_);
+  }
+
   /// Whether the links make one cycle that, seen along `axis`, certainly turns the same way at each
   /// step, by less than half a turn, and by one turn in all: then it passes from below the point to
-  /// above it once.
+  /// above it once. As long as no step turns the other way, their sum stays.
   [[nodiscard]] bool goes_round_once(std::uint32_t centre, int axis) const {
     const Vec3& v = points_[centre];
     const int upward = (axis + 2) % 3;
     const auto below = [&](std::uint32_t point) { return points_[point][upward] < v[upward]; };
     const Link* at = &links_.front();
-    const int way = side_of_line(v, points_[at->from], points_[at->to], axis);
+    const int way = way_of(v, *at, axis);
     std::size_t turns = 0;
     for (std::size_t step = 1; step <= links_.size(); ++step) {
-      if (way == 0 || side_of_line(v, points_[at->from], points_[at->to], axis) != way) {
+      if (way == 0 || way_of(v, *at, axis) != way) {
         return false;
       }
       turns += below(at->from) && !below(at->to) ? 1 : 0;
@@ -82,6 +87,7 @@ class Star {
   }
 
   std::span<const Vec3> points_;
+  double margin_;
   std::vector<Link> links_;
 };
 
@@ -89,7 +95,7 @@ class Star {
 
 std::vector<std::uint32_t> flat_stars(std::span<const Vec3> points,
                                       std::span<const Triangle> triangles,
-                                      std::span<const std::uint8_t> marked) {
+                                      std::span<const std::uint8_t> marked, double margin) {
   std::vector<std::uint32_t> start(points.size() + 1, 0);
   for (const Triangle& t : triangles) {
     for (const std::uint32_t v : t) {
@@ -110,7 +116,7 @@ std::vector<std::uint32_t> flat_stars(std::span<const Vec3> points,
   std::vector<std::uint32_t> flat(points.size());
   constexpr std::size_t kPoints = 1024;
   const auto find_flat = [&](const Block& block) {
-    Star star(points);
+    Star star(points, margin);
     for (std::size_t v = block.begin; v < block.end; ++v) {
       star.clear();
       for (std::uint32_t i = start[v]; i < start[v + 1]; ++i) {

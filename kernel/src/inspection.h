@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "contact.h"
@@ -11,8 +12,11 @@ namespace dupin::detail {
 struct Inspection {
   Report report;
   std::vector<ContactPlace> contacts;
+  std::vector<std::uint8_t> steady;  ///< see SelfIntersections; of a solid
 };
 
-[[nodiscard]] Inspection inspect(const TriMesh& mesh, const CheckOptions& options);
+/// `margin` is that of SelfIntersectionOptions.
+[[nodiscard]] Inspection inspect(const TriMesh& mesh, const CheckOptions& options,
+                                 double margin = 0);
 
 }  // namespace dupin::detail

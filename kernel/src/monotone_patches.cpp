@@ -4,11 +4,13 @@
 #include <atomic>
 #include <numeric>
 
+#include <Eigen/Geometry>
+
 #include "arrangement/blocks.h"
 #include "arrangement/sort_by_key.h"
 #include "disjoint_sets.h"
 #include "projected_curves.h"
-#include "sign_filter.h"
+#include "steady_signs.h"
 
 namespace dupin::detail {
 namespace {
@@ -98,12 +100,12 @@ class PatchSearch {
  private:
   /// The axis nearest to the normal, but for a preference that spares facets at 45 degrees to two
   /// axes the choice.
-  static Way way_of(const PlaneFilter& plane) {
+  [[nodiscard]] Way way_of(const Vec3& a, const Vec3& b, const Vec3& c) const {
     constexpr double kPreference = 0.8;
-    const Vec3 size = plane.normal().cwiseAbs();
+    const Vec3 size = (b - a).cross(c - a).cwiseAbs();
     const double enough = kPreference * size.maxCoeff();
     const int axis = size[0] >= enough ? 0 : size[1] >= enough ? 1 : 2;
-    const int turn = plane.turn(axis);
+    const int turn = steady_side_of_line(a, b, c, axis, options_.margin);
     return turn == 0 ? kNoWay : static_cast<Way>(turn > 0 ? axis : axis + 3);
   }
 
@@ -111,7 +113,7 @@ class PatchSearch {
     for_each_block(triangles_.size(), [&](const Block& block) {
       for (std::size_t f = block.begin; f < block.end; ++f) {
         const auto& [a, b, c] = triangles_[f];
-        ways_[f] = way_of({points_[a], points_[b], points_[c]});
+        ways_[f] = way_of(points_[a], points_[b], points_[c]);
         patch_[f] = ways_[f] == kNoWay ? Patches::kNone : ways_[f];
         const auto bit = static_cast<std::uint8_t>(1U << ways_[f]);
         for (const std::uint32_t v : triangles_[f]) {
@@ -228,7 +230,8 @@ class PatchSearch {
         edges.push_back(edge.edge);
       }
       const Way way = ways_[border[0].face];
-      for (const std::uint32_t i : region_conflicts(points_, edges, way % 3, way < 3 ? 1 : -1)) {
+      for (const std::uint32_t i :
+           region_conflicts(points_, edges, way % 3, way < 3 ? 1 : -1, options_.margin)) {
         blamed[r].push_back(border[i].face);
       }
     });

@@ -23,6 +23,8 @@ struct PatchOptions {
   /// The share of points whose triangles must all face the same way; else there are no patches. On
   /// rough surfaces it takes longer to prove them than to look at pairs of triangles.
   double smooth = 0;
+  /// Patches are to be such wherever each coordinate of each point moves by at most this.
+  double margin = 0;
 };
 
 /// Patches whose triangles certainly meet each other in nothing but corners and edges that they

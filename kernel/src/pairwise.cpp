@@ -46,6 +46,7 @@ ExactMesh concatenated(ExactMesh a, const ExactMesh& b) {
   a.contacts.insert(a.contacts.end(), b.contacts.begin(), b.contacts.end());
   a.planes.clear();
   a.plane_of.clear();
+  a.steady = {};
   return a;
 }
 

@@ -1,6 +1,7 @@
 #include "projected_curves.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "box_tree.h"
 #include "disjoint_sets.h"
 #include "sign_filter.h"
+#include "steady_signs.h"
 #include "tree_pairs.h"
 #include "triangle_meeting.h"
 
@@ -23,13 +25,15 @@ struct End {
 
 class Curves {
  public:
-  Curves(std::span<const Vec3> points, std::span<const DirectedEdge> edges, int axis, int turn)
+  Curves(std::span<const Vec3> points, std::span<const DirectedEdge> edges, int axis, int turn,
+         double margin)
       : points_(points),
         edges_(edges),
         axis_(axis),
         u_((axis + 1) % 3),
         v_((axis + 2) % 3),
         turn_(turn),
+        margin_(margin),
         curves_(edges.size()) {
     ends_.reserve(2 * edges.size());
     for (std::uint32_t i = 0; i < edges.size(); ++i) {
@@ -44,7 +48,8 @@ class Curves {
     }
   }
 
-  /// Edges that may meet others otherwise than in a common end.
+  /// Edges that may meet others otherwise than in a common end, somewhere within the margin. Where
+  /// there are none, neither the order of edges around points nor windings change therein.
   std::vector<std::uint32_t> crossing() {
     constexpr std::size_t kFew = 12, kTasks = 64;
     std::vector<std::uint32_t> found;
@@ -129,6 +134,12 @@ class Curves {
     return quick != 0 ? quick : exact_side_of_line(points_[a], points_[b], points_[p], axis_);
   }
 
+  /// The same if it stays within the margin, else 0.
+  [[nodiscard]] int steady_side(std::uint32_t a, std::uint32_t b, std::uint32_t p) const {
+    return margin_ == 0 ? side(a, b, p)
+                        : steady_side_of_line(points_[a], points_[b], points_[p], axis_, margin_);
+  }
+
   [[nodiscard]] bool is_below(std::uint32_t a, std::uint32_t b) const {
     const Vec3 &p = points_[a], &q = points_[b];
     return p[u_] < q[u_] || (p[u_] == q[u_] && p[v_] < q[v_]);
@@ -145,7 +156,7 @@ class Curves {
     return above_p != above_q ? above_p : turn_ * side(a.point, p, q) > 0;
   }
 
-  /// False only if the edges meet at most in a common end.
+  /// False only if the edges meet at most in a common end, and go on to.
   [[nodiscard]] bool meet(const DirectedEdge& e, const DirectedEdge& f) const {
     const bool from_e = e.from == f.from || e.from == f.to, to_e = e.to == f.from || e.to == f.to;
     if (from_e && to_e) {
@@ -155,23 +166,34 @@ class Curves {
       const std::uint32_t common = from_e ? e.from : e.to;
       return folds_back(from_e ? e.to : e.from, common, f.from == common ? f.to : f.from);
     }
-    const auto [low_e, high_e] = ascending(e);
-    const auto [low_f, high_f] = ascending(f);
     const auto on_one_side = [&](const DirectedEdge& line, const DirectedEdge& edge) {
-      const int from = side(line.from, line.to, edge.from);
-      return from != 0 && from == side(line.from, line.to, edge.to);
+      const int from = steady_side(line.from, line.to, edge.from);
+      return from != 0 && from == steady_side(line.from, line.to, edge.to);
     };
-    return !is_below(high_e, low_f) && !is_below(high_f, low_e) && !on_one_side(e, f) &&
-           !on_one_side(f, e);
+    return !ranges_apart(e, f) && !on_one_side(e, f) && !on_one_side(f, e);
   }
 
-  [[nodiscard]] DirectedEdge ascending(const DirectedEdge& e) const {
-    return is_below(e.from, e.to) ? e : DirectedEdge{e.to, e.from};
+  /// Whether one value stays above another: differences change by up to twice the margin, and the
+  /// rounding of this one is made up for.
+  [[nodiscard]] bool above(double one, double other) const {
+    return one - other > 2 * margin_ * (1 + 0x1p-40);
   }
 
-  /// Whether the way from a over b to c comes back upon itself.
+  [[nodiscard]] bool ranges_apart(const DirectedEdge& e, const DirectedEdge& f) const {
+    return std::ranges::any_of(std::array{u_, v_}, [&](int k) {
+      const auto [low_e, high_e] = std::minmax({points_[e.from][k], points_[e.to][k]});
+      const auto [low_f, high_f] = std::minmax({points_[f.from][k], points_[f.to][k]});
+      return above(low_f, high_e) || above(low_e, high_f);
+    });
+  }
+
+  /// Whether the way from a over b to c may come back upon itself.
   [[nodiscard]] bool folds_back(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    return side(a, b, c) == 0 && is_below(a, b) != is_below(b, c);
+    const auto goes_on = [&](int k) {
+      const double from = points_[a][k], over = points_[b][k], to = points_[c][k];
+      return (above(over, from) && above(to, over)) || (above(from, over) && above(over, to));
+    };
+    return steady_side(a, b, c) == 0 && !goes_on(u_) && !goes_on(v_);
   }
 
   void make_tree() {
@@ -193,7 +215,8 @@ class Curves {
   }
 
   [[nodiscard]] Box box(const Vec3& from, const Vec3& to) const {
-    return frame_->around(frame_->map(from, to, to));
+    const FramedTriangle framed = frame_->map(from, to, to);
+    return margin_ == 0 ? frame_->around(framed) : frame_->around(framed, margin_);
   }
 
   [[nodiscard]] Box flat(Box box) const {
@@ -223,6 +246,7 @@ class Curves {
   std::span<const Vec3> points_;
   std::span<const DirectedEdge> edges_;
   int axis_, u_, v_, turn_;
+  double margin_;
   std::vector<End> ends_;       // by point
   std::vector<Run> at_points_;  // of ends_
   DisjointSets curves_;         // of edges that hang together
@@ -233,9 +257,9 @@ class Curves {
 }  // namespace
 
 std::vector<std::uint32_t> region_conflicts(std::span<const Vec3> points,
-                                            std::span<const DirectedEdge> edges, int axis,
-                                            int turn) {
-  Curves curves(points, edges, axis, turn);
+                                            std::span<const DirectedEdge> edges, int axis, int turn,
+                                            double margin) {
+  Curves curves(points, edges, axis, turn, margin);
   std::vector<std::uint32_t> conflicts = curves.crossing();
   if (conflicts.empty()) {
     conflicts = curves.tangled();

@@ -83,8 +83,9 @@ class detail::Rounding {
   }
 
   Rounded run() {
+    const auto classes = detail::classes_apart(exact_.steady, lattice_, step_, !origin_.isZero(0));
     const std::vector<BadItem> bad =
-        detail::find_bad_items({rounded_.on_lattice, exact_.triangles, twins_},
+        detail::find_bad_items({rounded_.on_lattice, exact_.triangles, twins_, classes},
                                detail::marked_faces(exact_.triangles, rounded_.moved));
     const MeshView direct(rounded_.on_lattice, exact_.triangles);
     const double move = largest_move(rounded_.largest_move);

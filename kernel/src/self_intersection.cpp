@@ -1,6 +1,8 @@
 #include "self_intersection.h"
 
 #include <algorithm>
+#include <atomic>
+#include <iterator>
 #include <numeric>
 #include <optional>
 
@@ -10,9 +12,9 @@
 #include "arrangement/blocks.h"
 #include "box_tree.h"
 #include "boxes_near.h"
-#include "flat_stars.h"
+#include "face_groups.h"
 #include "identical_points.h"
-#include "monotone_patches.h"
+#include "steady_signs.h"
 #include "tree_pairs.h"
 #include "triangle_meeting.h"
 
@@ -38,10 +40,14 @@ class Search {
       return {};
     }
     SelfIntersections found = examined(TreePairs(tree_), {tree_, active_});
-    if (active_.size() < triangles_.size()) {
+    if (!among_all_) {
       found = joined(std::move(found), examined_passive());
     }
     trim(found.pairs);
+    if (!tree_.is_oriented()) {  // else boxes tell triangles apart that may not stay so
+      std::ranges::replace(steady_, kSliver, std::uint8_t{0});
+      found.steady = std::move(steady_);
+    }
     for (const std::uint32_t face : active_) {
       if (degenerate_[face] != 0 && active(face)) {
         found.degenerate.push_back(face);
@@ -65,32 +71,55 @@ class Search {
     }
     if (touching_apart_) {
       merge_corners();
+    } else if (options_.margin > 0 && options_.active.empty() &&
+               is_small_margin(points_, triangles_, options_.margin)) {
+      steady_.assign(triangles_.size(), 1);
     }
+    choose_active();
+    BulkVector<Box> boxes(active_.size());
+    for_each_block(active_.size(), [&](const Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        const std::uint32_t face = active_[i];
+        degenerate_[face] = is_degenerate(face) ? 1 : 0;
+        if (seeks_steady() && !keeps_area(face)) {
+          steady_[face] = kSliver;
+        }
+        boxes[i] = degenerate_[face] != 0 ? Box::nothing() : box(face);
+      }
+    });
+    std::span<const std::uint32_t> groups = groups_.of_face;
+    std::vector<std::uint32_t> of_active;
+    if (!groups.empty() && active_.size() < triangles_.size()) {
+      std::ranges::transform(active_, std::back_inserter(of_active),
+                             [&](std::uint32_t face) { return groups[face]; });
+      groups = of_active;
+    }
+    return BoxTree(
+        std::move(boxes), [&](std::uint32_t i) { return framed(active_[i]); }, groups);
+  }
+
+  /// The triangles to be searched among themselves and, unless all are, with the others.
+  void choose_active() {
     for (std::uint32_t i = 0; i < triangles_.size() && !options_.active.empty(); ++i) {
       if (active(i)) {
         active_.push_back(i);
       }
     }
     const bool all = options_.active.empty();
-    if (all || 2 * active_.size() > triangles_.size()) {
-      // Then it is quicker to search among all.
-      active_.resize(triangles_.size());
-      std::iota(active_.begin(), active_.end(), 0U);
-      find_groups();
-    }
-    if (!active_.empty()) {
+    among_all_ = all || 2 * active_.size() > triangles_.size();  // then that is quicker
+    if (among_all_ || !active_.empty()) {
       framed_ = frame_.map(points_);
     }
-    BulkVector<Box> boxes(active_.size());
-    for_each_block(active_.size(), [&](const Block& block) {
-      for (std::size_t i = block.begin; i < block.end; ++i) {
-        const std::uint32_t face = active_[i];
-        degenerate_[face] = is_degenerate(face) ? 1 : 0;
-        boxes[i] = degenerate_[face] != 0 ? Box::nothing() : box(face);
-      }
-    });
-    return BoxTree(
-        std::move(boxes), [&](std::uint32_t i) { return framed(active_[i]); }, groups_);
+    if (!among_all_) {
+      return;
+    }
+    find_groups();
+    if (!options_.classes.empty()) {
+      active_ = boxes_near_other_groups(groups_.of_face, [&](std::uint32_t f) { return box(f); });
+    } else {
+      active_.resize(triangles_.size());
+      std::iota(active_.begin(), active_.end(), 0U);
+    }
   }
 
   void merge_corners() {
@@ -105,49 +134,40 @@ class Search {
     corners_ = merged_;
   }
 
+  [[nodiscard]] bool seeks_steady() const { return !steady_.empty(); }
+
+  /// Whether it may lose its area, which is known before pairs are examined.
+  [[nodiscard]] bool is_sliver(std::uint32_t face) {
+    return std::atomic_ref(steady_[face]).load(std::memory_order_relaxed) == kSliver;
+  }
+
   /// Finds groups of triangles that certainly keep apart.
   void find_groups() {
-    constexpr double kSmooth = 0.8;  // tees and chains have 0.9, headers and racks up to 0.7
-    Patches patches =
-        monotone_patches(points_, triangles_, {.closed = options_.closed, .smooth = kSmooth});
-    groups_ = std::move(patches.of_triangle);
-    if (touching_apart_) {
-      for (std::uint32_t i = 0; i < points_.size(); ++i) {
-        if (first_[i] != i) {
-          patches.is_inner[first_[i]] = 0;
-        }
-      }
-    }
-    flat_stars_ = flat_stars(points_, corners_, patches.is_inner);
-    if (!touching_apart_) {
-      group_large_stars(patches.count);
-    }
+    const WeldedMesh mesh{points_, triangles_, corners_, first_};
+    groups_ = options_.classes.empty()
+                  ? proven_groups(mesh, options_.closed, seeks_steady() ? options_.margin : 0)
+                  : given_groups(mesh, options_.classes);
   }
 
-  /// Makes groups of the triangles around points that have many. They are none of those that touch
-  /// apart.
-  void group_large_stars(std::uint32_t& count) {
-    constexpr std::uint32_t kLarge = 64;
-    if (std::ranges::none_of(flat_stars_, [](auto n) { return n >= kLarge; })) {
-      return;
-    }
-    std::vector<std::uint32_t> number(points_.size(), BoxTree::kNoGroup);
-    for (std::uint32_t f = 0; f < corners_.size(); ++f) {
-      const Triangle& t = corners_[f];
-      const auto largest = std::ranges::max(t, {}, [&](std::uint32_t v) { return flat_stars_[v]; });
-      if (flat_stars_[largest] >= kLarge) {
-        number[largest] = number[largest] == BoxTree::kNoGroup ? count++ : number[largest];
-        groups_[f] = number[largest];
-      }
-    }
+  [[nodiscard]] Box box(std::uint32_t face) const {
+    return seeks_steady() ? frame_.around(framed(face), kDiagonal * options_.margin)
+                          : frame_.around(framed(face));
   }
 
-  [[nodiscard]] Box box(std::uint32_t face) const { return frame_.around(framed(face)); }
+  /// Whether it is of a group, all of which keep their areas.
+  [[nodiscard]] bool of_group(std::uint32_t face) const {
+    return !groups_.of_face.empty() && groups_.of_face[face] != BoxTree::kNoGroup;
+  }
 
   [[nodiscard]] bool is_degenerate(std::uint32_t face) const {
     const auto& [a, b, c] = corners_[face];
-    const bool of_patch = !groups_.empty() && groups_[face] != BoxTree::kNoGroup;
-    return !of_patch && collinear(points_[a], points_[b], points_[c]);
+    return !of_group(face) && collinear(points_[a], points_[b], points_[c]);
+  }
+
+  [[nodiscard]] bool keeps_area(std::uint32_t face) const {
+    const auto& [a, b, c] = corners_[face];
+    return of_group(face) ||
+           detail::keeps_area(points_[a], points_[b], points_[c], options_.margin);
   }
 
   [[nodiscard]] FramedTriangle framed(std::uint32_t face) const {
@@ -160,7 +180,7 @@ class Search {
   }
 
   /// Examines pairs of the one tree's triangles and the active ones.
-  SelfIntersections examined(const TreePairs& pairs, const Items& items) const {
+  SelfIntersections examined(const TreePairs& pairs, const Items& items) {
     constexpr std::size_t kTasks = 512;
     const std::vector<TreePairs::Nodes> tasks = pairs.tasks(kTasks);
     return tbb::parallel_reduce(
@@ -177,7 +197,7 @@ class Search {
   }
 
   void examine(const TreePairs& pairs, const TreePairs::Nodes& nodes, const Items& items,
-               SelfIntersections& found) const {
+               SelfIntersections& found) {
     const Items others{tree_, active_};
     std::optional<TriangleProbe> probe;
     std::uint32_t probed = 0;
@@ -186,6 +206,14 @@ class Search {
       if (share_flat_star(corners_[face], corners_[other])) {
         record(face, other, Meeting::none, found);
         return;
+      }
+      if (seeks_steady() && !is_sliver(face) && !is_sliver(other)) {
+        if (keep_apart(points_, corners_[face], corners_[other], options_.margin)) {
+          return;
+        }
+        for (const std::uint32_t f : {face, other}) {
+          std::atomic_ref(steady_[f]).store(0, std::memory_order_relaxed);
+        }
       }
       if (!probe || probed != i) {
         probe.emplace(points_, corners_[face]);
@@ -196,7 +224,7 @@ class Search {
   }
 
   /// Pairs of a passive and an active triangle.
-  SelfIntersections examined_passive() const {
+  SelfIntersections examined_passive() {
     const auto near = boxes_near(tree_, triangles_.size(), [&](std::uint32_t face) {
       return active(face) ? Box::nothing() : box(face);
     });
@@ -212,11 +240,11 @@ class Search {
 
   /// Whether the triangles have a corner in common around which triangles keep apart.
   [[nodiscard]] bool share_flat_star(const Triangle& a, const Triangle& b) const {
-    if (flat_stars_.empty()) {
+    if (groups_.flat_stars.empty()) {
       return false;
     }
     return std::ranges::any_of(a, [&](std::uint32_t v) {
-      return (v == b[0] || v == b[1] || v == b[2]) && flat_stars_[v] != 0;
+      return (v == b[0] || v == b[1] || v == b[2]) && groups_.flat_stars[v] != 0;
     });
   }
 
@@ -277,6 +305,9 @@ class Search {
     pairs.resize(std::min(pairs.size(), options_.limit));
   }
 
+  static constexpr double kDiagonal = 1.75;  // of a cube, and more
+  static constexpr std::uint8_t kSliver = 2;
+
   std::span<const Vec3> points_;
   std::span<const Triangle> triangles_;
   const SelfIntersectionOptions& options_;
@@ -287,10 +318,12 @@ class Search {
   std::vector<Triangle> merged_;       // if there are identical points
   std::span<const Triangle> corners_;  // with these merged
   bool touching_apart_ = false;        // whether there are identical points
+  bool among_all_ = true;              // else among active and between these and passive ones
   std::vector<std::uint8_t> degenerate_;
   std::vector<std::uint32_t> active_;
-  std::vector<std::uint32_t> groups_, flat_stars_;  // empty if few triangles are active
-  BoxTree tree_;                                    // over the active triangles
+  FaceGroups groups_;                 // empty if few triangles are active
+  std::vector<std::uint8_t> steady_;  // empty unless steady ones are sought
+  BoxTree tree_;                      // over the active triangles
 };
 
 }  // namespace

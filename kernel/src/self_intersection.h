@@ -34,12 +34,21 @@ struct SelfIntersectionOptions {
   std::span<const std::uint32_t> same;
   /// Promises that every edge is run through as often one way as the other; saves work.
   bool closed = false;
+  /// Per triangle a class, or kNoClass: those of one class certainly keep apart, and have an area.
+  std::span<const std::uint32_t> classes;
+  static constexpr std::uint32_t kNoClass = 0xffffffff;
+  /// If above 0, `steady` is sought as well.
+  double margin = 0;
 };
 
 struct SelfIntersections {
   std::vector<FacePair> pairs;            ///< ascending
   std::vector<std::uint32_t> degenerate;  ///< collinear or repeated corners; in none of the pairs
   std::size_t crossings = 0, overlaps = 0, contacts = 0;
+  /// Per triangle 1 if it is one of those that certainly keep an area and, of each other, apart
+  /// wherever each coordinate of each point moves by at most the margin. Not all such triangles are
+  /// found; empty if none are.
+  std::vector<std::uint8_t> steady;
 
   [[nodiscard]] bool none() const { return degenerate.empty() && crossings == 0 && overlaps == 0; }
 };

@@ -40,20 +40,11 @@ class PlaneFilter {
   /// True only if a, b and c are certainly not collinear.
   [[nodiscard]] bool certain() const {
     for (int k = 0; k < 3; ++k) {
-      if (turn(k) != 0) {
+      if (std::abs(normal_[k]) > kOrient2Bound * size_[k] + kUnderflow) {
         return true;
       }
     }
     return false;
-  }
-
-  /// (b - a) x (c - a), but for rounding.
-  [[nodiscard]] const Vec3& normal() const { return normal_; }
-
-  /// The way that a, b and c turn seen along `axis`: the sign of (b - a) x (c - a) there.
-  [[nodiscard]] int turn(int axis) const {
-    const double bound = kOrient2Bound * size_[axis] + kUnderflow;
-    return (normal_[axis] > bound) - (normal_[axis] < -bound);
   }
 
   /// The axis nearest to the normal: to project along.

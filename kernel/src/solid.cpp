@@ -112,6 +112,15 @@ void copy_surface(const TriMesh& mesh, detail::ExactMesh& exact) {
   }
 }
 
+// In absolute value.
+double largest_coordinate(const TriMesh& mesh) {
+  double largest = 0;
+  for (const Vec3& point : mesh.points) {
+    largest = std::max(largest, point.allFinite() ? point.cwiseAbs().maxCoeff() : 0);
+  }
+  return largest;
+}
+
 struct Pieces {
   explicit Pieces(const detail::ExactMesh& mesh)
       : edges(mesh.triangles, mesh.points.size()),
@@ -128,7 +137,9 @@ Solid::Solid(std::shared_ptr<const detail::ExactMesh> mesh) : mesh_(std::move(me
 
 Solid Solid::from(const TriMesh& mesh) {
   refuse_bad_labels(mesh);
-  const detail::Inspection inspection = detail::inspect(mesh, {.limit = 1});
+  const double largest = largest_coordinate(mesh);
+  const detail::Inspection inspection =
+      detail::inspect(mesh, {.limit = 1}, detail::reach_of_binary32(largest));
   refuse_faults(inspection.report, mesh);
   auto exact = std::make_shared<detail::ExactMesh>();
   copy_surface(mesh, *exact);
@@ -137,6 +148,7 @@ Solid Solid::from(const TriMesh& mesh) {
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     exact->sources.push_back({0, i});
   }
+  exact->steady = detail::one_class(inspection.steady, largest);
   for (const detail::ContactPlace& place : inspection.contacts) {
     exact->contacts.push_back(
         detail::to_contact(place, {mesh.points, mesh.triangles}, mesh.labels, mesh.names));

@@ -239,25 +239,74 @@ void write_planes(const Scene& scene, const BulkVector<Kept>& kept, ExactMesh& m
   }
 }
 
+// Whose a triangle is, quick for triangles in order.
+class OperandOf {
+ public:
+  explicit OperandOf(const Scene& scene) : scene_(scene) {}
+  [[nodiscard]] std::uint32_t operator()(std::uint32_t t) {
+    if (t < scene_.first_triangle[last_] || t >= scene_.first_triangle[last_ + 1]) {
+      last_ = scene_.operand_of(t);
+    }
+    return last_;
+  }
+
+ private:
+  const Scene& scene_;
+  std::uint32_t last_ = 0;
+};
+
 void write_triangles(const Scene& scene, const BulkVector<Kept>& kept, const PointWriter& points,
                      const Labels& labels, ExactMesh& mesh) {
   tbb::parallel_invoke([&] { resize_bulk(mesh.triangles, kept.size()); },
                        [&] { resize_bulk(mesh.sources, kept.size()); },
                        [&] { resize_bulk(mesh.labels, labels.any() ? kept.size() : 0); });
   for_each_block(kept.size(), [&](const Block& block) {
-    std::uint32_t operand = 0;
+    OperandOf operand_of(scene);
     for (std::size_t i = block.begin; i < block.end; ++i) {
       const Kept& k = kept[i];
       mesh.triangles[i] = {points.number(k.corners[0]), points.number(k.corners[1]),
                            points.number(k.corners[2])};
-      if (k.source < scene.first_triangle[operand] ||
-          k.source >= scene.first_triangle[operand + 1]) {
-        operand = scene.operand_of(k.source);
-      }
+      const std::uint32_t operand = operand_of(k.source);
       mesh.sources[i] = {operand, k.source - scene.first_triangle[operand]};
       if (labels.any()) {
         mesh.labels[i] = labels.label(mesh.sources[i]);
       }
+    }
+  });
+}
+
+bool same_corners(const Triangle& a, Triangle b, bool reversed) {
+  if (reversed) {
+    std::swap(b[1], b[2]);
+  }
+  return a == b;
+}
+
+// Triangles left whole stay in the classes that their operands have them in. Not so at contacts,
+// where points have copies.
+void write_steady_classes(const Scene& scene, const BulkVector<Kept>& kept, ExactMesh& mesh) {
+  std::vector<std::uint32_t> first_class;
+  for (const ExactMesh* operand : scene.operands) {
+    const auto& classes = operand->steady.classes;
+    first_class.push_back(static_cast<std::uint32_t>(mesh.steady.classes.size()));
+    mesh.steady.classes.insert(mesh.steady.classes.end(), classes.begin(), classes.end());
+  }
+  if (mesh.steady.classes.empty() || !mesh.contacts.empty()) {
+    mesh.steady = {};
+    return;
+  }
+  resize_bulk(mesh.steady.of_triangle, kept.size());
+  for_each_block(kept.size(), [&](const Block& block) {
+    OperandOf operand_of(scene);
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const auto& [corners, t, reversed, source] = kept[i];
+      const std::uint32_t operand = operand_of(t);
+      const std::vector<std::uint32_t>& classes = scene.operands[operand]->steady.of_triangle;
+      const bool is_whole = same_corners(corners, scene.triangles[t], reversed);
+      const std::uint32_t own = is_whole && !classes.empty()
+                                    ? classes[t - scene.first_triangle[operand]]
+                                    : SteadyClasses::kNone;
+      mesh.steady.of_triangle[i] = own == SteadyClasses::kNone ? own : first_class[operand] + own;
     }
   });
 }
@@ -341,6 +390,7 @@ ExactMesh extract(Scene& scene, BulkVector<Kept> kept) {
   write_triangles(scene, kept, points, labels, mesh);
   write_planes(scene, kept, mesh);
   write_contacts(umbrellas, points, mesh);
+  write_steady_classes(scene, kept, mesh);
   return mesh;
 }
 
