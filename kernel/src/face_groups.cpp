@@ -8,6 +8,7 @@
 #include "box_tree.h"
 #include "flat_stars.h"
 #include "monotone_patches.h"
+#include "steady_classes.h"
 
 namespace dupin::detail {
 namespace {
@@ -59,6 +60,7 @@ FaceGroups proven_groups(const WeldedMesh& mesh, bool closed, double margin) {
 }
 
 FaceGroups given_groups(const WeldedMesh& mesh, std::span<const std::uint32_t> classes) {
+  static_assert(SteadyClasses::kNone == BoxTree::kNoGroup);
   std::vector<std::uint8_t> marked(mesh.points.size(), 1);  // all but corners without a class
   std::uint32_t count = 0;
   for (std::uint32_t f = 0; f < classes.size(); ++f) {

@@ -34,9 +34,9 @@ struct SelfIntersectionOptions {
   std::span<const std::uint32_t> same;
   /// Promises that every edge is run through as often one way as the other; saves work.
   bool closed = false;
-  /// Per triangle a class, or kNoClass: those of one class certainly keep apart, and have an area.
+  /// Per triangle a class, or SteadyClasses::kNone: those of one class certainly keep apart, and
+  /// have an area. Empty if there are none.
   std::span<const std::uint32_t> classes;
-  static constexpr std::uint32_t kNoClass = 0xffffffff;
   /// If above 0, `steady` is sought as well.
   double margin = 0;
 };
