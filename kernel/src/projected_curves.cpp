@@ -176,7 +176,7 @@ class Curves {
   /// Whether one value stays above another: differences change by up to twice the margin, and the
   /// rounding of this one is made up for.
   [[nodiscard]] bool above(double one, double other) const {
-    return one - other > 2 * margin_ * (1 + 0x1p-40);
+    return one - other > 2 * margin_ * kSteadyMore;
   }
 
   [[nodiscard]] bool ranges_apart(const DirectedEdge& e, const DirectedEdge& f) const {

@@ -157,7 +157,8 @@ bool are_split(const Pair& pair, const Vec3& normal_of_s, const Vec3& normal_of_
 }  // namespace
 
 bool keeps_area(const Vec3& a, const Vec3& b, const Vec3& c, double margin) {
-  const int axis = SteadyPlane(a, b, c, margin).main_axis();
+  int axis = 0;
+  (b - a).cross(c - a).cwiseAbs().maxCoeff(&axis);
   return steady_side_of_line(a, b, c, axis, margin) != 0;
 }
 

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "kernel/torus.h"
 #include "monotone_patches.h"
 #include "self_intersection.h"
 #include "triangle_meeting.h"
@@ -14,37 +15,11 @@
 namespace dupin::detail {
 namespace {
 
-struct Mesh {
-  std::vector<Vec3> points;
-  std::vector<Triangle> triangles;
-};
-
-/// A closed surface of rings around a spine: a torus, through itself where the tube is thick.
-Mesh torus(std::uint32_t around, std::uint32_t along, double radius, double tube) {
-  Mesh mesh;
-  for (std::uint32_t i = 0; i < along; ++i) {
-    for (std::uint32_t k = 0; k < around; ++k) {
-      const double u = 2 * std::numbers::pi * i / along, v = 2 * std::numbers::pi * k / around;
-      const double distance = radius + tube * std::cos(v);
-      mesh.points.emplace_back(distance * std::cos(u), distance * std::sin(u), tube * std::sin(v));
-      const std::uint32_t next = (k + 1) % around, ring = i * around,
-                          other = (i + 1) % along * around;
-      mesh.triangles.push_back({ring + k, other + k, other + next});
-      mesh.triangles.push_back({ring + k, other + next, ring + next});
-    }
-  }
-  return mesh;
-}
-
-void shake(Mesh& mesh, double size, std::mt19937& random) {
-  std::uniform_real_distribution<double> offset(-size, size);
-  for (Vec3& p : mesh.points) {
-    p += Vec3(offset(random), offset(random), offset(random));
-  }
-}
+using test::shake;
+using test::torus;
 
 /// Looks at each pair of triangles of one patch by itself. Returns how many there are.
-std::size_t expect_apart(const Mesh& mesh, const Patches& patches) {
+std::size_t expect_apart(const TriMesh& mesh, const Patches& patches) {
   std::map<std::uint32_t, std::vector<std::uint32_t>> faces;
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
     if (patches.of_triangle[f] != Patches::kNone) {
@@ -80,7 +55,7 @@ std::size_t largest(const Patches& patches) {
 }
 
 TEST(MonotonePatches, are_few_on_smooth_surfaces) {
-  const Mesh mesh = torus(64, 256, 10, 2);
+  const TriMesh mesh = torus(64, 256, 10, 2);
   const Patches patches = monotone_patches(mesh.points, mesh.triangles, {.closed = true});
   EXPECT_LE(patches.count, 40);
   EXPECT_EQ(std::ranges::count(patches.of_triangle, Patches::kNone), 0);
@@ -92,7 +67,7 @@ TEST(MonotonePatches, are_apart_on_rough_surfaces) {
   std::mt19937 random(20261122);
   std::size_t pairs = 0, crossing = 0;
   for (int round = 0; round < 200; ++round) {
-    Mesh mesh = torus(6 + round % 5, 9 + round % 7, 2, round % 2 == 0 ? 1 : 1.9);
+    TriMesh mesh = torus(6 + round % 5, 9 + round % 7, 2, round % 2 == 0 ? 1 : 1.9);
     shake(mesh, 0.02 * (round % 40), random);
     for (const bool closed : {true, false}) {
       pairs +=
@@ -105,7 +80,7 @@ TEST(MonotonePatches, are_apart_on_rough_surfaces) {
 }
 
 TEST(MonotonePatches, are_not_sought_where_fewer_points_are_smooth_than_asked_for) {
-  Mesh mesh = torus(64, 256, 10, 2);
+  TriMesh mesh = torus(64, 256, 10, 2);
   const auto patches = [&](double smooth) {
     return monotone_patches(mesh.points, mesh.triangles, {.closed = true, .smooth = smooth});
   };
@@ -123,7 +98,7 @@ TEST(MonotonePatches, are_apart_where_points_lie_on_a_coarse_grid) {
   std::mt19937 random(3);
   std::size_t pairs = 0;
   for (int round = 0; round < 300; ++round) {
-    Mesh mesh = torus(5 + round % 4, 7 + round % 3, 3, 1.5);
+    TriMesh mesh = torus(5 + round % 4, 7 + round % 3, 3, 1.5);
     shake(mesh, 0.2, random);
     for (Vec3& p : mesh.points) {
       p = p.array().round();
@@ -138,7 +113,7 @@ TEST(MonotonePatches, are_apart_in_soups) {
   std::mt19937 random(4);
   std::size_t pairs = 0;
   for (int round = 0; round < 10000; ++round) {
-    Mesh soup;
+    TriMesh soup;
     for (int i = 0; i < 8; ++i) {
       soup.points.emplace_back(random() % 5, random() % 5, random() % 2);
     }
@@ -155,7 +130,7 @@ TEST(MonotonePatches, are_apart_in_soups) {
 
 /// A ramp that winds upward faces one way all along, and lies over itself.
 TEST(MonotonePatches, do_not_lie_over_themselves) {
-  Mesh ramp;
+  TriMesh ramp;
   constexpr std::uint32_t kSteps = 300;
   for (std::uint32_t i = 0; i <= kSteps; ++i) {
     const double angle = 0.1 * i;
@@ -175,7 +150,7 @@ TEST(MonotonePatches, do_not_lie_over_themselves) {
 
 /// Two flat fans about one point, each of which goes round once.
 TEST(MonotonePatches, go_round_a_point_once) {
-  Mesh mesh;
+  TriMesh mesh;
   mesh.points.emplace_back(0, 0, 0);
   for (std::uint32_t i = 0; i < 16; ++i) {
     const double angle = std::numbers::pi * i / 4;
@@ -191,7 +166,7 @@ TEST(SelfIntersection, within_patches_need_not_be_sought) {
   std::mt19937 random(9);
   std::size_t found = 0;
   for (int round = 0; round < 60; ++round) {
-    Mesh mesh = torus(12, 24, 2, round % 3 == 0 ? 2.2 : 1);
+    TriMesh mesh = torus(12, 24, 2, round % 3 == 0 ? 2.2 : 1);
     shake(mesh, 0.01 * (round % 20), random);
     std::vector<FacePair> expected;
     for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {

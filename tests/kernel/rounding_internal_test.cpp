@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -11,6 +10,7 @@
 #include "dupin/kernel/check.h"
 #include "exact.h"
 #include "exact_mesh.h"
+#include "kernel/torus.h"
 #include "lattice.h"
 #include "mesh_part.h"
 #include "mesh_repair.h"
@@ -284,26 +284,10 @@ TEST_F(Edit, repairs_what_random_moves_have_broken) {
   EXPECT_GE(broken, 25) << "most can be repaired";
 }
 
-/// No point of it has more than six triangles.
-TriMesh torus(std::uint32_t around, std::uint32_t across) {
-  TriMesh mesh;
-  for (std::uint32_t i = 0; i < around; ++i) {
-    for (std::uint32_t k = 0; k < across; ++k) {
-      const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * k / across;
-      const double radius = 2 + std::cos(v);
-      mesh.points.emplace_back(radius * std::cos(u), radius * std::sin(u), std::sin(v));
-      const std::uint32_t a = i * across + k, b = (i + 1) % around * across + k;
-      const std::uint32_t c = (i + 1) % around * across + (k + 1) % across;
-      const std::uint32_t d = i * across + (k + 1) % across;
-      mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
-    }
-  }
-  return mesh;
-}
-
-/// Some triangles of a fine torus that are to be repaired, and those around them.
+/// Some triangles of a fine torus, whose points have six each, that are to be repaired, and those
+/// around them.
 struct Part : Edit {
-  Part() : Edit(torus(48, 24)) {}
+  Part() : Edit(test::torus(24, 48, 2, 1)) {}
   std::optional<MeshPart> around(const std::vector<std::uint32_t>& broken) {
     const BrokenMesh whole{shape.points, shape.points, inexact, shape.triangles, classes, twins};
     return MeshPart::around(whole, broken, 1e-4, 1e-5);

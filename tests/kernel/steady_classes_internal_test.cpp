@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -12,6 +11,7 @@
 #include "exact_mesh.h"
 #include "exact_rounding.h"
 #include "kernel/moved_points.h"
+#include "kernel/torus.h"
 #include "self_intersection.h"
 #include "steady_classes.h"
 #include "support/pipe_cases.h"
@@ -24,25 +24,6 @@ namespace {
 using testing::IsEmpty;
 using testing::Not;
 
-/// A torus, its points shaken: through itself where that is much.
-TriMesh torus(std::uint32_t around, std::uint32_t along, double shake, std::mt19937& random) {
-  std::uniform_real_distribution<double> offset(-shake, shake);
-  TriMesh mesh;
-  for (std::uint32_t i = 0; i < along; ++i) {
-    for (std::uint32_t k = 0; k < around; ++k) {
-      const double u = 2 * std::numbers::pi * i / along, v = 2 * std::numbers::pi * k / around;
-      const double distance = 2 + std::cos(v);
-      const Vec3 place(distance * std::cos(u), distance * std::sin(u), std::sin(v));
-      mesh.points.push_back(place + Vec3(offset(random), offset(random), offset(random)));
-      const std::uint32_t next = (k + 1) % around, ring = i * around,
-                          other = (i + 1) % along * around;
-      mesh.triangles.push_back({ring + k, other + k, other + next});
-      mesh.triangles.push_back({ring + k, other + next, ring + next});
-    }
-  }
-  return mesh;
-}
-
 std::size_t count(std::span<const std::uint8_t> marks) {
   return static_cast<std::size_t>(std::ranges::count(marks, 1));
 }
@@ -51,7 +32,8 @@ TEST(SteadyTriangles, keep_apart_wherever_points_move) {
   std::mt19937 random(20261122);
   std::size_t given_up = 0, steady = 0, others = 0, faults = 0;
   for (int round = 0; round < 300; ++round) {
-    const TriMesh mesh = torus(6 + round % 9, 9 + round % 17, 0.04 * (round % 20), random);
+    TriMesh mesh = test::torus(6 + round % 9, 9 + round % 17, 2, 1);
+    test::shake(mesh, 0.04 * (round % 20), random);
     const double margin = 0.1 * std::pow(0.5, round % 12);
     const SelfIntersections found = find_self_intersections(
         mesh.points, mesh.triangles, {.closed = round % 3 != 0, .margin = margin});
@@ -83,8 +65,7 @@ TEST(SteadyTriangles, keep_apart_wherever_points_move) {
 }
 
 TEST(SteadyTriangles, are_nearly_all_where_the_margin_is_small) {
-  std::mt19937 random(3);
-  const TriMesh mesh = torus(64, 128, 0, random);
+  const TriMesh mesh = test::torus(64, 128, 2, 1);
   const auto steady = [&](double margin) {
     return count(
         find_self_intersections(mesh.points, mesh.triangles, {.closed = true, .margin = margin})
@@ -191,7 +172,6 @@ TEST(SteadyClasses, do_not_change_what_rounding_finds) {
     for (const test::UnionKind kind : kinds) {
       for (std::uint32_t seed = 0; seed < 6; ++seed) {
         const std::vector<Solid> pipes = test::pipes(kind, 64, seed);
-        const Solid last = pipes.back();
         for (const Solid& solid :
              {unite(pipes), subtract(pipes[0], std::span(pipes).subspan(1)), intersect(pipes),
               unite(std::vector{unite(pipes), Solid::from(test::box({-1, -1, -1}, {1, 2, 3}))})}) {
