@@ -1,15 +1,15 @@
 #include "corefinement_rival.h"
 
-#include "pairwise.h"
+#include "cross_check/pairwise.h"
 
 namespace dupin::bench {
 
 void unite_by_corefinement(const std::vector<Solid>& operands) {
-  std::vector<detail::ExactMesh> meshes;
+  std::vector<mesh::ExactMesh> meshes;
   for (const Solid& operand : operands) {
     meshes.push_back(operand.exact());
   }
-  (void)detail::combine_pairwise(detail::SetOperation::unite, std::move(meshes), {});
+  (void)cross_check::combine_pairwise(cross_check::SetOperation::unite, std::move(meshes), {});
 }
 
 }  // namespace dupin::bench

@@ -76,7 +76,7 @@ void print_mesh_gaps(std::ostream& out, const MeshGapSummary& summary) {
   }
   print_row(out, "welded faces", std::to_string(report.welded_faces));
   print_row(out, "slits", std::to_string(report.facing.size()));
-  for (const FacingRegion& region : report.facing) {
+  for (const GapRegion& region : report.facing) {
     out << "  " << counted(region.pairs, "pair") << " of faces, " << middle(region.least) << " to "
         << middle(region.greatest) << " apart, at " << place_text(region.place) << '\n';
   }

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/tool.h"
 #include "support/shapes.h"
-#include "tool.h"
 
 namespace dupin::test {
 namespace {

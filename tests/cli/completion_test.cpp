@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tool.h"
+#include "cli/tool.h"
 
 namespace dupin::test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tool.h"
+#include "cli/tool.h"
 
 namespace dupin::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tool.h"
+#include "cli/tool.h"
 
 namespace dupin::test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/tool.h"
 #include "support/shapes.h"
-#include "tool.h"
 
 namespace dupin::test {
 namespace {

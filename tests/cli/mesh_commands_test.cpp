@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/tool.h"
 #include "dupin/io/mesh_file.h"
 #include "support/shapes.h"
-#include "tool.h"
 
 namespace dupin::test {
 namespace {

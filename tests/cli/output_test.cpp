@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/tool.h"
 #include "dupin/io/mesh_file.h"
 #include "dupin/kernel/check.h"
 #include "support/shapes.h"
-#include "tool.h"
 
 namespace dupin::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "tool.h"
+#include "cli/tool.h"
 
 #include "dupin/io/mesh_file.h"
 #include "support/shapes.h"

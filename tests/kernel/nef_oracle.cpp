@@ -1,4 +1,4 @@
-#include "nef_oracle.h"
+#include "kernel/nef_oracle.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>

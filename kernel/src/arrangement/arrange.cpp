@@ -1,97 +1,104 @@
-#include "arrange.h"
+#include "arrangement/arrange.h"
 
-#include "blocks.h"
-#include "candidates.h"
+#include "arrangement/broad_phase.h"
+#include "arrangement/constraints.h"
+#include "arrangement/limits.h"
+#include "arrangement/manifold_patches.h"
+#include "arrangement/output_mesh.h"
+#include "arrangement/subdivision.h"
+#include "arrangement/triangle_intersection.h"
+#include "arrangement/winding_numbers.h"
 #include "dupin/kernel/error.h"
-#include "extract.h"
-#include "faces.h"
-#include "incidences.h"
-#include "limits.h"
-#include "patches.h"
-#include "selection.h"
-#include "triangle_pair.h"
+#include "support/blocks.h"
 
-namespace dupin::detail {
+namespace dupin::arrangement {
 namespace {
 
-std::vector<Encounter> find_encounters(const Scene& scene,
-                                       const std::vector<TrianglePair>& candidates,
-                                       const Stage& stage) {
+std::vector<TriangleIntersection> find_encounters(const ArrangementInput& input,
+                                                  const std::vector<TrianglePair>& candidates,
+                                                  const support::ProgressStage& stage) {
   constexpr std::size_t kBatch = 1024;
-  std::vector<std::vector<Encounter>> batches(block_count(candidates.size(), kBatch));
-  const auto meet_all = [&](const Block& block) {
+  std::vector<std::vector<TriangleIntersection>> batches(
+      support::block_count(candidates.size(), kBatch));
+  const auto meet_all = [&](const support::Block& block) {
     const UpwardRounding rounding;
     for (std::size_t i = block.begin; i < block.end; ++i) {
-      meet(scene, candidates[i].first, candidates[i].second, batches[block.number]);
+      intersect(input, candidates[i].first, candidates[i].second, batches[block.number]);
     }
     stage.step(batches.size());
   };
-  for_each_block(candidates.size(), meet_all, kBatch);
-  return joined(std::move(batches));
+  support::for_each_block(candidates.size(), meet_all, kBatch);
+  return support::joined(std::move(batches));
 }
 
-Incidences intersect_triangles(Scene& scene, const Progress& progress, std::uint64_t memory_limit) {
+Constraints intersect_triangles(ArrangementInput& input, const Progress& progress,
+                                std::uint64_t memory_limit) {
   const UpwardRounding rounding;
   const std::vector<TrianglePair> candidates =
-      find_candidates(scene, Stage(progress, "intersect", 0, 0.2));
-  const std::vector<Encounter> encounters =
-      find_encounters(scene, candidates, Stage(progress, "intersect", 0.2, 0.4));
-  refuse_too_large(scene.triangles.size(), encounters.size(), memory_limit);
-  return gather(scene, encounters);
+      broad_phase(input, support::ProgressStage(progress, "intersect", 0, 0.2));
+  const std::vector<TriangleIntersection> intersections =
+      find_encounters(input, candidates, support::ProgressStage(progress, "intersect", 0.2, 0.4));
+  refuse_too_large(input.triangles.size(), intersections.size(), memory_limit);
+  return collect_constraints(input, intersections);
 }
 
 // All that stands between the scene and these ends here, to make room for the result.
-BulkVector<Kept> select_triangles(Scene& scene, const BooleanRule& rule, const Progress& progress,
-                                  std::uint64_t memory_limit) {
-  Incidences incidences = intersect_triangles(scene, progress, memory_limit);
-  Pieces pieces;
+support::BulkVector<OutputTriangle> select_triangles(ArrangementInput& input,
+                                                     const BooleanRule& rule,
+                                                     const Progress& progress,
+                                                     std::uint64_t memory_limit) {
+  Constraints constraints = intersect_triangles(input, progress, memory_limit);
+  Subdivision pieces;
   {
-    const Stage stage(progress, "triangulate", 0.4, 0.7);
+    const support::ProgressStage stage(progress, "triangulate", 0.4, 0.7);
     const UpwardRounding rounding;
-    pieces = retriangulate(scene, rule, incidences, stage);
+    pieces = retriangulate(input, rule, constraints, stage);
   }
-  const Stage stage(progress, "classify", 0.7, 0.9);
+  const support::ProgressStage stage(progress, "classify", 0.7, 0.9);
   const UpwardRounding rounding;
-  const Patches patches(scene, rule, incidences, pieces);
-  const std::vector<std::int8_t> selection = select(scene, rule, incidences, pieces, patches);
-  return collect(scene, incidences, pieces, patches, selection);
+  const ManifoldPatches patches(input, rule, constraints, pieces);
+  const std::vector<std::int8_t> selection =
+      propagate_winding_numbers(input, rule, constraints, pieces, patches);
+  return collect_output_triangles(input, constraints, pieces, patches, selection);
 }
 
-ExactMesh arrange(Scene& scene, const BooleanRule& rule, const Progress& progress,
-                  std::uint64_t memory_limit) {
-  BulkVector<Kept> kept = select_triangles(scene, rule, progress, memory_limit);
-  const Stage stage(progress, "extract", 0.9, 1);
-  return extract(scene, std::move(kept));
+mesh::ExactMesh arrange(ArrangementInput& input, const BooleanRule& rule, const Progress& progress,
+                        std::uint64_t memory_limit) {
+  support::BulkVector<OutputTriangle> kept = select_triangles(input, rule, progress, memory_limit);
+  const support::ProgressStage stage(progress, "extract", 0.9, 1);
+  return extract(input, std::move(kept));
 }
 
-Scene imported(std::span<const ExactMesh* const> operands, const BooleanRule& rule) {
+ArrangementInput imported(std::span<const mesh::ExactMesh* const> operands,
+                          const BooleanRule& rule) {
   // All tasks of a thread's arena take over the rounding in which it ran the first.
-  for_each_in_parallel(1, [](std::size_t) {});
+  support::for_each_in_parallel(1, [](std::size_t) {});
   const UpwardRounding rounding;
-  return import_operands(operands, rule);
+  return load_operands(operands, rule);
 }
 
 }  // namespace
 
-ExactMesh arrange(std::span<const ExactMesh* const> operands, const BooleanRule& rule,
-                  const Progress& progress, std::uint64_t memory_limit) {
+mesh::ExactMesh arrange(std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
+                        const Progress& progress, std::uint64_t memory_limit) {
   std::uint64_t triangles = 0;
-  for (const ExactMesh* mesh : operands) {
+  for (const mesh::ExactMesh* mesh : operands) {
     triangles += mesh->triangles.size();
   }
   refuse_too_large(triangles, 0, memory_limit);
-  Scene scene = imported(operands, rule);
-  return arrange(scene, rule, progress, memory_limit);
+  ArrangementInput input = imported(operands, rule);
+  return arrange(input, rule, progress, memory_limit);
 }
 
-ExactMesh resolve(const ExactMesh& surface, const Progress& progress) {
-  const ExactMesh* const operand = &surface;
+mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface,
+                                          const Progress& progress) {
+  const mesh::ExactMesh* const operand = &surface;
   const BooleanRule rule = union_rule(1);
-  Scene scene = imported({&operand, 1}, rule);
-  scene.operand_pairs = {{0, 0}};
+  ArrangementInput input = imported({&operand, 1}, rule);
+  input.operand_pairs = {{0, 0}};
   // Any edge may have more than two triangles.
-  std::fill(scene.special.begin(), scene.special.end(), std::uint8_t{1});
-  return arrange(scene, rule, progress, 0);
+  std::fill(input.special.begin(), input.special.end(), std::uint8_t{1});
+  return arrange(input, rule, progress, 0);
 }
 
 BooleanRule union_rule(std::size_t operands) {
@@ -112,4 +119,4 @@ BooleanRule difference_rule(std::size_t operands) {
           [](std::span<const int> counts) { return counts[0] > 0 && counts[1] == 0; }};
 }
 
-}  // namespace dupin::detail
+}  // namespace dupin::arrangement

@@ -2,10 +2,10 @@
 
 #include <span>
 
+#include "arrangement/input.h"
 #include "dupin/kernel/boolean.h"
-#include "scene.h"
 
-namespace dupin::detail {
+namespace dupin::arrangement {
 
 /// The boundary of the set that `rule` makes of the operands: one exact arrangement of all their
 /// surfaces, each piece kept where the rule tells its two sides apart.
@@ -13,17 +13,19 @@ namespace dupin::detail {
 /// Operands are closed and oriented and do not intersect themselves (contacts apart). Deterministic
 /// whatever the number of threads. `memory_limit` is in bytes, 0 for the machine's. Throws
 /// Error{limit_exceeded | cancelled | boolean_failed}.
-[[nodiscard]] ExactMesh arrange(std::span<const ExactMesh* const> operands, const BooleanRule& rule,
-                                const Progress& progress = {}, std::uint64_t memory_limit = 0);
+[[nodiscard]] mesh::ExactMesh arrange(std::span<const mesh::ExactMesh* const> operands,
+                                      const BooleanRule& rule, const Progress& progress = {},
+                                      std::uint64_t memory_limit = 0);
 
 /// The boundary of the places that a surface winds around a positive number of times. It is closed
 /// (each edge is run along as often one way as the other) and has no degenerate or duplicate
 /// triangles, but may cross and cover itself. Throws like arrange().
-[[nodiscard]] ExactMesh resolve(const ExactMesh& surface, const Progress& progress = {});
+[[nodiscard]] mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface,
+                                                        const Progress& progress = {});
 
 /// Inside any, inside all, inside the first but none of the others.
 [[nodiscard]] BooleanRule union_rule(std::size_t operands);
 [[nodiscard]] BooleanRule intersection_rule(std::size_t operands);
 [[nodiscard]] BooleanRule difference_rule(std::size_t operands);
 
-}  // namespace dupin::detail
+}  // namespace dupin::arrangement

@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "points.h"
+#include "arrangement/implicit_points.h"
 
-namespace dupin::detail {
+namespace dupin::arrangement {
 
 /// An edge by its ends, the lower one first.
 using EdgeKey = std::uint64_t;
@@ -14,4 +14,4 @@ using EdgeKey = std::uint64_t;
 [[nodiscard]] constexpr PointId lower_end(EdgeKey edge) { return static_cast<PointId>(edge >> 32); }
 [[nodiscard]] constexpr PointId upper_end(EdgeKey edge) { return static_cast<PointId>(edge); }
 
-}  // namespace dupin::detail
+}  // namespace dupin::arrangement

@@ -1,12 +1,12 @@
-#include "face_triangulator.h"
+#include "arrangement/face_triangulator.h"
 
 #include <algorithm>
 
-#include "predicates.h"
-#include "triangle_pair.h"
-#include "winding_change.h"
+#include "arrangement/implicit_predicates.h"
+#include "arrangement/triangle_intersection.h"
+#include "arrangement/winding_change.h"
 
-namespace dupin::detail {
+namespace dupin::arrangement {
 namespace {
 
 // Adds the members that are not there, and removes those that are.
@@ -25,18 +25,18 @@ std::vector<std::uint32_t> toggled(std::vector<std::uint32_t> cover,
 
 }  // namespace
 
-FaceTriangulator::FaceTriangulator(const Scene& scene, const BooleanRule& rule,
-                                   const Incidences& incidences)
-    : scene_(scene),
+FaceTriangulator::FaceTriangulator(const ArrangementInput& input, const BooleanRule& rule,
+                                   const Constraints& constraints)
+    : input_(input),
       rule_(rule),
-      incidences_(incidences),
-      triangulation_(scene.points,
+      constraints_(constraints),
+      triangulation_(input.points,
                      {[this](std::uint32_t a, std::uint32_t b) { return crossing(a, b); },
                       [this](std::uint32_t a, std::uint32_t b) { return both(a, b); }}) {}
 
-void FaceTriangulator::append(std::span<const std::uint32_t> members, FacePieces& result) {
+void FaceTriangulator::append(std::span<const std::uint32_t> members, FaceSubdivision& result) {
   members_ = members;
-  projection_ = projection_of(scene_.points, scene_.support(members[0]));
+  projection_ = projection_of(input_.points, input_.support(members[0]));
   triangulation_.clear(projection_);
   slots_.clear();
   const bool is_single = members.size() == 1;
@@ -47,23 +47,23 @@ void FaceTriangulator::append(std::span<const std::uint32_t> members, FacePieces
     start_from_frame();
   }
   constrain_segments();
-  triangulation_.improve(scene_.support(members[0]));
+  triangulation_.improve(input_.support(members[0]));
   find_regions();
   if (is_single) {
     emit_single(result);
   } else {
     emit_overlapping(result);
   }
-  std::vector<Triangulation::NewPoint>& points = triangulation_.new_points();
+  std::vector<ConstrainedTriangulation::NewPoint>& points = triangulation_.new_points();
   std::move(points.begin(), points.end(), std::back_inserter(result.new_points));
 }
 
-Definition FaceTriangulator::crossing(std::uint32_t a, std::uint32_t b) const {
+ImplicitPoint FaceTriangulator::crossing(std::uint32_t a, std::uint32_t b) const {
   std::array<std::uint32_t, 3> planes{members_[0], slots_[a].partner, slots_[b].partner};
   std::sort(planes.begin(), planes.end());
-  Definition definition{Definition::Kind::three_planes, 0, {}};
+  ImplicitPoint definition{ImplicitPoint::Kind::three_planes, 0, {}};
   for (std::size_t i = 0; i < 3; ++i) {
-    const Triangle& support = scene_.support(planes[i]);
+    const Triangle& support = input_.support(planes[i]);
     std::copy(support.begin(), support.end(), definition.of.begin() + static_cast<long>(3 * i));
   }
   return definition;
@@ -81,7 +81,7 @@ std::uint32_t FaceTriangulator::both(std::uint32_t present, std::uint32_t added)
 }
 
 EdgeKey FaceTriangulator::edge(std::uint32_t triangle, std::size_t i) const {
-  const Triangle& corners = scene_.triangles[triangle];
+  const Triangle& corners = input_.triangles[triangle];
   return edge_key(corners[i], corners[(i + 1) % 3]);
 }
 
@@ -89,20 +89,20 @@ void FaceTriangulator::collect_points() {
   ids_.clear();
   incidences_of_.clear();
   for (const std::uint32_t t : members_) {
-    const Triangle& corners = scene_.triangles[t];
+    const Triangle& corners = input_.triangles[t];
     ids_.insert(ids_.end(), corners.begin(), corners.end());
     MemberIncidences& found = incidences_of_.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
-      found.on_edges[i] = incidences_.on_edge(edge(t, i));
+      found.on_edges[i] = constraints_.on_edge(edge(t, i));
       for (const auto& p : found.on_edges[i]) {
         ids_.push_back(p.point);
       }
     }
-    found.insides = incidences_.inside(t);
+    found.insides = constraints_.inside(t);
     for (const auto& p : found.insides) {
       ids_.push_back(p.point);
     }
-    found.segments = incidences_.segments_of(t);
+    found.segments = constraints_.segments_of(t);
     for (const auto& s : found.segments) {
       ids_.insert(ids_.end(), {s.from, s.to});
     }
@@ -112,13 +112,13 @@ void FaceTriangulator::collect_points() {
   vertices_.assign(ids_.size(), kNone);
 }
 
-Triangulation::Vertex& FaceTriangulator::vertex(PointId id) {
+ConstrainedTriangulation::Vertex& FaceTriangulator::vertex(PointId id) {
   const auto i = std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin();
   return vertices_[static_cast<std::size_t>(i)];
 }
 
 void FaceTriangulator::place(PointId id, std::uint8_t sides) {
-  Triangulation::Vertex& v = vertex(id);
+  ConstrainedTriangulation::Vertex& v = vertex(id);
   if (v == kNone) {
     v = triangulation_.add(id, sides);
     triangulation_.insert(v);
@@ -127,8 +127,8 @@ void FaceTriangulator::place(PointId id, std::uint8_t sides) {
 
 // The points on the triangle's edges are known to be collinear with its corners.
 void FaceTriangulator::start_from_triangle() {
-  const Triangle& corners = scene_.triangles[members_[0]];
-  std::array<Triangulation::Vertex, 3> v{};
+  const Triangle& corners = input_.triangles[members_[0]];
+  std::array<ConstrainedTriangulation::Vertex, 3> v{};
   for (std::size_t i = 0; i < 3; ++i) {
     v[i] = vertex(corners[i]) = triangulation_.add(
         corners[i], static_cast<std::uint8_t>((1u << i) | (1u << ((i + 2) % 3))));
@@ -159,7 +159,7 @@ void FaceTriangulator::start_from_frame() {
   const int u = (projection_.axis + 1) % 3, v = (projection_.axis + 2) % 3;
   Eigen::AlignedBox2d box;
   for (const PointId id : ids_) {
-    const Vec3 p = scene_.points.approximation(id);
+    const Vec3 p = input_.points.approximation(id);
     box.extend(Eigen::Vector2d(p[u], p[v]));
   }
   const Eigen::Vector2d center = box.center();
@@ -170,7 +170,7 @@ void FaceTriangulator::start_from_frame() {
   const auto c = triangulation_.add_frame_corner(center[0], center[1] + 2 * high);
   triangulation_.start(a, b, c);
   for (std::size_t m = 0; m < members_.size(); ++m) {
-    for (const PointId id : scene_.triangles[members_[m]]) {
+    for (const PointId id : input_.triangles[members_[m]]) {
       place(id, 0);
     }
     for (const auto& points : incidences_of_[m].on_edges) {
@@ -201,7 +201,7 @@ void FaceTriangulator::constrain_edges(std::size_t member) {
 
 void FaceTriangulator::constrain_segments() {
   for (const MemberIncidences& found : incidences_of_) {
-    for (const Incidences::Segment& s : found.segments) {
+    for (const Constraints::Segment& s : found.segments) {
       slots_.push_back({s.partner, {}});
       triangulation_.constrain(vertex(s.from), vertex(s.to), last_slot());
     }
@@ -223,7 +223,7 @@ void FaceTriangulator::find_regions() {
     region_of_[seed] = region;
     in_order_.push_back(seed);
     for (std::size_t i = in_order_.size() - 1; i < in_order_.size(); ++i) {
-      const Triangulation::Face& face = faces[in_order_[i]];
+      const ConstrainedTriangulation::Face& face = faces[in_order_[i]];
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t n = face.neighbours[k];
         if (n != kNone && face.slots[k] == kNone && region_of_[n] == kNone) {
@@ -246,7 +246,7 @@ std::vector<FaceTriangulator::Members> FaceTriangulator::find_covers() const {
   for (std::size_t q = 0; q < queue.size(); ++q) {
     const std::uint32_t region = queue[q];
     for (std::uint32_t i = first_in_region_[region]; i < first_in_region_[region + 1]; ++i) {
-      const Triangulation::Face& face = faces[in_order_[i]];
+      const ConstrainedTriangulation::Face& face = faces[in_order_[i]];
       for (std::size_t k = 0; k < 3; ++k) {
         if (face.slots[k] == kNone || face.neighbours[k] == kNone) {
           continue;
@@ -265,9 +265,9 @@ std::vector<FaceTriangulator::Members> FaceTriangulator::find_covers() const {
 
 std::uint32_t FaceTriangulator::face_at_frame() const {
   const auto& faces = triangulation_.faces();
-  const auto at_frame = [this](const Triangulation::Face& face) {
+  const auto at_frame = [this](const ConstrainedTriangulation::Face& face) {
     return std::any_of(face.corners.begin(), face.corners.end(), [this](auto v) {
-      return triangulation_.point(v) >= Triangulation::kFirstFrameCorner;
+      return triangulation_.point(v) >= ConstrainedTriangulation::kFirstFrameCorner;
     });
   };
   return static_cast<std::uint32_t>(std::find_if(faces.begin(), faces.end(), at_frame) -
@@ -280,10 +280,10 @@ std::vector<SignedTriangle> FaceTriangulator::signed_cover(
   for (const std::uint32_t t : members) {
     int sign = 1;
     if (t != members_[0]) {
-      const Triangle& s = scene_.support(t);
-      sign = projection_.orientation * turn(scene_.points, s[0], s[1], s[2], projection_.axis);
+      const Triangle& s = input_.support(t);
+      sign = projection_.orientation * turn(input_.points, s[0], s[1], s[2], projection_.axis);
     }
-    for (const SignedTriangle& c : scene_.cover(t)) {
+    for (const SignedTriangle& c : input_.cover(t)) {
       cover.push_back({c.triangle, sign * c.sign});
     }
   }
@@ -293,12 +293,12 @@ std::vector<SignedTriangle> FaceTriangulator::signed_cover(
 }
 
 // All regions of a triangle alone have one cover.
-void FaceTriangulator::emit_single(FacePieces& result) const {
+void FaceTriangulator::emit_single(FaceSubdivision& result) const {
   const std::vector<SignedTriangle> cover = signed_cover(members_);
-  if (changes_nothing(winding_change(scene_, rule_, cover))) {
+  if (changes_nothing(winding_change(input_, rule_, cover))) {
     return;
   }
-  Pieces& local = result.local;
+  Subdivision& local = result.local;
   const auto first = static_cast<std::uint32_t>(local.covers.size());
   local.covers.insert(local.covers.end(), cover.begin(), cover.end());
   for (std::uint32_t region = 0; region < region_count(); ++region) {
@@ -307,12 +307,12 @@ void FaceTriangulator::emit_single(FacePieces& result) const {
   }
 }
 
-void FaceTriangulator::emit_overlapping(FacePieces& result) const {
+void FaceTriangulator::emit_overlapping(FaceSubdivision& result) const {
   const std::vector<Members> covers = find_covers();
-  Pieces& local = result.local;
+  Subdivision& local = result.local;
   for (std::uint32_t region = 0; region < covers.size(); ++region) {
     std::vector<SignedTriangle> cover = signed_cover(covers[region]);
-    if (changes_nothing(winding_change(scene_, rule_, cover))) {
+    if (changes_nothing(winding_change(input_, rule_, cover))) {
       continue;
     }
     // A region of one triangle takes its orientation: it may be joined to others around a corner.
@@ -328,16 +328,17 @@ void FaceTriangulator::emit_overlapping(FacePieces& result) const {
   }
 }
 
-void FaceTriangulator::emit_pieces(std::uint32_t region, bool reversed, FacePieces& result) const {
+void FaceTriangulator::emit_pieces(std::uint32_t region, bool reversed,
+                                   FaceSubdivision& result) const {
   const auto number = static_cast<std::uint32_t>(result.local.regions.size() - 1);
   const auto known_points = static_cast<PointId>(result.new_points.size());
   const auto& faces = triangulation_.faces();
   for (std::uint32_t i = first_in_region_[region]; i < first_in_region_[region + 1]; ++i) {
-    const Triangulation::Face& face = faces[in_order_[i]];
-    Pieces::Piece piece{{}, number, 0};
+    const ConstrainedTriangulation::Face& face = faces[in_order_[i]];
+    Subdivision::SubTriangle piece{{}, number, 0};
     for (std::size_t k = 0; k < 3; ++k) {
       const PointId id = triangulation_.point(face.corners[k]);
-      piece.corners[k] = id < Triangulation::kNewPoint ? id : id + known_points;
+      piece.corners[k] = id < ConstrainedTriangulation::kNewPoint ? id : id + known_points;
       if (face.neighbours[k] == kNone || face.slots[k] != kNone) {
         piece.open = static_cast<std::uint8_t>(piece.open | (1u << k));
       }
@@ -351,4 +352,4 @@ void FaceTriangulator::emit_pieces(std::uint32_t region, bool reversed, FacePiec
   }
 }
 
-}  // namespace dupin::detail
+}  // namespace dupin::arrangement

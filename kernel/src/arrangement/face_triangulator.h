@@ -5,30 +5,31 @@
 #include <span>
 #include <vector>
 
-#include "faces.h"
-#include "incidences.h"
-#include "scene.h"
-#include "triangulation.h"
+#include "arrangement/constrained_triangulation.h"
+#include "arrangement/constraints.h"
+#include "arrangement/input.h"
+#include "arrangement/subdivision.h"
 
-namespace dupin::detail {
+namespace dupin::arrangement {
 
 /// Results of some faces one after another, with covers and regions of their own numbering and new
-/// points numbered from Triangulation::kNewPoint.
-struct FacePieces {
-  Pieces local;
-  std::vector<Triangulation::NewPoint> new_points;
+/// points numbered from ConstrainedTriangulation::kNewPoint.
+struct FaceSubdivision {
+  Subdivision local;
+  std::vector<ConstrainedTriangulation::NewPoint> new_points;
 };
 
 /// Triangulates one face after another, with the points and segments on it, and finds what covers
 /// its regions. Needs UpwardRounding.
 class FaceTriangulator {
  public:
-  FaceTriangulator(const Scene& scene, const BooleanRule& rule, const Incidences& incidences);
+  FaceTriangulator(const ArrangementInput& input, const BooleanRule& rule,
+                   const Constraints& constraints);
   FaceTriangulator(const FaceTriangulator&) = delete;
   FaceTriangulator& operator=(const FaceTriangulator&) = delete;
 
   /// `members`: the triangles of the face, which overlap in one plane.
-  void append(std::span<const std::uint32_t> members, FacePieces& result);
+  void append(std::span<const std::uint32_t> members, FaceSubdivision& result);
 
  private:
   struct Slot {
@@ -36,20 +37,20 @@ class FaceTriangulator {
     std::vector<std::uint32_t> bounding;  ///< members of which it is an edge
   };
   struct MemberIncidences {
-    std::array<std::span<const Incidences::OnEdge>, 3> on_edges;
-    std::span<const Incidences::Inside> insides;
-    std::span<const Incidences::Segment> segments;
+    std::array<std::span<const Constraints::OnEdge>, 3> on_edges;
+    std::span<const Constraints::Inside> insides;
+    std::span<const Constraints::Segment> segments;
   };
   using Members = std::vector<std::uint32_t>;
 
-  [[nodiscard]] Definition crossing(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] ImplicitPoint crossing(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] std::uint32_t both(std::uint32_t present, std::uint32_t added);
   [[nodiscard]] std::uint32_t last_slot() const {
     return static_cast<std::uint32_t>(slots_.size() - 1);
   }
   [[nodiscard]] EdgeKey edge(std::uint32_t triangle, std::size_t i) const;
   void collect_points();
-  [[nodiscard]] Triangulation::Vertex& vertex(PointId id);
+  [[nodiscard]] ConstrainedTriangulation::Vertex& vertex(PointId id);
   void place(PointId id, std::uint8_t sides);
   void start_from_triangle();
   void start_from_frame();
@@ -62,24 +63,24 @@ class FaceTriangulator {
   [[nodiscard]] std::uint32_t face_at_frame() const;
   [[nodiscard]] std::vector<SignedTriangle> signed_cover(
       std::span<const std::uint32_t> members) const;
-  void emit_single(FacePieces& result) const;
-  void emit_overlapping(FacePieces& result) const;
-  void emit_pieces(std::uint32_t region, bool reversed, FacePieces& result) const;
+  void emit_single(FaceSubdivision& result) const;
+  void emit_overlapping(FaceSubdivision& result) const;
+  void emit_pieces(std::uint32_t region, bool reversed, FaceSubdivision& result) const;
 
-  const Scene& scene_;
+  const ArrangementInput& input_;
   const BooleanRule& rule_;
-  const Incidences& incidences_;
-  Triangulation triangulation_;
+  const Constraints& constraints_;
+  ConstrainedTriangulation triangulation_;
   // Of the present face:
   std::span<const std::uint32_t> members_;
   std::vector<MemberIncidences> incidences_of_;  // of each member
   Projection projection_;
   std::vector<Slot> slots_;
   std::vector<PointId> ids_;
-  std::vector<Triangulation::Vertex> vertices_;
+  std::vector<ConstrainedTriangulation::Vertex> vertices_;
   std::vector<std::uint32_t> region_of_;        // per face of the triangulation
   std::vector<std::uint32_t> in_order_;         // its faces by region
   std::vector<std::uint32_t> first_in_region_;  // and one past the last
 };
 
-}  // namespace dupin::detail
+}  // namespace dupin::arrangement

@@ -1,4 +1,4 @@
-#include "limits.h"
+#include "arrangement/limits.h"
 
 #include <string>
 
@@ -6,7 +6,7 @@
 
 #include "dupin/kernel/error.h"
 
-namespace dupin::detail {
+namespace dupin::arrangement {
 namespace {
 
 // Rounded up from the peaks that boolean_bench reports, operands not counted: untouched triangles
@@ -32,17 +32,18 @@ void refuse_too_many(std::uint64_t points, std::uint64_t triangles) {
   }
 }
 
-void refuse_too_large(std::uint64_t triangles, std::uint64_t encounters, std::uint64_t limit) {
+void refuse_too_large(std::uint64_t triangles, std::uint64_t intersections, std::uint64_t limit) {
   const std::uint64_t allowed = limit == 0 ? machine_memory() : limit;
-  const std::uint64_t needed = kBytesPerTriangle * triangles + kBytesPerEncounter * encounters;
+  const std::uint64_t needed = kBytesPerTriangle * triangles + kBytesPerEncounter * intersections;
   if (needed > allowed) {
     throw Error(
         Errc::limit_exceeded,
         "the boolean operation on " + std::to_string(triangles) + " triangles" +
-            (encounters == 0 ? "" : ", of which " + std::to_string(encounters) + " pairs meet,") +
+            (intersections == 0 ? ""
+                                : ", of which " + std::to_string(intersections) + " pairs meet,") +
             " would need about " + megabytes(needed) + " of memory; allowed are " +
             megabytes(allowed));
   }
 }
 
-}  // namespace dupin::detail
+}  // namespace dupin::arrangement

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace dupin::detail {
+namespace dupin::arrangement {
 
 /// The other half of the index space is for the points of one face before they are numbered.
 inline constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 31;
@@ -14,6 +14,6 @@ void refuse_too_many(std::uint64_t points, std::uint64_t triangles);
 /// Throws Error{limit_exceeded} if an arrangement of so many triangles, of which so many pairs
 /// meet, is estimated to need more than `limit` bytes; a limit of 0 stands for the machine's
 /// memory.
-void refuse_too_large(std::uint64_t triangles, std::uint64_t encounters, std::uint64_t limit);
+void refuse_too_large(std::uint64_t triangles, std::uint64_t intersections, std::uint64_t limit);
 
-}  // namespace dupin::detail
+}  // namespace dupin::arrangement

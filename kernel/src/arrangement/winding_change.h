@@ -4,16 +4,17 @@
 #include <span>
 #include <vector>
 
-#include "scene.h"
+#include "arrangement/input.h"
 
-namespace dupin::detail {
+namespace dupin::arrangement {
 
 /// By how much the count of each group grows from the front of coincident triangles to their back.
-[[nodiscard]] inline std::vector<int> winding_change(const Scene& scene, const BooleanRule& rule,
+[[nodiscard]] inline std::vector<int> winding_change(const ArrangementInput& input,
+                                                     const BooleanRule& rule,
                                                      std::span<const SignedTriangle> cover) {
   std::vector<int> change(rule.groups, 0);
   for (const SignedTriangle& t : cover) {
-    change[rule.group_of_operand[scene.operand_of(t.triangle)]] += t.sign;
+    change[rule.group_of_operand[input.operand_of(t.triangle)]] += t.sign;
   }
   return change;
 }
@@ -22,4 +23,4 @@ namespace dupin::detail {
   return std::all_of(change.begin(), change.end(), [](int c) { return c == 0; });
 }
 
-}  // namespace dupin::detail
+}  // namespace dupin::arrangement

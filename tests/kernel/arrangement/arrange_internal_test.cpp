@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 
-#include "stages.h"
+#include "kernel/arrangement/stages_internal.h"
 
-namespace dupin::detail {
+namespace dupin::arrangement {
 namespace {
 
 using test::box;
@@ -143,4 +143,4 @@ TEST(Arrange, leaves_the_rounding_of_later_tasks_alone) {
 }
 
 }  // namespace
-}  // namespace dupin::detail
+}  // namespace dupin::arrangement

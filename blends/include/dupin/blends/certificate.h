@@ -30,7 +30,7 @@ struct CyclidePiece {
 
 /// Discs that move for t in [0, 1]: the circles of a surface filled, or, for an elliptic tube, the
 /// larger circles about its ellipses.
-using CertifiedPiece = std::variant<RingedSurface, EllipticTube, CyclidePiece, RingedTube>;
+using CertifiedPiece = std::variant<RingedSurface, EllipticTube, CyclidePiece, RationalRingedTube>;
 
 /// Pieces one after the other, piece i being that of the parameters [i, i + 1]; a closed chain
 /// begins again where it ends.

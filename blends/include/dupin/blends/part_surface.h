@@ -15,8 +15,8 @@
 namespace dupin {
 
 /// The geometry of a part.
-using PartSurface = std::variant<RingedSurface, Sphere, EllipticTube, RingedTube, SplinePipe,
-                                 CyclideTube, KneecapChain>;
+using PartSurface = std::variant<RingedSurface, Sphere, EllipticTube, RationalRingedTube,
+                                 SplinePipe, CyclideTube, KneecapChain>;
 
 /// The ring of a part's port, its normal pointing out of the part; none where the part is closed.
 [[nodiscard]] const Ring* port_ring(const PartSurface& surface, PartEnd end);

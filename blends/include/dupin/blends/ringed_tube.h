@@ -7,7 +7,7 @@
 namespace dupin {
 
 /// A rational ringed surface between ports: oblique cylinders and cones, and what blends them.
-struct RingedTube {
+struct RationalRingedTube {
   Ring start, end;  ///< stored, shared with the neighbours bitwise
   RationalRingedSurface surface;
 };
@@ -15,11 +15,11 @@ struct RingedTube {
 /// The cylinder, or cone, oblique or right, of circles in planes orthogonal to `normal` between two
 /// centres. Throws Error{invalid_argument} for bad numbers and a normal not within 90 degrees of
 /// the direction of travel.
-[[nodiscard]] RingedTube oblique_tube(const Vec3& from, const Vec3& to, const Vec3& normal,
-                                      double start_radius, double end_radius);
+[[nodiscard]] RationalRingedTube oblique_tube(const Vec3& from, const Vec3& to, const Vec3& normal,
+                                              double start_radius, double end_radius);
 
 /// How the tube's ring moves as it leaves the tube through that end, at unit speed.
-[[nodiscard]] MovingRing leaving(const RingedTube& tube, PartEnd end);
+[[nodiscard]] MovingRing leaving(const RationalRingedTube& tube, PartEnd end);
 
 /// The same motion backwards: the normal and all rates but the normal's change sign.
 [[nodiscard]] MovingRing reversed(const MovingRing& ring);

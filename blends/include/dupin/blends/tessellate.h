@@ -42,7 +42,8 @@ struct TessellationOptions {
                                          double grid = 0);
 [[nodiscard]] std::uint32_t segments_for(const EllipticTube& tube, double tolerance,
                                          double grid = 0);
-[[nodiscard]] std::uint32_t segments_for(const RingedTube& tube, double tolerance, double grid = 0);
+[[nodiscard]] std::uint32_t segments_for(const RationalRingedTube& tube, double tolerance,
+                                         double grid = 0);
 [[nodiscard]] std::uint32_t segments_for(const SplinePipe& pipe, double tolerance, double grid = 0);
 [[nodiscard]] std::uint32_t segments_for(const KneecapChain& chain, double tolerance,
                                          double grid = 0);
@@ -81,7 +82,7 @@ struct Tessellation {
 /// what the frame along the spine may have lost.
 [[nodiscard]] Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
                                       const TessellationOptions& options = {});
-[[nodiscard]] Tessellation tessellate(const RingedTube& tube, const RingSampling& sampling,
+[[nodiscard]] Tessellation tessellate(const RationalRingedTube& tube, const RingSampling& sampling,
                                       const TessellationOptions& options = {});
 /// A closed pipe's last row is its first one.
 [[nodiscard]] Tessellation tessellate(const SplinePipe& pipe, const RingSampling& sampling,

@@ -8,8 +8,8 @@
 
 #include "dupin/io/mesh_header.h"
 #include "dupin/kernel/check.h"
-#include "dupin/kernel/mesh.h"
 #include "dupin/kernel/rounding.h"
+#include "dupin/kernel/mesh.h"
 
 namespace dupin {
 

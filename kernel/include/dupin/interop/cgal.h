@@ -62,7 +62,7 @@ template <class Point>
   return {rational(point.x()), rational(point.y()), rational(point.z())};
 }
 
-namespace detail {
+namespace interop {
 
 template <class Point>
 void add_faces(CGAL::Surface_mesh<Point>& surface, const std::vector<Triangle>& triangles,
@@ -88,7 +88,7 @@ void add_faces(CGAL::Surface_mesh<Point>& surface, const std::vector<Triangle>& 
   }
 }
 
-}  // namespace detail
+}  // namespace interop
 
 /// Vertex i and face i are point i and triangle i. Throws Error{not_manifold} where a halfedge
 /// structure cannot hold the mesh.
@@ -98,7 +98,7 @@ template <class Point>
   for (const Vec3& point : mesh.points) {
     surface.add_vertex(Point(point.x(), point.y(), point.z()));
   }
-  detail::add_faces(surface, mesh.triangles, mesh.labels);
+  interop::add_faces(surface, mesh.triangles, mesh.labels);
   return surface;
 }
 
@@ -117,7 +117,7 @@ template <class Point>
       surface.add_vertex(Point(number<Number>(x), number<Number>(y), number<Number>(z)));
     }
   }
-  detail::add_faces(surface, solid.triangles(), solid.labels());
+  interop::add_faces(surface, solid.triangles(), solid.labels());
   return surface;
 }
 

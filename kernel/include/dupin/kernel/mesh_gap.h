@@ -22,7 +22,7 @@ struct BoundaryLoop {
 };
 
 /// A region where faces of two meshes look at each other across a thin space.
-struct FacingRegion {
+struct GapRegion {
   std::vector<std::uint32_t> faces_a, faces_b;  ///< indices into triangles, ascending
   std::size_t pairs = 0;                        ///< of faces that see each other
   mpq_class least_squared, greatest_squared;    ///< exact squared distances of its nearest and its
@@ -34,7 +34,7 @@ struct FacingRegion {
 /// How two meshes fit.
 struct MeshGapReport {
   std::vector<BoundaryLoop> boundary_a, boundary_b;  ///< by lowest point
-  std::vector<FacingRegion> facing;                  ///< by lowest face of a
+  std::vector<GapRegion> facing;                     ///< by lowest face of a
   std::size_t welded_faces = 0;  ///< faces of a that b has too, by coordinates, the other way round
   std::size_t flat_faces = 0;    ///< faces without area in both meshes, left out of all else
   bool touching = false;         ///< the surfaces have at least one point in common

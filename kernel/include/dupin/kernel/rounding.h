@@ -4,18 +4,11 @@
 #include <utility>
 #include <vector>
 
+#include "dupin/kernel/coordinates.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
 
 namespace dupin {
-
-/// What a file format can hold.
-enum class Coordinates { binary64, binary32 };
-
-/// The number of the format nearest to `value`, ties to even; an infinity beyond its range. Not to
-/// be written as casts on the spot: GCC 12 drops them where they come in pairs.
-[[nodiscard]] double nearest(double value, Coordinates coordinates);
-[[nodiscard]] Vec3 nearest(const Vec3& point, Coordinates coordinates);
 
 /// The point that becomes (0, 0, 0) in the file: coordinates near it are finer.
 struct Origin {
@@ -56,7 +49,7 @@ struct RoundingReport {
   double slit_width = 0;
 };
 
-namespace detail {
+namespace rounding {
 class Rounding;
 }
 
@@ -73,7 +66,7 @@ class Rounded {
   [[nodiscard]] const RoundingReport& report() const { return report_; }
 
  private:
-  friend class detail::Rounding;
+  friend class rounding::Rounding;
   Rounded() = default;
 
   TriMesh mesh_;

@@ -13,7 +13,7 @@
 
 namespace dupin {
 
-namespace detail {
+namespace mesh {
 struct ExactMesh;
 }
 
@@ -71,11 +71,11 @@ class Solid {
   [[nodiscard]] const std::vector<std::string>& names() const;
 
   /// For the kernel itself.
-  explicit Solid(std::shared_ptr<const detail::ExactMesh> mesh);
-  [[nodiscard]] const detail::ExactMesh& exact() const { return *mesh_; }
+  explicit Solid(std::shared_ptr<const mesh::ExactMesh> mesh);
+  [[nodiscard]] const mesh::ExactMesh& exact() const { return *mesh_; }
 
  private:
-  std::shared_ptr<const detail::ExactMesh> mesh_;
+  std::shared_ptr<const mesh::ExactMesh> mesh_;
 };
 
 }  // namespace dupin

@@ -1,0 +1,191 @@
+#include "dupin/blends/build.h"
+
+#include <algorithm>
+#include <span>
+
+#include "assembly/part_context.h"
+#include "assembly/part_margins.h"
+#include "assembly/run_sampling.h"
+#include "assembly/weld.h"
+#include "assembly/welded_runs.h"
+#include "dupin/blends/cyclide_blend.h"
+#include "dupin/blends/resolve.h"
+#include "dupin/blends/tessellate.h"
+#include "dupin/kernel/error.h"
+#include "tessellation/tessellation_tolerance.h"
+
+namespace dupin {
+namespace {
+
+Assembly with_options(Assembly assembly, const BuildOptions& options) {
+  assembly.tolerance = options.tolerance.value_or(assembly.tolerance);
+  if (options.segments) {
+    assembly.segments = options.segments;
+  }
+  return assembly;
+}
+
+class Builder {
+  template <typename Work>
+  auto in_part(const ResolvedPart& part, const Work& work) const {
+    return assembly::with_part_context(assembly_, part.index, work);
+  }
+
+ public:
+  Builder(const Assembly& assembly, const BuildOptions& options)
+      : assembly_(assembly),
+        options_(options),
+        resolved_(resolve(assembly)),
+        tubes_(resolved_.parts.size()) {
+    built_.grid = assembly::lattice_spacing(assembly, resolved_);
+  }
+
+  Built run() {
+    for (const auto& part : resolved_.parts) {
+      built_.parts.push_back(in_part(part, [&] { return certified(part); }));
+    }
+    built_.ports = ports(resolved_);
+    built_.gaps = pair_ends(built_.ports, options_.connect);
+    const auto runs = assembly::welded_runs(resolved_);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      report("weld", double(i) / double(runs.size()));
+      append_solids(runs[i].parts, tessellated(runs[i], i));
+    }
+    built_.runs = runs.size();
+    built_.pieces = solids_.size();
+    built_.solid = solids_.size() == 1 ? solids_.front()
+                                       : unite(solids_, {options_.contacts, options_.progress});
+    return std::move(built_);
+  }
+
+ private:
+  void report(std::string_view stage, double fraction) const {
+    if (options_.progress && !options_.progress(stage, fraction)) {
+      throw Error(Errc::cancelled, "cancelled by the caller");
+    }
+  }
+
+  static std::vector<std::string> bias_sentences(const CyclideTube& tube,
+                                                 const CyclideChainThrough& chain) {
+    std::vector<PeVector> spheres = chain.spheres;
+    const bool from_port = std::holds_alternative<PortReference>(chain.from);
+    if (from_port) {
+      spheres.insert(spheres.begin(), tube.chain.pieces.front().start());
+    }
+    std::vector<std::string> sentences;
+    for (const std::size_t piece : bias_warnings(tube.chain, spheres)) {
+      sentences.push_back("piece " + std::to_string(piece) + " turns away from sphere " +
+                          std::to_string(2 * piece + (from_port ? 0 : 1)));
+    }
+    return sentences;
+  }
+
+  static void describe(const CyclideTube& tube, const PartShape& shape, PartReport& result) {
+    if (result.kind == "cyclide_blend") {
+      result.construction = kind(tube);
+    } else {
+      result.construction = std::to_string(tube.chain.pieces.size()) + " pieces";
+      result.warnings = bias_sentences(tube, std::get<CyclideChainThrough>(shape));
+    }
+  }
+
+  [[nodiscard]] PartReport certified(const ResolvedPart& part) const {
+    PartReport result;
+    result.name = part.name;
+    result.kind = part.kind;
+    const assembly::PartMargins proven = assembly::margins(part);
+    result.margin_lower = proven.margin_lower;
+    result.margin_upper = proven.margin_upper;
+    result.start_tangency = proven.start_tangency;
+    result.end_tangency = proven.end_tangency;
+    if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
+      describe(*tube, assembly_.parts[part.index].shape, result);
+    } else if (const auto* chain = std::get_if<KneecapChain>(&part.shape)) {
+      result.construction = std::to_string(chain->pieces.size()) + " pieces with kneecaps";
+    } else if (part.kind == "cyclide_blend") {
+      result.construction = "ringed";
+    }
+    if (part.kind == "cyclide_blend") {
+      result.rejected = search_cyclide_blend(flipped(*port_ring(part.shape, PartEnd::start)),
+                                             flipped(*port_ring(part.shape, PartEnd::end)))
+                            .rejected;
+    }
+    return result;
+  }
+
+  RingSampling tessellated(const assembly::WeldedRun& run, std::size_t position) {
+    const RingSampling chosen =
+        assembly::run_sampling(assembly_, resolved_, run, position, built_.grid);
+    for (const auto index : run.parts) {
+      Tessellation result = assembly::tessellated(assembly_, resolved_.parts[index], chosen);
+      PartReport& entry = built_.parts[index];
+      entry.error_bound = result.error_bound;
+      entry.segments = chosen.segments;
+      entry.bands = result.bands;
+      entry.triangles = result.mesh.triangles.size();
+      triangles_ += entry.triangles;
+      tessellation::refuse_too_fine(triangles_);
+      entry.smallest_angle = smallest_angle(result.mesh);
+      tubes_[index] = std::move(result.mesh);
+    }
+    return chosen;
+  }
+
+  // The pieces of a chain with kneecaps overlap each other.
+  [[nodiscard]] std::vector<Solid> solids_of(std::span<const std::uint32_t> parts,
+                                             const RingSampling& chosen) const {
+    TriMesh mesh = assembly::welded(resolved_, parts, tubes_, chosen);
+    const bool overlaps = std::any_of(parts.begin(), parts.end(), [&](std::uint32_t part) {
+      return std::holds_alternative<KneecapChain>(resolved_.parts[part].shape);
+    });
+    if (!overlaps) {
+      return {Solid::from(mesh)};
+    }
+    std::vector<Solid> solids;
+    for (const TriMesh& shell : assembly::connected_parts(mesh)) {
+      solids.push_back(Solid::from(shell));
+    }
+    return solids;
+  }
+
+  // Parts of a run may cross, touch or cover each other. Such a run is halved, at a ring, until
+  // every piece is a solid; the discs of both halves there are the same and vanish in the union.
+  void append_solids(std::span<const std::uint32_t> parts, const RingSampling& chosen) {
+    try {
+      auto solids = solids_of(parts, chosen);
+      solids_.insert(solids_.end(), solids.begin(), solids.end());
+      return;
+    } catch (const Error& error) {
+      if (error.code() == Errc::limit_exceeded) {
+        throw;
+      }
+    }
+    if (parts.size() == 1) {
+      in_part(resolved_.parts[parts.front()], [] {
+        throw Error(
+            Errc::irregular_surface,
+            "the part comes back and crosses itself; choose other ends, end speeds or radii");
+      });
+    }
+    const auto half = parts.size() / 2;
+    append_solids(parts.first(half), chosen);
+    append_solids(parts.subspan(half), chosen);
+  }
+
+  const Assembly& assembly_;
+  const BuildOptions& options_;
+  ResolvedAssembly resolved_;
+  std::vector<TriMesh> tubes_;  // by part
+  std::size_t triangles_ = 0;   // of them all
+  std::vector<Solid> solids_;
+  Built built_;
+};
+
+}  // namespace
+
+Built build(const Assembly& assembly, const BuildOptions& options) {
+  const Assembly effective = with_options(assembly, options);
+  return Builder(effective, options).run();
+}
+
+}  // namespace dupin

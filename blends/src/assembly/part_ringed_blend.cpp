@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "assembly/part_geometry.h"
+#include "dupin/kernel/error.h"
+#include "numbers/decimal.h"
+
+namespace dupin::assembly {
+namespace {
+
+// Speeds that are tried, in chords between the ends, where none are given.
+constexpr std::array<double, 9> kFactors{1, 0.8, 1.25, 0.6, 1.6, 0.45, 2, 0.3, 2.5};
+
+// The speed up to which the radius' Bezier coefficient next to an end that the blend leaves
+// narrowing is at least half of that end's radius, so that no thin neck appears.
+double neck_limit(double radius, double narrowing) {
+  return narrowing > 0 ? 1.5 * radius / narrowing : std::numeric_limits<double>::infinity();
+}
+
+// An end of the blend, its ring in the direction of travel.
+struct End {
+  Ring port;          ///< the ring with its normal in the direction of travel
+  MovingRing motion;  ///< at unit speed
+  bool is_canal = true;
+};
+
+class RingedBlend {
+ public:
+  RingedBlend(const PartContext& context, const RingedBlendBetween& blend)
+      : context_(context), blend_(blend) {}
+
+  [[nodiscard]] RationalRingedTube made() const {
+    const End from = end(blend_.from, false), to = end(blend_.to, true);
+    const double chord = (to.port.center - from.port.center).norm();
+    if (!(chord > 0)) {
+      throw Error(Errc::invalid_argument, "the blend's ends have the same centre; move them apart");
+    }
+    return {flipped(from.port), to.port, surface(from, to, chord)};
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& key, const std::string& message) const {
+    throw Error(Errc::invalid_argument, message, context_.assembly.parts.at(context_.index).name,
+                document_place(context_.assembly, context_.index, key));
+  }
+
+  [[nodiscard]] End end(const RingedBlendEnd& given, bool arriving) const {
+    if (const auto* port = std::get_if<PortReference>(&given)) {
+      const Ring& ring = context_.ring(*port);
+      if (ring.ellipse) {
+        fail(arriving ? "to" : "from",
+             "'" + to_string(*port) + "' is an ellipse; a ringed blend joins circles");
+      }
+      const MovingRing motion = context_.motion(*port);
+      return {arriving ? flipped(ring) : ring, arriving ? reversed(motion) : motion,
+              is_canal(motion, ring)};
+    }
+    const auto& free = std::get<FreeEnd>(given);
+    const std::string key = arriving ? "to" : "from";
+    if (!free.direction.allFinite() || !(free.direction.norm() > 0)) {
+      fail(key + "/direction", "the direction must be finite and not zero");
+    }
+    const TravelRing ring{free.center, free.direction.normalized(), free.radius};
+    End result{{ring.center, ring.normal, ring.radius}, {}, true};
+    result.motion = std::visit([&](const auto& contact) { return motion(ring, contact, result); },
+                               free.contact);
+    return result;
+  }
+
+  // That of along_canal: nothing but the slope.
+  static bool is_canal(const MovingRing& motion, const Ring& ring) {
+    return motion.center_rate == ring.normal && motion.normal_rate.isZero(0);
+  }
+
+  static MovingRing motion(const TravelRing& ring, const CanalContact& canal, End& end) {
+    end.port.slope = canal.slope;
+    return along_canal(ring, canal.slope, 1);
+  }
+  static MovingRing motion(const TravelRing& ring, const SphereContact& sphere, End& end) {
+    MovingRing result = along_sphere(ring, sphere.center, 1);
+    end.port.slope = result.radius_rate;
+    return result;
+  }
+  static MovingRing motion(const TravelRing& ring, const ObliqueConeContact& cone, End& end) {
+    end.is_canal = false;
+    return along_oblique_cone(ring, cone.apex, 1);
+  }
+  static MovingRing motion(const TravelRing& ring, const ObliqueCylinderContact& cylinder,
+                           End& end) {
+    end.is_canal = false;
+    return along_oblique_cylinder(ring, cylinder.ruling, 1);
+  }
+  static MovingRing motion(const TravelRing& ring, const PlateContact& plate, End& end) {
+    end.is_canal = false;
+    return along_plate(ring, plate.widening ? 1 : -1);
+  }
+
+  [[nodiscard]] RationalRingedSurface trial(const End& from, const End& to, double k,
+                                            double l) const {
+    if (!blend_.low_degree) {
+      return ringed_blend(at_speed(from.motion, k), at_speed(to.motion, l));
+    }
+    const auto canal = [](const End& end, double speed) {
+      return CanalEnd{{end.port.center, end.port.normal, end.port.radius}, end.port.slope, speed};
+    };
+    return canal_ringed_blend(canal(from, k), canal(to, l));
+  }
+
+  // The speeds nearest to the chord that work.
+  [[nodiscard]] RationalRingedSurface surface(const End& from, const End& to, double chord) const {
+    if (blend_.low_degree && !(from.is_canal && to.is_canal)) {
+      fail("bidegree", "[5, 2] needs cylinders, cones or spheres at both ends; take [9, 2]");
+    }
+    const double most_k = neck_limit(from.port.radius, -from.motion.radius_rate);
+    const double most_l = neck_limit(to.port.radius, to.motion.radius_rate);
+    struct Pair {
+      double k, l, cost;
+    };
+    std::vector<Pair> pairs;
+    for (const double a : kFactors) {
+      for (const double b : kFactors) {
+        pairs.push_back({blend_.k.value_or(std::min(a * chord, most_k)),
+                         blend_.l.value_or(std::min(b * chord, most_l)),
+                         std::abs(std::log(a)) + std::abs(std::log(b))});
+      }
+    }
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const Pair& a, const Pair& b) { return a.cost < b.cost; });
+    if (blend_.k && blend_.l) {
+      return trial(from, to, pairs.front().k, pairs.front().l);
+    }
+    for (const auto& [k, l, cost] : pairs) {
+      try {
+        return trial(from, to, k, l);
+      } catch (const Error& error) {
+        if (error.code() != Errc::irregular_surface) {
+          throw;
+        }
+      }
+    }
+    throw Error(Errc::infeasible_blend,
+                "no end speeds between 0.3 and 2.5 times the distance of the ends, " +
+                    numbers::decimal(chord) +
+                    ", give discs that do not overlap; move the ends apart, turn them towards each "
+                    "other, or put a ring between");
+  }
+
+  const PartContext& context_;
+  const RingedBlendBetween& blend_;
+};
+
+}  // namespace
+
+RationalRingedTube ringed_blend_part(const PartContext& context, const RingedBlendBetween& blend) {
+  return RingedBlend(context, blend).made();
+}
+
+}  // namespace dupin::assembly

@@ -1,0 +1,327 @@
+#include "dupin/blends/resolve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+
+#include "assembly/part_context.h"
+#include "assembly/part_geometry.h"
+#include "dupin/kernel/error.h"
+#include "numbers/decimal.h"
+
+namespace dupin {
+namespace {
+
+struct Reference {
+  PortReference port;
+  std::string_view key;
+  PartEnd own_end = PartEnd::start;
+};
+
+template <class Blend>
+std::vector<Reference> both_ends(const Blend& blend) {
+  return {{blend.from, "from", PartEnd::start}, {blend.to, "to", PartEnd::end}};
+}
+
+std::vector<Reference> port_ends(const RingedBlendBetween& blend) {
+  std::vector<Reference> result;
+  if (const auto* port = std::get_if<PortReference>(&blend.from)) {
+    result.push_back({*port, "from", PartEnd::start});
+  }
+  if (const auto* port = std::get_if<PortReference>(&blend.to)) {
+    result.push_back({*port, "to", PartEnd::end});
+  }
+  return result;
+}
+
+std::vector<Reference> references(const PartShape& shape) {
+  if (const auto* blend = std::get_if<CyclicBlendBetween>(&shape)) {
+    return both_ends(*blend);
+  }
+  if (const auto* blend = std::get_if<TwoConeBlendBetween>(&shape)) {
+    return both_ends(*blend);
+  }
+  if (const auto* blend = std::get_if<RingedBlendBetween>(&shape)) {
+    return port_ends(*blend);
+  }
+  if (const auto* spline = std::get_if<SplineBetween>(&shape)) {
+    return both_ends(*spline);
+  }
+  if (const auto* blend = std::get_if<CyclideBlendBetween>(&shape)) {
+    return {{blend->from, "from", PartEnd::start}, {blend->to, "to", PartEnd::end}};
+  }
+  if (const auto* chain = std::get_if<CyclideChainThrough>(&shape)) {
+    const auto* port = std::get_if<PortReference>(&chain->from);
+    return port == nullptr ? std::vector<Reference>() : std::vector<Reference>{{*port, "from"}};
+  }
+  if (const auto* cap = std::get_if<CapAt>(&shape)) {
+    return {{cap->at, "at"}};
+  }
+  if (const auto* pipe = std::get_if<PipeTo>(&shape)) {
+    return {{pipe->from, "from"}};
+  }
+  const PartStart* origin = nullptr;
+  if (const auto* pipe = std::get_if<PipeAlong>(&shape)) {
+    origin = &pipe->from;
+  } else if (const auto* cone = std::get_if<ConeAlong>(&shape)) {
+    origin = &cone->from;
+  } else if (const auto* turning = std::get_if<ElbowTurning>(&shape)) {
+    origin = &turning->from;
+  } else if (const auto* elbow = std::get_if<ElbowTo>(&shape)) {
+    origin = &elbow->from;
+  } else if (const auto* corner = std::get_if<ElbowCorner>(&shape)) {
+    origin = &corner->from;
+  }
+  if (origin == nullptr || !std::holds_alternative<PortReference>(*origin)) {
+    return {};
+  }
+  return {{std::get<PortReference>(*origin), "from"}};
+}
+
+std::size_t at(PartEnd end) { return end == PartEnd::start ? 0 : 1; }
+
+class Resolver {
+ public:
+  explicit Resolver(const Assembly& assembly)
+      : assembly_(assembly), ends_(assembly.parts.size()), shapes_(assembly.parts.size()) {}
+
+  ResolvedAssembly run() {
+    check_header();
+    check_names();
+    for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
+      for (const auto& reference : references(assembly_.parts[i].shape)) {
+        join(i, reference);
+      }
+    }
+    for (const auto part : in_order_of_need()) {
+      shapes_[part] = geometry(part);
+    }
+    return collected();
+  }
+
+ private:
+  struct End {
+    std::string taken_by;
+    std::optional<EndIndex> joined;
+    std::string cap;
+  };
+
+  [[noreturn]] void fail(std::uint32_t part, std::string_view key,
+                         const std::string& message) const {
+    throw Error(Errc::invalid_argument, message, assembly_.parts[part].name,
+                document_place(assembly_, part, key));
+  }
+
+  void check_header() const {
+    const double tolerance = assembly_.tolerance;
+    if (!(tolerance > 0 && std::isfinite(tolerance))) {
+      throw Error(Errc::invalid_argument,
+                  "the tolerance must be a positive number, not " + numbers::decimal(tolerance), {},
+                  document_place(assembly_, "/tolerance"));
+    }
+    if (assembly_.segments && *assembly_.segments < 3) {
+      throw Error(Errc::invalid_argument,
+                  "a ring needs at least 3 segments, not " + std::to_string(*assembly_.segments),
+                  {}, document_place(assembly_, "/segments"));
+    }
+    if (assembly_.parts.empty()) {
+      throw Error(Errc::invalid_argument, "an assembly needs at least one part", {},
+                  document_place(assembly_, "/parts"));
+    }
+  }
+
+  void check_names() {
+    for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
+      const std::string& name = assembly_.parts[i].name;
+      const auto fault = [&](const std::string& message) {
+        return Error(Errc::invalid_argument, message, name, document_place(assembly_, i) + "/name");
+      };
+      if (name.empty() || name.find('.') != std::string::npos) {
+        throw fault("a part's name must not be empty and not contain a dot");
+      }
+      const auto [entry, is_new] = index_.try_emplace(name, i);
+      if (!is_new) {
+        throw fault("the name is already taken by /parts/" + std::to_string(entry->second));
+      }
+    }
+  }
+
+  [[nodiscard]] std::uint32_t referred(std::uint32_t part, const Reference& reference) const {
+    const auto found = index_.find(reference.port.part);
+    if (found == index_.end()) {
+      fail(part, reference.key, "there is no part named '" + reference.port.part + "'");
+    }
+    const PartShape& shape = assembly_.parts[found->second].shape;
+    if (std::holds_alternative<SphereAt>(shape) || std::holds_alternative<CapAt>(shape) ||
+        std::holds_alternative<SplineRound>(shape)) {
+      fail(part, reference.key,
+           "'" + reference.port.part + "' is a " +
+               (std::holds_alternative<SplineRound>(shape) ? "closed " : "") +
+               std::string(kind(shape)) + " and has no ports");
+    }
+    const auto* chain = std::get_if<CyclideChainThrough>(&shape);
+    if (chain != nullptr && chain->wall > 0) {
+      fail(part, reference.key, "'" + reference.port.part + "' is hollow and has no ports");
+    }
+    return found->second;
+  }
+
+  void take(std::uint32_t part, std::string_view key, EndIndex end, const std::string& by) {
+    std::string& taken_by = ends_[end.part].at(at(end.end)).taken_by;
+    if (!taken_by.empty()) {
+      fail(part, key,
+           "the port '" + to_string({assembly_.parts[end.part].name, end.end}) +
+               "' is already taken by '" + taken_by + "'");
+    }
+    taken_by = by;
+  }
+
+  void join(std::uint32_t part, const Reference& reference) {
+    const std::string& name = assembly_.parts[part].name;
+    const EndIndex other{referred(part, reference), reference.port.end};
+    take(part, reference.key, other, name);
+    End& other_end = ends_[other.part].at(at(other.end));
+    if (std::holds_alternative<CapAt>(assembly_.parts[part].shape)) {
+      other_end.cap = name;
+      return;
+    }
+    const EndIndex own{part, reference.own_end};
+    take(part, reference.key, own, reference.port.part);
+    other_end.joined = own;
+    ends_[part].at(at(own.end)).joined = other;
+  }
+
+  // Every part after those it refers to, otherwise in document order.
+  std::vector<std::uint32_t> in_order_of_need() const {
+    std::vector<std::size_t> missing(assembly_.parts.size());
+    std::vector<std::vector<std::uint32_t>> dependants(assembly_.parts.size());
+    std::deque<std::uint32_t> ready;
+    for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
+      const auto needs = references(assembly_.parts[i].shape);
+      missing[i] = needs.size();
+      for (const auto& need : needs) {
+        dependants[index_.at(need.port.part)].push_back(i);
+      }
+      if (needs.empty()) {
+        ready.push_back(i);
+      }
+    }
+    std::vector<std::uint32_t> order;
+    while (!ready.empty()) {
+      const auto part = ready.front();
+      ready.pop_front();
+      order.push_back(part);
+      for (const auto dependant : dependants[part]) {
+        if (--missing[dependant] == 0) {
+          ready.push_back(dependant);
+        }
+      }
+    }
+    if (order.size() < assembly_.parts.size()) {
+      refuse_circle(missing);
+    }
+    return order;
+  }
+
+  [[noreturn]] void refuse_circle(const std::vector<std::size_t>& missing) const {
+    // From any unresolved part, unresolved needs lead into a circle.
+    const auto unresolved_need = [&](std::uint32_t part) {
+      const auto needs = references(assembly_.parts[part].shape);
+      const auto need = std::find_if(needs.begin(), needs.end(), [&](const Reference& reference) {
+        return missing[index_.at(reference.port.part)] > 0;
+      });
+      return std::pair{index_.at(need->port.part), need->key};
+    };
+    auto part = std::uint32_t(
+        std::find_if(missing.begin(), missing.end(), [](auto count) { return count > 0; }) -
+        missing.begin());
+    for (std::size_t i = 0; i < missing.size(); ++i) {  // no longer path ends before the circle
+      part = unresolved_need(part).first;
+    }
+    std::vector<std::uint32_t> circle{part};
+    while (unresolved_need(circle.back()).first != part) {
+      circle.push_back(unresolved_need(circle.back()).first);
+    }
+    std::rotate(circle.begin(), std::min_element(circle.begin(), circle.end()), circle.end());
+    std::string path;
+    for (const auto member : circle) {
+      path += "'" + assembly_.parts[member].name + "' -> ";
+    }
+    fail(circle.front(), unresolved_need(circle.front()).second,
+         "parts must not begin at each other in a circle: " + path + "'" +
+             assembly_.parts[circle.front()].name + "'");
+  }
+
+  [[nodiscard]] PartSurface geometry(std::uint32_t part) const {
+    const auto ring = [this](const PortReference& port) -> const Ring& { return ring_at(port); };
+    const auto motion = [this](const PortReference& port) { return motion_at(port); };
+    return assembly::with_part_context(assembly_, part, [&] {
+      return assembly::geometry({assembly_, part, ring, motion});
+    });
+  }
+
+  [[nodiscard]] const Ring& ring_at(const PortReference& port) const {
+    return *port_ring(shapes_[index_.at(port.part)], port.end);
+  }
+
+  [[nodiscard]] MovingRing motion_at(const PortReference& port) const {
+    const PartSurface& surface = shapes_[index_.at(port.part)];
+    if (const auto* tube = std::get_if<RationalRingedTube>(&surface)) {
+      return leaving(*tube, port.end);
+    }
+    const Ring& ring = *port_ring(surface, port.end);
+    return along_canal({ring.center, ring.normal, ring.radius}, ring.slope, 1);
+  }
+
+  ResolvedAssembly collected() {
+    std::vector<std::uint32_t> position(assembly_.parts.size());
+    ResolvedAssembly result;
+    for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
+      position[i] = std::uint32_t(result.parts.size());
+      const Part& part = assembly_.parts[i];
+      if (std::holds_alternative<CapAt>(part.shape)) {
+        continue;
+      }
+      ResolvedPart resolved{part.name, std::string(kind(part.shape)), i, shapes_[i], {}, {}};
+      for (const auto end : {PartEnd::start, PartEnd::end}) {
+        const End& state = ends_[i].at(at(end));
+        resolved.joined.at(at(end)) = state.joined;
+        resolved.end_names.at(at(end)) =
+            state.cap.empty() ? to_string({part.name, end}) : state.cap;
+      }
+      result.parts.push_back(std::move(resolved));
+    }
+    for (auto& part : result.parts) {
+      for (auto& joined : part.joined) {
+        if (joined) {
+          joined->part = position[joined->part];
+        }
+      }
+    }
+    return result;
+  }
+
+  const Assembly& assembly_;
+  std::map<std::string, std::uint32_t> index_;
+  std::vector<std::array<End, 2>> ends_;
+  std::vector<PartSurface> shapes_;
+};
+
+}  // namespace
+
+ResolvedAssembly resolve(const Assembly& assembly) { return Resolver(assembly).run(); }
+
+std::vector<Port> ports(const ResolvedAssembly& assembly) {
+  std::vector<Port> result;
+  for (const auto& part : assembly.parts) {
+    for (const PartEnd end : {PartEnd::start, PartEnd::end}) {
+      if (const Ring* ring = port_ring(part.shape, end)) {
+        result.push_back({to_string({part.name, end}), *ring, part.name});
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace dupin

@@ -1,0 +1,189 @@
+#include "assembly/weld.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+
+#include "dupin/blends/tessellate.h"
+
+namespace dupin::assembly {
+namespace {
+
+std::size_t at(PartEnd end) { return end == PartEnd::start ? 0 : 1; }
+
+struct Before {
+  bool operator()(const Vec3& a, const Vec3& b) const {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  }
+};
+
+// The vertices of one ring, by their coordinates, which all parts at the ring agree upon bitwise.
+using RingVertices = std::map<Vec3, std::uint32_t, Before>;
+
+class Welder {
+ public:
+  Welder(const ResolvedAssembly& assembly, std::span<const std::uint32_t> parts,
+         const RingSampling& sampling)
+      : assembly_(assembly), sampling_(sampling), is_member_(assembly.parts.size(), false) {
+    for (const auto part : parts) {
+      is_member_[part] = true;
+    }
+  }
+
+  void append(std::uint32_t index, const TriMesh& tube) {
+    const ResolvedPart& part = assembly_.parts[index];
+    const std::uint32_t label = new_label(part.name);
+    const Ring* start_ring = port_ring(part.shape, PartEnd::start);
+    if (start_ring == nullptr) {
+      append_closed(part, tube, label);
+      return;
+    }
+    const auto n = std::ptrdiff_t(sampling_.segments);
+    const std::span points(tube.points);
+    RingVertices& start = ring({index, PartEnd::start});
+    RingVertices& end = ring({index, PartEnd::end});
+    std::vector<std::uint32_t> vertices = on_ring(start, points.first(n));
+    const auto inner = appended(points.subspan(n, points.size() - 2 * n));
+    vertices.insert(vertices.end(), inner.begin(), inner.end());
+    const auto last = on_ring(end, points.last(n));
+    vertices.insert(vertices.end(), last.begin(), last.end());
+    append_triangles(tube, vertices, label);
+    close(index, PartEnd::start, *start_ring, label);
+    close(index, PartEnd::end, *port_ring(part.shape, PartEnd::end), label);
+  }
+
+  [[nodiscard]] TriMesh take() { return std::move(mesh_); }
+
+ private:
+  [[nodiscard]] bool is_welded(const EndIndex& end) const {
+    const auto& joined = assembly_.parts[end.part].joined.at(at(end.end));
+    return joined && is_member_[joined->part];
+  }
+
+  // Both ends at a welded ring have the same vertices; the end that comes first owns them.
+  RingVertices& ring(const EndIndex& end) {
+    const auto key = [](const EndIndex& e) { return std::pair(e.part, at(e.end)); };
+    const auto own = key(end);
+    return rings_[is_welded(end)
+                      ? std::min(own, key(*assembly_.parts[end.part].joined.at(at(end.end))))
+                      : own];
+  }
+
+  std::vector<std::uint32_t> appended(std::span<const Vec3> points) {
+    std::vector<std::uint32_t> vertices;
+    vertices.reserve(points.size());
+    for (const Vec3& point : points) {
+      vertices.push_back(std::uint32_t(mesh_.points.size()));
+      mesh_.points.push_back(point);
+    }
+    return vertices;
+  }
+
+  std::vector<std::uint32_t> on_ring(RingVertices& ring, std::span<const Vec3> points) {
+    std::vector<std::uint32_t> vertices;
+    vertices.reserve(points.size());
+    for (const Vec3& point : points) {
+      const auto [entry, is_new] = ring.try_emplace(point, std::uint32_t(mesh_.points.size()));
+      if (is_new) {
+        mesh_.points.push_back(point);
+      }
+      vertices.push_back(entry->second);
+    }
+    return vertices;
+  }
+
+  // The labels of a closed part tell its ends apart, if it has any.
+  void append_closed(const ResolvedPart& part, const TriMesh& mesh, std::uint32_t label) {
+    append_triangles(mesh, appended(mesh.points), label);
+    if (mesh.labels.empty()) {
+      return;
+    }
+    const std::array<std::uint32_t, 3> labels{label, new_label(part.end_names[0]),
+                                              new_label(part.end_names[1])};
+    std::transform(mesh.labels.begin(), mesh.labels.end(),
+                   mesh_.labels.end() - std::ptrdiff_t(mesh.labels.size()),
+                   [&](std::uint32_t own) { return labels.at(own); });
+  }
+
+  void append_triangles(const TriMesh& part, const std::vector<std::uint32_t>& vertices,
+                        std::uint32_t label) {
+    for (const auto& [a, b, c] : part.triangles) {
+      mesh_.triangles.push_back({vertices[a], vertices[b], vertices[c]});
+      mesh_.labels.push_back(label);
+    }
+  }
+
+  // Ends that are joined to a part outside the piece vanish in the union and need no name.
+  void close(std::uint32_t index, PartEnd end, const Ring& at_ring, std::uint32_t part_label) {
+    if (is_welded({index, end})) {
+      return;
+    }
+    const ResolvedPart& part = assembly_.parts[index];
+    const auto label = part.joined.at(at(end)) ? part_label : new_label(part.end_names.at(at(end)));
+    const TriMesh flat = disc(at_ring, sampling_);
+    append_triangles(flat, on_ring(ring({index, end}), flat.points), label);
+  }
+
+  std::uint32_t new_label(const std::string& name) {
+    mesh_.names.push_back(name);
+    return std::uint32_t(mesh_.names.size() - 1);
+  }
+
+  const ResolvedAssembly& assembly_;
+  const RingSampling& sampling_;
+  std::vector<bool> is_member_;
+  std::map<std::pair<std::uint32_t, std::size_t>, RingVertices> rings_;
+  TriMesh mesh_;
+};
+
+}  // namespace
+
+TriMesh welded(const ResolvedAssembly& assembly, std::span<const std::uint32_t> parts,
+               const std::vector<TriMesh>& tubes, const RingSampling& sampling) {
+  Welder welder(assembly, parts, sampling);
+  for (const auto part : parts) {
+    welder.append(part, tubes[part]);
+  }
+  return welder.take();
+}
+
+std::vector<TriMesh> connected_parts(const TriMesh& mesh) {
+  const auto none = std::uint32_t(mesh.points.size());
+  std::vector<std::uint32_t> parent(mesh.points.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t point) {
+    while (parent[point] != point) {
+      parent[point] = parent[parent[point]];
+      point = parent[point];
+    }
+    return point;
+  };
+  for (const auto& [a, b, c] : mesh.triangles) {
+    parent[root(b)] = root(a);
+    parent[root(c)] = root(a);
+  }
+  std::vector<TriMesh> parts;
+  std::vector<std::uint32_t> part_of(mesh.points.size(), none), index(mesh.points.size(), none);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    std::uint32_t& part = part_of[root(mesh.triangles[i][0])];
+    if (part == none) {
+      part = std::uint32_t(parts.size());
+      parts.push_back({{}, {}, {}, mesh.names});
+    }
+    TriMesh& here = parts[part];
+    Triangle triangle = mesh.triangles[i];
+    for (std::uint32_t& corner : triangle) {
+      if (index[corner] == none) {
+        index[corner] = std::uint32_t(here.points.size());
+        here.points.push_back(mesh.points[corner]);
+      }
+      corner = index[corner];
+    }
+    here.triangles.push_back(triangle);
+    here.labels.push_back(mesh.labels[i]);
+  }
+  return parts;
+}
+
+}  // namespace dupin::assembly

@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "assembly/run_sampling.h"
+#include "certification/end_tangency.h"
+#include "certification/prove_regular.h"
+#include "certification/swept_disc_pairs.h"
+#include "dupin/blends/certificate.h"
+#include "dupin/kernel/error.h"
+#include "numbers/decimal.h"
+#include "verification/claims.h"
+
+namespace dupin {
+namespace {
+
+CertifiedPiece cyclide_piece(const PeArc& arc) {
+  return CyclidePiece{flipped(circle_at(arc, 0)), circle_at(arc, 1), arc.start(),
+                      arc.start_tangent(),        arc.end(),         arc.chord()};
+}
+
+using Shape = std::variant<PieceChain, Sphere, OtherShape>;
+
+struct CertifiedShape {
+  Shape operator()(const Sphere& sphere) const { return sphere; }
+  Shape operator()(const SplinePipe& pipe) const {
+    return PieceChain{{pipe.pieces.begin(), pipe.pieces.end()}, pipe.closed, 0};
+  }
+  // The rings at joints are the later piece's.
+  Shape operator()(const CyclideTube& tube) const {
+    PieceChain result{{}, false, tube.wall};
+    for (const PeArc& arc : tube.chain.pieces) {
+      result.pieces.push_back(cyclide_piece(arc));
+    }
+    for (std::size_t i = 0; i < result.pieces.size(); ++i) {
+      auto& piece = std::get<CyclidePiece>(result.pieces[i]);
+      piece.start = i == 0 ? tube.start : piece.start;
+      piece.end = i + 1 == result.pieces.size()
+                      ? tube.end
+                      : flipped(std::get<CyclidePiece>(result.pieces[i + 1]).start);
+    }
+    return result;
+  }
+  Shape operator()(const KneecapChain&) const { return OtherShape{}; }
+  template <class Tube>
+  Shape operator()(const Tube& tube) const {
+    return PieceChain{{tube}, false, 0};
+  }
+};
+
+std::vector<certification::JoinedEnds> joints(const CertifiedPart& part, std::uint32_t other) {
+  std::vector<certification::JoinedEnds> result;
+  for (const PartEnd end : {PartEnd::start, PartEnd::end}) {
+    const auto& joined = part.joined.at(end == PartEnd::start ? 0 : 1);
+    if (joined && joined->part == other) {
+      result.push_back({end, joined->end});
+    }
+  }
+  return result;
+}
+
+class Certifier {
+ public:
+  Certifier(const Assembly& assembly, const CertifyOptions& options)
+      : assembly_(assembly), options_(options), resolved_(resolve(assembly)) {}
+
+  Certificate run() {
+    result_.document = assembly_.source;
+    result_.unit = assembly_.unit;
+    result_.tolerance = assembly_.tolerance;
+    for (const ResolvedPart& part : resolved_.parts) {
+      const auto shape = std::visit(CertifiedShape{}, part.shape);
+      result_.parts.push_back({part.name, part.kind, shape, part.joined});
+      sweeps_.push_back(
+          std::visit([](const auto& s) { return certification::SweptDiscs(s); }, shape));
+      result_.claims.push_back(claims(shape, sweeps_.back()));
+    }
+    append_meshes();
+    append_clearances();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] PartClaims claims(const Shape& shape,
+                                  const certification::SweptDiscs& sweep) const {
+    PartClaims result;
+    const auto* chain = std::get_if<PieceChain>(&shape);
+    if (chain == nullptr) {
+      if (std::holds_alternative<OtherShape>(shape)) {
+        result.regular.emplace();
+        result.embedded.emplace();
+      }
+      return result;
+    }
+    result.regular = certification::prove_regular(*chain, options_.margin);
+    result.embedded.emplace();
+    if (result.regular->verdict == Verdict::proved) {
+      result.embedded =
+          certification::prove_embedded(sweep, result.regular->margin, options_.boxes);
+    }
+    for (const CertifiedPiece& piece : chain->pieces) {
+      for (const auto end : {SurfaceEnd::start, SurfaceEnd::end}) {
+        result.tangency.push_back(certification::end_tangency(piece, end));
+      }
+    }
+    return result;
+  }
+
+  // The checker bounds errors in another way: more than was proven is claimed, so that it follows.
+  static std::optional<MeshClaim> checkable(const CertifiedPart& part, MeshClaim claim) {
+    const verification::Solid solid(part);
+    const double proven = claim.error_bound;
+    for (const double room : {0x1p-20, 0x1p-6, 0x1p-4, 0x1p-2, 1.0}) {
+      claim.error_bound = proven * (1 + room);
+      if (verification::follows(solid, claim)) {
+        return claim;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void append_meshes() {
+    const double grid = assembly::lattice_spacing(assembly_, resolved_);
+    const auto runs = assembly::welded_runs(resolved_);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const RingSampling sampling = assembly::run_sampling(assembly_, resolved_, runs[i], i, grid);
+      for (const auto part : runs[i].parts) {
+        Tessellation mesh = assembly::tessellated(assembly_, resolved_.parts[part], sampling);
+        const bool is_sphere = std::holds_alternative<Sphere>(result_.parts[part].shape);
+        if (is_sphere || !mesh.knots.empty()) {
+          result_.claims[part].mesh =
+              checkable(result_.parts[part],
+                        {sampling.segments, grid, std::move(mesh.knots), mesh.error_bound});
+        }
+      }
+    }
+  }
+
+  void append_clearances() {
+    for (std::uint32_t i = 0; i < sweeps_.size(); ++i) {
+      for (std::uint32_t j = i + 1; j < sweeps_.size(); ++j) {
+        ClearanceClaim claim = clearance(i, j);
+        claim.first = i;
+        claim.second = j;
+        result_.clearances.push_back(std::move(claim));
+      }
+    }
+  }
+
+  [[nodiscard]] ClearanceClaim clearance(std::uint32_t i, std::uint32_t j) const {
+    const auto ends = joints(result_.parts[i], j);
+    if (sweeps_[i].length() == 0 || sweeps_[j].length() == 0) {
+      return {};
+    }
+    return ends.empty() ? certification::prove_clearance(sweeps_[i], sweeps_[j], options_.boxes)
+                        : certification::prove_joint(sweeps_[i], sweeps_[j], ends, options_.boxes);
+  }
+
+  const Assembly& assembly_;
+  const CertifyOptions& options_;
+  ResolvedAssembly resolved_;
+  std::vector<certification::SweptDiscs> sweeps_;
+  Certificate result_;
+};
+
+}  // namespace
+
+std::size_t Certificate::findings() const {
+  std::size_t count = 0;
+  for (const PartClaims& part : claims) {
+    count += part.regular && part.regular->verdict != Verdict::proved ? 1 : 0;
+    count += part.embedded && part.embedded->verdict != Verdict::proved ? 1 : 0;
+    count += part.mesh ? 0 : 1;
+  }
+  return count +
+         std::size_t(std::count_if(clearances.begin(), clearances.end(), [](const auto& claim) {
+           return claim.verdict != Verdict::proved;
+         }));
+}
+
+bool Certificate::joined(const ClearanceClaim& claim) const {
+  return !joints(parts[claim.first], claim.second).empty();
+}
+
+Certificate certify(const Assembly& assembly, const CertifyOptions& options) {
+  if (options.margin && !(*options.margin >= 0 && *options.margin < 1)) {
+    throw Error(Errc::invalid_argument,
+                "the margin to prove must be at least 0 and less than 1, not " +
+                    numbers::decimal(*options.margin));
+  }
+  return Certifier(assembly, options).run();
+}
+
+}  // namespace dupin

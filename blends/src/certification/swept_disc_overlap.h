@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "certification/swept_discs.h"
+
+namespace dupin::certification {
+
+/// Whoever checks a claim rounds in his own way: nothing is claimed that hangs on a smaller share.
+constexpr double kDiscSlack = 0x1p-40;
+
+/// A point inside discs at two places of the same part, if one is found.
+[[nodiscard]] std::optional<Overlap> self_overlap(const SweptDiscs& sweep);
+
+/// A point inside discs of both parts, if one is found.
+[[nodiscard]] std::optional<Overlap> overlap(const SweptDiscs& first, const SweptDiscs& second);
+
+/// The centre of an end ring of either part that lies in an end ring of the other, exactly.
+[[nodiscard]] std::optional<Overlap> contact(const SweptDiscs& first, const SweptDiscs& second);
+
+}  // namespace dupin::certification

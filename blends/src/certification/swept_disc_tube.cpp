@@ -1,0 +1,229 @@
+#include "certification/swept_disc_tube.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "curves/exact_radius.h"
+#include "dupin/kernel/error.h"
+#include "numbers/interval_bezier.h"
+#include "numbers/mpfi_interval.h"
+#include "numbers/polynomial.h"
+#include "ringed/second_derivatives.h"
+
+namespace dupin::certification {
+namespace {
+
+using Mpfi = numbers::MpfiInterval<128>;
+
+// Arcs turn by less than a half turn per rational quadratic; more is put together.
+constexpr double kLargestHalfTurn = 1.5;
+
+numbers::Interval narrowed(const Mpfi& x) {
+  const Enclosure e = x.rounded_outward();
+  return {e.lower, e.upper};
+}
+
+double angle_between(const numbers::IntervalVec& a, const numbers::IntervalVec& b) {
+  const numbers::Interval y = numbers::norm(numbers::cross(a, b)), x = numbers::dot(a, b);
+  return angle(Mpfi::between(y.lower, y.upper), Mpfi::between(x.lower, x.upper))
+      .rounded_outward()
+      .upper;
+}
+
+std::vector<numbers::IntervalVec> differences(const std::vector<numbers::IntervalVec>& points) {
+  std::vector<numbers::IntervalVec> result;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    result.push_back(points[i + 1] - points[i]);
+  }
+  return result;
+}
+
+struct Controls {
+  std::vector<numbers::IntervalVec> points;
+  std::vector<numbers::Interval> weights;
+};
+
+Controls controls(const LineSpine& line) {
+  return {{numbers::interval_vec(line.from), numbers::interval_vec(line.to)}, {}};
+}
+
+Controls controls(const HermiteSpine& h) {
+  const numbers::Interval third = numbers::Interval(1) / 3;
+  const numbers::IntervalVec from = numbers::interval_vec(h.from), to = numbers::interval_vec(h.to);
+  return {{from, from + third * numbers::interval_vec(h.start_velocity),
+           to - third * numbers::interval_vec(h.end_velocity), to},
+          {}};
+}
+
+Controls controls(const BezierSpine& bezier) {
+  Controls result;
+  for (std::size_t i = 0; i < bezier.points.size(); ++i) {
+    const numbers::Interval weight = bezier.weights.empty() ? 1 : bezier.weights[i];
+    result.points.push_back(weight * numbers::interval_vec(bezier.points[i]));
+  }
+  result.weights = {bezier.weights.begin(), bezier.weights.end()};
+  return result;
+}
+
+// The Bernstein coefficients of p' w - p w' up to a factor, where the curve is p / w.
+std::vector<numbers::IntervalVec> rational_tangents(const std::vector<numbers::IntervalVec>& p,
+                                                    const std::vector<numbers::Interval>& w) {
+  const std::size_t n = p.size() - 1;
+  std::vector<numbers::IntervalVec> result(2 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j <= n; ++j) {
+      const numbers::Interval share =
+          numbers::Interval(numbers::binomial(n - 1, i).get_d() * numbers::binomial(n, j).get_d()) /
+          numbers::binomial(2 * n - 1, i + j).get_d();
+      result[i + j] = result[i + j] + share * (w[j] * (p[i + 1] - p[i]) - (w[i + 1] - w[i]) * p[j]);
+    }
+  }
+  return result;
+}
+
+struct ArcPart {
+  std::vector<numbers::IntervalVec> centers, tangents;
+};
+
+// The affine image of a circle's arc: between its ends, inside the triangle with the point where
+// the end tangents meet.
+ArcPart arc_part(const ArcSpine& arc, const ParameterInterval& t) {
+  if (arc.angle * (t.to - t.from) > 2 * kLargestHalfTurn) {
+    const double middle = (t.from + t.to) / 2;
+    ArcPart result = arc_part(arc, {t.from, middle});
+    const ArcPart rest = arc_part(arc, {middle, t.to});
+    result.centers.insert(result.centers.end(), rest.centers.begin(), rest.centers.end());
+    result.tangents.insert(result.tangents.end(), rest.tangents.begin(), rest.tangents.end());
+    return result;
+  }
+  const numbers::IntervalVec u =
+      numbers::interval_vec(arc.start) - numbers::interval_vec(arc.center);
+  const numbers::IntervalVec v = numbers::cross(numbers::interval_vec(arc.axis), u);
+  const Mpfi from = Mpfi(arc.angle) * t.from, to = Mpfi(arc.angle) * t.to;
+  const auto spoke = [&](const Mpfi& turned) {
+    return narrowed(cosine(turned)) * u + narrowed(sine(turned)) * v;
+  };
+  const auto direction = [&](const Mpfi& turned) {
+    return narrowed(cosine(turned)) * v - narrowed(sine(turned)) * u;
+  };
+  const numbers::IntervalVec center = numbers::interval_vec(arc.center);
+  const numbers::Interval stretch = numbers::Interval(1) / narrowed(cosine((to - from) / 2));
+  return {{center + spoke(from), center + stretch * spoke((from + to) / 2), center + spoke(to)},
+          {direction(from), direction(to)}};
+}
+
+// Positive and negative for a radius that grows or falls along the way; 0 for a constant one; none
+// for others.
+std::optional<double> trend(const RadiusLaw& law) {
+  if (const auto* bezier = std::get_if<BezierRadius>(&law)) {
+    const auto& c = bezier->coefficients;
+    if (!std::is_sorted(c.begin(), c.end()) && !std::is_sorted(c.rbegin(), c.rend())) {
+      return std::nullopt;
+    }
+  }
+  return evaluate(law, 1).value - evaluate(law, 0).value;
+}
+
+std::vector<numbers::Interval> coefficients(const RadiusLaw& law) {
+  if (const auto* linear = std::get_if<LinearRadius>(&law)) {
+    return {linear->start, linear->end};
+  }
+  if (const auto* cubic = std::get_if<CubicRadius>(&law)) {
+    return {cubic->start, cubic->start, cubic->end, cubic->end};
+  }
+  if (const auto* bezier = std::get_if<BezierRadius>(&law)) {
+    return {bezier->coefficients.begin(), bezier->coefficients.end()};
+  }
+  return {std::get<ConstantRadius>(law).radius};
+}
+
+numbers::Interval range(const RadiusLaw& law, const ParameterInterval& t) {
+  const auto* cyclide = std::get_if<CyclideRadius>(&law);
+  return cyclide != nullptr ? numbers::hull(curves::enclosed_radius(*cyclide, t.from),
+                                            curves::enclosed_radius(*cyclide, t.to))
+                            : numbers::bezier_range(coefficients(law), {t.from, t.to});
+}
+
+}  // namespace
+
+SweptDiscTube::SweptDiscTube(const RingedSurface& surface)
+    : spine_(surface.spine), radii_{surface.radius} {}
+
+SweptDiscTube::SweptDiscTube(const EllipticTube& tube)
+    : spine_(tube.spine), radii_{tube.first, tube.second} {}
+
+SweptDiscTube::Part SweptDiscTube::curve(const ParameterInterval& t) const {
+  if (const auto* arc = std::get_if<ArcSpine>(&spine_)) {
+    ArcPart part = arc_part(*arc, t);
+    return {std::move(part.centers), std::move(part.tangents)};
+  }
+  struct Visitor {
+    Controls operator()(const LineSpine& s) const { return controls(s); }
+    Controls operator()(const HermiteSpine& s) const { return controls(s); }
+    Controls operator()(const BezierSpine& s) const { return controls(s); }
+    Controls operator()(const ArcSpine&) const { return {}; }
+  };
+  const Controls whole = std::visit(Visitor{}, spine_);
+  const numbers::Interval stretch(t.from, t.to);
+  Part part{numbers::bezier_part(whole.points, stretch), {}};
+  if (whole.weights.empty()) {
+    part.tangents = numbers::bezier_part(differences(whole.points), stretch);
+    return part;
+  }
+  part.tangents = numbers::bezier_part(rational_tangents(whole.points, whole.weights), stretch);
+  const auto weights = numbers::bezier_part(whole.weights, stretch);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    part.centers[i] = numbers::Interval(1) / weights[i] * part.centers[i];
+  }
+  return part;
+}
+
+numbers::Interval SweptDiscTube::radius(const ParameterInterval& t) const {
+  numbers::Interval result = range(radii_.front(), t);
+  for (const RadiusLaw& law : radii_) {
+    const numbers::Interval here = range(law, t);
+    result = {std::max(result.lower, here.lower), std::max(result.upper, here.upper)};
+  }
+  return result;
+}
+
+// The direction of a Bezier polynomial turns by no more than that of its control polygon.
+double SweptDiscTube::turning(const ParameterInterval& t) const {
+  const std::vector<numbers::IntervalVec> tangents = curve(t).tangents;
+  numbers::Interval sum = 0;
+  for (std::size_t i = 0; i + 1 < tangents.size(); ++i) {
+    sum = sum + angle_between(tangents[i], tangents[i + 1]);
+  }
+  return sum.upper;
+}
+
+bool SweptDiscTube::turns_little(const ParameterInterval& t, double margin) const {
+  // A little less than proven to be enough, for a checker's own rounding.
+  constexpr double kSlack = 1 - 0x1p-40;
+  const numbers::Interval all = radius(t);
+  if (!(turning(t) <= std::numbers::pi / 2 * kSlack) || !(all.lower > 0)) {
+    return false;
+  }
+  bool monotone = true, grows = true, falls = true;
+  for (const RadiusLaw& law : radii_) {
+    const auto own = trend(law);
+    monotone = monotone && own.has_value();
+    grows = grows && own.value_or(0) >= 0;
+    falls = falls && own.value_or(0) <= 0;
+  }
+  return (monotone && (grows || falls)) ||
+         ((numbers::Interval(1) - margin) * all.upper).upper <= all.lower * kSlack;
+}
+
+std::optional<DiscPace> SweptDiscTube::pace(const ParameterInterval& t) const {
+  try {
+    const ringed::SpineBounds bounds = ringed::spine_bounds(spine_, {t.from, t.to});
+    return DiscPace{bounds.speed.lower, 0, bounds.turning, radius(t),
+                    (numbers::Interval(t.to) - t.from).upper};
+  } catch (const Error&) {
+    return std::nullopt;  // the spine may stop there
+  }
+}
+
+}  // namespace dupin::certification

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "certification/moving_disc.h"
+#include "dupin/blends/elliptic_tube.h"
+#include "dupin/blends/regularity.h"
+#include "numbers/interval.h"
+
+namespace dupin::certification {
+
+/// The discs across a spine: those of a ringed surface, or the larger ones about the ellipses of an
+/// elliptic tube. Parameters are in [0, 1].
+class SweptDiscTube {
+ public:
+  explicit SweptDiscTube(const RingedSurface& surface);
+  explicit SweptDiscTube(const EllipticTube& tube);
+
+  /// Control points and control vectors of a stretch: centres are in the convex hull of the former,
+  /// tangents in the cone of the latter.
+  struct Part {
+    std::vector<numbers::IntervalVec> centers, tangents;
+  };
+
+  [[nodiscard]] Part curve(const ParameterInterval& t) const;
+  [[nodiscard]] numbers::Interval radius(const ParameterInterval& t) const;
+
+  /// Whether the discs at any two parameters in t are disjoint because the spine turns by at most a
+  /// right angle, given that 1 - kappa R > margin >= 0.
+  [[nodiscard]] bool turns_little(const ParameterInterval& t, double margin) const;
+
+  /// None where the spine may stop.
+  [[nodiscard]] std::optional<DiscPace> pace(const ParameterInterval& t) const;
+
+ private:
+  [[nodiscard]] double turning(const ParameterInterval& t) const;
+
+  Spine spine_;
+  std::vector<RadiusLaw> radii_;
+};
+
+}  // namespace dupin::certification

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "dupin/blends/ringed_surface.h"
+#include "numbers/quadrature.h"
+
+namespace dupin::ringed {
+
+/// The blends between two fixed ends, by their end speeds.
+using BlendFamily = std::function<RingedSurface(double k, double l)>;
+
+/// What a pair of end speeds leads to, in doubles (certificates come afterwards).
+struct Trial {
+  double k = 0, l = 0;
+  double energy = 0;  ///< integral of kappa^2 ds
+  double length = 0;
+  double margin = 0;  ///< min(1 - kappa R)
+};
+
+/// The search for end speeds: a log grid over 0.05 to 5 times the `scale`, then nested golden
+/// sections about its best point. (A simplex search stalls here: the margin has an edge wherever
+/// two places on the spine are equally tight.)
+class BlendSearch {
+ public:
+  BlendSearch(BlendFamily family, double scale, std::optional<double> k, std::optional<double> l);
+
+  /// Least energy with at least this margin; none if there is none.
+  [[nodiscard]] std::optional<Trial> least_energy(double margin) const;
+  /// With at least this margin, that of least hypot(ln(k / wanted k), ln(l / wanted l)).
+  [[nodiscard]] std::optional<Trial> nearest(double margin, double k, double l) const;
+  /// Largest margin; none if nothing is within the length allowed.
+  [[nodiscard]] std::optional<Trial> largest_margin() const;
+
+ private:
+  // Ordered: what is missing to be allowed, then what is to be small.
+  using Cost = std::pair<double, double>;
+  using CostFunction = std::function<Cost(const Trial&)>;
+
+  // A point of the search: logarithms of k and l in units of the scale.
+  struct Speeds {
+    double k = 0, l = 0;
+  };
+
+  [[nodiscard]] Trial trial(const Speeds& at, const numbers::Quadrature& rule) const;
+  [[nodiscard]] bool admissible(const Trial& trial) const;
+  [[nodiscard]] Cost cost(const Speeds& at, const CostFunction& wanted) const;
+  [[nodiscard]] Speeds refined(const Speeds& start, const CostFunction& wanted) const;
+  [[nodiscard]] std::optional<Trial> best(const CostFunction& wanted) const;
+
+  BlendFamily family_;
+  double scale_;
+  std::optional<double> k_, l_;  // logarithms, if given
+  numbers::Quadrature fine_ = numbers::gauss_panels(4);
+  std::vector<std::pair<Speeds, Trial>> grid_;  // the admissible points
+};
+
+}  // namespace dupin::ringed

@@ -1,0 +1,342 @@
+#include "dupin/blends/cyclic_blend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "dupin/blends/regularity.h"
+#include "dupin/kernel/error.h"
+#include "numbers/decimal.h"
+#include "numbers/quadrature.h"
+#include "ringed/blend_search.h"
+#include "ringed/blend_shape.h"
+
+namespace dupin {
+namespace {
+
+using numbers::decimal;
+
+// How tightly chosen speeds are certified; the search aims this much above the asked margin.
+constexpr double kCertificateWidth = 1e-8;
+
+int spine_degree(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  const bool cone =
+      from.slope != 0 || to.slope != 0 || across_slope(from) != 0 || across_slope(to) != 0;
+  return 3 + (cone ? 2 : 0) + (options.continuity == Continuity::g2 ? 2 : 0);
+}
+
+// Of the circles about elliptic ends.
+ringed::EndRadii radii_about(const Ring& from, const Ring& to) {
+  return {largest_radius(from), std::max(from.slope, across_slope(from)), largest_radius(to),
+          std::max(to.slope, across_slope(to))};
+}
+
+// As far as the spine is straight at an end, the radius is that of the cone there.
+BezierRadius cone_ended(const ringed::EndRadii& radii, double k, double l, int degree) {
+  BezierRadius result;
+  for (int i = 0; 2 * i < degree; ++i) {
+    result.coefficients.push_back(radii.start + i * k * radii.start_slope / degree);
+  }
+  for (int i = degree / 2; i >= 0; --i) {
+    result.coefficients.push_back(radii.end + i * l * radii.end_slope / degree);
+  }
+  return result;
+}
+
+RadiusLaw cylinder_ended(const ringed::EndRadii& radii, const CyclicBlendOptions& options) {
+  if (options.radius_law == BlendLaw::r2) {
+    return CyclideRadius{radii.start, radii.end};
+  }
+  return CubicRadius{radii.start, radii.end};
+}
+
+RingedSurface assembled(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                        double k, double l) {
+  const HermiteSpine spine{from.center, to.center, k * from.normal, -l * to.normal};
+  const int degree = spine_degree(from, to, options);
+  const ringed::EndRadii radii = radii_about(from, to);
+  if (degree > 3) {
+    return {flipped(from), flipped(to), degree == 5 ? quintic_spine(spine) : septic_spine(spine),
+            cone_ended(radii, k, l, degree)};
+  }
+  return {flipped(from), flipped(to), spine, cylinder_ended(radii, options)};
+}
+
+ringed::BlendSearch search(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  const auto family = [=](double k, double l) { return assembled(from, to, options, k, l); };
+  return {family, (to.center - from.center).norm(), options.k, options.l};
+}
+
+void require_positive(const std::optional<double>& speed, const std::string& name) {
+  if (speed && !(std::isfinite(*speed) && *speed > 0)) {
+    throw Error(Errc::invalid_argument, "the blend's " + name + " must be a positive number, not " +
+                                            numbers::decimal(*speed));
+  }
+}
+
+void validate(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  validate(from);
+  validate(to);
+  require_positive(options.k, "k");
+  require_positive(options.l, "l");
+  if (!(options.margin >= 0 && options.margin < 1)) {
+    throw Error(Errc::invalid_argument,
+                "the blend's margin must be at least 0 and less than 1, not " +
+                    numbers::decimal(options.margin));
+  }
+  if (options.radius_law == BlendLaw::r2 && spine_degree(from, to, options) > 3) {
+    throw Error(Errc::invalid_argument,
+                "the radius law R2 goes with tangent continuity between cylinders only; take R1");
+  }
+  if (from.center == to.center) {
+    throw Error(Errc::invalid_argument, "the blend's ends have the same centre; move them apart");
+  }
+}
+
+bool is_valid(const RingedSurface& surface, double margin) {
+  return smallest_radius(surface.radius) > 0 &&
+         prove_margin(surface, margin).verdict == Verdict::proved;
+}
+
+// A lower bound of the margin; minus infinity where the radius vanishes.
+BlendChoice certified(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                      const ringed::Trial& found) {
+  const RingedSurface surface = assembled(from, to, options, found.k, found.l);
+  const double margin = smallest_radius(surface.radius) > 0
+                            ? regularity(surface, {kCertificateWidth}).lower
+                            : -std::numeric_limits<double>::infinity();
+  return {found.k, found.l, found.energy, margin, found.length};
+}
+
+// Coaxial ends: every speed gives a straight spine, so the one of constant speed is taken. Normals
+// and centres that are coaxial but for rounding (some 10 ulp each) leave an energy below this.
+std::optional<BlendChoice> straight_choice(const Ring& from, const Ring& to,
+                                           const CyclicBlendOptions& options) {
+  const double distance = (to.center - from.center).norm();
+  const Spine spine = assembled(from, to, options, distance, distance).spine;
+  const double bend = 64 * std::numeric_limits<double>::epsilon();
+  if (options.k || options.l || !(bending_energy(spine) * distance <= bend * bend)) {
+    return std::nullopt;
+  }
+  return certified(from, to, options, {distance, distance, bending_energy(spine), length(spine)});
+}
+
+// What `find` finds for a margin, certified to have it.
+template <class Find>
+std::optional<BlendChoice> certified_choice(const Ring& from, const Ring& to,
+                                            const CyclicBlendOptions& options, const Find& find) {
+  double aim = options.margin + 2 * kCertificateWidth;
+  // The certificate has the last word; where it sees a lower margin than the samples did, the
+  // search aims higher.
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    const auto found = find(aim);
+    if (!found) {
+      return std::nullopt;
+    }
+    const BlendChoice choice = certified(from, to, options, *found);
+    if (choice.margin >= options.margin) {
+      return choice;
+    }
+    aim += options.margin - choice.margin + kCertificateWidth;
+  }
+  return std::nullopt;
+}
+
+std::optional<BlendChoice> feasible_choice(const Ring& from, const Ring& to,
+                                           const CyclicBlendOptions& options) {
+  const auto straight = straight_choice(from, to, options);
+  if (straight && straight->margin >= options.margin) {
+    return straight;
+  }
+  const ringed::BlendSearch blends = search(from, to, options);
+  return certified_choice(from, to, options, [&](double aim) { return blends.least_energy(aim); });
+}
+
+// None if all spines stop.
+std::optional<BlendChoice> widest_choice(const Ring& from, const Ring& to,
+                                         const CyclicBlendOptions& options,
+                                         const ringed::BlendSearch& blends) {
+  if (const auto widest = blends.largest_margin()) {
+    const BlendChoice choice = certified(from, to, options, *widest);
+    if (std::isfinite(choice.margin)) {
+      return choice;
+    }
+  }
+  return std::nullopt;
+}
+
+[[noreturn]] void refuse_infeasible(const Ring& from, const Ring& to,
+                                    const CyclicBlendOptions& options) {
+  const auto widest = widest_choice(from, to, options, search(from, to, options));
+  throw Error(Errc::infeasible_blend,
+              "no end speeds give this blend a margin min(1 - kappa R) of " +
+                  numbers::decimal(options.margin) +
+                  (widest ? "; the largest reachable is " + numbers::decimal(widest->margin, 4) +
+                                " with k = " + numbers::decimal(widest->k, 4) +
+                                ", l = " + numbers::decimal(widest->l, 4)
+                          : "") +
+                  "; move the ends apart, reduce the radii, or ask for less margin");
+}
+
+// In as few digits as still work: the nearest choice lies on the edge of what is possible.
+std::string speeds_text(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                        const BlendChoice& choice) {
+  std::string k, l;
+  for (int digits = 4; digits <= 17; ++digits) {
+    k = numbers::decimal(choice.k, digits);
+    l = numbers::decimal(choice.l, digits);
+    if (is_valid(assembled(from, to, options, std::stod(k), std::stod(l)), options.margin)) {
+      break;
+    }
+  }
+  return "k = " + k + ", l = " + l;
+}
+
+std::string remedy(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                   const BlendAdvice& advice) {
+  std::string widest;
+  if (advice.widest) {
+    widest = "the largest margin, " + numbers::decimal(advice.widest->margin, 4) +
+             ", has k = " + numbers::decimal(advice.widest->k, 4) +
+             ", l = " + numbers::decimal(advice.widest->l, 4);
+  }
+  if (!advice.nearest) {
+    return "no other end speeds work either" + (widest.empty() ? "" : "; " + widest);
+  }
+  return widest + "; nearest to those given, " + speeds_text(from, to, options, *advice.nearest) +
+         " works";
+}
+
+// Sampled where the margin is missed, for the message: what is proven is the interval.
+double missing_length(const RingedSurface& surface, const std::vector<ParameterInterval>& where,
+                      double margin) {
+  constexpr int kSamples = 256;
+  double largest = 0;
+  for (const auto& [from, to] : where) {
+    for (int i = 0; i <= kSamples; ++i) {
+      const double t = from + (to - from) * i / kSamples;
+      const double kappa = curvature(evaluate(surface.spine, t));
+      largest = std::max(largest, evaluate(surface.radius, t).value - (1 - margin) / kappa);
+    }
+  }
+  return largest;
+}
+
+[[noreturn]] void refuse(const Ring& from, const Ring& to, const CyclicBlendOptions& options,
+                         const RingedSurface& surface) {
+  const Regularity found = regularity(surface);
+  const BlendAdvice advice = blend_advice(from, to, options);
+  const std::string help = "; " + remedy(from, to, options, advice);
+  const std::string speeds =
+      "k = " + numbers::decimal(*options.k) + ", l = " + numbers::decimal(*options.l);
+  if (!(smallest_radius(surface.radius) > 0)) {
+    throw Error(Errc::irregular_surface,
+                "with " + speeds +
+                    " the blend's radius cannot follow the cones at its ends and stay positive" +
+                    help);
+  }
+  if (!found.stops.empty()) {
+    throw Error(Errc::irregular_surface, "with " + speeds + " the blend's spine stops there" + help,
+                {}, "t = " + numbers::decimal(found.stops.front().from, 4));
+  }
+  const auto& bad = advice.violations;
+  throw Error(Errc::irregular_surface,
+              "with " + speeds + " the blend " + (found.upper <= 0 ? "folds" : "nearly folds") +
+                  " there: its margin min(1 - kappa R) is " + numbers::decimal(found.lower, 4) +
+                  ", " + numbers::decimal(advice.missing_margin, 4) + " short of " +
+                  numbers::decimal(options.margin) + ", its radius " +
+                  numbers::decimal(advice.missing_length, 4) + " too large for the bend" + help,
+              {},
+              "t in [" + numbers::decimal(bad.front().from, 4) + ", " +
+                  numbers::decimal(bad.back().to, 4) + "]");
+}
+
+}  // namespace
+
+namespace ringed {
+
+RadiusLaw blend_radius(const EndRadii& radii, const Spine& spine,
+                       const CyclicBlendOptions& options) {
+  const auto* bezier = std::get_if<BezierSpine>(&spine);
+  if (bezier == nullptr) {
+    return cylinder_ended(radii, options);
+  }
+  return cone_ended(radii, evaluate(spine, 0).first.norm(), evaluate(spine, 1).first.norm(),
+                    int(bezier->points.size()) - 1);
+}
+
+RingedSurface surrounding_blend(const Ring& from, const Ring& to,
+                                const CyclicBlendOptions& options) {
+  validate(from, to, options);
+  if (!options.k || !options.l) {
+    const BlendChoice choice = choose_velocities(from, to, options);
+    return assembled(from, to, options, choice.k, choice.l);
+  }
+  RingedSurface surface = assembled(from, to, options, *options.k, *options.l);
+  if (!is_valid(surface, options.margin)) {
+    refuse(from, to, options, surface);
+  }
+  return surface;
+}
+
+}  // namespace ringed
+
+RingedSurface cyclic_blend(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  if (from.ellipse || to.ellipse) {
+    throw Error(Errc::invalid_argument, "a ringed surface has circular ends, not elliptic ones");
+  }
+  return ringed::surrounding_blend(from, to, options);
+}
+
+BlendChoice choose_velocities(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  validate(from, to, options);
+  if (const auto choice = feasible_choice(from, to, options)) {
+    return *choice;
+  }
+  refuse_infeasible(from, to, options);
+}
+
+BlendChoice widest_velocities(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  validate(from, to, options);
+  if (const auto widest = widest_choice(from, to, options, search(from, to, options))) {
+    return *widest;
+  }
+  refuse_infeasible(from, to, options);
+}
+
+BlendAdvice blend_advice(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {
+  validate(from, to, options);
+  if (!options.k || !options.l) {
+    throw Error(Errc::invalid_argument, "advice on a blend needs both its end speeds");
+  }
+  const RingedSurface surface = assembled(from, to, options, *options.k, *options.l);
+  BlendAdvice advice;
+  if (smallest_radius(surface.radius) > 0) {
+    const Regularity found = regularity(surface);
+    advice.violations = found.stops.empty() ? violations(surface, options.margin) : found.stops;
+    advice.missing_margin = std::max(0.0, options.margin - found.lower);
+    if (found.stops.empty()) {
+      advice.missing_length = missing_length(surface, advice.violations, options.margin);
+    }
+  }
+  CyclicBlendOptions any = options;
+  any.k = any.l = std::nullopt;
+  const ringed::BlendSearch blends = search(from, to, any);
+  advice.nearest = certified_choice(
+      from, to, any, [&](double aim) { return blends.nearest(aim, *options.k, *options.l); });
+  advice.widest = widest_choice(from, to, any, blends);
+  return advice;
+}
+
+double bending_energy(const Spine& spine) {
+  return numbers::integral([&](double t) {
+    const SpinePoint point = evaluate(spine, t);
+    const double kappa = curvature(point);
+    return kappa * kappa * point.first.norm();
+  });
+}
+
+}  // namespace dupin

@@ -1,0 +1,61 @@
+#include "dupin/blends/ringed_tube.h"
+
+#include <cmath>
+
+#include "dupin/kernel/error.h"
+
+namespace dupin {
+
+RationalRingedTube oblique_tube(const Vec3& from, const Vec3& to, const Vec3& normal,
+                                double start_radius, double end_radius) {
+  if (!from.allFinite() || !to.allFinite() || !normal.allFinite() || !(normal.norm() > 0)) {
+    throw Error(Errc::invalid_argument,
+                "an oblique part needs finite points and a normal that is not zero");
+  }
+  const Vec3 unit = normal.normalized(), travel = to - from;
+  if (!(travel.dot(unit) > 0)) {
+    throw Error(Errc::invalid_argument,
+                "the normal must be less than 90 degrees off the direction of travel");
+  }
+  const double slope = (end_radius - start_radius) / travel.dot(unit);
+  const Ring start = flipped(Ring{from, unit, start_radius, slope});
+  const Ring end{to, unit, end_radius, slope};
+  validate(start);
+  validate(end);
+  const MovingRing motion{from,        unit, start_radius, travel, end_radius - start_radius,
+                          Vec3::Zero()};
+  MovingRing last = motion;
+  last.center = to;
+  last.radius = end_radius;
+  return {start, end, ringed_blend(motion, last)};
+}
+
+MovingRing reversed(const MovingRing& ring) {
+  MovingRing result = ring;
+  result.normal = Vec3::Zero() - ring.normal;
+  result.center_rate = Vec3::Zero() - ring.center_rate;
+  result.radius_rate = 0 - ring.radius_rate;
+  return result;
+}
+
+MovingRing at_speed(const MovingRing& ring, double factor) {
+  MovingRing result = ring;
+  result.center_rate *= factor;
+  result.radius_rate *= factor;
+  result.normal_rate *= factor;
+  return result;
+}
+
+MovingRing leaving(const RationalRingedTube& tube, PartEnd end) {
+  const Ring& stored = end == PartEnd::start ? tube.start : tube.end;
+  const MovingRing travelling = ring_at(tube.surface, end == PartEnd::start ? 0 : 1);
+  MovingRing result = end == PartEnd::start ? reversed(travelling) : travelling;
+  result.center = stored.center;
+  result.normal = stored.normal;
+  result.radius = stored.radius;
+  // A ring that comes out of a plate stands still; its radius alone moves.
+  const double speed = std::hypot(result.center_rate.norm(), result.radius_rate);
+  return at_speed(result, 1 / speed);
+}
+
+}  // namespace dupin

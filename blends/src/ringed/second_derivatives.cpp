@@ -1,0 +1,184 @@
+#include "ringed/second_derivatives.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "dupin/kernel/error.h"
+#include "numbers/interval_bezier.h"
+
+namespace dupin {
+namespace ringed {
+namespace {
+
+const numbers::Interval kPi(std::numbers::pi, std::nextafter(std::numbers::pi, 4.0));
+
+SpineBounds bounds(const LineSpine& line, const numbers::Interval&) {
+  return {numbers::norm(numbers::interval_vec(line.to) - numbers::interval_vec(line.from)), 0, 0,
+          0};
+}
+
+// T turns at the constant rate `angle`, so T'' = -angle^2 T has no part across T.
+SpineBounds bounds(const ArcSpine& arc, const numbers::Interval&) {
+  const numbers::Interval radius =
+      numbers::norm(numbers::interval_vec(arc.start) - numbers::interval_vec(arc.center));
+  return {radius * arc.angle, 0, arc.angle, 0};
+}
+
+// T' being y' x y'' / v^2 turned by a right angle, |T'| = |y' x y''| / v^2 and
+// |T''_across| = |(y'''/v - 2 (v'/v^2) y'') x y'| / v. `bend` is y' x y'', `third_across` y''' x
+// y'.
+SpineBounds assembled(const numbers::IntervalVec& first, const numbers::IntervalVec& second,
+                      const numbers::IntervalVec& bend, const numbers::IntervalVec& third_across,
+                      const numbers::Interval& t) {
+  const numbers::Interval speed = numbers::norm(first);
+  if (!(speed.lower > 0)) {
+    throw Error(Errc::irregular_surface,
+                "the spine stops, or nearly so, between t = " + std::to_string(t.lower) + " and " +
+                    std::to_string(t.upper));
+  }
+  const numbers::Interval acceleration = numbers::dot(first, second) / speed;
+  const numbers::IntervalVec change = numbers::Interval(1) / speed * third_across +
+                                      numbers::Interval(2) * (acceleration / square(speed)) * bend;
+  return {speed, acceleration.magnitude(), (numbers::norm(bend) / square(speed)).upper,
+          (numbers::norm(change) / speed).upper};
+}
+
+// y' = A + B t + D t^2. The cross products are expanded, so that nothing cancels between wide
+// intervals:
+//   y' x y''  = A x B + 2 t (A x D) + t^2 (B x D)
+//   y''' x y' = 2 (D x A) + 2 t (D x B)
+SpineBounds bounds(const HermiteSpine& spine, const numbers::Interval& t) {
+  const numbers::IntervalVec delta =
+      numbers::interval_vec(spine.to) - numbers::interval_vec(spine.from);
+  const numbers::IntervalVec a = numbers::interval_vec(spine.start_velocity),
+                             e = numbers::interval_vec(spine.end_velocity);
+  const numbers::IntervalVec b =
+      numbers::Interval(6) * delta - numbers::Interval(4) * a - numbers::Interval(2) * e;
+  const numbers::IntervalVec d = numbers::Interval(3) * (a + e) - numbers::Interval(6) * delta;
+  return assembled(a + t * (b + t * d), b + numbers::Interval(2) * (t * d),
+                   numbers::cross(a, b) +
+                       t * (numbers::Interval(2) * numbers::cross(a, d) + t * numbers::cross(b, d)),
+                   numbers::Interval(2) * (numbers::cross(d, a) + t * numbers::cross(d, b)), t);
+}
+
+SpineBounds bounds(const BezierSpine& spine, const numbers::Interval& t) {
+  // About its first point, for less cancellation between the terms of a rational curve.
+  std::vector<numbers::IntervalVec> points;
+  for (std::size_t i = 0; i < spine.points.size(); ++i) {
+    const numbers::Interval weight = spine.weights.empty() ? 1 : spine.weights[i];
+    points.push_back(
+        weight * (numbers::interval_vec(spine.points[i]) - numbers::interval_vec(spine.points[0])));
+  }
+  auto [y, y1, y2, y3] = numbers::bezier_jet(points, t);
+  if (!spine.weights.empty()) {
+    const auto [w, w1, w2, w3] = numbers::bezier_jet(
+        std::vector<numbers::Interval>(spine.weights.begin(), spine.weights.end()), t);
+    const numbers::Interval over_w = numbers::Interval(1) / w, two = 2, three = 3;
+    y = over_w * y;
+    y1 = over_w * (y1 - w1 * y);
+    y2 = over_w * (y2 - two * w1 * y1 - w2 * y);
+    y3 = over_w * (y3 - three * w1 * y2 - three * w2 * y1 - w3 * y);
+  }
+  return assembled(y1, y2, numbers::cross(y1, y2), numbers::cross(y3, y1), t);
+}
+
+RadiusBounds bounds(const ConstantRadius& law, const numbers::Interval&) {
+  return {law.radius, 0, 0};
+}
+
+RadiusBounds bounds(const LinearRadius& law, const numbers::Interval& t) {
+  const numbers::Interval change = numbers::Interval(law.end) - law.start;
+  return {(law.start + change * t).upper, change.magnitude(), 0};
+}
+
+RadiusBounds bounds(const CubicRadius& law, const numbers::Interval& t) {
+  const numbers::Interval change = numbers::Interval(law.end) - law.start;
+  const auto eased = [](const numbers::Interval& at) {
+    return square(at) * (numbers::Interval(3) - numbers::Interval(2) * at);
+  };
+  return {(law.start + change * numbers::hull(eased(t.lower), eased(t.upper))).upper,  // monotone
+          (numbers::Interval(6) * change * (t * (numbers::Interval(1) - t))).magnitude(),
+          (numbers::Interval(6) * change * (numbers::Interval(1) - numbers::Interval(2) * t))
+              .magnitude()};
+}
+
+RadiusBounds bounds(const BezierRadius& law, const numbers::Interval& t) {
+  const auto jet = numbers::bezier_jet(
+      std::vector<numbers::Interval>(law.coefficients.begin(), law.coefficients.end()), t);
+  return {jet[0].upper, jet[1].magnitude(), jet[2].magnitude()};
+}
+
+// cos or sin of pi t for a double t in [0, 1]. The double nearest to pi is off by less than 2^-52,
+// the product rounds by at most 2^-52, and the C library's functions are off by less than 2^-53.
+numbers::Interval widened(double value) {
+  const double slack = std::ldexp(1.0, -50);
+  return {std::max(value - slack, -1.0), std::min(value + slack, 1.0)};
+}
+
+numbers::Interval cosine_of_pi(const numbers::Interval& t) {  // falls on [0, 1]
+  return numbers::hull(widened(std::cos(std::numbers::pi * t.upper)),
+                       widened(std::cos(std::numbers::pi * t.lower)));
+}
+
+numbers::Interval sine_of_pi(const numbers::Interval& t) {  // concave on [0, 1], largest at 1/2
+  const numbers::Interval ends = numbers::hull(widened(std::sin(std::numbers::pi * t.lower)),
+                                               widened(std::sin(std::numbers::pi * t.upper)));
+  return t.lower <= 0.5 && 0.5 <= t.upper ? numbers::Interval(ends.lower, 1) : ends;
+}
+
+RadiusBounds bounds(const CyclideRadius& law, const numbers::Interval& t) {
+  const numbers::Interval change = numbers::Interval(law.end) - law.start;
+  const numbers::Interval product = numbers::Interval(law.start) * law.end;
+  const auto radius = [&](double at) {
+    const numbers::Interval c = change * cosine_of_pi(at);
+    const numbers::Interval w = numbers::sqrt(square(c) + numbers::Interval(4) * product);
+    return c.upper <= 0 ? (w - c) / 2 : numbers::Interval(2) * product / (w + c);
+  };
+  const numbers::Interval value = numbers::hull(radius(t.lower), radius(t.upper));  // monotone
+  const numbers::Interval c = change * cosine_of_pi(t), s = change * sine_of_pi(t);
+  const numbers::Interval w = numbers::sqrt(square(c) + numbers::Interval(4) * product);
+  const numbers::Interval first = kPi * s * value / w;
+  const numbers::Interval second =
+      kPi * (kPi * c * value / w + s * first / w + kPi * c * square(s) * value / (w * square(w)));
+  return {value.upper, first.magnitude(), second.magnitude()};
+}
+
+}  // namespace
+
+SpineBounds spine_bounds(const Spine& spine, const numbers::Interval& t) {
+  return std::visit([&](const auto& s) { return bounds(s, t); }, spine);
+}
+
+RadiusBounds radius_bounds(const RadiusLaw& law, const numbers::Interval& t) {
+  return std::visit([&](const auto& l) { return bounds(l, t); }, law);
+}
+
+// In a rotation-minimising frame e' = -(e.T') T, hence (mathematics of [MS06] surfaces)
+//   x_tt = (v' - 2 R' e.T' - R e.T'') T + (v - R e.T') T' + R'' e,
+//   x_tu = -R (e_u.T') T + R' e_u,   x_uu = -R e.
+ringed::BandBounds band_bounds(const RingedSurface& surface, double from, double to) {
+  const numbers::Interval t(from, to);
+  const SpineBounds y = spine_bounds(surface.spine, t);
+  const RadiusBounds r = radius_bounds(surface.radius, t);
+  const numbers::Interval radius = r.value, slope = r.first, turning = y.turning;
+  const numbers::Interval along_axis = numbers::Interval(y.acceleration) +
+                                       numbers::Interval(2) * slope * turning +
+                                       radius * numbers::Interval(y.turning_change);
+  const numbers::Interval across =
+      (y.speed + radius * turning) * turning + numbers::Interval(r.second);
+  return {{numbers::sqrt(square(along_axis) + square(across)).upper,
+           numbers::sqrt(square(slope) + square(radius * turning)).upper, r.value},
+          y.turning};
+}
+
+}  // namespace ringed
+
+SecondDerivativeBounds second_derivative_bounds(const RingedSurface& surface, double from,
+                                                double to) {
+  if (!(0 <= from && from <= to && to <= 1)) {
+    throw Error(Errc::invalid_argument, "a range of spine parameters must lie in [0, 1]");
+  }
+  return ringed::band_bounds(surface, from, to).second;
+}
+
+}  // namespace dupin

@@ -1,0 +1,171 @@
+#include "tessellation/band_stepper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "tessellation/tessellation_tolerance.h"
+
+namespace dupin::tessellation {
+namespace {
+
+// A band turns by at most so many radians; what the bound of the frame's drift requires.
+constexpr double kLargestTurn = 1;
+
+}  // namespace
+
+// Where the surface lies between the corners of a triangle with legs dt along and du around.
+//
+// A linear interpolant on a right triangle with legs dt, du differs from the surface x(t, u) by at
+// most (dt^2 Mtt + 2 dt du Mtu + du^2 Muu) / 8 [FMM86]. If the far corners are turned by s against
+// the frame, the triangle is right-angled in w = u - (s / dt) t, where
+//   X_tt = x_tt + 2 (s/dt) x_tu + (s/dt)^2 x_uu,  X_tw = x_tu + (s/dt) x_uu,  X_ww = x_uu,
+// and the bound becomes the one with du + |s| for du:
+//   dt^2 (Mtt + 2 |s|/dt Mtu + (s/dt)^2 Muu) + 2 dt du (Mtu + |s|/dt Muu) + du^2 Muu
+//     = dt^2 Mtt + 2 dt (du + |s|) Mtu + (du + |s|)^2 Muu.
+struct BandStepper::Band {
+  SecondDerivativeBounds second;
+  double turning = 0;  // sup |T'|
+  double twist = 0;    // of the part per band, spread evenly
+  double around = 0;   // du
+
+  void include(const ringed::BandBounds& cell) {
+    second.along = std::max(second.along, cell.second.along);
+    second.mixed = std::max(second.mixed, cell.second.mixed);
+    second.around = std::max(second.around, cell.second.around);
+    turning = std::max(turning, cell.turning);
+  }
+
+  // The frame is carried in kFrameSteps minimal rotations T -> T' per band. A step that turns by at
+  // most a <= 1 differs from the rotation-minimising frame by the area between the tangent's path
+  // on the unit sphere and its chord; seen from the step's start, at distance d <= the path so far,
+  // the path sweeps (1 - cos d) per radian of azimuth, and sin d |azimuth'| <= 1, so the area is at
+  // most the integral of tan(d / 2) = -2 ln cos(a / 2) < 0.27 a^2.
+  [[nodiscard]] double shear(double dt) const {
+    const double turn = turning * dt;
+    return twist + 0.27 * turn * turn / kFrameSteps;
+  }
+
+  [[nodiscard]] double eight_errors(double dt) const {
+    const double du = around + shear(dt);
+    return dt * dt * second.along + 2 * dt * du * second.mixed + du * du * second.around;
+  }
+
+  [[nodiscard]] bool allows(double dt, double eight_errors_allowed) const {
+    return turning * dt <= kLargestTurn && eight_errors(dt) <= eight_errors_allowed;
+  }
+};
+
+BandStepper::Band BandStepper::start(double twist) const { return {{}, 0, twist, around_}; }
+
+std::vector<double> BandStepper::knots(double eight_errors_allowed, double twist,
+                                       std::size_t limit) const {
+  std::vector<double> result{0};
+  while (result.back() < 1 && result.size() <= limit) {
+    result.push_back(next(result.back(), eight_errors_allowed, twist));
+  }
+  return result;
+}
+
+double BandStepper::error_bound(const std::vector<double>& knots, double twist) const {
+  double largest = 0;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    Band band = start(twist);
+    const auto last = std::min(cells_.size(), std::size_t(std::ceil(knots[i + 1] * count())));
+    for (auto cell = cell_of(knots[i]); cell < last; ++cell) {
+      band.include(cells_[cell]);
+    }
+    largest = std::max(largest, band.eight_errors(knots[i + 1] - knots[i]));
+  }
+  return largest / 8;
+}
+
+double BandStepper::next(double t, double allowed, double twist) const {
+  Band band = start(twist);
+  double reached = t;
+  for (auto cell = cell_of(t); cell < cells_.size(); ++cell) {
+    band.include(cells_[cell]);
+    const double cell_end = double(cell + 1) / count();
+    if (band.allows(cell_end - t, allowed)) {
+      reached = cell_end;
+      continue;
+    }
+    double no = cell_end;
+    for (double middle = (reached + no) / 2; reached < middle && middle < no;
+         middle = (reached + no) / 2) {
+      (band.allows(middle - t, allowed) ? reached : no) = middle;
+    }
+    break;
+  }
+  return reached;
+}
+
+BandBudget band_budget(double allowed, double largest_radius, double around) {
+  const double bend = largest_radius * around * around;
+  return {std::max(8 * allowed, 4 * bend), 2.25 * bend};
+}
+
+std::vector<double> even_knots(const BandStepper& march, BandBudget budget, double twist) {
+  constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
+  auto knots = march.knots(budget.enough, twist, kNoLimit);
+  for (int i = 0; i < 12; ++i) {
+    const double middle = (budget.enough + budget.too_little) / 2;
+    auto candidate = march.knots(middle, twist, knots.size());
+    if (candidate.size() == knots.size() && candidate.back() == 1) {
+      knots = std::move(candidate);
+      budget.enough = middle;
+    } else {
+      budget.too_little = middle;
+    }
+  }
+  return knots;
+}
+
+Vec3 first_direction(const Ring& ring, const RingSampling& sampling) {
+  const Vec3 to_point = sample(ring, {sampling.segments, sampling.phase, 0}).front() - ring.center;
+  return (to_point - to_point.dot(ring.normal) * ring.normal).normalized();
+}
+
+Arrival arrival(const Ring& end, const RingSampling& sampling, const Vec3& carried_first) {
+  const Vec3 wanted = first_direction(end, sampling);
+  const double angle =
+      std::atan2(end.normal.dot(carried_first.cross(wanted)), carried_first.dot(wanted));
+  const double segment = 2 * std::numbers::pi / sampling.segments;
+  const auto whole = std::lround(angle / segment);
+  const auto count = long(sampling.segments);
+  const auto shift = (count - whole % count) % count;
+  Arrival result{sample(end, sampling), angle - double(whole) * segment, std::uint32_t(shift)};
+  std::rotate(result.points.begin(), result.points.begin() + shift, result.points.end());
+  return result;
+}
+
+TriMesh first_row(const std::vector<Vec3>& points, std::size_t bands) {
+  const std::size_t triangles = 2 * points.size() * bands;
+  refuse_too_fine(triangles);
+  TriMesh mesh;
+  mesh.points.reserve(points.size() * (bands + 1));
+  mesh.points.insert(mesh.points.end(), points.begin(), points.end());
+  mesh.triangles.reserve(triangles);
+  return mesh;
+}
+
+void append_band(TriMesh& mesh, std::uint32_t segments) {
+  const auto next = std::uint32_t(mesh.points.size()) - segments, here = next - segments;
+  for (std::uint32_t i = 0; i < segments; ++i) {
+    const std::uint32_t k = (i + 1) % segments;
+    const std::uint32_t a = here + i, b = here + k, c = next + k, d = next + i;
+    const auto squared = [&](std::uint32_t p, std::uint32_t q) {
+      return (mesh.points[p] - mesh.points[q]).squaredNorm();
+    };
+    if (squared(a, c) <= squared(b, d)) {
+      mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
+    } else {
+      mesh.triangles.insert(mesh.triangles.end(), {{a, b, d}, {b, c, d}});
+    }
+  }
+}
+
+}  // namespace dupin::tessellation

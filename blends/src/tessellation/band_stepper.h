@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "dupin/kernel/mesh.h"
+#include "dupin/kernel/ring.h"
+#include "ringed/second_derivatives.h"
+
+namespace dupin::tessellation {
+
+/// Steps of the frame per band that Band::shear counts on.
+constexpr std::uint32_t kFrameSteps = 16;
+
+/// Marches along [0, 1] in the largest bands whose triangles keep to a bound.
+class BandStepper {
+ public:
+  /// `cells` bound the second derivatives on equal parts of [0, 1]; bands may end inside of one.
+  /// `around` is the angle of a segment.
+  BandStepper(std::vector<ringed::BandBounds> cells, double around)
+      : cells_(std::move(cells)), around_(around) {}
+
+  /// The ends of the bands, or the first `limit` + 1 of more. `twist` is the angle that a band's
+  /// far ring is turned by against the frame.
+  [[nodiscard]] std::vector<double> knots(double eight_errors_allowed, double twist,
+                                          std::size_t limit) const;
+
+  [[nodiscard]] double error_bound(const std::vector<double>& knots, double twist) const;
+
+ private:
+  struct Band;
+
+  [[nodiscard]] double count() const { return static_cast<double>(cells_.size()); }
+  [[nodiscard]] std::size_t cell_of(double t) const { return std::size_t(t * count()); }
+  [[nodiscard]] Band start(double twist) const;
+  [[nodiscard]] double next(double t, double allowed, double twist) const;
+
+  std::vector<ringed::BandBounds> cells_;
+  double around_ = 0;
+};
+
+/// What bands have to keep to, in eighths of an error: a bound that as many of them as fit suit,
+/// and one that is too little for any twist of at most half a segment.
+struct BandBudget {
+  double enough = 0, too_little = 0;
+};
+
+/// segments_for() gives three quarters of the bound to the bands: 8 allowed >= 4 Muu du^2. Where
+/// the segments are fewer, the bands are those that suit them. A twist of at most half a segment
+/// leaves (1.5 du)^2 Muu < 4 Muu du^2, so that every march arrives.
+[[nodiscard]] BandBudget band_budget(double allowed, double largest_radius, double around);
+
+/// As few bands as the budget permits, then the smallest error for that number, so that the last
+/// band is not a sliver.
+[[nodiscard]] std::vector<double> even_knots(const BandStepper& march, BandBudget budget,
+                                             double twist);
+
+/// The direction of the polygon's first point, exactly across the ring's normal.
+[[nodiscard]] Vec3 first_direction(const Ring& ring, const RingSampling& sampling);
+
+/// The end polygon, counted from the point that the carried frame arrives at: the frame differs
+/// from the ring's own axis by whole segments and a rest of at most half a segment.
+struct Arrival {
+  std::vector<Vec3> points;
+  double twist = 0;         // radians, right-handed about the spine
+  std::uint32_t shift = 0;  // points.front() is this one of the ring's own sample
+};
+
+[[nodiscard]] Arrival arrival(const Ring& end, const RingSampling& sampling,
+                              const Vec3& carried_first);
+
+/// A mesh with a row of points, and room for so many bands from there. Throws
+/// Error{limit_exceeded} as refuse_too_fine().
+[[nodiscard]] TriMesh first_row(const std::vector<Vec3>& points, std::size_t bands);
+
+/// The quadrilaterals between the last two rows of points, halved along the shorter diagonals.
+void append_band(TriMesh& mesh, std::uint32_t segments);
+
+}  // namespace dupin::tessellation

@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "dupin/blends/tessellate.h"
+#include "tessellation/loft.h"
+#include "tessellation/tessellation_tolerance.h"
+
+namespace dupin {
+namespace {
+
+using tessellation::LoftRow;
+
+// Cells of [0, 1] on which the second derivatives are bounded once.
+constexpr std::uint32_t kCells = 1024;
+
+double largest_radius(const EllipticTube& tube) {
+  return std::max(largest_radius(tube.first), largest_radius(tube.second));
+}
+
+// A cylinder, or a cone of similar ellipses, whose end polygons begin at the same parameter: all
+// its quadrilaterals are plane.
+bool is_straight(const EllipticTube& tube) {
+  const auto is_linear = [](const RadiusLaw& law) {
+    return std::holds_alternative<ConstantRadius>(law) || std::holds_alternative<LinearRadius>(law);
+  };
+  const Ring &a = tube.start, &b = tube.end;
+  return std::holds_alternative<LineSpine>(tube.spine) && is_linear(tube.first) &&
+         is_linear(tube.second) && b.normal == flipped(a).normal && a.ellipse && b.ellipse &&
+         a.ellipse->axis == b.ellipse->axis && a.radius * across(b) == b.radius * across(a);
+}
+
+double sagitta(double radius, std::uint32_t segments) {
+  return radius * (1 - std::cos(std::numbers::pi / segments));
+}
+
+// The frame along the spine, carried in minimal rotations T -> T' of `steps` per unit of t. A
+// rotation by a drifts by less than 0.27 a^2 (see BandStepper), and the squares of the steps'
+// angles add up to at most the mean of |T'|^2 over the steps.
+struct Carrier {
+  double steps = 1;
+  double drift = 0;  // bound of the angle lost on the way
+};
+
+// An axis that is off by an angle moves points of the ellipse along it by up to the difference of
+// the semi-axes times that. The tube ends where its rings are, so that both ends' share counts.
+Carrier carrier(const EllipticTube& tube, const std::vector<ringed::BandBounds>& cells,
+                double tolerance) {
+  constexpr double kShare = 1. / 64, kMostSteps = 1 << 20;
+  double squared_turning = 0;
+  for (const auto& cell : cells) {
+    squared_turning += cell.turning * cell.turning / double(cells.size());
+  }
+  const double lost = 0.27 * squared_turning;
+  const double wanted = 2 * lost * largest_radius(tube) / (kShare * tolerance);
+  const double steps = std::clamp(std::ceil(wanted), double(kCells), kMostSteps);
+  return {steps, lost / steps};
+}
+
+// The image of `v` under the least rotation from one unit vector to another.
+Vec3 carried(const Vec3& from, const Vec3& to, const Vec3& v) {
+  const Vec3 axis = from.cross(to);
+  return v + axis.cross(v) + axis.cross(axis.cross(v)) / (1 + from.dot(to));
+}
+
+std::vector<Vec3> carried_along(const EllipticTube& tube, const std::vector<double>& knots,
+                                double steps) {
+  Vec3 tangent = evaluate(tube.spine, 0).first.normalized();
+  Vec3 first = (tube.axis - tube.axis.dot(tangent) * tangent).normalized();
+  std::vector<Vec3> result{first};
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const double width = knots[i + 1] - knots[i];
+    const auto count = std::lround(std::ceil(width * steps));
+    for (long step = 1; step <= count; ++step) {
+      const double t = knots[i] + width * double(step) / double(count);
+      const Vec3 next = evaluate(tube.spine, t).first.normalized();
+      first = carried(tangent, next, first);
+      tangent = next;
+    }
+    first = (first - first.dot(tangent) * tangent).normalized();
+    result.push_back(first);
+  }
+  return result;
+}
+
+double eased(const EllipticTube& tube, double t) {
+  return tube.continuity == Continuity::g1 ? t * t * (3 - 2 * t)
+                                           : t * t * t * (10 - t * (15 - 6 * t));
+}
+
+// What turns the carried frame onto the end's axis: of the angles that do, the nearest to the
+// tube's.
+double arrived_turn(const EllipticTube& tube, const Vec3& first) {
+  if (!tube.end.ellipse) {
+    return tube.turn;
+  }
+  const Vec3 tangent = evaluate(tube.spine, 1).first.normalized();
+  const Vec3& axis = tube.end.ellipse->axis;
+  const double angle = std::atan2(axis.dot(tangent.cross(first)), axis.dot(first));
+  return tube.turn + std::remainder(angle - tube.turn, std::numbers::pi);
+}
+
+std::vector<LoftRow> rows_at(const EllipticTube& tube, const std::vector<double>& knots,
+                             double steps) {
+  const auto firsts = carried_along(tube, knots, steps);
+  const double turn = arrived_turn(tube, firsts.back());
+  std::vector<LoftRow> rows;
+  for (std::size_t j = 0; j < knots.size(); ++j) {
+    const SpinePoint y = evaluate(tube.spine, knots[j]);
+    const Vec3 second = y.first.normalized().cross(firsts[j]);
+    const double angle = turn * eased(tube, knots[j]);
+    const double c = std::cos(angle), s = std::sin(angle);
+    rows.push_back({y.position, evaluate(tube.first, knots[j]).value * (c * firsts[j] + s * second),
+                    evaluate(tube.second, knots[j]).value * (c * second - s * firsts[j])});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::uint32_t segments_for(const EllipticTube& tube, double tolerance, double grid) {
+  const double allowed =
+      tessellation::allowed_error(tolerance, tessellation::point_error(tube, grid));
+  const double radius = largest_radius(tube);
+  if (is_straight(tube)) {
+    return tessellation::segment_count(std::numbers::pi /
+                                       std::acos(1 - std::min(allowed / radius, 1.0)));
+  }
+  return tessellation::segment_count(2 * std::numbers::pi * std::sqrt(radius / (2 * allowed)));
+}
+
+Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
+                        const TessellationOptions& options) {
+  const double displacement = tessellation::point_error(tube, sampling.grid);
+  const double allowed = tessellation::allowed_error(options.tolerance, displacement);
+  if (is_straight(tube)) {
+    return {tessellation::lofted(tube.start, tube.end, rows_at(tube, {0, 1}, 1), sampling),
+            1,
+            sagitta(largest_radius(tube), sampling.segments) + displacement,
+            {0, 1}};
+  }
+  std::vector<ringed::BandBounds> cells;
+  for (std::uint32_t i = 0; i < kCells; ++i) {
+    cells.push_back(ringed::band_bounds(tube, double(i) / kCells, double(i + 1) / kCells));
+  }
+  const Carrier frames = carrier(tube, cells, options.tolerance);
+  const double misplaced = 2 * frames.drift * largest_radius(tube);
+  const auto bands = tessellation::loft_bands(std::move(cells), allowed - misplaced,
+                                              largest_radius(tube), sampling.segments);
+  const auto rows = rows_at(tube, bands.knots, frames.steps);
+  return {tessellation::lofted(tube.start, tube.end, rows, sampling),
+          std::uint32_t(rows.size() - 1), bands.error_bound + misplaced + displacement};
+}
+
+}  // namespace dupin

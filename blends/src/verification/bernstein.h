@@ -1,0 +1,94 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <gmpxx.h>
+
+namespace dupin::verification {
+
+/// Exact Bernstein coefficients on some stretch of the parameter; never empty.
+using Polynomial = std::vector<mpq_class>;
+using Curve = std::array<Polynomial, 3>;
+
+inline mpq_class choose(std::size_t n, std::size_t k) {
+  mpz_class result;
+  mpz_bin_uiui(result.get_mpz_t(), n, k);
+  return result;
+}
+
+inline Polynomial product(const Polynomial& a, const Polynomial& b) {
+  const std::size_t m = a.size() - 1, n = b.size() - 1;
+  Polynomial c(m + n + 1);
+  for (std::size_t i = 0; i <= m; ++i) {
+    for (std::size_t j = 0; j <= n; ++j) {
+      c[i + j] += choose(m, i) * choose(n, j) * a[i] * b[j];
+    }
+  }
+  for (std::size_t k = 0; k <= m + n; ++k) {
+    c[k] /= choose(m + n, k);
+  }
+  return c;
+}
+
+/// a - b, after both have been raised to the same degree.
+inline Polynomial difference(Polynomial a, Polynomial b) {
+  const std::size_t size = std::max(a.size(), b.size());
+  a = product(a, Polynomial(size - a.size() + 1, 1));
+  b = product(b, Polynomial(size - b.size() + 1, 1));
+  for (std::size_t i = 0; i < size; ++i) {
+    a[i] -= b[i];
+  }
+  return a;
+}
+
+/// By the parameter that runs from 0 to 1 on the stretch.
+inline Polynomial derivative(const Polynomial& p) {
+  Polynomial d(std::max<std::size_t>(p.size() - 1, 1));
+  for (std::size_t i = 0; i + 1 < p.size(); ++i) {
+    d[i] = mpq_class(static_cast<unsigned long>(p.size() - 1)) * (p[i + 1] - p[i]);
+  }
+  return d;
+}
+
+/// On the part [from, to] of the stretch [0, 1]; for rational numbers or intervals.
+template <class Number>
+std::vector<Number> part(const std::vector<Number>& p, const Number& from, const Number& to) {
+  std::vector<Number> result;
+  for (std::size_t upper = 0; upper < p.size(); ++upper) {
+    std::vector<Number> row = p;
+    for (std::size_t r = 1; r < p.size(); ++r) {
+      for (std::size_t i = 0; i + r < p.size(); ++i) {
+        row[i] = row[i] + (r <= upper ? to : from) * (row[i + 1] - row[i]);
+      }
+    }
+    result.push_back(row.front());
+  }
+  return result;
+}
+
+inline Polynomial dot(const Curve& a, const Curve& b) {
+  Polynomial sum = product(a[0], b[0]);
+  for (std::size_t k : {1, 2}) {
+    const Polynomial term = product(a[k], b[k]);
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      sum[i] += term[i];
+    }
+  }
+  return sum;
+}
+
+inline Curve cross(const Curve& a, const Curve& b) {
+  const auto coordinate = [&](std::size_t i, std::size_t j) {
+    return difference(product(a[i], b[j]), product(a[j], b[i]));
+  };
+  return {coordinate(1, 2), coordinate(2, 0), coordinate(0, 1)};
+}
+
+inline Curve derivative(const Curve& c) {
+  return {derivative(c[0]), derivative(c[1]), derivative(c[2])};
+}
+
+}  // namespace dupin::verification

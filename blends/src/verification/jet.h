@@ -1,0 +1,131 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "numbers/interval.h"
+
+namespace dupin::verification {
+
+using numbers::Interval;
+using numbers::IntervalVec;
+
+/// Encloses a function's value and first derivatives over a stretch of the parameter.
+template <std::size_t count>
+struct Jet {
+  std::array<Interval, count> d;
+  Interval& operator[](std::size_t order) { return d[order]; }
+  const Interval& operator[](std::size_t order) const { return d[order]; }
+};
+
+template <std::size_t count>
+using JetVec = std::array<Jet<count>, 3>;
+
+/// The sum over i in [from, to] of the binomials (k, i) times a_i b_(k - i): Leibniz' rule.
+template <class A, class B>
+Interval leibniz(const A& a, const B& b, std::size_t k, std::size_t from, std::size_t to) {
+  Interval sum;
+  double binomial = 1;
+  for (std::size_t i = 0; i <= to; ++i) {
+    if (i >= from) {
+      sum = sum + Interval(binomial) * a[i] * b[k - i];
+    }
+    binomial = binomial * double(k - i) / double(i + 1);
+  }
+  return sum;
+}
+
+template <std::size_t count>
+Jet<count> operator+(Jet<count> a, const Jet<count>& b) {
+  for (std::size_t k = 0; k < count; ++k) {
+    a[k] = a[k] + b[k];
+  }
+  return a;
+}
+
+template <std::size_t count>
+Jet<count> operator-(Jet<count> a, const Jet<count>& b) {
+  for (std::size_t k = 0; k < count; ++k) {
+    a[k] = a[k] - b[k];
+  }
+  return a;
+}
+
+template <std::size_t count>
+Jet<count> operator*(const Jet<count>& a, const Jet<count>& b) {
+  Jet<count> c;
+  for (std::size_t k = 0; k < count; ++k) {
+    c[k] = leibniz(a, b, k, 0, k);
+  }
+  return c;
+}
+
+/// Requires b > 0.
+template <std::size_t count>
+Jet<count> operator/(const Jet<count>& a, const Jet<count>& b) {
+  Jet<count> c;
+  for (std::size_t k = 0; k < count; ++k) {
+    c[k] = (k == 0 ? a[0] : a[k] - leibniz(c, b, k, 0, k - 1)) / b[0];
+  }
+  return c;
+}
+
+/// Requires a > 0.
+template <std::size_t count>
+Jet<count> sqrt(const Jet<count>& a) {
+  Jet<count> c;
+  c[0] = sqrt(a[0]);
+  for (std::size_t k = 1; k < count; ++k) {
+    c[k] = (a[k] - leibniz(c, c, k, 1, k - 1)) / (Interval(2) * c[0]);
+  }
+  return c;
+}
+
+template <std::size_t count>
+Jet<count> dot(const JetVec<count>& a, const JetVec<count>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <std::size_t count>
+Jet<count> squared_norm(const JetVec<count>& v) {
+  Jet<count> result = dot(v, v);
+  result[0] = square(v[0][0]) + square(v[1][0]) + square(v[2][0]);
+  return result;
+}
+
+template <std::size_t count>
+JetVec<count> operator*(const Jet<count>& s, const JetVec<count>& v) {
+  return {s * v[0], s * v[1], s * v[2]};
+}
+
+template <std::size_t count>
+JetVec<count> operator-(const JetVec<count>& a, const JetVec<count>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+template <std::size_t count>
+JetVec<count> operator/(const JetVec<count>& v, const Jet<count>& s) {
+  return {v[0] / s, v[1] / s, v[2] / s};
+}
+
+template <std::size_t count>
+Jet<count - 1> derivative(const Jet<count>& a) {
+  Jet<count - 1> result;
+  for (std::size_t k = 1; k < count; ++k) {
+    result[k - 1] = a[k];
+  }
+  return result;
+}
+
+template <std::size_t count>
+JetVec<count - 1> derivative(const JetVec<count>& v) {
+  return {derivative(v[0]), derivative(v[1]), derivative(v[2])};
+}
+
+/// The values, first derivatives and so on of all three coordinates.
+template <std::size_t count>
+IntervalVec part(const JetVec<count>& v, std::size_t order) {
+  return {v[0][order], v[1][order], v[2][order]};
+}
+
+}  // namespace dupin::verification

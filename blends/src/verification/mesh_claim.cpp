@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "numbers/mpfi_interval.h"
+#include "verification/claims.h"
+
+namespace dupin::verification {
+namespace {
+
+using Mpfi = numbers::MpfiInterval<128>;
+
+constexpr int kRefinements = 10;  // a band's bounds are taken over up to 2^10 cells
+
+// Upper bounds, over a stretch, of |x_tt|, |x_tu|, |x_uu| in a frame that does not spin, of |n'|,
+// and of the length by which t is measured here.
+struct Bounds {
+  double along = 0, mixed = 0, around = 0, turning = 0;
+  Interval length = 0;
+};
+
+// e' = omega x e for the directions e from the centre c, hence
+//   x_tt = c'' + R'' e + 2 R' omega x e + R (omega' x e + omega x (omega x e)),
+//   x_tu = R' e_u + R omega x e_u.
+void include_spinning(Bounds& bounds, const MovingDisc& disc) {
+  const auto& [omega, change] = *disc.spin;
+  const Interval rate = numbers::norm(omega).upper, slope = disc.radius[1].magnitude();
+  const Interval radius = disc.radius[0].upper;
+  const Interval along = numbers::norm(part(disc.center, 2)) + disc.radius[2].magnitude() +
+                         Interval(2) * slope * rate +
+                         radius * (numbers::norm(change) + square(rate));
+  bounds.along = std::max(bounds.along, along.upper);
+  bounds.mixed = std::max(bounds.mixed, (slope + radius * rate).upper);
+  bounds.around = std::max(bounds.around, radius.upper);
+}
+
+// e' = -(e.n') n for the directions e from the centre c, hence
+//   x_tt = [c''.n - 2 R' e.n' - R e.n''] n + the rest of c'' + R'' e - R (e.n') n',
+//   x_tu = R' e_u - R (e_u.n') n.
+bool include(Bounds& bounds, const Motion& motion, double from, double to) {
+  const auto disc = motion(from, to);
+  if (!disc || !(disc->pace[0].lower > 0)) {
+    return false;
+  }
+  bounds.length = bounds.length + (Interval(to) - from) * disc->pace[0].upper;
+  if (disc->spin) {
+    include_spinning(bounds, *disc);
+    return true;
+  }
+  const Jet<2> pace{{disc->pace[0], disc->pace[1]}};
+  const Jet<1> value{{disc->pace[0]}};
+  const JetVec<2> c1 = derivative(disc->center) / pace, n1 = derivative(disc->normal) / pace;
+  const Jet<2> r1 = derivative(disc->radius) / pace;
+  const IntervalVec n = part(disc->normal, 0);
+  const IntervalVec c2 = part(derivative(c1) / value, 0), n2 = part(derivative(n1) / value, 0);
+  const Interval turn = numbers::norm(part(n1, 0)).upper, slope = r1[0].magnitude();
+  const Interval radius = disc->radius[0].upper, bend = (derivative(r1) / value)[0].magnitude();
+  const Interval lengthwise = Interval(numbers::dot(c2, n).magnitude()) +
+                              Interval(2) * slope * turn +
+                              radius * numbers::norm(numbers::cross(n2, n)).upper;
+  const Interval across = numbers::norm(numbers::cross(c2, n)) + bend + radius * square(turn);
+  bounds.along = std::max(bounds.along, numbers::sqrt(square(lengthwise) + square(across)).upper);
+  bounds.mixed = std::max(bounds.mixed, numbers::sqrt(square(slope) + square(radius * turn)).upper);
+  bounds.around = std::max(bounds.around, radius.upper);
+  bounds.turning = std::max(bounds.turning, turn.upper);
+  return true;
+}
+
+// The design of the bound is in docs/certificate_format.md: linear interpolation on right triangles
+// with legs dt and du, du widened by the frame's drift over a band and the tube's share of twist.
+bool band_follows(const Motion& motion, double from, double to, std::uint32_t segments,
+                  const Interval& twist, double allowed) {
+  const Enclosure pi = Mpfi::pi().rounded_outward();
+  const Interval around = Interval(2) * Interval(pi.lower, pi.upper) / segments;
+  for (int cells = 1; cells <= 1 << kRefinements; cells *= 2) {
+    Bounds bounds;
+    bool moves = true;
+    for (int i = 0; i < cells && moves; ++i) {
+      const double a = i == 0 ? from : std::lerp(from, to, double(i) / cells);
+      const double b = i + 1 == cells ? to : std::lerp(from, to, double(i + 1) / cells);
+      moves = include(bounds, motion, a, b);
+    }
+    const Interval dt = bounds.length.upper, turn = dt * bounds.turning;
+    const Interval du = around + twist + Interval(0.27) * square(turn) / 16;
+    const Interval error = (square(dt) * bounds.along + Interval(2) * dt * du * bounds.mixed +
+                            square(du) * bounds.around) /
+                           8;
+    if (moves && turn.upper <= 1 && error.upper <= allowed) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// What snapping to the grid and the rounding of coordinates of this size may add.
+Interval displacement(double grid, double size) {
+  return numbers::sqrt(Interval(3)) / 2 * grid + Interval(std::ldexp(size, -47));
+}
+
+// A cylinder or cone between rings that look the same way: of ellipses, similar ones with the same
+// axes.
+bool is_straight(const Piece& piece) {
+  const Ring &a = piece.start, &b = piece.end;
+  const auto& tubes = piece.tubes;
+  return !tubes.empty() &&
+         std::all_of(tubes.begin(), tubes.end(), [](const Tube& t) { return t.is_cone(); }) &&
+         b.normal == -a.normal &&
+         (tubes.size() == 1 || (a.ellipse && b.ellipse && a.ellipse->axis == b.ellipse->axis &&
+                                mpq_class(a.radius) * mpq_class(b.ellipse->across) ==
+                                    mpq_class(b.radius) * mpq_class(a.ellipse->across)));
+}
+
+// The half segment that the last ring may ask for is shared by so many bands.
+bool piece_follows(const Piece& piece, const std::vector<double>& knots, std::uint32_t segments,
+                   std::size_t sharing, double allowed) {
+  const Mpfi pi = Mpfi::pi();
+  if (knots.size() == 2 && is_straight(piece)) {
+    double largest = 0;
+    for (const Tube& tube : piece.tubes) {
+      largest = std::max(largest, tube.radius_range(0, 1).upper);
+    }
+    const Mpfi sagitta = Mpfi(largest) * (1 - cosine(pi / double(segments)));
+    return sagitta.rounded_outward().upper <= allowed;
+  }
+  if (!piece.motion) {
+    return false;  // nothing is known of the frame that ellipses follow
+  }
+  const Enclosure twist = (pi / double(segments) / double(sharing)).rounded_outward();
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    if (!band_follows(piece.motion, knots[i], knots[i + 1], segments, {twist.lower, twist.upper},
+                      allowed)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// How large the coordinates may be.
+double size_over(const Solid& solid, const ParameterInterval& t, int halvings) {
+  if (const auto discs = solid.discs(t)) {
+    double size = discs->radius.upper;
+    for (const IntervalVec& center : discs->centers) {
+      size = std::max(size, numbers::norm(center).upper);
+    }
+    return size;
+  }
+  const double middle = (t.from + t.to) / 2;
+  return halvings == 0 ? std::numeric_limits<double>::infinity()
+                       : std::max(size_over(solid, {t.from, middle}, halvings - 1),
+                                  size_over(solid, {middle, t.to}, halvings - 1));
+}
+
+double size_of(const Solid& solid) {
+  constexpr double kCells = 16;
+  constexpr int kHalvings = 8;
+  double size = 0;
+  for (double i = 0; i < kCells * solid.length(); ++i) {
+    size = std::max(size, size_over(solid, {i / kCells, (i + 1) / kCells}, kHalvings));
+  }
+  return size;
+}
+
+// No point of a facet of the graticule is nearer to the centre than its plane.
+bool sphere_follows(const Sphere& sphere, const MeshClaim& claim) {
+  if (claim.segments < 3 || !claim.knots.empty()) {
+    return false;
+  }
+  const std::uint32_t bands = (claim.segments + 1) / 2;
+  const Mpfi step = Mpfi::pi() / double(bands);
+  const Mpfi half = cosine(Mpfi::pi() / double(claim.segments));
+  double nearest = 1;
+  for (std::uint32_t i = 0; i < bands; ++i) {
+    const Mpfi a = step * double(i), b = step * double(i + 1);
+    const Mpfi xa = half * sine(a), xb = half * sine(b), za = cosine(a), zb = cosine(b);
+    const Mpfi plane =
+        magnitude(xa * zb - xb * za) / square_root(square(xb - xa) + square(zb - za));
+    nearest = std::min(nearest, plane.rounded_outward().lower);
+  }
+  const Interval sag = Interval(sphere.radius) * (Interval(1) - nearest);
+  const double size = std::max(sphere.radius, sphere.center.norm());
+  return (sag + displacement(claim.grid, size)).upper <= claim.error_bound;
+}
+
+}  // namespace
+
+bool follows(const Solid& solid, const MeshClaim& claim) {
+  if (solid.ball() != nullptr) {
+    return sphere_follows(*solid.ball(), claim);
+  }
+  const double allowed =
+      (Interval(claim.error_bound) - displacement(claim.grid, size_of(solid))).lower;
+  auto knot = claim.knots.begin();
+  for (std::size_t i = 0; i < solid.pieces().size(); ++i) {
+    // From whole number to whole number, by the piece's own parameter.
+    std::vector<double> knots;
+    for (; knot != claim.knots.end() && (knots.empty() || knots.back() < 1); ++knot) {
+      knots.push_back(*knot - double(i));
+    }
+    const Piece& piece = solid.pieces()[i];
+    const bool is_cyclide = std::holds_alternative<CyclidePiece>(piece.shape);
+    if (claim.segments < 3 || piece.inner || knots.size() < 2 || knots.front() != 0 ||
+        knots.back() != 1 ||
+        std::adjacent_find(knots.begin(), knots.end(), std::greater_equal<>()) != knots.end() ||
+        !piece_follows(piece, knots, claim.segments,
+                       (is_cyclide ? claim.knots.size() : knots.size()) - 1, allowed)) {
+      return false;
+    }
+    --knot;
+  }
+  return knot + 1 == claim.knots.end();
+}
+
+}  // namespace dupin::verification

@@ -1,0 +1,332 @@
+#include "verification/motion.h"
+
+#include <algorithm>
+
+#include "verification/narrowed.h"
+
+namespace dupin::verification {
+namespace {
+
+// A polynomial and its derivatives, ready to be enclosed.
+template <std::size_t count>
+class Enclosed {
+ public:
+  explicit Enclosed(Polynomial p) {
+    for (auto& coefficients : orders_) {
+      for (const mpq_class& c : p) {
+        coefficients.push_back(enclosed(c));
+      }
+      p = derivative(p);
+    }
+  }
+
+  [[nodiscard]] Jet<count> over(double from, double to) const {
+    Jet<count> result;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto coefficients = part(orders_[k], Interval(from), Interval(to));
+      result[k] = coefficients.front();
+      for (const Interval& c : coefficients) {
+        result[k] = hull(result[k], c);
+      }
+    }
+    return result;
+  }
+
+ private:
+  std::array<std::vector<Interval>, count> orders_;
+};
+
+template <std::size_t count>
+struct EnclosedCurve {
+  explicit EnclosedCurve(const Curve& c)
+      : coordinates{{Enclosed<count>(c[0]), Enclosed<count>(c[1]), Enclosed<count>(c[2])}} {}
+
+  [[nodiscard]] JetVec<count> over(double from, double to) const {
+    return {coordinates[0].over(from, to), coordinates[1].over(from, to),
+            coordinates[2].over(from, to)};
+  }
+
+  std::array<Enclosed<count>, 3> coordinates;
+};
+
+// p - weight * point
+Polynomial about(const Polynomial& p, const Polynomial& weight, const mpq_class& point) {
+  return difference(p, product(weight, {point}));
+}
+
+template <std::size_t count>
+Jet<3> shortened(const Jet<count>& a) {
+  return {{a[0], a[1], a[2]}};
+}
+
+JetVec<3> moved(JetVec<3> v, const IntervalVec& by) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    v[k][0] = v[k][0] + by[k];
+  }
+  return v;
+}
+
+const Jet<3> kOne{{1, 0, 0}};
+
+std::optional<MovingDisc> across(const JetVec<4>& spine, const IntervalVec& base,
+                                 const Jet<3>& radius) {
+  const JetVec<3> velocity = derivative(spine);
+  const Jet<3> squared = squared_norm(velocity);
+  if (!(squared[0].lower > 0)) {
+    return std::nullopt;
+  }
+  const JetVec<3> center{shortened(spine[0]), shortened(spine[1]), shortened(spine[2])};
+  return MovingDisc{moved(center, base), velocity / sqrt(squared), radius, kOne};
+}
+
+// R^2 + c R = r0 r1 with c = (r1 - r0) cos(pi t).
+Jet<3> cyclide_radius(const Tube& tube, double from, double to) {
+  const auto& law = std::get<CyclideRadius>(tube.surface().radius);
+  const Interval rise = Interval(law.end) - law.start, half = 0.5;
+  const Mpfi turned = Mpfi::pi() * Mpfi::between(from, to);
+  const Interval pi = narrowed(Mpfi::pi()), cos = narrowed(cosine(turned));
+  const Jet<3> c{{rise * cos, -pi * rise * narrowed(sine(turned)), -square(pi) * rise * cos}};
+  Jet<3> squared = c * c;
+  squared[0] = square(c[0]) + Interval(4) * law.start * law.end;
+  Jet<3> result = sqrt(squared) - c;
+  for (Interval& x : result.d) {
+    x = half * x;
+  }
+  result[0] = tube.radius_range(from, to);
+  return result;
+}
+
+std::function<Jet<3>(double, double)> radius_of(const Tube& tube) {
+  const Polynomial radius = tube.radius(0, 1);
+  if (radius.empty()) {
+    return [tube](double from, double to) { return cyclide_radius(tube, from, to); };
+  }
+  return [r = Enclosed<3>(radius)](double from, double to) { return r.over(from, to); };
+}
+
+Motion arc_motion(const Tube& tube) {
+  const ArcSpine arc = *tube.arc();
+  const IntervalVec base = numbers::interval_vec(arc.center);
+  const IntervalVec u = numbers::interval_vec(arc.start) - base;
+  const IntervalVec v = numbers::cross(numbers::interval_vec(arc.axis), u);
+  // The disc in the middle, turned about the axis, is any other: but for the radius, nothing that
+  // is asked of the motion of a circular arc changes along it.
+  return [=, radius = radius_of(tube)](double from, double to) {
+    const Interval rate = arc.angle;
+    const Mpfi turned = Mpfi(arc.angle) * (Mpfi(from) + to) / 2;
+    const Interval c = narrowed(cosine(turned)), s = narrowed(sine(turned));
+    const Jet<4> cos{{c, -rate * s, -square(rate) * c, square(rate) * rate * s}};
+    const Jet<4> sin{{s, rate * c, -square(rate) * s, -square(rate) * rate * c}};
+    JetVec<4> y;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t order = 0; order < 4; ++order) {
+        y[k][order] = cos[order] * u[k] + sin[order] * v[k];
+      }
+    }
+    return across(y, base, radius(from, to));
+  };
+}
+
+// The polynomial over t, which divides it, or over 1 - t.
+Polynomial over_t(const Polynomial& p) {
+  Polynomial q;
+  const auto n = static_cast<unsigned long>(p.size() - 1);
+  for (unsigned long i = 1; i <= n; ++i) {
+    q.push_back(p[i] * mpq_class(n) / mpq_class(i));
+  }
+  return q;
+}
+
+Polynomial mirrored(Polynomial p) {
+  std::reverse(p.begin(), p.end());
+  return p;
+}
+
+std::array<Polynomial, 4> quaternion(const RationalRingedSurface& surface) {
+  std::array<Polynomial, 4> q;
+  for (std::size_t part = 0; part < 4; ++part) {
+    for (const auto& control : surface.rotation) {
+      q[part].emplace_back(control[part]);
+    }
+  }
+  return q;
+}
+
+// A i A*, along the normals.
+Curve rotated_axis(const std::array<Polynomial, 4>& q) {
+  const auto twice = [](const Polynomial& p) { return product(p, {2}); };
+  const auto minus = [](const Polynomial& p) { return product(p, {-1}); };
+  const auto& [w, x, y, z] = q;
+  return {difference(difference(product(w, w), minus(product(x, x))),
+                     difference(product(y, y), minus(product(z, z)))),
+          twice(difference(product(x, y), minus(product(w, z)))),
+          twice(difference(product(x, z), product(w, y)))};
+}
+
+struct RingedCurves {
+  Curve center, axis;
+  Polynomial radius;
+};
+
+RingedCurves curves(const RationalRingedSurface& surface) {
+  RingedCurves result;
+  for (int k = 0; k < 3; ++k) {
+    for (const Vec3& point : surface.center) {
+      result.center[k].emplace_back(mpq_class(point[k]) - mpq_class(surface.center[0][k]));
+    }
+  }
+  result.axis = rotated_axis(quaternion(surface));
+  result.radius = {surface.radius.begin(), surface.radius.end()};
+  return result;
+}
+
+// 2 vec(A' A*) / |A|^2 = 2 (w v' - w' v - v' x v) / |A|^2 with A = (w; v), and its derivative.
+std::optional<std::array<IntervalVec, 2>> spin(const Jet<3>& scalar, const JetVec<3>& vector) {
+  const auto first_two = [](const Jet<3>& a) { return Jet<2>{{a[0], a[1]}}; };
+  const Jet<2> w = first_two(scalar), w1 = derivative(scalar);
+  const JetVec<2> v{first_two(vector[0]), first_two(vector[1]), first_two(vector[2])};
+  const JetVec<2> v1 = derivative(vector);
+  Jet<2> squared = squared_norm(v) + w * w;
+  squared[0] = squared_norm(v)[0] + square(w[0]);
+  if (!(squared[0].lower > 0)) {
+    return std::nullopt;
+  }
+  const Jet<2> two{{2, 0}};
+  JetVec<2> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    result[k] = two * (w * v1[k] - w1 * v[k] - (v1[i] * v[j] - v1[j] * v[i])) / squared;
+  }
+  return std::array<IntervalVec, 2>{part(result, 0), part(result, 1)};
+}
+
+bool rests(const Curve& rate, bool at_end) {
+  return std::all_of(rate.begin(), rate.end(),
+                     [=](const Polynomial& p) { return (at_end ? p.back() : p.front()) == 0; });
+}
+
+EnclosedCurve<1> unrested(const Curve& rate, bool at_end) {
+  Curve result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    result[k] = at_end ? mirrored(over_t(mirrored(rate[k]))) : over_t(rate[k]);
+  }
+  return EnclosedCurve<1>(result);
+}
+
+void replace(JetVec<3>& jets, const JetVec<1>& rates) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    jets[k][1] = rates[k][0];
+  }
+}
+
+}  // namespace
+
+Motion motion(const Tube& tube) {
+  if (tube.arc() != nullptr) {
+    return arc_motion(tube);
+  }
+  Stretch s = tube.stretch(0, 1);
+  IntervalVec base;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const mpq_class first = s.points[k].front() / s.weight.front();
+    s.points[k] = about(s.points[k], s.weight, first);
+    base[k] = enclosed(first);
+  }
+  return [base, points = EnclosedCurve<4>(s.points), weight = Enclosed<4>(s.weight),
+          is_rational = s.weight.size() > 1,
+          radius = radius_of(tube)](double from, double to) -> std::optional<MovingDisc> {
+    const JetVec<4> p = points.over(from, to);
+    const Jet<4> w = weight.over(from, to);
+    return w[0].lower > 0 ? across(is_rational ? p / w : p, base, radius(from, to)) : std::nullopt;
+  };
+}
+
+// Of spheres (m; r): circles about c = m - r r' m' / |m'|^2 across m', of radius r sqrt(1 - r'^2 /
+// |m'|^2).
+Motion motion(const CyclidePiece& piece, double wall) {
+  const auto exact = [](const PeVector& b) {
+    return std::array<mpq_class, 4>{b.m.x(), b.m.y(), b.m.z(), b.r};
+  };
+  const auto first = exact(piece.first), tangent = exact(piece.tangent), last = exact(piece.last);
+  const mpq_class chord = piece.chord;
+  mpq_class squared, along;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const mpq_class d = last[k] - first[k];
+    squared += (k < 3 ? 1 : -1) * d * d;
+    along += (k < 3 ? 1 : -1) * d * tangent[k];
+  }
+  const Polynomial weight{1, along / chord, squared / chord / chord};
+  Curve centers;
+  Polynomial radius;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Polynomial p{first[k], (along * first[k] + squared / 2 * tangent[k]) / chord,
+                       weight[2] * last[k]};
+    (k < 3 ? centers[k] : radius) = k < 3 ? about(p, weight, first[k]) : about(p, weight, wall);
+  }
+  return [base = numbers::interval_vec(piece.first.m), m_times_w = EnclosedCurve<4>(centers),
+          r_times_w = Enclosed<4>(radius),
+          weight = Enclosed<4>(weight)](double from, double to) -> std::optional<MovingDisc> {
+    const Jet<4> w = weight.over(from, to);
+    if (!(w[0].lower > 0)) {
+      return std::nullopt;
+    }
+    const JetVec<4> m = m_times_w.over(from, to) / w;
+    const Jet<4> r = r_times_w.over(from, to) / w;
+    const JetVec<3> m1 = derivative(m);
+    const Jet<3> r1 = derivative(r), speed = squared_norm(m1);
+    Jet<3> slope = r1 * r1;
+    slope[0] = square(r1[0]);
+    if (!((speed[0] - slope[0]).lower > 0)) {
+      return std::nullopt;
+    }
+    const Jet<3> pace = sqrt(speed - slope), value = shortened(r);
+    const JetVec<3> center{shortened(m[0]), shortened(m[1]), shortened(m[2])};
+    const JetVec<3> shift = (value * r1 / speed) * m1;
+    return MovingDisc{moved(center - shift, base), m1 / sqrt(speed), value * pace / sqrt(speed),
+                      pace};
+  };
+}
+
+Motion motion(const RationalRingedSurface& surface) {
+  const RingedCurves c = curves(surface);
+  const auto q = quaternion(surface);
+  return [base = numbers::interval_vec(surface.center[0]), center = EnclosedCurve<3>(c.center),
+          axis = EnclosedCurve<3>(c.axis), radius = Enclosed<3>(c.radius),
+          scalar = Enclosed<3>(q[0]), vector = EnclosedCurve<3>({q[1], q[2], q[3]})](
+             double from, double to) -> std::optional<MovingDisc> {
+    const JetVec<3> n = axis.over(from, to);
+    const Jet<3> squared = squared_norm(n);
+    if (!(squared[0].lower > 0)) {
+      return std::nullopt;
+    }
+    return MovingDisc{moved(center.over(from, to), base), n / sqrt(squared), radius.over(from, to),
+                      kOne, spin(scalar.over(from, to), vector.over(from, to))};
+  };
+}
+
+Motion steered_motion(const RationalRingedSurface& surface) {
+  const RingedCurves c = curves(surface);
+  const Curve velocity = derivative(c.center), turning = derivative(c.axis);
+  const std::array<bool, 2> resting{rests(velocity, false) && rests(turning, false),
+                                    rests(velocity, true) && rests(turning, true)};
+  if (!resting[0] && !resting[1]) {
+    return motion(surface);
+  }
+  return [=, center = EnclosedCurve<3>(c.center), axis = EnclosedCurve<3>(c.axis),
+          radius = Enclosed<3>(c.radius)](double from, double to) -> std::optional<MovingDisc> {
+    JetVec<3> d = center.over(from, to), n = axis.over(from, to);
+    for (const bool at_end : {false, true}) {
+      if (resting.at(at_end ? 1 : 0) && (at_end ? to == 1 : from == 0)) {
+        replace(d, unrested(velocity, at_end).over(from, to));
+        replace(n, unrested(turning, at_end).over(from, to));
+      }
+    }
+    const Jet<3> squared = squared_norm(n);
+    if (!(squared[0].lower > 0)) {
+      return std::nullopt;
+    }
+    return MovingDisc{d, n / sqrt(squared), radius.over(from, to), kOne};
+  };
+}
+
+}  // namespace dupin::verification

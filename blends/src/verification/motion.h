@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "dupin/blends/certificate.h"
+#include "verification/jet.h"
+#include "verification/tube.h"
+
+namespace dupin::verification {
+
+/// A disc and how it moves, over a stretch of a piece's parameter: centre, unit normal and radius
+/// with two derivatives; and the rate of the length that `mesh` measures bands by.
+struct MovingDisc {
+  JetVec<3> center, normal;
+  Jet<3> radius, pace;
+  /// The rotation of the frame that the rows of `mesh` follow, and its derivative; none where they
+  /// follow one that does not spin about the normal.
+  std::optional<std::array<IntervalVec, 2>> spin = {};
+};
+
+/// Encloses the discs over the stretch [from, to] within [0, 1]; none where the numbers do not tell
+/// that they move at all.
+using Motion = std::function<std::optional<MovingDisc>(double from, double to)>;
+
+[[nodiscard]] Motion motion(const Tube& tube);
+/// Of the outer skin, or of the parallel one at distance `wall` inside.
+[[nodiscard]] Motion motion(const CyclidePiece& piece, double wall);
+[[nodiscard]] Motion motion(const RationalRingedSurface& surface);
+/// With all first derivatives divided by the same positive function, so that they do not vanish
+/// where centre and normal come to rest at an end; the second ones have no meaning.
+[[nodiscard]] Motion steered_motion(const RationalRingedSurface& surface);
+
+}  // namespace dupin::verification

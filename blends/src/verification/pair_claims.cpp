@@ -1,0 +1,281 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "verification/claims.h"
+
+namespace dupin::verification {
+namespace {
+
+using Pairs = std::vector<const DiscPairs*>;
+
+bool contains(const ParameterInterval& outer, const ParameterInterval& inner) {
+  return outer.from <= inner.from && inner.to <= outer.to;
+}
+
+bool meet(const ParameterInterval& a, const ParameterInterval& b) {
+  return a.from < b.to && b.from < a.to;
+}
+
+// Whether the leaves cover the rectangle, or its part where first <= second; where a leaf covers it
+// in part, it is cut along that leaf's border.
+bool covered(const ParameterInterval& first, const ParameterInterval& second, const Pairs& leaves,
+             bool ordered) {
+  if (ordered && first.from >= second.to) {
+    return true;
+  }
+  Pairs near;
+  for (const DiscPairs* leaf : leaves) {
+    if (meet(leaf->first, first) && meet(leaf->second, second)) {
+      near.push_back(leaf);
+    }
+  }
+  if (near.empty()) {
+    return false;
+  }
+  const DiscPairs& leaf = *near[near.size() / 2];
+  for (const double cut : {leaf.first.from, leaf.first.to}) {
+    if (first.from < cut && cut < first.to) {
+      return covered({first.from, cut}, second, near, ordered) &&
+             covered({cut, first.to}, second, near, ordered);
+    }
+  }
+  for (const double cut : {leaf.second.from, leaf.second.to}) {
+    if (second.from < cut && cut < second.to) {
+      return covered(first, {second.from, cut}, near, ordered) &&
+             covered(first, {cut, second.to}, near, ordered);
+    }
+  }
+  return contains(leaf.first, first) && contains(leaf.second, second);
+}
+
+Pairs listed(const std::vector<DiscPairs>& leaves) {
+  Pairs result;
+  for (const DiscPairs& leaf : leaves) {
+    result.push_back(&leaf);
+  }
+  return result;
+}
+
+// The least upper bound that so many cells give of x.w on the stretch.
+double furthest(const Solid& solid, const ParameterInterval& t, const IntervalVec& w, int cells) {
+  double result = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < cells; ++i) {
+    const auto discs = solid.discs({std::lerp(t.from, t.to, double(i) / cells),
+                                    std::lerp(t.from, t.to, double(i + 1) / cells)});
+    if (!discs) {
+      return std::numeric_limits<double>::infinity();
+    }
+    result = std::max(result, furthest(*discs, w));
+  }
+  return result;
+}
+
+// Whether there is a slab of this width, and of any, between the discs.
+bool apart(const Solid& first, const Solid& second, const DiscPairs& leaf, double distance) {
+  constexpr int kMostCells = 16;
+  const IntervalVec w = numbers::interval_vec(*leaf.direction);
+  const Interval length = numbers::norm(w);
+  for (int cells = 1; cells <= kMostCells; cells *= 2) {
+    const Interval behind = furthest(first, leaf.first, w, cells);
+    const Interval front = furthest(second, leaf.second, Interval(-1) * w, cells);
+    const double width = length.lower > 0 ? ((-front - behind) / length).lower : -1;
+    if (width > 0 && width >= distance) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The first lemma of docs/certificate_format.md; the piece is known to be regular with this margin.
+bool turns_little(const std::vector<Tube>& tubes, const ParameterInterval& t, double margin) {
+  if (tubes.empty() ||
+      !(turning(tubes.front().discs(t.from, t.to).tangents) <= std::numbers::pi / 2)) {
+    return false;
+  }
+  Interval range = tubes.front().radius_range(t.from, t.to);
+  bool grows = true, falls = true;
+  for (const Tube& tube : tubes) {
+    const Interval here = tube.radius_range(t.from, t.to);
+    range = {std::max(range.lower, here.lower), std::max(range.upper, here.upper)};
+    Polynomial r = tube.radius(t.from, t.to);
+    if (r.empty()) {
+      r = {evaluate(tube.surface().radius, 0).value, evaluate(tube.surface().radius, 1).value};
+    }
+    grows = grows && std::is_sorted(r.begin(), r.end());
+    falls = falls && std::is_sorted(r.rbegin(), r.rend());
+  }
+  return range.lower > 0 &&
+         (grows || falls || ((Interval(1) - margin) * range.upper).upper <= range.lower);
+}
+
+// A stretch of a piece on the way between two discs.
+struct Cell {
+  const Piece* piece;
+  ParameterInterval t;
+};
+
+bool append(const Solid& solid, const ParameterInterval& t, std::vector<Cell>& way) {
+  for (const ParameterInterval& stretch : cut(t)) {
+    const Piece* piece = solid.piece(stretch);
+    if (piece == nullptr) {
+      return false;
+    }
+    way.push_back({piece, within_piece(stretch)});
+  }
+  return !solid.ball();
+}
+
+// The second lemma, with sines and cosines replaced by phi and 1 - phi^2 / 2.
+bool advances(const std::vector<Cell>& way, int cells) {
+  struct Bounds {
+    Interval advance, sideways, turning;
+  };
+  std::vector<Bounds> all;
+  Interval radius = 0, phi = 0;
+  for (const auto& [piece, t] : way) {
+    for (int i = 0; i < cells; ++i) {
+      const double from = std::lerp(t.from, t.to, double(i) / cells);
+      const double to = std::lerp(t.from, t.to, double(i + 1) / cells);
+      const auto disc = piece->steered(from, to);
+      if (!disc || !(disc->radius[0].lower > 0)) {
+        return false;
+      }
+      const IntervalVec normal = part(disc->normal, 0), velocity = part(disc->center, 1);
+      const Interval turning = numbers::norm(part(disc->normal, 1)).upper;
+      all.push_back({numbers::dot(velocity, normal).lower,
+                     numbers::norm(numbers::cross(velocity, normal)).upper, turning});
+      radius = std::max(radius.upper, disc->radius[0].upper);
+      phi = phi + (Interval(to) - from) * turning;
+    }
+  }
+  phi = phi.upper;
+  const Interval cosine = (Interval(1) - square(phi) / 2).lower;
+  return phi.upper < 1 && std::all_of(all.begin(), all.end(), [&](const Bounds& bounds) {
+           return (bounds.advance * cosine - bounds.sideways * phi - radius * bounds.turning)
+                      .lower > 0;
+         });
+}
+
+bool advances(const std::vector<Cell>& way) {
+  constexpr int kMostCells = 32;
+  for (int cells = 2; cells <= kMostCells; cells *= 4) {
+    if (advances(way, cells)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Exactly: the point lies in the plane of the ring, and not outside of it.
+bool lies_in(const Ring& ring, const Vec3& point) {
+  mpq_class height, squared;
+  for (int k = 0; k < 3; ++k) {
+    const mpq_class d = mpq_class(point[k]) - mpq_class(ring.center[k]);
+    height += d * mpq_class(ring.normal[k]);
+    squared += d * d;
+  }
+  return !ring.ellipse && height == 0 && squared <= mpq_class(ring.radius) * mpq_class(ring.radius);
+}
+
+// The plane of the discs passes the point within the stretch, which is nearer than the radius then.
+bool crosses(const Solid& solid, const ParameterInterval& t, const Vec3& point) {
+  if (!solid.pieces().empty() && !solid.closed() && t.from == t.to &&
+      (t.from == 0 || t.to == solid.length())) {
+    return lies_in(t.from == 0 ? solid.pieces().front().start : solid.pieces().back().end, point);
+  }
+  const auto discs = solid.discs(t), first = solid.discs({t.from, t.from}),
+             last = solid.discs({t.to, t.to});
+  if (!(t.from < t.to) || !discs || !first || !last) {
+    return false;
+  }
+  const IntervalVec p = numbers::interval_vec(point);
+  const bool passes =
+      solid.ball() != nullptr ||
+      (numbers::dot(p - first->centers.front(), first->tangents.front()).lower > 0 &&
+       numbers::dot(p - last->centers.back(), last->tangents.back()).upper < 0);
+  return passes &&
+         std::all_of(discs->centers.begin(), discs->centers.end(), [&](const IntervalVec& center) {
+           return numbers::norm(p - center).upper < discs->radius.lower;
+         });
+}
+
+bool follows(const Overlap& overlap, const Solid& first, const Solid& second) {
+  return first.is_full() && second.is_full() && crosses(first, overlap.first, overlap.point) &&
+         crosses(second, overlap.second, overlap.point);
+}
+
+// Whether the way between the discs of the leaf is one on which they do not come back.
+bool is_short_way(const Solid& solid, const DiscPairs& leaf, double margin) {
+  const ParameterInterval all{leaf.first.from, std::max(leaf.first.to, leaf.second.to)};
+  const Piece* piece = solid.piece(all);
+  if (leaf.first.from > leaf.second.from) {
+    return false;
+  }
+  if (piece != nullptr && turns_little(piece->tubes, within_piece(all), margin)) {
+    return true;
+  }
+  std::vector<Cell> way, around;
+  return (append(solid, all, way) && advances(way)) ||
+         (solid.closed() && append(solid, {leaf.second.from, solid.length()}, around) &&
+          append(solid, {0, leaf.first.to}, around) && advances(around));
+}
+
+// The discs from the stretch to the end where the joint is.
+ParameterInterval to_joint(const Solid& solid, const ParameterInterval& t, bool at_end) {
+  return at_end ? ParameterInterval{t.from, solid.length()} : ParameterInterval{0, t.to};
+}
+
+bool is_short_way(const Solid& first, const Solid& second, const std::vector<JoinedEnds>& joints,
+                  const DiscPairs& leaf) {
+  return std::any_of(joints.begin(), joints.end(), [&](const JoinedEnds& joint) {
+    std::vector<Cell> way;
+    return append(first, to_joint(first, leaf.first, joint.first_at_end), way) &&
+           append(second, to_joint(second, leaf.second, joint.second_at_end), way) && advances(way);
+  });
+}
+
+bool has_leaf(const Solid& solid, const ParameterInterval& t) {
+  return t.from < t.to && (solid.ball() != nullptr || solid.piece(t) != nullptr);
+}
+
+}  // namespace
+
+bool follows(const Solid& solid, const EmbeddedClaim& claim, const RegularClaim& regular) {
+  if (claim.verdict == Verdict::refuted) {
+    return claim.overlap && claim.overlap->first.from < claim.overlap->first.to &&
+           claim.overlap->second.from < claim.overlap->second.to &&
+           (claim.overlap->first.to < claim.overlap->second.from ||
+            claim.overlap->second.to < claim.overlap->first.from) &&
+           follows(*claim.overlap, solid, solid);
+  }
+  const ParameterInterval all{0, solid.length()};
+  return regular.verdict == Verdict::proved && covered(all, all, listed(claim.leaves), true) &&
+         std::all_of(claim.leaves.begin(), claim.leaves.end(), [&](const DiscPairs& leaf) {
+           return has_leaf(solid, leaf.first) && has_leaf(solid, leaf.second) &&
+                  (leaf.direction ? apart(solid, solid, leaf, 0)
+                                  : is_short_way(solid, leaf, regular.margin));
+         });
+}
+
+bool follows(const Solid& first, const Solid& second, const std::vector<JoinedEnds>& joints,
+             const ClearanceClaim& claim) {
+  const bool joined = !joints.empty();
+  if (claim.overlap) {
+    const bool touching = claim.overlap->first.from == claim.overlap->first.to ||
+                          claim.overlap->second.from == claim.overlap->second.to;
+    return !(joined && touching) &&
+           claim.verdict == (joined ? Verdict::refuted : Verdict::proved) &&
+           follows(*claim.overlap, first, second);
+  }
+  return claim.verdict == Verdict::proved && (joined ? claim.distance == 0 : claim.distance > 0) &&
+         covered({0, first.length()}, {0, second.length()}, listed(claim.leaves), false) &&
+         std::all_of(claim.leaves.begin(), claim.leaves.end(), [&](const DiscPairs& leaf) {
+           return has_leaf(first, leaf.first) && has_leaf(second, leaf.second) &&
+                  (leaf.direction ? apart(first, second, leaf, claim.distance)
+                                  : is_short_way(first, second, joints, leaf));
+         });
+}
+
+}  // namespace dupin::verification

@@ -1,0 +1,121 @@
+#include "verification/solid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dupin::verification {
+namespace {
+
+Interval larger(const Interval& a, const Interval& b) {
+  return {std::max(a.lower, b.lower), std::max(a.upper, b.upper)};
+}
+
+Interval largest_radius(const std::vector<Tube>& tubes, double from, double to) {
+  Interval result = tubes.front().radius_range(from, to);
+  for (const Tube& tube : tubes) {
+    result = larger(result, tube.radius_range(from, to));
+  }
+  return result;
+}
+
+// Centres by the mean value theorem from the middle, normals by how far they turn from there.
+std::optional<Discs> discs_of(const Piece& piece, const ParameterInterval& t) {
+  if (!piece.tubes.empty()) {
+    Discs result = piece.tubes.front().discs(t.from, t.to);
+    result.radius = largest_radius(piece.tubes, t.from, t.to);
+    return result;
+  }
+  const double middle = (t.from + t.to) / 2;
+  const auto here = piece.motion(middle, middle), all = piece.motion(t.from, t.to);
+  if (!here || !all) {
+    return std::nullopt;
+  }
+  const Interval half =
+      std::max((Interval(t.to) - middle).upper, (Interval(middle) - t.from).upper);
+  const IntervalVec center = part(here->center, 0), step = half * part(all->center, 1);
+  return Discs{{center - step, center + step},
+               {part(here->normal, 0)},
+               all->radius[0],
+               (half * numbers::norm(part(all->normal, 1))).upper};
+}
+
+}  // namespace
+
+Piece::Piece(const CertifiedPiece& certified, double wall) : shape(certified) {
+  std::visit(
+      [this](const auto& piece) {
+        start = piece.start;
+        end = piece.end;
+      },
+      shape);
+  if (const auto* tube = std::get_if<RingedSurface>(&shape)) {
+    tubes = {Tube(*tube)};
+    steered = motion = verification::motion(tubes.front());
+  } else if (const auto* elliptic = std::get_if<EllipticTube>(&shape)) {
+    tubes = {Tube({start, end, elliptic->spine, elliptic->first}),
+             Tube({start, end, elliptic->spine, elliptic->second})};
+    steered = [about = verification::motion(tubes.front()), axes = tubes](double from, double to) {
+      auto disc = about(from, to);
+      if (disc) {
+        disc->radius[0] = largest_radius(axes, from, to);
+      }
+      return disc;
+    };
+  } else if (const auto* cyclide = std::get_if<CyclidePiece>(&shape)) {
+    steered = motion = verification::motion(*cyclide, 0);
+    inner = wall > 0 ? verification::motion(*cyclide, wall) : Motion();
+  } else {
+    const RationalRingedSurface& surface = std::get<RationalRingedTube>(shape).surface;
+    motion = verification::motion(surface);
+    steered = verification::steered_motion(surface);
+  }
+}
+
+Solid::Solid(const CertifiedPart& part) {
+  if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
+    ball_ = *sphere;
+    return;
+  }
+  if (std::holds_alternative<OtherShape>(part.shape)) {
+    is_full_ = false;
+    return;
+  }
+  const auto& chain = std::get<PieceChain>(part.shape);
+  closed_ = chain.closed;
+  is_full_ = chain.wall == 0;
+  for (const CertifiedPiece& shape : chain.pieces) {
+    pieces_.emplace_back(shape, chain.wall);
+    is_full_ = is_full_ && !std::holds_alternative<EllipticTube>(shape);
+  }
+}
+
+const Piece* Solid::piece(const ParameterInterval& t) const {
+  const double index = std::floor(t.from);
+  return 0 <= t.from && t.from <= t.to && t.to <= length() && t.to <= index + 1 &&
+                 index < double(pieces_.size())
+             ? &pieces_[std::size_t(index)]
+             : nullptr;
+}
+
+std::optional<Discs> Solid::discs(const ParameterInterval& t) const {
+  if (ball_) {
+    return Discs{{numbers::interval_vec(ball_->center)}, {}, ball_->radius, 0};
+  }
+  const Piece* found = piece(t);
+  return found != nullptr ? discs_of(*found, within_piece(t)) : std::nullopt;
+}
+
+ParameterInterval within_piece(const ParameterInterval& t) {
+  const double index = std::floor(t.from);
+  return {t.from - index, t.to - index};
+}
+
+std::vector<ParameterInterval> cut(const ParameterInterval& t) {
+  std::vector<ParameterInterval> result;
+  for (double from = t.from; from < t.to; from = std::floor(from) + 1) {
+    result.push_back({from, std::min(t.to, std::floor(from) + 1)});
+  }
+  return result;
+}
+
+}  // namespace dupin::verification

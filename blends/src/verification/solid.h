@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "verification/motion.h"
+
+namespace dupin::verification {
+
+/// A piece of a chain, read exactly.
+struct Piece {
+  Piece(const CertifiedPiece& certified, double wall);
+
+  CertifiedPiece shape;
+  Ring start, end;
+  /// A ringed surface's, or those of an elliptic tube's two semi-axes; none for other pieces.
+  std::vector<Tube> tubes;
+  Motion motion;  ///< none for elliptic tubes
+  /// Of the discs that contain the piece's; first derivatives may have lost a positive factor.
+  Motion steered;
+  Motion inner;  ///< of the inner skin; none for solid pieces
+};
+
+/// A part, read exactly: discs for parameters from 0 to the number of its pieces, or a ball; a
+/// shape that nothing is claimed about has no pieces.
+class Solid {
+ public:
+  explicit Solid(const CertifiedPart& part);
+
+  [[nodiscard]] const Sphere* ball() const { return ball_ ? &*ball_ : nullptr; }
+  [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+  [[nodiscard]] bool closed() const { return closed_; }
+  [[nodiscard]] double length() const { return ball_ ? 1 : double(pieces_.size()); }
+  /// The part is the union of its discs: it is neither hollow nor elliptic.
+  [[nodiscard]] bool is_full() const { return is_full_; }
+  /// The piece that has the stretch; none if no single one does.
+  [[nodiscard]] const Piece* piece(const ParameterInterval& t) const;
+  /// Of a stretch within one piece; none where the numbers do not tell.
+  [[nodiscard]] std::optional<Discs> discs(const ParameterInterval& t) const;
+
+ private:
+  std::vector<Piece> pieces_;
+  std::optional<Sphere> ball_;
+  bool closed_ = false, is_full_ = true;
+};
+
+/// The stretch by the parameter of its piece.
+[[nodiscard]] ParameterInterval within_piece(const ParameterInterval& t);
+
+/// The stretch cut at whole numbers.
+[[nodiscard]] std::vector<ParameterInterval> cut(const ParameterInterval& t);
+
+}  // namespace dupin::verification

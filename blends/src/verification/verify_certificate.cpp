@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "dupin/kernel/error.h"
+#include "verification/claims.h"
+
+namespace dupin::verification {
+namespace {
+
+void require(bool follows, const std::string& part, const std::string& claim) {
+  if (!follows) {
+    throw Error(Errc::invalid_argument, "the claim '" + claim + "' does not follow", part,
+                "certificate");
+  }
+}
+
+bool is_undecided(Verdict verdict) { return verdict == Verdict::undecided; }
+
+bool are_flips(const Ring& a, const Ring& b) {
+  const Ellipse none;
+  const Ellipse x = a.ellipse.value_or(none), y = b.ellipse.value_or(none);
+  return a.center == b.center && a.normal == -b.normal && a.radius == b.radius &&
+         a.slope == -b.slope && a.ellipse.has_value() == b.ellipse.has_value() &&
+         x.axis == y.axis && x.across == y.across &&
+         (!a.ellipse || x.across_slope == -y.across_slope);
+}
+
+const Ring& end_ring(const Solid& solid, bool at_end) {
+  return at_end ? solid.pieces().back().end : solid.pieces().front().start;
+}
+
+// What the other claims leave out is less than the tolerance.
+bool is_near(const TangencyClaim& claim, const Ring& ring, double tolerance) {
+  return claim.offset + claim.axis_angle * ring.radius <= tolerance;
+}
+
+void verify_part(const Solid& solid, const std::string& name, const PartClaims& claims,
+                 double tolerance) {
+  if (solid.ball() != nullptr) {
+    require(solid.ball()->radius > 0, name, "radius");
+  } else if (solid.pieces().empty()) {
+    require(claims.regular && is_undecided(claims.regular->verdict) && claims.embedded &&
+                is_undecided(claims.embedded->verdict) && claims.tangency.empty() && !claims.mesh,
+            name, "undecided");
+  } else {
+    const auto& pieces = solid.pieces();
+    require(claims.regular && claims.embedded && claims.tangency.size() == 2 * pieces.size(), name,
+            "regular");
+    require(is_undecided(claims.regular->verdict) || follows(solid, *claims.regular), name,
+            "regular");
+    require(
+        is_undecided(claims.embedded->verdict) || follows(solid, *claims.embedded, *claims.regular),
+        name, "embedded");
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      require(follows(pieces[i], claims.tangency[2 * i], false) &&
+                  follows(pieces[i], claims.tangency[2 * i + 1], true),
+              name, "tangency");
+      require(is_near(claims.tangency[2 * i], pieces[i].start, tolerance) &&
+                  is_near(claims.tangency[2 * i + 1], pieces[i].end, tolerance),
+              name, "joints");
+      require(i == 0 ? !solid.closed() || are_flips(pieces.back().end, pieces.front().start)
+                     : are_flips(pieces[i - 1].end, pieces[i].start),
+              name, "joints");
+    }
+  }
+  require(!claims.mesh || follows(solid, *claims.mesh), name, "mesh");
+}
+
+// Where a part is joined to another: in rings that are the same, bitwise.
+std::vector<JoinedEnds> joints(const std::vector<Solid>& solids,
+                               const std::vector<CertifiedPart>& parts, std::uint32_t first,
+                               std::uint32_t second) {
+  std::vector<JoinedEnds> result;
+  for (const std::size_t end : {0, 1}) {
+    const auto& other = parts[first].joined.at(end);
+    if (other && other->part == second) {
+      const JoinedEnds joint{end == 1, other->end == PartEnd::end};
+      if (solids[first].length() == 0 || solids[second].length() == 0) {
+        continue;  // nothing can be claimed
+      }
+      require(solids[first].ball() == nullptr && solids[second].ball() == nullptr &&
+                  are_flips(end_ring(solids[first], joint.first_at_end),
+                            end_ring(solids[second], joint.second_at_end)),
+              parts[first].name, "joined");
+      result.push_back(joint);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+}  // namespace dupin::verification
+
+namespace dupin {
+
+void verify(const Certificate& certificate) {
+  const auto& parts = certificate.parts;
+  verification::require(certificate.claims.size() == parts.size(), "", "parts");
+  std::vector<verification::Solid> solids;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    solids.emplace_back(parts[i]);
+    verification::verify_part(solids[i], parts[i].name, certificate.claims[i],
+                              certificate.tolerance);
+  }
+  auto claim = certificate.clearances.begin();
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < parts.size(); ++j, ++claim) {
+      verification::require(
+          claim != certificate.clearances.end() && claim->first == i && claim->second == j &&
+              (verification::is_undecided(claim->verdict) ||
+               verification::follows(solids[i], solids[j],
+                                     verification::joints(solids, parts, i, j), *claim)),
+          parts[i].name, "clearance of " + parts[j].name);
+    }
+  }
+  verification::require(claim == certificate.clearances.end(), "", "clearance");
+}
+
+}  // namespace dupin

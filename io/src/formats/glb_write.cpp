@@ -1,0 +1,178 @@
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "dupin/io/glb.h"
+#include "dupin/kernel/error.h"
+#include "formats/glb_layout.h"
+#include "text/label_colour.h"
+#include "text/little_endian.h"
+#include "text/mesh_text.h"
+
+// Written with nlohmann_json alone: tinygltf would bring image codecs, leave the bounds of
+// accessors for us to check, and hold everything twice, for these few keys.
+
+namespace dupin {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Metres per unit.
+double metres(std::string_view unit) {
+  constexpr std::array<std::pair<std::string_view, double>, 6> kUnits = {
+      {{"mm", 0.001}, {"cm", 0.01}, {"m", 1}, {"in", 0.0254}, {"ft", 0.3048}, {"um", 1e-6}}};
+  for (const auto& [symbol, length] : kUnits) {
+    if (symbol == unit) {
+      return length;
+    }
+  }
+  throw Error(Errc::invalid_argument, "glTF cannot scale from the unit '" + std::string(unit) +
+                                          "' to metres; known are um, mm, cm, m, in and ft");
+}
+
+void pad(std::string& bytes, char filler) { bytes.resize((bytes.size() + 3) / 4 * 4, filler); }
+
+/// glTF wants base colours linear; the palette is sRGB.
+double linear(std::uint8_t channel) {
+  return std::round(std::pow(channel / 255.0, 2.2) * 1000) / 1000;
+}
+
+/// The parts of the JSON that grow with the mesh, and the bytes they point into.
+struct Content {
+  std::string bytes;
+  Json views = Json::array();
+  Json accessors = Json::array();
+  Json primitives = Json::array();
+  Json materials = Json::array();
+
+  /// The view of the bytes appended since `begin`.
+  std::size_t add_view(std::size_t begin, int target) {
+    views.push_back({{"buffer", 0},
+                     {"byteOffset", begin},
+                     {"byteLength", bytes.size() - begin},
+                     {"target", target}});
+    return views.size() - 1;
+  }
+};
+
+void add_points(Content& content, const std::vector<Vec3>& points) {
+  Vec3 lowest = points.front();
+  Vec3 highest = points.front();
+  for (const Vec3& point : points) {
+    lowest = lowest.cwiseMin(point);
+    highest = highest.cwiseMax(point);
+    for (const double coordinate : point) {
+      text::store(content.bytes, static_cast<float>(coordinate));
+    }
+  }
+  const std::size_t view = content.add_view(0, formats::kGltfPointsBuffer);
+  content.accessors.push_back({{"bufferView", view},
+                               {"componentType", formats::kGltfFloat},
+                               {"count", points.size()},
+                               {"type", "VEC3"},
+                               {"min", {lowest.x(), lowest.y(), lowest.z()}},
+                               {"max", {highest.x(), highest.y(), highest.z()}}});
+}
+
+void add_primitive(Content& content, const TriMesh& mesh,
+                   const std::vector<std::uint32_t>& triangles, std::size_t label) {
+  const std::size_t begin = content.bytes.size();
+  for (const std::uint32_t triangle : triangles) {
+    text::store(content.bytes, mesh.triangles[triangle]);
+  }
+  const std::size_t view = content.add_view(begin, formats::kGltfIndicesBuffer);
+  content.accessors.push_back({{"bufferView", view},
+                               {"componentType", formats::kGltfUint32},
+                               {"count", 3 * triangles.size()},
+                               {"type", "SCALAR"}});
+  Json primitive = {{"attributes", {{"POSITION", 0}}},
+                    {"indices", content.accessors.size() - 1},
+                    {"mode", formats::kGltfTriangles}};
+  if (!mesh.labels.empty()) {
+    const text::Colour colour = text::label_colour(label);
+    primitive["material"] = content.materials.size();
+    content.materials.push_back(
+        {{"name", text::clean_line(mesh.names[label])},
+         {"pbrMetallicRoughness",
+          {{"baseColorFactor", {linear(colour[0]), linear(colour[1]), linear(colour[2]), 1}},
+           {"metallicFactor", 0},
+           {"roughnessFactor", 0.6}}}});
+  }
+  content.primitives.push_back(std::move(primitive));
+}
+
+Json document(Content& content, const MeshHeader& header) {
+  Json json = {{"asset", {{"version", "2.0"}, {"generator", "dupin"}}}, {"scene", 0}};
+  if (!header.unit.empty() || !header.note.empty()) {
+    json["asset"]["extras"] = {{"unit", header.unit}, {"note", text::clean_line(header.note)}};
+  }
+  if (content.primitives.empty()) {
+    json["scenes"] = Json::array({Json::object()});
+    return json;
+  }
+  // A quarter turn about x: z, upward here, becomes glTF's y.
+  Json node = {{"mesh", 0}, {"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}};
+  if (!header.unit.empty()) {
+    const double scale = metres(header.unit);
+    node["scale"] = {scale, scale, scale};
+  }
+  json["scenes"] = Json::array({Json{{"nodes", Json::array({0})}}});
+  json["nodes"] = Json::array({std::move(node)});
+  json["meshes"] = Json::array({Json{{"primitives", std::move(content.primitives)}}});
+  if (!content.materials.empty()) {
+    json["materials"] = std::move(content.materials);
+  }
+  json["accessors"] = std::move(content.accessors);
+  json["bufferViews"] = std::move(content.views);
+  json["buffers"] = Json::array({Json{{"byteLength", content.bytes.size()}}});
+  return json;
+}
+
+}  // namespace
+
+std::string glb_bytes(const TriMesh& mesh, const MeshHeader& header) {
+  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
+  const std::size_t size = points.size() * 12 + mesh.triangles.size() * 12;
+  if (size > std::numeric_limits<std::uint32_t>::max() / 2) {
+    throw Error(Errc::limit_exceeded, "binary glTF files hold at most 4 GiB");
+  }
+  Content content;
+  content.bytes.reserve(size);
+  if (!mesh.triangles.empty()) {
+    add_points(content, points);
+    const auto groups = text::triangles_by_label(mesh);
+    for (std::size_t label = 0; label < groups.size(); ++label) {
+      if (!groups[label].empty()) {
+        add_primitive(content, mesh, groups[label], label);
+      }
+    }
+  }
+  std::string json = document(content, header).dump();
+  pad(json, ' ');
+  const bool has_bytes = !content.bytes.empty();
+  const std::size_t total = formats::kGlbHeader + formats::kGlbChunkHeader + json.size() +
+                            (has_bytes ? formats::kGlbChunkHeader + content.bytes.size() : 0);
+  std::string bytes;
+  bytes.reserve(total);
+  text::store(bytes, formats::kGlbMagic);
+  text::store(bytes, formats::kGlbVersion);
+  text::store(bytes, static_cast<std::uint32_t>(total));
+  text::store(bytes, static_cast<std::uint32_t>(json.size()));
+  text::store(bytes, formats::kGlbJsonChunk);
+  bytes += json;
+  if (has_bytes) {
+    text::store(bytes, static_cast<std::uint32_t>(content.bytes.size()));
+    text::store(bytes, formats::kGlbBytesChunk);
+    bytes += content.bytes;
+  }
+  return bytes;
+}
+
+}  // namespace dupin

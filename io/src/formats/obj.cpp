@@ -1,0 +1,152 @@
+#include "dupin/io/obj.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "text/mesh_text.h"
+#include "text/polygon.h"
+#include "text/text_scanner.h"
+
+namespace dupin {
+namespace {
+
+// Statements that say nothing about the polygons.
+constexpr std::array<std::string_view, 18> kSkipped = {
+    "vt",     "vn",     "vp",    "s",        "l",        "p",   "mg",         "mtllib",    "usemtl",
+    "maplib", "usemap", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "call"};
+
+/// One corner of a face, "7", "7/1", "7//3", "7/1/3" or with negative numbers, as an index into the
+/// points before it.
+std::uint32_t read_corner(text::TextScanner& scanner, std::size_t points) {
+  const std::string_view token = scanner.peek();
+  const std::string_view digits = token.substr(0, token.find('/'));
+  const auto count = static_cast<std::int64_t>(points);
+  std::int64_t index = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+  if (end != digits.data() + digits.size() || error == std::errc::invalid_argument ||
+      token.find_first_not_of("0123456789-/") != std::string_view::npos) {
+    scanner.fail("a vertex of a face, such as 7, 7/1, 7//3 or -1");
+  }
+  if (error != std::errc() || index == 0 || index > count || index < -count) {
+    scanner.fail("the index of one of the " + std::to_string(count) + " vertices before it");
+  }
+  (void)scanner.token();
+  return static_cast<std::uint32_t>(index > 0 ? index - 1 : count + index);
+}
+
+/// The corners up to the line's end; a backslash continues the line.
+void read_corners(text::TextScanner& scanner, std::size_t points,
+                  std::vector<std::uint32_t>& corners) {
+  corners.clear();
+  while (!scanner.at_line_end()) {
+    if (scanner.take("\\")) {
+      (void)scanner.rest_of_line();
+    } else {
+      corners.push_back(read_corner(scanner, points));
+    }
+  }
+  if (corners.size() < 3) {
+    scanner.fail("a face of at least 3 vertices");
+  }
+}
+
+/// Appends the face that comes next, if it is one, cut into triangles. `corners` is room for those
+/// of one face.
+bool read_face(text::TextScanner& scanner, std::vector<std::uint32_t>& corners, TriMesh& mesh) {
+  if (scanner.take_triangle('f', 1, mesh.points.size(), mesh.triangles)) {
+    return true;
+  }
+  if (!scanner.take("f")) {
+    return false;
+  }
+  read_corners(scanner, mesh.points.size(), corners);
+  text::triangulate(corners, mesh.points, mesh.triangles);
+  return true;
+}
+
+void read_vertex(text::TextScanner& scanner, TriMesh& mesh) {
+  mesh.points.push_back(scanner.vector("a coordinate"));
+  // A weight, or a colour of three or four components.
+  for (int extra = 0; extra < 4 && !scanner.at_line_end(); ++extra) {
+    (void)scanner.number("a weight or a colour's component");
+  }
+  scanner.end_line("the end of the line behind a vertex");
+}
+
+void skip_statement(text::TextScanner& scanner) {
+  const std::string_view keyword = scanner.peek();
+  if (std::find(kSkipped.begin(), kSkipped.end(), keyword) == kSkipped.end()) {
+    scanner.fail("an OBJ statement for polygons, such as v, f, g or o");
+  }
+  while (scanner.rest_of_line().ends_with('\\')) {
+  }
+}
+
+}  // namespace
+
+TriMesh read_obj(std::string_view bytes, std::string_view file) {
+  text::TextScanner scanner(bytes, file, '#');
+  text::LabelBuilder labels;
+  TriMesh mesh;
+  std::string group;
+  std::optional<std::uint32_t> label;  // of this group, which may be without faces
+  bool named = false;
+  std::vector<std::uint32_t> corners;
+  while (!scanner.at_end()) {
+    if (scanner.take("v")) {
+      read_vertex(scanner, mesh);
+    } else if (read_face(scanner, corners, mesh)) {
+      if (!label) {
+        label = labels.label(group.empty() ? "default" : group);
+      }
+      mesh.labels.resize(mesh.triangles.size(), *label);
+      named = named || !group.empty();
+    } else if (scanner.take("g") || scanner.take("o")) {
+      group = text::clean_line(scanner.rest_of_line());
+      label.reset();
+    } else {
+      skip_statement(scanner);
+    }
+  }
+  if (named) {
+    std::move(labels).name_labels(mesh);
+  } else {
+    mesh.labels.clear();
+  }
+  return mesh;
+}
+
+std::string obj_text(const TriMesh& mesh, const MeshHeader& header) {
+  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
+  std::string text = text::header_lines(header, "# ");
+  text.reserve(text.size() + points.size() * 62 + mesh.triangles.size() * 26);
+  for (const Vec3& point : points) {
+    text += "v ";
+    text::append_point(text, point);
+    text += '\n';
+  }
+  const auto groups = text::triangles_by_label(mesh);
+  for (std::size_t group = 0; group < groups.size(); ++group) {
+    if (!mesh.labels.empty() && !groups[group].empty()) {
+      text += "g " + text::clean_line(mesh.names[group]) + '\n';
+    }
+    for (const std::uint32_t index : groups[group]) {
+      text += 'f';
+      for (const std::uint32_t corner : mesh.triangles[index]) {
+        text += ' ';
+        text::append_number(text, corner + 1);
+      }
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+}  // namespace dupin

@@ -1,0 +1,149 @@
+#include "dupin/io/off.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "text/mesh_text.h"
+#include "text/polygon.h"
+#include "text/text_scanner.h"
+
+namespace dupin {
+namespace {
+
+constexpr std::int64_t kMostPoints = std::numeric_limits<std::uint32_t>::max();
+// The shortest lines the format allows: "0 0 0" and "3 0 0 0" with a line end (the last has none).
+constexpr std::size_t kShortestPoint = 6;
+constexpr std::size_t kShortestFace = 8;
+
+struct Counts {
+  std::size_t points = 0;
+  std::size_t faces = 0;
+};
+
+/// The keyword; true when numbers follow the coordinates of each point. Leaves the scanner behind
+/// "OFF", to which some writers glue the first count.
+bool read_keyword(text::TextScanner& scanner) {
+  constexpr std::string_view kExpected = "the keyword OFF (or COFF, NOFF, CNOFF, STOFF)";
+  scanner.skip_space();
+  const std::string_view token = scanner.peek();
+  const std::size_t keyword = token.find("OFF");
+  if (keyword == std::string_view::npos) {
+    scanner.fail(kExpected);
+  }
+  std::string_view prefix = token.substr(0, keyword);
+  const std::string_view glued = token.substr(keyword + 3);
+  const bool digits =
+      std::all_of(glued.begin(), glued.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (!digits || prefix.find_first_not_of("STCN") != std::string_view::npos) {
+    scanner.fail(kExpected);
+  }
+  scanner.move_to(scanner.position() + keyword + 3);
+  if (scanner.peek() == "BINARY") {
+    scanner.fail("the text form of OFF");
+  }
+  return !prefix.empty();
+}
+
+Counts read_counts(text::TextScanner& scanner) {
+  scanner.skip_space();
+  const std::size_t place = scanner.position();
+  Counts counts;
+  counts.points = static_cast<std::size_t>(
+      scanner.integer(0, kMostPoints, "the number of vertices, an integer"));
+  counts.faces =
+      static_cast<std::size_t>(scanner.integer(0, kMostPoints, "the number of faces, an integer"));
+  if (!scanner.at_line_end()) {
+    (void)scanner.integer(0, std::numeric_limits<std::int64_t>::max(),
+                          "the number of edges, an integer");
+  }
+  scanner.end_line("the end of the line behind the counts");
+  if (counts.points == 0 && counts.faces > 0) {
+    scanner.fail_at(place, "found " + std::to_string(counts.faces) +
+                               " faces of no vertices, expected vertices");
+  }
+  const std::size_t least = counts.points * kShortestPoint + counts.faces * kShortestFace;
+  if (least > scanner.remaining() + 1) {
+    scanner.fail_at(place, "found counts of " + std::to_string(counts.points) + " vertices and " +
+                               std::to_string(counts.faces) + " faces, expected at least " +
+                               std::to_string(least) + " bytes after them, not " +
+                               std::to_string(scanner.remaining()));
+  }
+  return counts;
+}
+
+/// Appends the face, cut into triangles. `corners` is room for those of one face.
+void read_face(text::TextScanner& scanner, std::vector<std::uint32_t>& corners, TriMesh& mesh) {
+  const std::size_t points = mesh.points.size();
+  scanner.skip_space();
+  if (scanner.take_triangle('3', 0, points, mesh.triangles)) {
+    return;
+  }
+  const std::size_t place = scanner.position();
+  const std::int64_t size =
+      scanner.integer(3, kMostPoints, "a face: its number of vertices, an integer");
+  corners.clear();
+  for (std::int64_t i = 0; i < size; ++i) {
+    corners.push_back(static_cast<std::uint32_t>(scanner.integer(
+        0, static_cast<std::int64_t>(points) - 1, "the index of a vertex, an integer")));
+  }
+  for (int colour = 0; colour < 4 && !scanner.at_line_end(); ++colour) {
+    (void)scanner.number("a colour's component");
+  }
+  if (!scanner.at_line_end()) {
+    scanner.fail_at(place, "found more than 4 numbers behind a face of " + std::to_string(size) +
+                               " vertices, expected at most a colour");
+  }
+  text::triangulate(corners, mesh.points, mesh.triangles);
+}
+
+}  // namespace
+
+TriMesh read_off(std::string_view bytes, std::string_view file) {
+  text::TextScanner scanner(bytes, file, '#');
+  const bool has_extras = read_keyword(scanner);
+  const Counts counts = read_counts(scanner);
+  TriMesh mesh;
+  mesh.points.reserve(counts.points);
+  for (std::size_t i = 0; i < counts.points; ++i) {
+    scanner.skip_space();
+    mesh.points.push_back(scanner.vector("a coordinate"));
+    while (has_extras && !scanner.at_line_end()) {
+      (void)scanner.number("a component of a normal, colour or texture coordinate");
+    }
+    scanner.end_line("the end of the line behind a vertex");
+  }
+  mesh.triangles.reserve(counts.faces);
+  std::vector<std::uint32_t> corners;
+  for (std::size_t i = 0; i < counts.faces; ++i) {
+    read_face(scanner, corners, mesh);
+  }
+  if (!scanner.at_end()) {
+    scanner.fail("the end of the file behind the last face");
+  }
+  return mesh;
+}
+
+std::string off_text(const TriMesh& mesh, const MeshHeader& header) {
+  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
+  std::string text = "OFF\n" + text::header_lines(header, "# ");
+  text.reserve(text.size() + 64 + points.size() * 60 + mesh.triangles.size() * 26);
+  text += std::to_string(points.size()) + ' ' + std::to_string(mesh.triangles.size()) + " 0\n";
+  for (const Vec3& point : points) {
+    text::append_point(text, point);
+    text += '\n';
+  }
+  for (const Triangle& triangle : mesh.triangles) {
+    text += '3';
+    for (const std::uint32_t corner : triangle) {
+      text += ' ';
+      text::append_number(text, corner);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace dupin

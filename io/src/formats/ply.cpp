@@ -1,0 +1,267 @@
+#include "dupin/io/ply.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "dupin/kernel/error.h"
+#include "formats/ply_header.h"
+#include "formats/ply_numbers.h"
+#include "text/little_endian.h"
+#include "text/mesh_text.h"
+#include "text/polygon.h"
+#include "text/text_scanner.h"
+
+namespace dupin {
+namespace {
+
+constexpr std::int64_t kMostPoints = std::numeric_limits<std::uint32_t>::max();
+
+/// Position of a property by its name, if it has the wanted form.
+std::optional<std::size_t> find_property(const formats::PlyElement& element, std::string_view name,
+                                         bool is_list, bool integers) {
+  for (std::size_t i = 0; i < element.properties.size(); ++i) {
+    const formats::PlyProperty& property = element.properties[i];
+    if (property.name == name && property.is_list == is_list &&
+        (!integers || formats::is_integer(property.type))) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Fills a mesh from the elements of a file, in their order.
+template <typename Numbers>
+class PlyReader {
+ public:
+  PlyReader(std::string_view bytes, std::string_view file, const formats::PlyHeader& header)
+      : header_(header), places_(bytes, file), numbers_(bytes, file, header) {}
+
+  TriMesh read() && {
+    for (const std::string& name : header_.label_names) {
+      (void)labels_.label(name);
+    }
+    bool has_vertices = false;
+    for (const formats::PlyElement& element : header_.elements) {
+      demand_room(element);
+      if (element.name == "vertex" && !has_vertices) {
+        read_vertices(element);
+        has_vertices = true;
+      } else if (element.name == "face") {
+        read_faces(element, has_vertices);
+      } else {
+        skip_all(element);
+      }
+    }
+    numbers_.end();
+    if (!has_vertices) {
+      places_.fail_at(0, "found no element 'vertex', expected one");
+    }
+    if (!mesh_.labels.empty()) {
+      std::move(labels_).name_labels(mesh_);
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  void demand_room(const formats::PlyElement& element) const {
+    const std::size_t least = element.count * element.smallest_size(header_.encoding);
+    if (least > numbers_.remaining()) {
+      places_.fail_at(element.place, "found a count of " + std::to_string(element.count) +
+                                         " elements '" + element.name + "', expected at least " +
+                                         std::to_string(least) + " bytes for them, not " +
+                                         std::to_string(numbers_.remaining()));
+    }
+  }
+
+  void skip_property(const formats::PlyProperty& property) {
+    std::int64_t count = 1;
+    if (property.is_list) {
+      count =
+          numbers_.integer(property.count_type, 0, kMostPoints, "the length of a list, an integer");
+    }
+    for (std::int64_t i = 0; i < count; ++i) {
+      numbers_.skip(property.type);
+    }
+  }
+
+  void skip_all(const formats::PlyElement& element) {
+    // Elements without properties take no room, so their count means nothing.
+    for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+      numbers_.begin_element();
+      for (const formats::PlyProperty& property : element.properties) {
+        skip_property(property);
+      }
+      numbers_.end_element();
+    }
+  }
+
+  void read_vertices(const formats::PlyElement& element) {
+    std::vector<int> axis_of(element.properties.size(), -1);
+    for (int axis = 0; axis < 3; ++axis) {
+      const char letter = "xyz"[axis];
+      const auto found = find_property(element, {&letter, 1}, false, false);
+      if (!found) {
+        places_.fail_at(element.place, std::string("found an element 'vertex' without a number '") +
+                                           letter + "', expected x, y and z");
+      }
+      axis_of[*found] = axis;
+    }
+    mesh_.points.reserve(element.count);
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      numbers_.begin_element();
+      Vec3 point;
+      for (std::size_t k = 0; k < axis_of.size(); ++k) {
+        if (axis_of[k] < 0) {
+          skip_property(element.properties[k]);
+        } else {
+          point[axis_of[k]] = numbers_.number(element.properties[k].type, "a coordinate");
+        }
+      }
+      mesh_.points.push_back(point);
+      numbers_.end_element();
+    }
+  }
+
+  void read_faces(const formats::PlyElement& element, bool has_vertices) {
+    auto corners = find_property(element, "vertex_indices", true, true);
+    if (!corners) {
+      corners = find_property(element, "vertex_index", true, true);
+    }
+    if (!corners || !has_vertices) {
+      places_.fail_at(element.place, corners
+                                         ? "found the element 'face', expected 'vertex' before it"
+                                         : "found an element 'face' without a list of integers "
+                                           "'vertex_indices', expected one");
+    }
+    const auto label = find_property(element, "label", false, true);
+    mesh_.triangles.reserve(mesh_.triangles.size() + element.count);
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      numbers_.begin_element();
+      for (std::size_t k = 0; k < element.properties.size(); ++k) {
+        if (k == *corners) {
+          read_polygon(element.properties[k]);
+        } else if (k == label) {
+          label_ =
+              numbers_.integer(element.properties[k].type, 0, kMostPoints, "a label, an integer");
+        } else {
+          skip_property(element.properties[k]);
+        }
+      }
+      if (label) {
+        mesh_.labels.resize(mesh_.triangles.size(), labels_.label(label_name()));
+      }
+      numbers_.end_element();
+    }
+  }
+
+  void read_polygon(const formats::PlyProperty& property) {
+    if constexpr (std::is_same_v<Numbers, formats::PlyByteNumbers>) {
+      if (numbers_.at_triangle(property, mesh_.points.size())) {
+        mesh_.triangles.push_back(numbers_.take_triangle());
+        return;
+      }
+    }
+    const std::int64_t size = numbers_.integer(property.count_type, 3, kMostPoints,
+                                               "the number of a face's vertices, an integer");
+    corners_.clear();
+    for (std::int64_t i = 0; i < size; ++i) {
+      corners_.push_back(static_cast<std::uint32_t>(
+          numbers_.integer(property.type, 0, static_cast<std::int64_t>(mesh_.points.size()) - 1,
+                           "the index of a vertex, an integer")));
+    }
+    text::triangulate(corners_, mesh_.points, mesh_.triangles);
+  }
+
+  [[nodiscard]] std::string label_name() const {
+    const auto index = static_cast<std::size_t>(label_);
+    return index < header_.label_names.size() ? header_.label_names[index]
+                                              : "label " + std::to_string(label_);
+  }
+
+  const formats::PlyHeader& header_;
+  text::TextScanner places_;
+  Numbers numbers_;
+  TriMesh mesh_;
+  text::LabelBuilder labels_;
+  std::vector<std::uint32_t> corners_;
+  std::int64_t label_ = 0;
+};
+
+std::string header_text(const TriMesh& mesh, const MeshHeader& header, std::string_view encoding) {
+  if (mesh.points.size() > std::numeric_limits<std::int32_t>::max()) {
+    throw Error(Errc::limit_exceeded, "PLY files hold at most 2147483647 points");
+  }
+  std::string text = "ply\nformat " + std::string(encoding) + " 1.0\n";
+  text += text::header_lines(header, "comment ");
+  for (const std::string& name : mesh.names) {
+    text += "comment label " + text::clean_line(name) + '\n';
+  }
+  text += "element vertex " + std::to_string(mesh.points.size()) +
+          "\nproperty double x\nproperty double y\nproperty double z\n";
+  text += "element face " + std::to_string(mesh.triangles.size()) +
+          "\nproperty list uchar int vertex_indices\n";
+  if (!mesh.labels.empty()) {
+    text += "property int label\n";
+  }
+  return text + "end_header\n";
+}
+
+}  // namespace
+
+TriMesh read_ply(std::string_view bytes, std::string_view file) {
+  const formats::PlyHeader header = formats::read_ply_header(bytes, file);
+  return header.encoding == formats::PlyEncoding::ascii
+             ? PlyReader<formats::PlyTextNumbers>(bytes, file, header).read()
+             : PlyReader<formats::PlyByteNumbers>(bytes, file, header).read();
+}
+
+std::string ply_ascii_text(const TriMesh& mesh, const MeshHeader& header) {
+  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
+  std::string text = header_text(mesh, header, "ascii");
+  text.reserve(text.size() + points.size() * 60 + mesh.triangles.size() * 32);
+  for (const Vec3& point : points) {
+    text::append_point(text, point);
+    text += '\n';
+  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    text += '3';
+    for (const std::uint32_t corner : mesh.triangles[i]) {
+      text += ' ';
+      text::append_number(text, corner);
+    }
+    if (!mesh.labels.empty()) {
+      text += ' ';
+      text::append_number(text, mesh.labels[i]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string ply_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
+  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
+  std::string bytes = header_text(mesh, header, "binary_little_endian");
+  bytes.reserve(bytes.size() + points.size() * 24 + mesh.triangles.size() * 17);
+  for (const Vec3& point : points) {
+    text::store(bytes, point.x());
+    text::store(bytes, point.y());
+    text::store(bytes, point.z());
+  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    text::store(bytes, std::uint8_t{3});
+    text::store(bytes, mesh.triangles[i]);
+    if (!mesh.labels.empty()) {
+      text::store(bytes, mesh.labels[i]);
+    }
+  }
+  return bytes;
+}
+
+}  // namespace dupin

@@ -1,0 +1,165 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/mesh.h"
+#include "formats/ply_header.h"
+#include "text/little_endian.h"
+#include "text/text_scanner.h"
+
+namespace dupin::formats {
+
+/// The numbers of a PLY body that is text: one element per line.
+class PlyTextNumbers {
+ public:
+  PlyTextNumbers(std::string_view bytes, std::string_view file, const PlyHeader& header)
+      : scanner_(bytes, file) {
+    scanner_.move_to(header.size);
+  }
+
+  void begin_element() { scanner_.skip_space(); }
+  void end_element() { scanner_.end_line("the end of the element's line"); }
+  double number(PlyType, std::string_view what) { return scanner_.number(what); }
+  std::int64_t integer(PlyType, std::int64_t lowest, std::int64_t highest, std::string_view what) {
+    return scanner_.integer(lowest, highest, what);
+  }
+  /// Normals and colours may be anything.
+  void skip(PlyType) {
+    if (scanner_.at_line_end()) {
+      scanner_.fail("a number");
+    }
+    (void)scanner_.token();
+  }
+  void end() {
+    if (!scanner_.at_end()) {
+      scanner_.fail("the end of the file behind the last element");
+    }
+  }
+  [[nodiscard]] std::size_t remaining() const { return scanner_.remaining() + 1; }
+  [[nodiscard]] const text::TextScanner& scanner() const { return scanner_; }
+
+ private:
+  text::TextScanner scanner_;
+};
+
+/// The numbers of a PLY body in bytes of either order.
+class PlyByteNumbers {
+ public:
+  PlyByteNumbers(std::string_view bytes, std::string_view file, const PlyHeader& header)
+      : bytes_(bytes),
+        file_(file),
+        position_(header.size),
+        swap_(header.encoding == PlyEncoding::big_endian) {}
+
+  void begin_element() {}
+  void end_element() {}
+
+  double number(PlyType type, std::string_view what) {
+    const std::size_t place = position_;
+    const auto value = take<double>(type);
+    if (!std::isfinite(value)) {
+      fail(place, "found " + std::to_string(value) + ", expected " + std::string(what) +
+                      " that is finite");
+    }
+    return value + 0.0;  // -0 becomes 0
+  }
+  std::int64_t integer(PlyType type, std::int64_t lowest, std::int64_t highest,
+                       std::string_view what) {
+    const std::size_t place = position_;
+    const auto value = take<std::int64_t>(type);
+    if (value < lowest || value > highest) {
+      fail(place, "found " + std::to_string(value) + ", expected " + std::string(what) + " from " +
+                      std::to_string(lowest) + " to " + std::to_string(highest));
+    }
+    return value;
+  }
+  /// Whether a list has the form that most files have, a byte 3 and three integers of 4 bytes,
+  /// which are indices of points.
+  [[nodiscard]] bool at_triangle(const PlyProperty& list, std::size_t points) const {
+    if (swap_ || list.count_type != PlyType::uint8 || !is_4_byte_integer(list.type) ||
+        remaining() < 1 + sizeof(Triangle) || bytes_[position_] != 3) {
+      return false;
+    }
+    const std::size_t end = list.type == PlyType::int32 ? std::min(points, kPastInt32) : points;
+    return corner(0) < end && corner(1) < end && corner(2) < end;
+  }
+  /// Takes that list.
+  Triangle take_triangle() {
+    const Triangle triangle = {corner(0), corner(1), corner(2)};
+    position_ += 1 + sizeof(Triangle);
+    return triangle;
+  }
+  void skip(PlyType type) { (void)take<double>(type); }
+  void end() const {
+    if (position_ != bytes_.size()) {
+      fail(position_, "found " + std::to_string(remaining()) +
+                          " more bytes, expected the end of the file behind the last element");
+    }
+  }
+  [[nodiscard]] std::size_t remaining() const { return bytes_.size() - position_; }
+
+ private:
+  static constexpr std::size_t kPastInt32 = std::size_t{1} << 31;
+
+  [[nodiscard]] std::uint32_t corner(std::size_t i) const {
+    return text::load<std::uint32_t>(bytes_, position_ + 1 + 4 * i);
+  }
+
+  [[noreturn]] void fail(std::size_t place, const std::string& message) const {
+    throw Error(Errc::parse_failed, message, {},
+                std::string(file_) + ":byte " + std::to_string(place));
+  }
+
+  /// The next number, of the type `Stored`.
+  template <typename Number, typename Stored>
+  Number take_stored() {
+    if (remaining() < sizeof(Stored)) {
+      fail(position_, "found the end of the file, expected a number of " +
+                          std::to_string(sizeof(Stored)) + " bytes");
+    }
+    auto raw = text::load<std::array<char, sizeof(Stored)>>(bytes_, position_);
+    if (swap_) {
+      std::reverse(raw.begin(), raw.end());
+    }
+    position_ += sizeof(Stored);
+    return static_cast<Number>(std::bit_cast<Stored>(raw));
+  }
+
+  template <typename Number>
+  Number take(PlyType type) {
+    switch (type) {
+      case PlyType::int8:
+        return take_stored<Number, std::int8_t>();
+      case PlyType::uint8:
+        return take_stored<Number, std::uint8_t>();
+      case PlyType::int16:
+        return take_stored<Number, std::int16_t>();
+      case PlyType::uint16:
+        return take_stored<Number, std::uint16_t>();
+      case PlyType::int32:
+        return take_stored<Number, std::int32_t>();
+      case PlyType::uint32:
+        return take_stored<Number, std::uint32_t>();
+      case PlyType::float32:
+        return take_stored<Number, float>();
+      case PlyType::float64:
+        return take_stored<Number, double>();
+    }
+    return 0;
+  }
+
+  std::string_view bytes_;
+  std::string_view file_;
+  std::size_t position_;
+  bool swap_;
+};
+
+}  // namespace dupin::formats

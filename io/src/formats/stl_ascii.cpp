@@ -1,0 +1,144 @@
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "dupin/io/stl.h"
+#include "formats/stl_facet.h"
+#include "text/mesh_text.h"
+#include "text/point_merger.h"
+#include "text/text_scanner.h"
+
+namespace dupin {
+namespace {
+
+// The shortest facet: "facet normal 0 0 0 outer loop vertex 0 0 0 (three times) endloop endfacet".
+constexpr std::size_t kShortestFacet = 80;
+
+void demand(text::TextScanner& scanner, std::string_view keyword) {
+  scanner.skip_space();
+  if (!scanner.take(keyword)) {
+    scanner.fail("'" + std::string(keyword) + "'");
+  }
+}
+
+/// Normals are not used, and writers print all kinds of non-numbers there ("-nan(ind)").
+void skip_normal(text::TextScanner& scanner) {
+  constexpr std::string_view kStarts = "+-.0123456789nNiI";
+  for (int axis = 0; axis < 3; ++axis) {
+    scanner.skip_space();
+    const std::string_view token = scanner.peek();
+    if (token.empty() || kStarts.find(token.front()) == std::string_view::npos) {
+      scanner.fail("a component of the facet's normal");
+    }
+    (void)scanner.token();
+  }
+}
+
+Triangle read_facet(text::TextScanner& scanner, text::PointMerger& points) {
+  demand(scanner, "normal");
+  skip_normal(scanner);
+  demand(scanner, "outer");
+  demand(scanner, "loop");
+  Triangle triangle;
+  for (std::uint32_t& corner : triangle) {
+    demand(scanner, "vertex");
+    corner = points.index_of(scanner.vector("a coordinate"));
+  }
+  demand(scanner, "endloop");
+  demand(scanner, "endfacet");
+  return triangle;
+}
+
+/// The name of a block, or "" for the only block of a file.
+std::string block_name(std::string_view rest, std::size_t block, bool more) {
+  std::string name = text::clean_line(rest);
+  if (name.empty() && (block > 1 || more)) {
+    name = "solid " + std::to_string(block);
+  }
+  return name;
+}
+
+/// The points as text, one after the other, each printed once.
+class PointTexts {
+ public:
+  explicit PointTexts(const std::vector<Vec3>& points) {
+    text_.reserve(points.size() * 60);
+    begins_.reserve(points.size() + 1);
+    for (const Vec3& point : points) {
+      begins_.push_back(text_.size());
+      text::append_point(text_, point);
+    }
+    begins_.push_back(text_.size());
+  }
+  [[nodiscard]] std::string_view operator[](std::uint32_t index) const {
+    return std::string_view(text_).substr(begins_[index], begins_[index + 1] - begins_[index]);
+  }
+
+ private:
+  std::string text_;
+  std::vector<std::size_t> begins_;
+};
+
+}  // namespace
+
+TriMesh read_stl_ascii(std::string_view bytes, std::string_view file) {
+  text::TextScanner scanner(bytes, file);
+  text::PointMerger points(bytes.size() / kShortestFacet / 2);
+  text::LabelBuilder labels;
+  TriMesh mesh;
+  std::size_t block = 0;
+  do {
+    demand(scanner, "solid");
+    const std::string_view rest = scanner.rest_of_line();
+    ++block;
+    const std::size_t first = mesh.triangles.size();
+    for (scanner.skip_space(); scanner.take("facet"); scanner.skip_space()) {
+      mesh.triangles.push_back(read_facet(scanner, points));
+    }
+    if (!scanner.take("endsolid")) {
+      scanner.fail("'facet' or 'endsolid'");
+    }
+    (void)scanner.rest_of_line();
+    const std::string name = block_name(rest, block, !scanner.at_end());
+    if (!name.empty() && mesh.triangles.size() > first) {
+      mesh.labels.resize(mesh.triangles.size(), labels.label(name));
+    }
+  } while (!scanner.at_end());
+  mesh.points = std::move(points).take_points();
+  std::move(labels).name_labels(mesh);
+  return mesh;
+}
+
+std::string stl_ascii_text(const TriMesh& mesh) {
+  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
+  const PointTexts texts(points);
+  std::string text;
+  text.reserve(mesh.triangles.size() * 250 + 256);
+  const auto groups = text::triangles_by_label(mesh);
+  for (std::size_t group = 0; group < groups.size(); ++group) {
+    const std::string name =
+        mesh.labels.empty() ? std::string() : text::clean_line(mesh.names[group]);
+    if (groups[group].empty() && !mesh.labels.empty()) {
+      continue;
+    }
+    text += "solid " + name + '\n';
+    for (const std::uint32_t index : groups[group]) {
+      const Triangle& triangle = mesh.triangles[index];
+      text += "facet normal ";
+      text::append_point(text, formats::facet_normal(triangle, points));
+      text += "\nouter loop\n";
+      for (const std::uint32_t corner : triangle) {
+        text += "vertex ";
+        text += texts[corner];
+        text += '\n';
+      }
+      text += "endloop\nendfacet\n";
+    }
+    text += "endsolid " + name + '\n';
+  }
+  return text.empty() ? "solid \nendsolid \n" : text;
+}
+
+}  // namespace dupin

@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "dupin/io/stl.h"
+#include "dupin/kernel/error.h"
+#include "formats/stl_facet.h"
+#include "formats/stl_lists.h"
+#include "text/little_endian.h"
+#include "text/mesh_text.h"
+#include "text/point_merger.h"
+#include "text/text_scanner.h"
+
+namespace dupin {
+namespace {
+
+constexpr std::size_t kHeader = 80;
+constexpr std::size_t kPreamble = kHeader + 4;  // the header and the count of triangles
+constexpr std::size_t kNormal = 12, kPoint = 12;
+constexpr std::size_t kFacet = kNormal + 3 * kPoint + 2;  // with two bytes of attributes
+constexpr std::string_view kNameMark = "solid ";
+
+[[noreturn]] void fail(std::string_view file, std::size_t place, const std::string& message) {
+  throw Error(Errc::parse_failed, message, {},
+              std::string(file) + ":byte " + std::to_string(place));
+}
+
+/// What follows "solid " at the header's start or behind a semicolon.
+std::string name_in(std::string_view header) {
+  header = header.substr(0, header.find('\0'));
+  const std::size_t behind = header.find("; solid ");
+  if (behind != std::string_view::npos) {
+    return text::clean_line(header.substr(behind + 2 + kNameMark.size()));
+  }
+  return header.starts_with(kNameMark) ? text::clean_line(header.substr(kNameMark.size()))
+                                       : std::string();
+}
+
+/// The coordinates of the three corners of the facet that begins at `place`.
+std::array<float, 9> corners_at(std::string_view bytes, std::size_t place) {
+  return text::load<std::array<float, 9>>(bytes, place + kNormal);
+}
+
+Vec3 point_of(const std::array<float, 9>& corners, std::size_t corner) {
+  return {corners[3 * corner], corners[3 * corner + 1], corners[3 * corner + 2]};
+}
+
+void require_finite(const Vec3& point, std::size_t place, std::string_view file) {
+  if (!point.allFinite()) {
+    std::string found;
+    text::append_point(found, point);
+    fail(file, place, "found the point (" + found + "), expected finite coordinates");
+  }
+}
+
+/// At most 80 bytes, cut between characters; must not begin with "solid".
+std::string header_of(const TriMesh& mesh, const MeshHeader& header) {
+  std::string text = "dupin binary STL";
+  if (!header.unit.empty()) {
+    text += "; unit: " + text::clean_line(header.unit);
+  }
+  if (!header.note.empty()) {
+    text += "; " + text::clean_line(header.note);
+  }
+  if (mesh.names.size() == 1 && !mesh.labels.empty()) {
+    text += "; " + std::string(kNameMark) + text::clean_line(mesh.names.front());
+  }
+  std::size_t end = std::min(text.size(), kHeader);
+  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
+    --end;
+  }
+  text.resize(end);
+  text.resize(kHeader, '\0');
+  return text;
+}
+
+}  // namespace
+
+bool has_size_of_binary_stl(std::string_view bytes) {
+  return bytes.size() >= kPreamble &&
+         bytes.size() ==
+             kPreamble + std::size_t{text::load<std::uint32_t>(bytes, kHeader)} * kFacet;
+}
+
+bool is_binary_stl(std::string_view bytes) {
+  if (has_size_of_binary_stl(bytes)) {
+    return true;
+  }
+  const std::string_view start = bytes.substr(0, 1024);
+  text::TextScanner scanner(start, {});
+  scanner.skip_space();
+  return !scanner.take("solid") || start.find('\0') != std::string_view::npos;
+}
+
+TriMesh read_stl_binary(std::string_view bytes, std::string_view file) {
+  if (bytes.size() < kPreamble) {
+    fail(file, 0,
+         "found a file of " + std::to_string(bytes.size()) +
+             " bytes, expected at least the 84 that begin a binary STL, or the word 'solid'");
+  }
+  const std::size_t count = text::load<std::uint32_t>(bytes, kHeader);
+  if (!has_size_of_binary_stl(bytes)) {
+    fail(file, kHeader,
+         "found a count of " + std::to_string(count) + " triangles in a file of " +
+             std::to_string(bytes.size()) + " bytes, expected " +
+             std::to_string(kPreamble + count * kFacet) + " bytes");
+  }
+  text::PointMerger points(count / 2);
+  TriMesh mesh;
+  mesh.triangles.reserve(count);
+  for (std::size_t facet = kPreamble; facet < bytes.size(); facet += kFacet) {
+    const auto corners = corners_at(bytes, facet);
+    Triangle triangle;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vec3 point = point_of(corners, corner);
+      require_finite(point, facet + kNormal + corner * kPoint, file);
+      triangle[corner] = points.index_of(point.array() + 0.0);  // -0 becomes 0
+    }
+    mesh.triangles.push_back(triangle);
+  }
+  mesh.points = std::move(points).take_points();
+  const std::string name = name_in(bytes.substr(0, kHeader));
+  if (!name.empty() && count > 0) {
+    mesh.names = {name};
+    mesh.labels.assign(count, 0);
+  }
+  return mesh;
+}
+
+bool formats::stl_binary_lists(const TriMesh& mesh, std::string_view bytes) {
+  if (!has_size_of_binary_stl(bytes) ||
+      bytes.size() != kPreamble + mesh.triangles.size() * kFacet) {
+    return false;
+  }
+  std::size_t facet = kPreamble;
+  for (const Triangle& triangle : mesh.triangles) {
+    const auto corners = corners_at(bytes, facet);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      if (mesh.points[triangle[corner]] != point_of(corners, corner)) {
+        return false;
+      }
+    }
+    facet += kFacet;
+  }
+  return true;
+}
+
+std::string stl_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
+  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
+  if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
+    throw Error(Errc::limit_exceeded, "binary STL holds at most 4294967295 triangles");
+  }
+  std::string bytes = header_of(mesh, header);
+  bytes.reserve(kPreamble + mesh.triangles.size() * kFacet);
+  text::store(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const Triangle& triangle : mesh.triangles) {
+    std::array<float, 12> numbers;
+    Eigen::Map<Eigen::Matrix<float, 3, 4>> columns(numbers.data());
+    columns.col(0) = formats::facet_normal(triangle, points);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      columns.col(static_cast<Eigen::Index>(corner) + 1) = points[triangle[corner]].cast<float>();
+    }
+    text::store(bytes, numbers);
+    text::store(bytes, std::uint16_t{0});
+  }
+  return bytes;
+}
+
+}  // namespace dupin

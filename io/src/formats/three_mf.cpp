@@ -1,0 +1,183 @@
+#include "dupin/io/three_mf.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dupin/kernel/error.h"
+#include "files/xml_events.h"
+#include "files/zip_package.h"
+#include "formats/three_mf_model.h"
+#include "text/label_colour.h"
+#include "text/mesh_text.h"
+
+// Written with libzip and read with libzip and expat, not with lib3mf: its version 1.8 prints
+// coordinates with six decimals and gives every object a new random UUID.
+
+namespace dupin {
+namespace {
+
+// The symbols of MeshHeader::unit and their names in 3MF.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kUnits = {
+    {{"mm", "millimeter"},
+     {"cm", "centimeter"},
+     {"m", "meter"},
+     {"in", "inch"},
+     {"ft", "foot"},
+     {"um", "micron"}}};
+
+constexpr std::string_view kModelType =
+    "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
+constexpr std::string_view kContentTypes =
+    R"(<?xml version="1.0" encoding="UTF-8"?>
+<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
+<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
+<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
+</Types>
+)";
+constexpr std::string_view kRelationships =
+    R"(<?xml version="1.0" encoding="UTF-8"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
+<Relationship Target="/3D/3dmodel.model" Id="rel0" Type=")";
+
+std::string_view unit_name(std::string_view unit) {
+  for (const auto& [symbol, unit_in_3mf] : kUnits) {
+    if (symbol == unit || unit.empty()) {
+      return unit_in_3mf;
+    }
+  }
+  throw Error(Errc::invalid_argument,
+              "3MF has no unit '" + std::string(unit) + "'; it has um, mm, cm, m, in and ft");
+}
+
+std::string escaped(std::string_view text) {
+  std::string safe;
+  for (const char c : text::clean_line(text)) {
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        safe += c;
+    }
+  }
+  return safe;
+}
+
+void append_attribute(std::string& text, std::string_view name, auto value) {
+  text += name;
+  text::append_number(text, value);
+  text += '"';
+}
+
+void append_materials(std::string& text, const TriMesh& mesh) {
+  text += "<basematerials id=\"2\">\n";
+  for (std::size_t label = 0; label < mesh.names.size(); ++label) {
+    text += "<base name=\"" + escaped(mesh.names[label]) + "\" displaycolor=\"" +
+            text::colour_code(text::label_colour(label)) + "\"/>\n";
+  }
+  text += "</basematerials>\n";
+}
+
+void append_object(std::string& text, const TriMesh& mesh) {
+  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
+  text.reserve(text.size() + points.size() * 80 + mesh.triangles.size() * 64);
+  text += "<object id=\"1\" type=\"model\"";
+  text += mesh.labels.empty() ? ">" : " pid=\"2\" pindex=\"0\">";
+  text += "\n<mesh>\n<vertices>\n";
+  for (const Vec3& point : points) {
+    append_attribute(text, "<vertex x=\"", point.x());
+    append_attribute(text, " y=\"", point.y());
+    append_attribute(text, " z=\"", point.z());
+    text += "/>\n";
+  }
+  text += "</vertices>\n<triangles>\n";
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    append_attribute(text, "<triangle v1=\"", mesh.triangles[i][0]);
+    append_attribute(text, " v2=\"", mesh.triangles[i][1]);
+    append_attribute(text, " v3=\"", mesh.triangles[i][2]);
+    if (!mesh.labels.empty()) {
+      append_attribute(text, " pid=\"2\" p1=\"", mesh.labels[i]);
+    }
+    text += "/>\n";
+  }
+  text += "</triangles>\n</mesh>\n</object>\n";
+}
+
+std::string model_text(const TriMesh& mesh, const MeshHeader& header) {
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"";
+  text += unit_name(header.unit);
+  text +=
+      "\" xml:lang=\"en-US\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+      "<metadata name=\"Application\">dupin</metadata>\n";
+  if (!header.note.empty()) {
+    text += "<metadata name=\"Description\">" + escaped(header.note) + "</metadata>\n";
+  }
+  text += "<resources>\n";
+  if (!mesh.labels.empty()) {
+    append_materials(text, mesh);
+  }
+  append_object(text, mesh);
+  return text + "</resources>\n<build>\n<item objectid=\"1\"/>\n</build>\n</model>\n";
+}
+
+/// The entry that holds the model, as the package's relationships tell it.
+std::string model_entry(std::string_view bytes, std::string_view file) {
+  std::string target;
+  const std::string relationships = files::unzip(bytes, "_rels/.rels", file);
+  files::read_xml(relationships, std::string(file) + ":_rels/.rels",
+                  {[&](std::string_view element, const files::XmlAttributes& attributes) {
+                     if (element == "Relationship" && attributes.find("Type") == kModelType) {
+                       target = attributes.find("Target").value_or("");
+                     }
+                     return true;
+                   },
+                   [](std::string_view) {}});
+  if (target.starts_with('/')) {
+    target.erase(0, 1);
+  }
+  if (target.empty()) {
+    throw Error(Errc::parse_failed, "found no relationship to a 3D model, expected one", {},
+                std::string(file) + ":_rels/.rels");
+  }
+  return target;
+}
+
+}  // namespace
+
+TriMesh read_3mf(std::string_view bytes, std::string_view file) {
+  const std::string entry = model_entry(bytes, file);
+  return formats::read_3mf_model(files::unzip(bytes, entry, file),
+                                 std::string(file) + ":" + text::clean_line(entry));
+}
+
+std::string unit_of_3mf(std::string_view bytes, std::string_view file) {
+  std::string unit = "mm";  // what a model without the attribute is in
+  const std::string model = files::unzip(bytes, model_entry(bytes, file), file);
+  files::read_xml(model, std::string(file),
+                  {[&](std::string_view, const files::XmlAttributes& attributes) {
+                     for (const auto& [symbol, unit_in_3mf] : kUnits) {
+                       unit = attributes.find("unit") == unit_in_3mf ? symbol : unit;
+                     }
+                     return false;
+                   },
+                   [](std::string_view) {}});
+  return unit;
+}
+
+std::string three_mf_bytes(const TriMesh& mesh, const MeshHeader& header) {
+  return files::zip_archive({{"[Content_Types].xml", std::string(kContentTypes)},
+                             {"_rels/.rels", std::string(kRelationships) + std::string(kModelType) +
+                                                 "\"/>\n</Relationships>\n"},
+                             {"3D/3dmodel.model", model_text(mesh, header)}});
+}
+
+}  // namespace dupin

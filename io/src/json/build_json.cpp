@@ -1,0 +1,71 @@
+#include "dupin/io/report_json.h"
+#include "json/json_forms.h"
+
+namespace dupin {
+namespace json {
+namespace {
+
+Json number_or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json part_form(const PartReport& part) {
+  return {{"name", part.name},
+          {"kind", part.kind},
+          {"construction", part.construction.empty() ? Json(nullptr) : Json(part.construction)},
+          {"rejected", part.rejected},
+          {"warnings", part.warnings},
+          {"margin_lower", number_or_null(part.margin_lower)},
+          {"margin_upper", number_or_null(part.margin_upper)},
+          {"start_tangency", number_or_null(part.start_tangency)},
+          {"end_tangency", number_or_null(part.end_tangency)},
+          {"error_bound", part.error_bound},
+          {"segments", part.segments},
+          {"bands", part.bands},
+          {"triangles", part.triangles},
+          {"smallest_angle", part.smallest_angle}};
+}
+
+}  // namespace
+}  // namespace json
+
+std::string to_json(const Assembly& assembly) {
+  json::Json parts = json::Json::array();
+  for (const Part& part : assembly.parts) {
+    parts.push_back({{"name", part.name}, {"kind", kind(part.shape)}});
+  }
+  return json::text({{"file", assembly.source},
+                     {"kind", "assembly"},
+                     {"unit", symbol(assembly.unit)},
+                     {"tolerance", assembly.tolerance},
+                     {"parts", parts}});
+}
+
+std::string to_json(const EditReport& report) {
+  json::Json spheres = json::Json::array();
+  for (const auto& [sphere, value] : report.spheres) {
+    spheres.push_back(
+        {{"sphere", sphere}, {"value", {value.m.x(), value.m.y(), value.m.z(), value.r}}});
+  }
+  return json::text({{"file", report.file},
+                     {"part", report.part},
+                     {"pieces", report.pieces},
+                     {"changed", report.changed},
+                     {"spheres", spheres}});
+}
+
+std::string to_json(const BuildReport& report) {
+  json::Json parts = json::Json::array();
+  for (const PartReport& part : report.parts) {
+    parts.push_back(json::part_form(part));
+  }
+  return json::text({{"unit", symbol(report.gaps.unit)},
+                     {"runs", report.runs},
+                     {"pieces", report.pieces},
+                     {"grid", report.grid},
+                     {"parts", parts},
+                     {"output", json::json_value(report.output)},
+                     {"gaps", json::json_value(report.gaps)}});
+}
+
+}  // namespace dupin

@@ -1,0 +1,162 @@
+#include "json/json_document.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace dupin::json {
+namespace {
+
+std::string place(const std::string& source, const std::string& pointer) {
+  return source.empty() ? pointer : source + "#" + pointer;
+}
+
+std::string escaped(std::string_view key) {  // RFC 6901
+  std::string result;
+  for (const char c : key) {
+    result += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+  }
+  return result;
+}
+
+std::string line_and_column(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, byte == 0 ? 0 : byte - 1);
+  const auto line = std::count(before.begin(), before.end(), '\n');
+  const auto line_start = before.rfind('\n');
+  const std::size_t column =
+      line_start == std::string_view::npos ? before.size() + 1 : before.size() - line_start;
+  return std::to_string(line + 1) + ":" + std::to_string(column);
+}
+
+std::string after(std::string_view mark, const std::string& what) {
+  const auto start = what.find(mark);
+  return start == std::string::npos ? what : what.substr(start + mark.size());
+}
+
+// Follows the parser to find repeated keys, which a JSON value cannot hold.
+class RepeatedKeys {
+ public:
+  explicit RepeatedKeys(const std::string& source) : source_(&source) {}
+
+  void operator()(nlohmann::detail::parse_event_t event, const Json& parsed) {
+    using Event = nlohmann::detail::parse_event_t;
+    switch (event) {
+      case Event::object_start:
+      case Event::array_start:
+        begin_value();
+        levels_.push_back({event == Event::array_start, 0, {}, {}});
+        break;
+      case Event::object_end:
+      case Event::array_end:
+        levels_.pop_back();
+        break;
+      case Event::key:
+        begin_key(parsed.get<std::string>());
+        break;
+      case Event::value:
+        begin_value();
+        break;
+    }
+  }
+
+ private:
+  struct Level {
+    bool is_array = false;
+    std::size_t count = 0;
+    std::string key;
+    std::set<std::string> keys;
+  };
+
+  void begin_value() {
+    if (!levels_.empty()) {
+      ++levels_.back().count;
+    }
+  }
+
+  void begin_key(const std::string& key) {
+    levels_.back().key = key;
+    if (!levels_.back().keys.insert(key).second) {
+      std::string pointer;
+      for (const auto& level : levels_) {
+        pointer += "/" + (level.is_array ? std::to_string(level.count - 1) : escaped(level.key));
+      }
+      throw Error(Errc::parse_failed, "the key occurs twice", {}, place(*source_, pointer));
+    }
+  }
+
+  const std::string* source_;
+  std::vector<Level> levels_;
+};
+
+}  // namespace
+
+Json parse_json(std::string_view text, const std::string& source) {
+  RepeatedKeys repeated(source);
+  const auto watch = [&](int, nlohmann::detail::parse_event_t event, Json& parsed) {
+    repeated(event, parsed);
+    return true;
+  };
+  try {
+    return Json::parse(text.begin(), text.end(), watch);
+  } catch (const Json::parse_error& error) {
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: reason"
+    throw Error(Errc::parse_failed, after(": ", error.what()), {},
+                source + ":" + line_and_column(text, error.byte));
+  } catch (const Json::out_of_range& error) {
+    // A number beyond all doubles: "[json.exception.out_of_range.406] number overflow parsing
+    // '1e999'"
+    const std::string token = after("parsing '", error.what());
+    const auto first = text.find(std::string_view(token).substr(0, token.size() - 1));
+    throw Error(Errc::parse_failed, after("] ", error.what()), {},
+                source + ":" + line_and_column(text, first + 1));
+  }
+}
+
+void JsonNode::fail(const std::string& message) const {
+  throw Error(Errc::parse_failed, message, {}, place(*source_, pointer_));
+}
+
+bool JsonNode::has(std::string_view key) const {
+  return value_->is_object() && value_->contains(std::string(key));
+}
+
+JsonNode JsonNode::at(std::string_view key) const {
+  require_object();
+  if (!has(key)) {
+    fail("the key '" + std::string(key) + "' is missing");
+  }
+  return {value_->at(std::string(key)), *source_, pointer_ + "/" + escaped(key)};
+}
+
+JsonNode JsonNode::at(std::size_t index) const {
+  return {value_->at(index), *source_, pointer_ + "/" + std::to_string(index)};
+}
+
+void JsonNode::require_object() const {
+  if (!value_->is_object()) {
+    fail(std::string("must be an object, not ") + value_->type_name());
+  }
+}
+
+std::size_t JsonNode::require_array() const {
+  if (!value_->is_array()) {
+    fail(std::string("must be an array, not ") + value_->type_name());
+  }
+  return value_->size();
+}
+
+double JsonNode::number() const {
+  if (!value_->is_number()) {
+    fail(std::string("must be a number, not ") + value_->type_name());
+  }
+  return value_->get<double>();
+}
+
+std::string JsonNode::text() const {
+  if (!value_->is_string()) {
+    fail(std::string("must be a string, not ") + value_->type_name());
+  }
+  return value_->get<std::string>();
+}
+
+}  // namespace dupin::json

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "dupin/kernel/error.h"
+
+namespace dupin::json {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON text as a value. Throws Error{parse_failed} with "source:line:column" for text that is not
+/// JSON, and with "source#/json/pointer" for an object that repeats a key.
+[[nodiscard]] Json parse_json(std::string_view text, const std::string& source);
+
+/// A value in a document that knows its place, so that faults do.
+class JsonNode {
+ public:
+  JsonNode(const Json& value, const std::string& source, std::string pointer)
+      : value_(&value), source_(&source), pointer_(std::move(pointer)) {}
+
+  [[noreturn]] void fail(const std::string& message) const;
+
+  [[nodiscard]] const Json& value() const { return *value_; }
+  [[nodiscard]] bool has(std::string_view key) const;
+
+  /// The value of a key. Throws if this is not an object or has no such key.
+  [[nodiscard]] JsonNode at(std::string_view key) const;
+  [[nodiscard]] JsonNode at(std::size_t index) const;
+
+  /// Each throws if this is something else.
+  void require_object() const;
+  [[nodiscard]] std::size_t require_array() const;  ///< its size
+  [[nodiscard]] double number() const;
+  [[nodiscard]] std::string text() const;
+
+ private:
+  const Json* value_;
+  const std::string* source_;
+  std::string pointer_;
+};
+
+}  // namespace dupin::json

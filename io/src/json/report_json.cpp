@@ -1,0 +1,161 @@
+#include "dupin/io/report_json.h"
+
+#include "json/json_forms.h"
+
+namespace dupin {
+namespace json {
+namespace {
+
+using json::json_value;  // not hidden by the ones below
+
+Json json_value(const Finding& finding) {
+  return {{"defect", name(finding.defect)},
+          {"faces", finding.faces},
+          {"points", finding.points},
+          {"place", json_value(finding.place)}};
+}
+
+Json json_value(const ShellReport& shell) {
+  return {{"first_face", shell.first_face},
+          {"triangles", shell.triangles},
+          {"volume", shell.volume},
+          {"depth", shell.depth},
+          {"euler_number", shell.euler_number}};
+}
+
+Json json_value(const RoundingReport& rounding) {
+  return {{"coordinates", rounding.coordinates == Coordinates::binary64 ? "binary64" : "binary32"},
+          {"origin", json_value(rounding.origin)},
+          {"moved_points", rounding.moved},
+          {"largest_move", rounding.largest_move},
+          {"repair_reach", rounding.repair_reach},
+          {"removed_triangles", rounding.removed_triangles},
+          {"removed_shells", rounding.removed_shells},
+          {"filled_slits", rounding.filled_slits},
+          {"slit_width", rounding.slit_width}};
+}
+
+Json json_value(const Contact& contact) {
+  return {{"kind", contact.kind == Contact::Kind::vertex ? "vertex" : "edge"},
+          {"from", json_value(contact.from)},
+          {"to", json_value(contact.to)},
+          {"names", contact.names}};
+}
+
+Json json_value(const FileRepair& repair) {
+  return {{"file", repair.file},
+          {"merged_points", repair.report.merged_points},
+          {"degenerate_faces", repair.report.degenerate_faces},
+          {"duplicate_faces", repair.report.duplicate_faces},
+          {"turned_faces", repair.report.turned_faces},
+          {"united_overlaps", repair.report.united_overlaps}};
+}
+
+template <class Value>
+Json list(const std::vector<Value>& values) {
+  Json forms = Json::array();
+  for (const Value& value : values) {
+    forms.push_back(json_value(value));
+  }
+  return forms;
+}
+
+/// Only the defects that occur.
+Json counts_form(const Report& report) {
+  Json counts = Json::object();
+  for (std::size_t index = 0; index < report.counts.size(); ++index) {
+    if (report.counts[index] > 0) {
+      counts[std::string(name(static_cast<Defect>(index)))] = report.counts[index];
+    }
+  }
+  return counts;
+}
+
+}  // namespace
+
+Json json_value(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
+
+Json json_value(const Report& report) {
+  return {{"points", report.points},
+          {"triangles", report.triangles},
+          {"solid", report.is_solid()},
+          {"watertight", report.closed()},
+          {"components", report.components},
+          {"euler_number", report.euler_number},
+          {"genus", report.genus},
+          {"volume", report.volume},
+          {"area", report.area},
+          {"counts", counts_form(report)},
+          {"findings", list(report.findings)},
+          {"shells", list(report.shells)}};
+}
+
+Json json_value(const OutputReport& report) {
+  Json object{{"file", report.file},
+              {"format", report.format},
+              {"rounding", json_value(report.rounding)},
+              {"contacts", list(report.contacts)},
+              {"verified", report.check.has_value()}};
+  if (report.check) {
+    object["check"] = to_json(*report.check);
+  }
+  if (report.simplification) {
+    object["simplification"] = {{"removed_triangles", report.simplification->removed_triangles},
+                                {"deviation", report.simplification->deviation}};
+  }
+  if (report.settled) {
+    object["settled"] = {{"policy", report.settled->policy},
+                         {"length", report.settled->length},
+                         {"contacts", list(report.settled->contacts)}};
+  }
+  if (!report.repairs.empty()) {
+    object["repairs"] = list(report.repairs);
+  }
+  return object;
+}
+
+std::string text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace json
+
+std::optional<Box> bounding_box(const TriMesh& mesh) {
+  if (mesh.points.empty()) {
+    return std::nullopt;
+  }
+  Box box{mesh.points.front(), mesh.points.front()};
+  for (const Vec3& point : mesh.points) {
+    box.low = box.low.cwiseMin(point);
+    box.high = box.high.cwiseMax(point);
+  }
+  return box;
+}
+
+std::string to_json(const Report& report) { return json::text(json::json_value(report)); }
+
+std::string to_json(const OutputReport& report) { return json::text(json::json_value(report)); }
+
+std::string to_json(const MeshSummary& summary) {
+  json::Json form{{"file", summary.file}, {"kind", "mesh"}};
+  if (!summary.unit.empty()) {
+    form["unit"] = summary.unit;
+  }
+  form["names"] = summary.mesh.names;
+  if (const auto box = bounding_box(summary.mesh)) {
+    form["box"] = {json::json_value(box->low), json::json_value(box->high)};
+  }
+  form["check"] = json::json_value(summary.check);
+  return json::text(form);
+}
+
+std::string error_json(const Error& error, std::string_view kind, int exit_code) {
+  return json::text({{"error",
+                      {{"code", kind},
+                       {"exit", exit_code},
+                       {"message", error.message()},
+                       {"part", error.part()},
+                       {"where", error.where()}}}});
+}
+
+}  // namespace dupin

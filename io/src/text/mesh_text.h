@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dupin/io/mesh_header.h"
+#include "dupin/kernel/coordinates.h"
+#include "dupin/kernel/mesh.h"
+
+namespace dupin::text {
+
+/// Appends the shortest decimal that reads back to `value`.
+void append_number(std::string& text, double value);
+void append_number(std::string& text, float value);
+void append_number(std::string& text, std::uint32_t value);
+/// Appends "x y z".
+template <typename Vector>
+void append_point(std::string& text, const Vector& point) {
+  append_number(text, point.x());
+  text += ' ';
+  append_number(text, point.y());
+  text += ' ';
+  append_number(text, point.z());
+}
+
+/// The points as the format will hold them, -0 as 0: unchanged for binary64, each coordinate
+/// rounded to nearest for binary32.
+///
+/// Throws Error{invalid_argument} for a mesh that no file can hold: a point that is not finite, an
+/// index or label out of range, labels not one per triangle; Error{unroundable} for a point beyond
+/// the format's range.
+[[nodiscard]] std::vector<Vec3> writable_points(const TriMesh& mesh, Coordinates coordinates);
+
+/// `text` fit for a line of a file and for JSON: valid UTF-8 (other bytes become U+FFFD), control
+/// characters become spaces, no blanks around it.
+[[nodiscard]] std::string clean_line(std::string_view text);
+
+/// Comment lines that name the writer, the unit and the note, each behind `prefix`.
+[[nodiscard]] std::string header_lines(const MeshHeader& header, std::string_view prefix);
+
+/// Triangles by label, in order of the names, each in order of the mesh; one group of all for an
+/// unlabelled mesh.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> triangles_by_label(const TriMesh& mesh);
+
+/// Collects labels while a mesh is read; equal names share one label.
+class LabelBuilder {
+ public:
+  /// The label of this name, made if new.
+  std::uint32_t label(std::string_view name);
+  /// Hands the names to the mesh, whose labels are complete.
+  void name_labels(TriMesh& mesh) && { mesh.names = std::move(names_); }
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::string, std::uint32_t, std::less<>> labels_;
+};
+
+}  // namespace dupin::text

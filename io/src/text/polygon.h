@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dupin/kernel/mesh.h"
+
+namespace dupin::text {
+
+/// Cuts the polygon with these corners into size - 2 triangles of the same orientation and appends
+/// them. Ears are clipped in the coordinate plane that the polygon is least inclined to, by exact
+/// predicates: right for every simple planar polygon. A polygon that is not simple there gets the
+/// same number of triangles with the same boundary. O(n) for convex polygons; for r reflex corners
+/// typically O(n r).
+///
+/// Requires at least three corners, all of them indices into `points`. Throws Error{limit_exceeded}
+/// for more than 20 000 corners, whose cutting could take minutes.
+void cut_into_triangles(std::span<const std::uint32_t> corners, const std::vector<Vec3>& points,
+                        std::vector<Triangle>& triangles);
+
+/// The same; a polygon that is a triangle is just appended.
+inline void triangulate(std::span<const std::uint32_t> corners, const std::vector<Vec3>& points,
+                        std::vector<Triangle>& triangles) {
+  if (corners.size() == 3) {
+    triangles.push_back({corners[0], corners[1], corners[2]});
+  } else {
+    cut_into_triangles(corners, points, triangles);
+  }
+}
+
+}  // namespace dupin::text

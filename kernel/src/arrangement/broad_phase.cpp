@@ -1,0 +1,201 @@
+#include "arrangement/broad_phase.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <span>
+
+#include <CGAL/box_intersection_d.h>
+
+#include "arrangement/operand_frames.h"
+#include "support/blocks.h"
+
+namespace dupin::arrangement {
+namespace {
+
+struct TriangleBox {
+  std::array<double, 3> low, high;
+  std::uint32_t triangle;
+};
+
+struct BoxTraits {
+  using Box = TriangleBox;
+  using Box_parameter = const TriangleBox&;
+  using NT = double;
+  using ID = std::uint32_t;
+  static int dimension() { return 3; }
+  static ID id(const TriangleBox& box) { return box.triangle; }
+  static double min_coord(const TriangleBox& box, int k) {
+    return box.low[static_cast<std::size_t>(k)];
+  }
+  static double max_coord(const TriangleBox& box, int k) {
+    return box.high[static_cast<std::size_t>(k)];
+  }
+};
+
+bool reaches_into(const TriangleBox& box, const Bounds& window) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    if (box.high[k] < window.min()[axis] || box.low[k] > window.max()[axis]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+class Finder {
+ public:
+  explicit Finder(const ArrangementInput& input)
+      : input_(input), slack_(rotation_slack(input.extent)), framed_(input.operands.size()) {
+    support::for_each_in_parallel(input.operands.size(), [&](std::size_t o) {
+      const UpwardRounding rounding;
+      framed_[o] = framed(*input.operands[o], slack_);
+    });
+  }
+
+  // Each operand is culled by what is left of the other, in its own axes; then what is left of both
+  // is compared in axes common to them.
+  [[nodiscard]] std::vector<TrianglePair> pairs(std::uint32_t a, std::uint32_t b) const {
+    if (a == b) {
+      return pairs_within(a);
+    }
+    std::vector<std::uint32_t> a_runs, b_runs;
+    Bounds a_bounds = framed_[a].bounds, b_bounds = framed_[b].bounds;
+    keep_runs(a, b, b_bounds, a_runs, a_bounds);
+    keep_runs(b, a, a_bounds, b_runs, b_bounds);
+    keep_runs(a, b, b_bounds, a_runs, a_bounds);
+    if (a_runs.empty() || b_runs.empty()) {
+      return {};
+    }
+    const bool a_is_longer = framed_[a].bounds.sizes()[0] >= framed_[b].bounds.sizes()[0];
+    const Axes axes = a_is_longer ? common_axes(framed_[a].axes, framed_[b].axes)
+                                  : common_axes(framed_[b].axes, framed_[a].axes);
+    const auto window = [&](std::uint32_t operand, const Bounds& bounds) {
+      return bounds_in(axes, framed_[operand].axes, bounds, slack_);
+    };
+    std::vector<TriangleBox> b_boxes = boxes(b, b_runs, axes, window(a, a_bounds));
+    std::vector<TriangleBox> a_boxes = boxes(a, a_runs, axes, bounds_of(b_boxes));
+    b_boxes = within(bounds_of(a_boxes), b_boxes);
+    // Triangles that follow one another are neighbours, mostly: few others reach into their bounds.
+    std::vector<std::vector<TrianglePair>> parts(support::block_count(a_boxes.size()));
+    support::for_each_block(a_boxes.size(), [&](const support::Block& block) {
+      const std::span<TriangleBox> mine =
+          std::span(a_boxes).subspan(block.begin, block.end - block.begin);
+      std::vector<TriangleBox> others = within(bounds_of(mine), b_boxes);
+      std::vector<TrianglePair>& found = parts[block.number];
+      CGAL::box_intersection_d(
+          mine.begin(), mine.end(), others.begin(), others.end(),
+          [&found](const TriangleBox& x, const TriangleBox& y) {
+            found.push_back({x.triangle, y.triangle});
+          },
+          BoxTraits(), kBoxCutoff);
+      std::sort(found.begin(), found.end());
+    });
+    return support::joined(std::move(parts));
+  }
+
+ private:
+  [[nodiscard]] std::vector<TrianglePair> pairs_within(std::uint32_t operand) const {
+    std::vector<std::uint32_t> runs(framed_[operand].runs.size());
+    std::iota(runs.begin(), runs.end(), 0u);
+    std::vector<TriangleBox> all =
+        boxes(operand, runs, framed_[operand].axes, framed_[operand].bounds);
+    std::vector<TrianglePair> result;
+    CGAL::box_self_intersection_d(
+        all.begin(), all.end(),
+        [&result](const TriangleBox& x, const TriangleBox& y) {
+          result.push_back({std::min(x.triangle, y.triangle), std::max(x.triangle, y.triangle)});
+        },
+        BoxTraits(), kBoxCutoff);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // The runs of one operand that reach into a box of another's, and their bounds.
+  void keep_runs(std::uint32_t operand, std::uint32_t other, const Bounds& box,
+                 std::vector<std::uint32_t>& kept, Bounds& bounds) const {
+    const FramedOperand& mine = framed_[operand];
+    kept.clear();
+    bounds.setEmpty();
+    if (box.isEmpty()) {
+      return;
+    }
+    const Bounds window = bounds_in(mine.axes, framed_[other].axes, box, slack_);
+    for (std::uint32_t i = 0; i < mine.runs.size(); ++i) {
+      if (mine.runs[i].intersects(window)) {
+        kept.push_back(i);
+        bounds.extend(mine.runs[i].intersection(window));
+      }
+    }
+  }
+
+  // Those that reach into a window, in `axes`.
+  [[nodiscard]] std::vector<TriangleBox> boxes(std::uint32_t operand,
+                                               const std::vector<std::uint32_t>& runs,
+                                               const Axes& axes, const Bounds& window) const {
+    const mesh::ExactMesh& mesh = *input_.operands[operand];
+    return support::collect_in_order<TriangleBox>(
+        runs.size() * FramedOperand::kRun, [&](std::size_t n, std::vector<TriangleBox>& found) {
+          const std::size_t i = std::size_t{runs[n / FramedOperand::kRun]} * FramedOperand::kRun +
+                                n % FramedOperand::kRun;
+          const auto t = static_cast<std::uint32_t>(input_.first_triangle[operand] + i);
+          if (i >= mesh.triangles.size() || input_.merged[t]) {
+            return;
+          }
+          const TriangleBox triangle = box(mesh, mesh.triangles[i], axes, t);
+          if (reaches_into(triangle, window)) {
+            found.push_back(triangle);
+          }
+        });
+  }
+
+  [[nodiscard]] TriangleBox box(const mesh::ExactMesh& mesh, const Triangle& corners,
+                                const Axes& axes, std::uint32_t t) const {
+    const Vec3 p = rotated(axes, mesh.points[corners[0]]),
+               q = rotated(axes, mesh.points[corners[1]]),
+               r = rotated(axes, mesh.points[corners[2]]);
+    const Vec3 low = p.cwiseMin(q).cwiseMin(r), high = p.cwiseMax(q).cwiseMax(r);
+    return {{low[0] - slack_, low[1] - slack_, low[2] - slack_},
+            {high[0] + slack_, high[1] + slack_, high[2] + slack_},
+            t};
+  }
+
+  [[nodiscard]] static Bounds bounds_of(std::span<const TriangleBox> boxes) {
+    Bounds all;
+    for (const TriangleBox& b : boxes) {
+      all.extend(Vec3(b.low[0], b.low[1], b.low[2]));
+      all.extend(Vec3(b.high[0], b.high[1], b.high[2]));
+    }
+    return all;
+  }
+  [[nodiscard]] static std::vector<TriangleBox> within(const Bounds& window,
+                                                       std::span<const TriangleBox> boxes) {
+    std::vector<TriangleBox> kept;
+    std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(kept),
+                 [&window](const TriangleBox& b) { return reaches_into(b, window); });
+    return kept;
+  }
+
+  // Fewer boxes than this are compared all with all.
+  static constexpr std::ptrdiff_t kBoxCutoff = 50;
+
+  const ArrangementInput& input_;
+  double slack_;
+  std::vector<FramedOperand> framed_;
+};
+
+}  // namespace
+
+std::vector<TrianglePair> broad_phase(const ArrangementInput& input,
+                                      const support::ProgressStage& stage) {
+  const Finder finder(input);
+  std::vector<std::vector<TrianglePair>> found(input.operand_pairs.size());
+  support::for_each_in_parallel(found.size(), [&](std::size_t i) {
+    const UpwardRounding rounding;
+    found[i] = finder.pairs(input.operand_pairs[i][0], input.operand_pairs[i][1]);
+    stage.step(found.size());
+  });
+  return support::joined(std::move(found));
+}
+
+}  // namespace dupin::arrangement

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "arrangement/input.h"
+#include "support/progress_stage.h"
+
+namespace dupin::arrangement {
+
+struct TrianglePair {
+  std::uint32_t first, second;
+  friend auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
+};
+
+/// Stage 2: for each pair of operands in question, pairs of triangles whose boxes overlap, every
+/// pair that meets among them; merged triangles left out. In a fixed order.
+[[nodiscard]] std::vector<TrianglePair> broad_phase(const ArrangementInput& input,
+                                                    const support::ProgressStage& stage);
+
+}  // namespace dupin::arrangement

@@ -1,0 +1,391 @@
+#include "arrangement/constrained_triangulation.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "arrangement/implicit_predicates.h"
+
+namespace dupin::arrangement {
+namespace {
+
+constexpr int next(int i) { return i == 2 ? 0 : i + 1; }
+constexpr int previous(int i) { return i == 0 ? 2 : i - 1; }
+constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+// Ids of frame corners count down from here.
+constexpr PointId kFrame = ConstrainedTriangulation::kFirstFrameCorner;
+
+}  // namespace
+
+ConstrainedTriangulation::ConstrainedTriangulation(const PointTable& points, Caller caller)
+    : points_(points), caller_(std::move(caller)) {}
+
+void ConstrainedTriangulation::clear(const Projection& projection) {
+  projection_ = projection;
+  vertices_.clear();
+  faces_.clear();
+  new_points_.clear();
+  frame_corners_.clear();
+  in_cavity_.clear();
+  hint_ = 0;
+  random_ = 1;
+}
+
+ConstrainedTriangulation::Vertex ConstrainedTriangulation::add(PointId id, std::uint8_t sides) {
+  const int u = (projection_.axis + 1) % 3, v = (projection_.axis + 2) % 3;
+  vertices_.push_back({points_.interval(id, u), points_.interval(id, v), id, kNone, sides});
+  return static_cast<Vertex>(vertices_.size() - 1);
+}
+
+ConstrainedTriangulation::Vertex ConstrainedTriangulation::add_frame_corner(double u, double v) {
+  const auto id = static_cast<PointId>(kFrame + frame_corners_.size());
+  frame_corners_.push_back({u, v});
+  vertices_.push_back({Interval(u), Interval(v), id, kNone, 0});
+  return static_cast<Vertex>(vertices_.size() - 1);
+}
+
+void ConstrainedTriangulation::start(Vertex a, Vertex b, Vertex c) { add_face(a, b, c); }
+
+const mesh::ExactPoint& ConstrainedTriangulation::exact(Vertex v, mesh::ExactPoint& scratch) const {
+  const PointId id = vertices_[v].id;
+  if (id >= kFrame) {
+    const auto& corner = frame_corners_[id - kFrame];
+    scratch = {};
+    scratch[at((projection_.axis + 1) % 3)] = corner[0];
+    scratch[at((projection_.axis + 2) % 3)] = corner[1];
+    scratch[3] = 1;
+    return scratch;
+  }
+  if (id < kNewPoint) {
+    return points_.exact(id, scratch);
+  }
+  NewPoint& point = new_points_[id - kNewPoint];
+  if (point.exact[3].sign() == 0) {
+    point.exact = evaluate_exact(points_, point.definition);
+  }
+  return point.exact;
+}
+
+int ConstrainedTriangulation::turn(Vertex a, Vertex b, Vertex c) const {
+  const VertexData &p = vertices_[a], &q = vertices_[b], &r = vertices_[c];
+  if ((p.sides & q.sides & r.sides) != 0) {
+    return 0;
+  }
+  const FilteredSign filtered = sign_of((q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u));
+  if (filtered.certain) {
+    return projection_.orientation * filtered.sign;
+  }
+  std::array<mesh::ExactPoint, 3> scratch;
+  const mesh::ExactPoint& x = exact(a, scratch[0]);
+  const mesh::ExactPoint& y = exact(b, scratch[1]);
+  return projection_.orientation * exact_turn(x, y, exact(c, scratch[2]), projection_.axis);
+}
+
+std::uint32_t ConstrainedTriangulation::next_random() {
+  random_ = random_ * 1664525u + 1013904223u;
+  return random_ >> 16;
+}
+
+// A walk that starts each step at a random edge ends in any triangulation (O. Devillers, S. Pion,
+// M. Teillaud, Walking in a triangulation, 2002).
+ConstrainedTriangulation::Location ConstrainedTriangulation::locate(Vertex p) {
+  std::uint32_t face = hint_, from = kNone;
+  while (true) {
+    const Face& f = faces_[face];
+    std::array<int, 3> sides{1, 1, 1};
+    std::uint32_t onward = kNone;
+    int i = static_cast<int>(next_random() % 3);
+    for (int n = 0; n < 3 && onward == kNone; ++n, i = next(i)) {
+      if (f.neighbours[at(i)] == from && from != kNone) {
+        continue;
+      }
+      sides[at(i)] = turn(f.corners[at(next(i))], f.corners[at(previous(i))], p);
+      if (sides[at(i)] < 0) {
+        onward = f.neighbours[at(i)];
+        assert(onward != kNone);
+      }
+    }
+    if (onward != kNone) {
+      from = face;
+      face = onward;
+      continue;
+    }
+    hint_ = face;
+    for (int k = 0; k < 3; ++k) {
+      if (sides[at(k)] == 0) {
+        const int other = sides[at(next(k))] == 0       ? next(k)
+                          : sides[at(previous(k))] == 0 ? previous(k)
+                                                        : -1;
+        return other == -1 ? Location{face, k, false} : Location{face, 3 - k - other, true};
+      }
+    }
+    return {face, -1, false};
+  }
+}
+
+void ConstrainedTriangulation::insert(Vertex p) {
+  const Location place = locate(p);
+  assert(!place.at_corner);
+  if (place.corner == -1) {
+    split_face(place.face, p);
+  } else {
+    split_edge(place.face, place.corner, p);
+  }
+}
+
+std::uint32_t ConstrainedTriangulation::add_face(Vertex a, Vertex b, Vertex c) {
+  faces_.push_back({});
+  const auto face = static_cast<std::uint32_t>(faces_.size() - 1);
+  set_face(face, a, b, c);
+  return face;
+}
+
+void ConstrainedTriangulation::set_face(std::uint32_t face, Vertex a, Vertex b, Vertex c) {
+  faces_[face] = {{a, b, c}, {kNone, kNone, kNone}, {kNone, kNone, kNone}};
+  vertices_[a].face = vertices_[b].face = vertices_[c].face = face;
+}
+
+int ConstrainedTriangulation::corner_of(std::uint32_t face, Vertex v) const {
+  const auto& c = faces_[face].corners;
+  return c[0] == v ? 0 : c[1] == v ? 1 : 2;
+}
+
+int ConstrainedTriangulation::corner_facing(std::uint32_t face, std::uint32_t neighbour) const {
+  const auto& n = faces_[face].neighbours;
+  return n[0] == neighbour ? 0 : n[1] == neighbour ? 1 : 2;
+}
+
+// Makes `neighbour`, whose matching edge must be the one that `face` has at `corner`, adjacent.
+void ConstrainedTriangulation::connect(std::uint32_t face, int corner, std::uint32_t neighbour,
+                                       std::uint32_t slot) {
+  Face& f = faces_[face];
+  f.neighbours[at(corner)] = neighbour;
+  f.slots[at(corner)] = slot;
+  if (neighbour == kNone) {
+    return;
+  }
+  const Vertex from = f.corners[at(next(corner))];
+  Face& g = faces_[neighbour];
+  const int other = next(corner_of(neighbour, from));  // its edge runs to `from`
+  g.neighbours[at(other)] = face;
+  g.slots[at(other)] = slot;
+}
+
+void ConstrainedTriangulation::split_face(std::uint32_t face, Vertex p) {
+  const Face old = faces_[face];
+  const auto [a, b, c] = old.corners;
+  set_face(face, a, b, p);
+  const std::uint32_t g = add_face(b, c, p), h = add_face(c, a, p);
+  connect(face, 2, old.neighbours[2], old.slots[2]);
+  connect(g, 2, old.neighbours[0], old.slots[0]);
+  connect(h, 2, old.neighbours[1], old.slots[1]);
+  connect(face, 0, g, kNone);
+  connect(g, 0, h, kNone);
+  connect(h, 0, face, kNone);
+}
+
+void ConstrainedTriangulation::split_edge(std::uint32_t face, int corner, Vertex p) {
+  const Face old = faces_[face];
+  const std::uint32_t other = old.neighbours[at(corner)], slot = old.slots[at(corner)];
+  const Vertex a = old.corners[at(corner)], b = old.corners[at(next(corner))],
+               c = old.corners[at(previous(corner))];
+  const int far = other == kNone ? 0 : corner_facing(other, face);
+  const Face old_other = other == kNone ? Face{} : faces_[other];
+  // This side: a b p and a p c.
+  set_face(face, a, b, p);
+  const std::uint32_t g = add_face(a, p, c);
+  connect(face, 2, old.neighbours[at(previous(corner))], old.slots[at(previous(corner))]);
+  connect(g, 1, old.neighbours[at(next(corner))], old.slots[at(next(corner))]);
+  connect(face, 1, g, kNone);
+  if (other == kNone) {
+    faces_[face].slots[0] = faces_[g].slots[0] = slot;
+    return;
+  }
+  // Far side, seen from its corner d: d c p and d p b.
+  const Vertex d = old_other.corners[at(far)];
+  set_face(other, d, c, p);
+  const std::uint32_t h = add_face(d, p, b);
+  connect(other, 2, old_other.neighbours[at(previous(far))], old_other.slots[at(previous(far))]);
+  connect(h, 1, old_other.neighbours[at(next(far))], old_other.slots[at(next(far))]);
+  connect(other, 1, h, kNone);
+  connect(face, 0, h, slot);
+  connect(g, 0, other, slot);
+}
+
+void ConstrainedTriangulation::mark(std::uint32_t face, int corner, std::uint32_t slot) {
+  Face& f = faces_[face];
+  std::uint32_t& present = f.slots[at(corner)];
+  present = present == kNone ? slot : caller_.both(present, slot);
+  if (const std::uint32_t other = f.neighbours[at(corner)]; other != kNone) {
+    faces_[other].slots[at(corner_facing(other, face))] = present;
+  }
+}
+
+void ConstrainedTriangulation::constrain(Vertex a, Vertex b, std::uint32_t slot) {
+  while (a != b) {
+    a = advance(a, b, slot);
+  }
+}
+
+ConstrainedTriangulation::Vertex ConstrainedTriangulation::advance(Vertex a, Vertex b,
+                                                                   std::uint32_t slot) {
+  const std::uint32_t first = vertices_[a].face;
+  for (const bool clockwise : {false, true}) {
+    std::uint32_t face = first;
+    do {
+      const int i = corner_of(face, a);
+      const Face& f = faces_[face];
+      const Vertex right = f.corners[at(next(i))], left = f.corners[at(previous(i))];
+      if (right == b || left == b) {
+        mark(face, right == b ? previous(i) : next(i), slot);
+        return b;
+      }
+      const int r = turn(a, b, right), l = turn(a, b, left);
+      if (r == 0 && l > 0) {
+        mark(face, previous(i), slot);
+        return right;
+      }
+      if (l == 0 && r < 0) {
+        mark(face, next(i), slot);
+        return left;
+      }
+      if (r < 0 && l > 0) {
+        return cross(face, i, a, b, slot);
+      }
+      face = f.neighbours[at(clockwise ? previous(i) : next(i))];
+    } while (face != kNone && face != first);
+  }
+  assert(!"the end of a constraint lies outside the triangulation");
+  return b;
+}
+
+ConstrainedTriangulation::Vertex ConstrainedTriangulation::split_crossed_edge(std::uint32_t face,
+                                                                              int corner,
+                                                                              std::uint32_t slot) {
+  const ImplicitPoint definition = caller_.crossing(faces_[face].slots[at(corner)], slot);
+  NewPoint point{definition, evaluate(points_, definition), {}};
+  const std::size_t u = at((projection_.axis + 1) % 3), v = at((projection_.axis + 2) % 3);
+  if (!std::isfinite(point.box[u].inf() + point.box[u].sup() + point.box[v].inf() +
+                     point.box[v].sup())) {
+    point.exact = evaluate_exact(points_, definition);
+    point.box = enclose(point.exact);
+  }
+  const auto id = static_cast<PointId>(kNewPoint | new_points_.size());
+  vertices_.push_back({point.box[u], point.box[v], id, kNone, 0});
+  new_points_.push_back(std::move(point));
+  const auto vertex = static_cast<Vertex>(vertices_.size() - 1);
+  split_edge(face, corner, vertex);
+  return vertex;
+}
+
+// The segment a b leaves `face` through the edge opposite to its corner `corner`, which is a.
+// Clears the way up to the first vertex on the segment, or to the first constrained edge across it,
+// which is split; and constrains it.
+ConstrainedTriangulation::Vertex ConstrainedTriangulation::cross(std::uint32_t face, int corner,
+                                                                 Vertex a, Vertex b,
+                                                                 std::uint32_t slot) {
+  const auto link = [this](std::vector<Link>& chain, std::uint32_t f, int edge, Vertex onward) {
+    chain.back().outer = faces_[f].neighbours[at(edge)];
+    chain.back().slot = faces_[f].slots[at(edge)];
+    chain.push_back({onward, kNone, kNone, false});
+  };
+  cavity_.assign(1, face);
+  left_.assign(1, {a, kNone, kNone, false});
+  right_.assign(1, {a, kNone, kNone, false});
+  link(left_, face, next(corner), faces_[face].corners[at(previous(corner))]);
+  link(right_, face, previous(corner), faces_[face].corners[at(next(corner))]);
+  while (true) {
+    if (faces_[face].slots[at(corner)] != kNone) {
+      return advance(a, split_crossed_edge(face, corner, slot), slot);
+    }
+    const std::uint32_t onward = faces_[face].neighbours[at(corner)];
+    const int entry = corner_facing(onward, face);
+    const Vertex apex = faces_[onward].corners[at(entry)];
+    const int side = apex == b ? 0 : turn(a, b, apex);
+    cavity_.push_back(onward);
+    if (side >= 0) {
+      link(left_, onward, previous(entry), apex);
+    }
+    if (side <= 0) {
+      link(right_, onward, next(entry), apex);
+    }
+    if (side == 0) {
+      fill_cavity(slot);
+      return apex;
+    }
+    face = onward;
+    corner = side > 0 ? next(entry) : previous(entry);
+  }
+}
+
+// Retriangulates the faces of the cavity such that its two chains' common ends are joined.
+void ConstrainedTriangulation::fill_cavity(std::uint32_t slot) {
+  in_cavity_.resize(faces_.size(), 0);
+  for (const std::uint32_t face : cavity_) {
+    in_cavity_[face] = 1;
+  }
+  dangling_.clear();
+  spare_ = cavity_;
+  const std::uint32_t left = fill(left_, true), right = fill(right_, false);
+  const Vertex a = left_.front().vertex, b = left_.back().vertex;
+  const int corner = 3 - corner_of(left, a) - corner_of(left, b);
+  connect(left, corner, right, slot);
+  assert(spare_.empty());
+  for (const std::uint32_t face : cavity_) {
+    in_cavity_[face] = 0;
+  }
+}
+
+// Triangulates between a chain and the segment joining its ends, from which all of it is visible,
+// by cutting off convex corners in order; returns the face at that segment.
+std::uint32_t ConstrainedTriangulation::fill(const std::vector<Link>& chain, bool is_left) {
+  stack_.clear();
+  for (const Link& w : chain) {
+    while (stack_.size() >= 2) {
+      Link& u = stack_[stack_.size() - 2];
+      const Link v = stack_.back();
+      const int bend = turn(u.vertex, v.vertex, w.vertex);
+      if (is_left ? bend >= 0 : bend <= 0) {
+        break;
+      }
+      assert(!spare_.empty());
+      const std::uint32_t face = spare_.back();
+      spare_.pop_back();
+      if (is_left) {
+        set_face(face, u.vertex, w.vertex, v.vertex);
+        attach(face, 1, u);
+        attach(face, 0, v);
+      } else {
+        set_face(face, u.vertex, v.vertex, w.vertex);
+        attach(face, 2, u);
+        attach(face, 0, v);
+      }
+      u.outer = face;
+      u.slot = kNone;
+      u.is_fresh = true;
+      stack_.pop_back();
+    }
+    stack_.push_back(w);
+  }
+  assert(stack_.size() == 2);
+  return stack_.front().outer;
+}
+
+void ConstrainedTriangulation::attach(std::uint32_t face, int corner, const Link& link) {
+  if (link.is_fresh || link.outer == kNone || !in_cavity_[link.outer]) {
+    connect(face, corner, link.outer, link.slot);
+    return;
+  }
+  // An edge with the cavity on both sides of it, which comes once from each.
+  const Vertex from = faces_[face].corners[at(next(corner))],
+               to = faces_[face].corners[at(previous(corner))];
+  for (const Dangling& other : dangling_) {
+    if (other.from == to && other.to == from) {
+      connect(face, corner, other.face, link.slot);
+      return;
+    }
+  }
+  faces_[face].slots[at(corner)] = link.slot;
+  dangling_.push_back({from, to, face});
+}
+
+}  // namespace dupin::arrangement

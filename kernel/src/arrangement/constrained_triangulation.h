@@ -1,0 +1,120 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "arrangement/implicit_points.h"
+#include "arrangement/triangle_intersection.h"
+
+namespace dupin::arrangement {
+
+/// A constrained triangulation of points of one plane, in projection along an axis, exact. The
+/// vertices lie in the triangle it starts from.
+///
+/// Constraints carry a slot (a number that means something to the caller). Where two cross, a
+/// vertex is made.
+class ConstrainedTriangulation {
+ public:
+  using Vertex = std::uint32_t;
+  struct Face {
+    std::array<Vertex, 3> corners;
+    std::array<std::uint32_t, 3> neighbours;  ///< across the edge opposite to each corner, or kNone
+    std::array<std::uint32_t, 3> slots;       ///< of that edge, or kNone
+  };
+  using NewPoint = DefinedPoint;
+  struct Caller {
+    /// The point where constraints of two slots cross.
+    std::function<ImplicitPoint(std::uint32_t, std::uint32_t)> crossing;
+    /// The slot of a segment on which two constraints lie: of `present`, then of `added`.
+    std::function<std::uint32_t(std::uint32_t, std::uint32_t)> both;
+  };
+
+  ConstrainedTriangulation(const PointTable& points, Caller caller);
+  /// Empties it, for another plane.
+  void clear(const Projection& projection);
+
+  /// Makes a vertex without inserting it. `sides` is a set of lines, one bit each, that it is known
+  /// to lie on: three vertices with a common bit are collinear.
+  Vertex add(PointId id, std::uint8_t sides = 0);
+  /// Makes a vertex that stands for no point, at projected coordinates.
+  Vertex add_frame_corner(double u, double v);
+
+  /// The triangle that holds all other vertices, counter-clockwise in the projection.
+  void start(Vertex a, Vertex b, Vertex c);
+  void insert(Vertex p);
+  void constrain(Vertex a, Vertex b, std::uint32_t slot);
+  /// Flips edges without constraint towards Delaunay, as far as doubles can tell.
+  void improve(const Triangle& support);
+
+  [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
+  /// The point of a vertex; with kNewPoint set, an index into new_points();
+  /// from kFirstFrameCorner on, a corner of the frame.
+  [[nodiscard]] PointId point(Vertex v) const { return vertices_[v].id; }
+  [[nodiscard]] std::vector<NewPoint>& new_points() { return new_points_; }
+  static constexpr PointId kNewPoint = 0x80000000u;
+  static constexpr PointId kFirstFrameCorner = kNone - 3;
+
+ private:
+  struct VertexData {
+    Interval u, v;
+    PointId id;
+    std::uint32_t face;  ///< one that has it as a corner
+    std::uint8_t sides;
+  };
+  struct Location {
+    std::uint32_t face;
+    int corner;  ///< the edge opposite to it, or it itself; -1 inside the face
+    bool at_corner;
+  };
+  struct Link {  // of a chain along a cavity: a vertex, and what lies beyond the edge to the next
+    Vertex vertex;
+    std::uint32_t outer, slot;
+    bool is_fresh;  ///< `outer` was made while filling the cavity
+  };
+  struct Dangling {
+    Vertex from, to;
+    std::uint32_t face;
+  };
+
+  [[nodiscard]] int turn(Vertex a, Vertex b, Vertex c) const;
+  const mesh::ExactPoint& exact(Vertex v, mesh::ExactPoint& scratch) const;
+  [[nodiscard]] Location locate(Vertex p);
+  void split_face(std::uint32_t face, Vertex p);
+  void split_edge(std::uint32_t face, int corner, Vertex p);
+  void connect(std::uint32_t face, int corner, std::uint32_t neighbour, std::uint32_t slot);
+  std::uint32_t add_face(Vertex a, Vertex b, Vertex c);
+  void set_face(std::uint32_t face, Vertex a, Vertex b, Vertex c);
+  [[nodiscard]] int corner_of(std::uint32_t face, Vertex v) const;
+  [[nodiscard]] int corner_facing(std::uint32_t face, std::uint32_t neighbour) const;
+  void mark(std::uint32_t face, int corner, std::uint32_t slot);
+  /// Advances from `a` towards `b` by one vertex, constraining the way; returns that vertex.
+  Vertex advance(Vertex a, Vertex b, std::uint32_t slot);
+  Vertex cross(std::uint32_t face, int corner, Vertex a, Vertex b, std::uint32_t slot);
+  Vertex split_crossed_edge(std::uint32_t face, int corner, std::uint32_t slot);
+  void fill_cavity(std::uint32_t slot);
+  std::uint32_t fill(const std::vector<Link>& chain, bool is_left);
+  void attach(std::uint32_t face, int corner, const Link& link);
+  void flip(std::uint32_t face, int corner);
+  [[nodiscard]] std::uint32_t next_random();
+
+  const PointTable& points_;
+  Projection projection_;
+  Caller caller_;
+  std::vector<VertexData> vertices_;
+  std::vector<Face> faces_;
+  mutable std::vector<NewPoint> new_points_;
+  std::vector<std::array<double, 2>> frame_corners_;
+  std::uint32_t hint_ = 0, random_ = 1;
+  std::vector<std::uint32_t> cavity_, spare_;
+  std::vector<std::uint8_t> in_cavity_;
+  std::vector<Link> left_, right_, stack_;
+  std::vector<Dangling> dangling_;
+  std::vector<std::array<double, 2>> planar_;
+  std::vector<std::pair<std::uint32_t, int>> edges_;
+};
+
+}  // namespace dupin::arrangement

@@ -1,0 +1,247 @@
+#include "arrangement/constraints.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "arrangement/implicit_predicates.h"
+#include "arrangement/intersection_points.h"
+#include "support/disjoint_sets.h"
+#include "support/sort_by_key.h"
+
+namespace dupin::arrangement {
+namespace {
+
+// One id per place.
+class Representatives {
+ public:
+  Representatives(ArrangementInput& input, const IntersectionPoints& names,
+                  CoincidentPointIndex& places)
+      : base_(names.first_new_point) {
+    for (const PointId id : names.corners) {
+      places.first_at_place_of(id);
+    }
+    for (PointId id = base_; id < input.points.size(); ++id) {
+      first_.push_back(places.first_at_place_of(id));
+    }
+  }
+  PointId operator()(PointId id) const {
+    return id < base_ || id == kNone ? id : first_[id - base_];
+  }
+
+ private:
+  PointId base_;
+  std::vector<PointId> first_;
+};
+
+// Hands encounters to the triangles and edges they lie on.
+class Distributor {
+ public:
+  Distributor(const ArrangementInput& input, std::vector<std::uint8_t>& touched)
+      : input_(input), touched_(touched) {}
+
+  void distribute(const TriangleIntersection& intersection, PointId from, PointId to) {
+    if (intersection.kind == TriangleIntersection::Kind::overlap) {
+      touch(intersection.first);
+      touch(intersection.second);
+      return;
+    }
+    const auto hand = [&](std::uint32_t triangle, std::uint32_t partner,
+                          Feature TriangleIntersection::End::*feature) {
+      const Feature at_from = intersection.ends[0].*feature, at_to = intersection.ends[1].*feature;
+      point(triangle, at_from, from);
+      if (intersection.kind == TriangleIntersection::Kind::segment) {
+        point(triangle, at_to, to);
+        if (from != to && !on_common_edge(at_from, at_to)) {
+          segments.push_back({triangle, from, to, partner});
+          touch(triangle);
+        }
+      }
+    };
+    hand(intersection.first, intersection.second, &TriangleIntersection::End::on_first);
+    hand(intersection.second, intersection.first, &TriangleIntersection::End::on_second);
+  }
+
+  std::vector<Constraints::OnEdge> on_edges;
+  std::vector<Constraints::Inside> insides;
+  std::vector<Constraints::Segment> segments;
+
+ private:
+  void touch(std::uint32_t triangle) {
+    std::atomic_ref(touched_[triangle]).store(1, std::memory_order_relaxed);
+  }
+  void point(std::uint32_t triangle, Feature feature, PointId id) {
+    if (is_edge(feature)) {
+      on_edges.push_back({edge_of(input_.triangles[triangle], feature), id});
+      touch(triangle);
+    } else if (feature == kInside) {
+      insides.push_back({triangle, id});
+      touch(triangle);
+    }
+  }
+
+  const ArrangementInput& input_;
+  std::vector<std::uint8_t>& touched_;
+};
+
+void distribute(const ArrangementInput& input, std::span<const TriangleIntersection> intersections,
+                const IntersectionPoints& names, const Representatives& representative,
+                Constraints& result) {
+  result.touched.assign(input.triangles.size(), 0);
+  std::vector<Distributor> parts(support::block_count(intersections.size()),
+                                 Distributor(input, result.touched));
+  support::for_each_block(intersections.size(), [&](const support::Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      parts[block.number].distribute(intersections[i], representative(names.ends[2 * i]),
+                                     representative(names.ends[2 * i + 1]));
+    }
+  });
+  for (const Distributor& part : parts) {
+    result.on_edges.insert(result.on_edges.end(), part.on_edges.begin(), part.on_edges.end());
+    result.insides.insert(result.insides.end(), part.insides.begin(), part.insides.end());
+    result.segments.insert(result.segments.end(), part.segments.begin(), part.segments.end());
+  }
+}
+
+// The sign of q - p along some axis on which they differ, and the axis.
+struct Direction {
+  int axis = 0, sign = 0;
+};
+Direction direction_of(const PointTable& points, EdgeKey edge) {
+  const PointId p = lower_end(edge), q = upper_end(edge);
+  const Vec3 step = (points.approximation(q) - points.approximation(p)).cwiseAbs();
+  int axis = 0;
+  step.maxCoeff(&axis);
+  for (int k = 0; k < 3; ++k, axis = (axis + 1) % 3) {
+    if (const int sign = compare(points, q, p, axis); sign != 0) {
+      return {axis, sign};
+    }
+  }
+  return {};
+}
+
+// The ends of the edges are all below `first_new_point`.
+void sort_along_edges(const PointTable& points, PointId first_new_point,
+                      std::vector<Constraints::OnEdge>& on_edges) {
+  using OnEdge = Constraints::OnEdge;
+  support::sort_by_key(
+      on_edges, first_new_point, [](const OnEdge& p) { return lower_end(p.edge); },
+      [](const OnEdge& a, const OnEdge& b) {
+        return a.edge != b.edge ? a.edge < b.edge : a.point < b.point;
+      });
+  const auto same = [](const OnEdge& a, const OnEdge& b) {
+    return a.edge == b.edge && a.point == b.point;
+  };
+  on_edges.erase(std::unique(on_edges.begin(), on_edges.end(), same), on_edges.end());
+  const std::vector<support::IndexRange> edges =
+      support::ranges_of_equal(on_edges, [](const OnEdge& p) { return p.edge; });
+  const auto sort_runs = [&](const support::Block& block) {
+    const UpwardRounding rounding;
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const auto [begin, end] = edges[i];
+      if (end - begin > 1) {
+        const Direction direction = direction_of(points, on_edges[begin].edge);
+        std::sort(on_edges.begin() + begin, on_edges.begin() + end,
+                  [&](const OnEdge& a, const OnEdge& b) {
+                    return direction.sign * compare(points, a.point, b.point, direction.axis) < 0;
+                  });
+      }
+    }
+  };
+  constexpr std::size_t kFewEdges = 256;
+  support::for_each_block(edges.size(), sort_runs, kFewEdges);
+}
+
+// Classes of triangles that overlap in a common plane, and every other touched triangle alone.
+void group_faces(std::span<const TriangleIntersection> intersections, Constraints& result) {
+  std::vector<std::uint32_t> overlapping;
+  for (const TriangleIntersection& e : intersections) {
+    if (e.kind == TriangleIntersection::Kind::overlap) {
+      overlapping.insert(overlapping.end(), {e.first, e.second});
+    }
+  }
+  std::sort(overlapping.begin(), overlapping.end());
+  overlapping.erase(std::unique(overlapping.begin(), overlapping.end()), overlapping.end());
+  support::DisjointSets classes(overlapping.size());
+  const auto index = [&overlapping](std::uint32_t triangle) {
+    return static_cast<std::uint32_t>(
+        std::lower_bound(overlapping.begin(), overlapping.end(), triangle) - overlapping.begin());
+  };
+  for (const TriangleIntersection& e : intersections) {
+    if (e.kind == TriangleIntersection::Kind::overlap) {
+      classes.unite(index(e.first), index(e.second));
+    }
+  }
+  std::vector<std::vector<std::uint32_t>>& faces = result.overlapping;
+  std::vector<std::uint32_t> face_of(overlapping.size(), kNone);
+  for (std::uint32_t i = 0; i < overlapping.size(); ++i) {
+    std::uint32_t& face = face_of[classes.find(i)];
+    if (face == kNone) {
+      face = static_cast<std::uint32_t>(faces.size());
+      faces.emplace_back();
+    }
+    faces[face].push_back(overlapping[i]);
+  }
+  const auto collect = [&](std::size_t i, std::vector<std::uint32_t>& found) {
+    const auto t = static_cast<std::uint32_t>(i);
+    if (result.touched[t] && !std::binary_search(overlapping.begin(), overlapping.end(), t)) {
+      found.push_back(t);
+    }
+  };
+  result.alone = support::collect_in_order<std::uint32_t>(result.touched.size(), collect);
+}
+
+template <class Item>
+void sort_by_triangle(const ArrangementInput& input, std::vector<Item>& items) {
+  support::sort_by_key(
+      items, static_cast<std::uint32_t>(input.triangles.size()),
+      [](const Item& item) { return item.triangle; },
+      [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
+}
+
+template <class Item>
+std::span<const Item> of_triangle(const std::vector<Item>& items, std::uint32_t triangle) {
+  const auto begin =
+      std::lower_bound(items.begin(), items.end(), triangle,
+                       [](const Item& item, std::uint32_t t) { return item.triangle < t; });
+  const auto end = std::find_if(begin, items.end(),
+                                [triangle](const Item& i) { return i.triangle != triangle; });
+  return {begin, end};
+}
+
+}  // namespace
+
+std::span<const Constraints::OnEdge> Constraints::on_edge(EdgeKey edge) const {
+  const auto begin = std::lower_bound(on_edges.begin(), on_edges.end(), edge,
+                                      [](const OnEdge& p, EdgeKey key) { return p.edge < key; });
+  const auto end =
+      std::find_if(begin, on_edges.end(), [edge](const OnEdge& p) { return p.edge != edge; });
+  return {begin, end};
+}
+
+std::span<const Constraints::Inside> Constraints::inside(std::uint32_t triangle) const {
+  return of_triangle(insides, triangle);
+}
+
+std::span<const Constraints::Segment> Constraints::segments_of(std::uint32_t triangle) const {
+  return of_triangle(segments, triangle);
+}
+
+Constraints collect_constraints(ArrangementInput& input,
+                                std::span<const TriangleIntersection> intersections) {
+  Constraints result;
+  const IntersectionPoints names = create_intersection_points(input, intersections);
+  result.places.emplace(input.points, input.extent, input.points.size() - names.first_new_point);
+  const Representatives representative(input, names, *result.places);
+  distribute(input, intersections, names, representative, result);
+  input.special.resize(input.points.size(), 1);
+  for (const PointId id : names.corners) {
+    input.special[id] = 1;
+  }
+  sort_along_edges(input.points, names.first_new_point, result.on_edges);
+  sort_by_triangle(input, result.insides);
+  sort_by_triangle(input, result.segments);
+  group_faces(intersections, result);
+  return result;
+}
+
+}  // namespace dupin::arrangement

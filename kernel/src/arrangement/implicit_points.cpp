@@ -1,0 +1,291 @@
+#include "arrangement/implicit_points.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <span>
+
+#include "arrangement/limits.h"
+
+namespace dupin::arrangement {
+namespace {
+
+using Number = CGAL::Mpzf;
+using Direction = std::array<Number, 3>;
+
+struct Plane {  // normal . x + offset w = 0, a positive multiple of the plane through three points
+  Direction normal;
+  Number offset;
+};
+
+template <class N>
+std::array<N, 3> cross(const std::array<N, 3>& a, const std::array<N, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+template <class N>
+N dot(const std::array<N, 3>& a, const std::array<N, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+IntervalPoint difference(const IntervalPoint& a, const IntervalPoint& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+Direction direction(const mesh::ExactPoint& from, const mesh::ExactPoint& to) {
+  return {to[0] * from[3] - from[0] * to[3], to[1] * from[3] - from[1] * to[3],
+          to[2] * from[3] - from[2] * to[3]};
+}
+
+mesh::ExactPoint homogeneous(const Vec3& p) {
+  return {Number(p[0]), Number(p[1]), Number(p[2]), Number(1)};
+}
+
+Direction direction(const Vec3& from, const Vec3& to) {
+  return {Number(to[0]) - Number(from[0]), Number(to[1]) - Number(from[1]),
+          Number(to[2]) - Number(from[2])};
+}
+
+bool are_doubles(const PointTable& points, std::span<const PointId> ids) {
+  return std::all_of(ids.begin(), ids.end(), [&](PointId id) { return points.is_double(id); });
+}
+
+Plane plane_through(const PointTable& points, const PointId* of) {
+  if (are_doubles(points, {of, 3})) {
+    const Vec3& a = points.coordinates(of[0]);
+    Direction normal =
+        cross(direction(a, points.coordinates(of[1])), direction(a, points.coordinates(of[2])));
+    Number offset = -dot(normal, {Number(a[0]), Number(a[1]), Number(a[2])});
+    return {std::move(normal), std::move(offset)};
+  }
+  std::array<mesh::ExactPoint, 3> scratch;
+  const mesh::ExactPoint& a = points.exact(of[0], scratch[0]);
+  const Direction normal = cross(direction(a, points.exact(of[1], scratch[1])),
+                                 direction(a, points.exact(of[2], scratch[2])));
+  return {{normal[0] * a[3], normal[1] * a[3], normal[2] * a[3]}, -dot(normal, {a[0], a[1], a[2]})};
+}
+
+Number height(const Plane& plane, const mesh::ExactPoint& p) {
+  return dot(plane.normal, {p[0], p[1], p[2]}) + plane.offset * p[3];
+}
+
+mesh::ExactPoint with_positive_weight(mesh::ExactPoint point) {
+  if (point[3].sign() < 0) {
+    for (Number& x : point) {
+      x = -x;
+    }
+  }
+  return point;
+}
+
+// The point of the line p q whose signed distances from something are as alpha to beta.
+mesh::ExactPoint divide(const mesh::ExactPoint& p, const mesh::ExactPoint& q, const Number& alpha,
+                        const Number& beta) {
+  return with_positive_weight({p[0] * beta - q[0] * alpha, p[1] * beta - q[1] * alpha,
+                               p[2] * beta - q[2] * alpha, p[3] * beta - q[3] * alpha});
+}
+
+// The same as below by fewer products, as all weights are 1.
+mesh::ExactPoint meet_line_plane(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,
+                                 const Vec3& c) {
+  const Direction normal = cross(direction(a, b), direction(a, c));
+  const Number alpha = dot(normal, direction(a, p)), beta = dot(normal, direction(a, q));
+  const auto coordinate = [&](int k) { return Number(p[k]) * beta - Number(q[k]) * alpha; };
+  return with_positive_weight({coordinate(0), coordinate(1), coordinate(2), beta - alpha});
+}
+
+mesh::ExactPoint meet_line_plane(const PointTable& points, const ImplicitPoint& d) {
+  if (are_doubles(points, {d.of.data(), 5})) {
+    const auto at = [&](std::size_t i) -> const Vec3& { return points.coordinates(d.of[i]); };
+    return meet_line_plane(at(0), at(1), at(2), at(3), at(4));
+  }
+  mesh::ExactPoint p_scratch, q_scratch;
+  const mesh::ExactPoint& p = points.exact(d.of[0], p_scratch);
+  const mesh::ExactPoint& q = points.exact(d.of[1], q_scratch);
+  const Plane plane = plane_through(points, &d.of[2]);
+  return divide(p, q, height(plane, p), height(plane, q));
+}
+
+mesh::ExactPoint meet_lines(const PointTable& points, const ImplicitPoint& d) {
+  std::array<mesh::ExactPoint, 4> scratch;
+  const mesh::ExactPoint& p = points.exact(d.of[0], scratch[0]);
+  const mesh::ExactPoint& q = points.exact(d.of[1], scratch[1]);
+  const mesh::ExactPoint& r = points.exact(d.of[2], scratch[2]);
+  const mesh::ExactPoint& s = points.exact(d.of[3], scratch[3]);
+  const std::size_t u = (d.axis + 1u) % 3, v = (d.axis + 2u) % 3;
+  const Direction line = cross(Direction{r[u], r[v], r[3]}, Direction{s[u], s[v], s[3]});
+  return divide(p, q, dot(line, {p[u], p[v], p[3]}), dot(line, {q[u], q[v], q[3]}));
+}
+
+mesh::ExactPoint meet_planes(const PointTable& points, const ImplicitPoint& d) {
+  const Plane a = plane_through(points, &d.of[0]), b = plane_through(points, &d.of[3]),
+              c = plane_through(points, &d.of[6]);
+  const Direction bc = cross(b.normal, c.normal), ca = cross(c.normal, a.normal),
+                  ab = cross(a.normal, b.normal);
+  mesh::ExactPoint point;
+  for (std::size_t k = 0; k < 3; ++k) {
+    point[k] = -(a.offset * bc[k] + b.offset * ca[k] + c.offset * ab[k]);
+  }
+  point[3] = dot(a.normal, bc);
+  return with_positive_weight(std::move(point));
+}
+
+IntervalPoint normal_of(const PointTable& points, const PointId* of, const IntervalPoint& first) {
+  return cross(difference(points.interval(of[1]), first),
+               difference(points.interval(of[2]), first));
+}
+
+IntervalPoint along(const IntervalPoint& p, const IntervalPoint& direction, const Interval& t) {
+  return {p[0] + t * direction[0], p[1] + t * direction[1], p[2] + t * direction[2]};
+}
+
+IntervalPoint enclose_line_plane(const PointTable& points, const ImplicitPoint& d) {
+  const IntervalPoint p = points.interval(d.of[0]);
+  const IntervalPoint direction = difference(points.interval(d.of[1]), p);
+  const IntervalPoint origin = points.interval(d.of[2]);
+  const IntervalPoint normal = normal_of(points, &d.of[2], origin);
+  return along(p, direction, dot(normal, difference(origin, p)) / dot(normal, direction));
+}
+
+IntervalPoint enclose_lines(const PointTable& points, const ImplicitPoint& d) {
+  const std::size_t u = (d.axis + 1u) % 3, v = (d.axis + 2u) % 3;
+  const IntervalPoint p = points.interval(d.of[0]), r = points.interval(d.of[2]);
+  const IntervalPoint pq = difference(points.interval(d.of[1]), p);
+  const IntervalPoint rs = difference(points.interval(d.of[3]), r);
+  const IntervalPoint pr = difference(r, p);
+  return along(p, pq, (pr[u] * rs[v] - pr[v] * rs[u]) / (pq[u] * rs[v] - pq[v] * rs[u]));
+}
+
+IntervalPoint enclose_planes(const PointTable& points, const ImplicitPoint& d) {
+  const IntervalPoint origin = points.interval(d.of[0]);
+  const IntervalPoint b = points.interval(d.of[3]), c = points.interval(d.of[6]);
+  const IntervalPoint na = normal_of(points, &d.of[0], origin);
+  const IntervalPoint nb = normal_of(points, &d.of[3], b), nc = normal_of(points, &d.of[6], c);
+  const Interval hb = dot(nb, difference(b, origin)), hc = dot(nc, difference(c, origin));
+  const IntervalPoint ca = cross(nc, na), ab = cross(na, nb);
+  const Interval determinant = dot(nc, ab);
+  IntervalPoint point = origin;
+  for (std::size_t k = 0; k < 3; ++k) {
+    point[k] += (hb * ca[k] + hc * ab[k]) / determinant;
+  }
+  return point;
+}
+
+Interval enclose_quotient(const Number& x, const Number& w, const Interval& weight) {
+  const Interval quotient = Interval(x.to_interval()) / weight;
+  // Three roundings, unless a number lies beyond what doubles hold.
+  const double width = quotient.sup() - quotient.inf();
+  if (std::isfinite(width) && width <= 8 * 0x1p-52 * std::abs(quotient.inf())) {
+    return quotient;
+  }
+  const double nearest = mesh::nearest_double(x, w);
+  return {std::nextafter(nearest, -HUGE_VAL), std::nextafter(nearest, HUGE_VAL)};
+}
+
+}  // namespace
+
+mesh::ExactPoint evaluate_exact(const PointTable& points, const ImplicitPoint& definition) {
+  switch (definition.kind) {
+    case ImplicitPoint::Kind::line_plane:
+      return meet_line_plane(points, definition);
+    case ImplicitPoint::Kind::two_lines:
+      return meet_lines(points, definition);
+    case ImplicitPoint::Kind::three_planes:
+      return meet_planes(points, definition);
+    case ImplicitPoint::Kind::given:
+      break;
+  }
+  assert(!"a given point has no definition");
+  return {};
+}
+
+IntervalPoint evaluate(const PointTable& points, const ImplicitPoint& definition) {
+  switch (definition.kind) {
+    case ImplicitPoint::Kind::line_plane:
+      return enclose_line_plane(points, definition);
+    case ImplicitPoint::Kind::two_lines:
+      return enclose_lines(points, definition);
+    case ImplicitPoint::Kind::three_planes:
+      return enclose_planes(points, definition);
+    case ImplicitPoint::Kind::given:
+      break;
+  }
+  assert(!"a given point has no definition");
+  return {};
+}
+
+IntervalPoint enclose(const mesh::ExactPoint& point) {
+  const Interval weight(point[3].to_interval());
+  return {enclose_quotient(point[0], point[3], weight),
+          enclose_quotient(point[1], point[3], weight),
+          enclose_quotient(point[2], point[3], weight)};
+}
+
+PointId PointTable::add(const Vec3& point) {
+  assert(implicit_.empty());
+  doubles_.push_back(point);
+  return double_count() - 1;
+}
+
+PointId PointTable::add(const mesh::ExactPoint& point) {
+  implicit_.push_back({{}, enclose(point), LazyPoint(point)});
+  return size() - 1;
+}
+
+PointId PointTable::add(const ImplicitPoint& definition) {
+  refuse_too_many(size(), 0);
+  implicit_.push_back({definition, evaluate(*this, definition), {}});
+  return size() - 1;
+}
+
+void PointTable::add_undefined(std::size_t count) {
+  refuse_too_many(size() + count, 0);
+  implicit_.resize(implicit_.size() + count);
+}
+
+void PointTable::define(PointId id, const ImplicitPoint& definition) {
+  Implicit& point = implicit_[id - doubles_.size()];
+  point.definition = definition;
+  point.box = evaluate(*this, definition);
+}
+
+PointId PointTable::add(DefinedPoint point) {
+  refuse_too_many(size(), 0);
+  implicit_.push_back({point.definition, point.box,
+                       point.exact[3].sign() == 0 ? LazyPoint() : LazyPoint(point.exact)});
+  return size() - 1;
+}
+
+Vec3 PointTable::approximation(PointId id) const {
+  if (is_double(id)) {
+    return doubles_[id];
+  }
+  const IntervalPoint& box = implicit_[id - doubles_.size()].box;
+  return {(box[0].inf() + box[0].sup()) / 2, (box[1].inf() + box[1].sup()) / 2,
+          (box[2].inf() + box[2].sup()) / 2};
+}
+
+const mesh::ExactPoint& PointTable::exact(PointId id, mesh::ExactPoint& scratch) const {
+  if (is_double(id)) {
+    scratch = homogeneous(doubles_[id]);
+    return scratch;
+  }
+  const Implicit& point = implicit_[id - doubles_.size()];
+  return point.exact.get([&] { return evaluate_exact(*this, point.definition); });
+}
+
+mesh::ExactPoint PointTable::exact_value(PointId id) const {
+  if (is_double(id)) {
+    return homogeneous(doubles_[id]);
+  }
+  const Implicit& point = implicit_[id - doubles_.size()];
+  const mesh::ExactPoint* known = point.exact.known();
+  return known != nullptr ? *known : evaluate_exact(*this, point.definition);
+}
+
+void PointTable::tighten(PointId id) {
+  mesh::ExactPoint scratch;
+  implicit_[id - doubles_.size()].box = enclose(exact(id, scratch));
+}
+
+}  // namespace dupin::arrangement

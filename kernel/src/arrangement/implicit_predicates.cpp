@@ -1,0 +1,129 @@
+#include "arrangement/implicit_predicates.h"
+
+#include <cmath>
+
+namespace dupin::arrangement {
+namespace {
+
+using Number = CGAL::Mpzf;
+
+// Stage A of J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic (1997), bounds the error
+// of the determinant by (7 + 56 u) u times its permanent, u the largest relative error of one
+// operation. Here rounding is upward, so u = 2^-52; the 8 instead of 7 pays for computing the
+// permanent itself in floating point. The addend covers underflow of products; overflow gives
+// infinities or NaN, which are never certain.
+constexpr double kSideBound = 8 * 0x1p-52;
+constexpr double kUnderflow = 0x1p-900;
+
+int filtered_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+  const double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
+  const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
+  const double px = p[0] - a[0], py = p[1] - a[1], pz = p[2] - a[2];
+  const double yz = by * cz, zy = bz * cy, zx = bz * cx, xz = bx * cz, xy = bx * cy, yx = by * cx;
+  const double value = px * (yz - zy) + py * (zx - xz) + pz * (xy - yx);
+  const double permanent = std::abs(px) * (std::abs(yz) + std::abs(zy)) +
+                           std::abs(py) * (std::abs(zx) + std::abs(xz)) +
+                           std::abs(pz) * (std::abs(xy) + std::abs(yx));
+  const double bound = kSideBound * permanent + kUnderflow;
+  return (value > bound) - (value < -bound);
+}
+
+template <class N>
+N determinant(const std::array<N, 3>& u, const std::array<N, 3>& v, const std::array<N, 3>& w) {
+  return w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
+         w[2] * (u[0] * v[1] - u[1] * v[0]);
+}
+
+IntervalPoint difference(const IntervalPoint& a, const IntervalPoint& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+std::array<Number, 3> direction(const mesh::ExactPoint& from, const mesh::ExactPoint& to) {
+  return {to[0] * from[3] - from[0] * to[3], to[1] * from[3] - from[1] * to[3],
+          to[2] * from[3] - from[2] * to[3]};
+}
+
+int exact_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+  const std::array<Number, 3> origin{Number(a[0]), Number(a[1]), Number(a[2])};
+  const auto from_origin = [&origin](const Vec3& q) {
+    return std::array<Number, 3>{Number(q[0]) - origin[0], Number(q[1]) - origin[1],
+                                 Number(q[2]) - origin[2]};
+  };
+  return determinant(from_origin(b), from_origin(c), from_origin(p)).sign();
+}
+
+}  // namespace
+
+int side_of_plane(const PointTable& points, PointId a, PointId b, PointId c, PointId p) {
+  if (p == a || p == b || p == c || a == b || b == c || c == a) {
+    return 0;
+  }
+  if (points.is_double(a) && points.is_double(b) && points.is_double(c) && points.is_double(p)) {
+    const Vec3 &x = points.coordinates(a), &y = points.coordinates(b), &z = points.coordinates(c),
+               &q = points.coordinates(p);
+    const int sign = filtered_side(x, y, z, q);
+    return sign != 0 ? sign : exact_side(x, y, z, q);
+  }
+  const IntervalPoint origin = points.interval(a);
+  const FilteredSign filtered = sign_of(determinant(difference(points.interval(b), origin),
+                                                    difference(points.interval(c), origin),
+                                                    difference(points.interval(p), origin)));
+  if (filtered.certain) {
+    return filtered.sign;
+  }
+  std::array<mesh::ExactPoint, 4> scratch;
+  const mesh::ExactPoint& o = points.exact(a, scratch[0]);
+  return determinant(direction(o, points.exact(b, scratch[1])),
+                     direction(o, points.exact(c, scratch[2])),
+                     direction(o, points.exact(p, scratch[3])))
+      .sign();
+}
+
+int exact_turn(const mesh::ExactPoint& a, const mesh::ExactPoint& b, const mesh::ExactPoint& c,
+               int axis) {
+  const auto u = static_cast<std::size_t>((axis + 1) % 3);
+  const auto v = static_cast<std::size_t>((axis + 2) % 3);
+  const Number bu = b[u] * a[3] - a[u] * b[3], bv = b[v] * a[3] - a[v] * b[3];
+  const Number cu = c[u] * a[3] - a[u] * c[3], cv = c[v] * a[3] - a[v] * c[3];
+  return (bu * cv - bv * cu).sign();
+}
+
+int exact_compare(const mesh::ExactPoint& a, const mesh::ExactPoint& b, int axis) {
+  const auto k = static_cast<std::size_t>(axis);
+  return (a[k] * b[3] - b[k] * a[3]).sign();
+}
+
+int turn(const PointTable& points, PointId a, PointId b, PointId c, int axis) {
+  if (a == b || b == c || c == a) {
+    return 0;
+  }
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const Interval x = points.interval(a, u), y = points.interval(a, v);
+  const FilteredSign filtered = sign_of((points.interval(b, u) - x) * (points.interval(c, v) - y) -
+                                        (points.interval(b, v) - y) * (points.interval(c, u) - x));
+  if (filtered.certain) {
+    return filtered.sign;
+  }
+  std::array<mesh::ExactPoint, 3> scratch;
+  return exact_turn(points.exact(a, scratch[0]), points.exact(b, scratch[1]),
+                    points.exact(c, scratch[2]), axis);
+}
+
+int compare(const PointTable& points, PointId a, PointId b, int axis) {
+  if (a == b) {
+    return 0;
+  }
+  const FilteredSign filtered = sign_of(points.interval(a, axis) - points.interval(b, axis));
+  if (filtered.certain) {
+    return filtered.sign;
+  }
+  mesh::ExactPoint a_scratch, b_scratch;
+  return exact_compare(points.exact(a, a_scratch), points.exact(b, b_scratch), axis);
+}
+
+bool same_place(const PointTable& points, PointId a, PointId b) {
+  return compare(points, a, b, 0) == 0 && compare(points, a, b, 1) == 0 &&
+         compare(points, a, b, 2) == 0;
+}
+
+}  // namespace dupin::arrangement

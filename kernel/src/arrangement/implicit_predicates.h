@@ -1,0 +1,39 @@
+#pragma once
+
+#include "arrangement/implicit_points.h"
+
+/// Exact signs over points of a table. All need UpwardRounding in the calling thread; points with
+/// the same id are the same point.
+namespace dupin::arrangement {
+
+/// The side of `p` as seen from the plane a b c: +1 where its normal (b - a) x (c - a) points.
+[[nodiscard]] int side_of_plane(const PointTable& points, PointId a, PointId b, PointId c,
+                                PointId p);
+
+/// +1 if a, b, c turn left in the projection along `axis` (seen against the axis).
+[[nodiscard]] int turn(const PointTable& points, PointId a, PointId b, PointId c, int axis);
+
+/// The sign of the difference of the coordinates, a - b.
+[[nodiscard]] int compare(const PointTable& points, PointId a, PointId b, int axis);
+
+/// Whether the two points have the same coordinates.
+[[nodiscard]] bool same_place(const PointTable& points, PointId a, PointId b);
+
+/// The sign of an interval, or 0 with `certain` unset when it contains more than one sign.
+struct FilteredSign {
+  int sign = 0;
+  bool certain = false;
+};
+[[nodiscard]] inline FilteredSign sign_of(const Interval& x) {
+  if (x.inf() > 0) return {1, true};
+  if (x.sup() < 0) return {-1, true};
+  return {0, x.inf() == 0 && x.sup() == 0};
+}
+
+/// The sign of the determinant of exact points' projections: +1 if they turn left.
+[[nodiscard]] int exact_turn(const mesh::ExactPoint& a, const mesh::ExactPoint& b,
+                             const mesh::ExactPoint& c, int axis);
+/// The sign of a - b in one coordinate.
+[[nodiscard]] int exact_compare(const mesh::ExactPoint& a, const mesh::ExactPoint& b, int axis);
+
+}  // namespace dupin::arrangement

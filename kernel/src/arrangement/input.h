@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "arrangement/implicit_points.h"
+#include "support/blocks.h"
+#include "support/bulk_vector.h"
+
+namespace dupin::arrangement {
+
+/// What to compute: operands fall into groups; a place is inside the result by how often the
+/// operands of each group contain it.
+struct BooleanRule {
+  std::vector<std::uint32_t> group_of_operand;
+  std::uint32_t groups = 0;
+  std::function<bool(std::span<const int>)> inside;  ///< one count per group
+};
+
+/// A triangle of the scene, seen from its front (+1) or its back (-1).
+struct SignedTriangle {
+  std::uint32_t triangle = 0;
+  int sign = 1;
+  friend bool operator==(const SignedTriangle&, const SignedTriangle&) = default;
+};
+
+/// Stage 1: all operands in one index space, identical points welded, coincident triangles merged.
+struct ArrangementInput {
+  using Bounds = Eigen::AlignedBox3d;
+  struct Duplicate {
+    std::uint32_t kept;
+    SignedTriangle copy;
+  };
+
+  std::span<const mesh::ExactMesh* const> operands;
+  PointTable points;
+  std::vector<PointId> first_double;          ///< of each operand, and one past the last
+  std::vector<PointId> first_implicit;        ///< of each operand, and one past the last
+  support::BulkVector<Triangle> triangles;    ///< of all operands, in order
+  support::BulkVector<Triangle> supports;     ///< empty if every triangle is its own support
+  std::vector<std::uint32_t> first_triangle;  ///< of each operand, and one past the last
+  std::vector<Bounds> bounds;                 ///< of each operand
+  double extent = 0;                          ///< bounds the magnitude of all coordinates
+  std::vector<std::array<std::uint32_t, 2>> operand_pairs;  ///< to compare, ascending
+  /// Per point: more than one umbrella may meet there, or no triangle has it for a corner.
+  std::vector<std::uint8_t> special;
+  std::vector<std::uint8_t> merged;   ///< per triangle: cancelled, or a copy of another
+  std::vector<Duplicate> duplicates;  ///< of triangles that stay, by triangle
+
+  [[nodiscard]] std::uint32_t operand_of(std::uint32_t triangle) const;
+  /// A point of an operand, before any are welded.
+  [[nodiscard]] PointId point_of(std::size_t operand, std::uint32_t index) const {
+    const std::uint32_t doubles = first_double[operand + 1] - first_double[operand];
+    return index < doubles ? first_double[operand] + index
+                           : first_implicit[operand] + (index - doubles);
+  }
+  /// Of a point that an operand brought.
+  [[nodiscard]] std::uint32_t operand_of_point(PointId point) const;
+  /// Three points that span the plane of the triangle, with its orientation.
+  [[nodiscard]] const Triangle& support(std::uint32_t triangle) const {
+    return supports.empty() ? triangles[triangle] : supports[triangle];
+  }
+  /// The triangles that coincide with a kept one, itself first.
+  [[nodiscard]] std::vector<SignedTriangle> cover(std::uint32_t triangle) const;
+};
+
+/// Throws Error{limit_exceeded} if the points or triangles are more than indices can count. Needs
+/// UpwardRounding.
+[[nodiscard]] ArrangementInput load_operands(std::span<const mesh::ExactMesh* const> operands,
+                                             const BooleanRule& rule);
+
+}  // namespace dupin::arrangement

@@ -1,0 +1,269 @@
+#include "arrangement/intersection_points.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <tuple>
+
+#include "arrangement/implicit_predicates.h"
+#include "support/sort_by_key.h"
+
+namespace dupin::arrangement {
+namespace {
+
+// The lines of edges with implicit ends, by points of the scene that say less: the coordinates of
+// new points then do not build on those of earlier ones.
+class EdgeLines {
+ public:
+  explicit EdgeLines(const ArrangementInput& input) : input_(input) {
+    for (std::uint32_t t = 0; t < input.supports.size(); ++t) {
+      for (Feature f = 3; f < kInside; ++f) {
+        const EdgeKey edge = edge_of(input.triangles[t], f);
+        if (!input.points.is_double(lower_end(edge)) || !input.points.is_double(upper_end(edge))) {
+          sides_.push_back({edge, t});
+        }
+      }
+    }
+    std::sort(sides_.begin(), sides_.end());
+  }
+
+  /// The point where the edge meets a plane.
+  [[nodiscard]] ImplicitPoint piercing(EdgeKey edge, const Triangle& plane) const {
+    auto side = std::lower_bound(sides_.begin(), sides_.end(), Side{edge, 0});
+    if (side != sides_.end() && side->edge == edge) {
+      const Triangle& first = input_.support(side->triangle);
+      for (++side; side != sides_.end() && side->edge == edge; ++side) {
+        const Triangle& second = input_.support(side->triangle);
+        if (!coplanar(first, second)) {
+          return {ImplicitPoint::Kind::three_planes,
+                  0,
+                  {first[0], first[1], first[2], second[0], second[1], second[2], plane[0],
+                   plane[1], plane[2]}};
+        }
+        if (const auto line = common_line(first, second, edge)) {
+          return {ImplicitPoint::Kind::line_plane,
+                  0,
+                  {(*line)[0], (*line)[1], plane[0], plane[1], plane[2]}};
+        }
+      }
+    }
+    return {ImplicitPoint::Kind::line_plane,
+            0,
+            {lower_end(edge), upper_end(edge), plane[0], plane[1], plane[2]}};
+  }
+
+ private:
+  struct Side {
+    EdgeKey edge;
+    std::uint32_t triangle;
+    friend auto operator<=>(const Side&, const Side&) = default;
+  };
+
+  [[nodiscard]] bool coplanar(const Triangle& a, const Triangle& b) const {
+    return std::all_of(b.begin(), b.end(), [&](PointId p) {
+      return side_of_plane(input_.points, a[0], a[1], a[2], p) == 0;
+    });
+  }
+
+  // Two corners that the planes have in common, if the edge lies on their line.
+  [[nodiscard]] std::optional<std::array<PointId, 2>> common_line(const Triangle& a,
+                                                                  const Triangle& b,
+                                                                  EdgeKey edge) const {
+    std::vector<PointId> common;
+    for (const PointId p : a) {
+      const bool is_common = std::any_of(b.begin(), b.end(), [&](PointId q) {
+        return input_.points.is_double(p) && input_.points.is_double(q) &&
+               input_.points.coordinates(p) == input_.points.coordinates(q);
+      });
+      if (is_common) {
+        common.push_back(p);
+      }
+    }
+    if (common.size() != 2) {
+      return std::nullopt;
+    }
+    const int axis = projection_of(input_.points, a).axis;
+    for (const PointId end : {lower_end(edge), upper_end(edge)}) {
+      if (turn(input_.points, common[0], common[1], end, axis) != 0) {
+        return std::nullopt;
+      }
+    }
+    return std::array<PointId, 2>{common[0], common[1]};
+  }
+
+  const ArrangementInput& input_;
+  std::vector<Side> sides_;
+};
+
+// What meets at an end of an encounter: two edges, or an edge and the plane of a triangle.
+struct Meeting {
+  static constexpr std::uint64_t kPlane = std::uint64_t{1} << 63;
+  std::uint64_t first, second;
+  friend auto operator<=>(const Meeting&, const Meeting&) = default;
+};
+
+struct MeetingAt {
+  Meeting meeting;
+  std::uint32_t hash;
+  std::uint32_t end;
+};
+
+MeetingAt meeting_at(std::uint32_t end, const Meeting& m) {
+  const std::uint64_t hash =
+      ((m.first * 0x9E3779B97F4A7C15u) ^ (m.second * 0xC2B2AE3D27D4EB4Fu)) * 0xBF58476D1CE4E5B9u;
+  return {m, static_cast<std::uint32_t>(hash >> 32), end};
+}
+
+class Namer {
+ public:
+  Namer(ArrangementInput& input, std::span<const TriangleIntersection> intersections)
+      : input_(input),
+        intersections_(intersections),
+        lines_(input),
+        leader_(2 * intersections.size()) {
+    names_.ends.resize(2 * intersections.size());
+    names_.first_new_point = input.points.size();
+  }
+
+  IntersectionPoints run() {
+    find_corners();
+    find_meetings();
+    find_leaders();
+    add_points();
+    return std::move(names_);
+  }
+
+ private:
+  [[nodiscard]] const TriangleIntersection& encounter(std::size_t end) const {
+    return intersections_[end / 2];
+  }
+  [[nodiscard]] bool is_end(std::size_t end) const {
+    const TriangleIntersection::Kind kind = encounter(end).kind;
+    return kind == TriangleIntersection::Kind::segment ||
+           (kind == TriangleIntersection::Kind::point && end % 2 == 0);
+  }
+  [[nodiscard]] const Triangle& first(std::size_t end) const {
+    return input_.triangles[encounter(end).first];
+  }
+  [[nodiscard]] const Triangle& second(std::size_t end) const {
+    return input_.triangles[encounter(end).second];
+  }
+
+  void find_corners() {
+    names_.corners = support::collect_in_order<PointId>(
+        names_.ends.size(), [this](std::size_t end, std::vector<PointId>& corners) {
+          PointId& name = names_.ends[end];
+          name = kNone;
+          if (!is_end(end)) {
+            return;
+          }
+          const auto [on_first, on_second, crosses] = encounter(end).ends[end % 2];
+          if (is_corner(on_first)) {
+            name = first(end)[on_first];
+          } else if (is_corner(on_second)) {
+            name = second(end)[on_second];
+          }
+          if (name != kNone) {
+            corners.push_back(name);
+          }
+        });
+    support::sort_by_key(
+        names_.corners, names_.first_new_point, [](PointId id) { return id; }, std::less<>());
+    names_.corners.erase(std::unique(names_.corners.begin(), names_.corners.end()),
+                         names_.corners.end());
+  }
+
+  [[nodiscard]] Meeting meeting(std::size_t end) const {
+    const TriangleIntersection& e = encounter(end);
+    const auto [on_first, on_second, crosses] = e.ends[end % 2];
+    if (is_edge(on_first) && is_edge(on_second)) {
+      const auto [low, high] =
+          std::minmax({edge_of(first(end), on_first), edge_of(second(end), on_second)});
+      return {low, high};
+    }
+    return is_edge(on_first) ? Meeting{edge_of(first(end), on_first), Meeting::kPlane | e.second}
+                             : Meeting{edge_of(second(end), on_second), Meeting::kPlane | e.first};
+  }
+
+  // By meeting, those of each by end.
+  void find_meetings() {
+    meetings_ = support::collect_in_order<MeetingAt>(
+        names_.ends.size(), [this](std::size_t end, std::vector<MeetingAt>& found) {
+          if (is_end(end) && names_.ends[end] == kNone) {
+            found.push_back(meeting_at(static_cast<std::uint32_t>(end), meeting(end)));
+          }
+        });
+    support::sort_by_key(
+        meetings_, kNone, [](const MeetingAt& m) { return m.hash; },
+        [](const MeetingAt& a, const MeetingAt& b) {
+          return std::tie(a.hash, a.meeting) < std::tie(b.hash, b.meeting);
+        });
+  }
+
+  // The first end of each meeting stands for the others.
+  void find_leaders() {
+    const std::vector<support::IndexRange> runs = support::ranges_of_equal(
+        meetings_, [](const MeetingAt& m) -> const Meeting& { return m.meeting; });
+    support::for_each_block(leader_.size(), [this](const support::Block& block) {
+      std::fill(leader_.begin() + static_cast<std::ptrdiff_t>(block.begin),
+                leader_.begin() + static_cast<std::ptrdiff_t>(block.end), kNone);
+    });
+    support::for_each_block(runs.size(), [&](const support::Block& block) {
+      for (std::size_t r = block.begin; r < block.end; ++r) {
+        for (std::uint32_t i = runs[r].begin; i < runs[r].end; ++i) {
+          leader_[meetings_[i].end] = meetings_[runs[r].begin].end;
+        }
+      }
+    });
+  }
+
+  void add_points() {
+    const support::Ranking leaders(leader_.size(),
+                                   [this](std::size_t end) { return leader_[end] == end; });
+    const PointId base = names_.first_new_point;
+    input_.points.add_undefined(leaders.size());
+    leaders.for_each([&](std::size_t end, std::size_t rank) {
+      names_.ends[end] = base + static_cast<PointId>(rank);
+    });
+    support::for_each_block(leader_.size(), [&](const support::Block& block) {
+      const UpwardRounding rounding;
+      for (std::size_t end = block.begin; end < block.end; ++end) {
+        if (leader_[end] == end) {
+          input_.points.define(names_.ends[end], definition(end));
+        } else if (leader_[end] != kNone) {
+          names_.ends[end] = names_.ends[leader_[end]];
+        }
+      }
+    });
+  }
+
+  [[nodiscard]] ImplicitPoint definition(std::size_t end) const {
+    const TriangleIntersection& e = encounter(end);
+    const auto [on_first, on_second, first_crosses] = e.ends[end % 2];
+    if (is_edge(on_first) && is_edge(on_second) && e.coplanar) {
+      const EdgeKey a = edge_of(first(end), on_first), b = edge_of(second(end), on_second);
+      return {ImplicitPoint::Kind::two_lines,
+              e.axis,
+              {lower_end(a), upper_end(a), lower_end(b), upper_end(b)}};
+    }
+    return is_edge(on_first) && (first_crosses || !is_edge(on_second))
+               ? lines_.piercing(edge_of(first(end), on_first), input_.support(e.second))
+               : lines_.piercing(edge_of(second(end), on_second), input_.support(e.first));
+  }
+
+  ArrangementInput& input_;
+  std::span<const TriangleIntersection> intersections_;
+  EdgeLines lines_;
+  IntersectionPoints names_;
+  std::vector<MeetingAt> meetings_;
+  support::BulkVector<std::uint32_t> leader_;  // of each end
+};
+
+}  // namespace
+
+IntersectionPoints create_intersection_points(ArrangementInput& input,
+                                              std::span<const TriangleIntersection> intersections) {
+  return Namer(input, intersections).run();
+}
+
+}  // namespace dupin::arrangement

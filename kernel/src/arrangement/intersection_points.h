@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "arrangement/edge_key.h"
+#include "arrangement/input.h"
+#include "arrangement/triangle_intersection.h"
+#include "support/bulk_vector.h"
+
+namespace dupin::arrangement {
+
+/// The edge of a triangle that a feature of it is.
+[[nodiscard]] inline EdgeKey edge_of(const Triangle& corners, Feature feature) {
+  const std::size_t i = feature - 3u;
+  return edge_key(corners[i], corners[(i + 1) % 3]);
+}
+
+/// The points at the ends of encounters.
+struct IntersectionPoints {
+  support::BulkVector<PointId> ends;  ///< two per encounter, kNone where it has no such end
+  std::vector<PointId> corners;       ///< of triangles, met by others; ascending
+  PointId first_new_point = 0;
+};
+
+/// Finds the corners at ends of encounters, and adds all other ends to the scene: one point for
+/// each pair of edges, or of an edge and a plane, that meet there, in order of first appearance.
+/// Needs UpwardRounding.
+[[nodiscard]] IntersectionPoints create_intersection_points(
+    ArrangementInput& input, std::span<const TriangleIntersection> intersections);
+
+}  // namespace dupin::arrangement

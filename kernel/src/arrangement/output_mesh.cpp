@@ -1,0 +1,404 @@
+#include "arrangement/output_mesh.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <tbb/parallel_invoke.h>
+
+#include "arrangement/non_manifold_vertices.h"
+#include "support/key_numbering.h"
+
+namespace dupin::arrangement {
+namespace {
+
+struct NearestDouble {
+  double value;
+  bool is_exact;
+};
+
+// One step of Newton's iteration from the quotient of doubles, checked: the remainder tells how far
+// the quotient is from the next double. Only near a tie, or outside of normal doubles, the slow way
+// is taken.
+NearestDouble nearest(const CGAL::Mpzf& x, const CGAL::Mpzf& w) {
+  const auto slowly = [&] {
+    const double value = mesh::nearest_double(x, w);
+    return NearestDouble{value, std::isfinite(value) && CGAL::Mpzf(value) * w == x};
+  };
+  const double weight = w.to_double();
+  double value = x.to_double() / weight;
+  if (!std::isfinite(value)) {
+    return slowly();
+  }
+  CGAL::Mpzf remainder = x - CGAL::Mpzf(value) * w;
+  if (!remainder.is_zero()) {
+    const double better = value + remainder.to_double() / weight;
+    if (better != value) {
+      value = better;
+      remainder = x - CGAL::Mpzf(value) * w;
+    }
+  }
+  if (remainder.is_zero()) {
+    return {value, true};
+  }
+  const double error = remainder.to_double() / weight;
+  const double next = std::nextafter(value, error > 0 ? HUGE_VAL : -HUGE_VAL);
+  // Conversions and the division are off by less than 2^-50 of the error.
+  const double half = std::abs(next - value) / 2 * (1 - 0x1p-48);
+  if (std::isnormal(value) && std::isnormal(error) && std::abs(error) < half) {
+    return {value, false};
+  }
+  return slowly();
+}
+
+// The point as doubles if they hold it, and the nearest ones.
+struct RoundedPoint {
+  Vec3 point = Vec3::Zero();
+  bool is_exact = true;
+};
+
+RoundedPoint rounded(const mesh::ExactPoint& exact) {
+  RoundedPoint result;
+  for (int k = 0; k < 3; ++k) {
+    const NearestDouble coordinate = nearest(exact[static_cast<std::size_t>(k)], exact[3]);
+    result.point[k] = coordinate.value;
+    result.is_exact = result.is_exact && coordinate.is_exact;
+  }
+  return result;
+}
+
+// Numbers the points in use, those that doubles hold first.
+class PointWriter {
+ public:
+  PointWriter(const ArrangementInput& input, const VertexDuplicates& duplicates,
+              const support::BulkVector<OutputTriangle>& kept, mesh::ExactMesh& mesh)
+      : input_(input),
+        umbrellas_(duplicates),
+        number_(duplicates.first_copy + duplicates.copies.size(), kNone) {
+    support::for_each_block(kept.size(), [&](const support::Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        for (const PointId id : kept[i].corners) {
+          std::atomic_ref(number_[id]).store(0, std::memory_order_relaxed);
+        }
+      }
+    });
+    std::vector<RoundedPoint> nearest = evaluate(mesh.implicit);
+    write_doubles(nearest, mesh);
+    write_others(nearest, mesh);
+  }
+  [[nodiscard]] std::uint32_t number(PointId id) const { return number_[id]; }
+
+ private:
+  [[nodiscard]] PointId original(PointId id) const {
+    return id < umbrellas_.first_copy ? id : umbrellas_.copies[id - umbrellas_.first_copy];
+  }
+  std::vector<RoundedPoint> evaluate(std::vector<mesh::ExactPoint>& exact) {
+    const PointId first = input_.points.double_count();
+    implicit_ = support::collect_in_order<PointId>(
+        number_.size() - first, [&](std::size_t i, std::vector<PointId>& found) {
+          const auto id = static_cast<PointId>(first + i);
+          if (number_[id] == 0 && !input_.points.is_double(original(id))) {
+            found.push_back(id);
+          }
+        });
+    std::vector<RoundedPoint> nearest(implicit_.size());
+    support::resize_bulk(exact, implicit_.size());
+    support::for_each_in_parallel(implicit_.size(), [&](std::size_t i) {
+      exact[i] = input_.points.exact_value(original(implicit_[i]));
+      nearest[i] = rounded(exact[i]);
+    });
+    return nearest;
+  }
+  void write_doubles(const std::vector<RoundedPoint>& nearest, mesh::ExactMesh& mesh) {
+    for (std::size_t i = 0; i < implicit_.size(); ++i) {
+      number_[implicit_[i]] = nearest[i].is_exact ? 0 : kNone;
+    }
+    const support::Ranking doubles(number_.size(),
+                                   [this](std::size_t id) { return number_[id] == 0; });
+    support::reserve_bulk(mesh.points, doubles.size() + implicit_.size());
+    mesh.points.resize(doubles.size());
+    doubles.for_each([&](std::size_t i, std::size_t number) {
+      const auto id = static_cast<PointId>(i);
+      if (const PointId original_id = original(id); input_.points.is_double(original_id)) {
+        mesh.points[number] = input_.points.coordinates(original_id);
+      } else {
+        const auto place = std::lower_bound(implicit_.begin(), implicit_.end(), id);
+        mesh.points[number] = nearest[static_cast<std::size_t>(place - implicit_.begin())].point;
+      }
+      number_[id] = static_cast<std::uint32_t>(number);
+    });
+  }
+  // Holes that points leave which doubles hold are filled from the end.
+  void write_others(std::vector<RoundedPoint>& nearest, mesh::ExactMesh& mesh) {
+    std::size_t kept = implicit_.size();
+    for (std::size_t i = 0; i < kept;) {
+      if (!nearest[i].is_exact) {
+        ++i;
+      } else if (i != --kept) {
+        mesh.implicit[i] = std::move(mesh.implicit[kept]);
+        nearest[i] = nearest[kept];
+        implicit_[i] = implicit_[kept];
+      }
+    }
+    mesh.implicit.resize(kept);
+    const std::size_t doubles = mesh.points.size();
+    mesh.points.resize(doubles + kept);
+    support::for_each_block(kept, [&](const support::Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        number_[implicit_[i]] = static_cast<std::uint32_t>(doubles + i);
+        mesh.points[doubles + i] = nearest[i].point;
+      }
+    });
+  }
+
+  const ArrangementInput& input_;
+  const VertexDuplicates& umbrellas_;
+  support::BulkVector<std::uint32_t> number_;
+  std::vector<PointId> implicit_;  // points in use that are no doubles, ascending
+};
+
+// The operands' names in one list, and each operand's labels as indices into it.
+class Labels {
+ public:
+  Labels(const ArrangementInput& input, mesh::ExactMesh& mesh) : input_(input) {
+    for (const mesh::ExactMesh* operand : input.operands) {
+      std::vector<std::uint32_t>& map = maps_.emplace_back();
+      any_ = any_ || !operand->labels.empty();
+      for (const std::string& name : operand->names) {
+        map.push_back(index(name, mesh.names));
+      }
+    }
+    if (any_) {
+      for (std::size_t o = 0; o < input.operands.size(); ++o) {
+        unlabelled_.push_back(input.operands[o]->labels.empty() ? index("", mesh.names) : kNone);
+      }
+    }
+  }
+  [[nodiscard]] bool any() const { return any_; }
+  [[nodiscard]] std::uint32_t label(const Source& source) const {
+    const mesh::ExactMesh& operand = *input_.operands[source.operand];
+    return operand.labels.empty() ? unlabelled_[source.operand]
+                                  : maps_[source.operand][operand.labels[source.triangle]];
+  }
+
+ private:
+  std::uint32_t index(const std::string& name, std::vector<std::string>& names) {
+    const auto [place, is_new] = known_.emplace(name, static_cast<std::uint32_t>(names.size()));
+    if (is_new) {
+      names.push_back(name);
+    }
+    return place->second;
+  }
+
+  const ArrangementInput& input_;
+  bool any_ = false;
+  std::map<std::string, std::uint32_t> known_;
+  std::vector<std::vector<std::uint32_t>> maps_;
+  std::vector<std::uint32_t> unlabelled_;
+};
+
+// Keeps the planes of triangles with implicit corners.
+void write_planes(const ArrangementInput& input, const support::BulkVector<OutputTriangle>& kept,
+                  mesh::ExactMesh& mesh) {
+  if (mesh.implicit.empty()) {
+    return;
+  }
+  support::resize_bulk(mesh.plane_of, kept.size());
+  const auto collect = [&, first_implicit = mesh.double_count()](
+                           std::size_t i, std::vector<std::uint32_t>& found) {
+    mesh.plane_of[i] = mesh::ExactMesh::kOwnPlane;
+    const Triangle &corners = mesh.triangles[i], &support = input.support(kept[i].support);
+    const auto is_implicit = [&](std::uint32_t c) { return c >= first_implicit; };
+    const auto is_known = [&](PointId id) { return input.points.is_double(id); };
+    if (std::any_of(corners.begin(), corners.end(), is_implicit) &&
+        std::all_of(support.begin(), support.end(), is_known)) {
+      found.push_back(static_cast<std::uint32_t>(i));
+    }
+  };
+  const auto with_planes = support::collect_in_order<std::uint32_t>(kept.size(), collect);
+  support::KeyNumbering known(0);
+  std::uint32_t previous = with_planes.empty() ? 0 : with_planes.front();
+  for (const std::uint32_t i : with_planes) {
+    const bool reversed = kept[i].reversed;
+    // Pieces of one triangle follow one another.
+    if (i != previous && kept[i].support == kept[previous].support &&
+        reversed == kept[previous].reversed) {
+      mesh.plane_of[i] = mesh.plane_of[previous];
+      continue;
+    }
+    previous = i;
+    const Triangle& support = input.support(kept[i].support);
+    mesh.plane_of[i] = known.number({std::uint64_t{support[0]} << 32 | support[1],
+                                     std::uint64_t{support[2]} << 1 | std::uint64_t{reversed}});
+    if (mesh.plane_of[i] == mesh.planes.size()) {
+      const std::size_t second = reversed ? 2 : 1, third = reversed ? 1 : 2;
+      mesh.planes.push_back({input.points.coordinates(support[0]),
+                             input.points.coordinates(support[second]),
+                             input.points.coordinates(support[third])});
+    }
+  }
+}
+
+// Whose a triangle is, quick for triangles in order.
+class OperandOf {
+ public:
+  explicit OperandOf(const ArrangementInput& input) : input_(input) {}
+  [[nodiscard]] std::uint32_t operator()(std::uint32_t t) {
+    if (t < input_.first_triangle[last_] || t >= input_.first_triangle[last_ + 1]) {
+      last_ = input_.operand_of(t);
+    }
+    return last_;
+  }
+
+ private:
+  const ArrangementInput& input_;
+  std::uint32_t last_ = 0;
+};
+
+void write_triangles(const ArrangementInput& input, const support::BulkVector<OutputTriangle>& kept,
+                     const PointWriter& points, const Labels& labels, mesh::ExactMesh& mesh) {
+  tbb::parallel_invoke([&] { support::resize_bulk(mesh.triangles, kept.size()); },
+                       [&] { support::resize_bulk(mesh.sources, kept.size()); },
+                       [&] { support::resize_bulk(mesh.labels, labels.any() ? kept.size() : 0); });
+  support::for_each_block(kept.size(), [&](const support::Block& block) {
+    OperandOf operand_of(input);
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const OutputTriangle& k = kept[i];
+      mesh.triangles[i] = {points.number(k.corners[0]), points.number(k.corners[1]),
+                           points.number(k.corners[2])};
+      const std::uint32_t operand = operand_of(k.source);
+      mesh.sources[i] = {operand, k.source - input.first_triangle[operand]};
+      if (labels.any()) {
+        mesh.labels[i] = labels.label(mesh.sources[i]);
+      }
+    }
+  });
+}
+
+bool same_corners(const Triangle& a, Triangle b, bool reversed) {
+  if (reversed) {
+    std::swap(b[1], b[2]);
+  }
+  return a == b;
+}
+
+// Triangles left whole stay in the classes that their operands have them in. Not so at contacts,
+// where points have copies.
+void write_stable_classes(const ArrangementInput& input,
+                          const support::BulkVector<OutputTriangle>& kept, mesh::ExactMesh& mesh) {
+  std::vector<std::uint32_t> first_class;
+  for (const mesh::ExactMesh* operand : input.operands) {
+    const auto& classes = operand->stable.classes;
+    first_class.push_back(static_cast<std::uint32_t>(mesh.stable.classes.size()));
+    mesh.stable.classes.insert(mesh.stable.classes.end(), classes.begin(), classes.end());
+  }
+  if (mesh.stable.classes.empty() || !mesh.contacts.empty()) {
+    mesh.stable = {};
+    return;
+  }
+  support::resize_bulk(mesh.stable.of_triangle, kept.size());
+  support::for_each_block(kept.size(), [&](const support::Block& block) {
+    OperandOf operand_of(input);
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const auto& [corners, t, reversed, source] = kept[i];
+      const std::uint32_t operand = operand_of(t);
+      const std::vector<std::uint32_t>& classes = input.operands[operand]->stable.of_triangle;
+      const bool is_whole = same_corners(corners, input.triangles[t], reversed);
+      const std::uint32_t own = is_whole && !classes.empty()
+                                    ? classes[t - input.first_triangle[operand]]
+                                    : mesh::StableFaceGroups::kNone;
+      mesh.stable.of_triangle[i] =
+          own == mesh::StableFaceGroups::kNone ? own : first_class[operand] + own;
+    }
+  });
+}
+
+// The source agrees in orientation where there is a choice.
+std::uint32_t source_of(std::span<const SignedTriangle> cover, int selected) {
+  const auto agrees = [selected](const SignedTriangle& t) { return t.sign == selected; };
+  const auto place = std::find_if(cover.begin(), cover.end(), agrees);
+  return place != cover.end() ? place->triangle : cover.front().triangle;
+}
+
+OutputTriangle kept_face(Triangle corners, std::uint32_t support, int selected,
+                         std::uint32_t source) {
+  if (selected < 0) {
+    std::swap(corners[1], corners[2]);
+  }
+  return {corners, support, selected < 0, source};
+}
+
+OutputTriangle kept_triangle(const ArrangementInput& input, std::uint32_t t, int selected) {
+  const std::uint32_t source = selected < 0 ? source_of(input.cover(t), selected) : t;
+  return kept_face(input.triangles[t], t, selected, source);
+}
+
+OutputTriangle kept_piece(const Subdivision& pieces, std::uint32_t p, int selected) {
+  const Subdivision::SubTriangle& piece = pieces.pieces[p];
+  return kept_face(piece.corners, pieces.regions[piece.region].support, selected,
+                   source_of(pieces.cover(piece.region), selected));
+}
+
+void write_contacts(const VertexDuplicates& duplicates, const PointWriter& points,
+                    mesh::ExactMesh& mesh) {
+  for (const Touch& touch : duplicates.touches) {
+    const bool is_vertex = touch.from == touch.to;
+    std::set<std::string> names;
+    for (const std::uint32_t face : touch.faces) {
+      if (!mesh.labels.empty()) {
+        names.insert(mesh.names[mesh.labels[face]]);
+      }
+    }
+    mesh.contacts.push_back({is_vertex ? Contact::Kind::vertex : Contact::Kind::edge,
+                             mesh.points[points.number(touch.from)],
+                             mesh.points[points.number(touch.to)],
+                             {names.begin(), names.end()}});
+  }
+}
+
+}  // namespace
+
+support::BulkVector<OutputTriangle> collect_output_triangles(
+    const ArrangementInput& input, const Constraints& constraints, const Subdivision& pieces,
+    const ManifoldPatches& patches, const std::vector<std::int8_t>& selection) {
+  const auto count = static_cast<std::uint32_t>(input.triangles.size());
+  support::BulkVector<std::int8_t> selected(count + pieces.pieces.size());
+  support::for_each_block(selected.size(), [&](const support::Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const auto t = static_cast<std::uint32_t>(i);
+      if (t >= count) {
+        selected[i] = selection[patches.of_region(pieces.pieces[t - count].region)];
+      } else {
+        selected[i] = constraints.touched[t] || input.merged[t] ? std::int8_t{0}
+                                                                : selection[patches.of_triangle(t)];
+      }
+    }
+  });
+  const support::Ranking ranking(selected.size(), [&](std::size_t i) { return selected[i] != 0; });
+  support::BulkVector<OutputTriangle> kept(ranking.size());
+  ranking.for_each([&](std::size_t i, std::size_t rank) {
+    const auto t = static_cast<std::uint32_t>(i);
+    kept[rank] = t < count ? kept_triangle(input, t, selected[i])
+                           : kept_piece(pieces, t - count, selected[i]);
+  });
+  return kept;
+}
+
+mesh::ExactMesh extract(ArrangementInput& input, support::BulkVector<OutputTriangle> kept) {
+  const VertexDuplicates duplicates = [&] {
+    const UpwardRounding rounding;
+    return duplicate_non_manifold_vertices(input, kept);
+  }();
+  mesh::ExactMesh mesh;
+  const PointWriter points(input, duplicates, kept, mesh);
+  const Labels labels(input, mesh);
+  write_triangles(input, kept, points, labels, mesh);
+  write_planes(input, kept, mesh);
+  write_contacts(duplicates, points, mesh);
+  write_stable_classes(input, kept, mesh);
+  return mesh;
+}
+
+}  // namespace dupin::arrangement

@@ -1,0 +1,102 @@
+#include "arrangement/subdivision.h"
+
+#include <algorithm>
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include "arrangement/face_triangulator.h"
+#include "support/blocks.h"
+
+namespace dupin::arrangement {
+namespace {
+
+// Adds the new points of a batch to the scene; their ids, each place's first.
+std::vector<PointId> add_new_points(ArrangementInput& input, CoincidentPointIndex& places,
+                                    FaceSubdivision& batch) {
+  std::vector<PointId> ids;
+  for (ConstrainedTriangulation::NewPoint& point : batch.new_points) {
+    const PointId id = input.points.add(std::move(point));
+    const PointId first = places.first_at_place_of(id);
+    if (first != id) {
+      input.points.remove_last();
+    }
+    ids.push_back(first);
+  }
+  return ids;
+}
+
+// Where the pieces of a batch go.
+struct Offsets {
+  std::uint32_t piece = 0, region = 0, cover = 0;
+};
+
+void copy_pieces(const FaceSubdivision& batch, const std::vector<PointId>& new_ids,
+                 const Offsets& offsets, Subdivision& result) {
+  const Subdivision& local = batch.local;
+  for (std::size_t i = 0; i < local.pieces.size(); ++i) {
+    Subdivision::SubTriangle& piece = result.pieces[offsets.piece + i] = local.pieces[i];
+    for (PointId& id : piece.corners) {
+      id = id < ConstrainedTriangulation::kNewPoint
+               ? id
+               : new_ids[id - ConstrainedTriangulation::kNewPoint];
+    }
+    piece.region += offsets.region;
+  }
+  for (std::size_t i = 0; i < local.regions.size(); ++i) {
+    Subdivision::Region& region = result.regions[offsets.region + i] = local.regions[i];
+    region.first_cover += offsets.cover;
+    region.end_cover += offsets.cover;
+  }
+  std::copy(local.covers.begin(), local.covers.end(), result.covers.begin() + offsets.cover);
+}
+
+// Puts the batches behind one another, in order.
+Subdivision joined(ArrangementInput& input, CoincidentPointIndex& places,
+                   std::vector<FaceSubdivision> batches) {
+  std::vector<std::vector<PointId>> new_ids;
+  std::vector<Offsets> offsets;
+  Offsets next;
+  for (FaceSubdivision& batch : batches) {
+    new_ids.push_back(add_new_points(input, places, batch));
+    offsets.push_back(next);
+    next.piece += static_cast<std::uint32_t>(batch.local.pieces.size());
+    next.region += static_cast<std::uint32_t>(batch.local.regions.size());
+    next.cover += static_cast<std::uint32_t>(batch.local.covers.size());
+  }
+  Subdivision result;
+  result.pieces.resize(next.piece);
+  result.regions.resize(next.region);
+  result.covers.resize(next.cover);
+  support::for_each_in_parallel(batches.size(), [&](std::size_t b) {
+    copy_pieces(batches[b], new_ids[b], offsets[b], result);
+    batches[b] = {};
+  });
+  return result;
+}
+
+}  // namespace
+
+Subdivision retriangulate(ArrangementInput& input, const BooleanRule& rule,
+                          Constraints& constraints, const support::ProgressStage& stage) {
+  constexpr std::size_t kBatch = 32;
+  const std::size_t count = constraints.face_count();
+  std::vector<FaceSubdivision> batches(support::block_count(count, kBatch));
+  tbb::enumerable_thread_specific<FaceTriangulator> triangulators(
+      [&] { return FaceTriangulator(input, rule, constraints); });
+  support::for_each_block(
+      count,
+      [&](const support::Block& block) {
+        const UpwardRounding rounding;
+        FaceTriangulator& triangulator = triangulators.local();
+        for (std::size_t i = block.begin; i < block.end; ++i) {
+          triangulator.append(constraints.face(i), batches[block.number]);
+        }
+        stage.step(batches.size());
+      },
+      kBatch);
+  Subdivision pieces = joined(input, *constraints.places, std::move(batches));
+  input.special.resize(input.points.size(), 1);
+  return pieces;
+}
+
+}  // namespace dupin::arrangement

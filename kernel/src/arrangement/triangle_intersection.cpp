@@ -1,0 +1,181 @@
+#include "arrangement/triangle_intersection.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "arrangement/coplanar_intersection.h"
+#include "arrangement/implicit_predicates.h"
+
+namespace dupin::arrangement {
+namespace {
+
+using Signs = std::array<int, 3>;
+
+// The line common to both planes runs in direction D = n x u, n the normal of the first triangle
+// and u pointing within its plane to the front of the second. An end of a triangle's interval on
+// that line is where a segment from `plus` (in front of the other plane or on it) to `minus`
+// (behind or on) meets it.
+struct IntervalEnd {
+  Feature feature = kInside;
+  PointId plus = kNone, minus = kNone;
+};
+
+struct IntervalOnLine {
+  IntervalEnd low, high;
+  Feature between = kInside;  // feature of points strictly between the ends
+};
+
+bool one_sided(const Signs& s) { return s[0] == s[1] && s[1] == s[2] && s[0] != 0; }
+
+Signs sides(const ArrangementInput& input, std::uint32_t triangle, std::uint32_t plane) {
+  const Triangle& corners = input.triangles[triangle];
+  const Triangle& others = input.triangles[plane];
+  const Triangle& support = input.support(plane);
+  Signs s{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool shared = std::find(others.begin(), others.end(), corners[k]) != others.end();
+    s[k] = shared ? 0 : side_of_plane(input.points, support[0], support[1], support[2], corners[k]);
+  }
+  return s;
+}
+
+IntervalEnd corner_end(const Triangle& corners, const Signs& s, std::size_t k) {
+  std::size_t off = 0;  // a corner off the line, which exists as the planes differ
+  while (s[off] == 0) {
+    ++off;
+  }
+  return s[off] > 0 ? IntervalEnd{static_cast<Feature>(k), corners[off], corners[k]}
+                    : IntervalEnd{static_cast<Feature>(k), corners[k], corners[off]};
+}
+
+// Walking counter-clockwise, the boundary of the first triangle comes down from the front of the
+// other plane at the high end; that of the second, for which D has the opposite sense, at the low.
+IntervalOnLine interval(const Triangle& corners, const Signs& s, bool is_first) {
+  IntervalOnLine result;
+  const auto set = [&](int change, const IntervalEnd& end) {
+    if (change >= 0) {
+      (is_first ? result.high : result.low) = end;
+    }
+    if (change <= 0) {
+      (is_first ? result.low : result.high) = end;
+    }
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3, previous = (k + 2) % 3;
+    if (s[k] == 0) {
+      set(s[previous] - s[next], corner_end(corners, s, k));
+      if (s[next] == 0) {
+        result.between = edge_feature(static_cast<int>(k));
+      }
+    } else if (s[k] * s[next] < 0) {
+      const Feature edge = edge_feature(static_cast<int>(k));
+      set(s[k], s[k] > 0 ? IntervalEnd{edge, corners[k], corners[next]}
+                         : IntervalEnd{edge, corners[next], corners[k]});
+    }
+  }
+  return result;
+}
+
+// The sign of y - x along D; x ends the first triangle's interval, y the second's.
+int order(const PointTable& points, const IntervalEnd& x, const IntervalEnd& y) {
+  return side_of_plane(points, x.plus, x.minus, y.plus, y.minus);
+}
+
+void report(std::uint32_t first, std::uint32_t second, TriangleIntersection::End low,
+            TriangleIntersection::End high, bool is_point,
+            std::vector<TriangleIntersection>& intersections) {
+  if (is_point && is_corner(low.on_first) && is_corner(low.on_second)) {
+    return;
+  }
+  intersections.push_back(
+      {first,
+       second,
+       is_point ? TriangleIntersection::Kind::point : TriangleIntersection::Kind::segment,
+       false,
+       0,
+       {low, high}});
+}
+
+void meet_across(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
+                 const Signs& first_sides, const Signs& second_sides,
+                 std::vector<TriangleIntersection>& intersections) {
+  const IntervalOnLine a = interval(input.triangles[first], first_sides, true);
+  const IntervalOnLine b = interval(input.triangles[second], second_sides, false);
+  const PointTable& points = input.points;
+  const int a_high_to_b_low = order(points, a.high, b.low);
+  if (a_high_to_b_low > 0) {
+    return;
+  }
+  const int a_low_to_b_high = order(points, a.low, b.high);
+  if (a_low_to_b_high < 0) {
+    return;
+  }
+  if (a_high_to_b_low == 0) {
+    const TriangleIntersection::End end{a.high.feature, b.low.feature};
+    return report(first, second, end, end, true, intersections);
+  }
+  if (a_low_to_b_high == 0) {
+    const TriangleIntersection::End end{a.low.feature, b.high.feature};
+    return report(first, second, end, end, true, intersections);
+  }
+  const int low = order(points, a.low, b.low), high = order(points, a.high, b.high);
+  const TriangleIntersection::End from{low > 0 ? a.between : a.low.feature,
+                                       low < 0 ? b.between : b.low.feature, low <= 0};
+  const TriangleIntersection::End to{high < 0 ? a.between : a.high.feature,
+                                     high > 0 ? b.between : b.high.feature, high >= 0};
+  const bool is_point = a.low.feature == a.high.feature || b.low.feature == b.high.feature;
+  const bool is_common_edge = is_corner(from.on_first) && is_corner(from.on_second) &&
+                              is_corner(to.on_first) && is_corner(to.on_second);
+  if (!is_common_edge) {
+    report(first, second, from, to, is_point, intersections);
+  }
+}
+
+}  // namespace
+
+bool on_common_edge(Feature a, Feature b) {
+  for (Feature edge = 3; edge < kInside; ++edge) {
+    const auto on_edge = [edge](Feature f) {
+      return f == edge || f == edge - 3 || f == (edge - 2) % 3;
+    };
+    if (on_edge(a) && on_edge(b)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void intersect(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
+               std::vector<TriangleIntersection>& intersections) {
+  const Signs first_sides = sides(input, first, second);
+  if (one_sided(first_sides)) {
+    return;
+  }
+  if (first_sides == Signs{0, 0, 0}) {
+    return intersect_coplanar(input, first, second, intersections);
+  }
+  const Signs second_sides = sides(input, second, first);
+  if (!one_sided(second_sides)) {
+    meet_across(input, first, second, first_sides, second_sides, intersections);
+  }
+}
+
+Projection projection_of(const PointTable& points, const Triangle& support) {
+  const Vec3 a = points.approximation(support[0]);
+  const Vec3 normal =
+      (points.approximation(support[1]) - a).cross(points.approximation(support[2]) - a);
+  std::array<int, 3> axes{0, 1, 2};
+  std::stable_sort(axes.begin(), axes.end(),
+                   [&](int i, int j) { return std::abs(normal[i]) > std::abs(normal[j]); });
+  for (const int axis : axes) {
+    const int orientation = turn(points, support[0], support[1], support[2], axis);
+    if (orientation != 0) {
+      return {axis, orientation};
+    }
+  }
+  assert(!"a degenerate triangle");
+  return {};
+}
+
+}  // namespace dupin::arrangement

@@ -1,0 +1,121 @@
+#include "dupin/kernel/boolean.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+#include "booleans/combine.h"
+#include "dupin/kernel/error.h"
+#include "mesh/exact_mesh.h"
+#include "support/text.h"
+
+namespace dupin {
+namespace {
+
+using mesh::ExactMesh;
+
+void refuse_contacts(const ExactMesh& result) {
+  if (result.contacts.empty()) {
+    return;
+  }
+  const Contact& first = result.contacts.front();
+  throw Error(Errc::contact,
+              "the result touches itself in " + std::to_string(result.contacts.size()) +
+                  (result.contacts.size() == 1 ? " place" : " places") + ", first at " +
+                  support::text(first.from),
+              first.names.empty() ? "" : first.names.front());
+}
+
+ExactMesh arranged(std::span<const Solid> operands, const arrangement::BooleanRule& rule,
+                   const BooleanOptions& options) {
+  std::vector<const ExactMesh*> meshes;
+  meshes.reserve(operands.size());
+  for (const Solid& operand : operands) {
+    meshes.push_back(&operand.exact());
+  }
+  ExactMesh result = arrangement::arrange(meshes, rule, options.progress, options.memory_limit);
+  if (options.contacts == ContactPolicy::refuse) {
+    refuse_contacts(result);
+  }
+  return result;
+}
+
+// -1, 0 or 1.
+int compare(const mesh::ExactPoint& a, const mesh::ExactPoint& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (const auto sign = (a[k] - b[k]).sign(); sign != 0) {
+      return static_cast<int>(sign);
+    }
+  }
+  return 0;
+}
+
+// Whether the first mesh comes before the second, by what they are alone.
+bool precedes(const ExactMesh& a, const ExactMesh& b) {
+  if (&a == &b) {
+    return false;
+  }
+  const auto before = [](const Vec3& p, const Vec3& q) {
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  };
+  const auto [p, q] =
+      std::mismatch(a.points.begin(), a.points.end(), b.points.begin(), b.points.end());
+  if (p != a.points.end() || q != b.points.end()) {
+    return q != b.points.end() && (p == a.points.end() || before(*p, *q));
+  }
+  if (a.triangles != b.triangles) {
+    return a.triangles < b.triangles;
+  }
+  for (std::size_t i = 0; i < std::min(a.implicit.size(), b.implicit.size()); ++i) {
+    if (const int order = compare(a.implicit[i], b.implicit[i]); order != 0) {
+      return order < 0;
+    }
+  }
+  return std::tie(a.labels, a.names) < std::tie(b.labels, b.names);
+}
+
+// The operation on operands of which those from `first_alike` on may be exchanged: in an order that
+// does not depend on theirs, so that the result does not either.
+Solid combine_alike(std::span<const Solid> operands, std::size_t first_alike,
+                    const arrangement::BooleanRule& rule, const BooleanOptions& options) {
+  std::vector<std::uint32_t> order(operands.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(std::min(first_alike, order.size())),
+                   order.end(), [&](std::uint32_t i, std::uint32_t j) {
+                     return precedes(operands[i].exact(), operands[j].exact());
+                   });
+  std::vector<Solid> sorted;
+  sorted.reserve(order.size());
+  for (const std::uint32_t i : order) {
+    sorted.push_back(operands[i]);
+  }
+  ExactMesh result = arranged(sorted, rule, options);
+  for (Source& source : result.sources) {
+    source.operand = order[source.operand];
+  }
+  return Solid(std::make_shared<const ExactMesh>(std::move(result)));
+}
+
+}  // namespace
+
+Solid booleans::combine(std::span<const Solid> operands, const arrangement::BooleanRule& rule,
+                        const BooleanOptions& options) {
+  return Solid(std::make_shared<const mesh::ExactMesh>(arranged(operands, rule, options)));
+}
+
+Solid unite(std::span<const Solid> operands, const BooleanOptions& options) {
+  return combine_alike(operands, 0, arrangement::union_rule(operands.size()), options);
+}
+
+Solid intersect(std::span<const Solid> operands, const BooleanOptions& options) {
+  return combine_alike(operands, 0, arrangement::intersection_rule(operands.size()), options);
+}
+
+Solid subtract(const Solid& from, std::span<const Solid> operands, const BooleanOptions& options) {
+  std::vector<Solid> all = {from};
+  all.insert(all.end(), operands.begin(), operands.end());
+  return combine_alike(all, 1, arrangement::difference_rule(all.size()), options);
+}
+
+}  // namespace dupin

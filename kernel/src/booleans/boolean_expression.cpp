@@ -1,0 +1,182 @@
+#include "dupin/kernel/boolean_expression.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "booleans/combine.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin {
+namespace {
+
+bool is_name_character(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+}
+
+std::string quoted(const std::string& name) {
+  const bool is_plain = !name.empty() && std::all_of(name.begin(), name.end(), is_name_character);
+  return is_plain ? name : '"' + name + '"';
+}
+
+// Deeper nesting than anybody writes, and far less than the stack holds.
+constexpr int kDeepest = 1000;
+
+}  // namespace
+
+class Expression::Parser {
+ public:
+  explicit Parser(std::string_view text) : text_(text) {}
+
+  Expression run() {
+    sum();
+    if (peek() != '\0') {
+      fail(std::string("'+', '-', '&' or the end is expected, not '") + peek() + "'");
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const {
+    throw Error(Errc::parse_failed, "in the expression \"" + std::string(text_) + "\": " + message,
+                {}, std::to_string(at_ + 1));
+  }
+  char peek() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) {
+      ++at_;
+    }
+    return at_ < text_.size() ? text_[at_] : '\0';
+  }
+  void sum() {
+    product();
+    for (char c = peek(); c == '+' || c == '-'; c = peek()) {
+      ++at_;
+      product();
+      result_.steps_.push_back({c == '+' ? Kind::unite : Kind::subtract, 0});
+    }
+  }
+  void product() {
+    term();
+    while (peek() == '&') {
+      ++at_;
+      term();
+      result_.steps_.push_back({Kind::intersect, 0});
+    }
+  }
+  void term() {
+    const char c = peek();
+    if (c == '(') {
+      if (++depth_ > kDeepest) {
+        fail("parentheses are nested more than " + std::to_string(kDeepest) + " deep");
+      }
+      ++at_;
+      sum();
+      if (peek() != ')') {
+        fail("')' is expected");
+      }
+      ++at_;
+      --depth_;
+    } else if (c == '"') {
+      const std::size_t end = text_.find('"', at_ + 1);
+      if (end == std::string_view::npos) {
+        fail("the quoted name does not end");
+      }
+      operand(text_.substr(at_ + 1, end - at_ - 1));
+      at_ = end + 1;
+    } else if (is_name_character(c)) {
+      const std::size_t begin = at_;
+      while (at_ < text_.size() && is_name_character(text_[at_])) {
+        ++at_;
+      }
+      operand(text_.substr(begin, at_ - begin));
+    } else {
+      fail(c == '\0' ? "an operand is expected at the end"
+                     : std::string("an operand is expected, not '") + c + "'");
+    }
+  }
+  void operand(std::string_view name) {
+    auto& names = result_.names_;
+    const auto place = std::find(names.begin(), names.end(), name);
+    result_.steps_.push_back({Kind::operand, static_cast<std::uint32_t>(place - names.begin())});
+    if (place == names.end()) {
+      names.emplace_back(name);
+    }
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+  Expression result_;
+};
+
+Expression Expression::parse(std::string_view text) { return Parser(text).run(); }
+
+std::string Expression::text() const {
+  struct Part {
+    std::string text;
+    Kind kind;
+  };
+  const auto enclosed = [](const Part& part, bool needed) {
+    return needed ? '(' + part.text + ')' : part.text;
+  };
+  const auto is_sum = [](const Part& part) {
+    return part.kind == Kind::unite || part.kind == Kind::subtract;
+  };
+  std::vector<Part> stack;
+  for (const Step& step : steps_) {
+    if (step.kind == Kind::operand) {
+      stack.push_back({quoted(names_[step.operand]), step.kind});
+      continue;
+    }
+    const Part right = std::move(stack.back());
+    stack.pop_back();
+    Part& left = stack.back();
+    const bool is_product = step.kind == Kind::intersect;
+    const char sign = is_product ? '&' : step.kind == Kind::unite ? '+' : '-';
+    left = {enclosed(left, is_product && is_sum(left)) + ' ' + sign + ' ' +
+                enclosed(right, is_sum(right) || (is_product && right.kind == Kind::intersect)),
+            step.kind};
+  }
+  return stack.empty() ? std::string() : stack.back().text;
+}
+
+bool Expression::contains(const std::vector<bool>& inside) const {
+  std::vector<bool> stack;
+  for (const Step& step : steps_) {
+    if (step.kind == Kind::operand) {
+      stack.push_back(inside.at(step.operand));
+      continue;
+    }
+    const bool right = stack.back();
+    stack.pop_back();
+    const bool left = stack.back();
+    stack.back() = step.kind == Kind::unite       ? left || right
+                   : step.kind == Kind::intersect ? left && right
+                                                  : left && !right;
+  }
+  return !stack.empty() && stack.back();
+}
+
+Solid evaluate(const Expression& expression, const std::map<std::string, Solid>& operands,
+               const BooleanOptions& options) {
+  std::vector<Solid> solids;
+  arrangement::BooleanRule rule;
+  for (const std::string& name : expression.names()) {
+    const auto place = operands.find(name);
+    if (place == operands.end()) {
+      throw Error(Errc::invalid_argument,
+                  "the expression names an operand that is not given: '" + name + "'", name);
+    }
+    solids.push_back(place->second);
+    rule.group_of_operand.push_back(rule.groups++);
+  }
+  rule.inside = [&expression](std::span<const int> counts) {
+    std::vector<bool> inside;
+    for (const int count : counts) {
+      inside.push_back(count > 0);
+    }
+    return expression.contains(inside);
+  };
+  return booleans::combine(solids, rule, options);
+}
+
+}  // namespace dupin

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+
+#include "arrangement/arrange.h"
+#include "dupin/kernel/boolean.h"
+
+namespace dupin::booleans {
+
+/// arrange() for solids, with the policies of the options.
+[[nodiscard]] Solid combine(std::span<const Solid> operands, const arrangement::BooleanRule& rule,
+                            const BooleanOptions& options);
+
+}  // namespace dupin::booleans

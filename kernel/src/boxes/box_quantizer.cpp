@@ -1,0 +1,78 @@
+#include "boxes/box_quantizer.h"
+
+#include <cmath>
+#include <limits>
+
+#include "boxes/main_directions.h"
+#include "support/blocks.h"
+
+namespace dupin::boxes {
+namespace {
+
+/// Rounding to floats is monotone, but the products before it err, by less than 2^-48. Two ulps of
+/// floats below 1, one of which is lost where they are added, are more than that.
+constexpr float kRounding = 0x1p-23F;
+
+}  // namespace
+
+bool Box::contains(const Box& other) const {
+  for (int k = 0; k < 3; ++k) {
+    if (other.low[k] < low[k] || high[k] < other.high[k]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Box Box::nothing() {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+}
+
+BoxQuantizer::BoxQuantizer(std::span<const Vec3> points) : middle_(Vec3::Zero()), scale_(1) {
+  if (points.empty()) {
+    return;
+  }
+  Vec3 low = points[0], high = points[0];
+  for (const Vec3& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  middle_ = low / 2 + high / 2;
+  const double reach = (high / 2 - low / 2).maxCoeff();
+  if (reach > 0) {
+    // std::logb(reach) < log2(reach) + 1: the mapped points stay within (-1, 1).
+    scale_ = std::exp2(std::clamp(-std::logb(reach) - 1, -1000.0, 1000.0));
+  }
+}
+
+BoxQuantizer::BoxQuantizer(std::span<const Vec3> points, std::span<const Triangle> triangles)
+    : BoxQuantizer(points) {
+  axes_ = main_directions(points, triangles);
+  if (axes_) {
+    scale_ /= 2;  // a point is at most sqrt(3) times as far from the middle along another axis
+    rounding_ = kRounding;
+  }
+}
+
+support::BulkVector<FramedPoint> BoxQuantizer::map(std::span<const Vec3> points) const {
+  support::BulkVector<FramedPoint> mapped(points.size());
+  support::for_each_block(points.size(), [&](const support::Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      mapped[i] = map(points[i]);
+    }
+  });
+  return mapped;
+}
+
+Box BoxQuantizer::around(const FramedTriangle& triangle, double margin) const {
+  const float more = static_cast<float>(margin * scale_) + 2 * kRounding;
+  Box box = around(triangle);
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] -= more;
+    box.high[k] += more;
+  }
+  return box;
+}
+
+}  // namespace dupin::boxes

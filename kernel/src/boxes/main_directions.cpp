@@ -1,0 +1,102 @@
+#include "boxes/main_directions.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace dupin::boxes {
+namespace {
+
+/// Some triangles, evenly spread over the mesh.
+std::vector<std::array<Vec3, 3>> sample(std::span<const Vec3> points,
+                                        std::span<const Triangle> triangles) {
+  constexpr std::size_t kMost = 1024, kOneIn = 16;
+  const std::size_t count = std::min(kMost, triangles.size() / kOneIn);
+  std::vector<std::array<Vec3, 3>> some;
+  some.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [a, b, c] = triangles[i * triangles.size() / count];
+    some.push_back({points[a], points[b], points[c]});
+  }
+  return some;
+}
+
+Vec3 longest_edge(const std::array<Vec3, 3>& t) {
+  const std::array<Vec3, 3> edges = {t[1] - t[0], t[2] - t[1], t[0] - t[2]};
+  return *std::ranges::max_element(edges, {}, [](const Vec3& e) { return e.squaredNorm(); });
+}
+
+/// The sum of vectors nearly along `direction`, either way round.
+Vec3 sum_along(const std::vector<Vec3>& vectors, const Vec3& direction) {
+  constexpr double kNearly = 0.998;  // square of the cosine of 2.6 degrees
+  const double least = kNearly * direction.squaredNorm();
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& vector : vectors) {
+    const double along = vector.dot(direction);
+    if (along * along >= least * vector.squaredNorm()) {
+      sum += along < 0 ? Vec3(-vector) : vector;
+    }
+  }
+  return sum;
+}
+
+/// Along most of the vectors, by length; zero if all are.
+Vec3 main_direction(const std::vector<Vec3>& vectors) {
+  constexpr std::size_t kCandidates = 32;
+  Vec3 best = Vec3::Zero();
+  const std::size_t count = std::min(kCandidates, vectors.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 sum = sum_along(vectors, vectors[i * vectors.size() / count]);
+    best = sum.squaredNorm() > best.squaredNorm() ? sum : best;
+  }
+  return sum_along(vectors, best).normalized();  // normalized() leaves zero as it is
+}
+
+/// Half the surface of the boxes along the axes, in all.
+double box_surface(const std::vector<std::array<Vec3, 3>>& some, const Eigen::Matrix3d& axes) {
+  double sum = 0;
+  for (const auto& t : some) {
+    const Vec3 a = axes * t[0], b = axes * t[1], c = axes * t[2];
+    const Vec3 size = a.cwiseMax(b).cwiseMax(c) - a.cwiseMin(b).cwiseMin(c);
+    sum += size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+  }
+  return sum;
+}
+
+}  // namespace
+
+Eigen::Matrix3d orthonormal(const Vec3& first, const Vec3& second) {
+  Eigen::Matrix3d axes;
+  const Vec3 a = first.normalized();
+  Vec3 b = second - second.dot(a) * a;
+  b.normalize();
+  b = (b - b.dot(a) * a).normalized();
+  axes << a.transpose(), b.transpose(), a.cross(b).transpose();
+  return axes;
+}
+
+std::optional<Eigen::Matrix3d> main_directions(std::span<const Vec3> points,
+                                               std::span<const Triangle> triangles) {
+  constexpr double kMuchLess = 0.75;
+  const auto some = sample(points, triangles);
+  std::vector<Vec3> edges;
+  edges.reserve(some.size());
+  for (const auto& t : some) {
+    edges.push_back(longest_edge(t));
+  }
+  const Vec3 first = main_direction(edges);
+  for (Vec3& edge : edges) {
+    edge -= edge.dot(first) * first;
+  }
+  const Eigen::Matrix3d axes = orthonormal(first, main_direction(edges));
+  const bool are_found = axes.row(0).squaredNorm() > 0.5 && axes.row(1).squaredNorm() > 0.5;
+  if (are_found &&
+      box_surface(some, axes) < kMuchLess * box_surface(some, Eigen::Matrix3d::Identity())) {
+    return axes;
+  }
+  return std::nullopt;
+}
+
+}  // namespace dupin::boxes

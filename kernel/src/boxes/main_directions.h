@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "dupin/kernel/mesh.h"
+
+namespace dupin::boxes {
+
+/// Unit rows, orthogonal to a few units in the last place, near the given first two directions.
+[[nodiscard]] Eigen::Matrix3d orthonormal(const Eigen::Vector3d& first,
+                                          const Eigen::Vector3d& second);
+
+/// Orthonormal axes, but for rounding, as rows, along which boxes around the triangles have much
+/// less surface than along the coordinate axes; none if such are not found. The first has most of
+/// the long edges along it, the second most of what these have across the first. Looks at some
+/// triangles only: O(1).
+[[nodiscard]] std::optional<Eigen::Matrix3d> main_directions(std::span<const Vec3> points,
+                                                             std::span<const Triangle> triangles);
+
+}  // namespace dupin::boxes

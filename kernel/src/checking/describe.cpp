@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <span>
+
+#include "dupin/kernel/check.h"
+#include "support/text.h"
+
+namespace dupin {
+namespace {
+
+std::string face(std::uint32_t index, const TriMesh& mesh) {
+  const std::string text = std::to_string(index);
+  const bool labelled = index < mesh.labels.size() && mesh.labels[index] < mesh.names.size();
+  return labelled ? text + " ('" + mesh.names[mesh.labels[index]] + "')" : text;
+}
+
+// "face 3", "faces 3 and 5", "faces 3, 5 and 7"; of many only the first.
+std::string faces(std::span<const std::uint32_t> indices, const TriMesh& mesh) {
+  constexpr std::size_t kMost = 6;
+  std::string text = indices.size() == 1 ? "face " : "faces ";
+  const std::size_t shown = std::min(indices.size(), kMost);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const bool last = i + 1 == indices.size();
+    text += i == 0 ? "" : last ? " and " : ", ";
+    text += face(indices[i], mesh);
+  }
+  if (shown < indices.size()) {
+    text += " and " + std::to_string(indices.size() - shown) + " more";
+  }
+  return text;
+}
+
+std::string edge(const Finding& finding, const TriMesh& mesh) {
+  return "the edge from " + support::text(mesh.points[finding.points[0]]) + " to " +
+         support::text(mesh.points[finding.points[1]]);
+}
+
+}  // namespace
+
+std::string_view name(Defect defect) {
+  switch (defect) {
+    case Defect::non_finite_point:
+      return "non_finite_point";
+    case Defect::bad_index:
+      return "bad_index";
+    case Defect::degenerate_face:
+      return "degenerate_face";
+    case Defect::duplicate_face:
+      return "duplicate_face";
+    case Defect::boundary_edge:
+      return "boundary_edge";
+    case Defect::non_manifold_edge:
+      return "non_manifold_edge";
+    case Defect::non_manifold_vertex:
+      return "non_manifold_vertex";
+    case Defect::inconsistent_orientation:
+      return "inconsistent_orientation";
+    case Defect::self_intersection:
+      return "self_intersection";
+    case Defect::contact:
+      return "contact";
+    case Defect::inside_out_component:
+      return "inside_out_component";
+    case Defect::isolated_point:
+      return "isolated_point";
+  }
+  return "unknown";
+}
+
+std::string describe(const Finding& finding, const TriMesh& mesh) {
+  const auto at_faces = [&] { return faces(finding.faces, mesh); };
+  const auto point = [&](std::size_t i) { return "point " + std::to_string(finding.points.at(i)); };
+  switch (finding.defect) {
+    case Defect::non_finite_point:
+      return point(0) +
+             " has coordinates that are not finite numbers: " + support::text(finding.place);
+    case Defect::bad_index:
+      return at_faces() + " refers to " + point(0) + ", but there are only " +
+             std::to_string(mesh.points.size()) + " points";
+    case Defect::degenerate_face:
+      return at_faces() + " at " + support::text(finding.place) +
+             " has no area: its corners lie on one line";
+    case Defect::duplicate_face:
+      return at_faces() + " at " + support::text(finding.place) + " have the same three corners";
+    case Defect::boundary_edge:
+      return edge(finding, mesh) + " belongs to " + at_faces() + " only";
+    case Defect::non_manifold_edge:
+      return edge(finding, mesh) + " is shared by " + at_faces();
+    case Defect::non_manifold_vertex:
+      return at_faces() + " meet in " + point(0) + " at " + support::text(finding.place) +
+             " but do not hang together by edges there";
+    case Defect::inconsistent_orientation:
+      return at_faces() + " run along " + edge(finding, mesh) + " in the same direction";
+    case Defect::self_intersection:
+      return at_faces() + " intersect near " + support::text(finding.place);
+    case Defect::contact:
+      return at_faces() + " touch in " +
+             (finding.points.size() == 2 ? edge(finding, mesh) : support::text(finding.place)) +
+             " without sharing it";
+    case Defect::inside_out_component:
+      return "the shell of " + at_faces() + " at " + support::text(finding.place) +
+             " is inside out";
+    case Defect::isolated_point:
+      return point(0) + " at " + support::text(finding.place) + " belongs to no face";
+  }
+  return "unknown";
+}
+
+}  // namespace dupin

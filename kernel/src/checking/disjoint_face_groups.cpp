@@ -1,0 +1,93 @@
+#include "checking/disjoint_face_groups.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+#include "boxes/box_tree.h"
+#include "checking/height_field_patches.h"
+#include "checking/injective_stars.h"
+#include "mesh/stable_face_groups.h"
+#include "support/blocks.h"
+
+namespace dupin::checking {
+namespace {
+
+constexpr std::uint32_t kLarge = 64;
+
+/// Whether triangles are to be grouped by stars. Not where points are identical: contacts are to be
+/// told from neighbours.
+bool has_large_stars(const WeldedMesh& mesh, const DisjointFaceGroups& groups) {
+  return !mesh.has_identical_points() &&
+         std::ranges::any_of(groups.injective_stars, [](std::uint32_t n) { return n >= kLarge; });
+}
+
+/// Makes groups, numbered from `count` on, of the triangles, among those given, around points that
+/// have many.
+void group_large_stars(const WeldedMesh& mesh, std::span<const std::uint32_t> faces,
+                       std::uint32_t count, DisjointFaceGroups& groups) {
+  const std::vector<std::uint32_t>& stars = groups.injective_stars;
+  std::vector<std::uint32_t> number(mesh.points.size(), boxes::BoxTree::kNoGroup);
+  for (const std::uint32_t f : faces) {
+    const Triangle& t = mesh.triangles[f];
+    const auto largest = std::ranges::max(t, {}, [&](std::uint32_t v) { return stars[v]; });
+    if (stars[largest] >= kLarge) {
+      number[largest] = number[largest] == boxes::BoxTree::kNoGroup ? count++ : number[largest];
+      groups.of_face[f] = number[largest];
+    }
+  }
+}
+
+}  // namespace
+
+DisjointFaceGroups proven_groups(const WeldedMesh& mesh, bool closed, double margin) {
+  constexpr double kSmooth = 0.8;  // tees and chains have 0.9, headers and racks up to 0.7
+  HeightFieldPatches patches = height_field_patches(
+      mesh.points, mesh.triangles, {.closed = closed, .smooth = kSmooth, .margin = margin});
+  for (std::uint32_t v = 0; v < mesh.points.size() && mesh.has_identical_points(); ++v) {
+    if (mesh.first[v] != v) {
+      patches.is_inner[mesh.first[v]] = 0;
+    }
+  }
+  DisjointFaceGroups groups{std::move(patches.of_triangle),
+                            injective_stars(mesh.points, mesh.corners, patches.is_inner, margin)};
+  if (has_large_stars(mesh, groups)) {
+    std::vector<std::uint32_t> all(mesh.triangles.size());
+    std::iota(all.begin(), all.end(), 0U);
+    group_large_stars(mesh, all, patches.count, groups);
+  }
+  return groups;
+}
+
+DisjointFaceGroups given_groups(const WeldedMesh& mesh, std::span<const std::uint32_t> classes) {
+  static_assert(mesh::StableFaceGroups::kNone == boxes::BoxTree::kNoGroup);
+  std::vector<std::uint8_t> marked(mesh.points.size(), 1);  // all but corners without a class
+  std::uint32_t count = 0;
+  for (std::uint32_t f = 0; f < classes.size(); ++f) {
+    if (classes[f] != boxes::BoxTree::kNoGroup) {
+      count = std::max(count, classes[f] + 1);
+      continue;
+    }
+    for (const std::uint32_t v : mesh.corners[f]) {
+      marked[v] = 0;
+    }
+  }
+  const auto around = support::collect_in_order<std::uint32_t>(
+      classes.size(), [&](std::size_t f, std::vector<std::uint32_t>& found) {
+        const auto& [a, b, c] = mesh.corners[f];
+        if ((marked[a] & marked[b] & marked[c]) == 0) {
+          found.push_back(static_cast<std::uint32_t>(f));
+        }
+      });
+  std::vector<Triangle> corners;
+  std::ranges::transform(around, std::back_inserter(corners),
+                         [&](std::uint32_t f) { return mesh.corners[f]; });
+  DisjointFaceGroups groups{{classes.begin(), classes.end()},
+                            injective_stars(mesh.points, corners, marked)};
+  if (has_large_stars(mesh, groups)) {
+    group_large_stars(mesh, around, count, groups);
+  }
+  return groups;
+}
+
+}  // namespace dupin::checking

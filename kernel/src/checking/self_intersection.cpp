@@ -1,0 +1,339 @@
+#include "checking/self_intersection.h"
+
+#include <algorithm>
+#include <atomic>
+#include <iterator>
+#include <numeric>
+#include <optional>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include "boxes/box_tree.h"
+#include "boxes/boxes_near.h"
+#include "boxes/tree_traversal.h"
+#include "checking/disjoint_face_groups.h"
+#include "mesh/coincident_points.h"
+#include "predicates/stable_predicates.h"
+#include "predicates/triangle_overlap.h"
+#include "support/blocks.h"
+
+namespace dupin::checking {
+namespace {
+
+class Search {
+ public:
+  Search(std::span<const Vec3> points, std::span<const Triangle> triangles,
+         const SelfIntersectionOptions& options)
+      : points_(points),
+        triangles_(triangles),
+        options_(options),
+        identical_(options.same.empty() ? mesh::coincident_representatives(points)
+                                        : std::vector<std::uint32_t>()),
+        first_(options.same.empty() ? std::span<const std::uint32_t>(identical_) : options.same),
+        frame_(points, triangles),
+        corners_(triangles),
+        degenerate_(triangles.size()),
+        tree_(prepare()) {}
+
+  SelfIntersections run() {
+    if (active_.empty()) {
+      return {};
+    }
+    SelfIntersections found = examined(boxes::TreeTraversal(tree_), {tree_, active_});
+    if (!among_all_) {
+      found = joined(std::move(found), examined_passive());
+    }
+    trim(found.pairs);
+    if (!tree_.is_oriented()) {  // else boxes tell triangles apart that may not stay so
+      std::ranges::replace(stable_, kSliver, std::uint8_t{0});
+      found.stable = std::move(stable_);
+    }
+    for (const std::uint32_t face : active_) {
+      if (degenerate_[face] != 0 && active(face)) {
+        found.degenerate.push_back(face);
+      }
+    }
+    return found;
+  }
+
+ private:
+  /// What the items of a tree are.
+  struct Items {
+    const boxes::BoxTree& tree;
+    std::span<const std::uint32_t> faces;
+    std::uint32_t face(std::uint32_t place) const { return faces[tree.items()[place]]; }
+  };
+
+  /// Fills what comes before it and returns the tree over the active triangles.
+  boxes::BoxTree prepare() {
+    for (std::uint32_t i = 0; i < points_.size() && !touching_apart_; ++i) {
+      touching_apart_ = first_[i] != i;
+    }
+    if (touching_apart_) {
+      merge_corners();
+    } else if (options_.margin > 0 && options_.active.empty() &&
+               predicates::is_small_margin(points_, triangles_, options_.margin)) {
+      stable_.assign(triangles_.size(), 1);
+    }
+    choose_active();
+    support::BulkVector<boxes::Box> boxes(active_.size());
+    support::for_each_block(active_.size(), [&](const support::Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        const std::uint32_t face = active_[i];
+        degenerate_[face] = is_degenerate(face) ? 1 : 0;
+        if (seeks_stable() && !keeps_area(face)) {
+          stable_[face] = kSliver;
+        }
+        boxes[i] = degenerate_[face] != 0 ? boxes::Box::nothing() : box(face);
+      }
+    });
+    std::span<const std::uint32_t> groups = groups_.of_face;
+    std::vector<std::uint32_t> of_active;
+    if (!groups.empty() && active_.size() < triangles_.size()) {
+      std::ranges::transform(active_, std::back_inserter(of_active),
+                             [&](std::uint32_t face) { return groups[face]; });
+      groups = of_active;
+    }
+    return boxes::BoxTree(
+        std::move(boxes), [&](std::uint32_t i) { return framed(active_[i]); }, groups);
+  }
+
+  /// The triangles to be searched among themselves and, unless all are, with the others.
+  void choose_active() {
+    for (std::uint32_t i = 0; i < triangles_.size() && !options_.active.empty(); ++i) {
+      if (active(i)) {
+        active_.push_back(i);
+      }
+    }
+    const bool all = options_.active.empty();
+    among_all_ = all || 2 * active_.size() > triangles_.size();  // then that is quicker
+    if (among_all_ || !active_.empty()) {
+      framed_ = frame_.map(points_);
+    }
+    if (!among_all_) {
+      return;
+    }
+    find_groups();
+    if (!options_.classes.empty()) {
+      active_ =
+          boxes::boxes_near_other_groups(groups_.of_face, [&](std::uint32_t f) { return box(f); });
+    } else {
+      active_.resize(triangles_.size());
+      std::iota(active_.begin(), active_.end(), 0U);
+    }
+  }
+
+  void merge_corners() {
+    merged_.resize(triangles_.size());
+    support::for_each_block(triangles_.size(), [&](const support::Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          merged_[i][k] = first_[triangles_[i][k]];
+        }
+      }
+    });
+    corners_ = merged_;
+  }
+
+  [[nodiscard]] bool seeks_stable() const { return !stable_.empty(); }
+
+  /// Whether it may lose its area, which is known before pairs are examined.
+  [[nodiscard]] bool is_sliver(std::uint32_t face) {
+    return std::atomic_ref(stable_[face]).load(std::memory_order_relaxed) == kSliver;
+  }
+
+  /// Finds groups of triangles that certainly keep apart.
+  void find_groups() {
+    const WeldedMesh mesh{points_, triangles_, corners_, first_};
+    groups_ = options_.classes.empty()
+                  ? proven_groups(mesh, options_.closed, seeks_stable() ? options_.margin : 0)
+                  : given_groups(mesh, options_.classes);
+  }
+
+  [[nodiscard]] boxes::Box box(std::uint32_t face) const {
+    return seeks_stable() ? frame_.around(framed(face), kDiagonal * options_.margin)
+                          : frame_.around(framed(face));
+  }
+
+  /// Whether it is of a group, all of which keep their areas.
+  [[nodiscard]] bool of_group(std::uint32_t face) const {
+    return !groups_.of_face.empty() && groups_.of_face[face] != boxes::BoxTree::kNoGroup;
+  }
+
+  [[nodiscard]] bool is_degenerate(std::uint32_t face) const {
+    const auto& [a, b, c] = corners_[face];
+    return !of_group(face) && predicates::collinear(points_[a], points_[b], points_[c]);
+  }
+
+  [[nodiscard]] bool keeps_area(std::uint32_t face) const {
+    const auto& [a, b, c] = corners_[face];
+    return of_group(face) ||
+           predicates::keeps_area(points_[a], points_[b], points_[c], options_.margin);
+  }
+
+  [[nodiscard]] boxes::FramedTriangle framed(std::uint32_t face) const {
+    const Triangle& t = corners_[face];
+    return {framed_[t[0]], framed_[t[1]], framed_[t[2]]};
+  }
+
+  [[nodiscard]] bool active(std::uint32_t triangle) const {
+    return options_.active.empty() || options_.active[triangle] != 0;
+  }
+
+  /// Examines pairs of the one tree's triangles and the active ones.
+  SelfIntersections examined(const boxes::TreeTraversal& pairs, const Items& items) {
+    constexpr std::size_t kTasks = 512;
+    const std::vector<boxes::TreeTraversal::Nodes> tasks = pairs.tasks(kTasks);
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, tasks.size()), SelfIntersections{},
+        [&](const auto& range, SelfIntersections part) {
+          for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            examine(pairs, tasks[i], items, part);
+          }
+          return part;
+        },
+        [&](SelfIntersections left, const SelfIntersections& right) {
+          return joined(std::move(left), right);
+        });
+  }
+
+  void examine(const boxes::TreeTraversal& pairs, const boxes::TreeTraversal::Nodes& nodes,
+               const Items& items, SelfIntersections& found) {
+    const Items others{tree_, active_};
+    std::optional<predicates::TriangleOverlapTest> probe;
+    std::uint32_t probed = 0;
+    pairs.visit(nodes, [&](std::uint32_t i, std::uint32_t k) {
+      const std::uint32_t face = items.face(i), other = others.face(k);
+      if (share_flat_star(corners_[face], corners_[other])) {
+        record(face, other, predicates::TriangleOverlap::none, found);
+        return;
+      }
+      if (seeks_stable() && !is_sliver(face) && !is_sliver(other)) {
+        if (predicates::keep_apart(points_, corners_[face], corners_[other], options_.margin)) {
+          return;
+        }
+        for (const std::uint32_t f : {face, other}) {
+          std::atomic_ref(stable_[f]).store(0, std::memory_order_relaxed);
+        }
+      }
+      if (!probe || probed != i) {
+        probe.emplace(points_, corners_[face]);
+        probed = i;
+      }
+      record(face, other, probe->meeting(corners_[other]), found);
+    });
+  }
+
+  /// Pairs of a passive and an active triangle.
+  SelfIntersections examined_passive() {
+    const auto near = boxes::boxes_near(tree_, triangles_.size(), [&](std::uint32_t face) {
+      return active(face) ? boxes::Box::nothing() : box(face);
+    });
+    support::BulkVector<boxes::Box> boxes(near.size());
+    support::for_each_block(near.size(), [&](const support::Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        boxes[i] = is_degenerate(near[i]) ? boxes::Box::nothing() : box(near[i]);
+      }
+    });
+    const boxes::BoxTree tree(std::move(boxes), [&](std::uint32_t i) { return framed(near[i]); });
+    return examined(boxes::TreeTraversal(tree, tree_), {tree, near});
+  }
+
+  /// Whether the triangles have a corner in common around which triangles keep apart.
+  [[nodiscard]] bool share_flat_star(const Triangle& a, const Triangle& b) const {
+    if (groups_.injective_stars.empty()) {
+      return false;
+    }
+    return std::ranges::any_of(a, [&](std::uint32_t v) {
+      return (v == b[0] || v == b[1] || v == b[2]) && groups_.injective_stars[v] != 0;
+    });
+  }
+
+  void record(std::uint32_t face, std::uint32_t other, predicates::TriangleOverlap meeting,
+              SelfIntersections& found) const {
+    if (!active(face) && !active(other)) {
+      return;
+    }
+    FacePair pair{std::min(face, other), std::max(face, other)};
+    switch (meeting) {
+      case predicates::TriangleOverlap::crossing:
+        ++found.crossings;
+        break;
+      case predicates::TriangleOverlap::overlap:
+        pair.kind = FacePair::Kind::overlap;
+        ++found.overlaps;
+        break;
+      case predicates::TriangleOverlap::none:
+        if (!touching_apart_ || !touch_apart(face, other)) {
+          return;
+        }
+        pair.kind = FacePair::Kind::contact;
+        ++found.contacts;
+        break;
+    }
+    found.pairs.push_back(pair);
+    if (found.pairs.size() / 2 >= std::max<std::size_t>(options_.limit, 1024)) {
+      trim(found.pairs);
+    }
+  }
+
+  /// Whether the triangles have a corner of the same coordinates under different indices.
+  [[nodiscard]] bool touch_apart(std::uint32_t face, std::uint32_t other) const {
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        if (corners_[face][i] == corners_[other][j] &&
+            triangles_[face][i] != triangles_[other][j]) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  SelfIntersections joined(SelfIntersections left, const SelfIntersections& right) const {
+    left.pairs.insert(left.pairs.end(), right.pairs.begin(), right.pairs.end());
+    left.crossings += right.crossings;
+    left.overlaps += right.overlaps;
+    left.contacts += right.contacts;
+    if (left.pairs.size() > options_.limit) {
+      trim(left.pairs);
+    }
+    return left;
+  }
+
+  void trim(std::vector<FacePair>& pairs) const {
+    std::sort(pairs.begin(), pairs.end());
+    pairs.resize(std::min(pairs.size(), options_.limit));
+  }
+
+  static constexpr double kDiagonal = 1.75;  // of a cube, and more
+  static constexpr std::uint8_t kSliver = 2;
+
+  std::span<const Vec3> points_;
+  std::span<const Triangle> triangles_;
+  const SelfIntersectionOptions& options_;
+  std::vector<std::uint32_t> identical_;
+  std::span<const std::uint32_t> first_;  // per point the first one that is the same
+  boxes::BoxQuantizer frame_;
+  support::BulkVector<boxes::FramedPoint> framed_;
+  std::vector<Triangle> merged_;       // if there are identical points
+  std::span<const Triangle> corners_;  // with these merged
+  bool touching_apart_ = false;        // whether there are identical points
+  bool among_all_ = true;              // else among active and between these and passive ones
+  std::vector<std::uint8_t> degenerate_;
+  std::vector<std::uint32_t> active_;
+  DisjointFaceGroups groups_;         // empty if few triangles are active
+  std::vector<std::uint8_t> stable_;  // empty unless stable ones are sought
+  boxes::BoxTree tree_;               // over the active triangles
+};
+
+}  // namespace
+
+SelfIntersections find_self_intersections(std::span<const Vec3> points,
+                                          std::span<const Triangle> triangles,
+                                          const SelfIntersectionOptions& options) {
+  return Search(points, triangles, options).run();
+}
+
+}  // namespace dupin::checking

@@ -1,0 +1,143 @@
+#include "cross_check/pairwise.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "cross_check/corefinement.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin::cross_check {
+namespace {
+
+// Implicit points are within half an ulp of theirs; closed bounds of nearest doubles still tell
+// disjoint sets apart safely, because rounding is monotone.
+Eigen::AlignedBox3d bounds_of(const mesh::ExactMesh& mesh) {
+  Eigen::AlignedBox3d bounds;
+  for (const Vec3& point : mesh.points) {
+    bounds.extend(point);
+  }
+  return bounds;
+}
+
+mesh::ExactMesh concatenated(mesh::ExactMesh a, const mesh::ExactMesh& b) {
+  const std::uint32_t a_doubles = a.double_count(), b_doubles = b.double_count();
+  const auto a_implicit = static_cast<std::uint32_t>(a.implicit.size());
+  a.points.insert(a.points.begin() + a_doubles, b.points.begin(), b.points.begin() + b_doubles);
+  a.points.insert(a.points.end(), b.points.begin() + b_doubles, b.points.end());
+  a.implicit.insert(a.implicit.end(), b.implicit.begin(), b.implicit.end());
+  for (Triangle& corners : a.triangles) {
+    for (std::uint32_t& corner : corners) {
+      corner += corner < a_doubles ? 0 : b_doubles;
+    }
+  }
+  for (const Triangle& t : b.triangles) {
+    Triangle& corners = a.triangles.emplace_back();
+    std::transform(t.begin(), t.end(), corners.begin(), [&](std::uint32_t corner) {
+      return corner + a_doubles + (corner < b_doubles ? 0 : a_implicit);
+    });
+  }
+  a.labels.insert(a.labels.end(), b.labels.begin(), b.labels.end());
+  a.sources.insert(a.sources.end(), b.sources.begin(), b.sources.end());
+  a.contacts.insert(a.contacts.end(), b.contacts.begin(), b.contacts.end());
+  a.planes.clear();
+  a.plane_of.clear();
+  a.stable = {};
+  return a;
+}
+
+class Pairwise {
+ public:
+  Pairwise(SetOperation operation, std::size_t operands, const Progress& progress)
+      : operation_(operation), steps_(operands - 1), progress_(progress) {}
+
+  mesh::ExactMesh united(std::vector<mesh::ExactMesh> operands) {
+    std::vector<mesh::ExactMesh> groups;
+    for (auto& group : grouped(std::move(operands))) {
+      groups.push_back(united_tree(group));
+    }
+    return std::accumulate(std::make_move_iterator(groups.begin() + 1),
+                           std::make_move_iterator(groups.end()), std::move(groups.front()),
+                           concatenated);
+  }
+
+  mesh::ExactMesh folded(std::vector<mesh::ExactMesh> operands) {
+    mesh::ExactMesh result = std::move(operands.front());
+    for (std::size_t i = 1; i < operands.size() && !result.triangles.empty(); ++i) {
+      if (bounds_of(result).intersects(bounds_of(operands[i]))) {
+        result = step(result, operands[i]);
+      } else if (operation_ == SetOperation::intersect) {
+        result = {};
+      }
+    }
+    return result;
+  }
+
+ private:
+  mesh::ExactMesh step(const mesh::ExactMesh& a, const mesh::ExactMesh& b) {
+    const double done = static_cast<double>(steps_done_++) / static_cast<double>(steps_);
+    if (progress_ && !progress_(name(operation_), done)) {
+      throw Error(Errc::cancelled, "'" + std::string(name(operation_)) + "' was cancelled");
+    }
+    return corefine(operation_, a, b);
+  }
+
+  // Consumes the operands; neighbours in the call stay neighbours in the tree.
+  mesh::ExactMesh united_tree(std::span<mesh::ExactMesh> operands) {
+    if (operands.size() == 1) {
+      return std::move(operands[0]);
+    }
+    const mesh::ExactMesh left = united_tree(operands.first(operands.size() / 2));
+    const mesh::ExactMesh right = united_tree(operands.subspan(operands.size() / 2));
+    return bounds_of(left).intersects(bounds_of(right)) ? step(left, right)
+                                                        : concatenated(left, right);
+  }
+
+  // Operands whose boxes hang together, in the order of their first members.
+  static std::vector<std::vector<mesh::ExactMesh>> grouped(std::vector<mesh::ExactMesh> operands) {
+    std::vector<Eigen::AlignedBox3d> bounds;
+    std::ranges::transform(operands, std::back_inserter(bounds), bounds_of);
+    std::vector<std::size_t> group(operands.size());
+    std::iota(group.begin(), group.end(), std::size_t{0});
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (group[i] != group[j] && bounds[i].intersects(bounds[j])) {
+          const auto [kept, dropped] = std::minmax(group[i], group[j]);
+          std::replace(group.begin(), group.end(), std::size_t{dropped}, std::size_t{kept});
+        }
+      }
+    }
+    std::vector<std::vector<mesh::ExactMesh>> groups(operands.size());
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      groups[group[i]].push_back(std::move(operands[i]));
+    }
+    std::erase_if(groups, [](const auto& members) { return members.empty(); });
+    return groups;
+  }
+
+  SetOperation operation_;
+  std::size_t steps_, steps_done_ = 0;
+  const Progress& progress_;
+};
+
+}  // namespace
+
+mesh::ExactMesh combine_pairwise(SetOperation operation, std::vector<mesh::ExactMesh> operands,
+                                 const Progress& progress) {
+  if (operation != SetOperation::subtract) {
+    const auto is_empty = [](const mesh::ExactMesh& mesh) { return mesh.triangles.empty(); };
+    const auto removed = std::erase_if(operands, is_empty);
+    if (operands.empty() || (removed > 0 && operation == SetOperation::intersect)) {
+      return {};
+    }
+  }
+  Pairwise pairwise(operation, operands.size(), progress);
+  return operation == SetOperation::unite ? pairwise.united(std::move(operands))
+                                          : pairwise.folded(std::move(operands));
+}
+
+}  // namespace dupin::cross_check

@@ -1,0 +1,65 @@
+#include "gaps/mesh_pair.h"
+
+#include <string>
+
+#include "dupin/kernel/error.h"
+#include "mesh/coincident_points.h"
+#include "predicates/triangle_overlap.h"
+
+namespace dupin::gaps {
+namespace {
+
+void validate(const TriMesh& mesh, const std::string& which) {
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    if (!mesh.points[i].allFinite()) {
+      throw Error(Errc::invalid_argument,
+                  "point " + std::to_string(i) + " of the " + which + " mesh is not finite");
+    }
+  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (const std::uint32_t corner : mesh.triangles[i]) {
+      if (corner >= mesh.points.size()) {
+        throw Error(Errc::invalid_argument, "face " + std::to_string(i) + " of the " + which +
+                                                " mesh names point " + std::to_string(corner) +
+                                                ", but it has only " +
+                                                std::to_string(mesh.points.size()));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+MeshPair merged(const TriMesh& a, const TriMesh& b) {
+  validate(a, "first");
+  validate(b, "second");
+  MeshPair pair;
+  pair.points = a.points;
+  pair.points.insert(pair.points.end(), b.points.begin(), b.points.end());
+  pair.points_of_a = static_cast<std::uint32_t>(a.points.size());
+  const std::vector<std::uint32_t> first = mesh::coincident_representatives(pair.points);
+  const auto add = [&](const TriMesh& mesh, std::uint32_t shift) {
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+      Triangle t = mesh.triangles[i];
+      for (std::uint32_t& corner : t) {
+        corner = first[corner + shift];
+      }
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+        ++pair.flat_faces;
+        continue;
+      }
+      const bool flat =
+          predicates::collinear(pair.points[t[0]], pair.points[t[1]], pair.points[t[2]]);
+      pair.triangles.push_back(t);
+      pair.source.push_back(i);
+      pair.flat.push_back(flat ? 1 : 0);
+      pair.flat_faces += flat ? 1 : 0;
+    }
+  };
+  add(a, 0);
+  pair.faces_of_a = static_cast<std::uint32_t>(pair.triangles.size());
+  add(b, pair.points_of_a);
+  return pair;
+}
+
+}  // namespace dupin::gaps

@@ -1,0 +1,88 @@
+#include "dupin/kernel/repair.h"
+
+#include <algorithm>
+#include <string>
+
+#include "arrangement/arrange.h"
+#include "dupin/kernel/check.h"
+#include "dupin/kernel/error.h"
+#include "healing/polygon_soup.h"
+#include "mesh/edge_table.h"
+#include "mesh/exact_mesh.h"
+#include "support/text.h"
+
+namespace dupin {
+namespace {
+
+using mesh::Edge;
+using mesh::EdgeTable;
+
+void refuse_no_mesh(const TriMesh& mesh) {
+  const Report report = check(mesh, {.limit = 1, .self_intersections = false});
+  const bool is_mesh =
+      report.count(Defect::non_finite_point) + report.count(Defect::bad_index) == 0;
+  const auto is_name = [&](std::uint32_t label) { return label < mesh.names.size(); };
+  const bool is_labelled =
+      mesh.labels.empty() || (mesh.labels.size() == mesh.triangles.size() &&
+                              std::all_of(mesh.labels.begin(), mesh.labels.end(), is_name));
+  if (!is_mesh || !is_labelled) {
+    (void)Solid::from(mesh);  // says what is wrong
+  }
+}
+
+// Whether each edge is run along as often one way as the other.
+void refuse_holes(const healing::PolygonSoup& soup) {
+  const EdgeTable edges(soup.triangles, soup.points.size());
+  std::size_t open = 0;
+  std::string first;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Edge edge = edges[i];
+    std::ptrdiff_t balance = 0;
+    for (const std::uint32_t half_edge : edge.half_edges) {
+      balance += edges.origin(half_edge) == edge.low ? 1 : -1;
+    }
+    if (balance != 0 && open++ == 0) {
+      first = support::text(soup.points[edge.low]) + " to " + support::text(soup.points[edge.high]);
+    }
+  }
+  if (open > 0) {
+    throw Error(Errc::not_closed, "the mesh cannot be repaired: " + std::to_string(open) +
+                                      (open == 1 ? " edge is" : " edges are") +
+                                      " open, first the one from " + first +
+                                      "; holes are not filled");
+  }
+}
+
+}  // namespace
+
+Repaired repair(const TriMesh& mesh, const Progress& progress) {
+  refuse_no_mesh(mesh);
+  if (check(mesh, {.limit = 1}).is_solid()) {
+    return {Solid::from(mesh), {}};
+  }
+  RepairReport report;
+  healing::PolygonSoup soup = healing::merge_duplicate_points(mesh, report);
+  healing::drop_degenerate_faces(soup, report);
+  healing::drop_duplicate_faces(soup, report);
+  healing::orient_soup(soup, report);
+  refuse_holes(soup);
+
+  mesh::ExactMesh surface;
+  surface.points = soup.points;
+  surface.triangles = soup.triangles;
+  surface.names = mesh.names;
+  for (const std::uint32_t face : soup.sources) {
+    surface.sources.push_back({0, face});
+    if (!mesh.labels.empty()) {
+      surface.labels.push_back(mesh.labels[face]);
+    }
+  }
+  mesh::ExactMesh solid = arrangement::positive_winding_boundary(surface, progress);
+  report.united_overlaps = solid.triangles.size() != soup.triangles.size();
+  for (Source& source : solid.sources) {
+    source.triangle = soup.sources[source.triangle];
+  }
+  return {Solid(std::make_shared<const mesh::ExactMesh>(std::move(solid))), report};
+}
+
+}  // namespace dupin

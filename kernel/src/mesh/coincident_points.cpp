@@ -1,0 +1,81 @@
+#include "mesh/coincident_points.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+#include <numeric>
+
+#include "mesh/exact_mesh.h"
+
+namespace dupin::mesh {
+namespace {
+
+bool same_place(const ExactPoint& a, const ExactPoint& b) {
+  return a[0] * b[3] == b[0] * a[3] && a[1] * b[3] == b[1] * a[3] && a[2] * b[3] == b[2] * a[3];
+}
+
+}  // namespace
+
+std::uint64_t hash_of(const Vec3& point) {
+  std::uint64_t mixed = 0;
+  for (const double coordinate : {point.x(), point.y(), point.z()}) {
+    // Adding 0.0 turns -0.0 into 0.0. The multiplier is 2^64 over the golden ratio, made odd.
+    mixed = (mixed ^ std::bit_cast<std::uint64_t>(coordinate + 0.0)) * 0x9e3779b97f4a7c15;
+    mixed ^= mixed >> 32;
+  }
+  return mixed;
+}
+
+std::vector<std::uint32_t> coincident_representatives(std::span<const Vec3> points) {
+  constexpr std::uint32_t kFree = 0xffffffff;
+  const std::size_t slots = std::bit_ceil(2 * points.size() + 1);
+  std::vector<std::uint32_t> table(slots, kFree);
+  std::vector<std::uint32_t> first(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    std::size_t slot = hash_of(points[i]) & (slots - 1);
+    while (table[slot] != kFree && points[table[slot]] != points[i]) {
+      slot = (slot + 1) & (slots - 1);
+    }
+    if (table[slot] == kFree) {
+      table[slot] = i;
+    }
+    first[i] = table[slot];
+  }
+  return first;
+}
+
+std::vector<std::uint32_t> coincident_representatives(const ExactMesh& mesh) {
+  // Points in the same place have the same nearest doubles. No implicit point is a double.
+  std::vector<std::uint32_t> twins = coincident_representatives(mesh.points);
+  const std::uint32_t doubles = mesh.double_count();
+  std::map<std::uint32_t, std::vector<std::uint32_t>> places;  // of the same nearest doubles
+  for (std::uint32_t i = doubles; i < twins.size(); ++i) {
+    const std::uint32_t first = twins[i];
+    if (first == i) {
+      continue;
+    }
+    std::vector<std::uint32_t>& known = places[first];
+    if (known.empty() && first >= doubles) {
+      known.push_back(first);
+    }
+    const auto twin = std::find_if(known.begin(), known.end(), [&](std::uint32_t other) {
+      return same_place(mesh.implicit[i - doubles], mesh.implicit[other - doubles]);
+    });
+    twins[i] = twin != known.end() ? *twin : i;
+    if (twin == known.end()) {
+      known.push_back(i);
+    }
+  }
+  return twins;
+}
+
+std::vector<std::uint32_t> representatives_at_contacts(const ExactMesh& mesh) {
+  if (!mesh.contacts.empty()) {
+    return coincident_representatives(mesh);
+  }
+  std::vector<std::uint32_t> own(mesh.points.size());
+  std::iota(own.begin(), own.end(), 0U);
+  return own;
+}
+
+}  // namespace dupin::mesh

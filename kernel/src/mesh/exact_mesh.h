@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <CGAL/Mpzf.h>
+
+#include "dupin/kernel/mesh.h"
+#include "dupin/kernel/solid.h"
+#include "mesh/stable_face_groups.h"
+
+namespace dupin::mesh {
+
+/// Homogeneous coordinates (X, Y, Z, W), W > 0, of the point (X/W, Y/W, Z/W): no division, no gcd.
+using ExactPoint = std::array<CGAL::Mpzf, 4>;
+
+/// The boundary of a Solid. Points that doubles hold exactly come first; each of the rest is
+/// followed up in `implicit`. Every point is a corner of a triangle.
+struct ExactMesh {
+  std::vector<Vec3>
+      points;  ///< exact below double_count(), nearest doubles of the exact value above
+  std::vector<ExactPoint> implicit;  ///< of points[double_count() + i]
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> labels;  ///< empty, or one per triangle, into names
+  std::vector<std::string> names;
+  std::vector<Source> sources;  ///< one per triangle
+  std::vector<Contact> contacts;
+  /// Triangles of the first operands, by corners, in whose planes triangles with implicit corners
+  /// lie. New points are cut out by these planes, so that coordinates do not grow from one boolean
+  /// operation to the next.
+  std::vector<std::array<Vec3, 3>> planes;
+  std::vector<std::uint32_t>
+      plane_of;  ///< empty, or per triangle an index into planes or kOwnPlane
+  StableFaceGroups stable;
+
+  static constexpr std::uint32_t kOwnPlane = 0xffffffff;  ///< the plane through its corners
+
+  [[nodiscard]] std::uint32_t double_count() const {
+    return static_cast<std::uint32_t>(points.size() - implicit.size());
+  }
+};
+
+/// The exact coordinates of a point of the mesh.
+[[nodiscard]] ExactPoint exact_point(const ExactMesh& mesh, std::uint32_t index);
+
+/// The double nearest to numerator / denominator (ties to even); denominator > 0.
+[[nodiscard]] double nearest_double(const CGAL::Mpzf& numerator, const CGAL::Mpzf& denominator);
+
+}  // namespace dupin::mesh

@@ -1,0 +1,221 @@
+#include "mesh/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "exact/exact_numbers.h"
+#include "exact/exact_sum.h"
+
+namespace dupin::mesh {
+namespace {
+
+using CGAL::Mpzf;
+
+bool has_implicit_corner(const MeshView& mesh, const Triangle& corners) {
+  return *std::max_element(corners.begin(), corners.end()) >= mesh.double_count();
+}
+
+void add_determinant(exact::ExactSum& sum, const Vec3& a, const Vec3& b, const Vec3& c) {
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    sum.add_product(a[i], b[j], c[k]);
+    sum.add_product(-a[i], b[k], c[j]);
+  }
+}
+
+// numerator / denominator, denominator > 0, not in lowest terms.
+struct Fraction {
+  mpz_class numerator, denominator;
+};
+
+Fraction quotient(const Mpzf& numerator, const Mpzf& denominator) {
+  const mpq_class n = exact::rational(numerator), d = exact::rational(denominator);
+  return {n.get_num() * d.get_den(), n.get_den() * d.get_num()};
+}
+
+Fraction determinant(const MeshView& mesh, const Triangle& corners) {
+  const ExactPoint a = mesh.exact(corners[0]), b = mesh.exact(corners[1]),
+                   c = mesh.exact(corners[2]);
+  Mpzf value;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    value = value + a[i] * (b[j] * c[k] - b[k] * c[j]);
+  }
+  return quotient(value, a[3] * b[3] * c[3]);
+}
+
+double approximate_determinant(const MeshView& mesh, const Triangle& corners) {
+  return mesh.points[corners[0]].dot(mesh.points[corners[1]].cross(mesh.points[corners[2]]));
+}
+
+// Balanced, so that the long numbers meet late.
+Fraction sum(const MeshView& mesh, std::span<const std::uint32_t> faces) {
+  if (faces.empty()) {
+    return {0, 1};
+  }
+  if (faces.size() == 1) {
+    return determinant(mesh, mesh.triangles[faces[0]]);
+  }
+  const Fraction left = sum(mesh, faces.first(faces.size() / 2));
+  const Fraction right = sum(mesh, faces.subspan(faces.size() / 2));
+  return {left.numerator * right.denominator + right.numerator * left.denominator,
+          left.denominator * right.denominator};
+}
+
+struct Bounds {
+  mpq_class lower, upper;
+};
+
+// Six times the volume, in two parts: what only doubles contribute, and the rest.
+class SixVolumes {
+ public:
+  explicit SixVolumes(const MeshView& mesh) : mesh_(mesh) {
+    exact::ExactSum sum;
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+      const Triangle& t = mesh.triangles[i];
+      if (has_implicit_corner(mesh, t)) {
+        implicit_faces_.push_back(i);
+      } else {
+        add_determinant(sum, mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+      }
+    }
+    doubles_ = sum.value();
+  }
+
+  [[nodiscard]] mpq_class exact() const {
+    const Fraction rest = sum(mesh_, implicit_faces_);
+    mpq_class total(rest.numerator, rest.denominator);
+    total.canonicalize();
+    return total + doubles_;
+  }
+
+  // Calls decide(bounds) with ever narrower bounds, at last with equal ones, until it returns a
+  // value.
+  template <class Decide>
+  [[nodiscard]] auto refine(Decide&& decide) const {
+    if (!implicit_faces_.empty()) {
+      for (int bits = 128; bits <= 2048; bits *= 2) {
+        if (const auto decision = decide(bounds(bits - magnitude()))) {
+          return *decision;
+        }
+      }
+    }
+    const mpq_class value = exact();
+    return *decide(Bounds{value, value});
+  }
+
+ private:
+  [[nodiscard]] int magnitude() const {
+    double sum = 0;
+    for (const std::uint32_t face : implicit_faces_) {
+      sum += std::abs(approximate_determinant(mesh_, mesh_.triangles[face]));
+    }
+    return std::isfinite(sum) && sum > 0 ? std::ilogb(sum) : 0;
+  }
+
+  // Each determinant rounded down to a multiple of 2^-fraction_bits.
+  [[nodiscard]] Bounds bounds(int fraction_bits) const {
+    mpz_class sum = 0, term;
+    for (const std::uint32_t face : implicit_faces_) {
+      Fraction value = determinant(mesh_, mesh_.triangles[face]);
+      mpz_class& scaled = fraction_bits >= 0 ? value.numerator : value.denominator;
+      scaled <<= static_cast<mp_bitcnt_t>(std::abs(fraction_bits));
+      mpz_fdiv_q(term.get_mpz_t(), value.numerator.get_mpz_t(), value.denominator.get_mpz_t());
+      sum += term;
+    }
+    return {doubles_ + scaled_down(sum, fraction_bits),
+            doubles_ + scaled_down(sum + implicit_faces_.size(), fraction_bits)};
+  }
+
+  [[nodiscard]] static mpq_class scaled_down(const mpz_class& value, int bits) {
+    const auto shift = static_cast<mp_bitcnt_t>(std::abs(bits));
+    const mpq_class whole(value);
+    return bits >= 0 ? mpq_class(whole >> shift) : mpq_class(whole << shift);
+  }
+
+  MeshView mesh_;
+  mpq_class doubles_;
+  std::vector<std::uint32_t> implicit_faces_;
+};
+
+// Twice the area where rounding provably costs less than 1e-13 of it.
+std::optional<double> quick_double_area(const MeshView& mesh, const Triangle& corners) {
+  constexpr double kHalfUlp = 0x1p-53;
+  const Vec3 &a = mesh.points[corners[0]], &b = mesh.points[corners[1]],
+             &c = mesh.points[corners[2]];
+  const Vec3 u = b - a, v = c - a;
+  const double doubled = u.cross(v).norm();
+  // Of each coordinate of u and v: rounding of the difference, and of implicit points themselves.
+  const double off = has_implicit_corner(mesh, corners)
+                         ? 2 * kHalfUlp * std::max({a.lpNorm<1>(), b.lpNorm<1>(), c.lpNorm<1>()})
+                         : 0;
+  const double length_u = u.lpNorm<1>(), length_v = v.lpNorm<1>();
+  const double off_u = kHalfUlp * length_u + 3 * off, off_v = kHalfUlp * length_v + 3 * off;
+  // The cross product's own rounding is below 3 half ulps of the products, the norm's below 4 of
+  // the result; factor 2 covers the second order.
+  const double error = 2 * (length_u * off_v + length_v * off_u + off_u * off_v +
+                            3 * kHalfUlp * length_u * length_v + 4 * kHalfUlp * doubled);
+  constexpr double kSafeFromUnderflow = 0x1p-400;
+  if (doubled > kSafeFromUnderflow && error < 1e-13 * doubled) {
+    return doubled;
+  }
+  return std::nullopt;
+}
+
+double exact_double_area(const MeshView& mesh, const Triangle& corners) {
+  const ExactPoint a = mesh.exact(corners[0]), b = mesh.exact(corners[1]),
+                   c = mesh.exact(corners[2]);
+  std::array<Mpzf, 3> u, v;
+  for (std::size_t i = 0; i < 3; ++i) {
+    u[i] = b[i] * a[3] - a[i] * b[3];
+    v[i] = c[i] * a[3] - a[i] * c[3];
+  }
+  Mpzf squares;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const Mpzf component = u[j] * v[k] - u[k] * v[j];
+    squares = squares + component * component;
+  }
+  const Mpzf weight = a[3] * a[3] * b[3] * c[3];
+  constexpr mp_bitcnt_t kPrecision = 128;
+  const mpf_class numerator(exact::rational(squares), kPrecision),
+      denominator(exact::rational(weight), kPrecision);
+  return mpf_class(sqrt(numerator) / denominator).get_d();
+}
+
+}  // namespace
+
+mpq_class exact_volume(const MeshView& mesh) { return SixVolumes(mesh).exact() / 6; }
+
+double nearest_volume(const MeshView& mesh) {
+  return SixVolumes(mesh).refine([](const Bounds& six) -> std::optional<double> {
+    const double lower = exact::nearest_double(six.lower / 6),
+                 upper = exact::nearest_double(six.upper / 6);
+    return lower == upper ? std::optional(lower) : std::nullopt;
+  });
+}
+
+int volume_sign(const MeshView& mesh) {
+  return SixVolumes(mesh).refine([](const Bounds& six) -> std::optional<int> {
+    const int lower = sgn(six.lower), upper = sgn(six.upper);
+    return lower == upper ? std::optional(lower) : std::nullopt;
+  });
+}
+
+double area(const MeshView& mesh) {
+  double sum = 0, rest = 0;  // compensated summation
+  for (const Triangle& corners : mesh.triangles) {
+    const auto quick = quick_double_area(mesh, corners);
+    const double term = (quick ? *quick : exact_double_area(mesh, corners)) - rest;
+    const double next = sum + term;
+    rest = (next - sum) - term;
+    sum = next;
+  }
+  return sum / 2;
+}
+
+}  // namespace dupin::mesh

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/edge_table.h"
+#include "mesh/mesh_view.h"
+
+namespace dupin::mesh {
+
+/// A contact with the faces that meet there.
+struct ContactPlace {
+  Contact::Kind kind = Contact::Kind::vertex;
+  std::uint32_t from = 0, to = 0;    ///< points
+  std::vector<std::uint32_t> faces;  ///< ascending
+  /// False at an edge around which the faces do not bound inside and outside in turn: there the
+  /// surface crosses or covers itself.
+  bool alternating = true;
+};
+
+/// The half-edges along an edge in the order of their faces around it, counter-clockwise about its
+/// direction from low to high, exactly.
+[[nodiscard]] std::vector<std::uint32_t> sorted_around(const MeshView& mesh, const EdgeTable& edges,
+                                                       const Edge& edge);
+
+/// Where a closed oriented 2-manifold surface touches itself: edges first, then vertices that are
+/// in no such edge. `representatives` names for each point the first one of the same coordinates.
+/// Faces may meet in such points only.
+[[nodiscard]] std::vector<ContactPlace> find_contacts(
+    const MeshView& mesh, std::span<const std::uint32_t> representatives);
+
+/// The public form, with the names of the faces' labels.
+[[nodiscard]] Contact to_contact(const ContactPlace& place, const MeshView& mesh,
+                                 std::span<const std::uint32_t> labels,
+                                 std::span<const std::string> names);
+
+/// Gives each fan of faces a point of its own, so that the surface is 2-manifold combinatorially
+/// wherever its edges are, and lists the contacts. Every edge has two faces that run along it in
+/// opposite directions.
+void separate_contacts(ExactMesh& mesh);
+
+/// The same for fans given like those of corner_fans(), whatever number of faces edges have.
+void separate_fans(ExactMesh& mesh, std::span<const std::uint32_t> fans);
+
+}  // namespace dupin::mesh

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "mesh/edge_table.h"
+#include "mesh/mesh_view.h"
+
+namespace dupin::mesh {
+
+/// Answers which shells are around which, by exact ray tests. The shells are closed surfaces of
+/// doubles. The mesh and the shells outlive it.
+class ShellNest {
+ public:
+  ShellNest(const MeshView& mesh, const Shells& shells);
+
+  /// Whether `inner` lies within the surface `outer`, another shell that it does not cross nor
+  /// share an area with; they may touch. Disjoint boxes cost nothing.
+  [[nodiscard]] bool encloses(std::size_t outer, std::size_t inner) const;
+
+ private:
+  [[nodiscard]] Eigen::AlignedBox3d bounds_of(std::uint32_t face) const;
+  [[nodiscard]] std::uint32_t test_face(std::size_t shell) const;
+
+  MeshView mesh_;
+  const Shells& shells_;
+  std::vector<Eigen::AlignedBox3d> boxes_;
+  std::vector<std::uint32_t> test_faces_;
+};
+
+/// For each shell the number of other shells around it. The shells share no area and do not cross.
+[[nodiscard]] std::vector<int> nesting_depths(const MeshView& mesh, const Shells& shells);
+
+}  // namespace dupin::mesh

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cmath>
+
+#include "dupin/kernel/vec.h"
+
+/// Signs of determinants in plain doubles: +1 or -1 when certain, 0 when rounding could reach the
+/// value. The bounds are stage A of J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic
+/// (1997). The small addends cover underflow; overflow gives infinities or NaN, which are never
+/// certain.
+namespace dupin::predicates {
+
+inline constexpr double kHalfUlp = 0x1p-53;
+inline constexpr double kOrient2Bound = (3 + 16 * kHalfUlp) * kHalfUlp;
+inline constexpr double kOrient3Bound = (7 + 56 * kHalfUlp) * kHalfUlp;
+
+/// The sides of one plane.
+class PlaneFilter {
+ public:
+  PlaneFilter(const Vec3& a, const Vec3& b, const Vec3& c) : a_(a) {
+    const Vec3 u = b - a, v = c - a;
+    for (int k = 0; k < 3; ++k) {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      const double left = u[i] * v[j], right = u[j] * v[i];
+      normal_[k] = left - right;
+      size_[k] = std::abs(left) + std::abs(right) + kUnderflow;
+    }
+  }
+
+  /// The sign of (b - a) x (c - a) . (p - a).
+  [[nodiscard]] int side(const Vec3& p) const {
+    const double x = p[0] - a_[0], y = p[1] - a_[1], z = p[2] - a_[2];
+    const double value = x * normal_[0] + y * normal_[1] + z * normal_[2];
+    const double bound =
+        kOrient3Bound * (std::abs(x) * size_[0] + std::abs(y) * size_[1] + std::abs(z) * size_[2]) +
+        kUnderflow;
+    return (value > bound) - (value < -bound);
+  }
+
+  /// True only if a, b and c are certainly not collinear.
+  [[nodiscard]] bool certain() const {
+    for (int k = 0; k < 3; ++k) {
+      if (std::abs(normal_[k]) > kOrient2Bound * size_[k] + kUnderflow) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The axis nearest to the normal: to project along.
+  [[nodiscard]] int main_axis() const {
+    int axis = 0;
+    normal_.cwiseAbs().maxCoeff(&axis);
+    return axis;
+  }
+
+ private:
+  // Each product that underflows is off by at most 2^-1075; this is far more, and far less than
+  // any product of coordinates above 1e-90.
+  static constexpr double kUnderflow = 0x1p-900;
+  Vec3 a_, normal_, size_;
+};
+
+/// The sign of (b - a) x (p - a) seen along `axis`.
+[[nodiscard]] inline int side_of_line(const Vec3& a, const Vec3& b, const Vec3& p, int axis) {
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  const double left = (b[i] - a[i]) * (p[j] - a[j]), right = (b[j] - a[j]) * (p[i] - a[i]);
+  const double value = left - right;
+  const double bound = kOrient2Bound * (std::abs(left) + std::abs(right)) + 0x1p-1000;
+  return (value > bound) - (value < -bound);
+}
+
+}  // namespace dupin::predicates

@@ -1,0 +1,335 @@
+#include "rounding/edited_mesh.h"
+
+#include <algorithm>
+#include <array>
+
+#include <Eigen/Geometry>
+
+#include "support/blocks.h"
+
+namespace dupin::rounding {
+namespace {
+
+constexpr std::uint32_t kNoList = 0xffffffff;
+
+bool has(const Triangle& triangle, std::uint32_t vertex) {
+  return triangle[0] == vertex || triangle[1] == vertex || triangle[2] == vertex;
+}
+
+/// The corner that is neither a nor b.
+std::uint32_t third(const Triangle& triangle, std::uint32_t a, std::uint32_t b) {
+  for (const std::uint32_t corner : triangle) {
+    if (corner != a && corner != b) {
+      return corner;
+    }
+  }
+  return a;
+}
+
+Triangle replaced(Triangle triangle, std::uint32_t from, std::uint32_t to) {
+  std::replace(triangle.begin(), triangle.end(), from, to);
+  return triangle;
+}
+
+double area(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a).norm() / 2; }
+
+/// The least height of a tetrahedron: how far the flip of one of its edges moves the surface.
+double thickness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const double volume = std::abs((b - a).cross(c - a).dot(d - a)) / 6;
+  const double base = std::max({area(a, b, c), area(a, b, d), area(a, c, d), area(b, c, d)});
+  return base > 0 ? 3 * volume / base : 0;
+}
+
+}  // namespace
+
+EditedMesh::EditedMesh(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                       std::span<const std::uint32_t> classes, std::span<const std::uint32_t> twins,
+                       std::span<const std::uint8_t> complete)
+    : points_(points.begin(), points.end()),
+      triangles_(triangles.begin(), triangles.end()),
+      classes_(classes),
+      twins_(twins),
+      complete_(complete),
+      alive_(triangles_.size(), 1),
+      fixed_(points_.size(), 0),
+      parent_(triangles_.size()),
+      reach_(points_.size(), 0),
+      deviation_(triangles_.size(), 0),
+      slice_start_(points_.size() + 1, 0),
+      slices_(3 * triangles_.size()),
+      own_list_(points_.size(), kNoList),
+      frame_(points_, triangles_),
+      stamp_(triangles_.size(), 0) {
+  for (std::uint32_t v = 0; v < points_.size(); ++v) {
+    if (twins_[v] != v) {
+      fixed_[v] = fixed_[twins_[v]] = 1;
+    }
+  }
+  for (const Triangle& triangle : triangles_) {
+    for (const std::uint32_t v : triangle) {
+      ++slice_start_[v + 1];
+    }
+  }
+  for (std::size_t v = 0; v < points_.size(); ++v) {
+    slice_start_[v + 1] += slice_start_[v];
+  }
+  support::BulkVector<std::uint32_t> next(slice_start_.begin(), slice_start_.end() - 1);
+  for (std::uint32_t f = 0; f < triangles_.size(); ++f) {
+    parent_[f] = f;
+    for (const std::uint32_t v : triangles_[f]) {
+      slices_[next[v]++] = f;
+    }
+    if (!all_complete(triangles_[f])) {
+      for (const std::uint32_t v : triangles_[f]) {
+        fixed_[v] = 1;
+      }
+    }
+  }
+}
+
+bool EditedMesh::all_complete(std::span<const std::uint32_t> points) const {
+  return complete_.empty() ||
+         std::ranges::all_of(points, [&](std::uint32_t v) { return complete_[v] != 0; });
+}
+
+support::BulkVector<std::uint32_t> EditedMesh::alive_faces() const {
+  support::BulkVector<std::uint32_t> faces;
+  faces.reserve(triangles_.size());
+  for (std::uint32_t f = 0; f < triangles_.size(); ++f) {
+    if (alive(f)) {
+      faces.push_back(f);
+    }
+  }
+  return faces;
+}
+
+support::BulkVector<Triangle> EditedMesh::triangles_of(std::span<const std::uint32_t> faces) const {
+  support::BulkVector<Triangle> triangles;
+  triangles.reserve(faces.size());
+  for (const std::uint32_t f : faces) {
+    triangles.push_back(triangles_[f]);
+  }
+  return triangles;
+}
+
+std::span<const std::uint32_t> EditedMesh::faces(std::uint32_t vertex) const {
+  if (own_list_[vertex] != kNoList) {
+    return lists_[own_list_[vertex]];
+  }
+  return std::span(slices_).subspan(slice_start_[vertex],
+                                    slice_start_[vertex + 1] - slice_start_[vertex]);
+}
+
+void EditedMesh::set_faces(std::uint32_t vertex, std::vector<std::uint32_t> faces) {
+  if (own_list_[vertex] == kNoList) {
+    own_list_[vertex] = static_cast<std::uint32_t>(lists_.size());
+    lists_.emplace_back();
+  }
+  lists_[own_list_[vertex]] = std::move(faces);
+}
+
+void EditedMesh::add_face(std::uint32_t vertex, std::uint32_t face) {
+  const auto old = faces(vertex);
+  std::vector<std::uint32_t> list(old.begin(), old.end());
+  list.push_back(face);
+  set_faces(vertex, std::move(list));
+}
+
+void EditedMesh::drop_face(std::uint32_t vertex, std::uint32_t face) {
+  const auto old = faces(vertex);
+  std::vector<std::uint32_t> list(old.begin(), old.end());
+  std::erase(list, face);
+  set_faces(vertex, std::move(list));
+}
+
+std::optional<std::uint32_t> EditedMesh::face_with_edge(std::uint32_t a, std::uint32_t b) const {
+  for (const std::uint32_t f : faces(a)) {
+    const Triangle& t = triangles_[f];
+    for (int i = 0; i < 3; ++i) {
+      if (t[i] == a && t[(i + 1) % 3] == b) {
+        return f;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+boxes::Box EditedMesh::box(std::uint32_t face) const { return frame_.around(framed(face)); }
+
+boxes::FramedTriangle EditedMesh::framed(std::uint32_t face) const {
+  const Triangle& t = triangles_[face];
+  return frame_.map(points_[t[0]], points_[t[1]], points_[t[2]]);
+}
+
+boxes::BoxTree& EditedMesh::tree() {
+  if (!tree_) {
+    support::BulkVector<boxes::Box> boxes(triangles_.size());
+    support::for_each_block(boxes.size(), [&](const support::Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        const auto f = static_cast<std::uint32_t>(i);
+        boxes[i] = alive(f) ? box(f) : boxes::Box::nothing();
+      }
+    });
+    if (complete_.empty()) {
+      tree_.emplace(boxes);
+    } else {  // a part, small enough for oriented boxes to pay off
+      tree_.emplace(boxes, [&](std::uint32_t f) { return framed(f); });
+    }
+  }
+  return *tree_;
+}
+
+/// The link condition: contracting the edge keeps a closed 2-manifold.
+bool EditedMesh::collapsible(std::uint32_t from, std::uint32_t to) const {
+  std::vector<std::uint32_t> around_from, around_to, common;
+  std::size_t faces_at_edge = 0;
+  for (const std::uint32_t f : faces(from)) {
+    around_from.insert(around_from.end(), triangles_[f].begin(), triangles_[f].end());
+    faces_at_edge += has(triangles_[f], to) ? 1 : 0;
+  }
+  for (const std::uint32_t f : faces(to)) {
+    around_to.insert(around_to.end(), triangles_[f].begin(), triangles_[f].end());
+  }
+  for (auto* around : {&around_from, &around_to}) {
+    std::sort(around->begin(), around->end());
+    around->erase(std::unique(around->begin(), around->end()), around->end());
+  }
+  std::set_intersection(around_from.begin(), around_from.end(), around_to.begin(), around_to.end(),
+                        std::back_inserter(common));
+  if (faces_at_edge != 2 || common.size() != 4) {  // the ends and the two opposite corners
+    return false;
+  }
+  std::erase(common, from);
+  std::erase(common, to);
+  const auto on_opposite_edge = [&](std::uint32_t f) {
+    return has(triangles_[f], common[0]) && has(triangles_[f], common[1]);
+  };
+  return !(std::ranges::any_of(faces(from), on_opposite_edge) &&
+           std::ranges::any_of(faces(to), on_opposite_edge));
+}
+
+bool EditedMesh::collapse(std::uint32_t from, std::uint32_t to, const EditRule& terms) {
+  const double moved = reach_[from] + (points_[from] - points_[to]).norm();
+  const auto all = faces(from);
+  if (fixed_[from] != 0 || moved > terms.reach || !promising(all, terms) ||
+      !collapsible(from, to)) {
+    return false;
+  }
+  std::vector<std::uint32_t> dying, changing;
+  for (const std::uint32_t f : all) {
+    (has(triangles_[f], to) ? dying : changing).push_back(f);
+  }
+  for (const std::uint32_t f : dying) {
+    alive_[f] = 0;
+  }
+  for (const std::uint32_t f : changing) {
+    triangles_[f] = replaced(triangles_[f], from, to);
+  }
+  if (!settle(all, changing, terms)) {
+    for (const std::uint32_t f : dying) {
+      alive_[f] = 1;
+    }
+    for (const std::uint32_t f : changing) {
+      triangles_[f] = replaced(triangles_[f], to, from);
+    }
+    return false;
+  }
+  for (const std::uint32_t f : dying) {
+    drop_face(to, f);
+    drop_face(third(triangles_[f], from, to), f);
+  }
+  for (const std::uint32_t f : changing) {
+    add_face(to, f);
+  }
+  set_faces(from, {});
+  reach_[to] = std::max(reach_[to], moved);
+  return true;
+}
+
+bool EditedMesh::flip(std::uint32_t face, int edge, const EditRule& terms) {
+  const std::uint32_t a = triangles_[face][edge], b = triangles_[face][(edge + 1) % 3],
+                      c = triangles_[face][(edge + 2) % 3];
+  const auto across = face_with_edge(b, a);
+  if (!across || *across == face) {
+    return false;
+  }
+  const std::array<std::uint32_t, 2> pair = {face, *across};
+  const std::uint32_t d = third(triangles_[*across], a, b);
+  const std::array<std::uint32_t, 4> corners = {a, b, c, d};
+  if (!promising(pair, terms) || !all_complete(corners) || c == d || face_with_edge(c, d) ||
+      face_with_edge(d, c)) {
+    return false;
+  }
+  const Vec3 &pa = points_[a], &pb = points_[b], &pc = points_[c], &pd = points_[d];
+  const double moved = std::max(deviation_[face], deviation_[*across]) + thickness(pa, pb, pc, pd);
+  const double mine = area(pa, pb, pc), others = area(pa, pb, pd);
+  const bool mixes = !classes_.empty() && classes_[parent_[face]] != classes_[parent_[*across]];
+  const bool needle = 2 * std::min(mine, others) <= terms.reach * (pa - pb).norm();
+  if (moved > terms.reach || (mixes && !needle)) {
+    return false;
+  }
+  const std::array<Triangle, 2> before = {triangles_[face], triangles_[*across]};
+  triangles_[face] = {a, d, c};
+  triangles_[*across] = {d, b, c};
+  if (!settle(pair, pair, terms)) {
+    triangles_[face] = before[0];
+    triangles_[*across] = before[1];
+    return false;
+  }
+  if (mixes) {  // the needle's area is taken over by the class of the other one
+    parent_[face] = parent_[*across] = mine > others ? parent_[face] : parent_[*across];
+  }
+  drop_face(b, face);
+  drop_face(a, *across);
+  add_face(d, face);
+  add_face(c, *across);
+  deviation_[face] = deviation_[*across] = moved;
+  return true;
+}
+
+bool EditedMesh::move(std::uint32_t vertex, const Vec3& position, const EditRule& terms) {
+  const double moved = reach_[vertex] + (position - points_[vertex]).norm();
+  const auto around = faces(vertex);
+  if (fixed_[vertex] != 0 || moved > terms.reach || !promising(around, terms)) {
+    return false;
+  }
+  const Vec3 before = points_[vertex];
+  points_[vertex] = position;
+  if (!settle(around, around, terms)) {
+    points_[vertex] = before;
+    return false;
+  }
+  reach_[vertex] = moved;
+  return true;
+}
+
+void EditedMesh::remove(std::span<const std::uint32_t> faces) {
+  for (const Fault& item : known_bad(faces)) {
+    forget(item);
+  }
+  for (const std::uint32_t f : faces) {
+    alive_[f] = 0;
+    for (const std::uint32_t v : triangles_[f]) {
+      set_faces(v, {});
+    }
+  }
+}
+
+void EditedMesh::place(support::BulkVector<Vec3> points) {
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    reach_[v] += (points[v] - points_[v]).norm();
+  }
+  points_ = std::move(points);
+  tree_.reset();
+}
+
+std::vector<std::uint32_t> EditedMesh::take_edited() {
+  std::vector<std::uint32_t> faces = std::move(edited_);
+  edited_.clear();
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  std::erase_if(faces, [&](std::uint32_t f) { return !alive(f); });
+  return faces;
+}
+
+}  // namespace dupin::rounding

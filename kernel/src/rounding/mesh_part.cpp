@@ -1,0 +1,219 @@
+#include "rounding/mesh_part.h"
+
+#include <algorithm>
+
+#include "boxes/boxes_near.h"
+#include "support/blocks.h"
+#include "support/bulk_vector.h"
+
+namespace dupin::rounding {
+namespace {
+
+/// A part with more of the triangles than one in so many saves little.
+constexpr std::size_t kShare = 4;
+
+/// Edits change the triangles of bad items, those around them, and those that share points with
+/// these.
+constexpr int kRings = 2;
+
+/// The triangles that share points with others, and these.
+std::vector<std::uint32_t> ring(const BrokenMesh& mesh, std::span<const std::uint32_t> faces) {
+  std::vector<std::uint8_t> marks(mesh.doubles.size(), 0);
+  for (const std::uint32_t face : faces) {
+    for (const std::uint32_t v : mesh.triangles[face]) {
+      marks[v] = 1;
+    }
+  }
+  const support::BulkVector<std::uint8_t> marked = marked_faces(mesh.triangles, marks);
+  return support::collect_in_order<std::uint32_t>(
+      marked.size(), [&](std::size_t face, std::vector<std::uint32_t>& found) {
+        if (marked[face] != 0) {
+          found.push_back(static_cast<std::uint32_t>(face));
+        }
+      });
+}
+
+template <class Item>
+std::vector<Item> items(std::span<const Item> of_whole, std::span<const std::uint32_t> numbers) {
+  std::vector<Item> chosen;
+  chosen.reserve(numbers.size());
+  for (const std::uint32_t i : numbers) {
+    chosen.push_back(of_whole[i]);
+  }
+  return chosen;
+}
+
+boxes::FramedTriangle framed(const boxes::BoxQuantizer& frame, std::span<const Vec3> points,
+                             const Triangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  return frame.map(points[a], points[b], points[c]);
+}
+
+/// The triangles with boxes near those in the tree.
+std::vector<std::uint32_t> faces_near(const boxes::BoxTree& tree, const boxes::BoxQuantizer& frame,
+                                      std::span<const Vec3> points,
+                                      std::span<const Triangle> triangles) {
+  const support::BulkVector<boxes::FramedPoint> mapped = frame.map(points);
+  return boxes::boxes_near(tree, triangles.size(), [&](std::uint32_t face) {
+    const auto& [a, b, c] = triangles[face];
+    return frame.around({mapped[a], mapped[b], mapped[c]});
+  });
+}
+
+}  // namespace
+
+std::optional<MeshPart> MeshPart::around(const BrokenMesh& whole,
+                                         std::span<const std::uint32_t> broken, double reach,
+                                         double step) {
+  std::vector<std::uint32_t> core(broken.begin(), broken.end());
+  for (int i = 0; i < kRings; ++i) {
+    core = ring(whole, core);
+    if (core.size() * kShare > whole.triangles.size()) {
+      return std::nullopt;
+    }
+  }
+  const boxes::BoxQuantizer frame(whole.doubles, whole.triangles);
+  std::vector<boxes::Box> zones;
+  zones.reserve(core.size());
+  for (const std::uint32_t face : core) {
+    zones.push_back(
+        frame.around(framed(frame, whole.doubles, whole.triangles[face]), 2 * (reach + step)));
+  }
+  MeshPart part(frame, std::move(zones));
+  part.faces_ = faces_near(part.zone_tree_, frame, whole.on_lattice, whole.triangles);
+  if (part.faces_.size() * kShare > whole.triangles.size()) {
+    return std::nullopt;
+  }
+  part.copy(whole, core);
+  return part;
+}
+
+void MeshPart::copy(const BrokenMesh& whole, std::span<const std::uint32_t> core) {
+  constexpr std::uint32_t kNone = 0xffffffff;
+  support::BulkVector<std::uint32_t> number(whole.doubles.size(), kNone);  // in the part
+  triangles_ = items(whole.triangles, faces_);
+  for (const Triangle& triangle : triangles_) {
+    for (const std::uint32_t v : triangle) {
+      number[v] = 0;
+    }
+  }
+  for (std::uint32_t v = 0; v < number.size(); ++v) {
+    if (number[v] != kNone) {
+      number[v] = static_cast<std::uint32_t>(points_.size());
+      points_.push_back(v);
+    }
+  }
+  for (Triangle& triangle : triangles_) {
+    for (std::uint32_t& v : triangle) {
+      v = number[v];
+    }
+  }
+  complete_.resize(points_.size(), 0);
+  for (const std::uint32_t face : core) {
+    for (const std::uint32_t v : whole.triangles[face]) {
+      complete_[number[v]] = 1;
+    }
+  }
+  doubles_ = items(whole.doubles, points_);
+  on_lattice_ = items(whole.on_lattice, points_);
+  inexact_ = items(whole.inexact, points_);
+  if (!whole.labels.empty()) {
+    labels_ = items(whole.labels, faces_);
+  }
+  support::BulkVector<std::uint32_t> first(whole.doubles.size(), kNone);  // of twins, in the part
+  for (std::uint32_t i = 0; i < points_.size(); ++i) {
+    std::uint32_t& twin = first[whole.twins[points_[i]]];
+    twin = std::min(twin, i);
+    twins_.push_back(twin);
+  }
+}
+
+BrokenMesh MeshPart::view() const {
+  return {doubles_, on_lattice_, inexact_, triangles_, labels_, twins_, complete_};
+}
+
+std::uint32_t MeshPart::face(std::uint32_t of_whole) const {
+  return static_cast<std::uint32_t>(std::ranges::lower_bound(faces_, of_whole) - faces_.begin());
+}
+
+bool MeshPart::meets_rest(const EditedMesh& repaired, const Embedding& whole) const {
+  std::vector<std::uint32_t> edited;
+  std::vector<boxes::Box> outside;  // of the zones, which only triangles of the part meet
+  for (std::uint32_t f = 0; f < triangles_.size(); ++f) {
+    const Triangle& after = repaired.triangle(f);
+    const auto moved = [&](std::uint32_t v) { return repaired.point(v) != on_lattice_[v]; };
+    if (!repaired.alive(f) || (triangles_[f] == after && std::ranges::none_of(after, moved))) {
+      continue;
+    }
+    const boxes::Box own = frame_.around(framed(frame_, repaired.points(), after));
+    bool in_zone = false;
+    zone_tree_.visit(own, [&](std::uint32_t i) { in_zone = in_zone || zones_[i].contains(own); });
+    if (!in_zone) {
+      edited.push_back(faces_[f]);
+      outside.push_back(own);
+    }
+  }
+  if (outside.empty()) {
+    return false;
+  }
+  const boxes::BoxTree tree(outside);
+  bool meets = false;
+  for (const std::uint32_t face : faces_near(tree, frame_, whole.points, whole.triangles)) {
+    if (!std::ranges::binary_search(faces_, face)) {
+      tree.visit(frame_.around(framed(frame_, whole.points, whole.triangles[face])),
+                 [&](std::uint32_t i) { meets = meets || is_faulty_pair(whole, edited[i], face); });
+    }
+  }
+  return meets;
+}
+
+void MeshPart::put(const EditedMesh& repaired, TriMesh& whole, std::vector<Source>& sources) const {
+  for (std::uint32_t v = 0; v < points_.size(); ++v) {
+    whole.points[points_[v]] = repaired.point(v).array() + 0.0;
+  }
+  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      whole.triangles[faces_[f]][i] = points_[repaired.triangle(f)[i]];
+    }
+  }
+  const auto own_sources = items(std::span<const Source>(sources), faces_);
+  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+    const std::uint32_t parent = repaired.parent(f);
+    sources[faces_[f]] = own_sources[parent];
+    if (!labels_.empty()) {
+      whole.labels[faces_[f]] = labels_[parent];
+    }
+  }
+}
+
+void MeshPart::put_back(std::vector<Vec3>& points) const {
+  for (std::size_t v = 0; v < points_.size(); ++v) {
+    points[points_[v]] = on_lattice_[v];
+  }
+}
+
+void erase_points(std::span<const std::uint32_t> unused, TriMesh& mesh) {
+  if (unused.empty()) {
+    return;
+  }
+  support::BulkVector<std::uint32_t> place(mesh.points.size());
+  support::for_each_block(place.size(), [&](const support::Block& block) {
+    auto next = std::ranges::lower_bound(unused, static_cast<std::uint32_t>(block.begin));
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      while (next != unused.end() && *next < i) {
+        ++next;
+      }
+      place[i] = static_cast<std::uint32_t>(i - static_cast<std::size_t>(next - unused.begin()));
+    }
+  });
+  support::for_each_block(mesh.triangles.size(), [&](const support::Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      for (std::uint32_t& v : mesh.triangles[i]) {
+        v = place[v];
+      }
+    }
+  });
+  erase_at(unused, mesh.points);
+}
+
+}  // namespace dupin::rounding

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "boxes/box_quantizer.h"
+#include "boxes/box_tree.h"
+#include "dupin/kernel/mesh.h"
+#include "dupin/kernel/solid.h"
+#include "rounding/edited_mesh.h"
+#include "rounding/faults.h"
+
+namespace dupin::rounding {
+
+/// What repair reads of a mesh whose rounding has bad items.
+struct BrokenMesh {
+  std::span<const Vec3> doubles, on_lattice;  ///< the places before and after rounding
+  std::span<const std::uint8_t> inexact;      ///< points whose exact places are not the doubles
+  std::span<const Triangle> triangles;
+  std::span<const std::uint32_t> labels;  ///< per triangle; may be empty
+  std::span<const std::uint32_t> twins;   ///< per point the first of those that coincide with it
+  std::span<const std::uint8_t> complete = {};  ///< as EditedMesh has them
+};
+
+/// The surroundings of bad items, as a mesh of its own with a border: the triangles some rings
+/// around, and all that are as near to these as edits may move them. Numbers, of points and of
+/// triangles, ascend as in the whole mesh.
+class MeshPart {
+ public:
+  /// None if the part would not be much smaller than the whole. `reach` bounds the moves of points
+  /// before they are rounded, `step` those of rounding.
+  [[nodiscard]] static std::optional<MeshPart> around(const BrokenMesh& whole,
+                                                      std::span<const std::uint32_t> broken,
+                                                      double reach, double step);
+
+  /// Refers to the part.
+  [[nodiscard]] BrokenMesh view() const;
+  /// The numbers, in the whole mesh, of the part's triangles and points.
+  [[nodiscard]] const std::vector<std::uint32_t>& faces() const { return faces_; }
+  [[nodiscard]] const std::vector<std::uint32_t>& points() const { return points_; }
+  /// The number in the part of a triangle of the whole mesh that belongs to it.
+  [[nodiscard]] std::uint32_t face(std::uint32_t of_whole) const;
+
+  /// Whether, in the whole mesh that they have been put into, repaired triangles that differ from
+  /// the rounded ones are bad items with others than those of the part.
+  [[nodiscard]] bool meets_rest(const EditedMesh& repaired, const Embedding& whole) const;
+
+  /// Puts the repaired triangles, dead ones apart, and points into the rounded whole mesh.
+  void put(const EditedMesh& repaired, TriMesh& whole, std::vector<Source>& sources) const;
+  /// Puts the rounded points into the whole mesh.
+  void put_back(std::vector<Vec3>& points) const;
+
+ private:
+  MeshPart(const boxes::BoxQuantizer& frame, std::vector<boxes::Box> zones)
+      : frame_(frame), zones_(std::move(zones)), zone_tree_(zones_) {}
+  void copy(const BrokenMesh& whole, std::span<const std::uint32_t> core);
+
+  boxes::BoxQuantizer frame_;
+  std::vector<boxes::Box>
+      zones_;  // all triangles whose rounded ones' boxes meet them are in the part
+  boxes::BoxTree zone_tree_;
+  std::vector<std::uint32_t> faces_, points_;
+  std::vector<Vec3> doubles_, on_lattice_;
+  std::vector<std::uint8_t> inexact_, complete_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::uint32_t> labels_, twins_;
+};
+
+/// Removes the items at ascending places, if there are any items.
+template <class Item>
+void erase_at(std::span<const std::uint32_t> places, std::vector<Item>& items) {
+  if (places.empty() || items.empty()) {
+    return;
+  }
+  auto end = items.begin() + places.front();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::size_t next = i + 1 < places.size() ? places[i + 1] : items.size();
+    end = std::move(items.begin() + places[i] + 1,
+                    items.begin() + static_cast<std::ptrdiff_t>(next), end);
+  }
+  items.erase(end, items.end());
+}
+
+/// Removes points, ascending, that no triangle has.
+void erase_points(std::span<const std::uint32_t> unused, TriMesh& mesh);
+
+}  // namespace dupin::rounding

@@ -1,0 +1,405 @@
+#include "dupin/kernel/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <tbb/parallel_invoke.h>
+
+#include "dupin/kernel/error.h"
+#include "mesh/coincident_points.h"
+#include "mesh/exact_mesh.h"
+#include "rounding/edit_attempt.h"
+#include "rounding/edit_strategy.h"
+#include "rounding/mesh_part.h"
+#include "rounding/origin.h"
+#include "rounding/point_rounding.h"
+#include "rounding/rounding_errors.h"
+#include "rounding/shell_check.h"
+#include "rounding/shell_orientation.h"
+#include "rounding/sliver_voids.h"
+#include "support/blocks.h"
+#include "support/bulk_vector.h"
+
+namespace dupin {
+namespace {
+
+using exact::FloatLattice;
+using mesh::ExactMesh;
+using mesh::MeshView;
+using rounding::BrokenMesh;
+using rounding::EditedMesh;
+using rounding::Fault;
+using rounding::MeshPart;
+
+/// The first attempt at repair reaches 4 steps of the lattice, each further one 4 times as far.
+constexpr double kReachGrowth = 4;
+constexpr double kDefaultTolerance = 1024;  // steps
+
+/// Enclosed slits are filled before repair reaches a sixteenth of their width: filling moves no
+/// point.
+constexpr double kSlitWidth = 16;
+
+/// Edits to be tried in all, per bad item that rounding leaves and besides: 50 times as many as the
+/// 600 unions of io_written_unions_test need. What takes more gets nowhere.
+constexpr std::uint64_t kTrialsPerItem = 64, kTrials = 1 << 17;
+
+/// What has been done before the solid is rounded anew without some slits.
+struct Past {
+  double reach = 0;          ///< of the next attempt at repair; 0 for the first
+  std::uint64_t trials = 0;  ///< left for it
+  std::size_t voids = 0;     ///< filled
+  double slit_width = 0;     ///< of the widest
+  std::size_t removed_triangles = 0;
+};
+
+template <class Item>
+void copy(const std::vector<Item>& from, std::vector<Item>& to) {
+  support::reserve_bulk(to, from.size());
+  to.assign(from.begin(), from.end());
+}
+
+}  // namespace
+
+class rounding::Rounding {
+ public:
+  Rounding(const mesh::ExactMesh& exact, Coordinates coordinates, const RoundingOptions& options,
+           const Past& past = {})
+      : exact_(exact),
+        options_(options),
+        past_(past),
+        coordinates_(coordinates),
+        lattice_(coordinates, options.grid),
+        origin_(rounding::chosen_origin(options.origin, exact.points)),
+        rounded_(rounding::round_points(exact, lattice_, origin_)),
+        twins_(mesh::representatives_at_contacts(exact)) {
+    if (!(rounded_.largest_on_lattice <= largest_number())) {
+      throw Error(Errc::unroundable,
+                  "coordinates exceed the range of binary32; use a format that holds doubles");
+    }
+    step_ = lattice_.step(rounded_.largest);
+    double_step_ = exact::FloatLattice(Coordinates::binary64).step(rounded_.largest);
+    tolerance_ = options.tolerance > 0 ? options.tolerance : kDefaultTolerance * step_;
+  }
+
+  Rounded run() {
+    const auto classes = mesh::groups_apart(exact_.stable, lattice_, step_, !origin_.isZero(0));
+    const std::vector<rounding::Fault> bad =
+        rounding::find_faults({rounded_.on_lattice, exact_.triangles, twins_, classes},
+                              rounding::marked_faces(exact_.triangles, rounded_.moved));
+    const mesh::MeshView direct(rounded_.on_lattice, exact_.triangles);
+    const double move = largest_move(rounded_.largest_move);
+    if (bad.empty() && exact_.contacts.empty() &&
+        rounding::keeps_shell_orientation(direct, rounded_.moved, move)) {
+      return unrepaired(move);
+    }
+    std::vector<std::uint32_t> broken = bad.empty() ? misplaced(direct, move) : faces_of(bad);
+    if (broken.empty()) {
+      return unrepaired(move);
+    }
+    return repaired(bad, std::move(broken));
+  }
+
+ private:
+  /// The places of the points in the nearest doubles.
+  [[nodiscard]] std::span<const Vec3> doubles() const {
+    return rounded_.shifted.empty() ? exact_.points : rounded_.shifted;
+  }
+
+  /// Found when first asked for: most solids round without any question that needs them.
+  const std::vector<std::uint32_t>& shell_of() {
+    if (shell_of_.empty()) {
+      shell_of_ = rounding::shell_of_points(exact_);
+    }
+    return shell_of_;
+  }
+
+  [[nodiscard]] double largest_number() const {
+    return coordinates_ == Coordinates::binary64 ? std::numeric_limits<double>::max()
+                                                 : std::numeric_limits<float>::max();
+  }
+
+  /// Fills slits and repairs, as far as the tolerance allows.
+  Rounded repaired(const std::vector<rounding::Fault>& broken_pairs,
+                   std::vector<std::uint32_t> broken) {
+    const bool is_first = past_.reach == 0;
+    trials_left_ = is_first ? kTrials + kTrialsPerItem * broken_pairs.size() : past_.trials;
+    const double farthest = tolerance_ - past_.slit_width / 2;
+    const auto voids = may_have_voids()
+                           ? std::optional(rounding::SliverVoids(exact_, twins_, tolerance_))
+                           : std::nullopt;
+    for (double reach = is_first ? kReachGrowth * step_ : past_.reach;; reach *= kReachGrowth) {
+      reach = std::min(reach, farthest);
+      const double widest = std::min(kSlitWidth * reach, tolerance_);
+      if (const auto filled = voids ? voids->filled(widest) : std::nullopt) {
+        const Past past{
+            reach, trials_left_, past_.voids + filled->count,
+            std::max(past_.slit_width, filled->width),
+            past_.removed_triangles + exact_.triangles.size() - filled->mesh.triangles.size()};
+        return rounding::Rounding(filled->mesh, coordinates_, options_, past).run();
+      }
+      if (auto done = repaired_in_part(broken, broken_pairs, reach)) {
+        return std::move(*done);
+      }
+      rounding::EditedMesh mesh(doubles(), exact_.triangles, exact_.labels, twins_);
+      const std::size_t shells = rounding::remove_small_shells(mesh, broken, reach);
+      trials_left_ = rounding::repair_around(mesh, whole(), broken, broken_pairs,
+                                             {lattice_, rounded_.largest, reach, trials_left_});
+      const auto alive = mesh.alive_faces();
+      const double move = largest_move(mesh, alive);
+      const std::vector<std::uint32_t> left = faults(mesh, alive, move);
+      if (left.empty() && !alive.empty()) {
+        return finished(mesh, alive,
+                        {.largest_move = move, .repair_reach = reach, .removed_shells = shells});
+      }
+      if (reach == farthest || trials_left_ == 0) {
+        throw unroundable(left.empty() ? doubles()[0] : mesh.point(mesh.triangle(left[0])[0]));
+      }
+      broken.insert(broken.end(), left.begin(), left.end());
+    }
+  }
+
+  [[nodiscard]] rounding::BrokenMesh whole() const {
+    return {doubles(),        rounded_.on_lattice, rounded_.inexact,
+            exact_.triangles, exact_.labels,       twins_};
+  }
+
+  /// Repaired by edits near the broken faces only; none if these are many or that does not do.
+  std::optional<Rounded> repaired_in_part(const std::vector<std::uint32_t>& broken,
+                                          const std::vector<rounding::Fault>& broken_pairs,
+                                          double reach) {
+    const auto part = rounding::MeshPart::around(whole(), broken, reach, step_);
+    if (!part) {
+      return std::nullopt;
+    }
+    const rounding::BrokenMesh view = part->view();
+    rounding::EditedMesh mesh(view.doubles, view.triangles, view.labels, view.twins, view.complete);
+    std::vector<std::uint32_t> faces;
+    for (const std::uint32_t face : broken) {
+      faces.push_back(part->face(face));
+    }
+    std::vector<rounding::Fault> pairs;
+    for (const rounding::Fault& item : broken_pairs) {
+      pairs.push_back({part->face(item.first), part->face(item.second)});
+    }
+    const std::uint64_t trials = trials_left_;
+    const std::size_t shells = rounding::remove_small_shells(mesh, faces, reach);
+    trials_left_ = rounding::repair_around(mesh, view, faces, pairs,
+                                           {lattice_, rounded_.largest, reach, trials_left_});
+    if (mesh.bad_items().empty()) {
+      if (auto done = spliced(mesh, *part, {.repair_reach = reach, .removed_shells = shells})) {
+        return done;
+      }
+    }
+    trials_left_ = trials;
+    return std::nullopt;
+  }
+
+  /// Without a second shell and without contacts the solid leaves free one connected space.
+  bool may_have_voids() {
+    return !exact_.contacts.empty() ||
+           std::ranges::any_of(shell_of(), [](std::uint32_t shell) { return shell != 0; });
+  }
+
+  static std::vector<std::uint32_t> faces_of(const std::vector<rounding::Fault>& bad) {
+    std::vector<std::uint32_t> faces;
+    for (const rounding::Fault& item : bad) {
+      faces.push_back(item.first);
+      faces.push_back(item.second);
+    }
+    return faces;
+  }
+
+  /// Triangles, by their places, of shells turned inside out and at contacts that became crossings.
+  std::vector<std::uint32_t> misplaced(const mesh::MeshView& mesh, double move) {
+    std::vector<std::uint32_t> faces = rounding::turned_shells(exact_, shell_of(), mesh, move);
+    if (!exact_.contacts.empty()) {
+      const auto crossed = rounding::crossed_contacts(mesh, twins_);
+      faces.insert(faces.end(), crossed.begin(), crossed.end());
+    }
+    return faces;
+  }
+
+  /// Faces of bad items, else misplaced ones.
+  std::vector<std::uint32_t> faults(const rounding::EditedMesh& mesh,
+                                    std::span<const std::uint32_t> alive, double move) {
+    const std::vector<rounding::Fault> bad = mesh.bad_items();
+    if (!bad.empty()) {
+      return faces_of(bad);
+    }
+    const auto triangles = mesh.triangles_of(alive);
+    std::vector<std::uint32_t> faces = misplaced({mesh.points(), triangles}, move);
+    for (std::uint32_t& face : faces) {
+      face = alive[face];
+    }
+    return faces;
+  }
+
+  Rounded unrepaired(double move);
+  std::optional<Rounded> spliced(const rounding::EditedMesh& mesh, const rounding::MeshPart& part,
+                                 RoundingReport report);
+  [[nodiscard]] Rounded finished(const rounding::EditedMesh& mesh,
+                                 std::span<const std::uint32_t> alive, RoundingReport report) const;
+  [[nodiscard]] Rounded with_report(RoundingReport report, std::size_t triangles) const;
+  [[nodiscard]] double largest_move(double from_doubles) const;
+  [[nodiscard]] double largest_move(const rounding::EditedMesh& repaired,
+                                    std::span<const std::uint32_t> alive) const;
+  [[nodiscard]] Error unroundable(const Vec3& at) const;
+
+  const mesh::ExactMesh& exact_;
+  const RoundingOptions& options_;
+  Past past_;
+  Coordinates coordinates_;
+  exact::FloatLattice lattice_;
+  Vec3 origin_;
+  rounding::RoundedPoints rounded_;
+  std::vector<std::uint32_t> twins_, shell_of_;
+  double step_ = 0, double_step_ = 0, tolerance_ = 0;
+  std::uint64_t trials_left_ = 0;
+};
+
+/// A result of so many triangles, less its mesh and sources.
+Rounded rounding::Rounding::with_report(RoundingReport report, std::size_t triangles) const {
+  Rounded result;
+  report.coordinates = coordinates_;
+  report.origin = origin_;
+  report.removed_triangles = past_.removed_triangles + exact_.triangles.size() - triangles;
+  report.filled_slits = past_.voids;
+  report.slit_width = past_.slit_width;
+  result.mesh_.names = exact_.names;
+  result.contacts_ = exact_.contacts;
+  result.report_ = report;
+  return result;
+}
+
+/// The solid's own triangles, on the rounded points, which are taken.
+Rounded rounding::Rounding::unrepaired(double move) {
+  RoundingReport report{.largest_move = move};
+  report.moved = static_cast<std::size_t>(std::ranges::count(rounded_.moved, 1));
+  Rounded result = with_report(report, exact_.triangles.size());
+  result.mesh_.points = std::move(rounded_.on_lattice);
+  tbb::parallel_invoke([&] { copy(exact_.triangles, result.mesh_.triangles); },
+                       [&] { copy(exact_.sources, result.sources_); },
+                       [&] { copy(exact_.labels, result.mesh_.labels); });
+  return result;
+}
+
+/// The mesh of the faces that repair has left alive.
+Rounded rounding::Rounding::finished(const rounding::EditedMesh& mesh,
+                                     std::span<const std::uint32_t> alive,
+                                     RoundingReport report) const {
+  Rounded result = with_report(report, alive.size());
+  constexpr std::uint32_t kUnused = 0xffffffff;
+  support::BulkVector<std::uint32_t> position(mesh.points().size(), kUnused);
+  for (const std::uint32_t face : alive) {
+    for (const std::uint32_t v : mesh.triangle(face)) {
+      position[v] = 0;
+    }
+  }
+  support::reserve_bulk(result.mesh_.points, mesh.points().size());
+  for (std::uint32_t v = 0; v < position.size(); ++v) {
+    const Vec3& point = mesh.point(v);
+    const bool is_used = position[v] != kUnused;
+    const bool has_moved = rounded_.moved[v] != 0 || point != rounded_.on_lattice[v];
+    result.report_.moved += !is_used || has_moved ? 1 : 0;
+    if (is_used) {
+      position[v] = static_cast<std::uint32_t>(result.mesh_.points.size());
+      result.mesh_.points.push_back(point.array() + 0.0);
+    }
+  }
+  support::reserve_bulk(result.mesh_.triangles, alive.size());
+  support::reserve_bulk(result.sources_, alive.size());
+  support::reserve_bulk(result.mesh_.labels, exact_.labels.empty() ? 0 : alive.size());
+  for (const std::uint32_t face : alive) {
+    const Triangle& t = mesh.triangle(face);
+    result.mesh_.triangles.push_back({position[t[0]], position[t[1]], position[t[2]]});
+    result.sources_.push_back(exact_.sources[mesh.parent(face)]);
+    if (!exact_.labels.empty()) {
+      result.mesh_.labels.push_back(exact_.labels[mesh.parent(face)]);
+    }
+  }
+  return result;
+}
+
+/// The whole mesh, its part replaced by the repaired one; none if that is not free of faults. Takes
+/// the rounded points, or leaves them as they were.
+std::optional<Rounded> rounding::Rounding::spliced(const rounding::EditedMesh& mesh,
+                                                   const rounding::MeshPart& part,
+                                                   RoundingReport report) {
+  const rounding::BrokenMesh original = part.view();
+  double vertex = rounded_.largest_move, surface = 0;
+  std::vector<std::uint32_t> unused, dead;  // points and triangles of the whole
+  std::size_t moved = 0;                    // which rounding has left in place
+  for (std::uint32_t v = 0; v < mesh.points().size(); ++v) {
+    const std::uint32_t point = part.points()[v];
+    const bool is_used = !mesh.faces(v).empty();
+    const bool is_kept = is_used && mesh.point(v) == original.on_lattice[v];
+    moved += rounded_.moved[point] == 0 && !is_kept ? 1 : 0;
+    vertex = std::max(vertex, mesh.reach(v));
+    if (!is_used) {
+      unused.push_back(point);
+    }
+  }
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.alive(f)) {
+      surface = std::max(surface, mesh.deviation(f));
+    } else {
+      dead.push_back(part.faces()[f]);
+    }
+  }
+  report.largest_move = largest_move(vertex + surface);
+  report.moved = moved + static_cast<std::size_t>(std::ranges::count(rounded_.moved, 1));
+  Rounded result = with_report(report, exact_.triangles.size() - dead.size());
+  TriMesh& whole = result.mesh_;
+  tbb::parallel_invoke([&] { copy(exact_.triangles, whole.triangles); },
+                       [&] { copy(exact_.sources, result.sources_); },
+                       [&] { copy(exact_.labels, whole.labels); });
+  whole.points = std::move(rounded_.on_lattice);
+  part.put(mesh, whole, result.sources_);
+  const bool meets_rest = part.meets_rest(mesh, {whole.points, whole.triangles, twins_});
+  rounding::erase_at(dead, whole.triangles);
+  if (meets_rest || !misplaced({whole.points, whole.triangles}, report.largest_move).empty()) {
+    rounded_.on_lattice = std::move(whole.points);
+    part.put_back(rounded_.on_lattice);
+    return std::nullopt;
+  }
+  rounding::erase_at(dead, result.sources_);
+  rounding::erase_at(dead, whole.labels);
+  rounding::erase_points(unused, whole);
+  return result;
+}
+
+double rounding::Rounding::largest_move(const rounding::EditedMesh& repaired,
+                                        std::span<const std::uint32_t> alive) const {
+  double vertex = 0, surface = 0;
+  for (std::uint32_t v = 0; v < exact_.points.size(); ++v) {
+    const Vec3& place = rounded_.on_lattice[v];
+    const bool is_kept = repaired.point(v) == place && repaired.reach(v) == 0;
+    vertex = std::max(vertex, is_kept ? (place - doubles()[v]).norm() : repaired.reach(v));
+  }
+  for (const std::uint32_t f : alive) {
+    surface = std::max(surface, repaired.deviation(f));
+  }
+  return largest_move(vertex + surface);
+}
+
+/// Of exact place to nearest double, of that to the lattice and by repair, as given; and half the
+/// width of slits, in which no place is farther from the solid. The factor covers the rounding of
+/// these few sums and norms.
+double rounding::Rounding::largest_move(double from_doubles) const {
+  const double rounding = rounded_.any_inexact ? std::sqrt(0.75) * double_step_ : 0;
+  return (from_doubles + rounding + past_.slit_width / 2) * (1 + 0x1p-48);
+}
+
+Error rounding::Rounding::unroundable(const Vec3& at) const {
+  const bool is_far = rounding::extent(doubles()) < rounded_.largest;
+  return rounding::unroundable_error(at + origin_, tolerance_, coordinates_, is_far);
+}
+
+Rounded to_mesh(const Solid& solid, Coordinates coordinates, const RoundingOptions& options) {
+  rounding::validate(options);
+  return rounding::Rounding(solid.exact(), coordinates, options).run();
+}
+
+}  // namespace dupin

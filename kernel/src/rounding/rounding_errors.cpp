@@ -1,0 +1,38 @@
+#include "rounding/rounding_errors.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace dupin::rounding {
+
+void validate(const RoundingOptions& options) {
+  int exponent = 0;
+  if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
+    throw Error(Errc::invalid_argument, "the rounding tolerance must be finite and not negative");
+  }
+  if (options.grid != 0 && !(options.grid > 0 && std::isfinite(options.grid) &&
+                             std::frexp(options.grid, &exponent) == 0.5)) {
+    throw Error(Errc::invalid_argument,
+                "the grid spacing must be 0 or a power of two, such as 0.0009765625 (2^-10)");
+  }
+  if (!options.origin.place.allFinite()) {
+    throw Error(Errc::invalid_argument, "the origin must be finite");
+  }
+}
+
+Error unroundable_error(const Vec3& at, double tolerance, Coordinates coordinates, bool is_far) {
+  std::ostringstream where, message;
+  where << "(" << at.x() << ", " << at.y() << ", " << at.z() << ")";
+  message << "no valid mesh with coordinates of the target format within the tolerance of "
+          << tolerance << "; what would help: ";
+  if (is_far) {
+    message << "recentring (origin auto), ";
+  }
+  if (coordinates == Coordinates::binary32) {
+    message << "a format that holds doubles (OFF, OBJ, PLY instead of STL), ";
+  }
+  message << "a larger tolerance";
+  return Error(Errc::unroundable, message.str(), {}, where.str());
+}
+
+}  // namespace dupin::rounding

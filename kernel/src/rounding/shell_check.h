@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh_view.h"
+#include "rounding/edited_mesh.h"
+
+namespace dupin::rounding {
+
+/// For each point the lowest one of its shell: points that triangles connect.
+[[nodiscard]] std::vector<std::uint32_t> shell_of_points(const mesh::ExactMesh& exact);
+
+/// One triangle, by its place, of each shell that lies inside out after rounding: whose volume has
+/// changed its sign. `mesh` began as the triangles of `exact`, whose shells are given; no point
+/// moved further than `largest_move`.
+[[nodiscard]] std::vector<std::uint32_t> turned_shells(const mesh::ExactMesh& exact,
+                                                       std::span<const std::uint32_t> shell_of,
+                                                       const mesh::MeshView& mesh,
+                                                       double largest_move);
+
+/// The triangles, by their places, at edges where the mesh touches itself and where rounding has
+/// made one sheet pass through another, so that the triangles around do not bound inside and
+/// outside in turn. `twins` names for each point the first of those that it touches.
+[[nodiscard]] std::vector<std::uint32_t> crossed_contacts(const mesh::MeshView& mesh,
+                                                          std::span<const std::uint32_t> twins);
+
+/// Removes the shells of the given faces that lie within `reach` of one of their points. Returns
+/// their number.
+std::size_t remove_small_shells(EditedMesh& mesh, const std::vector<std::uint32_t>& faces,
+                                double reach);
+
+}  // namespace dupin::rounding

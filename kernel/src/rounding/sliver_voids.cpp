@@ -1,0 +1,262 @@
+#include "rounding/sliver_voids.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Geometry>
+
+#include "exact/exact_vector.h"
+#include "mesh/measure.h"
+#include "mesh/self_contact.h"
+#include "predicates/triangle_distance.h"
+#include "support/disjoint_sets.h"
+
+namespace dupin::rounding {
+namespace {
+
+std::vector<Triangle> merged(const mesh::ExactMesh& mesh, std::span<const std::uint32_t> twins) {
+  std::vector<Triangle> triangles = mesh.triangles;
+  for (Triangle& corners : triangles) {
+    for (std::uint32_t& corner : corners) {
+      corner = twins[corner];
+    }
+  }
+  return triangles;
+}
+
+std::vector<std::uint32_t> points_of(std::span<const Triangle> triangles,
+                                     std::span<const std::uint32_t> faces) {
+  std::vector<std::uint32_t> points;
+  for (const std::uint32_t face : faces) {
+    points.insert(points.end(), triangles[face].begin(), triangles[face].end());
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+/// The mean normal of the triangles that face the same way as the largest, of length 1 but for
+/// rounding; any direction if doubles cannot tell it.
+Vec3 mean_normal(const mesh::ExactMesh& mesh, std::span<const std::uint32_t> faces) {
+  std::vector<Vec3> normals;
+  Vec3 largest = Vec3::Zero(), sum = Vec3::Zero();
+  for (const std::uint32_t face : faces) {
+    const Triangle& t = mesh.triangles[face];
+    const Vec3& a = mesh.points[t[0]];
+    normals.push_back((mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a));
+    largest = normals.back().squaredNorm() > largest.squaredNorm() ? normals.back() : largest;
+  }
+  for (const Vec3& normal : normals) {
+    sum += normal.dot(largest) > 0 ? normal : Vec3::Zero();
+  }
+  const Vec3 normal = sum.stableNormalized();
+  return normal.allFinite() && !normal.isZero(0) ? normal : Vec3::UnitZ();
+}
+
+/// The distance of the two planes across `normal` that enclose the points, rounded up; infinite if
+/// it is above `widest`.
+double width_across(const Vec3& normal, const mesh::ExactMesh& mesh,
+                    std::span<const std::uint32_t> points, double widest) {
+  const exact::ExactVector direction = {normal.x(), normal.y(), normal.z()};
+  const auto height = [&](std::uint32_t point) {
+    const mesh::ExactPoint p = mesh::exact_point(mesh, point);
+    return predicates::Fraction{exact::dot({p[0], p[1], p[2]}, direction), p[3]};
+  };
+  predicates::Fraction low = height(points.front()), high = low;
+  double width = 0;
+  for (const std::uint32_t point : points.subspan(1)) {
+    const predicates::Fraction here = height(point);
+    if (!(here < low) && !(high < here)) {
+      continue;
+    }
+    (here < low ? low : high) = here;
+    // The factor covers the rounding of the quotient and of the normal's length.
+    width =
+        mesh::nearest_double(high.numerator * low.denominator - low.numerator * high.denominator,
+                             high.denominator * low.denominator) *
+        (1 + 0x1p-48);
+    if (!(width <= widest)) {
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+  return width;
+}
+
+/// Per shell. Nearest doubles do not change the order of coordinates.
+std::vector<Eigen::AlignedBox3d> bounds_of(const mesh::Shells& shells,
+                                           const mesh::ExactMesh& mesh) {
+  std::vector<Eigen::AlignedBox3d> bounds(shells.count);
+  for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
+    for (const std::uint32_t point : mesh.triangles[face]) {
+      bounds[shells.of_face[face]].extend(mesh.points[point]);
+    }
+  }
+  return bounds;
+}
+
+}  // namespace
+
+SliverVoids::SliverVoids(const mesh::ExactMesh& mesh, std::span<const std::uint32_t> twins,
+                         double widest)
+    : mesh_(mesh), merged_(merged(mesh, twins)), edges_(merged_, mesh.points.size()) {
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    if (edges_[i].half_edges.size() > 2) {
+      around_.emplace(i, mesh::sorted_around(mesh::MeshView(mesh_), edges_, edges_[i]));
+    }
+  }
+  cells_ = find_cells();
+  voids_ = find_slits(widest);
+}
+
+/// Going around an edge from its lower to its upper end, a triangle that runs along it has material
+/// before it and free space behind it.
+void SliverVoids::pair_around(const std::vector<std::uint32_t>& around,
+                              const std::vector<std::uint8_t>& gone, Side side,
+                              std::vector<std::uint32_t>& partners) const {
+  std::vector<std::uint32_t> left;
+  for (const std::uint32_t half_edge : around) {
+    if (gone[half_edge / 3] == 0) {
+      left.push_back(half_edge);
+    }
+  }
+  const std::size_t n = left.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool along = edges_.origin(left[i]) < edges_.target(left[i]);
+    const bool forward = along == (side == Side::free);
+    partners[left[i]] = left[forward ? (i + 1) % n : (i + n - 1) % n];
+  }
+}
+
+/// Per half-edge the other one at its edge that bounds the same part of the solid or of what it
+/// leaves free.
+std::vector<std::uint32_t> SliverVoids::partners(const std::vector<std::uint8_t>& gone,
+                                                 Side side) const {
+  std::vector<std::uint32_t> partners(3 * merged_.size());
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const auto half_edges = edges_[i].half_edges;
+    if (half_edges.size() == 2) {
+      partners[half_edges[0]] = half_edges[1];
+      partners[half_edges[1]] = half_edges[0];
+    }
+  }
+  for (const auto& [edge, around] : around_) {
+    pair_around(around, gone, side, partners);
+  }
+  return partners;
+}
+
+mesh::Shells SliverVoids::find_cells() const {
+  const auto across = partners(std::vector<std::uint8_t>(merged_.size(), 0), Side::free);
+  support::DisjointSets sets(merged_.size());
+  for (std::uint32_t h = 0; h < across.size(); ++h) {
+    sets.unite(h / 3, across[h] / 3);
+  }
+  return mesh::grouped(sets.representatives());
+}
+
+/// Whether the cell's surface encloses free space. Others enclose material.
+bool SliverVoids::is_void(std::uint32_t cell) const {
+  std::vector<Triangle> triangles;
+  for (const std::uint32_t face : cells_.faces_of(cell)) {
+    triangles.push_back(mesh_.triangles[face]);
+  }
+  mesh::MeshView view(mesh_);
+  view.triangles = triangles;
+  return mesh::volume_sign(view) < 0;
+}
+
+/// Those in which material might float are left out.
+std::vector<SliverVoids::Slit> SliverVoids::find_slits(double widest) const {
+  std::vector<Slit> voids;
+  for (std::uint32_t cell = 0; cell < cells_.count; ++cell) {
+    const auto faces = cells_.faces_of(cell);
+    const auto points = points_of(merged_, faces);
+    const double width = width_across(mean_normal(mesh_, faces), mesh_, points, widest);
+    if (width <= widest && is_void(cell)) {
+      voids.push_back({cell, width});
+    }
+  }
+  const std::vector<Eigen::AlignedBox3d> bounds = bounds_of(cells_, mesh_);
+  std::vector<std::uint8_t> is_slit(cells_.count, 0);
+  for (const Slit& slit : voids) {
+    is_slit[slit.cell] = 1;
+  }
+  std::vector<std::uint32_t> others;
+  for (std::uint32_t cell = 0; cell < cells_.count; ++cell) {
+    if (is_slit[cell] == 0) {
+      others.push_back(cell);
+    }
+  }
+  std::erase_if(voids, [&](const Slit& slit) {
+    return std::ranges::any_of(others, [&](std::uint32_t cell) {
+      return bounds[slit.cell].contains(bounds[cell]) && !is_void(cell);
+    });
+  });
+  return voids;
+}
+
+mesh::ExactMesh SliverVoids::without(const std::vector<std::uint8_t>& gone) const {
+  mesh::ExactMesh rest;
+  rest.points = mesh_.points;
+  rest.implicit = mesh_.implicit;
+  rest.names = mesh_.names;
+  rest.planes = mesh_.planes;
+  std::vector<std::uint32_t> number(merged_.size(), 0), old;
+  for (std::uint32_t f = 0; f < merged_.size(); ++f) {
+    if (gone[f] != 0) {
+      continue;
+    }
+    number[f] = static_cast<std::uint32_t>(old.size());
+    old.push_back(f);
+    rest.triangles.push_back(merged_[f]);
+    rest.sources.push_back(mesh_.sources[f]);
+    if (!mesh_.labels.empty()) {
+      rest.labels.push_back(mesh_.labels[f]);
+    }
+    if (!mesh_.plane_of.empty()) {
+      rest.plane_of.push_back(mesh_.plane_of[f]);
+    }
+  }
+  const auto across = partners(gone, Side::material);
+  const auto corner = [&](std::uint32_t half_edge) {  // at its origin, in the rest
+    return 3 * number[half_edge / 3] + half_edge % 3;
+  };
+  support::DisjointSets sets(3 * old.size());
+  for (const std::uint32_t f : old) {
+    for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
+      sets.unite(corner(h), corner(mesh::next_half_edge(across[h])));
+    }
+  }
+  mesh::separate_fans(rest, sets.representatives());
+  return rest;
+}
+
+std::optional<FilledVoids> SliverVoids::filled(double width) const {
+  FilledVoids result;
+  std::vector<std::uint8_t> gone(merged_.size(), 0);
+  for (const Slit& slit : voids_) {
+    if (slit.width > width) {
+      continue;
+    }
+    ++result.count;
+    result.width = std::max(result.width, slit.width);
+    for (const std::uint32_t face : cells_.faces_of(slit.cell)) {
+      gone[face] = 1;
+    }
+  }
+  if (result.count == 0) {
+    return std::nullopt;
+  }
+  result.mesh = without(gone);
+  // Copies of points might no longer tell apart two sheets that still touch along an edge.
+  const mesh::EdgeTable edges(result.mesh.triangles, result.mesh.points.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (edges[i].half_edges.size() != 2) {
+      return std::nullopt;
+    }
+  }
+  return result;
+}
+
+}  // namespace dupin::rounding

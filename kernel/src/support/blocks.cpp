@@ -1,0 +1,11 @@
+#include "support/blocks.h"
+
+#include <tbb/parallel_for.h>
+
+namespace dupin::support {
+
+void for_each_in_parallel(std::size_t count, const std::function<void(std::size_t)>& visit) {
+  tbb::parallel_for(std::size_t{0}, count, visit);
+}
+
+}  // namespace dupin::support

@@ -1,0 +1,16 @@
+#include "io/formats/mesh_mutation.h"
+
+namespace dupin {
+namespace {
+
+class MeshMutation : public ::testing::TestWithParam<MeshFormat> {};
+
+TEST_P(MeshMutation, damaged_files_are_read_or_refused) {
+  test::expect_read_or_refused(GetParam(), 20000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, MeshMutation, ::testing::ValuesIn(kMeshFormats),
+                         test::format_name);
+
+}  // namespace
+}  // namespace dupin

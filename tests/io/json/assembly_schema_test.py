@@ -1,0 +1,91 @@
+"""The schema accepts every example and refuses what the reader refuses."""
+import json
+import pathlib
+import sys
+
+import jsonschema
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+
+PIPE = {"name": "a", "pipe": {"from": [0, 0, 0], "to": [9, 0, 0], "radius": 1}}
+
+
+def document(part):
+    return {"units": "mm", "tolerance": 0.05, "parts": [part]}
+
+
+REFUSED = [
+    [],
+    {},
+    {"units": "mile", "tolerance": 1, "parts": [PIPE]},
+    {"units": "mm", "tolerance": 0, "parts": [PIPE]},
+    {"units": "mm", "tolerance": 1, "parts": []},
+    {"units": "mm", "tolerance": 1, "segments": 2, "parts": [PIPE]},
+    {"units": "mm", "tolerance": 1, "segments": 12.5, "parts": [PIPE]},
+    {"units": "mm", "tolerance": 1, "part": [], "parts": [PIPE]},
+    document({"name": "a"}),
+    document({"name": "a.b", "sphere": {"center": [0, 0, 0], "radius": 1}}),
+    document({"name": "a", "sphere": {"center": [0, 0], "radius": 1}}),
+    document({"name": "a", "sphere": {"center": [0, 0, 0], "radius": -1}}),
+    document({"name": "a", "tee": {}}),
+    document({**PIPE, "cap": {"at": "b.end"}}),
+    document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0]}}),
+    document({"name": "a", "pipe": {"from": "b.end", "to": [1, 0, 0], "radius": 1}}),
+    document({"name": "a", "pipe": {"from": "b.middle", "length": 1}}),
+    document({"name": "a", "cone": {"from": "b.end", "length": 1, "radii": [1, 2]}}),
+    document({"name": "a", "elbow": {"from": "b.end", "bend_radius": 2, "angle": 360, "toward": [1, 0, 0]}}),
+    document({"name": "a", "cyclic_blend": {"from": "b.end", "to": "c.start", "radius_law": "R3", "k": 1, "l": 1}}),
+    document({"name": "a", "cyclic_blend": {"from": "b.end", "to": "c.start", "radius_law": "R1", "k": 1, "l": "best"}}),
+    document({"name": "a", "cyclic_blend": {"from": "b.end", "to": "c.start", "radius_law": "R1", "k": 1}}),
+    document({"name": "a", "cap": {"at": 1}}),
+    document({"name": "a", "cyclide_blend": {"from": "b.end"}}),
+    document({"name": "a", "cyclide_chain": {"spheres": [[0, 0, 0], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
+    document({"name": "a", "cyclide_chain": {"slope": 1, "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
+    document({"name": "a", "cyclide_chain": {"from": "b.end", "direction": [1, 0, 0], "spheres": [[1, 0, 0, 1], [2, 0, 0, 1]]}}),
+    document({"name": "a", "cyclide_chain": {"joints": "caps", "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
+    document({"name": "a", "cyclide_chain": {"joints": "kneecaps", "wall": 1, "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
+    document({"name": "a", "cyclide_chain": {"wall": 0, "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
+]
+
+ACCEPTED = [
+    document({"name": "a", "cyclide_blend": {"from": "b.end", "to": "c.start"}}),
+    document({"name": "a", "cyclide_chain": {"joints": "kneecaps", "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
+    document({"name": "a", "cyclide_chain": {"from": "b.end", "spheres": [[1, 0, 0, 1], [2, 0, 0, 1]], "tangents": [{"sphere": 1, "tangent": [1, 0, 0, 0]}]}}),
+    document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "semi_axes": [1, 2]}}),
+    document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "semi_axes": [1, 0], "axis": [0, 0, 1]}}),
+    document({"name": "a", "spline": {"through": [], "closed": False}}),
+    document({"name": "a", "ringed_blend": {"from": "b.end", "to": "c.start", "bidegree": [3, 2]}}),
+    document({"name": "a", "ringed_blend": {"from": "b.end", "to": {"center": [0, 0, 0], "direction": [0, 0, 1], "radius": 1, "plate": "flat"}}}),
+    document({"name": "a", "two_cone_blend": {"from": "b.end", "to": "c.start"}}),
+]
+
+ACCEPTED = [
+    document({"name": "a", "cone": {"from": "b.end", "length": 1, "end_semi_axes": [2, 1], "axis": [0, 0, 1]}}),
+    document({"name": "a", "elbow": {"from": [0, 0, 0], "direction": [1, 0, 0], "to": [1, 2, 3], "semi_axes": [2, 1], "axis": [0, 0, 1]}}),
+    document({"name": "a", "ringed_blend": {"from": "b.end", "to": {"center": [0, 0, 0], "direction": [0, 0, 1], "radius": 1, "ruling": [0, 1, 1]}, "k": "auto"}}),
+    document({"name": "a", "comment": "", "elbow": {"from": "b.end", "to": [1, 2, 3]}}),
+    document({"name": "a", "elbow": {"from": "b.end", "corner": [1, 2, 3], "to": [1, 2, 4]}}),
+    document({"name": "a", "elbow": {"from": [0, 0, 0], "direction": [1, 0, 0], "radius": 1, "bend_radius": 3, "angle": 90, "toward": [0, 1, 0]}}),
+    document({"name": "a", "cone": {"from": [0, 0, 0], "direction": [0, 1, 0], "length": 3, "radii": [1, 2]}}),
+    document({"name": "a", "cap": {"at": "b.start"}}),
+    document({"name": "a", "cyclic_blend": {"from": "b.end", "to": "c.start", "radius_law": "R1", "k": 1, "l": "auto", "continuity": "G2"}}),
+]
+
+
+def main():
+    schema = json.loads((ROOT / "io" / "assembly.schema.json").read_text())
+    jsonschema.Draft7Validator.check_schema(schema)
+    validator = jsonschema.Draft7Validator(schema)
+    faults = []
+    examples = sorted((ROOT / "examples").glob("*.json"))
+    if len(examples) < 8:
+        faults.append(f"only {len(examples)} examples found")
+    for path in examples:
+        faults += [f"{path.name}: {error.message}" for error in validator.iter_errors(json.loads(path.read_text()))]
+    faults += [f"refuses {value}" for value in ACCEPTED if not validator.is_valid(value)]
+    faults += [f"accepts {value}" for value in REFUSED if validator.is_valid(value)]
+    print("\n".join(faults))
+    return 1 if faults else 0
+
+
+sys.exit(main())

@@ -1,0 +1,89 @@
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/intersections.h>
+#include <gtest/gtest.h>
+
+#include "kernel/arrangement/stages_internal.h"
+
+namespace dupin::arrangement {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+Kernel::Triangle_3 triangle(const ArrangementInput& input, std::uint32_t t) {
+  const auto point = [&input](PointId id) {
+    const Vec3& p = input.points.coordinates(id);
+    return Kernel::Point_3(p.x(), p.y(), p.z());
+  };
+  const Triangle& corners = input.triangles[t];
+  return {point(corners[0]), point(corners[1]), point(corners[2])};
+}
+
+// Turns by an angle whose sine and cosine are no doubles, so that all coordinates are rounded.
+TriMesh turned(TriMesh mesh, double angle, const Vec3& axis) {
+  for (Vec3& p : mesh.points) {
+    p = Eigen::AngleAxisd(angle, axis.normalized()) * p;
+  }
+  return mesh;
+}
+
+std::vector<test::Meeting> turned_meetings() {
+  std::vector<test::Meeting> result = test::meetings();
+  for (double angle = 0.1; angle < 3; angle += 0.7) {
+    result.push_back({"turned tubes",
+                      {turned(test::tube(1, -4, 4, 24), angle, {1, 2, 3}),
+                       turned(test::tube(0.5, -4, 4, 16), 2 * angle, {3, -1, angle}),
+                       test::tube(0.25, -6, 6, 8)}});
+  }
+  return result;
+}
+
+TEST(Candidates, hold_every_pair_of_triangles_that_meets) {
+  for (const auto& [name, solids] : turned_meetings()) {
+    SCOPED_TRACE(name);
+    const test::Stages s(solids);
+    const std::vector<TrianglePair> candidates = s.candidates();
+    const auto count = static_cast<std::uint32_t>(s.input.triangles.size());
+    std::vector<TrianglePair> meeting;
+    {
+      const CGAL::Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+      for (std::uint32_t i = 0; i < count; ++i) {
+        for (std::uint32_t j = i + 1; j < count; ++j) {
+          if (s.input.operand_of(i) != s.input.operand_of(j) && !s.input.merged[i] &&
+              !s.input.merged[j] &&
+              CGAL::do_intersect(triangle(s.input, i), triangle(s.input, j))) {
+            meeting.push_back({i, j});
+          }
+        }
+      }
+    }
+    std::vector<TrianglePair> sorted = candidates;
+    std::sort(sorted.begin(), sorted.end());
+    EXPECT_EQ(std::adjacent_find(sorted.begin(), sorted.end()), sorted.end()) << "each once";
+    EXPECT_TRUE(std::includes(sorted.begin(), sorted.end(), meeting.begin(), meeting.end()));
+  }
+}
+
+TEST(Candidates, leave_merged_triangles_out) {
+  const test::Stages s({test::cube(0, 0, 0), test::cube(0, 0, 0)});
+  for (const auto& [first, second] : s.candidates()) {
+    EXPECT_FALSE(s.input.merged[first] || s.input.merged[second]);
+  }
+}
+
+TEST(Candidates, are_few_where_slanted_tubes_cross) {
+  const test::Stages s({turned(test::tube(1, -40, 40, 256), 0.7, {1, 2, 3}),
+                        turned(test::tube(1, -40, 40, 256), 2.1, {3, -1, 1})});
+  const std::size_t all = 1020 * 1020;
+  EXPECT_LT(s.candidates().size(), all / 8);
+}
+
+TEST(Candidates, come_in_the_same_order_every_time) {
+  const std::vector<TriMesh> solids{test::tube(1, -3, 3, 40), test::cube(0, 0, 0),
+                                    test::tube(0.5, -4, 4, 30)};
+  const std::vector<TrianglePair> first = test::Stages(solids).candidates();
+  EXPECT_FALSE(first.empty());
+  EXPECT_EQ(test::Stages(solids).candidates(), first);
+}
+
+}  // namespace
+}  // namespace dupin::arrangement

@@ -1,0 +1,102 @@
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "arrangement/coincident_point_index.h"
+#include "arrangement/implicit_predicates.h"
+#include "exact/exact_numbers.h"
+
+namespace dupin::arrangement {
+namespace {
+
+using Kind = ImplicitPoint::Kind;
+using Place = std::array<mpq_class, 3>;
+
+Place place(const PointTable& points, PointId id) {
+  const mesh::ExactPoint p = points.exact_value(id);
+  const mpq_class w = exact::rational(p[3]);
+  return {exact::rational(p[0]) / w, exact::rational(p[1]) / w, exact::rational(p[2]) / w};
+}
+
+class Points : public testing::Test {
+ protected:
+  PointId at(double x, double y, double z) { return points.add(Vec3(x, y, z)); }
+
+  UpwardRounding rounding;
+  PointTable points;
+};
+
+TEST_F(Points, are_where_a_line_meets_a_plane) {
+  const PointId a = at(0, 0, 0), b = at(1, 2, 3), o = at(1, 0, 0), u = at(0, 1, 0), v = at(0, 0, 1);
+  const PointId p = points.add(ImplicitPoint{Kind::line_plane, 0, {a, b, o, u, v}});
+  EXPECT_EQ(place(points, p), (Place{mpq_class(1, 6), mpq_class(1, 3), mpq_class(1, 2)}));
+}
+
+TEST_F(Points, are_where_two_lines_cross) {
+  const PointId a = at(0, 0, 5), b = at(3, 1, 5), c = at(0, 1, 5), d = at(1, 0, 5);
+  const PointId p = points.add(ImplicitPoint{Kind::two_lines, 2, {a, b, c, d}});
+  EXPECT_EQ(place(points, p), (Place{mpq_class(3, 4), mpq_class(1, 4), 5}));
+}
+
+TEST_F(Points, are_where_three_planes_meet) {
+  const PointId o = at(0, 0, 0), x = at(1, 0, 0), y = at(0, 1, 0), z = at(0, 0, 1),
+                xy = at(1, 1, 0), xyz = at(1, 1, 1), xzzz = at(1, 0, 3);
+  const PointId p =
+      points.add(ImplicitPoint{Kind::three_planes, 0, {x, y, z, o, xy, xyz, o, xzzz, y}});
+  // x + y + z = 1, x = y, z = 3 x.
+  EXPECT_EQ(place(points, p), (Place{mpq_class(1, 5), mpq_class(1, 5), mpq_class(3, 5)}));
+}
+
+// Random lines and planes, nearly parallel ones among them.
+TEST_F(Points, lie_within_their_intervals) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<std::array<PointId, 5>> given;
+  for (int round = 0; round < 300; ++round) {
+    const double slope = round % 3 == 0 ? 0x1p-40 : 1;
+    std::array<PointId, 5> ids{};
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      ids[k] = at(uniform(random), uniform(random), slope * uniform(random));
+    }
+    given.push_back(ids);
+  }
+  for (const auto& ids : given) {
+    ImplicitPoint definition{Kind::line_plane, 0, {}};
+    std::copy(ids.begin(), ids.end(), definition.of.begin());
+    const PointId p = points.add(definition);
+    const Place exact = place(points, p);
+    const auto expect_within = [&] {
+      for (int k = 0; k < 3; ++k) {
+        const Interval i = points.interval(p, k);
+        EXPECT_TRUE(!std::isfinite(i.inf()) || exact[static_cast<std::size_t>(k)] >= i.inf());
+        EXPECT_TRUE(!std::isfinite(i.sup()) || exact[static_cast<std::size_t>(k)] <= i.sup());
+      }
+    };
+    expect_within();
+    points.tighten(p);
+    expect_within();
+    for (int k = 0; k < 3; ++k) {
+      const Interval i = points.interval(p, k);
+      EXPECT_LE(i.sup() - i.inf(), 0x1p-40 * (1 + std::abs(i.sup())));
+    }
+    const ImplicitPoint& d = points.definition(p);
+    EXPECT_EQ(side_of_plane(points, d.of[2], d.of[3], d.of[4], p), 0) << "by exact arithmetic";
+  }
+}
+
+TEST_F(Points, of_one_place_are_found_whatever_defines_them) {
+  const PointId a = at(0, 0, 0), b = at(3, 1, 0), c = at(0, 1, 0), d = at(1, 0, 0), e = at(0, 1, 7),
+                three_quarters = at(0.75, 0.25, 0), below = at(1, -1, 0);
+  CoincidentPointIndex places(points, 7, 4);
+  EXPECT_EQ(places.first_at_place_of(three_quarters), three_quarters);
+  const PointId crossing = points.add(ImplicitPoint{Kind::two_lines, 2, {a, b, c, d}});
+  EXPECT_EQ(places.first_at_place_of(crossing), three_quarters);
+  const PointId piercing = points.add(ImplicitPoint{Kind::line_plane, 0, {a, b, c, d, e}});
+  EXPECT_EQ(places.first_at_place_of(piercing), three_quarters);
+  EXPECT_TRUE(same_place(points, crossing, piercing));
+  const PointId elsewhere = points.add(ImplicitPoint{Kind::two_lines, 2, {a, b, c, below}});
+  EXPECT_EQ(places.first_at_place_of(elsewhere), elsewhere);
+}
+
+}  // namespace
+}  // namespace dupin::arrangement

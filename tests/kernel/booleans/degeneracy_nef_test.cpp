@@ -1,0 +1,38 @@
+#include <gtest/gtest.h>
+
+#include "kernel/nef_oracle.h"
+#include "support/degeneracies.h"
+
+namespace dupin {
+namespace {
+
+// The table's expectations, not our results.
+TEST(DegeneracyNef, polyhedra_confirm_the_table_where_they_can) {
+  constexpr std::size_t kFew = 8;  // operands that Nef polyhedra unite in a moment
+  using test::NefOperation;
+  std::size_t confirmed = 0;
+  for (const test::Degeneracy& row : test::degeneracies()) {
+    if (row.operands.size() > kFew) {
+      continue;
+    }
+    const std::pair<NefOperation, const test::ExpectedSolid*> table[] = {
+        {NefOperation::unite, &row.united},
+        {NefOperation::intersect, &row.common},
+        {NefOperation::subtract, &row.difference}};
+    for (const auto& [operation, expected] : table) {
+      SCOPED_TRACE(row.name + ", operation " + std::to_string(static_cast<int>(operation)));
+      const auto nef = test::by_nef(operation, row.operands[0], row.operands[1]);
+      ASSERT_EQ(nef.has_value(), expected->contacts == 0);
+      if (nef) {
+        EXPECT_EQ(nef->volume, mpq_class(expected->volume));
+        EXPECT_EQ(nef->components, expected->components);
+        EXPECT_EQ(nef->genus, expected->genus);
+        ++confirmed;
+      }
+    }
+  }
+  EXPECT_GT(confirmed, 50U);
+}
+
+}  // namespace
+}  // namespace dupin
