@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "curves/exact_spine.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin::ringed {
