@@ -17,6 +17,11 @@ namespace dupin::arrangement {
                                       const BooleanRule& rule, const Progress& progress = {},
                                       std::uint64_t memory_limit = 0);
 
+/// The same for solids, with the policies of the options. Throws Error{contact} besides, where
+/// these refuse contacts.
+[[nodiscard]] mesh::ExactMesh arrange(std::span<const Solid> operands, const BooleanRule& rule,
+                                      const BooleanOptions& options);
+
 /// The boundary of the places that a surface winds around a positive number of times. It is closed
 /// (each edge is run along as often one way as the other) and has no degenerate or duplicate
 /// triangles, but may cross and cover itself. Throws like arrange().

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "arrangement/coincident_point_index.h"
-#include "arrangement/edge_key.h"
 #include "arrangement/input.h"
 #include "arrangement/triangle_intersection.h"
 

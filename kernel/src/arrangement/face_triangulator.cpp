@@ -4,7 +4,6 @@
 
 #include "arrangement/implicit_predicates.h"
 #include "arrangement/triangle_intersection.h"
-#include "arrangement/winding_change.h"
 
 namespace dupin::arrangement {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "arrangement/coincident_point_index.h"
 #include "arrangement/limits.h"
-#include "arrangement/winding_change.h"
 #include "mesh/coincident_points.h"
 #include "support/blocks.h"
 

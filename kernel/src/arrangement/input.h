@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -12,6 +13,14 @@
 #include "support/bulk_vector.h"
 
 namespace dupin::arrangement {
+
+/// An edge by its ends, the lower one first.
+using EdgeKey = std::uint64_t;
+[[nodiscard]] constexpr EdgeKey edge_key(PointId a, PointId b) {
+  return a < b ? (EdgeKey{a} << 32 | b) : (EdgeKey{b} << 32 | a);
+}
+[[nodiscard]] constexpr PointId lower_end(EdgeKey edge) { return static_cast<PointId>(edge >> 32); }
+[[nodiscard]] constexpr PointId upper_end(EdgeKey edge) { return static_cast<PointId>(edge); }
 
 /// What to compute: operands fall into groups; a place is inside the result by how often the
 /// operands of each group contain it.
@@ -67,6 +76,21 @@ struct ArrangementInput {
   /// The triangles that coincide with a kept one, itself first.
   [[nodiscard]] std::vector<SignedTriangle> cover(std::uint32_t triangle) const;
 };
+
+/// By how much the count of each group grows from the front of coincident triangles to their back.
+[[nodiscard]] inline std::vector<int> winding_change(const ArrangementInput& input,
+                                                     const BooleanRule& rule,
+                                                     std::span<const SignedTriangle> cover) {
+  std::vector<int> change(rule.groups, 0);
+  for (const SignedTriangle& t : cover) {
+    change[rule.group_of_operand[input.operand_of(t.triangle)]] += t.sign;
+  }
+  return change;
+}
+
+[[nodiscard]] inline bool changes_nothing(std::span<const int> change) {
+  return std::all_of(change.begin(), change.end(), [](int c) { return c == 0; });
+}
 
 /// Throws Error{limit_exceeded} if the points or triangles are more than indices can count. Needs
 /// UpwardRounding.

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "arrangement/edge_key.h"
 #include "arrangement/input.h"
 #include "arrangement/triangle_intersection.h"
 #include "support/bulk_vector.h"

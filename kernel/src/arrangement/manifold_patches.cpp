@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "arrangement/winding_change.h"
 #include "support/sort_by_key.h"
 
 namespace dupin::arrangement {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "booleans/combine.h"
+#include "arrangement/arrange.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
@@ -176,7 +176,8 @@ Solid evaluate(const Expression& expression, const std::map<std::string, Solid>&
     }
     return expression.contains(inside);
   };
-  return booleans::combine(solids, rule, options);
+  return Solid(
+      std::make_shared<const mesh::ExactMesh>(arrangement::arrange(solids, rule, options)));
 }
 
 }  // namespace dupin
