@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "arrangement/implicit_predicates.h"
+#include "support/hash.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -75,10 +76,9 @@ CoincidentPointIndex::Cells CoincidentPointIndex::cells_of(PointId id) const {
 std::size_t CoincidentPointIndex::slot_of(const Cell& cell) const {
   std::uint64_t hash = 0;
   for (const std::int64_t x : cell) {
-    hash = (hash ^ static_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15u;
-    hash ^= hash >> 29;
+    hash = support::mixed(hash, static_cast<std::uint64_t>(x));
   }
-  return static_cast<std::size_t>(hash ^ (hash >> 32)) & (slots_.size() - 1);
+  return static_cast<std::size_t>(hash) & (slots_.size() - 1);
 }
 
 PointId CoincidentPointIndex::find(PointId id, const Cell& cell) const {

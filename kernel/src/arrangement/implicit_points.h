@@ -11,11 +11,12 @@
 
 #include "mesh/exact_mesh.h"
 #include "support/bulk_vector.h"
+#include "support/none.h"
 
 namespace dupin::arrangement {
 
 using PointId = std::uint32_t;
-inline constexpr std::uint32_t kNone = 0xffffffff;
+using support::kNone;
 
 using Interval = CGAL::Interval_nt<false>;
 using IntervalPoint = std::array<Interval, 3>;

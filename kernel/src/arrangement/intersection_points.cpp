@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "arrangement/implicit_predicates.h"
+#include "support/hash.h"
 #include "support/sort_by_key.h"
 
 namespace dupin::arrangement {
@@ -109,8 +110,7 @@ struct MeetingAt {
 };
 
 MeetingAt meeting_at(std::uint32_t end, const Meeting& m) {
-  const std::uint64_t hash =
-      ((m.first * 0x9E3779B97F4A7C15u) ^ (m.second * 0xC2B2AE3D27D4EB4Fu)) * 0xBF58476D1CE4E5B9u;
+  const std::uint64_t hash = support::mixed(support::mixed(0, m.first), m.second);
   return {m, static_cast<std::uint32_t>(hash >> 32), end};
 }
 

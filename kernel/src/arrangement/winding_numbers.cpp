@@ -7,6 +7,7 @@
 
 #include "arrangement/implicit_predicates.h"
 #include "arrangement/triangle_intersection.h"
+#include "mesh/ray_crossing.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -33,6 +34,24 @@ mesh::ExactPoint middle(const PointTable& points, const Triangle& corners) {
   return sum;
 }
 
+// For mesh::ray_crossing().
+struct TriangleAndStart {
+  const PointTable& points;
+  const Triangle &corners, &support;
+  PointId start;
+  int axis;
+
+  [[nodiscard]] bool is_above(std::size_t i) const {
+    return compare(points, corners[i], start, (axis + 2) % 3) > 0;
+  }
+  [[nodiscard]] int turn(std::size_t i, std::size_t j) const {
+    return arrangement::turn(points, corners[i], corners[j], start, axis);
+  }
+  [[nodiscard]] int side() const {
+    return side_of_plane(points, support[0], support[1], support[2], start);
+  }
+};
+
 class Ray {
  public:
   Ray(const ArrangementInput& input, PointId start, const Projection& front)
@@ -52,34 +71,10 @@ class Ray {
     });
   }
 
-  // +1 if the ray enters the triangle's back and leaves through its front, -1 if the other way
-  // round, 0 if it misses it. The start counts as moved by an infinitesimal along the next axis,
-  // and by a smaller one along the third: so no edge or corner is met, and a triangle parallel to
-  // the ray never.
+  // See mesh::ray_crossing().
   [[nodiscard]] int crossing(const Triangle& corners, const Triangle& support) const {
-    const int v = (axis_ + 2) % 3;
-    std::array<bool, 3> above{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      above[i] = compare(input_.points, corners[i], start_, v) > 0;
-    }
-    if (above[0] == above[1] && above[1] == above[2]) {
-      return 0;
-    }
-    int winding = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      if (above[i] == above[j]) {
-        continue;
-      }
-      const int side = turn(input_.points, corners[i], corners[j], start_, axis_);
-      winding += above[j] && side > 0 ? 1 : above[i] && side < 0 ? -1 : 0;
-    }
-    if (winding == 0) {
-      return 0;
-    }
-    const int height = side_of_plane(input_.points, support[0], support[1], support[2], start_);
-    const int slope = winding * direction_;
-    return height * slope < 0 ? slope : 0;
+    const TriangleAndStart triangle{input_.points, corners, support, start_, axis_};
+    return mesh::ray_crossing(triangle, direction_);
   }
 
  private:

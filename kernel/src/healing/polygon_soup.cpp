@@ -9,6 +9,7 @@
 #include "mesh/measure.h"
 #include "mesh/shell_nesting.h"
 #include "predicates/triangle_overlap.h"
+#include "support/none.h"
 #include "support/text.h"
 
 namespace dupin::healing {
@@ -100,7 +101,7 @@ struct Pieces {
 };
 
 Pieces find_pieces(const PolygonSoup& soup, const mesh::EdgeTable& edges) {
-  constexpr std::uint32_t kNone = 0xffffffff;
+  using support::kNone;
   struct Link {
     std::uint32_t face = kNone;
     bool agrees = true;

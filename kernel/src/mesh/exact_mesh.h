@@ -11,6 +11,7 @@
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
 #include "mesh/stable_face_groups.h"
+#include "support/none.h"
 
 namespace dupin::mesh {
 
@@ -36,7 +37,7 @@ struct ExactMesh {
       plane_of;  ///< empty, or per triangle an index into planes or kOwnPlane
   StableFaceGroups stable;
 
-  static constexpr std::uint32_t kOwnPlane = 0xffffffff;  ///< the plane through its corners
+  static constexpr std::uint32_t kOwnPlane = support::kNone;  ///< the plane through its corners
 
   [[nodiscard]] std::uint32_t double_count() const {
     return static_cast<std::uint32_t>(points.size() - implicit.size());
