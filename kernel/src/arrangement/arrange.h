@@ -8,7 +8,7 @@
 namespace dupin::arrangement {
 
 /// The boundary of the set that `rule` makes of the operands: one exact arrangement of all their
-/// surfaces, each piece kept where the rule tells its two sides apart.
+/// surfaces, each part of them kept where the rule tells its two sides apart.
 ///
 /// Operands are closed and oriented and do not intersect themselves (contacts apart). Deterministic
 /// whatever the number of threads. `memory_limit` is in bytes, 0 for the machine's. Throws
@@ -22,7 +22,7 @@ namespace dupin::arrangement {
 [[nodiscard]] mesh::ExactMesh arrange(std::span<const Solid> operands, const BooleanRule& rule,
                                       const BooleanOptions& options);
 
-/// The boundary of the places that a surface winds around a positive number of times. It is closed
+/// The boundary of the points that a surface winds around a positive number of times. It is closed
 /// (each edge is run along as often one way as the other) and has no degenerate or duplicate
 /// triangles, but may cross and cover itself. Throws like arrange().
 [[nodiscard]] mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface,

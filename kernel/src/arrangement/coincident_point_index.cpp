@@ -37,7 +37,7 @@ CoincidentPointIndex::CoincidentPointIndex(PointTable& points, double extent,
   entries_.reserve(expected_count);
 }
 
-PointId CoincidentPointIndex::first_at_place_of(PointId id) {
+PointId CoincidentPointIndex::first_coincident(PointId id) {
   Cells cells = cells_of(id);
   const auto wide = [&cells](std::size_t k) { return cells.high[k] - cells.low[k] > 1; };
   if (wide(0) || wide(1) || wide(2)) {
@@ -83,7 +83,7 @@ std::size_t CoincidentPointIndex::slot_of(const Cell& cell) const {
 
 PointId CoincidentPointIndex::find(PointId id, const Cell& cell) const {
   for (std::uint32_t i = slots_[slot_of(cell)]; i != kNone; i = entries_[i].next) {
-    if (entries_[i].cell == cell && same_place(*points_, entries_[i].point, id)) {
+    if (entries_[i].cell == cell && coincide(*points_, entries_[i].point, id)) {
       return entries_[i].point;
     }
   }

@@ -143,12 +143,12 @@ ConstrainedTriangulation::Location ConstrainedTriangulation::locate(Vertex p) {
 }
 
 void ConstrainedTriangulation::insert(Vertex p) {
-  const Location place = locate(p);
-  assert(!place.at_corner);
-  if (place.corner == -1) {
-    split_face(place.face, p);
+  const Location at_p = locate(p);
+  assert(!at_p.at_corner);
+  if (at_p.corner == -1) {
+    split_face(at_p.face, p);
   } else {
-    split_edge(place.face, place.corner, p);
+    split_edge(at_p.face, at_p.corner, p);
   }
 }
 

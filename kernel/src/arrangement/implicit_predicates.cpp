@@ -121,7 +121,7 @@ int compare(const PointTable& points, PointId a, PointId b, int axis) {
   return exact_compare(points.exact(a, a_scratch), points.exact(b, b_scratch), axis);
 }
 
-bool same_place(const PointTable& points, PointId a, PointId b) {
+bool coincide(const PointTable& points, PointId a, PointId b) {
   return compare(points, a, b, 0) == 0 && compare(points, a, b, 1) == 0 &&
          compare(points, a, b, 2) == 0;
 }

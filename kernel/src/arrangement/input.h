@@ -22,22 +22,22 @@ using EdgeKey = std::uint64_t;
 [[nodiscard]] constexpr PointId lower_end(EdgeKey edge) { return static_cast<PointId>(edge >> 32); }
 [[nodiscard]] constexpr PointId upper_end(EdgeKey edge) { return static_cast<PointId>(edge); }
 
-/// What to compute: operands fall into groups; a place is inside the result by how often the
-/// operands of each group contain it.
+/// What to compute: operands fall into groups; a point of space is inside the result by how often
+/// the operands of each group contain it.
 struct BooleanRule {
   std::vector<std::uint32_t> group_of_operand;
   std::uint32_t groups = 0;
   std::function<bool(std::span<const int>)> inside;  ///< one count per group
 };
 
-/// A triangle of the scene, seen from its front (+1) or its back (-1).
+/// A triangle of the input, seen from its front (+1) or its back (-1).
 struct SignedTriangle {
   std::uint32_t triangle = 0;
   int sign = 1;
   friend bool operator==(const SignedTriangle&, const SignedTriangle&) = default;
 };
 
-/// Stage 1: all operands in one index space, identical points welded, coincident triangles merged.
+/// Stage 1: all operands in one index space, coincident points welded, coincident triangles merged.
 struct ArrangementInput {
   using Bounds = Eigen::AlignedBox3d;
   struct Duplicate {
@@ -55,7 +55,7 @@ struct ArrangementInput {
   std::vector<Bounds> bounds;                 ///< of each operand
   double extent = 0;                          ///< bounds the magnitude of all coordinates
   std::vector<std::array<std::uint32_t, 2>> operand_pairs;  ///< to compare, ascending
-  /// Per point: more than one umbrella may meet there, or no triangle has it for a corner.
+  /// Per point: more than one fan may meet there, or no triangle has it for a corner.
   std::vector<std::uint8_t> special;
   std::vector<std::uint8_t> merged;   ///< per triangle: cancelled, or a copy of another
   std::vector<Duplicate> duplicates;  ///< of triangles that stay, by triangle

@@ -118,9 +118,9 @@ int crossings(const ArrangementInput& input, const Ray& ray, std::size_t operand
   return std::accumulate(sums.begin(), sums.end(), 0);
 }
 
-// How often the operands of each group contain the places right in front of a piece: signed
-// crossings of a ray from its middle. `corners` span the piece, `support` gives its plane and
-// orientation, and `cover` the triangles it is part of. Adds a point to the scene and removes it.
+// How often the operands of each group contain what lies right in front of a part of a face: signed
+// crossings of a ray from its middle. `corners` span the part, `support` gives its plane and
+// orientation, and `cover` the triangles it is part of. Adds a point to the input and removes it.
 // O(triangles) in the worst case. Needs UpwardRounding.
 Counts winding_numbers_at(ArrangementInput& input, const BooleanRule& rule, const Triangle& corners,
                           const Triangle& support, std::span<const SignedTriangle> cover) {
@@ -181,8 +181,8 @@ class Relations {
   std::vector<Counts> offset_;  // zero for roots
 };
 
-// Between two neighbouring sheets lies one place: the side of the first that faces onward is in
-// the same place as the side of the second that faces back. Forward sheets have their front
+// Between two neighbouring half-planes the counts are the same: those on the side of the first that
+// faces onward are those on the side of the second that faces back. Forward ones have their front
 // onward.
 void relate_around(const ArrangementInput& input, const ManifoldPatches& patches,
                    const support::IndexRange& seam, Relations& relations) {
@@ -212,26 +212,26 @@ void relate_around(const ArrangementInput& input, const ManifoldPatches& patches
   }
 }
 
-// Some piece of each set of related patches: an untouched triangle where possible.
+// Some triangle of each set of related patches: an untouched triangle where possible.
 struct Sample {
   bool found = false;
-  bool is_triangle = false;
-  std::uint32_t index = 0;  // of the triangle or the piece
+  bool is_untouched = false;
+  std::uint32_t index = 0;  // of the triangle or sub-triangle
 };
 
 // By the root of the set.
 std::vector<Sample> find_samples(const ArrangementInput& input, const Constraints& constraints,
-                                 const Subdivision& pieces, const ManifoldPatches& patches,
+                                 const Subdivision& subdivision, const ManifoldPatches& patches,
                                  Relations& relations) {
   std::vector<Sample> samples(patches.size());
   std::uint32_t missing = 0;
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
     missing += relations.root(p) == p ? 1 : 0;
   }
-  const auto offer = [&](std::uint32_t patch, bool is_triangle, std::uint32_t index) {
+  const auto offer = [&](std::uint32_t patch, bool is_untouched, std::uint32_t index) {
     Sample& sample = samples[relations.root(patch)];
     if (!sample.found) {
-      sample = {true, is_triangle, index};
+      sample = {true, is_untouched, index};
       --missing;
     }
   };
@@ -240,35 +240,36 @@ std::vector<Sample> find_samples(const ArrangementInput& input, const Constraint
       offer(patches.of_triangle(t), true, t);
     }
   }
-  for (std::uint32_t p = 0; p < pieces.pieces.size() && missing > 0; ++p) {
-    offer(patches.of_region(pieces.pieces[p].region), false, p);
+  for (std::uint32_t p = 0; p < subdivision.triangles.size() && missing > 0; ++p) {
+    offer(patches.of_region(subdivision.triangles[p].region), false, p);
   }
   return samples;
 }
 
 Counts counts_in_front_of(ArrangementInput& input, const BooleanRule& rule,
-                          const Subdivision& pieces, const Sample& sample) {
-  if (sample.is_triangle) {
+                          const Subdivision& subdivision, const Sample& sample) {
+  if (sample.is_untouched) {
     return winding_numbers_at(input, rule, input.triangles[sample.index],
                               input.support(sample.index), input.cover(sample.index));
   }
-  const Subdivision::SubTriangle& piece = pieces.pieces[sample.index];
-  return winding_numbers_at(input, rule, piece.corners,
-                            input.support(pieces.regions[piece.region].support),
-                            pieces.cover(piece.region));
+  const Subdivision::SubTriangle& triangle = subdivision.triangles[sample.index];
+  return winding_numbers_at(input, rule, triangle.corners,
+                            input.support(subdivision.regions[triangle.region].support),
+                            subdivision.cover(triangle.region));
 }
 
 }  // namespace
 
 std::vector<std::int8_t> propagate_winding_numbers(ArrangementInput& input, const BooleanRule& rule,
                                                    const Constraints& constraints,
-                                                   const Subdivision& pieces,
+                                                   const Subdivision& subdivision,
                                                    const ManifoldPatches& patches) {
   Relations relations(patches.size(), rule.groups);
   for (const support::IndexRange& seam : patches.seams()) {
     relate_around(input, patches, seam, relations);
   }
-  const std::vector<Sample> samples = find_samples(input, constraints, pieces, patches, relations);
+  const std::vector<Sample> samples =
+      find_samples(input, constraints, subdivision, patches, relations);
   std::vector<Counts> front_of_root(patches.size());
   std::vector<std::int8_t> selection(patches.size(), 0);
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
@@ -278,11 +279,11 @@ std::vector<std::int8_t> propagate_winding_numbers(ArrangementInput& input, cons
     }
     if (front_of_root[root].empty()) {
       const Sample& sample = samples[root];
-      const std::uint32_t at = sample.is_triangle
+      const std::uint32_t at = sample.is_untouched
                                    ? patches.of_triangle(sample.index)
-                                   : patches.of_region(pieces.pieces[sample.index].region);
+                                   : patches.of_region(subdivision.triangles[sample.index].region);
       front_of_root[root] =
-          sum(counts_in_front_of(input, rule, pieces, sample), relations.offset(at), -1);
+          sum(counts_in_front_of(input, rule, subdivision, sample), relations.offset(at), -1);
     }
     const Counts front = sum(front_of_root[root], relations.offset(p));
     const Counts back = sum(front, patches.change(p));

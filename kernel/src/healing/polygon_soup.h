@@ -23,7 +23,7 @@ struct PolygonSoup {
 /// none.
 void drop_degenerate_faces(PolygonSoup& soup, RepairReport& report);
 
-/// Drops copies of triangles. Of those that cover the same place both ways, one stays if the
+/// Drops copies of triangles. Of those that cover the same area both ways, one stays if the
 /// surface needs it to be closed, else none.
 void drop_duplicate_faces(PolygonSoup& soup, RepairReport& report);
 
