@@ -5,6 +5,15 @@
 #include "arrangement/input.h"
 #include "dupin/kernel/boolean.h"
 
+/// All surfaces cut each other into patches, and the result keeps the patches with the inside of
+/// the rule on exactly one side, as in [ZGZJ16]. Points that are not input are implicit: known by
+/// the lines and planes they lie on, whose coordinates intervals enclose and exact numbers give
+/// where those cannot decide [Att20]. The stages, one file each, in the order of arrange.cpp: 1
+/// input (operands in one index space), 2 broad_phase (pairs of triangles whose boxes overlap), 3
+/// triangle_intersection, 4 constraints (points and segments on each face and edge), 5 subdivision
+/// (constrained triangulations), 6 manifold_patches, 7 winding_numbers, 8 output_mesh. A face is a
+/// triangle of the input, or several that overlap in one plane; sub-triangles are what it falls
+/// into. Whatever is said to need UpwardRounding compares intervals.
 namespace dupin::arrangement {
 
 /// The boundary of the set that `rule` makes of the operands: one exact arrangement of all their

@@ -20,8 +20,8 @@ constexpr std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
 constexpr std::size_t previous(std::size_t i) { return i == 0 ? 2 : i - 1; }
 
 // True only if d lies inside the circle through a, b, c beyond doubt. The bound is stage A of
-// Shewchuk's incircle test, (10 + 96 u) u times the permanent, u = 2^-52 as rounding is upward; the
-// addend covers underflow.
+// the incircle test of [She97], (10 + 96 u) u times the permanent, u = 2^-52 as rounding is upward;
+// the addend covers underflow.
 bool certainly_in_circle(const Planar& a, const Planar& b, const Planar& c, const Planar& d) {
   const double ax = a[0] - d[0], ay = a[1] - d[1], bx = b[0] - d[0], by = b[1] - d[1],
                cx = c[0] - d[0], cy = c[1] - d[1];

@@ -24,7 +24,7 @@ using IntervalPoint = std::array<Interval, 3>;
 /// Intervals are valid only while one of these lives in the thread.
 using UpwardRounding = CGAL::Protect_FPU_rounding<true>;
 
-/// How a point follows from others.
+/// How a point follows from others [Att20].
 struct ImplicitPoint {
   enum class Kind : std::uint8_t {
     given,         ///< exact coordinates were handed in

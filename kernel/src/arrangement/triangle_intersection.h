@@ -37,8 +37,8 @@ struct TriangleIntersection {
 };
 
 /// Stage 3: appends what the two triangles have in common, by signs of determinants of
-/// input points only; exact zeros tell corners and edges from insides. Points that are corners of
-/// both are not reported. Needs UpwardRounding.
+/// input points only [GD03]; exact zeros tell corners and edges from insides. Points that are
+/// corners of both are not reported. Needs UpwardRounding.
 void intersect(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
                std::vector<TriangleIntersection>& intersections);
 

@@ -5,6 +5,12 @@
 
 #include "dupin/kernel/repair.h"
 
+/// Solids from meshes that are none, and solids without contacts, by steps that are exact and can
+/// be said in one sentence each. repair() merges points, drops faces without area and copies of
+/// faces, turns faces until they agree, and takes what the surface then winds around a positive
+/// number of times (arrangement::positive_winding_boundary); it moves no point and fills no hole.
+/// separate() and bridge() (contacts.cpp) cut away or add small polyhedra around contacts. Here are
+/// the steps on a soup: triangles of which nothing is known but that their indices are in range.
 namespace dupin::healing {
 
 /// Triangles on their way to becoming a solid.

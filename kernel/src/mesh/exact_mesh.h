@@ -13,6 +13,13 @@
 #include "mesh/stable_face_groups.h"
 #include "support/none.h"
 
+/// Surfaces of triangles as the kernel keeps and reads them. A point is a double, or implicit:
+/// exact in homogeneous coordinates (X, Y, Z, W), with its nearest double beside it. A half-edge 3f
+/// + k runs from corner k of face f to the next; a fan is the faces around a point that hang
+/// together by edges, a shell those that hang together at all; a contact is where a shell touches
+/// itself or another (edge_table.h, self_contact.h). Volumes are sums of determinants over shells
+/// (measure.h), nesting is by rays (shell_nesting.h). Two tools ask whoever holds the points for
+/// exact signs, and so serve the arrangement too: radial_order.h and ray_crossing.h.
 namespace dupin::mesh {
 
 /// Homogeneous coordinates (X, Y, Z, W), W > 0, of the point (X/W, Y/W, Z/W): no division, no gcd.

@@ -7,8 +7,8 @@ namespace dupin::mesh {
 
 /// How a ray along an axis, with `direction` +1 or -1, crosses a triangle: +1 if it enters the back
 /// and leaves through the front, -1 if the other way round, 0 if it misses. The start counts as
-/// moved by an infinitesimal along the next axis, and by a smaller one along the third (simulation
-/// of simplicity): so no edge or corner is met, and a triangle parallel to the ray never.
+/// moved by an infinitesimal along the next axis, and by a smaller one along the third
+/// [EM90]: so no edge or corner is met, and a triangle parallel to the ray never.
 ///
 /// `triangle` answers for the start and corners 0 to 2, exactly: is_above(i), whether the corner is
 /// beyond the start along the third axis; turn(i, j), +1 if the start lies left of the line from
