@@ -7,6 +7,7 @@
 
 #include <CLI/App.hpp>
 
+#include "dupin/io/stl.h"
 #include "dupin/io/atomic_file.h"
 #include "exit_code.h"
 #include "interrupt.h"
@@ -36,11 +37,11 @@ void write_stdout(const std::string& bytes) {
 /// The same promise as `write_verified`, for a stream that cannot be taken back.
 Report write_verified_stdout(const TriMesh& mesh, MeshFormat format, const MeshHeader& header) {
   const std::string bytes = mesh_bytes(mesh, format, header);
-  Report report = check(read_mesh(bytes, "standard output", format));
+  Report report = check(format.read(bytes, "standard output"));
   if (!report.is_solid()) {
     throw Error(
         Errc::unroundable,
-        "the mesh is no solid any more with the coordinates of " + std::string(name(format)), {},
+        "the mesh is no solid any more with the coordinates of " + std::string(format.name), {},
         "standard output");
   }
   write_stdout(bytes);
@@ -70,7 +71,7 @@ RoundingReport nearest_rounding(const TriMesh& mesh, Coordinates coordinates) {
 
 /// STL has no vertices, only corners: readers weld those that coincide.
 void refuse_contacts(const std::vector<Contact>& contacts, const Destination& to) {
-  const bool welds = to.format == MeshFormat::stl_ascii || to.format == MeshFormat::stl_binary;
+  const bool welds = to.format == kStlAscii || to.format == kStlBinary;
   if (!welds || contacts.empty()) {
     return;
   }
@@ -162,7 +163,7 @@ OutputReport write_plain(const TriMesh& mesh, const Destination& to, const MeshH
   report.rounding = nearest_rounding(mesh, coordinates(to.format));
   const std::string bytes = writing([&] { return write_unverified(mesh, to, header); });
   if (to.verify) {
-    report.check = check(read_mesh(bytes, to.path, to.format));
+    report.check = check(to.format.read(bytes, to.path));
   }
   return report;
 }

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "booleans/combine.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "mesh/exact_mesh.h"
-#include "support/text.h"
 
 namespace dupin {
 namespace {
@@ -23,7 +23,7 @@ void refuse_contacts(const ExactMesh& result) {
   throw Error(Errc::contact,
               "the result touches itself in " + std::to_string(result.contacts.size()) +
                   (result.contacts.size() == 1 ? " place" : " places") + ", first at " +
-                  support::text(first.from),
+                  decimal(first.from),
               first.names.empty() ? "" : first.names.front());
 }
 
