@@ -27,8 +27,8 @@ struct Destination {
   [[nodiscard]] bool is_stdout() const { return path == "-"; }
 };
 
-/// What --format takes, in the order of kMeshFormats.
-[[nodiscard]] const std::vector<std::string>& format_names();
+/// What --format takes: the keys of all formats.
+[[nodiscard]] std::vector<std::string> format_names();
 
 /// What the commands that write a mesh are told of where it goes.
 struct OutputArguments {

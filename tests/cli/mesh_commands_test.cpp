@@ -244,8 +244,8 @@ TEST_F(MeshCommands, an_interrupt_ends_at_once_and_leaves_no_file) {
 TEST_F(MeshCommands, convert_keeps_a_mesh_in_every_format) {
   put("a.off", frame());
   const auto original = json({"check", "a.off"}, 0);
-  for (const std::string format :
-       {"off", "stl-ascii", "stl", "ply-ascii", "ply", "obj", "3mf", "glb"}) {
+  for (const MeshFormat& row : mesh_formats()) {
+    const std::string format(row.key);
     const auto report = json({"convert", "a.off", "b", "--format", format}, 0);
     EXPECT_EQ(report.at("check").at("volume"), original.at("volume")) << format;
     EXPECT_EQ(report.at("check").at("triangles"), original.at("triangles")) << format;
