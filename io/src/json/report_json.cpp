@@ -97,7 +97,7 @@ Json json_value(const OutputReport& report) {
               {"contacts", list(report.contacts)},
               {"verified", report.check.has_value()}};
   if (report.check) {
-    object["check"] = to_json(*report.check);
+    object["check"] = json_value(*report.check);
   }
   if (report.simplification) {
     object["simplification"] = {{"removed_triangles", report.simplification->removed_triangles},
