@@ -10,8 +10,8 @@
 #include "assembly/line_and_arc.h"
 #include "dupin/blends/cyclide_blend.h"
 #include "dupin/blends/two_cone_spine.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin::assembly {
 namespace {
@@ -45,10 +45,9 @@ class Geometry {
     const double length = chord.dot(travel), aside = (chord - length * travel).norm();
     if (!(length > 0)) {
       fail("to", "the point must lie ahead of '" + to_string(pipe.from) + "', not " +
-                     numbers::decimal(-length) + " behind it");
+                     decimal(-length) + " behind it");
     }
-    within_tolerance(aside, "to",
-                     "the point is " + numbers::decimal(aside) + " off the pipe's axis");
+    within_tolerance(aside, "to", "the point is " + decimal(aside) + " off the pipe's axis");
     return cylinder(start, start.center + length * travel);
   }
 
@@ -82,7 +81,7 @@ class Geometry {
     positive(elbow.bend_radius, "bend_radius");
     if (!(elbow.angle > 0 && elbow.angle < 2 * std::numbers::pi)) {
       fail("angle", "an elbow's angle must lie between 0 and 360 degrees, not at " +
-                        numbers::decimal(elbow.angle / std::numbers::pi * 180));
+                        decimal(elbow.angle / std::numbers::pi * 180));
     }
     finite(elbow.toward, "toward");
     const Vec3 travel = opposite(start.normal);
@@ -112,10 +111,10 @@ class Geometry {
     const Vec3 travel = opposite(start.normal), to_corner = elbow.corner - start.center;
     const double first = to_corner.dot(travel), second = (elbow.to - elbow.corner).norm();
     const double aside = (to_corner - first * travel).norm();
-    within_tolerance(aside, "corner", "the corner is " + numbers::decimal(aside) + " off the axis");
-    within_tolerance(std::abs(first - second), "corner",
-                     "the legs from the corner are " + numbers::decimal(first) + " and " +
-                         numbers::decimal(second) + " long");
+    within_tolerance(aside, "corner", "the corner is " + decimal(aside) + " off the axis");
+    within_tolerance(
+        std::abs(first - second), "corner",
+        "the legs from the corner are " + decimal(first) + " and " + decimal(second) + " long");
     if (!(second >= kSmallest)) {
       fail("to", "the point must differ from the one at 'corner'");
     }
@@ -222,7 +221,7 @@ class Geometry {
 
   void positive(double value, std::string_view key) const {
     if (!(value >= kSmallest && value <= kLargest)) {
-      fail(key, "must be a positive number between 1e-12 and 1e12, not " + numbers::decimal(value));
+      fail(key, "must be a positive number between 1e-12 and 1e12, not " + decimal(value));
     }
   }
 
@@ -235,7 +234,7 @@ class Geometry {
   void within_tolerance(double deviation, std::string_view key, const std::string& what) const {
     const double tolerance = context_.assembly.tolerance;
     if (!(deviation <= tolerance)) {
-      fail(key, what + ", more than the tolerance of " + numbers::decimal(tolerance) + " allows");
+      fail(key, what + ", more than the tolerance of " + decimal(tolerance) + " allows");
     }
   }
 

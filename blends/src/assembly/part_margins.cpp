@@ -5,8 +5,8 @@
 
 #include "dupin/blends/regularity.h"
 #include "dupin/blends/tangency.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin::assembly {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 [[noreturn]] void refuse(double margin) {
   throw Error(Errc::irregular_surface,
               std::isfinite(margin)
-                  ? "the surface folds: the margin 1 - kappa R is " + numbers::decimal(margin) +
+                  ? "the surface folds: the margin 1 - kappa R is " + decimal(margin) +
                         " where it must be positive; use a smaller radius or a larger bend radius"
                   : "the surface folds: its spine stops and turns round on the spot; choose other "
                     "ends or points");

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "assembly/part_geometry.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin::assembly {
 namespace {
@@ -142,7 +142,7 @@ class RingedBlend {
     }
     throw Error(Errc::infeasible_blend,
                 "no end speeds between 0.3 and 2.5 times the distance of the ends, " +
-                    numbers::decimal(chord) +
+                    decimal(chord) +
                     ", give discs that do not overlap; move the ends apart, turn them towards each "
                     "other, or put a ring between");
   }

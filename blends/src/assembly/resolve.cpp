@@ -7,8 +7,8 @@
 
 #include "assembly/part_context.h"
 #include "assembly/part_geometry.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin {
 namespace {
@@ -117,7 +117,7 @@ class Resolver {
     const double tolerance = assembly_.tolerance;
     if (!(tolerance > 0 && std::isfinite(tolerance))) {
       throw Error(Errc::invalid_argument,
-                  "the tolerance must be a positive number, not " + numbers::decimal(tolerance), {},
+                  "the tolerance must be a positive number, not " + decimal(tolerance), {},
                   document_place(assembly_, "/tolerance"));
     }
     if (assembly_.segments && *assembly_.segments < 3) {

@@ -9,8 +9,8 @@
 #include "cyclide/double_search.h"
 #include "cyclide/rounded_validity.h"
 #include "cyclide/tangent_rounding.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin {
 namespace {
@@ -118,7 +118,7 @@ DoubleCyclide at_tau(const JunctionLocus& locus, const PeVector& start,
   if (!(junction.r > 0)) {
     throw Error(Errc::infeasible_blend,
                 "no double-cyclide blend: the junction sphere would have the radius " +
-                    numbers::decimal(junction.r) + "; choose another tau");
+                    decimal(junction.r) + "; choose another tau");
   }
   PeArc first = PeArc::from(start, start_tangent, junction);
   PeArc second = PeArc::from(first.end(), first.end_tangent(), end);
@@ -142,8 +142,7 @@ void check_pin(const PeVector& arriving, const PinnedTangent& pin, const PeVecto
   if (!(size <= cyclide::tangent_rounding(before, at))) {
     throw Error(Errc::invalid_argument,
                 "the tangent given at sphere " + std::to_string(pin.sphere) +
-                    " must be the arriving one up to rounding, but differs by " +
-                    numbers::decimal(size));
+                    " must be the arriving one up to rounding, but differs by " + decimal(size));
   }
 }
 

@@ -8,9 +8,9 @@
 #include "arrangement/subdivision.h"
 #include "arrangement/triangle_intersection.h"
 #include "arrangement/winding_numbers.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "support/blocks.h"
-#include "support/text.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -86,7 +86,7 @@ void refuse_contacts(const mesh::ExactMesh& result) {
   throw Error(Errc::contact,
               "the result touches itself in " + std::to_string(result.contacts.size()) +
                   (result.contacts.size() == 1 ? " place" : " places") + ", first at " +
-                  support::text(first.from),
+                  decimal(first.from),
               first.names.empty() ? "" : first.names.front());
 }
 

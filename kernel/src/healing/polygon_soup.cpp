@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "mesh/coincident_points.h"
 #include "mesh/edge_table.h"
@@ -10,7 +11,6 @@
 #include "mesh/shell_nesting.h"
 #include "predicates/triangle_overlap.h"
 #include "support/none.h"
-#include "support/text.h"
 
 namespace dupin::healing {
 namespace {
@@ -137,7 +137,7 @@ Components find_components(const PolygonSoup& soup, const mesh::EdgeTable& edges
         } else if (components.is_turned[link.face] != should_turn) {
           throw Error(Errc::not_oriented,
                       "the mesh cannot be repaired: its surface has only one side, near " +
-                          support::text(soup.points[soup.triangles[link.face][0]]));
+                          decimal(soup.points[soup.triangles[link.face][0]]));
         }
       }
     }

@@ -5,9 +5,10 @@
 
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/stl.h"
 #include "dupin/kernel/error.h"
 #include "formats/same_mesh.h"
-#include "formats/stl_lists.h"
+#include "formats/stl_binary.h"
 
 namespace dupin {
 namespace {
@@ -33,7 +34,7 @@ std::string first_findings(const Report& report) {
 
 /// A mesh file beside its place, and the bytes that it gives back.
 struct Written {
-  Written(const std::filesystem::path& path, const TriMesh& mesh, MeshFormat format,
+  Written(const std::filesystem::path& path, const TriMesh& mesh, const MeshFormat& format,
           const MeshHeader& header)
       : bytes(mesh_bytes(mesh, format, header)), file(path, bytes) {
     if (!file.holds(bytes)) {
@@ -48,30 +49,31 @@ struct Written {
 
 /// Whether the bytes are a list of triangles as the mesh has them. Its points are in different
 /// places if the solid has no contacts, so that readers who merge equal points find its neighbours.
-bool list_triangles(const std::string& bytes, const Rounded& rounded, MeshFormat format) {
-  return format == MeshFormat::stl_binary && rounded.contacts().empty() &&
+bool list_triangles(const std::string& bytes, const Rounded& rounded, const MeshFormat& format) {
+  return format == kStlBinary && rounded.contacts().empty() &&
          formats::stl_binary_lists(rounded.mesh(), bytes);
 }
 
 /// The first triangle that our own reader does not find in the bytes as the mesh has it.
 std::optional<std::uint32_t> first_lost(const Rounded& rounded, const std::string& bytes,
-                                        const std::filesystem::path& path, MeshFormat format) {
+                                        const std::filesystem::path& path,
+                                        const MeshFormat& format) {
   if (list_triangles(bytes, rounded, format)) {
     return std::nullopt;
   }
-  return formats::first_difference(rounded.mesh(), read_mesh(bytes, path.string(), format));
+  return formats::first_difference(rounded.mesh(), format.read(bytes, path.string()));
 }
 
 }  // namespace
 
-Report write_verified(const std::filesystem::path& path, const TriMesh& mesh, MeshFormat format,
-                      const MeshHeader& header) {
+Report write_verified(const std::filesystem::path& path, const TriMesh& mesh,
+                      const MeshFormat& format, const MeshHeader& header) {
   Written written(path, mesh, format, header);
-  const TriMesh read_back = read_mesh(written.bytes, path.string(), format);
+  const TriMesh read_back = format.read(written.bytes, path.string());
   Report report = check(read_back);
   if (read_back.triangles.size() != mesh.triangles.size() || !report.is_solid()) {
     throw Error(Errc::unroundable,
-                "as " + std::string(name(format)) +
+                "as " + std::string(format.name) +
                     " this mesh is no longer a solid: " + first_findings(report) +
                     "; write a format with binary64 coordinates, move the model's origin closer, "
                     "or skip the verification",
@@ -81,13 +83,17 @@ Report write_verified(const std::filesystem::path& path, const TriMesh& mesh, Me
   return report;
 }
 
-void write_verified(const std::filesystem::path& path, const Rounded& rounded, MeshFormat format,
-                    const MeshHeader& header) {
+Report write_verified(const std::filesystem::path& path, const TriMesh& mesh) {
+  return write_verified(path, mesh, format_of(path));
+}
+
+void write_verified(const std::filesystem::path& path, const Rounded& rounded,
+                    const MeshFormat& format, const MeshHeader& header) {
   const TriMesh& mesh = rounded.mesh();
   Written written(path, mesh, format, header);
   if (const auto face = first_lost(rounded, written.bytes, path, format)) {
     throw Error(Errc::unroundable,
-                "as " + std::string(name(format)) + " this mesh is another one: triangle " +
+                "as " + std::string(format.name) + " this mesh is another one: triangle " +
                     std::to_string(*face) + " at " +
                     place_text(mesh.points[mesh.triangles[*face][0]]) +
                     " does not come back as it is; round to the coordinates of the format, and "

@@ -1,4 +1,4 @@
-#include "text/decimal.h"
+#include "text/plain_decimal.h"
 
 #include <optional>
 

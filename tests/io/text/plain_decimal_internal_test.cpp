@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "text/decimal.h"
+#include "text/plain_decimal.h"
 
 namespace dupin {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/io/stl.h"
-#include "formats/stl_lists.h"
+#include "formats/stl_binary.h"
 #include "support/sample_meshes.h"
 
 namespace dupin {

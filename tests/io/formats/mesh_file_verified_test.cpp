@@ -6,6 +6,9 @@
 
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/off.h"
+#include "dupin/io/stl.h"
+#include "dupin/io/three_mf.h"
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/error.h"
 #include "support/scratch_directory.h"
@@ -29,24 +32,24 @@ TriMesh too_flat_for_floats() {
 }
 
 TEST_F(WriteVerified, writes_a_solid_and_returns_its_report) {
-  for (const MeshFormat format : kMeshFormats) {
+  for (const MeshFormat& format : mesh_formats()) {
     const Report report = write_verified(path("x"), tetrahedron(), format);
     EXPECT_TRUE(report.is_solid());
     EXPECT_EQ(report.triangles, 4U);
     EXPECT_EQ(read_file(path("x")), mesh_bytes(tetrahedron(), format));
   }
-  EXPECT_NO_THROW(write_verified(path("flat"), too_flat_for_floats(), MeshFormat::off));
+  EXPECT_NO_THROW(write_verified(path("flat"), too_flat_for_floats(), kOff));
 }
 
 TEST_F(WriteVerified, keeps_the_old_file_when_rounding_breaks_the_solid) {
   write_file(path("x.stl"), "old");
-  for (const MeshFormat format : kMeshFormats) {
-    if (coordinates(format) != Coordinates::binary32) {
+  for (const MeshFormat& format : mesh_formats()) {
+    if (format.coordinates != Coordinates::binary32) {
       continue;
     }
     try {
       write_verified(path("x.stl"), too_flat_for_floats(), format);
-      ADD_FAILURE() << name(format);
+      ADD_FAILURE() << format.name;
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), Errc::unroundable);
       EXPECT_NE(
@@ -66,9 +69,9 @@ TEST_F(WriteVerified, compares_the_file_with_the_mesh_that_rounding_proved) {
   const std::vector<Solid> pipes = {Solid::from(test::tube(1, 0.5, 4, 16)),
                                     Solid::from(test::tube(1, 0.5, 4, 15))};
   const Solid solid = unite(pipes);
-  for (const MeshFormat format : kMeshFormats) {
-    const Rounded rounded = to_mesh(solid, coordinates(format));
-    EXPECT_NO_THROW(write_verified(path("x"), rounded, format)) << name(format);
+  for (const MeshFormat& format : mesh_formats()) {
+    const Rounded rounded = to_mesh(solid, format.coordinates);
+    EXPECT_NO_THROW(write_verified(path("x"), rounded, format)) << format.name;
     EXPECT_EQ(read_file(path("x")), mesh_bytes(rounded.mesh(), format));
   }
 }
@@ -76,13 +79,13 @@ TEST_F(WriteVerified, compares_the_file_with_the_mesh_that_rounding_proved) {
 TEST_F(WriteVerified, keeps_the_old_file_when_the_format_is_coarser_than_the_rounding) {
   const Rounded rounded = to_mesh(Solid::from(too_flat_for_floats()));
   write_file(path("x"), "old");
-  for (const MeshFormat format : kMeshFormats) {
-    if (coordinates(format) == Coordinates::binary64) {
+  for (const MeshFormat& format : mesh_formats()) {
+    if (format.coordinates == Coordinates::binary64) {
       continue;
     }
     try {
       write_verified(path("x"), rounded, format);
-      ADD_FAILURE() << name(format);
+      ADD_FAILURE() << format.name;
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), Errc::unroundable);
       EXPECT_NE(error.message().find("triangle 1 at (0.000000, 0.000000, 1.000000) does not come"),
@@ -98,8 +101,8 @@ TEST_F(WriteVerified, refuses_a_contact_that_readers_would_weld) {
                                     Solid::from(test::box(Vec3(1, 1, 0), Vec3(2, 2, 1)))};
   const Rounded rounded = to_mesh(unite(boxes), Coordinates::binary32);
   ASSERT_EQ(rounded.contacts().size(), 1);
-  EXPECT_NO_THROW(write_verified(path("x"), rounded, MeshFormat::three_mf));
-  EXPECT_THROW(write_verified(path("x"), rounded, MeshFormat::stl_binary), Error);
+  EXPECT_NO_THROW(write_verified(path("x"), rounded, kThreeMf));
+  EXPECT_THROW(write_verified(path("x"), rounded, kStlBinary), Error);
 }
 
 TEST_F(WriteVerified, can_be_left_out) {
