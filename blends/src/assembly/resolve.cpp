@@ -217,10 +217,12 @@ class Resolver {
     for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
       position[i] = std::uint32_t(result.parts.size());
       const Part& part = assembly_.parts[i];
-      if (part_kind(part.shape).names_end) {
+      const assembly::PartKind& its_kind = part_kind(part.shape);
+      if (its_kind.names_end) {
         continue;
       }
-      ResolvedPart resolved{part.name, std::string(kind(part.shape)), i, shapes_[i], {}, {}};
+      ResolvedPart resolved{part.name, std::string(its_kind.key), i, shapes_[i], {},
+                            {},        its_kind.is_blend};
       for (const auto end : {PartEnd::start, PartEnd::end}) {
         const EndState& state = ends_[i].at(at(end));
         resolved.joined.at(at(end)) = state.joined;

@@ -53,6 +53,9 @@ class PartKeyTable {
 
   using Shape = decltype(variant_of(std::tuple_cat(std::declval<typename Keys::ShapeTuple>()...)));
 
+  template <KeyName name>
+  static constexpr bool kHas = ((Keys::kName == name) || ...);
+
   /// The name of the key that stands for a shape.
   template <class OneShape>
   static constexpr KeyName kNameOf = kNames[position<OneShape>()];

@@ -39,6 +39,15 @@ struct PartRules<"cyclide_blend"> {
                   "no blend joins these ends. " + reasons + "ringed: " + error.message());
     }
   }
+
+  static PartNotes notes(const CyclideBlendBetween&, const PartSurface& surface) {
+    const auto* tube = std::get_if<CyclideTube>(&surface);
+    return {tube == nullptr ? "ringed" : std::string(kind(*tube)),
+            search_cyclide_blend(flipped(*port_ring(surface, PartEnd::start)),
+                                 flipped(*port_ring(surface, PartEnd::end)))
+                .rejected,
+            {}};
+  }
 };
 template const PartKind& part_kind<"cyclide_blend">();
 

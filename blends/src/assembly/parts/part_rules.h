@@ -95,6 +95,7 @@ PartNotes notes_by_rules(const PartShape& shape, const PartSurface& surface) {
 
 template <KeyName key>
 const PartKind& part_kind() {
+  static_assert(PartKeys::kHas<key>, "the table of keys, PartKeys, lacks this one");
   using Rules = PartRules<key>;
   static constexpr PartKind kKind{key.view(), requires {requires Rules::is_blend;
 }
