@@ -96,7 +96,7 @@ class Claims {
 }  // namespace
 
 PartMargins margins(const ResolvedPart& part) {
-  return std::visit(Claims(part.kind.ends_with("_blend")), part.shape);
+  return std::visit(Claims(part.is_blend), part.shape);
 }
 
 }  // namespace dupin::assembly

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dupin/blends/assembly.h"
+#include "dupin/blends/part_shape.h"
 #include "json/json_document.h"
 
 namespace dupin::json {
@@ -53,15 +53,10 @@ struct KeySet {
   Keys keys;
 };
 
-/// The position of the form that has exactly the node's keys.
-[[nodiscard]] std::size_t matching_key_set(const JsonNode& node, std::span<const KeySet> forms);
+/// The position of the set that has exactly the node's keys.
+[[nodiscard]] std::size_t matching_key_set(const JsonNode& node, std::span<const KeySet> sets);
 
-/// A blend's or spline's object.
-[[nodiscard]] PartShape read_cyclic_blend(const JsonNode& node);
-[[nodiscard]] PartShape read_two_cone_blend(const JsonNode& node);
-[[nodiscard]] PartShape read_ringed_blend(const JsonNode& node);
-[[nodiscard]] PartShape read_cyclide_blend(const JsonNode& node);
-[[nodiscard]] PartShape read_cyclide_chain(const JsonNode& node);
-[[nodiscard]] PartShape read_spline(const JsonNode& node);
+/// The number, or none for "auto".
+[[nodiscard]] std::optional<double> number_or_auto(const JsonNode& node);
 
 }  // namespace dupin::json

@@ -1,4 +1,4 @@
-#include "json/part_forms.h"
+#include "json/parts/part_values.h"
 
 #include <algorithm>
 #include <limits>
@@ -98,10 +98,10 @@ Keys with_semi_axes(const Keys& keys) {
 
 }  // namespace
 
-std::size_t matching_key_set(const JsonNode& node, std::span<const KeySet> forms) {
+std::size_t matching_key_set(const JsonNode& node, std::span<const KeySet> sets) {
   Keys known;
   const bool elliptic = is_elliptic(node);
-  for (const auto& [from_port, circular] : forms) {
+  for (const auto& [from_port, circular] : sets) {
     for (const auto key : elliptic ? with_semi_axes(circular) : circular) {
       if (std::find(known.begin(), known.end(), key) == known.end()) {
         known.push_back(key);
@@ -115,12 +115,12 @@ std::size_t matching_key_set(const JsonNode& node, std::span<const KeySet> forms
               from.value().type_name());
   }
   std::string choices;
-  for (std::size_t i = 0; i < forms.size(); ++i) {
-    if (forms[i].from_port != begins_at_port(node)) {
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    if (sets[i].from_port != begins_at_port(node)) {
       continue;
     }
     const auto has = [&](std::string_view key) { return node.has(key); };
-    const Keys keys = elliptic ? with_semi_axes(forms[i].keys) : forms[i].keys;
+    const Keys keys = elliptic ? with_semi_axes(sets[i].keys) : sets[i].keys;
     if (keys.size() == node.value().size() && std::all_of(keys.begin(), keys.end(), has)) {
       return i;
     }
@@ -128,6 +128,16 @@ std::size_t matching_key_set(const JsonNode& node, std::span<const KeySet> forms
   }
   node.fail(std::string("from a ") + (begins_at_port(node) ? "port" : "point") + ", give " +
             choices);
+}
+
+std::optional<double> number_or_auto(const JsonNode& node) {
+  if (node.value().is_number()) {
+    return node.number();
+  }
+  if (!node.value().is_string() || node.text() != "auto") {
+    node.fail("must be a number or \"auto\"");
+  }
+  return std::nullopt;
 }
 
 }  // namespace dupin::json
