@@ -35,7 +35,7 @@ class RandomBlends {
             {},
             {{"a", PipeAlong{start, 4}},
              {"b", PipeAlong{end, 4}},
-             {"blend", CyclicBlendBetween{{"a", PartEnd::end}, {"b", PartEnd::start}, options}}}};
+             {"blend", CyclicBlendBetween{{"a", End::end}, {"b", End::start}, options}}}};
   }
 
  private:

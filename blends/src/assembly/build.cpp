@@ -106,8 +106,8 @@ class Builder {
       result.construction = "ringed";
     }
     if (part.kind == "cyclide_blend") {
-      result.rejected = search_cyclide_blend(flipped(*port_ring(part.shape, PartEnd::start)),
-                                             flipped(*port_ring(part.shape, PartEnd::end)))
+      result.rejected = search_cyclide_blend(flipped(*port_ring(part.shape, End::start)),
+                                             flipped(*port_ring(part.shape, End::end)))
                             .rejected;
     }
     return result;

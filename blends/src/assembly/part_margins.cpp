@@ -33,8 +33,8 @@ class Claims {
     }
     PartMargins result{margin.lower, margin.upper, {}, {}};
     if (is_blend_) {
-      result.start_tangency = tangency_at_end(surface, SurfaceEnd::start).deviation.upper;
-      result.end_tangency = tangency_at_end(surface, SurfaceEnd::end).deviation.upper;
+      result.start_tangency = tangency_at_end(surface, End::start).deviation.upper;
+      result.end_tangency = tangency_at_end(surface, End::end).deviation.upper;
     }
     return result;
   }
@@ -45,8 +45,8 @@ class Claims {
       refuse(*result.margin_lower);
     }
     if (is_blend_) {
-      result.start_tangency = tangency_bound(tube, SurfaceEnd::start);
-      result.end_tangency = tangency_bound(tube, SurfaceEnd::end);
+      result.start_tangency = tangency_bound(tube, End::start);
+      result.end_tangency = tangency_bound(tube, End::end);
     }
     return result;
   }
@@ -56,8 +56,8 @@ class Claims {
     const Enclosure bounds = margin(tube);
     PartMargins result{bounds.lower, bounds.upper, {}, {}};
     if (is_blend_) {
-      result.start_tangency = tangency_bound(tube, SurfaceEnd::start);
-      result.end_tangency = tangency_bound(tube, SurfaceEnd::end);
+      result.start_tangency = tangency_bound(tube, End::start);
+      result.end_tangency = tangency_bound(tube, End::end);
     }
     return result;
   }
@@ -82,9 +82,8 @@ class Claims {
       result.margin_upper = least(result.margin_upper, here.margin_upper);
     }
     if (!pipe.closed) {
-      result.start_tangency =
-          tangency_at_end(pipe.pieces.front(), SurfaceEnd::start).deviation.upper;
-      result.end_tangency = tangency_at_end(pipe.pieces.back(), SurfaceEnd::end).deviation.upper;
+      result.start_tangency = tangency_at_end(pipe.pieces.front(), End::start).deviation.upper;
+      result.end_tangency = tangency_at_end(pipe.pieces.back(), End::end).deviation.upper;
     }
     return result;
   }

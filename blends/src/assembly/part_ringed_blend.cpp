@@ -20,7 +20,7 @@ double neck_limit(double radius, double narrowing) {
 }
 
 // An end of the blend, its ring in the direction of travel.
-struct End {
+struct BlendEnd {
   Ring port;          ///< the ring with its normal in the direction of travel
   MovingRing motion;  ///< at unit speed
   bool is_canal = true;
@@ -32,7 +32,7 @@ class RingedBlend {
       : context_(context), blend_(blend) {}
 
   [[nodiscard]] RationalRingedTube made() const {
-    const End from = end(blend_.from, false), to = end(blend_.to, true);
+    const BlendEnd from = end(blend_.from, false), to = end(blend_.to, true);
     const double chord = (to.port.center - from.port.center).norm();
     if (!(chord > 0)) {
       throw Error(Errc::invalid_argument, "the blend's ends have the same centre; move them apart");
@@ -46,7 +46,7 @@ class RingedBlend {
                 document_place(context_.assembly, context_.index, key));
   }
 
-  [[nodiscard]] End end(const RingedBlendEnd& given, bool arriving) const {
+  [[nodiscard]] BlendEnd end(const RingedBlendEnd& given, bool arriving) const {
     if (const auto* port = std::get_if<PortReference>(&given)) {
       const Ring& ring = context_.ring(*port);
       if (ring.ellipse) {
@@ -63,7 +63,7 @@ class RingedBlend {
       fail(key + "/direction", "the direction must be finite and not zero");
     }
     const TravelRing ring{free.center, free.direction.normalized(), free.radius};
-    End result{{ring.center, ring.normal, ring.radius}, {}, true};
+    BlendEnd result{{ring.center, ring.normal, ring.radius}, {}, true};
     result.motion = std::visit([&](const auto& contact) { return motion(ring, contact, result); },
                                free.contact);
     return result;
@@ -74,42 +74,43 @@ class RingedBlend {
     return motion.center_rate == ring.normal && motion.normal_rate.isZero(0);
   }
 
-  static MovingRing motion(const TravelRing& ring, const CanalContact& canal, End& end) {
+  static MovingRing motion(const TravelRing& ring, const CanalContact& canal, BlendEnd& end) {
     end.port.slope = canal.slope;
     return along_canal(ring, canal.slope, 1);
   }
-  static MovingRing motion(const TravelRing& ring, const SphereContact& sphere, End& end) {
+  static MovingRing motion(const TravelRing& ring, const SphereContact& sphere, BlendEnd& end) {
     MovingRing result = along_sphere(ring, sphere.center, 1);
     end.port.slope = result.radius_rate;
     return result;
   }
-  static MovingRing motion(const TravelRing& ring, const ObliqueConeContact& cone, End& end) {
+  static MovingRing motion(const TravelRing& ring, const ObliqueConeContact& cone, BlendEnd& end) {
     end.is_canal = false;
     return along_oblique_cone(ring, cone.apex, 1);
   }
   static MovingRing motion(const TravelRing& ring, const ObliqueCylinderContact& cylinder,
-                           End& end) {
+                           BlendEnd& end) {
     end.is_canal = false;
     return along_oblique_cylinder(ring, cylinder.ruling, 1);
   }
-  static MovingRing motion(const TravelRing& ring, const PlateContact& plate, End& end) {
+  static MovingRing motion(const TravelRing& ring, const PlateContact& plate, BlendEnd& end) {
     end.is_canal = false;
     return along_plate(ring, plate.widening ? 1 : -1);
   }
 
-  [[nodiscard]] RationalRingedSurface trial(const End& from, const End& to, double k,
+  [[nodiscard]] RationalRingedSurface trial(const BlendEnd& from, const BlendEnd& to, double k,
                                             double l) const {
     if (!blend_.low_degree) {
       return ringed_blend(at_speed(from.motion, k), at_speed(to.motion, l));
     }
-    const auto canal = [](const End& end, double speed) {
+    const auto canal = [](const BlendEnd& end, double speed) {
       return CanalEnd{{end.port.center, end.port.normal, end.port.radius}, end.port.slope, speed};
     };
     return canal_ringed_blend(canal(from, k), canal(to, l));
   }
 
   // The speeds nearest to the chord that work.
-  [[nodiscard]] RationalRingedSurface surface(const End& from, const End& to, double chord) const {
+  [[nodiscard]] RationalRingedSurface surface(const BlendEnd& from, const BlendEnd& to,
+                                              double chord) const {
     if (blend_.low_degree && !(from.is_canal && to.is_canal)) {
       fail("bidegree", "[5, 2] needs cylinders, cones or spheres at both ends; take [9, 2]");
     }

@@ -3,30 +3,30 @@
 namespace dupin {
 namespace {
 
-const Ring* ring_of(const Sphere&, PartEnd) { return nullptr; }
+const Ring* ring_of(const Sphere&, End) { return nullptr; }
 
-const Ring* ring_of(const CyclideTube& tube, PartEnd end) {
+const Ring* ring_of(const CyclideTube& tube, End end) {
   if (tube.wall > 0) {
     return nullptr;
   }
-  return end == PartEnd::start ? &tube.start : &tube.end;
+  return end == End::start ? &tube.start : &tube.end;
 }
 
-const Ring* ring_of(const SplinePipe& pipe, PartEnd end) {
+const Ring* ring_of(const SplinePipe& pipe, End end) {
   if (pipe.closed) {
     return nullptr;
   }
-  return end == PartEnd::start ? &pipe.pieces.front().start : &pipe.pieces.back().end;
+  return end == End::start ? &pipe.pieces.front().start : &pipe.pieces.back().end;
 }
 
 template <class Tube>
-const Ring* ring_of(const Tube& tube, PartEnd end) {
-  return end == PartEnd::start ? &tube.start : &tube.end;
+const Ring* ring_of(const Tube& tube, End end) {
+  return end == End::start ? &tube.start : &tube.end;
 }
 
 }  // namespace
 
-const Ring* port_ring(const PartSurface& surface, PartEnd end) {
+const Ring* port_ring(const PartSurface& surface, End end) {
   return std::visit([end](const auto& shape) { return ring_of(shape, end); }, surface);
 }
 

@@ -16,21 +16,21 @@ namespace {
 struct Reference {
   PortReference port;
   std::string_view key;
-  PartEnd own_end = PartEnd::start;
+  End own_end = End::start;
 };
 
 template <class Blend>
 std::vector<Reference> both_ends(const Blend& blend) {
-  return {{blend.from, "from", PartEnd::start}, {blend.to, "to", PartEnd::end}};
+  return {{blend.from, "from", End::start}, {blend.to, "to", End::end}};
 }
 
 std::vector<Reference> port_ends(const RingedBlendBetween& blend) {
   std::vector<Reference> result;
   if (const auto* port = std::get_if<PortReference>(&blend.from)) {
-    result.push_back({*port, "from", PartEnd::start});
+    result.push_back({*port, "from", End::start});
   }
   if (const auto* port = std::get_if<PortReference>(&blend.to)) {
-    result.push_back({*port, "to", PartEnd::end});
+    result.push_back({*port, "to", End::end});
   }
   return result;
 }
@@ -49,7 +49,7 @@ std::vector<Reference> references(const PartShape& shape) {
     return both_ends(*spline);
   }
   if (const auto* blend = std::get_if<CyclideBlendBetween>(&shape)) {
-    return {{blend->from, "from", PartEnd::start}, {blend->to, "to", PartEnd::end}};
+    return {{blend->from, "from", End::start}, {blend->to, "to", End::end}};
   }
   if (const auto* chain = std::get_if<CyclideChainThrough>(&shape)) {
     const auto* port = std::get_if<PortReference>(&chain->from);
@@ -79,8 +79,6 @@ std::vector<Reference> references(const PartShape& shape) {
   return {{std::get<PortReference>(*origin), "from"}};
 }
 
-std::size_t at(PartEnd end) { return end == PartEnd::start ? 0 : 1; }
-
 class Resolver {
  public:
   explicit Resolver(const Assembly& assembly)
@@ -101,7 +99,7 @@ class Resolver {
   }
 
  private:
-  struct End {
+  struct EndState {
     std::string taken_by;
     std::optional<EndIndex> joined;
     std::string cap;
@@ -181,7 +179,7 @@ class Resolver {
     const std::string& name = assembly_.parts[part].name;
     const EndIndex other{referred(part, reference), reference.port.end};
     take(part, reference.key, other, name);
-    End& other_end = ends_[other.part].at(at(other.end));
+    EndState& other_end = ends_[other.part].at(at(other.end));
     if (std::holds_alternative<CapAt>(assembly_.parts[part].shape)) {
       other_end.cap = name;
       return;
@@ -284,8 +282,8 @@ class Resolver {
         continue;
       }
       ResolvedPart resolved{part.name, std::string(kind(part.shape)), i, shapes_[i], {}, {}};
-      for (const auto end : {PartEnd::start, PartEnd::end}) {
-        const End& state = ends_[i].at(at(end));
+      for (const auto end : {End::start, End::end}) {
+        const EndState& state = ends_[i].at(at(end));
         resolved.joined.at(at(end)) = state.joined;
         resolved.end_names.at(at(end)) =
             state.cap.empty() ? to_string({part.name, end}) : state.cap;
@@ -304,7 +302,7 @@ class Resolver {
 
   const Assembly& assembly_;
   std::map<std::string, std::uint32_t> index_;
-  std::vector<std::array<End, 2>> ends_;
+  std::vector<std::array<EndState, 2>> ends_;
   std::vector<PartSurface> shapes_;
 };
 
@@ -315,7 +313,7 @@ ResolvedAssembly resolve(const Assembly& assembly) { return Resolver(assembly).r
 std::vector<Port> ports(const ResolvedAssembly& assembly) {
   std::vector<Port> result;
   for (const auto& part : assembly.parts) {
-    for (const PartEnd end : {PartEnd::start, PartEnd::end}) {
+    for (const End end : {End::start, End::end}) {
       if (const Ring* ring = port_ring(part.shape, end)) {
         result.push_back({to_string({part.name, end}), *ring, part.name});
       }

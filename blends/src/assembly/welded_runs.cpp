@@ -12,16 +12,11 @@
 namespace dupin::assembly {
 namespace {
 
-std::size_t at(PartEnd end) { return end == PartEnd::start ? 0 : 1; }
-
-PartEnd other(PartEnd end) { return end == PartEnd::start ? PartEnd::end : PartEnd::start; }
-
 // Walks from `part` out through its `exit` until an open end or back at the part.
-std::vector<std::uint32_t> walk(const ResolvedAssembly& assembly, std::uint32_t part,
-                                PartEnd exit) {
+std::vector<std::uint32_t> walk(const ResolvedAssembly& assembly, std::uint32_t part, End exit) {
   std::vector<std::uint32_t> passed{part};
   for (auto next = assembly.parts[part].joined.at(at(exit)); next && next->part != part;
-       next = assembly.parts[passed.back()].joined.at(at(other(next->end)))) {
+       next = assembly.parts[passed.back()].joined.at(at(opposite(next->end)))) {
     passed.push_back(next->part);
   }
   return passed;
@@ -60,7 +55,7 @@ Extent extent_of(const PartSurface& shape) {
   if (const auto* chain = std::get_if<KneecapChain>(&shape)) {
     include(extent, chain->pieces, 0);
   }
-  for (const PartEnd end : {PartEnd::start, PartEnd::end}) {
+  for (const End end : {End::start, End::end}) {
     if (const Ring* ring = port_ring(shape, end)) {
       extent.include(std::min(ring->radius, across(*ring)));
       extent.include(ring->center, largest_radius(*ring));
@@ -83,13 +78,13 @@ std::vector<WeldedRun> welded_runs(const ResolvedAssembly& assembly) {
       continue;
     }
     // To one end of the run, then from there to the other.
-    const auto back = walk(assembly, i, PartEnd::start);
+    const auto back = walk(assembly, i, End::start);
     const auto& joined = assembly.parts[back.back()].joined;
     const bool leaves_by_end = !joined.at(0);
-    const auto forward = walk(assembly, back.back(), leaves_by_end ? PartEnd::end : PartEnd::start);
+    const auto forward = walk(assembly, back.back(), leaves_by_end ? End::end : End::start);
     // In a closed loop both walks come all the way round.
     const bool is_loop = joined.at(0) && joined.at(1);
-    WeldedRun run{is_loop ? walk(assembly, i, PartEnd::end) : forward};
+    WeldedRun run{is_loop ? walk(assembly, i, End::end) : forward};
     if (!is_loop && run.parts.back() < run.parts.front()) {
       std::reverse(run.parts.begin(), run.parts.end());
     }

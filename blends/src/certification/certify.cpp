@@ -51,8 +51,8 @@ struct CertifiedShape {
 
 std::vector<certification::JoinedEnds> joints(const CertifiedPart& part, std::uint32_t other) {
   std::vector<certification::JoinedEnds> result;
-  for (const PartEnd end : {PartEnd::start, PartEnd::end}) {
-    const auto& joined = part.joined.at(end == PartEnd::start ? 0 : 1);
+  for (const End end : {End::start, End::end}) {
+    const auto& joined = part.joined.at(at(end));
     if (joined && joined->part == other) {
       result.push_back({end, joined->end});
     }
@@ -100,7 +100,7 @@ class Certifier {
           certification::prove_embedded(sweep, result.regular->margin, options_.boxes);
     }
     for (const CertifiedPiece& piece : chain->pieces) {
-      for (const auto end : {SurfaceEnd::start, SurfaceEnd::end}) {
+      for (const auto end : {End::start, End::end}) {
         result.tangency.push_back(certification::end_tangency(piece, end));
       }
     }

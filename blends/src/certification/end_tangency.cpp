@@ -66,7 +66,7 @@ double offset(const CertifiedPiece& piece, const EndRing& end) {
 }
 
 TangencyClaim differences(const RingedSurface& tube, const EndRing& end) {
-  const Tangency found = tangency_at_end(tube, end.at_end ? SurfaceEnd::end : SurfaceEnd::start);
+  const Tangency found = tangency_at_end(tube, end.at_end ? End::end : End::start);
   // Adding 0 takes the sign from a zero.
   return {found.deviation.upper + 0.0, found.axis_angle.upper + 0.0, 0, {}};
 }
@@ -74,7 +74,7 @@ TangencyClaim differences(const RingedSurface& tube, const EndRing& end) {
 // None where the surface folds. With room for a checker's own rounding.
 std::optional<double> curvature(const RingedSurface& tube, bool at_end) {
   try {
-    const double bound = curvature_jump_bound(tube, at_end ? SurfaceEnd::end : SurfaceEnd::start);
+    const double bound = curvature_jump_bound(tube, at_end ? End::end : End::start);
     const double radius = evaluate(tube.radius, at_end ? 1 : 0).value;
     const bool is_straight = std::holds_alternative<LineSpine>(tube.spine) &&
                              (std::holds_alternative<ConstantRadius>(tube.radius) ||
@@ -88,7 +88,7 @@ std::optional<double> curvature(const RingedSurface& tube, bool at_end) {
 TangencyClaim differences(const EllipticTube& tube, const EndRing& end) {
   const TangencyClaim about =
       differences(RingedSurface{tube.start, tube.end, tube.spine, tube.first}, end);
-  const double deviation = tangency_bound(tube, end.at_end ? SurfaceEnd::end : SurfaceEnd::start);
+  const double deviation = tangency_bound(tube, end.at_end ? End::end : End::start);
   return {deviation * (1 + 0x1p-20), about.axis_angle, 0, {}};  // room for a checker's own rounding
 }
 
@@ -128,10 +128,10 @@ TangencyClaim differences(const RationalRingedTube& tube, const EndRing& end) {
 
 }  // namespace
 
-TangencyClaim end_tangency(const CertifiedPiece& piece, SurfaceEnd end) {
+TangencyClaim end_tangency(const CertifiedPiece& piece, End end) {
   return std::visit(
       [&](const auto& surface) {
-        const bool at_end = end == SurfaceEnd::end;
+        const bool at_end = end == End::end;
         const EndRing ring{at_end ? surface.end : surface.start, at_end};
         TangencyClaim result = differences(surface, ring);
         result.offset = offset(piece, ring);

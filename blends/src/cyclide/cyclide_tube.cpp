@@ -116,8 +116,8 @@ Enclosure margin(const CyclideTube& tube) {
 
 // The walls differ by at most the angle between the axes and that between the half angles, which is
 // at most the difference of their tangents. For a sine x <= 1/2 the angle is at most x (1 + x^2).
-double tangency_bound(const CyclideTube& tube, SurfaceEnd end) {
-  const bool at_start = end == SurfaceEnd::start;
+double tangency_bound(const CyclideTube& tube, End end) {
+  const bool at_start = end == End::start;
   const Ring ring = at_start ? flipped(tube.start) : tube.end;
   const PeVector tangent =
       at_start ? tube.chain.pieces.front().start_tangent() : tube.chain.pieces.back().end_tangent();

@@ -190,8 +190,8 @@ CertifiedPart part(const JsonNode& node, std::uint32_t parts) {
     if (which != "start" && which != "end") {
       end.fail("must name start or end");
     }
-    result.joined.at(i) = EndIndex{count(end.at(std::size_t(0)), parts),
-                                   which == "start" ? PartEnd::start : PartEnd::end};
+    result.joined.at(i) =
+        EndIndex{count(end.at(std::size_t(0)), parts), which == "start" ? End::start : End::end};
   }
   return result;
 }

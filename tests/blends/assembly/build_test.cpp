@@ -29,8 +29,8 @@ Part pipe(const std::string& name, const Vec3& from, const Vec3& to, double radi
   return {name, PipeBetween{from, to, radius}};
 }
 
-PortReference start_of(const std::string& part) { return {part, PartEnd::start}; }
-PortReference end_of(const std::string& part) { return {part, PartEnd::end}; }
+PortReference start_of(const std::string& part) { return {part, End::start}; }
+PortReference end_of(const std::string& part) { return {part, End::end}; }
 
 Assembly assembly(std::vector<Part> parts, double tolerance = 0.02) {
   return {"", Unit::millimetre, tolerance, {}, std::move(parts)};
@@ -244,8 +244,8 @@ TEST(Build, a_chain_goes_on_from_a_port) {
         CyclideChainThrough{end_of("a"), {{Vec3(2, 1, 0), .9}, {Vec3(3, 3, 1), .8}}, {}, 0}},
        {"c", PipeAlong{end_of("chain"), 2}}});
   const auto resolved = resolve(document);
-  EXPECT_EQ(*port_ring(resolved.parts[1].shape, PartEnd::start),
-            flipped(*port_ring(resolved.parts[0].shape, PartEnd::end)));
+  EXPECT_EQ(*port_ring(resolved.parts[1].shape, End::start),
+            flipped(*port_ring(resolved.parts[0].shape, End::end)));
   expect_solid("chain", document, {1, 1, 1, 0, smooth_volume(resolved)});
 }
 

@@ -343,9 +343,9 @@ TEST(KneecapChain, is_welded_to_the_parts_at_its_ends) {
                           Unit::millimetre,
                           0.01,
                           {},
-                          {{"a", PipeAlong{PortReference{"chain", PartEnd::start}, 1}},
+                          {{"a", PipeAlong{PortReference{"chain", End::start}, 1}},
                            {"chain", chain},
-                           {"b", PipeAlong{PortReference{"chain", PartEnd::end}, 2}}}};
+                           {"b", PipeAlong{PortReference{"chain", End::end}, 2}}}};
   const Built result = build(assembly);
   EXPECT_EQ(result.runs, 1U);
   EXPECT_EQ(result.pieces, 3U);

@@ -78,11 +78,11 @@ TEST(RingedParts, keep_the_ellipse_of_a_port_round_a_bend) {
       {"name": "b", "elbow": {"from": "a.end", "bend_radius": 3, "angle": 90, "toward": [0, 1, 0]}},
       {"name": "c", "pipe": {"from": "b.end", "length": 2}})"))
                          .parts;
-  const Ring* bent = port_ring(parts[1].shape, PartEnd::end);
+  const Ring* bent = port_ring(parts[1].shape, End::end);
   EXPECT_LT((bent->ellipse->axis - Vec3(-.6, 0, .8)).norm(), 1e-15);
   EXPECT_EQ(bent->radius, .5);
   EXPECT_EQ(across(*bent), 1);
-  EXPECT_EQ(flipped(*bent), *port_ring(parts[2].shape, PartEnd::start));
+  EXPECT_EQ(flipped(*bent), *port_ring(parts[2].shape, End::start));
 }
 
 TEST(RingedParts, elliptic_cones_hold_their_volume) {

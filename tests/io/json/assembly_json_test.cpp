@@ -322,8 +322,8 @@ TEST(AssemblyJson, reads_the_reducer) {
   EXPECT_EQ(outlet.length, 10);
   EXPECT_EQ(reducer.parts[2].name, "blend");
   const auto& blend = std::get<CyclicBlendBetween>(reducer.parts[2].shape);
-  EXPECT_EQ(blend.from, (PortReference{"inlet", PartEnd::end}));
-  EXPECT_EQ(blend.to, (PortReference{"outlet", PartEnd::start}));
+  EXPECT_EQ(blend.from, (PortReference{"inlet", End::end}));
+  EXPECT_EQ(blend.to, (PortReference{"outlet", End::start}));
   EXPECT_EQ(blend.options.radius_law, BlendLaw::r1);
   EXPECT_EQ(blend.options.k, 10);
   EXPECT_EQ(blend.options.l, 20);

@@ -247,15 +247,15 @@ TEST(Certificate, of_a_loop_that_comes_back_is_refuted_by_a_common_point) {
   const auto place = [](const Vec3& point, const Vec3& direction) {
     return PipeAlong{Place{point, direction, 1}, 1};
   };
-  const Assembly loop{"",
-                      Unit::millimetre,
-                      0.1,
-                      {},
-                      {{"a", place({0, 0, 0}, {1, 0, 0})},
-                       {"b", place({4, -4, 0}, {0, -1, 0})},
-                       {"loop", CyclicBlendBetween{{"a", PartEnd::end},
-                                                   {"b", PartEnd::start},
-                                                   {.k = 60.0, .l = 60.0, .margin = 0}}}}};
+  const Assembly loop{
+      "",
+      Unit::millimetre,
+      0.1,
+      {},
+      {{"a", place({0, 0, 0}, {1, 0, 0})},
+       {"b", place({4, -4, 0}, {0, -1, 0})},
+       {"loop", CyclicBlendBetween{
+                    {"a", End::end}, {"b", End::start}, {.k = 60.0, .l = 60.0, .margin = 0}}}}};
   const Certificate certificate = certify(loop);
   const PartClaims& claims = certificate.claims[2];
   EXPECT_EQ(claims.regular->verdict, Verdict::proved);

@@ -37,7 +37,7 @@ struct CyclideTube {
 
 /// A certified upper bound of the angle, in radians, between the tube's tangent planes at an end
 /// and those of the cone or cylinder that its stored ring belongs to.
-[[nodiscard]] double tangency_bound(const CyclideTube& tube, SurfaceEnd end);
+[[nodiscard]] double tangency_bound(const CyclideTube& tube, End end);
 
 /// Of all skins, without end discs and rims.
 [[nodiscard]] double area(const CyclideTube& tube);

@@ -19,7 +19,7 @@ using PartSurface = std::variant<RingedSurface, Sphere, EllipticTube, RationalRi
                                  SplinePipe, CyclideTube, KneecapChain>;
 
 /// The ring of a part's port, its normal pointing out of the part; none where the part is closed.
-[[nodiscard]] const Ring* port_ring(const PartSurface& surface, PartEnd end);
+[[nodiscard]] const Ring* port_ring(const PartSurface& surface, End end);
 
 /// The pieces of a cyclide chain or blend; none of other surfaces.
 [[nodiscard]] std::vector<PeArc> cyclide_pieces(const PartSurface& surface);

@@ -15,7 +15,7 @@ namespace dupin {
 /// One end of one part of a resolved assembly.
 struct EndIndex {
   std::uint32_t part = 0;
-  PartEnd end = PartEnd::start;
+  End end = End::start;
   friend bool operator==(const EndIndex&, const EndIndex&) = default;
 };
 

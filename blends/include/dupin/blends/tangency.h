@@ -1,11 +1,10 @@
 #pragma once
 
+#include "dupin/blends/end.h"
 #include "dupin/blends/ringed_surface.h"
 #include "dupin/kernel/enclosure.h"
 
 namespace dupin {
-
-enum class SurfaceEnd { start, end };
 
 /// How smoothly a ringed surface runs into the cylinder or cone that its stored end ring belongs
 /// to.
@@ -25,6 +24,6 @@ struct Tangency {
 
 /// Certified: computed from the stored numbers in intervals of high precision, rounded outward.
 /// Throws Error{irregular_surface} where the spine stands still.
-[[nodiscard]] Tangency tangency_at_end(const RingedSurface& surface, SurfaceEnd end);
+[[nodiscard]] Tangency tangency_at_end(const RingedSurface& surface, End end);
 
 }  // namespace dupin
