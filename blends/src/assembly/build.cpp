@@ -5,7 +5,6 @@
 
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
-#include "assembly/run_sampling.h"
 #include "assembly/weld.h"
 #include "assembly/welded_runs.h"
 #include "dupin/blends/cyclide_blend.h"
@@ -65,50 +64,73 @@ class Builder {
     }
   }
 
-  static std::vector<std::string> bias_sentences(const CyclideTube& tube,
+  static std::vector<std::string> bias_sentences(const CyclideChain& pieces,
                                                  const CyclideChainThrough& chain) {
     std::vector<PeVector> spheres = chain.spheres;
     const bool from_port = std::holds_alternative<PortReference>(chain.from);
     if (from_port) {
-      spheres.insert(spheres.begin(), tube.chain.pieces.front().start());
+      spheres.insert(spheres.begin(), pieces.pieces.front().start());
     }
     std::vector<std::string> sentences;
-    for (const std::size_t piece : bias_warnings(tube.chain, spheres)) {
+    for (const std::size_t piece : bias_warnings(pieces, spheres)) {
       sentences.push_back("piece " + std::to_string(piece) + " turns away from sphere " +
                           std::to_string(2 * piece + (from_port ? 0 : 1)));
     }
     return sentences;
   }
 
-  static void describe(const CyclideTube& tube, const PartShape& shape, PartReport& result) {
-    if (result.kind == "cyclide_blend") {
-      result.construction = kind(tube);
-    } else {
-      result.construction = std::to_string(tube.chain.pieces.size()) + " pieces";
-      result.warnings = bias_sentences(tube, std::get<CyclideChainThrough>(shape));
+  // What is said of a part besides its margins, by what the document asks for.
+  struct Description {
+    const Chain& chain;
+    PartReport& result;
+
+    void operator()(const CyclideBlendBetween&) const {
+      const bool is_cyclide = !cyclide_pieces(chain).empty();
+      result.construction = is_cyclide ? std::string(kind(chain)) : "ringed";
+      result.rejected = search_cyclide_blend(flipped(end_ring(chain, End::start)),
+                                             flipped(end_ring(chain, End::end)))
+                            .rejected;
     }
-  }
+
+    void operator()(const CyclideChainThrough& through) const {
+      result.construction = std::to_string(chain.pieces.size()) + " pieces";
+      if (chain.joints == Joints::spherical) {
+        result.construction += " with kneecaps";
+      } else {
+        result.warnings = bias_sentences({cyclide_pieces(chain)}, through);
+      }
+    }
+
+    template <class Shape>
+    void operator()(const Shape&) const {}
+  };
+
+  // Whether a part is asked to be tangent to its neighbours.
+  struct IsTangent {
+    bool operator()(const CyclicBlendBetween&) const { return true; }
+    bool operator()(const CyclideBlendBetween&) const { return true; }
+    bool operator()(const TwoConeBlendBetween&) const { return true; }
+    bool operator()(const RingedBlendBetween&) const { return true; }
+    bool operator()(const SplineBetween&) const { return true; }
+    template <class Shape>
+    bool operator()(const Shape&) const {
+      return false;
+    }
+  };
 
   [[nodiscard]] PartReport certified(const ResolvedPart& part) const {
+    const PartShape& wanted = assembly_.parts[part.index].shape;
     PartReport result;
     result.name = part.name;
     result.kind = part.kind;
-    const assembly::PartMargins proven = assembly::margins(part);
+    const assembly::PartMargins proven =
+        assembly::margins(part.shape, std::visit(IsTangent{}, wanted));
     result.margin_lower = proven.margin_lower;
     result.margin_upper = proven.margin_upper;
     result.start_tangency = proven.start_tangency;
     result.end_tangency = proven.end_tangency;
-    if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
-      describe(*tube, assembly_.parts[part.index].shape, result);
-    } else if (const auto* chain = std::get_if<KneecapChain>(&part.shape)) {
-      result.construction = std::to_string(chain->pieces.size()) + " pieces with kneecaps";
-    } else if (part.kind == "cyclide_blend") {
-      result.construction = "ringed";
-    }
-    if (part.kind == "cyclide_blend") {
-      result.rejected = search_cyclide_blend(flipped(*port_ring(part.shape, End::start)),
-                                             flipped(*port_ring(part.shape, End::end)))
-                            .rejected;
+    if (const auto* chain = std::get_if<Chain>(&part.shape)) {
+      std::visit(Description{*chain, result}, wanted);
     }
     return result;
   }
@@ -136,7 +158,8 @@ class Builder {
                                              const RingSampling& chosen) const {
     TriMesh mesh = assembly::welded(resolved_, parts, tubes_, chosen);
     const bool overlaps = std::any_of(parts.begin(), parts.end(), [&](std::uint32_t part) {
-      return std::holds_alternative<KneecapChain>(resolved_.parts[part].shape);
+      const auto* chain = std::get_if<Chain>(&resolved_.parts[part].shape);
+      return chain != nullptr && chain->joints == Joints::spherical;
     });
     if (!overlaps) {
       return {Solid::from(mesh)};

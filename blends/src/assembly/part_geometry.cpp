@@ -138,14 +138,13 @@ class Geometry {
 
   PartSurface operator()(const SplineBetween& spline) const {
     check(spline.through);
-    return SplinePipe{
-        spline_pipe(right_end(spline.from, "from"), spline.through, right_end(spline.to, "to")),
-        false};
+    return Chain(
+        spline_pipe(right_end(spline.from, "from"), spline.through, right_end(spline.to, "to")));
   }
 
   PartSurface operator()(const SplineRound& spline) const {
     check(spline.through);
-    return SplinePipe{closed_spline_pipe(spline.through), true};
+    return Chain(closed_spline_pipe(spline.through), true);
   }
 
   PartSurface operator()(const CyclicBlendBetween& blend) const {
@@ -190,7 +189,7 @@ class Geometry {
     const Ring &from = right_end(blend.from, "from"), &to = right_end(blend.to, "to");
     CyclideSearch search = search_cyclide_blend(from, to);
     if (search.tube) {
-      return std::move(*search.tube);
+      return *search.tube;
     }
     try {
       return cyclic_blend(from, to);

@@ -264,12 +264,7 @@ class Resolver {
   }
 
   [[nodiscard]] MovingRing motion_at(const PortReference& port) const {
-    const PartSurface& surface = shapes_[index_.at(port.part)];
-    if (const auto* tube = std::get_if<RationalRingedTube>(&surface)) {
-      return leaving(*tube, port.end);
-    }
-    const Ring& ring = *port_ring(surface, port.end);
-    return along_canal({ring.center, ring.normal, ring.radius}, ring.slope, 1);
+    return leaving(shapes_[index_.at(port.part)], port.end);
   }
 
   ResolvedAssembly collected() {

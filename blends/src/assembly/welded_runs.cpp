@@ -5,9 +5,10 @@
 #include <limits>
 #include <string>
 
-#include "dupin/blends/cyclide_form.h"
+#include "assembly/part_context.h"
 #include "dupin/kernel/error.h"
 #include "numbers/decimal.h"
+#include "surfaces/surface_piece.h"
 
 namespace dupin::assembly {
 namespace {
@@ -31,17 +32,6 @@ struct Extent {
   }
 };
 
-void include(Extent& extent, const std::vector<PeArc>& pieces, double wall) {
-  if (wall > 0) {
-    extent.include(wall);
-  }
-  for (const PeArc& piece : pieces) {
-    extent.include(least_radius(piece) - wall);
-    extent.include(piece.start().m, piece.start().r);
-    extent.include(piece.end().m, piece.end().r);
-  }
-}
-
 Extent extent_of(const PartSurface& shape) {
   Extent extent{std::numeric_limits<double>::infinity(), 0};
   if (const auto* sphere = std::get_if<Sphere>(&shape)) {
@@ -49,11 +39,15 @@ Extent extent_of(const PartSurface& shape) {
     extent.include(sphere->center, sphere->radius);
     return extent;
   }
-  if (const auto* tube = std::get_if<CyclideTube>(&shape)) {
-    include(extent, tube->chain.pieces, tube->wall);
+  const Chain& chain = std::get<Chain>(shape);
+  if (chain.wall > 0) {
+    extent.include(chain.wall);
   }
-  if (const auto* chain = std::get_if<KneecapChain>(&shape)) {
-    include(extent, chain->pieces, 0);
+  for (const Piece& piece : chain.pieces) {
+    const auto [smallest, largest] =
+        std::visit([&](const auto& p) { return surfaces::extent(p, chain.wall); }, piece);
+    extent.include(smallest);
+    extent.largest = std::max(extent.largest, largest);
   }
   for (const End end : {End::start, End::end}) {
     if (const Ring* ring = port_ring(shape, end)) {
@@ -61,12 +55,20 @@ Extent extent_of(const PartSurface& shape) {
       extent.include(ring->center, largest_radius(*ring));
     }
   }
-  const auto* surface = std::get_if<RingedSurface>(&shape);
-  if (surface != nullptr && std::holds_alternative<LineSpine>(surface->spine)) {
-    extent.include((surface->end.center - surface->start.center).norm());
-  }
   return extent;
 }
+
+struct Mesher {
+  const RingSampling& sampling;
+  double tolerance;
+
+  Tessellation operator()(const Sphere& sphere) const { return tessellate(sphere, sampling); }
+
+  template <class Tube>
+  Tessellation operator()(const Tube& tube) const {
+    return tessellate(tube, sampling, {tolerance});
+  }
+};
 
 }  // namespace
 
@@ -124,6 +126,29 @@ double lattice_spacing(const Assembly& assembly, const ResolvedAssembly& resolve
                 document_place(assembly, smallest->index));
   }
   return spacing;
+}
+
+RingSampling run_sampling(const Assembly& assembly, const ResolvedAssembly& resolved,
+                          const WeldedRun& run, std::size_t position, double grid) {
+  RingSampling result{0, std::fmod(0.37 * double(position), 1), grid};
+  for (const auto index : run.parts) {
+    const ResolvedPart& part = resolved.parts[index];
+    const auto needed = with_part_context(assembly, part.index, [&] {
+      return std::visit(
+          [&](const auto& shape) { return segments_for(shape, assembly.tolerance, grid); },
+          part.shape);
+    });
+    result.segments = std::max(result.segments, needed);
+  }
+  result.segments = assembly.segments.value_or(result.segments);
+  return result;
+}
+
+Tessellation tessellated(const Assembly& assembly, const ResolvedPart& part,
+                         const RingSampling& sampling) {
+  return with_part_context(assembly, part.index, [&] {
+    return std::visit(Mesher{sampling, assembly.tolerance}, part.shape);
+  });
 }
 
 }  // namespace dupin::assembly

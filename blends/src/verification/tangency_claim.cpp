@@ -106,7 +106,7 @@ Wall wall_at(const Tube& tube, End end, double radius, double slope) {
           Mpfi(end == End::end ? slopes.back() : slopes.front())};
 }
 
-Difference difference_at(const std::vector<Tube>& tubes, const Ring& ring, const MpfiVec& normal,
+Difference difference_of(const std::vector<Tube>& tubes, const Ring& ring, const MpfiVec& normal,
                          End end) {
   const SpineEnd y = spine_end(tubes.front(), end);
   const Mpfi speed = length(y.first);
@@ -133,9 +133,19 @@ Difference difference_at(const std::vector<Tube>& tubes, const Ring& ring, const
   return {angle(length_of_cross(y.first, normal), dot(y.first, normal)), offset, upper(largest)};
 }
 
+Difference difference_at(const RingedSurface&, const Piece& piece, const Ring& ring,
+                         const MpfiVec& normal, End end) {
+  return difference_of(piece.tubes, ring, normal, end);
+}
+
+Difference difference_at(const EllipticTube&, const Piece& piece, const Ring& ring,
+                         const MpfiVec& normal, End end) {
+  return difference_of(piece.tubes, ring, normal, end);
+}
+
 // The tangent at the end is (2 e / D) d - tangent.
-Difference difference_at(const CyclidePiece& piece, const Ring& ring, const MpfiVec& normal,
-                         End end) {
+Difference difference_at(const CyclidePiece& piece, const Piece&, const Ring& ring,
+                         const MpfiVec& normal, End end) {
   const PeVector& b = end == End::end ? piece.last : piece.first;
   MpfiVec m1 = vector(piece.tangent.m);
   Mpfi r1 = piece.tangent.r;
@@ -154,8 +164,9 @@ Difference difference_at(const CyclidePiece& piece, const Ring& ring, const Mpfi
           deviation(r1, {pace}, end == End::end ? ring.slope : -ring.slope, true)};
 }
 
-Difference difference_at(const RationalRingedSurface& surface, const Ring& ring,
+Difference difference_at(const RationalRingedTube& tube, const Piece&, const Ring& ring,
                          const MpfiVec& normal, End end) {
+  const RationalRingedSurface& surface = tube.surface;
   const auto& [w, x, y, z] = end == End::end ? surface.rotation.back() : surface.rotation.front();
   const Mpfi a = w, b = x, c = y, d = z;
   const MpfiVec axis{square(a) + square(b) - square(c) - square(d), 2 * (b * c + a * d),
@@ -198,11 +209,9 @@ bool follows(const Piece& piece, const TangencyClaim& claim, End end) {
   }
   const Ring& ring = end == End::end ? piece.end : piece.start;
   const MpfiVec normal = vector(end == End::end ? ring.normal : Vec3(-ring.normal));
-  const auto* cyclide = std::get_if<CyclidePiece>(&piece.shape);
-  const auto* ringed = std::get_if<RationalRingedTube>(&piece.shape);
-  const Difference found = cyclide != nullptr  ? difference_at(*cyclide, ring, normal, end)
-                           : ringed != nullptr ? difference_at(ringed->surface, ring, normal, end)
-                                               : difference_at(piece.tubes, ring, normal, end);
+  const Difference found =
+      std::visit([&](const auto& shape) { return difference_at(shape, piece, ring, normal, end); },
+                 piece.shape);
   return upper(found.axis_angle) <= claim.axis_angle && upper(found.offset) <= claim.offset &&
          (!claim.deviation || (found.deviation && *found.deviation <= *claim.deviation));
 }

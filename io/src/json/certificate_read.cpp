@@ -126,27 +126,44 @@ RationalRingedTube rational_ringed_surface(const JsonNode& node) {
   return result;
 }
 
-CertifiedPiece piece(const JsonNode& node) {
-  if (node.has("rational_ringed_surface")) {
-    return rational_ringed_surface(node.at("rational_ringed_surface"));
+CyclidePiece cyclide(const JsonNode& node) {
+  if (!(node.at("chord").number() > 0)) {
+    node.at("chord").fail("must be positive");
   }
-  if (node.has("cyclide")) {
-    const JsonNode s = node.at("cyclide");
-    if (!(s.at("chord").number() > 0)) {
-      s.at("chord").fail("must be positive");
+  return {ring(node.at("start")),     ring(node.at("end")),    sphere(node.at("first")),
+          sphere(node.at("tangent")), sphere(node.at("last")), node.at("chord").number()};
+}
+
+EllipticTube elliptic_tube(const JsonNode& node) {
+  return {ring(node.at("start")), ring(node.at("end")), spine(node.at("spine")),
+          radius(node.at("first")), radius(node.at("second"))};
+}
+
+RingedSurface ringed_surface(const JsonNode& node) {
+  return {ring(node.at("start")), ring(node.at("end")), spine(node.at("spine")),
+          radius(node.at("radius"))};
+}
+
+template <class Kind, Kind (*read)(const JsonNode&)>
+Piece piece_of(const JsonNode& node) {
+  return read(node);
+}
+
+Piece piece(const JsonNode& node) {
+  struct Reader {
+    std::string_view key;
+    Piece (*read)(const JsonNode&);
+  };
+  constexpr Reader kReaders[] = {
+      {"rational_ringed_surface", piece_of<RationalRingedTube, rational_ringed_surface>},
+      {"cyclide", piece_of<CyclidePiece, cyclide>},
+      {"elliptic_tube", piece_of<EllipticTube, elliptic_tube>}};
+  for (const auto& [key, read] : kReaders) {
+    if (node.has(key)) {
+      return read(node.at(key));
     }
-    return CyclidePiece{ring(s.at("start")),     ring(s.at("end")),    sphere(s.at("first")),
-                        sphere(s.at("tangent")), sphere(s.at("last")), s.at("chord").number()};
   }
-  if (node.has("elliptic_tube")) {
-    const JsonNode s = node.at("elliptic_tube");
-    EllipticTube tube{ring(s.at("start")), ring(s.at("end")), spine(s.at("spine")),
-                      radius(s.at("first")), radius(s.at("second"))};
-    return tube;
-  }
-  const JsonNode s = node.at("ringed_surface");
-  return RingedSurface{ring(s.at("start")), ring(s.at("end")), spine(s.at("spine")),
-                       radius(s.at("radius"))};
+  return ringed_surface(node.at("ringed_surface"));
 }
 
 bool boolean(const JsonNode& node) {
@@ -156,16 +173,18 @@ bool boolean(const JsonNode& node) {
   return node.value().get<bool>();
 }
 
-std::variant<PieceChain, Sphere, OtherShape> shape(const JsonNode& node) {
+PartSurface shape(const JsonNode& node) {
   if (node.has("sphere")) {
     const JsonNode s = node.at("sphere");
     return Sphere{vector(s.at("center")), s.at("radius").number()};
   }
   if (node.has("other_shape")) {
-    return OtherShape{};
+    Chain unknown;
+    unknown.joints = Joints::spherical;
+    return unknown;
   }
-  PieceChain chain{list<CertifiedPiece>(node.at("pieces"), piece), boolean(node.at("closed")),
-                   node.at("wall").number()};
+  Chain chain(list<Piece>(node.at("pieces"), piece), boolean(node.at("closed")));
+  chain.wall = node.at("wall").number();
   if (chain.pieces.empty()) {
     node.at("pieces").fail("must not be empty");
   }

@@ -110,13 +110,16 @@ struct PieceForm {
 };
 
 struct ShapeForm {
-  Json operator()(const OtherShape&) const { return {{"other_shape", Json::object()}}; }
   Json operator()(const Sphere& s) const {
     return {{"sphere", {{"center", json::json_value(s.center)}, {"radius", s.radius}}}};
   }
-  Json operator()(const PieceChain& s) const {
+  // Nothing is claimed of spherical joints, so that their pieces need not be known.
+  Json operator()(const Chain& s) const {
+    if (s.joints == Joints::spherical) {
+      return {{"other_shape", Json::object()}};
+    }
     Json pieces = Json::array();
-    for (const CertifiedPiece& piece : s.pieces) {
+    for (const Piece& piece : s.pieces) {
       pieces.push_back(std::visit(PieceForm{}, piece));
     }
     return {{"pieces", pieces}, {"closed", s.closed}, {"wall", s.wall}};

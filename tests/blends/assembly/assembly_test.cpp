@@ -15,6 +15,7 @@
 
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/error.h"
+#include "support/single_piece.h"
 
 namespace dupin {
 namespace {
@@ -29,7 +30,7 @@ ResolvedAssembly resolved(std::vector<Part> parts) {
 }
 
 const RingedSurface& surface(const ResolvedAssembly& assembly, std::size_t part) {
-  return std::get<RingedSurface>(assembly.parts.at(part).shape);
+  return test::single_piece<RingedSurface>(assembly.parts.at(part).shape);
 }
 
 // A chain of all kinds of parts that begin at ports, from a place in general position.

@@ -15,6 +15,7 @@
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/rounding.h"
+#include "support/single_piece.h"
 
 namespace dupin {
 namespace {
@@ -42,20 +43,18 @@ double smooth_volume(const ResolvedPart& part) {
   if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
     return 4 * kPi / 3 * std::pow(sphere->radius, 3);
   }
-  if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
-    return volume(*tube);
-  }
-  return volume(std::get<RingedSurface>(part.shape));
+  const auto& chain = std::get<Chain>(part.shape);
+  const auto* tube = std::get_if<RingedSurface>(&chain.pieces.front());
+  return tube != nullptr ? volume(*tube) : volume(chain);
 }
 
 double smooth_area(const ResolvedPart& part) {
   if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
     return 4 * kPi * sphere->radius * sphere->radius;
   }
-  if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
-    return area(*tube);
-  }
-  return area(std::get<RingedSurface>(part.shape));
+  const auto& chain = std::get<Chain>(part.shape);
+  const auto* tube = std::get_if<RingedSurface>(&chain.pieces.front());
+  return tube != nullptr ? area(*tube) : area(chain);
 }
 
 double smooth_volume(const ResolvedAssembly& resolved) {
@@ -343,11 +342,11 @@ TEST(Build, makes_one_solid_of_the_plant_run) {
     });
     if (host != resolved.parts.end()) {
       ++meetings;
-      const double r = std::get<RingedSurface>(host->shape).end.radius;
+      const double r = test::single_piece<RingedSurface>(host->shape).end.radius;
       if (const auto* body = std::get_if<Sphere>(&part.shape)) {
         overlap += 2 * bored(body->radius, r, 0);
       } else {
-        overlap += kPi * r * r * length(std::get<RingedSurface>(part.shape).spine);
+        overlap += kPi * r * r * length(test::single_piece<RingedSurface>(part.shape).spine);
       }
     } else if (const auto* body = std::get_if<Sphere>(&part.shape)) {
       overlap += bored(body->radius, 38.1, 15) + bored(body->radius, 50.8, 15);

@@ -10,6 +10,7 @@
 
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/error.h"
+#include "support/single_piece.h"
 
 namespace dupin {
 namespace {
@@ -346,7 +347,7 @@ TEST(AssemblyJson, reads_every_form_of_every_part) {
   const auto resolved = resolve(assembly);
   ASSERT_EQ(resolved.parts.size(), 11U);
   const auto end = [&](std::size_t part) {
-    return std::get<RingedSurface>(resolved.parts[part].shape).end;
+    return test::single_piece<RingedSurface>(resolved.parts[part].shape).end;
   };
   const double half = std::sqrt(0.5);
   EXPECT_EQ(end(0).center, Vec3(3, 3, 0));

@@ -36,8 +36,8 @@ std::size_t part(const Certificate& c, const std::string& name) {
   return std::size_t(found - c.parts.begin());
 }
 
-PieceChain& chain(Certificate& c, const std::string& name) {
-  return std::get<PieceChain>(c.parts.at(part(c, name)).shape);
+Chain& chain(Certificate& c, const std::string& name) {
+  return std::get<Chain>(c.parts.at(part(c, name)).shape);
 }
 
 template <class Piece>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "dupin/blends/end.h"
 #include "dupin/blends/ringed_surface.h"
 #include "dupin/kernel/enclosure.h"
@@ -20,6 +22,17 @@ struct Tangency {
   Enclosure curvature_times_radius;  ///< kappa R at the end
 
   [[nodiscard]] bool exact() const { return deviation.upper == 0 && axis_angle.upper == 0; }
+};
+
+/// Upper bounds at an end of a piece, as a certificate claims them.
+struct TangencyClaim {
+  /// Tangency::deviation, in radians; none for elliptic tubes and general ringed surfaces.
+  std::optional<double> deviation;
+  double axis_angle = 0;  ///< between the disc's normal and the ring's, in radians
+  double offset = 0;      ///< of the disc's centre from the ring's, plus that of the radii
+  /// Of ringed surfaces, their curvature along the parameter lines: what it jumps by where a
+  /// cylinder or cone goes on (curvature_jump.h).
+  std::optional<double> curvature = {};
 };
 
 /// Certified: computed from the stored numbers in intervals of high precision, rounded outward.

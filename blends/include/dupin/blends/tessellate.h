@@ -3,13 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dupin/blends/cyclide_tube.h"
-#include "dupin/blends/elliptic_tube.h"
-#include "dupin/blends/kneecap.h"
-#include "dupin/blends/ringed_surface.h"
-#include "dupin/blends/ringed_tube.h"
-#include "dupin/blends/sphere.h"
-#include "dupin/blends/spline_pipe.h"
+#include "dupin/blends/part_surface.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/ring.h"
 
@@ -37,16 +31,14 @@ struct TessellationOptions {
 /// the snapping.
 [[nodiscard]] std::uint32_t segments_for(const RingedSurface& surface, double tolerance,
                                          double grid = 0);
-[[nodiscard]] std::uint32_t segments_for(const Sphere& sphere, double tolerance, double grid = 0);
-[[nodiscard]] std::uint32_t segments_for(const CyclideTube& tube, double tolerance,
-                                         double grid = 0);
 [[nodiscard]] std::uint32_t segments_for(const EllipticTube& tube, double tolerance,
                                          double grid = 0);
 [[nodiscard]] std::uint32_t segments_for(const RationalRingedTube& tube, double tolerance,
                                          double grid = 0);
-[[nodiscard]] std::uint32_t segments_for(const SplinePipe& pipe, double tolerance, double grid = 0);
-[[nodiscard]] std::uint32_t segments_for(const KneecapChain& chain, double tolerance,
+[[nodiscard]] std::uint32_t segments_for(const CyclidePiece& piece, double tolerance,
                                          double grid = 0);
+[[nodiscard]] std::uint32_t segments_for(const Chain& chain, double tolerance, double grid = 0);
+[[nodiscard]] std::uint32_t segments_for(const Sphere& sphere, double tolerance, double grid = 0);
 
 /// Triangles of one part and a proof of how far they are from it.
 struct Tessellation {
@@ -70,29 +62,28 @@ struct Tessellation {
 [[nodiscard]] Tessellation tessellate(const RingedSurface& surface, const RingSampling& sampling,
                                       const TessellationOptions& options = {});
 
-/// The same for a chain of cyclide pieces, whose joints are rows of points. The second derivatives
-/// are bounded in closed form, in intervals.
-///
-/// A hollow tube is closed: outer skin, inner skin inside out, and the two conical rims, which the
-/// labels tell apart (0: skins, 1: start, 2: end).
-[[nodiscard]] Tessellation tessellate(const CyclideTube& tube, const RingSampling& sampling,
-                                      const TessellationOptions& options = {});
-
 /// The same for elliptic tubes, whose polygons follow the ellipses' parameter; the bound includes
 /// what the frame along the spine may have lost.
 [[nodiscard]] Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
                                       const TessellationOptions& options = {});
 [[nodiscard]] Tessellation tessellate(const RationalRingedTube& tube, const RingSampling& sampling,
                                       const TessellationOptions& options = {});
-/// A closed pipe's last row is its first one.
-[[nodiscard]] Tessellation tessellate(const SplinePipe& pipe, const RingSampling& sampling,
+/// The second derivatives of cyclides are bounded in closed form, in intervals.
+[[nodiscard]] Tessellation tessellate(const CyclidePiece& piece, const RingSampling& sampling,
                                       const TessellationOptions& options = {});
 
-/// One mesh of several: the pieces, closed but for the chain's ends, and the sectors of the joints'
-/// balls that the kneecaps bound. They share no points, but have copies of the same where they
-/// meet, and cover parts of each other; their union is the chain. Circles apart by less than a
-/// sixteenth of the tolerance count as one.
-[[nodiscard]] Tessellation tessellate(const KneecapChain& chain, const RingSampling& sampling,
+/// The pieces' meshes, joined where pieces meet in the polygon of their ring. Cyclide pieces that
+/// meet smoothly are swept together, their joints being rows of points. A closed chain's last row
+/// is its first one.
+///
+/// A hollow chain is closed: outer skin, inner skin inside out, and the two conical rims, which the
+/// labels tell apart (0: skins, 1: start, 2: end).
+///
+/// With spherical joints, one mesh of several: the pieces, closed but for the chain's ends, and the
+/// sectors of the joints' balls that the kneecaps bound. They share no points, but have copies of
+/// the same where they meet, and cover parts of each other; their union is the chain. Circles apart
+/// by less than a sixteenth of the tolerance count as one.
+[[nodiscard]] Tessellation tessellate(const Chain& chain, const RingSampling& sampling,
                                       const TessellationOptions& options = {});
 
 /// A closed sphere of sampling.segments meridians about the z axis.

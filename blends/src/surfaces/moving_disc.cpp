@@ -1,4 +1,4 @@
-#include "certification/moving_disc.h"
+#include "surfaces/moving_disc.h"
 
 #include <algorithm>
 #include <vector>
@@ -6,7 +6,7 @@
 #include "numbers/interval_bezier.h"
 #include "numbers/quaternion.h"
 
-namespace dupin::certification {
+namespace dupin::surfaces {
 namespace {
 
 // Bernstein coefficients of a polynomial that t divides, over t.
@@ -145,4 +145,4 @@ bool advances(const std::vector<DiscPace>& way) {
          });
 }
 
-}  // namespace dupin::certification
+}  // namespace dupin::surfaces

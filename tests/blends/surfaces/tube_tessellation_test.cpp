@@ -151,15 +151,15 @@ TEST(TubeTessellation, of_a_ringed_blend_keeps_the_bound_it_states) {
 }
 
 TEST(TubeTessellation, of_a_closed_pipe_is_closed) {
-  const SplinePipe ring{closed_spline_pipe({{Vec3(8, 0, 0), 1},
-                                            {Vec3(3, 7, 3), 1.6},
-                                            {Vec3(-6, 6, -1), 1},
-                                            {Vec3(-7, -4, 3), .7},
-                                            {Vec3(2, -8, -2), 1.2}}),
-                        true};
+  const Chain ring(closed_spline_pipe({{Vec3(8, 0, 0), 1},
+                                       {Vec3(3, 7, 3), 1.6},
+                                       {Vec3(-6, 6, -1), 1},
+                                       {Vec3(-7, -4, 3), .7},
+                                       {Vec3(2, -8, -2), 1.2}}),
+                   true);
   double volume_of_pieces = 0;
-  for (const RingedSurface& piece : ring.pieces) {
-    volume_of_pieces += volume(piece);
+  for (const Piece& piece : ring.pieces) {
+    volume_of_pieces += volume(std::get<RingedSurface>(piece));
   }
   double before = std::numeric_limits<double>::infinity();
   for (const double tolerance : {.1, .02, .004}) {

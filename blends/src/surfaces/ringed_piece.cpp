@@ -1,21 +1,21 @@
-#include "dupin/blends/tessellate.h"
+#include "surfaces/ringed_piece.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 #include <Eigen/Geometry>
 
+#include "dupin/blends/curvature_jump.h"
+#include "dupin/kernel/error.h"
+#include "nurbs_form/exact_rows.h"
 #include "ringed/second_derivatives.h"
-#include "tessellation/band_stepper.h"
+#include "tessellation/swept_mesh.h"
 #include "tessellation/tessellation_tolerance.h"
 
 namespace dupin {
 namespace {
-
-using tessellation::BandStepper;
 
 // Cells of [0, 1] on which the second derivatives are bounded once; bands may end inside a cell.
 // The interval bounds of so short a cell exceed the suprema by about a percent.
@@ -51,23 +51,14 @@ tessellation::BandStepper march_of(const RingedSurface& surface, double around) 
   return {std::move(bounds), around};
 }
 
-struct Bands {
-  std::vector<double> knots;
-  double error_bound = 0;
-};
-
-Bands bands(const RingedSurface& surface, double allowed, std::uint32_t segments) {
-  const double around = 2 * std::numbers::pi / segments;
+tessellation::Bands bands(const RingedSurface& surface, double allowed, std::uint32_t segments) {
   if (is_straight(surface)) {
     return {{0, 1}, sagitta(largest_radius(surface.radius), segments)};
   }
-  constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
-  const tessellation::BandStepper march = march_of(surface, around);
-  const auto budget = tessellation::band_budget(allowed, largest_radius(surface.radius), around);
-  const double twist = around / 2 / double(march.knots(budget.enough, 0, kNoLimit).size() - 1);
-  auto knots = tessellation::even_knots(march, budget, twist);
-  const double error_bound = march.error_bound(knots, twist);
-  return {std::move(knots), error_bound};
+  const double around = 2 * std::numbers::pi / segments;
+  return tessellation::even_bands({march_of(surface, around)}, allowed,
+                                  largest_radius(surface.radius), segments)
+      .front();
 }
 
 // The smallest rotation that takes the unit vector `from` to `to`, applied to `v`; it never meets
@@ -112,33 +103,89 @@ std::uint32_t segments_for(const RingedSurface& surface, double tolerance, doubl
 Tessellation tessellate(const RingedSurface& surface, const RingSampling& sampling,
                         const TessellationOptions& options) {
   const double displacement = tessellation::point_error(surface, sampling.grid);
-  const std::uint32_t n = sampling.segments;
-  const auto first_ring = sample(flipped(surface.start), sampling);
-  const Bands along =
-      bands(surface, tessellation::allowed_error(options.tolerance, displacement), n);
-  const auto& knots = along.knots;
+  const auto [knots, error_bound] = bands(
+      surface, tessellation::allowed_error(options.tolerance, displacement), sampling.segments);
   const auto firsts = carried_along(
       surface.spine, knots, tessellation::first_direction(flipped(surface.start), sampling));
-  const tessellation::Arrival last = tessellation::arrival(surface.end, sampling, firsts.back());
-
-  Tessellation result{{}, std::uint32_t(knots.size() - 1), along.error_bound + displacement, knots};
-  TriMesh& mesh = result.mesh = tessellation::first_row(first_ring, result.bands);
+  std::vector<tessellation::Row> inner;
   for (std::size_t j = 1; j + 1 < knots.size(); ++j) {
     const SpinePoint y = evaluate(surface.spine, knots[j]);
-    const double radius = evaluate(surface.radius, knots[j]).value;
-    const Vec3& b1 = firsts[j];
-    const Vec3 b2 = y.first.normalized().cross(b1);
-    const double turned = last.twist * double(j) / result.bands;
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const double angle = 2 * std::numbers::pi * i / n + turned;
-      mesh.points.push_back(snapped(
-          y.position + radius * (std::cos(angle) * b1 + std::sin(angle) * b2), sampling.grid));
-    }
-    tessellation::append_band(mesh, n);
+    inner.push_back({y.position, firsts[j], y.first.normalized().cross(firsts[j]),
+                     evaluate(surface.radius, knots[j]).value, 0});
   }
-  mesh.points.insert(mesh.points.end(), last.points.begin(), last.points.end());
-  tessellation::append_band(mesh, n);
-  return result;
+  return {tessellation::swept_mesh(surface.start, inner,
+                                   tessellation::arrival(surface.end, sampling, firsts.back()),
+                                   sampling),
+          std::uint32_t(knots.size() - 1), error_bound + displacement, knots};
 }
 
+namespace surfaces {
+
+PieceExtent extent(const RingedSurface& surface, double) {
+  return {std::holds_alternative<LineSpine>(surface.spine)
+              ? (surface.end.center - surface.start.center).norm()
+              : std::numeric_limits<double>::infinity()};
+}
+
+MovingRing leaving(const RingedSurface& surface, End end) {
+  return leaving_canal(end_ring(surface, end));
+}
+
+PieceDiscs discs(const RingedSurface& surface) { return discs_of(SweptDiscTube(surface), true); }
+
+MarginBounds margin_bounds(const RingedSurface& surface) {
+  const Regularity margin = regularity(surface);
+  return {margin.lower, margin.upper, margin.lower > 0};
+}
+
+double nearly_largest_margin(const RingedSurface& surface, double) {
+  return nearly_largest_margin(std::vector{surface});
+}
+
+ProvedStretches prove_margin(const RingedSurface& surface, double, double margin) {
+  return prove_margin(std::vector{surface}, margin);
+}
+
+std::optional<double> tangency(const RingedSurface& surface, End end) {
+  return tangency_at_end(surface, end).deviation.upper;
+}
+
+namespace {
+
+// None where the surface folds. With room for a checker's own rounding.
+std::optional<double> curvature(const RingedSurface& tube, End end) {
+  try {
+    const double bound = curvature_jump_bound(tube, end);
+    const double radius = evaluate(tube.radius, end == End::end ? 1 : 0).value;
+    const bool is_straight = std::holds_alternative<LineSpine>(tube.spine) &&
+                             (std::holds_alternative<ConstantRadius>(tube.radius) ||
+                              std::holds_alternative<LinearRadius>(tube.radius));
+    return is_straight ? 0 : bound * (1 + 0x1p-20) + 0x1p-40 / radius;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+TangencyClaim tangency_claim(const RingedSurface& surface, End end) {
+  const EndRing ring{end_ring(surface, end), end};
+  const double t = ring.parameter();
+  const Tangency found = tangency_at_end(surface, end);
+  const auto stored = stored_end(surface.spine, end);
+  const numbers::IntervalVec center =
+      stored ? numbers::interval_vec(*stored) : discs(surface).hull({t, t}).centers.front();
+  // Adding 0 takes the sign from a zero.
+  return {found.deviation.upper + 0.0, found.axis_angle.upper + 0.0,
+          offset(ring, center, evaluate(surface.radius, t).value), curvature(surface, end)};
+}
+
+NurbsForm nurbs(const RingedSurface& surface, double tolerance) {
+  const auto [rows, degree] = nurbs_form::exact_rows(surface.spine, surface.radius, surface.radius,
+                                                     reference_axis(surface.start));
+  return rows.empty() ? nurbs_form::lofted_nurbs(surface, tolerance)
+                      : NurbsForm{{nurbs_form::nurbs_through(rows, degree)}, 0};
+}
+
+}  // namespace surfaces
 }  // namespace dupin
