@@ -119,7 +119,7 @@ class Welder {
     }
     const ResolvedPart& part = assembly_.parts[index];
     const auto label = part.joined.at(at(end)) ? part_label : new_label(part.end_names.at(at(end)));
-    const TriMesh flat = disc(at_ring, sampling_);
+    const TriMesh flat = end_cap_mesh(at_ring, sampling_);
     append_triangles(flat, on_ring(ring({index, end}), flat.points), label);
   }
 

@@ -195,15 +195,14 @@ NurbsForm nurbs(const CyclidePiece& piece, double) {
   return form;
 }
 
-}  // namespace surfaces
-
 std::uint32_t segments_for(const CyclidePiece& piece, double tolerance, double grid) {
-  return surfaces::segments_for(std::span(&piece, 1), tolerance, grid);
+  return segments_for(std::span(&piece, 1), tolerance, grid);
 }
 
 Tessellation tessellate(const CyclidePiece& piece, const RingSampling& sampling,
                         const TessellationOptions& options) {
-  return surfaces::tessellate(std::span(&piece, 1), sampling, options);
+  return tessellate(std::span(&piece, 1), sampling, options);
 }
 
+}  // namespace surfaces
 }  // namespace dupin

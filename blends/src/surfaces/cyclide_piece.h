@@ -12,6 +12,9 @@ namespace dupin::surfaces {
 
 [[nodiscard]] PieceExtent extent(const CyclidePiece& piece, double wall);
 [[nodiscard]] MovingRing leaving(const CyclidePiece& piece, End end);
+[[nodiscard]] std::uint32_t segments_for(const CyclidePiece& piece, double tolerance, double grid);
+[[nodiscard]] Tessellation tessellate(const CyclidePiece& piece, const RingSampling& sampling,
+                                      const TessellationOptions& options);
 [[nodiscard]] PieceDiscs discs(const CyclidePiece& piece);
 [[nodiscard]] MarginBounds margin_bounds(const CyclidePiece& piece);
 [[nodiscard]] double nearly_largest_margin(const CyclidePiece& piece, double wall);

@@ -34,10 +34,6 @@ bool is_straight(const EllipticTube& tube) {
          a.ellipse->axis == b.ellipse->axis && a.radius * across(b) == b.radius * across(a);
 }
 
-double sagitta(double radius, std::uint32_t segments) {
-  return radius * (1 - std::cos(std::numbers::pi / segments));
-}
-
 // The frame along the spine, carried in minimal rotations T -> T' of `steps` per unit of t. A
 // rotation by a drifts by less than 0.27 a^2 (see BandStepper), and the squares of the steps'
 // angles add up to at most the mean of |T'|^2 over the steps.
@@ -61,12 +57,6 @@ Carrier carrier(const EllipticTube& tube, const std::vector<ringed::BandBounds>&
   return {steps, lost / steps};
 }
 
-// The image of `v` under the least rotation from one unit vector to another.
-Vec3 carried(const Vec3& from, const Vec3& to, const Vec3& v) {
-  const Vec3 axis = from.cross(to);
-  return v + axis.cross(v) + axis.cross(axis.cross(v)) / (1 + from.dot(to));
-}
-
 std::vector<Vec3> carried_along(const EllipticTube& tube, const std::vector<double>& knots,
                                 double steps) {
   Vec3 tangent = evaluate(tube.spine, 0).first.normalized();
@@ -78,7 +68,7 @@ std::vector<Vec3> carried_along(const EllipticTube& tube, const std::vector<doub
     for (long step = 1; step <= count; ++step) {
       const double t = knots[i] + width * double(step) / double(count);
       const Vec3 next = evaluate(tube.spine, t).first.normalized();
-      first = carried(tangent, next, first);
+      first = tessellation::carried(tangent, next, first);
       tangent = next;
     }
     first = (first - first.dot(tangent) * tangent).normalized();
@@ -122,6 +112,8 @@ std::vector<tessellation::Row> rows_at(const EllipticTube& tube, const std::vect
 
 }  // namespace
 
+namespace surfaces {
+
 std::uint32_t segments_for(const EllipticTube& tube, double tolerance, double grid) {
   const double allowed =
       tessellation::allowed_error(tolerance, tessellation::point_error(tube, grid));
@@ -140,7 +132,7 @@ Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
   if (is_straight(tube)) {
     return {tessellation::swept_mesh(tube.start, tube.end, rows_at(tube, {0, 1}, 1), sampling),
             1,
-            sagitta(largest_radius(tube), sampling.segments) + displacement,
+            tessellation::sagitta(largest_radius(tube), sampling.segments) + displacement,
             {0, 1}};
   }
   std::vector<ringed::BandBounds> cells;
@@ -157,8 +149,6 @@ Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
   return {tessellation::swept_mesh(tube.start, tube.end, rows, sampling),
           std::uint32_t(rows.size() - 1), bands.error_bound + misplaced + displacement};
 }
-
-namespace surfaces {
 
 PieceExtent extent(const EllipticTube&, double) {
   return {std::numeric_limits<double>::infinity()};

@@ -11,6 +11,9 @@ namespace dupin::surfaces {
 
 [[nodiscard]] PieceExtent extent(const EllipticTube& piece, double wall);
 [[nodiscard]] MovingRing leaving(const EllipticTube& piece, End end);
+[[nodiscard]] std::uint32_t segments_for(const EllipticTube& piece, double tolerance, double grid);
+[[nodiscard]] Tessellation tessellate(const EllipticTube& piece, const RingSampling& sampling,
+                                      const TessellationOptions& options);
 [[nodiscard]] PieceDiscs discs(const EllipticTube& piece);
 [[nodiscard]] MarginBounds margin_bounds(const EllipticTube& piece);
 [[nodiscard]] double nearly_largest_margin(const EllipticTube& piece, double wall);

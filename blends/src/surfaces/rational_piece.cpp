@@ -37,6 +37,8 @@ tessellation::Row row_at(const RationalRingedSurface& surface, double t) {
 
 }  // namespace
 
+namespace surfaces {
+
 std::uint32_t segments_for(const RationalRingedTube& tube, double tolerance, double grid) {
   const double allowed = tessellation::allowed_error(tolerance, point_error(tube.surface, grid));
   return tessellation::segment_count(2 * std::numbers::pi *
@@ -63,8 +65,6 @@ Tessellation tessellate(const RationalRingedTube& tube, const RingSampling& samp
   return {tessellation::swept_mesh(tube.start, tube.end, rows, sampling),
           std::uint32_t(rows.size() - 1), bands.error_bound + displacement, bands.knots};
 }
-
-namespace surfaces {
 
 PieceExtent extent(const RationalRingedTube&, double) {
   return {std::numeric_limits<double>::infinity()};

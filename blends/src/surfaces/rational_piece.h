@@ -10,6 +10,10 @@ namespace dupin::surfaces {
 
 [[nodiscard]] PieceExtent extent(const RationalRingedTube& piece, double wall);
 [[nodiscard]] MovingRing leaving(const RationalRingedTube& piece, End end);
+[[nodiscard]] std::uint32_t segments_for(const RationalRingedTube& piece, double tolerance,
+                                         double grid);
+[[nodiscard]] Tessellation tessellate(const RationalRingedTube& piece, const RingSampling& sampling,
+                                      const TessellationOptions& options);
 [[nodiscard]] PieceDiscs discs(const RationalRingedTube& piece);
 [[nodiscard]] MarginBounds margin_bounds(const RationalRingedTube& piece);
 [[nodiscard]] double nearly_largest_margin(const RationalRingedTube& piece, double wall);

@@ -30,11 +30,6 @@ bool is_straight(const RingedSurface& surface) {
          surface.end.normal == flipped(surface.start).normal;
 }
 
-// How far the arcs of a circle are from their chords.
-double sagitta(double radius, std::uint32_t segments) {
-  return radius * (1 - std::cos(std::numbers::pi / segments));
-}
-
 bool is_uniform(const RingedSurface& surface) {
   return (std::holds_alternative<LineSpine>(surface.spine) ||
           std::holds_alternative<ArcSpine>(surface.spine)) &&
@@ -53,19 +48,12 @@ tessellation::BandStepper march_of(const RingedSurface& surface, double around) 
 
 tessellation::Bands bands(const RingedSurface& surface, double allowed, std::uint32_t segments) {
   if (is_straight(surface)) {
-    return {{0, 1}, sagitta(largest_radius(surface.radius), segments)};
+    return {{0, 1}, tessellation::sagitta(largest_radius(surface.radius), segments)};
   }
   const double around = 2 * std::numbers::pi / segments;
   return tessellation::even_bands({march_of(surface, around)}, allowed,
                                   largest_radius(surface.radius), segments)
       .front();
-}
-
-// The smallest rotation that takes the unit vector `from` to `to`, applied to `v`; it never meets
-// opposite vectors, as a step turns by less than a radian.
-Vec3 carried(const Vec3& from, const Vec3& to, const Vec3& v) {
-  const Vec3 axis = from.cross(to);
-  return v + axis.cross(v) + axis.cross(axis.cross(v)) / (1 + from.dot(to));
 }
 
 // One direction across the spine per knot, turning no more than the tangent forces it to.
@@ -78,7 +66,7 @@ std::vector<Vec3> carried_along(const Spine& spine, const std::vector<double>& k
     for (std::uint32_t step = 1; step <= tessellation::kFrameSteps; ++step) {
       const double t = knots[i] + (knots[i + 1] - knots[i]) * step / tessellation::kFrameSteps;
       const Vec3 next = evaluate(spine, t).first.normalized();
-      first = carried(tangent, next, first);
+      first = tessellation::carried(tangent, next, first);
       tangent = next;
     }
     first = (first - first.dot(tangent) * tangent).normalized();
@@ -88,6 +76,8 @@ std::vector<Vec3> carried_along(const Spine& spine, const std::vector<double>& k
 }
 
 }  // namespace
+
+namespace surfaces {
 
 std::uint32_t segments_for(const RingedSurface& surface, double tolerance, double grid) {
   const double allowed =
@@ -118,8 +108,6 @@ Tessellation tessellate(const RingedSurface& surface, const RingSampling& sampli
                                    sampling),
           std::uint32_t(knots.size() - 1), error_bound + displacement, knots};
 }
-
-namespace surfaces {
 
 PieceExtent extent(const RingedSurface& surface, double) {
   return {std::holds_alternative<LineSpine>(surface.spine)

@@ -10,6 +10,9 @@ namespace dupin::surfaces {
 
 [[nodiscard]] PieceExtent extent(const RingedSurface& piece, double wall);
 [[nodiscard]] MovingRing leaving(const RingedSurface& piece, End end);
+[[nodiscard]] std::uint32_t segments_for(const RingedSurface& piece, double tolerance, double grid);
+[[nodiscard]] Tessellation tessellate(const RingedSurface& piece, const RingSampling& sampling,
+                                      const TessellationOptions& options);
 [[nodiscard]] PieceDiscs discs(const RingedSurface& piece);
 [[nodiscard]] MarginBounds margin_bounds(const RingedSurface& piece);
 [[nodiscard]] double nearly_largest_margin(const RingedSurface& piece, double wall);

@@ -12,7 +12,7 @@
 // The kinds of pieces that chains consist of. Each is one pair of files with one set of functions,
 // which SurfacePiece states; whoever uses pieces visits them and calls these functions, so that a
 // kind that lacks one does not compile, and says which. A new kind: its struct in a public header,
-// its pair of files here, a line in Piece (part_surface.h) and below.
+// its pair of files here, their include below, a line in Piece (part_surface.h).
 
 namespace dupin::surfaces {
 
@@ -26,8 +26,10 @@ concept SurfacePiece = requires(const P& piece, End end, double number,
   { surfaces::leaving(piece, end) } -> std::same_as<MovingRing>;
   // How fine a mesh has to be, and the mesh: from the start's polygon to the end's, bitwise.
   { surfaces::extent(piece, number) } -> std::same_as<PieceExtent>;
-  { dupin::segments_for(piece, number, number) } -> std::same_as<std::uint32_t>;
-  { dupin::tessellate(piece, sampling, TessellationOptions{number}) } -> std::same_as<Tessellation>;
+  { surfaces::segments_for(piece, number, number) } -> std::same_as<std::uint32_t>;
+  {
+    surfaces::tessellate(piece, sampling, TessellationOptions{number})
+    } -> std::same_as<Tessellation>;
   { surfaces::nurbs(piece, number) } -> std::same_as<NurbsForm>;
   // Certificates: the discs, where they advance, and what is off at the ends.
   { surfaces::discs(piece) } -> std::same_as<PieceDiscs>;
@@ -38,16 +40,14 @@ concept SurfacePiece = requires(const P& piece, End end, double number,
   { surfaces::tangency_claim(piece, end) } -> std::same_as<TangencyClaim>;
 };
 
-static_assert(SurfacePiece<RingedSurface>);
-static_assert(SurfacePiece<EllipticTube>);
-static_assert(SurfacePiece<CyclidePiece>);
-static_assert(SurfacePiece<RationalRingedTube>);
-
+/// A kind that lacks a function fails here, where the compiler says which one.
+template <SurfacePiece>
+struct CheckedPiece {};
 template <class>
-constexpr bool kAllArePieces = false;
+struct CheckedPieces;
 template <class... Kinds>
-constexpr bool kAllArePieces<std::variant<Kinds...>> = (SurfacePiece<Kinds> && ...);
-static_assert(kAllArePieces<Piece>, "a kind of piece has no static_assert of its own above");
+struct CheckedPieces<std::variant<Kinds...>> : CheckedPiece<Kinds>... {};
+static_assert(sizeof(CheckedPieces<Piece>) > 0);
 
 /// Kinds whose chains are swept together.
 template <class P>

@@ -58,12 +58,8 @@ struct RunMesher {
   const RingSampling& sampling;
   const TessellationOptions& options;
 
-  template <class P>
-  Tessellation operator()(const P& piece) const {
-    return tessellate(piece, sampling, options);
-  }
-  template <class P>
-  Tessellation operator()(std::span<const P> pieces) const {
+  template <class Pieces>
+  Tessellation operator()(const Pieces& pieces) const {
     return surfaces::tessellate(pieces, sampling, options);
   }
 };
@@ -71,12 +67,8 @@ struct RunMesher {
 struct RunSegments {
   double tolerance, grid;
 
-  template <class P>
-  std::uint32_t operator()(const P& piece) const {
-    return segments_for(piece, tolerance, grid);
-  }
-  template <class P>
-  std::uint32_t operator()(std::span<const P> pieces) const {
+  template <class Pieces>
+  std::uint32_t operator()(const Pieces& pieces) const {
     return surfaces::segments_for(pieces, tolerance, grid);
   }
 };

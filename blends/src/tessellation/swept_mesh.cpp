@@ -37,6 +37,15 @@ Vec3 first_direction(const Ring& ring, const RingSampling& sampling) {
   return (to_point - to_point.dot(ring.normal) * ring.normal).normalized();
 }
 
+Vec3 carried(const Vec3& from, const Vec3& to, const Vec3& v) {
+  const Vec3 axis = from.cross(to);
+  return v + axis.cross(v) + axis.cross(axis.cross(v)) / (1 + from.dot(to));
+}
+
+double sagitta(double radius, std::uint32_t segments) {
+  return radius * (1 - std::cos(std::numbers::pi / segments));
+}
+
 Vec3 Row::direction(double u) const { return std::cos(u) * first + std::sin(u) * second; }
 
 Arrival arrival(const Ring& end, const RingSampling& sampling, const Vec3& carried_first) {

@@ -17,6 +17,13 @@ namespace dupin::tessellation {
 /// The direction of the polygon's first point, exactly across the ring's normal.
 [[nodiscard]] Vec3 first_direction(const Ring& ring, const RingSampling& sampling);
 
+/// `v` under the smallest rotation that takes the unit vector `from` to `to`, which must turn by
+/// less than half a turn.
+[[nodiscard]] Vec3 carried(const Vec3& from, const Vec3& to, const Vec3& v);
+
+/// How far the arcs of a circle are from their chords.
+[[nodiscard]] double sagitta(double radius, std::uint32_t segments);
+
 /// A row of mesh points: center + scale (cos u first + sin u second), `angle` being the parameter u
 /// of its first corner but for the twist. `first` and `second` are across each other.
 struct Row {

@@ -39,26 +39,16 @@ std::optional<Discs> discs_of(const Piece& piece, const ParameterInterval& t) {
                (half * numbers::norm(part(all->normal, 1))).upper};
 }
 
-}  // namespace
-
-Piece::Piece(const dupin::Piece& certified, double wall) : shape(certified) {
-  std::visit(
-      [&](const auto& piece) {
-        start = piece.start;
-        end = piece.end;
-        read(piece, wall);
-      },
-      shape);
+void read(const RingedSurface& surface, double, Piece& result) {
+  result.tubes = {Tube(surface)};
+  result.steered = result.motion = motion(result.tubes.front());
 }
 
-void Piece::read(const RingedSurface& surface, double) {
-  tubes = {Tube(surface)};
-  steered = motion = verification::motion(tubes.front());
-}
-
-void Piece::read(const EllipticTube& tube, double) {
-  tubes = {Tube({start, end, tube.spine, tube.first}), Tube({start, end, tube.spine, tube.second})};
-  steered = [about = verification::motion(tubes.front()), axes = tubes](double from, double to) {
+void read(const EllipticTube& tube, double, Piece& result) {
+  result.tubes = {Tube({tube.start, tube.end, tube.spine, tube.first}),
+                  Tube({tube.start, tube.end, tube.spine, tube.second})};
+  result.steered = [about = motion(result.tubes.front()), axes = result.tubes](double from,
+                                                                               double to) {
     auto disc = about(from, to);
     if (disc) {
       disc->radius[0] = largest_radius(axes, from, to);
@@ -67,15 +57,27 @@ void Piece::read(const EllipticTube& tube, double) {
   };
 }
 
-void Piece::read(const CyclidePiece& piece, double wall) {
-  steered = motion = verification::motion(piece, 0);
-  inner = wall > 0 ? verification::motion(piece, wall) : Motion();
-  shares_frame = true;
+void read(const CyclidePiece& piece, double wall, Piece& result) {
+  result.steered = result.motion = motion(piece, 0);
+  result.inner = wall > 0 ? motion(piece, wall) : Motion();
+  result.shares_frame = true;
 }
 
-void Piece::read(const RationalRingedTube& tube, double) {
-  motion = verification::motion(tube.surface);
-  steered = verification::steered_motion(tube.surface);
+void read(const RationalRingedTube& tube, double, Piece& result) {
+  result.motion = motion(tube.surface);
+  result.steered = steered_motion(tube.surface);
+}
+
+}  // namespace
+
+Piece::Piece(const dupin::Piece& certified, double wall) : shape(certified) {
+  std::visit(
+      [&](const auto& piece) {
+        start = piece.start;
+        end = piece.end;
+        read(piece, wall, *this);
+      },
+      shape);
 }
 
 Solid::Solid(const CertifiedPart& part) {

@@ -21,12 +21,6 @@ struct Piece {
   Motion inner;  ///< of the inner skin; none for solid pieces
   /// The bands of all neighbours of its kind share a frame, and so its twist.
   bool shares_frame = false;
-
- private:
-  void read(const RingedSurface& surface, double wall);
-  void read(const EllipticTube& tube, double wall);
-  void read(const CyclidePiece& piece, double wall);
-  void read(const RationalRingedTube& tube, double wall);
 };
 
 /// A part, read exactly: discs for parameters from 0 to the number of its pieces, or a ball. A

@@ -53,7 +53,7 @@ Measure measure_closed(const Chain& tube, const Tessellation& result,
   Measure sum = measure(result.mesh);
   if (tube.wall == 0) {
     for (const Ring& ring : {end_ring(tube, End::start), end_ring(tube, End::end)}) {
-      sum.volume += measure(disc(ring, sampling)).volume;
+      sum.volume += measure(end_cap_mesh(ring, sampling)).volume;
     }
   }
   return sum;

@@ -189,7 +189,7 @@ TEST(KneecapChain, pieces_with_the_oracles_kneecap_converge_at_second_order) {
     EXPECT_LE(result.error_bound, tolerance);
     Measure found = measure(result.mesh);
     for (const Ring& ring : {end_ring(chain, End::start), end_ring(chain, End::end)}) {
-      const Measure end = measure(disc(ring, sampling));
+      const Measure end = measure(end_cap_mesh(ring, sampling));
       found.area += end.area;
       found.volume += end.volume;
     }

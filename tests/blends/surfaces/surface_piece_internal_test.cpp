@@ -54,8 +54,9 @@ TYPED_TEST_SUITE(APiece, Kinds<Piece>::Types);
 
 TYPED_TEST(APiece, is_meshed_between_the_polygons_of_its_rings) {
   constexpr double kTolerance = 0.01;
-  const RingSampling sampling{segments_for(this->piece_, kTolerance), 0.3, std::ldexp(1.0, -30)};
-  const Tessellation result = tessellate(this->piece_, sampling, {kTolerance});
+  const RingSampling sampling{surfaces::segments_for(this->piece_, kTolerance, 0), 0.3,
+                              std::ldexp(1.0, -30)};
+  const Tessellation result = surfaces::tessellate(this->piece_, sampling, {kTolerance});
   EXPECT_LE(result.error_bound, kTolerance);
   EXPECT_EQ(result.mesh.points.size(), (result.bands + 1) * sampling.segments);
   const auto first = sample(flipped(end_ring(this->piece_, End::start)), sampling);
@@ -68,8 +69,8 @@ TYPED_TEST(APiece, is_meshed_between_the_polygons_of_its_rings) {
 TYPED_TEST(APiece, alone_is_a_chain_with_the_same_mesh) {
   const Chain chain = this->piece_;
   const RingSampling sampling{segments_for(chain, 0.02)};
-  EXPECT_EQ(sampling.segments, segments_for(this->piece_, 0.02));
-  const TriMesh own = tessellate(this->piece_, sampling, {0.02}).mesh;
+  EXPECT_EQ(sampling.segments, surfaces::segments_for(this->piece_, 0.02, 0));
+  const TriMesh own = surfaces::tessellate(this->piece_, sampling, {0.02}).mesh;
   const TriMesh of_chain = tessellate(chain, sampling, {0.02}).mesh;
   EXPECT_EQ(own.points, of_chain.points);
   EXPECT_EQ(own.triangles, of_chain.triangles);
