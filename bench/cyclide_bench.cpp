@@ -46,7 +46,7 @@ void compose_bench(benchmark::State& state) {
 }
 
 void tessellate_bench(benchmark::State& state) {
-  const CyclideTube tube = cyclide_tube(composed(spheres()));
+  const Chain tube = cyclide_tube(composed(spheres()));
   Tessellation result;
   for ([[maybe_unused]] const auto iteration : state) {
     result = tessellate(tube, {segments_for(tube, kTolerance)}, {kTolerance});

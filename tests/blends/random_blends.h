@@ -11,6 +11,7 @@
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
+#include "support/single_piece.h"
 
 namespace dupin::test {
 
@@ -35,7 +36,7 @@ class RandomBlends {
             {},
             {{"a", PipeAlong{start, 4}},
              {"b", PipeAlong{end, 4}},
-             {"blend", CyclicBlendBetween{{"a", PartEnd::end}, {"b", PartEnd::start}, options}}}};
+             {"blend", CyclicBlendBetween{{"a", End::end}, {"b", End::start}, options}}}};
   }
 
  private:
@@ -45,8 +46,7 @@ class RandomBlends {
 
 /// Whether the blend's tube, finely meshed, meets itself: exactly decided on the mesh.
 inline bool meets_itself(const Certificate& certificate) {
-  const auto& blend =
-      std::get<RingedSurface>(std::get<PieceChain>(certificate.parts[2].shape).pieces[0]);
+  const auto& blend = test::single_piece<RingedSurface>(certificate.parts[2].shape);
   const Tessellation mesh = tessellate(blend, {48, 0, 0}, {0.02});
   return check(mesh.mesh, {.limit = 1}).count(Defect::self_intersection) > 0;
 }

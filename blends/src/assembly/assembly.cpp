@@ -2,8 +2,6 @@
 
 namespace dupin {
 
-std::string_view name(PartEnd end) { return end == PartEnd::start ? "start" : "end"; }
-
 std::string to_string(const PortReference& port) {
   return port.part + "." + std::string(name(port.end));
 }

@@ -6,7 +6,6 @@
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
 #include "assembly/parts/part_kind.h"
-#include "assembly/run_sampling.h"
 #include "assembly/weld.h"
 #include "assembly/welded_runs.h"
 #include "dupin/blends/resolve.h"
@@ -69,7 +68,7 @@ class Builder {
     PartReport result;
     result.name = part.name;
     result.kind = part.kind;
-    const assembly::PartMargins proven = assembly::margins(part);
+    const assembly::PartMargins proven = assembly::margins(part.shape, part.is_tangent);
     result.margin_lower = proven.margin_lower;
     result.margin_upper = proven.margin_upper;
     result.start_tangency = proven.start_tangency;
@@ -105,7 +104,8 @@ class Builder {
                                              const RingSampling& chosen) const {
     TriMesh mesh = assembly::welded(resolved_, parts, tubes_, chosen);
     const bool overlaps = std::any_of(parts.begin(), parts.end(), [&](std::uint32_t part) {
-      return std::holds_alternative<KneecapChain>(resolved_.parts[part].shape);
+      const auto* chain = std::get_if<Chain>(&resolved_.parts[part].shape);
+      return chain != nullptr && chain->joints == Joints::spherical;
     });
     if (!overlaps) {
       return {Solid::from(mesh)};

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/kneecap.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -29,20 +30,17 @@ class ChainPart {
     return "spheres/" + std::to_string(position);
   }
 
-  // What `work` returns; a fault of "piece 2" gets the place of the sphere that it leads to.
+  // What `work` returns; a fault of a piece gets the place of the sphere that it leads to.
   template <class Work>
   auto at_piece(const Work& work) const {
     try {
       return work();
-    } catch (const Error& error) {
-      constexpr std::string_view kPiece = "piece ";
-      if (error.part().rfind(kPiece, 0) != 0) {
-        fail(error.code(), error.code() == Errc::invalid_argument ? "tangents" : "spheres",
-             error.message());
-      }
-      const auto piece = std::stoul(error.part().substr(kPiece.size()));
-      fail(error.code(), sphere_key(2 * piece + (port_ == nullptr ? 2 : 1)),
+    } catch (const PieceError& error) {
+      fail(error.code(), sphere_key(2 * error.piece() + (port_ == nullptr ? 2 : 1)),
            error.part() + ": " + error.message());
+    } catch (const Error& error) {
+      fail(error.code(), error.code() == Errc::invalid_argument ? "tangents" : "spheres",
+           error.message());
     }
   }
 
@@ -147,13 +145,13 @@ class ChainPart {
     refuse(chain_.wall > 0, "wall");
   }
 
-  CyclideTube tube(const std::vector<PeVector>& spheres) const {
-    const CyclideChain pieces = composed(spheres);
-    CyclideTube tube = at_piece([&] { return cyclide_tube(pieces, chain_.wall); });
-    if (port_ != nullptr) {
-      tube.start = flipped(context_.ring(*port_));
-    }
-    return tube;
+  Chain tube(const std::vector<PeVector>& spheres) const {
+    const CyclideChain chain = composed(spheres);
+    return at_piece([&] {
+      return port_ == nullptr ? cyclide_tube(chain, chain_.wall)
+                              : cyclide_tube(chain, flipped(context_.ring(*port_)),
+                                             circle_at(chain.pieces.back(), 1));
+    });
   }
 
   const PartContext& context_;

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dupin/blends/regularity.h"
-#include "dupin/blends/tangency.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "surfaces/surface_piece.h"
 
 namespace dupin::assembly {
 namespace {
@@ -20,83 +19,40 @@ namespace {
                     "ends or points");
 }
 
-class Claims {
- public:
-  explicit Claims(bool is_blend) : is_blend_(is_blend) {}
+std::optional<double> tangency(const Chain& chain, End end) {
+  const Piece& piece = end == End::start ? chain.pieces.front() : chain.pieces.back();
+  return std::visit([end](const auto& p) { return surfaces::tangency(p, end); }, piece);
+}
+
+struct Margins {
+  bool with_tangency;
 
   PartMargins operator()(const Sphere&) const { return {}; }
 
-  PartMargins operator()(const RingedSurface& surface) const {
-    const Regularity margin = regularity(surface);
-    if (!(margin.lower > 0)) {
-      refuse(margin.upper);
-    }
-    PartMargins result{margin.lower, margin.upper, {}, {}};
-    if (is_blend_) {
-      result.start_tangency = tangency_at_end(surface, SurfaceEnd::start).deviation.upper;
-      result.end_tangency = tangency_at_end(surface, SurfaceEnd::end).deviation.upper;
-    }
-    return result;
-  }
-
-  PartMargins operator()(const EllipticTube& tube) const {
-    PartMargins result{certified_margin(tube), {}, {}, {}};
-    if (!(*result.margin_lower > 0)) {
-      refuse(*result.margin_lower);
-    }
-    if (is_blend_) {
-      result.start_tangency = tangency_bound(tube, SurfaceEnd::start);
-      result.end_tangency = tangency_bound(tube, SurfaceEnd::end);
-    }
-    return result;
-  }
-
-  // PeArc proved regularity when it was made, exactly.
-  PartMargins operator()(const CyclideTube& tube) const {
-    const Enclosure bounds = margin(tube);
-    PartMargins result{bounds.lower, bounds.upper, {}, {}};
-    if (is_blend_) {
-      result.start_tangency = tangency_bound(tube, SurfaceEnd::start);
-      result.end_tangency = tangency_bound(tube, SurfaceEnd::end);
-    }
-    return result;
-  }
-
-  PartMargins operator()(const KneecapChain& chain) const {
-    const Enclosure bounds = margin(chain);
-    return {bounds.lower, bounds.upper, {}, {}};
-  }
-
-  PartMargins operator()(const RationalRingedTube& tube) const {
-    return {certified_margin(tube.surface), {}, {}, {}};
-  }
-
-  PartMargins operator()(const SplinePipe& pipe) const {
+  PartMargins operator()(const Chain& chain) const {
     PartMargins result;
-    for (const RingedSurface& piece : pipe.pieces) {
-      const PartMargins here = (*this)(piece);
-      const auto least = [](const std::optional<double>& a, const std::optional<double>& b) {
-        return a ? std::min(a, b) : b;
-      };
-      result.margin_lower = least(result.margin_lower, here.margin_lower);
-      result.margin_upper = least(result.margin_upper, here.margin_upper);
+    for (const Piece& piece : chain.pieces) {
+      const surfaces::MarginBounds here =
+          std::visit([](const auto& p) { return surfaces::margin_bounds(p); }, piece);
+      if (!here.regular) {
+        refuse(here.upper.value_or(here.lower));
+      }
+      const bool is_first = &piece == &chain.pieces.front();
+      result.margin_lower = is_first ? here.lower : std::min(*result.margin_lower, here.lower);
+      result.margin_upper = is_first ? here.upper : std::min(result.margin_upper, here.upper);
     }
-    if (!pipe.closed) {
-      result.start_tangency =
-          tangency_at_end(pipe.pieces.front(), SurfaceEnd::start).deviation.upper;
-      result.end_tangency = tangency_at_end(pipe.pieces.back(), SurfaceEnd::end).deviation.upper;
+    if (with_tangency && !chain.closed) {
+      result.start_tangency = tangency(chain, End::start);
+      result.end_tangency = tangency(chain, End::end);
     }
     return result;
   }
-
- private:
-  bool is_blend_;
 };
 
 }  // namespace
 
-PartMargins margins(const ResolvedPart& part) {
-  return std::visit(Claims(part.is_blend), part.shape);
+PartMargins margins(const PartSurface& surface, bool with_tangency) {
+  return std::visit(Margins{with_tangency}, surface);
 }
 
 }  // namespace dupin::assembly

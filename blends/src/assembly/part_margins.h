@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "dupin/blends/resolve.h"
+#include "dupin/blends/part_surface.h"
 
 namespace dupin::assembly {
 
@@ -12,7 +12,9 @@ struct PartMargins {
   std::optional<double> start_tangency, end_tangency;
 };
 
-/// Throws Error{irregular_surface} for a surface that is not proven to be free of folds.
-[[nodiscard]] PartMargins margins(const ResolvedPart& part);
+/// The least margin of all pieces and, of open chains that are asked to be tangent to their
+/// neighbours, how far they are from it. Throws Error{irregular_surface} for a surface that is not
+/// proven to be free of folds.
+[[nodiscard]] PartMargins margins(const PartSurface& surface, bool with_tangency);
 
 }  // namespace dupin::assembly

@@ -19,8 +19,6 @@ using assembly::References;
 
 References references(const PartShape& shape) { return part_kind(shape).references(shape); }
 
-std::size_t at(PartEnd end) { return end == PartEnd::start ? 0 : 1; }
-
 class Resolver {
  public:
   explicit Resolver(const Assembly& assembly)
@@ -203,12 +201,7 @@ class Resolver {
   }
 
   [[nodiscard]] MovingRing motion_at(const PortReference& port) const {
-    const PartSurface& surface = shapes_[index_.at(port.part)];
-    if (const auto* tube = std::get_if<RationalRingedTube>(&surface)) {
-      return leaving(*tube, port.end);
-    }
-    const Ring& ring = *port_ring(surface, port.end);
-    return along_canal({ring.center, ring.normal, ring.radius}, ring.slope, 1);
+    return leaving(shapes_[index_.at(port.part)], port.end);
   }
 
   ResolvedAssembly collected() {
@@ -222,8 +215,8 @@ class Resolver {
         continue;
       }
       ResolvedPart resolved{part.name, std::string(its_kind.key), i, shapes_[i], {},
-                            {},        its_kind.is_blend};
-      for (const auto end : {PartEnd::start, PartEnd::end}) {
+                            {},        its_kind.is_tangent};
+      for (const auto end : {End::start, End::end}) {
         const EndState& state = ends_[i].at(at(end));
         resolved.joined.at(at(end)) = state.joined;
         resolved.end_names.at(at(end)) =
@@ -254,7 +247,7 @@ ResolvedAssembly resolve(const Assembly& assembly) { return Resolver(assembly).r
 std::vector<Port> ports(const ResolvedAssembly& assembly) {
   std::vector<Port> result;
   for (const auto& part : assembly.parts) {
-    for (const PartEnd end : {PartEnd::start, PartEnd::end}) {
+    for (const End end : {End::start, End::end}) {
       if (const Ring* ring = port_ring(part.shape, end)) {
         result.push_back({to_string({part.name, end}), *ring, part.name});
       }

@@ -10,8 +10,6 @@
 namespace dupin::assembly {
 namespace {
 
-std::size_t at(PartEnd end) { return end == PartEnd::start ? 0 : 1; }
-
 struct Before {
   bool operator()(const Vec3& a, const Vec3& b) const {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
@@ -34,23 +32,23 @@ class Welder {
   void append(std::uint32_t index, const TriMesh& tube) {
     const ResolvedPart& part = assembly_.parts[index];
     const std::uint32_t label = new_label(part.name);
-    const Ring* start_ring = port_ring(part.shape, PartEnd::start);
+    const Ring* start_ring = port_ring(part.shape, End::start);
     if (start_ring == nullptr) {
       append_closed(part, tube, label);
       return;
     }
     const auto n = std::ptrdiff_t(sampling_.segments);
     const std::span points(tube.points);
-    RingVertices& start = ring({index, PartEnd::start});
-    RingVertices& end = ring({index, PartEnd::end});
+    RingVertices& start = ring({index, End::start});
+    RingVertices& end = ring({index, End::end});
     std::vector<std::uint32_t> vertices = on_ring(start, points.first(n));
     const auto inner = appended(points.subspan(n, points.size() - 2 * n));
     vertices.insert(vertices.end(), inner.begin(), inner.end());
     const auto last = on_ring(end, points.last(n));
     vertices.insert(vertices.end(), last.begin(), last.end());
     append_triangles(tube, vertices, label);
-    close(index, PartEnd::start, *start_ring, label);
-    close(index, PartEnd::end, *port_ring(part.shape, PartEnd::end), label);
+    close(index, End::start, *start_ring, label);
+    close(index, End::end, *port_ring(part.shape, End::end), label);
   }
 
   [[nodiscard]] TriMesh take() { return std::move(mesh_); }
@@ -115,13 +113,13 @@ class Welder {
   }
 
   // Ends that are joined to a part outside the piece vanish in the union and need no name.
-  void close(std::uint32_t index, PartEnd end, const Ring& at_ring, std::uint32_t part_label) {
+  void close(std::uint32_t index, End end, const Ring& at_ring, std::uint32_t part_label) {
     if (is_welded({index, end})) {
       return;
     }
     const ResolvedPart& part = assembly_.parts[index];
     const auto label = part.joined.at(at(end)) ? part_label : new_label(part.end_names.at(at(end)));
-    const TriMesh flat = disc(at_ring, sampling_);
+    const TriMesh flat = end_cap_mesh(at_ring, sampling_);
     append_triangles(flat, on_ring(ring({index, end}), flat.points), label);
   }
 

@@ -5,23 +5,19 @@
 #include <limits>
 #include <string>
 
-#include "dupin/blends/cyclide_form.h"
+#include "assembly/part_context.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "surfaces/surface_piece.h"
 
 namespace dupin::assembly {
 namespace {
 
-std::size_t at(PartEnd end) { return end == PartEnd::start ? 0 : 1; }
-
-PartEnd other(PartEnd end) { return end == PartEnd::start ? PartEnd::end : PartEnd::start; }
-
 // Walks from `part` out through its `exit` until an open end or back at the part.
-std::vector<std::uint32_t> walk(const ResolvedAssembly& assembly, std::uint32_t part,
-                                PartEnd exit) {
+std::vector<std::uint32_t> walk(const ResolvedAssembly& assembly, std::uint32_t part, End exit) {
   std::vector<std::uint32_t> passed{part};
   for (auto next = assembly.parts[part].joined.at(at(exit)); next && next->part != part;
-       next = assembly.parts[passed.back()].joined.at(at(other(next->end)))) {
+       next = assembly.parts[passed.back()].joined.at(at(opposite(next->end)))) {
     passed.push_back(next->part);
   }
   return passed;
@@ -36,17 +32,6 @@ struct Extent {
   }
 };
 
-void include(Extent& extent, const std::vector<PeArc>& pieces, double wall) {
-  if (wall > 0) {
-    extent.include(wall);
-  }
-  for (const PeArc& piece : pieces) {
-    extent.include(least_radius(piece) - wall);
-    extent.include(piece.start().m, piece.start().r);
-    extent.include(piece.end().m, piece.end().r);
-  }
-}
-
 Extent extent_of(const PartSurface& shape) {
   Extent extent{std::numeric_limits<double>::infinity(), 0};
   if (const auto* sphere = std::get_if<Sphere>(&shape)) {
@@ -54,24 +39,36 @@ Extent extent_of(const PartSurface& shape) {
     extent.include(sphere->center, sphere->radius);
     return extent;
   }
-  if (const auto* tube = std::get_if<CyclideTube>(&shape)) {
-    include(extent, tube->chain.pieces, tube->wall);
+  const Chain& chain = std::get<Chain>(shape);
+  if (chain.wall > 0) {
+    extent.include(chain.wall);
   }
-  if (const auto* chain = std::get_if<KneecapChain>(&shape)) {
-    include(extent, chain->pieces, 0);
+  for (const Piece& piece : chain.pieces) {
+    const auto [smallest, largest] =
+        std::visit([&](const auto& p) { return surfaces::extent(p, chain.wall); }, piece);
+    extent.include(smallest);
+    extent.largest = std::max(extent.largest, largest);
   }
-  for (const PartEnd end : {PartEnd::start, PartEnd::end}) {
+  for (const End end : {End::start, End::end}) {
     if (const Ring* ring = port_ring(shape, end)) {
       extent.include(std::min(ring->radius, across(*ring)));
       extent.include(ring->center, largest_radius(*ring));
     }
   }
-  const auto* surface = std::get_if<RingedSurface>(&shape);
-  if (surface != nullptr && std::holds_alternative<LineSpine>(surface->spine)) {
-    extent.include((surface->end.center - surface->start.center).norm());
-  }
   return extent;
 }
+
+struct Mesher {
+  const RingSampling& sampling;
+  double tolerance;
+
+  Tessellation operator()(const Sphere& sphere) const { return tessellate(sphere, sampling); }
+
+  template <class Tube>
+  Tessellation operator()(const Tube& tube) const {
+    return tessellate(tube, sampling, {tolerance});
+  }
+};
 
 }  // namespace
 
@@ -83,13 +80,13 @@ std::vector<WeldedRun> welded_runs(const ResolvedAssembly& assembly) {
       continue;
     }
     // To one end of the run, then from there to the other.
-    const auto back = walk(assembly, i, PartEnd::start);
+    const auto back = walk(assembly, i, End::start);
     const auto& joined = assembly.parts[back.back()].joined;
     const bool leaves_by_end = !joined.at(0);
-    const auto forward = walk(assembly, back.back(), leaves_by_end ? PartEnd::end : PartEnd::start);
+    const auto forward = walk(assembly, back.back(), leaves_by_end ? End::end : End::start);
     // In a closed loop both walks come all the way round.
     const bool is_loop = joined.at(0) && joined.at(1);
-    WeldedRun run{is_loop ? walk(assembly, i, PartEnd::end) : forward};
+    WeldedRun run{is_loop ? walk(assembly, i, End::end) : forward};
     if (!is_loop && run.parts.back() < run.parts.front()) {
       std::reverse(run.parts.begin(), run.parts.end());
     }
@@ -129,6 +126,29 @@ double lattice_spacing(const Assembly& assembly, const ResolvedAssembly& resolve
                 document_place(assembly, smallest->index));
   }
   return spacing;
+}
+
+RingSampling run_sampling(const Assembly& assembly, const ResolvedAssembly& resolved,
+                          const WeldedRun& run, std::size_t position, double grid) {
+  RingSampling result{0, std::fmod(0.37 * double(position), 1), grid};
+  for (const auto index : run.parts) {
+    const ResolvedPart& part = resolved.parts[index];
+    const auto needed = with_part_context(assembly, part.index, [&] {
+      return std::visit(
+          [&](const auto& shape) { return segments_for(shape, assembly.tolerance, grid); },
+          part.shape);
+    });
+    result.segments = std::max(result.segments, needed);
+  }
+  result.segments = assembly.segments.value_or(result.segments);
+  return result;
+}
+
+Tessellation tessellated(const Assembly& assembly, const ResolvedPart& part,
+                         const RingSampling& sampling) {
+  return with_part_context(assembly, part.index, [&] {
+    return std::visit(Mesher{sampling, assembly.tolerance}, part.shape);
+  });
 }
 
 }  // namespace dupin::assembly

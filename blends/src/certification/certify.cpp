@@ -3,56 +3,22 @@
 #include <optional>
 #include <string>
 
-#include "assembly/run_sampling.h"
-#include "certification/end_tangency.h"
+#include "assembly/welded_runs.h"
 #include "certification/prove_regular.h"
 #include "certification/swept_disc_pairs.h"
 #include "dupin/blends/certificate.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "surfaces/surface_piece.h"
 #include "verification/claims.h"
 
 namespace dupin {
 namespace {
 
-CertifiedPiece cyclide_piece(const PeArc& arc) {
-  return CyclidePiece{flipped(circle_at(arc, 0)), circle_at(arc, 1), arc.start(),
-                      arc.start_tangent(),        arc.end(),         arc.chord()};
-}
-
-using Shape = std::variant<PieceChain, Sphere, OtherShape>;
-
-struct CertifiedShape {
-  Shape operator()(const Sphere& sphere) const { return sphere; }
-  Shape operator()(const SplinePipe& pipe) const {
-    return PieceChain{{pipe.pieces.begin(), pipe.pieces.end()}, pipe.closed, 0};
-  }
-  // The rings at joints are the later piece's.
-  Shape operator()(const CyclideTube& tube) const {
-    PieceChain result{{}, false, tube.wall};
-    for (const PeArc& arc : tube.chain.pieces) {
-      result.pieces.push_back(cyclide_piece(arc));
-    }
-    for (std::size_t i = 0; i < result.pieces.size(); ++i) {
-      auto& piece = std::get<CyclidePiece>(result.pieces[i]);
-      piece.start = i == 0 ? tube.start : piece.start;
-      piece.end = i + 1 == result.pieces.size()
-                      ? tube.end
-                      : flipped(std::get<CyclidePiece>(result.pieces[i + 1]).start);
-    }
-    return result;
-  }
-  Shape operator()(const KneecapChain&) const { return OtherShape{}; }
-  template <class Tube>
-  Shape operator()(const Tube& tube) const {
-    return PieceChain{{tube}, false, 0};
-  }
-};
-
 std::vector<certification::JoinedEnds> joints(const CertifiedPart& part, std::uint32_t other) {
   std::vector<certification::JoinedEnds> result;
-  for (const PartEnd end : {PartEnd::start, PartEnd::end}) {
-    const auto& joined = part.joined.at(end == PartEnd::start ? 0 : 1);
+  for (const End end : {End::start, End::end}) {
+    const auto& joined = part.joined.at(at(end));
     if (joined && joined->part == other) {
       result.push_back({end, joined->end});
     }
@@ -70,11 +36,11 @@ class Certifier {
     result_.unit = assembly_.unit;
     result_.tolerance = assembly_.tolerance;
     for (const ResolvedPart& part : resolved_.parts) {
-      const auto shape = std::visit(CertifiedShape{}, part.shape);
-      result_.parts.push_back({part.name, part.kind, shape, part.joined});
+      result_.parts.push_back({part.name, part.kind, part.shape, part.joined});
       sweeps_.push_back(
-          std::visit([](const auto& s) { return certification::SweptDiscs(s); }, shape));
-      result_.claims.push_back(claims(shape, sweeps_.back()));
+          std::visit([](const auto& s) { return certification::SweptDiscs(s); }, part.shape));
+      result_.claims.push_back(
+          std::visit([&](const auto& s) { return claims(s, sweeps_.back()); }, part.shape));
     }
     append_meshes();
     append_clearances();
@@ -82,26 +48,25 @@ class Certifier {
   }
 
  private:
-  [[nodiscard]] PartClaims claims(const Shape& shape,
+  static PartClaims claims(const Sphere&, const certification::SweptDiscs&) { return {}; }
+
+  [[nodiscard]] PartClaims claims(const Chain& chain,
                                   const certification::SweptDiscs& sweep) const {
     PartClaims result;
-    const auto* chain = std::get_if<PieceChain>(&shape);
-    if (chain == nullptr) {
-      if (std::holds_alternative<OtherShape>(shape)) {
-        result.regular.emplace();
-        result.embedded.emplace();
-      }
+    result.regular.emplace();
+    result.embedded.emplace();
+    if (sweep.length() == 0) {
       return result;
     }
-    result.regular = certification::prove_regular(*chain, options_.margin);
-    result.embedded.emplace();
+    result.regular = certification::prove_regular(chain, options_.margin);
     if (result.regular->verdict == Verdict::proved) {
       result.embedded =
           certification::prove_embedded(sweep, result.regular->margin, options_.boxes);
     }
-    for (const CertifiedPiece& piece : chain->pieces) {
-      for (const auto end : {SurfaceEnd::start, SurfaceEnd::end}) {
-        result.tangency.push_back(certification::end_tangency(piece, end));
+    for (const Piece& piece : chain.pieces) {
+      for (const auto end : {End::start, End::end}) {
+        result.tangency.push_back(
+            std::visit([=](const auto& p) { return surfaces::tangency_claim(p, end); }, piece));
       }
     }
     return result;

@@ -180,9 +180,8 @@ ClearanceClaim prove_joint(const SweptDiscs& first, const SweptDiscs& second,
       stack.push_back({a, b});
     }
   }
-  const auto to_joint = [](const SweptDiscs& sweep, const ParameterInterval& t, PartEnd end) {
-    return end == PartEnd::end ? ParameterInterval{t.from, sweep.length()}
-                               : ParameterInterval{0, t.to};
+  const auto to_joint = [](const SweptDiscs& sweep, const ParameterInterval& t, End end) {
+    return end == End::end ? ParameterInterval{t.from, sweep.length()} : ParameterInterval{0, t.to};
   };
   const auto is_short = [&](const Pair& pair) {
     return std::any_of(joints.begin(), joints.end(), [&](const JoinedEnds& joint) {

@@ -26,7 +26,7 @@ struct Separation {
 
 /// The ends at which two parts are joined.
 struct JoinedEnds {
-  PartEnd first, second;
+  End first, second;
 };
 
 /// Proves or refutes that two parts that are joined have nothing in common but the discs of the

@@ -2,86 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include <Eigen/Geometry>
+#include "surfaces/surface_piece.h"
 
 namespace dupin::certification {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-Vec3 center(const numbers::IntervalVec& v) {
-  return {(v[0].lower + v[0].upper) / 2, (v[1].lower + v[1].upper) / 2,
-          (v[2].lower + v[2].upper) / 2};
-}
-
-struct Reader {
-  PieceDiscs operator()(const RingedSurface& surface) const { return SweptDiscTube(surface); }
-  PieceDiscs operator()(const EllipticTube& tube) const { return SweptDiscTube(tube); }
-  PieceDiscs operator()(const CyclidePiece& piece) const { return piece; }
-  PieceDiscs operator()(const RationalRingedTube& tube) const { return tube.surface; }
-};
-
-std::optional<MovingDisc> moving(const CyclidePiece& piece, const numbers::Interval& t, bool) {
-  return moving_disc(piece, t);
-}
-
-std::optional<MovingDisc> moving(const RationalRingedSurface& surface, const numbers::Interval& t,
-                                 bool steered) {
-  return moving_disc(surface, t, steered);
-}
-
-DiscHull hull_of(const SweptDiscTube& tube, const ParameterInterval& t) {
-  SweptDiscTube::Part part = tube.curve(t);
-  DiscHull result{
-      std::move(part.centers), std::move(part.tangents), Vec3::Zero(), 1, tube.radius(t), 0};
-  for (const numbers::IntervalVec& tangent : result.tangents) {
-    result.axis += center(tangent).normalized();
-  }
-  result.axis.normalize();
-  const numbers::IntervalVec axis = numbers::interval_vec(result.axis);
-  for (const numbers::IntervalVec& tangent : result.tangents) {
-    const numbers::Interval scale = numbers::norm(tangent) * numbers::norm(axis);
-    const double cosine = scale.lower > 0 ? (numbers::dot(tangent, axis) / scale).lower : 0;
-    result.cosine = std::min(result.cosine, std::max(cosine, 0.0));
-  }
-  return result;
-}
-
-// Centres by the mean value theorem from the middle, normals by how far they turn from there. Where
-// nothing is known, the discs may be anywhere.
-template <class Piece>
-DiscHull hull_of(const Piece& piece, const ParameterInterval& t) {
-  const double middle = (t.from + t.to) / 2;
-  const auto here = moving(piece, middle, false), all = moving(piece, {t.from, t.to}, false);
-  if (!here || !all) {
-    return {{{}}, {{}}, Vec3::UnitX(), 0, {0, kInfinity}, 0};
-  }
-  const numbers::Interval half = std::max((numbers::Interval(t.to) - middle).upper,
-                                          (numbers::Interval(middle) - t.from).upper);
-  const numbers::IntervalVec step = half * all->velocity;
-  DiscHull result{{here->center - step, here->center + step},
-                  {here->normal},
-                  center(here->normal).normalized(),
-                  0,
-                  all->radius,
-                  (half * numbers::norm(all->turning)).upper};
-  result.cosine =
-      (numbers::dot(here->normal, numbers::interval_vec(result.axis)) / numbers::norm(here->normal))
-          .lower;
-  return result;
-}
-
-std::optional<DiscPace> pace_of(const SweptDiscTube& tube, const ParameterInterval& t) {
-  return tube.pace(t);
-}
-
-template <class Piece>
-std::optional<DiscPace> pace_of(const Piece& piece, const ParameterInterval& t) {
-  const auto disc = moving(piece, {t.from, t.to}, true);
-  return disc ? std::optional(pace(*disc, (numbers::Interval(t.to) - t.from).upper)) : std::nullopt;
-}
 
 ParameterInterval part_of(const ParameterInterval& t, int part, int parts) {
   return {std::lerp(t.from, t.to, double(part) / parts),
@@ -90,84 +15,19 @@ ParameterInterval part_of(const ParameterInterval& t, int part, int parts) {
 
 }  // namespace
 
-Vec3 DiscHull::middle() const { return (center(centers.front()) + center(centers.back())) / 2; }
-
-double DiscHull::extent() const {
-  double length = radius.upper == kInfinity ? kInfinity : 0;
-  for (std::size_t i = 0; i + 1 < centers.size(); ++i) {
-    length += (center(centers[i + 1]) - center(centers[i])).norm();
-  }
-  return length;
-}
-
-// A disc of normal T reaches as far as R |T x w|; the sine of the angle between T and w is largest
-// at the normal nearest to a right angle, which the cone about the axis bounds.
-double support(const DiscHull& hull, const Vec3& w) {
-  const numbers::IntervalVec direction = numbers::interval_vec(w),
-                             axis = numbers::interval_vec(hull.axis);
-  numbers::Interval sine = 1;
-  if (hull.cosine > 0) {
-    const numbers::Interval scale = numbers::norm(axis) * numbers::norm(direction),
-                            cosine = hull.cosine;
-    const numbers::Interval across = numbers::norm(numbers::cross(axis, direction)) / scale;
-    numbers::Interval along = numbers::dot(axis, direction) / scale;
-    along = {0, along.magnitude()};
-    if (across.upper <= hull.cosine) {
-      sine = across * cosine + along * numbers::sqrt(numbers::Interval(1) - square(cosine)) +
-             hull.spread;
-    }
-  }
-  double furthest = -kInfinity;
-  for (const numbers::IntervalVec& point : hull.centers) {
-    furthest = std::max(furthest, numbers::dot(point, direction).upper);
-  }
-  const numbers::Interval reach =
-      numbers::Interval(hull.radius.upper) * numbers::norm(direction) * std::min(sine.upper, 1.0);
-  return (numbers::Interval(furthest) + reach).upper;
-}
-
-Vec3 support_point(const DiscHull& hull, const Vec3& direction) {
-  Vec3 furthest = center(hull.centers.front());
-  for (const numbers::IntervalVec& point : hull.centers) {
-    if (center(point).dot(direction) > furthest.dot(direction)) {
-      furthest = center(point);
-    }
-  }
-  Vec3 across = direction;
-  if (hull.cosine > 0) {
-    across -= direction.dot(hull.axis) * hull.axis;
-  }
-  // Along the axis, what is left is rounding and every point of the disc is as far as its centre.
-  const double length = across.norm();
-  return length > 0x1p-40 * direction.norm() ? Vec3(furthest + hull.radius.upper / length * across)
-                                             : furthest;
-}
-
-std::pair<ParameterInterval, ParameterInterval> halves(const ParameterInterval& t) {
-  const double middle = (t.from + t.to) / 2;
-  return {{t.from, middle}, {middle, t.to}};
-}
-
-PieceDiscs piece_discs(const CertifiedPiece& piece) { return std::visit(Reader{}, piece); }
-
-DiscHull hull_over(const PieceDiscs& piece, const ParameterInterval& t) {
-  return std::visit([&](const auto& discs) { return hull_of(discs, t); }, piece);
-}
-
-std::optional<DiscPace> pace_over(const PieceDiscs& piece, const ParameterInterval& t) {
-  return std::visit([&](const auto& discs) { return pace_of(discs, t); }, piece);
-}
-
 SweptDiscs::SweptDiscs(const Sphere& sphere) : sphere_(sphere) {}
 
-SweptDiscs::SweptDiscs(const PieceChain& chain) : closed_(chain.closed), full_(chain.wall == 0) {
-  for (const CertifiedPiece& piece : chain.pieces) {
-    pieces_.push_back(piece_discs(piece));
-    full_ = full_ && !std::holds_alternative<EllipticTube>(piece);
+SweptDiscs::SweptDiscs(const Chain& chain) : closed_(chain.closed), full_(chain.wall == 0) {
+  if (chain.joints == Joints::spherical) {
+    full_ = false;
+    return;
+  }
+  for (const Piece& piece : chain.pieces) {
+    pieces_.push_back(std::visit([](const auto& p) { return surfaces::discs(p); }, piece));
+    full_ = full_ && pieces_.back().full;
   }
   if (!closed_) {
-    end_rings_ = {std::visit([](const auto& piece) { return piece.start; }, chain.pieces.front()),
-                  std::visit([](const auto& piece) { return piece.end; }, chain.pieces.back())};
+    end_rings_ = {end_ring(chain, End::start), end_ring(chain, End::end)};
   }
 }
 
@@ -188,14 +48,13 @@ DiscHull SweptDiscs::over(const ParameterInterval& t) const {
     return {{numbers::interval_vec(sphere_->center)}, {}, Vec3::Zero(), 0, sphere_->radius, 0};
   }
   const std::size_t i = piece_of(t);
-  return hull_over(pieces_[i], {t.from - double(i), t.to - double(i)});
+  return pieces_[i].hull({t.from - double(i), t.to - double(i)});
 }
 
 bool SweptDiscs::turns_little(const ParameterInterval& t, double margin) const {
   const std::size_t i = piece_of(t);
-  const auto* tube = std::get_if<SweptDiscTube>(&pieces_[i]);
-  return tube != nullptr && t.to <= double(i + 1) &&
-         tube->turns_little({t.from - double(i), t.to - double(i)}, margin);
+  return t.to <= double(i + 1) &&
+         pieces_[i].turns_little({t.from - double(i), t.to - double(i)}, margin);
 }
 
 bool SweptDiscs::append_way(const ParameterInterval& t, std::vector<DiscPace>& way) const {
@@ -204,8 +63,7 @@ bool SweptDiscs::append_way(const ParameterInterval& t, std::vector<DiscPace>& w
     const double to = std::min(t.to, std::floor(from) + 1);
     const std::size_t i = piece_of({from, to});
     for (int k = 0; k < kCells; ++k) {
-      const auto pace =
-          pace_over(pieces_[i], part_of({from - double(i), to - double(i)}, k, kCells));
+      const auto pace = pieces_[i].pace(part_of({from - double(i), to - double(i)}, k, kCells));
       if (!pace) {
         return false;
       }

@@ -196,7 +196,7 @@ CyclideSearch search_cyclide_blend(const Ring& from, const Ring& to) {
        {Construction{"single", single}, {"double", two}, {"triple", three}}) {
     Attempt found = attempt(ends);
     if (found.chain) {
-      result.tube = CyclideTube{flipped(from), ends.to, std::move(*found.chain), 0};
+      result.tube = cyclide_tube(*found.chain, flipped(from), ends.to);
       return result;
     }
     result.rejected.push_back(std::string(name) + ": " + found.reason);
@@ -204,7 +204,7 @@ CyclideSearch search_cyclide_blend(const Ring& from, const Ring& to) {
   return result;
 }
 
-CyclideTube cyclide_blend(const Ring& from, const Ring& to) {
+Chain cyclide_blend(const Ring& from, const Ring& to) {
   CyclideSearch search = search_cyclide_blend(from, to);
   if (search.tube) {
     return std::move(*search.tube);

@@ -223,7 +223,7 @@ CyclideChain compose(std::span<const PeVector> spheres, const PeVector& tangent,
     try {
       chain.pieces.push_back(PeArc::from(spheres[i], direction, spheres[i + 2]));
     } catch (const Error& error) {
-      throw error.in_part("piece " + std::to_string(i / 2));
+      throw PieceError(i / 2, error);
     }
     direction = chain.pieces.back().end_tangent();
   }
@@ -333,7 +333,7 @@ CyclideChain offset(const CyclideChain& chain, double h) {
     try {
       result.pieces.push_back(PeArc::from(piece.start() + shift, direction, piece.end() + shift));
     } catch (const Error& error) {
-      throw error.in_part("piece " + std::to_string(i));
+      throw PieceError(i, error);
     }
     direction = result.pieces.back().end_tangent();
   }

@@ -61,31 +61,49 @@ Ring inside(const Ring& ring, double wall) {
 
 }  // namespace
 
-CyclideTube cyclide_tube(CyclideChain chain, double wall) {
+Chain cyclide_tube(const CyclideChain& chain, const Ring& start, const Ring& end) {
+  std::vector<CyclidePiece> pieces;
+  for (const PeArc& arc : chain.pieces) {
+    pieces.push_back(cyclide_piece(arc));
+  }
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+    pieces[i].end = flipped(pieces[i + 1].start);
+  }
+  pieces.front().start = start;
+  pieces.back().end = end;
+  return Chain(pieces);
+}
+
+Chain cyclide_tube(const CyclideChain& chain, double wall) {
   if (!(wall >= 0)) {
     throw Error(Errc::invalid_argument, "the wall's thickness must not be negative");
   }
-  const Ring start = flipped(circle_at(chain.pieces.front(), 0));
-  const Ring end = circle_at(chain.pieces.back(), 1);
-  CyclideTube tube{start, end, std::move(chain), wall};
-  for (std::size_t i = 0; wall > 0 && i < tube.chain.pieces.size(); ++i) {
-    const double least = least_radius(tube.chain.pieces[i]);
+  for (std::size_t i = 0; wall > 0 && i < chain.pieces.size(); ++i) {
+    const double least = least_radius(chain.pieces[i]);
     if (!(least > wall)) {
-      throw Error(Errc::infeasible_blend,
-                  "the wall of " + decimal(wall) +
-                      " is no thinner than the least sphere, of radius " + decimal(least),
-                  "piece " + std::to_string(i));
+      throw PieceError(
+          i, Error(Errc::infeasible_blend, "the wall of " + decimal(wall) +
+                                               " is no thinner than the least sphere, of radius " +
+                                               decimal(least)));
     }
   }
+  Chain tube = cyclide_tube(chain, flipped(circle_at(chain.pieces.front(), 0)),
+                            circle_at(chain.pieces.back(), 1));
+  tube.wall = wall;
   if (wall > 0) {
-    (void)inner_tube(tube);
+    (void)inner_skin(tube);
   }
   return tube;
 }
 
-CyclideTube inner_tube(const CyclideTube& tube) {
-  return {inside(tube.start, tube.wall), inside(tube.end, tube.wall),
-          offset(tube.chain, -tube.wall), 0};
+Chain inner_skin(const Chain& chain) {
+  const CyclideChain outer{cyclide_pieces(chain)};
+  if (outer.pieces.size() != chain.pieces.size() || chain.joints != Joints::smooth) {
+    throw Error(Errc::invalid_argument,
+                "only chains of cyclides that meet smoothly can have a wall");
+  }
+  return cyclide_tube(offset(outer, -chain.wall), inside(end_ring(chain, End::start), chain.wall),
+                      inside(end_ring(chain, End::end), chain.wall));
 }
 
 Enclosure margin(const PeArc& arc) {
@@ -105,22 +123,12 @@ Enclosure margin(const PeArc& arc) {
   return {result.lower, result.upper};
 }
 
-Enclosure margin(const CyclideTube& tube) {
-  Enclosure least = margin(tube.chain.pieces.front());
-  for (const PeArc& piece : tube.chain.pieces) {
-    const Enclosure here = margin(piece);
-    least = {std::min(least.lower, here.lower), std::min(least.upper, here.upper)};
-  }
-  return least;
-}
-
 // The walls differ by at most the angle between the axes and that between the half angles, which is
 // at most the difference of their tangents. For a sine x <= 1/2 the angle is at most x (1 + x^2).
-double tangency_bound(const CyclideTube& tube, SurfaceEnd end) {
-  const bool at_start = end == SurfaceEnd::start;
-  const Ring ring = at_start ? flipped(tube.start) : tube.end;
-  const PeVector tangent =
-      at_start ? tube.chain.pieces.front().start_tangent() : tube.chain.pieces.back().end_tangent();
+double tangency_bound(const CyclidePiece& piece, End end) {
+  const bool at_start = end == End::start;
+  const Ring ring = at_start ? flipped(piece.start) : piece.end;
+  const PeVector tangent = at_start ? piece.tangent : arc_of(piece).end_tangent();
   if (tangent == PeVector{ring.normal, ring.slope}) {
     return 0;
   }
@@ -134,29 +142,32 @@ double tangency_bound(const CyclideTube& tube, SurfaceEnd end) {
   return (angle + Interval((Interval(tangent.r) - ring.slope).magnitude())).upper;
 }
 
-double area(const CyclideTube& tube) {
-  double sum = tube.wall > 0 ? area(inner_tube(tube)) : 0;
-  for (const PeArc& piece : tube.chain.pieces) {
+double area(const Chain& chain) {
+  double sum = chain.wall > 0 ? area(inner_skin(chain)) : 0;
+  for (const PeArc& piece : cyclide_pieces(chain)) {
     sum += area(piece);
   }
   return sum;
 }
 
-double volume(const CyclideTube& tube) {
+double volume(const Chain& chain) {
   double sum = 0;
-  for (const PeArc& piece : tube.chain.pieces) {
+  for (const PeArc& piece : cyclide_pieces(chain)) {
     sum += volume(piece);
   }
-  if (tube.wall > 0) {
-    const CyclideTube inner = inner_tube(tube);
-    sum += rim_volume(tube.start, inner.start) + rim_volume(tube.end, inner.end) - volume(inner);
+  if (chain.wall > 0) {
+    const Chain inner = inner_skin(chain);
+    for (const End end : {End::start, End::end}) {
+      sum += rim_volume(end_ring(chain, end), end_ring(inner, end));
+    }
+    sum -= volume(inner);
   }
   return sum;
 }
 
-std::string_view kind(const CyclideTube& tube) {
+std::string_view kind(const Chain& chain) {
   constexpr std::array<std::string_view, 3> kNames{"single", "double", "triple"};
-  const std::size_t pieces = tube.chain.pieces.size();
+  const std::size_t pieces = chain.pieces.size();
   return pieces <= kNames.size() ? kNames.at(pieces - 1) : "chain";
 }
 

@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 
 #include "dupin/blends/cyclide_chain.h"
-#include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
@@ -59,7 +58,7 @@ std::vector<PeArc> through_all(std::span<const PeVector> spheres) {
     try {
       pieces.push_back(through_three(spheres[i], spheres[i + 1], spheres[i + 2]));
     } catch (const Error& error) {
-      throw error.in_part("piece " + std::to_string(i / 2));
+      throw PieceError(i / 2, error);
     }
   }
   return pieces;
@@ -67,13 +66,13 @@ std::vector<PeArc> through_all(std::span<const PeVector> spheres) {
 
 // On the unit sphere the piece before touches along u.A = -tau and covers u.A < -tau, the piece
 // after covers u.A > -tau; |A|^2 = 1 + tau^2.
-Kneecap kneecap(const PeArc& before, const PeArc& after) {
+SphericalJoint spherical_joint(const PeArc& before, const PeArc& after) {
   if (!(before.end() == after.start())) {
     throw Error(Errc::invalid_argument, "a kneecap needs pieces that meet in the same sphere");
   }
   const PeVector &arriving = before.end_tangent(), &leaving = after.start_tangent();
-  Kneecap knee{before.end(), std::atan2(1, arriving.r), std::atan2(1, -leaving.r),
-               angle_between(-arriving.m, leaving.m)};
+  SphericalJoint knee{before.end(), std::atan2(1, arriving.r), std::atan2(1, -leaving.r),
+                      angle_between(-arriving.m, leaving.m)};
   const double common = overlap(knee.before, knee.after, knee.between);
   const double square = knee.sphere.r * knee.sphere.r;
   knee.overlap_area = square * common;
@@ -81,30 +80,25 @@ Kneecap kneecap(const PeArc& before, const PeArc& after) {
   return knee;
 }
 
-KneecapChain kneecap_chain(std::span<const PeVector> spheres) {
-  std::vector<PeArc> pieces = through_all(spheres);
-  for (std::size_t i = 1; i < pieces.size(); ++i) {
-    const Kneecap knee = kneecap(pieces[i - 1], pieces[i]);
+Chain kneecap_chain(std::span<const PeVector> spheres) {
+  const std::vector<PeArc> arcs = through_all(spheres);
+  for (std::size_t i = 1; i < arcs.size(); ++i) {
+    const SphericalJoint knee = spherical_joint(arcs[i - 1], arcs[i]);
     if (knee.between <= std::abs(knee.before - knee.after)) {
-      throw Error(Errc::infeasible_blend,
-                  "the piece turns back into the one before it: they leave their common sphere at "
-                  "an angle of " +
-                      decimal(knee.between * 180 / pi, 4) +
-                      " degrees; move the spheres after it further round",
-                  "piece " + std::to_string(i));
+      throw PieceError(
+          i, Error(Errc::infeasible_blend,
+                   "the piece turns back into the one before it: they leave their common sphere at "
+                   "an angle of " +
+                       decimal(knee.between * 180 / pi, 4) +
+                       " degrees; move the spheres after it further round"));
     }
   }
-  const Ring start = flipped(circle_at(pieces.front(), 0)), end = circle_at(pieces.back(), 1);
-  return {start, end, std::move(pieces)};
-}
-
-Enclosure margin(const KneecapChain& chain) {
-  Enclosure least = margin(chain.pieces.front());
-  for (const PeArc& piece : chain.pieces) {
-    const Enclosure here = margin(piece);
-    least = {std::min(least.lower, here.lower), std::min(least.upper, here.upper)};
+  Chain chain;
+  for (const PeArc& arc : arcs) {
+    chain.pieces.emplace_back(cyclide_piece(arc));
   }
-  return least;
+  chain.joints = Joints::spherical;
+  return chain;
 }
 
 }  // namespace dupin

@@ -8,6 +8,7 @@
 #include "dupin/kernel/error.h"
 #include "nurbs_form/nurbs_rows.h"
 #include "ringed/second_derivatives.h"
+#include "tessellation/swept_mesh.h"
 #include "tessellation/tessellation_tolerance.h"
 
 namespace dupin::nurbs_form {
@@ -25,11 +26,6 @@ struct RowJet {
   Axes value, rate;
 };
 
-Vec3 carried(const Vec3& from, const Vec3& to, const Vec3& v) {
-  const Vec3 axis = from.cross(to);
-  return v + axis.cross(v) + axis.cross(axis.cross(v)) / (1 + from.dot(to));
-}
-
 // A tube cut into equal pieces, with frames at all samples.
 template <class Tube>
 class Loft {
@@ -44,7 +40,7 @@ class Loft {
       for (int step = 1; step <= kRotations; ++step) {
         const double t = (i - 1 + double(step) / kRotations) / count;
         const Vec3 next = evaluate(tube.spine, t).first.normalized();
-        first = carried(tangent, next, first);
+        first = tessellation::carried(tangent, next, first);
         tangent = next;
       }
       first = (first - first.dot(tangent) * tangent).normalized();

@@ -111,15 +111,15 @@ double slope_excess(const RadiusLaw& law, double t, double slope,
 // the rates of the semi-axes, that of the ruled surface to q x T + q x s with the slopes s. As q x
 // T is as long as q and at right angles to both q x w and q x s, the angle's sine is at most
 // |w / advance - s|, and the angle at most pi / 2 times that.
-double tangency_bound(const EllipticTube& tube, SurfaceEnd end) {
-  const double t = end == SurfaceEnd::start ? 0 : 1, outward = end == SurfaceEnd::start ? -1 : 1;
-  const Ring& ring = end == SurfaceEnd::start ? tube.start : tube.end;
+double tangency_bound(const EllipticTube& tube, End end) {
+  const double t = end == End::start ? 0 : 1, outward = end == End::start ? -1 : 1;
+  const Ring& ring = end == End::start ? tube.start : tube.end;
   const auto y = ringed::spine_bounds(tube.spine, t);
   const numbers::Interval bend = numbers::Interval(largest_radius(ring)) * y.turning;
   const numbers::Interval advance{(y.speed - bend).lower, (y.speed + bend).upper};
   if (!(advance.lower > 0)) {
     throw Error(Errc::irregular_surface, "the tube folds there", {},
-                end == SurfaceEnd::start ? "start" : "end");
+                end == End::start ? "start" : "end");
   }
   const double first = slope_excess(tube.first, t, outward * ring.slope, advance);
   const double second = slope_excess(tube.second, t, outward * across_slope(ring), advance);

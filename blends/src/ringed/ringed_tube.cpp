@@ -46,10 +46,10 @@ MovingRing at_speed(const MovingRing& ring, double factor) {
   return result;
 }
 
-MovingRing leaving(const RationalRingedTube& tube, PartEnd end) {
-  const Ring& stored = end == PartEnd::start ? tube.start : tube.end;
-  const MovingRing travelling = ring_at(tube.surface, end == PartEnd::start ? 0 : 1);
-  MovingRing result = end == PartEnd::start ? reversed(travelling) : travelling;
+MovingRing leaving(const RationalRingedTube& tube, End end) {
+  const Ring& stored = end == End::start ? tube.start : tube.end;
+  const MovingRing travelling = ring_at(tube.surface, end == End::start ? 0 : 1);
+  MovingRing result = end == End::start ? reversed(travelling) : travelling;
   result.center = stored.center;
   result.normal = stored.normal;
   result.radius = stored.radius;

@@ -46,30 +46,28 @@ struct Motion {
   IntervalVector first, second;
 };
 
-Motion motion_at(const LineSpine& line, SurfaceEnd) {
-  return {minus(wide(line.to), wide(line.from)), {}};
-}
+Motion motion_at(const LineSpine& line, End) { return {minus(wide(line.to), wide(line.from)), {}}; }
 
-Motion motion_at(const ArcSpine& arc, SurfaceEnd end) {
+Motion motion_at(const ArcSpine& arc, End end) {
   const IntervalVector u = minus(wide(arc.start), wide(arc.center)), v = cross(wide(arc.axis), u);
-  const Interval speed = arc.angle, turned = end == SurfaceEnd::start ? 0 : arc.angle;
+  const Interval speed = arc.angle, turned = end == End::start ? 0 : arc.angle;
   const IntervalVector along = minus(times(cosine(turned), v), times(sine(turned), u));
   const IntervalVector outward = plus(times(cosine(turned), u), times(sine(turned), v));
   return {times(speed, along), times(Interval(0) - square(speed), outward)};
 }
 
-Motion motion_at(const HermiteSpine& spine, SurfaceEnd end) {
+Motion motion_at(const HermiteSpine& spine, End end) {
   const IntervalVector chord = times(6, minus(wide(spine.to), wide(spine.from)));
   const IntervalVector from = wide(spine.start_velocity), to = wide(spine.end_velocity);
-  return end == SurfaceEnd::start ? Motion{from, minus(chord, plus(times(4, from), times(2, to)))}
-                                  : Motion{to, minus(plus(times(2, from), times(4, to)), chord)};
+  return end == End::start ? Motion{from, minus(chord, plus(times(4, from), times(2, to)))}
+                           : Motion{to, minus(plus(times(2, from), times(4, to)), chord)};
 }
 
-Motion motion_at(const BezierSpine& spine, SurfaceEnd end) {
+Motion motion_at(const BezierSpine& spine, End end) {
   const auto degree = static_cast<double>(spine.points.size() - 1);
   const auto index = [&](std::size_t i) {
     i = std::min(i, spine.points.size() - 1);
-    return end == SurfaceEnd::start ? i : spine.points.size() - 1 - i;
+    return end == End::start ? i : spine.points.size() - 1 - i;
   };
   const auto step = [&](std::size_t i) {
     return minus(wide(spine.points[index(i)]), wide(spine.points[index(0)]));
@@ -79,14 +77,14 @@ Motion motion_at(const BezierSpine& spine, SurfaceEnd end) {
   };
   // W y'' = N'' - 2 W' y' - W'' y for y = N / W, at the curve's first point.
   const Interval pull = weight(1) / weight(0), next_pull = weight(2) / weight(0);
-  const Interval forward = end == SurfaceEnd::start ? 1 : -1;
+  const Interval forward = end == End::start ? 1 : -1;
   return {times(forward * degree * pull, step(1)),
           plus(times(degree * (degree - 1) * next_pull, step(2)),
                times(2 * degree * pull * (1 - degree * pull), step(1)))};
 }
 
 /// dR/dt at an end.
-Interval radius_slope(const RadiusLaw& law, SurfaceEnd end) {
+Interval radius_slope(const RadiusLaw& law, End end) {
   if (const auto* linear = std::get_if<LinearRadius>(&law)) {
     return Interval(linear->end) - linear->start;
   }
@@ -95,14 +93,14 @@ Interval radius_slope(const RadiusLaw& law, SurfaceEnd end) {
     return 0;
   }
   const auto& c = bezier->coefficients;
-  const std::size_t last = c.size() - 1, i = end == SurfaceEnd::start ? 1 : last;
+  const std::size_t last = c.size() - 1, i = end == End::start ? 1 : last;
   return static_cast<double>(last) * (Interval(c[i]) - c[i - 1]);
 }
 
 }  // namespace
 
-Tangency tangency_at_end(const RingedSurface& surface, SurfaceEnd end) {
-  const bool at_start = end == SurfaceEnd::start;
+Tangency tangency_at_end(const RingedSurface& surface, End end) {
+  const bool at_start = end == End::start;
   const Motion motion =
       std::visit([end](const auto& spine) { return motion_at(spine, end); }, surface.spine);
   const Interval speed = length(motion.first);

@@ -3,11 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-
-#include <Eigen/Geometry>
-
-#include "tessellation/tessellation_tolerance.h"
 
 namespace dupin::tessellation {
 namespace {
@@ -122,50 +117,6 @@ std::vector<double> even_knots(const BandStepper& march, BandBudget budget, doub
     }
   }
   return knots;
-}
-
-Vec3 first_direction(const Ring& ring, const RingSampling& sampling) {
-  const Vec3 to_point = sample(ring, {sampling.segments, sampling.phase, 0}).front() - ring.center;
-  return (to_point - to_point.dot(ring.normal) * ring.normal).normalized();
-}
-
-Arrival arrival(const Ring& end, const RingSampling& sampling, const Vec3& carried_first) {
-  const Vec3 wanted = first_direction(end, sampling);
-  const double angle =
-      std::atan2(end.normal.dot(carried_first.cross(wanted)), carried_first.dot(wanted));
-  const double segment = 2 * std::numbers::pi / sampling.segments;
-  const auto whole = std::lround(angle / segment);
-  const auto count = long(sampling.segments);
-  const auto shift = (count - whole % count) % count;
-  Arrival result{sample(end, sampling), angle - double(whole) * segment, std::uint32_t(shift)};
-  std::rotate(result.points.begin(), result.points.begin() + shift, result.points.end());
-  return result;
-}
-
-TriMesh first_row(const std::vector<Vec3>& points, std::size_t bands) {
-  const std::size_t triangles = 2 * points.size() * bands;
-  refuse_too_fine(triangles);
-  TriMesh mesh;
-  mesh.points.reserve(points.size() * (bands + 1));
-  mesh.points.insert(mesh.points.end(), points.begin(), points.end());
-  mesh.triangles.reserve(triangles);
-  return mesh;
-}
-
-void append_band(TriMesh& mesh, std::uint32_t segments) {
-  const auto next = std::uint32_t(mesh.points.size()) - segments, here = next - segments;
-  for (std::uint32_t i = 0; i < segments; ++i) {
-    const std::uint32_t k = (i + 1) % segments;
-    const std::uint32_t a = here + i, b = here + k, c = next + k, d = next + i;
-    const auto squared = [&](std::uint32_t p, std::uint32_t q) {
-      return (mesh.points[p] - mesh.points[q]).squaredNorm();
-    };
-    if (squared(a, c) <= squared(b, d)) {
-      mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
-    } else {
-      mesh.triangles.insert(mesh.triangles.end(), {{a, b, d}, {b, c, d}});
-    }
-  }
 }
 
 }  // namespace dupin::tessellation

@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "dupin/kernel/mesh.h"
-#include "dupin/kernel/ring.h"
 #include "ringed/second_derivatives.h"
 
 namespace dupin::tessellation {
@@ -55,26 +53,5 @@ struct BandBudget {
 /// band is not a sliver.
 [[nodiscard]] std::vector<double> even_knots(const BandStepper& march, BandBudget budget,
                                              double twist);
-
-/// The direction of the polygon's first point, exactly across the ring's normal.
-[[nodiscard]] Vec3 first_direction(const Ring& ring, const RingSampling& sampling);
-
-/// The end polygon, counted from the point that the carried frame arrives at: the frame differs
-/// from the ring's own axis by whole segments and a rest of at most half a segment.
-struct Arrival {
-  std::vector<Vec3> points;
-  double twist = 0;         // radians, right-handed about the spine
-  std::uint32_t shift = 0;  // points.front() is this one of the ring's own sample
-};
-
-[[nodiscard]] Arrival arrival(const Ring& end, const RingSampling& sampling,
-                              const Vec3& carried_first);
-
-/// A mesh with a row of points, and room for so many bands from there. Throws
-/// Error{limit_exceeded} as refuse_too_fine().
-[[nodiscard]] TriMesh first_row(const std::vector<Vec3>& points, std::size_t bands);
-
-/// The quadrilaterals between the last two rows of points, halved along the shorter diagonals.
-void append_band(TriMesh& mesh, std::uint32_t segments);
 
 }  // namespace dupin::tessellation

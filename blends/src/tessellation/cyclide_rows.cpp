@@ -47,11 +47,10 @@ double point_error(const PeArc& arc, double grid) {
   return point_error(size * std::max(1.0, 2 / (1 + arc.w())), grid);
 }
 
-Vec3 Row::direction(double a) const { return std::cos(a) * first + std::sin(a) * second; }
-
 Row row_at(const PeArc& arc, double fraction, const Vec3& plane_normal) {
   const Ring circle = circle_at(arc, cyclide::parameter_at(arc, fraction));
-  return {circle, plane_normal.cross(circle.normal).normalized(), plane_normal, 0};
+  return {circle.center, plane_normal.cross(circle.normal).normalized(), plane_normal,
+          circle.radius, 0};
 }
 
 }  // namespace dupin::tessellation

@@ -2,7 +2,7 @@
 
 #include "cyclide/arc_bounds.h"
 #include "dupin/blends/pe_arc.h"
-#include "tessellation/band_stepper.h"
+#include "tessellation/swept_mesh.h"
 
 namespace dupin::tessellation {
 
@@ -16,17 +16,8 @@ namespace dupin::tessellation {
 /// How far a computed and snapped point may lie from the piece's surface.
 [[nodiscard]] double point_error(const PeArc& arc, double grid);
 
-/// A row of points: a circle with the frame that the symmetry plane of its piece carries along, and
-/// the angle in it of the polygon's first corner.
-struct Row {
-  Ring circle;
-  Vec3 first, second;
-  double angle = 0;
-
-  [[nodiscard]] Vec3 direction(double a) const;
-};
-
-/// The row at a fraction of the piece's tangential length, `plane_normal` being frame(arc).second.
+/// The circle, with the frame that the symmetry plane carries along, at a fraction of the piece's
+/// tangential length; `plane_normal` is frame(arc).second.
 [[nodiscard]] Row row_at(const PeArc& arc, double fraction, const Vec3& plane_normal);
 
 }  // namespace dupin::tessellation

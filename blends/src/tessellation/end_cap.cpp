@@ -28,7 +28,7 @@ void fill(std::uint32_t first, std::uint32_t last, std::vector<Triangle>& triang
 
 }  // namespace tessellation
 
-TriMesh disc(const Ring& ring, const RingSampling& sampling) {
+TriMesh end_cap_mesh(const Ring& ring, const RingSampling& sampling) {
   TriMesh mesh{sample(ring, sampling), {}, {}, {}};
   const std::uint32_t n = sampling.segments;
   // The polygon of flipped(ring) runs the other way from the same first corner. Both sides halve in

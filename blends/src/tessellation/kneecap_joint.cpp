@@ -68,7 +68,7 @@ JointCircles joint(const PeArc& before, const PeArc& after, double negligible, d
     result.kind = JointKind::lune;
     return result;
   }
-  const Kneecap knee = kneecap(before, after);
+  const SphericalJoint knee = spherical_joint(before, after);
   // Circles that touch, up to rounding, are on the side that their caps' sum of angles says.
   result.kind = knee.before + knee.after <= pi ? JointKind::band : JointKind::hidden;
   return result;

@@ -8,14 +8,14 @@
 
 namespace dupin::verification {
 
-/// The ends at which two parts are joined, true being `end`.
+/// The ends at which two parts are joined.
 struct JoinedEnds {
-  bool first_at_end = false, second_at_end = false;
+  End first, second;
 };
 
 /// Whether a claim that is proved or refuted follows from the certificate's inputs.
 [[nodiscard]] bool follows(const Solid& solid, const RegularClaim& claim);
-[[nodiscard]] bool follows(const Piece& piece, const TangencyClaim& claim, bool at_end);
+[[nodiscard]] bool follows(const Piece& piece, const TangencyClaim& claim, End end);
 [[nodiscard]] bool follows(const Solid& solid, const EmbeddedClaim& claim,
                            const RegularClaim& regular);
 [[nodiscard]] bool follows(const Solid& first, const Solid& second,

@@ -199,12 +199,11 @@ bool follows(const Solid& solid, const MeshClaim& claim) {
       knots.push_back(*knot - double(i));
     }
     const Piece& piece = solid.pieces()[i];
-    const bool is_cyclide = std::holds_alternative<CyclidePiece>(piece.shape);
     if (claim.segments < 3 || piece.inner || knots.size() < 2 || knots.front() != 0 ||
         knots.back() != 1 ||
         std::adjacent_find(knots.begin(), knots.end(), std::greater_equal<>()) != knots.end() ||
         !piece_follows(piece, knots, claim.segments,
-                       (is_cyclide ? claim.knots.size() : knots.size()) - 1, allowed)) {
+                       (piece.shares_frame ? claim.knots.size() : knots.size()) - 1, allowed)) {
       return false;
     }
     --knot;

@@ -200,15 +200,16 @@ std::optional<std::array<IntervalVec, 2>> spin(const Jet<3>& scalar, const JetVe
   return std::array<IntervalVec, 2>{part(result, 0), part(result, 1)};
 }
 
-bool rests(const Curve& rate, bool at_end) {
-  return std::all_of(rate.begin(), rate.end(),
-                     [=](const Polynomial& p) { return (at_end ? p.back() : p.front()) == 0; });
+bool rests(const Curve& rate, End end) {
+  return std::all_of(rate.begin(), rate.end(), [=](const Polynomial& p) {
+    return (end == End::end ? p.back() : p.front()) == 0;
+  });
 }
 
-EnclosedCurve<1> unrested(const Curve& rate, bool at_end) {
+EnclosedCurve<1> unrested(const Curve& rate, End end) {
   Curve result;
   for (std::size_t k = 0; k < 3; ++k) {
-    result[k] = at_end ? mirrored(over_t(mirrored(rate[k]))) : over_t(rate[k]);
+    result[k] = end == End::end ? mirrored(over_t(mirrored(rate[k]))) : over_t(rate[k]);
   }
   return EnclosedCurve<1>(result);
 }
@@ -307,18 +308,18 @@ Motion motion(const RationalRingedSurface& surface) {
 Motion steered_motion(const RationalRingedSurface& surface) {
   const RingedCurves c = curves(surface);
   const Curve velocity = derivative(c.center), turning = derivative(c.axis);
-  const std::array<bool, 2> resting{rests(velocity, false) && rests(turning, false),
-                                    rests(velocity, true) && rests(turning, true)};
+  const std::array<bool, 2> resting{rests(velocity, End::start) && rests(turning, End::start),
+                                    rests(velocity, End::end) && rests(turning, End::end)};
   if (!resting[0] && !resting[1]) {
     return motion(surface);
   }
   return [=, center = EnclosedCurve<3>(c.center), axis = EnclosedCurve<3>(c.axis),
           radius = Enclosed<3>(c.radius)](double from, double to) -> std::optional<MovingDisc> {
     JetVec<3> d = center.over(from, to), n = axis.over(from, to);
-    for (const bool at_end : {false, true}) {
-      if (resting.at(at_end ? 1 : 0) && (at_end ? to == 1 : from == 0)) {
-        replace(d, unrested(velocity, at_end).over(from, to));
-        replace(n, unrested(turning, at_end).over(from, to));
+    for (const End end : {End::start, End::end}) {
+      if (resting.at(at(end)) && (end == End::end ? to == 1 : from == 0)) {
+        replace(d, unrested(velocity, end).over(from, to));
+        replace(n, unrested(turning, end).over(from, to));
       }
     }
     const Jet<3> squared = squared_norm(n);

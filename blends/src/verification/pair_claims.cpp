@@ -223,16 +223,16 @@ bool is_short_way(const Solid& solid, const DiscPairs& leaf, double margin) {
 }
 
 // The discs from the stretch to the end where the joint is.
-ParameterInterval to_joint(const Solid& solid, const ParameterInterval& t, bool at_end) {
-  return at_end ? ParameterInterval{t.from, solid.length()} : ParameterInterval{0, t.to};
+ParameterInterval to_joint(const Solid& solid, const ParameterInterval& t, End end) {
+  return end == End::end ? ParameterInterval{t.from, solid.length()} : ParameterInterval{0, t.to};
 }
 
 bool is_short_way(const Solid& first, const Solid& second, const std::vector<JoinedEnds>& joints,
                   const DiscPairs& leaf) {
   return std::any_of(joints.begin(), joints.end(), [&](const JoinedEnds& joint) {
     std::vector<Cell> way;
-    return append(first, to_joint(first, leaf.first, joint.first_at_end), way) &&
-           append(second, to_joint(second, leaf.second, joint.second_at_end), way) && advances(way);
+    return append(first, to_joint(first, leaf.first, joint.first), way) &&
+           append(second, to_joint(second, leaf.second, joint.second), way) && advances(way);
   });
 }
 

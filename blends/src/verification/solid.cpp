@@ -39,36 +39,45 @@ std::optional<Discs> discs_of(const Piece& piece, const ParameterInterval& t) {
                (half * numbers::norm(part(all->normal, 1))).upper};
 }
 
+void read(const RingedSurface& surface, double, Piece& result) {
+  result.tubes = {Tube(surface)};
+  result.steered = result.motion = motion(result.tubes.front());
+}
+
+void read(const EllipticTube& tube, double, Piece& result) {
+  result.tubes = {Tube({tube.start, tube.end, tube.spine, tube.first}),
+                  Tube({tube.start, tube.end, tube.spine, tube.second})};
+  result.steered = [about = motion(result.tubes.front()), axes = result.tubes](double from,
+                                                                               double to) {
+    auto disc = about(from, to);
+    if (disc) {
+      disc->radius[0] = largest_radius(axes, from, to);
+    }
+    return disc;
+  };
+}
+
+void read(const CyclidePiece& piece, double wall, Piece& result) {
+  result.steered = result.motion = motion(piece, 0);
+  result.inner = wall > 0 ? motion(piece, wall) : Motion();
+  result.shares_frame = true;
+}
+
+void read(const RationalRingedTube& tube, double, Piece& result) {
+  result.motion = motion(tube.surface);
+  result.steered = steered_motion(tube.surface);
+}
+
 }  // namespace
 
-Piece::Piece(const CertifiedPiece& certified, double wall) : shape(certified) {
+Piece::Piece(const dupin::Piece& certified, double wall) : shape(certified) {
   std::visit(
-      [this](const auto& piece) {
+      [&](const auto& piece) {
         start = piece.start;
         end = piece.end;
+        read(piece, wall, *this);
       },
       shape);
-  if (const auto* tube = std::get_if<RingedSurface>(&shape)) {
-    tubes = {Tube(*tube)};
-    steered = motion = verification::motion(tubes.front());
-  } else if (const auto* elliptic = std::get_if<EllipticTube>(&shape)) {
-    tubes = {Tube({start, end, elliptic->spine, elliptic->first}),
-             Tube({start, end, elliptic->spine, elliptic->second})};
-    steered = [about = verification::motion(tubes.front()), axes = tubes](double from, double to) {
-      auto disc = about(from, to);
-      if (disc) {
-        disc->radius[0] = largest_radius(axes, from, to);
-      }
-      return disc;
-    };
-  } else if (const auto* cyclide = std::get_if<CyclidePiece>(&shape)) {
-    steered = motion = verification::motion(*cyclide, 0);
-    inner = wall > 0 ? verification::motion(*cyclide, wall) : Motion();
-  } else {
-    const RationalRingedSurface& surface = std::get<RationalRingedTube>(shape).surface;
-    motion = verification::motion(surface);
-    steered = verification::steered_motion(surface);
-  }
 }
 
 Solid::Solid(const CertifiedPart& part) {
@@ -76,16 +85,16 @@ Solid::Solid(const CertifiedPart& part) {
     ball_ = *sphere;
     return;
   }
-  if (std::holds_alternative<OtherShape>(part.shape)) {
+  const auto& chain = std::get<Chain>(part.shape);
+  if (chain.joints == Joints::spherical) {
     is_full_ = false;
     return;
   }
-  const auto& chain = std::get<PieceChain>(part.shape);
   closed_ = chain.closed;
   is_full_ = chain.wall == 0;
-  for (const CertifiedPiece& shape : chain.pieces) {
+  for (const dupin::Piece& shape : chain.pieces) {
     pieces_.emplace_back(shape, chain.wall);
-    is_full_ = is_full_ && !std::holds_alternative<EllipticTube>(shape);
+    is_full_ = is_full_ && pieces_.back().tubes.size() < 2;
   }
 }
 

@@ -9,9 +9,9 @@ namespace dupin::verification {
 
 /// A piece of a chain, read exactly.
 struct Piece {
-  Piece(const CertifiedPiece& certified, double wall);
+  Piece(const dupin::Piece& certified, double wall);
 
-  CertifiedPiece shape;
+  dupin::Piece shape;
   Ring start, end;
   /// A ringed surface's, or those of an elliptic tube's two semi-axes; none for other pieces.
   std::vector<Tube> tubes;
@@ -19,10 +19,12 @@ struct Piece {
   /// Of the discs that contain the piece's; first derivatives may have lost a positive factor.
   Motion steered;
   Motion inner;  ///< of the inner skin; none for solid pieces
+  /// The bands of all neighbours of its kind share a frame, and so its twist.
+  bool shares_frame = false;
 };
 
-/// A part, read exactly: discs for parameters from 0 to the number of its pieces, or a ball; a
-/// shape that nothing is claimed about has no pieces.
+/// A part, read exactly: discs for parameters from 0 to the number of its pieces, or a ball. A
+/// chain with spherical joints, that nothing is claimed about, has no pieces here.
 class Solid {
  public:
   explicit Solid(const CertifiedPart& part);

@@ -37,10 +37,10 @@ struct SpineEnd {
   MpfiVec position, first, second;
 };
 
-SpineEnd spine_end(const Tube& tube, bool at_end) {
+SpineEnd spine_end(const Tube& tube, End end) {
   SpineEnd result;
   if (const ArcSpine* arc = tube.arc()) {
-    const Mpfi turned = at_end ? arc->angle : 0, rate = arc->angle;
+    const Mpfi turned = end == End::end ? arc->angle : 0, rate = arc->angle;
     const Mpfi c = cosine(turned), s = sine(turned);
     const MpfiVec center = vector(arc->center), u = difference(vector(arc->start), center);
     const MpfiVec a = vector(arc->axis);
@@ -55,7 +55,7 @@ SpineEnd spine_end(const Tube& tube, bool at_end) {
   }
   // Exactly, from w y = p.
   const Stretch s = tube.stretch(0, 1);
-  const auto value = [at_end](const Polynomial& p) { return at_end ? p.back() : p.front(); };
+  const auto value = [end](const Polynomial& p) { return end == End::end ? p.back() : p.front(); };
   const Polynomial w1 = derivative(s.weight);
   const mpq_class w = value(s.weight);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -99,25 +99,25 @@ struct Wall {
   Mpfi slope, rise;
 };
 
-Wall wall_at(const Tube& tube, bool at_end, double radius, double slope) {
+Wall wall_at(const Tube& tube, End end, double radius, double slope) {
   const Polynomial r = tube.radius(0, 1);
   const Polynomial slopes = r.empty() ? Polynomial{0} : derivative(r);
-  return {radius, at_end ? Mpfi(slope) : Mpfi(-slope),
-          Mpfi(at_end ? slopes.back() : slopes.front())};
+  return {radius, end == End::end ? Mpfi(slope) : Mpfi(-slope),
+          Mpfi(end == End::end ? slopes.back() : slopes.front())};
 }
 
-Difference difference_at(const std::vector<Tube>& tubes, const Ring& ring, const MpfiVec& normal,
-                         bool at_end) {
-  const SpineEnd y = spine_end(tubes.front(), at_end);
+Difference difference_of(const std::vector<Tube>& tubes, const Ring& ring, const MpfiVec& normal,
+                         End end) {
+  const SpineEnd y = spine_end(tubes.front(), end);
   const Mpfi speed = length(y.first);
-  std::vector<Wall> walls{wall_at(tubes.front(), at_end, ring.radius, ring.slope)};
+  std::vector<Wall> walls{wall_at(tubes.front(), end, ring.radius, ring.slope)};
   if (tubes.size() > 1) {
     const Ellipse across = ring.ellipse.value_or(Ellipse{{}, ring.radius, ring.slope});
-    walls.push_back(wall_at(tubes.back(), at_end, across.across, across.across_slope));
+    walls.push_back(wall_at(tubes.back(), end, across.across, across.across_slope));
   }
   Mpfi reach = 0, offset = length(difference(y.position, vector(ring.center)));
   for (std::size_t i = 0; i < walls.size(); ++i) {
-    const double radius = evaluate(tubes[i].surface().radius, at_end ? 1 : 0).value;
+    const double radius = evaluate(tubes[i].surface().radius, end == End::end ? 1 : 0).value;
     reach = std::max(upper(reach), radius);
     offset = offset + magnitude(Mpfi(radius) - walls[i].radius);
   }
@@ -133,13 +133,23 @@ Difference difference_at(const std::vector<Tube>& tubes, const Ring& ring, const
   return {angle(length_of_cross(y.first, normal), dot(y.first, normal)), offset, upper(largest)};
 }
 
+Difference difference_at(const RingedSurface&, const Piece& piece, const Ring& ring,
+                         const MpfiVec& normal, End end) {
+  return difference_of(piece.tubes, ring, normal, end);
+}
+
+Difference difference_at(const EllipticTube&, const Piece& piece, const Ring& ring,
+                         const MpfiVec& normal, End end) {
+  return difference_of(piece.tubes, ring, normal, end);
+}
+
 // The tangent at the end is (2 e / D) d - tangent.
-Difference difference_at(const CyclidePiece& piece, const Ring& ring, const MpfiVec& normal,
-                         bool at_end) {
-  const PeVector& b = at_end ? piece.last : piece.first;
+Difference difference_at(const CyclidePiece& piece, const Piece&, const Ring& ring,
+                         const MpfiVec& normal, End end) {
+  const PeVector& b = end == End::end ? piece.last : piece.first;
   MpfiVec m1 = vector(piece.tangent.m);
   Mpfi r1 = piece.tangent.r;
-  if (at_end) {
+  if (end == End::end) {
     const MpfiVec d = difference(vector(piece.last.m), vector(piece.first.m));
     const Mpfi dr = Mpfi(piece.last.r) - piece.first.r;
     const Mpfi factor = 2 * (dot(d, m1) - dr * r1) / (dot(d, d) - square(dr));
@@ -151,16 +161,17 @@ Difference difference_at(const CyclidePiece& piece, const Ring& ring, const Mpfi
   const Mpfi radius = b.r * pace / square_root(squared);
   return {angle(length_of_cross(m1, normal), dot(m1, normal)),
           length(difference(center, vector(ring.center))) + magnitude(radius - ring.radius),
-          deviation(r1, {pace}, at_end ? ring.slope : -ring.slope, true)};
+          deviation(r1, {pace}, end == End::end ? ring.slope : -ring.slope, true)};
 }
 
-Difference difference_at(const RationalRingedSurface& surface, const Ring& ring,
-                         const MpfiVec& normal, bool at_end) {
-  const auto& [w, x, y, z] = at_end ? surface.rotation.back() : surface.rotation.front();
+Difference difference_at(const RationalRingedTube& tube, const Piece&, const Ring& ring,
+                         const MpfiVec& normal, End end) {
+  const RationalRingedSurface& surface = tube.surface;
+  const auto& [w, x, y, z] = end == End::end ? surface.rotation.back() : surface.rotation.front();
   const Mpfi a = w, b = x, c = y, d = z;
   const MpfiVec axis{square(a) + square(b) - square(c) - square(d), 2 * (b * c + a * d),
                      2 * (b * d - a * c)};
-  const std::size_t i = at_end ? 3 : 0;
+  const std::size_t i = end == End::end ? 3 : 0;
   return {angle(length_of_cross(axis, normal), dot(axis, normal)),
           length(difference(vector(surface.center.at(i)), vector(ring.center))) +
               magnitude(Mpfi(surface.radius.at(i)) - ring.radius),
@@ -169,8 +180,8 @@ Difference difference_at(const RationalRingedSurface& surface, const Ring& ring,
 
 // With q = v - R e.T', x_t = q T + R' e, and the normal curvature along x_t is
 //   (q (q e.T' + R'') - R' (v' - 2 R' e.T' - R e.T'')) / (q^2 + R'^2)^(3/2).
-bool curvature_follows(const Piece& piece, double claimed, bool at_end) {
-  const double t = at_end ? 1 : 0;
+bool curvature_follows(const Piece& piece, double claimed, End end) {
+  const double t = end == End::end ? 1 : 0;
   const auto disc = piece.tubes.size() == 1 ? piece.motion(t, t) : std::nullopt;
   if (!disc) {
     return false;
@@ -190,20 +201,17 @@ bool curvature_follows(const Piece& piece, double claimed, bool at_end) {
 
 }  // namespace
 
-bool follows(const Piece& piece, const TangencyClaim& claim, bool at_end) {
+bool follows(const Piece& piece, const TangencyClaim& claim, End end) {
   const bool has_none = piece.tubes.size() == 1 && piece.tubes.front().is_cone();
   if (claim.curvature &&
-      !(has_none ? *claim.curvature >= 0 : curvature_follows(piece, *claim.curvature, at_end))) {
+      !(has_none ? *claim.curvature >= 0 : curvature_follows(piece, *claim.curvature, end))) {
     return false;
   }
-  const Ring& ring = at_end ? piece.end : piece.start;
-  const MpfiVec normal = vector(at_end ? ring.normal : Vec3(-ring.normal));
-  const auto* cyclide = std::get_if<CyclidePiece>(&piece.shape);
-  const auto* ringed = std::get_if<RationalRingedTube>(&piece.shape);
-  const Difference found = cyclide != nullptr ? difference_at(*cyclide, ring, normal, at_end)
-                           : ringed != nullptr
-                               ? difference_at(ringed->surface, ring, normal, at_end)
-                               : difference_at(piece.tubes, ring, normal, at_end);
+  const Ring& ring = end == End::end ? piece.end : piece.start;
+  const MpfiVec normal = vector(end == End::end ? ring.normal : Vec3(-ring.normal));
+  const Difference found =
+      std::visit([&](const auto& shape) { return difference_at(shape, piece, ring, normal, end); },
+                 piece.shape);
   return upper(found.axis_angle) <= claim.axis_angle && upper(found.offset) <= claim.offset &&
          (!claim.deviation || (found.deviation && *found.deviation <= *claim.deviation));
 }

@@ -26,8 +26,8 @@ bool are_flips(const Ring& a, const Ring& b) {
          (!a.ellipse || x.across_slope == -y.across_slope);
 }
 
-const Ring& end_ring(const Solid& solid, bool at_end) {
-  return at_end ? solid.pieces().back().end : solid.pieces().front().start;
+const Ring& end_ring(const Solid& solid, End end) {
+  return end == End::end ? solid.pieces().back().end : solid.pieces().front().start;
 }
 
 // What the other claims leave out is less than the tolerance.
@@ -53,8 +53,8 @@ void verify_part(const Solid& solid, const std::string& name, const PartClaims& 
         is_undecided(claims.embedded->verdict) || follows(solid, *claims.embedded, *claims.regular),
         name, "embedded");
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      require(follows(pieces[i], claims.tangency[2 * i], false) &&
-                  follows(pieces[i], claims.tangency[2 * i + 1], true),
+      require(follows(pieces[i], claims.tangency[2 * i], End::start) &&
+                  follows(pieces[i], claims.tangency[2 * i + 1], End::end),
               name, "tangency");
       require(is_near(claims.tangency[2 * i], pieces[i].start, tolerance) &&
                   is_near(claims.tangency[2 * i + 1], pieces[i].end, tolerance),
@@ -72,16 +72,16 @@ std::vector<JoinedEnds> joints(const std::vector<Solid>& solids,
                                const std::vector<CertifiedPart>& parts, std::uint32_t first,
                                std::uint32_t second) {
   std::vector<JoinedEnds> result;
-  for (const std::size_t end : {0, 1}) {
-    const auto& other = parts[first].joined.at(end);
+  for (const End end : {End::start, End::end}) {
+    const auto& other = parts[first].joined.at(at(end));
     if (other && other->part == second) {
-      const JoinedEnds joint{end == 1, other->end == PartEnd::end};
+      const JoinedEnds joint{end, other->end};
       if (solids[first].length() == 0 || solids[second].length() == 0) {
         continue;  // nothing can be claimed
       }
       require(solids[first].ball() == nullptr && solids[second].ball() == nullptr &&
-                  are_flips(end_ring(solids[first], joint.first_at_end),
-                            end_ring(solids[second], joint.second_at_end)),
+                  are_flips(end_ring(solids[first], joint.first),
+                            end_ring(solids[second], joint.second)),
               parts[first].name, "joined");
       result.push_back(joint);
     }

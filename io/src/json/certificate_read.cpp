@@ -1,41 +1,20 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
+#include "json/certificate_pieces.h"
 #include "json/certificate_seal.h"
 #include "json/json_document.h"
+#include "json/json_lists.h"
 
 namespace dupin {
 namespace {
 
 using json::JsonNode;
-
-template <class Value, class Read>
-std::vector<Value> list(const JsonNode& node, const Read& read) {
-  std::vector<Value> result;
-  const std::size_t size = node.require_array();
-  for (std::size_t i = 0; i < size; ++i) {
-    result.push_back(read(node.at(i)));
-  }
-  return result;
-}
-
-std::vector<double> numbers(const JsonNode& node) {
-  return list<double>(node, [](const JsonNode& element) { return element.number(); });
-}
-
-template <std::size_t count>
-std::array<double, count> numbers(const JsonNode& node) {
-  const std::vector<double> values = numbers(node);
-  if (values.size() != count) {
-    node.fail("must hold " + std::to_string(count) + " numbers");
-  }
-  std::array<double, count> result = {};
-  std::copy(values.begin(), values.end(), result.begin());
-  return result;
-}
+using json::list;
+using json::numbers;
+using json::vector;
 
 std::uint32_t count(const JsonNode& node, std::uint32_t limit) {
   const double number = node.number();
@@ -45,108 +24,9 @@ std::uint32_t count(const JsonNode& node, std::uint32_t limit) {
   return static_cast<std::uint32_t>(number);
 }
 
-Vec3 vector(const JsonNode& node) {
-  const auto [x, y, z] = numbers<3>(node);
-  return {x, y, z};
-}
-
 ParameterInterval interval(const JsonNode& node) {
   const auto [from, to] = numbers<2>(node);
   return {from, to};
-}
-
-Ring ring(const JsonNode& node) {
-  Ring result{vector(node.at("center")), vector(node.at("normal")), node.at("radius").number(),
-              node.at("slope").number()};
-  if (node.has("ellipse")) {
-    const JsonNode e = node.at("ellipse");
-    result.ellipse =
-        Ellipse{vector(e.at("axis")), e.at("across").number(), e.at("across_slope").number()};
-  }
-  return result;
-}
-
-PeVector sphere(const JsonNode& node) {
-  const auto [x, y, z, r] = numbers<4>(node);
-  return {Vec3(x, y, z), r};
-}
-
-Spine spine(const JsonNode& node) {
-  if (node.has("line")) {
-    const JsonNode s = node.at("line");
-    return LineSpine{vector(s.at("from")), vector(s.at("to"))};
-  }
-  if (node.has("arc")) {
-    const JsonNode s = node.at("arc");
-    const double angle = s.at("angle").number();
-    if (!(angle > 0 && angle <= 2 * std::numbers::pi)) {
-      s.at("angle").fail("an arc turns by more than 0 and at most 2 pi");
-    }
-    return ArcSpine{vector(s.at("center")), vector(s.at("axis")), vector(s.at("start")), angle};
-  }
-  if (node.has("hermite")) {
-    const JsonNode s = node.at("hermite");
-    return HermiteSpine{vector(s.at("from")), vector(s.at("to")), vector(s.at("start_velocity")),
-                        vector(s.at("end_velocity"))};
-  }
-  const JsonNode s = node.at("bezier");
-  return BezierSpine{list<Vec3>(s.at("points"), vector), numbers(s.at("weights"))};
-}
-
-RadiusLaw radius(const JsonNode& node) {
-  if (node.has("constant")) {
-    return ConstantRadius{numbers<1>(node.at("constant"))[0]};
-  }
-  const auto ends = [&](std::string_view key) { return numbers<2>(node.at(key)); };
-  if (node.has("linear")) {
-    return LinearRadius{ends("linear")[0], ends("linear")[1]};
-  }
-  if (node.has("cubic")) {
-    return CubicRadius{ends("cubic")[0], ends("cubic")[1]};
-  }
-  if (node.has("cyclide")) {
-    return CyclideRadius{ends("cyclide")[0], ends("cyclide")[1]};
-  }
-  return BezierRadius{numbers(node.at("bezier"))};
-}
-
-RationalRingedTube rational_ringed_surface(const JsonNode& node) {
-  RationalRingedTube result{ring(node.at("start")), ring(node.at("end")), {}};
-  const auto points = list<Vec3>(node.at("center"), vector);
-  if (points.size() != result.surface.center.size()) {
-    node.at("center").fail("must hold 4 points");
-  }
-  std::copy(points.begin(), points.end(), result.surface.center.begin());
-  result.surface.radius = numbers<4>(node.at("radius"));
-  result.surface.rotation = list<std::array<double, 4>>(
-      node.at("rotation"), [](const JsonNode& control) { return numbers<4>(control); });
-  if (result.surface.rotation.size() < 2) {
-    node.at("rotation").fail("must hold 2 quaternions at least");
-  }
-  return result;
-}
-
-CertifiedPiece piece(const JsonNode& node) {
-  if (node.has("rational_ringed_surface")) {
-    return rational_ringed_surface(node.at("rational_ringed_surface"));
-  }
-  if (node.has("cyclide")) {
-    const JsonNode s = node.at("cyclide");
-    if (!(s.at("chord").number() > 0)) {
-      s.at("chord").fail("must be positive");
-    }
-    return CyclidePiece{ring(s.at("start")),     ring(s.at("end")),    sphere(s.at("first")),
-                        sphere(s.at("tangent")), sphere(s.at("last")), s.at("chord").number()};
-  }
-  if (node.has("elliptic_tube")) {
-    const JsonNode s = node.at("elliptic_tube");
-    EllipticTube tube{ring(s.at("start")), ring(s.at("end")), spine(s.at("spine")),
-                      radius(s.at("first")), radius(s.at("second"))};
-    return tube;
-  }
-  const JsonNode s = node.at("ringed_surface");
-  return RingedSurface{ring(s.at("start")), ring(s.at("end")), spine(s.at("spine")),
-                       radius(s.at("radius"))};
 }
 
 bool boolean(const JsonNode& node) {
@@ -156,16 +36,18 @@ bool boolean(const JsonNode& node) {
   return node.value().get<bool>();
 }
 
-std::variant<PieceChain, Sphere, OtherShape> shape(const JsonNode& node) {
+PartSurface shape(const JsonNode& node) {
   if (node.has("sphere")) {
     const JsonNode s = node.at("sphere");
     return Sphere{vector(s.at("center")), s.at("radius").number()};
   }
   if (node.has("other_shape")) {
-    return OtherShape{};
+    Chain unknown;
+    unknown.joints = Joints::spherical;
+    return unknown;
   }
-  PieceChain chain{list<CertifiedPiece>(node.at("pieces"), piece), boolean(node.at("closed")),
-                   node.at("wall").number()};
+  Chain chain(list<Piece>(node.at("pieces"), json::certificate_piece), boolean(node.at("closed")));
+  chain.wall = node.at("wall").number();
   if (chain.pieces.empty()) {
     node.at("pieces").fail("must not be empty");
   }
@@ -190,8 +72,8 @@ CertifiedPart part(const JsonNode& node, std::uint32_t parts) {
     if (which != "start" && which != "end") {
       end.fail("must name start or end");
     }
-    result.joined.at(i) = EndIndex{count(end.at(std::size_t(0)), parts),
-                                   which == "start" ? PartEnd::start : PartEnd::end};
+    result.joined.at(i) =
+        EndIndex{count(end.at(std::size_t(0)), parts), which == "start" ? End::start : End::end};
   }
   return result;
 }

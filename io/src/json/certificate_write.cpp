@@ -1,5 +1,6 @@
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
+#include "json/certificate_pieces.h"
 #include "json/certificate_seal.h"
 #include "json/json_forms.h"
 
@@ -11,113 +12,18 @@ using json::json_value;
 
 Json json_value(const ParameterInterval& t) { return {t.from, t.to}; }
 
-Json json_value(const std::vector<Vec3>& points) {
-  Json list = Json::array();
-  for (const Vec3& point : points) {
-    list.push_back(json::json_value(point));
-  }
-  return list;
-}
-
-Json json_value(const Ring& ring) {
-  Json object{{"center", json::json_value(ring.center)},
-              {"normal", json::json_value(ring.normal)},
-              {"radius", ring.radius},
-              {"slope", ring.slope}};
-  if (ring.ellipse) {
-    object["ellipse"] = {{"axis", json::json_value(ring.ellipse->axis)},
-                         {"across", ring.ellipse->across},
-                         {"across_slope", ring.ellipse->across_slope}};
-  }
-  return object;
-}
-
-Json json_value(const PeVector& sphere) {
-  return {sphere.m.x(), sphere.m.y(), sphere.m.z(), sphere.r};
-}
-
-struct SpineForm {
-  Json operator()(const LineSpine& s) const {
-    return {{"line", {{"from", json::json_value(s.from)}, {"to", json::json_value(s.to)}}}};
-  }
-  Json operator()(const ArcSpine& s) const {
-    return {{"arc",
-             {{"center", json::json_value(s.center)},
-              {"axis", json::json_value(s.axis)},
-              {"start", json::json_value(s.start)},
-              {"angle", s.angle}}}};
-  }
-  Json operator()(const HermiteSpine& s) const {
-    return {{"hermite",
-             {{"from", json::json_value(s.from)},
-              {"to", json::json_value(s.to)},
-              {"start_velocity", json::json_value(s.start_velocity)},
-              {"end_velocity", json::json_value(s.end_velocity)}}}};
-  }
-  Json operator()(const BezierSpine& s) const {
-    return {{"bezier", {{"points", json_value(s.points)}, {"weights", s.weights}}}};
-  }
-};
-
-struct RadiusForm {
-  static Json law(const char* name, const std::vector<double>& numbers) {
-    Json object = Json::object();
-    object[name] = numbers;
-    return object;
-  }
-  Json operator()(const ConstantRadius& r) const { return law("constant", {r.radius}); }
-  Json operator()(const LinearRadius& r) const { return law("linear", {r.start, r.end}); }
-  Json operator()(const CubicRadius& r) const { return law("cubic", {r.start, r.end}); }
-  Json operator()(const CyclideRadius& r) const { return law("cyclide", {r.start, r.end}); }
-  Json operator()(const BezierRadius& r) const { return law("bezier", r.coefficients); }
-};
-
-struct PieceForm {
-  static Json named(const char* kind, const Ring& start, const Ring& end, const Json& more) {
-    Json numbers{{"start", json_value(start)}, {"end", json_value(end)}};
-    numbers.update(more);
-    Json object = Json::object();
-    object[kind] = numbers;
-    return object;
-  }
-  Json operator()(const RingedSurface& s) const {
-    return named("ringed_surface", s.start, s.end,
-                 {{"spine", std::visit(SpineForm{}, s.spine)},
-                  {"radius", std::visit(RadiusForm{}, s.radius)}});
-  }
-  Json operator()(const EllipticTube& s) const {
-    return named("elliptic_tube", s.start, s.end,
-                 {{"spine", std::visit(SpineForm{}, s.spine)},
-                  {"first", std::visit(RadiusForm{}, s.first)},
-                  {"second", std::visit(RadiusForm{}, s.second)}});
-  }
-  Json operator()(const CyclidePiece& s) const {
-    return named("cyclide", s.start, s.end,
-                 {{"first", json_value(s.first)},
-                  {"tangent", json_value(s.tangent)},
-                  {"last", json_value(s.last)},
-                  {"chord", s.chord}});
-  }
-  Json operator()(const RationalRingedTube& s) const {
-    Json points = Json::array();
-    for (const Vec3& point : s.surface.center) {
-      points.push_back(json::json_value(point));
-    }
-    return named(
-        "rational_ringed_surface", s.start, s.end,
-        {{"center", points}, {"radius", s.surface.radius}, {"rotation", s.surface.rotation}});
-  }
-};
-
 struct ShapeForm {
-  Json operator()(const OtherShape&) const { return {{"other_shape", Json::object()}}; }
   Json operator()(const Sphere& s) const {
     return {{"sphere", {{"center", json::json_value(s.center)}, {"radius", s.radius}}}};
   }
-  Json operator()(const PieceChain& s) const {
+  // Nothing is claimed of spherical joints, so that their pieces need not be known.
+  Json operator()(const Chain& s) const {
+    if (s.joints == Joints::spherical) {
+      return {{"other_shape", Json::object()}};
+    }
     Json pieces = Json::array();
-    for (const CertifiedPiece& piece : s.pieces) {
-      pieces.push_back(std::visit(PieceForm{}, piece));
+    for (const Piece& piece : s.pieces) {
+      pieces.push_back(json::json_value(piece));
     }
     return {{"pieces", pieces}, {"closed", s.closed}, {"wall", s.wall}};
   }

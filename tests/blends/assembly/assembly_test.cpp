@@ -15,21 +15,22 @@
 
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/error.h"
+#include "support/single_piece.h"
 
 namespace dupin {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-PortReference start_of(const std::string& part) { return {part, PartEnd::start}; }
-PortReference end_of(const std::string& part) { return {part, PartEnd::end}; }
+PortReference start_of(const std::string& part) { return {part, End::start}; }
+PortReference end_of(const std::string& part) { return {part, End::end}; }
 
 ResolvedAssembly resolved(std::vector<Part> parts) {
   return resolve({"", Unit::millimetre, 0.05, {}, std::move(parts)});
 }
 
 const RingedSurface& surface(const ResolvedAssembly& assembly, std::size_t part) {
-  return std::get<RingedSurface>(assembly.parts.at(part).shape);
+  return test::single_piece<RingedSurface>(assembly.parts.at(part).shape);
 }
 
 // A chain of all kinds of parts that begin at ports, from a place in general position.
@@ -51,15 +52,15 @@ TEST(Resolve, shares_rings_bitwise) {
     const auto assembly = resolved(chain(random));
     int joints = 0;
     for (std::size_t part = 0; part < assembly.parts.size(); ++part) {
-      for (const auto end : {PartEnd::start, PartEnd::end}) {
-        const auto& joined = assembly.parts[part].joined.at(end == PartEnd::start ? 0 : 1);
+      for (const auto end : {End::start, End::end}) {
+        const auto& joined = assembly.parts[part].joined.at(end == End::start ? 0 : 1);
         if (!joined) {
           continue;
         }
         ++joints;
-        const auto ring = [&](std::size_t index, PartEnd which) {
-          return which == PartEnd::start ? surface(assembly, index).start
-                                         : surface(assembly, index).end;
+        const auto ring = [&](std::size_t index, End which) {
+          return which == End::start ? surface(assembly, index).start
+                                     : surface(assembly, index).end;
         };
         EXPECT_EQ(ring(part, end), flipped(ring(joined->part, joined->end)));
       }

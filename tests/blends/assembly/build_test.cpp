@@ -15,6 +15,7 @@
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/rounding.h"
+#include "support/single_piece.h"
 
 namespace dupin {
 namespace {
@@ -29,8 +30,8 @@ Part pipe(const std::string& name, const Vec3& from, const Vec3& to, double radi
   return {name, PipeBetween{from, to, radius}};
 }
 
-PortReference start_of(const std::string& part) { return {part, PartEnd::start}; }
-PortReference end_of(const std::string& part) { return {part, PartEnd::end}; }
+PortReference start_of(const std::string& part) { return {part, End::start}; }
+PortReference end_of(const std::string& part) { return {part, End::end}; }
 
 Assembly assembly(std::vector<Part> parts, double tolerance = 0.02) {
   return {"", Unit::millimetre, tolerance, {}, std::move(parts)};
@@ -42,20 +43,18 @@ double smooth_volume(const ResolvedPart& part) {
   if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
     return 4 * kPi / 3 * std::pow(sphere->radius, 3);
   }
-  if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
-    return volume(*tube);
-  }
-  return volume(std::get<RingedSurface>(part.shape));
+  const auto& chain = std::get<Chain>(part.shape);
+  const auto* tube = std::get_if<RingedSurface>(&chain.pieces.front());
+  return tube != nullptr ? volume(*tube) : volume(chain);
 }
 
 double smooth_area(const ResolvedPart& part) {
   if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
     return 4 * kPi * sphere->radius * sphere->radius;
   }
-  if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
-    return area(*tube);
-  }
-  return area(std::get<RingedSurface>(part.shape));
+  const auto& chain = std::get<Chain>(part.shape);
+  const auto* tube = std::get_if<RingedSurface>(&chain.pieces.front());
+  return tube != nullptr ? area(*tube) : area(chain);
 }
 
 double smooth_volume(const ResolvedAssembly& resolved) {
@@ -244,8 +243,8 @@ TEST(Build, a_chain_goes_on_from_a_port) {
         CyclideChainThrough{end_of("a"), {{Vec3(2, 1, 0), .9}, {Vec3(3, 3, 1), .8}}, {}, 0}},
        {"c", PipeAlong{end_of("chain"), 2}}});
   const auto resolved = resolve(document);
-  EXPECT_EQ(*port_ring(resolved.parts[1].shape, PartEnd::start),
-            flipped(*port_ring(resolved.parts[0].shape, PartEnd::end)));
+  EXPECT_EQ(*port_ring(resolved.parts[1].shape, End::start),
+            flipped(*port_ring(resolved.parts[0].shape, End::end)));
   expect_solid("chain", document, {1, 1, 1, 0, smooth_volume(resolved)});
 }
 
@@ -343,11 +342,11 @@ TEST(Build, makes_one_solid_of_the_plant_run) {
     });
     if (host != resolved.parts.end()) {
       ++meetings;
-      const double r = std::get<RingedSurface>(host->shape).end.radius;
+      const double r = test::single_piece<RingedSurface>(host->shape).end.radius;
       if (const auto* body = std::get_if<Sphere>(&part.shape)) {
         overlap += 2 * bored(body->radius, r, 0);
       } else {
-        overlap += kPi * r * r * length(std::get<RingedSurface>(part.shape).spine);
+        overlap += kPi * r * r * length(test::single_piece<RingedSurface>(part.shape).spine);
       }
     } else if (const auto* body = std::get_if<Sphere>(&part.shape)) {
       overlap += bored(body->radius, 38.1, 15) + bored(body->radius, 50.8, 15);

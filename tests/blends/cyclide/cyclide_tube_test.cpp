@@ -36,23 +36,24 @@ Measure measure(const TriMesh& mesh) {
 }
 
 // The conical rims of a hollow tube.
-double rim_area(const CyclideTube& tube) {
+double rim_area(const Chain& tube) {
   double sum = 0;
   if (tube.wall > 0) {
-    const CyclideTube inner = inner_tube(tube);
+    const Chain inner = inner_skin(tube);
     sum = pi * tube.wall *
-          (tube.start.radius + inner.start.radius + tube.end.radius + inner.end.radius);
+          (end_ring(tube, End::start).radius + end_ring(inner, End::start).radius +
+           end_ring(tube, End::end).radius + end_ring(inner, End::end).radius);
   }
   return sum;
 }
 
 // With the volume that discs at the ends enclose.
-Measure measure_closed(const CyclideTube& tube, const Tessellation& result,
+Measure measure_closed(const Chain& tube, const Tessellation& result,
                        const RingSampling& sampling) {
   Measure sum = measure(result.mesh);
   if (tube.wall == 0) {
-    for (const Ring& ring : {tube.start, tube.end}) {
-      sum.volume += measure(disc(ring, sampling)).volume;
+    for (const Ring& ring : {end_ring(tube, End::start), end_ring(tube, End::end)}) {
+      sum.volume += measure(end_cap_mesh(ring, sampling)).volume;
     }
   }
   return sum;
@@ -69,7 +70,8 @@ double distance_to_tube(const CyclideChain& chain, const Vec3& point) {
 
 TEST(CyclideTube, mesh_is_as_near_to_the_smooth_surface_as_it_says) {
   for (const double tolerance : {0.05, 0.004}) {
-    const CyclideTube tube = cyclide_tube(test::twisted_crane_hook());
+    const CyclideChain chain = test::twisted_crane_hook();
+    const Chain tube = cyclide_tube(chain);
     const RingSampling sampling{segments_for(tube, tolerance), 0.3, 0};
     const Tessellation result = tessellate(tube, sampling, {tolerance});
     EXPECT_LE(result.error_bound, tolerance);
@@ -79,9 +81,9 @@ TEST(CyclideTube, mesh_is_as_near_to_the_smooth_surface_as_it_says) {
       const auto& [a, b, c] = result.mesh.triangles[i];
       const Vec3 &p = result.mesh.points[a], &q = result.mesh.points[b], &r = result.mesh.points[c];
       for (const Vec3& inner : {Vec3((p + q + r) / 3), Vec3((p + q) / 2), Vec3((p + r) / 2)}) {
-        largest = std::max(largest, std::abs(distance_to_tube(tube.chain, inner)));
+        largest = std::max(largest, std::abs(distance_to_tube(chain, inner)));
       }
-      EXPECT_NEAR(distance_to_tube(tube.chain, p), 0, 1e-12);
+      EXPECT_NEAR(distance_to_tube(chain, p), 0, 1e-12);
     }
     EXPECT_LE(largest, result.error_bound);
     EXPECT_GE(largest, result.error_bound / 5) << "the bound would be useless";
@@ -89,12 +91,12 @@ TEST(CyclideTube, mesh_is_as_near_to_the_smooth_surface_as_it_says) {
 }
 
 TEST(CyclideTube, mesh_ends_in_the_stored_rings_bitwise) {
-  const CyclideTube tube = cyclide_tube(test::twisted_crane_hook());
+  const Chain tube = cyclide_tube(test::twisted_crane_hook());
   const RingSampling sampling{64, 0.25, std::ldexp(1.0, -20)};
   const TriMesh mesh = tessellate(tube, sampling, {0.01}).mesh;
-  const auto first = sample(flipped(tube.start), sampling);
+  const auto first = sample(flipped(end_ring(tube, End::start)), sampling);
   EXPECT_TRUE(std::equal(first.begin(), first.end(), mesh.points.begin()));
-  auto last = sample(tube.end, sampling);
+  auto last = sample(end_ring(tube, End::end), sampling);
   std::vector<Vec3> found(mesh.points.end() - 64, mesh.points.end());
   const auto before = [](const Vec3& a, const Vec3& b) {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
@@ -107,7 +109,7 @@ TEST(CyclideTube, mesh_ends_in_the_stored_rings_bitwise) {
 TEST(CyclideTube, mesh_area_and_volume_converge_at_second_order) {
   struct Row {
     const char* name;
-    CyclideTube tube;
+    Chain tube;
   };
   for (const Row& row : {Row{"hook", cyclide_tube(test::crane_hook())},
                          Row{"twisted hook", cyclide_tube(test::twisted_crane_hook())},
@@ -135,7 +137,7 @@ TEST(CyclideTube, mesh_area_and_volume_converge_at_second_order) {
 }
 
 TEST(CyclideTube, hollow_tubes_are_closed_solids_of_genus_one) {
-  for (const CyclideTube& tube :
+  for (const Chain& tube :
        {cyclide_tube(test::jet_engine(), 0.08), cyclide_tube(test::twisted_crane_hook(), 0.05)}) {
     const Report report = check(tessellate(tube, {64}, {0.01}).mesh);
     EXPECT_TRUE(report.is_solid());
@@ -146,7 +148,7 @@ TEST(CyclideTube, hollow_tubes_are_closed_solids_of_genus_one) {
 
 TEST(CyclideTube, shell_of_the_jet_engine_has_the_volume_between_the_skins) {
   // Totals of the oracle; the rims are frustums between the planes of the end circles.
-  const CyclideTube shell = cyclide_tube(test::jet_engine(), 0.08);
+  const Chain shell = cyclide_tube(test::jet_engine(), 0.08);
   const auto frustum = [](double height, double a, double b) {
     return pi / 3 * height * (a * a + a * b + b * b);
   };

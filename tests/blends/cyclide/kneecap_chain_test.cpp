@@ -71,9 +71,9 @@ Measure measure(const TriMesh& mesh) {
 double disc_area(const Ring& ring) { return pi * ring.radius * ring.radius; }
 
 // The pieces' own, with the discs at the chain's ends.
-Measure of_pieces(const KneecapChain& chain) {
-  Measure sum{disc_area(chain.start) + disc_area(chain.end), 0};
-  for (const PeArc& piece : chain.pieces) {
+Measure of_pieces(const Chain& chain) {
+  Measure sum{disc_area(end_ring(chain, End::start)) + disc_area(end_ring(chain, End::end)), 0};
+  for (const PeArc& piece : cyclide_pieces(chain)) {
     sum.area += area(piece);
     sum.volume += volume(piece);
   }
@@ -118,8 +118,9 @@ TEST(KneecapChain, band_joint_has_the_area_and_volume_of_its_parts) {
   for (const double bend : {0.0, 0.15}) {
     SCOPED_TRACE(bend);
     const Spheres spheres = to_cone(-0.2, bend);
-    const KneecapChain chain = kneecap_chain(spheres);
-    const Kneecap knee = kneecap(chain.pieces[0], chain.pieces[1]);
+    const Chain chain = kneecap_chain(spheres);
+    const std::vector<PeArc> pieces = cyclide_pieces(chain);
+    const SphericalJoint knee = spherical_joint(pieces[0], pieces[1]);
     ASSERT_TRUE(knee.is_clean());
     Measure exact = of_pieces(chain);
     exact.area += knee.exposed_area;
@@ -135,10 +136,12 @@ TEST(KneecapChain, band_joint_has_the_area_and_volume_of_its_parts) {
 // The cone leaves the cylinder where it gets wider, behind the common sphere's centre.
 TEST(KneecapChain, hidden_joint_is_the_union_of_the_pieces) {
   const double sine = 0.2, angle = std::asin(sine), x = std::tan(angle / 2);
-  const KneecapChain chain = kneecap_chain(to_cone(sine, 0));
-  const double end_x = chain.end.center.x(), end_r = chain.end.radius, height = end_x + x;
+  const Chain chain = kneecap_chain(to_cone(sine, 0));
+  const double end_x = end_ring(chain, End::end).center.x(),
+               end_r = end_ring(chain, End::end).radius, height = end_x + x;
   const Measure exact{2 * pi * (4 - x) + pi * (1 + end_r) * height / std::cos(angle) +
-                          disc_area(chain.start) + disc_area(chain.end),
+                          disc_area(end_ring(chain, End::start)) +
+                          disc_area(end_ring(chain, End::end)),
                       pi * (4 - x) + pi / 3 * height * (1 + end_r + end_r * end_r)};
   expect_second_order(exact, [&](double tolerance) { return built(to_cone(sine, 0), tolerance); });
 }
@@ -166,9 +169,10 @@ double arc_behind(double h1, double h2, double n12) {
 // The mesh of the pieces, before they are united: the kneecap is a lune, its sector of the ball is
 // the cone over it from the centre with those over the discs' segments.
 TEST(KneecapChain, pieces_with_the_oracles_kneecap_converge_at_second_order) {
-  const KneecapChain chain = kneecap_chain(five());
-  const Kneecap knee = kneecap(chain.pieces[0], chain.pieces[1]);
-  const Ring before = circle_at(chain.pieces[0], 1), after = circle_at(chain.pieces[1], 0);
+  const Chain chain = kneecap_chain(five());
+  const std::vector<PeArc> pieces = cyclide_pieces(chain);
+  const SphericalJoint knee = spherical_joint(pieces[0], pieces[1]);
+  const Ring before = circle_at(pieces[0], 1), after = circle_at(pieces[1], 0);
   const double h1 = (before.center - knee.sphere.m).dot(before.normal);
   const double h2 = (after.center - knee.sphere.m).dot(after.normal);
   const double n12 = before.normal.dot(after.normal);
@@ -184,8 +188,8 @@ TEST(KneecapChain, pieces_with_the_oracles_kneecap_converge_at_second_order) {
     const Tessellation result = tessellate(chain, sampling, {tolerance});
     EXPECT_LE(result.error_bound, tolerance);
     Measure found = measure(result.mesh);
-    for (const Ring& ring : {chain.start, chain.end}) {
-      const Measure end = measure(disc(ring, sampling));
+    for (const Ring& ring : {end_ring(chain, End::start), end_ring(chain, End::end)}) {
+      const Measure end = measure(end_cap_mesh(ring, sampling));
       found.area += end.area;
       found.volume += end.volume;
     }
@@ -194,9 +198,9 @@ TEST(KneecapChain, pieces_with_the_oracles_kneecap_converge_at_second_order) {
 }
 
 // Outside positive. The joint's ball is one of both pieces' own.
-double distance_to(const KneecapChain& chain, const Vec3& point) {
+double distance_to(const Chain& chain, const Vec3& point) {
   double least = std::numeric_limits<double>::infinity();
-  for (const PeArc& arc : chain.pieces) {
+  for (const PeArc& arc : cyclide_pieces(chain)) {
     least = std::min(least, signed_distance(arc, point));
   }
   return least;
@@ -204,7 +208,7 @@ double distance_to(const KneecapChain& chain, const Vec3& point) {
 
 TEST(KneecapChain, solid_is_as_near_to_the_smooth_one_as_the_report_says) {
   const Spheres spheres = five();
-  const KneecapChain chain = kneecap_chain(spheres);
+  const Chain chain = kneecap_chain(spheres);
   const Built result = build(document(spheres, 0.01));
   const double bound = result.parts[0].error_bound;
   EXPECT_LE(bound, 0.01);
@@ -224,12 +228,12 @@ TEST(KneecapChain, solid_is_as_near_to_the_smooth_one_as_the_report_says) {
 }
 
 TEST(KneecapChain, ends_in_its_stored_rings_bitwise) {
-  const KneecapChain chain = kneecap_chain(five());
+  const Chain chain = kneecap_chain(five());
   const RingSampling sampling{64, 0.25, std::ldexp(1.0, -20)};
   const TriMesh mesh = tessellate(chain, sampling, {0.01}).mesh;
-  const auto first = sample(flipped(chain.start), sampling);
+  const auto first = sample(flipped(end_ring(chain, End::start)), sampling);
   EXPECT_TRUE(std::equal(first.begin(), first.end(), mesh.points.begin()));
-  const auto last = sample(chain.end, sampling);
+  const auto last = sample(end_ring(chain, End::end), sampling);
   EXPECT_TRUE(std::is_permutation(mesh.points.end() - 64, mesh.points.end(), last.begin()));
 }
 
@@ -343,9 +347,9 @@ TEST(KneecapChain, is_welded_to_the_parts_at_its_ends) {
                           Unit::millimetre,
                           0.01,
                           {},
-                          {{"a", PipeAlong{PortReference{"chain", PartEnd::start}, 1}},
+                          {{"a", PipeAlong{PortReference{"chain", End::start}, 1}},
                            {"chain", chain},
-                           {"b", PipeAlong{PortReference{"chain", PartEnd::end}, 2}}}};
+                           {"b", PipeAlong{PortReference{"chain", End::end}, 2}}}};
   const Built result = build(assembly);
   EXPECT_EQ(result.runs, 1U);
   EXPECT_EQ(result.pieces, 3U);

@@ -61,7 +61,7 @@ TEST(ThroughAll, pieces_have_the_oracle_values) {
 
 TEST(Kneecap, has_the_oracle_values) {
   const std::vector<PeArc> pieces = through_all(five());
-  const Kneecap knee = kneecap(pieces[0], pieces[1]);
+  const SphericalJoint knee = spherical_joint(pieces[0], pieces[1]);
   const double degree = pi / 180;
   EXPECT_NEAR(knee.before, 79.4597606664767 * degree, 1e-12);
   EXPECT_NEAR(knee.after, 89.3712875373905 * degree, 1e-12);
@@ -73,7 +73,7 @@ TEST(Kneecap, has_the_oracle_values) {
 
 TEST(Kneecap, areas_are_those_of_random_directions) {
   const std::vector<PeArc> pieces = through_all(five());
-  const Kneecap knee = kneecap(pieces[0], pieces[1]);
+  const SphericalJoint knee = spherical_joint(pieces[0], pieces[1]);
   const PeVector back = pieces[0].end_tangent(), ahead = pieces[1].start_tangent();
   std::mt19937_64 random(13);
   std::normal_distribution<double> normal;
@@ -96,12 +96,12 @@ TEST(Kneecap, areas_are_those_of_random_directions) {
 
 TEST(Kneecap, of_pieces_that_meet_g1_is_a_circle) {
   const CyclideChain hook = test::crane_hook();
-  const Kneecap knee = kneecap(hook.pieces[2], hook.pieces[3]);
+  const SphericalJoint knee = spherical_joint(hook.pieces[2], hook.pieces[3]);
   EXPECT_NEAR(knee.between, pi, 1e-7);  // the angle of opposite vectors has half the digits
   EXPECT_NEAR(knee.before + knee.after, pi, 1e-14);
   EXPECT_NEAR(knee.exposed_area, 0, 1e-12);
   EXPECT_NEAR(knee.overlap_area, 0, 1e-12);
-  EXPECT_THROW((void)kneecap(hook.pieces[3], hook.pieces[2]), Error);
+  EXPECT_THROW((void)spherical_joint(hook.pieces[3], hook.pieces[2]), Error);
 }
 
 TEST(ThroughAll, names_the_piece_that_fails) {

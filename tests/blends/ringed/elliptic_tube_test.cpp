@@ -156,7 +156,7 @@ TEST(EllipticTube, certifies_no_more_than_its_margin) {
   }
   EXPECT_LE(certified_margin(tube), sampled);
   EXPECT_GE(certified_margin(tube), 0);
-  EXPECT_EQ(tangency_bound(tube, SurfaceEnd::start), 0);
+  EXPECT_EQ(tangency_bound(tube, End::start), 0);
 }
 
 TEST(EllipticTube, of_a_straight_spine_has_the_volume_of_the_cylinder) {
@@ -183,8 +183,8 @@ TEST(EllipticTube, goes_on_from_an_elliptic_cone) {
   for (const auto continuity : {Continuity::g1, Continuity::g2}) {
     const EllipticTube tube =
         elliptic_blend(from, outlet(1.5, .8), {.margin = 0, .continuity = continuity});
-    EXPECT_LT(tangency_bound(tube, SurfaceEnd::start), 1e-14);
-    EXPECT_EQ(tangency_bound(tube, SurfaceEnd::end), 0);
+    EXPECT_LT(tangency_bound(tube, End::start), 1e-14);
+    EXPECT_EQ(tangency_bound(tube, End::end), 0);
     const FrameField field = frames(tube);
     const double speed = evaluate(tube.spine, 0).first.norm();
     for (double u = 0; u < 6; u += .5) {

@@ -24,8 +24,9 @@ constexpr RingSampling kSampling{32};
 TriMesh closed(const RingedSurface& surface) {
   TriMesh mesh;
   std::map<std::tuple<double, double, double>, std::uint32_t> index;
-  for (const TriMesh& part : {tessellate(surface, kSampling).mesh, disc(surface.start, kSampling),
-                              disc(surface.end, kSampling)}) {
+  for (const TriMesh& part :
+       {tessellate(surface, kSampling).mesh, end_cap_mesh(surface.start, kSampling),
+        end_cap_mesh(surface.end, kSampling)}) {
     for (Triangle t : part.triangles) {
       for (std::uint32_t& corner : t) {
         const Vec3& p = part.points[corner];

@@ -10,6 +10,7 @@
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/rounding.h"
+#include "support/single_piece.h"
 
 namespace dupin {
 namespace {
@@ -28,10 +29,10 @@ struct Volume {
   double operator()(const RingedSurface& surface) const { return volume(surface); }
   double operator()(const EllipticTube& tube) const { return volume(tube); }
   double operator()(const RationalRingedTube& tube) const { return volume(tube.surface); }
-  double operator()(const SplinePipe& pipe) const {
+  double operator()(const Chain& chain) const {
     double sum = 0;
-    for (const RingedSurface& piece : pipe.pieces) {
-      sum += volume(piece);
+    for (const Piece& piece : chain.pieces) {
+      sum += std::visit(*this, piece);
     }
     return sum;
   }
@@ -78,11 +79,11 @@ TEST(RingedParts, keep_the_ellipse_of_a_port_round_a_bend) {
       {"name": "b", "elbow": {"from": "a.end", "bend_radius": 3, "angle": 90, "toward": [0, 1, 0]}},
       {"name": "c", "pipe": {"from": "b.end", "length": 2}})"))
                          .parts;
-  const Ring* bent = port_ring(parts[1].shape, PartEnd::end);
+  const Ring* bent = port_ring(parts[1].shape, End::end);
   EXPECT_LT((bent->ellipse->axis - Vec3(-.6, 0, .8)).norm(), 1e-15);
   EXPECT_EQ(bent->radius, .5);
   EXPECT_EQ(across(*bent), 1);
-  EXPECT_EQ(flipped(*bent), *port_ring(parts[2].shape, PartEnd::start));
+  EXPECT_EQ(flipped(*bent), *port_ring(parts[2].shape, End::start));
 }
 
 TEST(RingedParts, elliptic_cones_hold_their_volume) {
@@ -91,7 +92,7 @@ TEST(RingedParts, elliptic_cones_hold_their_volume) {
       {"name": "a", "cone": {"from": [0, 0, 0], "to": [0, 0, 3], "semi_axes": [[2, 1], [4, 2]], "axis": [1, 0, 0]}},
       {"name": "b", "cone": {"from": "a.end", "length": 1, "end_semi_axes": [1, 1]}})"))
                          .parts;
-  const auto& cone = std::get<EllipticTube>(parts[0].shape);
+  const auto& cone = test::single_piece<EllipticTube>(parts[0].shape);
   EXPECT_NEAR(volume(cone), kPi / 3 * 3 * (2 + 4 + 8), 1e-12);
   EXPECT_NEAR(cone.end.slope, 2. / 3, 1e-15);
   EXPECT_NEAR(across_slope(cone.end), 1. / 3, 1e-15);

@@ -35,7 +35,7 @@ TEST_P(SmoothEnds, take_the_least_degree_and_meet_their_neighbours) {
   EXPECT_EQ(bezier == nullptr ? 0 : bezier->points.size(), row.points);
   EXPECT_EQ(prove_margin(blend, .05).verdict, Verdict::proved);
   double jump = 0;
-  for (const SurfaceEnd end : {SurfaceEnd::start, SurfaceEnd::end}) {
+  for (const End end : {End::start, End::end}) {
     EXPECT_LT(tangency_at_end(blend, end).deviation.upper, 1e-13);
     jump = std::max(jump, curvature_jump_bound(blend, end));
   }
@@ -102,7 +102,7 @@ TEST(CurvatureJump, of_a_cubic_blend_is_its_spines_curvature_and_the_radius_laws
   const RingedSurface surface = test::figure6();
   const double kappa = curvature(evaluate(surface.spine, 0)), v = 10, rise = 6;
   const double largest = kappa / (1 - kappa) + rise / (v * v * (1 - kappa) * (1 - kappa));
-  const double bound = curvature_jump_bound(surface, SurfaceEnd::start);
+  const double bound = curvature_jump_bound(surface, End::start);
   EXPECT_GE(bound, kappa / (1 - kappa) - rise / (v * v * (1 - kappa) * (1 - kappa)));
   EXPECT_LE(bound, largest * std::pow((1 + kappa) / (1 - kappa), 3));
 }
@@ -110,7 +110,7 @@ TEST(CurvatureJump, of_a_cubic_blend_is_its_spines_curvature_and_the_radius_laws
 TEST(CurvatureJump, refuses_an_end_that_folds) {
   RingedSurface surface = test::figure6();
   surface.radius = ConstantRadius{3};  // 1 - kappa R < 0 at the start
-  EXPECT_THROW((void)curvature_jump_bound(surface, SurfaceEnd::start), Error);
+  EXPECT_THROW((void)curvature_jump_bound(surface, End::start), Error);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(SplinePipe, runs_smoothly_from_port_to_port) {
     expect_smooth_joint(run[i], run[i + 1]);
     EXPECT_EQ(prove_margin(run[i], .05).verdict, Verdict::proved);
   }
-  EXPECT_EQ(tangency_at_end(run.front(), SurfaceEnd::start).deviation.upper, 0);
+  EXPECT_EQ(tangency_at_end(run.front(), End::start).deviation.upper, 0);
 }
 
 TEST(SplinePipe, without_points_is_the_cubic_of_unit_speed_by_chord) {

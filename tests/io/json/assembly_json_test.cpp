@@ -11,6 +11,7 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/error.h"
 #include "io/json/document_fault.h"
+#include "support/single_piece.h"
 
 namespace dupin {
 namespace {
@@ -135,8 +136,8 @@ TEST(AssemblyJson, reads_the_reducer) {
   EXPECT_EQ(outlet.length, 10);
   EXPECT_EQ(reducer.parts[2].name, "blend");
   const auto& blend = std::get<CyclicBlendBetween>(reducer.parts[2].shape);
-  EXPECT_EQ(blend.from, (PortReference{"inlet", PartEnd::end}));
-  EXPECT_EQ(blend.to, (PortReference{"outlet", PartEnd::start}));
+  EXPECT_EQ(blend.from, (PortReference{"inlet", End::end}));
+  EXPECT_EQ(blend.to, (PortReference{"outlet", End::start}));
   EXPECT_EQ(blend.options.radius_law, BlendLaw::r1);
   EXPECT_EQ(blend.options.k, 10);
   EXPECT_EQ(blend.options.l, 20);
@@ -159,7 +160,7 @@ TEST(AssemblyJson, reads_every_form_of_every_part) {
   const auto resolved = resolve(assembly);
   ASSERT_EQ(resolved.parts.size(), 11U);
   const auto end = [&](std::size_t part) {
-    return std::get<RingedSurface>(resolved.parts[part].shape).end;
+    return test::single_piece<RingedSurface>(resolved.parts[part].shape).end;
   };
   const double half = std::sqrt(0.5);
   EXPECT_EQ(end(0).center, Vec3(3, 3, 0));

@@ -36,8 +36,8 @@ std::size_t part(const Certificate& c, const std::string& name) {
   return std::size_t(found - c.parts.begin());
 }
 
-PieceChain& chain(Certificate& c, const std::string& name) {
-  return std::get<PieceChain>(c.parts.at(part(c, name)).shape);
+Chain& chain(Certificate& c, const std::string& name) {
+  return std::get<Chain>(c.parts.at(part(c, name)).shape);
 }
 
 template <class Piece>
@@ -192,7 +192,7 @@ Certificate verified(std::vector<Part> parts) {
 
 // A pipe, an elbow that turns by so much, and a pipe that may run back into the first.
 Certificate turning(double degrees, double length) {
-  const PortReference pipe{"a", PartEnd::end}, elbow{"turn", PartEnd::end};
+  const PortReference pipe{"a", End::end}, elbow{"turn", End::end};
   const double angle = degrees * std::numbers::pi / 180;
   return verified({{"a", PipeAlong{Place{Vec3::Zero(), Vec3::UnitX(), 1}, 10}},
                    {"turn", ElbowTurning{pipe, 2, angle, Vec3::UnitY()}},
@@ -237,10 +237,9 @@ TEST(Certificate, has_the_curvature_jump_of_blends) {
     options.continuity = continuity;
     const Place start{Vec3::Zero(), Vec3::UnitX(), 1};
     const Place end{Vec3(8, 5, 2), Vec3::UnitY(), 0.8};
-    return verified(
-        {{"a", PipeAlong{start, 3}},
-         {"b", PipeAlong{end, 3}},
-         {"blend", CyclicBlendBetween{{"a", PartEnd::end}, {"b", PartEnd::start}, options}}});
+    return verified({{"a", PipeAlong{start, 3}},
+                     {"b", PipeAlong{end, 3}},
+                     {"blend", CyclicBlendBetween{{"a", End::end}, {"b", End::start}, options}}});
   };
   const Certificate g1 = blend(Continuity::g1), g2 = blend(Continuity::g2);
   for (const std::size_t end : {0, 1}) {

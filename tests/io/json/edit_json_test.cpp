@@ -25,7 +25,7 @@ std::string hook() {
 }
 
 CyclideChain pieces(const std::string& text) {
-  return std::get<CyclideTube>(resolve(parse_assembly(text)).parts.at(0).shape).chain;
+  return {cyclide_pieces(resolve(parse_assembly(text)).parts.at(0).shape)};
 }
 
 std::vector<std::size_t> differing(const CyclideChain& a, const CyclideChain& b) {

@@ -5,49 +5,23 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "dupin/blends/assembly.h"
-#include "dupin/blends/elliptic_tube.h"
-#include "dupin/blends/pe_arc.h"
+#include "dupin/blends/part_surface.h"
 #include "dupin/blends/regularity.h"
 #include "dupin/blends/resolve.h"
-#include "dupin/blends/ringed_tube.h"
-#include "dupin/blends/sphere.h"
+#include "dupin/blends/tangency.h"
 
 namespace dupin {
 
-/// A piece of a cyclide: the canal surface of the spheres (m; r) on the rational quadratic with the
-/// homogeneous points first, (e first + D tangent / 2) / chord, D / chord^2 last and the weights 1,
-/// e / chord, D / chord^2, where d = last - first, D = <d, d>, e = <d, tangent>. It is defined by
-/// these numbers exactly, even where the tangent is a PE-unit vector only up to rounding.
-struct CyclidePiece {
-  Ring start, end;
-  PeVector first, tangent, last;
-  double chord = 1;
-};
-
-/// Discs that move for t in [0, 1]: the circles of a surface filled, or, for an elliptic tube, the
-/// larger circles about its ellipses.
-using CertifiedPiece = std::variant<RingedSurface, EllipticTube, CyclidePiece, RationalRingedTube>;
-
-/// Pieces one after the other, piece i being that of the parameters [i, i + 1]; a closed chain
-/// begins again where it ends.
-struct PieceChain {
-  std::vector<CertifiedPiece> pieces;
-  bool closed = false;
-  double wall = 0;  ///< of a hollow chain of cyclide pieces, inwards; 0: solid
-};
-
-/// A shape that nothing is proven about: all claims about it are undecided.
-struct OtherShape {};
-
-/// What a certificate is about: a part as `resolve` made it. A tube is the union of its discs; a
-/// sphere is a ball.
+/// What a certificate is about: a part as `resolve` made it. A solid chain with smooth joints is
+/// the union of its discs, which move for t in [0, 1] along every piece: the circles of a surface
+/// filled or, for an elliptic tube, the larger circles about its ellipses. A sphere is a ball. Of
+/// other chains, and of one without pieces, nothing is proven: all claims about them are undecided.
 struct CertifiedPart {
   std::string name, kind;
-  std::variant<PieceChain, Sphere, OtherShape> shape;
+  PartSurface shape;
   std::array<std::optional<EndIndex>, 2> joined;
 };
 
@@ -81,17 +55,6 @@ struct EmbeddedClaim {
   Verdict verdict = Verdict::undecided;
   std::vector<DiscPairs> leaves;   ///< proved: they cover all pairs first <= second
   std::optional<Overlap> overlap;  ///< refuted
-};
-
-/// Upper bounds at an end of a piece.
-struct TangencyClaim {
-  /// Tangency::deviation, in radians; none for elliptic tubes and general ringed surfaces.
-  std::optional<double> deviation;
-  double axis_angle = 0;  ///< between the disc's normal and the ring's, in radians
-  double offset = 0;      ///< of the disc's centre from the ring's, plus that of the radii
-  /// Of ringed surfaces, their curvature along the parameter lines: what it jumps by where a
-  /// cylinder or cone goes on (curvature_jump.h).
-  std::optional<double> curvature = {};
 };
 
 /// The mesh with vertices on the circles at `knots` (those of spheres follow from the segments)

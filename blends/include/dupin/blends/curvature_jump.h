@@ -10,6 +10,6 @@ namespace dupin {
 /// curvature [MS06].
 ///
 /// Throws Error{irregular_surface} where the spine stops or the surface folds at that end.
-[[nodiscard]] double curvature_jump_bound(const RingedSurface& surface, SurfaceEnd end);
+[[nodiscard]] double curvature_jump_bound(const RingedSurface& surface, End end);
 
 }  // namespace dupin

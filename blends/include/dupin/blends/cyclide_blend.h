@@ -17,11 +17,11 @@ namespace dupin {
 /// A single piece counts as meeting the end cone if its end tangent differs from the ring's by no
 /// more than the rounding of the data. Throws Error{infeasible_blend} when three pieces do not do
 /// either; a ringed blend may; Error{invalid_argument} for ellipses.
-[[nodiscard]] CyclideTube cyclide_blend(const Ring& from, const Ring& to);
+[[nodiscard]] Chain cyclide_blend(const Ring& from, const Ring& to);
 
 /// What cyclide_blend finds, and why it is not simpler.
 struct CyclideSearch {
-  std::optional<CyclideTube> tube;
+  std::optional<Chain> tube;
   /// One sentence for each of the single, double and triple blend that was tried in vain: "single:
   /// ...". Pieces are also refused where they would cross each other or the parts at the ports, get
   /// thinner than an eighth of these, all but fold, or turn nearly all round.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dupin/blends/pe_arc.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin {
 
@@ -18,6 +19,18 @@ namespace dupin {
 /// piece is not regular or the second sphere does not lie between the others.
 [[nodiscard]] PeArc through_three(const PeVector& first, const PeVector& second,
                                   const PeVector& third);
+
+/// The fault of one piece of a chain; part() is "piece 2" for the third one.
+class PieceError : public Error {
+ public:
+  PieceError(std::size_t piece, const Error& error)
+      : Error(error.in_part("piece " + std::to_string(piece))), piece_(piece) {}
+
+  [[nodiscard]] std::size_t piece() const noexcept { return piece_; }
+
+ private:
+  std::size_t piece_;
+};
 
 /// Pieces that meet G1: each starts in the sphere in which the one before ends, bitwise, and in its
 /// tangent, bitwise but for edited chains, where rounding may part them.
@@ -34,8 +47,8 @@ struct PinnedTangent {
 
 /// The chain of [SD94] TCCT: junctions are the spheres of even index; those of odd index say on
 /// which side the designer expects the piece (see `bias_warnings`). Needs an odd number of spheres,
-/// three at least. Errors name the piece ("piece 2"). Throws Error{invalid_argument} for a pinned
-/// tangent that differs from the arriving one by more than rounding.
+/// three at least. Throws PieceError where a piece is not regular, Error{invalid_argument} for a
+/// pinned tangent that differs from the arriving one by more than rounding.
 [[nodiscard]] CyclideChain compose(std::span<const PeVector> spheres, const PeVector& tangent,
                                    std::span<const PinnedTangent> pinned = {});
 

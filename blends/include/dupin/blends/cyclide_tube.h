@@ -3,28 +3,23 @@
 #include <string_view>
 
 #include "dupin/blends/cyclide_chain.h"
-#include "dupin/blends/tangency.h"
+#include "dupin/blends/part_surface.h"
 #include "dupin/kernel/enclosure.h"
-#include "dupin/kernel/ring.h"
 
 namespace dupin {
 
-/// A chain of cyclide pieces as a part of an assembly: G1 from piece to piece.
-struct CyclideTube {
-  Ring start, end;  ///< the stored end rings, normals pointing out of the tube
-  CyclideChain chain;
-  /// Thickness of a hollow tube, whose inner skin is the chain's offset and whose rims are conical
-  /// strips along the normals; 0 for a solid one.
-  double wall = 0;
-};
+/// The chain of cyclide pieces that meet G1 as a part of an assembly, with the rings in which it
+/// begins and ends; those at joints are the later piece's. Throws Error{infeasible_blend} naming
+/// the piece whose inner skin is not regular, Error{invalid_argument} for a negative wall.
+[[nodiscard]] Chain cyclide_tube(const CyclideChain& chain, double wall = 0);
 
-/// The tube of a chain with the rings in which it begins and ends. Throws Error{infeasible_blend}
-/// naming the piece whose inner skin is not regular, Error{invalid_argument} for a negative wall.
-[[nodiscard]] CyclideTube cyclide_tube(CyclideChain chain, double wall = 0);
+/// The same between stored rings, solid.
+[[nodiscard]] Chain cyclide_tube(const CyclideChain& chain, const Ring& start, const Ring& end);
 
-/// The space that the wall of a hollow tube encloses, its rings on the conical rims' inner edges;
-/// their normals are the tube's, bitwise.
-[[nodiscard]] CyclideTube inner_tube(const CyclideTube& tube);
+/// The space that the wall of a hollow chain encloses, its rings on the conical rims' inner edges;
+/// the end rings' normals are the chain's, bitwise. Throws Error{invalid_argument} for chains with
+/// other pieces than cyclides, Error{infeasible_blend} for walls that are too thick.
+[[nodiscard]] Chain inner_skin(const Chain& chain);
 
 /// Certified bounds of the margin along a piece: min(1 - kappa R) with the spheres' radius R and
 /// the largest curvature kappa, per tangential length, that the surface's lines of curvature take
@@ -32,20 +27,17 @@ struct CyclideTube {
 /// disjoint. Closed form, rounded outward.
 [[nodiscard]] Enclosure margin(const PeArc& arc);
 
-/// The least over all pieces of the outer skin.
-[[nodiscard]] Enclosure margin(const CyclideTube& tube);
-
-/// A certified upper bound of the angle, in radians, between the tube's tangent planes at an end
+/// A certified upper bound of the angle, in radians, between the piece's tangent planes at an end
 /// and those of the cone or cylinder that its stored ring belongs to.
-[[nodiscard]] double tangency_bound(const CyclideTube& tube, SurfaceEnd end);
+[[nodiscard]] double tangency_bound(const CyclidePiece& piece, End end);
 
-/// Of all skins, without end discs and rims.
-[[nodiscard]] double area(const CyclideTube& tube);
+/// Of all skins of a chain of cyclides that meet smoothly, without end discs and rims.
+[[nodiscard]] double area(const Chain& chain);
 
-/// Enclosed with the end discs; of a hollow tube, the wall's.
-[[nodiscard]] double volume(const CyclideTube& tube);
+/// Enclosed with the end discs; of a hollow chain, the wall's.
+[[nodiscard]] double volume(const Chain& chain);
 
 /// "single", "double", "triple" or "chain", by the number of pieces.
-[[nodiscard]] std::string_view kind(const CyclideTube& tube);
+[[nodiscard]] std::string_view kind(const Chain& chain);
 
 }  // namespace dupin

@@ -39,7 +39,7 @@ struct EllipticTube {
 /// An upper bound, in radians, of the angle between the tube's tangent planes at an end and those
 /// of the ruled surface that its ring's slopes stand for, by interval arithmetic on the stored
 /// numbers; 0 where slopes and rates vanish. It leaves out what rounding turned the ring's axes by.
-[[nodiscard]] double tangency_bound(const EllipticTube& tube, SurfaceEnd end);
+[[nodiscard]] double tangency_bound(const EllipticTube& tube, End end);
 
 /// A tube between elliptic (or circular) cylinders or cones, tangent (G1) or of equal curvature
 /// (G2) all around, which the Frenet frame of [BWL17] is not. options.k, l and margin act as for

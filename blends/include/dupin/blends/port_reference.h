@@ -1,19 +1,15 @@
 #pragma once
 
 #include <string>
-#include <string_view>
+
+#include "dupin/blends/end.h"
 
 namespace dupin {
 
-/// The two ends of a pipe, cone, elbow or blend; each is a port.
-enum class PartEnd { start, end };
-
-[[nodiscard]] std::string_view name(PartEnd end);
-
-/// A port of another part, written "part.start" or "part.end".
+/// A port of another part, which is one of its ends, written "part.start" or "part.end".
 struct PortReference {
   std::string part;
-  PartEnd end = PartEnd::end;
+  End end = End::end;
   friend bool operator==(const PortReference&, const PortReference&) = default;
 };
 

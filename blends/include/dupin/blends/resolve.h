@@ -15,7 +15,7 @@ namespace dupin {
 /// One end of one part of a resolved assembly.
 struct EndIndex {
   std::uint32_t part = 0;
-  PartEnd end = PartEnd::start;
+  End end = End::start;
   friend bool operator==(const EndIndex&, const EndIndex&) = default;
 };
 
@@ -29,7 +29,7 @@ struct ResolvedPart {
   std::array<std::optional<EndIndex>, 2> joined;
   /// What the discs that close open ends are called: the cap's name, or "part.start".
   std::array<std::string, 2> end_names;
-  bool is_blend = false;  ///< a transition between its neighbours, to be tangent to them
+  bool is_tangent = false;  ///< a transition between its neighbours, to be tangent to them
 };
 
 struct ResolvedAssembly {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dupin/blends/port_reference.h"
+#include "dupin/blends/end.h"
 #include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/kernel/ring.h"
 
@@ -19,7 +19,7 @@ struct RationalRingedTube {
                                               double start_radius, double end_radius);
 
 /// How the tube's ring moves as it leaves the tube through that end, at unit speed.
-[[nodiscard]] MovingRing leaving(const RationalRingedTube& tube, PartEnd end);
+[[nodiscard]] MovingRing leaving(const RationalRingedTube& tube, End end);
 
 /// The same motion backwards: the normal and all rates but the normal's change sign.
 [[nodiscard]] MovingRing reversed(const MovingRing& ring);

@@ -12,12 +12,6 @@ struct Waypoint {
   double radius = 1;
 };
 
-/// Pieces one after the other, from a port to a port, or round to the first one again.
-struct SplinePipe {
-  std::vector<RingedSurface> pieces;  ///< at least one
-  bool closed = false;
-};
-
 struct SplinePipeOptions {
   double margin = 0.05;  ///< least acceptable min(1 - kappa R) of every piece, in [0, 1)
 };

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <optional>
+
+#include "dupin/blends/end.h"
 #include "dupin/blends/ringed_surface.h"
 #include "dupin/kernel/enclosure.h"
 
 namespace dupin {
-
-enum class SurfaceEnd { start, end };
 
 /// How smoothly a ringed surface runs into the cylinder or cone that its stored end ring belongs
 /// to.
@@ -23,8 +24,19 @@ struct Tangency {
   [[nodiscard]] bool exact() const { return deviation.upper == 0 && axis_angle.upper == 0; }
 };
 
+/// Upper bounds at an end of a piece, as a certificate claims them.
+struct TangencyClaim {
+  /// Tangency::deviation, in radians; none for elliptic tubes and general ringed surfaces.
+  std::optional<double> deviation;
+  double axis_angle = 0;  ///< between the disc's normal and the ring's, in radians
+  double offset = 0;      ///< of the disc's centre from the ring's, plus that of the radii
+  /// Of ringed surfaces, their curvature along the parameter lines: what it jumps by where a
+  /// cylinder or cone goes on (curvature_jump.h).
+  std::optional<double> curvature = {};
+};
+
 /// Certified: computed from the stored numbers in intervals of high precision, rounded outward.
 /// Throws Error{irregular_surface} where the spine stands still.
-[[nodiscard]] Tangency tangency_at_end(const RingedSurface& surface, SurfaceEnd end);
+[[nodiscard]] Tangency tangency_at_end(const RingedSurface& surface, End end);
 
 }  // namespace dupin

@@ -3,13 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dupin/blends/cyclide_tube.h"
-#include "dupin/blends/elliptic_tube.h"
-#include "dupin/blends/kneecap.h"
-#include "dupin/blends/ringed_surface.h"
-#include "dupin/blends/ringed_tube.h"
-#include "dupin/blends/sphere.h"
-#include "dupin/blends/spline_pipe.h"
+#include "dupin/blends/part_surface.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/ring.h"
 
@@ -35,18 +29,8 @@ struct TessellationOptions {
 /// The segments around that the tolerance asks of a part alone, at least 8, when points are snapped
 /// to a grid of this spacing. Throws Error{invalid_argument} if the tolerance leaves no room for
 /// the snapping.
-[[nodiscard]] std::uint32_t segments_for(const RingedSurface& surface, double tolerance,
-                                         double grid = 0);
+[[nodiscard]] std::uint32_t segments_for(const Chain& chain, double tolerance, double grid = 0);
 [[nodiscard]] std::uint32_t segments_for(const Sphere& sphere, double tolerance, double grid = 0);
-[[nodiscard]] std::uint32_t segments_for(const CyclideTube& tube, double tolerance,
-                                         double grid = 0);
-[[nodiscard]] std::uint32_t segments_for(const EllipticTube& tube, double tolerance,
-                                         double grid = 0);
-[[nodiscard]] std::uint32_t segments_for(const RationalRingedTube& tube, double tolerance,
-                                         double grid = 0);
-[[nodiscard]] std::uint32_t segments_for(const SplinePipe& pipe, double tolerance, double grid = 0);
-[[nodiscard]] std::uint32_t segments_for(const KneecapChain& chain, double tolerance,
-                                         double grid = 0);
 
 /// Triangles of one part and a proof of how far they are from it.
 struct Tessellation {
@@ -60,39 +44,29 @@ struct Tessellation {
 };
 
 /// The tube without end discs: bands + 1 polygons of sampling.segments points each, one after the
-/// other. The first is sample(flipped(surface.start), sampling), the last sample(surface.end,
-/// sampling), up to the index it starts at, bitwise. Triangles are counter-clockwise from outside.
+/// other. The first is sample(flipped(ring), sampling) of the ring at the start, the last that of
+/// the ring at the end, up to the index it starts at, bitwise. Triangles are counter-clockwise from
+/// outside. Polygons of elliptic tubes follow the ellipses' parameter.
 ///
 /// Proved, not measured: a triangle is nowhere further from the surface than its parameter legs dt
 /// and du allow by the bounds of the second derivatives. If the segments are too few for the
 /// tolerance, there are as many bands as suit the segments, and `error_bound` says how far it is.
-/// Throws Error{irregular_surface, invalid_argument}.
-[[nodiscard]] Tessellation tessellate(const RingedSurface& surface, const RingSampling& sampling,
-                                      const TessellationOptions& options = {});
-
-/// The same for a chain of cyclide pieces, whose joints are rows of points. The second derivatives
-/// are bounded in closed form, in intervals.
 ///
-/// A hollow tube is closed: outer skin, inner skin inside out, and the two conical rims, which the
+/// The meshes of several pieces are joined where these meet, in the polygon of their ring. Cyclide
+/// pieces that meet smoothly are swept together, their joints being rows of points. A closed
+/// chain's last row is its first one.
+///
+/// A hollow chain is closed: outer skin, inner skin inside out, and the two conical rims, which the
 /// labels tell apart (0: skins, 1: start, 2: end).
-[[nodiscard]] Tessellation tessellate(const CyclideTube& tube, const RingSampling& sampling,
-                                      const TessellationOptions& options = {});
-
-/// The same for elliptic tubes, whose polygons follow the ellipses' parameter; the bound includes
-/// what the frame along the spine may have lost.
-[[nodiscard]] Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
-                                      const TessellationOptions& options = {});
-[[nodiscard]] Tessellation tessellate(const RationalRingedTube& tube, const RingSampling& sampling,
-                                      const TessellationOptions& options = {});
-/// A closed pipe's last row is its first one.
-[[nodiscard]] Tessellation tessellate(const SplinePipe& pipe, const RingSampling& sampling,
-                                      const TessellationOptions& options = {});
-
-/// One mesh of several: the pieces, closed but for the chain's ends, and the sectors of the joints'
-/// balls that the kneecaps bound. They share no points, but have copies of the same where they
-/// meet, and cover parts of each other; their union is the chain. Circles apart by less than a
-/// sixteenth of the tolerance count as one.
-[[nodiscard]] Tessellation tessellate(const KneecapChain& chain, const RingSampling& sampling,
+///
+/// With spherical joints, one mesh of several: the pieces, closed but for the chain's ends, and the
+/// sectors of the joints' balls that the kneecaps bound. They share no points, but have copies of
+/// the same where they meet, and cover parts of each other; their union is the chain. Circles apart
+/// by less than a sixteenth of the tolerance count as one.
+///
+/// Throws Error{irregular_surface}, and Error{invalid_argument} for a tolerance that is too small
+/// and for a wall of other pieces than cyclides that meet smoothly.
+[[nodiscard]] Tessellation tessellate(const Chain& chain, const RingSampling& sampling,
                                       const TessellationOptions& options = {});
 
 /// A closed sphere of sampling.segments meridians about the z axis.
@@ -104,6 +78,6 @@ struct Tessellation {
 /// The flat end: sample(ring, sampling) with the triangles between these points only, normals along
 /// the ring's. The disc of flipped(ring) has the same triangles the other way round, so that discs
 /// that meet cancel exactly.
-[[nodiscard]] TriMesh disc(const Ring& ring, const RingSampling& sampling);
+[[nodiscard]] TriMesh end_cap_mesh(const Ring& ring, const RingSampling& sampling);
 
 }  // namespace dupin

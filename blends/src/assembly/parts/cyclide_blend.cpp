@@ -12,7 +12,7 @@ namespace dupin::assembly {
 
 template <>
 struct PartRules<"cyclide_blend"> {
-  static constexpr bool is_blend = true;
+  static constexpr bool is_tangent = true;
 
   static References references(const CyclideBlendBetween& blend) {
     return between_ports(blend.from, blend.to);
@@ -23,7 +23,7 @@ struct PartRules<"cyclide_blend"> {
                &to = right_end(context, blend.to, "to");
     CyclideSearch search = search_cyclide_blend(from, to);
     if (search.tube) {
-      return std::move(*search.tube);
+      return *search.tube;
     }
     try {
       return cyclic_blend(from, to);
@@ -41,10 +41,10 @@ struct PartRules<"cyclide_blend"> {
   }
 
   static PartNotes notes(const CyclideBlendBetween&, const PartSurface& surface) {
-    const auto* tube = std::get_if<CyclideTube>(&surface);
-    return {tube == nullptr ? "ringed" : std::string(kind(*tube)),
-            search_cyclide_blend(flipped(*port_ring(surface, PartEnd::start)),
-                                 flipped(*port_ring(surface, PartEnd::end)))
+    const Chain& chain = std::get<Chain>(surface);
+    return {cyclide_pieces(chain).empty() ? "ringed" : std::string(kind(chain)),
+            search_cyclide_blend(flipped(*port_ring(surface, End::start)),
+                                 flipped(*port_ring(surface, End::end)))
                 .rejected,
             {}};
   }

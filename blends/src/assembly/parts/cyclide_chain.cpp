@@ -7,14 +7,15 @@
 namespace dupin::assembly {
 namespace {
 
-std::vector<std::string> bias_sentences(const CyclideTube& tube, const CyclideChainThrough& chain) {
+std::vector<std::string> bias_sentences(const CyclideChain& pieces,
+                                        const CyclideChainThrough& chain) {
   std::vector<PeVector> spheres = chain.spheres;
   const bool from_port = std::holds_alternative<PortReference>(chain.from);
   if (from_port) {
-    spheres.insert(spheres.begin(), tube.chain.pieces.front().start());
+    spheres.insert(spheres.begin(), pieces.pieces.front().start());
   }
   std::vector<std::string> sentences;
-  for (const std::size_t piece : bias_warnings(tube.chain, spheres)) {
+  for (const std::size_t piece : bias_warnings(pieces, spheres)) {
     sentences.push_back("piece " + std::to_string(piece) + " turns away from sphere " +
                         std::to_string(2 * piece + (from_port ? 0 : 1)));
   }
@@ -40,11 +41,10 @@ struct PartRules<"cyclide_chain"> {
 
   static PartNotes notes(const CyclideChainThrough& chain, const PartSurface& surface) {
     const std::string pieces = std::to_string(cyclide_pieces(surface).size()) + " pieces";
-    const auto* tube = std::get_if<CyclideTube>(&surface);
-    if (tube == nullptr) {
+    if (std::get<Chain>(surface).joints == Joints::spherical) {
       return {pieces + " with kneecaps", {}, {}};
     }
-    return {pieces, {}, bias_sentences(*tube, chain)};
+    return {pieces, {}, bias_sentences({cyclide_pieces(surface)}, chain)};
   }
 };
 template const PartKind& part_kind<"cyclide_chain">();

@@ -16,7 +16,7 @@ References from_port(const PartStart& from) {
 }
 
 References between_ports(const PortReference& from, const PortReference& to) {
-  return {{from, "from", PartEnd::start}, {to, "to", PartEnd::end}};
+  return {{from, "from", End::start}, {to, "to", End::end}};
 }
 
 }  // namespace dupin::assembly

@@ -15,7 +15,7 @@ namespace dupin::assembly {
 struct Reference {
   PortReference port;
   std::string_view key;
-  PartEnd own_end = PartEnd::start;
+  End own_end = End::start;
 };
 
 using References = std::vector<Reference>;
@@ -29,8 +29,8 @@ struct PartNotes {
 /// What a key of a document means. The functions take shapes of this key only.
 struct PartKind {
   std::string_view key;
-  bool is_blend = false;   ///< a transition, whose tangency to its neighbours is reported
-  bool names_end = false;  ///< no part of its own, but the name of the end it refers to
+  bool is_tangent = false;  ///< a transition, whose tangency to its neighbours is reported
+  bool names_end = false;   ///< no part of its own, but the name of the end it refers to
   References (*references)(const PartShape&);
   /// What a shape without ports is, "a sphere" or "hollow"; empty for one that has ports.
   std::string_view (*portless)(const PartShape&);

@@ -17,7 +17,7 @@ namespace dupin::assembly {
 ///     };
 ///     template const PartKind& part_kind<"sphere">();
 ///
-/// What it need not say: `is_blend` and `names_end` (false; a kind that names an end has no
+/// What it need not say: `is_tangent` and `names_end` (false; a kind that names an end has no
 /// geometry), `portless(shape)` (it has ports), `notes(shape, surface)` (none).
 template <KeyName key>
 struct PartRules;
@@ -97,7 +97,7 @@ template <KeyName key>
 const PartKind& part_kind() {
   static_assert(PartKeys::kHas<key>, "the table of keys, PartKeys, lacks this one");
   using Rules = PartRules<key>;
-  static constexpr PartKind kKind{key.view(), requires {requires Rules::is_blend;
+  static constexpr PartKind kKind{key.view(), requires {requires Rules::is_tangent;
 }
 , NamesEnd<Rules>, references_by_rules<key>, portless_by_rules<key>, geometry_by_rules<key>,
     notes_by_rules<key>

@@ -153,15 +153,15 @@ class RingedBlend {
 
 template <>
 struct PartRules<"ringed_blend"> {
-  static constexpr bool is_blend = true;
+  static constexpr bool is_tangent = true;
 
   static References references(const RingedBlendBetween& blend) {
     References result;
     if (const auto* port = std::get_if<PortReference>(&blend.from)) {
-      result.push_back({*port, "from", PartEnd::start});
+      result.push_back({*port, "from", End::start});
     }
     if (const auto* port = std::get_if<PortReference>(&blend.to)) {
-      result.push_back({*port, "to", PartEnd::end});
+      result.push_back({*port, "to", End::end});
     }
     return result;
   }

@@ -19,6 +19,8 @@ void check_points(const PartContext& context, const std::vector<Waypoint>& throu
 
 template <>
 struct PartRules<"spline"> {
+  static constexpr bool is_tangent = true;
+
   static References references(const SplineBetween& spline) {
     return between_ports(spline.from, spline.to);
   }
@@ -29,14 +31,13 @@ struct PartRules<"spline"> {
 
   static PartSurface geometry(const PartContext& context, const SplineBetween& spline) {
     check_points(context, spline.through);
-    return SplinePipe{spline_pipe(right_end(context, spline.from, "from"), spline.through,
-                                  right_end(context, spline.to, "to")),
-                      false};
+    return Chain(spline_pipe(right_end(context, spline.from, "from"), spline.through,
+                             right_end(context, spline.to, "to")));
   }
 
   static PartSurface geometry(const PartContext& context, const SplineRound& spline) {
     check_points(context, spline.through);
-    return SplinePipe{closed_spline_pipe(spline.through), true};
+    return Chain(closed_spline_pipe(spline.through), true);
   }
 };
 template const PartKind& part_kind<"spline">();

@@ -10,7 +10,7 @@ namespace dupin::assembly {
 
 template <>
 struct PartRules<"two_cone_blend"> {
-  static constexpr bool is_blend = true;
+  static constexpr bool is_tangent = true;
 
   static References references(const TwoConeBlendBetween& blend) {
     return between_ports(blend.from, blend.to);

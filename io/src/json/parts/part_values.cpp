@@ -36,7 +36,7 @@ PortReference port(const JsonNode& node) {
   if (dot == 0 || (end != "start" && end != "end")) {
     node.fail("must name a port as 'part.start' or 'part.end', not '" + text + "'");
   }
-  return {text.substr(0, dot), end == "start" ? PartEnd::start : PartEnd::end};
+  return {text.substr(0, dot), end == "start" ? End::start : End::end};
 }
 
 std::optional<std::uint32_t> whole_number(const JsonNode& node) {

@@ -8,14 +8,14 @@
 namespace dupin::assembly {
 namespace {
 
-const PortReference kFrom{"a", PartEnd::end}, kTo{"b", PartEnd::start};
+const PortReference kFrom{"a", End::end}, kTo{"b", End::start};
 
 // "from a.end" and "to b.start", with the own end where that is the end.
 std::string text_of(const References& references) {
   std::string result;
   for (const auto& [port, key, own_end] : references) {
     result += (result.empty() ? "" : ", ") + std::string(key) + " " + to_string(port) +
-              (own_end == PartEnd::end ? " at end" : "");
+              (own_end == End::end ? " at end" : "");
   }
   return result;
 }
@@ -69,7 +69,7 @@ TEST(PartKind, knows_what_a_shape_refers_to_and_whether_it_has_ports) {
 TEST(PartKind, knows_blends_and_caps) {
   for (const auto& row : rows()) {
     const PartKind& its_kind = part_kind(row.shape);
-    EXPECT_EQ(its_kind.is_blend, its_kind.key.ends_with("_blend")) << its_kind.key;
+    EXPECT_EQ(its_kind.is_tangent, its_kind.key.ends_with("_blend")) << its_kind.key;
     EXPECT_EQ(its_kind.names_end, its_kind.key == "cap") << its_kind.key;
   }
 }

@@ -15,7 +15,7 @@ using test::read_last;
 
 TEST(CapKey, names_the_end_that_it_refers_to) {
   const std::string text = pipe_and(R"({"name": "lid", "cap": {"at": "a.end"}})");
-  EXPECT_EQ(read_last<CapAt>(text).at, (PortReference{"a", PartEnd::end}));
+  EXPECT_EQ(read_last<CapAt>(text).at, (PortReference{"a", End::end}));
   const auto resolved = resolve(parse_assembly(text));
   ASSERT_EQ(resolved.parts.size(), 1U);
   EXPECT_EQ(resolved.parts[0].end_names[1], "lid");

@@ -25,7 +25,7 @@ TEST(ConeKey, reads_and_resolves_its_forms) {
   EXPECT_EQ(along.end_across, 3);
   EXPECT_EQ(along.axis, Vec3(0, 0, 1));
   const auto resolved = resolve(parse_assembly(text));
-  const Ring& end = *port_ring(resolved.parts[1].shape, PartEnd::end);
+  const Ring& end = *port_ring(resolved.parts[1].shape, End::end);
   EXPECT_EQ(end.center, Vec3(13, 0, 0));
   EXPECT_EQ(end.ellipse.value().across, 3);
 }

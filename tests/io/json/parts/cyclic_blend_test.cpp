@@ -15,8 +15,8 @@ using test::read_last;
 TEST(CyclicBlendKey, reads_its_options) {
   const auto blend = read_last<CyclicBlendBetween>(pipe_and(
       R"({"name": "c", "cyclic_blend": {"from": "a.end", "to": "b.start", "radius_law": "R2", "k": 8, "l": "auto", "continuity": "G2"}})"));
-  EXPECT_EQ(blend.from, (PortReference{"a", PartEnd::end}));
-  EXPECT_EQ(blend.to, (PortReference{"b", PartEnd::start}));
+  EXPECT_EQ(blend.from, (PortReference{"a", End::end}));
+  EXPECT_EQ(blend.to, (PortReference{"b", End::start}));
   EXPECT_EQ(blend.options.radius_law, BlendLaw::r2);
   EXPECT_EQ(blend.options.continuity, Continuity::g2);
   EXPECT_EQ(blend.options.k, 8);

@@ -15,8 +15,8 @@ using test::read_last;
 TEST(CyclideBlendKey, reads_its_ends) {
   const auto blend = read_last<CyclideBlendBetween>(
       pipe_and(R"({"name": "c", "cyclide_blend": {"from": "a.end", "to": "b.start"}})"));
-  EXPECT_EQ(blend.from, (PortReference{"a", PartEnd::end}));
-  EXPECT_EQ(blend.to, (PortReference{"b", PartEnd::start}));
+  EXPECT_EQ(blend.from, (PortReference{"a", End::end}));
+  EXPECT_EQ(blend.to, (PortReference{"b", End::start}));
 }
 
 TEST(CyclideBlendKey, says_what_is_wrong_with_it) {

@@ -20,7 +20,7 @@ TEST(ObliqueKey, reads_its_centres_its_normal_and_its_radii) {
   EXPECT_EQ(part.normal, Vec3(0, 0, 1));
   EXPECT_EQ(part.start_radius, 1);
   const auto resolved = resolve(parse_assembly(text));
-  const Ring& end = *port_ring(resolved.parts[0].shape, PartEnd::end);
+  const Ring& end = *port_ring(resolved.parts[0].shape, End::end);
   EXPECT_EQ(end.center, Vec3(1, 0, 4));
   EXPECT_EQ(end.radius, 2);
 }

@@ -30,7 +30,7 @@ TEST(PipeKey, reads_and_resolves_its_forms) {
   const std::string text =
       pipe_and(R"({"name": "c", "pipe": {"from": "a.end", "to": [12, 0, 0]}})");
   EXPECT_EQ(read_last<PipeTo>(text).to, Vec3(12, 0, 0));
-  EXPECT_EQ(port_ring(resolve(parse_assembly(text)).parts[1].shape, PartEnd::end)->center,
+  EXPECT_EQ(port_ring(resolve(parse_assembly(text)).parts[1].shape, End::end)->center,
             Vec3(12, 0, 0));
 }
 

@@ -16,7 +16,7 @@ using test::read_last;
 TEST(RingedBlendKey, reads_its_ends) {
   const auto blend = read_last<RingedBlendBetween>(pipe_and(
       R"({"name": "c", "ringed_blend": {"from": "a.end", "to": {"center": [12, 3, 0], "direction": [0, 1, 0], "radius": 2, "plate": "widening"}, "k": "auto", "l": 4, "bidegree": [5, 2]}})"));
-  EXPECT_EQ(std::get<PortReference>(blend.from), (PortReference{"a", PartEnd::end}));
+  EXPECT_EQ(std::get<PortReference>(blend.from), (PortReference{"a", End::end}));
   const auto& end = std::get<FreeEnd>(blend.to);
   EXPECT_EQ(end.center, Vec3(12, 3, 0));
   EXPECT_EQ(end.radius, 2);

@@ -18,7 +18,7 @@ TEST(SphereKey, reads_its_centre_and_its_radius) {
   EXPECT_EQ(read_last<SphereAt>(text).center, Vec3(1, 2, 3));
   const auto resolved = resolve(parse_assembly(text));
   EXPECT_EQ(resolved.parts[0].kind, "sphere");
-  EXPECT_EQ(port_ring(resolved.parts[0].shape, PartEnd::start), nullptr);
+  EXPECT_EQ(port_ring(resolved.parts[0].shape, End::start), nullptr);
 }
 
 TEST(SphereKey, says_what_is_wrong_with_it) {

@@ -16,8 +16,8 @@ using test::read_last;
 TEST(SplineKey, reads_its_points) {
   const auto open = read_last<SplineBetween>(pipe_and(
       R"({"name": "c", "spline": {"from": "a.end", "to": "b.start", "through": [{"point": [12, 1, 0], "radius": 1.5}]}})"));
-  EXPECT_EQ(open.from, (PortReference{"a", PartEnd::end}));
-  EXPECT_EQ(open.to, (PortReference{"b", PartEnd::start}));
+  EXPECT_EQ(open.from, (PortReference{"a", End::end}));
+  EXPECT_EQ(open.to, (PortReference{"b", End::start}));
   ASSERT_EQ(open.through.size(), 1U);
   EXPECT_EQ(open.through[0].point, Vec3(12, 1, 0));
   EXPECT_EQ(open.through[0].radius, 1.5);

@@ -17,7 +17,7 @@ using test::read_last;
 TEST(TwoConeBlendKey, reads_its_reach_and_its_weights) {
   const auto blend = read_last<TwoConeBlendBetween>(pipe_and(
       R"({"name": "c", "two_cone_blend": {"from": "a.end", "to": "b.start", "reach": [2, 3], "w": [1, 2, 1]}})"));
-  EXPECT_EQ(blend.to, (PortReference{"b", PartEnd::start}));
+  EXPECT_EQ(blend.to, (PortReference{"b", End::start}));
   EXPECT_EQ(blend.reach, (std::array<double, 2>{2, 3}));
   EXPECT_EQ(blend.m, (std::array<double, 3>{1, 1, 1}));
   EXPECT_EQ(blend.w, (std::array<double, 3>{1, 2, 1}));

@@ -1,4 +1,4 @@
-#include "certification/moving_disc.h"
+#include "surfaces/moving_disc.h"
 
 #include <algorithm>
 #include <vector>
@@ -6,7 +6,7 @@
 #include "numbers/interval_bezier.h"
 #include "numbers/quaternion.h"
 
-namespace dupin::certification {
+namespace dupin::surfaces {
 namespace {
 
 // Bernstein coefficients of a polynomial that t divides, over t.
@@ -39,10 +39,11 @@ T rate(const std::vector<T>& points, const numbers::Interval& t, bool start, boo
   return numbers::bezier_range(difference, t);
 }
 
-bool rests(const RationalRingedSurface& surface, bool at_end) {
+bool rests(const RationalRingedSurface& surface, End end) {
   const auto& [center, radius, rotation] = surface;
-  return at_end ? center[3] == center[2] && rotation.back() == rotation[rotation.size() - 2]
-                : center[0] == center[1] && rotation[0] == rotation[1];
+  return end == End::end
+             ? center[3] == center[2] && rotation.back() == rotation[rotation.size() - 2]
+             : center[0] == center[1] && rotation[0] == rotation[1];
 }
 
 numbers::IntervalVec axis_of(const numbers::Quaternion<numbers::Interval>& a,
@@ -94,8 +95,8 @@ std::optional<MovingDisc> moving_disc(const CyclidePiece& piece, const numbers::
 
 std::optional<MovingDisc> moving_disc(const RationalRingedSurface& surface,
                                       const numbers::Interval& t, bool steered) {
-  const bool start = steered && t.lower == 0 && rests(surface, false);
-  const bool end = steered && t.upper == 1 && rests(surface, true);
+  const bool start = steered && t.lower == 0 && rests(surface, End::start);
+  const bool end = steered && t.upper == 1 && rests(surface, End::end);
   std::vector<numbers::IntervalVec> points;
   for (const Vec3& point : surface.center) {
     points.push_back(numbers::interval_vec(point));
@@ -144,4 +145,4 @@ bool advances(const std::vector<DiscPace>& way) {
          });
 }
 
-}  // namespace dupin::certification
+}  // namespace dupin::surfaces

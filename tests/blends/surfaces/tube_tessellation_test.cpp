@@ -132,7 +132,7 @@ TEST(TubeTessellation, of_an_elliptic_cylinder_takes_one_row) {
 TEST(TubeTessellation, of_a_ringed_blend_keeps_the_bound_it_states) {
   const RationalRingedTube oblique =
       oblique_tube(Vec3(0, 0, 0), Vec3(2, 0, 4), Vec3::UnitZ(), 1, 1.3);
-  const MovingRing from = leaving(oblique, PartEnd::end);
+  const MovingRing from = leaving(oblique, End::end);
   const Ring end{Vec3(8, 2, 9), Vec3::UnitX(), .8};
   const RationalRingedTube blend{
       flipped(oblique.end), end,
@@ -151,15 +151,15 @@ TEST(TubeTessellation, of_a_ringed_blend_keeps_the_bound_it_states) {
 }
 
 TEST(TubeTessellation, of_a_closed_pipe_is_closed) {
-  const SplinePipe ring{closed_spline_pipe({{Vec3(8, 0, 0), 1},
-                                            {Vec3(3, 7, 3), 1.6},
-                                            {Vec3(-6, 6, -1), 1},
-                                            {Vec3(-7, -4, 3), .7},
-                                            {Vec3(2, -8, -2), 1.2}}),
-                        true};
+  const Chain ring(closed_spline_pipe({{Vec3(8, 0, 0), 1},
+                                       {Vec3(3, 7, 3), 1.6},
+                                       {Vec3(-6, 6, -1), 1},
+                                       {Vec3(-7, -4, 3), .7},
+                                       {Vec3(2, -8, -2), 1.2}}),
+                   true);
   double volume_of_pieces = 0;
-  for (const RingedSurface& piece : ring.pieces) {
-    volume_of_pieces += volume(piece);
+  for (const Piece& piece : ring.pieces) {
+    volume_of_pieces += volume(std::get<RingedSurface>(piece));
   }
   double before = std::numeric_limits<double>::infinity();
   for (const double tolerance : {.1, .02, .004}) {
@@ -179,7 +179,7 @@ TEST(SmallestAngle, is_that_of_the_sharpest_corner) {
 
 TEST(RingedTube, leaves_along_its_rulings) {
   const RationalRingedTube cone = oblique_tube(Vec3(0, 0, 0), Vec3(3, 0, 4), Vec3::UnitZ(), 1, 2);
-  const MovingRing out = leaving(cone, PartEnd::end), in = leaving(cone, PartEnd::start);
+  const MovingRing out = leaving(cone, End::end), in = leaving(cone, End::start);
   EXPECT_LT((out.center_rate / out.radius_rate - Vec3(3, 0, 4)).norm(), 1e-13);
   EXPECT_LT((in.center_rate / in.radius_rate - Vec3(3, 0, 4)).norm(), 1e-13);
   EXPECT_LT(in.radius_rate, 0);

@@ -249,7 +249,7 @@ TEST(Tessellation, of_the_reversed_figure_6_has_the_volume_of_the_table) {
   const auto tube = tessellate(surface, sampling, {1e-3});
   TriMesh soup = tube.mesh;
   for (const Ring& ring : {surface.start, surface.end}) {
-    const TriMesh end = disc(ring, sampling);
+    const TriMesh end = end_cap_mesh(ring, sampling);
     const auto offset = std::uint32_t(soup.points.size());
     soup.points.insert(soup.points.end(), end.points.begin(), end.points.end());
     for (const auto& [a, b, c] : end.triangles) {
@@ -326,7 +326,7 @@ TEST(Disc, of_the_flipped_ring_has_the_same_triangles_the_other_way_round) {
       std::sort(result.begin(), result.end());
       return result;
     };
-    const auto here = disc(ring, sampling), there = disc(flipped(ring), sampling);
+    const auto here = end_cap_mesh(ring, sampling), there = end_cap_mesh(flipped(ring), sampling);
     EXPECT_EQ(here.triangles.size(), n - 2);
     EXPECT_EQ(corners(here, false), corners(there, true));
     for (const auto& [a, b, c] : here.triangles) {

@@ -1,4 +1,4 @@
-#include "certification/swept_disc_tube.h"
+#include "surfaces/swept_disc_tube.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "numbers/polynomial.h"
 #include "ringed/second_derivatives.h"
 
-namespace dupin::certification {
+namespace dupin::surfaces {
 namespace {
 
 using Mpfi = numbers::MpfiInterval<128>;
@@ -226,4 +226,4 @@ std::optional<DiscPace> SweptDiscTube::pace(const ParameterInterval& t) const {
   }
 }
 
-}  // namespace dupin::certification
+}  // namespace dupin::surfaces

@@ -1,17 +1,19 @@
+#include "surfaces/elliptic_piece.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Geometry>
 
-#include "dupin/blends/tessellate.h"
-#include "tessellation/loft.h"
+#include "nurbs_form/exact_rows.h"
+#include "ringed/second_derivatives.h"
+#include "tessellation/swept_mesh.h"
 #include "tessellation/tessellation_tolerance.h"
 
 namespace dupin {
 namespace {
-
-using tessellation::LoftRow;
 
 // Cells of [0, 1] on which the second derivatives are bounded once.
 constexpr std::uint32_t kCells = 1024;
@@ -30,10 +32,6 @@ bool is_straight(const EllipticTube& tube) {
   return std::holds_alternative<LineSpine>(tube.spine) && is_linear(tube.first) &&
          is_linear(tube.second) && b.normal == flipped(a).normal && a.ellipse && b.ellipse &&
          a.ellipse->axis == b.ellipse->axis && a.radius * across(b) == b.radius * across(a);
-}
-
-double sagitta(double radius, std::uint32_t segments) {
-  return radius * (1 - std::cos(std::numbers::pi / segments));
 }
 
 // The frame along the spine, carried in minimal rotations T -> T' of `steps` per unit of t. A
@@ -59,12 +57,6 @@ Carrier carrier(const EllipticTube& tube, const std::vector<ringed::BandBounds>&
   return {steps, lost / steps};
 }
 
-// The image of `v` under the least rotation from one unit vector to another.
-Vec3 carried(const Vec3& from, const Vec3& to, const Vec3& v) {
-  const Vec3 axis = from.cross(to);
-  return v + axis.cross(v) + axis.cross(axis.cross(v)) / (1 + from.dot(to));
-}
-
 std::vector<Vec3> carried_along(const EllipticTube& tube, const std::vector<double>& knots,
                                 double steps) {
   Vec3 tangent = evaluate(tube.spine, 0).first.normalized();
@@ -76,7 +68,7 @@ std::vector<Vec3> carried_along(const EllipticTube& tube, const std::vector<doub
     for (long step = 1; step <= count; ++step) {
       const double t = knots[i] + width * double(step) / double(count);
       const Vec3 next = evaluate(tube.spine, t).first.normalized();
-      first = carried(tangent, next, first);
+      first = tessellation::carried(tangent, next, first);
       tangent = next;
     }
     first = (first - first.dot(tangent) * tangent).normalized();
@@ -102,11 +94,11 @@ double arrived_turn(const EllipticTube& tube, const Vec3& first) {
   return tube.turn + std::remainder(angle - tube.turn, std::numbers::pi);
 }
 
-std::vector<LoftRow> rows_at(const EllipticTube& tube, const std::vector<double>& knots,
-                             double steps) {
+std::vector<tessellation::Row> rows_at(const EllipticTube& tube, const std::vector<double>& knots,
+                                       double steps) {
   const auto firsts = carried_along(tube, knots, steps);
   const double turn = arrived_turn(tube, firsts.back());
-  std::vector<LoftRow> rows;
+  std::vector<tessellation::Row> rows;
   for (std::size_t j = 0; j < knots.size(); ++j) {
     const SpinePoint y = evaluate(tube.spine, knots[j]);
     const Vec3 second = y.first.normalized().cross(firsts[j]);
@@ -119,6 +111,8 @@ std::vector<LoftRow> rows_at(const EllipticTube& tube, const std::vector<double>
 }
 
 }  // namespace
+
+namespace surfaces {
 
 std::uint32_t segments_for(const EllipticTube& tube, double tolerance, double grid) {
   const double allowed =
@@ -136,9 +130,9 @@ Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
   const double displacement = tessellation::point_error(tube, sampling.grid);
   const double allowed = tessellation::allowed_error(options.tolerance, displacement);
   if (is_straight(tube)) {
-    return {tessellation::lofted(tube.start, tube.end, rows_at(tube, {0, 1}, 1), sampling),
+    return {tessellation::swept_mesh(tube.start, tube.end, rows_at(tube, {0, 1}, 1), sampling),
             1,
-            sagitta(largest_radius(tube), sampling.segments) + displacement,
+            tessellation::sagitta(largest_radius(tube), sampling.segments) + displacement,
             {0, 1}};
   }
   std::vector<ringed::BandBounds> cells;
@@ -147,11 +141,77 @@ Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
   }
   const Carrier frames = carrier(tube, cells, options.tolerance);
   const double misplaced = 2 * frames.drift * largest_radius(tube);
-  const auto bands = tessellation::loft_bands(std::move(cells), allowed - misplaced,
-                                              largest_radius(tube), sampling.segments);
+  const double around = 2 * std::numbers::pi / sampling.segments;
+  const auto bands = tessellation::even_bands({{std::move(cells), around}}, allowed - misplaced,
+                                              largest_radius(tube), sampling.segments)
+                         .front();
   const auto rows = rows_at(tube, bands.knots, frames.steps);
-  return {tessellation::lofted(tube.start, tube.end, rows, sampling),
+  return {tessellation::swept_mesh(tube.start, tube.end, rows, sampling),
           std::uint32_t(rows.size() - 1), bands.error_bound + misplaced + displacement};
 }
 
+PieceExtent extent(const EllipticTube&, double) {
+  return {std::numeric_limits<double>::infinity()};
+}
+
+MovingRing leaving(const EllipticTube& tube, End end) { return leaving_canal(end_ring(tube, end)); }
+
+PieceDiscs discs(const EllipticTube& tube) { return discs_of(SweptDiscTube(tube), false); }
+
+MarginBounds margin_bounds(const EllipticTube& tube) {
+  const double lower = certified_margin(tube);
+  return {lower, {}, lower > 0};
+}
+
+namespace {
+
+// A surface with either semi-axis for a radius.
+std::vector<RingedSurface> tubes_of(const EllipticTube& tube) {
+  return {{tube.start, tube.end, tube.spine, tube.first},
+          {tube.start, tube.end, tube.spine, tube.second}};
+}
+
+}  // namespace
+
+double nearly_largest_margin(const EllipticTube& tube, double) {
+  return nearly_largest_margin(tubes_of(tube));
+}
+
+ProvedStretches prove_margin(const EllipticTube& tube, double, double margin) {
+  return prove_margin(tubes_of(tube), margin);
+}
+
+std::optional<double> tangency(const EllipticTube& tube, End end) {
+  return tangency_bound(tube, end);
+}
+
+TangencyClaim tangency_claim(const EllipticTube& tube, End end) {
+  const EndRing ring{end_ring(tube, end), end};
+  const double t = ring.parameter();
+  const auto stored = stored_end(tube.spine, end);
+  const numbers::IntervalVec center =
+      stored ? numbers::interval_vec(*stored) : discs(tube).hull({t, t}).centers.front();
+  const numbers::Interval apart = numbers::norm(center - numbers::interval_vec(ring.ring.center));
+  const numbers::Interval first = evaluate(tube.first, t).value,
+                          second = evaluate(tube.second, t).value;
+  return {
+      tangency_bound(tube, end) * (1 + 0x1p-20),  // room for a checker's own rounding
+      tangency_at_end(tubes_of(tube).front(), end).axis_angle.upper + 0.0,
+      (apart + (first - ring.ring.radius).magnitude() + (second - across(ring.ring)).magnitude())
+          .upper,
+      {}};
+}
+
+NurbsForm nurbs(const EllipticTube& tube, double tolerance) {
+  if (tube.turn == 0) {
+    const auto [rows, degree] =
+        nurbs_form::exact_rows(tube.spine, tube.first, tube.second, tube.axis);
+    if (!rows.empty()) {
+      return {{nurbs_form::nurbs_through(rows, degree)}, 0};
+    }
+  }
+  return nurbs_form::lofted_nurbs(tube, tolerance);
+}
+
+}  // namespace surfaces
 }  // namespace dupin

@@ -3,10 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "dupin/blends/certificate.h"
+#include "dupin/blends/cyclide_piece.h"
+#include "dupin/blends/end.h"
+#include "dupin/blends/rational_ringed_surface.h"
 #include "numbers/interval.h"
 
-namespace dupin::certification {
+namespace dupin::surfaces {
 
 /// A disc over a stretch of its parameter: where it is and how it moves, in intervals.
 struct MovingDisc {
@@ -40,4 +42,4 @@ struct DiscPace {
 /// largest radius times the turning (docs/certificate_format.md).
 [[nodiscard]] bool advances(const std::vector<DiscPace>& way);
 
-}  // namespace dupin::certification
+}  // namespace dupin::surfaces

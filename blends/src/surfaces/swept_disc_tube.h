@@ -3,12 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "certification/moving_disc.h"
 #include "dupin/blends/elliptic_tube.h"
 #include "dupin/blends/regularity.h"
 #include "numbers/interval.h"
+#include "surfaces/moving_disc.h"
 
-namespace dupin::certification {
+namespace dupin::surfaces {
 
 /// The discs across a spine: those of a ringed surface, or the larger ones about the ellipses of an
 /// elliptic tube. Parameters are in [0, 1].
@@ -40,4 +40,4 @@ class SweptDiscTube {
   std::vector<RadiusLaw> radii_;
 };
 
-}  // namespace dupin::certification
+}  // namespace dupin::surfaces

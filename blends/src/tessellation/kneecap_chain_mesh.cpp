@@ -1,3 +1,5 @@
+#include "tessellation/kneecap_chain_mesh.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -7,43 +9,39 @@
 #include <span>
 #include <vector>
 
-#include "dupin/blends/tessellate.h"
 #include "tessellation/convex_fill.h"
 #include "tessellation/cyclide_rows.h"
 #include "tessellation/kneecap_mesh.h"
 #include "tessellation/tessellation_tolerance.h"
 
-namespace dupin {
+namespace dupin::tessellation {
 namespace {
 
 using std::numbers::pi;
-using tessellation::JointCircles;
-using tessellation::JointKind;
-using tessellation::JointPolygon;
 using Indices = std::vector<std::uint32_t>;
 
 // The share of the tolerance that two circles may be apart and still count as one.
 constexpr double kNegligible = 1.0 / 16;
 
-double point_error(const KneecapChain& chain, double grid) {
+double point_error(const std::vector<PeArc>& arcs, double grid) {
   double largest = 0;
-  for (const PeArc& arc : chain.pieces) {
+  for (const PeArc& arc : arcs) {
     largest = std::max(largest, tessellation::point_error(arc, grid));
   }
   return largest;
 }
 
 // Polygons around two circles of a joint may need a point more than a regular one.
-std::uint32_t segments_of(const KneecapChain& chain, double allowed) {
+std::uint32_t segments_of(const std::vector<PeArc>& arcs, double allowed) {
   double largest = 0;
-  for (const PeArc& arc : chain.pieces) {
-    largest = std::max({largest, tessellation::largest_circle(arc), arc.start().r, arc.end().r});
+  for (const PeArc& arc : arcs) {
+    largest = std::max({largest, largest_circle(arc), arc.start().r, arc.end().r});
   }
-  return 1 + tessellation::segment_count(2 * pi * std::sqrt(largest / (2 * allowed)));
+  return 1 + segment_count(2 * pi * std::sqrt(largest / (2 * allowed)));
 }
 
 JointPolygon port_polygon(const Ring& ring, const RingSampling& sampling) {
-  JointPolygon result{sample(ring, sampling), tessellation::first_direction(ring, sampling), {}, 0};
+  JointPolygon result{sample(ring, sampling), first_direction(ring, sampling), {}, 0};
   for (std::uint32_t i = 0; i < sampling.segments; ++i) {
     result.angles.push_back(2 * pi * i / sampling.segments);
   }
@@ -51,7 +49,7 @@ JointPolygon port_polygon(const Ring& ring, const RingSampling& sampling) {
 }
 
 // The angles of a polygon's points in the frame of a row.
-std::vector<double> angles_in(const tessellation::Row& row, const JointPolygon& polygon) {
+std::vector<double> angles_in(const Row& row, const JointPolygon& polygon) {
   const double base = std::atan2(polygon.first.dot(row.second), polygon.first.dot(row.first));
   std::vector<double> result = polygon.angles;
   for (double& angle : result) {
@@ -124,24 +122,28 @@ Columns columns(const std::vector<double>& from, const std::vector<double>& end)
 
 class Mesher {
  public:
-  Mesher(const KneecapChain& chain, const RingSampling& sampling, double allowed)
-      : chain_(chain), sampling_(sampling), allowed_((1 - kNegligible) * allowed) {
-    for (std::size_t i = 1; i < chain.pieces.size(); ++i) {
-      joints_.push_back(tessellation::joint(chain.pieces[i - 1], chain.pieces[i],
-                                            kNegligible * allowed, sampling.grid));
+  Mesher(const Ring& start, const Ring& end, const std::vector<PeArc>& arcs,
+         const RingSampling& sampling, double allowed)
+      : start_(start),
+        end_(end),
+        arcs_(arcs),
+        sampling_(sampling),
+        allowed_((1 - kNegligible) * allowed) {
+    for (std::size_t i = 1; i < arcs.size(); ++i) {
+      joints_.push_back(joint(arcs[i - 1], arcs[i], kNegligible * allowed, sampling.grid));
     }
   }
 
   Tessellation run() {
-    const std::size_t count = chain_.pieces.size();
+    const std::size_t count = arcs_.size();
     double apart = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const bool is_first = i == 0, is_last = i + 1 == count;
-      const JointPolygon start = is_first ? port_polygon(flipped(chain_.start), sampling_)
+      const JointPolygon start = is_first ? port_polygon(flipped(start_), sampling_)
                                           : polygon(joints_[i - 1], joints_[i - 1].after);
       const JointPolygon end =
-          is_last ? port_polygon(chain_.end, sampling_) : polygon(joints_[i], joints_[i].before);
-      const auto [first, last] = tube(chain_.pieces[i], start, end);
+          is_last ? port_polygon(end_, sampling_) : polygon(joints_[i], joints_[i].before);
+      const auto [first, last] = tube(arcs_[i], start, end);
       if (!is_first) {
         append_backward(disc_of(start), first);
         apart = std::max(apart, joints_[i - 1].apart);
@@ -157,19 +159,18 @@ class Mesher {
 
  private:
   [[nodiscard]] JointPolygon polygon(const JointCircles& joint, const Ring& circle) const {
-    return tessellation::joint_polygon(joint, circle, sampling_.segments, sampling_.grid);
+    return joint_polygon(joint, circle, sampling_.segments, sampling_.grid);
   }
 
-  [[nodiscard]] std::vector<double> knots(const tessellation::BandStepper& march, double radius,
+  [[nodiscard]] std::vector<double> knots(const BandStepper& march, double radius,
                                           const Columns& columns) const {
     constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
     const double around = columns.step();
-    const auto budget = tessellation::band_budget(allowed_, radius, around);
+    const auto budget = band_budget(allowed_, radius, around);
     const auto untwisted = double(march.knots(budget.enough, 0, kNoLimit).size() - 1);
     // What the budget has room for.
     const double most = around / 2;
-    auto result =
-        tessellation::even_knots(march, budget, std::min(most, columns.twist() / untwisted));
+    auto result = even_knots(march, budget, std::min(most, columns.twist() / untwisted));
     const auto parts = int(std::ceil(columns.twist() / (most * double(result.size() - 1))));
     if (parts < 2) {
       return result;
@@ -189,32 +190,32 @@ class Mesher {
 
   Ends tube(const PeArc& arc, const JointPolygon& start, const JointPolygon& end) {
     const Vec3 plane_normal = frame(arc).second;
-    const Columns along = columns(angles_in(tessellation::row_at(arc, 0, plane_normal), start),
-                                  angles_in(tessellation::row_at(arc, 1, plane_normal), end));
-    const tessellation::BandStepper march = tessellation::march_of(arc, along.step());
-    const std::vector<double> rows = knots(march, tessellation::largest_circle(arc), along);
+    const Columns along = columns(angles_in(row_at(arc, 0, plane_normal), start),
+                                  angles_in(row_at(arc, 1, plane_normal), end));
+    const BandStepper march = march_of(arc, along.step());
+    const std::vector<double> rows = knots(march, largest_circle(arc), along);
     const auto bands = rows.size() - 1;
     result_.error_bound =
         std::max(result_.error_bound, march.error_bound(rows, along.twist() / double(bands)));
     result_.bands += std::uint32_t(bands);
-    tessellation::refuse_too_fine(2 * std::size_t{sampling_.segments} * result_.bands);
+    refuse_too_fine(2 * std::size_t{sampling_.segments} * result_.bands);
 
     TriMesh& mesh = result_.mesh;
     const std::uint32_t n = sampling_.segments;
     Ends ends{appended(start.points), Indices(n)};
     for (std::size_t j = 1; j < bands; ++j) {
-      const tessellation::Row row = tessellation::row_at(arc, rows[j], plane_normal);
+      const Row row = row_at(arc, rows[j], plane_normal);
       for (std::uint32_t i = 0; i < n; ++i) {
         const double angle = std::lerp(along.from[i], along.to[i], double(j) / double(bands));
         mesh.points.push_back(
-            snapped(row.circle.center + row.circle.radius * row.direction(angle), sampling_.grid));
+            snapped(row.center + row.scale * row.direction(angle), sampling_.grid));
       }
-      tessellation::append_band(mesh, n);
+      append_band(mesh, n);
     }
     for (std::uint32_t i = 0; i < n; ++i) {
       mesh.points.push_back(end.points[(i + along.shift) % n]);
     }
-    tessellation::append_band(mesh, n);
+    append_band(mesh, n);
     for (std::uint32_t i = 0; i < n; ++i) {
       ends.end[(i + along.shift) % n] = std::uint32_t(mesh.points.size()) - n + i;
     }
@@ -232,8 +233,7 @@ class Mesher {
   // The part of a polygon's disc at the kneecap: beyond the chord of a lune, else all of it.
   static std::vector<Triangle> exposed_disc(const JointPolygon& polygon) {
     std::vector<Triangle> result;
-    tessellation::fill(0, std::min(polygon.exposed, std::uint32_t(polygon.points.size()) - 1),
-                       result);
+    fill(0, std::min(polygon.exposed, std::uint32_t(polygon.points.size()) - 1), result);
     return result;
   }
 
@@ -242,9 +242,9 @@ class Mesher {
     const auto n = std::uint32_t(polygon.points.size());
     std::vector<Triangle> result = exposed_disc(polygon);
     if (polygon.exposed == 0) {
-      tessellation::fill(0, n - 1, result);
+      fill(0, n - 1, result);
     } else if (polygon.exposed < n) {
-      tessellation::fill(polygon.exposed, n, result);
+      fill(polygon.exposed, n, result);
     }
     for (Triangle& triangle : result) {
       for (std::uint32_t& corner : triangle) {
@@ -284,14 +284,16 @@ class Mesher {
       here = appended(here_points);
       ahead = appended(ahead_points);
     }
-    const double error = tessellation::append_kneecap(
-        result_.mesh, joint, here, ahead, {sampling_.segments, allowed_, sampling_.grid});
+    const double error = append_kneecap(result_.mesh, joint, here, ahead,
+                                        {sampling_.segments, allowed_, sampling_.grid});
     result_.error_bound = std::max(result_.error_bound, error);
     append_backward(exposed_disc(before), here);
     append(exposed_disc(after), ahead);
   }
 
-  const KneecapChain& chain_;
+  const Ring& start_;
+  const Ring& end_;
+  const std::vector<PeArc>& arcs_;
   const RingSampling& sampling_;
   double allowed_;
   std::vector<JointCircles> joints_;
@@ -300,18 +302,19 @@ class Mesher {
 
 }  // namespace
 
-std::uint32_t segments_for(const KneecapChain& chain, double tolerance, double grid) {
-  const double allowed = tessellation::allowed_error(tolerance, point_error(chain, grid));
-  return segments_of(chain, (1 - kNegligible) * allowed);
+std::uint32_t kneecap_chain_segments(const std::vector<PeArc>& arcs, double tolerance,
+                                     double grid) {
+  const double allowed = allowed_error(tolerance, point_error(arcs, grid));
+  return segments_of(arcs, (1 - kNegligible) * allowed);
 }
 
-Tessellation tessellate(const KneecapChain& chain, const RingSampling& sampling,
-                        const TessellationOptions& options) {
-  const double displacement = point_error(chain, sampling.grid);
+Tessellation kneecap_chain_mesh(const Ring& start, const Ring& end, const std::vector<PeArc>& arcs,
+                                const RingSampling& sampling, const TessellationOptions& options) {
+  const double displacement = point_error(arcs, sampling.grid);
   Tessellation result =
-      Mesher(chain, sampling, tessellation::allowed_error(options.tolerance, displacement)).run();
+      Mesher(start, end, arcs, sampling, allowed_error(options.tolerance, displacement)).run();
   result.error_bound += displacement;
   return result;
 }
 
-}  // namespace dupin
+}  // namespace dupin::tessellation

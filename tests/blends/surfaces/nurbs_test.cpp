@@ -99,15 +99,16 @@ TEST(Nurbs, of_rational_surfaces_is_exact) {
 // Mathematics C9: the pieces' patches and the sphere at their joint, all of which the kneecap
 // needs.
 TEST(Nurbs, of_a_chain_with_kneecaps_are_its_pieces_and_spheres) {
-  const KneecapChain chain = kneecap_chain(std::vector<PeVector>{{Vec3(0, 0, 0), 1},
-                                                                 {Vec3(2, 1, 0), .8},
-                                                                 {Vec3(4, 1, 0), 1},
-                                                                 {Vec3(6, .2, 0), .9},
-                                                                 {Vec3(8, 1, 0), .7}});
+  const Chain chain = kneecap_chain(std::vector<PeVector>{{Vec3(0, 0, 0), 1},
+                                                          {Vec3(2, 1, 0), .8},
+                                                          {Vec3(4, 1, 0), 1},
+                                                          {Vec3(6, .2, 0), .9},
+                                                          {Vec3(8, 1, 0), .7}});
+  const std::vector<PeArc> pieces = cyclide_pieces(chain);
   const NurbsForm form = nurbs(chain, .01);
   EXPECT_EQ(form.error_bound, 0);
   std::size_t patch_count = 0;
-  for (const PeArc& piece : chain.pieces) {
+  for (const PeArc& piece : pieces) {
     patch_count += patches(piece).size();
   }
   ASSERT_EQ(form.surfaces.size(), patch_count + 1);
@@ -115,10 +116,9 @@ TEST(Nurbs, of_a_chain_with_kneecaps_are_its_pieces_and_spheres) {
     for (int i = 0; i <= 8; ++i) {
       for (int j = 0; j <= 8; ++j) {
         const Vec3 point = evaluate(form.surfaces[k], i / 8., j / 8.);
-        const double off = k == patch_count
-                               ? (point - Vec3(4, 1, 0)).norm() - 1
-                               : std::min(std::abs(signed_distance(chain.pieces[0], point)),
-                                          std::abs(signed_distance(chain.pieces[1], point)));
+        const double off = k == patch_count ? (point - Vec3(4, 1, 0)).norm() - 1
+                                            : std::min(std::abs(signed_distance(pieces[0], point)),
+                                                       std::abs(signed_distance(pieces[1], point)));
         EXPECT_NEAR(off, 0, 1e-12);
       }
     }

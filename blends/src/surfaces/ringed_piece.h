@@ -1,0 +1,24 @@
+#pragma once
+
+#include "dupin/blends/nurbs.h"
+#include "dupin/blends/tessellate.h"
+#include "surfaces/piece_operations.h"
+
+namespace dupin::surfaces {
+
+// What a normal ringed surface is able to do: see surface_piece.h.
+
+[[nodiscard]] PieceExtent extent(const RingedSurface& piece, double wall);
+[[nodiscard]] MovingRing leaving(const RingedSurface& piece, End end);
+[[nodiscard]] std::uint32_t segments_for(const RingedSurface& piece, double tolerance, double grid);
+[[nodiscard]] Tessellation tessellate(const RingedSurface& piece, const RingSampling& sampling,
+                                      const TessellationOptions& options);
+[[nodiscard]] PieceDiscs discs(const RingedSurface& piece);
+[[nodiscard]] MarginBounds margin_bounds(const RingedSurface& piece);
+[[nodiscard]] double nearly_largest_margin(const RingedSurface& piece, double wall);
+[[nodiscard]] ProvedStretches prove_margin(const RingedSurface& piece, double wall, double margin);
+[[nodiscard]] std::optional<double> tangency(const RingedSurface& piece, End end);
+[[nodiscard]] TangencyClaim tangency_claim(const RingedSurface& piece, End end);
+[[nodiscard]] NurbsForm nurbs(const RingedSurface& piece, double tolerance);
+
+}  // namespace dupin::surfaces

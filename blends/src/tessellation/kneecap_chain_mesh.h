@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dupin/blends/pe_arc.h"
+#include "dupin/blends/tessellate.h"
+
+namespace dupin::tessellation {
+
+/// What segments_for() and tessellate() do for chains of these arcs with spherical joints, between
+/// the rings stored at their ends.
+[[nodiscard]] std::uint32_t kneecap_chain_segments(const std::vector<PeArc>& arcs, double tolerance,
+                                                   double grid);
+[[nodiscard]] Tessellation kneecap_chain_mesh(const Ring& start, const Ring& end,
+                                              const std::vector<PeArc>& arcs,
+                                              const RingSampling& sampling,
+                                              const TessellationOptions& options);
+
+}  // namespace dupin::tessellation

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "dupin/blends/part_surface.h"
+#include "json/json_document.h"
+
+namespace dupin::json {
+
+/// A piece of a chain in a certificate: an object with the key of its kind and, below it, its exact
+/// numbers.
+[[nodiscard]] Json json_value(const Piece& piece);
+
+/// Throws Error{parse_failed} for anything else.
+[[nodiscard]] Piece certificate_piece(const JsonNode& node);
+
+}  // namespace dupin::json
