@@ -9,7 +9,9 @@
 #include <CGAL/box_intersection_d.h>
 #include <Eigen/Eigenvalues>
 
+#include "boxes/box_tree.h"
 #include "boxes/main_directions.h"
+#include "boxes/tree_traversal.h"
 #include "support/blocks.h"
 
 namespace dupin::arrangement {
@@ -136,20 +138,14 @@ struct TriangleBox {
   std::uint32_t triangle;
 };
 
-struct BoxTraits {
-  using Box = TriangleBox;
-  using Box_parameter = const TriangleBox&;
-  using NT = double;
-  using ID = std::uint32_t;
-  static int dimension() { return 3; }
-  static ID id(const TriangleBox& box) { return box.triangle; }
-  static double min_coord(const TriangleBox& box, int k) {
-    return box.low[static_cast<std::size_t>(k)];
+bool overlap(const TriangleBox& a, const TriangleBox& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (a.high[k] < b.low[k] || b.high[k] < a.low[k]) {
+      return false;
+    }
   }
-  static double max_coord(const TriangleBox& box, int k) {
-    return box.high[static_cast<std::size_t>(k)];
-  }
-};
+  return true;
+}
 
 bool reaches_into(const TriangleBox& box, const Bounds& window) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -194,19 +190,21 @@ class Finder {
     std::vector<TriangleBox> b_boxes = boxes(b, b_runs, axes, window(a, a_bounds));
     std::vector<TriangleBox> a_boxes = boxes(a, a_runs, axes, bounds_of(b_boxes));
     b_boxes = within(bounds_of(a_boxes), b_boxes);
-    // Triangles that follow one another are neighbours, mostly: few others reach into their bounds.
+    // Triangles that follow one another are neighbours, mostly: blocks of them make good trees.
+    const boxes::BoxQuantizer quantizer = quantizer_for(bounds_of(a_boxes), bounds_of(b_boxes));
+    const boxes::BoxTree b_tree = tree_over(b_boxes, quantizer);
     std::vector<std::vector<TrianglePair>> parts(support::block_count(a_boxes.size()));
     support::for_each_block(a_boxes.size(), [&](const support::Block& block) {
-      const std::span<TriangleBox> mine =
+      const std::span<const TriangleBox> mine =
           std::span(a_boxes).subspan(block.begin, block.end - block.begin);
-      std::vector<TriangleBox> others = within(bounds_of(mine), b_boxes);
+      const boxes::BoxTree tree = tree_over(mine, quantizer);
       std::vector<TrianglePair>& found = parts[block.number];
-      CGAL::box_intersection_d(
-          mine.begin(), mine.end(), others.begin(), others.end(),
-          [&found](const TriangleBox& x, const TriangleBox& y) {
-            found.push_back({x.triangle, y.triangle});
-          },
-          BoxTraits(), kBoxCutoff);
+      boxes::TreeTraversal(tree, b_tree).visit({1, 1}, [&](std::uint32_t i, std::uint32_t k) {
+        const TriangleBox &x = mine[tree.items()[i]], &y = b_boxes[b_tree.items()[k]];
+        if (overlap(x, y)) {
+          found.push_back({x.triangle, y.triangle});
+        }
+      });
       std::sort(found.begin(), found.end());
     });
     return support::joined(std::move(parts));
@@ -216,15 +214,16 @@ class Finder {
   [[nodiscard]] std::vector<TrianglePair> pairs_within(std::uint32_t operand) const {
     std::vector<std::uint32_t> runs(framed_[operand].runs.size());
     std::iota(runs.begin(), runs.end(), 0u);
-    std::vector<TriangleBox> all =
+    const std::vector<TriangleBox> all =
         boxes(operand, runs, framed_[operand].axes, framed_[operand].bounds);
+    const boxes::BoxTree tree = tree_over(all, quantizer_for(bounds_of(all), Bounds()));
     std::vector<TrianglePair> result;
-    CGAL::box_self_intersection_d(
-        all.begin(), all.end(),
-        [&result](const TriangleBox& x, const TriangleBox& y) {
-          result.push_back({std::min(x.triangle, y.triangle), std::max(x.triangle, y.triangle)});
-        },
-        BoxTraits(), kBoxCutoff);
+    boxes::TreeTraversal(tree).visit({1, 1}, [&](std::uint32_t i, std::uint32_t k) {
+      const TriangleBox &x = all[tree.items()[i]], &y = all[tree.items()[k]];
+      if (overlap(x, y)) {
+        result.push_back({std::min(x.triangle, y.triangle), std::max(x.triangle, y.triangle)});
+      }
+    });
     std::sort(result.begin(), result.end());
     return result;
   }
@@ -278,6 +277,27 @@ class Finder {
             t};
   }
 
+  [[nodiscard]] static boxes::BoxQuantizer quantizer_for(const Bounds& a, const Bounds& b) {
+    const Bounds all = a.merged(b);
+    return boxes::BoxQuantizer(std::array{all.min(), all.max()});
+  }
+  // Over boxes in single precision, somewhat larger: threads may round differently.
+  [[nodiscard]] static boxes::BoxTree tree_over(std::span<const TriangleBox> triangles,
+                                                const boxes::BoxQuantizer& quantizer) {
+    constexpr float kMargin = 0x1p-22F;
+    support::BulkVector<boxes::Box> mapped(triangles.size());
+    support::for_each_block(triangles.size(), [&](const support::Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        const auto& [low, high, t] = triangles[i];
+        const boxes::FramedPoint from = quantizer.map(Vec3(low[0], low[1], low[2])),
+                                 to = quantizer.map(Vec3(high[0], high[1], high[2]));
+        mapped[i] = {{from[0] - kMargin, from[1] - kMargin, from[2] - kMargin},
+                     {to[0] + kMargin, to[1] + kMargin, to[2] + kMargin}};
+      }
+    });
+    return boxes::BoxTree(std::span<const boxes::Box>(mapped));
+  }
+
   [[nodiscard]] static Bounds bounds_of(std::span<const TriangleBox> boxes) {
     Bounds all;
     for (const TriangleBox& b : boxes) {
@@ -293,9 +313,6 @@ class Finder {
                  [&window](const TriangleBox& b) { return reaches_into(b, window); });
     return kept;
   }
-
-  // Fewer boxes than this are compared all with all.
-  static constexpr std::ptrdiff_t kBoxCutoff = 50;
 
   const ArrangementInput& input_;
   double slack_;

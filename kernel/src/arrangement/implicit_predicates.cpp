@@ -7,11 +7,10 @@ namespace {
 
 using Number = CGAL::Mpzf;
 
-// Stage A of [She97] bounds the error
-// of the determinant by (7 + 56 u) u times its permanent, u the largest relative error of one
-// operation. Here rounding is upward, so u = 2^-52; the 8 instead of 7 pays for computing the
-// permanent itself in floating point. The addend covers underflow of products; overflow gives
-// infinities or NaN, which are never certain.
+// Stage A of [She97] bounds the error of the determinant by (7 + 56 u) u times its permanent, u the
+// largest relative error of one operation. Here rounding is upward, so u = 2^-52; the 8 instead of
+// 7 pays for computing the permanent itself in floating point. The addend covers underflow of
+// products; overflow gives infinities or NaN, which are never certain.
 constexpr double kSideBound = 8 * 0x1p-52;
 constexpr double kUnderflow = 0x1p-900;
 

@@ -5,10 +5,10 @@
 #include <bit>
 #include <numeric>
 
-#include <CGAL/box_intersection_d.h>
-
 #include "arrangement/coincident_point_index.h"
 #include "arrangement/limits.h"
+#include "boxes/box_tree.h"
+#include "boxes/tree_traversal.h"
 #include "mesh/coincident_points.h"
 #include "support/blocks.h"
 
@@ -128,17 +128,27 @@ void add_points_and_triangles(ArrangementInput& input) {
 }
 
 void find_operand_pairs(ArrangementInput& input) {
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
-  std::vector<Box> boxes;
-  for (std::uint32_t i = 0; i < input.bounds.size(); ++i) {
-    const ArrangementInput::Bounds& b = input.bounds[i];
+  std::vector<Vec3> corners;
+  for (const ArrangementInput::Bounds& b : input.bounds) {
     if (!b.isEmpty()) {
-      boxes.emplace_back(
-          CGAL::Bbox_3(b.min()[0], b.min()[1], b.min()[2], b.max()[0], b.max()[1], b.max()[2]), i);
+      corners.insert(corners.end(), {b.min(), b.max()});
     }
   }
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&input](const Box& a, const Box& b) {
-    input.operand_pairs.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
+  const boxes::BoxQuantizer quantizer(corners);
+  std::vector<boxes::Box> mapped;
+  for (const ArrangementInput::Bounds& b : input.bounds) {
+    mapped.push_back(boxes::Box::nothing());
+    if (!b.isEmpty()) {
+      const boxes::FramedPoint low = quantizer.map(b.min()), high = quantizer.map(b.max());
+      mapped.back() = {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+    }
+  }
+  const boxes::BoxTree tree{std::span<const boxes::Box>(mapped)};
+  boxes::TreeTraversal(tree).visit({1, 1}, [&](std::uint32_t i, std::uint32_t k) {
+    const auto [a, b] = std::minmax(tree.items()[i], tree.items()[k]);
+    if (input.bounds[a].intersects(input.bounds[b])) {
+      input.operand_pairs.push_back({a, b});
+    }
   });
   std::sort(input.operand_pairs.begin(), input.operand_pairs.end());
 }

@@ -56,15 +56,15 @@ class Plane {
       vertices.push_back(triangulation_.add(id));
       triangulation_.insert(vertices.back());
     }
-    while (lines_.size() < segments) {
+    while (segments_.size() < segments) {
       const std::size_t i = random() % ids.size(), k = random() % ids.size();
       if (i != k) {
-        lines_.push_back({{ids[i], ids[k]}, {static_cast<std::uint32_t>(lines_.size())}});
-        triangulation_.constrain(vertices[i], vertices[k],
-                                 static_cast<std::uint32_t>(lines_.size() - 1));
+        const auto slot = static_cast<std::uint32_t>(lines_.size());
+        lines_.push_back({{ids[i], ids[k]}, {static_cast<std::uint32_t>(segments_.size())}});
+        segments_.push_back(lines_.back().ends);
+        triangulation_.constrain(vertices[i], vertices[k], slot);
       }
     }
-    segments_ = lines_.size();
     triangulation_.improve(frame_);
   }
 
@@ -82,9 +82,9 @@ class Plane {
   [[nodiscard]] const std::vector<ConstrainedTriangulation::Face>& faces() const {
     return triangulation_.faces();
   }
-  [[nodiscard]] std::size_t segments() const { return segments_; }
+  [[nodiscard]] std::size_t segments() const { return segments_.size(); }
   [[nodiscard]] std::array<Planar, 2> segment(std::size_t i) const {
-    return {planar(lines_[i].ends[0]), planar(lines_[i].ends[1])};
+    return {planar(segments_[i][0]), planar(segments_[i][1])};
   }
   // The segments that a slot stands for.
   [[nodiscard]] const std::vector<std::uint32_t>& members(std::uint32_t slot) const {
@@ -117,8 +117,8 @@ class Plane {
 
   UpwardRounding rounding_;
   PointTable points_;
-  std::vector<Line> lines_;
-  std::size_t segments_ = 0;
+  std::vector<std::array<PointId, 2>> segments_;
+  std::vector<Line> lines_;  // by slot
   ConstrainedTriangulation triangulation_;
   Triangle frame_{};
 };

@@ -1,6 +1,7 @@
 #include <array>
 #include <random>
 
+#include <Eigen/Geometry>
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 #include <map>
 #include <random>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"

@@ -1,5 +1,6 @@
 #include <random>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/mesh.h"

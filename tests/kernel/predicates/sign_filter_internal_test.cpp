@@ -99,7 +99,9 @@ TEST(SignFilter, is_certain_of_what_is_far_from_zero) {
   EXPECT_EQ(plane.side(Vec3(5, 5, 2)), 1);
   EXPECT_EQ(plane.side(Vec3(5, 5, 0)), -1);
   EXPECT_EQ(plane.side(Vec3(5, 5, 1)), 0);
-  EXPECT_EQ(plane.side(Vec3(1e308, 1e308, -1e308)), 0) << "it overflows";
+  const PlaneFilter overflowing(Vec3(0, 0, 0), Vec3(1e200, -1e200, 0), Vec3(0, 1e200, -1e200));
+  EXPECT_FALSE(overflowing.certain());
+  EXPECT_EQ(overflowing.side(Vec3(1, 2, 3)), 0);
 }
 
 }  // namespace
