@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/tool.h"
-#include "dupin/io/mesh_file.h"
+#include "support/known_extensions.h"
 #include "support/shapes.h"
 
 namespace dupin::test {
@@ -22,16 +22,6 @@ const std::vector<std::string>& commands() {
       "build", "union",   "intersect", "subtract", "boolean", "check", "gaps",      "info",
       "edit",  "convert", "simplify",  "certify",  "verify",  "nurbs", "completion"};
   return names;
-}
-
-std::string known_extensions() {
-  std::string known;
-  for (const MeshFormat& format : mesh_formats()) {
-    if (!format.extension.empty()) {
-      known += (known.empty() ? "" : ", ") + std::string(format.extension);
-    }
-  }
-  return known;
 }
 
 TEST_F(Usage, faults_are_one_line_on_standard_error) {

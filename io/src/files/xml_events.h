@@ -1,5 +1,13 @@
 #pragma once
 
+// Files: what holds the bytes of a format, on disk and inside each other.
+//
+// dupin/io/atomic_file.h writes aside and renames, so that whoever looks finds the old file or the
+// whole new one. The containers of 3MF are read as they come from strangers: XML as a stream of
+// events, without document types, hence without entities that expand (expat; W3C XML 1.0 with
+// namespaces), and ZIP packages with a limit on what an entry may expand to (libzip; PKWARE
+// APPNOTE 6.3, ECMA-376 part 2). Faults are Error{parse_failed} with file, part and line.
+
 #include <functional>
 #include <optional>
 #include <string>

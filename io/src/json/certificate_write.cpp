@@ -2,7 +2,7 @@
 #include "dupin/io/sha256.h"
 #include "json/certificate_pieces.h"
 #include "json/certificate_seal.h"
-#include "json/json_forms.h"
+#include "json/json_value.h"
 
 namespace dupin {
 namespace {

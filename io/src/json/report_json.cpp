@@ -1,6 +1,6 @@
 #include "dupin/io/report_json.h"
 
-#include "json/json_forms.h"
+#include "json/json_value.h"
 
 namespace dupin {
 namespace json {
@@ -53,15 +53,15 @@ Json json_value(const FileRepair& repair) {
 
 template <class Value>
 Json list(const std::vector<Value>& values) {
-  Json forms = Json::array();
+  Json result = Json::array();
   for (const Value& value : values) {
-    forms.push_back(json_value(value));
+    result.push_back(json_value(value));
   }
-  return forms;
+  return result;
 }
 
 /// Only the defects that occur.
-Json counts_form(const Report& report) {
+Json counts_json(const Report& report) {
   Json counts = Json::object();
   for (std::size_t index = 0; index < report.counts.size(); ++index) {
     if (report.counts[index] > 0) {
@@ -85,7 +85,7 @@ Json json_value(const Report& report) {
           {"genus", report.genus},
           {"volume", report.volume},
           {"area", report.area},
-          {"counts", counts_form(report)},
+          {"counts", counts_json(report)},
           {"findings", list(report.findings)},
           {"shells", list(report.shells)}};
 }
@@ -133,16 +133,16 @@ std::string to_json(const Report& report) { return json::text(json::json_value(r
 std::string to_json(const OutputReport& report) { return json::text(json::json_value(report)); }
 
 std::string to_json(const MeshSummary& summary) {
-  json::Json form{{"file", summary.file}, {"kind", "mesh"}};
+  json::Json object{{"file", summary.file}, {"kind", "mesh"}};
   if (!summary.unit.empty()) {
-    form["unit"] = summary.unit;
+    object["unit"] = summary.unit;
   }
-  form["names"] = summary.mesh.names;
+  object["names"] = summary.mesh.names;
   if (const auto box = bounding_box(summary.mesh); !box.isEmpty()) {
-    form["box"] = {json::json_value(Vec3(box.min())), json::json_value(Vec3(box.max()))};
+    object["box"] = {json::json_value(Vec3(box.min())), json::json_value(Vec3(box.max()))};
   }
-  form["check"] = json::json_value(summary.check);
-  return json::text(form);
+  object["check"] = json::json_value(summary.check);
+  return json::text(object);
 }
 
 std::string error_json(const Error& error, std::string_view kind, int exit_code) {

@@ -1,5 +1,14 @@
 #pragma once
 
+// Text: what the mesh formats share when they read and write characters and bytes.
+//
+// Reading goes token by token over bytes that are all in memory (text_scanner.h), knows the place
+// of every fault as "file:line", and takes decimals to the nearest double (plain_decimal.h, after
+// Lemire, "Number parsing at a gigabyte per second", 2021). Writing is deterministic: the shortest
+// decimals that read back (dupin/kernel/decimal.h), -0 as 0, names as valid UTF-8 (Unicode 15,
+// table 3-7). Polygons are cut by exact predicates (polygon.h), equal corners become one point
+// (point_merger.h). Nothing here knows a format.
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>

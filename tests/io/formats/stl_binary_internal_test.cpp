@@ -1,10 +1,14 @@
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
+#include "dupin/io/mesh_file.h"
 #include "dupin/io/stl.h"
 #include "formats/stl_binary.h"
+#include "io/formats/first_use.h"
+#include "support/malformed.h"
 #include "support/sample_meshes.h"
 
 namespace dupin {
@@ -74,6 +78,140 @@ TEST(StlLists, notices_numbers_that_the_format_does_not_hold) {
   TriMesh finer = mesh();
   finer.points.back().x() *= 1 + 0x1p-40;
   EXPECT_FALSE(formats::stl_binary_lists(finer, stl_binary_bytes(finer)));
+}
+
+TEST(Stl, binary_keeps_one_name_and_tells_the_unit) {
+  TriMesh mesh = test::by_first_use(test::tetrahedron());
+  mesh.labels.assign(4, 0);
+  mesh.names = {"pump house"};
+  const std::string bytes = stl_binary_bytes(mesh, {"mm", "moved"});
+  EXPECT_STREQ(bytes.substr(0, 80).c_str(), "dupin binary STL; unit: mm; moved; solid pump house");
+  EXPECT_TRUE(test::identical(read_stl_binary(bytes, "x.stl"), mesh));
+
+  const TriMesh two = read_stl_binary(stl_binary_bytes(test::labelled_tetrahedron()), "x.stl");
+  EXPECT_TRUE(two.names.empty());
+}
+
+TEST(Stl, a_long_name_is_cut_between_characters) {
+  TriMesh mesh = test::by_first_use(test::tetrahedron());
+  mesh.labels.assign(4, 0);
+  mesh.names = {""};
+  for (int i = 0; i < 40; ++i) {
+    mesh.names[0] += "\xC3\xA9";
+  }
+  const TriMesh read = read_stl_binary(stl_binary_bytes(mesh), "x.stl");
+  EXPECT_EQ(read.names[0], mesh.names[0].substr(0, 56));  // 80 less "dupin binary STL; solid "
+}
+
+TriMesh read_any(std::string_view bytes, std::string_view file) { return read_mesh(bytes, file); }
+
+TEST(MalformedMesh, off_is_refused_with_its_line) {
+  const std::string head = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
+  const std::string keyword = "expected the keyword OFF (or COFF, NOFF, CNOFF, STOFF)";
+  test::expect_refused(
+      read_any, "a.off",
+      {
+          {"", "a.off:1: found the end of the file, " + keyword},
+          {"\n# no mesh\n3 1 0\n", "a.off:3: found '3', " + keyword},
+          {"4OFF\n3 1 0\n", "a.off:1: found '4OFF', " + keyword},
+          {"OFFICE\n", "a.off:1: found 'OFFICE', " + keyword},
+          {"OFF BINARY\n", "a.off:1: found 'BINARY', expected the text form of OFF"},
+          {"OFF\n",
+           "a.off:2: found the end of the file, expected the number of vertices, an integer"},
+          {"OFF\n3\n",
+           "a.off:2: found the end of the line, expected the number of faces, an integer"},
+          {"OFF\nthree 1 0\n",
+           "a.off:2: found 'three', expected the number of vertices, an integer"},
+          {"OFF\n-3 1 0\n",
+           "a.off:2: found '-3', expected the number of vertices, an integer from 0 to 4294967295"},
+          {"OFF\n3.5 1 0\n", "a.off:2: found '3.5', expected the number of vertices, an integer"},
+          {"OFF\n99999999999999999999 1 0\n",
+           "a.off:2: found '99999999999999999999', expected the number of vertices, an integer "
+           "from 0 "
+           "to 4294967295"},
+          {"OFF\n3 1 0 0\n", "a.off:2: found '0', expected the end of the line behind the counts"},
+          {"OFF\n4000000000 4000000000 0\n0 0 0\n",
+           "a.off:2: found counts of 4000000000 vertices and 4000000000 faces, expected at least "
+           "56000000000 bytes after them, not 6"},
+          {"OFF\n2 0 0\n0 0 0\n",
+           "a.off:2: found counts of 2 vertices and 0 faces, expected at least 12 bytes after "
+           "them, "
+           "not 6"},
+          {"OFF\n1 0 0\n0 0\n  \n", "a.off:3: found the end of the line, expected a coordinate"},
+          {"OFF\n1 0 0\n0 0 0 0\n",
+           "a.off:3: found '0', expected the end of the line behind a vertex"},
+          {"OFF\n1 0 0\n0 nan 0\n", "a.off:3: found 'nan', expected a coordinate that is finite"},
+          {"OFF\n1 0 0\n0 0 -inf\n", "a.off:3: found '-inf', expected a coordinate that is finite"},
+          {"OFF\n1 0 0\n1e999 0 0\n",
+           "a.off:3: found '1e999', expected a coordinate in the range of doubles"},
+          {"OFF\n1 0 0\n1,5 0 0\n", "a.off:3: found '1,5', expected a coordinate"},
+          {"OFF\n1 0 0\n0x1p3 0 0\n", "a.off:3: found '0x1p3', expected a coordinate"},
+          {"OFF\n1 0 0\n+-1 0 0 0\n", "a.off:3: found '+-1', expected a coordinate"},
+          {"OFF\n1 0 0\n0 0 \xff\xfe\n", "a.off:3: found '\\xff\\xfe', expected a coordinate"},
+          {std::string("OFF\n1 0 0\n0 0 \0\n", 16),
+           "a.off:3: found '\\x00', expected a coordinate"},
+          {"COFF\n1 0 0\n0 0 0 red\n",
+           "a.off:3: found 'red', expected a component of a normal, colour or texture coordinate"},
+          {head + "         ",
+           "a.off:6: found the end of the file, expected a face: its number of vertices, an "
+           "integer"},
+          {head + "2 0 1 \n",
+           "a.off:6: found '2', expected a face: its number of vertices, an integer from 3 to "
+           "4294967295"},
+          {head + "3 0 1 3\n",
+           "a.off:6: found '3', expected the index of a vertex, an integer from 0 to 2"},
+          {head + "3 0 1 -1\n",
+           "a.off:6: found '-1', expected the index of a vertex, an integer from 0 to 2"},
+          {head + "3 0 1 0.5\n",
+           "a.off:6: found '0.5', expected the index of a vertex, an integer"},
+          {head + "3 0 1   \n2\n",
+           "a.off:6: found the end of the line, expected the index of a vertex, an integer"},
+          {head + "3 0 1 2 1 2 3 4 5\n",
+           "a.off:6: found more than 4 numbers behind a face of 3 vertices, expected at most a "
+           "colour"},
+          {head + "3 0 1 2 blue\n", "a.off:6: found 'blue', expected a colour's component"},
+          {head + "3 0 1 2\n3 0 1 2\n",
+           "a.off:7: found '3', expected the end of the file behind the last face"},
+          {"OFF\n0 1 0\n3 0 0 0\n", "a.off:2: found 1 faces of no vertices, expected vertices"},
+      });
+}
+
+TEST(MalformedMesh, binary_stl_is_refused_with_its_byte) {
+  const std::string good = stl_binary_bytes(test::tetrahedron());
+  std::string nan = good;
+  nan.replace(84 + 50 + 24, 4, "\xff\xff\xff\x7f");
+  std::string infinite = good;
+  infinite.replace(84 + 12, 4, std::string("\0\0\x80\xff", 4));
+  std::string huge = good;
+  huge.replace(80, 4, "\xff\xff\xff\xff");
+  std::string solid = good;
+  solid.replace(0, 5, "solid");
+  test::expect_refused(
+      read_any, "a.stl",
+      {
+          {"",
+           "a.stl:byte 0: found a file of 0 bytes, expected at least the 84 that begin a binary "
+           "STL, "
+           "or the word 'solid'"},
+          {good.substr(0, 83),
+           "a.stl:byte 0: found a file of 83 bytes, expected at least the 84 that begin a binary "
+           "STL, "
+           "or the word 'solid'"},
+          {good.substr(0, 283),
+           "a.stl:byte 80: found a count of 4 triangles in a file of 283 bytes, expected 284 "
+           "bytes"},
+          {good + "x",
+           "a.stl:byte 80: found a count of 4 triangles in a file of 285 bytes, expected 284 "
+           "bytes"},
+          {solid + "x",
+           "a.stl:byte 80: found a count of 4 triangles in a file of 285 bytes, expected 284 "
+           "bytes"},
+          {huge,
+           "a.stl:byte 80: found a count of 4294967295 triangles in a file of 284 bytes, expected "
+           "214748364834 bytes"},
+          {nan, "a.stl:byte 158: found the point (nan 0 0), expected finite coordinates"},
+          {infinite, "a.stl:byte 96: found the point (-inf 0 0), expected finite coordinates"},
+      });
 }
 
 }  // namespace

@@ -55,24 +55,6 @@ TEST(ReportJson, only_defects_that_occur_are_counted) {
   EXPECT_EQ(parsed.at("watertight"), false);
 }
 
-TEST(ReportJson, gaps_keep_their_rationals) {
-  const Ring end{{0, 0, 0}, {0, 0, 1}, 1, 0};
-  Ring start = flipped(end);
-  start.center.z() = 0.5;
-  start.radius = 1.25;
-  GapSummary summary{"a.json", Unit::inch, 1, {{"a.end", end, "a"}, {"b.start", start, "b"}}, {}};
-  summary.pairs = pair_ends(summary.ports, summary.connect);
-  EXPECT_EQ(summary.findings(), 1);
-  const json parsed = json::parse(to_json(summary));
-  EXPECT_EQ(parsed.at("unit"), "in");
-  const json& pair = parsed.at("pairs").at(0);
-  EXPECT_EQ(pair.at("verdict"), "gap");
-  EXPECT_EQ(pair.at("axial"), json::parse(R"({"lower": 0.5, "upper": 0.5})"));
-  EXPECT_EQ(pair.at("exact").at("axial_dot"), "1/2");
-  EXPECT_EQ(pair.at("exact").at("radius_difference"), "1/4");
-  EXPECT_EQ(pair.at("deviations").size(), 2);
-}
-
 TEST(ReportJson, an_error_says_what_the_exception_says) {
   const Error error(Errc::parse_failed, "expected a number", "inlet", "a.json#/parts/0");
   const json parsed = json::parse(error_json(error, name(error.code()), 3)).at("error");

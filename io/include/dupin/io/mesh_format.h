@@ -1,5 +1,14 @@
 #pragma once
 
+// Formats: triangle meshes as files. A format is one value of MeshFormat, declared beside its
+// reader and writer; mesh_file.cpp lists them, and nothing else knows the list (docs/extending.md).
+//
+// The specifications: OFF of Geomview; STL of 3D Systems, StereoLithography Interface, 1989, text
+// and binary; PLY of Turk, 1994; Wavefront OBJ, its polygons; 3MF core 1.3; glTF 2.0 (ISO/IEC
+// 12113), binary. Coordinates are doubles, the nearest to what a file says, or binary32 where a
+// format holds no more; -0 becomes 0; a label is a name that faces share, by whatever the format
+// has for it: a group, a block, a material. Readers refuse what is malformed with its line or byte.
+
 #include <cstdint>
 #include <string>
 #include <string_view>

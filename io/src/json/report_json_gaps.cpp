@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "dupin/io/report_json.h"
-#include "json/json_forms.h"
+#include "json/json_value.h"
 
 namespace dupin {
 namespace json {
@@ -18,7 +18,7 @@ Json json_value(const Deviation& deviation) {
 }
 
 /// The rationals as "numerator/denominator".
-Json exact_form(const GapReport& report) {
+Json exact_json(const GapReport& report) {
   return {{"axial_dot", report.axial_dot.get_str()},
           {"normal_squared", report.normal_squared.get_str()},
           {"offset_squared", report.offset_squared.get_str()},
@@ -48,7 +48,7 @@ Json json_value(const GapPair& pair, const std::vector<Port>& ports) {
     for (const Deviation& deviation : report.deviations) {
       result["deviations"].push_back(json_value(deviation));
     }
-    result["exact"] = exact_form(report);
+    result["exact"] = exact_json(report);
   }
   return result;
 }
@@ -73,14 +73,14 @@ Json json_value(const GapRegion& region) {
 
 template <class Value>
 Json list(const std::vector<Value>& values) {
-  Json forms = Json::array();
+  Json result = Json::array();
   for (const Value& value : values) {
-    forms.push_back(json_value(value));
+    result.push_back(json_value(value));
   }
-  return forms;
+  return result;
 }
 
-Json mesh_gap_form(const MeshGapSummary& summary) {
+Json mesh_gap_json(const MeshGapSummary& summary) {
   const MeshGapReport& report = summary.report;
   return {{"file_a", summary.file_a},
           {"file_b", summary.file_b},
@@ -127,7 +127,7 @@ std::size_t MeshGapSummary::findings() const {
 std::string to_json(const GapSummary& summary) { return json::text(json::json_value(summary)); }
 
 std::string to_json(const MeshGapSummary& summary) {
-  return json::text(json::mesh_gap_form(summary));
+  return json::text(json::mesh_gap_json(summary));
 }
 
 }  // namespace dupin

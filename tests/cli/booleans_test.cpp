@@ -1,5 +1,6 @@
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -19,86 +20,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 using MeshCommands = Tool;
-
-TEST_F(MeshCommands, check_reports_a_solid) {
-  put("a.off", frame());
-  const ProcessResult result = dupin({"check", "a.off"});
-  EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.out, HasSubstr("volume               64\n"));
-  EXPECT_THAT(result.out, HasSubstr("watertight           yes\n"));
-  const auto report = json({"check", "a.off"}, 0);
-  EXPECT_EQ(report.at("solid"), true);
-  EXPECT_EQ(report.at("volume"), 64);
-  EXPECT_EQ(report.at("genus"), 1);
-  EXPECT_EQ(report.at("counts"), nlohmann::json::object());
-}
-
-TEST_F(MeshCommands, check_lists_faults_with_faces_and_places) {
-  put("a.off", open_box());
-  const ProcessResult result = dupin({"check", "a.off"});
-  EXPECT_EQ(result.exit_code, 1);
-  EXPECT_EQ(result.err, "");
-  EXPECT_THAT(result.out, HasSubstr("watertight           no\n"));
-  EXPECT_THAT(result.out, HasSubstr("boundary_edge: 3\n"));
-  const auto report = json({"check", "a.off"}, 1);
-  EXPECT_EQ(report.at("counts"), (nlohmann::json{{"boundary_edge", 3}}));
-  EXPECT_EQ(report.at("findings").size(), 3);
-  EXPECT_EQ(report.at("findings")[0].at("defect"), "boundary_edge");
-  EXPECT_EQ(report.at("findings")[0].at("faces").size(), 1);
-}
-
-TEST_F(MeshCommands, check_reads_standard_input) {
-  const std::string bytes = mesh_bytes(frame(), kStlBinary);
-  EXPECT_EQ(dupin({"check", "-"}, bytes).exit_code, 0);
-  EXPECT_EQ(dupin({"check", "-"}, "nonsense").exit_code, 3);
-}
-
-TEST_F(MeshCommands, malformed_files_are_named_with_the_place) {
-  const std::vector<std::pair<std::string, std::string>> table{
-      {"OFF\n1 0 0\n0 nan 0\n", "a.off:3: found 'nan', expected a coordinate that is finite"},
-      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
-       "a.off:6: found '3', expected the index of a vertex, an integer from 0 to 2"},
-      {"OFF\n4000000000 4000000000 0\n0 0 0\n",
-       "a.off:2: found counts of 4000000000 vertices and 4000000000 faces, expected at least "
-       "56000000000 bytes after them, not 6"},
-      {"solid a\nfacet\n", "a.off:3: found the end of the file, expected 'normal'"},
-  };
-  for (const auto& [text, message] : table) {
-    folder_.write("a.off", text);
-    for (const std::string command : {"check", "info", "gaps"}) {
-      const ProcessResult result = dupin({command, "a.off"});
-      EXPECT_EQ(result.exit_code, 3);
-      EXPECT_EQ(result.err, "dupin: " + message + "\n");
-      EXPECT_EQ(result.out, "");
-    }
-    const ProcessResult quiet = dupin({"convert", "a.off", "b.off", "--quiet"});
-    EXPECT_EQ(quiet.err, "dupin: " + message + "\n");
-  }
-  EXPECT_THAT(folder_.files(), ElementsAre("a.off"));
-}
-
-TEST_F(MeshCommands, info_says_what_a_mesh_holds) {
-  put("a.off", box({0, 0, 0}, {2, 3, 4}));
-  const auto info = json({"info", "a.off"}, 0);
-  EXPECT_EQ(info.at("kind"), "mesh");
-  EXPECT_EQ(info.at("box"), (nlohmann::json{{0, 0, 0}, {2, 3, 4}}));
-  EXPECT_EQ(info.at("check").at("volume"), 24);
-  EXPECT_THAT(dupin({"info", "a.off"}).out, HasSubstr("(0, 0, 0) to (2, 3, 4)\n"));
-}
-
-TEST_F(MeshCommands, info_lists_labels) {
-  const TriMesh two = joined(
-      {labelled(box({0, 0, 0}, {1, 1, 1}), "left"), labelled(box({2, 0, 0}, {3, 1, 1}), "right")});
-  folder_.write("a.stl", mesh_bytes(two, kStlAscii));
-  EXPECT_EQ(json({"info", "a.stl"}, 0).at("names"), (nlohmann::json{"left", "right"}));
-}
-
-TEST_F(MeshCommands, info_lists_the_parts_of_a_document) {
-  const auto info = json({"info", example("reducer.json")}, 0);
-  EXPECT_EQ(info.at("kind"), "assembly");
-  EXPECT_EQ(info.at("unit"), "mm");
-  EXPECT_EQ(info.at("parts").size(), 3);
-}
 
 TEST_F(MeshCommands, union_of_crossing_boxes_has_the_exact_volume) {
   put("a.off", box({0, 0, 0}, {2, 2, 2}));
@@ -234,34 +155,6 @@ TEST_F(MeshCommands, holes_are_not_repaired) {
   EXPECT_THAT(folder_.files(), ElementsAre("a.off", "open.off"));
 }
 
-TEST_F(MeshCommands, an_interrupt_ends_at_once_and_leaves_no_file) {
-  const ProcessResult result = shell("timeout --preserve-status -s INT 0.5 " DUPIN_TOOL
-                                     " convert - out.off < <(sleep 20); echo $?; ls -A");
-  EXPECT_EQ(result.out, "130\nexamples\n");
-  EXPECT_EQ(result.err, "dupin: interrupted\n");
-}
-
-TEST_F(MeshCommands, convert_keeps_a_mesh_in_every_format) {
-  put("a.off", frame());
-  const auto original = json({"check", "a.off"}, 0);
-  for (const MeshFormat& row : mesh_formats()) {
-    const std::string format(row.key);
-    const auto report = json({"convert", "a.off", "b", "--format", format}, 0);
-    EXPECT_EQ(report.at("check").at("volume"), original.at("volume")) << format;
-    EXPECT_EQ(report.at("check").at("triangles"), original.at("triangles")) << format;
-    EXPECT_EQ(json({"check", "b"}, 0), report.at("check")) << format;
-  }
-}
-
-TEST_F(MeshCommands, convert_rounds_a_solid_so_that_it_stays_one) {
-  put("a.off", moved(tube(1.0 / 3, 0, 1, 24), {0.1, 0.2, 0.3}));
-  const auto report = json({"convert", "a.off", "b.stl"}, 0);
-  EXPECT_EQ(report.at("rounding").at("coordinates"), "binary32");
-  EXPECT_GT(report.at("rounding").at("moved_points"), 0);
-  EXPECT_LT(report.at("rounding").at("largest_move"), 1e-6);
-  EXPECT_EQ(report.at("check").at("solid"), true);
-}
-
 TEST_F(MeshCommands, union_fills_slits_and_says_so) {
   std::array<double, 4> heights = {0.6, 1.4, 0.6, 0.4};  // in float steps: rounding breaks the void
   for (double& height : heights) {
@@ -281,19 +174,6 @@ TEST_F(MeshCommands, union_fills_slits_and_says_so) {
   EXPECT_EQ(json({"union", "a.off", "b.off", "-o", "c.off"}, 0).at("contacts").size(), 4);
 }
 
-TEST_F(MeshCommands, convert_moves_the_origin_and_says_so) {
-  put("a.off", moved(tube(10, 0, 50, 24), {238409, 81742, 606708}));
-  const auto kept = json({"convert", "a.off", "kept.stl"}, 0);
-  const auto moved_by = json({"convert", "a.off", "b.stl", "--origin", "auto"}, 0);
-  EXPECT_EQ(kept.at("rounding").at("origin"), (std::vector<double>{0, 0, 0}));
-  EXPECT_NEAR(moved_by.at("rounding").at("origin")[2], 606708 + 25, 25);
-  EXPECT_GT(kept.at("rounding").at("largest_move"), 0x1p-8) << "floats are 2^-6 apart there";
-  EXPECT_LT(moved_by.at("rounding").at("largest_move"), 1e-5);
-  EXPECT_THAT(folder_.read("b.stl").substr(0, 80), HasSubstr("origin at "));
-  const auto given = json({"convert", "a.off", "c.off", "--origin", "238409,81742,606708"}, 0);
-  EXPECT_EQ(given.at("rounding").at("origin"), (std::vector<double>{238409, 81742, 606708}));
-}
-
 // What was 1 inch long must not become 1 mm long on its way through the tool.
 TEST_F(MeshCommands, units_that_files_state_are_kept) {
   const TriMesh one = box({0, 0, 0}, {1, 1, 1});
@@ -310,33 +190,6 @@ TEST_F(MeshCommands, units_that_files_state_are_kept) {
   EXPECT_EQ(mixed.exit_code, 3);
   EXPECT_THAT(mixed.err, HasSubstr("mm.off"));
   EXPECT_THAT(mixed.err, HasSubstr("is in mm, but in.3mf in in; convert one of them first"));
-}
-
-TEST_F(MeshCommands, convert_snaps_to_a_grid) {
-  put("a.off", moved(box({0, 0, 0}, {1, 1, 1}), {0.1, 0.2, 0.3}));
-  const auto report = json({"convert", "a.off", "b.off", "--grid", "0.25"}, 0);
-  EXPECT_EQ(report.at("check").at("volume"), 1);
-  EXPECT_EQ(report.at("rounding").at("moved_points"), 8);
-}
-
-TEST_F(MeshCommands, simplify_leaves_fewer_triangles) {
-  put("a.off", tube(10, 0, 50, 256));
-  const auto before = json({"check", "a.off"}, 0);
-  const auto report = json({"simplify", "a.off", "b.off", "--tolerance", "0.5mm"}, 0);
-  const int left = report.at("check").at("triangles");
-  EXPECT_LT(left, before.at("triangles").get<int>() / 4);
-  EXPECT_EQ(report.at("simplification").at("removed_triangles"),
-            before.at("triangles").get<int>() - left);
-  EXPECT_LE(report.at("simplification").at("deviation"), 0.5);
-  EXPECT_EQ(report.at("check").at("solid"), true);
-}
-
-TEST_F(MeshCommands, convert_writes_what_is_no_solid_as_it_is) {
-  put("a.off", moved(open_box(), {0.1, 0.2, 0.3}));
-  const auto report = json({"convert", "a.off", "b.stl"}, 0);
-  EXPECT_EQ(report.at("check").at("solid"), false);
-  EXPECT_EQ(report.at("check").at("triangles"), 11);
-  EXPECT_EQ(report.at("rounding").at("moved_points"), 8);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #include "dupin/io/report_json.h"
-#include "json/json_forms.h"
+#include "json/json_value.h"
 
 namespace dupin {
 namespace json {
@@ -9,7 +9,7 @@ Json number_or_null(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-Json part_form(const PartReport& part) {
+Json part_json(const PartReport& part) {
   return {{"name", part.name},
           {"kind", part.kind},
           {"construction", part.construction.empty() ? Json(nullptr) : Json(part.construction)},
@@ -57,7 +57,7 @@ std::string to_json(const EditReport& report) {
 std::string to_json(const BuildReport& report) {
   json::Json parts = json::Json::array();
   for (const PartReport& part : report.parts) {
-    parts.push_back(json::part_form(part));
+    parts.push_back(json::part_json(part));
   }
   return json::text({{"unit", symbol(report.gaps.unit)},
                      {"runs", report.runs},

@@ -1,0 +1,69 @@
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/tool.h"
+#include "dupin/io/mesh_file.h"
+#include "support/shapes.h"
+
+namespace dupin::test {
+namespace {
+
+using testing::HasSubstr;
+
+using MeshCommands = Tool;
+
+TEST_F(MeshCommands, convert_keeps_a_mesh_in_every_format) {
+  put("a.off", frame());
+  const auto original = json({"check", "a.off"}, 0);
+  for (const MeshFormat& row : mesh_formats()) {
+    const std::string format(row.key);
+    const auto report = json({"convert", "a.off", "b", "--format", format}, 0);
+    EXPECT_EQ(report.at("check").at("volume"), original.at("volume")) << format;
+    EXPECT_EQ(report.at("check").at("triangles"), original.at("triangles")) << format;
+    EXPECT_EQ(json({"check", "b"}, 0), report.at("check")) << format;
+  }
+}
+
+TEST_F(MeshCommands, convert_rounds_a_solid_so_that_it_stays_one) {
+  put("a.off", moved(tube(1.0 / 3, 0, 1, 24), {0.1, 0.2, 0.3}));
+  const auto report = json({"convert", "a.off", "b.stl"}, 0);
+  EXPECT_EQ(report.at("rounding").at("coordinates"), "binary32");
+  EXPECT_GT(report.at("rounding").at("moved_points"), 0);
+  EXPECT_LT(report.at("rounding").at("largest_move"), 1e-6);
+  EXPECT_EQ(report.at("check").at("solid"), true);
+}
+
+TEST_F(MeshCommands, convert_moves_the_origin_and_says_so) {
+  put("a.off", moved(tube(10, 0, 50, 24), {238409, 81742, 606708}));
+  const auto kept = json({"convert", "a.off", "kept.stl"}, 0);
+  const auto moved_by = json({"convert", "a.off", "b.stl", "--origin", "auto"}, 0);
+  EXPECT_EQ(kept.at("rounding").at("origin"), (std::vector<double>{0, 0, 0}));
+  EXPECT_NEAR(moved_by.at("rounding").at("origin")[2], 606708 + 25, 25);
+  EXPECT_GT(kept.at("rounding").at("largest_move"), 0x1p-8) << "floats are 2^-6 apart there";
+  EXPECT_LT(moved_by.at("rounding").at("largest_move"), 1e-5);
+  EXPECT_THAT(folder_.read("b.stl").substr(0, 80), HasSubstr("origin at "));
+  const auto given = json({"convert", "a.off", "c.off", "--origin", "238409,81742,606708"}, 0);
+  EXPECT_EQ(given.at("rounding").at("origin"), (std::vector<double>{238409, 81742, 606708}));
+}
+
+TEST_F(MeshCommands, convert_snaps_to_a_grid) {
+  put("a.off", moved(box({0, 0, 0}, {1, 1, 1}), {0.1, 0.2, 0.3}));
+  const auto report = json({"convert", "a.off", "b.off", "--grid", "0.25"}, 0);
+  EXPECT_EQ(report.at("check").at("volume"), 1);
+  EXPECT_EQ(report.at("rounding").at("moved_points"), 8);
+}
+
+TEST_F(MeshCommands, convert_writes_what_is_no_solid_as_it_is) {
+  put("a.off", moved(open_box(), {0.1, 0.2, 0.3}));
+  const auto report = json({"convert", "a.off", "b.stl"}, 0);
+  EXPECT_EQ(report.at("check").at("solid"), false);
+  EXPECT_EQ(report.at("check").at("triangles"), 11);
+  EXPECT_EQ(report.at("rounding").at("moved_points"), 8);
+}
+
+}  // namespace
+}  // namespace dupin::test

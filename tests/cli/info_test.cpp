@@ -1,0 +1,42 @@
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/tool.h"
+#include "dupin/io/mesh_file.h"
+#include "dupin/io/stl.h"
+#include "support/shapes.h"
+
+namespace dupin::test {
+namespace {
+
+using testing::HasSubstr;
+
+using MeshCommands = Tool;
+
+TEST_F(MeshCommands, info_says_what_a_mesh_holds) {
+  put("a.off", box({0, 0, 0}, {2, 3, 4}));
+  const auto info = json({"info", "a.off"}, 0);
+  EXPECT_EQ(info.at("kind"), "mesh");
+  EXPECT_EQ(info.at("box"), (nlohmann::json{{0, 0, 0}, {2, 3, 4}}));
+  EXPECT_EQ(info.at("check").at("volume"), 24);
+  EXPECT_THAT(dupin({"info", "a.off"}).out, HasSubstr("(0, 0, 0) to (2, 3, 4)\n"));
+}
+
+TEST_F(MeshCommands, info_lists_labels) {
+  const TriMesh two = joined(
+      {labelled(box({0, 0, 0}, {1, 1, 1}), "left"), labelled(box({2, 0, 0}, {3, 1, 1}), "right")});
+  folder_.write("a.stl", mesh_bytes(two, kStlAscii));
+  EXPECT_EQ(json({"info", "a.stl"}, 0).at("names"), (nlohmann::json{"left", "right"}));
+}
+
+TEST_F(MeshCommands, info_lists_the_parts_of_a_document) {
+  const auto info = json({"info", example("reducer.json")}, 0);
+  EXPECT_EQ(info.at("kind"), "assembly");
+  EXPECT_EQ(info.at("unit"), "mm");
+  EXPECT_EQ(info.at("parts").size(), 3);
+}
+
+}  // namespace
+}  // namespace dupin::test
