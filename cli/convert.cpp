@@ -25,7 +25,8 @@ ExitCode run_convert(const MeshToMesh& arguments, const CommonOptions& common) {
   const MeshHeader header{input.unit(), {}};
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit,
                                                     mesh_length(common.tolerance, 0, header.unit));
-  const bool unchanged = rounding.grid == 0 && rounding.origin.choice == Origin::Choice::keep;
+  const bool unchanged =
+      rounding.output_grid == 0 && rounding.origin.choice == Origin::Choice::keep;
   const TriMesh mesh = read_mesh(input.bytes, input.name);
   const bool stays_solid =
       !(unchanged && fits(mesh, coordinates(to.format))) && check(mesh).is_solid();
