@@ -25,7 +25,8 @@ ExitCode run_convert(const MeshToMesh& arguments, const CommonOptions& common) {
   const Input input = read_input(arguments.input);
   const MeshHeader header{input.unit(), {}};
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit);
-  const bool unchanged = rounding.grid == 0 && rounding.origin.choice == Origin::Choice::keep;
+  const bool unchanged =
+      rounding.output_grid == 0 && rounding.origin.choice == Origin::Choice::keep;
   const TriMesh mesh = read_mesh(input.bytes, input.name);
   const bool stays_solid =
       !(unchanged && fits(mesh, to.format.coordinates)) && check(mesh).is_solid();

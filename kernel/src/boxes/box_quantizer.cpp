@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "boxes/bounds.h"
 #include "boxes/main_directions.h"
 #include "support/blocks.h"
 
@@ -33,13 +34,9 @@ BoxQuantizer::BoxQuantizer(std::span<const Vec3> points) : middle_(Vec3::Zero())
   if (points.empty()) {
     return;
   }
-  Vec3 low = points[0], high = points[0];
-  for (const Vec3& point : points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  middle_ = low / 2 + high / 2;
-  const double reach = (high / 2 - low / 2).maxCoeff();
+  const Eigen::AlignedBox3d bounds = bounds_of(points);
+  middle_ = bounds.min() / 2 + bounds.max() / 2;
+  const double reach = (bounds.max() / 2 - bounds.min() / 2).maxCoeff();
   if (reach > 0) {
     // std::logb(reach) < log2(reach) + 1: the mapped points stay within (-1, 1).
     scale_ = std::exp2(std::clamp(-std::logb(reach) - 1, -1000.0, 1000.0));

@@ -12,6 +12,15 @@
 #include "dupin/kernel/mesh.h"
 #include "support/bulk_vector.h"
 
+/// Boxes around triangles, which name the pairs that may meet. They only ever spare work: what is
+/// decided of a pair is decided by exact predicates.
+///
+/// A BoxQuantizer maps coordinates to floats in [-1, 1], along the axes in which boxes are small
+/// (main_directions), and makes a Box of each triangle that contains it, rounding included. A
+/// BoxTree is a binary tree over such boxes, an implicit one: node i has the children 2i and 2i +
+/// 1, the leaves have four items each. One tree is asked for what is near one box (BoxTree::visit),
+/// a list of boxes (boxes_near), or another tree, or itself (TreeTraversal). Where long slanted
+/// facets leave boxes empty, nodes have an OrientedBox besides [GLM96].
 namespace dupin::boxes {
 
 /// A box along the axes, and in the single precision coordinates, of a BoxQuantizer.

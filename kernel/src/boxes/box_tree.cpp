@@ -147,27 +147,13 @@ bool BoxTree::overlap(std::uint32_t node, const BoxTree& other, std::uint32_t ot
 }
 
 bool BoxTree::overlaps(const Box& box) const {
-  std::array<std::uint32_t, 40> stack;  // deeper than any tree over 2^32 items
-  std::size_t depth = 0;
-  stack[depth++] = 1;
-  while (depth > 0) {
-    const std::uint32_t node = stack[--depth];
-    if (!box.overlaps(nodes_[node])) {
-      continue;
-    }
-    if (node < leaves_) {
-      stack[depth++] = 2 * node;
-      stack[depth++] = 2 * node + 1;
-      continue;
-    }
-    const std::uint32_t leaf = node - leaves_;
-    for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
-      if (box.overlaps(boxes_[i])) {
-        return true;
-      }
-    }
-  }
-  return false;
+  return visit_leaves(
+      [&](std::uint32_t node) { return box.overlaps(nodes_[node]); },
+      [&](std::uint32_t leaf) {
+        const auto items =
+            std::span(boxes_).subspan(leaf * kLeafSize, leaf_end(leaf) - leaf * kLeafSize);
+        return std::ranges::any_of(items, [&](const Box& item) { return box.overlaps(item); });
+      });
 }
 
 double BoxTree::crowding() const {
@@ -203,17 +189,17 @@ void BoxTree::set_groups(std::span<const std::uint32_t> groups) {
   for (std::uint32_t i = 0; i < size(); ++i) {
     item_groups_[i] = groups[order_[i]];
   }
-  groups_.assign(nodes_.size(), kNoGroup);
+  groups_.assign(nodes_.size(), support::kNone);
   for (std::uint32_t leaf = 0; leaf < leaf_count(); ++leaf) {
     const std::uint32_t first = leaf * kLeafSize;
     std::uint32_t& group = groups_[leaves_ + leaf];
     group = item_groups_[first];
     for (std::uint32_t i = first; i < leaf_end(leaf); ++i) {
-      group = item_groups_[i] == group ? group : kNoGroup;
+      group = item_groups_[i] == group ? group : support::kNone;
     }
   }
   for (std::size_t node = leaves_ - 1; node > 0; --node) {
-    groups_[node] = groups_[2 * node] == groups_[2 * node + 1] ? groups_[2 * node] : kNoGroup;
+    groups_[node] = groups_[2 * node] == groups_[2 * node + 1] ? groups_[2 * node] : support::kNone;
   }
 }
 

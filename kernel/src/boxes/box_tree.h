@@ -11,6 +11,7 @@
 #include "boxes/oriented_box.h"
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
+#include "support/none.h"
 
 namespace dupin::boxes {
 
@@ -21,7 +22,8 @@ class BoxTree {
 
   /// The order is kept where neighbours come together, as from any generator of meshes: such trees
   /// are quick to make and better than those in Morton order, which is taken else. Items may belong
-  /// to groups other than kNoGroup: TreeTraversal, within the tree, leaves out pairs of one group.
+  /// to groups other than support::kNone: TreeTraversal, within the tree, leaves out pairs of
+  /// one group.
   explicit BoxTree(std::span<const Box> boxes, std::span<const std::uint32_t> groups = {});
 
   /// The same over triangles that lie in the boxes. Where they are long and slanted, and many boxes
@@ -30,7 +32,6 @@ class BoxTree {
   template <class Triangles>
   BoxTree(support::BulkVector<Box> boxes, Triangles&& triangle,
           std::span<const std::uint32_t> groups = {});
-  static constexpr std::uint32_t kNoGroup = 0xffffffff;
 
   /// Whether `box` overlaps that of some item.
   [[nodiscard]] bool overlaps(const Box& box) const;
@@ -66,10 +67,10 @@ class BoxTree {
   [[nodiscard]] BoxTree reordered() const;
   void set_groups(std::span<const std::uint32_t> groups);
   [[nodiscard]] bool of_one_group(std::uint32_t node, std::uint32_t other) const {
-    return !groups_.empty() && groups_[node] != kNoGroup && groups_[node] == groups_[other];
+    return !groups_.empty() && groups_[node] != support::kNone && groups_[node] == groups_[other];
   }
   [[nodiscard]] bool items_of_one_group(std::uint32_t i, std::uint32_t k) const {
-    return !item_groups_.empty() && item_groups_[i] != kNoGroup &&
+    return !item_groups_.empty() && item_groups_[i] != support::kNone &&
            item_groups_[i] == item_groups_[k];
   }
   [[nodiscard]] std::uint32_t leaf_count() const { return (size() + kLeafSize - 1) / kLeafSize; }
@@ -81,9 +82,10 @@ class BoxTree {
     const Box& box;
     const OrientedBox& oriented;
   };
-  /// Calls visit(leaf) for the leaves that overlap the box around what is sought.
-  template <class Visit>
-  void visit_leaves(const Target& target, Visit&& visit) const;
+  /// Calls visit(leaf) for the leaves below nodes that meets(node) is true of, until it returns
+  /// true. Whether it did.
+  template <class Meets, class Visit>
+  bool visit_leaves(Meets&& meets, Visit&& visit) const;
   template <class Visit>
   void visit_items(const Box& box, const OrientedBox& oriented, Visit&& visit) const;
   [[nodiscard]] bool overlap(std::uint32_t node, const Target& target) const {
@@ -159,19 +161,22 @@ double BoxTree::orient_if_crowded(Triangles&& triangle) {
 
 template <class Visit>
 void BoxTree::visit_items(const Box& box, const OrientedBox& oriented, Visit&& visit) const {
-  visit_leaves({box, oriented}, [&](std::uint32_t leaf) {
-    for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
-      if (box.overlaps(boxes_[i])) {
-        visit(order_[i]);
-      }
-    }
-  });
+  const Target target{box, oriented};
+  visit_leaves([&](std::uint32_t node) { return overlap(node, target); },
+               [&](std::uint32_t leaf) {
+                 for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
+                   if (box.overlaps(boxes_[i])) {
+                     visit(order_[i]);
+                   }
+                 }
+                 return false;
+               });
 }
 
-template <class Visit>
-void BoxTree::visit_leaves(const Target& target, Visit&& visit) const {
-  if (!overlap(1, target)) {
-    return;
+template <class Meets, class Visit>
+bool BoxTree::visit_leaves(Meets&& meets, Visit&& visit) const {
+  if (!meets(1)) {
+    return false;
   }
   std::array<std::uint32_t, 40> stack;  // deeper than any tree over 2^32 items
   std::size_t depth = 0;
@@ -179,14 +184,17 @@ void BoxTree::visit_leaves(const Target& target, Visit&& visit) const {
   while (depth > 0) {
     const std::uint32_t node = stack[--depth];
     if (node >= leaves_) {
-      visit(node - leaves_);
+      if (visit(node - leaves_)) {
+        return true;
+      }
       continue;
     }
     for (const std::uint32_t child : {2 * node + 1, 2 * node}) {
       stack[depth] = child;
-      depth += overlap(child, target) ? 1 : 0;
+      depth += meets(child) ? 1 : 0;
     }
   }
+  return false;
 }
 
 }  // namespace dupin::boxes

@@ -11,6 +11,7 @@
 #include "boxes/tree_traversal.h"
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
+#include "support/none.h"
 
 namespace dupin::boxes {
 
@@ -42,7 +43,7 @@ template <class BoxOf>
 }
 
 /// The indices of groups whose boxes, box_of(index), may overlap one of another group, ascending;
-/// those of BoxTree::kNoGroup are a group each. Quick where boxes with near indices are near each
+/// those of support::kNone are a group each. Quick where boxes with near indices are near each
 /// other and of one group: those of far groups have one box in common.
 template <class BoxOf>
 [[nodiscard]] std::vector<std::uint32_t> boxes_near_other_groups(
@@ -60,14 +61,14 @@ template <class BoxOf>
       group[run] = groups[run * kTogether];
       for (std::size_t i = run * kTogether; i < end_of(run); ++i) {
         boxes[run].join(box_of(static_cast<std::uint32_t>(i)));
-        group[run] = group[run] == groups[i] ? groups[i] : BoxTree::kNoGroup;
+        group[run] = group[run] == groups[i] ? groups[i] : support::kNone;
       }
     }
   });
   const BoxTree tree(std::span<const Box>(boxes), group);
   std::vector<std::uint8_t> near(runs);
   std::ranges::transform(group, near.begin(),
-                         [](std::uint32_t g) { return g == BoxTree::kNoGroup ? 1 : 0; });
+                         [](std::uint32_t g) { return g == support::kNone ? 1 : 0; });
   TreeTraversal(tree).visit({1, 1}, [&](std::uint32_t i, std::uint32_t k) {
     near[tree.items()[i]] = near[tree.items()[k]] = 1;
   });

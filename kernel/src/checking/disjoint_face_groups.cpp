@@ -1,14 +1,13 @@
 #include "checking/disjoint_face_groups.h"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 
-#include "boxes/box_tree.h"
 #include "checking/height_field_patches.h"
 #include "checking/injective_stars.h"
-#include "mesh/stable_face_groups.h"
 #include "support/blocks.h"
+#include "support/none.h"
+#include "support/sequences.h"
 
 namespace dupin::checking {
 namespace {
@@ -27,12 +26,12 @@ bool has_large_stars(const WeldedMesh& mesh, const DisjointFaceGroups& groups) {
 void group_large_stars(const WeldedMesh& mesh, std::span<const std::uint32_t> faces,
                        std::uint32_t count, DisjointFaceGroups& groups) {
   const std::vector<std::uint32_t>& stars = groups.injective_stars;
-  std::vector<std::uint32_t> number(mesh.points.size(), boxes::BoxTree::kNoGroup);
+  std::vector<std::uint32_t> number(mesh.points.size(), support::kNone);
   for (const std::uint32_t f : faces) {
     const Triangle& t = mesh.triangles[f];
     const auto largest = std::ranges::max(t, {}, [&](std::uint32_t v) { return stars[v]; });
     if (stars[largest] >= kLarge) {
-      number[largest] = number[largest] == boxes::BoxTree::kNoGroup ? count++ : number[largest];
+      number[largest] = number[largest] == support::kNone ? count++ : number[largest];
       groups.of_face[f] = number[largest];
     }
   }
@@ -45,8 +44,8 @@ DisjointFaceGroups proven_groups(const WeldedMesh& mesh, bool closed, double mar
   HeightFieldPatches patches = height_field_patches(
       mesh.points, mesh.triangles, {.closed = closed, .smooth = kSmooth, .margin = margin});
   for (std::uint32_t v = 0; v < mesh.points.size() && mesh.has_identical_points(); ++v) {
-    if (mesh.first[v] != v) {
-      patches.is_inner[mesh.first[v]] = 0;
+    if (mesh.representatives[v] != v) {
+      patches.is_inner[mesh.representatives[v]] = 0;
     }
   }
   DisjointFaceGroups groups{std::move(patches.of_triangle),
@@ -59,13 +58,12 @@ DisjointFaceGroups proven_groups(const WeldedMesh& mesh, bool closed, double mar
   return groups;
 }
 
-DisjointFaceGroups given_groups(const WeldedMesh& mesh, std::span<const std::uint32_t> classes) {
-  static_assert(mesh::StableFaceGroups::kNone == boxes::BoxTree::kNoGroup);
-  std::vector<std::uint8_t> marked(mesh.points.size(), 1);  // all but corners without a class
+DisjointFaceGroups given_groups(const WeldedMesh& mesh, std::span<const std::uint32_t> given) {
+  std::vector<std::uint8_t> marked(mesh.points.size(), 1);  // all but corners without a group
   std::uint32_t count = 0;
-  for (std::uint32_t f = 0; f < classes.size(); ++f) {
-    if (classes[f] != boxes::BoxTree::kNoGroup) {
-      count = std::max(count, classes[f] + 1);
+  for (std::uint32_t f = 0; f < given.size(); ++f) {
+    if (given[f] != support::kNone) {
+      count = std::max(count, given[f] + 1);
       continue;
     }
     for (const std::uint32_t v : mesh.corners[f]) {
@@ -73,16 +71,14 @@ DisjointFaceGroups given_groups(const WeldedMesh& mesh, std::span<const std::uin
     }
   }
   const auto around = support::collect_in_order<std::uint32_t>(
-      classes.size(), [&](std::size_t f, std::vector<std::uint32_t>& found) {
+      given.size(), [&](std::size_t f, std::vector<std::uint32_t>& found) {
         const auto& [a, b, c] = mesh.corners[f];
         if ((marked[a] & marked[b] & marked[c]) == 0) {
           found.push_back(static_cast<std::uint32_t>(f));
         }
       });
-  std::vector<Triangle> corners;
-  std::ranges::transform(around, std::back_inserter(corners),
-                         [&](std::uint32_t f) { return mesh.corners[f]; });
-  DisjointFaceGroups groups{{classes.begin(), classes.end()},
+  const auto corners = support::selected(mesh.corners, around);
+  DisjointFaceGroups groups{{given.begin(), given.end()},
                             injective_stars(mesh.points, corners, marked)};
   if (has_large_stars(mesh, groups)) {
     group_large_stars(mesh, around, count, groups);

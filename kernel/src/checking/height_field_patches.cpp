@@ -10,6 +10,7 @@
 #include "predicates/stable_predicates.h"
 #include "support/blocks.h"
 #include "support/disjoint_sets.h"
+#include "support/none.h"
 #include "support/sort_by_key.h"
 
 namespace dupin::checking {
@@ -54,7 +55,7 @@ void for_each_bundle(std::span<const OuterEdge> sorted, Visit&& visit) {
 }
 
 HeightFieldPatches none(std::size_t points, std::size_t triangles) {
-  return {std::vector<std::uint32_t>(triangles, HeightFieldPatches::kNone), 0,
+  return {std::vector<std::uint32_t>(triangles, support::kNone), 0,
           std::vector<std::uint8_t>(points, 0)};
 }
 
@@ -114,7 +115,7 @@ class PatchSearch {
       for (std::size_t f = block.begin; f < block.end; ++f) {
         const auto& [a, b, c] = triangles_[f];
         ways_[f] = way_of(points_[a], points_[b], points_[c]);
-        patch_[f] = ways_[f] == kNoWay ? HeightFieldPatches::kNone : ways_[f];
+        patch_[f] = ways_[f] == kNoWay ? support::kNone : ways_[f];
         const auto bit = static_cast<std::uint8_t>(1U << ways_[f]);
         for (const std::uint32_t v : triangles_[f]) {
           const std::atomic_ref seen(ways_at_[v]);
@@ -150,7 +151,7 @@ class PatchSearch {
                                                                             found) {
       const std::uint32_t face = faces[i];
       const Triangle& t = triangles_[face];
-      for (int k = 0; patch_[face] != HeightFieldPatches::kNone && k < 3; ++k) {
+      for (int k = 0; patch_[face] != support::kNone && k < 3; ++k) {
         const std::uint32_t from = t[k], to = t[(k + 1) % 3];
         if (!is_inner(from) && !is_inner(to)) {
           found.push_back({std::min(from, to), std::max(from, to), patch_[face], face, from < to});
@@ -191,8 +192,7 @@ class PatchSearch {
     });
     support::for_each_block(triangles_.size(), [&](const support::Block& block) {
       for (auto f = static_cast<std::uint32_t>(block.begin); f < block.end; ++f) {
-        patch_[f] = patch_[f] == HeightFieldPatches::kNone ? HeightFieldPatches::kNone
-                                                           : sets.find(member(f));
+        patch_[f] = patch_[f] == support::kNone ? support::kNone : sets.find(member(f));
       }
     });
     for (OuterEdge& edge : edges) {
@@ -251,7 +251,7 @@ class PatchSearch {
                         : support::collect_in_order<std::uint32_t>(
                               faces.size(), [&](std::size_t i, std::vector<std::uint32_t>& found) {
                                 const std::uint32_t patch = patch_[faces[i]];
-                                if (patch != HeightFieldPatches::kNone && wanted[patch] != 0) {
+                                if (patch != support::kNone && wanted[patch] != 0) {
                                   found.push_back(faces[i]);
                                 }
                               });
@@ -259,7 +259,7 @@ class PatchSearch {
 
   void leave_out(const std::vector<std::uint32_t>& faces) {
     for (const std::uint32_t f : faces) {
-      patch_[f] = HeightFieldPatches::kNone;
+      patch_[f] = support::kNone;
       for (const std::uint32_t v : triangles_[f]) {
         ways_at_[v] |= kNoWayBit;
       }
@@ -269,7 +269,7 @@ class PatchSearch {
   /// Makes two patches, of the earlier and the later triangles, of each patch. The faces are all
   /// those of some patches.
   void halve(std::vector<std::uint32_t>& faces) {
-    std::erase_if(faces, [&](std::uint32_t f) { return patch_[f] == HeightFieldPatches::kNone; });
+    std::erase_if(faces, [&](std::uint32_t f) { return patch_[f] == support::kNone; });
     std::ranges::stable_sort(faces, {}, [&](std::uint32_t f) { return patch_[f]; });
     for (const std::uint32_t f : faces) {
       for (const std::uint32_t v : triangles_[f]) {
@@ -296,12 +296,11 @@ class PatchSearch {
 
   /// The patches, numbered by their lowest triangles.
   [[nodiscard]] HeightFieldPatches numbered() {
-    std::vector<std::uint32_t> number(patch_end_, HeightFieldPatches::kNone);
+    std::vector<std::uint32_t> number(patch_end_, support::kNone);
     HeightFieldPatches patches;
     for (std::uint32_t& patch : patch_) {
-      if (patch != HeightFieldPatches::kNone) {
-        number[patch] =
-            number[patch] == HeightFieldPatches::kNone ? patches.count++ : number[patch];
+      if (patch != support::kNone) {
+        number[patch] = number[patch] == support::kNone ? patches.count++ : number[patch];
         patch = number[patch];
       }
     }
@@ -327,8 +326,7 @@ class PatchSearch {
 HeightFieldPatches height_field_patches(std::span<const Vec3> points,
                                         std::span<const Triangle> triangles,
                                         const HeightFieldOptions& options) {
-  if (points.size() + 2 * triangles.size() >=
-      HeightFieldPatches::kNone) {  // more than numbers for patches
+  if (points.size() + 2 * triangles.size() >= support::kNone) {  // more than numbers for patches
     return none(points.size(), triangles.size());
   }
   return PatchSearch(points, triangles, options).run();

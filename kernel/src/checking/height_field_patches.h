@@ -6,15 +6,27 @@
 
 #include "dupin/kernel/mesh.h"
 
+/// Patches of a surface that are graphs of height over a plane of coordinates, and so do not meet
+/// themselves: the lemma that spares `check` and rounding most pairs of triangles.
+///
+/// Lemma. Take triangles that, seen along an axis of coordinates, all turn the same way, and the
+/// edges that they run through more often one way than the other: the border. Over a place in
+/// general position lie as many of the triangles as the border winds about it. If the border's
+/// edges meet in common ends only, and bound a region to their left, then it winds about every
+/// place once or not at all. So no two of the triangles lie over each other, and two can meet only
+/// where both end: in a corner or an edge that is the same for both.
+///
+/// The turns are certain by a filter (stable_side_of_line), the border is tested exactly, in the
+/// plane (projected_contours.h). The contour test is that of [VM94], who look at normals within a
+/// half-space instead of turns.
 namespace dupin::checking {
 
 /// A partition of triangles, or of some of them, into patches.
 struct HeightFieldPatches {
-  std::vector<std::uint32_t> of_triangle;  ///< its patch, or kNone
+  std::vector<std::uint32_t> of_triangle;  ///< its patch, or support::kNone
   std::uint32_t count = 0;
   /// For each point 1 if all triangles around it are of one patch; not always then.
   std::vector<std::uint8_t> is_inner;
-  static constexpr std::uint32_t kNone = 0xffffffff;
 };
 
 struct HeightFieldOptions {
@@ -23,16 +35,12 @@ struct HeightFieldOptions {
   /// The share of points whose triangles must all face the same way; else there are no patches. On
   /// rough surfaces it takes longer to prove them than to look at pairs of triangles.
   double smooth = 0;
-  /// HeightFieldPatches are to be such wherever each coordinate of each point moves by at most
-  /// this.
+  /// Patches are to be such wherever each coordinate of each point moves by at most this.
   double margin = 0;
 };
 
-/// HeightFieldPatches whose triangles certainly meet each other in nothing but corners and edges
-/// that they share: seen along an axis of coordinates, the patch is monotone. All its triangles
-/// turn the same way, and the edges at which it ends make simple closed curves, apart from each
-/// other, that wind about every place once or not at all. As many triangles lie over a place as the
-/// curves wind about it; so no two lie over each other.
+/// Patches whose triangles certainly meet each other in nothing but corners and edges that they
+/// share.
 ///
 /// O(n) for the inside of patches, O(n log n) for their borders.
 [[nodiscard]] HeightFieldPatches height_field_patches(std::span<const Vec3> points,

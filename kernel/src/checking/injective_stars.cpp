@@ -22,7 +22,7 @@ class Star {
   void clear() { links_.clear(); }
   void add(const Link& link) { links_.push_back(link); }
 
-  [[nodiscard]] bool is_flat(std::uint32_t centre) {
+  [[nodiscard]] bool is_injective(std::uint32_t centre) {
     if (links_.size() < 3) {
       return false;
     }
@@ -113,9 +113,9 @@ std::vector<std::uint32_t> injective_stars(std::span<const Vec3> points,
       }
     }
   }
-  std::vector<std::uint32_t> flat(points.size());
+  std::vector<std::uint32_t> injective(points.size());
   constexpr std::size_t kPoints = 1024;
-  const auto find_flat = [&](const support::Block& block) {
+  const auto find_injective = [&](const support::Block& block) {
     Star star(points, margin);
     for (std::size_t v = block.begin; v < block.end; ++v) {
       star.clear();
@@ -124,11 +124,11 @@ std::vector<std::uint32_t> injective_stars(std::span<const Vec3> points,
         const std::uint32_t k = corners[i] % 3;
         star.add({t[(k + 1) % 3], t[(k + 2) % 3]});
       }
-      flat[v] = star.is_flat(static_cast<std::uint32_t>(v)) ? start[v + 1] - start[v] : 0;
+      injective[v] = star.is_injective(static_cast<std::uint32_t>(v)) ? start[v + 1] - start[v] : 0;
     }
   };
-  support::for_each_block(points.size(), find_flat, kPoints);
-  return flat;
+  support::for_each_block(points.size(), find_injective, kPoints);
+  return injective;
 }
 
 }  // namespace dupin::checking

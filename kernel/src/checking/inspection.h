@@ -6,6 +6,16 @@
 #include "dupin/kernel/check.h"
 #include "mesh/self_contact.h"
 
+/// What is wrong with a mesh, exactly: the folder behind dupin/kernel/check.h and Solid::from.
+///
+/// `inspect` (this file) looks at indices, edges, corners and places in turn, and asks
+/// self_intersection.h whether triangles meet where they should not, which is most of the work.
+/// There boxes (boxes/box_tree.h) name the pairs that may, exact predicates decide, and three
+/// lemmas spare most of the pairs (disjoint_face_groups.h): height field patches, injective stars,
+/// and, for solids that have been looked at before, triangles that keep apart while their points
+/// move by a margin (mesh/stable_face_groups.h, predicates/stable_predicates.h). Each header states
+/// its lemma. What no lemma settles costs time and no truth. docs/robustness.md tells the same as a
+/// whole.
 namespace dupin::checking {
 
 /// A report with what else was learnt on the way.

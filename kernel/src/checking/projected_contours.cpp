@@ -13,6 +13,8 @@
 #include "predicates/triangle_overlap.h"
 #include "support/blocks.h"
 #include "support/disjoint_sets.h"
+#include "support/none.h"
+#include "support/sequences.h"
 
 namespace dupin::checking {
 namespace {
@@ -102,14 +104,13 @@ class Curves {
     if (!alone) {
       make_tree();
     }
-    constexpr std::uint32_t kNone = 0xffffffff;
-    std::vector<std::uint32_t> lowest(edges_.size(), kNone);  // run of ends, by curve
+    std::vector<std::uint32_t> lowest(edges_.size(), support::kNone);  // run of ends, by curve
     for (std::uint32_t r = 0; r < at_points_.size(); ++r) {
       std::uint32_t& low = lowest[curves_.find(first_end(r).edge)];
-      low = low == kNone || is_below(first_end(r).point, first_end(low).point) ? r : low;
+      low = low == support::kNone || is_below(first_end(r).point, first_end(low).point) ? r : low;
     }
     for (const std::uint32_t r : lowest) {
-      if (r == kNone) {
+      if (r == support::kNone) {
         continue;
       }
       const auto [begin, end] = at_points_[r];
@@ -269,8 +270,7 @@ std::vector<std::uint32_t> region_conflicts(std::span<const Vec3> points,
   if (conflicts.empty()) {
     conflicts = curves.misplaced();
   }
-  std::ranges::sort(conflicts);
-  conflicts.erase(std::unique(conflicts.begin(), conflicts.end()), conflicts.end());
+  support::sort_unique(conflicts);
   return conflicts;
 }
 

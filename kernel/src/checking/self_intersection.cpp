@@ -17,6 +17,7 @@
 #include "predicates/stable_predicates.h"
 #include "predicates/triangle_overlap.h"
 #include "support/blocks.h"
+#include "support/none.h"
 
 namespace dupin::checking {
 namespace {
@@ -28,9 +29,12 @@ class Search {
       : points_(points),
         triangles_(triangles),
         options_(options),
-        identical_(options.same.empty() ? mesh::coincident_representatives(points)
-                                        : std::vector<std::uint32_t>()),
-        first_(options.same.empty() ? std::span<const std::uint32_t>(identical_) : options.same),
+        own_representatives_(options.representatives.empty()
+                                 ? mesh::coincident_representatives(points)
+                                 : std::vector<std::uint32_t>()),
+        representatives_(options.representatives.empty()
+                             ? std::span<const std::uint32_t>(own_representatives_)
+                             : options.representatives),
         frame_(points, triangles),
         corners_(triangles),
         degenerate_(triangles.size()),
@@ -68,7 +72,7 @@ class Search {
   /// Fills what comes before it and returns the tree over the active triangles.
   boxes::BoxTree prepare() {
     for (std::uint32_t i = 0; i < points_.size() && !touching_apart_; ++i) {
-      touching_apart_ = first_[i] != i;
+      touching_apart_ = representatives_[i] != i;
     }
     if (touching_apart_) {
       merge_corners();
@@ -115,7 +119,7 @@ class Search {
       return;
     }
     find_groups();
-    if (!options_.classes.empty()) {
+    if (!options_.groups.empty()) {
       active_ =
           boxes::boxes_near_other_groups(groups_.of_face, [&](std::uint32_t f) { return box(f); });
     } else {
@@ -129,7 +133,7 @@ class Search {
     support::for_each_block(triangles_.size(), [&](const support::Block& block) {
       for (std::size_t i = block.begin; i < block.end; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
-          merged_[i][k] = first_[triangles_[i][k]];
+          merged_[i][k] = representatives_[triangles_[i][k]];
         }
       }
     });
@@ -145,10 +149,10 @@ class Search {
 
   /// Finds groups of triangles that certainly keep apart.
   void find_groups() {
-    const WeldedMesh mesh{points_, triangles_, corners_, first_};
-    groups_ = options_.classes.empty()
+    const WeldedMesh mesh{points_, triangles_, corners_, representatives_};
+    groups_ = options_.groups.empty()
                   ? proven_groups(mesh, options_.closed, seeks_stable() ? options_.margin : 0)
-                  : given_groups(mesh, options_.classes);
+                  : given_groups(mesh, options_.groups);
   }
 
   [[nodiscard]] boxes::Box box(std::uint32_t face) const {
@@ -158,7 +162,7 @@ class Search {
 
   /// Whether it is of a group, all of which keep their areas.
   [[nodiscard]] bool of_group(std::uint32_t face) const {
-    return !groups_.of_face.empty() && groups_.of_face[face] != boxes::BoxTree::kNoGroup;
+    return !groups_.of_face.empty() && groups_.of_face[face] != support::kNone;
   }
 
   [[nodiscard]] bool is_degenerate(std::uint32_t face) const {
@@ -205,7 +209,7 @@ class Search {
     std::uint32_t probed = 0;
     pairs.visit(nodes, [&](std::uint32_t i, std::uint32_t k) {
       const std::uint32_t face = items.face(i), other = others.face(k);
-      if (share_flat_star(corners_[face], corners_[other])) {
+      if (share_injective_star(corners_[face], corners_[other])) {
         record(face, other, predicates::TriangleOverlap::none, found);
         return;
       }
@@ -241,7 +245,7 @@ class Search {
   }
 
   /// Whether the triangles have a corner in common around which triangles keep apart.
-  [[nodiscard]] bool share_flat_star(const Triangle& a, const Triangle& b) const {
+  [[nodiscard]] bool share_injective_star(const Triangle& a, const Triangle& b) const {
     if (groups_.injective_stars.empty()) {
       return false;
     }
@@ -313,8 +317,8 @@ class Search {
   std::span<const Vec3> points_;
   std::span<const Triangle> triangles_;
   const SelfIntersectionOptions& options_;
-  std::vector<std::uint32_t> identical_;
-  std::span<const std::uint32_t> first_;  // per point the first one that is the same
+  std::vector<std::uint32_t> own_representatives_;  // unless they are given
+  std::span<const std::uint32_t> representatives_;  // per point the first one that is the same
   boxes::BoxQuantizer frame_;
   support::BulkVector<boxes::FramedPoint> framed_;
   std::vector<Triangle> merged_;       // if there are identical points

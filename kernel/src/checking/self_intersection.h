@@ -28,15 +28,15 @@ struct SelfIntersectionOptions {
   /// One entry per triangle: only pairs with a non-zero one are examined, and only those for
   /// degeneracy. Empty examines all. Cheap where few are active.
   std::span<const std::uint8_t> active;
-  /// Per point the first one of those that count as the same: they have the same coordinates, and
-  /// are contacts where they meet. Others must not coincide, which is a crossing. Empty finds all
-  /// points of the same coordinates.
-  std::span<const std::uint32_t> same;
+  /// Per point the coincident representative, the first one of those that count as the same: they
+  /// have the same coordinates, and are contacts where they meet. Others must not coincide, which
+  /// is a crossing. Empty finds all points of the same coordinates.
+  std::span<const std::uint32_t> representatives;
   /// Promises that every edge is run through as often one way as the other; saves work.
   bool closed = false;
-  /// Per triangle a class, or StableClasses::kNone: those of one class certainly keep apart, and
-  /// have an area. Empty if there are none.
-  std::span<const std::uint32_t> classes;
+  /// Per triangle a group, or support::kNone: those of one group certainly keep apart, and have
+  /// an area. Empty if there are none.
+  std::span<const std::uint32_t> groups;
   /// If above 0, `stable` is sought as well.
   double margin = 0;
 };

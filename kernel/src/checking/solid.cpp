@@ -9,6 +9,8 @@
 #include "mesh/edge_table.h"
 #include "mesh/exact_mesh.h"
 #include "mesh/measure.h"
+#include "mesh/used_points.h"
+#include "support/sequences.h"
 
 namespace dupin {
 namespace {
@@ -91,24 +93,11 @@ void refuse_bad_labels(const TriMesh& mesh) {
 
 // Copies the points that faces use.
 void copy_surface(const TriMesh& mesh, mesh::ExactMesh& exact) {
-  constexpr std::uint32_t kUnused = 0xffffffff;
-  std::vector<std::uint32_t> new_index(mesh.points.size(), kUnused);
-  for (const Triangle& corners : mesh.triangles) {
-    for (const std::uint32_t corner : corners) {
-      new_index[corner] = 0;
-    }
-  }
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    if (new_index[i] != kUnused) {
-      new_index[i] = static_cast<std::uint32_t>(exact.points.size());
-      exact.points.push_back(mesh.points[i]);
-    }
-  }
+  const mesh::UsedPoints used = mesh::used_points(mesh.triangles, mesh.points.size());
+  exact.points = support::selected(std::span<const Vec3>(mesh.points), used.points);
   exact.triangles = mesh.triangles;
   for (Triangle& corners : exact.triangles) {
-    for (std::uint32_t& corner : corners) {
-      corner = new_index[corner];
-    }
+    corners = used.renumbered(corners);
   }
 }
 
@@ -187,10 +176,8 @@ std::size_t Solid::components() const {
   const mesh::Shells shells = Pieces(*mesh_).shells;
   std::size_t count = 0;
   for (std::size_t i = 0; i < shells.count; ++i) {
-    std::vector<Triangle> faces;
-    for (const std::uint32_t face : shells.faces_of(i)) {
-      faces.push_back(mesh_->triangles[face]);
-    }
+    const auto faces =
+        support::selected(std::span<const Triangle>(mesh_->triangles), shells.faces_of(i));
     mesh::MeshView shell(*mesh_);
     shell.triangles = faces;
     count += mesh::volume_sign(shell) > 0 ? 1 : 0;

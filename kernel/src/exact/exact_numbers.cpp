@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace dupin::exact {
@@ -63,6 +64,14 @@ double nearest_double(const mpz_class& numerator, const mpz_class& denominator) 
 
 double nearest_double(const mpq_class& value) {
   return nearest_double(value.get_num(), value.get_den());
+}
+
+double next_below(double value) {
+  return std::nextafter(value, -std::numeric_limits<double>::infinity());
+}
+
+double next_above(double value) {
+  return std::nextafter(value, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace dupin::exact

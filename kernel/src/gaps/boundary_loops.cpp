@@ -5,7 +5,6 @@
 #include <span>
 
 #include "exact/exact_numbers.h"
-#include "exact/exact_vector.h"
 #include "gaps/mesh_pair.h"
 #include "mesh/edge_table.h"
 
@@ -34,8 +33,7 @@ Successors open_edges(std::span<const Triangle> triangles, std::size_t point_cou
 }
 
 Enclosure distance(const Vec3& from, const Vec3& to) {
-  const exact::ExactVector d =
-      exact::ExactVector{to.x(), to.y(), to.z()} - exact::ExactVector{from.x(), from.y(), from.z()};
+  const exact::ExactVector d = exact::exact_vector(to) - exact::exact_vector(from);
   return root_of(exact::rational(exact::dot(d, d)));
 }
 

@@ -2,7 +2,9 @@
 
 #include <string>
 
+#include "boxes/bounds.h"
 #include "dupin/kernel/error.h"
+#include "exact/exact_numbers.h"
 #include "mesh/coincident_points.h"
 #include "predicates/triangle_overlap.h"
 
@@ -37,12 +39,12 @@ MeshPair merged(const TriMesh& a, const TriMesh& b) {
   pair.points = a.points;
   pair.points.insert(pair.points.end(), b.points.begin(), b.points.end());
   pair.points_of_a = static_cast<std::uint32_t>(a.points.size());
-  const std::vector<std::uint32_t> first = mesh::coincident_representatives(pair.points);
+  const std::vector<std::uint32_t> representatives = mesh::coincident_representatives(pair.points);
   const auto add = [&](const TriMesh& mesh, std::uint32_t shift) {
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
       Triangle t = mesh.triangles[i];
       for (std::uint32_t& corner : t) {
-        corner = first[corner + shift];
+        corner = representatives[corner + shift];
       }
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
         ++pair.flat_faces;
@@ -60,6 +62,34 @@ MeshPair merged(const TriMesh& a, const TriMesh& b) {
   pair.faces_of_a = static_cast<std::uint32_t>(pair.triangles.size());
   add(b, pair.points_of_a);
   return pair;
+}
+
+FaceBoxIndex::FaceBoxIndex(const MeshPair& pair)
+    : pair_(pair),
+      frame_(pair.points),
+      bounds_(boxes::bounds_of(pair.points)),
+      tree_(boxes_of_b()) {}
+
+std::vector<boxes::Box> FaceBoxIndex::boxes_of_b() const {
+  std::vector<boxes::Box> boxes;
+  for (auto face = pair_.faces_of_a; face < pair_.triangles.size(); ++face) {
+    const auto [a, b, c] = pair_.corners(face);
+    boxes.push_back(pair_.flat[face] != 0 ? boxes::Box::nothing()
+                                          : frame_.around(frame_.map(a, b, c)));
+  }
+  return boxes;
+}
+
+boxes::Box FaceBoxIndex::around(std::uint32_t face, double reach) const {
+  const auto [a, b, c] = pair_.corners(face);
+  // One ulp makes up for the rounding of the difference; the tree's own map is monotone. What lies
+  // beyond all points need not be told apart.
+  const Vec3 margin = Vec3::Constant(reach);
+  const Vec3 low =
+      (a.cwiseMin(b).cwiseMin(c) - margin).unaryExpr(&exact::next_below).cwiseMax(bounds_.min());
+  const Vec3 high =
+      (a.cwiseMax(b).cwiseMax(c) + margin).unaryExpr(&exact::next_above).cwiseMin(bounds_.max());
+  return frame_.around(frame_.map(low, high, high));
 }
 
 }  // namespace dupin::gaps

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "dupin/kernel/gap.h"
+#include "support/none.h"
 
 namespace dupin::gaps {
 
@@ -34,7 +34,7 @@ class PortTree {
   }
 
  private:
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kNone = support::kNone;
   static constexpr std::uint32_t kNoPart = kNone;  // also: of several parts
   static constexpr std::uint32_t kLeafSize = 8;
 

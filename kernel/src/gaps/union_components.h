@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gaps/face_boxes.h"
+#include "gaps/mesh_pair.h"
 
 namespace dupin::gaps {
 

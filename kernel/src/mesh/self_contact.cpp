@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "exact/exact_vector.h"
+#include "exact/exact_numbers.h"
 #include "mesh/coincident_points.h"
 #include "mesh/edge_table.h"
 #include "mesh/radial_order.h"

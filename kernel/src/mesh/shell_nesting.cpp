@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "exact/exact_vector.h"
+#include "exact/exact_numbers.h"
 #include "mesh/ray_crossing.h"
 
 namespace dupin::mesh {

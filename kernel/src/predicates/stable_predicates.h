@@ -8,6 +8,13 @@
 
 /// What stays as it is wherever points move, each coordinate of each by at most a margin. Decided
 /// in doubles, with bounds of the moves and of rounding: true or not 0 only if it is certain.
+///
+/// Lemma. A sign stays as long as points move by less than its determinant allows. As long as none
+/// of the signs that a proof rests on changes, neither does what follows from them: which way
+/// triangles turn, the order of edges around a point, how often a curve winds about a place, on
+/// which side of a plane two triangles lie. So what keeps triangles apart
+/// (checking/height_field_patches.h, checking/injective_stars.h, keep_apart below) keeps them apart
+/// after any such move, the rounding of their points among them (mesh/stable_face_groups.h).
 namespace dupin::predicates {
 
 /// For the rounding of bounds and of differences between points, and for underflow.

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "exact/exact_vector.h"
+#include "exact/exact_numbers.h"
 
 namespace dupin::predicates {
 

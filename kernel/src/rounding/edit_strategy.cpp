@@ -6,16 +6,15 @@
 
 #include <Eigen/Geometry>
 
+#include "support/blocks.h"
+#include "support/bulk_vector.h"
+#include "support/sequences.h"
+
 namespace dupin::rounding {
 namespace {
 
 using Edge = std::tuple<double, std::uint32_t, std::uint32_t>;  // length, ends
 using Faces = std::vector<std::uint32_t>;
-
-void sort_unique(Faces& items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-}
 
 /// The edges of the faces up to a length, shortest first.
 std::vector<Edge> short_edges(const EditedMesh& mesh, const Faces& faces, double length) {
@@ -32,8 +31,7 @@ std::vector<Edge> short_edges(const EditedMesh& mesh, const Faces& faces, double
       }
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  support::sort_unique(edges);
   return edges;
 }
 
@@ -61,22 +59,22 @@ std::vector<std::array<int, 3>> lattice_steps() {
 /// Moves a point to a near number of the lattice, or, further off, by a power of two of the
 /// lattice's largest step.
 bool shift_point(EditedMesh& mesh, const exact::FloatLattice& lattice, std::uint32_t vertex,
-                 const EditRule& terms) {
+                 const EditRule& rule) {
   static const std::vector<std::array<int, 3>> steps = lattice_steps();
   const Vec3 here = mesh.point(vertex);
   for (const auto& step : steps) {
     if (mesh.move(vertex,
                   {lattice.shifted(here.x(), step[0]), lattice.shifted(here.y(), step[1]),
                    lattice.shifted(here.z(), step[2])},
-                  terms)) {
+                  rule)) {
       return true;
     }
   }
   double far = lattice.step(here.cwiseAbs().maxCoeff());
-  while (far <= terms.reach) {
+  while (far <= rule.reach) {
     for (std::size_t i = 0; i < kDirections; ++i) {
       const Vec3 direction(steps[i][0], steps[i][1], steps[i][2]);
-      if (mesh.move(vertex, lattice.nearest(Vec3(here + far * direction)), terms)) {
+      if (mesh.move(vertex, lattice.nearest(Vec3(here + far * direction)), rule)) {
         return true;
       }
     }
@@ -85,38 +83,37 @@ bool shift_point(EditedMesh& mesh, const exact::FloatLattice& lattice, std::uint
   return false;
 }
 
-bool collapse_or_flip(EditedMesh& mesh, const Faces& faces, const EditRule& terms) {
-  for (const auto& [length, a, b] : short_edges(mesh, faces, terms.reach)) {
-    if (mesh.collapse(a, b, terms) || mesh.collapse(b, a, terms)) {
+bool collapse_or_flip(EditedMesh& mesh, const Faces& faces, const EditRule& rule) {
+  for (const auto& [length, a, b] : short_edges(mesh, faces, rule.reach)) {
+    if (mesh.collapse(a, b, rule) || mesh.collapse(b, a, rule)) {
       return true;
     }
   }
   return std::ranges::any_of(faces, [&](std::uint32_t face) {
-    return mesh.flip(face, 0, terms) || mesh.flip(face, 1, terms) || mesh.flip(face, 2, terms);
+    return mesh.flip(face, 0, rule) || mesh.flip(face, 1, rule) || mesh.flip(face, 2, rule);
   });
 }
 
 bool shift_any_point(EditedMesh& mesh, const exact::FloatLattice& lattice, const Faces& faces,
-                     const EditRule& terms) {
+                     const EditRule& rule) {
   Faces vertices;
   for (const std::uint32_t f : faces) {
     vertices.insert(vertices.end(), mesh.triangle(f).begin(), mesh.triangle(f).end());
   }
-  sort_unique(vertices);
+  support::sort_unique(vertices);
   return std::ranges::any_of(
-      vertices, [&](std::uint32_t vertex) { return shift_point(mesh, lattice, vertex, terms); });
+      vertices, [&](std::uint32_t vertex) { return shift_point(mesh, lattice, vertex, rule); });
 }
 
-/// One step that lowers the number of bad items: at the item's own faces, else next to them; new
+/// One step that lowers the number of faults: at the fault's own faces, else next to them; new
 /// edges first, because they are cheaper to try than new places.
-bool improve(EditedMesh& mesh, const exact::FloatLattice& lattice, const Fault& item,
-             const EditRule& terms) {
-  Faces faces = {item.first, item.second};
-  sort_unique(faces);
+bool improve(EditedMesh& mesh, const exact::FloatLattice& lattice, const Fault& fault,
+             const EditRule& rule) {
+  Faces faces = {fault.first, fault.second};
+  support::sort_unique(faces);
   const Faces ring = with_neighbours(mesh, faces);
-  return collapse_or_flip(mesh, faces, terms) || collapse_or_flip(mesh, ring, terms) ||
-         shift_any_point(mesh, lattice, faces, terms) ||
-         shift_any_point(mesh, lattice, ring, terms);
+  return collapse_or_flip(mesh, faces, rule) || collapse_or_flip(mesh, ring, rule) ||
+         shift_any_point(mesh, lattice, faces, rule) || shift_any_point(mesh, lattice, ring, rule);
 }
 
 double height(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -142,7 +139,7 @@ int longest_edge(const EditedMesh& mesh, const Triangle& t) {
 }
 
 /// Flips the longest edge of a low triangle if the lower of the two new ones is higher.
-bool flip_low(EditedMesh& mesh, std::uint32_t face, const EditRule& terms) {
+bool flip_low(EditedMesh& mesh, std::uint32_t face, const EditRule& rule) {
   const Triangle t = mesh.triangle(face);
   const int edge = longest_edge(mesh, t);
   const std::uint32_t a = t[edge], b = t[(edge + 1) % 3], c = t[(edge + 2) % 3];
@@ -150,13 +147,52 @@ bool flip_low(EditedMesh& mesh, std::uint32_t face, const EditRule& terms) {
   if (!across) {
     return false;
   }
-  std::uint32_t d = 0;
-  for (const std::uint32_t corner : mesh.triangle(*across)) {
-    d = corner != a && corner != b ? corner : d;
-  }
+  const std::uint32_t d = third_corner(mesh.triangle(*across), a, b);
   const double before = std::min(height(mesh, t), height(mesh, mesh.triangle(*across)));
   const double after = std::min(height(mesh, {a, d, c}), height(mesh, {d, b, c}));
-  return after > before && mesh.flip(face, edge, terms);
+  return after > before && mesh.flip(face, edge, rule);
+}
+
+/// The faces with corners, of the faces given, that are not where the solid has them.
+support::BulkVector<std::uint8_t> inexact_faces(const EditedMesh& mesh, const BrokenMesh& original,
+                                                const std::vector<std::uint32_t>& faces) {
+  support::BulkVector<std::uint8_t> inexact(mesh.face_count(), 0);
+  for (const std::uint32_t f : faces) {
+    for (const std::uint32_t v : mesh.triangle(f)) {
+      for (const std::uint32_t face : mesh.faces(v)) {
+        inexact[face] |= original.inexact[v];
+      }
+    }
+  }
+  return inexact;
+}
+
+/// The faces that are not as in the mesh that is rounded only.
+support::BulkVector<std::uint8_t> differing_faces(const EditedMesh& mesh,
+                                                  const BrokenMesh& original) {
+  support::BulkVector<std::uint8_t> differing(mesh.face_count());
+  support::for_each_block(differing.size(), [&](const support::Block& block) {
+    for (auto f = static_cast<std::uint32_t>(block.begin); f < block.end; ++f) {
+      const Triangle& t = mesh.triangle(f);
+      const bool has_moved = std::ranges::any_of(
+          t, [&](std::uint32_t v) { return mesh.point(v) != original.on_lattice[v]; });
+      differing[f] = mesh.alive(f) && (has_moved || t != original.triangles[f]) ? 1 : 0;
+    }
+  });
+  return differing;
+}
+
+/// Rounds the mesh: points that are where they were as the original has them.
+void place_on_lattice(EditedMesh& mesh, const BrokenMesh& original,
+                      const exact::FloatLattice& lattice) {
+  support::BulkVector<Vec3> points(mesh.points().size());
+  support::for_each_block(points.size(), [&](const support::Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const Vec3& here = mesh.points()[i];
+      points[i] = here == original.doubles[i] ? original.on_lattice[i] : lattice.nearest(here);
+    }
+  });
+  mesh.place(std::move(points));
 }
 
 }  // namespace
@@ -168,48 +204,65 @@ std::vector<std::uint32_t> with_neighbours(const EditedMesh& mesh, const Faces& 
       vertices.insert(vertices.end(), mesh.triangle(f).begin(), mesh.triangle(f).end());
     }
   }
-  sort_unique(vertices);
+  support::sort_unique(vertices);
   for (const std::uint32_t vertex : vertices) {
     const auto around = mesh.faces(vertex);
     ring.insert(ring.end(), around.begin(), around.end());
   }
-  sort_unique(ring);
+  support::sort_unique(ring);
   return ring;
 }
 
-std::uint64_t repair(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach,
-                     std::uint64_t trials) {
-  const EditRule terms{EditRule::Rule::fewer_bad, reach};
+std::uint64_t mend_faults(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach,
+                          std::uint64_t trials) {
+  const EditRule rule{FaultRule::fewer, reach};
   const std::uint64_t first = mesh.trials();
-  std::vector<Fault> items = mesh.bad_items();
-  for (bool progress = true; progress && !items.empty(); items = mesh.bad_items()) {
+  std::vector<Fault> faults = mesh.faults();
+  for (bool progress = true; progress && !faults.empty(); faults = mesh.faults()) {
     progress = false;
-    for (const Fault& item : items) {
+    for (const Fault& fault : faults) {
       if (mesh.trials() - first >= trials) {
         return 0;
       }
-      progress = (mesh.is_bad(item) && improve(mesh, lattice, item, terms)) || progress;
+      progress = (mesh.is_fault(fault) && improve(mesh, lattice, fault, rule)) || progress;
     }
   }
   return trials - std::min(trials, mesh.trials() - first);
 }
 
-void clean_up(EditedMesh& mesh, double reach, Faces faces) {
-  const EditRule terms{EditRule::Rule::none_bad, reach};
+void thicken(EditedMesh& mesh, double reach, Faces faces) {
+  const EditRule rule{FaultRule::none, reach};
   while (!faces.empty()) {
     static_cast<void>(mesh.take_edited());
     for (const auto& [length, a, b] : short_edges(mesh, faces, reach)) {
-      if (!mesh.faces(a).empty() && !mesh.faces(b).empty() && !mesh.collapse(a, b, terms)) {
-        mesh.collapse(b, a, terms);
+      if (!mesh.faces(a).empty() && !mesh.faces(b).empty() && !mesh.collapse(a, b, rule)) {
+        mesh.collapse(b, a, rule);
       }
     }
     for (const std::uint32_t f : faces) {
       if (mesh.alive(f) && height(mesh, mesh.triangle(f)) <= reach) {
-        flip_low(mesh, f, terms);
+        flip_low(mesh, f, rule);
       }
     }
     faces = mesh.take_edited();
   }
+}
+
+std::uint64_t repair_around(EditedMesh& mesh, const BrokenMesh& original,
+                            const std::vector<std::uint32_t>& broken,
+                            const std::vector<Fault>& broken_pairs, const RepairLimits& limits) {
+  const auto& [lattice, largest, reach, trials] = limits;
+  std::uint64_t left = trials;
+  if (!lattice.holds_doubles()) {
+    const exact::FloatLattice doubles(Coordinates::binary64);
+    const auto around = with_neighbours(mesh, broken);
+    mesh.find_faults(inexact_faces(mesh, original, around));
+    left = mend_faults(mesh, doubles, reach / lattice.step(largest) * doubles.step(largest), left);
+    thicken(mesh, reach, with_neighbours(mesh, broken));
+    place_on_lattice(mesh, original, lattice);
+  }
+  mesh.find_faults(differing_faces(mesh, original), broken_pairs);
+  return mend_faults(mesh, lattice, reach, left);
 }
 
 }  // namespace dupin::rounding

@@ -1,23 +1,40 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "exact/float_lattice.h"
 #include "rounding/edited_mesh.h"
+#include "rounding/mesh_part.h"
 
 namespace dupin::rounding {
 
-/// Removes the known bad items one by one, in order, by collapsing an edge not longer than `reach`,
+/// What an attempt at repair may do.
+struct RepairLimits {
+  exact::FloatLattice lattice;
+  double largest;        ///< coordinate
+  double reach;          ///< of collapses and moves
+  std::uint64_t trials;  ///< edits to be tried
+};
+
+/// Around the faces that rounding breaks: mends the mesh of doubles, then, for a coarser lattice,
+/// thickens what is thin, rounds, and mends again. `broken_pairs` are the faults of the mesh that
+/// is rounded only. Returns how many trials are left; faults may be, too.
+std::uint64_t repair_around(EditedMesh& mesh, const BrokenMesh& original,
+                            const std::vector<std::uint32_t>& broken,
+                            const std::vector<Fault>& broken_pairs, const RepairLimits& limits);
+
+/// Removes the known faults one by one, in order, by collapsing an edge not longer than `reach`,
 /// else flipping an edge, else moving a point to a near number of the lattice. Every step lowers
 /// their number. Gives up once about as many edits have been tried as `trials` says; returns how
 /// many are left, 0 if it gave up.
-std::uint64_t repair(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach,
-                     std::uint64_t trials);
+std::uint64_t mend_faults(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach,
+                          std::uint64_t trials);
 
 /// Collapses edges shorter than `reach` and flips away triangles that are lower, among `faces` and
-/// what these edits touch, where the mesh stays free of bad items. What is thinner than the
-/// rounding's step is what rounding breaks.
-void clean_up(EditedMesh& mesh, double reach, std::vector<std::uint32_t> faces);
+/// what these edits touch, where the mesh stays free of faults. What is thinner than the rounding's
+/// step is what rounding breaks.
+void thicken(EditedMesh& mesh, double reach, std::vector<std::uint32_t> faces);
 
 /// `faces` and all that share a point with them, ascending.
 [[nodiscard]] std::vector<std::uint32_t> with_neighbours(const EditedMesh& mesh,

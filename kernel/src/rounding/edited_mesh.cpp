@@ -5,25 +5,14 @@
 
 #include <Eigen/Geometry>
 
-#include "support/blocks.h"
+#include "support/none.h"
+#include "support/sequences.h"
 
 namespace dupin::rounding {
 namespace {
 
-constexpr std::uint32_t kNoList = 0xffffffff;
-
 bool has(const Triangle& triangle, std::uint32_t vertex) {
   return triangle[0] == vertex || triangle[1] == vertex || triangle[2] == vertex;
-}
-
-/// The corner that is neither a nor b.
-std::uint32_t third(const Triangle& triangle, std::uint32_t a, std::uint32_t b) {
-  for (const std::uint32_t corner : triangle) {
-    if (corner != a && corner != b) {
-      return corner;
-    }
-  }
-  return a;
 }
 
 Triangle replaced(Triangle triangle, std::uint32_t from, std::uint32_t to) {
@@ -42,13 +31,23 @@ double thickness(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 }  // namespace
 
+std::uint32_t third_corner(const Triangle& triangle, std::uint32_t a, std::uint32_t b) {
+  for (const std::uint32_t corner : triangle) {
+    if (corner != a && corner != b) {
+      return corner;
+    }
+  }
+  return a;
+}
+
 EditedMesh::EditedMesh(std::span<const Vec3> points, std::span<const Triangle> triangles,
-                       std::span<const std::uint32_t> classes, std::span<const std::uint32_t> twins,
+                       std::span<const std::uint32_t> labels,
+                       std::span<const std::uint32_t> representatives,
                        std::span<const std::uint8_t> complete)
     : points_(points.begin(), points.end()),
       triangles_(triangles.begin(), triangles.end()),
-      classes_(classes),
-      twins_(twins),
+      labels_(labels),
+      representatives_(representatives),
       complete_(complete),
       alive_(triangles_.size(), 1),
       fixed_(points_.size(), 0),
@@ -57,12 +56,11 @@ EditedMesh::EditedMesh(std::span<const Vec3> points, std::span<const Triangle> t
       deviation_(triangles_.size(), 0),
       slice_start_(points_.size() + 1, 0),
       slices_(3 * triangles_.size()),
-      own_list_(points_.size(), kNoList),
-      frame_(points_, triangles_),
-      stamp_(triangles_.size(), 0) {
+      own_list_(points_.size(), support::kNone),
+      tracker_(points_, triangles_, !complete.empty()) {
   for (std::uint32_t v = 0; v < points_.size(); ++v) {
-    if (twins_[v] != v) {
-      fixed_[v] = fixed_[twins_[v]] = 1;
+    if (representatives_[v] != v) {
+      fixed_[v] = fixed_[representatives_[v]] = 1;
     }
   }
   for (const Triangle& triangle : triangles_) {
@@ -113,7 +111,7 @@ support::BulkVector<Triangle> EditedMesh::triangles_of(std::span<const std::uint
 }
 
 std::span<const std::uint32_t> EditedMesh::faces(std::uint32_t vertex) const {
-  if (own_list_[vertex] != kNoList) {
+  if (own_list_[vertex] != support::kNone) {
     return lists_[own_list_[vertex]];
   }
   return std::span(slices_).subspan(slice_start_[vertex],
@@ -121,7 +119,7 @@ std::span<const std::uint32_t> EditedMesh::faces(std::uint32_t vertex) const {
 }
 
 void EditedMesh::set_faces(std::uint32_t vertex, std::vector<std::uint32_t> faces) {
-  if (own_list_[vertex] == kNoList) {
+  if (own_list_[vertex] == support::kNone) {
     own_list_[vertex] = static_cast<std::uint32_t>(lists_.size());
     lists_.emplace_back();
   }
@@ -154,31 +152,6 @@ std::optional<std::uint32_t> EditedMesh::face_with_edge(std::uint32_t a, std::ui
   return std::nullopt;
 }
 
-boxes::Box EditedMesh::box(std::uint32_t face) const { return frame_.around(framed(face)); }
-
-boxes::FramedTriangle EditedMesh::framed(std::uint32_t face) const {
-  const Triangle& t = triangles_[face];
-  return frame_.map(points_[t[0]], points_[t[1]], points_[t[2]]);
-}
-
-boxes::BoxTree& EditedMesh::tree() {
-  if (!tree_) {
-    support::BulkVector<boxes::Box> boxes(triangles_.size());
-    support::for_each_block(boxes.size(), [&](const support::Block& block) {
-      for (std::size_t i = block.begin; i < block.end; ++i) {
-        const auto f = static_cast<std::uint32_t>(i);
-        boxes[i] = alive(f) ? box(f) : boxes::Box::nothing();
-      }
-    });
-    if (complete_.empty()) {
-      tree_.emplace(boxes);
-    } else {  // a part, small enough for oriented boxes to pay off
-      tree_.emplace(boxes, [&](std::uint32_t f) { return framed(f); });
-    }
-  }
-  return *tree_;
-}
-
 /// The link condition: contracting the edge keeps a closed 2-manifold.
 bool EditedMesh::collapsible(std::uint32_t from, std::uint32_t to) const {
   std::vector<std::uint32_t> around_from, around_to, common;
@@ -190,10 +163,8 @@ bool EditedMesh::collapsible(std::uint32_t from, std::uint32_t to) const {
   for (const std::uint32_t f : faces(to)) {
     around_to.insert(around_to.end(), triangles_[f].begin(), triangles_[f].end());
   }
-  for (auto* around : {&around_from, &around_to}) {
-    std::sort(around->begin(), around->end());
-    around->erase(std::unique(around->begin(), around->end()), around->end());
-  }
+  support::sort_unique(around_from);
+  support::sort_unique(around_to);
   std::set_intersection(around_from.begin(), around_from.end(), around_to.begin(), around_to.end(),
                         std::back_inserter(common));
   if (faces_at_edge != 2 || common.size() != 4) {  // the ends and the two opposite corners
@@ -208,10 +179,10 @@ bool EditedMesh::collapsible(std::uint32_t from, std::uint32_t to) const {
            std::ranges::any_of(faces(to), on_opposite_edge));
 }
 
-bool EditedMesh::collapse(std::uint32_t from, std::uint32_t to, const EditRule& terms) {
+bool EditedMesh::collapse(std::uint32_t from, std::uint32_t to, const EditRule& rule) {
   const double moved = reach_[from] + (points_[from] - points_[to]).norm();
   const auto all = faces(from);
-  if (fixed_[from] != 0 || moved > terms.reach || !promising(all, terms) ||
+  if (fixed_[from] != 0 || moved > rule.reach || !tracker_.may_accept(all, rule.faults) ||
       !collapsible(from, to)) {
     return false;
   }
@@ -225,7 +196,7 @@ bool EditedMesh::collapse(std::uint32_t from, std::uint32_t to, const EditRule& 
   for (const std::uint32_t f : changing) {
     triangles_[f] = replaced(triangles_[f], from, to);
   }
-  if (!settle(all, changing, terms)) {
+  if (!settle(all, changing, rule)) {
     for (const std::uint32_t f : dying) {
       alive_[f] = 1;
     }
@@ -236,7 +207,7 @@ bool EditedMesh::collapse(std::uint32_t from, std::uint32_t to, const EditRule& 
   }
   for (const std::uint32_t f : dying) {
     drop_face(to, f);
-    drop_face(third(triangles_[f], from, to), f);
+    drop_face(third_corner(triangles_[f], from, to), f);
   }
   for (const std::uint32_t f : changing) {
     add_face(to, f);
@@ -246,7 +217,7 @@ bool EditedMesh::collapse(std::uint32_t from, std::uint32_t to, const EditRule& 
   return true;
 }
 
-bool EditedMesh::flip(std::uint32_t face, int edge, const EditRule& terms) {
+bool EditedMesh::flip(std::uint32_t face, int edge, const EditRule& rule) {
   const std::uint32_t a = triangles_[face][edge], b = triangles_[face][(edge + 1) % 3],
                       c = triangles_[face][(edge + 2) % 3];
   const auto across = face_with_edge(b, a);
@@ -254,29 +225,29 @@ bool EditedMesh::flip(std::uint32_t face, int edge, const EditRule& terms) {
     return false;
   }
   const std::array<std::uint32_t, 2> pair = {face, *across};
-  const std::uint32_t d = third(triangles_[*across], a, b);
+  const std::uint32_t d = third_corner(triangles_[*across], a, b);
   const std::array<std::uint32_t, 4> corners = {a, b, c, d};
-  if (!promising(pair, terms) || !all_complete(corners) || c == d || face_with_edge(c, d) ||
-      face_with_edge(d, c)) {
+  if (!tracker_.may_accept(pair, rule.faults) || !all_complete(corners) || c == d ||
+      face_with_edge(c, d) || face_with_edge(d, c)) {
     return false;
   }
   const Vec3 &pa = points_[a], &pb = points_[b], &pc = points_[c], &pd = points_[d];
   const double moved = std::max(deviation_[face], deviation_[*across]) + thickness(pa, pb, pc, pd);
   const double mine = area(pa, pb, pc), others = area(pa, pb, pd);
-  const bool mixes = !classes_.empty() && classes_[parent_[face]] != classes_[parent_[*across]];
-  const bool needle = 2 * std::min(mine, others) <= terms.reach * (pa - pb).norm();
-  if (moved > terms.reach || (mixes && !needle)) {
+  const bool mixes = !labels_.empty() && labels_[parent_[face]] != labels_[parent_[*across]];
+  const bool needle = 2 * std::min(mine, others) <= rule.reach * (pa - pb).norm();
+  if (moved > rule.reach || (mixes && !needle)) {
     return false;
   }
   const std::array<Triangle, 2> before = {triangles_[face], triangles_[*across]};
   triangles_[face] = {a, d, c};
   triangles_[*across] = {d, b, c};
-  if (!settle(pair, pair, terms)) {
+  if (!settle(pair, pair, rule)) {
     triangles_[face] = before[0];
     triangles_[*across] = before[1];
     return false;
   }
-  if (mixes) {  // the needle's area is taken over by the class of the other one
+  if (mixes) {  // the needle's area is taken over by the label of the other one
     parent_[face] = parent_[*across] = mine > others ? parent_[face] : parent_[*across];
   }
   drop_face(b, face);
@@ -287,15 +258,15 @@ bool EditedMesh::flip(std::uint32_t face, int edge, const EditRule& terms) {
   return true;
 }
 
-bool EditedMesh::move(std::uint32_t vertex, const Vec3& position, const EditRule& terms) {
+bool EditedMesh::move(std::uint32_t vertex, const Vec3& position, const EditRule& rule) {
   const double moved = reach_[vertex] + (position - points_[vertex]).norm();
   const auto around = faces(vertex);
-  if (fixed_[vertex] != 0 || moved > terms.reach || !promising(around, terms)) {
+  if (fixed_[vertex] != 0 || moved > rule.reach || !tracker_.may_accept(around, rule.faults)) {
     return false;
   }
   const Vec3 before = points_[vertex];
   points_[vertex] = position;
-  if (!settle(around, around, terms)) {
+  if (!settle(around, around, rule)) {
     points_[vertex] = before;
     return false;
   }
@@ -303,10 +274,18 @@ bool EditedMesh::move(std::uint32_t vertex, const Vec3& position, const EditRule
   return true;
 }
 
-void EditedMesh::remove(std::span<const std::uint32_t> faces) {
-  for (const Fault& item : known_bad(faces)) {
-    forget(item);
+/// Decides on an edit that has been made for trial.
+bool EditedMesh::settle(std::span<const std::uint32_t> before, std::span<const std::uint32_t> after,
+                        const EditRule& rule) {
+  const bool accepted = tracker_.accept(now(), before, after, rule.faults);
+  if (accepted) {
+    edited_.insert(edited_.end(), after.begin(), after.end());
   }
+  return accepted;
+}
+
+void EditedMesh::remove(std::span<const std::uint32_t> faces) {
+  tracker_.remove(faces);
   for (const std::uint32_t f : faces) {
     alive_[f] = 0;
     for (const std::uint32_t v : triangles_[f]) {
@@ -320,14 +299,13 @@ void EditedMesh::place(support::BulkVector<Vec3> points) {
     reach_[v] += (points[v] - points_[v]).norm();
   }
   points_ = std::move(points);
-  tree_.reset();
+  tracker_.points_have_moved();
 }
 
 std::vector<std::uint32_t> EditedMesh::take_edited() {
   std::vector<std::uint32_t> faces = std::move(edited_);
   edited_.clear();
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  support::sort_unique(faces);
   std::erase_if(faces, [&](std::uint32_t f) { return !alive(f); });
   return faces;
 }

@@ -1,39 +1,38 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "boxes/box_tree.h"
 #include "dupin/kernel/mesh.h"
-#include "rounding/faults.h"
+#include "rounding/fault_tracker.h"
 #include "support/bulk_vector.h"
 
 namespace dupin::rounding {
 
-/// When an edit of a EditedMesh is accepted.
+/// When an edit of an EditedMesh is accepted.
 struct EditRule {
-  enum class Rule {
-    fewer_bad,  ///< bad items that involve the edited triangles become fewer
-    none_bad,   ///< no bad item involves the edited triangles afterwards
-  };
-  Rule rule = Rule::fewer_bad;
+  FaultRule faults = FaultRule::fewer;
   double reach = 0;  ///< largest move of a vertex, and of a surface by flips, since the beginning
 };
 
-/// A closed triangle mesh, or a part of one, under edits that keep it a 2-manifold and are accepted
-/// only if exact predicates say that its embedding gets better, or stays without fault.
+/// The corner that is neither a nor b.
+[[nodiscard]] std::uint32_t third_corner(const Triangle& triangle, std::uint32_t a,
+                                         std::uint32_t b);
+
+/// A closed triangle mesh, or a part of one, under edits that keep it a 2-manifold (collapses by
+/// the link condition [DEGN99]) and are accepted only if exact predicates say that its embedding
+/// gets better, or stays without fault.
 class EditedMesh {
  public:
-  /// `classes`: empty, or one number per triangle; triangles of different classes do not lend their
-  /// area to each other. `twins`: per point the first of those that may coincide with it
+  /// `labels`: empty, or one number per triangle; triangles of different labels do not lend their
+  /// area to each other. `representatives`: per point the first of those that may coincide with it
   /// (contacts).
   /// `complete`: empty, or, of a part of a mesh, 1 for points that have all their triangles in it,
   /// else 0. Edits change only triangles all whose corners have a 1.
   EditedMesh(std::span<const Vec3> points, std::span<const Triangle> triangles,
-             std::span<const std::uint32_t> classes, std::span<const std::uint32_t> twins,
+             std::span<const std::uint32_t> labels, std::span<const std::uint32_t> representatives,
              std::span<const std::uint8_t> complete = {});
 
   [[nodiscard]] std::span<const Vec3> points() const { return points_; }
@@ -57,9 +56,9 @@ class EditedMesh {
   [[nodiscard]] double deviation(std::uint32_t face) const { return deviation_[face]; }
 
   /// Each tries one edit and returns whether it was accepted.
-  bool collapse(std::uint32_t from, std::uint32_t to, const EditRule& terms);
-  bool flip(std::uint32_t face, int edge, const EditRule& terms);
-  bool move(std::uint32_t vertex, const Vec3& position, const EditRule& terms);
+  bool collapse(std::uint32_t from, std::uint32_t to, const EditRule& rule);
+  bool flip(std::uint32_t face, int edge, const EditRule& rule);
+  bool move(std::uint32_t vertex, const Vec3& position, const EditRule& rule);
 
   /// Removes whole shells without asking.
   void remove(std::span<const std::uint32_t> faces);
@@ -67,38 +66,30 @@ class EditedMesh {
   /// Moves all points without asking.
   void place(support::BulkVector<Vec3> points);
 
-  /// Looks for all bad items that involve a marked face, a mark per face. The caller knows that
-  /// there are no others but those of `known` that involve none.
-  void find_faults(std::span<const std::uint8_t> marked, std::span<const Fault> known = {});
+  /// Looks for all faults that involve a marked face, a mark per face. The caller knows that there
+  /// are no others but those of `known` that involve none.
+  void find_faults(std::span<const std::uint8_t> marked, std::span<const Fault> known = {}) {
+    tracker_.find(now(), marked, known);
+  }
   /// Those found and not yet removed, and those that edits have made; ascending.
-  [[nodiscard]] std::vector<Fault> bad_items() const;
-  [[nodiscard]] bool is_bad(const Fault& item) const;
+  [[nodiscard]] std::vector<Fault> faults() const { return tracker_.faults(); }
+  [[nodiscard]] bool is_fault(const Fault& fault) const {
+    return FaultTracker::is_fault(now(), fault);
+  }
 
   /// The number of edits tried so far whose effect had to be looked at.
-  [[nodiscard]] std::uint64_t trials() const { return trials_; }
+  [[nodiscard]] std::uint64_t trials() const { return tracker_.trials(); }
 
   /// The faces edited since the last call that are still there, ascending.
   [[nodiscard]] std::vector<std::uint32_t> take_edited();
 
  private:
-  [[nodiscard]] Embedding embedding() const { return {points_, triangles_, twins_}; }
+  [[nodiscard]] FaultTracker::Mesh now() const {
+    return {{points_, triangles_, representatives_}, alive_};
+  }
   [[nodiscard]] bool all_complete(std::span<const std::uint32_t> points) const;
-  [[nodiscard]] bool degenerate(std::uint32_t face) const;
-  [[nodiscard]] bool bad_pair(std::uint32_t f, std::uint32_t g) const;
-  [[nodiscard]] boxes::Box box(std::uint32_t face) const;
-  [[nodiscard]] boxes::FramedTriangle framed(std::uint32_t face) const;
-  boxes::BoxTree& tree();
-  void find_bad_items_of(std::uint32_t face, std::span<const std::uint8_t> marked);
-  [[nodiscard]] std::vector<Fault> known_bad(std::span<const std::uint32_t> faces) const;
-  [[nodiscard]] bool promising(std::span<const std::uint32_t> faces, const EditRule& terms) const;
   [[nodiscard]] bool settle(std::span<const std::uint32_t> before,
-                            std::span<const std::uint32_t> after, const EditRule& terms);
-  void look_nearby(std::span<const std::uint32_t> faces, const std::vector<std::uint32_t>& hot,
-                   std::size_t limit, std::vector<Fault>& found);
-  void look_everywhere(std::span<const std::uint32_t> faces, const std::vector<std::uint32_t>& hot,
-                       std::size_t limit, std::vector<Fault>& found);
-  void forget(const Fault& item);
-  void remember(const Fault& item);
+                            std::span<const std::uint32_t> after, const EditRule& rule);
   [[nodiscard]] bool collapsible(std::uint32_t from, std::uint32_t to) const;
   void set_faces(std::uint32_t vertex, std::vector<std::uint32_t> faces);
   void add_face(std::uint32_t vertex, std::uint32_t face);
@@ -106,23 +97,18 @@ class EditedMesh {
 
   support::BulkVector<Vec3> points_;
   support::BulkVector<Triangle> triangles_;
-  std::span<const std::uint32_t> classes_, twins_;
+  std::span<const std::uint32_t> labels_, representatives_;
   std::span<const std::uint8_t> complete_;
   support::BulkVector<std::uint8_t> alive_;
-  support::BulkVector<std::uint8_t> fixed_;  // points with twins, and neighbours of incomplete ones
+  support::BulkVector<std::uint8_t>
+      fixed_;  // points at contacts, and neighbours of incomplete ones
   support::BulkVector<std::uint32_t> parent_;
   support::BulkVector<double> reach_, deviation_;
   // Faces around vertices: slices of one array, or, once edited, a list of their own.
   support::BulkVector<std::uint32_t> slice_start_, slices_, own_list_;
   std::vector<std::vector<std::uint32_t>> lists_;
-  boxes::BoxQuantizer frame_;
-  std::optional<boxes::BoxTree> tree_;
-  std::map<std::uint32_t, std::vector<std::uint32_t>> bad_;  // per face its partners in bad items
+  FaultTracker tracker_;
   std::vector<std::uint32_t> edited_;
-  support::BulkVector<std::uint32_t>
-      stamp_;  // number of the last search that had looked at the face
-  std::uint32_t searches_ = 0;
-  std::uint64_t trials_ = 0;
 };
 
 }  // namespace dupin::rounding

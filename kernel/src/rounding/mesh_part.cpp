@@ -3,8 +3,11 @@
 #include <algorithm>
 
 #include "boxes/boxes_near.h"
+#include "mesh/used_points.h"
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
+#include "support/none.h"
+#include "support/sequences.h"
 
 namespace dupin::rounding {
 namespace {
@@ -12,7 +15,7 @@ namespace {
 /// A part with more of the triangles than one in so many saves little.
 constexpr std::size_t kShare = 4;
 
-/// Edits change the triangles of bad items, those around them, and those that share points with
+/// Edits change the triangles of faults, those around them, and those that share points with
 /// these.
 constexpr int kRings = 2;
 
@@ -31,16 +34,6 @@ std::vector<std::uint32_t> ring(const BrokenMesh& mesh, std::span<const std::uin
           found.push_back(static_cast<std::uint32_t>(face));
         }
       });
-}
-
-template <class Item>
-std::vector<Item> items(std::span<const Item> of_whole, std::span<const std::uint32_t> numbers) {
-  std::vector<Item> chosen;
-  chosen.reserve(numbers.size());
-  for (const std::uint32_t i : numbers) {
-    chosen.push_back(of_whole[i]);
-  }
-  return chosen;
 }
 
 boxes::FramedTriangle framed(const boxes::BoxQuantizer& frame, std::span<const Vec3> points,
@@ -89,47 +82,35 @@ std::optional<MeshPart> MeshPart::around(const BrokenMesh& whole,
 }
 
 void MeshPart::copy(const BrokenMesh& whole, std::span<const std::uint32_t> core) {
-  constexpr std::uint32_t kNone = 0xffffffff;
-  support::BulkVector<std::uint32_t> number(whole.doubles.size(), kNone);  // in the part
-  triangles_ = items(whole.triangles, faces_);
-  for (const Triangle& triangle : triangles_) {
-    for (const std::uint32_t v : triangle) {
-      number[v] = 0;
-    }
-  }
-  for (std::uint32_t v = 0; v < number.size(); ++v) {
-    if (number[v] != kNone) {
-      number[v] = static_cast<std::uint32_t>(points_.size());
-      points_.push_back(v);
-    }
-  }
+  triangles_ = support::selected(whole.triangles, faces_);
+  mesh::UsedPoints used = mesh::used_points(triangles_, whole.doubles.size());
   for (Triangle& triangle : triangles_) {
-    for (std::uint32_t& v : triangle) {
-      v = number[v];
-    }
+    triangle = used.renumbered(triangle);
   }
+  points_ = std::move(used.points);
   complete_.resize(points_.size(), 0);
   for (const std::uint32_t face : core) {
     for (const std::uint32_t v : whole.triangles[face]) {
-      complete_[number[v]] = 1;
+      complete_[used.number[v]] = 1;
     }
   }
-  doubles_ = items(whole.doubles, points_);
-  on_lattice_ = items(whole.on_lattice, points_);
-  inexact_ = items(whole.inexact, points_);
+  doubles_ = support::selected(whole.doubles, points_);
+  on_lattice_ = support::selected(whole.on_lattice, points_);
+  inexact_ = support::selected(whole.inexact, points_);
   if (!whole.labels.empty()) {
-    labels_ = items(whole.labels, faces_);
+    labels_ = support::selected(whole.labels, faces_);
   }
-  support::BulkVector<std::uint32_t> first(whole.doubles.size(), kNone);  // of twins, in the part
+  support::BulkVector<std::uint32_t> first(whole.doubles.size(),
+                                           support::kNone);  // of coincident ones
   for (std::uint32_t i = 0; i < points_.size(); ++i) {
-    std::uint32_t& twin = first[whole.twins[points_[i]]];
-    twin = std::min(twin, i);
-    twins_.push_back(twin);
+    std::uint32_t& representative = first[whole.representatives[points_[i]]];
+    representative = std::min(representative, i);
+    representatives_.push_back(representative);
   }
 }
 
 BrokenMesh MeshPart::view() const {
-  return {doubles_, on_lattice_, inexact_, triangles_, labels_, twins_, complete_};
+  return {doubles_, on_lattice_, inexact_, triangles_, labels_, representatives_, complete_};
 }
 
 std::uint32_t MeshPart::face(std::uint32_t of_whole) const {
@@ -176,7 +157,7 @@ void MeshPart::put(const EditedMesh& repaired, TriMesh& whole, std::vector<Sourc
       whole.triangles[faces_[f]][i] = points_[repaired.triangle(f)[i]];
     }
   }
-  const auto own_sources = items(std::span<const Source>(sources), faces_);
+  const auto own_sources = support::selected(std::span<const Source>(sources), faces_);
   for (std::uint32_t f = 0; f < faces_.size(); ++f) {
     const std::uint32_t parent = repaired.parent(f);
     sources[faces_[f]] = own_sources[parent];

@@ -13,21 +13,21 @@
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
 #include "rounding/edited_mesh.h"
-#include "rounding/faults.h"
+#include "rounding/fault_tracker.h"
 
 namespace dupin::rounding {
 
-/// What repair reads of a mesh whose rounding has bad items.
+/// What repair reads of a mesh whose rounding has faults.
 struct BrokenMesh {
   std::span<const Vec3> doubles, on_lattice;  ///< the places before and after rounding
   std::span<const std::uint8_t> inexact;      ///< points whose exact places are not the doubles
   std::span<const Triangle> triangles;
-  std::span<const std::uint32_t> labels;  ///< per triangle; may be empty
-  std::span<const std::uint32_t> twins;   ///< per point the first of those that coincide with it
-  std::span<const std::uint8_t> complete = {};  ///< as EditedMesh has them
+  std::span<const std::uint32_t> labels;           ///< per triangle; may be empty
+  std::span<const std::uint32_t> representatives;  ///< per point the first that coincides with it
+  std::span<const std::uint8_t> complete = {};     ///< as EditedMesh has them
 };
 
-/// The surroundings of bad items, as a mesh of its own with a border: the triangles some rings
+/// The surroundings of faults, as a mesh of its own with a border: the triangles some rings
 /// around, and all that are as near to these as edits may move them. Numbers, of points and of
 /// triangles, ascend as in the whole mesh.
 class MeshPart {
@@ -47,7 +47,7 @@ class MeshPart {
   [[nodiscard]] std::uint32_t face(std::uint32_t of_whole) const;
 
   /// Whether, in the whole mesh that they have been put into, repaired triangles that differ from
-  /// the rounded ones are bad items with others than those of the part.
+  /// the rounded ones make faults with others than those of the part.
   [[nodiscard]] bool meets_rest(const EditedMesh& repaired, const Embedding& whole) const;
 
   /// Puts the repaired triangles, dead ones apart, and points into the rounded whole mesh.
@@ -68,7 +68,7 @@ class MeshPart {
   std::vector<Vec3> doubles_, on_lattice_;
   std::vector<std::uint8_t> inexact_, complete_;
   std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> labels_, twins_;
+  std::vector<std::uint32_t> labels_, representatives_;
 };
 
 /// Removes the items at ascending places, if there are any items.

@@ -6,6 +6,16 @@
 #include "exact/float_lattice.h"
 #include "mesh/exact_mesh.h"
 
+/// The one rounding: a solid with exact coordinates becomes a mesh of representable numbers that is
+/// a solid by exact tests on these numbers (dupin/kernel/rounding.h). In 3D no way is known that is
+/// both close to the mesh and quick for all inputs [DLL18]; here the nearest numbers nearly always
+/// do, and what they break is repaired nearby.
+///
+/// In order, as rounding.cpp strings them together: points go to the lattice (this file); faults
+/// are found among triangles with a point that moved (fault_tracker.h), and shells that turned
+/// inside out (shell_orientation.h if it is certain that none did, else shell_check.h). Then sliver
+/// voids are filled (sliver_voids.h); what still is broken is copied with its surroundings
+/// (mesh_part.h), edited (edited_mesh.h) as edit_strategy.h says, with growing reach, and put back.
 namespace dupin::rounding {
 
 /// The points of an exact mesh, less an origin, correctly rounded.

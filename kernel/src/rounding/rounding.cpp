@@ -7,50 +7,41 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include "boxes/bounds.h"
 #include "dupin/kernel/error.h"
 #include "mesh/coincident_points.h"
 #include "mesh/exact_mesh.h"
-#include "rounding/edit_attempt.h"
+#include "mesh/used_points.h"
 #include "rounding/edit_strategy.h"
 #include "rounding/mesh_part.h"
-#include "rounding/origin.h"
 #include "rounding/point_rounding.h"
-#include "rounding/rounding_errors.h"
+#include "rounding/rounding_options.h"
 #include "rounding/shell_check.h"
 #include "rounding/shell_orientation.h"
 #include "rounding/sliver_voids.h"
-#include "support/blocks.h"
 #include "support/bulk_vector.h"
 
-namespace dupin {
+namespace dupin::rounding {
 namespace {
-
-using exact::FloatLattice;
-using mesh::ExactMesh;
-using mesh::MeshView;
-using rounding::BrokenMesh;
-using rounding::EditedMesh;
-using rounding::Fault;
-using rounding::MeshPart;
 
 /// The first attempt at repair reaches 4 steps of the lattice, each further one 4 times as far.
 constexpr double kReachGrowth = 4;
 constexpr double kDefaultTolerance = 1024;  // steps
 
-/// Enclosed slits are filled before repair reaches a sixteenth of their width: filling moves no
+/// Sliver voids are filled before repair reaches a sixteenth of their width: filling moves no
 /// point.
-constexpr double kSlitWidth = 16;
+constexpr double kVoidWidth = 16;
 
-/// Edits to be tried in all, per bad item that rounding leaves and besides: 50 times as many as the
+/// Edits to be tried in all, per fault that rounding leaves and besides: 50 times as many as the
 /// 600 unions of io_written_unions_test need. What takes more gets nowhere.
-constexpr std::uint64_t kTrialsPerItem = 64, kTrials = 1 << 17;
+constexpr std::uint64_t kTrialsPerFault = 64, kTrials = 1 << 17;
 
-/// What has been done before the solid is rounded anew without some slits.
+/// What has been done before the solid is rounded anew without some voids.
 struct Past {
   double reach = 0;          ///< of the next attempt at repair; 0 for the first
   std::uint64_t trials = 0;  ///< left for it
   std::size_t voids = 0;     ///< filled
-  double slit_width = 0;     ///< of the widest
+  double void_width = 0;     ///< of the widest
   std::size_t removed_triangles = 0;
 };
 
@@ -62,7 +53,7 @@ void copy(const std::vector<Item>& from, std::vector<Item>& to) {
 
 }  // namespace
 
-class rounding::Rounding {
+class Rounding {
  public:
   Rounding(const mesh::ExactMesh& exact, Coordinates coordinates, const RoundingOptions& options,
            const Past& past = {})
@@ -70,10 +61,10 @@ class rounding::Rounding {
         options_(options),
         past_(past),
         coordinates_(coordinates),
-        lattice_(coordinates, options.grid),
-        origin_(rounding::chosen_origin(options.origin, exact.points)),
-        rounded_(rounding::round_points(exact, lattice_, origin_)),
-        twins_(mesh::representatives_at_contacts(exact)) {
+        lattice_(coordinates, options.output_grid),
+        origin_(chosen_origin(options.origin, exact.points)),
+        rounded_(round_points(exact, lattice_, origin_)),
+        representatives_(mesh::representatives_at_contacts(exact)) {
     if (!(rounded_.largest_on_lattice <= largest_number())) {
       throw Error(Errc::unroundable,
                   "coordinates exceed the range of binary32; use a format that holds doubles");
@@ -84,21 +75,21 @@ class rounding::Rounding {
   }
 
   Rounded run() {
-    const auto classes = mesh::groups_apart(exact_.stable, lattice_, step_, !origin_.isZero(0));
-    const std::vector<rounding::Fault> bad =
-        rounding::find_faults({rounded_.on_lattice, exact_.triangles, twins_, classes},
-                              rounding::marked_faces(exact_.triangles, rounded_.moved));
+    const auto groups = mesh::groups_apart(exact_.stable, lattice_, step_, !origin_.isZero(0));
+    const std::vector<Fault> found =
+        find_faults({rounded_.on_lattice, exact_.triangles, representatives_, groups},
+                    marked_faces(exact_.triangles, rounded_.moved));
     const mesh::MeshView direct(rounded_.on_lattice, exact_.triangles);
     const double move = largest_move(rounded_.largest_move);
-    if (bad.empty() && exact_.contacts.empty() &&
-        rounding::keeps_shell_orientation(direct, rounded_.moved, move)) {
+    if (found.empty() && exact_.contacts.empty() &&
+        keeps_shell_orientation(direct, rounded_.moved, move)) {
       return unrepaired(move);
     }
-    std::vector<std::uint32_t> broken = bad.empty() ? misplaced(direct, move) : faces_of(bad);
+    std::vector<std::uint32_t> broken = found.empty() ? misplaced(direct, move) : faces_of(found);
     if (broken.empty()) {
       return unrepaired(move);
     }
-    return repaired(bad, std::move(broken));
+    return repaired(found, std::move(broken));
   }
 
  private:
@@ -110,7 +101,7 @@ class rounding::Rounding {
   /// Found when first asked for: most solids round without any question that needs them.
   const std::vector<std::uint32_t>& shell_of() {
     if (shell_of_.empty()) {
-      shell_of_ = rounding::shell_of_points(exact_);
+      shell_of_ = shell_of_points(exact_);
     }
     return shell_of_;
   }
@@ -120,32 +111,31 @@ class rounding::Rounding {
                                                  : std::numeric_limits<float>::max();
   }
 
-  /// Fills slits and repairs, as far as the tolerance allows.
-  Rounded repaired(const std::vector<rounding::Fault>& broken_pairs,
-                   std::vector<std::uint32_t> broken) {
+  /// Fills sliver voids and repairs, as far as the tolerance allows.
+  Rounded repaired(const std::vector<Fault>& broken_pairs, std::vector<std::uint32_t> broken) {
     const bool is_first = past_.reach == 0;
-    trials_left_ = is_first ? kTrials + kTrialsPerItem * broken_pairs.size() : past_.trials;
-    const double farthest = tolerance_ - past_.slit_width / 2;
+    trials_left_ = is_first ? kTrials + kTrialsPerFault * broken_pairs.size() : past_.trials;
+    const double farthest = tolerance_ - past_.void_width / 2;
     const auto voids = may_have_voids()
-                           ? std::optional(rounding::SliverVoids(exact_, twins_, tolerance_))
+                           ? std::optional(SliverVoids(exact_, representatives_, tolerance_))
                            : std::nullopt;
     for (double reach = is_first ? kReachGrowth * step_ : past_.reach;; reach *= kReachGrowth) {
       reach = std::min(reach, farthest);
-      const double widest = std::min(kSlitWidth * reach, tolerance_);
+      const double widest = std::min(kVoidWidth * reach, tolerance_);
       if (const auto filled = voids ? voids->filled(widest) : std::nullopt) {
         const Past past{
             reach, trials_left_, past_.voids + filled->count,
-            std::max(past_.slit_width, filled->width),
+            std::max(past_.void_width, filled->width),
             past_.removed_triangles + exact_.triangles.size() - filled->mesh.triangles.size()};
-        return rounding::Rounding(filled->mesh, coordinates_, options_, past).run();
+        return Rounding(filled->mesh, coordinates_, options_, past).run();
       }
       if (auto done = repaired_in_part(broken, broken_pairs, reach)) {
         return std::move(*done);
       }
-      rounding::EditedMesh mesh(doubles(), exact_.triangles, exact_.labels, twins_);
-      const std::size_t shells = rounding::remove_small_shells(mesh, broken, reach);
-      trials_left_ = rounding::repair_around(mesh, whole(), broken, broken_pairs,
-                                             {lattice_, rounded_.largest, reach, trials_left_});
+      EditedMesh mesh(doubles(), exact_.triangles, exact_.labels, representatives_);
+      const std::size_t shells = remove_small_shells(mesh, broken, reach);
+      trials_left_ = repair_around(mesh, whole(), broken, broken_pairs,
+                                   {lattice_, rounded_.largest, reach, trials_left_});
       const auto alive = mesh.alive_faces();
       const double move = largest_move(mesh, alive);
       const std::vector<std::uint32_t> left = faults(mesh, alive, move);
@@ -160,34 +150,33 @@ class rounding::Rounding {
     }
   }
 
-  [[nodiscard]] rounding::BrokenMesh whole() const {
+  [[nodiscard]] BrokenMesh whole() const {
     return {doubles(),        rounded_.on_lattice, rounded_.inexact,
-            exact_.triangles, exact_.labels,       twins_};
+            exact_.triangles, exact_.labels,       representatives_};
   }
 
   /// Repaired by edits near the broken faces only; none if these are many or that does not do.
   std::optional<Rounded> repaired_in_part(const std::vector<std::uint32_t>& broken,
-                                          const std::vector<rounding::Fault>& broken_pairs,
-                                          double reach) {
-    const auto part = rounding::MeshPart::around(whole(), broken, reach, step_);
+                                          const std::vector<Fault>& broken_pairs, double reach) {
+    const auto part = MeshPart::around(whole(), broken, reach, step_);
     if (!part) {
       return std::nullopt;
     }
-    const rounding::BrokenMesh view = part->view();
-    rounding::EditedMesh mesh(view.doubles, view.triangles, view.labels, view.twins, view.complete);
+    const BrokenMesh view = part->view();
+    EditedMesh mesh(view.doubles, view.triangles, view.labels, view.representatives, view.complete);
     std::vector<std::uint32_t> faces;
     for (const std::uint32_t face : broken) {
       faces.push_back(part->face(face));
     }
-    std::vector<rounding::Fault> pairs;
-    for (const rounding::Fault& item : broken_pairs) {
-      pairs.push_back({part->face(item.first), part->face(item.second)});
+    std::vector<Fault> pairs;
+    for (const Fault& fault : broken_pairs) {
+      pairs.push_back({part->face(fault.first), part->face(fault.second)});
     }
     const std::uint64_t trials = trials_left_;
-    const std::size_t shells = rounding::remove_small_shells(mesh, faces, reach);
-    trials_left_ = rounding::repair_around(mesh, view, faces, pairs,
-                                           {lattice_, rounded_.largest, reach, trials_left_});
-    if (mesh.bad_items().empty()) {
+    const std::size_t shells = remove_small_shells(mesh, faces, reach);
+    trials_left_ =
+        repair_around(mesh, view, faces, pairs, {lattice_, rounded_.largest, reach, trials_left_});
+    if (mesh.faults().empty()) {
       if (auto done = spliced(mesh, *part, {.repair_reach = reach, .removed_shells = shells})) {
         return done;
       }
@@ -202,31 +191,31 @@ class rounding::Rounding {
            std::ranges::any_of(shell_of(), [](std::uint32_t shell) { return shell != 0; });
   }
 
-  static std::vector<std::uint32_t> faces_of(const std::vector<rounding::Fault>& bad) {
+  static std::vector<std::uint32_t> faces_of(const std::vector<Fault>& faults) {
     std::vector<std::uint32_t> faces;
-    for (const rounding::Fault& item : bad) {
-      faces.push_back(item.first);
-      faces.push_back(item.second);
+    for (const Fault& fault : faults) {
+      faces.push_back(fault.first);
+      faces.push_back(fault.second);
     }
     return faces;
   }
 
   /// Triangles, by their places, of shells turned inside out and at contacts that became crossings.
   std::vector<std::uint32_t> misplaced(const mesh::MeshView& mesh, double move) {
-    std::vector<std::uint32_t> faces = rounding::turned_shells(exact_, shell_of(), mesh, move);
+    std::vector<std::uint32_t> faces = turned_shells(exact_, shell_of(), mesh, move);
     if (!exact_.contacts.empty()) {
-      const auto crossed = rounding::crossed_contacts(mesh, twins_);
+      const auto crossed = crossed_contacts(mesh, representatives_);
       faces.insert(faces.end(), crossed.begin(), crossed.end());
     }
     return faces;
   }
 
-  /// Faces of bad items, else misplaced ones.
-  std::vector<std::uint32_t> faults(const rounding::EditedMesh& mesh,
-                                    std::span<const std::uint32_t> alive, double move) {
-    const std::vector<rounding::Fault> bad = mesh.bad_items();
-    if (!bad.empty()) {
-      return faces_of(bad);
+  /// Faces of faults, else misplaced ones.
+  std::vector<std::uint32_t> faults(const EditedMesh& mesh, std::span<const std::uint32_t> alive,
+                                    double move) {
+    const std::vector<Fault> found = mesh.faults();
+    if (!found.empty()) {
+      return faces_of(found);
     }
     const auto triangles = mesh.triangles_of(alive);
     std::vector<std::uint32_t> faces = misplaced({mesh.points(), triangles}, move);
@@ -237,13 +226,13 @@ class rounding::Rounding {
   }
 
   Rounded unrepaired(double move);
-  std::optional<Rounded> spliced(const rounding::EditedMesh& mesh, const rounding::MeshPart& part,
+  std::optional<Rounded> spliced(const EditedMesh& mesh, const MeshPart& part,
                                  RoundingReport report);
-  [[nodiscard]] Rounded finished(const rounding::EditedMesh& mesh,
-                                 std::span<const std::uint32_t> alive, RoundingReport report) const;
+  [[nodiscard]] Rounded finished(const EditedMesh& mesh, std::span<const std::uint32_t> alive,
+                                 RoundingReport report) const;
   [[nodiscard]] Rounded with_report(RoundingReport report, std::size_t triangles) const;
   [[nodiscard]] double largest_move(double from_doubles) const;
-  [[nodiscard]] double largest_move(const rounding::EditedMesh& repaired,
+  [[nodiscard]] double largest_move(const EditedMesh& repaired,
                                     std::span<const std::uint32_t> alive) const;
   [[nodiscard]] Error unroundable(const Vec3& at) const;
 
@@ -253,20 +242,20 @@ class rounding::Rounding {
   Coordinates coordinates_;
   exact::FloatLattice lattice_;
   Vec3 origin_;
-  rounding::RoundedPoints rounded_;
-  std::vector<std::uint32_t> twins_, shell_of_;
+  RoundedPoints rounded_;
+  std::vector<std::uint32_t> representatives_, shell_of_;
   double step_ = 0, double_step_ = 0, tolerance_ = 0;
   std::uint64_t trials_left_ = 0;
 };
 
 /// A result of so many triangles, less its mesh and sources.
-Rounded rounding::Rounding::with_report(RoundingReport report, std::size_t triangles) const {
+Rounded Rounding::with_report(RoundingReport report, std::size_t triangles) const {
   Rounded result;
   report.coordinates = coordinates_;
   report.origin = origin_;
   report.removed_triangles = past_.removed_triangles + exact_.triangles.size() - triangles;
   report.filled_slits = past_.voids;
-  report.slit_width = past_.slit_width;
+  report.slit_width = past_.void_width;
   result.mesh_.names = exact_.names;
   result.contacts_ = exact_.contacts;
   result.report_ = report;
@@ -274,7 +263,7 @@ Rounded rounding::Rounding::with_report(RoundingReport report, std::size_t trian
 }
 
 /// The solid's own triangles, on the rounded points, which are taken.
-Rounded rounding::Rounding::unrepaired(double move) {
+Rounded Rounding::unrepaired(double move) {
   RoundingReport report{.largest_move = move};
   report.moved = static_cast<std::size_t>(std::ranges::count(rounded_.moved, 1));
   Rounded result = with_report(report, exact_.triangles.size());
@@ -286,25 +275,17 @@ Rounded rounding::Rounding::unrepaired(double move) {
 }
 
 /// The mesh of the faces that repair has left alive.
-Rounded rounding::Rounding::finished(const rounding::EditedMesh& mesh,
-                                     std::span<const std::uint32_t> alive,
-                                     RoundingReport report) const {
+Rounded Rounding::finished(const EditedMesh& mesh, std::span<const std::uint32_t> alive,
+                           RoundingReport report) const {
   Rounded result = with_report(report, alive.size());
-  constexpr std::uint32_t kUnused = 0xffffffff;
-  support::BulkVector<std::uint32_t> position(mesh.points().size(), kUnused);
-  for (const std::uint32_t face : alive) {
-    for (const std::uint32_t v : mesh.triangle(face)) {
-      position[v] = 0;
-    }
-  }
-  support::reserve_bulk(result.mesh_.points, mesh.points().size());
-  for (std::uint32_t v = 0; v < position.size(); ++v) {
+  const mesh::UsedPoints used = mesh::used_points(mesh.triangles_of(alive), mesh.points().size());
+  support::reserve_bulk(result.mesh_.points, used.points.size());
+  for (std::uint32_t v = 0; v < used.number.size(); ++v) {
     const Vec3& point = mesh.point(v);
-    const bool is_used = position[v] != kUnused;
+    const bool is_used = used.number[v] != support::kNone;
     const bool has_moved = rounded_.moved[v] != 0 || point != rounded_.on_lattice[v];
     result.report_.moved += !is_used || has_moved ? 1 : 0;
     if (is_used) {
-      position[v] = static_cast<std::uint32_t>(result.mesh_.points.size());
       result.mesh_.points.push_back(point.array() + 0.0);
     }
   }
@@ -312,8 +293,7 @@ Rounded rounding::Rounding::finished(const rounding::EditedMesh& mesh,
   support::reserve_bulk(result.sources_, alive.size());
   support::reserve_bulk(result.mesh_.labels, exact_.labels.empty() ? 0 : alive.size());
   for (const std::uint32_t face : alive) {
-    const Triangle& t = mesh.triangle(face);
-    result.mesh_.triangles.push_back({position[t[0]], position[t[1]], position[t[2]]});
+    result.mesh_.triangles.push_back(used.renumbered(mesh.triangle(face)));
     result.sources_.push_back(exact_.sources[mesh.parent(face)]);
     if (!exact_.labels.empty()) {
       result.mesh_.labels.push_back(exact_.labels[mesh.parent(face)]);
@@ -324,10 +304,9 @@ Rounded rounding::Rounding::finished(const rounding::EditedMesh& mesh,
 
 /// The whole mesh, its part replaced by the repaired one; none if that is not free of faults. Takes
 /// the rounded points, or leaves them as they were.
-std::optional<Rounded> rounding::Rounding::spliced(const rounding::EditedMesh& mesh,
-                                                   const rounding::MeshPart& part,
-                                                   RoundingReport report) {
-  const rounding::BrokenMesh original = part.view();
+std::optional<Rounded> Rounding::spliced(const EditedMesh& mesh, const MeshPart& part,
+                                         RoundingReport report) {
+  const BrokenMesh original = part.view();
   double vertex = rounded_.largest_move, surface = 0;
   std::vector<std::uint32_t> unused, dead;  // points and triangles of the whole
   std::size_t moved = 0;                    // which rounding has left in place
@@ -357,21 +336,21 @@ std::optional<Rounded> rounding::Rounding::spliced(const rounding::EditedMesh& m
                        [&] { copy(exact_.labels, whole.labels); });
   whole.points = std::move(rounded_.on_lattice);
   part.put(mesh, whole, result.sources_);
-  const bool meets_rest = part.meets_rest(mesh, {whole.points, whole.triangles, twins_});
-  rounding::erase_at(dead, whole.triangles);
+  const bool meets_rest = part.meets_rest(mesh, {whole.points, whole.triangles, representatives_});
+  erase_at(dead, whole.triangles);
   if (meets_rest || !misplaced({whole.points, whole.triangles}, report.largest_move).empty()) {
     rounded_.on_lattice = std::move(whole.points);
     part.put_back(rounded_.on_lattice);
     return std::nullopt;
   }
-  rounding::erase_at(dead, result.sources_);
-  rounding::erase_at(dead, whole.labels);
-  rounding::erase_points(unused, whole);
+  erase_at(dead, result.sources_);
+  erase_at(dead, whole.labels);
+  erase_points(unused, whole);
   return result;
 }
 
-double rounding::Rounding::largest_move(const rounding::EditedMesh& repaired,
-                                        std::span<const std::uint32_t> alive) const {
+double Rounding::largest_move(const EditedMesh& repaired,
+                              std::span<const std::uint32_t> alive) const {
   double vertex = 0, surface = 0;
   for (std::uint32_t v = 0; v < exact_.points.size(); ++v) {
     const Vec3& place = rounded_.on_lattice[v];
@@ -385,17 +364,21 @@ double rounding::Rounding::largest_move(const rounding::EditedMesh& repaired,
 }
 
 /// Of exact place to nearest double, of that to the lattice and by repair, as given; and half the
-/// width of slits, in which no place is farther from the solid. The factor covers the rounding of
-/// these few sums and norms.
-double rounding::Rounding::largest_move(double from_doubles) const {
+/// width of sliver voids, in which no place is farther from the solid. The factor covers the
+/// rounding of these few sums and norms.
+double Rounding::largest_move(double from_doubles) const {
   const double rounding = rounded_.any_inexact ? std::sqrt(0.75) * double_step_ : 0;
-  return (from_doubles + rounding + past_.slit_width / 2) * (1 + 0x1p-48);
+  return (from_doubles + rounding + past_.void_width / 2) * (1 + 0x1p-48);
 }
 
-Error rounding::Rounding::unroundable(const Vec3& at) const {
-  const bool is_far = rounding::extent(doubles()) < rounded_.largest;
-  return rounding::unroundable_error(at + origin_, tolerance_, coordinates_, is_far);
+Error Rounding::unroundable(const Vec3& at) const {
+  const bool is_far = boxes::bounds_of(doubles()).sizes().maxCoeff() < rounded_.largest;
+  return unroundable_error(at + origin_, tolerance_, coordinates_, is_far);
 }
+
+}  // namespace dupin::rounding
+
+namespace dupin {
 
 Rounded to_mesh(const Solid& solid, Coordinates coordinates, const RoundingOptions& options) {
   rounding::validate(options);

@@ -110,9 +110,9 @@ std::vector<std::uint32_t> turned_shells(const mesh::ExactMesh& exact,
 }
 
 std::vector<std::uint32_t> crossed_contacts(const mesh::MeshView& mesh,
-                                            std::span<const std::uint32_t> twins) {
+                                            std::span<const std::uint32_t> representatives) {
   std::vector<std::uint32_t> crossed;
-  for (const mesh::ContactPlace& place : mesh::find_contacts(mesh, twins)) {
+  for (const mesh::ContactPlace& place : mesh::find_contacts(mesh, representatives)) {
     if (!place.alternating) {
       crossed.insert(crossed.end(), place.faces.begin(), place.faces.end());
     }

@@ -22,9 +22,10 @@ namespace dupin::rounding {
 
 /// The triangles, by their places, at edges where the mesh touches itself and where rounding has
 /// made one sheet pass through another, so that the triangles around do not bound inside and
-/// outside in turn. `twins` names for each point the first of those that it touches.
-[[nodiscard]] std::vector<std::uint32_t> crossed_contacts(const mesh::MeshView& mesh,
-                                                          std::span<const std::uint32_t> twins);
+/// outside in turn. `representatives` names for each
+/// point the first of those that it touches.
+[[nodiscard]] std::vector<std::uint32_t> crossed_contacts(
+    const mesh::MeshView& mesh, std::span<const std::uint32_t> representatives);
 
 /// Removes the shells of the given faces that lie within `reach` of one of their points. Returns
 /// their number.

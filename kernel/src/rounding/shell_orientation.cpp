@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "boxes/bounds.h"
 #include "support/blocks.h"
 #include "support/disjoint_sets.h"
 
@@ -21,16 +22,10 @@ constexpr std::size_t kSparse = 16;
 /// So are regions next to which so many triangles prove nothing.
 constexpr std::size_t kTries = 8;
 
-struct Box {
-  Vec3 low, high;
+using Box = Eigen::AlignedBox3d;
 
-  [[nodiscard]] double largest_coordinate() const {
-    return std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
-  }
-};
-
-Box around_both(const Box& a, const Box& b) {
-  return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+double largest_coordinate(const Box& box) {
+  return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
 }
 
 using Corners = std::array<Vec3, 3>;
@@ -38,10 +33,6 @@ using Corners = std::array<Vec3, 3>;
 Corners corners_of(const mesh::MeshView& mesh, std::uint32_t face) {
   const Triangle& t = mesh.triangles[face];
   return {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
-}
-
-Box box_of(const Corners& t) {
-  return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
 }
 
 /// Any vector, if the triangle is degenerate.
@@ -56,7 +47,7 @@ class Place {
       : centre_((triangle[0] + triangle[1] + triangle[2]) / 3) {
     // With coordinates up to L, the centre is off by less than 7 L 2^-53 and heights over it by
     // less than 14 L 2^-53 more, underflow apart; unit vectors and these few sums by far less.
-    largest = std::max(largest, box_of(triangle).largest_coordinate());
+    largest = std::max(largest, largest_coordinate(boxes::bounds_of(triangle)));
     margin_ =
         (largest_move + largest * 0x1p-48 + std::numeric_limits<double>::min()) * (1 + 0x1p-48);
     const Vec3 normal = unit_normal(triangle);
@@ -67,14 +58,14 @@ class Place {
 
   /// True if the box is certainly farther than the largest move.
   [[nodiscard]] bool is_far_from(const Box& box) const {
-    return (box.low - centre_).cwiseMax(centre_ - box.high).maxCoeff() > margin_;
+    return (box.min() - centre_).cwiseMax(centre_ - box.max()).maxCoeff() > margin_;
   }
   [[nodiscard]] bool is_far_from(const Corners& other) const {
     const auto is_beyond = [&](const Vec3& direction) {
       return std::ranges::all_of(
           other, [&](const Vec3& corner) { return direction.dot(corner - centre_) > margin_; });
     };
-    if (is_far_from(box_of(other)) || std::ranges::any_of(across_, is_beyond)) {
+    if (is_far_from(boxes::bounds_of(other)) || std::ranges::any_of(across_, is_beyond)) {
       return true;
     }
     const Vec3 normal = unit_normal(other);
@@ -95,12 +86,12 @@ class MovingTriangles {
       : move_(largest_move) {
     for (const std::uint32_t face : faces) {
       triangles_.push_back(corners_of(mesh, face));
-      const Box box = box_of(triangles_.back());
+      const Box box = boxes::bounds_of(triangles_.back());
       if (triangles_.size() % kGroup == 1) {
         groups_.push_back(box);
       }
-      groups_.back() = around_both(groups_.back(), box);
-      largest_ = std::max(largest_, box.largest_coordinate());
+      groups_.back().extend(box);
+      largest_ = std::max(largest_, largest_coordinate(box));
     }
   }
 

@@ -126,9 +126,9 @@ class Simplification {
   Simplification(const Rounded& rounded, double tolerance)
       : input_(rounded.mesh()),
         tolerance_(tolerance),
-        classes_(classes(rounded.mesh())),
-        twins_(mesh::coincident_representatives(rounded.mesh().points)),
-        mesh_(rounded.mesh().points, rounded.mesh().triangles, classes_, twins_),
+        labels_(labels(rounded.mesh())),
+        representatives_(mesh::coincident_representatives(rounded.mesh().points)),
+        mesh_(rounded.mesh().points, rounded.mesh().triangles, labels_, representatives_),
         deviation_(rounded.mesh().triangles.size(), 0) {
     double largest = 0;
     for (const Vec3& point : input_.points) {
@@ -191,7 +191,7 @@ class Simplification {
   };
   using Waiting = std::pair<double, std::uint32_t>;  // the least harm of a vertex
 
-  static std::vector<std::uint32_t> classes(const TriMesh& mesh) {
+  static std::vector<std::uint32_t> labels(const TriMesh& mesh) {
     std::vector<std::uint32_t> labels = mesh.labels;
     labels.resize(mesh.triangles.size(), 0);
     return labels;
@@ -208,7 +208,7 @@ class Simplification {
     const std::vector<std::uint32_t> star(mesh_.faces(from).begin(), mesh_.faces(from).end());
     const std::vector<std::uint32_t> ring = link(mesh_, from);
     constexpr double kAnywhere = std::numeric_limits<double>::infinity();
-    if (!mesh_.collapse(from, option.to, {EditRule::Rule::none_bad, kAnywhere})) {
+    if (!mesh_.collapse(from, option.to, {rounding::FaultRule::none, kAnywhere})) {
       return false;
     }
     for (const std::uint32_t f : star) {
@@ -275,7 +275,7 @@ class Simplification {
     for (const std::uint32_t corner : ring) {
       const auto left = mesh_.face_with_edge(from, corner);
       const auto right = mesh_.face_with_edge(corner, from);
-      if (!left || !right || classes_[*left] != classes_[*right]) {
+      if (!left || !right || labels_[*left] != labels_[*right]) {
         borders.push_back(corner);
       }
     }
@@ -299,7 +299,7 @@ class Simplification {
 
   const TriMesh& input_;
   double tolerance_, slack_ = 0;
-  std::vector<std::uint32_t> classes_, twins_;
+  std::vector<std::uint32_t> labels_, representatives_;
   EditedMesh mesh_;
   std::vector<double> deviation_;  // of each face from the surface given
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue_;

@@ -6,20 +6,22 @@
 
 #include <Eigen/Geometry>
 
-#include "exact/exact_vector.h"
+#include "exact/exact_numbers.h"
 #include "mesh/measure.h"
 #include "mesh/self_contact.h"
 #include "predicates/triangle_distance.h"
 #include "support/disjoint_sets.h"
+#include "support/sequences.h"
 
 namespace dupin::rounding {
 namespace {
 
-std::vector<Triangle> merged(const mesh::ExactMesh& mesh, std::span<const std::uint32_t> twins) {
+std::vector<Triangle> merged(const mesh::ExactMesh& mesh,
+                             std::span<const std::uint32_t> representatives) {
   std::vector<Triangle> triangles = mesh.triangles;
   for (Triangle& corners : triangles) {
     for (std::uint32_t& corner : corners) {
-      corner = twins[corner];
+      corner = representatives[corner];
     }
   }
   return triangles;
@@ -31,8 +33,7 @@ std::vector<std::uint32_t> points_of(std::span<const Triangle> triangles,
   for (const std::uint32_t face : faces) {
     points.insert(points.end(), triangles[face].begin(), triangles[face].end());
   }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  support::sort_unique(points);
   return points;
 }
 
@@ -58,7 +59,7 @@ Vec3 mean_normal(const mesh::ExactMesh& mesh, std::span<const std::uint32_t> fac
 /// it is above `widest`.
 double width_across(const Vec3& normal, const mesh::ExactMesh& mesh,
                     std::span<const std::uint32_t> points, double widest) {
-  const exact::ExactVector direction = {normal.x(), normal.y(), normal.z()};
+  const exact::ExactVector direction = exact::exact_vector(normal);
   const auto height = [&](std::uint32_t point) {
     const mesh::ExactPoint p = mesh::exact_point(mesh, point);
     return predicates::Fraction{exact::dot({p[0], p[1], p[2]}, direction), p[3]};
@@ -97,16 +98,16 @@ std::vector<Eigen::AlignedBox3d> bounds_of(const mesh::Shells& shells,
 
 }  // namespace
 
-SliverVoids::SliverVoids(const mesh::ExactMesh& mesh, std::span<const std::uint32_t> twins,
-                         double widest)
-    : mesh_(mesh), merged_(merged(mesh, twins)), edges_(merged_, mesh.points.size()) {
+SliverVoids::SliverVoids(const mesh::ExactMesh& mesh,
+                         std::span<const std::uint32_t> representatives, double widest)
+    : mesh_(mesh), merged_(merged(mesh, representatives)), edges_(merged_, mesh.points.size()) {
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     if (edges_[i].half_edges.size() > 2) {
       around_.emplace(i, mesh::sorted_around(mesh::MeshView(mesh_), edges_, edges_[i]));
     }
   }
   cells_ = find_cells();
-  voids_ = find_slits(widest);
+  voids_ = find_voids(widest);
 }
 
 /// Going around an edge from its lower to its upper end, a triangle that runs along it has material
@@ -157,18 +158,16 @@ mesh::Shells SliverVoids::find_cells() const {
 
 /// Whether the cell's surface encloses free space. Others enclose material.
 bool SliverVoids::is_void(std::uint32_t cell) const {
-  std::vector<Triangle> triangles;
-  for (const std::uint32_t face : cells_.faces_of(cell)) {
-    triangles.push_back(mesh_.triangles[face]);
-  }
+  const auto triangles =
+      support::selected(std::span<const Triangle>(mesh_.triangles), cells_.faces_of(cell));
   mesh::MeshView view(mesh_);
   view.triangles = triangles;
   return mesh::volume_sign(view) < 0;
 }
 
 /// Those in which material might float are left out.
-std::vector<SliverVoids::Slit> SliverVoids::find_slits(double widest) const {
-  std::vector<Slit> voids;
+std::vector<SliverVoids::Void> SliverVoids::find_voids(double widest) const {
+  std::vector<Void> voids;
   for (std::uint32_t cell = 0; cell < cells_.count; ++cell) {
     const auto faces = cells_.faces_of(cell);
     const auto points = points_of(merged_, faces);
@@ -178,19 +177,19 @@ std::vector<SliverVoids::Slit> SliverVoids::find_slits(double widest) const {
     }
   }
   const std::vector<Eigen::AlignedBox3d> bounds = bounds_of(cells_, mesh_);
-  std::vector<std::uint8_t> is_slit(cells_.count, 0);
-  for (const Slit& slit : voids) {
-    is_slit[slit.cell] = 1;
+  std::vector<std::uint8_t> is_sliver(cells_.count, 0);
+  for (const Void& sliver : voids) {
+    is_sliver[sliver.cell] = 1;
   }
   std::vector<std::uint32_t> others;
   for (std::uint32_t cell = 0; cell < cells_.count; ++cell) {
-    if (is_slit[cell] == 0) {
+    if (is_sliver[cell] == 0) {
       others.push_back(cell);
     }
   }
-  std::erase_if(voids, [&](const Slit& slit) {
+  std::erase_if(voids, [&](const Void& sliver) {
     return std::ranges::any_of(others, [&](std::uint32_t cell) {
-      return bounds[slit.cell].contains(bounds[cell]) && !is_void(cell);
+      return bounds[sliver.cell].contains(bounds[cell]) && !is_void(cell);
     });
   });
   return voids;
@@ -235,13 +234,13 @@ mesh::ExactMesh SliverVoids::without(const std::vector<std::uint8_t>& gone) cons
 std::optional<FilledVoids> SliverVoids::filled(double width) const {
   FilledVoids result;
   std::vector<std::uint8_t> gone(merged_.size(), 0);
-  for (const Slit& slit : voids_) {
-    if (slit.width > width) {
+  for (const Void& sliver : voids_) {
+    if (sliver.width > width) {
       continue;
     }
     ++result.count;
-    result.width = std::max(result.width, slit.width);
-    for (const std::uint32_t face : cells_.faces_of(slit.cell)) {
+    result.width = std::max(result.width, sliver.width);
+    for (const std::uint32_t face : cells_.faces_of(sliver.cell)) {
       gone[face] = 1;
     }
   }

@@ -18,23 +18,24 @@ struct FilledVoids {
   double width = 0;       ///< of the widest of them
 };
 
-/// The slits of a solid: voids between two parallel planes that are close to each other. They
+/// The sliver voids of a solid: between two parallel planes that are close to each other. They
 /// remain where two parts end in the same ring of points and close it by different triangles,
 /// because such a ring is flat only to within rounding. There they touch the outside along edges of
 /// the ring, so voids are told apart by what they bound, not by how the triangles are joined.
 class SliverVoids {
  public:
-  /// Voids wider than `widest` are no slits. `twins`: per point the first one in exactly the same
-  /// place. The mesh outlives this. O(n log n).
-  SliverVoids(const mesh::ExactMesh& mesh, std::span<const std::uint32_t> twins, double widest);
+  /// Voids wider than `widest` are no slivers. `representatives`: per point the first one in
+  /// exactly the same place. The mesh outlives this. O(n log n).
+  SliverVoids(const mesh::ExactMesh& mesh, std::span<const std::uint32_t> representatives,
+              double widest);
 
-  /// Fills the slits up to a width. None if there are no such. The solid does not touch itself any
-  /// more where it did so because of them.
+  /// Fills the sliver voids up to a width. None if there are no such. The solid does not touch
+  /// itself any more where it did so because of them.
   [[nodiscard]] std::optional<FilledVoids> filled(double width) const;
 
  private:
   enum class Side { material, free };
-  struct Slit {
+  struct Void {
     std::uint32_t cell = 0;
     double width = 0;
   };
@@ -45,15 +46,15 @@ class SliverVoids {
                                                     Side side) const;
   [[nodiscard]] mesh::Shells find_cells() const;
   [[nodiscard]] bool is_void(std::uint32_t cell) const;
-  [[nodiscard]] std::vector<Slit> find_slits(double widest) const;
+  [[nodiscard]] std::vector<Void> find_voids(double widest) const;
   [[nodiscard]] mesh::ExactMesh without(const std::vector<std::uint8_t>& gone) const;
 
   const mesh::ExactMesh& mesh_;
-  std::vector<Triangle> merged_;  // the triangles with twins as one point
+  std::vector<Triangle> merged_;  // the triangles with coincident points as one
   mesh::EdgeTable edges_;
   std::map<std::size_t, std::vector<std::uint32_t>> around_;  // edges of more than two triangles
   mesh::Shells cells_;  // triangles that bound one connected part of what the solid leaves free
-  std::vector<Slit> voids_;
+  std::vector<Void> voids_;
 };
 
 }  // namespace dupin::rounding

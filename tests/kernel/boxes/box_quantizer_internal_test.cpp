@@ -105,9 +105,10 @@ TEST(SelfIntersection, of_turned_pipes_is_found_in_turned_boxes) {
       for (std::uint8_t& is_active : active) {
         is_active = random() % 100 < share ? 1 : 0;
       }
-      const auto found = checking::find_self_intersections(mesh.points, mesh.triangles,
-                                                           {.active = active, .same = apart})
-                             .pairs;
+      const auto found =
+          checking::find_self_intersections(mesh.points, mesh.triangles,
+                                            {.active = active, .representatives = apart})
+              .pairs;
       EXPECT_TRUE(found == compared(mesh, active)) << name << " " << share;
       pairs += found.size();
     }

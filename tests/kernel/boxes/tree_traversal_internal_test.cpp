@@ -6,26 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "boxes/tree_traversal.h"
+#include "kernel/boxes/random_boxes_internal.h"
 
 namespace dupin::boxes {
 namespace {
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 using Pairs = std::map<Pair, int>;  // and how often
-
-std::vector<Box> random_boxes(std::uint32_t count, std::uint32_t seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<float> place(-1, 0.9F), size(0, 0.1F);
-  std::vector<Box> boxes;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    Box& box = boxes.emplace_back();
-    for (int k = 0; k < 3; ++k) {
-      box.low[k] = place(random);
-      box.high[k] = box.low[k] + size(random);
-    }
-  }
-  return boxes;
-}
 
 /// Boxes of a strip of quads, each by its neighbours.
 std::vector<Box> strip(std::uint32_t count) {

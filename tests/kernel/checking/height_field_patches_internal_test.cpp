@@ -11,6 +11,7 @@
 #include "checking/self_intersection.h"
 #include "kernel/torus.h"
 #include "predicates/triangle_overlap.h"
+#include "support/none.h"
 
 namespace dupin::checking {
 namespace {
@@ -22,7 +23,7 @@ using test::torus;
 std::size_t expect_apart(const TriMesh& mesh, const HeightFieldPatches& patches) {
   std::map<std::uint32_t, std::vector<std::uint32_t>> faces;
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-    if (patches.of_triangle[f] != HeightFieldPatches::kNone) {
+    if (patches.of_triangle[f] != support::kNone) {
       faces[patches.of_triangle[f]].push_back(f);
     }
   }
@@ -48,7 +49,7 @@ std::size_t expect_apart(const TriMesh& mesh, const HeightFieldPatches& patches)
 std::size_t largest(const HeightFieldPatches& patches) {
   std::vector<std::size_t> sizes(patches.count);
   for (const std::uint32_t patch : patches.of_triangle) {
-    if (patch != HeightFieldPatches::kNone) {
+    if (patch != support::kNone) {
       ++sizes[patch];
     }
   }
@@ -60,7 +61,7 @@ TEST(MonotonePatches, are_few_on_smooth_surfaces) {
   const HeightFieldPatches patches =
       height_field_patches(mesh.points, mesh.triangles, {.closed = true});
   EXPECT_LE(patches.count, 40);
-  EXPECT_EQ(std::ranges::count(patches.of_triangle, HeightFieldPatches::kNone), 0);
+  EXPECT_EQ(std::ranges::count(patches.of_triangle, support::kNone), 0);
   EXPECT_GT(largest(patches), mesh.triangles.size() / 8);
   EXPECT_EQ(height_field_patches(mesh.points, mesh.triangles).of_triangle, patches.of_triangle);
 }
@@ -92,7 +93,7 @@ TEST(MonotonePatches, are_not_sought_where_fewer_points_are_smooth_than_asked_fo
   EXPECT_GT(patches(0).count, 0);
   const HeightFieldPatches none = patches(0.8);
   EXPECT_EQ(none.count, 0);
-  EXPECT_EQ(std::ranges::count(none.of_triangle, HeightFieldPatches::kNone), mesh.triangles.size());
+  EXPECT_EQ(std::ranges::count(none.of_triangle, support::kNone), mesh.triangles.size());
   EXPECT_EQ(std::ranges::count(none.is_inner, 1), 0);
 }
 

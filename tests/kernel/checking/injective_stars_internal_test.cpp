@@ -9,6 +9,7 @@
 #include "checking/injective_stars.h"
 #include "checking/self_intersection.h"
 #include "predicates/triangle_overlap.h"
+#include "support/none.h"
 
 namespace dupin::checking {
 namespace {
@@ -147,7 +148,7 @@ TEST(BoxTree, leaves_out_pairs_of_one_group) {
   };
   const std::size_t all = pairs({});
   EXPECT_GT(all, 1000 * 1000 / 16);
-  EXPECT_EQ(pairs(std::vector<std::uint32_t>(1000, boxes::BoxTree::kNoGroup)), all);
+  EXPECT_EQ(pairs(std::vector<std::uint32_t>(1000, support::kNone)), all);
   EXPECT_EQ(pairs(std::vector<std::uint32_t>(1000, 7)), 0);
   std::vector<std::uint32_t> half(1000, 7);
   std::fill_n(half.begin(), 500, 3);

@@ -213,12 +213,13 @@ TEST(SelfIntersection, takes_points_that_coincide_for_the_same_where_told_so) {
     const Soup soup = random_soup(random, 3, 24, 30);
     const SelfIntersections all = find_self_intersections(soup.points, soup.triangles);
     const std::vector<std::uint32_t> first = mesh::coincident_representatives(soup.points);
-    EXPECT_EQ(find_self_intersections(soup.points, soup.triangles, {.same = first}).pairs,
-              all.pairs);
+    EXPECT_EQ(
+        find_self_intersections(soup.points, soup.triangles, {.representatives = first}).pairs,
+        all.pairs);
     std::vector<std::uint32_t> none(soup.points.size());
     std::iota(none.begin(), none.end(), 0U);
     const SelfIntersections strict =
-        find_self_intersections(soup.points, soup.triangles, {.same = none});
+        find_self_intersections(soup.points, soup.triangles, {.representatives = none});
     EXPECT_EQ(strict.contacts, 0);
     EXPECT_EQ(faces_of(strict), faces_of(all)) << "round " << round;
     EXPECT_EQ(strict.degenerate, all.degenerate);

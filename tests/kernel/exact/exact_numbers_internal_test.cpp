@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "exact/exact_numbers.h"
-#include "exact/exact_sum.h"
 #include "mesh/exact_mesh.h"
 #include "mesh/measure.h"
 #include "support/shapes.h"
@@ -80,37 +79,6 @@ TEST(ExactIntegers, survive_the_way_to_mpzf_and_back) {
   }
 }
 
-TEST(ExactSum, equals_the_sum_of_rationals) {
-  std::mt19937_64 random(11);
-  const auto any = [&] {
-    return std::ldexp(static_cast<double>(random() >> 11) - 0x1p52,
-                      static_cast<int>(random() % 600) - 400);
-  };
-  ExactSum sum;
-  mpq_class expected;
-  for (int i = 0; i < 3000; ++i) {
-    const double a = any(), b = any(), c = any();
-    sum.add_product(a, b, c);
-    expected += mpq_class(a) * mpq_class(b) * mpq_class(c);
-  }
-  EXPECT_EQ(sum.value(), expected);
-}
-
-TEST(ExactSum, holds_the_extremes) {
-  ExactSum sum;
-  mpq_class expected;
-  for (const double sign : {1.0, -1.0, -1.0}) {
-    for (int i = 0; i < 5; ++i) {
-      sum.add_product(sign * kLargest, kLargest, kLargest);
-      sum.add_product(kSmallest, kSmallest, -sign * kSmallest);
-      const mpq_class largest(kLargest), smallest(kSmallest), turn(sign);
-      expected += turn * largest * largest * largest;
-      expected -= turn * smallest * smallest * smallest;
-    }
-  }
-  EXPECT_EQ(sum.value(), expected);
-}
-
 // A unit cube scaled by 1/3 and moved by 10/7 along x, all points but the first implicit.
 mesh::ExactMesh cube_of_thirds() {
   const TriMesh cube = test::box(Vec3::Zero(), Vec3::Ones());
@@ -140,6 +108,18 @@ TEST(Measure, the_sign_of_a_volume_of_nothing_is_found_in_the_end) {
   }
   EXPECT_EQ(mesh::volume_sign(mesh::MeshView(mesh)), 0);
   EXPECT_EQ(mesh::nearest_volume(mesh::MeshView(mesh)), 0);
+}
+
+TEST(Neighbours, are_next_to_a_double_on_both_sides) {
+  constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+  for (const double value : {1.0, -1.0, 0.1, -3e300, kLeast}) {
+    EXPECT_LT(next_below(value), value);
+    EXPECT_EQ(next_above(next_below(value)), value);
+    EXPECT_EQ(next_below(value), -next_above(-value));
+  }
+  EXPECT_EQ(next_above(1), 1 + 0x1p-52);
+  EXPECT_EQ(next_below(1), 1 - 0x1p-53);
+  EXPECT_EQ(next_above(0), kLeast);
 }
 
 }  // namespace

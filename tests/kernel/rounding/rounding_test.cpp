@@ -138,7 +138,8 @@ TEST(ToMesh, recentres_on_demand) {
 
 TEST(ToMesh, snaps_to_a_grid_on_demand) {
   const TriMesh mesh = test::moved(test::tube(1, 0, 2, 48), Vec3(0.1, 0.2, 0.3));
-  const Rounded rounded = to_mesh(Solid::from(mesh), Coordinates::binary64, {.grid = 0x1p-8});
+  const Rounded rounded =
+      to_mesh(Solid::from(mesh), Coordinates::binary64, {.output_grid = 0x1p-8});
   EXPECT_TRUE(check(rounded.mesh()).is_solid());
   for (const Vec3& p : rounded.mesh().points) {
     EXPECT_EQ(p, Vec3((p * 0x1p8).array().round() * 0x1p-8));
@@ -261,15 +262,15 @@ TEST(ToMesh, refuses_senseless_options) {
       {.tolerance = -1},
       {.tolerance = NAN},
       {.tolerance = INFINITY},
-      {.grid = 0.1},
-      {.grid = -0.5},
-      {.grid = NAN},
+      {.output_grid = 0.1},
+      {.output_grid = -0.5},
+      {.output_grid = NAN},
       {.origin = {Origin::Choice::given, Vec3(0, NAN, 0)}},
   };
   for (const RoundingOptions& options : table) {
     try {
       static_cast<void>(to_mesh(solid, Coordinates::binary64, options));
-      ADD_FAILURE() << options.tolerance << " " << options.grid;
+      ADD_FAILURE() << options.tolerance << " " << options.output_grid;
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), Errc::invalid_argument);
     }

@@ -27,7 +27,7 @@ struct RoundingOptions {
   /// cleanly is repaired, with the least of this that does.
   double tolerance = 0;
   /// Rounds to multiples of this power of two where the target format can hold them; 0 for none.
-  double grid = 0;
+  double output_grid = 0;
   Origin origin;
 };
 
@@ -37,13 +37,13 @@ struct RoundingReport {
   Vec3 origin = Vec3::Zero();  ///< was subtracted from all coordinates
   std::size_t moved = 0;       ///< vertices of the solid that are not written where they were
   /// An upper bound, in model units, of how far a vertex moved plus how far flipped edges moved the
-  /// surface plus how far from the solid slits were filled. At most the tolerance plus half the
-  /// distance of neighbouring numbers per coordinate.
+  /// surface plus how far from the solid sliver voids were filled. At most the tolerance plus half
+  /// the distance of neighbouring numbers per coordinate.
   double largest_move = 0;
   double repair_reach = 0;  ///< the part of the tolerance that was needed; 0 without repair
   std::size_t removed_triangles = 0;
   std::size_t removed_shells = 0;  ///< smaller than the reach and not representable
-  /// Enclosed voids between two parallel planes that were filled because rounding breaks them, and
+  /// Sliver voids, between two parallel planes, that were filled because rounding breaks them, and
   /// the distance of these planes.
   std::size_t filled_slits = 0;
   double slit_width = 0;
@@ -60,7 +60,7 @@ class Rounded {
   [[nodiscard]] TriMesh mesh() && { return std::move(mesh_); }
   /// One per triangle, as in the solid.
   [[nodiscard]] const std::vector<Source>& sources() const { return sources_; }
-  /// Those of the solid that filled slits have not ended. Points of the mesh are in the same place
+  /// Those of the solid that filled voids have not ended. Points of the mesh are in the same place
   /// at contacts only.
   [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
   [[nodiscard]] const RoundingReport& report() const { return report_; }
@@ -78,7 +78,7 @@ class Rounded {
 /// The one rounding: exact coordinates to representable ones, such that the mesh, identical
 /// vertices merged, is still closed, 2-manifold (contacts apart) and free of self-intersection by
 /// exact predicates on the rounded numbers. Every coordinate goes to the nearest number, ties to
-/// even; where that breaks the mesh, enclosed slits are filled, as between parts that end in one
+/// even; where that breaks the mesh, sliver voids are filled, as between parts that end in one
 /// ring and close it by different triangles, short edges collapsed, edges flipped and vertices
 /// moved to neighbouring numbers until it is whole. O(n log n), and nearly nothing for solids that
 /// need no rounding. Throws Error{unroundable} naming the place and what would help, and

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/rounding.h"
 
@@ -8,8 +10,12 @@ namespace dupin::rounding {
 /// Throws invalid_argument unless the options make sense.
 void validate(const RoundingOptions& options);
 
+/// The place that becomes (0, 0, 0): the origin for no points.
+[[nodiscard]] Vec3 chosen_origin(const Origin& origin, std::span<const Vec3> points);
+
 /// There is no valid mesh on such coordinates within the tolerance, for what is at the place given;
-/// with what would help. `is_far`: the solid is smaller than its distance from the origin.
+/// with the options that would help. `is_far`: the solid is smaller than its distance from the
+/// origin.
 [[nodiscard]] Error unroundable_error(const Vec3& at, double tolerance, Coordinates coordinates,
                                       bool is_far);
 

@@ -1,7 +1,9 @@
-#include "rounding/rounding_errors.h"
+#include "rounding/rounding_options.h"
 
 #include <cmath>
 #include <sstream>
+
+#include "boxes/bounds.h"
 
 namespace dupin::rounding {
 
@@ -10,14 +12,31 @@ void validate(const RoundingOptions& options) {
   if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
     throw Error(Errc::invalid_argument, "the rounding tolerance must be finite and not negative");
   }
-  if (options.grid != 0 && !(options.grid > 0 && std::isfinite(options.grid) &&
-                             std::frexp(options.grid, &exponent) == 0.5)) {
+  if (options.output_grid != 0 && !(options.output_grid > 0 && std::isfinite(options.output_grid) &&
+                                    std::frexp(options.output_grid, &exponent) == 0.5)) {
     throw Error(Errc::invalid_argument,
                 "the grid spacing must be 0 or a power of two, such as 0.0009765625 (2^-10)");
   }
   if (!options.origin.place.allFinite()) {
     throw Error(Errc::invalid_argument, "the origin must be finite");
   }
+}
+
+Vec3 chosen_origin(const Origin& origin, std::span<const Vec3> points) {
+  if (origin.choice == Origin::Choice::keep || points.empty()) {
+    return Vec3::Zero();
+  }
+  if (origin.choice == Origin::Choice::given) {
+    return origin.place;
+  }
+  const Eigen::AlignedBox3d all = boxes::bounds_of(points);
+  const double extent = (all.max() / 2 - all.min() / 2).maxCoeff();
+  const double step = extent > 0 ? std::exp2(std::ilogb(extent) - 3) : 0;
+  Vec3 place = all.min() / 2 + all.max() / 2;
+  for (double& coordinate : place) {
+    coordinate = step > 0 ? std::nearbyint(coordinate / step) * step : coordinate;
+  }
+  return place;
 }
 
 Error unroundable_error(const Vec3& at, double tolerance, Coordinates coordinates, bool is_far) {

@@ -1,0 +1,357 @@
+#include "checking/inspection.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "boxes/bounds.h"
+#include "checking/self_intersection.h"
+#include "exact/exact_numbers.h"
+#include "mesh/coincident_points.h"
+#include "mesh/edge_table.h"
+#include "mesh/measure.h"
+#include "mesh/shell_nesting.h"
+#include "predicates/triangle_overlap.h"
+#include "support/sequences.h"
+
+namespace dupin::checking {
+namespace {
+
+constexpr std::size_t kDefectCount = static_cast<std::size_t>(Defect::isolated_point) + 1;
+
+// Faces that have the same three corners.
+std::vector<std::vector<std::uint32_t>> duplicate_groups(std::span<const Triangle> triangles,
+                                                         const mesh::EdgeTable& edges) {
+  std::vector<std::vector<std::uint32_t>> groups;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> apexes;  // with face
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const mesh::Edge edge = edges[i];
+    apexes.clear();
+    for (const std::uint32_t half_edge : edge.half_edges) {
+      const std::uint32_t apex =
+          triangles[half_edge / 3][mesh::next_half_edge(mesh::next_half_edge(half_edge)) % 3];
+      if (apex > edge.high) {  // else the group turns up at another of its edges
+        apexes.emplace_back(apex, half_edge / 3);
+      }
+    }
+    std::sort(apexes.begin(), apexes.end());
+    for (auto begin = apexes.begin(); begin != apexes.end();) {
+      const auto end = std::find_if(begin, apexes.end(),
+                                    [&](const auto& entry) { return entry.first != begin->first; });
+      if (end - begin > 1) {
+        auto& group = groups.emplace_back();
+        std::for_each(begin, end, [&](const auto& entry) { group.push_back(entry.second); });
+      }
+      begin = end;
+    }
+  }
+  std::sort(groups.begin(), groups.end());
+  return groups;
+}
+
+class Inspector {
+ public:
+  Inspector(const TriMesh& mesh, const CheckOptions& options, double margin)
+      : mesh_(mesh), options_(options), margin_(margin), points_(mesh.points), kept_(kDefectCount) {
+    report().points = mesh.points.size();
+    report().triangles = mesh.triangles.size();
+    report().counts.assign(kDefectCount, 0);
+  }
+
+  Inspection run() {
+    screen_points();
+    screen_triangles();
+    const mesh::EdgeTable edges(triangles_, points_.size());
+    const auto fans = mesh::corner_fans(triangles_, edges);
+    const mesh::Shells shells = mesh::shells(triangles_.size(), edges);
+    check_edges(edges);
+    check_vertices(fans);
+    report_shells(shells, edges, fans);
+    if (all_finite_) {
+      check_places(edges);
+      measure(shells);
+    }
+    for (auto& findings : kept_) {
+      std::sort(findings.begin(), findings.end(),
+                [](const Finding& a, const Finding& b) { return a.faces < b.faces; });
+      std::move(findings.begin(), findings.end(), std::back_inserter(report().findings));
+    }
+    return std::move(inspection_);
+  }
+
+ private:
+  Report& report() { return inspection_.report; }
+
+  [[nodiscard]] bool found(Defect defect) { return report().count(defect) > 0; }
+
+  // Faces are given as positions in triangles_.
+  void add(Defect defect, std::vector<std::uint32_t> faces, std::vector<std::uint32_t> points,
+           const Vec3& place) {
+    for (std::uint32_t& face : faces) {
+      face = face_ids_[face];
+    }
+    add_original(defect, std::move(faces), std::move(points), place);
+  }
+
+  void add_original(Defect defect, std::vector<std::uint32_t> faces,
+                    std::vector<std::uint32_t> points, const Vec3& place) {
+    const auto index = static_cast<std::size_t>(defect);
+    ++report().counts[index];
+    if (kept_[index].size() < options_.limit) {
+      kept_[index].push_back({defect, std::move(faces), std::move(points), place});
+    }
+  }
+
+  [[nodiscard]] Vec3 middle(std::uint32_t a, std::uint32_t b) const {
+    return points_[a] / 2 + points_[b] / 2;
+  }
+
+  void screen_points() {
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      if (!points_[i].allFinite()) {
+        add_original(Defect::non_finite_point, {}, {i}, points_[i]);
+        all_finite_ = false;
+      }
+    }
+  }
+
+  // Keeps the faces that have three different corners, so that the rest can be looked at.
+  void screen_triangles() {
+    std::vector<bool> used(points_.size());
+    for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
+      const Triangle& corners = mesh_.triangles[i];
+      const auto bad = std::find_if(corners.begin(), corners.end(),
+                                    [&](std::uint32_t c) { return c >= points_.size(); });
+      if (bad != corners.end()) {
+        add_original(Defect::bad_index, {i}, {*bad}, Vec3::Zero());
+        continue;
+      }
+      for (const std::uint32_t corner : corners) {
+        used[corner] = true;
+      }
+      if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
+        add_original(Defect::degenerate_face, {i}, {corners.begin(), corners.end()},
+                     points_[corners[0]]);
+        continue;
+      }
+      triangles_.push_back(corners);
+      face_ids_.push_back(i);
+    }
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      if (!used[i] && points_[i].allFinite()) {
+        add_original(Defect::isolated_point, {}, {i}, points_[i]);
+      }
+    }
+  }
+
+  void check_edges(const mesh::EdgeTable& edges) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const mesh::Edge edge = edges[i];
+      const auto& along = edge.half_edges;
+      std::optional<Defect> defect;
+      if (along.size() == 1) {
+        defect = Defect::boundary_edge;
+      } else if (along.size() > 2) {
+        defect = Defect::non_manifold_edge;
+      } else if (edges.origin(along[0]) == edges.origin(along[1])) {
+        defect = Defect::inconsistent_orientation;
+      }
+      if (defect) {
+        std::vector<std::uint32_t> faces;
+        for (const std::uint32_t half_edge : along) {
+          faces.push_back(half_edge / 3);
+        }
+        std::sort(faces.begin(), faces.end());
+        add(*defect, std::move(faces), {edge.low, edge.high}, middle(edge.low, edge.high));
+      }
+    }
+  }
+
+  void check_vertices(std::span<const std::uint32_t> fans) {
+    std::vector<std::uint32_t> fan_count(points_.size());
+    std::uint32_t used = 0;
+    for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
+      std::uint32_t& count = fan_count[point_of(corner)];
+      used += count == 0 ? 1 : 0;
+      count += fans[corner] == corner ? 1 : 0;
+    }
+    report().euler_number = used;
+    if (std::none_of(fan_count.begin(), fan_count.end(), [](auto n) { return n > 1; })) {
+      return;
+    }
+    std::vector<std::vector<std::uint32_t>> faces(points_.size());
+    for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
+      if (fan_count[point_of(corner)] > 1) {
+        faces[point_of(corner)].push_back(corner / 3);
+      }
+    }
+    for (std::uint32_t point = 0; point < points_.size(); ++point) {
+      if (fan_count[point] > 1) {
+        add(Defect::non_manifold_vertex, std::move(faces[point]), {point}, points_[point]);
+      }
+    }
+  }
+
+  [[nodiscard]] std::uint32_t point_of(std::uint32_t corner) const {
+    return triangles_[corner / 3][corner % 3];
+  }
+
+  void report_shells(const mesh::Shells& shells, const mesh::EdgeTable& edges,
+                     std::span<const std::uint32_t> fans) {
+    const auto numbers = mesh::euler_numbers(shells, edges, fans);
+    for (std::size_t i = 0; i < shells.count; ++i) {
+      const auto faces = shells.faces_of(i);
+      report().shells.push_back({face_ids_[faces[0]], faces.size(), 0, 0, numbers[i]});
+      report().genus += (2 - numbers[i]) / 2;
+    }
+    report().components = shells.count;
+    report().euler_number +=
+        static_cast<std::int64_t>(triangles_.size()) - static_cast<std::int64_t>(edges.size());
+  }
+
+  // What depends on coordinates.
+  void check_places(const mesh::EdgeTable& edges) {
+    const auto representatives = mesh::coincident_representatives(points_);
+    std::vector<Triangle> merged = triangles_;
+    for (Triangle& corners : merged) {
+      for (std::uint32_t& corner : corners) {
+        corner = representatives[corner];
+      }
+    }
+    const auto duplicates = check_degenerate_and_duplicate(merged, edges);
+    if (options_.self_intersections) {
+      check_self_intersections(representatives, duplicates);
+    }
+    if (report().closed() && !found(Defect::degenerate_face) && duplicates.empty()) {
+      check_contacts(representatives);
+    }
+  }
+
+  std::vector<std::vector<std::uint32_t>> check_degenerate_and_duplicate(
+      const std::vector<Triangle>& merged, const mesh::EdgeTable& edges) {
+    std::vector<Triangle> proper;
+    std::vector<std::uint32_t> positions;
+    for (std::uint32_t i = 0; i < merged.size(); ++i) {
+      const Triangle& t = merged[i];
+      if (predicates::collinear(points_[t[0]], points_[t[1]], points_[t[2]])) {
+        add(Defect::degenerate_face, {i}, {triangles_[i].begin(), triangles_[i].end()},
+            points_[t[0]]);
+      } else {
+        proper.push_back(t);
+        positions.push_back(i);
+      }
+    }
+    auto groups = proper == triangles_
+                      ? duplicate_groups(triangles_, edges)
+                      : duplicate_groups(proper, mesh::EdgeTable(proper, points_.size()));
+    for (auto& group : groups) {
+      for (std::uint32_t& face : group) {
+        face = positions[face];
+      }
+      const Triangle& corners = triangles_[group[0]];
+      add(Defect::duplicate_face, group, {corners.begin(), corners.end()}, points_[corners[0]]);
+    }
+    return groups;
+  }
+
+  void check_self_intersections(std::span<const std::uint32_t> representatives,
+                                const std::vector<std::vector<std::uint32_t>>& duplicates) {
+    // Enough to find options_.limit real ones among pairs that are contacts or duplicates.
+    constexpr std::size_t kSlack = std::size_t{1} << 20;
+    auto found = find_self_intersections(points_, triangles_,
+                                         {.limit = kSlack + options_.limit,
+                                          .representatives = representatives,
+                                          .closed = report().closed(),
+                                          .margin = margin_});
+    inspection_.stable = std::move(found.stable);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> known;
+    for (const auto& group : duplicates) {
+      for (std::size_t i = 0; i < group.size(); ++i) {
+        for (std::size_t j = i + 1; j < group.size(); ++j) {
+          known.emplace_back(group[i], group[j]);
+        }
+      }
+    }
+    std::sort(known.begin(), known.end());
+    for (const FacePair& pair : found.pairs) {
+      if (pair.kind != FacePair::Kind::contact &&
+          !std::binary_search(known.begin(), known.end(), std::pair(pair.first, pair.second))) {
+        add(Defect::self_intersection, {pair.first, pair.second}, {},
+            place_between(pair.first, pair.second));
+      }
+    }
+    report().counts[static_cast<std::size_t>(Defect::self_intersection)] =
+        found.crossings + found.overlaps - known.size();
+  }
+
+  // The middle of what the boxes of two faces have in common.
+  [[nodiscard]] Vec3 place_between(std::uint32_t a, std::uint32_t b) const {
+    const auto box = [&](std::uint32_t face) {
+      return boxes::bounds_of(support::selected(points_, triangles_[face]));
+    };
+    const Eigen::AlignedBox3d common = box(a).intersection(box(b));
+    return common.min() / 2 + common.max() / 2;
+  }
+
+  void check_contacts(std::span<const std::uint32_t> representatives) {
+    inspection_.contacts = mesh::find_contacts({points_, triangles_}, representatives);
+    for (const mesh::ContactPlace& contact : inspection_.contacts) {
+      const bool edge = contact.kind == Contact::Kind::edge;
+      add(contact.alternating ? Defect::contact : Defect::self_intersection, contact.faces,
+          edge ? std::vector{contact.from, contact.to} : std::vector{contact.from},
+          middle(contact.from, contact.to));
+    }
+  }
+
+  void measure(const mesh::Shells& shells) {
+    const mesh::MeshView view(points_, triangles_);
+    report().area = mesh::area(view);
+    std::vector<int> signs;
+    mpq_class sum;
+    for (std::size_t i = 0; i < shells.count; ++i) {
+      const auto faces =
+          support::selected(std::span<const Triangle>(triangles_), shells.faces_of(i));
+      const mpq_class volume = mesh::exact_volume({points_, faces});
+      report().shells[i].volume = exact::nearest_double(volume);
+      signs.push_back(sgn(volume));
+      sum += volume;
+    }
+    report().volume = exact::nearest_double(sum);
+    if (report().is_solid()) {
+      check_nesting(shells, mesh::nesting_depths(view, shells), signs);
+    }
+  }
+
+  // `signs` are those of the shells' volumes.
+  void check_nesting(const mesh::Shells& shells, std::span<const int> depths,
+                     std::span<const int> signs) {
+    report().components = 0;
+    for (std::size_t i = 0; i < shells.count; ++i) {
+      report().shells[i].depth = depths[i];
+      const bool outer = depths[i] % 2 == 0;
+      report().components += outer ? 1 : 0;
+      if (signs[i] != (outer ? 1 : -1)) {
+        const auto faces = shells.faces_of(i);
+        add(Defect::inside_out_component, {faces.begin(), faces.end()}, {},
+            points_[triangles_[faces[0]][0]]);
+      }
+    }
+  }
+
+  const TriMesh& mesh_;
+  const CheckOptions options_;
+  double margin_;
+  std::span<const Vec3> points_;
+  std::vector<Triangle> triangles_;         // those with three different corners
+  std::vector<std::uint32_t> face_ids_;     // of triangles_ in the mesh
+  std::vector<std::vector<Finding>> kept_;  // by defect
+  bool all_finite_ = true;
+  Inspection inspection_;
+};
+
+}  // namespace
+
+Inspection inspect(const TriMesh& mesh, const CheckOptions& options, double margin) {
+  return Inspector(mesh, options, margin).run();
+}
+
+}  // namespace dupin::checking

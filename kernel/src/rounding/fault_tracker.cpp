@@ -1,0 +1,304 @@
+#include "rounding/fault_tracker.h"
+
+#include <algorithm>
+#include <array>
+
+#include "checking/self_intersection.h"
+#include "predicates/triangle_overlap.h"
+#include "support/blocks.h"
+#include "support/sequences.h"
+
+namespace dupin::rounding {
+namespace {
+
+Fault fault_of(std::uint32_t f, std::uint32_t g) { return {std::min(f, g), std::max(f, g)}; }
+
+/// Appends faults among `faces` and between them and `hot`, until there are `limit`.
+void look_nearby(const Embedding& mesh, std::span<const std::uint32_t> faces,
+                 const std::vector<std::uint32_t>& hot, std::size_t limit,
+                 std::vector<Fault>& found) {
+  for (std::size_t i = 0; i < faces.size() && found.size() < limit; ++i) {
+    const std::uint32_t f = faces[i];
+    if (is_degenerate(mesh, f)) {
+      found.push_back({f, f});
+      continue;
+    }
+    const auto test = [&](std::uint32_t g) {
+      if (found.size() < limit && !is_degenerate(mesh, g) && is_faulty_pair(mesh, f, g)) {
+        found.push_back(fault_of(f, g));
+      }
+    };
+    std::ranges::for_each(hot, test);
+    std::ranges::for_each(faces.subspan(i + 1), test);
+  }
+}
+
+}  // namespace
+
+bool is_degenerate(const Embedding& mesh, std::uint32_t face) {
+  const auto& [a, b, c] = mesh.triangles[face];
+  return predicates::collinear(mesh.points[a], mesh.points[b], mesh.points[c]);
+}
+
+bool is_faulty_pair(const Embedding& mesh, std::uint32_t f, std::uint32_t g) {
+  std::array<Vec3, 6> corners;
+  Triangle second{};
+  bool foreign_contact = false;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    corners[i] = mesh.points[mesh.triangles[f][i]];
+    corners[3 + i] = mesh.points[mesh.triangles[g][i]];
+    second[i] = 3 + i;
+  }
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    for (std::uint32_t j = 0; j < 3; ++j) {
+      if (corners[i] == corners[3 + j]) {
+        second[j] = i;
+        foreign_contact = foreign_contact || mesh.representatives[mesh.triangles[f][i]] !=
+                                                 mesh.representatives[mesh.triangles[g][j]];
+      }
+    }
+  }
+  return foreign_contact || predicates::TriangleOverlapTest(corners, {0, 1, 2}).meeting(second) !=
+                                predicates::TriangleOverlap::none;
+}
+
+support::BulkVector<std::uint8_t> marked_faces(std::span<const Triangle> triangles,
+                                               std::span<const std::uint8_t> marked_points) {
+  support::BulkVector<std::uint8_t> marked(triangles.size());
+  support::for_each_block(marked.size(), [&](const support::Block& block) {
+    for (std::size_t f = block.begin; f < block.end; ++f) {
+      const auto& [a, b, c] = triangles[f];
+      marked[f] = marked_points[a] | marked_points[b] | marked_points[c];
+    }
+  });
+  return marked;
+}
+
+std::vector<Fault> find_faults(const Embedding& mesh, std::span<const std::uint8_t> marked) {
+  const checking::SelfIntersections found =
+      checking::find_self_intersections(mesh.points, mesh.triangles,
+                                        {.active = marked,
+                                         .representatives = mesh.representatives,
+                                         .closed = true,
+                                         .groups = mesh.groups});
+  std::vector<Fault> faults;
+  for (const std::uint32_t face : found.degenerate) {
+    faults.push_back({face, face});
+  }
+  for (const checking::FacePair& pair : found.pairs) {
+    if (pair.kind != checking::FacePair::Kind::contact) {
+      faults.push_back({pair.first, pair.second});
+    }
+  }
+  return faults;
+}
+
+FaultTracker::FaultTracker(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                           bool is_part)
+    : is_part_(is_part), frame_(points, triangles), stamp_(triangles.size(), 0) {}
+
+boxes::Box FaultTracker::box(const Mesh& mesh, std::uint32_t face) const {
+  return frame_.around(framed(mesh, face));
+}
+
+boxes::FramedTriangle FaultTracker::framed(const Mesh& mesh, std::uint32_t face) const {
+  const auto& [a, b, c] = mesh.embedding.triangles[face];
+  const std::span<const Vec3> points = mesh.embedding.points;
+  return frame_.map(points[a], points[b], points[c]);
+}
+
+boxes::BoxTree& FaultTracker::tree(const Mesh& mesh) {
+  if (!tree_) {
+    support::BulkVector<boxes::Box> boxes(mesh.alive.size());
+    support::for_each_block(boxes.size(), [&](const support::Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        boxes[i] =
+            mesh.alive[i] != 0 ? box(mesh, static_cast<std::uint32_t>(i)) : boxes::Box::nothing();
+      }
+    });
+    if (is_part_) {  // small enough for oriented boxes to pay off
+      tree_.emplace(boxes, [&](std::uint32_t f) { return framed(mesh, f); });
+    } else {
+      tree_.emplace(boxes);
+    }
+  }
+  return *tree_;
+}
+
+bool FaultTracker::is_fault(const Mesh& mesh, const Fault& fault) {
+  const auto& [first, second] = fault;
+  const Embedding& all = mesh.embedding;
+  if (mesh.alive[first] == 0 || mesh.alive[second] == 0) {
+    return false;
+  }
+  if (first == second) {
+    return is_degenerate(all, first);
+  }
+  return !is_degenerate(all, first) && !is_degenerate(all, second) &&
+         is_faulty_pair(all, first, second);
+}
+
+/// Of a marked face: those with other marked ones once, from the lower.
+void FaultTracker::find_of(const Mesh& mesh, std::uint32_t face,
+                           std::span<const std::uint8_t> marked) {
+  const Embedding& all = mesh.embedding;
+  if (is_degenerate(all, face)) {
+    remember({face, face});
+    return;
+  }
+  tree(mesh).visit(box(mesh, face), framed(mesh, face), [&](std::uint32_t other) {
+    const bool is_first = face < other || (face != other && marked[other] == 0);
+    if (is_first && mesh.alive[other] != 0 && !is_degenerate(all, other) &&
+        is_faulty_pair(all, face, other)) {
+      remember(fault_of(face, other));
+    }
+  });
+}
+
+void FaultTracker::find(const Mesh& mesh, std::span<const std::uint8_t> marked,
+                        std::span<const Fault> known) {
+  const std::span<const std::uint8_t> alive = mesh.alive;
+  partners_.clear();
+  for (const Fault& fault : known) {
+    if (alive[fault.first] != 0 && alive[fault.second] != 0 && marked[fault.first] == 0 &&
+        marked[fault.second] == 0) {
+      remember(fault);
+    }
+  }
+  if (is_part_) {  // not closed, which the search in whole meshes relies on
+    for (std::uint32_t f = 0; f < alive.size(); ++f) {
+      if (alive[f] != 0 && marked[f] != 0) {
+        find_of(mesh, f, marked);
+      }
+    }
+    return;
+  }
+  if (std::ranges::find(alive, 0) == alive.end()) {
+    std::ranges::for_each(find_faults(mesh.embedding, marked),
+                          [&](const Fault& fault) { remember(fault); });
+    return;
+  }
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t f = 0; f < alive.size(); ++f) {
+    if (alive[f] != 0) {
+      faces.push_back(f);
+    }
+  }
+  const auto marks = support::selected(marked, faces);
+  const auto triangles = support::selected(mesh.embedding.triangles, faces);
+  const Embedding rest{mesh.embedding.points, triangles, mesh.embedding.representatives};
+  for (const Fault& fault : find_faults(rest, marks)) {
+    remember({faces[fault.first], faces[fault.second]});
+  }
+}
+
+std::vector<Fault> FaultTracker::faults() const {
+  std::vector<Fault> all;
+  for (const auto& [face, partners] : partners_) {
+    for (const std::uint32_t partner : partners) {
+      if (face <= partner) {
+        all.push_back({face, partner});
+      }
+    }
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void FaultTracker::remember(const Fault& fault) {
+  partners_[fault.first].push_back(fault.second);
+  if (fault.first != fault.second) {
+    partners_[fault.second].push_back(fault.first);
+  }
+}
+
+void FaultTracker::forget(const Fault& fault) {
+  for (const auto& [face, partner] :
+       {std::pair(fault.first, fault.second), std::pair(fault.second, fault.first)}) {
+    const auto entry = partners_.find(face);
+    if (entry != partners_.end() && std::erase(entry->second, partner) > 0 &&
+        entry->second.empty()) {
+      partners_.erase(entry);
+    }
+  }
+}
+
+/// The known faults that involve one of the faces, ascending.
+std::vector<Fault> FaultTracker::known_of(std::span<const std::uint32_t> faces) const {
+  std::vector<Fault> known;
+  for (const std::uint32_t f : faces) {
+    const auto entry = partners_.find(f);
+    if (entry != partners_.end()) {
+      std::ranges::transform(entry->second, std::back_inserter(known),
+                             [&](std::uint32_t g) { return fault_of(f, g); });
+    }
+  }
+  support::sort_unique(known);
+  return known;
+}
+
+void FaultTracker::remove(std::span<const std::uint32_t> faces) {
+  std::ranges::for_each(known_of(faces), [&](const Fault& fault) { forget(fault); });
+}
+
+bool FaultTracker::may_accept(std::span<const std::uint32_t> faces, FaultRule rule) const {
+  return rule == FaultRule::none ||
+         std::ranges::any_of(faces, [&](std::uint32_t f) { return partners_.contains(f); });
+}
+
+/// Appends faults between `faces` and all others but `hot`, until there are `limit`.
+void FaultTracker::look_everywhere(const Mesh& mesh, std::span<const std::uint32_t> faces,
+                                   const std::vector<std::uint32_t>& hot, std::size_t limit,
+                                   std::vector<Fault>& found) {
+  const Embedding& all = mesh.embedding;
+  ++searches_;
+  for (const std::uint32_t f : faces) {
+    stamp_[f] = searches_;
+  }
+  for (const std::uint32_t f : hot) {
+    stamp_[f] = searches_;
+  }
+  for (const std::uint32_t f : faces) {
+    if (is_degenerate(all, f)) {
+      continue;
+    }
+    tree(mesh).visit(box(mesh, f), framed(mesh, f), [&](std::uint32_t g) {
+      if (found.size() < limit && mesh.alive[g] != 0 && stamp_[g] != searches_ &&
+          !is_degenerate(all, g) && is_faulty_pair(all, f, g)) {
+        found.push_back(fault_of(f, g));
+      }
+    });
+  }
+}
+
+bool FaultTracker::accept(const Mesh& mesh, std::span<const std::uint32_t> before,
+                          std::span<const std::uint32_t> after, FaultRule rule) {
+  ++trials_;
+  const std::vector<Fault> known = known_of(before);
+  const std::size_t limit = rule == FaultRule::none ? 1 : known.size();
+  std::vector<std::uint32_t> hot;  // where a bad edit shows first
+  for (const Fault& fault : known) {
+    for (const std::uint32_t f : {fault.first, fault.second}) {
+      if (mesh.alive[f] != 0 && std::ranges::find(before, f) == before.end()) {
+        hot.push_back(f);
+      }
+    }
+  }
+  support::sort_unique(hot);
+  std::vector<Fault> found;
+  look_nearby(mesh.embedding, after, hot, limit, found);
+  if (found.size() < limit) {
+    look_everywhere(mesh, after, hot, limit, found);
+  }
+  if (found.size() >= limit) {
+    return false;
+  }
+  std::ranges::for_each(known, [&](const Fault& fault) { forget(fault); });
+  std::ranges::for_each(found, [&](const Fault& fault) { remember(fault); });
+  for (const std::uint32_t f : after) {
+    tree(mesh).grow(f, box(mesh, f), framed(mesh, f));
+  }
+  return true;
+}
+
+}  // namespace dupin::rounding

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "boxes/box_tree.h"
+#include "dupin/kernel/mesh.h"
+#include "support/bulk_vector.h"
+
+namespace dupin::rounding {
+
+/// A fault of the embedding: two triangles that meet where they should not, or, with first ==
+/// second, a degenerate triangle.
+struct Fault {
+  std::uint32_t first = 0, second = 0;
+  friend auto operator<=>(const Fault&, const Fault&) = default;
+};
+
+/// A mesh whose triangles should meet in common corners and edges only.
+struct Embedding {
+  std::span<const Vec3> points;
+  std::span<const Triangle> triangles;
+  std::span<const std::uint32_t> representatives;  ///< per point the first it may coincide with
+  std::span<const std::uint32_t> groups = {};      ///< see SelfIntersectionOptions
+};
+
+[[nodiscard]] bool is_degenerate(const Embedding& mesh, std::uint32_t face);
+
+/// Whether two triangles, none of them degenerate, are a fault.
+[[nodiscard]] bool is_faulty_pair(const Embedding& mesh, std::uint32_t f, std::uint32_t g);
+
+/// A mark per triangle: whether it has a marked point.
+[[nodiscard]] support::BulkVector<std::uint8_t> marked_faces(
+    std::span<const Triangle> triangles, std::span<const std::uint8_t> marked_points);
+
+/// All faults that involve a marked face. Points with one representative must coincide.
+[[nodiscard]] std::vector<Fault> find_faults(const Embedding& mesh,
+                                             std::span<const std::uint8_t> marked);
+
+/// What an edit must do to the faults that involve the triangles it changes.
+enum class FaultRule {
+  fewer,  ///< they become fewer
+  none,   ///< there are none afterwards
+};
+
+/// The faults of a mesh that is edited bit by bit. The mesh is another's: each call is given it as
+/// it is now, and which of its triangles are still there.
+class FaultTracker {
+ public:
+  /// `is_part`: the mesh is a part of another one, small, and need not be closed.
+  FaultTracker(std::span<const Vec3> points, std::span<const Triangle> triangles, bool is_part);
+
+  /// The mesh as it is now.
+  struct Mesh {
+    Embedding embedding;
+    std::span<const std::uint8_t> alive;  ///< per triangle
+  };
+
+  /// Looks for all faults that involve a marked face, a mark per face. The caller knows that there
+  /// are no others but those of `known` that involve none.
+  void find(const Mesh& mesh, std::span<const std::uint8_t> marked, std::span<const Fault> known);
+  /// Those found and not yet removed, and those that edits have made; ascending.
+  [[nodiscard]] std::vector<Fault> faults() const;
+  [[nodiscard]] static bool is_fault(const Mesh& mesh, const Fault& fault);
+
+  /// Whether an edit of the faces could be accepted at all.
+  [[nodiscard]] bool may_accept(std::span<const std::uint32_t> faces, FaultRule rule) const;
+  /// Decides on an edit that has been made for trial: the faces `before` have become the faces
+  /// `after`, a part of them. If accepted, the books are brought up to date.
+  [[nodiscard]] bool accept(const Mesh& mesh, std::span<const std::uint32_t> before,
+                            std::span<const std::uint32_t> after, FaultRule rule);
+  /// How often that has been asked.
+  [[nodiscard]] std::uint64_t trials() const { return trials_; }
+
+  /// Forgets the faults of faces that go.
+  void remove(std::span<const std::uint32_t> faces);
+  /// All points have moved.
+  void points_have_moved() { tree_.reset(); }
+
+ private:
+  [[nodiscard]] boxes::Box box(const Mesh& mesh, std::uint32_t face) const;
+  [[nodiscard]] boxes::FramedTriangle framed(const Mesh& mesh, std::uint32_t face) const;
+  boxes::BoxTree& tree(const Mesh& mesh);
+  void find_of(const Mesh& mesh, std::uint32_t face, std::span<const std::uint8_t> marked);
+  [[nodiscard]] std::vector<Fault> known_of(std::span<const std::uint32_t> faces) const;
+  void look_everywhere(const Mesh& mesh, std::span<const std::uint32_t> faces,
+                       const std::vector<std::uint32_t>& hot, std::size_t limit,
+                       std::vector<Fault>& found);
+  void forget(const Fault& fault);
+  void remember(const Fault& fault);
+
+  bool is_part_;
+  boxes::BoxQuantizer frame_;
+  std::optional<boxes::BoxTree> tree_;                            // once it is asked for
+  std::map<std::uint32_t, std::vector<std::uint32_t>> partners_;  // per face, in faults
+  // Per face the number of the last search that had looked at it.
+  support::BulkVector<std::uint32_t> stamp_;
+  std::uint32_t searches_ = 0;
+  std::uint64_t trials_ = 0;
+};
+
+}  // namespace dupin::rounding

@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/check.h"
+#include "kernel/rounding/edit_fixture_internal.h"
+#include "rounding/edit_strategy.h"
+
+namespace dupin::rounding {
+namespace {
+
+TEST_F(Edit, repairs_what_random_moves_have_broken) {
+  const exact::FloatLattice lattice(Coordinates::binary64, 0x1p-10);
+  std::mt19937 random(17);
+  std::uniform_int_distribution<int> offset(-200, 200);
+  std::size_t broken = 0;
+  for (int round = 0; round < 30; ++round) {
+    shape = test::tube(1, 0, 1, 64);
+    for (Vec3& p : shape.points) {
+      p = lattice.nearest(p) + Vec3(offset(random), offset(random), offset(random)) * 0x1p-10;
+    }
+    labels.assign(shape.triangles.size(), 0);
+    representatives.resize(shape.points.size());
+    std::iota(representatives.begin(), representatives.end(), 0);
+    EditedMesh tube = mesh();
+    tube.find_faults(std::vector<std::uint8_t>(shape.triangles.size(), 1));
+    const std::size_t before = tube.faults().size();
+    mend_faults(tube, lattice, 2, 1'000'000);
+    const Report after = check(result(tube));
+    EXPECT_EQ(tube.faults().empty(),
+              after.count(Defect::self_intersection) + after.count(Defect::degenerate_face) == 0)
+        << "the books are right";
+    EXPECT_TRUE(after.closed());
+    EXPECT_LE(tube.faults().size(), before);
+    broken += before > 0 && tube.faults().empty() ? 1 : 0;
+  }
+  EXPECT_GE(broken, 25) << "most can be repaired";
+}
+
+TEST_F(Edit, gives_up_when_its_trials_are_spent) {
+  shape.points[0] = Vec3(0, 0, 5);  // through the top
+  EditedMesh tube = mesh();
+  tube.find_faults(std::vector<std::uint8_t>(shape.triangles.size(), 1));
+  const std::vector<Fault> before = tube.faults();
+  ASSERT_FALSE(before.empty());
+  const exact::FloatLattice lattice(Coordinates::binary64, 0x1p-10);
+  EXPECT_EQ(mend_faults(tube, lattice, 1e-3, 1), 0);
+  EXPECT_TRUE(tube.faults() == before);
+}
+
+TEST_F(Edit, thickens_what_is_lower_than_the_reach) {
+  shape.points[1] = shape.points[0] + Vec3(0, 1e-6, 0);  // next to another corner of the bottom
+  std::vector<std::uint32_t> all(shape.triangles.size());
+  std::iota(all.begin(), all.end(), 0U);
+  EditedMesh tube = mesh();
+  thicken(tube, 1e-4, all);
+  const TriMesh thick = result(tube);
+  EXPECT_TRUE(check(thick).is_solid());
+  EXPECT_LT(thick.triangles.size(), shape.triangles.size());
+  for (const Triangle& t : thick.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_GT((thick.points[t[k]] - thick.points[t[(k + 1) % 3]]).norm(), 1e-4);
+    }
+  }
+}
+
+TEST_F(Edit, knows_all_that_share_a_point) {
+  const EditedMesh tube = mesh();
+  for (std::uint32_t f = 0; f < tube.face_count(); ++f) {
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t g = 0; g < tube.face_count(); ++g) {
+      const Triangle &s = shape.triangles[f], &t = shape.triangles[g];
+      if (std::find_first_of(s.begin(), s.end(), t.begin(), t.end()) != s.end()) {
+        expected.push_back(g);
+      }
+    }
+    EXPECT_EQ(with_neighbours(tube, {f}), expected);
+  }
+}
+
+}  // namespace
+}  // namespace dupin::rounding

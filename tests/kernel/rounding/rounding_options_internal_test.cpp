@@ -1,0 +1,71 @@
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gmock/gmock.h>
+
+#include "boxes/bounds.h"
+#include "rounding/rounding_options.h"
+
+namespace dupin::rounding {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(RoundingOptions, are_refused_outside_their_ranges) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {-1.0, NAN, kInfinity}) {
+    EXPECT_THROW(validate({.tolerance = bad}), Error);
+    EXPECT_THROW(validate({.output_grid = bad}), Error);
+    EXPECT_THROW(validate({.origin = {Origin::Choice::given, Vec3(0, bad == -1 ? NAN : bad, 0)}}),
+                 Error);
+  }
+  for (const double grid : {0.1, 3.0, 0.75}) {
+    EXPECT_THROW(validate({.output_grid = grid}), Error) << "no power of two";
+  }
+  for (const double grid : {0.0, 0x1p-40, 1.0, 8.0}) {
+    EXPECT_NO_THROW(validate({.tolerance = 0.1, .output_grid = grid}));
+  }
+}
+
+TEST(ChosenOrigin, is_a_round_number_near_the_middle) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-1e6, 1e6), size(0.001, 100);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 low(place(random), place(random), place(random));
+    const Vec3 high = low + Vec3(size(random), size(random), size(random));
+    const std::vector<Vec3> points = {low, high};
+    const Vec3 origin = chosen_origin({Origin::Choice::automatic, {}}, points);
+    const double extent = (high - low).maxCoeff() / 2;
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_LE(std::abs(origin[k] - (low[k] + high[k]) / 2), extent / 8);
+      EXPECT_EQ(std::fmod(origin[k], std::exp2(std::floor(std::log2(extent)) - 4)), 0);
+    }
+  }
+}
+
+TEST(ChosenOrigin, is_what_was_asked_for) {
+  const std::vector<Vec3> points = {{5, 5, 5}, {7, 7, 7}};
+  EXPECT_EQ(chosen_origin({}, points), Vec3(0, 0, 0));
+  EXPECT_EQ(chosen_origin({Origin::Choice::given, Vec3(1, 2, 3)}, points), Vec3(1, 2, 3));
+  EXPECT_EQ(chosen_origin({Origin::Choice::automatic, {}}, {}), Vec3(0, 0, 0));
+  EXPECT_EQ(chosen_origin({Origin::Choice::automatic, {}}, std::vector{Vec3(0.1, 0.2, 0.3)}),
+            Vec3(0.1, 0.2, 0.3))
+      << "a single point";
+}
+
+TEST(UnroundableError, names_the_place_and_only_what_would_help) {
+  const Error near = unroundable_error(Vec3(1, 2, 3), 0.5, Coordinates::binary64, false);
+  EXPECT_EQ(near.code(), Errc::unroundable);
+  EXPECT_THAT(near.what(), HasSubstr("(1, 2, 3)"));
+  EXPECT_THAT(near.what(), HasSubstr("0.5"));
+  EXPECT_THAT(near.what(), Not(HasSubstr("recentring")));
+  EXPECT_THAT(near.what(), Not(HasSubstr("STL")));
+  const Error far = unroundable_error(Vec3(1, 2, 3), 0.5, Coordinates::binary32, true);
+  EXPECT_THAT(far.what(), HasSubstr("recentring"));
+  EXPECT_THAT(far.what(), HasSubstr("STL"));
+}
+
+}  // namespace
+}  // namespace dupin::rounding
