@@ -156,10 +156,9 @@ bool Expression::contains(const std::vector<bool>& inside) const {
   return !stack.empty() && stack.back();
 }
 
-Solid evaluate(const Expression& expression, const std::map<std::string, Solid>& operands,
-               const BooleanOptions& options) {
+std::vector<Solid> booleans::operands_of(const Expression& expression,
+                                         const std::map<std::string, Solid>& operands) {
   std::vector<Solid> solids;
-  arrangement::BooleanRule rule;
   for (const std::string& name : expression.names()) {
     const auto place = operands.find(name);
     if (place == operands.end()) {
@@ -167,6 +166,15 @@ Solid evaluate(const Expression& expression, const std::map<std::string, Solid>&
                   "the expression names an operand that is not given: '" + name + "'", name);
     }
     solids.push_back(place->second);
+  }
+  return solids;
+}
+
+Solid evaluate(const Expression& expression, const std::map<std::string, Solid>& operands,
+               const BooleanOptions& options) {
+  const std::vector<Solid> solids = booleans::operands_of(expression, operands);
+  arrangement::BooleanRule rule;
+  while (rule.group_of_operand.size() < solids.size()) {
     rule.group_of_operand.push_back(rule.groups++);
   }
   rule.inside = [&expression](std::span<const int> counts) {
