@@ -22,8 +22,11 @@
 namespace dupin {
 
 enum class CrossCheckEngine : std::uint8_t {
-  nef,           ///< Nef polyhedra: general, about a thousand times slower than ours
-  corefinement,  ///< corefinement of two surfaces at a time: refuses results that touch themselves
+  /// Nef polyhedra: general; hundreds to thousands of times slower than ours.
+  nef,
+  /// Corefinement of two surfaces at a time: refuses results that touch themselves along an edge;
+  /// where they do in a point, CGAL 5.5's may never end. For operands in general position.
+  corefinement,
 };
 
 [[nodiscard]] std::string_view name(CrossCheckEngine engine);  ///< as its enumerator
