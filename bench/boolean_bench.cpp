@@ -14,8 +14,8 @@
 #include <malloc.h>
 #include <tbb/global_control.h>
 
-#include "corefinement_rival.h"
 #include "dupin/kernel/boolean.h"
+#include "dupin/kernel/cross_check.h"
 #include "support/pipe_cases.h"
 
 namespace dupin {
@@ -105,9 +105,9 @@ void run(const Case& row, bool with_corefinement) {
   std::printf("%-16s %9zu %9zu %9.4f %9.4f %9.4f %7.2f %9.0f", row.name, triangles, one.triangles,
               one.cpu, one.wall, two.wall, one.wall / two.wall,
               std::max(one.bytes, two.bytes) / static_cast<double>(triangles));
-  if (with_corefinement && row.corefine) {
+  if (with_corefinement && row.corefine && has_cross_check()) {
     const double cpu = cpu_seconds();
-    bench::unite_by_corefinement(operands);
+    (void)combine_by(CrossCheckEngine::corefinement, SetOperation::unite, operands);
     const double rival = cpu_seconds() - cpu;
     std::printf(" %11.4f %7.1f", rival, rival / one.cpu);
   }

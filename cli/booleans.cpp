@@ -2,14 +2,18 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <CLI/App.hpp>
 
 #include "commands.h"
+#include "cross_check_option.h"
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/boolean_expression.h"
+#include "dupin/kernel/cross_check.h"
 #include "dupin/kernel/repair.h"
 #include "exit_code.h"
 #include "input.h"
@@ -21,18 +25,23 @@
 namespace dupin::cli {
 namespace {
 
-using Operation = Solid (*)(std::span<const Solid> operands, const BooleanOptions& options);
-
 struct BooleanCommand {
   std::string name, purpose, footer;
-  Operation operation;
+  SetOperation operation;
+};
+
+/// What to do with the solids, and how to have it checked.
+struct Task {
+  std::function<Solid(std::span<const Solid>, const BooleanOptions&)> operation;
+  std::function<CrossCheck(const Solid&, CrossCheckEngine, std::span<const Solid>, const Progress&)>
+      second_opinion;
 };
 
 /// What all set operations take.
 struct OperandArguments {
   std::string command;
   std::vector<std::string> operands;
-  std::string contacts;
+  std::string contacts, cross_check;
   OutputArguments output;
   bool repair = false;
   RoundingArguments rounding;
@@ -43,8 +52,17 @@ struct ExpressionArguments {
   OperandArguments common;
 };
 
-Solid subtract_all(std::span<const Solid> operands, const BooleanOptions& options) {
-  return subtract(operands.front(), operands.subspan(1), options);
+Solid combined(SetOperation operation, std::span<const Solid> operands,
+               const BooleanOptions& options) {
+  switch (operation) {
+    case SetOperation::unite:
+      return unite(operands, options);
+    case SetOperation::intersect:
+      return intersect(operands, options);
+    case SetOperation::subtract:
+      return subtract(operands.front(), operands.subspan(1), options);
+  }
+  return {};
 }
 
 /// The solid in a file, mended where that is asked for; what was done goes to `repairs`.
@@ -59,13 +77,12 @@ Solid read_operand(const Input& input, bool is_repaired, std::vector<FileRepair>
   return std::move(repaired.solid);
 }
 
-/// Reads the files, applies `operation` to their solids, settles contacts, writes.
-ExitCode run_operation(
-    const std::vector<std::string>& files, const OperandArguments& arguments,
-    const CommonOptions& common,
-    const std::function<Solid(std::span<const Solid>, const BooleanOptions&)>& operation) {
+/// Reads the files, does the task with their solids, settles contacts, writes.
+ExitCode run_operation(const std::vector<std::string>& files, const OperandArguments& arguments,
+                       const CommonOptions& common, const Task& task) {
   refuse_tolerance(arguments.command, common, "--rounding-tolerance");
   const Destination to = destination(arguments.output);
+  const auto engine = cross_check_engine(arguments.cross_check);
   const std::vector<Input> inputs = read_inputs(files);
   const MeshHeader header{common_unit(inputs), {}};
   const ContactChoice contacts = contact_choice(arguments.contacts, header.unit);
@@ -79,12 +96,17 @@ ExitCode run_operation(
   OutputReport report;
   {
     ProgressLine line(common.quiet);
-    const Solid result = operation(operands, {contacts.policy(), line.callback()});
+    const Solid result = task.operation(operands, {contacts.policy(), line.callback()});
+    std::optional<CrossCheck> check;
+    if (engine) {
+      check = task.second_opinion(result, *engine, operands, line.callback());
+    }
     report = write_solid(result, to, rounding, header, contacts);
+    report.cross_check = std::move(check);
   }
   report.repairs = std::move(repairs);
   print_written(report, to, common);
-  return ExitCode::ok;
+  return report.findings() == 0 ? ExitCode::ok : ExitCode::findings;
 }
 
 Expression parsed(const std::string& text) {
@@ -130,14 +152,21 @@ ExitCode run_expression(const ExpressionArguments& arguments, const CommonOption
   for (const std::string& name : expression.names()) {
     files.push_back(file_of.at(name));
   }
-  const auto operation = [&](std::span<const Solid> solids, const BooleanOptions& options) {
+  const auto named = [&](std::span<const Solid> solids) {
     std::map<std::string, Solid> operands;
     for (std::size_t i = 0; i < solids.size(); ++i) {
       operands.emplace(expression.names()[i], solids[i]);
     }
-    return evaluate(expression, operands, options);
+    return operands;
   };
-  return run_operation(files, arguments.common, common, operation);
+  const Task task{[&](std::span<const Solid> solids, const BooleanOptions& options) {
+                    return evaluate(expression, named(solids), options);
+                  },
+                  [&](const Solid& result, CrossCheckEngine engine, std::span<const Solid> solids,
+                      const Progress& progress) {
+                    return second_opinion(result, engine, expression, named(solids), progress);
+                  }};
+  return run_operation(files, arguments.common, common, task);
 }
 
 void add_operand_options(CLI::App& command, OperandArguments& arguments) {
@@ -150,8 +179,21 @@ void add_operand_options(CLI::App& command, OperandArguments& arguments) {
                    "Mend operands that are no solids, where that is safe, and say how: merge\n"
                    "identical points, drop degenerate and duplicate faces, turn faces round,\n"
                    "unite what overlaps; holes are never filled");
+  add_cross_check_option(command, arguments.cross_check);
   add_rounding_options(command, arguments.rounding);
   arguments.command = command.get_name();
+}
+
+ExitCode run_boolean(SetOperation operation, const OperandArguments& arguments,
+                     const CommonOptions& common) {
+  const Task task{[=](std::span<const Solid> operands, const BooleanOptions& options) {
+                    return combined(operation, operands, options);
+                  },
+                  [=](const Solid& result, CrossCheckEngine engine, std::span<const Solid> operands,
+                      const Progress& progress) {
+                    return second_opinion(result, engine, operation, operands, progress);
+                  }};
+  return run_operation(arguments.operands, arguments, common, task);
 }
 
 void add_boolean(CLI::App& app, Action& action, const BooleanCommand& boolean) {
@@ -165,7 +207,7 @@ void add_boolean(CLI::App& app, Action& action, const BooleanCommand& boolean) {
   command->footer(boolean.footer);
   command->callback([arguments, boolean, &action] {
     action = [arguments, boolean](const CommonOptions& common) {
-      return run_operation(arguments->operands, *arguments, common, boolean.operation);
+      return run_boolean(boolean.operation, *arguments, common);
     };
   });
 }
@@ -203,14 +245,14 @@ void add_booleans(CLI::App& app, Action& action) {
                "Examples:\n"
                "  dupin union header.off branch.stl -o both.off\n"
                "  dupin union a.off b.off c.off -o - --format stl > all.stl",
-               unite});
+               SetOperation::unite});
   add_boolean(app, action,
               {"intersect", "What solids have in common, exactly",
-               "Examples:\n  dupin intersect a.off b.off -o common.off", intersect});
-  add_boolean(
-      app, action,
-      {"subtract", "The first solid without all the others, exactly",
-       "Examples:\n  dupin subtract block.off drill1.off drill2.off -o part.stl", subtract_all});
+               "Examples:\n  dupin intersect a.off b.off -o common.off", SetOperation::intersect});
+  add_boolean(app, action,
+              {"subtract", "The first solid without all the others, exactly",
+               "Examples:\n  dupin subtract block.off drill1.off drill2.off -o part.stl",
+               SetOperation::subtract});
   add_expression(app, action);
 }
 

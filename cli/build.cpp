@@ -8,6 +8,7 @@
 #include <CLI/App.hpp>
 
 #include "commands.h"
+#include "cross_check_option.h"
 #include "document.h"
 #include "gap_text.h"
 #include "length.h"
@@ -20,7 +21,7 @@ namespace dupin::cli {
 namespace {
 
 struct BuildArguments {
-  std::string file, connect, contacts;
+  std::string file, connect, contacts, cross_check;
   OutputArguments output;
   std::uint32_t segments = 0;
   RoundingArguments rounding;
@@ -93,6 +94,7 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
   options.connect = length_in(assembly.unit, arguments.connect, assembly.tolerance);
   options.contacts =
       contact_choice(arguments.contacts, std::string(symbol(assembly.unit))).policy();
+  options.cross_check = cross_check_engine(arguments.cross_check);
   return options;
 }
 
@@ -111,6 +113,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
                    std::move(built.gaps)};
     report.output = write_solid(built.solid, to, rounding, {unit, {}},
                                 contact_choice(arguments.contacts, unit));
+    report.output.cross_check = std::move(built.cross_check);
     report.parts = std::move(built.parts);
     report.runs = built.runs;
     report.pieces = built.pieces;
@@ -121,7 +124,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   } else if (!common.quiet) {
     print_build(report_stream(to), report);
   }
-  return report.gaps.findings() == 0 ? ExitCode::ok : ExitCode::findings;
+  return report.gaps.findings() + report.output.findings() == 0 ? ExitCode::ok : ExitCode::findings;
 }
 
 }  // namespace
@@ -141,9 +144,12 @@ void add_build(CLI::App& app, Action& action) {
       ->check(CLI::Range(3, 65536));
   add_connect_option(*command, arguments->connect);
   add_contacts_option(*command, arguments->contacts);
+  add_cross_check_option(*command, arguments->cross_check);
   add_rounding_options(*command, arguments->rounding);
   command->footer(
-      "Exit code 1: built and written, but ends that belong together do not meet.\n\n"
+      "Exit code 1: built and written, but ends that belong together do not meet, or a "
+      "cross-check\n"
+      "disagrees.\n\n"
       "Examples:\n"
       "  dupin build examples/reducer.json -o reducer.stl\n"
       "  dupin build plant.json -o plant.off --tolerance 0.2mm --connect 1mm\n"

@@ -51,6 +51,7 @@ _dupin() {
     --format) COMPREPLY=($(compgen -W ")" +
          joined(format_names()) + R"(" -- "$word")); return ;;
     --contacts) COMPREPLY=($(compgen -W "report refuse separate= bridge=" -- "$word")); return ;;
+    --cross-check) COMPREPLY=($(compgen -W "nef corefinement" -- "$word")); return ;;
     --origin) COMPREPLY=($(compgen -W "keep auto" -- "$word")); return ;;
     --tolerance|--rounding-tolerance|--connect|--grid|--move|--twist|--margin) return ;;
   esac

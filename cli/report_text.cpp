@@ -109,6 +109,21 @@ std::string repair_text(const RepairReport& report) {
   return text;
 }
 
+std::string cross_check_text(const CrossCheck& check) {
+  const std::string engine(name(check.engine));
+  switch (check.verdict) {
+    case CrossCheck::Verdict::agrees:
+      return engine + " agrees, exactly";
+    case CrossCheck::Verdict::disagrees:
+      return engine + " DISAGREES" + (check.place ? ", first at " + place_text(*check.place) : "") +
+             ": its volume is " + number(check.other_volume.get_d()) + ", not " +
+             number(check.volume.get_d());
+    case CrossCheck::Verdict::engine_failed:
+      return engine + " failed and has no opinion: " + check.failure;
+  }
+  return engine;
+}
+
 }  // namespace
 
 std::string number(double value) { return decimal(value, 9); }
@@ -162,6 +177,9 @@ void print_output(std::ostream& out, const OutputReport& report, std::string_vie
   } else if (!report.contacts.empty()) {
     print_row(out, "contacts", std::to_string(report.contacts.size()));
     print_contacts(out, report.contacts);
+  }
+  if (report.cross_check) {
+    print_row(out, "cross-check", cross_check_text(*report.cross_check));
   }
   for (const FileRepair& repair : report.repairs) {
     print_row(out, "repaired", repair.file + ": " + repair_text(repair.report));

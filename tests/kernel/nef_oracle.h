@@ -1,35 +1,38 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
-#include <variant>
 
-#include <gmpxx.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
-#include "dupin/kernel/solid.h"
+#include "dupin/kernel/cross_check.h"
+#include "dupin/kernel/error.h"
 
 /// Set operations by CGAL's Nef polyhedra: slow, general, and sharing no code with ours.
 namespace dupin::test {
 
-enum class NefOperation { unite, intersect, subtract };
-
-struct NefResult {
-  mpq_class volume;
-  std::size_t components = 0;
-  std::int64_t genus = 0;  ///< sum over the shells
-};
-
 /// Nothing if the result's boundary is not 2-manifold.
-[[nodiscard]] std::optional<NefResult> by_nef(NefOperation operation, const Solid& a,
-                                              const Solid& b);
+inline std::optional<Solid> unless_it_touches_itself(const std::function<Solid()>& operation) {
+  try {
+    return operation();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::boolean_failed);
+    EXPECT_THAT(error.what(), testing::EndsWith("has a result whose boundary is no 2-manifold"));
+    return std::nullopt;
+  }
+}
 
-/// Of reverse Polish notation: an operand's index, or what to do with the last two sets.
-using NefStep = std::variant<std::size_t, NefOperation>;
+inline std::optional<Solid> by_nef(SetOperation operation, std::span<const Solid> operands) {
+  return unless_it_touches_itself(
+      [&] { return combine_by(CrossCheckEngine::nef, operation, operands); });
+}
 
-/// The same for any expression; regularised once, at the end.
-[[nodiscard]] std::optional<NefResult> by_nef(std::span<const NefStep> steps,
-                                              std::span<const Solid> operands);
+inline std::optional<Solid> by_nef(const Expression& expression,
+                                   const std::map<std::string, Solid>& operands) {
+  return unless_it_touches_itself(
+      [&] { return evaluate_by(CrossCheckEngine::nef, expression, operands); });
+}
 
 }  // namespace dupin::test

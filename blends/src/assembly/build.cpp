@@ -54,6 +54,10 @@ class Builder {
     built_.pieces = solids_.size();
     built_.solid = solids_.size() == 1 ? solids_.front()
                                        : unite(solids_, {options_.contacts, options_.progress});
+    if (options_.cross_check) {
+      built_.cross_check = second_opinion(built_.solid, *options_.cross_check, SetOperation::unite,
+                                          solids_, options_.progress);
+    }
     return std::move(built_);
   }
 

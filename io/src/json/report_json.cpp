@@ -51,6 +51,19 @@ Json json_value(const FileRepair& repair) {
           {"united_overlaps", repair.report.united_overlaps}};
 }
 
+// A difference that is not zero does not print as zero unless it is below all doubles.
+Json json_value(const CrossCheck& check) {
+  const bool failed = check.verdict == CrossCheck::Verdict::engine_failed;
+  const mpq_class difference = check.volume - check.other_volume;
+  return {{"engine", name(check.engine)},
+          {"verdict", name(check.verdict)},
+          {"volume", check.volume.get_d()},
+          {"other_volume", failed ? Json(nullptr) : Json(check.other_volume.get_d())},
+          {"volume_difference", failed ? Json(nullptr) : Json(difference.get_d())},
+          {"place", check.place ? json::json_value(*check.place) : Json(nullptr)},
+          {"failure", failed ? Json(check.failure) : Json(nullptr)}};
+}
+
 template <class Value>
 Json list(const std::vector<Value>& values) {
   Json result = Json::array();
@@ -110,6 +123,9 @@ Json json_value(const OutputReport& report) {
   }
   if (!report.repairs.empty()) {
     object["repairs"] = list(report.repairs);
+  }
+  if (report.cross_check) {
+    object["cross_check"] = json_value(*report.cross_check);
   }
   return object;
 }

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "arrangement/arrange.h"
+#include "booleans/operands.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
@@ -156,10 +157,9 @@ bool Expression::contains(const std::vector<bool>& inside) const {
   return !stack.empty() && stack.back();
 }
 
-Solid evaluate(const Expression& expression, const std::map<std::string, Solid>& operands,
-               const BooleanOptions& options) {
+std::vector<Solid> booleans::operands_of(const Expression& expression,
+                                         const std::map<std::string, Solid>& operands) {
   std::vector<Solid> solids;
-  arrangement::BooleanRule rule;
   for (const std::string& name : expression.names()) {
     const auto at = operands.find(name);
     if (at == operands.end()) {
@@ -167,6 +167,15 @@ Solid evaluate(const Expression& expression, const std::map<std::string, Solid>&
                   "the expression names an operand that is not given: '" + name + "'", name);
     }
     solids.push_back(at->second);
+  }
+  return solids;
+}
+
+Solid evaluate(const Expression& expression, const std::map<std::string, Solid>& operands,
+               const BooleanOptions& options) {
+  const std::vector<Solid> solids = booleans::operands_of(expression, operands);
+  arrangement::BooleanRule rule;
+  while (rule.group_of_operand.size() < solids.size()) {
     rule.group_of_operand.push_back(rule.groups++);
   }
   rule.inside = [&expression](std::span<const int> counts) {

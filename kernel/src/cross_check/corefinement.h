@@ -1,14 +1,13 @@
 #pragma once
 
-#include "cross_check/set_operation.h"
+#include "dupin/kernel/cross_check.h"
 #include "mesh/exact_mesh.h"
 
 namespace dupin::cross_check {
 
 /// One set operation on two solids by CGAL's corefinement of their surfaces, in lazy exact
-/// arithmetic. Both use one table of names; sources are handed on. The slower oracle of the
-/// arrangement; it refuses more: throws Error{boolean_failed} where the result touches itself along
-/// an edge, where an operand touches itself, and where CGAL's algorithm fails.
+/// arithmetic: no point is rounded. Throws Error{boolean_failed} where the result touches itself
+/// along an edge, where an operand touches itself, and where CGAL's algorithm fails.
 [[nodiscard]] mesh::ExactMesh corefine(SetOperation operation, const mesh::ExactMesh& a,
                                        const mesh::ExactMesh& b);
 

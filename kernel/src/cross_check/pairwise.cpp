@@ -41,21 +41,16 @@ mesh::ExactMesh concatenated(mesh::ExactMesh a, const mesh::ExactMesh& b) {
       return corner + a_doubles + (corner < b_doubles ? 0 : a_implicit);
     });
   }
-  a.labels.insert(a.labels.end(), b.labels.begin(), b.labels.end());
   a.sources.insert(a.sources.end(), b.sources.begin(), b.sources.end());
   a.contacts.insert(a.contacts.end(), b.contacts.begin(), b.contacts.end());
-  a.planes.clear();
-  a.plane_of.clear();
-  a.stable = {};
   return a;
 }
 
 class Pairwise {
  public:
-  Pairwise(SetOperation operation, std::size_t operands, const Progress& progress)
-      : operation_(operation), steps_(operands - 1), progress_(progress) {}
+  Pairwise(SetOperation operation, Steps& steps) : operation_(operation), steps_(steps) {}
 
-  mesh::ExactMesh united(std::vector<mesh::ExactMesh> operands) {
+  [[nodiscard]] mesh::ExactMesh united(std::vector<mesh::ExactMesh> operands) const {
     std::vector<mesh::ExactMesh> groups;
     for (auto& group : grouped(std::move(operands))) {
       groups.push_back(united_tree(group));
@@ -65,7 +60,7 @@ class Pairwise {
                            concatenated);
   }
 
-  mesh::ExactMesh folded(std::vector<mesh::ExactMesh> operands) {
+  [[nodiscard]] mesh::ExactMesh folded(std::vector<mesh::ExactMesh> operands) const {
     mesh::ExactMesh result = std::move(operands.front());
     for (std::size_t i = 1; i < operands.size() && !result.triangles.empty(); ++i) {
       if (bounds_of(result).intersects(bounds_of(operands[i]))) {
@@ -78,16 +73,13 @@ class Pairwise {
   }
 
  private:
-  mesh::ExactMesh step(const mesh::ExactMesh& a, const mesh::ExactMesh& b) {
-    const double done = static_cast<double>(steps_done_++) / static_cast<double>(steps_);
-    if (progress_ && !progress_(name(operation_), done)) {
-      throw Error(Errc::cancelled, "'" + std::string(name(operation_)) + "' was cancelled");
-    }
+  [[nodiscard]] mesh::ExactMesh step(const mesh::ExactMesh& a, const mesh::ExactMesh& b) const {
+    steps_.next();
     return corefine(operation_, a, b);
   }
 
   // Consumes the operands; neighbours in the call stay neighbours in the tree.
-  mesh::ExactMesh united_tree(std::span<mesh::ExactMesh> operands) {
+  [[nodiscard]] mesh::ExactMesh united_tree(std::span<mesh::ExactMesh> operands) const {
     if (operands.size() == 1) {
       return std::move(operands[0]);
     }
@@ -120,14 +112,11 @@ class Pairwise {
   }
 
   SetOperation operation_;
-  std::size_t steps_, steps_done_ = 0;
-  const Progress& progress_;
+  Steps& steps_;
 };
 
-}  // namespace
-
-mesh::ExactMesh combine_pairwise(SetOperation operation, std::vector<mesh::ExactMesh> operands,
-                                 const Progress& progress) {
+mesh::ExactMesh combined(SetOperation operation, std::vector<mesh::ExactMesh> operands,
+                         Steps& steps) {
   if (operation != SetOperation::subtract) {
     const auto is_empty = [](const mesh::ExactMesh& mesh) { return mesh.triangles.empty(); };
     const auto removed = std::erase_if(operands, is_empty);
@@ -135,9 +124,35 @@ mesh::ExactMesh combine_pairwise(SetOperation operation, std::vector<mesh::Exact
       return {};
     }
   }
-  Pairwise pairwise(operation, operands.size(), progress);
+  const Pairwise pairwise(operation, steps);
   return operation == SetOperation::unite ? pairwise.united(std::move(operands))
                                           : pairwise.folded(std::move(operands));
+}
+
+// Only what the set is, not how it came to be.
+mesh::ExactMesh bare(const mesh::ExactMesh& operand) {
+  mesh::ExactMesh mesh;
+  mesh.points = operand.points;
+  mesh.implicit = operand.implicit;
+  mesh.triangles = operand.triangles;
+  mesh.sources.resize(mesh.triangles.size());
+  mesh.contacts = operand.contacts;
+  return mesh;
+}
+
+}  // namespace
+
+mesh::ExactMesh mesh_by_corefinement(const Request& request, const Progress& progress) {
+  Steps steps(request.steps, progress);
+  mesh::ExactMesh mesh = evaluated<mesh::ExactMesh>(
+      request.steps, [&](std::uint32_t operand) { return bare(request.operands[operand].exact()); },
+      [&](SetOperation operation, std::vector<mesh::ExactMesh> operands) {
+        return combined(operation, std::move(operands), steps);
+      });
+  for (std::uint32_t i = 0; i < mesh.sources.size(); ++i) {
+    mesh.sources[i] = {0, i};
+  }
+  return mesh;
 }
 
 }  // namespace dupin::cross_check

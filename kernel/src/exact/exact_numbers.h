@@ -1,14 +1,10 @@
 #pragma once
 
 #include <array>
-#include <exception>
-#include <new>
-#include <string>
 
 #include <CGAL/Mpzf.h>
 #include <gmpxx.h>
 
-#include "dupin/kernel/error.h"
 #include "dupin/kernel/vec.h"
 
 /// Numbers without rounding, the ground that every decision of the kernel stands on.
@@ -53,20 +49,5 @@ struct ExactVector : std::array<CGAL::Mpzf, 3> {};
 /// The neighbouring double: bounds a result that was rounded to the nearest.
 [[nodiscard]] double next_below(double value);
 [[nodiscard]] double next_above(double value);
-
-/// Runs `operation`, turning the failures of CGAL's algorithms (violated preconditions, crossing
-/// constraints) into Error{boolean_failed}. `what` names the operation for the message.
-template <class Operation>
-auto guarded(const std::string& what, Operation&& operation) {
-  try {
-    return operation();
-  } catch (const Error&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& failure) {
-    throw Error(Errc::boolean_failed, what + " failed: " + failure.what());
-  }
-}
 
 }  // namespace dupin::exact

@@ -1,3 +1,5 @@
+#include <span>
+
 #include <gtest/gtest.h>
 
 #include "kernel/nef_oracle.h"
@@ -9,24 +11,23 @@ namespace {
 // The table's expectations, not our results.
 TEST(DegeneracyNef, polyhedra_confirm_the_table_where_they_can) {
   constexpr std::size_t kFew = 8;  // operands that Nef polyhedra unite in a moment
-  using test::NefOperation;
   std::size_t confirmed = 0;
   for (const test::Degeneracy& row : test::degeneracies()) {
     if (row.operands.size() > kFew) {
       continue;
     }
-    const std::pair<NefOperation, const test::ExpectedSolid*> table[] = {
-        {NefOperation::unite, &row.united},
-        {NefOperation::intersect, &row.common},
-        {NefOperation::subtract, &row.difference}};
+    const std::pair<SetOperation, const test::ExpectedSolid*> table[] = {
+        {SetOperation::unite, &row.united},
+        {SetOperation::intersect, &row.common},
+        {SetOperation::subtract, &row.difference}};
     for (const auto& [operation, expected] : table) {
       SCOPED_TRACE(row.name + ", operation " + std::to_string(static_cast<int>(operation)));
-      const auto nef = test::by_nef(operation, row.operands[0], row.operands[1]);
+      const auto nef = test::by_nef(operation, std::span(row.operands).first(2));
       ASSERT_EQ(nef.has_value(), expected->contacts == 0);
       if (nef) {
-        EXPECT_EQ(nef->volume, mpq_class(expected->volume));
-        EXPECT_EQ(nef->components, expected->components);
-        EXPECT_EQ(nef->genus, expected->genus);
+        EXPECT_EQ(nef->exact_volume(), mpq_class(expected->volume));
+        EXPECT_EQ(nef->components(), expected->components);
+        EXPECT_EQ(nef->genus(), expected->genus);
         ++confirmed;
       }
     }

@@ -8,6 +8,7 @@
 
 #include "dupin/blends/assembly.h"
 #include "dupin/kernel/boolean.h"
+#include "dupin/kernel/cross_check.h"
 #include "dupin/kernel/gap.h"
 #include "dupin/kernel/progress.h"
 #include "dupin/kernel/solid.h"
@@ -19,7 +20,8 @@ struct BuildOptions {
   std::optional<std::uint32_t> segments;  ///< instead of the document's
   double connect = 0;  ///< ends that face each other at most so far apart are measured as a pair
   ContactPolicy contacts = ContactPolicy::report;
-  Progress progress;  ///< may be empty
+  std::optional<CrossCheckEngine> cross_check;  ///< to check the union of the pieces by
+  Progress progress;                            ///< may be empty
 };
 
 /// What became of one part.
@@ -53,6 +55,7 @@ struct Built {
   std::size_t pieces = 0;         ///< solids that were united; more than runs if parts of one run
                                   ///< cross each other
   double grid = 0;                ///< spacing of the lattice that the mesh points lie on
+  std::optional<CrossCheck> cross_check;  ///< of `solid`, where it was asked for
 };
 
 /// The whole line: resolve, certify, tessellate, weld, unite. The labels of the solid name the part

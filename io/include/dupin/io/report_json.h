@@ -11,6 +11,7 @@
 #include "dupin/blends/build.h"
 #include "dupin/blends/unit.h"
 #include "dupin/kernel/check.h"
+#include "dupin/kernel/cross_check.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/gap.h"
 #include "dupin/kernel/mesh.h"
@@ -49,7 +50,13 @@ struct OutputReport {
   std::vector<Contact> contacts;  ///< where the solid touches itself
   std::optional<SimplificationReport> simplification = std::nullopt;
   std::optional<ContactSettlement> settled = std::nullopt;
-  std::vector<FileRepair> repairs = {};  ///< of operands that needed some
+  std::vector<FileRepair> repairs = {};                  ///< of operands that needed some
+  std::optional<CrossCheck> cross_check = std::nullopt;  ///< of the exact result, before rounding
+
+  /// Whether the cross-check disagrees. That the other engine failed is no finding about ours.
+  [[nodiscard]] std::size_t findings() const {
+    return cross_check && cross_check->verdict == CrossCheck::Verdict::disagrees ? 1 : 0;
+  }
 };
 
 /// Empty for a mesh without points.

@@ -17,11 +17,20 @@ namespace dupin {
 /// run of letters, digits, `_` and `.`, or anything in double quotes.
 class Expression {
  public:
+  enum class Kind : std::uint8_t { operand, unite, intersect, subtract };
+  struct Step {
+    Kind kind;
+    std::uint32_t operand;  ///< of Kind::operand: an index into names()
+    friend bool operator==(const Step&, const Step&) = default;
+  };
+
   /// Throws Error{parse_failed} with the position (from 1) of the fault in `where()`.
   [[nodiscard]] static Expression parse(std::string_view text);
 
   /// In order of first appearance.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  /// Reverse Polish notation: an operand, or what to do with the last two sets.
+  [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
   /// Text that parses to an equal expression, with no more parentheses than needed.
   [[nodiscard]] std::string text() const;
   /// Whether a place is in the set that is inside the operands for which `inside` says so (one
@@ -31,12 +40,6 @@ class Expression {
   friend bool operator==(const Expression&, const Expression&) = default;
 
  private:
-  enum class Kind : std::uint8_t { operand, unite, intersect, subtract };
-  struct Step {  // of reverse Polish notation
-    Kind kind;
-    std::uint32_t operand;
-    friend bool operator==(const Step&, const Step&) = default;
-  };
   class Parser;
 
   std::vector<std::string> names_;

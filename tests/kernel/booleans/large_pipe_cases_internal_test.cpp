@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernel/cross_check/pipe_case_checks_internal.h"
+#include "kernel/booleans/pipe_case_checks_internal.h"
 
 namespace dupin {
 namespace {

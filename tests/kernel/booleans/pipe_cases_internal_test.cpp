@@ -5,7 +5,7 @@
 #include <tbb/global_control.h>
 
 #include "dupin/kernel/boolean.h"
-#include "kernel/cross_check/pipe_case_checks_internal.h"
+#include "kernel/booleans/pipe_case_checks_internal.h"
 #include "support/shapes.h"
 
 namespace dupin {
