@@ -13,7 +13,8 @@ GUESTS = ["tests", "bench", "examples"]  # may use every public header
 LIBRARIES = {
     "CGAL/": ["kernel/src/", "kernel/include/dupin/interop/", "tests/kernel/", "bench/",
               "tests/io/formats/foreign_cgal_test.cpp"],
-    "boost/": ["kernel/src/", "kernel/include/dupin/interop/", "tests/kernel/", "bench/"],
+    "boost/": ["kernel/src/", "kernel/include/dupin/interop/", "tests/kernel/",
+               "tests/blends/numbers/", "bench/"],
     "tbb/": ["kernel/src/", "blends/src/", "tests/kernel/", "bench/"],
     "nlohmann/": ["io/src/", "tests/"],
     "expat.h": ["io/src/"],

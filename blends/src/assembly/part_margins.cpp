@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dupin/blends/regularity.h"
+#include "dupin/blends/ringed_regularity.h"
 #include "dupin/blends/tangency.h"
 #include "dupin/kernel/error.h"
 #include "numbers/decimal.h"

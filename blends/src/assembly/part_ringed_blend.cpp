@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "assembly/part_geometry.h"
+#include "dupin/blends/ringed_blend.h"
 #include "dupin/kernel/error.h"
 #include "numbers/decimal.h"
 

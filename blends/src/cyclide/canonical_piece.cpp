@@ -1,10 +1,10 @@
+#include "dupin/blends/canonical_piece.h"
+
 #include <cmath>
 #include <numbers>
 
 #include <Eigen/Geometry>
 
-#include "cyclide/complementary_sphere.h"
-#include "dupin/blends/cyclide_form.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
@@ -93,12 +93,6 @@ PeArc arc_of(const CanonicalPiece& piece) {
   const double length = std::sqrt(product(from.velocity, from.velocity));
   const double sign = piece.to > piece.from ? 1 : -1;
   return PeArc::from(from.sphere, (sign / length) * from.velocity, to.sphere);
-}
-
-PrincipalCurvatures curvatures_at(const PeArc& arc, double t, double v) {
-  const cyclide::ComplementarySphere q =
-      cyclide::complementary_sphere(arc, frame(arc), 1, std::cos(v), std::sin(v));
-  return {1 / sphere_at(arc, t).r, q.weight / q.radius};
 }
 
 }  // namespace dupin

@@ -232,6 +232,12 @@ CanonicalCyclide canonical_form(const PeArc& arc) {
   return kk > 0 ? elliptic(arc, k, kk) : hyperbolic(arc, k, kk);
 }
 
+PrincipalCurvatures curvatures_at(const PeArc& arc, double t, double v) {
+  const cyclide::ComplementarySphere q =
+      cyclide::complementary_sphere(arc, frame(arc), 1, std::cos(v), std::sin(v));
+  return {1 / sphere_at(arc, t).r, q.weight / q.radius};
+}
+
 double implicit_value(const CanonicalCyclide& f, const Vec3& point) {
   if (f.kind == CyclideKind::cone || f.kind == CyclideKind::cylinder) {
     throw Error(Errc::invalid_argument, "cones and cylinders have no canonical cyclide equation");

@@ -1,3 +1,5 @@
+#include "dupin/blends/cyclide_patch.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -5,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include "cyclide/complementary_sphere.h"
-#include "dupin/blends/cyclide_form.h"
 
 namespace dupin {
 namespace {

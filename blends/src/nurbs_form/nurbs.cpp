@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
-#include "dupin/blends/cyclide_form.h"
-#include "numbers/bezier_jet.h"
+#include "dupin/blends/cyclide_patch.h"
+#include "numbers/bezier.h"
 #include "nurbs_form/nurbs_rows.h"
 
 namespace dupin {

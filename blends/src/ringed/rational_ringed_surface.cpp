@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "numbers/bezier_jet.h"
+#include "numbers/bezier.h"
 #include "numbers/quadrature.h"
 #include "numbers/quaternion.h"
 

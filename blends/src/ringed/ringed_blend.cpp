@@ -1,9 +1,11 @@
+#include "dupin/blends/ringed_blend.h"
+
 #include <cmath>
 #include <vector>
 
 #include <Eigen/Geometry>
 
-#include "dupin/blends/rational_ringed_surface.h"
+#include "dupin/blends/ringed_regularity.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/ring.h"
 #include "numbers/quaternion.h"

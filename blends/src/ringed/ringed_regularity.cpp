@@ -1,9 +1,10 @@
+#include "dupin/blends/ringed_regularity.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
 
-#include "dupin/blends/rational_ringed_surface.h"
 #include "numbers/polynomial.h"
 #include "numbers/quaternion.h"
 
