@@ -33,7 +33,7 @@ dupin::TriMesh torus() {
   return mesh;
 }
 
-void write_bench(benchmark::State& state, dupin::MeshFormat format) {
+void write_bench(benchmark::State& state, const dupin::MeshFormat& format) {
   const dupin::TriMesh mesh = torus();
   for ([[maybe_unused]] const auto iteration : state) {
     benchmark::DoNotOptimize(dupin::mesh_bytes(mesh, format));
@@ -41,11 +41,11 @@ void write_bench(benchmark::State& state, dupin::MeshFormat format) {
   state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
 }
 
-void read_bench(benchmark::State& state, dupin::MeshFormat format) {
+void read_bench(benchmark::State& state, const dupin::MeshFormat& format) {
   const dupin::TriMesh mesh = torus();
   const std::string bytes = dupin::mesh_bytes(mesh, format);
   for ([[maybe_unused]] const auto iteration : state) {
-    const dupin::TriMesh read_back = dupin::read_mesh(bytes, "torus", format);
+    const dupin::TriMesh read_back = format.read(bytes, "torus");
     if (read_back.triangles.size() != mesh.triangles.size() ||
         read_back.points.size() != mesh.points.size()) {
       state.SkipWithError("the mesh read is not the mesh written");
@@ -57,8 +57,8 @@ void read_bench(benchmark::State& state, dupin::MeshFormat format) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const dupin::MeshFormat format : dupin::kMeshFormats) {
-    const std::string format_name(dupin::name(format));
+  for (const dupin::MeshFormat& format : dupin::mesh_formats()) {
+    const std::string format_name(format.name);
     benchmark::RegisterBenchmark(("write " + format_name).c_str(), write_bench, format)
         ->Unit(benchmark::kMillisecond);
     benchmark::RegisterBenchmark(("read " + format_name).c_str(), read_bench, format)

@@ -14,6 +14,9 @@
 #include <Eigen/Geometry>
 
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/off.h"
+#include "dupin/io/ply.h"
+#include "dupin/io/stl.h"
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/rounding.h"
@@ -115,7 +118,7 @@ struct WritingEffort {
   double write = 0, verify = 0;
 };
 
-WritingEffort writing_effort(const Rounded& rounded, MeshFormat format) {
+WritingEffort writing_effort(const Rounded& rounded, const MeshFormat& format) {
   const auto path = std::filesystem::temp_directory_path() / "dupin_rounding_bench";
   WritingEffort least;
   least.write = least_effort([&] { write_mesh(path, rounded.mesh(), format); });
@@ -145,15 +148,15 @@ void large_unions(const std::vector<std::string>& names) {
     const auto row = [&](Coordinates target, std::initializer_list<MeshFormat> formats) {
       std::optional<Rounded> rounded;
       std::printf(" | %8.3f", least_effort([&] { rounded = to_mesh(exact, target); }));
-      for (const MeshFormat format : formats) {
+      for (const MeshFormat& format : formats) {
         const WritingEffort writing = writing_effort(*rounded, format);
         std::printf(" %8.3f %8.3f", writing.write, writing.verify);
       }
       std::printf(" %8.3f", effort([&] { sound = check(rounded->mesh()).is_solid() && sound; }));
       std::fflush(stdout);
     };
-    row(Coordinates::binary64, {MeshFormat::off, MeshFormat::ply_binary});
-    row(Coordinates::binary32, {MeshFormat::stl_binary});
+    row(Coordinates::binary64, {kOff, kPlyBinary});
+    row(Coordinates::binary32, {kStlBinary});
     std::puts(sound ? "" : "  BAD");
   }
 }

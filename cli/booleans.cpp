@@ -30,6 +30,7 @@ struct BooleanCommand {
 
 /// What all set operations take.
 struct OperandArguments {
+  std::string command;
   std::vector<std::string> operands;
   std::string contacts;
   OutputArguments output;
@@ -63,12 +64,12 @@ ExitCode run_operation(
     const std::vector<std::string>& files, const OperandArguments& arguments,
     const CommonOptions& common,
     const std::function<Solid(std::span<const Solid>, const BooleanOptions&)>& operation) {
+  refuse_tolerance(arguments.command, common, "--rounding-tolerance");
   const Destination to = destination(arguments.output);
   const std::vector<Input> inputs = read_inputs(files);
   const MeshHeader header{common_unit(inputs), {}};
   const ContactChoice contacts = contact_choice(arguments.contacts, header.unit);
-  const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit,
-                                                    mesh_length(common.tolerance, 0, header.unit));
+  const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit);
   std::vector<Solid> operands;
   operands.reserve(inputs.size());
   std::vector<FileRepair> repairs;
@@ -150,6 +151,7 @@ void add_operand_options(CLI::App& command, OperandArguments& arguments) {
                    "identical points, drop degenerate and duplicate faces, turn faces round,\n"
                    "unite what overlaps; holes are never filled");
   add_rounding_options(command, arguments.rounding);
+  arguments.command = command.get_name();
 }
 
 void add_boolean(CLI::App& app, Action& action, const BooleanCommand& boolean) {

@@ -101,7 +101,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   const Assembly assembly = read_document(arguments.file);
   BuildOptions options = build_options(assembly, arguments, common);
   const std::string unit(symbol(assembly.unit));
-  const RoundingOptions rounding = rounding_options(arguments.rounding, unit, 0);
+  const RoundingOptions rounding = rounding_options(arguments.rounding, unit);
   BuildReport report;
   {
     ProgressLine line(common.quiet);

@@ -15,7 +15,7 @@ namespace dupin::cli {
 struct CommonOptions {
   bool json = false;
   bool quiet = false;
-  std::string tolerance;  ///< as typed; empty when not given
+  std::string tolerance;  ///< of surfaces, as typed; empty when not given
 };
 
 /// What the chosen command will do once the whole command line has been read.

@@ -52,7 +52,7 @@ _dupin() {
          joined(format_names()) + R"(" -- "$word")); return ;;
     --contacts) COMPREPLY=($(compgen -W "report refuse separate= bridge=" -- "$word")); return ;;
     --origin) COMPREPLY=($(compgen -W "keep auto" -- "$word")); return ;;
-    --tolerance|--connect|--grid|--move|--twist|--margin) return ;;
+    --tolerance|--rounding-tolerance|--connect|--grid|--move|--twist|--margin) return ;;
   esac
   case $command in
     "") words=")" +

@@ -20,15 +20,15 @@ bool fits(const TriMesh& mesh, Coordinates coordinates) {
 }
 
 ExitCode run_convert(const MeshToMesh& arguments, const CommonOptions& common) {
+  refuse_tolerance("convert", common, "--rounding-tolerance");
   const Destination to = destination(arguments.output);
   const Input input = read_input(arguments.input);
   const MeshHeader header{input.unit(), {}};
-  const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit,
-                                                    mesh_length(common.tolerance, 0, header.unit));
+  const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit);
   const bool unchanged = rounding.grid == 0 && rounding.origin.choice == Origin::Choice::keep;
   const TriMesh mesh = read_mesh(input.bytes, input.name);
   const bool stays_solid =
-      !(unchanged && fits(mesh, coordinates(to.format))) && check(mesh).is_solid();
+      !(unchanged && fits(mesh, to.format.coordinates)) && check(mesh).is_solid();
   print_written(stays_solid ? write_solid(Solid::from(mesh), to, rounding, header)
                             : write_plain(mesh, to, header),
                 to, common);

@@ -13,12 +13,12 @@
 #include "dupin/blends/edit_chain.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
-#include "dupin/io/atomic_file.h"
 #include "dupin/io/edit_json.h"
 #include "dupin/io/report_json.h"
 #include "exit_code.h"
 #include "input.h"
 #include "length.h"
+#include "output.h"
 #include "report_text.h"
 
 namespace dupin::cli {
@@ -133,17 +133,8 @@ ExitCode run_edit(const EditArguments& arguments, const CommonOptions& common) {
       with_chain(input.bytes, input.name, part, edited_chain(arguments, before, part));
   EditReport report = compared(before, parse_assembly(text, input.name), part);
   report.file = arguments.output;
-  const bool to_stdout = arguments.output == "-";
-  if (to_stdout) {
-    std::cout << text;
-  } else {
-    try {
-      write_file(arguments.output, text);
-    } catch (const Error& error) {
-      throw OutputError(error);
-    }
-  }
-  std::ostream& out = to_stdout ? std::cerr : std::cout;
+  write_text(arguments.output, text);
+  std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
   if (common.json) {
     out << to_json(report) << '\n';
   } else if (!common.quiet) {

@@ -39,7 +39,7 @@ double default_connect(const TriMesh& a, const TriMesh& b) {
   both.points = a.points;
   both.points.insert(both.points.end(), b.points.begin(), b.points.end());
   const auto box = bounding_box(both);
-  return box ? kConnectFraction * (box->high - box->low).norm() : 0;
+  return box.isEmpty() ? 0 : kConnectFraction * box.diagonal().norm();
 }
 
 MeshGapSummary measure_meshes(const std::vector<Input>& inputs, const std::string& connect) {

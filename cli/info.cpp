@@ -20,8 +20,8 @@ void print_summary(const MeshSummary& summary) {
   if (!summary.unit.empty()) {
     print_row(std::cout, "unit", summary.unit);
   }
-  if (const auto box = bounding_box(summary.mesh)) {
-    print_row(std::cout, "box", place_text(box->low) + " to " + place_text(box->high));
+  if (const auto box = bounding_box(summary.mesh); !box.isEmpty()) {
+    print_row(std::cout, "box", place_text(box.min()) + " to " + place_text(box.max()));
   }
   print_row(std::cout, "volume", number(summary.check.volume));
   print_row(std::cout, "area", number(summary.check.area));

@@ -22,9 +22,11 @@ double mesh_length(const std::string& text, double otherwise, const std::string&
   return length_in(mesh_unit.empty() ? Unit::millimetre : unit_from(mesh_unit), text, otherwise);
 }
 
-void refuse_tolerance(const std::string& command, const CommonOptions& common) {
+void refuse_tolerance(const std::string& command, const CommonOptions& common,
+                      const std::string& instead) {
   if (!common.tolerance.empty()) {
-    throw UsageError(command + " has no use for --tolerance");
+    throw UsageError(command + " has no use for --tolerance" +
+                     (instead.empty() ? "" : "; did you mean " + instead + "?"));
   }
 }
 

@@ -15,7 +15,9 @@ namespace dupin::cli {
 [[nodiscard]] double mesh_length(const std::string& text, double otherwise,
                                  const std::string& mesh_unit);
 
-/// Throws UsageError when --tolerance was given to a command that has no use for it.
-void refuse_tolerance(const std::string& command, const CommonOptions& common);
+/// Throws UsageError when --tolerance was given to a command that has no use for it; `instead` is
+/// the option that may have been meant.
+void refuse_tolerance(const std::string& command, const CommonOptions& common,
+                      const std::string& instead = {});
 
 }  // namespace dupin::cli

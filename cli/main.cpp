@@ -22,9 +22,9 @@ void add_common_options(CLI::App& app, CommonOptions& common) {
   app.add_flag("--json", common.json, "Write the report, or the error, as JSON");
   app.add_flag("-q,--quiet", common.quiet, "Write no report and no progress");
   app.add_option("--tolerance", common.tolerance,
-                 "Length such as 0.05, 1mm or 0.5in. build, certify: largest distance between "
-                 "smooth surface "
-                 "and mesh; otherwise: largest move of a point by rounding")
+                 "Largest distance between a surface and what stands for it: the mesh\n"
+                 "(build, certify), the NURBS surface (nurbs), the mesh with fewer\n"
+                 "triangles (simplify). A length such as 0.05, 1mm or 0.5in")
       ->type_name("LENGTH");
   app.set_version_flag("--version", std::string("dupin ") + DUPIN_VERSION);
 }

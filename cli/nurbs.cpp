@@ -9,10 +9,10 @@
 #include "commands.h"
 #include "document.h"
 #include "dupin/blends/resolve.h"
-#include "dupin/io/atomic_file.h"
 #include "dupin/io/nurbs_json.h"
 #include "exit_code.h"
 #include "length.h"
+#include "output.h"
 #include "report_text.h"
 
 namespace dupin::cli {
@@ -57,15 +57,9 @@ ExitCode run_nurbs(const NurbsArguments& arguments, const CommonOptions& common)
   const Assembly assembly = read_document(arguments.file);
   const double tolerance = length_in(assembly.unit, common.tolerance, assembly.tolerance);
   const auto parts = nurbs_of(assembly, tolerance);
-  const std::string text = nurbs_json(parts, assembly.unit) + "\n";
+  write_text(arguments.output, nurbs_json(parts, assembly.unit) + "\n");
   if (arguments.output == "-") {
-    std::cout << text;
     return ExitCode::ok;
-  }
-  try {
-    write_file(arguments.output, text);
-  } catch (const Error& error) {
-    throw OutputError(error);
   }
   if (common.json) {
     std::cout << nurbs_report_json(parts, arguments.output) << '\n';

@@ -34,14 +34,14 @@ void write_stdout(const std::string& bytes) {
 }
 
 /// The same promise as `write_verified`, for a stream that cannot be taken back.
-Report write_verified_stdout(const TriMesh& mesh, MeshFormat format, const MeshHeader& header) {
+Report write_verified_stdout(const TriMesh& mesh, const MeshFormat& format,
+                             const MeshHeader& header) {
   const std::string bytes = mesh_bytes(mesh, format, header);
-  Report report = check(read_mesh(bytes, "standard output", format));
+  Report report = check(format.read(bytes, "standard output"));
   if (!report.is_solid()) {
-    throw Error(
-        Errc::unroundable,
-        "the mesh is no solid any more with the coordinates of " + std::string(name(format)), {},
-        "standard output");
+    throw Error(Errc::unroundable,
+                "the mesh is no solid any more with the coordinates of " + std::string(format.name),
+                {}, "standard output");
   }
   write_stdout(bytes);
   return report;
@@ -70,8 +70,7 @@ RoundingReport nearest_rounding(const TriMesh& mesh, Coordinates coordinates) {
 
 /// STL has no vertices, only corners: readers weld those that coincide.
 void refuse_contacts(const std::vector<Contact>& contacts, const Destination& to) {
-  const bool welds = to.format == MeshFormat::stl_ascii || to.format == MeshFormat::stl_binary;
-  if (!welds || contacts.empty()) {
+  if (!to.format.merges_points || contacts.empty()) {
     return;
   }
   constexpr std::size_t kTold = 3;
@@ -96,16 +95,20 @@ std::string origin_note(const Vec3& origin) {
 
 }  // namespace
 
-const std::vector<std::string>& format_names() {
-  static const std::vector<std::string> names{"off", "stl-ascii", "stl", "ply-ascii",
-                                              "ply", "obj",       "3mf", "glb"};
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const MeshFormat& format : mesh_formats()) {
+    names.emplace_back(format.key);
+  }
   return names;
 }
 
 void add_output_options(CLI::App& command, OutputArguments& arguments) {
   std::string help = "Instead of what the extension says; needed for standard output:\n";
+  std::string_view separator;
   for (const std::string& name : format_names()) {
-    help += (name == format_names().front() ? "" : ", ") + name;
+    help += std::string(separator) + name;
+    separator = ", ";
   }
   command.add_option("--format", arguments.format, help)
       ->type_name("NAME")
@@ -116,10 +119,8 @@ void add_output_options(CLI::App& command, OutputArguments& arguments) {
 
 Destination destination(const OutputArguments& arguments) {
   const auto& [path, format, no_verify] = arguments;
-  for (std::size_t index = 0; index < kMeshFormats.size(); ++index) {
-    if (format == format_names().at(index)) {
-      return {path, kMeshFormats.at(index), !no_verify};
-    }
+  if (const MeshFormat* const chosen = find_mesh_format(format)) {
+    return {path, *chosen, !no_verify};
   }
   if (path == "-") {
     throw UsageError("standard output needs --format");
@@ -135,14 +136,14 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
                          MeshHeader header, const ContactChoice& contacts) {
   OutputReport report;
   const Solid settled = settle(solid, contacts, report);
-  const Rounded rounded = to_mesh(settled, coordinates(to.format), rounding);
+  const Rounded rounded = to_mesh(settled, to.format.coordinates, rounding);
   refuse_contacts(rounded.contacts(), to);
   report.contacts = rounded.contacts();
   if (rounded.report().origin != Vec3::Zero()) {
     header.note += (header.note.empty() ? "" : "; ") + origin_note(rounded.report().origin);
   }
   report.file = shown(to);
-  report.format = name(to.format);
+  report.format = to.format.name;
   report.rounding = rounded.report();
   report.check = writing([&]() -> std::optional<Report> {
     if (!to.verify) {
@@ -158,11 +159,11 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
 OutputReport write_plain(const TriMesh& mesh, const Destination& to, const MeshHeader& header) {
   OutputReport report;
   report.file = shown(to);
-  report.format = name(to.format);
-  report.rounding = nearest_rounding(mesh, coordinates(to.format));
+  report.format = to.format.name;
+  report.rounding = nearest_rounding(mesh, to.format.coordinates);
   const std::string bytes = writing([&] { return write_unverified(mesh, to, header); });
   if (to.verify) {
-    report.check = check(read_mesh(bytes, to.path, to.format));
+    report.check = check(to.format.read(bytes, to.path));
   }
   return report;
 }

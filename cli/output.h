@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "contact_options.h"
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/off.h"
 #include "dupin/io/report_json.h"
 #include "dupin/kernel/rounding.h"
 #include "dupin/kernel/solid.h"
@@ -20,14 +21,14 @@ namespace dupin::cli {
 /// Where a mesh goes: a file, or standard output for "-".
 struct Destination {
   std::string path;
-  MeshFormat format = MeshFormat::off;
+  MeshFormat format = kOff;
   bool verify = true;  ///< whether the bytes are read back and checked
 
   [[nodiscard]] bool is_stdout() const { return path == "-"; }
 };
 
-/// What --format takes, in the order of kMeshFormats.
-[[nodiscard]] const std::vector<std::string>& format_names();
+/// What --format takes: the keys of all formats.
+[[nodiscard]] std::vector<std::string> format_names();
 
 /// What the commands that write a mesh are told of where it goes.
 struct OutputArguments {

@@ -1,9 +1,9 @@
 #include "report_text.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <ostream>
+
+#include "dupin/kernel/decimal.h"
 
 namespace dupin::cli {
 namespace {
@@ -111,12 +111,7 @@ std::string repair_text(const RepairReport& report) {
 
 }  // namespace
 
-std::string number(double value) {
-  std::array<char, 32> buffer{};
-  const auto [end, failure] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                            std::chars_format::general, 9);
-  return {buffer.data(), end};
-}
+std::string number(double value) { return decimal(value, 9); }
 
 std::string place_text(const Vec3& place) {
   return "(" + number(place.x()) + ", " + number(place.y()) + ", " + number(place.z()) + ")";

@@ -68,11 +68,15 @@ void add_rounding_options(CLI::App& command, RoundingArguments& arguments) {
       .add_option("--grid", arguments.grid,
                   "Round coordinates to multiples of this power of two, if the\nformat can")
       ->type_name("LENGTH");
+  command
+      .add_option("--rounding-tolerance", arguments.tolerance,
+                  "Largest move of a point when coordinates are rounded to those of the\nformat")
+      ->type_name("LENGTH");
 }
 
-RoundingOptions rounding_options(const RoundingArguments& arguments, const std::string& unit,
-                                 double tolerance) {
-  return {tolerance, grid_of(arguments.grid, unit), origin_of(arguments.origin)};
+RoundingOptions rounding_options(const RoundingArguments& arguments, const std::string& unit) {
+  return {mesh_length(arguments.tolerance, 0, unit), grid_of(arguments.grid, unit),
+          origin_of(arguments.origin)};
 }
 
 }  // namespace dupin::cli

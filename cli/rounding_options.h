@@ -7,16 +7,16 @@
 
 namespace dupin::cli {
 
-/// --origin and --grid as typed; empty when not given.
+/// --origin, --grid and --rounding-tolerance as typed; empty when not given.
 struct RoundingArguments {
-  std::string origin, grid;
+  std::string origin, grid, tolerance;
 };
 
-/// Adds both, shared by all commands that write a solid.
+/// Adds them, shared by all commands that write a solid.
 void add_rounding_options(CLI::App& command, RoundingArguments& arguments);
 
 /// What they mean beside coordinates in `unit` (see mesh_length). Throws UsageError.
 [[nodiscard]] RoundingOptions rounding_options(const RoundingArguments& arguments,
-                                               const std::string& unit, double tolerance);
+                                               const std::string& unit);
 
 }  // namespace dupin::cli

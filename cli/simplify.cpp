@@ -22,7 +22,7 @@ ExitCode run_simplify(const MeshToMesh& arguments, const CommonOptions& common) 
   const Input input = read_input(arguments.input);
   const MeshHeader header{input.unit(), {}};
   const double tolerance = mesh_length(common.tolerance, 0, header.unit);
-  const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit, 0);
+  const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit);
   const Simplified simple = simplify(solid_of(input), tolerance);
   OutputReport report = write_solid(Solid::from(simple.mesh), to, rounding, header);
   report.simplification = {simple.removed_triangles, simple.deviation};

@@ -7,6 +7,9 @@
 
 #include "cli/tool.h"
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/off.h"
+#include "dupin/io/stl.h"
+#include "dupin/io/three_mf.h"
 #include "support/shapes.h"
 
 namespace dupin::test {
@@ -45,7 +48,7 @@ TEST_F(MeshCommands, check_lists_faults_with_faces_and_places) {
 }
 
 TEST_F(MeshCommands, check_reads_standard_input) {
-  const std::string bytes = mesh_bytes(frame(), MeshFormat::stl_binary);
+  const std::string bytes = mesh_bytes(frame(), kStlBinary);
   EXPECT_EQ(dupin({"check", "-"}, bytes).exit_code, 0);
   EXPECT_EQ(dupin({"check", "-"}, "nonsense").exit_code, 3);
 }
@@ -86,7 +89,7 @@ TEST_F(MeshCommands, info_says_what_a_mesh_holds) {
 TEST_F(MeshCommands, info_lists_labels) {
   const TriMesh two = joined(
       {labelled(box({0, 0, 0}, {1, 1, 1}), "left"), labelled(box({2, 0, 0}, {3, 1, 1}), "right")});
-  folder_.write("a.stl", mesh_bytes(two, MeshFormat::stl_ascii));
+  folder_.write("a.stl", mesh_bytes(two, kStlAscii));
   EXPECT_EQ(json({"info", "a.stl"}, 0).at("names"), (nlohmann::json{"left", "right"}));
 }
 
@@ -164,8 +167,7 @@ TEST_F(MeshCommands, union_takes_any_number_of_files_and_keeps_their_labels) {
   for (int i = 0; i < 30; ++i) {
     const std::string name = "part" + std::to_string(i);
     folder_.write(name + ".stl",
-                  mesh_bytes(labelled(box({i * 0.5, 0, 0}, {i * 0.5 + 1, 1, 1}), name),
-                             MeshFormat::stl_ascii));
+                  mesh_bytes(labelled(box({i * 0.5, 0, 0}, {i * 0.5 + 1, 1, 1}), name), kStlAscii));
     command.push_back(name + ".stl");
   }
   command.insert(command.end(), {"-o", "all.stl", "--format", "stl-ascii"});
@@ -194,7 +196,7 @@ TEST_F(MeshCommands, boolean_evaluates_an_expression_of_named_files) {
 
 TEST_F(MeshCommands, boolean_keeps_labels) {
   const auto put_labelled = [&](const std::string& name, const TriMesh& mesh) {
-    folder_.write(name + ".stl", mesh_bytes(labelled(mesh, name), MeshFormat::stl_ascii));
+    folder_.write(name + ".stl", mesh_bytes(labelled(mesh, name), kStlAscii));
   };
   put_labelled("block", box({0, 0, 0}, {3, 3, 3}));
   put_labelled("drill", box({1, 1, -1}, {2, 2, 4}));
@@ -242,8 +244,8 @@ TEST_F(MeshCommands, an_interrupt_ends_at_once_and_leaves_no_file) {
 TEST_F(MeshCommands, convert_keeps_a_mesh_in_every_format) {
   put("a.off", frame());
   const auto original = json({"check", "a.off"}, 0);
-  for (const std::string format :
-       {"off", "stl-ascii", "stl", "ply-ascii", "ply", "obj", "3mf", "glb"}) {
+  for (const MeshFormat& row : mesh_formats()) {
+    const std::string format(row.key);
     const auto report = json({"convert", "a.off", "b", "--format", format}, 0);
     EXPECT_EQ(report.at("check").at("volume"), original.at("volume")) << format;
     EXPECT_EQ(report.at("check").at("triangles"), original.at("triangles")) << format;
@@ -295,9 +297,9 @@ TEST_F(MeshCommands, convert_moves_the_origin_and_says_so) {
 // What was 1 inch long must not become 1 mm long on its way through the tool.
 TEST_F(MeshCommands, units_that_files_state_are_kept) {
   const TriMesh one = box({0, 0, 0}, {1, 1, 1});
-  folder_.write("in.3mf", mesh_bytes(one, MeshFormat::three_mf, {"in", {}}));
-  folder_.write("in.off", mesh_bytes(moved(one, {0.5, 0, 0}), MeshFormat::off, {"in", {}}));
-  folder_.write("mm.off", mesh_bytes(one, MeshFormat::off, {"mm", {}}));
+  folder_.write("in.3mf", mesh_bytes(one, kThreeMf, {"in", {}}));
+  folder_.write("in.off", mesh_bytes(moved(one, {0.5, 0, 0}), kOff, {"in", {}}));
+  folder_.write("mm.off", mesh_bytes(one, kOff, {"mm", {}}));
   put("none.off", moved(one, {2, 0, 0}));
   const auto unit_of = [&](const std::string& file) { return json({"info", file}, 0).at("unit"); };
   (void)json({"union", "in.3mf", "in.off", "none.off", "-o", "both.3mf"}, 0);

@@ -1,6 +1,7 @@
 #include "cli/tool.h"
 
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/off.h"
 #include "support/shapes.h"
 
 namespace dupin::test {
@@ -27,7 +28,7 @@ nlohmann::json Tool::json(std::vector<std::string> arguments, int exit_code) con
 }
 
 void Tool::put(const std::string& name, const TriMesh& mesh) const {
-  folder_.write(name, mesh_bytes(mesh, MeshFormat::off));
+  folder_.write(name, mesh_bytes(mesh, kOff));
 }
 
 std::string example(const std::string& name) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/tool.h"
+#include "dupin/io/mesh_file.h"
 #include "support/shapes.h"
 
 namespace dupin::test {
@@ -21,6 +22,16 @@ const std::vector<std::string>& commands() {
       "build", "union",   "intersect", "subtract", "boolean", "check", "gaps",      "info",
       "edit",  "convert", "simplify",  "certify",  "verify",  "nurbs", "completion"};
   return names;
+}
+
+std::string known_extensions() {
+  std::string known;
+  for (const MeshFormat& format : mesh_formats()) {
+    if (!format.extension.empty()) {
+      known += (known.empty() ? "" : ", ") + std::string(format.extension);
+    }
+  }
+  return known;
 }
 
 TEST_F(Usage, faults_are_one_line_on_standard_error) {
@@ -53,16 +64,22 @@ TEST_F(Usage, faults_are_one_line_on_standard_error) {
       {{"boolean", "a", "a=a.off", "a=a.off", "-o", "b.off"}, "the operand 'a' is given twice"},
       {{"boolean", "a", "a.off", "-o", "b.off"}, "an operand must be NAME=FILE, not 'a.off'"},
       {{"convert", "a.off", "b"},
-       "b: the extension '' names no mesh format; known are .off, .stl, .ply, .obj, .3mf, .glb; or "
-       "say --format"},
+       "b: the extension '' names no mesh format; known are " + known_extensions() +
+           "; or say --format"},
       {{"convert", "a.off", "b.stp"},
-       "b.stp: the extension '.stp' names no mesh format; known are .off, .stl, .ply, .obj, .3mf, "
-       ".glb; or say --format"},
-      {{"convert", "a.off", "b.off", "--tolerance", "wide"},
+       "b.stp: the extension '.stp' names no mesh format; known are " + known_extensions() +
+           "; or say --format"},
+      {{"convert", "a.off", "b.off", "--tolerance", "1"},
+       "convert has no use for --tolerance; did you mean --rounding-tolerance?"},
+      {{"union", "a.off", "a.off", "-o", "b.off", "--tolerance", "1"},
+       "union has no use for --tolerance; did you mean --rounding-tolerance?"},
+      {{"boolean", "a", "a=a.off", "-o", "b.off", "--tolerance", "1"},
+       "boolean has no use for --tolerance; did you mean --rounding-tolerance?"},
+      {{"convert", "a.off", "b.off", "--rounding-tolerance", "wide"},
        "'wide' is not a length such as 0.05, 1mm or 0.5in"},
-      {{"convert", "a.off", "b.off", "--tolerance", "-1mm"},
+      {{"convert", "a.off", "b.off", "--rounding-tolerance", "-1mm"},
        "a length must be positive, not '-1mm'"},
-      {{"convert", "a.off", "b.off", "--tolerance", "1yd"},
+      {{"convert", "a.off", "b.off", "--rounding-tolerance", "1yd"},
        "the unit must be mm, cm, m, in or ft, not 'yd'"},
       {{"convert", "a.off", "b.off", "--origin", "1,2"},
        "the origin must be keep, auto or three coordinates such as 1000,2000,0, not '1,2'"},

@@ -5,10 +5,10 @@
 
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
+#include "assembly/parts/part_kind.h"
 #include "assembly/run_sampling.h"
 #include "assembly/weld.h"
 #include "assembly/welded_runs.h"
-#include "dupin/blends/cyclide_blend.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/error.h"
@@ -65,30 +65,6 @@ class Builder {
     }
   }
 
-  static std::vector<std::string> bias_sentences(const CyclideTube& tube,
-                                                 const CyclideChainThrough& chain) {
-    std::vector<PeVector> spheres = chain.spheres;
-    const bool from_port = std::holds_alternative<PortReference>(chain.from);
-    if (from_port) {
-      spheres.insert(spheres.begin(), tube.chain.pieces.front().start());
-    }
-    std::vector<std::string> sentences;
-    for (const std::size_t piece : bias_warnings(tube.chain, spheres)) {
-      sentences.push_back("piece " + std::to_string(piece) + " turns away from sphere " +
-                          std::to_string(2 * piece + (from_port ? 0 : 1)));
-    }
-    return sentences;
-  }
-
-  static void describe(const CyclideTube& tube, const PartShape& shape, PartReport& result) {
-    if (result.kind == "cyclide_blend") {
-      result.construction = kind(tube);
-    } else {
-      result.construction = std::to_string(tube.chain.pieces.size()) + " pieces";
-      result.warnings = bias_sentences(tube, std::get<CyclideChainThrough>(shape));
-    }
-  }
-
   [[nodiscard]] PartReport certified(const ResolvedPart& part) const {
     PartReport result;
     result.name = part.name;
@@ -98,18 +74,11 @@ class Builder {
     result.margin_upper = proven.margin_upper;
     result.start_tangency = proven.start_tangency;
     result.end_tangency = proven.end_tangency;
-    if (const auto* tube = std::get_if<CyclideTube>(&part.shape)) {
-      describe(*tube, assembly_.parts[part.index].shape, result);
-    } else if (const auto* chain = std::get_if<KneecapChain>(&part.shape)) {
-      result.construction = std::to_string(chain->pieces.size()) + " pieces with kneecaps";
-    } else if (part.kind == "cyclide_blend") {
-      result.construction = "ringed";
-    }
-    if (part.kind == "cyclide_blend") {
-      result.rejected = search_cyclide_blend(flipped(*port_ring(part.shape, PartEnd::start)),
-                                             flipped(*port_ring(part.shape, PartEnd::end)))
-                            .rejected;
-    }
+    const PartShape& shape = assembly_.parts[part.index].shape;
+    assembly::PartNotes notes = assembly::part_kind(shape).notes(shape, part.shape);
+    result.construction = std::move(notes.construction);
+    result.rejected = std::move(notes.rejected);
+    result.warnings = std::move(notes.warnings);
     return result;
   }
 

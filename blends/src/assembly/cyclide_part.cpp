@@ -4,8 +4,8 @@
 #include <string>
 
 #include "dupin/blends/kneecap.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin::assembly {
 namespace {
@@ -51,13 +51,12 @@ class ChainPart {
       const auto& [center, radius] = chain_.spheres[i];
       if (!center.allFinite() || !(std::isfinite(radius) && radius > 0)) {
         fail(Errc::invalid_argument, sphere_key(i),
-             "a sphere needs finite coordinates and a positive radius, not " +
-                 numbers::decimal(radius));
+             "a sphere needs finite coordinates and a positive radius, not " + decimal(radius));
       }
     }
     if (!(chain_.wall >= 0 && std::isfinite(chain_.wall))) {
       fail(Errc::invalid_argument, "wall",
-           "the wall's thickness must be positive, not " + numbers::decimal(chain_.wall));
+           "the wall's thickness must be positive, not " + decimal(chain_.wall));
     }
     if (port_ != nullptr && context_.ring(*port_).ellipse) {
       fail(Errc::invalid_argument, "from",

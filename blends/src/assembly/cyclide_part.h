@@ -1,6 +1,6 @@
 #pragma once
 
-#include "assembly/part_geometry.h"
+#include "assembly/part_context.h"
 #include "dupin/blends/part_surface.h"
 
 namespace dupin::assembly {

@@ -7,8 +7,8 @@
 
 #include "dupin/blends/kneecap.h"
 #include "dupin/blends/resolve.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin {
 namespace {
@@ -47,8 +47,7 @@ class Editor {
            std::to_string(edited_.spheres.size() - 1));
     }
     if (!to.m.allFinite() || !(to.r > 0 && std::isfinite(to.r))) {
-      fail("a sphere needs finite coordinates and a positive radius, not " +
-           numbers::decimal(to.r));
+      fail("a sphere needs finite coordinates and a positive radius, not " + decimal(to.r));
     }
     if (edited_.joints == ChainJoints::kneecaps) {
       edited_.spheres[sphere] = to;

@@ -1,11 +1,24 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string>
 
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/resolve.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin::assembly {
+
+/// One part of an assembly whose neighbours are resolved.
+struct PartContext {
+  const Assembly& assembly;
+  std::uint32_t index = 0;
+  /// The ring of another part's port, its normal pointing out of that part.
+  std::function<const Ring&(const PortReference&)> ring;
+  /// How that ring moves out of that part, at unit speed.
+  std::function<MovingRing(const PortReference&)> motion;
+};
 
 /// What `work` returns; an Error that names no part yet gets this part's name and place in the
 /// document.

@@ -6,8 +6,8 @@
 #include "dupin/blends/regularity.h"
 #include "dupin/blends/ringed_regularity.h"
 #include "dupin/blends/tangency.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin::assembly {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 [[noreturn]] void refuse(double margin) {
   throw Error(Errc::irregular_surface,
               std::isfinite(margin)
-                  ? "the surface folds: the margin 1 - kappa R is " + numbers::decimal(margin) +
+                  ? "the surface folds: the margin 1 - kappa R is " + decimal(margin) +
                         " where it must be positive; use a smaller radius or a larger bend radius"
                   : "the surface folds: its spine stops and turns round on the spot; choose other "
                     "ends or points");
@@ -97,7 +97,7 @@ class Claims {
 }  // namespace
 
 PartMargins margins(const ResolvedPart& part) {
-  return std::visit(Claims(part.kind.ends_with("_blend")), part.shape);
+  return std::visit(Claims(part.is_blend), part.shape);
 }
 
 }  // namespace dupin::assembly

@@ -6,78 +6,18 @@
 #include <map>
 
 #include "assembly/part_context.h"
-#include "assembly/part_geometry.h"
+#include "assembly/parts/part_kind.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin {
 namespace {
 
-struct Reference {
-  PortReference port;
-  std::string_view key;
-  PartEnd own_end = PartEnd::start;
-};
+using assembly::part_kind;
+using assembly::Reference;
+using assembly::References;
 
-template <class Blend>
-std::vector<Reference> both_ends(const Blend& blend) {
-  return {{blend.from, "from", PartEnd::start}, {blend.to, "to", PartEnd::end}};
-}
-
-std::vector<Reference> port_ends(const RingedBlendBetween& blend) {
-  std::vector<Reference> result;
-  if (const auto* port = std::get_if<PortReference>(&blend.from)) {
-    result.push_back({*port, "from", PartEnd::start});
-  }
-  if (const auto* port = std::get_if<PortReference>(&blend.to)) {
-    result.push_back({*port, "to", PartEnd::end});
-  }
-  return result;
-}
-
-std::vector<Reference> references(const PartShape& shape) {
-  if (const auto* blend = std::get_if<CyclicBlendBetween>(&shape)) {
-    return both_ends(*blend);
-  }
-  if (const auto* blend = std::get_if<TwoConeBlendBetween>(&shape)) {
-    return both_ends(*blend);
-  }
-  if (const auto* blend = std::get_if<RingedBlendBetween>(&shape)) {
-    return port_ends(*blend);
-  }
-  if (const auto* spline = std::get_if<SplineBetween>(&shape)) {
-    return both_ends(*spline);
-  }
-  if (const auto* blend = std::get_if<CyclideBlendBetween>(&shape)) {
-    return {{blend->from, "from", PartEnd::start}, {blend->to, "to", PartEnd::end}};
-  }
-  if (const auto* chain = std::get_if<CyclideChainThrough>(&shape)) {
-    const auto* port = std::get_if<PortReference>(&chain->from);
-    return port == nullptr ? std::vector<Reference>() : std::vector<Reference>{{*port, "from"}};
-  }
-  if (const auto* cap = std::get_if<CapAt>(&shape)) {
-    return {{cap->at, "at"}};
-  }
-  if (const auto* pipe = std::get_if<PipeTo>(&shape)) {
-    return {{pipe->from, "from"}};
-  }
-  const PartStart* origin = nullptr;
-  if (const auto* pipe = std::get_if<PipeAlong>(&shape)) {
-    origin = &pipe->from;
-  } else if (const auto* cone = std::get_if<ConeAlong>(&shape)) {
-    origin = &cone->from;
-  } else if (const auto* turning = std::get_if<ElbowTurning>(&shape)) {
-    origin = &turning->from;
-  } else if (const auto* elbow = std::get_if<ElbowTo>(&shape)) {
-    origin = &elbow->from;
-  } else if (const auto* corner = std::get_if<ElbowCorner>(&shape)) {
-    origin = &corner->from;
-  }
-  if (origin == nullptr || !std::holds_alternative<PortReference>(*origin)) {
-    return {};
-  }
-  return {{std::get<PortReference>(*origin), "from"}};
-}
+References references(const PartShape& shape) { return part_kind(shape).references(shape); }
 
 std::size_t at(PartEnd end) { return end == PartEnd::start ? 0 : 1; }
 
@@ -95,13 +35,15 @@ class Resolver {
       }
     }
     for (const auto part : in_order_of_need()) {
-      shapes_[part] = geometry(part);
+      if (!part_kind(assembly_.parts[part].shape).names_end) {
+        shapes_[part] = geometry(part);
+      }
     }
     return collected();
   }
 
  private:
-  struct End {
+  struct EndState {
     std::string taken_by;
     std::optional<EndIndex> joined;
     std::string cap;
@@ -117,7 +59,7 @@ class Resolver {
     const double tolerance = assembly_.tolerance;
     if (!(tolerance > 0 && std::isfinite(tolerance))) {
       throw Error(Errc::invalid_argument,
-                  "the tolerance must be a positive number, not " + numbers::decimal(tolerance), {},
+                  "the tolerance must be a positive number, not " + decimal(tolerance), {},
                   document_place(assembly_, "/tolerance"));
     }
     if (assembly_.segments && *assembly_.segments < 3) {
@@ -153,16 +95,10 @@ class Resolver {
       fail(part, reference.key, "there is no part named '" + reference.port.part + "'");
     }
     const PartShape& shape = assembly_.parts[found->second].shape;
-    if (std::holds_alternative<SphereAt>(shape) || std::holds_alternative<CapAt>(shape) ||
-        std::holds_alternative<SplineRound>(shape)) {
+    const std::string_view portless = part_kind(shape).portless(shape);
+    if (!portless.empty()) {
       fail(part, reference.key,
-           "'" + reference.port.part + "' is a " +
-               (std::holds_alternative<SplineRound>(shape) ? "closed " : "") +
-               std::string(kind(shape)) + " and has no ports");
-    }
-    const auto* chain = std::get_if<CyclideChainThrough>(&shape);
-    if (chain != nullptr && chain->wall > 0) {
-      fail(part, reference.key, "'" + reference.port.part + "' is hollow and has no ports");
+           "'" + reference.port.part + "' is " + std::string(portless) + " and has no ports");
     }
     return found->second;
   }
@@ -181,8 +117,8 @@ class Resolver {
     const std::string& name = assembly_.parts[part].name;
     const EndIndex other{referred(part, reference), reference.port.end};
     take(part, reference.key, other, name);
-    End& other_end = ends_[other.part].at(at(other.end));
-    if (std::holds_alternative<CapAt>(assembly_.parts[part].shape)) {
+    EndState& other_end = ends_[other.part].at(at(other.end));
+    if (part_kind(assembly_.parts[part].shape).names_end) {
       other_end.cap = name;
       return;
     }
@@ -257,7 +193,8 @@ class Resolver {
     const auto ring = [this](const PortReference& port) -> const Ring& { return ring_at(port); };
     const auto motion = [this](const PortReference& port) { return motion_at(port); };
     return assembly::with_part_context(assembly_, part, [&] {
-      return assembly::geometry({assembly_, part, ring, motion});
+      const PartShape& shape = assembly_.parts[part].shape;
+      return part_kind(shape).geometry({assembly_, part, ring, motion}, shape);
     });
   }
 
@@ -280,12 +217,14 @@ class Resolver {
     for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
       position[i] = std::uint32_t(result.parts.size());
       const Part& part = assembly_.parts[i];
-      if (std::holds_alternative<CapAt>(part.shape)) {
+      const assembly::PartKind& its_kind = part_kind(part.shape);
+      if (its_kind.names_end) {
         continue;
       }
-      ResolvedPart resolved{part.name, std::string(kind(part.shape)), i, shapes_[i], {}, {}};
+      ResolvedPart resolved{part.name, std::string(its_kind.key), i, shapes_[i], {},
+                            {},        its_kind.is_blend};
       for (const auto end : {PartEnd::start, PartEnd::end}) {
-        const End& state = ends_[i].at(at(end));
+        const EndState& state = ends_[i].at(at(end));
         resolved.joined.at(at(end)) = state.joined;
         resolved.end_names.at(at(end)) =
             state.cap.empty() ? to_string({part.name, end}) : state.cap;
@@ -304,7 +243,7 @@ class Resolver {
 
   const Assembly& assembly_;
   std::map<std::string, std::uint32_t> index_;
-  std::vector<std::array<End, 2>> ends_;
+  std::vector<std::array<EndState, 2>> ends_;
   std::vector<PartSurface> shapes_;
 };
 

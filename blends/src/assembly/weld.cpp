@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 
 #include "dupin/blends/tessellate.h"
+#include "dupin/kernel/connected_components.h"
 
 namespace dupin::assembly {
 namespace {
@@ -150,23 +150,12 @@ TriMesh welded(const ResolvedAssembly& assembly, std::span<const std::uint32_t> 
 
 std::vector<TriMesh> connected_parts(const TriMesh& mesh) {
   const auto none = std::uint32_t(mesh.points.size());
-  std::vector<std::uint32_t> parent(mesh.points.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t point) {
-    while (parent[point] != point) {
-      parent[point] = parent[parent[point]];
-      point = parent[point];
-    }
-    return point;
-  };
-  for (const auto& [a, b, c] : mesh.triangles) {
-    parent[root(b)] = root(a);
-    parent[root(c)] = root(a);
-  }
+  const std::vector<std::uint32_t> component =
+      connected_components(mesh.triangles, mesh.points.size());
   std::vector<TriMesh> parts;
   std::vector<std::uint32_t> part_of(mesh.points.size(), none), index(mesh.points.size(), none);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    std::uint32_t& part = part_of[root(mesh.triangles[i][0])];
+    std::uint32_t& part = part_of[component[mesh.triangles[i][0]]];
     if (part == none) {
       part = std::uint32_t(parts.size());
       parts.push_back({{}, {}, {}, mesh.names});

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "dupin/blends/cyclide_form.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin::assembly {
 namespace {
@@ -118,10 +118,10 @@ double lattice_spacing(const Assembly& assembly, const ResolvedAssembly& resolve
   const double spacing = std::ldexp(1.0, std::ilogb(extent.smallest) - 11);
   // One bit is left for bends that reach further than their ends.
   if (!(extent.largest < std::ldexp(spacing, 51))) {
-    const std::string problem =
-        numbers::decimal(extent.smallest) + ", is too small for coordinates of " +
-        numbers::decimal(extent.largest) + " (of '" + largest->name + "'); it must be at least " +
-        numbers::decimal(std::ldexp(extent.largest, -39), 2);
+    const std::string problem = decimal(extent.smallest) + ", is too small for coordinates of " +
+                                decimal(extent.largest) + " (of '" + largest->name +
+                                "'); it must be at least " +
+                                decimal(std::ldexp(extent.largest, -39), 2);
     throw smallest == nullptr
         ? Error(Errc::invalid_argument, "the tolerance, " + problem, {},
                 document_place(assembly, "/tolerance"))

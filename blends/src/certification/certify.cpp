@@ -8,8 +8,8 @@
 #include "certification/prove_regular.h"
 #include "certification/swept_disc_pairs.h"
 #include "dupin/blends/certificate.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 #include "verification/claims.h"
 
 namespace dupin {
@@ -185,9 +185,9 @@ bool Certificate::joined(const ClearanceClaim& claim) const {
 
 Certificate certify(const Assembly& assembly, const CertifyOptions& options) {
   if (options.margin && !(*options.margin >= 0 && *options.margin < 1)) {
-    throw Error(Errc::invalid_argument,
-                "the margin to prove must be at least 0 and less than 1, not " +
-                    numbers::decimal(*options.margin));
+    throw Error(
+        Errc::invalid_argument,
+        "the margin to prove must be at least 0 and less than 1, not " + decimal(*options.margin));
   }
   return Certifier(assembly, options).run();
 }

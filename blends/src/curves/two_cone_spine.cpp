@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin {
 
@@ -13,7 +13,7 @@ BezierSpine two_cone_spine(const std::array<Vec3, 4>& vertices, const std::array
     for (const double weight : weights) {
       if (!(std::isfinite(weight) && weight > 0)) {
         throw Error(Errc::invalid_argument,
-                    "a ridge's weights must be positive numbers, not " + numbers::decimal(weight));
+                    "a ridge's weights must be positive numbers, not " + decimal(weight));
       }
     }
   }

@@ -12,8 +12,8 @@
 #include "cyclide/pe_arc_search.h"
 #include "cyclide/piece_crossing.h"
 #include "dupin/blends/cyclide_form.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin {
 namespace {
@@ -39,15 +39,14 @@ std::string flaw(const std::vector<PeArc>& pieces, const Ends& e) {
   for (const PeArc& piece : pieces) {
     const double least = least_radius(piece);
     if (least < thinnest) {
-      return "it would get as thin as " + numbers::decimal(least, 3);
+      return "it would get as thin as " + decimal(least, 3);
     }
     if (piece.w() < kLeastWeight) {
       return "it would turn nearly all round";
     }
     const double least_margin = margin(piece).lower;
     if (least_margin < kLeastMargin) {
-      return "it would all but fold: its margin 1 - kappa R is " +
-             numbers::decimal(least_margin, 3);
+      return "it would all but fold: its margin 1 - kappa R is " + decimal(least_margin, 3);
     }
   }
   return cyclide::pieces_cross(pieces, e.from, e.to)
@@ -65,7 +64,7 @@ Attempt single(const Ends& e) {
           std::atan2(arriving.m.cross(e.end_tangent.m).norm(), arriving.m.dot(e.end_tangent.m));
       const double halves = std::atan(arriving.r) - std::atan(e.end_tangent.r);
       const auto degrees = [](double x) {
-        return numbers::decimal(std::abs(x) * 180 / std::numbers::pi, 3) + " degrees";
+        return decimal(std::abs(x) * 180 / std::numbers::pi, 3) + " degrees";
       };
       return {{},
               "its end would be off the port's axis by " + degrees(axes) +

@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 
 #include "cyclide/pe_arc_search.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin {
 namespace {
@@ -39,8 +39,7 @@ void check_pin(const PeVector& arriving, const PinnedTangent& pin, const PeVecto
   if (!(size <= cyclide::tangent_rounding(before, at))) {
     throw Error(Errc::invalid_argument,
                 "the tangent given at sphere " + std::to_string(pin.sphere) +
-                    " must be the arriving one up to rounding, but differs by " +
-                    numbers::decimal(size));
+                    " must be the arriving one up to rounding, but differs by " + decimal(size));
   }
 }
 

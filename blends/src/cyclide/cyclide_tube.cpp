@@ -7,8 +7,8 @@
 
 #include "cyclide/arc_bounds.h"
 #include "dupin/blends/cyclide_form.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin {
 namespace {
@@ -72,8 +72,8 @@ CyclideTube cyclide_tube(CyclideChain chain, double wall) {
     const double least = least_radius(tube.chain.pieces[i]);
     if (!(least > wall)) {
       throw Error(Errc::infeasible_blend,
-                  "the wall of " + numbers::decimal(wall) +
-                      " is no thinner than the least sphere, of radius " + numbers::decimal(least),
+                  "the wall of " + decimal(wall) +
+                      " is no thinner than the least sphere, of radius " + decimal(least),
                   "piece " + std::to_string(i));
     }
   }

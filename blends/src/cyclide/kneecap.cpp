@@ -10,8 +10,8 @@
 
 #include "dupin/blends/cyclide_chain.h"
 #include "dupin/blends/cyclide_tube.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin {
 namespace {
@@ -89,7 +89,7 @@ KneecapChain kneecap_chain(std::span<const PeVector> spheres) {
       throw Error(Errc::infeasible_blend,
                   "the piece turns back into the one before it: they leave their common sphere at "
                   "an angle of " +
-                      numbers::decimal(knee.between * 180 / pi, 4) +
+                      decimal(knee.between * 180 / pi, 4) +
                       " degrees; move the spheres after it further round",
                   "piece " + std::to_string(i));
     }

@@ -8,16 +8,14 @@
 #include <Eigen/Geometry>
 
 #include "dupin/blends/regularity.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 #include "numbers/quadrature.h"
 #include "ringed/blend_search.h"
 #include "ringed/blend_shape.h"
 
 namespace dupin {
 namespace {
-
-using numbers::decimal;
 
 // How tightly chosen speeds are certified; the search aims this much above the asked margin.
 constexpr double kCertificateWidth = 1e-8;
@@ -72,8 +70,8 @@ ringed::BlendSearch search(const Ring& from, const Ring& to, const CyclicBlendOp
 
 void require_positive(const std::optional<double>& speed, const std::string& name) {
   if (speed && !(std::isfinite(*speed) && *speed > 0)) {
-    throw Error(Errc::invalid_argument, "the blend's " + name + " must be a positive number, not " +
-                                            numbers::decimal(*speed));
+    throw Error(Errc::invalid_argument,
+                "the blend's " + name + " must be a positive number, not " + decimal(*speed));
   }
 }
 
@@ -83,9 +81,9 @@ void validate(const Ring& from, const Ring& to, const CyclicBlendOptions& option
   require_positive(options.k, "k");
   require_positive(options.l, "l");
   if (!(options.margin >= 0 && options.margin < 1)) {
-    throw Error(Errc::invalid_argument,
-                "the blend's margin must be at least 0 and less than 1, not " +
-                    numbers::decimal(options.margin));
+    throw Error(
+        Errc::invalid_argument,
+        "the blend's margin must be at least 0 and less than 1, not " + decimal(options.margin));
   }
   if (options.radius_law == BlendLaw::r2 && spine_degree(from, to, options) > 3) {
     throw Error(Errc::invalid_argument,
@@ -171,14 +169,13 @@ std::optional<BlendChoice> widest_choice(const Ring& from, const Ring& to,
 [[noreturn]] void refuse_infeasible(const Ring& from, const Ring& to,
                                     const CyclicBlendOptions& options) {
   const auto widest = widest_choice(from, to, options, search(from, to, options));
-  throw Error(Errc::infeasible_blend,
-              "no end speeds give this blend a margin min(1 - kappa R) of " +
-                  numbers::decimal(options.margin) +
-                  (widest ? "; the largest reachable is " + numbers::decimal(widest->margin, 4) +
-                                " with k = " + numbers::decimal(widest->k, 4) +
-                                ", l = " + numbers::decimal(widest->l, 4)
-                          : "") +
-                  "; move the ends apart, reduce the radii, or ask for less margin");
+  throw Error(
+      Errc::infeasible_blend,
+      "no end speeds give this blend a margin min(1 - kappa R) of " + decimal(options.margin) +
+          (widest ? "; the largest reachable is " + decimal(widest->margin, 4) +
+                        " with k = " + decimal(widest->k, 4) + ", l = " + decimal(widest->l, 4)
+                  : "") +
+          "; move the ends apart, reduce the radii, or ask for less margin");
 }
 
 // In as few digits as still work: the nearest choice lies on the edge of what is possible.
@@ -186,8 +183,8 @@ std::string speeds_text(const Ring& from, const Ring& to, const CyclicBlendOptio
                         const BlendChoice& choice) {
   std::string k, l;
   for (int digits = 4; digits <= 17; ++digits) {
-    k = numbers::decimal(choice.k, digits);
-    l = numbers::decimal(choice.l, digits);
+    k = decimal(choice.k, digits);
+    l = decimal(choice.l, digits);
     if (is_valid(assembled(from, to, options, std::stod(k), std::stod(l)), options.margin)) {
       break;
     }
@@ -199,9 +196,8 @@ std::string remedy(const Ring& from, const Ring& to, const CyclicBlendOptions& o
                    const BlendAdvice& advice) {
   std::string widest;
   if (advice.widest) {
-    widest = "the largest margin, " + numbers::decimal(advice.widest->margin, 4) +
-             ", has k = " + numbers::decimal(advice.widest->k, 4) +
-             ", l = " + numbers::decimal(advice.widest->l, 4);
+    widest = "the largest margin, " + decimal(advice.widest->margin, 4) +
+             ", has k = " + decimal(advice.widest->k, 4) + ", l = " + decimal(advice.widest->l, 4);
   }
   if (!advice.nearest) {
     return "no other end speeds work either" + (widest.empty() ? "" : "; " + widest);
@@ -230,8 +226,7 @@ double missing_length(const RingedSurface& surface, const std::vector<ParameterI
   const Regularity found = regularity(surface);
   const BlendAdvice advice = blend_advice(from, to, options);
   const std::string help = "; " + remedy(from, to, options, advice);
-  const std::string speeds =
-      "k = " + numbers::decimal(*options.k) + ", l = " + numbers::decimal(*options.l);
+  const std::string speeds = "k = " + decimal(*options.k) + ", l = " + decimal(*options.l);
   if (!(smallest_radius(surface.radius) > 0)) {
     throw Error(Errc::irregular_surface,
                 "with " + speeds +
@@ -240,18 +235,16 @@ double missing_length(const RingedSurface& surface, const std::vector<ParameterI
   }
   if (!found.stops.empty()) {
     throw Error(Errc::irregular_surface, "with " + speeds + " the blend's spine stops there" + help,
-                {}, "t = " + numbers::decimal(found.stops.front().from, 4));
+                {}, "t = " + decimal(found.stops.front().from, 4));
   }
   const auto& bad = advice.violations;
   throw Error(Errc::irregular_surface,
               "with " + speeds + " the blend " + (found.upper <= 0 ? "folds" : "nearly folds") +
-                  " there: its margin min(1 - kappa R) is " + numbers::decimal(found.lower, 4) +
-                  ", " + numbers::decimal(advice.missing_margin, 4) + " short of " +
-                  numbers::decimal(options.margin) + ", its radius " +
-                  numbers::decimal(advice.missing_length, 4) + " too large for the bend" + help,
-              {},
-              "t in [" + numbers::decimal(bad.front().from, 4) + ", " +
-                  numbers::decimal(bad.back().to, 4) + "]");
+                  " there: its margin min(1 - kappa R) is " + decimal(found.lower, 4) + ", " +
+                  decimal(advice.missing_margin, 4) + " short of " + decimal(options.margin) +
+                  ", its radius " + decimal(advice.missing_length, 4) + " too large for the bend" +
+                  help,
+              {}, "t in [" + decimal(bad.front().from, 4) + ", " + decimal(bad.back().to, 4) + "]");
 }
 
 }  // namespace

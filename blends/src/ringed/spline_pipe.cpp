@@ -4,8 +4,8 @@
 #include <string>
 
 #include "dupin/blends/regularity.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/decimal.h"
 
 namespace dupin {
 namespace {
@@ -25,9 +25,9 @@ void validate(const std::vector<Waypoint>& points, const SplinePipeOptions& opti
     }
   }
   if (!(options.margin >= 0 && options.margin < 1)) {
-    throw Error(Errc::invalid_argument,
-                "the pipe's margin must be at least 0 and less than 1, not " +
-                    numbers::decimal(options.margin));
+    throw Error(
+        Errc::invalid_argument,
+        "the pipe's margin must be at least 0 and less than 1, not " + decimal(options.margin));
   }
 }
 
@@ -135,13 +135,13 @@ void certify(const RingedSurface& piece, std::size_t span, double margin) {
     return;
   }
   const auto bad = violations(piece, margin);
-  const std::string where = "t in [" + numbers::decimal(bad.front().from, 4) + ", " +
-                            numbers::decimal(bad.back().to, 4) + "]";
+  const std::string where =
+      "t in [" + decimal(bad.front().from, 4) + ", " + decimal(bad.back().to, 4) + "]";
   throw Error(Errc::irregular_surface,
               "the pipe is bent too sharply between its points " + std::to_string(span) + " and " +
                   std::to_string(span + 1) + ": its margin min(1 - kappa R) is " +
-                  numbers::decimal(regularity(piece).lower, 4) + ", not " +
-                  numbers::decimal(margin) + "; move the points apart or reduce the radii",
+                  decimal(regularity(piece).lower, 4) + ", not " + decimal(margin) +
+                  "; move the points apart or reduce the radii",
               {}, where);
 }
 

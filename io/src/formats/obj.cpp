@@ -89,6 +89,15 @@ void skip_statement(text::TextScanner& scanner) {
   }
 }
 
+/// Text that begins with one of the statements that such files begin with.
+Evidence recognise(std::string_view bytes) {
+  text::TextScanner scanner(bytes, {}, '#');
+  scanner.skip_space();
+  const bool is_obj =
+      scanner.take("v") || scanner.take("o") || scanner.take("g") || scanner.take("mtllib");
+  return is_obj ? Evidence::first_word : Evidence::none;
+}
+
 }  // namespace
 
 TriMesh read_obj(std::string_view bytes, std::string_view file) {
@@ -141,12 +150,21 @@ std::string obj_text(const TriMesh& mesh, const MeshHeader& header) {
       text += 'f';
       for (const std::uint32_t corner : mesh.triangles[index]) {
         text += ' ';
-        text::append_number(text, corner + 1);
+        append_decimal(text, corner + 1);
       }
       text += '\n';
     }
   }
   return text;
 }
+
+constinit const MeshFormat kObj = {.key = "obj",
+                                   .name = "OBJ",
+                                   .extension = ".obj",
+                                   .coordinates = Coordinates::binary64,
+                                   .read = read_obj,
+                                   .write = obj_text,
+                                   .recognises = recognise,
+                                   .unit = text::noted_unit};
 
 }  // namespace dupin

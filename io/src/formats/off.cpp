@@ -99,6 +99,13 @@ void read_face(text::TextScanner& scanner, std::vector<std::uint32_t>& corners, 
   text::triangulate(corners, mesh.points, mesh.triangles);
 }
 
+Evidence recognise(std::string_view bytes) {
+  text::TextScanner scanner(bytes, {}, '#');
+  scanner.skip_space();
+  const std::string_view token = scanner.peek().substr(0, 8);
+  return token.find("OFF") != std::string_view::npos ? Evidence::signature : Evidence::none;
+}
+
 }  // namespace
 
 TriMesh read_off(std::string_view bytes, std::string_view file) {
@@ -139,11 +146,20 @@ std::string off_text(const TriMesh& mesh, const MeshHeader& header) {
     text += '3';
     for (const std::uint32_t corner : triangle) {
       text += ' ';
-      text::append_number(text, corner);
+      append_decimal(text, corner);
     }
     text += '\n';
   }
   return text;
 }
+
+constinit const MeshFormat kOff = {.key = "off",
+                                   .name = "OFF",
+                                   .extension = ".off",
+                                   .coordinates = Coordinates::binary64,
+                                   .read = read_off,
+                                   .write = off_text,
+                                   .recognises = recognise,
+                                   .unit = text::noted_unit};
 
 }  // namespace dupin

@@ -213,6 +213,12 @@ std::string header_text(const TriMesh& mesh, const MeshHeader& header, std::stri
   return text + "end_header\n";
 }
 
+/// The reader tells the encodings apart.
+Evidence recognise(std::string_view bytes) {
+  return bytes.starts_with("ply\n") || bytes.starts_with("ply\r") ? Evidence::signature
+                                                                  : Evidence::none;
+}
+
 }  // namespace
 
 TriMesh read_ply(std::string_view bytes, std::string_view file) {
@@ -234,11 +240,11 @@ std::string ply_ascii_text(const TriMesh& mesh, const MeshHeader& header) {
     text += '3';
     for (const std::uint32_t corner : mesh.triangles[i]) {
       text += ' ';
-      text::append_number(text, corner);
+      append_decimal(text, corner);
     }
     if (!mesh.labels.empty()) {
       text += ' ';
-      text::append_number(text, mesh.labels[i]);
+      append_decimal(text, mesh.labels[i]);
     }
     text += '\n';
   }
@@ -263,5 +269,23 @@ std::string ply_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
   }
   return bytes;
 }
+
+constinit const MeshFormat kPlyAscii = {.key = "ply-ascii",
+                                        .name = "ASCII PLY",
+                                        .extension = {},
+                                        .coordinates = Coordinates::binary64,
+                                        .read = read_ply,
+                                        .write = ply_ascii_text,
+                                        .recognises = recognise,
+                                        .unit = text::noted_unit};
+
+constinit const MeshFormat kPlyBinary = {.key = "ply",
+                                         .name = "binary PLY",
+                                         .extension = ".ply",
+                                         .coordinates = Coordinates::binary64,
+                                         .read = read_ply,
+                                         .write = ply_binary_bytes,
+                                         .recognises = recognise,
+                                         .unit = text::noted_unit};
 
 }  // namespace dupin

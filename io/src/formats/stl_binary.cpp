@@ -1,3 +1,5 @@
+#include "formats/stl_binary.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -11,7 +13,6 @@
 #include "dupin/io/stl.h"
 #include "dupin/kernel/error.h"
 #include "formats/stl_facet.h"
-#include "formats/stl_lists.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
 #include "text/point_merger.h"

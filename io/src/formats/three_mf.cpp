@@ -74,7 +74,7 @@ std::string escaped(std::string_view text) {
 
 void append_attribute(std::string& text, std::string_view name, auto value) {
   text += name;
-  text::append_number(text, value);
+  append_decimal(text, value);
   text += '"';
 }
 
@@ -151,6 +151,10 @@ std::string model_entry(std::string_view bytes, std::string_view file) {
   return target;
 }
 
+Evidence recognise(std::string_view bytes) {
+  return bytes.starts_with("PK\x03\x04") ? Evidence::signature : Evidence::none;
+}
+
 }  // namespace
 
 TriMesh read_3mf(std::string_view bytes, std::string_view file) {
@@ -179,5 +183,14 @@ std::string three_mf_bytes(const TriMesh& mesh, const MeshHeader& header) {
                                                  "\"/>\n</Relationships>\n"},
                              {"3D/3dmodel.model", model_text(mesh, header)}});
 }
+
+constinit const MeshFormat kThreeMf = {.key = "3mf",
+                                       .name = "3MF",
+                                       .extension = ".3mf",
+                                       .coordinates = Coordinates::binary32,
+                                       .read = read_3mf,
+                                       .write = three_mf_bytes,
+                                       .recognises = recognise,
+                                       .unit = unit_of_3mf};
 
 }  // namespace dupin

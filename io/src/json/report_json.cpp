@@ -97,7 +97,7 @@ Json json_value(const OutputReport& report) {
               {"contacts", list(report.contacts)},
               {"verified", report.check.has_value()}};
   if (report.check) {
-    object["check"] = to_json(*report.check);
+    object["check"] = json_value(*report.check);
   }
   if (report.simplification) {
     object["simplification"] = {{"removed_triangles", report.simplification->removed_triangles},
@@ -120,14 +120,10 @@ std::string text(const Json& json) {
 
 }  // namespace json
 
-std::optional<Box> bounding_box(const TriMesh& mesh) {
-  if (mesh.points.empty()) {
-    return std::nullopt;
-  }
-  Box box{mesh.points.front(), mesh.points.front()};
+Eigen::AlignedBox3d bounding_box(const TriMesh& mesh) {
+  Eigen::AlignedBox3d box;
   for (const Vec3& point : mesh.points) {
-    box.low = box.low.cwiseMin(point);
-    box.high = box.high.cwiseMax(point);
+    box.extend(point);
   }
   return box;
 }
@@ -142,8 +138,8 @@ std::string to_json(const MeshSummary& summary) {
     form["unit"] = summary.unit;
   }
   form["names"] = summary.mesh.names;
-  if (const auto box = bounding_box(summary.mesh)) {
-    form["box"] = {json::json_value(box->low), json::json_value(box->high)};
+  if (const auto box = bounding_box(summary.mesh); !box.isEmpty()) {
+    form["box"] = {json::json_value(Vec3(box.min())), json::json_value(Vec3(box.max()))};
   }
   form["check"] = json::json_value(summary.check);
   return json::text(form);

@@ -1,19 +1,9 @@
 #include "text/mesh_text.h"
 
-#include <array>
-#include <charconv>
-
 #include "dupin/kernel/error.h"
 
 namespace dupin::text {
 namespace {
-
-template <typename Number>
-void append_shortest(std::string& text, Number value) {
-  std::array<char, 32> digits;  // the longest double, -1.2345678901234567e-308, takes 24
-  const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  text.append(digits.data(), result.ptr);
-}
 
 void require_finite(const TriMesh& mesh) {
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
@@ -81,10 +71,6 @@ std::size_t utf8_length(std::string_view text) {
 
 }  // namespace
 
-void append_number(std::string& text, double value) { append_shortest(text, value); }
-void append_number(std::string& text, float value) { append_shortest(text, value); }
-void append_number(std::string& text, std::uint32_t value) { append_shortest(text, value); }
-
 std::vector<Vec3> writable_points(const TriMesh& mesh, Coordinates coordinates) {
   require_finite(mesh);
   require_indices(mesh);
@@ -132,6 +118,18 @@ std::string header_lines(const MeshHeader& header, std::string_view prefix) {
     text += std::string(prefix) + clean_line(header.note) + '\n';
   }
   return text;
+}
+
+std::string noted_unit(std::string_view bytes, std::string_view /*file*/) {
+  constexpr std::string_view kMark = "unit: ";
+  constexpr std::size_t kHead = 512;  // our writers note it in the first lines
+  const std::string_view head = bytes.substr(0, kHead);
+  const std::size_t mark = head.find(kMark);
+  if (mark == std::string_view::npos) {
+    return {};
+  }
+  const std::string_view rest = head.substr(mark + kMark.size());
+  return std::string(rest.substr(0, rest.find_first_not_of("abcdefghijklmnopqrstuvwxyz")));
 }
 
 std::vector<std::vector<std::uint32_t>> triangles_by_label(const TriMesh& mesh) {

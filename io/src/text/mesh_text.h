@@ -10,22 +10,19 @@
 
 #include "dupin/io/mesh_header.h"
 #include "dupin/kernel/coordinates.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/mesh.h"
 
 namespace dupin::text {
 
-/// Appends the shortest decimal that reads back to `value`.
-void append_number(std::string& text, double value);
-void append_number(std::string& text, float value);
-void append_number(std::string& text, std::uint32_t value);
-/// Appends "x y z".
+/// Appends "x y z", of the shortest decimals.
 template <typename Vector>
 void append_point(std::string& text, const Vector& point) {
-  append_number(text, point.x());
+  append_decimal(text, point.x());
   text += ' ';
-  append_number(text, point.y());
+  append_decimal(text, point.y());
   text += ' ';
-  append_number(text, point.z());
+  append_decimal(text, point.z());
 }
 
 /// The points as the format will hold them, -0 as 0: unchanged for binary64, each coordinate
@@ -42,6 +39,9 @@ void append_point(std::string& text, const Vector& point) {
 
 /// Comment lines that name the writer, the unit and the note, each behind `prefix`.
 [[nodiscard]] std::string header_lines(const MeshHeader& header, std::string_view prefix);
+
+/// The unit that such lines, or the header of our binary STL, state; empty if none.
+[[nodiscard]] std::string noted_unit(std::string_view bytes, std::string_view file);
 
 /// Triangles by label, in order of the names, each in order of the mesh; one group of all for an
 /// unlabelled mesh.

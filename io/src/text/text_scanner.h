@@ -8,7 +8,7 @@
 
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/vec.h"
-#include "text/decimal.h"
+#include "text/plain_decimal.h"
 
 namespace dupin::text {
 

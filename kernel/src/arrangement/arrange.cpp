@@ -8,15 +8,16 @@
 #include "arrangement/subdivision.h"
 #include "arrangement/triangle_intersection.h"
 #include "arrangement/winding_numbers.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "support/blocks.h"
 
 namespace dupin::arrangement {
 namespace {
 
-std::vector<TriangleIntersection> find_encounters(const ArrangementInput& input,
-                                                  const std::vector<TrianglePair>& candidates,
-                                                  const support::ProgressStage& stage) {
+std::vector<TriangleIntersection> find_intersections(const ArrangementInput& input,
+                                                     const std::vector<TrianglePair>& candidates,
+                                                     const support::ProgressStage& stage) {
   constexpr std::size_t kBatch = 1024;
   std::vector<std::vector<TriangleIntersection>> batches(
       support::block_count(candidates.size(), kBatch));
@@ -36,30 +37,30 @@ Constraints intersect_triangles(ArrangementInput& input, const Progress& progres
   const UpwardRounding rounding;
   const std::vector<TrianglePair> candidates =
       broad_phase(input, support::ProgressStage(progress, "intersect", 0, 0.2));
-  const std::vector<TriangleIntersection> intersections =
-      find_encounters(input, candidates, support::ProgressStage(progress, "intersect", 0.2, 0.4));
+  const std::vector<TriangleIntersection> intersections = find_intersections(
+      input, candidates, support::ProgressStage(progress, "intersect", 0.2, 0.4));
   refuse_too_large(input.triangles.size(), intersections.size(), memory_limit);
   return collect_constraints(input, intersections);
 }
 
-// All that stands between the scene and these ends here, to make room for the result.
+// All that stands between the input and these ends here, to make room for the result.
 support::BulkVector<OutputTriangle> select_triangles(ArrangementInput& input,
                                                      const BooleanRule& rule,
                                                      const Progress& progress,
                                                      std::uint64_t memory_limit) {
   Constraints constraints = intersect_triangles(input, progress, memory_limit);
-  Subdivision pieces;
+  Subdivision subdivision;
   {
     const support::ProgressStage stage(progress, "triangulate", 0.4, 0.7);
     const UpwardRounding rounding;
-    pieces = retriangulate(input, rule, constraints, stage);
+    subdivision = retriangulate(input, rule, constraints, stage);
   }
   const support::ProgressStage stage(progress, "classify", 0.7, 0.9);
   const UpwardRounding rounding;
-  const ManifoldPatches patches(input, rule, constraints, pieces);
+  const ManifoldPatches patches(input, rule, constraints, subdivision);
   const std::vector<std::int8_t> selection =
-      propagate_winding_numbers(input, rule, constraints, pieces, patches);
-  return collect_output_triangles(input, constraints, pieces, patches, selection);
+      propagate_winding_numbers(input, rule, constraints, subdivision, patches);
+  return collect_output_triangles(input, constraints, subdivision, patches, selection);
 }
 
 mesh::ExactMesh arrange(ArrangementInput& input, const BooleanRule& rule, const Progress& progress,
@@ -77,6 +78,18 @@ ArrangementInput imported(std::span<const mesh::ExactMesh* const> operands,
   return load_operands(operands, rule);
 }
 
+void refuse_contacts(const mesh::ExactMesh& result) {
+  if (result.contacts.empty()) {
+    return;
+  }
+  const Contact& first = result.contacts.front();
+  throw Error(Errc::contact,
+              "the result touches itself in " + std::to_string(result.contacts.size()) +
+                  (result.contacts.size() == 1 ? " place" : " places") + ", first at " +
+                  decimal(first.from),
+              first.names.empty() ? "" : first.names.front());
+}
+
 }  // namespace
 
 mesh::ExactMesh arrange(std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
@@ -88,6 +101,20 @@ mesh::ExactMesh arrange(std::span<const mesh::ExactMesh* const> operands, const 
   refuse_too_large(triangles, 0, memory_limit);
   ArrangementInput input = imported(operands, rule);
   return arrange(input, rule, progress, memory_limit);
+}
+
+mesh::ExactMesh arrange(std::span<const Solid> operands, const BooleanRule& rule,
+                        const BooleanOptions& options) {
+  std::vector<const mesh::ExactMesh*> meshes;
+  meshes.reserve(operands.size());
+  for (const Solid& operand : operands) {
+    meshes.push_back(&operand.exact());
+  }
+  mesh::ExactMesh result = arrange(meshes, rule, options.progress, options.memory_limit);
+  if (options.contacts == ContactPolicy::refuse) {
+    refuse_contacts(result);
+  }
+  return result;
 }
 
 mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface,

@@ -5,10 +5,19 @@
 #include "arrangement/input.h"
 #include "dupin/kernel/boolean.h"
 
+/// All surfaces cut each other into patches, and the result keeps the patches with the inside of
+/// the rule on exactly one side, as in [ZGZJ16]. Points that are not input are implicit: known by
+/// the lines and planes they lie on, whose coordinates intervals enclose and exact numbers give
+/// where those cannot decide [Att20]. The stages, one file each, in the order of arrange.cpp: 1
+/// input (operands in one index space), 2 broad_phase (pairs of triangles whose boxes overlap), 3
+/// triangle_intersection, 4 constraints (points and segments on each face and edge), 5 subdivision
+/// (constrained triangulations), 6 manifold_patches, 7 winding_numbers, 8 output_mesh. A face is a
+/// triangle of the input, or several that overlap in one plane; sub-triangles are what it falls
+/// into. Whatever is said to need UpwardRounding compares intervals.
 namespace dupin::arrangement {
 
 /// The boundary of the set that `rule` makes of the operands: one exact arrangement of all their
-/// surfaces, each piece kept where the rule tells its two sides apart.
+/// surfaces, each part of them kept where the rule tells its two sides apart.
 ///
 /// Operands are closed and oriented and do not intersect themselves (contacts apart). Deterministic
 /// whatever the number of threads. `memory_limit` is in bytes, 0 for the machine's. Throws
@@ -17,7 +26,12 @@ namespace dupin::arrangement {
                                       const BooleanRule& rule, const Progress& progress = {},
                                       std::uint64_t memory_limit = 0);
 
-/// The boundary of the places that a surface winds around a positive number of times. It is closed
+/// The same for solids, with the policies of the options. Throws Error{contact} besides, where
+/// these refuse contacts.
+[[nodiscard]] mesh::ExactMesh arrange(std::span<const Solid> operands, const BooleanRule& rule,
+                                      const BooleanOptions& options);
+
+/// The boundary of the points that a surface winds around a positive number of times. It is closed
 /// (each edge is run along as often one way as the other) and has no degenerate or duplicate
 /// triangles, but may cross and cover itself. Throws like arrange().
 [[nodiscard]] mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface,

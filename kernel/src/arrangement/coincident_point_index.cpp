@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "arrangement/implicit_predicates.h"
+#include "support/hash.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -36,7 +37,7 @@ CoincidentPointIndex::CoincidentPointIndex(PointTable& points, double extent,
   entries_.reserve(expected_count);
 }
 
-PointId CoincidentPointIndex::first_at_place_of(PointId id) {
+PointId CoincidentPointIndex::first_coincident(PointId id) {
   Cells cells = cells_of(id);
   const auto wide = [&cells](std::size_t k) { return cells.high[k] - cells.low[k] > 1; };
   if (wide(0) || wide(1) || wide(2)) {
@@ -75,15 +76,14 @@ CoincidentPointIndex::Cells CoincidentPointIndex::cells_of(PointId id) const {
 std::size_t CoincidentPointIndex::slot_of(const Cell& cell) const {
   std::uint64_t hash = 0;
   for (const std::int64_t x : cell) {
-    hash = (hash ^ static_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15u;
-    hash ^= hash >> 29;
+    hash = support::mixed(hash, static_cast<std::uint64_t>(x));
   }
-  return static_cast<std::size_t>(hash ^ (hash >> 32)) & (slots_.size() - 1);
+  return static_cast<std::size_t>(hash) & (slots_.size() - 1);
 }
 
 PointId CoincidentPointIndex::find(PointId id, const Cell& cell) const {
   for (std::uint32_t i = slots_[slot_of(cell)]; i != kNone; i = entries_[i].next) {
-    if (entries_[i].cell == cell && same_place(*points_, entries_[i].point, id)) {
+    if (entries_[i].cell == cell && coincide(*points_, entries_[i].point, id)) {
       return entries_[i].point;
     }
   }

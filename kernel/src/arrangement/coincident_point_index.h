@@ -17,7 +17,7 @@ class CoincidentPointIndex {
 
   /// The first point inserted that has the coordinates of `id`; `id` itself if there is none, and
   /// then it is inserted. Needs UpwardRounding.
-  PointId first_at_place_of(PointId id);
+  PointId first_coincident(PointId id);
 
  private:
   using Cell = std::array<std::int64_t, 3>;

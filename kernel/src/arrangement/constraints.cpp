@@ -11,17 +11,17 @@
 namespace dupin::arrangement {
 namespace {
 
-// One id per place.
+// One id for all coincident points.
 class Representatives {
  public:
-  Representatives(ArrangementInput& input, const IntersectionPoints& names,
-                  CoincidentPointIndex& places)
-      : base_(names.first_new_point) {
-    for (const PointId id : names.corners) {
-      places.first_at_place_of(id);
+  Representatives(ArrangementInput& input, const IntersectionPoints& points,
+                  CoincidentPointIndex& coincident)
+      : base_(points.first_new_point) {
+    for (const PointId id : points.corners) {
+      coincident.first_coincident(id);
     }
     for (PointId id = base_; id < input.points.size(); ++id) {
-      first_.push_back(places.first_at_place_of(id));
+      first_.push_back(coincident.first_coincident(id));
     }
   }
   PointId operator()(PointId id) const {
@@ -33,7 +33,7 @@ class Representatives {
   std::vector<PointId> first_;
 };
 
-// Hands encounters to the triangles and edges they lie on.
+// Hands intersections to the triangles and edges they lie on.
 class Distributor {
  public:
   Distributor(const ArrangementInput& input, std::vector<std::uint8_t>& touched)
@@ -84,15 +84,15 @@ class Distributor {
 };
 
 void distribute(const ArrangementInput& input, std::span<const TriangleIntersection> intersections,
-                const IntersectionPoints& names, const Representatives& representative,
+                const IntersectionPoints& points, const Representatives& representative,
                 Constraints& result) {
   result.touched.assign(input.triangles.size(), 0);
   std::vector<Distributor> parts(support::block_count(intersections.size()),
                                  Distributor(input, result.touched));
   support::for_each_block(intersections.size(), [&](const support::Block& block) {
     for (std::size_t i = block.begin; i < block.end; ++i) {
-      parts[block.number].distribute(intersections[i], representative(names.ends[2 * i]),
-                                     representative(names.ends[2 * i + 1]));
+      parts[block.number].distribute(intersections[i], representative(points.ends[2 * i]),
+                                     representative(points.ends[2 * i + 1]));
     }
   });
   for (const Distributor& part : parts) {
@@ -229,15 +229,16 @@ std::span<const Constraints::Segment> Constraints::segments_of(std::uint32_t tri
 Constraints collect_constraints(ArrangementInput& input,
                                 std::span<const TriangleIntersection> intersections) {
   Constraints result;
-  const IntersectionPoints names = create_intersection_points(input, intersections);
-  result.places.emplace(input.points, input.extent, input.points.size() - names.first_new_point);
-  const Representatives representative(input, names, *result.places);
-  distribute(input, intersections, names, representative, result);
+  const IntersectionPoints points = create_intersection_points(input, intersections);
+  result.coincident_points.emplace(input.points, input.extent,
+                                   input.points.size() - points.first_new_point);
+  const Representatives representative(input, points, *result.coincident_points);
+  distribute(input, intersections, points, representative, result);
   input.special.resize(input.points.size(), 1);
-  for (const PointId id : names.corners) {
+  for (const PointId id : points.corners) {
     input.special[id] = 1;
   }
-  sort_along_edges(input.points, names.first_new_point, result.on_edges);
+  sort_along_edges(input.points, points.first_new_point, result.on_edges);
   sort_by_triangle(input, result.insides);
   sort_by_triangle(input, result.segments);
   group_faces(intersections, result);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "arrangement/coincident_point_index.h"
-#include "arrangement/edge_key.h"
 #include "arrangement/input.h"
 #include "arrangement/triangle_intersection.h"
 
@@ -36,7 +35,8 @@ struct Constraints {
   std::vector<std::vector<std::uint32_t>> overlapping;
   std::vector<std::uint32_t> alone;   ///< triangles to retriangulate by themselves, ascending
   std::vector<std::uint8_t> touched;  ///< per triangle: part of a face
-  std::optional<CoincidentPointIndex> places;  ///< of all points that may coincide with new ones
+  /// Of all points that may coincide with new ones.
+  std::optional<CoincidentPointIndex> coincident_points;
 
   /// What to retriangulate: first what overlaps, then triangles alone.
   [[nodiscard]] std::size_t face_count() const { return overlapping.size() + alone.size(); }
@@ -49,8 +49,9 @@ struct Constraints {
   [[nodiscard]] std::span<const Segment> segments_of(std::uint32_t triangle) const;
 };
 
-/// Stage 4: names the points of the encounters, each place once, and hands them to the edges and
-/// triangles they lie on. Adds points to the scene and marks special ones. Needs UpwardRounding.
+/// Stage 4: makes the points of the intersections, coincident ones once, and hands them to the
+/// edges and triangles they lie on. Adds points to the input and marks special ones. Needs
+/// UpwardRounding.
 [[nodiscard]] Constraints collect_constraints(ArrangementInput& input,
                                               std::span<const TriangleIntersection> intersections);
 

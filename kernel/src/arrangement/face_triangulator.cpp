@@ -4,7 +4,6 @@
 
 #include "arrangement/implicit_predicates.h"
 #include "arrangement/triangle_intersection.h"
-#include "arrangement/winding_change.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -13,11 +12,11 @@ namespace {
 std::vector<std::uint32_t> toggled(std::vector<std::uint32_t> cover,
                                    const std::vector<std::uint32_t>& members) {
   for (const std::uint32_t t : members) {
-    const auto place = std::lower_bound(cover.begin(), cover.end(), t);
-    if (place != cover.end() && *place == t) {
-      cover.erase(place);
+    const auto at = std::lower_bound(cover.begin(), cover.end(), t);
+    if (at != cover.end() && *at == t) {
+      cover.erase(at);
     } else {
-      cover.insert(place, t);
+      cover.insert(at, t);
     }
   }
   return cover;
@@ -117,7 +116,7 @@ ConstrainedTriangulation::Vertex& FaceTriangulator::vertex(PointId id) {
   return vertices_[static_cast<std::size_t>(i)];
 }
 
-void FaceTriangulator::place(PointId id, std::uint8_t sides) {
+void FaceTriangulator::insert(PointId id, std::uint8_t sides) {
   ConstrainedTriangulation::Vertex& v = vertex(id);
   if (v == kNone) {
     v = triangulation_.add(id, sides);
@@ -136,20 +135,20 @@ void FaceTriangulator::start_from_triangle() {
   triangulation_.start(v[0], v[1], v[2]);
   for (std::size_t i = 0; i < 3; ++i) {
     for (const auto& p : incidences_of_[0].on_edges[i]) {
-      place(p.point, static_cast<std::uint8_t>(1u << i));
+      insert(p.point, static_cast<std::uint8_t>(1u << i));
     }
   }
-  place_remaining();
+  insert_remaining();
 }
 
-void FaceTriangulator::place_remaining() {
+void FaceTriangulator::insert_remaining() {
   for (const MemberIncidences& found : incidences_of_) {
     for (const auto& s : found.segments) {
-      place(s.from, 0);
-      place(s.to, 0);
+      insert(s.from, 0);
+      insert(s.to, 0);
     }
     for (const auto& p : found.insides) {
-      place(p.point, 0);
+      insert(p.point, 0);
     }
   }
 }
@@ -171,15 +170,15 @@ void FaceTriangulator::start_from_frame() {
   triangulation_.start(a, b, c);
   for (std::size_t m = 0; m < members_.size(); ++m) {
     for (const PointId id : input_.triangles[members_[m]]) {
-      place(id, 0);
+      insert(id, 0);
     }
     for (const auto& points : incidences_of_[m].on_edges) {
       for (const auto& p : points) {
-        place(p.point, 0);
+        insert(p.point, 0);
       }
     }
   }
-  place_remaining();
+  insert_remaining();
   for (std::size_t m = 0; m < members_.size(); ++m) {
     constrain_edges(m);
   }
@@ -303,7 +302,7 @@ void FaceTriangulator::emit_single(FaceSubdivision& result) const {
   local.covers.insert(local.covers.end(), cover.begin(), cover.end());
   for (std::uint32_t region = 0; region < region_count(); ++region) {
     local.regions.push_back({first, static_cast<std::uint32_t>(local.covers.size()), members_[0]});
-    emit_pieces(region, false, result);
+    emit_sub_triangles(region, false, result);
   }
 }
 
@@ -324,31 +323,31 @@ void FaceTriangulator::emit_overlapping(FaceSubdivision& result) const {
     local.covers.insert(local.covers.end(), cover.begin(), cover.end());
     local.regions.push_back({first, static_cast<std::uint32_t>(local.covers.size()),
                              reversed ? covers[region][0] : members_[0]});
-    emit_pieces(region, reversed, result);
+    emit_sub_triangles(region, reversed, result);
   }
 }
 
-void FaceTriangulator::emit_pieces(std::uint32_t region, bool reversed,
-                                   FaceSubdivision& result) const {
+void FaceTriangulator::emit_sub_triangles(std::uint32_t region, bool reversed,
+                                          FaceSubdivision& result) const {
   const auto number = static_cast<std::uint32_t>(result.local.regions.size() - 1);
   const auto known_points = static_cast<PointId>(result.new_points.size());
   const auto& faces = triangulation_.faces();
   for (std::uint32_t i = first_in_region_[region]; i < first_in_region_[region + 1]; ++i) {
     const ConstrainedTriangulation::Face& face = faces[in_order_[i]];
-    Subdivision::SubTriangle piece{{}, number, 0};
+    Subdivision::SubTriangle triangle{{}, number, 0};
     for (std::size_t k = 0; k < 3; ++k) {
       const PointId id = triangulation_.point(face.corners[k]);
-      piece.corners[k] = id < ConstrainedTriangulation::kNewPoint ? id : id + known_points;
+      triangle.corners[k] = id < ConstrainedTriangulation::kNewPoint ? id : id + known_points;
       if (face.neighbours[k] == kNone || face.slots[k] != kNone) {
-        piece.open = static_cast<std::uint8_t>(piece.open | (1u << k));
+        triangle.open = static_cast<std::uint8_t>(triangle.open | (1u << k));
       }
     }
     if (reversed) {
-      std::swap(piece.corners[1], piece.corners[2]);
-      piece.open = static_cast<std::uint8_t>((piece.open & 1u) | (piece.open & 2u) << 1 |
-                                             (piece.open & 4u) >> 1);
+      std::swap(triangle.corners[1], triangle.corners[2]);
+      triangle.open = static_cast<std::uint8_t>((triangle.open & 1u) | (triangle.open & 2u) << 1 |
+                                                (triangle.open & 4u) >> 1);
     }
-    result.local.pieces.push_back(piece);
+    result.local.triangles.push_back(triangle);
   }
 }
 

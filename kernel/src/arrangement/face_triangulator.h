@@ -51,10 +51,10 @@ class FaceTriangulator {
   [[nodiscard]] EdgeKey edge(std::uint32_t triangle, std::size_t i) const;
   void collect_points();
   [[nodiscard]] ConstrainedTriangulation::Vertex& vertex(PointId id);
-  void place(PointId id, std::uint8_t sides);
+  void insert(PointId id, std::uint8_t sides);
   void start_from_triangle();
   void start_from_frame();
-  void place_remaining();
+  void insert_remaining();
   void constrain_edges(std::size_t member);
   void constrain_segments();
   void find_regions();
@@ -65,7 +65,7 @@ class FaceTriangulator {
       std::span<const std::uint32_t> members) const;
   void emit_single(FaceSubdivision& result) const;
   void emit_overlapping(FaceSubdivision& result) const;
-  void emit_pieces(std::uint32_t region, bool reversed, FaceSubdivision& result) const;
+  void emit_sub_triangles(std::uint32_t region, bool reversed, FaceSubdivision& result) const;
 
   const ArrangementInput& input_;
   const BooleanRule& rule_;

@@ -11,11 +11,12 @@
 
 #include "mesh/exact_mesh.h"
 #include "support/bulk_vector.h"
+#include "support/none.h"
 
 namespace dupin::arrangement {
 
 using PointId = std::uint32_t;
-inline constexpr std::uint32_t kNone = 0xffffffff;
+using support::kNone;
 
 using Interval = CGAL::Interval_nt<false>;
 using IntervalPoint = std::array<Interval, 3>;
@@ -23,7 +24,7 @@ using IntervalPoint = std::array<Interval, 3>;
 /// Intervals are valid only while one of these lives in the thread.
 using UpwardRounding = CGAL::Protect_FPU_rounding<true>;
 
-/// How a point follows from others.
+/// How a point follows from others [Att20].
 struct ImplicitPoint {
   enum class Kind : std::uint8_t {
     given,         ///< exact coordinates were handed in

@@ -7,7 +7,7 @@ namespace {
 
 using Number = CGAL::Mpzf;
 
-// Stage A of J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic (1997), bounds the error
+// Stage A of [She97] bounds the error
 // of the determinant by (7 + 56 u) u times its permanent, u the largest relative error of one
 // operation. Here rounding is upward, so u = 2^-52; the 8 instead of 7 pays for computing the
 // permanent itself in floating point. The addend covers underflow of products; overflow gives
@@ -121,7 +121,7 @@ int compare(const PointTable& points, PointId a, PointId b, int axis) {
   return exact_compare(points.exact(a, a_scratch), points.exact(b, b_scratch), axis);
 }
 
-bool same_place(const PointTable& points, PointId a, PointId b) {
+bool coincide(const PointTable& points, PointId a, PointId b) {
   return compare(points, a, b, 0) == 0 && compare(points, a, b, 1) == 0 &&
          compare(points, a, b, 2) == 0;
 }

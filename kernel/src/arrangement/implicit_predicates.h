@@ -17,7 +17,7 @@ namespace dupin::arrangement {
 [[nodiscard]] int compare(const PointTable& points, PointId a, PointId b, int axis);
 
 /// Whether the two points have the same coordinates.
-[[nodiscard]] bool same_place(const PointTable& points, PointId a, PointId b);
+[[nodiscard]] bool coincide(const PointTable& points, PointId a, PointId b);
 
 /// The sign of an interval, or 0 with `certain` unset when it contains more than one sign.
 struct FilteredSign {

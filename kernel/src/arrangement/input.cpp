@@ -9,7 +9,6 @@
 
 #include "arrangement/coincident_point_index.h"
 #include "arrangement/limits.h"
-#include "arrangement/winding_change.h"
 #include "mesh/coincident_points.h"
 #include "support/blocks.h"
 
@@ -25,7 +24,7 @@ void check_limits(std::span<const mesh::ExactMesh* const> operands) {
   refuse_too_many(points, triangles);
 }
 
-// The places of the operands' points and triangles in the scene.
+// Where the points and triangles of each operand begin.
 void lay_out(ArrangementInput& input) {
   PointId doubles = 0;
   std::uint32_t triangles = 0;
@@ -144,8 +143,8 @@ void find_operand_pairs(ArrangementInput& input) {
   std::sort(input.operand_pairs.begin(), input.operand_pairs.end());
 }
 
-// Points that may have a twin: those inside the bounds of another operand, and all of an operand
-// whose surface touches itself.
+// Points that may coincide with another: those inside the bounds of another operand, and all of an
+// operand whose surface touches itself.
 std::vector<PointId> shared_candidates(const ArrangementInput& input) {
   // With more neighbours than this, asking all of them costs more than hashing the point.
   constexpr std::size_t kManyNeighbours = 16;
@@ -173,7 +172,7 @@ std::vector<PointId> shared_candidates(const ArrangementInput& input) {
 
 // Drops points whose hash no other has, by a table far smaller than the points: in two bits per
 // slot, whether there is one, and whether there are more.
-void keep_possible_twins(const PointTable& points, std::vector<PointId>& ids) {
+void keep_possibly_coincident(const PointTable& points, std::vector<PointId>& ids) {
   const std::size_t slots = std::bit_ceil(4 * ids.size() + 4);
   std::vector<std::uint8_t> seen(slots / 4, 0);
   const auto slot = [&](std::size_t i) {
@@ -245,13 +244,13 @@ class Welder {
     });
   }
   void weld_doubles() {
-    keep_possible_twins(input_.points, doubles_);
-    std::vector<Vec3> places;
-    places.reserve(doubles_.size());
+    keep_possibly_coincident(input_.points, doubles_);
+    std::vector<Vec3> coordinates;
+    coordinates.reserve(doubles_.size());
     for (const PointId id : doubles_) {
-      places.push_back(input_.points.coordinates(id));
+      coordinates.push_back(input_.points.coordinates(id));
     }
-    const std::vector<std::uint32_t> first = mesh::coincident_representatives(places);
+    const std::vector<std::uint32_t> first = mesh::coincident_representatives(coordinates);
     for (std::size_t i = 0; i < doubles_.size(); ++i) {
       join(doubles_[i], doubles_[first[i]]);
     }
@@ -259,16 +258,16 @@ class Welder {
   void weld_implicit() {
     CoincidentPointIndex index(input_.points, input_.extent, implicit_.size());
     for (const PointId id : implicit_) {
-      join(id, index.first_at_place_of(id));
+      join(id, index.first_coincident(id));
     }
   }
 
   ArrangementInput& input_;
-  std::vector<PointId> doubles_, implicit_;  // that may have a twin
-  std::vector<PointId> first_;               // of each point's place; empty while no two are one
+  std::vector<PointId> doubles_, implicit_;  // that may coincide with another
+  std::vector<PointId> first_;               // coincident with each point; empty while no two are
 };
 
-// An edge along which an operand touches itself may have copies of one end only: the umbrella of
+// An edge along which an operand touches itself may have copies of one end only: the fan of
 // the other end then passes it twice.
 void mark_repeated_edges(ArrangementInput& input) {
   std::vector<std::array<PointId, 2>> edges;

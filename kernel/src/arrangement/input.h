@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -13,22 +14,30 @@
 
 namespace dupin::arrangement {
 
-/// What to compute: operands fall into groups; a place is inside the result by how often the
-/// operands of each group contain it.
+/// An edge by its ends, the lower one first.
+using EdgeKey = std::uint64_t;
+[[nodiscard]] constexpr EdgeKey edge_key(PointId a, PointId b) {
+  return a < b ? (EdgeKey{a} << 32 | b) : (EdgeKey{b} << 32 | a);
+}
+[[nodiscard]] constexpr PointId lower_end(EdgeKey edge) { return static_cast<PointId>(edge >> 32); }
+[[nodiscard]] constexpr PointId upper_end(EdgeKey edge) { return static_cast<PointId>(edge); }
+
+/// What to compute: operands fall into groups; a point of space is inside the result by how often
+/// the operands of each group contain it.
 struct BooleanRule {
   std::vector<std::uint32_t> group_of_operand;
   std::uint32_t groups = 0;
   std::function<bool(std::span<const int>)> inside;  ///< one count per group
 };
 
-/// A triangle of the scene, seen from its front (+1) or its back (-1).
+/// A triangle of the input, seen from its front (+1) or its back (-1).
 struct SignedTriangle {
   std::uint32_t triangle = 0;
   int sign = 1;
   friend bool operator==(const SignedTriangle&, const SignedTriangle&) = default;
 };
 
-/// Stage 1: all operands in one index space, identical points welded, coincident triangles merged.
+/// Stage 1: all operands in one index space, coincident points welded, coincident triangles merged.
 struct ArrangementInput {
   using Bounds = Eigen::AlignedBox3d;
   struct Duplicate {
@@ -46,7 +55,7 @@ struct ArrangementInput {
   std::vector<Bounds> bounds;                 ///< of each operand
   double extent = 0;                          ///< bounds the magnitude of all coordinates
   std::vector<std::array<std::uint32_t, 2>> operand_pairs;  ///< to compare, ascending
-  /// Per point: more than one umbrella may meet there, or no triangle has it for a corner.
+  /// Per point: more than one fan may meet there, or no triangle has it for a corner.
   std::vector<std::uint8_t> special;
   std::vector<std::uint8_t> merged;   ///< per triangle: cancelled, or a copy of another
   std::vector<Duplicate> duplicates;  ///< of triangles that stay, by triangle
@@ -67,6 +76,21 @@ struct ArrangementInput {
   /// The triangles that coincide with a kept one, itself first.
   [[nodiscard]] std::vector<SignedTriangle> cover(std::uint32_t triangle) const;
 };
+
+/// By how much the count of each group grows from the front of coincident triangles to their back.
+[[nodiscard]] inline std::vector<int> winding_change(const ArrangementInput& input,
+                                                     const BooleanRule& rule,
+                                                     std::span<const SignedTriangle> cover) {
+  std::vector<int> change(rule.groups, 0);
+  for (const SignedTriangle& t : cover) {
+    change[rule.group_of_operand[input.operand_of(t.triangle)]] += t.sign;
+  }
+  return change;
+}
+
+[[nodiscard]] inline bool changes_nothing(std::span<const int> change) {
+  return std::all_of(change.begin(), change.end(), [](int c) { return c == 0; });
+}
 
 /// Throws Error{limit_exceeded} if the points or triangles are more than indices can count. Needs
 /// UpwardRounding.

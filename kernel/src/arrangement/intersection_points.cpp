@@ -6,12 +6,13 @@
 #include <tuple>
 
 #include "arrangement/implicit_predicates.h"
+#include "support/hash.h"
 #include "support/sort_by_key.h"
 
 namespace dupin::arrangement {
 namespace {
 
-// The lines of edges with implicit ends, by points of the scene that say less: the coordinates of
+// The lines of edges with implicit ends, by points of the input that say less: the coordinates of
 // new points then do not build on those of earlier ones.
 class EdgeLines {
  public:
@@ -95,7 +96,7 @@ class EdgeLines {
   std::vector<Side> sides_;
 };
 
-// What meets at an end of an encounter: two edges, or an edge and the plane of a triangle.
+// What meets at an end of an intersection: two edges, or an edge and the plane of a triangle.
 struct Meeting {
   static constexpr std::uint64_t kPlane = std::uint64_t{1} << 63;
   std::uint64_t first, second;
@@ -109,20 +110,19 @@ struct MeetingAt {
 };
 
 MeetingAt meeting_at(std::uint32_t end, const Meeting& m) {
-  const std::uint64_t hash =
-      ((m.first * 0x9E3779B97F4A7C15u) ^ (m.second * 0xC2B2AE3D27D4EB4Fu)) * 0xBF58476D1CE4E5B9u;
+  const std::uint64_t hash = support::mixed(support::mixed(0, m.first), m.second);
   return {m, static_cast<std::uint32_t>(hash >> 32), end};
 }
 
-class Namer {
+class Creator {
  public:
-  Namer(ArrangementInput& input, std::span<const TriangleIntersection> intersections)
+  Creator(ArrangementInput& input, std::span<const TriangleIntersection> intersections)
       : input_(input),
         intersections_(intersections),
         lines_(input),
         leader_(2 * intersections.size()) {
-    names_.ends.resize(2 * intersections.size());
-    names_.first_new_point = input.points.size();
+    points_.ends.resize(2 * intersections.size());
+    points_.first_new_point = input.points.size();
   }
 
   IntersectionPoints run() {
@@ -130,51 +130,51 @@ class Namer {
     find_meetings();
     find_leaders();
     add_points();
-    return std::move(names_);
+    return std::move(points_);
   }
 
  private:
-  [[nodiscard]] const TriangleIntersection& encounter(std::size_t end) const {
+  [[nodiscard]] const TriangleIntersection& intersection(std::size_t end) const {
     return intersections_[end / 2];
   }
   [[nodiscard]] bool is_end(std::size_t end) const {
-    const TriangleIntersection::Kind kind = encounter(end).kind;
+    const TriangleIntersection::Kind kind = intersection(end).kind;
     return kind == TriangleIntersection::Kind::segment ||
            (kind == TriangleIntersection::Kind::point && end % 2 == 0);
   }
   [[nodiscard]] const Triangle& first(std::size_t end) const {
-    return input_.triangles[encounter(end).first];
+    return input_.triangles[intersection(end).first];
   }
   [[nodiscard]] const Triangle& second(std::size_t end) const {
-    return input_.triangles[encounter(end).second];
+    return input_.triangles[intersection(end).second];
   }
 
   void find_corners() {
-    names_.corners = support::collect_in_order<PointId>(
-        names_.ends.size(), [this](std::size_t end, std::vector<PointId>& corners) {
-          PointId& name = names_.ends[end];
-          name = kNone;
+    points_.corners = support::collect_in_order<PointId>(
+        points_.ends.size(), [this](std::size_t end, std::vector<PointId>& corners) {
+          PointId& id = points_.ends[end];
+          id = kNone;
           if (!is_end(end)) {
             return;
           }
-          const auto [on_first, on_second, crosses] = encounter(end).ends[end % 2];
+          const auto [on_first, on_second, crosses] = intersection(end).ends[end % 2];
           if (is_corner(on_first)) {
-            name = first(end)[on_first];
+            id = first(end)[on_first];
           } else if (is_corner(on_second)) {
-            name = second(end)[on_second];
+            id = second(end)[on_second];
           }
-          if (name != kNone) {
-            corners.push_back(name);
+          if (id != kNone) {
+            corners.push_back(id);
           }
         });
     support::sort_by_key(
-        names_.corners, names_.first_new_point, [](PointId id) { return id; }, std::less<>());
-    names_.corners.erase(std::unique(names_.corners.begin(), names_.corners.end()),
-                         names_.corners.end());
+        points_.corners, points_.first_new_point, [](PointId id) { return id; }, std::less<>());
+    points_.corners.erase(std::unique(points_.corners.begin(), points_.corners.end()),
+                          points_.corners.end());
   }
 
   [[nodiscard]] Meeting meeting(std::size_t end) const {
-    const TriangleIntersection& e = encounter(end);
+    const TriangleIntersection& e = intersection(end);
     const auto [on_first, on_second, crosses] = e.ends[end % 2];
     if (is_edge(on_first) && is_edge(on_second)) {
       const auto [low, high] =
@@ -188,8 +188,8 @@ class Namer {
   // By meeting, those of each by end.
   void find_meetings() {
     meetings_ = support::collect_in_order<MeetingAt>(
-        names_.ends.size(), [this](std::size_t end, std::vector<MeetingAt>& found) {
-          if (is_end(end) && names_.ends[end] == kNone) {
+        points_.ends.size(), [this](std::size_t end, std::vector<MeetingAt>& found) {
+          if (is_end(end) && points_.ends[end] == kNone) {
             found.push_back(meeting_at(static_cast<std::uint32_t>(end), meeting(end)));
           }
         });
@@ -220,25 +220,25 @@ class Namer {
   void add_points() {
     const support::Ranking leaders(leader_.size(),
                                    [this](std::size_t end) { return leader_[end] == end; });
-    const PointId base = names_.first_new_point;
+    const PointId base = points_.first_new_point;
     input_.points.add_undefined(leaders.size());
     leaders.for_each([&](std::size_t end, std::size_t rank) {
-      names_.ends[end] = base + static_cast<PointId>(rank);
+      points_.ends[end] = base + static_cast<PointId>(rank);
     });
     support::for_each_block(leader_.size(), [&](const support::Block& block) {
       const UpwardRounding rounding;
       for (std::size_t end = block.begin; end < block.end; ++end) {
         if (leader_[end] == end) {
-          input_.points.define(names_.ends[end], definition(end));
+          input_.points.define(points_.ends[end], definition(end));
         } else if (leader_[end] != kNone) {
-          names_.ends[end] = names_.ends[leader_[end]];
+          points_.ends[end] = points_.ends[leader_[end]];
         }
       }
     });
   }
 
   [[nodiscard]] ImplicitPoint definition(std::size_t end) const {
-    const TriangleIntersection& e = encounter(end);
+    const TriangleIntersection& e = intersection(end);
     const auto [on_first, on_second, first_crosses] = e.ends[end % 2];
     if (is_edge(on_first) && is_edge(on_second) && e.coplanar) {
       const EdgeKey a = edge_of(first(end), on_first), b = edge_of(second(end), on_second);
@@ -254,7 +254,7 @@ class Namer {
   ArrangementInput& input_;
   std::span<const TriangleIntersection> intersections_;
   EdgeLines lines_;
-  IntersectionPoints names_;
+  IntersectionPoints points_;
   std::vector<MeetingAt> meetings_;
   support::BulkVector<std::uint32_t> leader_;  // of each end
 };
@@ -263,7 +263,7 @@ class Namer {
 
 IntersectionPoints create_intersection_points(ArrangementInput& input,
                                               std::span<const TriangleIntersection> intersections) {
-  return Namer(input, intersections).run();
+  return Creator(input, intersections).run();
 }
 
 }  // namespace dupin::arrangement

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "arrangement/edge_key.h"
 #include "arrangement/input.h"
 #include "arrangement/triangle_intersection.h"
 #include "support/bulk_vector.h"
@@ -17,14 +16,14 @@ namespace dupin::arrangement {
   return edge_key(corners[i], corners[(i + 1) % 3]);
 }
 
-/// The points at the ends of encounters.
+/// The points at the ends of intersections.
 struct IntersectionPoints {
-  support::BulkVector<PointId> ends;  ///< two per encounter, kNone where it has no such end
+  support::BulkVector<PointId> ends;  ///< two per intersection, kNone where it has no such end
   std::vector<PointId> corners;       ///< of triangles, met by others; ascending
   PointId first_new_point = 0;
 };
 
-/// Finds the corners at ends of encounters, and adds all other ends to the scene: one point for
+/// Finds the corners at ends of intersections, and adds all other ends to the input: one point for
 /// each pair of edges, or of an edge and a plane, that meet there, in order of first appearance.
 /// Needs UpwardRounding.
 [[nodiscard]] IntersectionPoints create_intersection_points(

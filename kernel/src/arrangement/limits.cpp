@@ -12,7 +12,7 @@ namespace {
 // Rounded up from the peaks that boolean_bench reports, operands not counted: untouched triangles
 // are stored, boxed and copied (100 bytes); each meeting of two makes a segment, a point and up to
 // six new triangles (600 to 1900 bytes).
-constexpr std::uint64_t kBytesPerTriangle = 200, kBytesPerEncounter = 2000;
+constexpr std::uint64_t kBytesPerTriangle = 200, kBytesPerIntersection = 2000;
 
 std::uint64_t machine_memory() {
   return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
@@ -34,7 +34,8 @@ void refuse_too_many(std::uint64_t points, std::uint64_t triangles) {
 
 void refuse_too_large(std::uint64_t triangles, std::uint64_t intersections, std::uint64_t limit) {
   const std::uint64_t allowed = limit == 0 ? machine_memory() : limit;
-  const std::uint64_t needed = kBytesPerTriangle * triangles + kBytesPerEncounter * intersections;
+  const std::uint64_t needed =
+      kBytesPerTriangle * triangles + kBytesPerIntersection * intersections;
   if (needed > allowed) {
     throw Error(
         Errc::limit_exceeded,

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <tuple>
 
-#include "arrangement/winding_change.h"
 #include "support/sort_by_key.h"
 
 namespace dupin::arrangement {
 
 ManifoldPatches::ManifoldPatches(const ArrangementInput& input, const BooleanRule& rule,
-                                 const Constraints& constraints, const Subdivision& pieces)
+                                 const Constraints& constraints, const Subdivision& subdivision)
     : input_(input),
       constraints_(constraints),
-      pieces_(pieces),
+      subdivision_(subdivision),
       first_region_(input.points.size()),
-      first_loose_(first_region_ + static_cast<std::uint32_t>(pieces.regions.size())),
+      first_loose_(first_region_ + static_cast<std::uint32_t>(subdivision.regions.size())),
       classes_(first_loose_) {
   for (std::uint32_t g = 0; g < rule.groups; ++g) {
     std::vector<int> unit(rule.groups, 0);
@@ -22,7 +21,7 @@ ManifoldPatches::ManifoldPatches(const ArrangementInput& input, const BooleanRul
     (void)change_number(std::move(unit));
   }
   find_changes_of_regions(rule);
-  add_pieces();
+  add_sub_triangles();
   add_triangles(rule);
   add_loose(rule);
   join_sides();
@@ -41,12 +40,12 @@ std::uint32_t ManifoldPatches::member_of_triangle(std::uint32_t triangle) const 
 }
 
 std::uint32_t ManifoldPatches::change_number(std::vector<int> change) {
-  const auto [place, is_new] =
+  const auto [entry, is_new] =
       change_numbers_.emplace(change, static_cast<std::uint32_t>(all_changes_.size()));
   if (is_new) {
     all_changes_.push_back(std::move(change));
   }
-  return place->second;
+  return entry->second;
 }
 
 // Of those edges (bit i: opposite to corner i) whose ends are both special.
@@ -62,29 +61,30 @@ void ManifoldPatches::add_sides(const Triangle& corners, unsigned edges, const O
 }
 
 void ManifoldPatches::find_changes_of_regions(const BooleanRule& rule) {
-  for (std::uint32_t r = 0; r < pieces_.regions.size(); ++r) {
+  for (std::uint32_t r = 0; r < subdivision_.regions.size(); ++r) {
     const bool is_known =
-        r > 0 && pieces_.regions[r].first_cover == pieces_.regions[r - 1].first_cover;
-    member_changes_.push_back(is_known
-                                  ? member_changes_.back()
-                                  : change_number(winding_change(input_, rule, pieces_.cover(r))));
+        r > 0 && subdivision_.regions[r].first_cover == subdivision_.regions[r - 1].first_cover;
+    member_changes_.push_back(
+        is_known ? member_changes_.back()
+                 : change_number(winding_change(input_, rule, subdivision_.cover(r))));
   }
 }
 
-void ManifoldPatches::add_pieces() {
+void ManifoldPatches::add_sub_triangles() {
   const auto add = [this](std::size_t p, std::vector<Side>& sides) {
-    const Subdivision::SubTriangle& piece = pieces_.pieces[p];
-    const std::uint32_t member = first_region_ + piece.region;
-    for (const PointId corner : piece.corners) {
+    const Subdivision::SubTriangle& triangle = subdivision_.triangles[p];
+    const std::uint32_t member = first_region_ + triangle.region;
+    for (const PointId corner : triangle.corners) {
       if (!input_.special[corner]) {
         classes_.unite(corner, member);
       }
     }
-    add_sides(piece.corners, piece.open,
-              {member, pieces_.regions[piece.region].support, member_changes_[piece.region]},
-              sides);
+    add_sides(
+        triangle.corners, triangle.open,
+        {member, subdivision_.regions[triangle.region].support, member_changes_[triangle.region]},
+        sides);
   };
-  sides_ = support::collect_in_order<Side>(pieces_.pieces.size(), add);
+  sides_ = support::collect_in_order<Side>(subdivision_.triangles.size(), add);
 }
 
 // Triangles with a corner that is not special coincide with no other.

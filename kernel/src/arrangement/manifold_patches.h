@@ -14,7 +14,7 @@
 
 namespace dupin::arrangement {
 
-/// Stage 6a: maximal parts of the surfaces with nothing of the arrangement between them.
+/// Stage 6: maximal parts of the surfaces with nothing of the arrangement between them.
 ///
 /// Members are numbered: first the points (a point that is not special stands for the triangles
 /// around it), then the regions, then the triangles whose corners are all special.
@@ -28,7 +28,7 @@ class ManifoldPatches {
 
   /// Needs UpwardRounding.
   ManifoldPatches(const ArrangementInput& input, const BooleanRule& rule,
-                  const Constraints& constraints, const Subdivision& pieces);
+                  const Constraints& constraints, const Subdivision& subdivision);
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(changes_.size()); }
   [[nodiscard]] std::uint32_t of_region(std::uint32_t region) const {
@@ -59,7 +59,7 @@ class ManifoldPatches {
   [[nodiscard]] std::uint32_t member_of_triangle(std::uint32_t triangle) const;
   [[nodiscard]] std::uint32_t change_number(std::vector<int> change);
   void find_changes_of_regions(const BooleanRule& rule);
-  void add_pieces();
+  void add_sub_triangles();
   void add_triangles(const BooleanRule& rule);
   void add_loose(const BooleanRule& rule);
   void add_sides(const Triangle& corners, unsigned edges, const Owner& owner,
@@ -69,7 +69,7 @@ class ManifoldPatches {
 
   const ArrangementInput& input_;
   const Constraints& constraints_;
-  const Subdivision& pieces_;
+  const Subdivision& subdivision_;
   std::uint32_t first_region_, first_loose_;
   support::DisjointSets classes_;
   std::vector<std::uint32_t> loose_;  // untouched triangles with special corners only, ascending

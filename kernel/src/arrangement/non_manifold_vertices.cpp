@@ -71,7 +71,7 @@ class Separator {
       input_.points.add(middle(input_.points, edge));
     }
     result.first_copy = input_.points.size();
-    name_touches(result);
+    find_touches(result);
     make_copies(result);
     for (std::size_t i = 0; i < shared.size(); ++i) {
       split_pairs(shared[i], static_cast<PointId>(first_middle + i), result);
@@ -145,7 +145,7 @@ class Separator {
     }
   }
 
-  // Numbers the umbrellas of each tangled vertex.
+  // Numbers the fans of each tangled vertex.
   void assign_fans() {
     for (const Spokes spokes : tangled_) {
       const std::vector<std::size_t> next = successors(spokes);
@@ -162,7 +162,7 @@ class Separator {
     }
   }
 
-  // Contact edges at which two pairs of faces belong to the same umbrellas at both ends, so that
+  // Contact edges at which two pairs of faces belong to the same fans at both ends, so that
   // copies of the ends do not tell them apart.
   std::vector<EdgeKey> edges_shared_by_fans() const {
     std::vector<EdgeKey> shared;
@@ -226,8 +226,8 @@ class Separator {
       std::vector<PointId> outline;
       for (std::uint8_t i = 0; i < 3; ++i) {
         outline.push_back(whole.corners[i]);
-        if (const auto place = middles.find(i); place != middles.end()) {
-          outline.push_back(place->second);
+        if (const auto middle = middles.find(i); middle != middles.end()) {
+          outline.push_back(middle->second);
         }
       }
       bool is_first = true;
@@ -251,7 +251,7 @@ class Separator {
     }
   }
 
-  void name_touches(VertexDuplicates& result) const {
+  void find_touches(VertexDuplicates& result) const {
     std::set<PointId> ends;
     std::map<EdgeKey, std::size_t> number;
     for (const auto& [edge, pairs] : contact_edges_) {
@@ -268,8 +268,8 @@ class Separator {
         }
       }
       for (const Spoke& s : spokes) {
-        if (const auto place = number.find(edge_key(vertex, s.from)); place != number.end()) {
-          result.touches[place->second].faces.push_back(s.face);
+        if (const auto touch = number.find(edge_key(vertex, s.from)); touch != number.end()) {
+          result.touches[touch->second].faces.push_back(s.face);
         }
       }
     }
@@ -280,7 +280,7 @@ class Separator {
 
   void make_copies(VertexDuplicates& result) {
     for (const Spokes spokes : tangled_) {
-      std::map<std::uint32_t, PointId> copies;  // by umbrella
+      std::map<std::uint32_t, PointId> copies;  // by fan
       for (const Spoke& s : spokes) {
         const std::uint32_t fan = fan_of_.at({s.face, s.corner});
         if (fan == 0) {
@@ -304,7 +304,7 @@ class Separator {
   ArrangementInput& input_;
   support::BulkVector<OutputTriangle>& kept_;
   std::vector<Spoke> spokes_;    // at special vertices, by vertex
-  std::vector<Spokes> tangled_;  // of vertices with more than one umbrella
+  std::vector<Spokes> tangled_;  // of vertices with more than one fan
   std::map<EdgeKey, std::vector<Neighbours>> contact_edges_;
   std::map<Corner, std::uint32_t> fan_of_;
   std::map<std::uint32_t, std::map<std::uint8_t, PointId>> middles_;  // per face and edge

@@ -11,9 +11,9 @@ namespace dupin::arrangement {
 /// A triangle of the result.
 struct OutputTriangle {
   Triangle corners;
-  std::uint32_t support;  ///< a triangle of the scene with its plane
+  std::uint32_t support;  ///< a triangle of the input with its plane
   bool reversed;          ///< against the support's orientation
-  std::uint32_t source;   ///< a triangle of the scene it is part of
+  std::uint32_t source;   ///< a triangle of the input it is part of
 };
 
 /// Where the result touches itself.
@@ -28,10 +28,10 @@ struct VertexDuplicates {
   std::vector<Touch> touches;   ///< edges and vertices, ascending
 };
 
-/// Gives every umbrella of triangles around a point but the first a copy of the point, so that the
+/// Gives every fan of triangles around a point but the first a copy of the point, so that the
 /// surface becomes 2-manifold. At an edge of more than two triangles those that bound the same part
 /// of the solid stay together; where copies of its ends do not tell them apart, it is split in the
-/// middle, a point added to the scene. Needs UpwardRounding.
+/// middle, a point added to the input. Needs UpwardRounding.
 [[nodiscard]] VertexDuplicates duplicate_non_manifold_vertices(
     ArrangementInput& input, support::BulkVector<OutputTriangle>& kept);
 

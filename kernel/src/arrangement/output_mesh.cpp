@@ -75,7 +75,7 @@ class PointWriter {
   PointWriter(const ArrangementInput& input, const VertexDuplicates& duplicates,
               const support::BulkVector<OutputTriangle>& kept, mesh::ExactMesh& mesh)
       : input_(input),
-        umbrellas_(duplicates),
+        duplicates_(duplicates),
         number_(duplicates.first_copy + duplicates.copies.size(), kNone) {
     support::for_each_block(kept.size(), [&](const support::Block& block) {
       for (std::size_t i = block.begin; i < block.end; ++i) {
@@ -92,7 +92,7 @@ class PointWriter {
 
  private:
   [[nodiscard]] PointId original(PointId id) const {
-    return id < umbrellas_.first_copy ? id : umbrellas_.copies[id - umbrellas_.first_copy];
+    return id < duplicates_.first_copy ? id : duplicates_.copies[id - duplicates_.first_copy];
   }
   std::vector<RoundedPoint> evaluate(std::vector<mesh::ExactPoint>& exact) {
     const PointId first = input_.points.double_count();
@@ -124,8 +124,8 @@ class PointWriter {
       if (const PointId original_id = original(id); input_.points.is_double(original_id)) {
         mesh.points[number] = input_.points.coordinates(original_id);
       } else {
-        const auto place = std::lower_bound(implicit_.begin(), implicit_.end(), id);
-        mesh.points[number] = nearest[static_cast<std::size_t>(place - implicit_.begin())].point;
+        const auto at = std::lower_bound(implicit_.begin(), implicit_.end(), id);
+        mesh.points[number] = nearest[static_cast<std::size_t>(at - implicit_.begin())].point;
       }
       number_[id] = static_cast<std::uint32_t>(number);
     });
@@ -154,7 +154,7 @@ class PointWriter {
   }
 
   const ArrangementInput& input_;
-  const VertexDuplicates& umbrellas_;
+  const VertexDuplicates& duplicates_;
   support::BulkVector<std::uint32_t> number_;
   std::vector<PointId> implicit_;  // points in use that are no doubles, ascending
 };
@@ -185,11 +185,11 @@ class Labels {
 
  private:
   std::uint32_t index(const std::string& name, std::vector<std::string>& names) {
-    const auto [place, is_new] = known_.emplace(name, static_cast<std::uint32_t>(names.size()));
+    const auto [entry, is_new] = known_.emplace(name, static_cast<std::uint32_t>(names.size()));
     if (is_new) {
       names.push_back(name);
     }
-    return place->second;
+    return entry->second;
   }
 
   const ArrangementInput& input_;
@@ -222,7 +222,7 @@ void write_planes(const ArrangementInput& input, const support::BulkVector<Outpu
   std::uint32_t previous = with_planes.empty() ? 0 : with_planes.front();
   for (const std::uint32_t i : with_planes) {
     const bool reversed = kept[i].reversed;
-    // Pieces of one triangle follow one another.
+    // Sub-triangles of one triangle follow one another.
     if (i != previous && kept[i].support == kept[previous].support &&
         reversed == kept[previous].reversed) {
       mesh.plane_of[i] = mesh.plane_of[previous];
@@ -318,8 +318,8 @@ void write_stable_classes(const ArrangementInput& input,
 // The source agrees in orientation where there is a choice.
 std::uint32_t source_of(std::span<const SignedTriangle> cover, int selected) {
   const auto agrees = [selected](const SignedTriangle& t) { return t.sign == selected; };
-  const auto place = std::find_if(cover.begin(), cover.end(), agrees);
-  return place != cover.end() ? place->triangle : cover.front().triangle;
+  const auto agreeing = std::find_if(cover.begin(), cover.end(), agrees);
+  return agreeing != cover.end() ? agreeing->triangle : cover.front().triangle;
 }
 
 OutputTriangle kept_face(Triangle corners, std::uint32_t support, int selected,
@@ -335,10 +335,10 @@ OutputTriangle kept_triangle(const ArrangementInput& input, std::uint32_t t, int
   return kept_face(input.triangles[t], t, selected, source);
 }
 
-OutputTriangle kept_piece(const Subdivision& pieces, std::uint32_t p, int selected) {
-  const Subdivision::SubTriangle& piece = pieces.pieces[p];
-  return kept_face(piece.corners, pieces.regions[piece.region].support, selected,
-                   source_of(pieces.cover(piece.region), selected));
+OutputTriangle kept_sub_triangle(const Subdivision& subdivision, std::uint32_t p, int selected) {
+  const Subdivision::SubTriangle& triangle = subdivision.triangles[p];
+  return kept_face(triangle.corners, subdivision.regions[triangle.region].support, selected,
+                   source_of(subdivision.cover(triangle.region), selected));
 }
 
 void write_contacts(const VertexDuplicates& duplicates, const PointWriter& points,
@@ -361,15 +361,15 @@ void write_contacts(const VertexDuplicates& duplicates, const PointWriter& point
 }  // namespace
 
 support::BulkVector<OutputTriangle> collect_output_triangles(
-    const ArrangementInput& input, const Constraints& constraints, const Subdivision& pieces,
+    const ArrangementInput& input, const Constraints& constraints, const Subdivision& subdivision,
     const ManifoldPatches& patches, const std::vector<std::int8_t>& selection) {
   const auto count = static_cast<std::uint32_t>(input.triangles.size());
-  support::BulkVector<std::int8_t> selected(count + pieces.pieces.size());
+  support::BulkVector<std::int8_t> selected(count + subdivision.triangles.size());
   support::for_each_block(selected.size(), [&](const support::Block& block) {
     for (std::size_t i = block.begin; i < block.end; ++i) {
       const auto t = static_cast<std::uint32_t>(i);
       if (t >= count) {
-        selected[i] = selection[patches.of_region(pieces.pieces[t - count].region)];
+        selected[i] = selection[patches.of_region(subdivision.triangles[t - count].region)];
       } else {
         selected[i] = constraints.touched[t] || input.merged[t] ? std::int8_t{0}
                                                                 : selection[patches.of_triangle(t)];
@@ -381,7 +381,7 @@ support::BulkVector<OutputTriangle> collect_output_triangles(
   ranking.for_each([&](std::size_t i, std::size_t rank) {
     const auto t = static_cast<std::uint32_t>(i);
     kept[rank] = t < count ? kept_triangle(input, t, selected[i])
-                           : kept_piece(pieces, t - count, selected[i]);
+                           : kept_sub_triangle(subdivision, t - count, selected[i]);
   });
   return kept;
 }

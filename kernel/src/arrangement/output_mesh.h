@@ -8,12 +8,12 @@
 
 namespace dupin::arrangement {
 
-/// Stage 7a: the triangles of the selected patches; those that nothing touched keep their order.
+/// Stage 8: the triangles of the selected patches; those that nothing touched keep their order.
 [[nodiscard]] support::BulkVector<OutputTriangle> collect_output_triangles(
-    const ArrangementInput& input, const Constraints& constraints, const Subdivision& pieces,
+    const ArrangementInput& input, const Constraints& constraints, const Subdivision& subdivision,
     const ManifoldPatches& patches, const std::vector<std::int8_t>& selection);
 
-/// Stage 7b: the mesh they make. Points that doubles hold come first; every triangle names its
+/// And the mesh they make. Points that doubles hold come first; every triangle names its
 /// source.
 [[nodiscard]] mesh::ExactMesh extract(ArrangementInput& input,
                                       support::BulkVector<OutputTriangle> kept);

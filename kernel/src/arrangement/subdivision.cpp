@@ -10,13 +10,13 @@
 namespace dupin::arrangement {
 namespace {
 
-// Adds the new points of a batch to the scene; their ids, each place's first.
-std::vector<PointId> add_new_points(ArrangementInput& input, CoincidentPointIndex& places,
+// Adds the new points of a batch to the input; their ids, or those of points they coincide with.
+std::vector<PointId> add_new_points(ArrangementInput& input, CoincidentPointIndex& coincident,
                                     FaceSubdivision& batch) {
   std::vector<PointId> ids;
   for (ConstrainedTriangulation::NewPoint& point : batch.new_points) {
     const PointId id = input.points.add(std::move(point));
-    const PointId first = places.first_at_place_of(id);
+    const PointId first = coincident.first_coincident(id);
     if (first != id) {
       input.points.remove_last();
     }
@@ -25,22 +25,23 @@ std::vector<PointId> add_new_points(ArrangementInput& input, CoincidentPointInde
   return ids;
 }
 
-// Where the pieces of a batch go.
+// Where the sub-triangles of a batch go.
 struct Offsets {
-  std::uint32_t piece = 0, region = 0, cover = 0;
+  std::uint32_t triangle = 0, region = 0, cover = 0;
 };
 
-void copy_pieces(const FaceSubdivision& batch, const std::vector<PointId>& new_ids,
-                 const Offsets& offsets, Subdivision& result) {
+void copy_sub_triangles(const FaceSubdivision& batch, const std::vector<PointId>& new_ids,
+                        const Offsets& offsets, Subdivision& result) {
   const Subdivision& local = batch.local;
-  for (std::size_t i = 0; i < local.pieces.size(); ++i) {
-    Subdivision::SubTriangle& piece = result.pieces[offsets.piece + i] = local.pieces[i];
-    for (PointId& id : piece.corners) {
+  for (std::size_t i = 0; i < local.triangles.size(); ++i) {
+    Subdivision::SubTriangle& triangle = result.triangles[offsets.triangle + i] =
+        local.triangles[i];
+    for (PointId& id : triangle.corners) {
       id = id < ConstrainedTriangulation::kNewPoint
                ? id
                : new_ids[id - ConstrainedTriangulation::kNewPoint];
     }
-    piece.region += offsets.region;
+    triangle.region += offsets.region;
   }
   for (std::size_t i = 0; i < local.regions.size(); ++i) {
     Subdivision::Region& region = result.regions[offsets.region + i] = local.regions[i];
@@ -51,24 +52,24 @@ void copy_pieces(const FaceSubdivision& batch, const std::vector<PointId>& new_i
 }
 
 // Puts the batches behind one another, in order.
-Subdivision joined(ArrangementInput& input, CoincidentPointIndex& places,
+Subdivision joined(ArrangementInput& input, CoincidentPointIndex& coincident,
                    std::vector<FaceSubdivision> batches) {
   std::vector<std::vector<PointId>> new_ids;
   std::vector<Offsets> offsets;
   Offsets next;
   for (FaceSubdivision& batch : batches) {
-    new_ids.push_back(add_new_points(input, places, batch));
+    new_ids.push_back(add_new_points(input, coincident, batch));
     offsets.push_back(next);
-    next.piece += static_cast<std::uint32_t>(batch.local.pieces.size());
+    next.triangle += static_cast<std::uint32_t>(batch.local.triangles.size());
     next.region += static_cast<std::uint32_t>(batch.local.regions.size());
     next.cover += static_cast<std::uint32_t>(batch.local.covers.size());
   }
   Subdivision result;
-  result.pieces.resize(next.piece);
+  result.triangles.resize(next.triangle);
   result.regions.resize(next.region);
   result.covers.resize(next.cover);
   support::for_each_in_parallel(batches.size(), [&](std::size_t b) {
-    copy_pieces(batches[b], new_ids[b], offsets[b], result);
+    copy_sub_triangles(batches[b], new_ids[b], offsets[b], result);
     batches[b] = {};
   });
   return result;
@@ -94,9 +95,9 @@ Subdivision retriangulate(ArrangementInput& input, const BooleanRule& rule,
         stage.step(batches.size());
       },
       kBatch);
-  Subdivision pieces = joined(input, *constraints.places, std::move(batches));
+  Subdivision subdivision = joined(input, *constraints.coincident_points, std::move(batches));
   input.special.resize(input.points.size(), 1);
-  return pieces;
+  return subdivision;
 }
 
 }  // namespace dupin::arrangement

@@ -9,7 +9,8 @@
 
 namespace dupin::arrangement {
 
-/// Pieces of the retriangulated faces. Pieces of one region have no intersection between them.
+/// The sub-triangles of the retriangulated faces. Those of one region have no intersection between
+/// them.
 struct Subdivision {
   struct SubTriangle {
     Triangle corners;  ///< oriented as the support of the region's first triangle
@@ -20,7 +21,7 @@ struct Subdivision {
     std::uint32_t first_cover, end_cover;  ///< the triangles that cover it
     std::uint32_t support;                 ///< a triangle whose plane and orientation it has
   };
-  support::BulkVector<SubTriangle> pieces;
+  support::BulkVector<SubTriangle> triangles;
   support::BulkVector<Region> regions;
   std::vector<SignedTriangle> covers;
 
@@ -31,7 +32,7 @@ struct Subdivision {
 };
 
 /// Stage 5: triangulates every face with the points and segments on it. Adds the points where
-/// segments cross to the scene. Needs UpwardRounding.
+/// segments cross to the input. Needs UpwardRounding.
 [[nodiscard]] Subdivision retriangulate(ArrangementInput& input, const BooleanRule& rule,
                                         Constraints& constraints,
                                         const support::ProgressStage& stage);

@@ -36,9 +36,9 @@ struct TriangleIntersection {
   std::array<End, 2> ends;
 };
 
-/// Stages 3 and 4: appends what the two triangles have in common, by signs of determinants of
-/// input points only; exact zeros tell corners and edges from insides. Points that are corners of
-/// both are not reported. Needs UpwardRounding.
+/// Stage 3: appends what the two triangles have in common, by signs of determinants of
+/// input points only [GD03]; exact zeros tell corners and edges from insides. Points that are
+/// corners of both are not reported. Needs UpwardRounding.
 void intersect(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,
                std::vector<TriangleIntersection>& intersections);
 

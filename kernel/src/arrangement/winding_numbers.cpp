@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
+#include <utility>
 
-#include "arrangement/ray_casting.h"
+#include "arrangement/implicit_predicates.h"
+#include "arrangement/triangle_intersection.h"
+#include "mesh/ray_crossing.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -15,6 +19,121 @@ Counts sum(Counts a, const Counts& b, int factor = 1) {
     a[i] += factor * b[i];
   }
   return a;
+}
+
+mesh::ExactPoint middle(const PointTable& points, const Triangle& corners) {
+  std::array<mesh::ExactPoint, 3> scratch;
+  const mesh::ExactPoint& a = points.exact(corners[0], scratch[0]);
+  const mesh::ExactPoint& b = points.exact(corners[1], scratch[1]);
+  const mesh::ExactPoint& c = points.exact(corners[2], scratch[2]);
+  mesh::ExactPoint sum;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sum[k] = a[k] * (b[3] * c[3]) + b[k] * (a[3] * c[3]) + c[k] * (a[3] * b[3]);
+  }
+  sum[3] = a[3] * b[3] * c[3] * CGAL::Mpzf(3);
+  return sum;
+}
+
+// For mesh::ray_crossing().
+struct TriangleAndStart {
+  const PointTable& points;
+  const Triangle &corners, &support;
+  PointId start;
+  int axis;
+
+  [[nodiscard]] bool is_above(std::size_t i) const {
+    return compare(points, corners[i], start, (axis + 2) % 3) > 0;
+  }
+  [[nodiscard]] int turn(std::size_t i, std::size_t j) const {
+    return arrangement::turn(points, corners[i], corners[j], start, axis);
+  }
+  [[nodiscard]] int side() const {
+    return side_of_plane(points, support[0], support[1], support[2], start);
+  }
+};
+
+class Ray {
+ public:
+  Ray(const ArrangementInput& input, PointId start, const Projection& front)
+      : input_(input), start_(start), axis_(front.axis), direction_(front.orientation) {}
+
+  // May be wrong only by saying yes.
+  [[nodiscard]] bool may_meet(const ArrangementInput::Bounds& box) const {
+    return may_meet_extent([&box](int k) { return std::pair(box.min()[k], box.max()[k]); });
+  }
+  [[nodiscard]] bool may_meet(const Triangle& corners) const {
+    return may_meet_extent([&](int k) {
+      const Interval a = input_.points.interval(corners[0], k),
+                     b = input_.points.interval(corners[1], k),
+                     c = input_.points.interval(corners[2], k);
+      return std::pair(std::min({a.inf(), b.inf(), c.inf()}),
+                       std::max({a.sup(), b.sup(), c.sup()}));
+    });
+  }
+
+  // See mesh::ray_crossing().
+  [[nodiscard]] int crossing(const Triangle& corners, const Triangle& support) const {
+    const TriangleAndStart triangle{input_.points, corners, support, start_, axis_};
+    return mesh::ray_crossing(triangle, direction_);
+  }
+
+ private:
+  // Of something that lies between the ends of extent(k) along each axis k.
+  template <class Extent>
+  [[nodiscard]] bool may_meet_extent(const Extent& extent) const {
+    for (const int k : {(axis_ + 1) % 3, (axis_ + 2) % 3}) {
+      const Interval x = input_.points.interval(start_, k);
+      const auto [low, high] = extent(k);
+      if (x.sup() < low || x.inf() > high) {
+        return false;
+      }
+    }
+    const Interval x = input_.points.interval(start_, axis_);
+    const auto [low, high] = extent(axis_);
+    return direction_ > 0 ? x.inf() <= high : x.sup() >= low;
+  }
+
+  const ArrangementInput& input_;
+  PointId start_;
+  int axis_, direction_;
+};
+
+// How often the ray leaves the operand more than it enters it. The triangles that cover the start
+// do not count.
+int crossings(const ArrangementInput& input, const Ray& ray, std::size_t operand,
+              std::span<const SignedTriangle> cover) {
+  const std::uint32_t first = input.first_triangle[operand];
+  const std::uint32_t count = input.first_triangle[operand + 1] - first;
+  std::vector<int> sums(support::block_count(count), 0);
+  support::for_each_block(count, [&](const support::Block& block) {
+    const UpwardRounding rounding;
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const auto t = static_cast<std::uint32_t>(first + i);
+      const auto is_t = [t](const SignedTriangle& s) { return s.triangle == t; };
+      if (ray.may_meet(input.triangles[t]) && std::none_of(cover.begin(), cover.end(), is_t)) {
+        sums[block.number] += ray.crossing(input.triangles[t], input.support(t));
+      }
+    }
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0);
+}
+
+// How often the operands of each group contain what lies right in front of a part of a face: signed
+// crossings of a ray from its middle. `corners` span the part, `support` gives its plane and
+// orientation, and `cover` the triangles it is part of. Adds a point to the input and removes it.
+// O(triangles) in the worst case. Needs UpwardRounding.
+Counts winding_numbers_at(ArrangementInput& input, const BooleanRule& rule, const Triangle& corners,
+                          const Triangle& support, std::span<const SignedTriangle> cover) {
+  const PointId start = input.points.add(middle(input.points, corners));
+  const Ray ray(input, start, projection_of(input.points, support));
+  std::vector<int> counts(rule.groups, 0);
+  for (std::size_t o = 0; o < input.operands.size(); ++o) {
+    if (ray.may_meet(input.bounds[o])) {
+      counts[rule.group_of_operand[o]] += crossings(input, ray, o, cover);
+    }
+  }
+  input.points.remove_last();
+  return counts;
 }
 
 // Patches connected by seams, and the counts in front of each relative to its root.
@@ -62,8 +181,8 @@ class Relations {
   std::vector<Counts> offset_;  // zero for roots
 };
 
-// Between two neighbouring sheets lies one place: the side of the first that faces onward is in
-// the same place as the side of the second that faces back. Forward sheets have their front
+// Between two neighbouring half-planes the counts are the same: those on the side of the first that
+// faces onward are those on the side of the second that faces back. Forward ones have their front
 // onward.
 void relate_around(const ArrangementInput& input, const ManifoldPatches& patches,
                    const support::IndexRange& seam, Relations& relations) {
@@ -93,26 +212,26 @@ void relate_around(const ArrangementInput& input, const ManifoldPatches& patches
   }
 }
 
-// Some piece of each set of related patches: an untouched triangle where possible.
+// Some triangle of each set of related patches: an untouched triangle where possible.
 struct Sample {
   bool found = false;
-  bool is_triangle = false;
-  std::uint32_t index = 0;  // of the triangle or the piece
+  bool is_untouched = false;
+  std::uint32_t index = 0;  // of the triangle or sub-triangle
 };
 
 // By the root of the set.
 std::vector<Sample> find_samples(const ArrangementInput& input, const Constraints& constraints,
-                                 const Subdivision& pieces, const ManifoldPatches& patches,
+                                 const Subdivision& subdivision, const ManifoldPatches& patches,
                                  Relations& relations) {
   std::vector<Sample> samples(patches.size());
   std::uint32_t missing = 0;
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
     missing += relations.root(p) == p ? 1 : 0;
   }
-  const auto offer = [&](std::uint32_t patch, bool is_triangle, std::uint32_t index) {
+  const auto offer = [&](std::uint32_t patch, bool is_untouched, std::uint32_t index) {
     Sample& sample = samples[relations.root(patch)];
     if (!sample.found) {
-      sample = {true, is_triangle, index};
+      sample = {true, is_untouched, index};
       --missing;
     }
   };
@@ -121,35 +240,36 @@ std::vector<Sample> find_samples(const ArrangementInput& input, const Constraint
       offer(patches.of_triangle(t), true, t);
     }
   }
-  for (std::uint32_t p = 0; p < pieces.pieces.size() && missing > 0; ++p) {
-    offer(patches.of_region(pieces.pieces[p].region), false, p);
+  for (std::uint32_t p = 0; p < subdivision.triangles.size() && missing > 0; ++p) {
+    offer(patches.of_region(subdivision.triangles[p].region), false, p);
   }
   return samples;
 }
 
 Counts counts_in_front_of(ArrangementInput& input, const BooleanRule& rule,
-                          const Subdivision& pieces, const Sample& sample) {
-  if (sample.is_triangle) {
+                          const Subdivision& subdivision, const Sample& sample) {
+  if (sample.is_untouched) {
     return winding_numbers_at(input, rule, input.triangles[sample.index],
                               input.support(sample.index), input.cover(sample.index));
   }
-  const Subdivision::SubTriangle& piece = pieces.pieces[sample.index];
-  return winding_numbers_at(input, rule, piece.corners,
-                            input.support(pieces.regions[piece.region].support),
-                            pieces.cover(piece.region));
+  const Subdivision::SubTriangle& triangle = subdivision.triangles[sample.index];
+  return winding_numbers_at(input, rule, triangle.corners,
+                            input.support(subdivision.regions[triangle.region].support),
+                            subdivision.cover(triangle.region));
 }
 
 }  // namespace
 
 std::vector<std::int8_t> propagate_winding_numbers(ArrangementInput& input, const BooleanRule& rule,
                                                    const Constraints& constraints,
-                                                   const Subdivision& pieces,
+                                                   const Subdivision& subdivision,
                                                    const ManifoldPatches& patches) {
   Relations relations(patches.size(), rule.groups);
   for (const support::IndexRange& seam : patches.seams()) {
     relate_around(input, patches, seam, relations);
   }
-  const std::vector<Sample> samples = find_samples(input, constraints, pieces, patches, relations);
+  const std::vector<Sample> samples =
+      find_samples(input, constraints, subdivision, patches, relations);
   std::vector<Counts> front_of_root(patches.size());
   std::vector<std::int8_t> selection(patches.size(), 0);
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
@@ -159,11 +279,11 @@ std::vector<std::int8_t> propagate_winding_numbers(ArrangementInput& input, cons
     }
     if (front_of_root[root].empty()) {
       const Sample& sample = samples[root];
-      const std::uint32_t at = sample.is_triangle
+      const std::uint32_t at = sample.is_untouched
                                    ? patches.of_triangle(sample.index)
-                                   : patches.of_region(pieces.pieces[sample.index].region);
+                                   : patches.of_region(subdivision.triangles[sample.index].region);
       front_of_root[root] =
-          sum(counts_in_front_of(input, rule, pieces, sample), relations.offset(at), -1);
+          sum(counts_in_front_of(input, rule, subdivision, sample), relations.offset(at), -1);
     }
     const Counts front = sum(front_of_root[root], relations.offset(p));
     const Counts back = sum(front, patches.change(p));

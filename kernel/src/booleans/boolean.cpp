@@ -5,41 +5,13 @@
 #include <tuple>
 #include <vector>
 
-#include "booleans/combine.h"
-#include "dupin/kernel/error.h"
+#include "arrangement/arrange.h"
 #include "mesh/exact_mesh.h"
-#include "support/text.h"
 
 namespace dupin {
 namespace {
 
 using mesh::ExactMesh;
-
-void refuse_contacts(const ExactMesh& result) {
-  if (result.contacts.empty()) {
-    return;
-  }
-  const Contact& first = result.contacts.front();
-  throw Error(Errc::contact,
-              "the result touches itself in " + std::to_string(result.contacts.size()) +
-                  (result.contacts.size() == 1 ? " place" : " places") + ", first at " +
-                  support::text(first.from),
-              first.names.empty() ? "" : first.names.front());
-}
-
-ExactMesh arranged(std::span<const Solid> operands, const arrangement::BooleanRule& rule,
-                   const BooleanOptions& options) {
-  std::vector<const ExactMesh*> meshes;
-  meshes.reserve(operands.size());
-  for (const Solid& operand : operands) {
-    meshes.push_back(&operand.exact());
-  }
-  ExactMesh result = arrangement::arrange(meshes, rule, options.progress, options.memory_limit);
-  if (options.contacts == ContactPolicy::refuse) {
-    refuse_contacts(result);
-  }
-  return result;
-}
 
 // -1, 0 or 1.
 int compare(const mesh::ExactPoint& a, const mesh::ExactPoint& b) {
@@ -90,7 +62,7 @@ Solid combine_alike(std::span<const Solid> operands, std::size_t first_alike,
   for (const std::uint32_t i : order) {
     sorted.push_back(operands[i]);
   }
-  ExactMesh result = arranged(sorted, rule, options);
+  ExactMesh result = arrangement::arrange(sorted, rule, options);
   for (Source& source : result.sources) {
     source.operand = order[source.operand];
   }
@@ -98,11 +70,6 @@ Solid combine_alike(std::span<const Solid> operands, std::size_t first_alike,
 }
 
 }  // namespace
-
-Solid booleans::combine(std::span<const Solid> operands, const arrangement::BooleanRule& rule,
-                        const BooleanOptions& options) {
-  return Solid(std::make_shared<const mesh::ExactMesh>(arranged(operands, rule, options)));
-}
 
 Solid unite(std::span<const Solid> operands, const BooleanOptions& options) {
   return combine_alike(operands, 0, arrangement::union_rule(operands.size()), options);

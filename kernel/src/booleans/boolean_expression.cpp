@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "booleans/combine.h"
+#include "arrangement/arrange.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
@@ -95,9 +95,9 @@ class Expression::Parser {
   }
   void operand(std::string_view name) {
     auto& names = result_.names_;
-    const auto place = std::find(names.begin(), names.end(), name);
-    result_.steps_.push_back({Kind::operand, static_cast<std::uint32_t>(place - names.begin())});
-    if (place == names.end()) {
+    const auto at = std::find(names.begin(), names.end(), name);
+    result_.steps_.push_back({Kind::operand, static_cast<std::uint32_t>(at - names.begin())});
+    if (at == names.end()) {
       names.emplace_back(name);
     }
   }
@@ -161,12 +161,12 @@ Solid evaluate(const Expression& expression, const std::map<std::string, Solid>&
   std::vector<Solid> solids;
   arrangement::BooleanRule rule;
   for (const std::string& name : expression.names()) {
-    const auto place = operands.find(name);
-    if (place == operands.end()) {
+    const auto at = operands.find(name);
+    if (at == operands.end()) {
       throw Error(Errc::invalid_argument,
                   "the expression names an operand that is not given: '" + name + "'", name);
     }
-    solids.push_back(place->second);
+    solids.push_back(at->second);
     rule.group_of_operand.push_back(rule.groups++);
   }
   rule.inside = [&expression](std::span<const int> counts) {
@@ -176,7 +176,8 @@ Solid evaluate(const Expression& expression, const std::map<std::string, Solid>&
     }
     return expression.contains(inside);
   };
-  return booleans::combine(solids, rule, options);
+  return Solid(
+      std::make_shared<const mesh::ExactMesh>(arrangement::arrange(solids, rule, options)));
 }
 
 }  // namespace dupin

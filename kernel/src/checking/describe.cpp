@@ -2,7 +2,7 @@
 #include <span>
 
 #include "dupin/kernel/check.h"
-#include "support/text.h"
+#include "dupin/kernel/decimal.h"
 
 namespace dupin {
 namespace {
@@ -30,8 +30,8 @@ std::string faces(std::span<const std::uint32_t> indices, const TriMesh& mesh) {
 }
 
 std::string edge(const Finding& finding, const TriMesh& mesh) {
-  return "the edge from " + support::text(mesh.points[finding.points[0]]) + " to " +
-         support::text(mesh.points[finding.points[1]]);
+  return "the edge from " + decimal(mesh.points[finding.points[0]]) + " to " +
+         decimal(mesh.points[finding.points[1]]);
 }
 
 }  // namespace
@@ -71,36 +71,34 @@ std::string describe(const Finding& finding, const TriMesh& mesh) {
   const auto point = [&](std::size_t i) { return "point " + std::to_string(finding.points.at(i)); };
   switch (finding.defect) {
     case Defect::non_finite_point:
-      return point(0) +
-             " has coordinates that are not finite numbers: " + support::text(finding.place);
+      return point(0) + " has coordinates that are not finite numbers: " + decimal(finding.place);
     case Defect::bad_index:
       return at_faces() + " refers to " + point(0) + ", but there are only " +
              std::to_string(mesh.points.size()) + " points";
     case Defect::degenerate_face:
-      return at_faces() + " at " + support::text(finding.place) +
+      return at_faces() + " at " + decimal(finding.place) +
              " has no area: its corners lie on one line";
     case Defect::duplicate_face:
-      return at_faces() + " at " + support::text(finding.place) + " have the same three corners";
+      return at_faces() + " at " + decimal(finding.place) + " have the same three corners";
     case Defect::boundary_edge:
       return edge(finding, mesh) + " belongs to " + at_faces() + " only";
     case Defect::non_manifold_edge:
       return edge(finding, mesh) + " is shared by " + at_faces();
     case Defect::non_manifold_vertex:
-      return at_faces() + " meet in " + point(0) + " at " + support::text(finding.place) +
+      return at_faces() + " meet in " + point(0) + " at " + decimal(finding.place) +
              " but do not hang together by edges there";
     case Defect::inconsistent_orientation:
       return at_faces() + " run along " + edge(finding, mesh) + " in the same direction";
     case Defect::self_intersection:
-      return at_faces() + " intersect near " + support::text(finding.place);
+      return at_faces() + " intersect near " + decimal(finding.place);
     case Defect::contact:
       return at_faces() + " touch in " +
-             (finding.points.size() == 2 ? edge(finding, mesh) : support::text(finding.place)) +
+             (finding.points.size() == 2 ? edge(finding, mesh) : decimal(finding.place)) +
              " without sharing it";
     case Defect::inside_out_component:
-      return "the shell of " + at_faces() + " at " + support::text(finding.place) +
-             " is inside out";
+      return "the shell of " + at_faces() + " at " + decimal(finding.place) + " is inside out";
     case Defect::isolated_point:
-      return point(0) + " at " + support::text(finding.place) + " belongs to no face";
+      return point(0) + " at " + decimal(finding.place) + " belongs to no face";
   }
   return "unknown";
 }

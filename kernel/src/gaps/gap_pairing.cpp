@@ -4,10 +4,10 @@
 #include <queue>
 #include <tuple>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/gap.h"
 #include "gaps/port_tree.h"
-#include "support/text.h"
 
 namespace dupin {
 namespace {
@@ -20,7 +20,7 @@ void validate(std::span<const Port> ports, double connect) {
     throw Error(Errc::invalid_argument,
                 "the distance within which ends are connected must be a finite length of at least "
                 "0, not " +
-                    support::text(connect));
+                    decimal(connect));
   }
   for (const Port& port : ports) {
     try {

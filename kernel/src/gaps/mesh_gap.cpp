@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "gaps/boundary_loops.h"
 #include "gaps/gap_regions.h"
 #include "gaps/union_components.h"
-#include "support/text.h"
 
 namespace dupin {
 namespace {
@@ -17,12 +17,12 @@ void validate(const MeshGapOptions& options) {
     throw Error(Errc::invalid_argument,
                 "the distance within which faces are connected must be a finite length of at least "
                 "0, not " +
-                    support::text(options.connect));
+                    decimal(options.connect));
   }
   if (!(options.cosine > 0 && options.cosine <= 1)) {
     throw Error(Errc::invalid_argument,
                 "the cosine for faces that look at each other must be above 0 and at most 1, not " +
-                    support::text(options.cosine));
+                    decimal(options.cosine));
   }
 }
 

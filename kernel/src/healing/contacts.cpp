@@ -6,8 +6,8 @@
 #include <Eigen/Geometry>
 
 #include "dupin/kernel/boolean.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "support/text.h"
 
 namespace dupin {
 namespace {
@@ -68,10 +68,10 @@ Settled settle(const Solid& solid, double size, const Progress& progress, Operat
   // Far above the error of the tools' corners, a few units in the last place of a coordinate.
   const double smallest = 0x1p-32 * largest_coordinate(solid);
   if (!std::isfinite(size) || size <= smallest) {
-    throw Error(Errc::invalid_argument, "contacts cannot be settled within " + support::text(size) +
+    throw Error(Errc::invalid_argument, "contacts cannot be settled within " + decimal(size) +
                                             "; with coordinates this large, the length must be "
                                             "above " +
-                                            support::text(smallest));
+                                            decimal(smallest));
   }
   // New contacts arise only where tools happen to end on something: then smaller ones do not.
   constexpr int kAttempts = 4;
@@ -87,8 +87,8 @@ Settled settle(const Solid& solid, double size, const Progress& progress, Operat
       return {std::move(settled), solid.contacts()};
     }
   }
-  throw Error(Errc::contact, "the contacts cannot be settled within " + support::text(size) +
-                                 ", the first at " + support::text(solid.contacts().front().from) +
+  throw Error(Errc::contact, "the contacts cannot be settled within " + decimal(size) +
+                                 ", the first at " + decimal(solid.contacts().front().from) +
                                  "; another length may do");
 }
 

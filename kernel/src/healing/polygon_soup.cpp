@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <map>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "mesh/coincident_points.h"
 #include "mesh/edge_table.h"
 #include "mesh/measure.h"
 #include "mesh/shell_nesting.h"
 #include "predicates/triangle_overlap.h"
-#include "support/text.h"
+#include "support/none.h"
 
 namespace dupin::healing {
 namespace {
@@ -92,15 +93,15 @@ std::size_t replace_degenerate_faces(PolygonSoup& soup) {
   return replaced;
 }
 
-// For each triangle, turned or not to agree with the lowest one of its piece: those that hang
+// For each triangle, turned or not to agree with the lowest one of its component: those that hang
 // together by edges of two.
-struct Pieces {
+struct Components {
   std::vector<std::uint32_t> of_face;
   std::vector<bool> is_turned;
 };
 
-Pieces find_pieces(const PolygonSoup& soup, const mesh::EdgeTable& edges) {
-  constexpr std::uint32_t kNone = 0xffffffff;
+Components find_components(const PolygonSoup& soup, const mesh::EdgeTable& edges) {
+  using support::kNone;
   struct Link {
     std::uint32_t face = kNone;
     bool agrees = true;
@@ -115,47 +116,47 @@ Pieces find_pieces(const PolygonSoup& soup, const mesh::EdgeTable& edges) {
       links[b / 3][b % 3] = {a / 3, agrees};
     }
   }
-  Pieces pieces{std::vector(soup.triangles.size(), kNone), std::vector<bool>(links.size())};
+  Components components{std::vector(soup.triangles.size(), kNone), std::vector<bool>(links.size())};
   for (std::uint32_t first = 0; first < links.size(); ++first) {
-    if (pieces.of_face[first] != kNone) {
+    if (components.of_face[first] != kNone) {
       continue;
     }
-    pieces.of_face[first] = first;
+    components.of_face[first] = first;
     std::vector<std::uint32_t> queue{first};
     for (std::size_t q = 0; q < queue.size(); ++q) {
-      const bool is_turned = pieces.is_turned[queue[q]];
+      const bool is_turned = components.is_turned[queue[q]];
       for (const Link& link : links[queue[q]]) {
         if (link.face == kNone) {
           continue;
         }
         const bool should_turn = is_turned == link.agrees;
-        if (pieces.of_face[link.face] == kNone) {
-          pieces.of_face[link.face] = first;
-          pieces.is_turned[link.face] = should_turn;
+        if (components.of_face[link.face] == kNone) {
+          components.of_face[link.face] = first;
+          components.is_turned[link.face] = should_turn;
           queue.push_back(link.face);
-        } else if (pieces.is_turned[link.face] != should_turn) {
+        } else if (components.is_turned[link.face] != should_turn) {
           throw Error(Errc::not_oriented,
                       "the mesh cannot be repaired: its surface has only one side, near " +
-                          support::text(soup.points[soup.triangles[link.face][0]]));
+                          decimal(soup.points[soup.triangles[link.face][0]]));
         }
       }
     }
   }
-  return pieces;
+  return components;
 }
 
 void turn(Triangle& t) { std::swap(t[1], t[2]); }
 
 std::vector<std::uint32_t> faces_to_agree(const PolygonSoup& soup) {
   const mesh::EdgeTable edges(soup.triangles, soup.points.size());
-  const Pieces pieces = find_pieces(soup, edges);
-  std::map<std::uint32_t, std::ptrdiff_t> majority;  // of unturned faces of each piece
+  const Components components = find_components(soup, edges);
+  std::map<std::uint32_t, std::ptrdiff_t> majority;  // of unturned faces of each component
   for (std::uint32_t i = 0; i < soup.triangles.size(); ++i) {
-    majority[pieces.of_face[i]] += pieces.is_turned[i] ? -1 : 1;
+    majority[components.of_face[i]] += components.is_turned[i] ? -1 : 1;
   }
   std::vector<std::uint32_t> to_turn;
   for (std::uint32_t i = 0; i < soup.triangles.size(); ++i) {
-    if (pieces.is_turned[i] == (majority[pieces.of_face[i]] >= 0)) {
+    if (components.is_turned[i] == (majority[components.of_face[i]] >= 0)) {
       to_turn.push_back(i);
     }
   }
@@ -220,18 +221,18 @@ void drop_duplicate_faces(PolygonSoup& soup, RepairReport& report) {
   struct Copies {
     std::vector<std::uint32_t> even, odd;  // by the orientation of the corners
   };
-  std::map<Triangle, Copies> places;
+  std::map<Triangle, Copies> by_corners;
   for (std::uint32_t i = 0; i < soup.triangles.size(); ++i) {
     Triangle corners = soup.triangles[i];
     const auto first = std::min_element(corners.begin(), corners.end());
     std::rotate(corners.begin(), first, corners.end());
     const bool is_odd = corners[1] > corners[2];
     std::sort(corners.begin(), corners.end());
-    (is_odd ? places[corners].odd : places[corners].even).push_back(i);
+    (is_odd ? by_corners[corners].odd : by_corners[corners].even).push_back(i);
   }
   std::vector<bool> is_kept(soup.triangles.size(), false);
   std::map<std::array<std::uint32_t, 2>, std::size_t> single;  // edges by faces that cover alone
-  for (const auto& [corners, copies] : places) {
+  for (const auto& [corners, copies] : by_corners) {
     for (const auto* same : {&copies.even, &copies.odd}) {
       if (!same->empty()) {
         is_kept[same->front()] = true;
@@ -243,7 +244,7 @@ void drop_duplicate_faces(PolygonSoup& soup, RepairReport& report) {
       ++single[{corners[1], corners[2]}];
     }
   }
-  for (const auto& [corners, copies] : places) {
+  for (const auto& [corners, copies] : by_corners) {
     if (!copies.even.empty() && !copies.odd.empty()) {
       const auto alone = single.find({corners[0], corners[1]});
       const bool is_needed = alone != single.end() && alone->second % 2 == 1;

@@ -5,6 +5,12 @@
 
 #include "dupin/kernel/repair.h"
 
+/// Solids from meshes that are none, and solids without contacts, by steps that are exact and can
+/// be said in one sentence each. repair() merges points, drops faces without area and copies of
+/// faces, turns faces until they agree, and takes what the surface then winds around a positive
+/// number of times (arrangement::positive_winding_boundary); it moves no point and fills no hole.
+/// separate() and bridge() (contacts.cpp) cut away or add small polyhedra around contacts. Here are
+/// the steps on a soup: triangles of which nothing is known but that their indices are in range.
 namespace dupin::healing {
 
 /// Triangles on their way to becoming a solid.
@@ -23,7 +29,7 @@ struct PolygonSoup {
 /// none.
 void drop_degenerate_faces(PolygonSoup& soup, RepairReport& report);
 
-/// Drops copies of triangles. Of those that cover the same place both ways, one stays if the
+/// Drops copies of triangles. Of those that cover the same area both ways, one stays if the
 /// surface needs it to be closed, else none.
 void drop_duplicate_faces(PolygonSoup& soup, RepairReport& report);
 

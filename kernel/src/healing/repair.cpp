@@ -5,11 +5,11 @@
 
 #include "arrangement/arrange.h"
 #include "dupin/kernel/check.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "healing/polygon_soup.h"
 #include "mesh/edge_table.h"
 #include "mesh/exact_mesh.h"
-#include "support/text.h"
 
 namespace dupin {
 namespace {
@@ -42,7 +42,7 @@ void refuse_holes(const healing::PolygonSoup& soup) {
       balance += edges.origin(half_edge) == edge.low ? 1 : -1;
     }
     if (balance != 0 && open++ == 0) {
-      first = support::text(soup.points[edge.low]) + " to " + support::text(soup.points[edge.high]);
+      first = decimal(soup.points[edge.low]) + " to " + decimal(soup.points[edge.high]);
     }
   }
   if (open > 0) {

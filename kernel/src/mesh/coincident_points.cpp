@@ -6,37 +6,37 @@
 #include <numeric>
 
 #include "mesh/exact_mesh.h"
+#include "support/hash.h"
+#include "support/none.h"
 
 namespace dupin::mesh {
 namespace {
 
-bool same_place(const ExactPoint& a, const ExactPoint& b) {
+bool coincide(const ExactPoint& a, const ExactPoint& b) {
   return a[0] * b[3] == b[0] * a[3] && a[1] * b[3] == b[1] * a[3] && a[2] * b[3] == b[2] * a[3];
 }
 
 }  // namespace
 
 std::uint64_t hash_of(const Vec3& point) {
-  std::uint64_t mixed = 0;
+  std::uint64_t hash = 0;
   for (const double coordinate : {point.x(), point.y(), point.z()}) {
-    // Adding 0.0 turns -0.0 into 0.0. The multiplier is 2^64 over the golden ratio, made odd.
-    mixed = (mixed ^ std::bit_cast<std::uint64_t>(coordinate + 0.0)) * 0x9e3779b97f4a7c15;
-    mixed ^= mixed >> 32;
+    // Adding 0.0 turns -0.0 into 0.0.
+    hash = support::mixed(hash, std::bit_cast<std::uint64_t>(coordinate + 0.0));
   }
-  return mixed;
+  return hash;
 }
 
 std::vector<std::uint32_t> coincident_representatives(std::span<const Vec3> points) {
-  constexpr std::uint32_t kFree = 0xffffffff;
   const std::size_t slots = std::bit_ceil(2 * points.size() + 1);
-  std::vector<std::uint32_t> table(slots, kFree);
+  std::vector<std::uint32_t> table(slots, support::kNone);
   std::vector<std::uint32_t> first(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     std::size_t slot = hash_of(points[i]) & (slots - 1);
-    while (table[slot] != kFree && points[table[slot]] != points[i]) {
+    while (table[slot] != support::kNone && points[table[slot]] != points[i]) {
       slot = (slot + 1) & (slots - 1);
     }
-    if (table[slot] == kFree) {
+    if (table[slot] == support::kNone) {
       table[slot] = i;
     }
     first[i] = table[slot];
@@ -45,28 +45,28 @@ std::vector<std::uint32_t> coincident_representatives(std::span<const Vec3> poin
 }
 
 std::vector<std::uint32_t> coincident_representatives(const ExactMesh& mesh) {
-  // Points in the same place have the same nearest doubles. No implicit point is a double.
-  std::vector<std::uint32_t> twins = coincident_representatives(mesh.points);
+  // Coincident points have the same nearest doubles. No implicit point is a double.
+  std::vector<std::uint32_t> representatives = coincident_representatives(mesh.points);
   const std::uint32_t doubles = mesh.double_count();
-  std::map<std::uint32_t, std::vector<std::uint32_t>> places;  // of the same nearest doubles
-  for (std::uint32_t i = doubles; i < twins.size(); ++i) {
-    const std::uint32_t first = twins[i];
+  std::map<std::uint32_t, std::vector<std::uint32_t>> alike;  // of the same nearest doubles
+  for (std::uint32_t i = doubles; i < representatives.size(); ++i) {
+    const std::uint32_t first = representatives[i];
     if (first == i) {
       continue;
     }
-    std::vector<std::uint32_t>& known = places[first];
+    std::vector<std::uint32_t>& known = alike[first];
     if (known.empty() && first >= doubles) {
       known.push_back(first);
     }
-    const auto twin = std::find_if(known.begin(), known.end(), [&](std::uint32_t other) {
-      return same_place(mesh.implicit[i - doubles], mesh.implicit[other - doubles]);
+    const auto same = std::find_if(known.begin(), known.end(), [&](std::uint32_t other) {
+      return coincide(mesh.implicit[i - doubles], mesh.implicit[other - doubles]);
     });
-    twins[i] = twin != known.end() ? *twin : i;
-    if (twin == known.end()) {
+    representatives[i] = same != known.end() ? *same : i;
+    if (same == known.end()) {
       known.push_back(i);
     }
   }
-  return twins;
+  return representatives;
 }
 
 std::vector<std::uint32_t> representatives_at_contacts(const ExactMesh& mesh) {

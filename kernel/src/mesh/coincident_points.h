@@ -10,14 +10,14 @@ namespace dupin::mesh {
 
 struct ExactMesh;
 
-/// The same for points with the same coordinates (0.0 and -0.0 are the same).
+/// One hash for points with the same coordinates (0.0 and -0.0 are the same).
 [[nodiscard]] std::uint64_t hash_of(const Vec3& point);
 
 /// For each point the index of the first one with the same coordinates (0.0 and -0.0 are the
 /// same). The points are finite. O(n).
 [[nodiscard]] std::vector<std::uint32_t> coincident_representatives(std::span<const Vec3> points);
 
-/// For each point the first one in exactly the same place: another one only at contacts.
+/// For each point the first one that coincides with it exactly: another one only at contacts.
 [[nodiscard]] std::vector<std::uint32_t> coincident_representatives(const ExactMesh& mesh);
 
 /// The same for a mesh whose contacts are known; quick if there are none.

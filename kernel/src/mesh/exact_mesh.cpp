@@ -1,7 +1,6 @@
 #include "mesh/exact_mesh.h"
 
 #include "exact/exact_numbers.h"
-#include "mesh/mesh_view.h"
 
 namespace dupin::mesh {
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,15 @@
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
 #include "mesh/stable_face_groups.h"
+#include "support/none.h"
 
+/// Surfaces of triangles as the kernel keeps and reads them. A point is a double, or implicit:
+/// exact in homogeneous coordinates (X, Y, Z, W), with its nearest double beside it. A half-edge 3f
+/// + k runs from corner k of face f to the next; a fan is the faces around a point that hang
+/// together by edges, a shell those that hang together at all; a contact is where a shell touches
+/// itself or another (edge_table.h, self_contact.h). Volumes are sums of determinants over shells
+/// (measure.h), nesting is by rays (shell_nesting.h). Two tools ask whoever holds the points for
+/// exact signs, and so serve the arrangement too: radial_order.h and ray_crossing.h.
 namespace dupin::mesh {
 
 /// Homogeneous coordinates (X, Y, Z, W), W > 0, of the point (X/W, Y/W, Z/W): no division, no gcd.
@@ -35,10 +44,30 @@ struct ExactMesh {
       plane_of;  ///< empty, or per triangle an index into planes or kOwnPlane
   StableFaceGroups stable;
 
-  static constexpr std::uint32_t kOwnPlane = 0xffffffff;  ///< the plane through its corners
+  static constexpr std::uint32_t kOwnPlane = support::kNone;  ///< the plane through its corners
 
   [[nodiscard]] std::uint32_t double_count() const {
     return static_cast<std::uint32_t>(points.size() - implicit.size());
+  }
+};
+
+/// What the measurements and the topology read of a mesh, whoever owns it. Indices are in range.
+struct MeshView {
+  std::span<const Vec3> points;
+  std::span<const Triangle> triangles;
+  std::span<const ExactPoint> implicit = {};  ///< of the last points
+
+  MeshView(std::span<const Vec3> all_points, std::span<const Triangle> all_triangles)
+      : points(all_points), triangles(all_triangles) {}
+  explicit MeshView(const ExactMesh& mesh)
+      : points(mesh.points), triangles(mesh.triangles), implicit(mesh.implicit) {}
+
+  [[nodiscard]] std::size_t double_count() const { return points.size() - implicit.size(); }
+  [[nodiscard]] ExactPoint exact(std::uint32_t index) const {
+    if (index >= double_count()) {
+      return implicit[index - double_count()];
+    }
+    return {points[index].x(), points[index].y(), points[index].z(), 1};
   }
 };
 

@@ -8,6 +8,7 @@
 #include "exact/exact_vector.h"
 #include "mesh/coincident_points.h"
 #include "mesh/edge_table.h"
+#include "mesh/radial_order.h"
 
 namespace dupin::mesh {
 namespace {
@@ -17,11 +18,10 @@ exact::ExactVector difference(const ExactPoint& a, const ExactPoint& b) {
   return {a[0] * b[3] - b[0] * a[3], a[1] * b[3] - b[1] * a[3], a[2] * b[3] - b[2] * a[3]};
 }
 
-// A half-plane that ends in the edge, from the first one counter-clockwise.
-struct Leaf {
+// A face as a half-plane that ends in the edge.
+struct HalfPlane {
   exact::ExactVector direction;  // from the edge into the face
   std::uint32_t half_edge = 0;
-  int half_turn = 0;  // 0 in [0, pi) from the first leaf, 1 in [pi, 2 pi)
 };
 
 // Whether faces around the edge leave and enter the solid in turn.
@@ -45,31 +45,24 @@ std::vector<std::uint32_t> sorted_around(const MeshView& mesh, const EdgeTable& 
                                          const Edge& edge) {
   const ExactPoint low = mesh.exact(edge.low);
   const exact::ExactVector axis = difference(mesh.exact(edge.high), low);
-  std::vector<Leaf> leaves;
+  std::vector<HalfPlane> half_planes;
   for (const std::uint32_t half_edge : edge.half_edges) {
     const std::uint32_t apex = edges.target(next_half_edge(half_edge));
-    leaves.push_back({difference(mesh.exact(apex), low), half_edge, 0});
+    half_planes.push_back({difference(mesh.exact(apex), low), half_edge});
   }
-  const auto turn = [&](const exact::ExactVector& a, const exact::ExactVector& b) {
-    return exact::sign(exact::dot(axis, exact::cross(a, b)));
-  };
-  const exact::ExactVector first = leaves.front().direction;
-  for (Leaf& leaf : leaves) {
-    const int side = turn(first, leaf.direction);
-    // Coplanar leaves lie on the same side of the axis, or on the opposite one.
-    const bool opposite =
-        side == 0 &&
-        exact::sign(exact::dot(exact::cross(axis, first), exact::cross(axis, leaf.direction))) < 0;
-    leaf.half_turn = side < 0 || opposite ? 1 : 0;
-  }
-  std::stable_sort(leaves.begin(), leaves.end(), [&](const Leaf& a, const Leaf& b) {
-    return a.half_turn != b.half_turn ? a.half_turn < b.half_turn
-                                      : turn(a.direction, b.direction) > 0;
-  });
+  sort_around_edge(
+      half_planes,
+      [&axis](const HalfPlane& a, const HalfPlane& b) {
+        return exact::sign(exact::dot(axis, exact::cross(a.direction, b.direction)));
+      },
+      [&axis](const HalfPlane& a, const HalfPlane& b) {
+        return exact::sign(exact::dot(exact::cross(axis, a.direction),
+                                      exact::cross(axis, b.direction))) < 0;
+      });
   std::vector<std::uint32_t> half_edges;
-  half_edges.reserve(leaves.size());
-  for (const Leaf& leaf : leaves) {
-    half_edges.push_back(leaf.half_edge);
+  half_edges.reserve(half_planes.size());
+  for (const HalfPlane& h : half_planes) {
+    half_edges.push_back(h.half_edge);
   }
   return half_edges;
 }

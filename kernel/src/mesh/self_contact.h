@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh/edge_table.h"
-#include "mesh/mesh_view.h"
+#include "mesh/exact_mesh.h"
 
 namespace dupin::mesh {
 

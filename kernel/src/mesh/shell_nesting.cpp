@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exact/exact_vector.h"
+#include "mesh/ray_crossing.h"
 
 namespace dupin::mesh {
 namespace {
@@ -13,34 +14,22 @@ exact::ExactVector tripled(const Vec3& point) {
   return {Mpzf(point.x()) * 3, Mpzf(point.y()) * 3, Mpzf(point.z()) * 3};
 }
 
-// The ray runs from q along +x. So that it passes through no edge, q is thought moved by
-// (0, e, e^2) for an infinitely small e > 0; y points right and z upwards in what follows.
-bool is_above(const exact::ExactVector& point, const exact::ExactVector& q) {
-  return point[2] > q[2];
-}
+// A triangle and the start of a ray along +x, for ray_crossing().
+struct TriangleAndStart {
+  std::array<exact::ExactVector, 3> corners;
+  const exact::ExactVector& start;
 
-// Whether q is left of the line from a upwards to b. A q on the line has moved to its right.
-bool is_left_of(const exact::ExactVector& q, const exact::ExactVector& a,
-                const exact::ExactVector& b) {
-  return exact::sign((b[1] - a[1]) * (q[2] - a[2]) - (b[2] - a[2]) * (q[1] - a[1])) > 0;
-}
-
-bool is_hit(const exact::ExactVector& q, const std::array<exact::ExactVector, 3>& corners) {
-  int crossed = 0;  // edges to the right of q
-  for (std::size_t i = 0; i < 3; ++i) {
-    const exact::ExactVector &a = corners[i], &b = corners[(i + 1) % 3];
-    if (is_above(a, q) != is_above(b, q)) {
-      const bool upward = is_above(b, q);
-      crossed += is_left_of(q, upward ? a : b, upward ? b : a) ? 1 : 0;
-    }
+  [[nodiscard]] bool is_above(std::size_t i) const { return corners[i][2] > start[2]; }
+  [[nodiscard]] int turn(std::size_t i, std::size_t j) const {
+    const exact::ExactVector &a = corners[i], &b = corners[j];
+    return exact::sign((b[1] - a[1]) * (start[2] - a[2]) - (b[2] - a[2]) * (start[1] - a[1]));
   }
-  if (crossed != 1) {
-    return false;
+  [[nodiscard]] int side() const {
+    const exact::ExactVector normal =
+        exact::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    return exact::sign(exact::dot(normal, start - corners[0]));
   }
-  const exact::ExactVector normal = exact::cross(corners[1] - corners[0], corners[2] - corners[0]);
-  // q + t e_x is in the plane for t = -normal . (q - a) / normal_x.
-  return exact::sign(exact::dot(normal, q - corners[0])) * exact::sign(normal[0]) < 0;
-}
+};
 
 }  // namespace
 
@@ -94,8 +83,10 @@ bool ShellNest::encloses(std::size_t outer, std::size_t inner) const {
       continue;
     }
     const Triangle& t = mesh_.triangles[face];
-    inside ^= is_hit(point, {tripled(mesh_.points[t[0]]), tripled(mesh_.points[t[1]]),
-                             tripled(mesh_.points[t[2]])});
+    const TriangleAndStart triangle{
+        {tripled(mesh_.points[t[0]]), tripled(mesh_.points[t[1]]), tripled(mesh_.points[t[2]])},
+        point};
+    inside ^= ray_crossing(triangle, 1) != 0;
   }
   return inside;
 }

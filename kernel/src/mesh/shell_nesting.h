@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "mesh/edge_table.h"
-#include "mesh/mesh_view.h"
+#include "mesh/exact_mesh.h"
 
 namespace dupin::mesh {
 

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "support/none.h"
+
 namespace dupin::exact {
 class FloatLattice;
 }
@@ -18,7 +20,7 @@ struct StableFaceGroups {
     double largest;  ///< coordinate of its points, in absolute value; they are doubles
     double reach;    ///< by which each coordinate of each point may move
   };
-  static constexpr std::uint32_t kNone = 0xffffffff;
+  static constexpr std::uint32_t kNone = support::kNone;
 
   std::vector<std::uint32_t> of_triangle;  ///< its class or kNone; empty if there are no classes
   std::vector<Group> classes;

@@ -4,10 +4,14 @@
 
 #include "dupin/kernel/vec.h"
 
-/// Signs of determinants in plain doubles: +1 or -1 when certain, 0 when rounding could reach the
-/// value. The bounds are stage A of J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic
-/// (1997). The small addends cover underflow; overflow gives infinities or NaN, which are never
-/// certain.
+/// Predicates on points that doubles hold: first in plain doubles, then, where rounding could reach
+/// the value, in exact numbers. So decide the tests of two triangles (triangle_overlap.h: whether
+/// they meet; triangle_distance.h: how near they come) and of what stays as it is while points move
+/// within a margin (stable_predicates.h, for the lemmas of docs/robustness.md).
+///
+/// Here are the signs of determinants in plain doubles: +1 or -1 when certain, 0 when rounding
+/// could reach the value. The bounds are stage A of [She97]. The small addends cover underflow;
+/// overflow gives infinities or NaN, which are never certain.
 namespace dupin::predicates {
 
 inline constexpr double kHalfUlp = 0x1p-53;

@@ -100,24 +100,24 @@ struct Pair {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     struct Range {
       double low = kInfinity, high = -kInfinity;
-      void add(double place) {
-        low = std::min(low, place);
-        high = std::max(high, place);
+      void add(double position) {
+        low = std::min(low, position);
+        high = std::max(high, position);
       }
     };
     Range only_s, only_t, common;
     double size = 0;
-    const auto place = [&](std::uint32_t corner) {
+    const auto position = [&](std::uint32_t corner) {
       const Vec3 terms = way.cwiseProduct(points[corner] - points[s[0]]);
       size += terms.cwiseAbs().sum();  // infinite if any is
       return terms.sum();
     };
     for (const std::uint32_t p : s) {
-      (has(t, p) ? common : only_s).add(place(p));
+      (has(t, p) ? common : only_s).add(position(p));
     }
     for (const std::uint32_t q : t) {
       if (!has(s, q)) {
-        only_t.add(place(q));
+        only_t.add(position(q));
       }
     }
     const double bound =

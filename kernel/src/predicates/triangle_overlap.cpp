@@ -42,8 +42,8 @@ bool edge_separates(const Corners& t, const Corners& other, int axis, Side side,
   const int inner = side(t[0], t[1], t[2], axis);
   for (int i = 0; inner != 0 && i < 3; ++i) {
     const auto beyond = [&](const Vec3& p) {
-      const int place = side(t[i], t[(i + 1) % 3], p, axis);
-      return place == -inner || (touching && place == 0);
+      const int turn = side(t[i], t[(i + 1) % 3], p, axis);
+      return turn == -inner || (touching && turn == 0);
     };
     if (beyond(other[0]) && beyond(other[1]) && beyond(other[2])) {
       return true;

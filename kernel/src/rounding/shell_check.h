@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/mesh_view.h"
+#include "mesh/exact_mesh.h"
 #include "rounding/edited_mesh.h"
 
 namespace dupin::rounding {

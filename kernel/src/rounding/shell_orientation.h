@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "mesh/mesh_view.h"
+#include "mesh/exact_mesh.h"
 
 namespace dupin::rounding {
 

@@ -8,6 +8,13 @@
 #include <utility>
 #include <vector>
 
+/// What every folder of the kernel needs and that knows no geometry. Work is done in parallel by
+/// blocks of consecutive indices that do not depend on the number of threads, and joined in their
+/// order: the same input gives the same bytes (blocks.h; sort_by_key.h sorts likewise). Large
+/// arrays leave their memory to the threads that fill it (bulk_vector.h). Partitions into connected
+/// sets are disjoint_sets.h; keys become numbers in order of appearance in key_numbering.h, by
+/// hash.h. An index that is not there is kNone (none.h). Progress, and being cancelled, is
+/// progress_stage.h.
 namespace dupin::support {
 
 /// Calls `visit(index)` for all indices below `count`, in parallel.

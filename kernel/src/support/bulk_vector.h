@@ -26,12 +26,12 @@ struct UnsetAllocator : std::allocator<T> {
     return memory;
   }
   template <class U>
-  void construct(U* place) {
-    ::new (static_cast<void*>(place)) U;
+  void construct(U* item) {
+    ::new (static_cast<void*>(item)) U;
   }
   template <class U, class... Arguments>
-  void construct(U* place, Arguments&&... arguments) {
-    std::construct_at(place, std::forward<Arguments>(arguments)...);
+  void construct(U* item, Arguments&&... arguments) {
+    std::construct_at(item, std::forward<Arguments>(arguments)...);
   }
 };
 template <class T>

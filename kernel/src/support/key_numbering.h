@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "support/hash.h"
+#include "support/none.h"
+
 namespace dupin::support {
 
 /// Numbers distinct keys of two words in order of first appearance.
@@ -15,7 +18,7 @@ class KeyNumbering {
   };
 
   explicit KeyNumbering(std::size_t expected_count)
-      : slots_(std::bit_ceil(2 * expected_count + 16), kEmpty) {
+      : slots_(std::bit_ceil(2 * expected_count + 16), kNone) {
     keys_.reserve(expected_count);
   }
 
@@ -25,7 +28,7 @@ class KeyNumbering {
       grow();
     }
     std::size_t i = hash(key) & (slots_.size() - 1);
-    for (; slots_[i] != kEmpty; i = (i + 1) & (slots_.size() - 1)) {
+    for (; slots_[i] != kNone; i = (i + 1) & (slots_.size() - 1)) {
       if (keys_[slots_[i]] == key) {
         return slots_[i];
       }
@@ -37,18 +40,14 @@ class KeyNumbering {
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(keys_.size()); }
 
  private:
-  static constexpr std::uint32_t kEmpty = 0xffffffff;
-
   static std::size_t hash(const Key& key) {
-    std::uint64_t h = (key.first * 0x9E3779B97F4A7C15u) ^ (key.second * 0xC2B2AE3D27D4EB4Fu);
-    h = (h ^ (h >> 31)) * 0xBF58476D1CE4E5B9u;
-    return static_cast<std::size_t>(h ^ (h >> 29));
+    return static_cast<std::size_t>(mixed(mixed(0, key.first), key.second));
   }
   void grow() {
-    slots_.assign(2 * slots_.size(), kEmpty);
+    slots_.assign(2 * slots_.size(), kNone);
     for (std::uint32_t k = 0; k < size(); ++k) {
       std::size_t i = hash(keys_[k]) & (slots_.size() - 1);
-      while (slots_[i] != kEmpty) {
+      while (slots_[i] != kNone) {
         i = (i + 1) & (slots_.size() - 1);
       }
       slots_[i] = k;

@@ -25,21 +25,21 @@ void sort_by_key(std::vector<Item>& items, std::uint32_t key_end, const Key& key
   }
   const int shift = std::max(static_cast<int>(std::bit_width(key_end)) - kBucketBits, 0);
   const auto bucket = [&](const Item& item) { return std::size_t{key(item) >> shift}; };
-  // Per block and bucket, how many items there are; then the place of the first.
+  // Per block and bucket, how many items there are; then where the first goes.
   const std::size_t block_size =
       std::max(Block::kSize, (items.size() + kMostBlocks - 1) / kMostBlocks);
-  std::vector<std::array<std::size_t, kBuckets>> places(block_count(items.size(), block_size));
+  std::vector<std::array<std::size_t, kBuckets>> offsets(block_count(items.size(), block_size));
   for_each_block(
       items.size(),
       [&](const Block& block) {
         for (std::size_t i = block.begin; i < block.end; ++i) {
-          ++places[block.number][bucket(items[i])];
+          ++offsets[block.number][bucket(items[i])];
         }
       },
       block_size);
   std::array<std::size_t, kBuckets + 1> starts{};
   for (std::size_t b = 0, next = 0; b < kBuckets; ++b) {
-    for (auto& of_block : places) {
+    for (auto& of_block : offsets) {
       next += std::exchange(of_block[b], next);
     }
     starts[b + 1] = next;
@@ -49,7 +49,7 @@ void sort_by_key(std::vector<Item>& items, std::uint32_t key_end, const Key& key
       items.size(),
       [&](const Block& block) {
         for (std::size_t i = block.begin; i < block.end; ++i) {
-          scattered[places[block.number][bucket(items[i])]++] = items[i];
+          scattered[offsets[block.number][bucket(items[i])]++] = items[i];
         }
       },
       block_size);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "blends/verification/solids.h"
+#include "blends/verification/solids_internal.h"
 #include "verification/jet.h"
 
 namespace dupin::verification {

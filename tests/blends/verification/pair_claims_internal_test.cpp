@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "blends/verification/solids.h"
+#include "blends/verification/solids_internal.h"
 #include "support/cyclide_cases.h"
 #include "support/paper_surfaces.h"
 #include "verification/pair_claims.h"

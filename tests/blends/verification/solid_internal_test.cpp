@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "blends/verification/solids.h"
+#include "blends/verification/solids_internal.h"
 #include "dupin/blends/ringed_tube.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "blends/verification/solids.h"
+#include "blends/verification/solids_internal.h"
 #include "dupin/blends/ringed_blend.h"
 #include "dupin/blends/ringed_tube.h"
 #include "support/cyclide_cases.h"

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "blends/verification/solids.h"
+#include "blends/verification/solids_internal.h"
 #include "dupin/kernel/error.h"
 #include "support/paper_surfaces.h"
 #include "verification/tube.h"

@@ -8,7 +8,13 @@
 
 #include <gtest/gtest.h>
 
+#include "dupin/io/glb.h"
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/obj.h"
+#include "dupin/io/off.h"
+#include "dupin/io/ply.h"
+#include "dupin/io/stl.h"
+#include "dupin/io/three_mf.h"
 #include "support/scratch_directory.h"
 
 // What other people's programs make of our files. Each test is skipped where its program is not
@@ -77,10 +83,9 @@ class ForeignPrograms : public test::ScratchDirectory {
   }
 
   /// Writes the torus under a name that tells the format.
-  [[nodiscard]] std::string written(MeshFormat format, const TriMesh& mesh = torus()) const {
-    constexpr std::array<const char*, 8> kNames = {"x.off", "x.stl", "y.stl", "x.ply",
-                                                   "y.ply", "x.obj", "x.3mf", "x.glb"};
-    std::string file = kNames[static_cast<std::size_t>(format)];
+  [[nodiscard]] std::string written(const MeshFormat& format, const TriMesh& mesh = torus()) const {
+    const std::string key(format.key);
+    const std::string file = key + "." + key.substr(0, key.find('-'));
     write_mesh(path(file), mesh, format, {"mm", "a note"});
     return file;
   }
@@ -100,12 +105,13 @@ TEST_F(ForeignPrograms, assimp_passes_on_the_same_solid) {
   if (!installed("assimp")) {
     GTEST_SKIP() << "assimp is not installed (package assimp-utils)";
   }
-  for (const MeshFormat format : kMeshFormats) {
-    SCOPED_TRACE(name(format));
+  for (const MeshFormat& format :
+       {kOff, kStlAscii, kStlBinary, kPlyAscii, kPlyBinary, kObj, kThreeMf, kGlb}) {
+    SCOPED_TRACE(format.name);
     const std::string file = written(format);
     const Outcome outcome = run("assimp export " + file + " out.stl -f stlb");
     ASSERT_EQ(outcome.status, 0) << outcome.text;
-    expect_torus(path("out.stl"), format == MeshFormat::glb ? 0.001 : 1);
+    expect_torus(path("out.stl"), format == kGlb ? 0.001 : 1);
   }
 }
 
@@ -115,8 +121,8 @@ TEST_F(ForeignPrograms, admesh_finds_nothing_to_repair) {
   }
   TriMesh one_block = torus();  // version 0.98 reads no file of several blocks
   one_block.labels.clear();
-  for (const MeshFormat format : {MeshFormat::stl_ascii, MeshFormat::stl_binary}) {
-    SCOPED_TRACE(name(format));
+  for (const MeshFormat& format : {kStlAscii, kStlBinary}) {
+    SCOPED_TRACE(format.name);
     const Outcome outcome = run("admesh --exact " + written(format, one_block));
     EXPECT_EQ(outcome.number("Number of facets                 :"), 2304) << outcome.text;
     EXPECT_EQ(outcome.number("Total disconnected facets        :"), 0);
@@ -131,8 +137,8 @@ TEST_F(ForeignPrograms, gmsh_passes_on_the_same_solid) {
     GTEST_SKIP() << "gmsh is not installed";
   }
   // Version 4.8 reads neither OFF nor OBJ, and its binary PLY is experimental.
-  for (const MeshFormat format : {MeshFormat::stl_ascii, MeshFormat::stl_binary}) {
-    SCOPED_TRACE(name(format));
+  for (const MeshFormat& format : {kStlAscii, kStlBinary}) {
+    SCOPED_TRACE(format.name);
     const Outcome outcome = run("gmsh -0 " + written(format) + " -o out.stl -format stl");
     ASSERT_EQ(outcome.status, 0) << outcome.text;
     expect_torus(path("out.stl"), 1);
@@ -143,9 +149,8 @@ TEST_F(ForeignPrograms, prusa_slicer_calls_it_manifold) {
   if (!installed("prusa-slicer")) {
     GTEST_SKIP() << "prusa-slicer is not installed";
   }
-  for (const MeshFormat format :
-       {MeshFormat::stl_ascii, MeshFormat::stl_binary, MeshFormat::obj, MeshFormat::three_mf}) {
-    SCOPED_TRACE(name(format));
+  for (const MeshFormat& format : {kStlAscii, kStlBinary, kObj, kThreeMf}) {
+    SCOPED_TRACE(format.name);
     const Outcome outcome = run("prusa-slicer --info " + written(format));
     EXPECT_NE(outcome.text.find("manifold = yes"), std::string::npos) << outcome.text;
     EXPECT_EQ(outcome.number("number_of_facets ="), 2304);

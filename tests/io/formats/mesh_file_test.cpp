@@ -1,10 +1,19 @@
 #include "dupin/io/mesh_file.h"
 
+#include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "dupin/io/atomic_file.h"
+#include "dupin/io/glb.h"
+#include "dupin/io/obj.h"
+#include "dupin/io/off.h"
+#include "dupin/io/ply.h"
+#include "dupin/io/stl.h"
+#include "dupin/io/three_mf.h"
 #include "dupin/kernel/error.h"
 #include "support/sample_meshes.h"
 #include "support/scratch_directory.h"
@@ -15,75 +24,119 @@ namespace {
 using MeshFile = test::ScratchDirectory;
 
 TEST_F(MeshFile, the_content_tells_the_format) {
-  for (const MeshFormat format : kMeshFormats) {
+  for (const MeshFormat& format : mesh_formats()) {
     const std::string bytes = mesh_bytes(test::tetrahedron(), format);
     for (const std::string file : {"-", "x.off", "x.stl", "x.xyz"}) {
-      EXPECT_EQ(read_mesh(bytes, file).triangles.size(), 4U) << name(format) << " in " << file;
+      EXPECT_EQ(read_mesh(bytes, file).triangles.size(), 4U) << format.name << " in " << file;
     }
   }
 }
 
 TEST_F(MeshFile, an_explicit_format_overrules_the_content) {
-  const std::string text = mesh_bytes(test::tetrahedron(), MeshFormat::stl_ascii);
-  EXPECT_THROW((void)read_mesh(text, "x", MeshFormat::stl_binary), Error);
+  const std::string text = mesh_bytes(test::tetrahedron(), kStlAscii);
+  EXPECT_THROW((void)kStlBinary.read(text, "x"), Error);
 }
 
 TEST_F(MeshFile, the_extension_names_the_format_to_write) {
-  EXPECT_EQ(format_of("a/b.off"), MeshFormat::off);
-  EXPECT_EQ(format_of("b.c.STL"), MeshFormat::stl_binary);
-  try {
-    (void)format_of("dir.stl/pipe.step");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::invalid_argument);
-    EXPECT_STREQ(
-        error.what(),
-        "dir.stl/pipe.step: the extension '.step' names no mesh format; known are .off, .stl, "
-        ".ply, .obj, .3mf, .glb");
+  EXPECT_EQ(format_of("a/b.off"), kOff);
+  EXPECT_EQ(format_of("b.c.STL"), kStlBinary);
+  std::string known;
+  for (const MeshFormat& format : mesh_formats()) {
+    if (!format.extension.empty()) {
+      known += (known.empty() ? "" : ", ") + std::string(format.extension);
+      EXPECT_EQ(format_of("x" + std::string(format.extension)), format);
+    }
+  }
+  EXPECT_EQ(known.substr(0, 34), ".off, .stl, .ply, .obj, .3mf, .glb");
+  for (const std::string path : {"dir.stl/pipe.step", "pipe", "pipe.stl-ascii", "pipe."}) {
+    try {
+      (void)format_of(path);
+      ADD_FAILURE() << path;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::invalid_argument);
+      EXPECT_EQ(error.what(), path + ": the extension '" +
+                                  std::filesystem::path(path).extension().string() +
+                                  "' names no mesh format; known are " + known);
+    }
+  }
+}
+
+TEST_F(MeshFile, every_format_has_a_key_of_its_own) {
+  for (const MeshFormat& format : mesh_formats()) {
+    EXPECT_EQ(find_mesh_format(format.key), &format) << format.name;
+  }
+  EXPECT_EQ(find_mesh_format(""), nullptr);
+  EXPECT_EQ(find_mesh_format("STL"), nullptr);
+}
+
+TEST_F(MeshFile, the_strongest_evidence_decides) {
+  std::string stl = mesh_bytes(test::tetrahedron(), kStlBinary);
+  const std::vector<std::pair<std::string, std::string>> table = {
+      {"v 1 2 3", "stl"}, {"solid x", "stl"}, {"OFF 0 0 0", "off"}, {"glTF", "glb"}};
+  for (const auto& [start, key] : table) {
+    stl.replace(0, start.size(), start);
+    for (const MeshFormat& format : mesh_formats()) {
+      if (format.key == key) {
+        EXPECT_GE(format.recognises(stl), Evidence::size) << start;
+      } else if (format != kStlBinary) {
+        EXPECT_LT(format.recognises(stl), Evidence::size) << start << format.name;
+      }
+    }
   }
 }
 
 TEST_F(MeshFile, formats_say_what_they_hold) {
-  for (const MeshFormat format : kMeshFormats) {
-    const bool doubles = format == MeshFormat::off || format == MeshFormat::ply_ascii ||
-                         format == MeshFormat::ply_binary || format == MeshFormat::obj;
-    EXPECT_EQ(coordinates(format), doubles ? Coordinates::binary64 : Coordinates::binary32);
+  for (const MeshFormat& format : {kOff, kPlyAscii, kPlyBinary, kObj}) {
+    EXPECT_EQ(format.coordinates, Coordinates::binary64) << format.name;
+  }
+  for (const MeshFormat& format : {kStlAscii, kStlBinary, kThreeMf, kGlb}) {
+    EXPECT_EQ(format.coordinates, Coordinates::binary32) << format.name;
+  }
+  for (const MeshFormat& format : mesh_formats()) {
     TriMesh mesh = test::tetrahedron();
     mesh.points[1].x() = 0.1;
-    const double held = read_mesh(mesh_bytes(mesh, format), "x", format).points[1].x();
-    const double read_first = format == MeshFormat::stl_ascii || format == MeshFormat::stl_binary
-                                  ? read_mesh(mesh_bytes(mesh, format), "x", format).points[2].x()
-                                  : held;
-    EXPECT_EQ(read_first, doubles ? 0.1 : static_cast<double>(0.1F)) << name(format);
+    const TriMesh read = format.read(mesh_bytes(mesh, format), "x");
+    const std::size_t place = format.merges_points ? 2 : 1;  // in order of first appearance
+    EXPECT_EQ(read.points[place], nearest(mesh.points[1], format.coordinates)) << format.name;
+    TriMesh doubled = test::tetrahedron();
+    doubled.points.push_back(doubled.points[3]);
+    doubled.triangles[3][2] = 4;
+    EXPECT_EQ(format.read(mesh_bytes(doubled, format), "x").points.size(),
+              format.merges_points ? 4U : 5U)
+        << format.name;
   }
 }
 
 TEST_F(MeshFile, the_unit_is_read_back) {
-  for (const MeshFormat format : kMeshFormats) {
-    const bool has_place = format != MeshFormat::stl_ascii;
+  for (const MeshFormat& format : {kOff, kStlBinary, kPlyAscii, kPlyBinary, kObj, kThreeMf, kGlb}) {
     const std::string with = mesh_bytes(test::tetrahedron(), format, {"in", "a note"});
-    EXPECT_EQ(mesh_unit(with, "x"), has_place ? "in" : "") << name(format);
-    const std::string without = mesh_bytes(test::tetrahedron(), format);
-    EXPECT_EQ(mesh_unit(without, "x"), format == MeshFormat::three_mf ? "mm" : "") << name(format);
+    EXPECT_EQ(mesh_unit(with, "x"), "in") << format.name;
   }
+  for (const MeshFormat& format : mesh_formats()) {
+    const std::string with = mesh_bytes(test::tetrahedron(), format, {"in", "a note"});
+    const std::string without = mesh_bytes(test::tetrahedron(), format);
+    EXPECT_EQ(mesh_unit(without, "x"), format == kThreeMf ? "mm" : "") << format.name;
+    EXPECT_EQ(mesh_unit(with, "x"), with == without ? "" : "in") << format.name;
+  }
+  EXPECT_EQ(mesh_unit("no mesh, unit: mm", "x"), "");
 }
 
 TEST_F(MeshFile, the_same_mesh_gives_the_same_bytes_and_they_write_alike_when_read) {
-  for (const MeshFormat format : kMeshFormats) {
+  for (const MeshFormat& format : mesh_formats()) {
     const std::string bytes = mesh_bytes(test::labelled_tetrahedron(), format, {"mm", "note"});
     EXPECT_EQ(bytes, mesh_bytes(test::labelled_tetrahedron(), format, {"mm", "note"}));
-    EXPECT_EQ(bytes, mesh_bytes(read_mesh(bytes, "x"), format, {"mm", "note"})) << name(format);
+    EXPECT_EQ(bytes, mesh_bytes(read_mesh(bytes, "x"), format, {"mm", "note"})) << format.name;
   }
 }
 
 TEST_F(MeshFile, reads_from_disk_what_it_wrote) {
   const TriMesh mesh = test::scattered_mesh(5, 100, true);
-  for (const MeshFormat format : kMeshFormats) {
+  for (const MeshFormat& format : mesh_formats()) {
     write_mesh(path("mesh"), mesh, format);
-    EXPECT_TRUE(test::identical(read_mesh(path("mesh")), mesh)) << name(format);
+    EXPECT_TRUE(test::identical(read_mesh(path("mesh")), mesh)) << format.name;
   }
   write_mesh(path("mesh.off"), mesh);
-  EXPECT_EQ(read_file(path("mesh.off")), mesh_bytes(mesh, MeshFormat::off));
+  EXPECT_EQ(read_file(path("mesh.off")), mesh_bytes(mesh, kOff));
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ TEST_P(MeshMutation, damaged_files_are_read_or_refused) {
   test::expect_read_or_refused(GetParam(), 20000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, MeshMutation, ::testing::ValuesIn(kMeshFormats),
+INSTANTIATE_TEST_SUITE_P(Formats, MeshMutation,
+                         ::testing::ValuesIn(mesh_formats().begin(), mesh_formats().end()),
                          test::format_name);
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/off.h"
+#include "dupin/io/stl.h"
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/rounding.h"
@@ -24,8 +26,8 @@ struct Batch {
 
 class WrittenUnions : public test::ScratchDirectory, public testing::WithParamInterface<Batch> {
  protected:
-  void expect_valid_file(const Solid& exact, MeshFormat format) const {
-    const Rounded rounded = to_mesh(exact, coordinates(format));
+  void expect_valid_file(const Solid& exact, const MeshFormat& format) const {
+    const Rounded rounded = to_mesh(exact, format.coordinates);
     ASSERT_EQ(rounded.report().origin, Vec3::Zero());
     write_verified(path("x"), rounded.mesh(), format);
     const TriMesh read_back = read_mesh(path("x"));
@@ -47,8 +49,8 @@ TEST_P(WrittenUnions, are_valid_when_read_back) {
   for (std::uint32_t seed = 0; seed < seeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Solid exact = unite(test::pipes(kind, segments, seed));
-    expect_valid_file(exact, MeshFormat::off);
-    expect_valid_file(exact, MeshFormat::stl_binary);
+    expect_valid_file(exact, kOff);
+    expect_valid_file(exact, kStlBinary);
   }
 }
 

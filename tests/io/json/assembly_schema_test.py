@@ -1,6 +1,7 @@
 """The schema accepts every example and refuses what the reader refuses."""
 import json
 import pathlib
+import re
 import sys
 
 import jsonschema
@@ -45,12 +46,6 @@ REFUSED = [
     document({"name": "a", "cyclide_chain": {"joints": "caps", "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
     document({"name": "a", "cyclide_chain": {"joints": "kneecaps", "wall": 1, "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
     document({"name": "a", "cyclide_chain": {"wall": 0, "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
-]
-
-ACCEPTED = [
-    document({"name": "a", "cyclide_blend": {"from": "b.end", "to": "c.start"}}),
-    document({"name": "a", "cyclide_chain": {"joints": "kneecaps", "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
-    document({"name": "a", "cyclide_chain": {"from": "b.end", "spheres": [[1, 0, 0, 1], [2, 0, 0, 1]], "tangents": [{"sphere": 1, "tangent": [1, 0, 0, 0]}]}}),
     document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "semi_axes": [1, 2]}}),
     document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "semi_axes": [1, 0], "axis": [0, 0, 1]}}),
     document({"name": "a", "spline": {"through": [], "closed": False}}),
@@ -60,6 +55,9 @@ ACCEPTED = [
 ]
 
 ACCEPTED = [
+    document({"name": "a", "cyclide_blend": {"from": "b.end", "to": "c.start"}}),
+    document({"name": "a", "cyclide_chain": {"joints": "kneecaps", "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
+    document({"name": "a", "cyclide_chain": {"from": "b.end", "spheres": [[1, 0, 0, 1], [2, 0, 0, 1]], "tangents": [{"sphere": 1, "tangent": [1, 0, 0, 0]}]}}),
     document({"name": "a", "cone": {"from": "b.end", "length": 1, "end_semi_axes": [2, 1], "axis": [0, 0, 1]}}),
     document({"name": "a", "elbow": {"from": [0, 0, 0], "direction": [1, 0, 0], "to": [1, 2, 3], "semi_axes": [2, 1], "axis": [0, 0, 1]}}),
     document({"name": "a", "ringed_blend": {"from": "b.end", "to": {"center": [0, 0, 0], "direction": [0, 0, 1], "radius": 1, "ruling": [0, 1, 1]}, "k": "auto"}}),
@@ -72,11 +70,28 @@ ACCEPTED = [
 ]
 
 
+def keys_of_parts():
+    listed = re.search(r"set\(DUPIN_PART_KEYS([^)]*)\)", (ROOT / "cmake" / "part_keys.cmake").read_text())
+    return set(listed.group(1).split())
+
+
+def faults_of_keys(schema):
+    """A part takes exactly one of the keys that there are, and each is defined."""
+    part, keys = schema["definitions"]["part"], keys_of_parts()
+    lists = {
+        "properties of a part": set(part["properties"]) - {"name", "comment"},
+        "choices of a part": {key for choice in part["oneOf"] for key in choice["required"]},
+        "definitions": keys & set(schema["definitions"]),
+    }
+    return [f"the {what} differ from cmake/part_keys.cmake by {key}"
+            for what, found in lists.items() for key in sorted(found ^ keys)]
+
+
 def main():
     schema = json.loads((ROOT / "io" / "assembly.schema.json").read_text())
     jsonschema.Draft7Validator.check_schema(schema)
     validator = jsonschema.Draft7Validator(schema)
-    faults = []
+    faults = faults_of_keys(schema)
     examples = sorted((ROOT / "examples").glob("*.json"))
     if len(examples) < 8:
         faults.append(f"only {len(examples)} examples found")

@@ -84,11 +84,11 @@ TEST(ReportJson, an_error_says_what_the_exception_says) {
 }
 
 TEST(BoundingBox, is_none_without_points) {
-  EXPECT_FALSE(bounding_box(TriMesh()).has_value());
+  EXPECT_TRUE(bounding_box(TriMesh()).isEmpty());
   const auto box_of_box = bounding_box(box({-1, 2, -3}, {4, 5, 6}));
-  ASSERT_TRUE(box_of_box.has_value());
-  EXPECT_EQ(box_of_box->low, Vec3(-1, 2, -3));
-  EXPECT_EQ(box_of_box->high, Vec3(4, 5, 6));
+  ASSERT_FALSE(box_of_box.isEmpty());
+  EXPECT_EQ(box_of_box.min(), Vec3(-1, 2, -3));
+  EXPECT_EQ(box_of_box.max(), Vec3(4, 5, 6));
 }
 
 }  // namespace

@@ -88,14 +88,14 @@ TEST_F(Points, of_one_place_are_found_whatever_defines_them) {
   const PointId a = at(0, 0, 0), b = at(3, 1, 0), c = at(0, 1, 0), d = at(1, 0, 0), e = at(0, 1, 7),
                 three_quarters = at(0.75, 0.25, 0), below = at(1, -1, 0);
   CoincidentPointIndex places(points, 7, 4);
-  EXPECT_EQ(places.first_at_place_of(three_quarters), three_quarters);
+  EXPECT_EQ(places.first_coincident(three_quarters), three_quarters);
   const PointId crossing = points.add(ImplicitPoint{Kind::two_lines, 2, {a, b, c, d}});
-  EXPECT_EQ(places.first_at_place_of(crossing), three_quarters);
+  EXPECT_EQ(places.first_coincident(crossing), three_quarters);
   const PointId piercing = points.add(ImplicitPoint{Kind::line_plane, 0, {a, b, c, d, e}});
-  EXPECT_EQ(places.first_at_place_of(piercing), three_quarters);
-  EXPECT_TRUE(same_place(points, crossing, piercing));
+  EXPECT_EQ(places.first_coincident(piercing), three_quarters);
+  EXPECT_TRUE(coincide(points, crossing, piercing));
   const PointId elsewhere = points.add(ImplicitPoint{Kind::two_lines, 2, {a, b, c, below}});
-  EXPECT_EQ(places.first_at_place_of(elsewhere), elsewhere);
+  EXPECT_EQ(places.first_coincident(elsewhere), elsewhere);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ class Stages {
   [[nodiscard]] std::vector<arrangement::TrianglePair> candidates() const {
     return arrangement::broad_phase(input, stage_);
   }
-  [[nodiscard]] std::vector<arrangement::TriangleIntersection> encounters() const {
+  [[nodiscard]] std::vector<arrangement::TriangleIntersection> intersections() const {
     std::vector<arrangement::TriangleIntersection> result;
     for (const auto& [first, second] : candidates()) {
       arrangement::intersect(input, first, second, result);
@@ -68,9 +68,9 @@ class Stages {
     return result;
   }
   [[nodiscard]] arrangement::Constraints incidences() {
-    return arrangement::collect_constraints(input, encounters());
+    return arrangement::collect_constraints(input, intersections());
   }
-  [[nodiscard]] arrangement::Subdivision pieces(arrangement::Constraints& constraints) {
+  [[nodiscard]] arrangement::Subdivision subdivision(arrangement::Constraints& constraints) {
     return arrangement::retriangulate(input, rule, constraints, stage_);
   }
 

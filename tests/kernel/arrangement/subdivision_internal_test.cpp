@@ -30,14 +30,14 @@ class Face : public testing::TestWithParam<test::Meeting> {
  protected:
   test::Stages stages{GetParam().solids, separate_rule(GetParam().solids.size())};
   Constraints constraints = stages.incidences();
-  Subdivision pieces = stages.pieces(constraints);
+  Subdivision subdivision = stages.subdivision(constraints);
 };
 
 TEST_P(Face, pieces_add_up_to_each_triangle) {
   std::vector<Vector> sums(stages.input.triangles.size());
-  for (const Subdivision::SubTriangle& piece : pieces.pieces) {
-    const Vector area = stages.area_vector(piece.corners);
-    for (const SignedTriangle& t : pieces.cover(piece.region)) {
+  for (const Subdivision::SubTriangle& triangle : subdivision.triangles) {
+    const Vector area = stages.area_vector(triangle.corners);
+    for (const SignedTriangle& t : subdivision.cover(triangle.region)) {
       add(sums[t.triangle], area, t.sign);
     }
   }
@@ -49,10 +49,10 @@ TEST_P(Face, pieces_add_up_to_each_triangle) {
 }
 
 TEST_P(Face, pieces_are_proper_and_turned_like_their_support) {
-  for (const Subdivision::SubTriangle& piece : pieces.pieces) {
-    const Vector area = stages.area_vector(piece.corners);
+  for (const Subdivision::SubTriangle& triangle : subdivision.triangles) {
+    const Vector area = stages.area_vector(triangle.corners);
     const Vector whole =
-        stages.area_vector(stages.input.support(pieces.regions[piece.region].support));
+        stages.area_vector(stages.input.support(subdivision.regions[triangle.region].support));
     EXPECT_GT(area[0] * whole[0] + area[1] * whole[1] + area[2] * whole[2], 0);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t i = (k + 1) % 3;
@@ -64,11 +64,11 @@ TEST_P(Face, pieces_are_proper_and_turned_like_their_support) {
 // An edge of a piece within its region has the same edge, run backwards, on its other side.
 TEST_P(Face, edges_within_a_region_have_two_sides) {
   std::map<std::array<PointId, 3>, int> sides;
-  for (const Subdivision::SubTriangle& piece : pieces.pieces) {
+  for (const Subdivision::SubTriangle& triangle : subdivision.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if ((piece.open >> k & 1u) == 0) {
-        const PointId from = piece.corners[(k + 1) % 3], to = piece.corners[(k + 2) % 3];
-        sides[{piece.region, std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
+      if ((triangle.open >> k & 1u) == 0) {
+        const PointId from = triangle.corners[(k + 1) % 3], to = triangle.corners[(k + 2) % 3];
+        sides[{triangle.region, std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
       }
     }
   }
@@ -79,9 +79,9 @@ TEST_P(Face, edges_within_a_region_have_two_sides) {
 
 TEST_P(Face, segments_are_edges_of_pieces) {
   std::map<std::array<PointId, 2>, int> edges;
-  for (const Subdivision::SubTriangle& piece : pieces.pieces) {
+  for (const Subdivision::SubTriangle& triangle : subdivision.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const PointId from = piece.corners[(k + 1) % 3], to = piece.corners[(k + 2) % 3];
+      const PointId from = triangle.corners[(k + 1) % 3], to = triangle.corners[(k + 2) % 3];
       ++edges[{std::min(from, to), std::max(from, to)}];
     }
   }

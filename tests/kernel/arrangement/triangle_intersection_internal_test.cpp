@@ -13,7 +13,7 @@ using Corners = std::array<Vec3, 3>;
 using Kind = TriangleIntersection::Kind;
 
 // Two triangles; points of the same coordinates are one, as after import.
-ArrangementInput scene_of(const Corners& first, const Corners& second) {
+ArrangementInput input_of(const Corners& first, const Corners& second) {
   ArrangementInput input;
   std::vector<Vec3> points;
   for (const Corners& corners : {first, second}) {
@@ -32,7 +32,7 @@ ArrangementInput scene_of(const Corners& first, const Corners& second) {
 }
 
 std::vector<TriangleIntersection> met(const Corners& first, const Corners& second) {
-  const ArrangementInput input = scene_of(first, second);
+  const ArrangementInput input = input_of(first, second);
   const UpwardRounding rounding;
   std::vector<TriangleIntersection> result;
   intersect(input, 0, 1, result);

@@ -29,6 +29,7 @@ struct ResolvedPart {
   std::array<std::optional<EndIndex>, 2> joined;
   /// What the discs that close open ends are called: the cap's name, or "part.start".
   std::array<std::string, 2> end_names;
+  bool is_blend = false;  ///< a transition between its neighbours, to be tangent to them
 };
 
 struct ResolvedAssembly {

@@ -16,7 +16,7 @@ namespace dupin {
 /// Whether numbers are in range and ports exist is for `resolve` to say.
 [[nodiscard]] Assembly parse_assembly(std::string_view text, const std::string& source = {});
 
-/// The document in a file. Throws Error{io_failed} if it cannot be read, and as parse_assembly.
+/// The document in a file. Throws as read_file and parse_assembly.
 [[nodiscard]] Assembly read_assembly(const std::filesystem::path& file);
 
 }  // namespace dupin

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "dupin/io/mesh_format.h"
 #include "dupin/io/mesh_header.h"
 #include "dupin/kernel/mesh.h"
 
@@ -27,5 +28,7 @@ namespace dupin {
 /// Throws Error{invalid_argument} for a non-finite point, a bad index or an unknown unit,
 /// Error{unroundable} for a point beyond binary32, Error{limit_exceeded} beyond 4 GiB.
 [[nodiscard]] std::string glb_bytes(const TriMesh& mesh, const MeshHeader& header = {});
+
+extern const MeshFormat kGlb;
 
 }  // namespace dupin

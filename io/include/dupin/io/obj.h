@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "dupin/io/mesh_format.h"
 #include "dupin/io/mesh_header.h"
 #include "dupin/kernel/mesh.h"
 
@@ -21,5 +22,7 @@ namespace dupin {
 /// OBJ with the shortest decimals that read back to the same doubles and one group `g` per label,
 /// in the order of the names. Throws Error{invalid_argument} for a non-finite point or a bad index.
 [[nodiscard]] std::string obj_text(const TriMesh& mesh, const MeshHeader& header = {});
+
+extern const MeshFormat kObj;
 
 }  // namespace dupin

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "dupin/io/mesh_format.h"
 #include "dupin/io/mesh_header.h"
 #include "dupin/kernel/mesh.h"
 
@@ -25,5 +26,7 @@ namespace dupin {
 /// format has no place for them. Throws Error{invalid_argument} for a non-finite point or a bad
 /// index.
 [[nodiscard]] std::string off_text(const TriMesh& mesh, const MeshHeader& header = {});
+
+extern const MeshFormat kOff;
 
 }  // namespace dupin

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "dupin/io/mesh_format.h"
 #include "dupin/io/mesh_header.h"
 #include "dupin/kernel/mesh.h"
 
@@ -25,5 +26,7 @@ namespace dupin {
 
 /// Little-endian PLY whose coordinates are doubles. Throws as `ply_ascii_text`.
 [[nodiscard]] std::string ply_binary_bytes(const TriMesh& mesh, const MeshHeader& header = {});
+
+extern const MeshFormat kPlyAscii, kPlyBinary;
 
 }  // namespace dupin

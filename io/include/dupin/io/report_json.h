@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/build.h"
 #include "dupin/blends/unit.h"
@@ -50,12 +52,8 @@ struct OutputReport {
   std::vector<FileRepair> repairs = {};  ///< of operands that needed some
 };
 
-struct Box {
-  Vec3 low, high;
-};
-
-/// Smallest and largest coordinates; none for a mesh without points.
-[[nodiscard]] std::optional<Box> bounding_box(const TriMesh& mesh);
+/// Empty for a mesh without points.
+[[nodiscard]] Eigen::AlignedBox3d bounding_box(const TriMesh& mesh);
 
 /// A mesh file, as it was read.
 struct MeshSummary {

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "dupin/io/mesh_format.h"
 #include "dupin/io/mesh_header.h"
 #include "dupin/kernel/mesh.h"
 
@@ -39,5 +40,7 @@ namespace dupin {
 /// Binary STL. The 80 bytes of header hold unit and note and, if the mesh has just one label, its
 /// name, as far as there is room; several labels are not kept. Throws like `stl_ascii_text`.
 [[nodiscard]] std::string stl_binary_bytes(const TriMesh& mesh, const MeshHeader& header = {});
+
+extern const MeshFormat kStlAscii, kStlBinary;
 
 }  // namespace dupin

@@ -6,6 +6,12 @@
 #include "dupin/kernel/progress.h"
 #include "dupin/kernel/solid.h"
 
+/// Set operations on solids. Each is a rule over one exact arrangement of all operands' surfaces at
+/// once: how often each group of operands winds around a point says whether the point is inside
+/// (union: at least once; intersection: as often as there are operands; difference: the first, and
+/// none of the others). Regularised: what has no volume is not in the result. Expressions over
+/// named operands are one rule too, in boolean_expression.h; the algorithm is in
+/// kernel/src/arrangement/arrange.h.
 namespace dupin {
 
 /// What to do where a result touches itself (see Contact).

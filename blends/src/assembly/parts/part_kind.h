@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "assembly/part_context.h"
+#include "dupin/blends/part_shape.h"
+#include "dupin/blends/part_surface.h"
+
+namespace dupin::assembly {
+
+/// A port of another part that a shape refers to: under which key, and which of its own ends is
+/// there.
+struct Reference {
+  PortReference port;
+  std::string_view key;
+  PartEnd own_end = PartEnd::start;
+};
+
+using References = std::vector<Reference>;
+
+/// What a report says of a part in words; see PartReport.
+struct PartNotes {
+  std::string construction;
+  std::vector<std::string> rejected, warnings;
+};
+
+/// What a key of a document means. The functions take shapes of this key only.
+struct PartKind {
+  std::string_view key;
+  bool is_blend = false;   ///< a transition, whose tangency to its neighbours is reported
+  bool names_end = false;  ///< no part of its own, but the name of the end it refers to
+  References (*references)(const PartShape&);
+  /// What a shape without ports is, "a sphere" or "hollow"; empty for one that has ports.
+  std::string_view (*portless)(const PartShape&);
+  /// The geometry, of a kind that names no end. Throws as resolve() does.
+  PartSurface (*geometry)(const PartContext&, const PartShape&);
+  /// What is to be said of a shape that turned out to be this surface.
+  PartNotes (*notes)(const PartShape&, const PartSurface&);
+};
+
+/// The kind of a key. Each is defined in the file of the key's name; see part_rules.h.
+template <KeyName key>
+[[nodiscard]] const PartKind& part_kind();
+
+/// The kind of a shape.
+[[nodiscard]] const PartKind& part_kind(const PartShape& shape);
+
+/// The reference of a part that begins at a port, as "from"; none of one that does not.
+[[nodiscard]] References from_port(const PartStart& from);
+
+/// The references of a part between two ports, "from" and "to".
+[[nodiscard]] References between_ports(const PortReference& from, const PortReference& to);
+
+}  // namespace dupin::assembly

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <concepts>
+#include <variant>
+
+#include "assembly/parts/part_kind.h"
+
+namespace dupin::assembly {
+
+/// What a key means, for each of its shapes. The file of the key's name specialises it with static
+/// members and then instantiates part_kind for the key, which checks that nothing is missing:
+///
+///     template <>
+///     struct PartRules<"sphere"> {
+///       static References references(const SphereAt& sphere);
+///       static PartSurface geometry(const PartContext& context, const SphereAt& sphere);
+///     };
+///     template const PartKind& part_kind<"sphere">();
+///
+/// What it need not say: `is_blend` and `names_end` (false; a kind that names an end has no
+/// geometry), `portless(shape)` (it has ports), `notes(shape, surface)` (none).
+template <KeyName key>
+struct PartRules;
+
+template <class Rules>
+concept NamesEnd = requires {
+  requires Rules::names_end;
+};
+
+template <class Rules, class Shape>
+concept HasGeometry = requires(const PartContext& context, const Shape& shape) {
+  { Rules::geometry(context, shape) } -> std::convertible_to<PartSurface>;
+};
+
+template <class Rules, class Shape>
+concept RulesFor = requires(const Shape& shape) {
+  { Rules::references(shape) } -> std::same_as<References>;
+}
+&&(NamesEnd<Rules> || HasGeometry<Rules, Shape>);
+
+/// What `work` returns of the shape, which is one of the key's.
+template <KeyName key, class Result, class Work>
+Result of_shape(const PartShape& shape, const Work& work) {
+  return std::visit(
+      [&]<class Shape>(const Shape& given) -> Result {
+        if constexpr (PartKeys::kNameOf<Shape> == key) {
+          static_assert(RulesFor<PartRules<key>, Shape>,
+                        "PartRules need references() and geometry() of every shape of their key");
+          return work(given);
+        } else {
+          throw std::bad_variant_access();
+        }
+      },
+      shape);
+}
+
+template <KeyName key>
+References references_by_rules(const PartShape& shape) {
+  return of_shape<key, References>(
+      shape, [](const auto& given) { return PartRules<key>::references(given); });
+}
+
+template <KeyName key>
+std::string_view portless_by_rules(const PartShape& shape) {
+  return of_shape<key, std::string_view>(shape, [](const auto& given) -> std::string_view {
+    if constexpr (requires { PartRules<key>::portless(given); }) {
+      return PartRules<key>::portless(given);
+    } else {
+      return {};
+    }
+  });
+}
+
+template <KeyName key>
+PartSurface geometry_by_rules(const PartContext& context, const PartShape& shape) {
+  return of_shape<key, PartSurface>(shape, [&](const auto& given) -> PartSurface {
+    if constexpr (NamesEnd<PartRules<key>>) {
+      throw std::bad_variant_access();
+    } else {
+      return PartRules<key>::geometry(context, given);
+    }
+  });
+}
+
+template <KeyName key>
+PartNotes notes_by_rules(const PartShape& shape, const PartSurface& surface) {
+  return of_shape<key, PartNotes>(shape, [&](const auto& given) -> PartNotes {
+    if constexpr (requires { PartRules<key>::notes(given, surface); }) {
+      return PartRules<key>::notes(given, surface);
+    } else {
+      return {};
+    }
+  });
+}
+
+template <KeyName key>
+const PartKind& part_kind() {
+  static_assert(PartKeys::kHas<key>, "the table of keys, PartKeys, lacks this one");
+  using Rules = PartRules<key>;
+  static constexpr PartKind kKind{key.view(), requires {requires Rules::is_blend;
+}
+, NamesEnd<Rules>, references_by_rules<key>, portless_by_rules<key>, geometry_by_rules<key>,
+    notes_by_rules<key>
+};  // namespace dupin::assembly
+return kKind;
+}
+
+}  // namespace dupin::assembly

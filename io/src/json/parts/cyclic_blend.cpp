@@ -1,0 +1,30 @@
+#include "json/parts/part_reader.h"
+#include "json/parts/part_values.h"
+
+namespace dupin::json {
+
+template <>
+struct PartReader<"cyclic_blend"> {
+  static PartShape read(const JsonNode& node) {
+    allow_only(node, {"from", "to", "radius_law", "k", "l", "continuity"});
+    CyclicBlendBetween blend{port(node.at("from")), port(node.at("to")), {}};
+    const JsonNode law = node.at("radius_law");
+    if (law.text() != "R1" && law.text() != "R2") {
+      law.fail("must be \"R1\" or \"R2\", not \"" + law.text() + "\"");
+    }
+    blend.options.radius_law = law.text() == "R1" ? BlendLaw::r1 : BlendLaw::r2;
+    if (node.has("continuity")) {
+      const JsonNode continuity = node.at("continuity");
+      if (continuity.text() != "G1" && continuity.text() != "G2") {
+        continuity.fail("must be \"G1\" or \"G2\", not \"" + continuity.text() + "\"");
+      }
+      blend.options.continuity = continuity.text() == "G1" ? Continuity::g1 : Continuity::g2;
+    }
+    blend.options.k = number_or_auto(node.at("k"));
+    blend.options.l = number_or_auto(node.at("l"));
+    return blend;
+  }
+};
+template PartShape read_part<"cyclic_blend">(const JsonNode& node);
+
+}  // namespace dupin::json

@@ -1,0 +1,28 @@
+#include <array>
+
+#include "json/parts/part_reader.h"
+#include "json/parts/part_values.h"
+
+namespace dupin::json {
+
+template <>
+struct PartReader<"pipe"> {
+  static PartShape read(const JsonNode& node) {
+    static const std::array<KeySet, 4> sets{{{false, {"from", "to", "radius"}},
+                                             {false, {"from", "direction", "length", "radius"}},
+                                             {true, {"from", "length"}},
+                                             {true, {"from", "to"}}}};
+    switch (matching_key_set(node, sets)) {
+      case 0:
+        return PipeBetween{vector(node.at("from")), vector(node.at("to")), section(node).radius,
+                           section(node).axes};
+      case 3:
+        return PipeTo{port(node.at("from")), vector(node.at("to"))};
+      default:
+        return PipeAlong{origin(node), node.at("length").number()};
+    }
+  }
+};
+template PartShape read_part<"pipe">(const JsonNode& node);
+
+}  // namespace dupin::json

@@ -1,0 +1,56 @@
+#include <array>
+#include <map>
+#include <random>
+
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include "arrangement/coincident_point_index.h"
+#include "exact/exact_numbers.h"
+
+namespace dupin::arrangement {
+namespace {
+
+using Coordinates3 = std::array<mpq_class, 3>;
+
+Coordinates3 exact_coordinates(const PointTable& points, PointId id) {
+  const mesh::ExactPoint p = points.exact_value(id);
+  const mpq_class w = exact::rational(p[3]);
+  return {exact::rational(p[0]) / w, exact::rational(p[1]) / w, exact::rational(p[2]) / w};
+}
+
+// Points of few coordinates, of any weight, some by 2^-60 beside others: far below their intervals
+// and the cells of the index.
+TEST(CoincidentPointIndex, finds_the_first_of_equal_points) {
+  const UpwardRounding rounding;
+  std::mt19937 random(17);
+  for (const double extent : {1e-3, 4.0, 1e12}) {
+    PointTable points;
+    for (int i = 0; i < 100; ++i) {
+      points.add(Vec3(static_cast<double>(random() % 3), static_cast<double>(random() % 3), 0) *
+                 (extent / 4));
+    }
+    for (int i = 0; i < 400; ++i) {
+      const double weight = static_cast<double>(1 + random() % 6);
+      const double beside = random() % 2 == 0 ? 0 : 0x1p-60;
+      mesh::ExactPoint p;
+      p[3] = CGAL::Mpzf(weight);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto step = static_cast<double>(random() % 3);
+        p[k] = CGAL::Mpzf(k == 2 ? 0 : weight * step * extent / 4) + CGAL::Mpzf(beside * extent);
+      }
+      points.add(p);
+    }
+    CoincidentPointIndex index(points, extent, 10);
+    std::map<Coordinates3, PointId> first;
+    for (PointId id = 0; id < points.size(); ++id) {
+      const PointId expected = first.emplace(exact_coordinates(points, id), id).first->second;
+      ASSERT_EQ(index.first_coincident(id), expected) << id;
+    }
+    EXPECT_LT(first.size(), 400U);
+    EXPECT_GT(first.size(), 20U);
+  }
+}
+
+}  // namespace
+}  // namespace dupin::arrangement

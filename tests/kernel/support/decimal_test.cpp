@@ -1,0 +1,63 @@
+#include "dupin/kernel/decimal.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace dupin {
+namespace {
+
+TEST(DecimalText, is_the_shortest) {
+  EXPECT_EQ(decimal(0.1), "0.1");
+  EXPECT_EQ(decimal(-2.0), "-2");
+  EXPECT_EQ(decimal(1e22), "1e+22");
+  EXPECT_EQ(decimal(-0.0), "-0");
+  EXPECT_EQ(decimal(std::numeric_limits<double>::denorm_min()), "5e-324");
+  EXPECT_EQ(decimal(std::numeric_limits<double>::lowest()), "-1.7976931348623157e+308");
+  EXPECT_EQ(decimal(std::numeric_limits<double>::infinity()), "inf");
+}
+
+TEST(DecimalText, reads_back_to_the_same_double) {
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 20000; ++i) {
+    const std::uint64_t bits = random();
+    double value = 0;
+    std::memcpy(&value, &bits, sizeof value);
+    if (!std::isfinite(value)) {
+      continue;
+    }
+    const std::string text = decimal(value);
+    double read = 0;
+    std::from_chars(text.data(), text.data() + text.size(), read);
+    ASSERT_EQ(read, value) << text;
+  }
+}
+
+TEST(DecimalText, has_as_many_digits_as_asked) {
+  EXPECT_EQ(decimal(1.0 / 3, 3), "0.333");
+  EXPECT_EQ(decimal(2.0 / 3, 9), "0.666666667");
+  EXPECT_EQ(decimal(0.5, 9), "0.5") << "no zeros at the end";
+  EXPECT_EQ(decimal(123456, 2), "1.2e+05");
+  EXPECT_EQ(decimal(-std::numeric_limits<double>::min() / 3, 17), "-7.4168618784653584e-309");
+}
+
+TEST(DecimalText, of_a_point_is_a_triple) {
+  EXPECT_EQ(decimal(Vec3(1, -0.25, 1e-9)), "(1, -0.25, 1e-09)");
+}
+
+TEST(DecimalText, is_appended_in_the_precision_of_its_type) {
+  std::string text = "x ";
+  append_decimal(text, 0.1F);
+  text += ' ';
+  append_decimal(text, static_cast<double>(0.1F));
+  text += ' ';
+  append_decimal(text, std::numeric_limits<std::uint32_t>::max());
+  EXPECT_EQ(text, "x 0.1 0.10000000149011612 4294967295");
+}
+
+}  // namespace
+}  // namespace dupin

@@ -1,0 +1,36 @@
+#include "dupin/kernel/error.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace dupin {
+namespace {
+
+TEST(Error, says_where_which_part_and_what_in_one_sentence) {
+  const Error error(Errc::contact, "it touches itself", "pipe", "/parts/0");
+  EXPECT_STREQ(error.what(), "/parts/0: 'pipe': it touches itself");
+  EXPECT_STREQ(Error(Errc::contact, "it touches itself").what(), "it touches itself");
+  EXPECT_STREQ(Error(Errc::contact, "it touches itself", "pipe").what(),
+               "'pipe': it touches itself");
+}
+
+TEST(Error, takes_the_name_of_a_part_unless_it_has_one) {
+  const Error nameless(Errc::not_closed, "an edge is open", "", "3");
+  const Error named = nameless.in_part("bend");
+  EXPECT_STREQ(named.what(), "3: 'bend': an edge is open");
+  EXPECT_EQ(named.code(), Errc::not_closed);
+  EXPECT_STREQ(named.in_part("tee").what(), named.what());
+}
+
+TEST(Error, has_a_name_for_every_code) {
+  std::set<std::string_view> names;
+  for (int code = 0; code <= static_cast<int>(Errc::io_failed); ++code) {
+    const std::string_view text = name(static_cast<Errc>(code));
+    EXPECT_NE(text, "unknown");
+    EXPECT_TRUE(names.insert(text).second) << text;
+  }
+}
+
+}  // namespace
+}  // namespace dupin
