@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dupin/blends/regularity.h"
-#include "dupin/blends/ringed_regularity.h"
+#include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/blends/tangency.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"

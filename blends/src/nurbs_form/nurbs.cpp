@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "dupin/blends/cyclide_patch.h"
+#include "dupin/blends/cyclide_form.h"
 #include "numbers/bezier.h"
 #include "nurbs_form/nurbs_rows.h"
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "dupin/blends/ringed_regularity.h"
+#include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/ring.h"
 #include "numbers/quaternion.h"

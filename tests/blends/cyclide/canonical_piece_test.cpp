@@ -1,11 +1,10 @@
-#include "dupin/blends/canonical_piece.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "dupin/blends/cyclide_form.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
 

@@ -9,7 +9,6 @@
 
 #include "dupin/blends/cyclide_chain.h"
 #include "dupin/blends/cyclide_form.h"
-#include "dupin/blends/cyclide_patch.h"
 #include "support/cyclide_cases.h"
 
 namespace dupin {

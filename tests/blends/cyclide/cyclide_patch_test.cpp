@@ -1,5 +1,3 @@
-#include "dupin/blends/cyclide_patch.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "dupin/blends/cyclide_form.h"
-#include "dupin/blends/cyclide_patch.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
 

@@ -9,7 +9,6 @@
 
 #include "dupin/blends/cyclide_chain.h"
 #include "dupin/blends/cyclide_form.h"
-#include "dupin/blends/cyclide_patch.h"
 #include "dupin/blends/ringed_blend.h"
 #include "dupin/kernel/error.h"
 #include "support/paper_surfaces.h"

@@ -4,8 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/blends/ringed_blend.h"
-#include "dupin/blends/ringed_regularity.h"
 
 // The ringed blends of the mathematics' tables.
 namespace dupin::test {

@@ -1,5 +1,3 @@
-#include "dupin/blends/ringed_regularity.h"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "blends/ringed/ringed_blends.h"
+#include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
