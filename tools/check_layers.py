@@ -57,7 +57,8 @@ ARROWS = {
 LIBRARIES = {
     "CGAL/": ["kernel/src/", "kernel/include/dupin/interop/", "tests/kernel/", "bench/",
               "tests/io/formats/foreign_cgal_test.cpp"],
-    "boost/": ["kernel/src/", "kernel/include/dupin/interop/", "tests/kernel/", "bench/"],
+    "boost/": ["kernel/src/", "kernel/include/dupin/interop/", "tests/kernel/",
+               "tests/blends/numbers/", "bench/"],
     "tbb/": ["kernel/src/", "blends/src/", "tests/kernel/", "bench/"],
     "nlohmann/": ["io/src/", "tests/"],
     "expat.h": ["io/src/"],

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "dupin/blends/radius_law.h"
+#include "numbers/interval.h"
 #include "numbers/polynomial.h"
-#include "numbers/rational_interval.h"
 
 namespace dupin::curves {
 

@@ -8,6 +8,13 @@
 #include "dupin/blends/spine.h"
 #include "numbers/exact_vec3.h"
 
+// What surfaces run along: a spine y(t), a law of radii R(t) and a frame that turns no more than it
+// must, all for t in [0, 1], ' being d/dt. Spines are cubics from end points and end velocities
+// [MS06] eq. (2), lines, arcs and (rational) Bezier curves, among them the intersection of two
+// cones [BWL17]; R is constant, linear, cubic or the radius along a Dupin cyclide [MS06] eq. (6);
+// frames are rotation-minimising [WJZL08]. All are public values, in dupin/blends/spine.h,
+// radius_law.h and frame.h, evaluated in doubles. Here and in exact_radius.h the same curves are
+// exact polynomials of the stored numbers, which is what regularity is decided by.
 namespace dupin::curves {
 
 /// A unit normal of the plane that the spine lies in, decided exactly from its coefficients; any

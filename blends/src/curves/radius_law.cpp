@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "numbers/bezier_jet.h"
+#include "numbers/bezier.h"
 
 namespace dupin {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "numbers/bezier_jet.h"
+#include "numbers/bezier.h"
 
 namespace dupin {
 namespace {

@@ -9,9 +9,8 @@
 
 #include <Eigen/Geometry>
 
-#include "cyclide/double_search.h"
+#include "cyclide/pe_arc_search.h"
 #include "cyclide/piece_crossing.h"
-#include "cyclide/tangent_rounding.h"
 #include "dupin/blends/cyclide_form.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"

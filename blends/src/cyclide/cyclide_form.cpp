@@ -183,6 +183,148 @@ std::optional<double> reaching_ball(const PeArc& arc, const Vec3& point, double 
   return std::nullopt;
 }
 
+struct Place {
+  PeVector sphere, velocity;  // by the parameter; its PE-square is b^2, b^2 / cos^2 or 1
+};
+
+Place local_place(const CanonicalPiece& piece, double s) {
+  const auto& [kind, a, b, c, mu, origin, x, y, z] = piece.form;
+  const double cosine = std::cos(s), sine = std::sin(s);
+  if (kind == CyclideKind::parabolic) {
+    const double h = s * s / (2 * a);
+    return {{Vec3(h, s, 0), mu - h}, {Vec3(s / a, 1, 0), -s / a}};
+  }
+  if (!piece.along_hyperbola) {
+    return {{Vec3(a * cosine, b * sine, 0), mu - c * cosine},
+            {Vec3(-a * sine, b * cosine, 0), c * sine}};
+  }
+  const double secant = 1 / cosine, rate = sine * secant * secant;
+  return {{Vec3(c * secant, 0, -b * sine * secant), mu - a * secant},
+          {Vec3(c * rate, 0, -b * secant * secant), -a * rate}};
+}
+
+Place place(const CanonicalPiece& piece, double s) {
+  const Place local = local_place(piece, s);
+  const auto& f = piece.form;
+  const auto turned = [&](const Vec3& v) -> Vec3 {
+    return v.x() * f.x + v.y() * f.y + v.z() * f.z;
+  };
+  return {{f.origin + turned(local.sphere.m), local.sphere.r},
+          {turned(local.velocity.m), local.velocity.r}};
+}
+
+// The parameter of the sphere with this centre.
+double parameter(const CanonicalPiece& piece, const PeVector& sphere) {
+  const auto& f = piece.form;
+  const Vec3 v = sphere.m - f.origin;
+  if (f.kind == CyclideKind::parabolic) {
+    return v.dot(f.y);
+  }
+  if (!piece.along_hyperbola) {
+    return std::atan2(v.dot(f.y) / f.b, v.dot(f.x) / f.a);
+  }
+  // tan and 1 / cos are in the centre and the radius; a > 0.
+  const double tangent = -v.dot(f.z) / f.b, secant = (f.mu - sphere.r) / f.a;
+  return std::atan2(tangent / secant, 1 / secant);
+}
+
+void refuse_straight(CyclideKind kind) {
+  if (kind == CyclideKind::cone || kind == CyclideKind::cylinder) {
+    throw Error(Errc::invalid_argument, "cones and cylinders have no canonical cyclide parameters");
+  }
+}
+
+struct RingCoordinates {
+  double kappa, c, s;
+};
+
+struct HomogeneousPoint {
+  Vec3 point;
+  double weight;
+};
+
+// Contact of two spheres of different families, bilinear in their homogeneous coordinates.
+HomogeneousPoint contact(const HomogeneousSphere& g, const cyclide::ComplementarySphere& q) {
+  return {q.radius * g.sphere.m - g.sphere.r * q.center,
+          q.radius * g.weight - g.sphere.r * q.weight};
+}
+
+// cos of half the arc that a rational quadratic with these weights spans.
+double half_arc_cosine(double w0, double w1, double w2) { return w1 / std::sqrt(w0 * w2); }
+
+const double kQuarterTurn = std::numbers::sqrt2 / 2;  // cos 45 deg: arcs of at most 90 degrees
+
+bool short_enough(const PeArc& arc) {
+  if (arc.w() < kQuarterTurn) {
+    return false;
+  }
+  const auto rows = bezier_points(arc);
+  const ArcFrame f = frame(arc);
+  for (int k = 0; k < 16; ++k) {
+    const double v = k * std::numbers::pi / 8;
+    const cyclide::ComplementarySphere q =
+        cyclide::complementary_sphere(arc, f, 1, std::cos(v), std::sin(v));
+    const double w0 = contact(rows[0], q).weight, w1 = contact(rows[1], q).weight,
+                 w2 = contact(rows[2], q).weight;
+    if (!(w0 > 0 && w2 > 0 && half_arc_cosine(w0, w1, w2) >= kQuarterTurn)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+BiquadraticPatch patch(const PeArc& arc, double v0, double v1) {
+  const double half = (v1 - v0) / 2, middle = (v0 + v1) / 2;
+  const std::array<RingCoordinates, 3> columns{
+      {{1, std::cos(v0), std::sin(v0)},
+       {std::cos(half), std::cos(middle), std::sin(middle)},
+       {1, std::cos(v1), std::sin(v1)}}};
+  const auto rows = bezier_points(arc);
+  const ArcFrame f = frame(arc);
+  const double scale = 1 / (arc.chord() * arc.chord());
+  BiquadraticPatch result;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const cyclide::ComplementarySphere q =
+        cyclide::complementary_sphere(arc, f, columns[j].kappa, columns[j].c, columns[j].s);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const HomogeneousPoint p = contact(rows[i], q);
+      result.points[i][j] = scale * p.point;
+      result.weights[i][j] = scale * p.weight;
+    }
+  }
+  return result;
+}
+
+bool narrow_enough(const BiquadraticPatch& p) {
+  return std::ranges::all_of(p.weights, [](const std::array<double, 3>& w) {
+    // Rounding may leave the quarter arc of the first row a few ulp above 90 degrees.
+    return w[0] > 0 && w[1] > 0 && w[2] > 0 &&
+           half_arc_cosine(w[0], w[1], w[2]) >= kQuarterTurn * (1 - 1.0 / (1 << 20));
+  });
+}
+
+void add_columns(const PeArc& arc, double v0, double v1, std::vector<BiquadraticPatch>& out) {
+  const BiquadraticPatch p = patch(arc, v0, v1);
+  if (narrow_enough(p)) {
+    out.push_back(p);
+    return;
+  }
+  const double middle = (v0 + v1) / 2;
+  add_columns(arc, v0, middle, out);
+  add_columns(arc, middle, v1, out);
+}
+
+void add_rows(const PeArc& arc, std::vector<BiquadraticPatch>& out) {
+  if (!short_enough(arc)) {
+    add_rows(sub_arc(arc, 0, 0.5), out);
+    add_rows(sub_arc(arc, 0.5, 1), out);
+    return;
+  }
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    add_columns(arc, quarter * std::numbers::pi / 2, (quarter + 1) * std::numbers::pi / 2, out);
+  }
+}
+
 }  // namespace
 
 double area(const PeArc& arc) {
@@ -232,6 +374,12 @@ CanonicalCyclide canonical_form(const PeArc& arc) {
   return kk > 0 ? elliptic(arc, k, kk) : hyperbolic(arc, k, kk);
 }
 
+PrincipalCurvatures curvatures_at(const PeArc& arc, double t, double v) {
+  const cyclide::ComplementarySphere q =
+      cyclide::complementary_sphere(arc, frame(arc), 1, std::cos(v), std::sin(v));
+  return {1 / sphere_at(arc, t).r, q.weight / q.radius};
+}
+
 double implicit_value(const CanonicalCyclide& f, const Vec3& point) {
   if (f.kind == CyclideKind::cone || f.kind == CyclideKind::cylinder) {
     throw Error(Errc::invalid_argument, "cones and cylinders have no canonical cyclide equation");
@@ -271,6 +419,58 @@ double signed_distance(const PeArc& arc, const Vec3& point) {
   const auto found = numbers::golden_section(distance, std::max(0.0, at - kBeside),
                                              std::min(1.0, at + kBeside), kSections);
   return std::min({found.value, distance(at), distance(0), distance(1)});
+}
+
+CanonicalPiece canonical_piece(const PeArc& arc) {
+  CanonicalPiece piece{canonical_form(arc), arc.w() > 1, 0, 0};
+  refuse_straight(piece.form.kind);
+  piece.from = parameter(piece, arc.start());
+  piece.to = parameter(piece, arc.end());
+  if (piece.form.kind == CyclideKind::parabolic) {
+    return piece;
+  }
+  // The way that leaves along the arc's tangent.
+  const bool rises = product(place(piece, piece.from).velocity, arc.start_tangent()) > 0;
+  if (rises != (piece.to > piece.from)) {
+    piece.to += rises ? 2 * std::numbers::pi : -2 * std::numbers::pi;
+  }
+  return piece;
+}
+
+PeArc arc_of(const CanonicalPiece& piece) {
+  refuse_straight(piece.form.kind);
+  const double span = std::abs(piece.to - piece.from);
+  const bool is_closed = piece.form.kind != CyclideKind::parabolic;
+  if (!(span > 0) || (is_closed && !(span < 2 * std::numbers::pi)) ||
+      (piece.along_hyperbola &&
+       !(std::cos(piece.from) * std::cos(piece.to) > 0 && span < std::numbers::pi))) {
+    throw Error(Errc::invalid_argument,
+                "a canonical piece must not pass a whole turn or infinity, nor be empty");
+  }
+  const Place from = place(piece, piece.from), to = place(piece, piece.to);
+  const double length = std::sqrt(product(from.velocity, from.velocity));
+  const double sign = piece.to > piece.from ? 1 : -1;
+  return PeArc::from(from.sphere, (sign / length) * from.velocity, to.sphere);
+}
+
+Vec3 evaluate(const BiquadraticPatch& patch, double t, double s) {
+  const std::array<double, 3> bt{(1 - t) * (1 - t), 2 * t * (1 - t), t * t};
+  const std::array<double, 3> bs{(1 - s) * (1 - s), 2 * s * (1 - s), s * s};
+  Vec3 point = Vec3::Zero();
+  double weight = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      point += bt[i] * bs[j] * patch.points[i][j];
+      weight += bt[i] * bs[j] * patch.weights[i][j];
+    }
+  }
+  return point / weight;
+}
+
+std::vector<BiquadraticPatch> patches(const PeArc& arc) {
+  std::vector<BiquadraticPatch> result;
+  add_rows(arc, result);
+  return result;
 }
 
 }  // namespace dupin

@@ -5,6 +5,15 @@
 #include "dupin/blends/pe_arc.h"
 #include "numbers/exact_vec3.h"
 
+// Dupin cyclides as arcs of spheres [SD94]. An oriented sphere of centre m and radius r is the
+// point (m; r) of the pseudo-Euclidean space R^{3,1} with <a, b> = a.m . b.m - a.r b.r, and <a - b,
+// a - b> is the squared length of the segments tangent to both. A piece of a cyclide, torus, cone
+// or cylinder is what the spheres of a conic arc envelop, the arc being given by its start, a unit
+// tangent T0 = (A; tau) there and its end (dupin/blends/pe_arc.h): with d = end - start, L^2 =
+// <d, d> and w = <d, T0> / L, its Bezier weights are (1, w, 1). The four inequalities V1 to V4 that
+// make it a regular tube are polynomial in these numbers but for roots that can be squared away;
+// here they are rational. A second family of spheres touches the piece along its other lines of
+// curvature (complementary_sphere.h): points, circles and patches come from it.
 namespace dupin::cyclide {
 
 /// A vector of R^{3,1} with rational coordinates.

@@ -9,7 +9,6 @@
 
 #include "cyclide/complementary_sphere.h"
 #include "cyclide/exact_pe.h"
-#include "cyclide/rounded_validity.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
@@ -102,8 +101,7 @@ Ring contact_ring(const PeVector& b, const PeVector& tangent) {
           b.r / stretch, tangent.r};
 }
 
-ArcValidity cyclide::rounded_validity(const PeVector& start, const PeVector& tangent,
-                                      const PeVector& end) {
+ArcValidity rounded_validity(const PeVector& start, const PeVector& tangent, const PeVector& end) {
   ArcValidity v;
   const PeVector d = end - start;
   v.squared_length = squared_tangential_distance(start, end);
@@ -125,7 +123,7 @@ ArcValidity cyclide::rounded_validity(const PeVector& start, const PeVector& tan
 }
 
 ArcValidity validity(const PeVector& start, const PeVector& tangent, const PeVector& end) {
-  ArcValidity v = cyclide::rounded_validity(start, tangent, end);
+  ArcValidity v = rounded_validity(start, tangent, end);
   v.fault = exact_fault(start, tangent, end);
   return v;
 }

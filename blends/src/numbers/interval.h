@@ -7,8 +7,18 @@
 #include <cstdint>
 #include <limits>
 
+#include <gmpxx.h>
+
 #include "dupin/kernel/vec.h"
 
+// The numbers that geometry is decided with, from the cheapest to the dearest: intervals of doubles
+// (here), intervals of MPFI with as many bits as asked for (mpfi_interval.h), and rationals
+// (exact_vec3.h, polynomial.h). An interval [a, b] stands for some real number in it, and every
+// operation returns an interval that holds the result for all numbers that its operands may stand
+// for; what is proven of intervals is proven of the numbers. Polynomials come in powers, lowest
+// first, or in Bernstein form on an interval, whose coefficients enclose the values there
+// (polynomial.h exactly, bezier.h in intervals): signs of coefficients prove signs of functions,
+// by halving the interval until they do.
 namespace dupin::numbers {
 
 /// A closed interval of reals, ends rounded outwards after every operation: whatever real numbers
@@ -37,8 +47,11 @@ inline double next_below(double x) {
   return std::bit_cast<double>(x > 0 ? bits - 1 : bits + 1);
 }
 
+/// The next larger double.
+inline double next_above(double x) { return -next_below(-x); }
+
 /// One ulp outwards on both sides: what one correctly rounded operation may have lost.
-inline Interval outward(double low, double high) { return {next_below(low), -next_below(-high)}; }
+inline Interval outward(double low, double high) { return {next_below(low), next_above(high)}; }
 
 inline Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
@@ -76,6 +89,20 @@ inline Interval square(const Interval& a) {
 inline Interval sqrt(const Interval& a) {
   const Interval root = outward(std::sqrt(std::max(a.lower, 0.0)), std::sqrt(a.upper));
   return {std::max(root.lower, 0.0), root.upper};
+}
+
+/// n 2^exponent / d for n >= 0, d > 0.
+[[nodiscard]] inline Interval quotient(const mpz_class& n, const mpz_class& d, long exponent = 0) {
+  if (sgn(n) == 0) {
+    return {0, 0};
+  }
+  // mpz_get_d_2exp truncates to a fraction in [1/2, 1): the number lies in [x, next_above(x)] 2^e.
+  long n_exponent = 0, d_exponent = 0;
+  const double x = mpz_get_d_2exp(&n_exponent, n.get_mpz_t());
+  const double y = mpz_get_d_2exp(&d_exponent, d.get_mpz_t());
+  const int e = static_cast<int>(n_exponent - d_exponent + exponent);
+  return {std::ldexp(next_below(x / next_above(y)), e),
+          std::ldexp(next_above(next_above(x) / y), e)};
 }
 
 using IntervalVec = std::array<Interval, 3>;

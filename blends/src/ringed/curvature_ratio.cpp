@@ -51,8 +51,9 @@ numbers::Interval at_end_point(const mpz_class& numerator, const mpz_class& deno
   if (radius == nullptr) {
     return q;
   }
-  return {std::max(0.0, numbers::below(q.lower * numbers::below(radius->lower * radius->lower))),
-          numbers::above(q.upper * numbers::above(radius->upper * radius->upper))};
+  return {std::max(0.0, numbers::next_below(q.lower *
+                                            numbers::next_below(radius->lower * radius->lower))),
+          numbers::next_above(q.upper * numbers::next_above(radius->upper * radius->upper))};
 }
 
 bool refutes_at(const mpz_class& numerator, const mpz_class& denominator,
@@ -143,7 +144,7 @@ std::pair<CurvatureRatio::Leaf, CurvatureRatio::Leaf> CurvatureRatio::split(
 // How far the radius may leave its chord on the leaf.
 double CurvatureRatio::bulge(const Leaf& leaf) const {
   const double h = leaf.to - leaf.from;  // exact: dyadic
-  return numbers::above(second_derivative_bound_ * (h * h / 8));
+  return numbers::next_above(second_derivative_bound_ * (h * h / 8));
 }
 
 CurvatureRatio::Scaled CurvatureRatio::with_radius(const Leaf& leaf, const Line& radius) const {
@@ -171,7 +172,7 @@ CurvatureRatio::Scaled CurvatureRatio::upper_numerator(const Leaf& leaf) const {
   const double start = leaf.start_radius.upper, end = leaf.end_radius.upper, e = bulge(leaf);
   const double largest = std::max(start, end);
   return with_radius(leaf, 2 * e < std::abs(end - start)
-                               ? Line{numbers::above(start + e), numbers::above(end + e)}
+                               ? Line{numbers::next_above(start + e), numbers::next_above(end + e)}
                                : Line{largest, largest});
 }
 
@@ -181,7 +182,7 @@ CurvatureRatio::Scaled CurvatureRatio::lower_numerator(const Leaf& leaf) const {
   }
   const double start = leaf.start_radius.lower, end = leaf.end_radius.lower, e = bulge(leaf);
   const double least = std::min(start, end);
-  const Line chord{numbers::below(start - e), numbers::below(end - e)};
+  const Line chord{numbers::next_below(start - e), numbers::next_below(end - e)};
   const bool use_chord = 2 * e < std::abs(end - start) && std::min(chord.start, chord.end) > 0;
   return with_radius(leaf, use_chord ? chord : Line{least, least});
 }

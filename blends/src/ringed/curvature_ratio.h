@@ -5,9 +5,19 @@
 
 #include "curves/exact_radius.h"
 #include "dupin/blends/ringed_surface.h"
+#include "numbers/interval.h"
 #include "numbers/polynomial.h"
-#include "numbers/rational_interval.h"
 
+// Ringed surfaces: circles of radius R(t) about y(t), in planes orthogonal to y' [MS06] eq. (1), to
+// ellipses' axes that turn (elliptic_tube.h), or to a normal n(t) of its own [BL15]. With v = |y'|,
+// the unit tangent T, the curvature kappa and a direction e in the circle's plane, the surface
+// moves by x_t = (v - R e.T') T + R' e: it is regular, and its discs do not overlap locally,
+// exactly where kappa R < 1 [MS06] eq. (11). The margin is the minimum of 1 - kappa R; for other
+// planes that of 1 - R |n'| / (y'.n). Here kappa^2 R^2 is a quotient of exact polynomials, and
+// bounds of it are those of Bernstein coefficients; regularity.cpp halves [0, 1] with them. What
+// triangles and knots may miss comes from bounds of second derivatives [FMM86]
+// (second_derivatives.h), how ends meet their neighbours from tangency.cpp; blend_search.h chooses
+// end speeds.
 namespace dupin::ringed {
 
 /// kappa^2 as a quotient of exact polynomials.
@@ -19,9 +29,8 @@ struct SquaredCurvature {
 /// denominator is positive exactly where the spine moves.
 [[nodiscard]] SquaredCurvature squared_curvature(const Spine& spine);
 
-/// (kappa R)^2, enclosed on dyadic subintervals
-/// of [0, 1]. The spine is exact; the radius too where it is a polynomial (it is then part of the
-/// numerator), else it is replaced by linear bounds.
+/// (kappa R)^2, enclosed on dyadic subintervals of [0, 1]. The spine is exact; the radius too where
+/// it is a polynomial (it is then part of the numerator), else it is replaced by linear bounds.
 class CurvatureRatio {
  public:
   /// A subinterval with the Bernstein coefficients of numerator and denominator on it, in the same

@@ -1,6 +1,7 @@
+#include "dupin/blends/moving_ring.h"
+
 #include <cmath>
 
-#include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/ring.h"

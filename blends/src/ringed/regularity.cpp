@@ -52,9 +52,10 @@ class LargestRatio {
       }
     }
     // Without curvature the margin is exactly 1.
-    result.lower = most == 0 ? 1 : numbers::below(1 - numbers::sqrt(numbers::Interval(most)).upper);
+    result.lower =
+        most == 0 ? 1 : numbers::next_below(1 - numbers::sqrt(numbers::Interval(most)).upper);
     result.upper =
-        std::min(1.0, numbers::above(1 - numbers::sqrt(numbers::Interval(attained_)).lower));
+        std::min(1.0, numbers::next_above(1 - numbers::sqrt(numbers::Interval(attained_)).lower));
     result.minimum = where;
     if (!stops_.empty()) {
       result.lower = -kInfinity;
@@ -124,8 +125,8 @@ void require_finite(double margin) {
 }
 
 std::vector<ParameterInterval> violations(const CurvatureRatio& ratio, double margin) {
-  const double room = numbers::below(1 - margin);
-  const double bound = margin == 0 ? 1 : numbers::below(room * room);
+  const double room = numbers::next_below(1 - margin);
+  const double bound = margin == 0 ? 1 : numbers::next_below(room * room);
 
   std::vector<ParameterInterval> found;
   std::vector<Leaf> stack{ratio.whole()};

@@ -1,3 +1,5 @@
+#include "dupin/blends/ringed_blend.h"
+
 #include <cmath>
 #include <vector>
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "dupin/blends/ringed_blend.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {

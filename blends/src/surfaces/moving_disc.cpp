@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "numbers/interval_bezier.h"
+#include "numbers/bezier.h"
 #include "numbers/quaternion.h"
 
 namespace dupin::surfaces {

@@ -6,7 +6,7 @@
 
 #include "curves/exact_radius.h"
 #include "dupin/kernel/error.h"
-#include "numbers/interval_bezier.h"
+#include "numbers/bezier.h"
 #include "numbers/mpfi_interval.h"
 #include "numbers/polynomial.h"
 #include "ringed/second_derivatives.h"

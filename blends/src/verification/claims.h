@@ -1,25 +1,16 @@
 #pragma once
 
-#include <array>
-#include <vector>
+// The verifier: whether the claims of a certificate follow from its numbers. It is the part of the
+// program that has to be believed, so it is small, shares only number types and plain values with
+// the prover, and reads shapes again in its own way: bernstein.h and tube.h exactly, jet.h and
+// motion.h in intervals. A part is discs that move, with centre y(t), unit normal n(t) and radius
+// R(t); ' is d/dt. A claim comes with its leaves, stretches of t small enough that one look at
+// intervals or signs of Bernstein coefficients settles each; verifying is to check that the leaves
+// cover what is claimed and that each of them holds. Each kind of claim has a `follows` of its own.
+// The lemmas and their proofs are in docs/certificate_format.md; the regularity condition
+// 1 - kappa R > 0 is [MS06] eq. (11).
 
-#include "dupin/blends/certificate.h"
-#include "verification/solid.h"
-
-namespace dupin::verification {
-
-/// The ends at which two parts are joined.
-struct JoinedEnds {
-  End first, second;
-};
-
-/// Whether a claim that is proved or refuted follows from the certificate's inputs.
-[[nodiscard]] bool follows(const Solid& solid, const RegularClaim& claim);
-[[nodiscard]] bool follows(const Piece& piece, const TangencyClaim& claim, End end);
-[[nodiscard]] bool follows(const Solid& solid, const EmbeddedClaim& claim,
-                           const RegularClaim& regular);
-[[nodiscard]] bool follows(const Solid& first, const Solid& second,
-                           const std::vector<JoinedEnds>& joints, const ClearanceClaim& claim);
-[[nodiscard]] bool follows(const Solid& solid, const MeshClaim& claim);
-
-}  // namespace dupin::verification
+#include "verification/mesh_claim.h"
+#include "verification/pair_claims.h"
+#include "verification/regular_claim.h"
+#include "verification/tangency_claim.h"

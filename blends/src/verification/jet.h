@@ -4,11 +4,19 @@
 #include <cstddef>
 
 #include "numbers/interval.h"
+#include "numbers/mpfi_interval.h"
 
 namespace dupin::verification {
 
 using numbers::Interval;
 using numbers::IntervalVec;
+using Mpfi = numbers::MpfiInterval<128>;
+
+/// The interval of doubles around it.
+[[nodiscard]] inline Interval narrowed(const Mpfi& x) {
+  const Enclosure e = x.rounded_outward();
+  return {e.lower, e.upper};
+}
 
 /// Encloses a function's value and first derivatives over a stretch of the parameter.
 template <std::size_t count>

@@ -1,16 +1,13 @@
+#include "verification/mesh_claim.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <vector>
 
-#include "numbers/mpfi_interval.h"
-#include "verification/claims.h"
-
 namespace dupin::verification {
 namespace {
-
-using Mpfi = numbers::MpfiInterval<128>;
 
 constexpr int kRefinements = 10;  // a band's bounds are taken over up to 2^10 cells
 
@@ -186,6 +183,9 @@ bool sphere_follows(const Sphere& sphere, const MeshClaim& claim) {
 }  // namespace
 
 bool follows(const Solid& solid, const MeshClaim& claim) {
+  if (!(claim.grid >= 0)) {
+    return false;
+  }
   if (solid.ball() != nullptr) {
     return sphere_follows(*solid.ball(), claim);
   }

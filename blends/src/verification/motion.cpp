@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "verification/narrowed.h"
-
 namespace dupin::verification {
 namespace {
 

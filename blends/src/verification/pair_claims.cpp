@@ -1,9 +1,9 @@
+#include "verification/pair_claims.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-
-#include "verification/claims.h"
 
 namespace dupin::verification {
 namespace {

@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "verification/regular_claim.h"
 
-#include "verification/claims.h"
+#include <algorithm>
 
 namespace dupin::verification {
 namespace {
@@ -89,12 +89,13 @@ bool is_regular_on(const Piece& piece, double margin, const ParameterInterval& t
   });
 }
 
+// At an end of a stretch: on one without length nothing moves, and all is zero.
 bool fails_at(const Tube& tube, double margin, double t) {
-  const Polynomial radius = tube.radius(t, t);
-  const double least = tube.radius_range(t, t).lower;
-  return least > 0 &&
-         excess(tube, margin, t, t, radius.empty() ? Polynomial{least} : radius, Bound::lower)
-                 .front() <= 0;
+  const double from = t < 1 ? t : 0, least = tube.radius_range(t, t).lower;
+  const Polynomial radius = tube.radius(from, 1);
+  const Polynomial found =
+      excess(tube, margin, from, 1, radius.empty() ? Polynomial{least} : radius, Bound::lower);
+  return least > 0 && (t < 1 ? found.front() : found.back()) <= 0;
 }
 
 // An ellipse may keep clear where the circle about it does not.

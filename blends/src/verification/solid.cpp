@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dupin/kernel/error.h"
+
 namespace dupin::verification {
 namespace {
 
@@ -93,6 +95,10 @@ Solid::Solid(const CertifiedPart& part) {
   closed_ = chain.closed;
   is_full_ = chain.wall == 0;
   for (const dupin::Piece& shape : chain.pieces) {
+    // Nothing would be claimed of the inner skins of other pieces.
+    if (chain.wall != 0 && !(chain.wall > 0 && std::holds_alternative<CyclidePiece>(shape))) {
+      throw Error(Errc::invalid_argument, "only chains of cyclide pieces have a wall", part.name);
+    }
     pieces_.emplace_back(shape, chain.wall);
     is_full_ = is_full_ && pieces_.back().tubes.size() < 2;
   }

@@ -6,7 +6,7 @@
 
 #include "dupin/kernel/enclosure.h"
 #include "dupin/kernel/error.h"
-#include "verification/narrowed.h"
+#include "verification/jet.h"
 
 namespace dupin::verification {
 namespace {
@@ -71,7 +71,8 @@ Tube::Tube(const RingedSurface& surface) : surface_(surface), weight_{1} {
     }
   }
   if (arc() == nullptr &&
-      (points.size() < 2 || (weight_.size() != 1 && weight_.size() != points.size()) ||
+      (points.size() < 2 ||
+       (bezier != nullptr && !bezier->weights.empty() && weight_.size() != points.size()) ||
        std::any_of(weight_.begin(), weight_.end(), [](const auto& w) { return w <= 0; }))) {
     throw Error(Errc::invalid_argument, "the spine's points and weights make no curve");
   }

@@ -1,3 +1,5 @@
+#include "dupin/blends/verify_certificate.h"
+
 #include <algorithm>
 #include <string>
 #include <vector>

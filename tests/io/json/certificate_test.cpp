@@ -13,6 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dupin/blends/verify_certificate.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"

@@ -114,9 +114,4 @@ struct CertifyOptions {
 /// Error{invalid_argument} for a margin outside [0, 1).
 [[nodiscard]] Certificate certify(const Assembly& assembly, const CertifyOptions& options = {});
 
-/// Checks every proved and every refuted claim again from the certificate's own inputs, by other
-/// code than the prover's. Throws Error{invalid_argument} naming the part and claim that does not
-/// follow.
-void verify(const Certificate& certificate);
-
 }  // namespace dupin

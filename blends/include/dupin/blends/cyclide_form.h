@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -31,22 +32,6 @@ struct CanonicalCyclide {
 
 [[nodiscard]] CanonicalCyclide canonical_form(const PeArc& arc);
 
-/// A piece by canonical parameters. Along the ellipse or torus circle (theta): centre (a cos, b
-/// sin, 0), radius mu - c cos; along the hyperbola (psi): centre (c / cos, 0, -b tan), radius mu -
-/// a / cos; along the parabola (t): centre (t^2 / 2p, t, 0), radius mu - t^2 / 2p.
-struct CanonicalPiece {
-  CanonicalCyclide form;
-  bool along_hyperbola = false;
-  double from = 0, to = 1;  ///< the parameter at the ends; the piece runs from one to the other
-};
-
-/// Requires a kind other than cone and cylinder; throws Error{invalid_argument} otherwise.
-[[nodiscard]] CanonicalPiece canonical_piece(const PeArc& arc);
-
-/// The other way round. Throws Error{invalid_argument} for cones, cylinders and pieces that pass a
-/// whole turn or infinity, Error{infeasible_blend} where the piece is not regular.
-[[nodiscard]] PeArc arc_of(const CanonicalPiece& piece);
-
 /// Normal curvatures with respect to the outward normal: those of a sphere are 1 / radius.
 struct PrincipalCurvatures {
   double around = 0;  ///< along the circles
@@ -68,6 +53,22 @@ struct PrincipalCurvatures {
 /// `point`: outside the distance from the tube, inside minus the depth in the ball that the point
 /// lies deepest in. Absolute error below 1e-12 of the size of the data.
 [[nodiscard]] double signed_distance(const PeArc& arc, const Vec3& point);
+
+/// A piece by canonical parameters. Along the ellipse or torus circle (theta): centre (a cos, b
+/// sin, 0), radius mu - c cos; along the hyperbola (psi): centre (c / cos, 0, -b tan), radius mu -
+/// a / cos; along the parabola (t): centre (t^2 / 2p, t, 0), radius mu - t^2 / 2p.
+struct CanonicalPiece {
+  CanonicalCyclide form;
+  bool along_hyperbola = false;
+  double from = 0, to = 1;  ///< the parameter at the ends; the piece runs from one to the other
+};
+
+/// Requires a kind other than cone and cylinder; throws Error{invalid_argument} otherwise.
+[[nodiscard]] CanonicalPiece canonical_piece(const PeArc& arc);
+
+/// The other way round. Throws Error{invalid_argument} for cones, cylinders and pieces that pass a
+/// whole turn or infinity, Error{infeasible_blend} where the piece is not regular.
+[[nodiscard]] PeArc arc_of(const CanonicalPiece& piece);
 
 /// A rational biquadratic Bezier patch: 3 x 3 homogeneous control points (w x, w y, w z, w), rows
 /// along the spine.

@@ -62,6 +62,10 @@ struct ArcValidity {
 
 [[nodiscard]] ArcValidity validity(const PeVector& start, const PeVector& tangent,
                                    const PeVector& end);
+/// The same with the fault decided on the rounded numbers: for searches, without rational
+/// arithmetic.
+[[nodiscard]] ArcValidity rounded_validity(const PeVector& start, const PeVector& tangent,
+                                           const PeVector& end);
 
 /// A piece of a Dupin cyclide (ring, horned, spindle, parabolic), torus, cone or cylinder: the
 /// envelope of the spheres of a conic arc in R^{3,1}, regular and embedded. [SD94] TCCT; the

@@ -1,3 +1,5 @@
+#include "dupin/blends/ringed_blend.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

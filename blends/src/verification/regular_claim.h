@@ -1,0 +1,11 @@
+#pragma once
+
+#include "dupin/blends/certificate.h"
+#include "verification/solid.h"
+
+namespace dupin::verification {
+
+/// Whether a claim that is proved or refuted follows from the part's numbers.
+[[nodiscard]] bool follows(const Solid& solid, const RegularClaim& claim);
+
+}  // namespace dupin::verification

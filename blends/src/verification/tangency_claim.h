@@ -1,0 +1,11 @@
+#pragma once
+
+#include "dupin/blends/certificate.h"
+#include "verification/solid.h"
+
+namespace dupin::verification {
+
+/// Whether the claim follows from the numbers of the piece, at its start or its end.
+[[nodiscard]] bool follows(const Piece& piece, const TangencyClaim& claim, End end);
+
+}  // namespace dupin::verification

@@ -1,0 +1,260 @@
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "blends/verification/solids_internal.h"
+#include "support/cyclide_cases.h"
+#include "support/paper_surfaces.h"
+#include "verification/pair_claims.h"
+
+namespace dupin::verification {
+namespace {
+
+using std::numbers::pi;
+
+const JoinedEnds kEndToStart{End::end, End::start}, kStartToEnd{End::start, End::end};
+
+const RegularClaim kRegular{Verdict::proved, .5, {}, {}};
+
+EmbeddedClaim embedded(const std::vector<DiscPairs>& leaves) {
+  return {Verdict::proved, leaves, {}};
+}
+
+EmbeddedClaim overlapping(const Vec3& point, const ParameterInterval& first,
+                          const ParameterInterval& second) {
+  return {Verdict::refuted, {}, Overlap{point, first, second}};
+}
+
+ClearanceClaim clearance(double distance, const std::vector<DiscPairs>& leaves) {
+  return {0, 1, Verdict::proved, distance, leaves, {}};
+}
+
+ClearanceClaim common_point(Verdict verdict, const Overlap& overlap) {
+  return {0, 1, verdict, 0, {}, overlap};
+}
+
+DiscPairs whole(const std::optional<Vec3>& direction = {}) { return {{0, 1}, {0, 1}, direction}; }
+
+// Of half a torus in so many stretches: neighbours turn by less than a right angle, others have the
+// half-plane between them.
+std::vector<DiscPairs> leaves_of_half_torus(int stretches) {
+  std::vector<DiscPairs> leaves;
+  const auto stretch = [=](int i) {
+    return ParameterInterval{double(i) / stretches, double(i + 1) / stretches};
+  };
+  for (int i = 0; i < stretches; ++i) {
+    for (int j = i; j < stretches; ++j) {
+      const double between = pi * (i + j + 1) / 2 / stretches;
+      leaves.push_back({stretch(i), stretch(j), {}});
+      if (j > i + 1) {
+        leaves.back().direction = Vec3(-std::sin(between), std::cos(between), 0);
+      }
+    }
+  }
+  return leaves;
+}
+
+TEST(EmbeddedClaim, of_a_straight_tube_needs_one_leaf) {
+  const Solid pipe = test::solid(test::cylinder({0, 0, 0}, {5, 1, 2}, 3));
+  EXPECT_TRUE(follows(pipe, embedded({whole()}), kRegular));
+  EXPECT_FALSE(follows(pipe, embedded({}), kRegular));
+}
+
+TEST(EmbeddedClaim, needs_the_part_to_be_proved_regular) {
+  const Solid pipe = test::solid(test::cylinder({0, 0, 0}, {5, 1, 2}, 3));
+  for (const Verdict verdict : {Verdict::undecided, Verdict::refuted}) {
+    EXPECT_FALSE(follows(pipe, embedded({whole()}), {verdict, .5, {}, {}}));
+  }
+}
+
+TEST(EmbeddedClaim, of_half_a_torus_follows_from_stretches_and_planes) {
+  const Solid solid = test::solid(test::elbow(4, pi, 1));
+  const std::vector<DiscPairs> leaves = leaves_of_half_torus(5);
+  EXPECT_TRUE(follows(solid, embedded(leaves), kRegular));
+  EXPECT_FALSE(follows(solid, embedded({whole()}), kRegular));  // it turns by more than pi / 2
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    auto fewer = leaves;
+    fewer.erase(fewer.begin() + std::ptrdiff_t(i));
+    EXPECT_FALSE(follows(solid, embedded(fewer), kRegular)) << i;
+    if (leaves[i].direction) {
+      auto turned = leaves, none = leaves, bent = leaves;
+      turned[i].direction = -*leaves[i].direction;
+      none[i].direction.reset();
+      bent[i].direction = Vec3::UnitZ();
+      EXPECT_FALSE(follows(solid, embedded(turned), kRegular)) << i;
+      EXPECT_FALSE(follows(solid, embedded(bent), kRegular)) << i;
+      EXPECT_FALSE(follows(solid, embedded(none), kRegular)) << i;
+    }
+  }
+}
+
+TEST(EmbeddedClaim, needs_leaves_for_all_pairs_but_not_twice) {
+  const Solid pipe = test::solid(test::cylinder({0, 0, 0}, {5, 1, 2}, 3));
+  const ParameterInterval a{0, .5}, b{.5, 1};
+  EXPECT_TRUE(follows(pipe, embedded({{a, a, {}}, {a, b, {}}, {b, b, {}}}), kRegular));
+  EXPECT_FALSE(follows(pipe, embedded({{a, a, {}}, {b, b, {}}}), kRegular));
+  EXPECT_FALSE(follows(pipe, embedded({{a, a, {}}, {a, {.5, .9375}, {}}, {b, b, {}}}), kRegular));
+  EXPECT_FALSE(follows(pipe, embedded({{b, a, {}}}), kRegular));
+  EXPECT_FALSE(follows(pipe, embedded({whole(), {{.5, .5}, b, {}}}), kRegular));  // an empty leaf
+  EXPECT_FALSE(follows(pipe, embedded({whole(), {{0, 2}, b, {}}}), kRegular));    // beyond the end
+}
+
+// With kappa R < 1 - margin only, a radius that varies might meet the disc of before.
+TEST(EmbeddedClaim, of_a_tube_that_swells_needs_the_margin) {
+  RingedSurface bulb = test::elbow(4, 1, 1);
+  bulb.radius = BezierRadius{{1, 1.5, 1}};  // at most 1.25; control points say up to 1.5
+  const Solid solid = test::solid(bulb);
+  EXPECT_TRUE(follows(solid, embedded({whole()}), {Verdict::proved, .4, {}, {}}));
+  RingedSurface bent = test::elbow(4, 1.5, 1);  // by more than lemma 2 takes
+  bent.radius = BezierRadius{{1, 2, 1}};
+  EXPECT_TRUE(follows(test::solid(bent), embedded({whole()}), {Verdict::proved, .6, {}, {}}));
+  EXPECT_FALSE(follows(test::solid(bent), embedded({whole()}), {Verdict::proved, .1, {}, {}}));
+}
+
+TEST(EmbeddedClaim, of_a_chain_advances_across_its_joints) {
+  const Solid chain = test::solid(test::cylinder({4, -3, 0}, {4, 0, 0}, 1), test::elbow(4, .5, 1));
+  const std::vector<DiscPairs> leaves{
+      {{0, 1}, {0, 1}, {}}, {{0, 1}, {1, 2}, {}}, {{1, 2}, {1, 2}, {}}};
+  EXPECT_TRUE(follows(chain, embedded(leaves), kRegular));
+  EXPECT_FALSE(follows(chain, embedded({{{0, 2}, {0, 2}, {}}}), kRegular));  // over both pieces
+  const Solid tight =
+      test::solid(test::cylinder({1.5, -3, 0}, {1.5, 0, 0}, 1), test::elbow(1.5, 1.2, 1));
+  EXPECT_FALSE(follows(tight, embedded(leaves), kRegular));
+}
+
+TEST(EmbeddedClaim, of_a_cyclide_follows_by_what_it_advances) {
+  const PeArc arc = PeArc::from(test::sphere(0, 0, 0, 1), test::direction(Vec3::UnitX(), .1),
+                                test::sphere(4, 1, .5, .8));
+  EXPECT_TRUE(follows(test::solid(test::cyclide_piece(arc)), embedded({whole()}), kRegular));
+  const PeArc half = PeArc::from(test::sphere(4, 0, 0, 1), test::direction(Vec3::UnitY(), 0),
+                                 test::sphere(-2, std::sqrt(12), 0, 1));
+  EXPECT_FALSE(follows(test::solid(test::cyclide_piece(half)), embedded({whole()}), kRegular));
+}
+
+// Once and a half around the torus: what is passed twice overlaps.
+TEST(EmbeddedClaim, is_refuted_by_a_point_in_two_discs) {
+  const Solid solid = test::solid(test::elbow(4, 3 * pi, 1));
+  const Vec3 inside(0, 4, 0);  // at t = 1/6 and t = 5/6
+  const ParameterInterval first{.15625, .1875}, second{.8125, .84375};
+  EXPECT_TRUE(follows(solid, overlapping(inside, first, second), kRegular));
+  EXPECT_TRUE(follows(solid, overlapping(Vec3(0, 4, .5), second, first), kRegular));
+  EXPECT_FALSE(follows(solid, overlapping(Vec3(0, 4, 1.1), first, second), kRegular));
+  EXPECT_FALSE(follows(solid, overlapping(inside, {.25, .28125}, second), kRegular));
+  EXPECT_FALSE(follows(solid, overlapping(inside, first, {.75, .78125}), kRegular));
+  EXPECT_FALSE(follows(solid, overlapping(inside, first, first), kRegular));
+  EXPECT_FALSE(follows(solid, overlapping(inside, {.125, .25}, {.1875, .875}), kRegular));
+  EXPECT_FALSE(follows(solid, overlapping(inside, first, {5. / 6, 5. / 6}), kRegular));
+  EXPECT_FALSE(follows(solid, {Verdict::refuted, {}, {}}, kRegular));
+}
+
+TEST(ClearanceClaim, of_parallel_pipes_is_the_slab_between_them) {
+  const Solid low = test::solid(test::cylinder({0, 0, 0}, {9, 0, 0}, 1)),
+              high = test::solid(test::cylinder({2, 0, 5}, {7, 0, 5}, 2));
+  const Vec3 up(0, 0, 3);  // of any length
+  EXPECT_TRUE(follows(low, high, {}, clearance(1.999, {whole(up)})));
+  EXPECT_FALSE(follows(low, high, {}, clearance(2.001, {whole(up)})));
+  EXPECT_TRUE(follows(high, low, {}, clearance(1.999, {whole(-up)})));
+  EXPECT_FALSE(follows(low, high, {}, clearance(1.999, {whole(-up)})));
+  EXPECT_FALSE(follows(low, high, {}, clearance(1.999, {whole(Vec3::UnitY())})));
+  EXPECT_FALSE(follows(low, high, {}, clearance(1.999, {whole(Vec3::Zero())})));
+  EXPECT_FALSE(follows(low, high, {}, clearance(0, {whole(up)})));
+  EXPECT_FALSE(follows(low, high, {}, clearance(-1, {whole(up)})));
+  EXPECT_FALSE(
+      follows(low, high, {}, clearance(std::numeric_limits<double>::quiet_NaN(), {whole(up)})));
+  ClearanceClaim refuted = clearance(1.5, {whole(up)});
+  refuted.verdict = Verdict::refuted;
+  EXPECT_FALSE(follows(low, high, {}, refuted));
+}
+
+TEST(ClearanceClaim, needs_leaves_for_all_pairs) {
+  const Solid low = test::solid(test::cylinder({0, 0, 0}, {9, 0, 0}, 1)),
+              high = test::solid(test::cylinder({2, 0, 5}, {7, 0, 5}, 2));
+  const Vec3 up(0, 0, 1);
+  const ParameterInterval a{0, .5}, b{.5, 1};
+  EXPECT_TRUE(
+      follows(low, high, {}, clearance(1, {{a, a, up}, {b, a, up}, {a, b, up}, {b, b, up}})));
+  EXPECT_FALSE(follows(low, high, {}, clearance(1, {{a, a, up}, {b, a, up}, {b, b, up}})));
+  EXPECT_FALSE(follows(low, high, {}, clearance(1, {})));
+  EXPECT_FALSE(follows(low, high, {}, clearance(1, {whole()})));  // there is no joint
+}
+
+TEST(ClearanceClaim, of_balls_is_the_distance_of_their_surfaces) {
+  const Solid a = test::ball({0, 0, 0}, 1), b = test::ball({3, 4, 0}, 2);
+  const Vec3 across(3, 4, 0);
+  EXPECT_TRUE(follows(a, b, {}, clearance(1.999, {whole(across)})));
+  EXPECT_FALSE(follows(a, b, {}, clearance(2.001, {whole(across)})));
+  EXPECT_FALSE(follows(a, b, {}, clearance(1.999, {whole(Vec3::UnitX())})));
+}
+
+TEST(ClearanceClaim, with_a_common_point_proves_that_unjoined_parts_are_connected) {
+  const Solid along = test::solid(test::cylinder({-5, 0, 0}, {5, 0, 0}, 1)),
+              across = test::solid(test::cylinder({0, -5, 1}, {0, 5, 1}, 1)),
+              ball = test::ball({0, 0, -1}, 1);
+  const Overlap between{Vec3(0, 0, .5), {.4375, .5625}, {.4375, .5625}};
+  EXPECT_TRUE(follows(along, across, {}, common_point(Verdict::proved, between)));
+  EXPECT_FALSE(follows(along, across, {}, common_point(Verdict::refuted, between)));
+  // Joined parts must have nothing in common.
+  const std::vector<JoinedEnds> joined{kEndToStart};
+  EXPECT_TRUE(follows(along, across, joined, common_point(Verdict::refuted, between)));
+  EXPECT_FALSE(follows(along, across, joined, common_point(Verdict::proved, between)));
+  Overlap wrong = between;
+  wrong.point = Vec3(0, 0, 1.25);  // outside of the first
+  EXPECT_FALSE(follows(along, across, {}, common_point(Verdict::proved, wrong)));
+  wrong.point = Vec3(0, 0, -.25);  // of the second
+  EXPECT_FALSE(follows(along, across, {}, common_point(Verdict::proved, wrong)));
+  wrong = between;
+  wrong.first = {.5625, .6875};
+  EXPECT_FALSE(follows(along, across, {}, common_point(Verdict::proved, wrong)));
+  EXPECT_TRUE(follows(along, ball, {},
+                      common_point(Verdict::proved, {Vec3(0, 0, -.5), {.4375, .5625}, {0, 1}})));
+  EXPECT_FALSE(follows(along, ball, {},
+                       common_point(Verdict::proved, {Vec3(0, 0, .5), {.4375, .5625}, {0, 1}})));
+}
+
+// Only flat ends that touch: the point lies in the disc of the stored ring, border included.
+TEST(ClearanceClaim, with_a_point_of_a_flat_end_connects_parts_that_touch) {
+  const Solid before = test::solid(test::cylinder({-5, 0, 0}, {0, 0, 0}, 1)),
+              after = test::solid(test::cylinder({0, 1, 0}, {5, 1, 0}, 1)),
+              apart = test::solid(test::cylinder({1e-9, 1, 0}, {5, 1, 0}, 1));
+  const Overlap touching{Vec3(0, 1, 0), {1, 1}, {0, 0}};
+  EXPECT_TRUE(follows(before, after, {}, common_point(Verdict::proved, touching)));
+  EXPECT_FALSE(follows(before, apart, {}, common_point(Verdict::proved, touching)));
+  EXPECT_FALSE(follows(before, after, {},
+                       common_point(Verdict::proved, {Vec3(0, 1.001, 0), {1, 1}, {0, 0}})));
+  EXPECT_FALSE(
+      follows(before, after, {}, common_point(Verdict::proved, {Vec3(0, 1, 0), {.5, .5}, {0, 0}})));
+  // Parts that are joined touch anyhow.
+  EXPECT_FALSE(follows(before, after, {kEndToStart}, common_point(Verdict::refuted, touching)));
+}
+
+TEST(ClearanceClaim, of_what_is_not_full_is_never_an_overlap) {
+  const PeArc arc = PeArc::from(test::sphere(-3, 0, 0, 1), test::direction(Vec3::UnitX(), 0),
+                                test::sphere(3, 0, 0, 1));
+  CertifiedPart pipe = test::part(test::cyclide_piece(arc));
+  const Solid ball = test::ball({0, 0, 0}, .5);
+  const ClearanceClaim claim =
+      common_point(Verdict::proved, {Vec3(0, 0, 0), {.4375, .5625}, {0, 1}});
+  EXPECT_TRUE(follows(Solid(pipe), ball, {}, claim));
+  std::get<Chain>(pipe.shape).wall = .25;  // the ball is in the bore
+  EXPECT_FALSE(follows(Solid(pipe), ball, {}, claim));
+}
+
+TEST(ClearanceClaim, of_joined_parts_follows_by_the_way_through_the_joint) {
+  const Solid pipe = test::solid(test::cylinder({4, -3, 0}, {4, 0, 0}, 1)),
+              bend = test::solid(test::elbow(4, .5, 1)), tight = test::solid(test::elbow(4, 2, 1));
+  const std::vector<JoinedEnds> joined{kEndToStart};
+  EXPECT_TRUE(follows(pipe, bend, joined, clearance(0, {whole()})));
+  EXPECT_FALSE(follows(pipe, bend, joined, clearance(.1, {whole()})));
+  EXPECT_FALSE(follows(pipe, bend, {}, clearance(0, {whole()})));
+  // Through the other ends the way is another one, along which the bend runs back.
+  EXPECT_FALSE(follows(pipe, bend, {kStartToEnd}, clearance(0, {{{.5, 1}, {0, .5}, {}}})));
+  EXPECT_FALSE(follows(pipe, tight, joined, clearance(0, {whole()})));
+  EXPECT_TRUE(follows(pipe, tight, joined,
+                      clearance(0, {{{0, 1}, {0, .25}, {}}, {{0, 1}, {.25, 1}, Vec3(0, 1, 0)}})));
+}
+
+}  // namespace
+}  // namespace dupin::verification

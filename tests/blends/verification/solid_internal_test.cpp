@@ -1,0 +1,155 @@
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "blends/verification/solids_internal.h"
+#include "dupin/blends/ringed_tube.h"
+#include "dupin/kernel/error.h"
+#include "support/cyclide_cases.h"
+#include "verification/solid.h"
+
+namespace dupin::verification {
+namespace {
+
+using test::holds;
+
+EllipticTube elliptic_pipe() {
+  EllipticTube tube;
+  tube.start = {Vec3(0, 0, 0), -Vec3::UnitX(), 2, 0, Ellipse{Vec3::UnitY(), 1, 0}};
+  tube.end = {Vec3(5, 0, 0), Vec3::UnitX(), 2, 0, Ellipse{Vec3::UnitY(), 1, 0}};
+  tube.spine = LineSpine{Vec3(0, 0, 0), Vec3(5, 0, 0)};
+  tube.first = ConstantRadius{2};
+  tube.second = ConstantRadius{1};
+  tube.axis = Vec3::UnitY();
+  return tube;
+}
+
+TEST(Solid, of_a_chain_has_its_pieces_between_whole_numbers) {
+  const Solid solid =
+      test::solid(test::cylinder({0, 0, 0}, {1, 0, 0}, 1), test::cylinder({1, 0, 0}, {4, 0, 0}, 1));
+  EXPECT_EQ(solid.length(), 2);
+  EXPECT_EQ(solid.ball(), nullptr);
+  EXPECT_TRUE(solid.is_full());
+  EXPECT_FALSE(solid.closed());
+  const Piece* all = solid.pieces().data();
+  EXPECT_EQ(solid.piece({0, 1}), all);
+  EXPECT_EQ(solid.piece({.5, .5}), all);
+  EXPECT_EQ(solid.piece({1, 2}), all + 1);
+  for (const ParameterInterval& t :
+       {ParameterInterval{.5, 1.5}, {-.5, .5}, {1.5, 2.5}, {.75, .5}, {2, 2}, {5, 6}}) {
+    EXPECT_EQ(solid.piece(t), nullptr) << t.from << " " << t.to;
+    EXPECT_FALSE(solid.discs(t)) << t.from << " " << t.to;
+  }
+  const auto discs = solid.discs({1.5, 1.5});
+  ASSERT_TRUE(discs);
+  EXPECT_TRUE(holds(discs->centers.front(), Vec3(2.5, 0, 0), 1e-15));
+}
+
+TEST(Solid, of_a_ball_has_its_centre_everywhere) {
+  const Solid solid = test::ball(Vec3(1, 2, 3), 4);
+  ASSERT_NE(solid.ball(), nullptr);
+  EXPECT_EQ(solid.length(), 1);
+  EXPECT_TRUE(solid.pieces().empty());
+  EXPECT_EQ(solid.piece({0, 1}), nullptr);
+  const auto discs = solid.discs({.25, .5});
+  ASSERT_TRUE(discs);
+  EXPECT_TRUE(discs->tangents.empty());
+  EXPECT_NEAR(furthest(*discs, numbers::interval_vec(Vec3::UnitY())), 6, 1e-14);
+}
+
+TEST(Solid, of_another_shape_is_nothing) {
+  CertifiedPart part;
+  part.shape = Chain{};
+  const Solid solid(part);
+  EXPECT_EQ(solid.length(), 0);
+  EXPECT_FALSE(solid.is_full());
+  EXPECT_EQ(solid.ball(), nullptr);
+}
+
+TEST(Solid, of_an_elliptic_tube_has_the_larger_discs_and_is_not_full) {
+  const Solid solid = test::solid(elliptic_pipe());
+  EXPECT_FALSE(solid.is_full());
+  ASSERT_EQ(solid.pieces().size(), 1u);
+  const Piece& piece = solid.pieces().front();
+  EXPECT_EQ(piece.tubes.size(), 2u);
+  EXPECT_FALSE(piece.motion);
+  const auto disc = piece.steered(.25, .5);
+  ASSERT_TRUE(disc);
+  EXPECT_TRUE(holds(disc->radius[0], 2));
+  EXPECT_NEAR(furthest(*solid.discs({0, 1}), numbers::interval_vec(Vec3::UnitZ())), 2, 1e-14);
+}
+
+TEST(Solid, that_is_hollow_has_an_inner_skin) {
+  const PeArc arc = PeArc::from(test::sphere(0, 0, 0, 1), test::direction(Vec3::UnitX(), 0),
+                                test::sphere(3, 2, 0, .8));
+  CertifiedPart hollow = test::part(test::cyclide_piece(arc));
+  EXPECT_FALSE(Solid(hollow).pieces().front().inner);
+  EXPECT_TRUE(Solid(hollow).is_full());
+  std::get<Chain>(hollow.shape).wall = .25;
+  const Solid solid(hollow);
+  EXPECT_FALSE(solid.is_full());
+  const Motion& inner = solid.pieces().front().inner;
+  ASSERT_TRUE(inner);
+  EXPECT_TRUE(holds(inner(0, 0)->radius[0], .75, 1e-15));
+}
+
+// Nothing is claimed of the inner skin of anything else, so there must be none.
+TEST(Solid, refuses_walls_of_what_is_not_hollow) {
+  CertifiedPart pipe = test::part(test::cylinder({0, 0, 0}, {1, 0, 0}, 1));
+  std::get<Chain>(pipe.shape).wall = .25;
+  EXPECT_THROW(Solid{pipe}, Error);
+  const PeArc arc = PeArc::from(test::sphere(0, 0, 0, 1), test::direction(Vec3::UnitX(), 0),
+                                test::sphere(3, 2, 0, .8));
+  CertifiedPart piece = test::part(test::cyclide_piece(arc));
+  std::get<Chain>(piece.shape).wall = -.25;
+  EXPECT_THROW(Solid{piece}, Error);
+}
+
+TEST(Solid, discs_of_cyclides_hold_those_of_the_stretch) {
+  test::RandomArcs arcs;
+  for (int i = 0; i < 10; ++i) {
+    const PeArc arc = arcs.next();
+    const Solid solid = test::solid(test::cyclide_piece(arc));
+    const auto discs = solid.discs({.5, .50390625});
+    ASSERT_TRUE(discs);
+    for (const Vec3& w : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(.6, 0, .8)}) {
+      double reached = -1e9;
+      for (const double t : {.5, .502, .50390625}) {
+        const Ring ring = circle_at(arc, t);
+        reached = std::max(reached, w.dot(ring.center) + ring.radius * w.cross(ring.normal).norm());
+      }
+      const double bound = furthest(*discs, numbers::interval_vec(w));
+      EXPECT_GE(bound, reached - 1e-10);
+      EXPECT_LE(bound, reached + 1);
+    }
+  }
+}
+
+TEST(Solid, discs_of_rational_tubes_hold_those_of_the_stretch) {
+  const RationalRingedTube tube = oblique_tube(Vec3(0, 0, 0), Vec3(3, 0, 1), Vec3(1, 0, 0), 1, .5);
+  const Solid solid = test::solid(tube);
+  EXPECT_TRUE(solid.is_full());
+  const auto discs = solid.discs({.25, .5});
+  ASSERT_TRUE(discs);
+  const double reached = furthest(*discs, numbers::interval_vec(Vec3::UnitZ()));
+  EXPECT_GE(reached, .5 + .75);  // at t = 1/2: the centre is 1/2 high, the radius 3/4
+  EXPECT_GE(reached, .25 + .875);
+  EXPECT_LE(reached, .5 + .875 + 1e-9);
+}
+
+TEST(Solid, stretches_are_cut_at_whole_numbers) {
+  const auto pieces = cut({.5, 2.25});
+  ASSERT_EQ(pieces.size(), 3u);
+  EXPECT_EQ(pieces[0], (ParameterInterval{.5, 1}));
+  EXPECT_EQ(pieces[1], (ParameterInterval{1, 2}));
+  EXPECT_EQ(pieces[2], (ParameterInterval{2, 2.25}));
+  EXPECT_EQ(cut({1, 2}).size(), 1u);
+  EXPECT_TRUE(cut({1, 1}).empty());
+  EXPECT_EQ(within_piece({2.25, 3}), (ParameterInterval{.25, 1}));
+}
+
+}  // namespace
+}  // namespace dupin::verification

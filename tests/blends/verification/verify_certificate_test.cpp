@@ -1,0 +1,185 @@
+#include "dupin/blends/verify_certificate.h"
+
+#include <functional>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "dupin/kernel/error.h"
+
+namespace dupin {
+namespace {
+
+RingedSurface pipe(const Vec3& from, const Vec3& to) {
+  const Vec3 along = (to - from).normalized();
+  return {{from, -along, 1}, {to, along, 1}, LineSpine{from, to}, ConstantRadius{1}};
+}
+
+CertifiedPart part(const std::string& name, const RingedSurface& surface) {
+  Chain chain;
+  chain.pieces.emplace_back(surface);
+  CertifiedPart result;
+  result.name = name;
+  result.shape = chain;
+  return result;
+}
+
+PartClaims straight_claims() {
+  const TangencyClaim tangent{0, 0, 1e-300, {}};
+  return {RegularClaim{Verdict::proved, .5, {{0, 1}}, {}},
+          EmbeddedClaim{Verdict::proved, {{{0, 1}, {0, 1}, {}}}, {}},
+          {tangent, tangent},
+          MeshClaim{64, 0, {0, 1}, .01}};
+}
+
+// Two pipes that are joined, and a ball beside the second.
+Certificate certificate() {
+  Certificate result;
+  result.tolerance = .01;
+  result.parts = {part("a", pipe({0, 0, 0}, {4, 0, 0})), part("b", pipe({4, 0, 0}, {8, 0, 0})), {}};
+  result.parts[0].joined[1] = EndIndex{1, {}};  // the start
+  result.parts[2].name = "ball";
+  result.parts[2].shape = Sphere{Vec3(7, 5, 0), 1};
+  result.claims = {straight_claims(), straight_claims(), {}};
+  result.claims[2].mesh = MeshClaim{64, 0, {}, .01};
+  const Vec3 up(0, 1, 0);
+  result.clearances = {{0, 1, Verdict::proved, 0, {{{0, 1}, {0, 1}, {}}}, {}},
+                       {0, 2, Verdict::proved, 2, {{{0, 1}, {0, 1}, up}}, {}},
+                       {1, 2, Verdict::proved, 2, {{{0, 1}, {0, 1}, up}}, {}}};
+  return result;
+}
+
+RingedSurface& surface(Certificate& c, std::size_t i) {
+  return std::get<RingedSurface>(std::get<Chain>(c.parts[i].shape).pieces.front());
+}
+
+TEST(VerifyCertificate, believes_what_is_true) { EXPECT_NO_THROW(verify(certificate())); }
+
+TEST(VerifyCertificate, does_not_ask_about_what_is_undecided) {
+  Certificate c = certificate();
+  c.claims[0].regular = RegularClaim{};
+  c.claims[0].embedded = EmbeddedClaim{};
+  c.claims[0].mesh.reset();
+  c.clearances[1].verdict = Verdict::undecided;
+  c.clearances[1].leaves.clear();
+  EXPECT_NO_THROW(verify(c));
+}
+
+TEST(VerifyCertificate, of_a_shape_without_proofs_takes_only_undecided_claims) {
+  Certificate c;
+  c.parts.resize(1);
+  c.parts[0].name = "other";
+  c.parts[0].shape = Chain{};
+  c.claims = {{RegularClaim{}, EmbeddedClaim{}, {}, {}}};
+  EXPECT_NO_THROW(verify(c));
+  c.claims[0].regular->verdict = Verdict::proved;
+  EXPECT_THROW(verify(c), Error);
+}
+
+struct Lie {
+  std::string about, part, claim;
+  std::function<void(Certificate&)> tell;
+};
+
+class OneLie : public testing::TestWithParam<Lie> {};
+
+TEST_P(OneLie, is_named_with_its_part) {
+  Certificate c = certificate();
+  GetParam().tell(c);
+  try {
+    verify(c);
+    ADD_FAILURE() << "believed";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::invalid_argument);
+    EXPECT_EQ(error.part(), GetParam().part);
+    EXPECT_THAT(error.message(), testing::HasSubstr("'" + GetParam().claim + "' does not follow"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    VerifyCertificate, OneLie,
+    testing::Values(
+        Lie{"claims_of_a_part", "", "parts", [](Certificate& c) { c.claims.pop_back(); }},
+        Lie{"no_regular_claim", "a", "regular",
+            [](Certificate& c) { c.claims[0].regular.reset(); }},
+        Lie{"no_embedded_claim", "b", "regular",
+            [](Certificate& c) { c.claims[1].embedded.reset(); }},
+        Lie{"tangency_of_one_end", "a", "regular",
+            [](Certificate& c) { c.claims[0].tangency.pop_back(); }},
+        Lie{"margin", "a", "regular", [](Certificate& c) { c.claims[0].regular->margin = 1; }},
+        Lie{"margin_leaf", "b", "regular",
+            [](Certificate& c) { c.claims[1].regular->leaves[0].to = .5; }},
+        Lie{"false_refutation", "b", "regular",
+            [](Certificate& c) {
+              c.claims[1].regular = RegularClaim{Verdict::refuted, .5, {}, {0, 1}};
+              c.claims[1].embedded = EmbeddedClaim{};
+            }},
+        Lie{"pairs", "b", "embedded", [](Certificate& c) { c.claims[1].embedded->leaves.clear(); }},
+        Lie{"axis", "a", "tangency", [](Certificate& c) { surface(c, 0).start.normal.y() = 1e-9; }},
+        Lie{"offset", "a", "tangency",
+            [](Certificate& c) { surface(c, 0).start.center.y() = 1e-9; }},
+        Lie{"curvature", "a", "tangency",
+            [](Certificate& c) { c.claims[0].tangency[1].curvature = -1; }},
+        Lie{"tolerance", "a", "joints", [](Certificate& c) { c.tolerance = 1e-301; }},
+        Lie{"wide_joint", "a", "joints",
+            [](Certificate& c) { c.claims[0].tangency[1].offset = .02; }},
+        Lie{"mesh", "b", "mesh", [](Certificate& c) { c.claims[1].mesh->error_bound = .001; }},
+        Lie{"mesh_of_a_ball", "ball", "mesh",
+            [](Certificate& c) { c.claims[2].mesh->error_bound = .001; }},
+        Lie{"ball_of_no_radius", "ball", "radius",
+            [](Certificate& c) { std::get<Sphere>(c.parts[2].shape).radius = 0; }},
+        Lie{"rings_at_the_joint", "a", "joined",
+            [](Certificate& c) {
+              surface(c, 1).start.slope = 1e-300;
+              c.claims[1].tangency[0].deviation = 1e-200;  // what it owns up to
+            }},
+        Lie{"joint_with_a_ball", "a", "joined",
+            [](Certificate& c) {
+              c.parts[0].joined[0] = EndIndex{2, {}};
+            }},
+        Lie{"joint_that_is_none", "a", "clearance of b",
+            [](Certificate& c) { c.parts[0].joined[1].reset(); }},
+        Lie{"distance", "a", "clearance of ball",
+            [](Certificate& c) { c.clearances[1].distance = 3.5; }},
+        Lie{"direction", "b", "clearance of ball",
+            [](Certificate& c) { c.clearances[2].leaves[0].direction = Vec3(1, 0, 0); }},
+        Lie{"order_of_clearances", "a", "clearance of b",
+            [](Certificate& c) { std::swap(c.clearances[0], c.clearances[1]); }},
+        Lie{"clearance_missing", "b", "clearance of ball",
+            [](Certificate& c) { c.clearances.pop_back(); }},
+        Lie{"clearance_too_many", "", "clearance",
+            [](Certificate& c) { c.clearances.push_back(c.clearances.back()); }}),
+    [](const auto& row) { return row.param.about; });
+
+// One part whose two pieces meet in a ring.
+TEST(VerifyCertificate, of_a_chain_needs_pieces_that_share_their_rings) {
+  Certificate c;
+  c.tolerance = .01;
+  c.parts = {part("chain", pipe({0, 0, 0}, {4, 0, 0}))};
+  auto& chain = std::get<Chain>(c.parts[0].shape);
+  chain.pieces.emplace_back(pipe({4, 0, 0}, {8, 0, 0}));
+  const TangencyClaim tangent{0, 0, 1e-300, {}};
+  c.claims = {{RegularClaim{Verdict::proved, .5, {{0, 1}, {1, 2}}, {}},
+               EmbeddedClaim{},
+               {tangent, tangent, tangent, tangent},
+               {}}};
+  EXPECT_NO_THROW(verify(c));
+  const auto refused_for = [](const Certificate& lie) -> std::string {
+    try {
+      verify(lie);
+      return "nothing";
+    } catch (const Error& error) {
+      return error.message();
+    }
+  };
+  Certificate closed = c;
+  std::get<Chain>(closed.parts[0].shape).closed = true;  // but it ends elsewhere
+  EXPECT_THAT(refused_for(closed), testing::HasSubstr("'joints'"));
+  Certificate moved = c;
+  auto& second = std::get<Chain>(moved.parts[0].shape).pieces[1];
+  std::get<RingedSurface>(second) = pipe({4.001, 0, 0}, {8, 0, 0});
+  EXPECT_THAT(refused_for(moved), testing::HasSubstr("'joints'"));
+}
+
+}  // namespace
+}  // namespace dupin
