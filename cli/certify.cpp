@@ -1,3 +1,5 @@
+#include "dupin/blends/certify.h"
+
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -6,7 +8,6 @@
 #include <CLI/App.hpp>
 
 #include "commands.h"
-#include "dupin/blends/certificate.h"
 #include "dupin/blends/verify_certificate.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/certificate_json.h"

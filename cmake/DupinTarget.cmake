@@ -31,7 +31,7 @@ set(DUPIN_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <functional> <map
 function(dupin_precompile_tests)
   foreach(name IN ITEMS dupin_test_headers dupin_test_headers_cgal)
     file(CONFIGURE OUTPUT ${name}.cpp CONTENT "")
-    add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+    add_executable(${name} ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)  # code for executables is position independent in its own way
     dupin_target(${name})
     dupin_test_options(${name})
     target_link_libraries(${name} PRIVATE Eigen3::Eigen GTest::gmock GTest::gtest_main)

@@ -1,3 +1,5 @@
+#include "dupin/blends/certify.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -6,7 +8,6 @@
 #include "assembly/welded_runs.h"
 #include "certification/prove_regular.h"
 #include "certification/swept_disc_pairs.h"
-#include "dupin/blends/certificate.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "surfaces/surface_piece.h"

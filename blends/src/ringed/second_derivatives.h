@@ -3,7 +3,6 @@
 #include "dupin/blends/elliptic_tube.h"
 #include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/blends/ringed_surface.h"
-#include "dupin/blends/tessellate.h"
 #include "numbers/interval.h"
 
 namespace dupin::ringed {

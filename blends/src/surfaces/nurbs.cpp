@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dupin/blends/cyclide_tube.h"
-#include "nurbs_form/nurbs_rows.h"
+#include "surfaces/nurbs_rows.h"
 #include "surfaces/surface_piece.h"
 
 namespace dupin {
@@ -12,12 +12,12 @@ namespace {
 
 // Half a turn of half a circle, twice.
 NurbsSurface sphere_form(const Sphere& sphere) {
-  NurbsSurface result{2, 2, nurbs_form::bezier_knots(2, 2), nurbs_form::bezier_knots(2, 4), {}};
+  NurbsSurface result{2, 2, surfaces::bezier_knots(2, 2), surfaces::bezier_knots(2, 4), {}};
   const double root = std::sqrt(0.5), r = sphere.radius;
   const double heights[] = {-1, -1, 0, 1, 1}, radii[] = {0, 1, 1, 1, 0};
   for (std::size_t i = 0; i < 5; ++i) {
     const double weight = i % 2 == 0 ? 1 : root;
-    result.net.push_back(nurbs_form::row_points(
+    result.net.push_back(surfaces::row_points(
         {weight * (sphere.center + r * heights[i] * Vec3::UnitZ()),
          weight * radii[i] * r * Vec3::UnitX(), weight * radii[i] * r * Vec3::UnitY(), weight}));
   }

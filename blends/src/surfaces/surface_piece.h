@@ -4,10 +4,10 @@
 #include <type_traits>
 #include <variant>
 
-#include "surfaces/cyclide_piece.h"
-#include "surfaces/elliptic_piece.h"
-#include "surfaces/rational_piece.h"
-#include "surfaces/ringed_piece.h"
+#include "surfaces/cyclide_piece_operations.h"
+#include "surfaces/elliptic_piece_operations.h"
+#include "surfaces/rational_piece_operations.h"
+#include "surfaces/ringed_piece_operations.h"
 
 // The kinds of pieces that chains consist of. Each is one pair of files with one set of functions,
 // which SurfacePiece states; whoever uses pieces visits them and calls these functions, so that a

@@ -5,8 +5,8 @@
 
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/error.h"
+#include "surfaces/kneecap_chain_mesh.h"
 #include "surfaces/surface_piece.h"
-#include "tessellation/kneecap_chain_mesh.h"
 
 namespace dupin {
 namespace {
@@ -185,7 +185,7 @@ Tessellation hollow(Tessellation outer, const Tessellation& inner, std::uint32_t
 
 std::uint32_t segments_for(const Chain& chain, double tolerance, double grid) {
   if (chain.joints == Joints::spherical) {
-    return tessellation::kneecap_chain_segments(cyclide_pieces(chain), tolerance, grid);
+    return surfaces::kneecap_chain_segments(cyclide_pieces(chain), tolerance, grid);
   }
   std::uint32_t most = 0;
   for (const Run& run : runs(chain)) {
@@ -197,8 +197,8 @@ std::uint32_t segments_for(const Chain& chain, double tolerance, double grid) {
 Tessellation tessellate(const Chain& chain, const RingSampling& sampling,
                         const TessellationOptions& options) {
   if (chain.joints == Joints::spherical && chain.wall == 0) {
-    return tessellation::kneecap_chain_mesh(end_ring(chain, End::start), end_ring(chain, End::end),
-                                            cyclide_pieces(chain), sampling, options);
+    return surfaces::kneecap_chain_mesh(end_ring(chain, End::start), end_ring(chain, End::end),
+                                        cyclide_pieces(chain), sampling, options);
   }
   if (chain.wall == 0) {
     return skin(chain, sampling, options);

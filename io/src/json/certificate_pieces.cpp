@@ -4,8 +4,8 @@
 #include <numbers>
 #include <string_view>
 
-#include "json/json_forms.h"
 #include "json/json_lists.h"
+#include "json/json_value.h"
 
 namespace dupin::json {
 namespace {

@@ -8,7 +8,6 @@
 #include "arrangement/subdivision.h"
 #include "arrangement/triangle_intersection.h"
 #include "arrangement/winding_numbers.h"
-#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "support/blocks.h"
 
@@ -78,18 +77,6 @@ ArrangementInput imported(std::span<const mesh::ExactMesh* const> operands,
   return load_operands(operands, rule);
 }
 
-void refuse_contacts(const mesh::ExactMesh& result) {
-  if (result.contacts.empty()) {
-    return;
-  }
-  const Contact& first = result.contacts.front();
-  throw Error(Errc::contact,
-              "the result touches itself in " + std::to_string(result.contacts.size()) +
-                  (result.contacts.size() == 1 ? " place" : " places") + ", first at " +
-                  decimal(first.from),
-              first.names.empty() ? "" : first.names.front());
-}
-
 }  // namespace
 
 mesh::ExactMesh arrange(std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
@@ -101,20 +88,6 @@ mesh::ExactMesh arrange(std::span<const mesh::ExactMesh* const> operands, const 
   refuse_too_large(triangles, 0, memory_limit);
   ArrangementInput input = imported(operands, rule);
   return arrange(input, rule, progress, memory_limit);
-}
-
-mesh::ExactMesh arrange(std::span<const Solid> operands, const BooleanRule& rule,
-                        const BooleanOptions& options) {
-  std::vector<const mesh::ExactMesh*> meshes;
-  meshes.reserve(operands.size());
-  for (const Solid& operand : operands) {
-    meshes.push_back(&operand.exact());
-  }
-  mesh::ExactMesh result = arrange(meshes, rule, options.progress, options.memory_limit);
-  if (options.contacts == ContactPolicy::refuse) {
-    refuse_contacts(result);
-  }
-  return result;
 }
 
 mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface,

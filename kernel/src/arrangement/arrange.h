@@ -3,7 +3,7 @@
 #include <span>
 
 #include "arrangement/input.h"
-#include "dupin/kernel/boolean.h"
+#include "dupin/kernel/progress.h"
 
 /// All surfaces cut each other into patches, and the result keeps the patches with the inside of
 /// the rule on exactly one side, as in [ZGZJ16]. Points that are not input are implicit: known by
@@ -25,11 +25,6 @@ namespace dupin::arrangement {
 [[nodiscard]] mesh::ExactMesh arrange(std::span<const mesh::ExactMesh* const> operands,
                                       const BooleanRule& rule, const Progress& progress = {},
                                       std::uint64_t memory_limit = 0);
-
-/// The same for solids, with the policies of the options. Throws Error{contact} besides, where
-/// these refuse contacts.
-[[nodiscard]] mesh::ExactMesh arrange(std::span<const Solid> operands, const BooleanRule& rule,
-                                      const BooleanOptions& options);
 
 /// The boundary of the points that a surface winds around a positive number of times. It is closed
 /// (each edge is run along as often one way as the other) and has no degenerate or duplicate

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "arrangement/arrange.h"
+#include "booleans/combine.h"
 #include "mesh/exact_mesh.h"
 
 namespace dupin {
@@ -62,7 +62,7 @@ Solid combine_alike(std::span<const Solid> operands, std::size_t first_alike,
   for (const std::uint32_t i : order) {
     sorted.push_back(operands[i]);
   }
-  ExactMesh result = arrangement::arrange(sorted, rule, options);
+  ExactMesh result = booleans::combine(sorted, rule, options);
   for (Source& source : result.sources) {
     source.operand = order[source.operand];
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "arrangement/arrange.h"
+#include "booleans/combine.h"
 #include "booleans/operands.h"
 #include "dupin/kernel/error.h"
 
@@ -185,8 +185,7 @@ Solid evaluate(const Expression& expression, const std::map<std::string, Solid>&
     }
     return expression.contains(inside);
   };
-  return Solid(
-      std::make_shared<const mesh::ExactMesh>(arrangement::arrange(solids, rule, options)));
+  return Solid(std::make_shared<const mesh::ExactMesh>(booleans::combine(solids, rule, options)));
 }
 
 }  // namespace dupin

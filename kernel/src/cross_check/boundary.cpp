@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "exact/exact_numbers.h"
-#include "mesh/mesh_view.h"
+#include "mesh/exact_mesh.h"
 
 namespace dupin::cross_check {
 namespace {

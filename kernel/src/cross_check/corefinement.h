@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dupin/kernel/cross_check.h"
+#include "dupin/kernel/set_operation.h"
 #include "mesh/exact_mesh.h"
 
 namespace dupin::cross_check {

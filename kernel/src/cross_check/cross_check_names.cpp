@@ -12,18 +12,6 @@ std::string_view name(CrossCheckEngine engine) {
   return "unknown";
 }
 
-std::string_view name(SetOperation operation) {
-  switch (operation) {
-    case SetOperation::unite:
-      return "unite";
-    case SetOperation::intersect:
-      return "intersect";
-    case SetOperation::subtract:
-      return "subtract";
-  }
-  return "unknown";
-}
-
 std::string_view name(CrossCheck::Verdict verdict) {
   switch (verdict) {
     case CrossCheck::Verdict::agrees:

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "dupin/kernel/boolean_expression.h"
-#include "dupin/kernel/cross_check.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/progress.h"
+#include "dupin/kernel/set_operation.h"
 
 namespace dupin::cross_check {
 

@@ -8,8 +8,9 @@
 
 #include <CGAL/Mpzf.h>
 
+#include "dupin/kernel/contact.h"
 #include "dupin/kernel/mesh.h"
-#include "dupin/kernel/solid.h"
+#include "dupin/kernel/source.h"
 #include "mesh/stable_face_groups.h"
 #include "support/none.h"
 

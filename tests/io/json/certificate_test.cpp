@@ -1,5 +1,3 @@
-#include "dupin/blends/certificate.h"
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -13,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dupin/blends/certify.h"
 #include "dupin/blends/verify_certificate.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/certificate_json.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/boolean.h"
 #include "kernel/arrangement/stages_internal.h"
 
 namespace dupin::arrangement {
@@ -83,7 +84,7 @@ TEST(Scene, welds_implicit_points_by_their_exact_place) {
   // The same cut, made twice: its points are no doubles, and their definitions differ.
   const std::vector<Solid> solids{Solid::from(cube(-3, -3, -3, 4)),
                                   Solid::from(test::slanted_tetrahedron())};
-  const Solid a = intersect(solids), b = subtract(solids[0], std::span(solids).subspan(1));
+  const Solid a = dupin::intersect(solids), b = subtract(solids[0], std::span(solids).subspan(1));
   ASSERT_FALSE(a.exact().implicit.empty());
   const std::vector<const mesh::ExactMesh*> operands{&a.exact(), &b.exact()};
   const UpwardRounding rounding;
@@ -107,7 +108,7 @@ TEST(Scene, welds_implicit_points_by_their_exact_place) {
 }
 
 TEST(Scene, knows_the_operand_of_a_point) {
-  const Solid cut = intersect(
+  const Solid cut = dupin::intersect(
       std::vector{Solid::from(cube(-3, -3, -3, 4)), Solid::from(test::slanted_tetrahedron())});
   const Solid beside = Solid::from(cube(9, 9, 9));
   ASSERT_FALSE(cut.exact().implicit.empty());

@@ -42,4 +42,16 @@ struct SurfacePoint {
 /// The length of the spine, by the same quadrature.
 [[nodiscard]] double length(const Spine& spine);
 
+/// Suprema over a stretch of a ringed surface, in a rotation-minimising frame, of |x_tt|, |x_tu|
+/// and |x_uu|: what decides how far a triangle is from the surface.
+struct SecondDerivativeBounds {
+  double along = 0, mixed = 0, around = 0;
+};
+
+/// Upper bounds over t in [from, to] within [0, 1], by interval arithmetic with outward rounding;
+/// they converge to the suprema as the interval shrinks. Throws Error{irregular_surface} if the
+/// spine may stop there.
+[[nodiscard]] SecondDerivativeBounds second_derivative_bounds(const RingedSurface& surface,
+                                                              double from, double to);
+
 }  // namespace dupin

@@ -9,18 +9,6 @@
 
 namespace dupin {
 
-/// Suprema over a stretch of a ringed surface, in a rotation-minimising frame, of |x_tt|, |x_tu|
-/// and |x_uu|: what decides how far a triangle is from the surface.
-struct SecondDerivativeBounds {
-  double along = 0, mixed = 0, around = 0;
-};
-
-/// Upper bounds over t in [from, to] within [0, 1], by interval arithmetic with outward rounding;
-/// they converge to the suprema as the interval shrinks. Throws Error{irregular_surface} if the
-/// spine may stop there.
-[[nodiscard]] SecondDerivativeBounds second_derivative_bounds(const RingedSurface& surface,
-                                                              double from, double to);
-
 struct TessellationOptions {
   /// Largest distance between the smooth surface and the mesh, both ways, in model units.
   double tolerance = 0.05;

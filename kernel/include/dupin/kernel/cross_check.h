@@ -11,6 +11,7 @@
 
 #include "dupin/kernel/boolean_expression.h"
 #include "dupin/kernel/progress.h"
+#include "dupin/kernel/set_operation.h"
 #include "dupin/kernel/solid.h"
 
 /// A second opinion on set operations, by engines of CGAL that share no code with ours. Both
@@ -30,14 +31,6 @@ enum class CrossCheckEngine : std::uint8_t {
 };
 
 [[nodiscard]] std::string_view name(CrossCheckEngine engine);  ///< as its enumerator
-
-enum class SetOperation : std::uint8_t {
-  unite,
-  intersect,
-  subtract,  ///< the first operand without all others
-};
-
-[[nodiscard]] std::string_view name(SetOperation operation);
 
 /// Whether the engines are part of this build.
 [[nodiscard]] bool has_cross_check();

@@ -9,29 +9,15 @@
 
 #include <gmpxx.h>
 
+#include "dupin/kernel/contact.h"
 #include "dupin/kernel/mesh.h"
+#include "dupin/kernel/source.h"
 
 namespace dupin {
 
 namespace mesh {
 struct ExactMesh;
 }
-
-/// Where a triangle of a boolean's result comes from: the operand's position in the call and the
-/// triangle's in that operand.
-struct Source {
-  std::uint32_t operand = 0, triangle = 0;
-  friend bool operator==(const Source&, const Source&) = default;
-};
-
-/// A place where the boundary of a solid touches itself without being 2-manifold there as a point
-/// set (vertices are duplicated, so the surface is 2-manifold combinatorially).
-struct Contact {
-  enum class Kind { vertex, edge };
-  Kind kind = Kind::vertex;
-  Vec3 from, to;                   ///< the edge's ends, or the vertex twice
-  std::vector<std::string> names;  ///< labels of the faces that meet there, sorted, unique
-};
 
 /// A bounded regularised point set with a triangulated boundary: closed, 2-manifold, oriented
 /// outward, free of self-intersection (contacts apart), with exact coordinates. Nothing but

@@ -1,12 +1,12 @@
-#include "surfaces/rational_piece.h"
+#include "surfaces/rational_piece_operations.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "nurbs_form/nurbs_rows.h"
 #include "ringed/second_derivatives.h"
+#include "surfaces/nurbs_rows.h"
 #include "tessellation/swept_mesh.h"
 #include "tessellation/tessellation_tolerance.h"
 
@@ -126,8 +126,8 @@ NurbsForm nurbs(const RationalRingedTube& tube, double) {
     }
   }
   result.degree_along = int(result.net.size()) - 1;
-  result.knots_along = nurbs_form::bezier_knots(result.degree_along, 1);
-  result.knots_around = nurbs_form::bezier_knots(2, 4);
+  result.knots_along = surfaces::bezier_knots(result.degree_along, 1);
+  result.knots_around = surfaces::bezier_knots(2, 4);
   return {{result}, 0};
 }
 

@@ -4,7 +4,7 @@
 
 #include "dupin/blends/nurbs.h"
 
-namespace dupin::nurbs_form {
+namespace dupin::surfaces {
 
 /// A row of control points of a surface of ellipses center + cos u a + sin u b, all multiplied by
 /// the row's weight.
@@ -26,4 +26,4 @@ struct NurbsRow {
 [[nodiscard]] NurbsForm lofted_nurbs(const RingedSurface& surface, double tolerance);
 [[nodiscard]] NurbsForm lofted_nurbs(const EllipticTube& tube, double tolerance);
 
-}  // namespace dupin::nurbs_form
+}  // namespace dupin::surfaces

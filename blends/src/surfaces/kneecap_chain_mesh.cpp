@@ -1,4 +1,4 @@
-#include "tessellation/kneecap_chain_mesh.h"
+#include "surfaces/kneecap_chain_mesh.h"
 
 #include <algorithm>
 #include <cassert>
@@ -14,10 +14,29 @@
 #include "tessellation/kneecap_mesh.h"
 #include "tessellation/tessellation_tolerance.h"
 
-namespace dupin::tessellation {
+namespace dupin::surfaces {
 namespace {
 
 using std::numbers::pi;
+using tessellation::allowed_error;
+using tessellation::append_band;
+using tessellation::append_kneecap;
+using tessellation::band_budget;
+using tessellation::BandStepper;
+using tessellation::even_knots;
+using tessellation::fill;
+using tessellation::first_direction;
+using tessellation::joint;
+using tessellation::joint_polygon;
+using tessellation::JointCircles;
+using tessellation::JointKind;
+using tessellation::JointPolygon;
+using tessellation::largest_circle;
+using tessellation::march_of;
+using tessellation::refuse_too_fine;
+using tessellation::Row;
+using tessellation::row_at;
+using tessellation::segment_count;
 using Indices = std::vector<std::uint32_t>;
 
 // The share of the tolerance that two circles may be apart and still count as one.
@@ -317,4 +336,4 @@ Tessellation kneecap_chain_mesh(const Ring& start, const Ring& end, const std::v
   return result;
 }
 
-}  // namespace dupin::tessellation
+}  // namespace dupin::surfaces

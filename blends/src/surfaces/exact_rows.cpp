@@ -1,11 +1,11 @@
-#include "nurbs_form/exact_rows.h"
+#include "surfaces/exact_rows.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
 
-namespace dupin::nurbs_form {
+namespace dupin::surfaces {
 namespace {
 
 // The Bernstein coefficients of the same polynomial with one more of them.
@@ -129,4 +129,4 @@ ExactRows exact_rows(const Spine& spine, const RadiusLaw& first, const RadiusLaw
   return {std::move(rows), degree};
 }
 
-}  // namespace dupin::nurbs_form
+}  // namespace dupin::surfaces

@@ -6,7 +6,7 @@
 #include "dupin/blends/pe_arc.h"
 #include "dupin/blends/tessellate.h"
 
-namespace dupin::tessellation {
+namespace dupin::surfaces {
 
 /// What segments_for() and tessellate() do for chains of these arcs with spherical joints, between
 /// the rings stored at their ends.
@@ -17,4 +17,4 @@ namespace dupin::tessellation {
                                               const RingSampling& sampling,
                                               const TessellationOptions& options);
 
-}  // namespace dupin::tessellation
+}  // namespace dupin::surfaces

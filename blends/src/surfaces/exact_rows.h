@@ -4,9 +4,9 @@
 
 #include "dupin/blends/radius_law.h"
 #include "dupin/blends/spine.h"
-#include "nurbs_form/nurbs_rows.h"
+#include "surfaces/nurbs_rows.h"
 
-namespace dupin::nurbs_form {
+namespace dupin::surfaces {
 
 /// Rows of control points with their degree; none where there is no exact form.
 struct ExactRows {
@@ -19,4 +19,4 @@ struct ExactRows {
 [[nodiscard]] ExactRows exact_rows(const Spine& spine, const RadiusLaw& first,
                                    const RadiusLaw& second, const Vec3& axis);
 
-}  // namespace dupin::nurbs_form
+}  // namespace dupin::surfaces

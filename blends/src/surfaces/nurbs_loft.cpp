@@ -6,12 +6,12 @@
 #include <Eigen/Geometry>
 
 #include "dupin/kernel/error.h"
-#include "nurbs_form/nurbs_rows.h"
 #include "ringed/second_derivatives.h"
+#include "surfaces/nurbs_rows.h"
 #include "tessellation/swept_mesh.h"
 #include "tessellation/tessellation_tolerance.h"
 
-namespace dupin::nurbs_form {
+namespace dupin::surfaces {
 namespace {
 
 // Places per cubic where it is compared with the surface, and rotations of the frame between them.
@@ -191,4 +191,4 @@ NurbsForm lofted_nurbs(const EllipticTube& tube, double tolerance) {
   return lofted(tube, tolerance);
 }
 
-}  // namespace dupin::nurbs_form
+}  // namespace dupin::surfaces

@@ -1,7 +1,6 @@
 #include "dupin/blends/part_surface.h"
 
 #include "dupin/blends/pe_arc.h"
-#include "surfaces/surface_piece.h"
 
 namespace dupin {
 namespace {
@@ -23,11 +22,6 @@ const Ring* port_ring(const PartSurface& surface, End end) {
   const bool has_ports =
       chain != nullptr && !chain->pieces.empty() && !chain->closed && chain->wall == 0;
   return has_ports ? &end_ring(*chain, end) : nullptr;
-}
-
-MovingRing leaving(const PartSurface& surface, End end) {
-  return std::visit([end](const auto& p) { return surfaces::leaving(p, end); },
-                    end_piece(std::get<Chain>(surface), end));
 }
 
 std::vector<PeArc> cyclide_pieces(const Chain& chain) {

@@ -1,4 +1,4 @@
-#include "surfaces/ringed_piece.h"
+#include "surfaces/ringed_piece_operations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include "dupin/blends/curvature_jump.h"
 #include "dupin/kernel/error.h"
-#include "nurbs_form/exact_rows.h"
 #include "ringed/second_derivatives.h"
+#include "surfaces/exact_rows.h"
 #include "tessellation/swept_mesh.h"
 #include "tessellation/tessellation_tolerance.h"
 
@@ -169,10 +169,10 @@ TangencyClaim tangency_claim(const RingedSurface& surface, End end) {
 }
 
 NurbsForm nurbs(const RingedSurface& surface, double tolerance) {
-  const auto [rows, degree] = nurbs_form::exact_rows(surface.spine, surface.radius, surface.radius,
-                                                     reference_axis(surface.start));
-  return rows.empty() ? nurbs_form::lofted_nurbs(surface, tolerance)
-                      : NurbsForm{{nurbs_form::nurbs_through(rows, degree)}, 0};
+  const auto [rows, degree] = surfaces::exact_rows(surface.spine, surface.radius, surface.radius,
+                                                   reference_axis(surface.start));
+  return rows.empty() ? surfaces::lofted_nurbs(surface, tolerance)
+                      : NurbsForm{{surfaces::nurbs_through(rows, degree)}, 0};
 }
 
 }  // namespace surfaces

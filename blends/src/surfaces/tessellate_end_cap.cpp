@@ -14,20 +14,6 @@ bool precedes(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-namespace tessellation {
-
-void fill(std::uint32_t first, std::uint32_t last, std::vector<Triangle>& triangles) {
-  if (last - first < 2) {
-    return;
-  }
-  const std::uint32_t middle = (first + last) / 2;
-  triangles.push_back({first, middle, last});
-  fill(first, middle, triangles);
-  fill(middle, last, triangles);
-}
-
-}  // namespace tessellation
-
 TriMesh end_cap_mesh(const Ring& ring, const RingSampling& sampling) {
   TriMesh mesh{sample(ring, sampling), {}, {}, {}};
   const std::uint32_t n = sampling.segments;

@@ -1,4 +1,4 @@
-#include "surfaces/elliptic_piece.h"
+#include "surfaces/elliptic_piece_operations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include <Eigen/Geometry>
 
-#include "nurbs_form/exact_rows.h"
 #include "ringed/second_derivatives.h"
+#include "surfaces/exact_rows.h"
 #include "tessellation/swept_mesh.h"
 #include "tessellation/tessellation_tolerance.h"
 
@@ -205,12 +205,12 @@ TangencyClaim tangency_claim(const EllipticTube& tube, End end) {
 NurbsForm nurbs(const EllipticTube& tube, double tolerance) {
   if (tube.turn == 0) {
     const auto [rows, degree] =
-        nurbs_form::exact_rows(tube.spine, tube.first, tube.second, tube.axis);
+        surfaces::exact_rows(tube.spine, tube.first, tube.second, tube.axis);
     if (!rows.empty()) {
-      return {{nurbs_form::nurbs_through(rows, degree)}, 0};
+      return {{surfaces::nurbs_through(rows, degree)}, 0};
     }
   }
-  return nurbs_form::lofted_nurbs(tube, tolerance);
+  return surfaces::lofted_nurbs(tube, tolerance);
 }
 
 }  // namespace surfaces

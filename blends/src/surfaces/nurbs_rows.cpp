@@ -1,8 +1,8 @@
-#include "nurbs_form/nurbs_rows.h"
+#include "surfaces/nurbs_rows.h"
 
 #include <cmath>
 
-namespace dupin::nurbs_form {
+namespace dupin::surfaces {
 
 std::vector<double> bezier_knots(int degree, int pieces) {
   std::vector<double> knots{0};
@@ -34,4 +34,4 @@ NurbsSurface nurbs_through(const std::vector<NurbsRow>& rows, int degree) {
   return result;
 }
 
-}  // namespace dupin::nurbs_form
+}  // namespace dupin::surfaces

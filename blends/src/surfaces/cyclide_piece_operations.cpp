@@ -1,4 +1,4 @@
-#include "surfaces/cyclide_piece.h"
+#include "surfaces/cyclide_piece_operations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "dupin/blends/cyclide_form.h"
 #include "dupin/blends/cyclide_tube.h"
-#include "nurbs_form/nurbs_rows.h"
+#include "surfaces/nurbs_rows.h"
 #include "tessellation/cyclide_rows.h"
 #include "tessellation/tessellation_tolerance.h"
 
@@ -182,7 +182,7 @@ TangencyClaim tangency_claim(const CyclidePiece& piece, End end) {
 NurbsForm nurbs(const CyclidePiece& piece, double) {
   NurbsForm form;
   for (const BiquadraticPatch& patch : patches(arc_of(piece))) {
-    NurbsSurface surface{2, 2, nurbs_form::bezier_knots(2, 1), nurbs_form::bezier_knots(2, 1), {}};
+    NurbsSurface surface{2, 2, surfaces::bezier_knots(2, 1), surfaces::bezier_knots(2, 1), {}};
     for (std::size_t i = 0; i < 3; ++i) {
       auto& row = surface.net.emplace_back();
       for (std::size_t j = 0; j < 3; ++j) {

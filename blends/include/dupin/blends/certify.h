@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "dupin/blends/assembly.h"
+#include "dupin/blends/certificate.h"
+
+namespace dupin {
+
+struct CertifyOptions {
+  /// To be proven of every part, in [0, 1); none: nearly the largest that holds.
+  std::optional<double> margin = {};
+  /// Boxes of parameters that one claim may be divided into before it is left undecided.
+  std::size_t boxes = 1 << 14;
+};
+
+/// Proves what it can about the smooth parts and their meshes, in exact rational or outward rounded
+/// arithmetic; what it cannot is undecided. Throws as `resolve` and `tessellate` do, and
+/// Error{invalid_argument} for a margin outside [0, 1).
+[[nodiscard]] Certificate certify(const Assembly& assembly, const CertifyOptions& options = {});
+
+}  // namespace dupin
