@@ -9,15 +9,16 @@ namespace dupin {
 namespace {
 
 TEST(PartShape, every_shape_has_the_key_that_stands_for_it) {
-  EXPECT_EQ(kind(PipeBetween()), "pipe");
+  const Vec3 o = Vec3::Zero();
+  EXPECT_EQ(kind(PipeBetween{o, o}), "pipe");
   EXPECT_EQ(kind(PipeAlong()), "pipe");
-  EXPECT_EQ(kind(PipeTo()), "pipe");
-  EXPECT_EQ(kind(ConeBetween()), "cone");
+  EXPECT_EQ(kind(PipeTo{{}, o}), "pipe");
+  EXPECT_EQ(kind(ConeBetween{o, o}), "cone");
   EXPECT_EQ(kind(ConeAlong()), "cone");
-  EXPECT_EQ(kind(ObliqueBetween()), "oblique");
+  EXPECT_EQ(kind(ObliqueBetween{o, o, o}), "oblique");
   EXPECT_EQ(kind(ElbowTurning()), "elbow");
-  EXPECT_EQ(kind(ElbowTo()), "elbow");
-  EXPECT_EQ(kind(ElbowCorner()), "elbow");
+  EXPECT_EQ(kind(ElbowTo{Place(), o}), "elbow");
+  EXPECT_EQ(kind(ElbowCorner{Place(), o, o}), "elbow");
   EXPECT_EQ(kind(SphereAt()), "sphere");
   EXPECT_EQ(kind(SplineBetween()), "spline");
   EXPECT_EQ(kind(SplineRound()), "spline");

@@ -18,6 +18,7 @@ namespace {
 
 using test::document;
 using test::expect_fault;
+using test::kOther;
 using test::kPipe;
 using test::Malformed;
 using test::pipe_and;
@@ -78,6 +79,13 @@ const std::vector<Malformed>& unreadable() {
        "a part must have exactly one of the keys " + all_keys()},
       {document(R"({"name": "a", "tee": {}})"), "d.json#/parts/0/tee",
        "unknown key; known here are name, comment, " + all_keys()},
+      {document(R"({"name": "a", "pipe": {"from": "b", "length": 1}})"),
+       "d.json#/parts/0/pipe/from", "must name a port as 'part.start' or 'part.end', not 'b'"},
+      {document(R"({"name": "a", "pipe": {"from": ".end", "length": 1}})"),
+       "d.json#/parts/0/pipe/from", "must name a port as 'part.start' or 'part.end', not '.end'"},
+      {document(R"({"name": "a", "pipe": {"from": "b.middle", "length": 1}})"),
+       "d.json#/parts/0/pipe/from",
+       "must name a port as 'part.start' or 'part.end', not 'b.middle'"},
   };
   return rows;
 }
@@ -85,6 +93,8 @@ const std::vector<Malformed>& unreadable() {
 // What is a document but makes no sense, found by resolving.
 const std::vector<Malformed>& senseless() {
   constexpr Errc kBad = Errc::invalid_argument;
+  const std::string blend = R"({"name": "c", "cyclic_blend": {"from": "a.end", "to": )";
+  const std::string law = R"(, "radius_law": "R1", "k": 8, "l": 8}})";
   static const std::vector<Malformed> rows = {
       {R"({"units": "mm", "tolerance": 0, "parts": []})", "d.json#/tolerance",
        "the tolerance must be a positive number, not 0", kBad},
@@ -97,6 +107,26 @@ const std::vector<Malformed>& senseless() {
       {document(R"({"name": "a.b", "sphere": {"center": [0, 0, 0], "radius": 1}})"),
        "d.json#/parts/0/name", "'a.b': a part's name must not be empty and not contain a dot",
        kBad},
+      {pipe_and(R"({"name": "c", "cap": {"at": "d.end"}})"), "d.json#/parts/1/cap/at",
+       "'c': there is no part named 'd'", kBad},
+      {pipe_and(R"({"name": "c", "cap": {"at": "a.end"}}, {"name": "d", "cap": {"at": "a.end"}})"),
+       "d.json#/parts/2/cap/at", "'d': the port 'a.end' is already taken by 'c'", kBad},
+      {pipe_and(blend + R"("a.end")" + law), "d.json#/parts/1/cyclic_blend/to",
+       "'c': the port 'a.end' is already taken by 'c'", kBad},
+      {pipe_and(kOther + (", " + blend) + R"("b.start")" + law +
+                R"(, {"name": "d", "pipe": {"from": "b.start", "length": 2}})"),
+       "d.json#/parts/3/pipe/from", "'d': the port 'b.start' is already taken by 'c'", kBad},
+      {pipe_and(R"({"name": "c", "pipe": {"from": "a.end", "length": 2}},
+                   {"name": "d", "pipe": {"from": "c.start", "length": 2}})"),
+       "d.json#/parts/2/pipe/from", "'d': the port 'c.start' is already taken by 'a'", kBad},
+      {document(R"({"name": "c", "pipe": {"from": "c.end", "length": 2}})"),
+       "d.json#/parts/0/pipe/from",
+       "'c': parts must not begin at each other in a circle: 'c' -> 'c'", kBad},
+      {pipe_and(R"({"name": "c", "pipe": {"from": "e.end", "length": 2}},
+                   {"name": "d", "pipe": {"from": "c.end", "length": 2}},
+                   {"name": "e", "pipe": {"from": "d.end", "length": 2}})"),
+       "d.json#/parts/1/pipe/from",
+       "'c': parts must not begin at each other in a circle: 'c' -> 'e' -> 'd' -> 'c'", kBad},
   };
   return rows;
 }

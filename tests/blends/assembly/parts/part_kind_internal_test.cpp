@@ -26,24 +26,25 @@ struct Row {
 };
 
 std::vector<Row> rows() {
+  const Vec3 o = Vec3::Zero();
   const std::string both = "from a.end, to b.start at end";
   CyclideChainThrough hollow;
   hollow.wall = 1;
   CyclideChainThrough going_on;
   going_on.from = kFrom;
   RingedBlendBetween leading;
-  leading.from = FreeEnd();
+  leading.from = FreeEnd{o, o, 1, {}};
   leading.to = kTo;
-  return {{PipeBetween(), "", ""},
+  return {{PipeBetween{o, o}, "", ""},
           {PipeAlong{kFrom, 1}, "from a.end", ""},
           {PipeAlong{Place(), 1}, "", ""},
-          {PipeTo{kFrom, Vec3::Zero()}, "from a.end", ""},
-          {ConeBetween(), "", ""},
+          {PipeTo{kFrom, o}, "from a.end", ""},
+          {ConeBetween{o, o}, "", ""},
           {ConeAlong{kFrom, 1, 1, {}, {}}, "from a.end", ""},
-          {ObliqueBetween(), "", ""},
+          {ObliqueBetween{o, o, o}, "", ""},
           {ElbowTurning{kFrom}, "from a.end", ""},
-          {ElbowTo{kFrom, Vec3::Zero()}, "from a.end", ""},
-          {ElbowCorner{kFrom, Vec3::Zero(), Vec3::Zero()}, "from a.end", ""},
+          {ElbowTo{kFrom, o}, "from a.end", ""},
+          {ElbowCorner{kFrom, o, o}, "from a.end", ""},
           {SphereAt(), "", "a sphere"},
           {SplineBetween{kFrom, kTo, {}}, both, ""},
           {SplineRound(), "", "a closed spline"},
