@@ -43,7 +43,7 @@ TEST(BoxTree, visits_the_boxes_that_overlap_another_one) {
       ASSERT_EQ(tree.overlaps(box), !expected.empty());
       found += expected.size();
     }
-    EXPECT_TRUE(count < 1000 || found > 100) << found;
+    EXPECT_TRUE(count < 1000 || found > 20) << found;
   }
 }
 
@@ -70,15 +70,15 @@ TEST(BoxTree, finds_boxes_that_have_grown) {
   }
 }
 
-/// A bundle of long thin triangles through a cube, all slanted.
+/// A bundle of long thin triangles through a cube, all slanted in nearly the same way.
 struct Needles {
-  explicit Needles(std::uint32_t count) {
+  Needles() {
     std::mt19937 random(8);
-    std::uniform_real_distribution<double> place(-0.5, 0.5);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const Vec3 from(place(random), place(random), -1);
-      const Vec3 to = Vec3(place(random), place(random), 1) + Vec3(0.4, 0.4, 0);
-      points.insert(points.end(), {from, to, to + Vec3(0.001, 0, 0)});
+    std::uniform_real_distribution<double> offset(-0.02, 0.02);
+    for (std::uint32_t i = 0; i < 64 * 64; ++i) {
+      const Vec3 from(i % 64 / 64.0, i / 64 / 64.0, 0);
+      const Vec3 to = from + Vec3(2 + offset(random), 2 + offset(random), 4);
+      points.insert(points.end(), {from, to, to + Vec3(0.005, 0, 0)});
       triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
   }
@@ -90,7 +90,7 @@ struct Needles {
 };
 
 TEST(BoxTree, with_oriented_boxes_visits_all_triangles_that_meet_another_one) {
-  const Needles needles(4000);
+  const Needles needles;
   const BoxQuantizer frame(needles.points);
   support::BulkVector<Box> boxes;
   for (std::uint32_t i = 0; i < needles.triangles.size(); ++i) {

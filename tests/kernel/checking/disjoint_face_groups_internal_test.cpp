@@ -69,17 +69,17 @@ TEST(DisjointFaceGroups, hold_no_triangles_that_meet) {
   std::size_t settled = 0;
   for (int round = 0; round < 12; ++round) {
     TriMesh mesh = test::torus(12, 24, 2, round % 3 == 0 ? 2.2 : 1);  // through itself, or not
-    test::shake(mesh, 0.02 * (round % 4), random);
+    test::shake(mesh, 0.004 * (round % 4), random);
     const Welded welded(mesh);
     settled += settled_pairs(welded, proven_groups(welded.view(), true, 0));
   }
-  EXPECT_GT(settled, 100000);
+  EXPECT_GT(settled, 30000);
 }
 
-/// A double pyramid over a regular polygon.
+/// A low double pyramid over a regular polygon.
 TriMesh bipyramid(std::uint32_t n) {
   TriMesh mesh;
-  mesh.points = {{0, 0, 1}, {0, 0, -1}};
+  mesh.points = {{0, 0, 0.25}, {0, 0, -0.25}};
   for (std::uint32_t i = 0; i < n; ++i) {
     const double angle = 2 * std::numbers::pi * i / n;
     mesh.points.emplace_back(std::cos(angle), std::sin(angle), 0);
@@ -121,7 +121,7 @@ TEST(DisjointFaceGroups, that_are_given_stay) {
 
 TEST(DisjointFaceGroups, are_not_made_of_stars_where_points_are_identical) {
   // A copy of the tip, with triangles of its own: contacts are to be told from neighbours.
-  const TriMesh mesh = test::joined({bipyramid(100), test::tetrahedron(Vec3(0, 0, 1), 1)});
+  const TriMesh mesh = test::joined({bipyramid(100), test::tetrahedron(Vec3(0, 0, 0.25), 1)});
   const Welded welded(mesh);
   ASSERT_TRUE(welded.view().has_identical_points());
   const std::vector<std::uint32_t> none(mesh.triangles.size(), support::kNone);

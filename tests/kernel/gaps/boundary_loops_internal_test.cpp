@@ -53,22 +53,26 @@ TEST(BoundaryLoops, are_measured_and_placed) {
   mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 2);  // the bottom
   const auto loops = boundary_loops(mesh);
   ASSERT_EQ(loops.size(), 1);
-  EXPECT_EQ(loops[0].points, (std::vector<std::uint32_t>{0, 2, 3, 1}));
+  EXPECT_EQ(loops[0].points, (std::vector<std::uint32_t>{0, 1, 3, 2}));
   EXPECT_EQ(loops[0].length, (Enclosure{14, 14}));
   EXPECT_EQ(loops[0].place, Vec3(1.5, 2, 0));
 }
 
-TEST(BoundaryLoops, end_where_faces_disagree) {
+TEST(BoundaryLoops, run_twice_along_an_edge_whose_faces_disagree) {
   TriMesh mesh;
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   mesh.triangles = {{0, 1, 2}, {1, 2, 3}};  // both run from 1 to 2
   const auto loops = boundary_loops(mesh);
-  EXPECT_TRUE(std::ranges::any_of(loops, [](const BoundaryLoop& loop) { return !loop.closed; }));
-  std::size_t edges = 0;
+  std::size_t edges = 0, shared = 0;
   for (const BoundaryLoop& loop : loops) {
-    edges += loop.points.size() - (loop.closed ? 0 : 1);
+    EXPECT_TRUE(loop.closed);
+    edges += loop.points.size();
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      shared += loop.points[i] == 1 && loop.points[(i + 1) % loop.points.size()] == 2 ? 1 : 0;
+    }
   }
   EXPECT_EQ(edges, 6);
+  EXPECT_EQ(shared, 2);
 }
 
 TEST(BoundaryLoops, take_identical_points_for_one) {
