@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dupin/blends/certificate.h"
+#include "dupin/blends/certify.h"
 #include "dupin/blends/tessellate.h"
 #include "dupin/blends/verify_certificate.h"
 #include "dupin/kernel/check.h"

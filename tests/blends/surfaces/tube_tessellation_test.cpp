@@ -6,8 +6,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "dupin/blends/ringed_blend.h"
 #include "dupin/blends/rational_ringed_surface.h"
+#include "dupin/blends/ringed_blend.h"
+#include "dupin/blends/spline_pipe.h"
 #include "dupin/blends/tessellate.h"
 #include "dupin/blends/two_cone_spine.h"
 #include "dupin/kernel/error.h"

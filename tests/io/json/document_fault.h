@@ -21,7 +21,10 @@ inline constexpr const char* kOther =
     R"({"name": "b", "pipe": {"from": [15, 3, 0], "to": [20, 3, 0], "radius": 2}})";
 
 inline std::string pipe_and(const std::string& part) {
-  return document(std::string(kPipe) + ", " + part);
+  std::string parts = kPipe;
+  parts += ", ";
+  parts += part;
+  return document(parts);
 }
 
 /// A document that is refused, by reading or, with another code, by resolving.

@@ -80,7 +80,9 @@ TEST(MeshText, the_unit_is_found_in_the_first_lines) {
   EXPECT_EQ(noted_unit("OFF\n" + header_lines({"in", ""}, "# "), ""), "in");
   EXPECT_EQ(noted_unit("dupin binary STL; unit: mm; a note", ""), "mm");
   EXPECT_EQ(noted_unit("no unit", ""), "");
-  EXPECT_EQ(noted_unit(std::string(600, ' ') + "unit: mm", ""), "");
+  std::string late(600, ' ');
+  late += "unit: mm";
+  EXPECT_EQ(noted_unit(late, ""), "");
 }
 
 TEST(MeshText, triangles_are_grouped_by_label_in_the_order_of_names) {

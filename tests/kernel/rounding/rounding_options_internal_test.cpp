@@ -15,7 +15,7 @@ using testing::Not;
 
 TEST(RoundingOptions, are_refused_outside_their_ranges) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  for (const double bad : {-1.0, NAN, kInfinity}) {
+  for (const double bad : {-1.0, static_cast<double>(NAN), kInfinity}) {
     EXPECT_THROW(validate({.tolerance = bad}), Error);
     EXPECT_THROW(validate({.output_grid = bad}), Error);
     EXPECT_THROW(validate({.origin = {Origin::Choice::given, Vec3(0, bad == -1 ? NAN : bad, 0)}}),

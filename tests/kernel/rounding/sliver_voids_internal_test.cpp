@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/check.h"
+#include "dupin/kernel/solid.h"
 #include "mesh/coincident_points.h"
 #include "rounding/sliver_voids.h"
 #include "support/shapes.h"
