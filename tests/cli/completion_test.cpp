@@ -32,7 +32,7 @@ TEST_F(Completion, offers_commands_options_values_and_files) {
       {{"dupin", "boolean", "a + b", "a", "=", "part"}, "part one.off"},
       {{"dupin", "certify", "--m"}, "--margin"},
       {{"dupin", "verify", "pl"}, "plant.json"},
-      {{"dupin", "union", "--c"}, "--contacts"},
+      {{"dupin", "union", "--c"}, "--contacts --cross-check"},
       {{"dupin", "build", "--s"}, "--segments"},
       {{"dupin", "check", "--q"}, "--quiet"},
       {{"dupin", "convert", "--format", "st"}, "stl-ascii stl"},

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -23,7 +24,7 @@ struct Example {
 
 /// The examples in a document's console blocks.
 std::vector<Example> examples(const std::string& document) {
-  std::ifstream stream(std::string(DUPIN_SOURCE_DIR) + "/" + document);
+  std::ifstream stream(std::filesystem::path(DUPIN_SOURCE_DIR) / document);
   std::vector<Example> found;
   bool inside = false;
   std::string line;

