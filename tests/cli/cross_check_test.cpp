@@ -74,8 +74,8 @@ TEST_F(CrossCheckOption, says_why_the_other_engine_failed_and_writes_all_the_sam
 
 TEST_F(CrossCheckOption, checks_the_union_of_the_pieces_that_build_makes) {
   for (const std::string engine : {"nef", "corefinement"}) {
-    const auto report = json({"build", example("header.json"), "-o", "header.off", "--segments", "16",
-                              "--cross-check", engine},
+    const auto report = json({"build", example("header.json"), "-o", "header.off", "--segments",
+                              "16", "--cross-check", engine},
                              0);
     EXPECT_GT(report.at("pieces"), 1);
     const auto& check = report.at("output").at("cross_check");
