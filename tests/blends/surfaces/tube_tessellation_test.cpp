@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "dupin/blends/spline_pipe.h"
 #include "dupin/blends/tessellate.h"
 #include "dupin/blends/two_cone_spine.h"
 #include "dupin/kernel/error.h"
