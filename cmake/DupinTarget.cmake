@@ -70,7 +70,8 @@ function(dupin_test name)
   if(ARG_LABELS)
     set(properties PROPERTIES LABELS "${ARG_LABELS}")
   endif()
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 ${properties})
+  # Without values: those of a table would be the bytes of its rows, addresses among them.
+  gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 ${properties})
 endfunction()
 
 # dupin_bench(NAME SOURCES a.cpp ... LIBRARIES lib ...)

@@ -93,7 +93,7 @@ Solid::Solid(const CertifiedPart& part) {
     return;
   }
   closed_ = chain.closed;
-  is_full_ = chain.wall == 0;
+  is_full_ = chain.wall == 0 && !chain.pieces.empty();
   for (const dupin::Piece& shape : chain.pieces) {
     // Nothing would be claimed of the inner skins of other pieces.
     if (chain.wall != 0 && !(chain.wall > 0 && std::holds_alternative<CyclidePiece>(shape))) {

@@ -19,6 +19,7 @@ struct Part : Edit {
                            shape.triangles, labels,       representatives};
     return MeshPart::around(whole, broken, 1e-4, 1e-5);
   }
+  [[nodiscard]] TriMesh labelled() const { return {shape.points, shape.triangles, labels}; }
   std::vector<std::uint8_t> inexact = std::vector<std::uint8_t>(shape.points.size(), 0);
 };
 
@@ -79,7 +80,7 @@ TEST_F(Part, goes_back_to_where_it_came_from) {
   EditedMesh mesh(view.doubles, view.triangles, view.labels, view.representatives, view.complete);
   const std::uint32_t moved = view.triangles[part->face(100)][0];
   ASSERT_TRUE(mesh.move(moved, mesh.point(moved) + Vec3(0, 0, 1e-5), rule));
-  TriMesh whole = shape;
+  TriMesh whole = labelled();
   std::vector<Source> sources;
   for (std::uint32_t f = 0; f < shape.triangles.size(); ++f) {
     sources.push_back({3, f});
@@ -87,6 +88,7 @@ TEST_F(Part, goes_back_to_where_it_came_from) {
   const std::vector<Source> before = sources;
   part->put(mesh, whole, sources);
   EXPECT_EQ(whole.triangles, shape.triangles);
+  EXPECT_EQ(whole.labels, labels);
   EXPECT_EQ(sources, before);
   const std::uint32_t point = part->points()[moved];
   for (std::uint32_t v = 0; v < shape.points.size(); ++v) {
@@ -107,7 +109,7 @@ TEST_F(Part, tells_when_an_edit_reaches_beyond_it) {
   const Vec3 far = -mesh.point(moved);
   rule.faults = FaultRule::none;
   if (mesh.move(moved, far, rule)) {
-    TriMesh whole = shape;
+    TriMesh whole = labelled();
     std::vector<Source> sources(shape.triangles.size());
     part->put(mesh, whole, sources);
     EXPECT_TRUE(part->meets_rest(mesh, {whole.points, whole.triangles, representatives}));
