@@ -14,6 +14,27 @@ function(dupin_target target)
   endif()
 endfunction()
 
+# dupin_module(TARGET [EXCEPT a.cpp ...]): the sources in this folder are the target's. The folder is the list of what
+# belongs to it, so that there is no second one to keep; a new file is found by the next build.
+function(dupin_module target)
+  dupin_files_of(sources "*.cpp" ${ARGN})
+  target_sources(${target} PRIVATE ${sources})
+endfunction()
+
+# dupin_public_headers(TARGET): all in this folder's include.
+function(dupin_public_headers target)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/include/*.h)
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${headers})
+endfunction()
+
+# dupin_files_of(VARIABLE PATTERN [EXCEPT name ...]): the files of this folder that match, but for some.
+function(dupin_files_of variable pattern)
+  cmake_parse_arguments(ARG "" "" "EXCEPT" ${ARGN})
+  file(GLOB files CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/${pattern})
+  list(REMOVE_ITEM files "" ${ARG_EXCEPT})
+  set(${variable} ${files} PARENT_SCOPE)
+endfunction()
+
 # dupin_precompile(TARGET header ...): what most files of the target include is parsed once. A fifth to a half of the
 # build; lint and the package test compile without, so that no file comes to rely on it.
 function(dupin_precompile target)
@@ -46,10 +67,16 @@ function(dupin_test_options target)
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Dev>>:-Wno-maybe-uninitialized>)
 endfunction()
 
-# dupin_test(NAME SOURCES a.cpp ... [LIBRARIES lib ...] [LABELS slow ...] [INTERNAL room ...])
-# One executable, one ctest entry per TEST. INTERNAL makes the private headers of a room visible (dupin internals tests only).
+# dupin_test(NAME [FOLDERS folder ... [EXCEPT folder/a_test.cpp ...]] [SOURCES a.cpp ...]
+#            [LIBRARIES lib ...] [LABELS slow ...] [INTERNAL room ...])
+# One executable, of the tests in the folders and the sources, one ctest entry per TEST. INTERNAL makes the private
+# headers of a room visible (dupin internals tests only).
 function(dupin_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;LABELS;INTERNAL" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "FOLDERS;EXCEPT;SOURCES;LIBRARIES;LABELS;INTERNAL" ${ARGN})
+  foreach(folder IN LISTS ARG_FOLDERS)
+    dupin_files_of(tests "${folder}/*_test.cpp" EXCEPT ${ARG_EXCEPT})
+    list(APPEND ARG_SOURCES ${tests})
+  endforeach()
   add_executable(${name} ${ARG_SOURCES})
   dupin_target(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)

@@ -113,11 +113,8 @@ TESTED_THROUGH_OTHERS = {
     "kernel/src/cross_check/surface_mesh.cpp",
 }
 MOST_FILES = 40  # in a folder
-CROWDED = {"blends/include/dupin/blends": 42}  # a debt
 MOST_FLOORS = 8  # of the folders of a room
 LARGEST_CIRCLE = 3  # of files with their headers
-# A debt: the operations of pieces tessellate, and tessellate() visits the operations.
-LARGER_CIRCLE = {"blends/src/surfaces": 10}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 NAMESPACE = re.compile(r"^\s*(?:inline\s+)?namespace\s+([\w:]+)\s*\{")
 
@@ -310,8 +307,8 @@ def faults_of_plan(house, includes):
     counts = collections.Counter(path.rsplit("/", 1)[0] for path in house.paths
                                  if not path.startswith("cli/"))
     for folder, count in counts.items():
-        if count > CROWDED.get(folder, MOST_FILES):
-            yield f"{folder}: {count} files, at most {CROWDED.get(folder, MOST_FILES)}"
+        if count > MOST_FILES:
+            yield f"{folder}: {count} files, at most {MOST_FILES}"
     graph = collections.defaultdict(set)
     for path, target in includes:
         one, other = re.sub(r"\.(h|cpp)$", "", path), re.sub(r"\.(h|cpp)$", "", target)
@@ -324,9 +321,7 @@ def faults_of_plan(house, includes):
         if stems[0] != stems[1]:
             graph[stems[0]].add(stems[1])
     for circle in circles(graph):
-        folders = {path.rsplit("/", 1)[0] for path in circle}
-        most = LARGER_CIRCLE.get(min(folders), LARGEST_CIRCLE) if len(folders) == 1 else LARGEST_CIRCLE
-        if len(circle) > most:
+        if len(circle) > LARGEST_CIRCLE:
             yield f"{len(circle)} files include each other: {', '.join(circle)}"
 
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "dupin/blends/pe_arc.h"
-#include "dupin/blends/tessellate.h"
+#include "dupin/blends/tessellation.h"
 
 namespace dupin::surfaces {
 

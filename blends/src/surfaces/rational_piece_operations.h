@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dupin/blends/nurbs.h"
-#include "dupin/blends/tessellate.h"
+#include "dupin/blends/nurbs_surface.h"
+#include "dupin/blends/tessellation.h"
 #include "surfaces/piece_operations.h"
 
 namespace dupin::surfaces {

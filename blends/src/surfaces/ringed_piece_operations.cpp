@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "dupin/blends/curvature_jump.h"
+#include "dupin/blends/tangency.h"
 #include "dupin/kernel/error.h"
 #include "ringed/second_derivatives.h"
 #include "surfaces/exact_rows.h"

@@ -47,7 +47,7 @@ template <class>
 struct CheckedPieces;
 template <class... Kinds>
 struct CheckedPieces<std::variant<Kinds...>> : CheckedPiece<Kinds>... {};
-static_assert(sizeof(CheckedPieces<Piece>) > 0);
+template struct CheckedPieces<Piece>;
 
 /// Kinds whose chains are swept together.
 template <class P>

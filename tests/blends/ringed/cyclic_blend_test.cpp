@@ -10,7 +10,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dupin/blends/curvature_jump.h"
 #include "dupin/blends/regularity.h"
 #include "dupin/blends/tangency.h"
 #include "dupin/blends/tessellate.h"

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "dupin/blends/two_cone_spine.h"
+#include "dupin/blends/spine.h"
 #include "dupin/kernel/error.h"
 #include "support/paper_surfaces.h"
 

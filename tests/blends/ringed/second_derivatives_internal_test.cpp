@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "blends/ringed/ringed_blends.h"
-#include "dupin/blends/two_cone_spine.h"
+#include "dupin/blends/spine.h"
 #include "dupin/kernel/error.h"
 #include "ringed/second_derivatives.h"
 #include "support/paper_surfaces.h"

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "dupin/blends/cyclide_tube.h"
+#include "dupin/blends/nurbs.h"
+#include "dupin/blends/tessellate.h"
 #include "support/cyclide_cases.h"
 #include "surfaces/surface_piece.h"
 

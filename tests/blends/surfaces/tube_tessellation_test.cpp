@@ -8,9 +8,9 @@
 
 #include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/blends/ringed_blend.h"
+#include "dupin/blends/spine.h"
 #include "dupin/blends/spline_pipe.h"
 #include "dupin/blends/tessellate.h"
-#include "dupin/blends/two_cone_spine.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {

@@ -70,9 +70,11 @@ ACCEPTED = [
 ]
 
 
+KEYS = ROOT / "blends" / "include" / "dupin" / "blends" / "part_shape.h"
+
+
 def keys_of_parts():
-    listed = re.search(r"set\(DUPIN_PART_KEYS([^)]*)\)", (ROOT / "cmake" / "part_keys.cmake").read_text())
-    return set(listed.group(1).split())
+    return set(re.findall(r'\bPartKey<"(\w+)"', KEYS.read_text()))
 
 
 def faults_of_keys(schema):
@@ -83,7 +85,7 @@ def faults_of_keys(schema):
         "choices of a part": {key for choice in part["oneOf"] for key in choice["required"]},
         "definitions": keys & set(schema["definitions"]),
     }
-    return [f"the {what} differ from cmake/part_keys.cmake by {key}"
+    return [f"the {what} differ from {KEYS.name} by {key}"
             for what, found in lists.items() for key in sorted(found ^ keys)]
 
 

@@ -2,13 +2,25 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "dupin/blends/cyclic_blend.h"
-#include "dupin/blends/port_reference.h"
+#include "dupin/blends/cyclide_chain.h"
+#include "dupin/blends/end.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin {
+
+/// A port of another part, which is one of its ends, written "part.start" or "part.end".
+struct PortReference {
+  std::string part;
+  End end = End::end;
+  friend bool operator==(const PortReference&, const PortReference&) = default;
+};
+
+[[nodiscard]] std::string to_string(const PortReference& port);
 
 /// A cyclic blend [MS06] between two ports; see cyclic_blend.h. Between ellipses, or an ellipse and
 /// a circle, an elliptic tube.
@@ -18,7 +30,7 @@ struct CyclicBlendBetween {
 };
 
 /// A tube between two ports on the spine that two cones have in common [BWL17]; see
-/// two_cone_spine.h. The inner vertices lie on the ports' axes, `reach` off them.
+/// spine.h. The inner vertices lie on the ports' axes, `reach` off them.
 struct TwoConeBlendBetween {
   PortReference from, to;
   std::array<double, 2> reach{1, 1};
@@ -60,6 +72,37 @@ struct RingedBlendBetween {
   RingedBlendEnd from, to;
   std::optional<double> k = {}, l = {};
   bool low_degree = false;  ///< (5, 2) instead of (9, 2), between canal surfaces only
+};
+
+/// One to three cyclide pieces between two ports, see cyclide_blend.h; where there are none, a
+/// ringed Hermite blend.
+struct CyclideBlendBetween {
+  PortReference from, to;
+};
+
+/// Where a chain's first piece leaves to, if not along a port: as the cone about `axis` with this
+/// slope, the tangent of its half angle.
+struct ChainDirection {
+  Vec3 axis = Vec3::UnitZ();  ///< of travel, of any length but zero
+  double slope = 0;
+};
+
+/// The first three spheres decide.
+struct ChainFree {};
+
+/// How the pieces of a chain meet: in one circle, tangent to each other; or each passing through
+/// its own three spheres, with parts of the common spheres between them, see kneecap.h.
+enum class ChainJoints { smooth, kneecaps };
+
+/// A chain of cyclide pieces [SD94], see cyclide_chain.h.
+struct CyclideChainThrough {
+  std::variant<ChainFree, ChainDirection, PortReference> from;
+  /// Junctions and bias spheres in turn, from junction to junction; without the first junction
+  /// where the chain begins at a port, whose cone has it.
+  std::vector<PeVector> spheres;
+  std::vector<PinnedTangent> tangents;  ///< by positions in `spheres`
+  double wall = 0;                      ///< 0: solid
+  ChainJoints joints = ChainJoints::smooth;
 };
 
 }  // namespace dupin

@@ -6,9 +6,7 @@
 #include <vector>
 
 #include "dupin/blends/blend_parts.h"
-#include "dupin/blends/cyclide_parts.h"
 #include "dupin/blends/part_key.h"
-#include "dupin/blends/port_reference.h"
 #include "dupin/blends/spline_pipe.h"
 #include "dupin/kernel/vec.h"
 

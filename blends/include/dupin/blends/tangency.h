@@ -31,12 +31,20 @@ struct TangencyClaim {
   double axis_angle = 0;  ///< between the disc's normal and the ring's, in radians
   double offset = 0;      ///< of the disc's centre from the ring's, plus that of the radii
   /// Of ringed surfaces, their curvature along the parameter lines: what it jumps by where a
-  /// cylinder or cone goes on (curvature_jump.h).
+  /// cylinder or cone goes on (curvature_jump_bound).
   std::optional<double> curvature = {};
 };
 
 /// Certified: computed from the stored numbers in intervals of high precision, rounded outward.
 /// Throws Error{irregular_surface} where the spine stands still.
 [[nodiscard]] Tangency tangency_at_end(const RingedSurface& surface, End end);
+
+/// An upper bound, by interval arithmetic on the stored numbers, of the normal curvature that the
+/// surface has along its parameter lines at an end ring. The cylinder or cone beyond the ring has
+/// none in its rulings' directions; so where the tangent planes agree, this is the jump of
+/// curvature [MS06].
+///
+/// Throws Error{irregular_surface} where the spine stops or the surface folds at that end.
+[[nodiscard]] double curvature_jump_bound(const RingedSurface& surface, End end);
 
 }  // namespace dupin

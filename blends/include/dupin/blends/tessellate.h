@@ -1,35 +1,19 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "dupin/blends/part_surface.h"
+#include "dupin/blends/tessellation.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/ring.h"
 
 namespace dupin {
-
-struct TessellationOptions {
-  /// Largest distance between the smooth surface and the mesh, both ways, in model units.
-  double tolerance = 0.05;
-};
 
 /// The segments around that the tolerance asks of a part alone, at least 8, when points are snapped
 /// to a grid of this spacing. Throws Error{invalid_argument} if the tolerance leaves no room for
 /// the snapping.
 [[nodiscard]] std::uint32_t segments_for(const Chain& chain, double tolerance, double grid = 0);
 [[nodiscard]] std::uint32_t segments_for(const Sphere& sphere, double tolerance, double grid = 0);
-
-/// Triangles of one part and a proof of how far they are from it.
-struct Tessellation {
-  TriMesh mesh;
-  std::uint32_t bands = 0;  ///< rows of quadrilaterals along the part
-  double error_bound = 0;  ///< of the distance between smooth surface and mesh, both ways, in model
-                           ///< units; includes snapping
-  /// The parameters of the rows, i + t on the i-th piece; none for spheres, chains with kneecaps,
-  /// hollow chains, and elliptic tubes but cylinders and cones.
-  std::vector<double> knots = {};
-};
 
 /// The tube without end discs: bands + 1 polygons of sampling.segments points each, one after the
 /// other. The first is sample(flipped(ring), sampling) of the ring at the start, the last that of

@@ -4,7 +4,7 @@ namespace dupin::assembly {
 
 template <>
 struct PartRules<"cap"> {
-  static constexpr bool names_end = true;
+  static constexpr bool kNamesEnd = true;
 
   static References references(const CapAt& cap) { return {{cap.at, "at"}}; }
 

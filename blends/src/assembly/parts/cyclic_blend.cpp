@@ -8,7 +8,7 @@ namespace dupin::assembly {
 
 template <>
 struct PartRules<"cyclic_blend"> {
-  static constexpr bool is_tangent = true;
+  static constexpr bool kIsTangent = true;
 
   static References references(const CyclicBlendBetween& blend) {
     return between_ports(blend.from, blend.to);

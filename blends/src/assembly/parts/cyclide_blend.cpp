@@ -12,7 +12,7 @@ namespace dupin::assembly {
 
 template <>
 struct PartRules<"cyclide_blend"> {
-  static constexpr bool is_tangent = true;
+  static constexpr bool kIsTangent = true;
 
   static References references(const CyclideBlendBetween& blend) {
     return between_ports(blend.from, blend.to);

@@ -17,14 +17,19 @@ namespace dupin::assembly {
 ///     };
 ///     template const PartKind& part_kind<"sphere">();
 ///
-/// What it need not say: `is_tangent` and `names_end` (false; a kind that names an end has no
+/// What it need not say: `kIsTangent` and `kNamesEnd` (false; a kind that names an end has no
 /// geometry), `portless(shape)` (it has ports), `notes(shape, surface)` (none).
 template <KeyName key>
 struct PartRules;
 
 template <class Rules>
+concept IsTangent = requires {
+  requires Rules::kIsTangent;
+};
+
+template <class Rules>
 concept NamesEnd = requires {
-  requires Rules::names_end;
+  requires Rules::kNamesEnd;
 };
 
 template <class Rules, class Shape>
@@ -33,10 +38,12 @@ concept HasGeometry = requires(const PartContext& context, const Shape& shape) {
 };
 
 template <class Rules, class Shape>
-concept RulesFor = requires(const Shape& shape) {
+concept HasReferences = requires(const Shape& shape) {
   { Rules::references(shape) } -> std::same_as<References>;
-}
-&&(NamesEnd<Rules> || HasGeometry<Rules, Shape>);
+};
+
+template <class Rules, class Shape>
+concept RulesFor = HasReferences<Rules, Shape> &&(NamesEnd<Rules> || HasGeometry<Rules, Shape>);
 
 /// What `work` returns of the shape, which is one of the key's.
 template <KeyName key, class Result, class Work>
@@ -62,18 +69,19 @@ References references_by_rules(const PartShape& shape) {
 
 template <KeyName key>
 std::string_view portless_by_rules(const PartShape& shape) {
-  return of_shape<key, std::string_view>(shape, [](const auto& given) -> std::string_view {
-    if constexpr (requires { PartRules<key>::portless(given); }) {
-      return PartRules<key>::portless(given);
-    } else {
-      return {};
-    }
-  });
+  return of_shape<key, std::string_view>(
+      shape, []([[maybe_unused]] const auto& given) -> std::string_view {
+        if constexpr (requires { PartRules<key>::portless(given); }) {
+          return PartRules<key>::portless(given);
+        } else {
+          return {};
+        }
+      });
 }
 
 template <KeyName key>
 PartSurface geometry_by_rules(const PartContext& context, const PartShape& shape) {
-  return of_shape<key, PartSurface>(shape, [&](const auto& given) -> PartSurface {
+  return of_shape<key, PartSurface>(shape, [&]([[maybe_unused]] const auto& given) -> PartSurface {
     if constexpr (NamesEnd<PartRules<key>>) {
       throw std::bad_variant_access();
     } else {
@@ -84,7 +92,7 @@ PartSurface geometry_by_rules(const PartContext& context, const PartShape& shape
 
 template <KeyName key>
 PartNotes notes_by_rules(const PartShape& shape, const PartSurface& surface) {
-  return of_shape<key, PartNotes>(shape, [&](const auto& given) -> PartNotes {
+  return of_shape<key, PartNotes>(shape, [&]([[maybe_unused]] const auto& given) -> PartNotes {
     if constexpr (requires { PartRules<key>::notes(given, surface); }) {
       return PartRules<key>::notes(given, surface);
     } else {
@@ -97,12 +105,14 @@ template <KeyName key>
 const PartKind& part_kind() {
   static_assert(PartKeys::kHas<key>, "the table of keys, PartKeys, lacks this one");
   using Rules = PartRules<key>;
-  static constexpr PartKind kKind{key.view(), requires {requires Rules::is_tangent;
-}
-, NamesEnd<Rules>, references_by_rules<key>, portless_by_rules<key>, geometry_by_rules<key>,
-    notes_by_rules<key>
-};  // namespace dupin::assembly
-return kKind;
+  static constexpr PartKind kKind{key.view(),
+                                  IsTangent<Rules>,
+                                  NamesEnd<Rules>,
+                                  references_by_rules<key>,
+                                  portless_by_rules<key>,
+                                  geometry_by_rules<key>,
+                                  notes_by_rules<key>};
+  return kKind;
 }
 
 }  // namespace dupin::assembly

@@ -155,7 +155,7 @@ class RingedBlend {
 
 template <>
 struct PartRules<"ringed_blend"> {
-  static constexpr bool is_tangent = true;
+  static constexpr bool kIsTangent = true;
 
   static References references(const RingedBlendBetween& blend) {
     References result;

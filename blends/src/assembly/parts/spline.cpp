@@ -19,7 +19,7 @@ void check_points(const PartContext& context, const std::vector<Waypoint>& throu
 
 template <>
 struct PartRules<"spline"> {
-  static constexpr bool is_tangent = true;
+  static constexpr bool kIsTangent = true;
 
   static References references(const SplineBetween& spline) {
     return between_ports(spline.from, spline.to);

@@ -4,13 +4,13 @@
 #include "assembly/parts/part_checks.h"
 #include "assembly/parts/part_rules.h"
 #include "dupin/blends/elliptic_tube.h"
-#include "dupin/blends/two_cone_spine.h"
+#include "dupin/blends/spine.h"
 
 namespace dupin::assembly {
 
 template <>
 struct PartRules<"two_cone_blend"> {
-  static constexpr bool is_tangent = true;
+  static constexpr bool kIsTangent = true;
 
   static References references(const TwoConeBlendBetween& blend) {
     return between_ports(blend.from, blend.to);

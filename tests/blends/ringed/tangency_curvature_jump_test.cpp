@@ -1,10 +1,9 @@
-#include "dupin/blends/curvature_jump.h"
-
 #include <cmath>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "dupin/blends/tangency.h"
 #include "dupin/kernel/error.h"
 #include "support/paper_surfaces.h"
 

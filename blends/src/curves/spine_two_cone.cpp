@@ -1,4 +1,4 @@
-#include "dupin/blends/two_cone_spine.h"
+#include "dupin/blends/spine.h"
 
 #include <cmath>
 

@@ -1,5 +1,3 @@
-#include "dupin/blends/two_cone_spine.h"
-
 #include <cmath>
 #include <limits>
 
@@ -8,6 +6,7 @@
 
 #include "dupin/blends/cyclic_blend.h"
 #include "dupin/blends/regularity.h"
+#include "dupin/blends/spine.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {

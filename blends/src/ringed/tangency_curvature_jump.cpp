@@ -1,4 +1,4 @@
-#include "dupin/blends/curvature_jump.h"
+#include "dupin/blends/tangency.h"
 
 #include "dupin/kernel/error.h"
 #include "ringed/second_derivatives.h"

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dupin/kernel/mesh.h"
+
+namespace dupin {
+
+struct TessellationOptions {
+  /// Largest distance between the smooth surface and the mesh, both ways, in model units.
+  double tolerance = 0.05;
+};
+
+/// Triangles of one part and a proof of how far they are from it.
+struct Tessellation {
+  TriMesh mesh;
+  std::uint32_t bands = 0;  ///< rows of quadrilaterals along the part
+  double error_bound = 0;  ///< of the distance between smooth surface and mesh, both ways, in model
+                           ///< units; includes snapping
+  /// The parameters of the rows, i + t on the i-th piece; none for spheres, chains with kneecaps,
+  /// hollow chains, and elliptic tubes but cylinders and cones.
+  std::vector<double> knots = {};
+};
+
+}  // namespace dupin
