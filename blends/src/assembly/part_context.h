@@ -8,12 +8,12 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/error.h"
 
-// This folder: a document becomes a solid. resolve.cpp takes parts in the order of their references, so
-// that a part finds the rings of its neighbours (below) and keeps them bitwise; parts/KEY.cpp says what
-// a key means, as one surface (dupin/blends/part_surface.h). build.cpp is the line: margins proved,
-// runs of parts that share rings (welded_runs.h) given one sampling, tessellated, welded along the
-// shared polygons, and the runs united. Only a sharing of rings joins parts; nothing is welded by
-// distance. What is said of a part in reports comes from here too.
+// This folder: a document becomes a solid. resolve.cpp takes parts in the order of their
+// references, so that a part finds the rings of its neighbours (below) and keeps them bitwise;
+// parts/KEY.cpp says what a key means, as one surface (dupin/blends/part_surface.h). build.cpp is
+// the line: margins proved, runs of parts that share rings (welded_runs.h) given one sampling,
+// tessellated, welded along the shared polygons, and the runs united. Only a sharing of rings joins
+// parts; nothing is welded by distance. What is said of a part in reports comes from here too.
 
 namespace dupin::assembly {
 

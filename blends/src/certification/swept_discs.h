@@ -7,11 +7,12 @@
 #include "numbers/interval.h"
 #include "surfaces/piece_discs.h"
 
-// This folder: the prover of certificates. A part is the union of its discs D(t), t in [0, length]; the
-// claims are made of that: regular (neighbouring discs are disjoint), embedded (all are), clearances
-// (those of two parts are). Searches halve rectangles of parameters until a plane separates the discs'
-// hulls, or a lemma of docs/certificate_format.md does, and record the halving as leaves. Nothing here
-// need be believed: verification/ checks the leaves with code of its own, so a search may be clever.
+// This folder: the prover of certificates. A part is the union of its discs D(t), t in [0, length];
+// the claims are made of that: regular (neighbouring discs are disjoint), embedded (all are),
+// clearances (those of two parts are). Searches halve rectangles of parameters until a plane
+// separates the discs' hulls, or a lemma of docs/certificate_format.md does, and record the halving
+// as leaves. Nothing here need be believed: verification/ checks the leaves with code of its own,
+// so a search may be clever.
 
 namespace dupin::certification {
 

@@ -1,7 +1,6 @@
-#include "dupin/blends/spine.h"
-
 #include <cmath>
 
+#include "dupin/blends/spine.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 

@@ -1,5 +1,4 @@
 #include "dupin/blends/tangency.h"
-
 #include "dupin/kernel/error.h"
 #include "ringed/second_derivatives.h"
 

@@ -9,10 +9,10 @@
 
 namespace dupin::tessellation {
 
-// This folder: triangles of one surface, with a proof of how far they are from it. The bound is that
-// of bilinear interpolation, (dt^2 Mtt + 2 dt du Mtu + du^2 Muu)/8 with certified bounds of second
-// derivatives (docs/geometry.md, Tessellation), so rows are placed without ever measuring a distance.
-// The polygons of stored rings are taken over bitwise: neighbours share them.
+// This folder: triangles of one surface, with a proof of how far they are from it. The bound is
+// that of bilinear interpolation, (dt^2 Mtt + 2 dt du Mtu + du^2 Muu)/8 with certified bounds of
+// second derivatives (docs/geometry.md, Tessellation), so rows are placed without ever measuring a
+// distance. The polygons of stored rings are taken over bitwise: neighbours share them.
 //
 // A tube's mesh: polygons of equally many points, one after the other, from the polygon of the ring
 // stored at its start to that at its end, and a band of triangles between neighbours. The columns

@@ -6,10 +6,10 @@
 #include "dupin/kernel/mesh.h"
 
 // This folder: one .cpp, or a few of one prefix, per mesh format, each behind one row (MeshFormat,
-// dupin/io/mesh_format.h) that mesh_file.cpp lists. Readers take bytes and give a TriMesh or an error
-// with line or byte; nothing is allocated that the size of the file does not justify. Writers give the
-// same bytes for the same mesh. mesh_file_verified.cpp writes aside, reads back, compares (below) and
-// checks before the name appears.
+// dupin/io/mesh_format.h) that mesh_file.cpp lists. Readers take bytes and give a TriMesh or an
+// error with line or byte; nothing is allocated that the size of the file does not justify. Writers
+// give the same bytes for the same mesh. mesh_file_verified.cpp writes aside, reads back, compares
+// (below) and checks before the name appears.
 
 namespace dupin::formats {
 

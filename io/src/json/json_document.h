@@ -7,11 +7,12 @@
 
 #include "dupin/kernel/error.h"
 
-// This folder: documents, edits, reports and certificates as JSON. A value is read through a JsonNode,
-// which knows its place ("file#/parts/3/pipe"), so that every fault names it; allow_only() refuses keys
-// that nobody reads, and numbers are finite or refused. What a key of a part means is not known here:
-// parts/KEY.cpp gives the numbers as they are typed (dupin/blends/part_shape.h). Reports are written
-// with their keys in a fixed order and the shortest decimals: same input, same bytes.
+// This folder: documents, edits, reports and certificates as JSON. A value is read through a
+// JsonNode, which knows its place ("file#/parts/3/pipe"), so that every fault names it;
+// allow_only() refuses keys that nobody reads, and numbers are finite or refused. What a key of a
+// part means is not known here: parts/KEY.cpp gives the numbers as they are typed
+// (dupin/blends/part_shape.h). Reports are written with their keys in a fixed order and the
+// shortest decimals: same input, same bytes.
 
 namespace dupin::json {
 

@@ -5,11 +5,11 @@
 #include "arrangement/arrange.h"
 #include "dupin/kernel/boolean.h"
 
-// This folder: the public operations on solids. Union, intersection, difference and expressions of any
-// number of operands are one arrangement (arrangement/arrange.h) with one rule: a place is inside if
-// the rule says so of the winding numbers that the operands have there. What is added here is policy:
-// operands checked, contacts refused or kept, progress told, the result made a Solid. An expression is
-// never evaluated step by step; its tree is the rule.
+// This folder: the public operations on solids. Union, intersection, difference and expressions of
+// any number of operands are one arrangement (arrangement/arrange.h) with one rule: a place is
+// inside if the rule says so of the winding numbers that the operands have there. What is added
+// here is policy: operands checked, contacts refused or kept, progress told, the result made a
+// Solid. An expression is never evaluated step by step; its tree is the rule.
 
 namespace dupin::booleans {
 

@@ -11,10 +11,11 @@
 #include "mesh/exact_mesh.h"
 
 // This folder: the same operation by CGAL's own engines, Nef polyhedra and corefinement, and an
-// exact comparison of what came out. It is the only one that sees CGAL's GPL packages, and is left out
-// by -D DUPIN_CROSS_CHECK=OFF; nothing includes it but dupin/kernel/cross_check.h's implementation.
-// Engines take an expression in reverse Polish notation (postfix.h), and give a boundary: of rational
-// points, cut up as the engine likes, so that results are compared as sets and not as meshes.
+// exact comparison of what came out. It is the only one that sees CGAL's GPL packages, and is left
+// out by -D DUPIN_CROSS_CHECK=OFF; nothing includes it but dupin/kernel/cross_check.h's
+// implementation. Engines take an expression in reverse Polish notation (postfix.h), and give a
+// boundary: of rational points, cut up as the engine likes, so that results are compared as sets
+// and not as meshes.
 
 namespace dupin::cross_check {
 
