@@ -1,6 +1,7 @@
 #include "assembly/cyclide_part.h"
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "dupin/blends/cyclide_tube.h"
@@ -114,7 +115,7 @@ class ChainPart {
     check_count(spheres.size());
     if (chain_.joints == ChainJoints::kneecaps) {
       check_kneecaps();
-      return at_piece([&] { return kneecap_chain(spheres); });
+      return kneecaps(spheres);
     }
     return tube(spheres);
   }
@@ -131,18 +132,25 @@ class ChainPart {
     }
   }
 
-  // Its spheres alone shape every piece.
+  // Every piece but the first is shaped by its three spheres alone.
   void check_kneecaps() const {
     const auto refuse = [&](bool is_given, const std::string& key) {
       if (is_given) {
-        fail(Errc::invalid_argument, key,
-             "a chain with kneecaps is shaped by its spheres alone and takes no '" + key + "'");
+        fail(Errc::invalid_argument, key, "a chain with kneecaps takes no '" + key + "'");
       }
     };
-    refuse(port_ != nullptr, "from");
-    refuse(std::holds_alternative<ChainDirection>(chain_.from), "direction");
     refuse(!chain_.tangents.empty(), "tangents");
     refuse(chain_.wall > 0, "wall");
+  }
+
+  Chain kneecaps(const std::vector<PeVector>& spheres) const {
+    const bool is_free = std::holds_alternative<ChainFree>(chain_.from);
+    const auto tangent = is_free ? std::optional<PeVector>() : initial(spheres);
+    Chain chain = at_piece([&] { return kneecap_chain(spheres, tangent); });
+    if (port_ != nullptr) {
+      std::get<CyclidePiece>(chain.pieces.front()).start = flipped(context_.ring(*port_));
+    }
+    return chain;
   }
 
   Chain tube(const std::vector<PeVector>& spheres) const {

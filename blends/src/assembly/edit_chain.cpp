@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -51,7 +53,7 @@ class Editor {
     }
     if (edited_.joints == ChainJoints::kneecaps) {
       edited_.spheres[sphere] = to;
-      (void)reached(sphere, [&] { return kneecap_chain(edited_.spheres); });
+      (void)reached(sphere, [&] { return edited_kneecaps(); });
       return edited_;
     }
     const std::size_t position = sphere + own_, count = pieces_.pieces.size();
@@ -102,6 +104,16 @@ class Editor {
   [[noreturn]] void fail(const std::string& message) const {
     throw Error(Errc::invalid_argument, message, assembly_.parts[part_].name,
                 document_place(assembly_, part_, "spheres"));
+  }
+
+  // A chain that begins at a port or along a direction keeps its first sphere, if that is not its
+  // own, and its tangent.
+  [[nodiscard]] Chain edited_kneecaps() const {
+    const PeArc& first = pieces_.pieces.front();
+    std::vector<PeVector> spheres(own_, first.start());
+    spheres.insert(spheres.end(), edited_.spheres.begin(), edited_.spheres.end());
+    const bool is_free = std::holds_alternative<ChainFree>(edited_.from);
+    return kneecap_chain(spheres, is_free ? std::optional<PeVector>() : first.start_tangent());
   }
 
   // "; these are 2, 4".

@@ -46,7 +46,8 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-std::vector<PeArc> through_all(std::span<const PeVector> spheres) {
+std::vector<PeArc> through_all(std::span<const PeVector> spheres,
+                               const std::optional<PeVector>& tangent) {
   if (spheres.size() < 3 || spheres.size() % 2 == 0) {
     throw Error(Errc::invalid_argument,
                 "pieces through three spheres each need an odd number of spheres, three at least, "
@@ -56,7 +57,9 @@ std::vector<PeArc> through_all(std::span<const PeVector> spheres) {
   std::vector<PeArc> pieces;
   for (std::size_t i = 0; i + 2 < spheres.size(); i += 2) {
     try {
-      pieces.push_back(through_three(spheres[i], spheres[i + 1], spheres[i + 2]));
+      pieces.push_back(i == 0 && tangent
+                           ? PeArc::from(spheres[0], *tangent, spheres[2])
+                           : through_three(spheres[i], spheres[i + 1], spheres[i + 2]));
     } catch (const Error& error) {
       throw PieceError(i / 2, error);
     }
@@ -80,8 +83,8 @@ SphericalJoint spherical_joint(const PeArc& before, const PeArc& after) {
   return knee;
 }
 
-Chain kneecap_chain(std::span<const PeVector> spheres) {
-  const std::vector<PeArc> arcs = through_all(spheres);
+Chain kneecap_chain(std::span<const PeVector> spheres, const std::optional<PeVector>& tangent) {
+  const std::vector<PeArc> arcs = through_all(spheres, tangent);
   for (std::size_t i = 1; i < arcs.size(); ++i) {
     const SphericalJoint knee = spherical_joint(arcs[i - 1], arcs[i]);
     if (knee.between <= std::abs(knee.before - knee.after)) {

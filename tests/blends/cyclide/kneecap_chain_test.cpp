@@ -12,6 +12,7 @@
 #include "dupin/blends/build.h"
 #include "dupin/blends/cyclide_form.h"
 #include "dupin/blends/kneecap.h"
+#include "dupin/blends/resolve.h"
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
@@ -319,7 +320,9 @@ TEST(KneecapChain, documents_errors_have_their_places) {
     return chain;
   };
   const Row rows[] = {
-      {"direction", with([](auto& chain) { chain.from = ChainDirection{}; })},
+      {"direction", with([](auto& chain) {
+         chain.from = ChainDirection{Vec3::Zero(), 0};
+       })},
       {"tangents", with([](auto& chain) {
          chain.tangents = {{2, {Vec3::UnitX(), 0}}};
        })},
@@ -337,6 +340,53 @@ TEST(KneecapChain, documents_errors_have_their_places) {
       EXPECT_EQ(error.where(), "c.json#/parts/0/cyclide_chain/" + std::string(row.place));
     }
   }
+}
+
+// A pipe to the origin, from there the first piece of five() as a straight one, then a bend: the
+// same solid as the pipe and the chain that begins with a sphere of its own where the pipe ends.
+TEST(KneecapChain, begins_at_a_port_tangent_to_it_and_shares_its_ring) {
+  CyclideChainThrough chain;
+  chain.joints = ChainJoints::kneecaps;
+  const Spheres all = corner(1);
+  chain.spheres = {all.begin() + 1, all.end()};
+  chain.from = PortReference{"pipe", End::end};
+  const PipeBetween pipe{Vec3(-6, 0, 0), Vec3(-4, 0, 0), 1};
+  const Assembly assembly{"c.json", Unit::millimetre, 0.01, {}, {{"pipe", pipe}, {"chain", chain}}};
+  const ResolvedAssembly resolved = resolve(assembly);
+  const Ring *from = port_ring(resolved.parts[0].shape, End::end),
+             *own = port_ring(resolved.parts[1].shape, End::start);
+  ASSERT_TRUE(from != nullptr && own != nullptr);
+  EXPECT_EQ(flipped(*own), *from);
+  EXPECT_EQ(cyclide_pieces(resolved.parts[1].shape).front().start_tangent().m.normalized(),
+            Vec3::UnitX());
+  const Built result = build(assembly);
+  EXPECT_EQ(result.runs, 1U);
+  EXPECT_EQ(result.solid.euler_number(), 2);
+  EXPECT_NEAR(result.solid.volume(), build(document(all, 0.01)).solid.volume() + 2 * pi,
+              0.01 * 2 * pi * 2);
+
+  // The first piece bends to where its third sphere is; its second one does not count.
+  chain.spheres = {
+      sphere(-2, 9, 9, 1), {Vec3(-1, 1, 0), 1}, {Vec3(-1, 3, 1), 1}, {Vec3(0, 5, 1), 1}};
+  const Chain bent = std::get<Chain>(
+      resolve({"c.json", Unit::millimetre, 0.01, {}, {{"pipe", pipe}, {"chain", chain}}})
+          .parts[1]
+          .shape);
+  EXPECT_LT((cyclide_pieces(bent).front().start_tangent().m.normalized() - Vec3::UnitX()).norm(),
+            1e-15);
+  EXPECT_GT(cyclide_pieces(bent).front().end_tangent().m.normalized().y(), .5);
+}
+
+TEST(KneecapChain, begins_along_a_direction_that_is_given) {
+  CyclideChainThrough chain;
+  chain.joints = ChainJoints::kneecaps;
+  chain.spheres = five();
+  chain.from = ChainDirection{Vec3(1, 0, 0), .25};
+  const ResolvedAssembly resolved =
+      resolve({"c.json", Unit::millimetre, 0.01, {}, {{"chain", chain}}});
+  const PeVector tangent = cyclide_pieces(resolved.parts[0].shape).front().start_tangent();
+  EXPECT_LT((tangent.m - std::hypot(1, .25) * Vec3::UnitX()).norm(), 1e-15);
+  EXPECT_EQ(tangent.r, .25);
 }
 
 TEST(KneecapChain, is_welded_to_the_parts_at_its_ends) {

@@ -57,6 +57,7 @@ REFUSED = [
 ACCEPTED = [
     document({"name": "a", "cyclide_blend": {"from": "b.end", "to": "c.start"}}),
     document({"name": "a", "cyclide_chain": {"joints": "kneecaps", "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
+    document({"name": "a", "cyclide_chain": {"joints": "kneecaps", "from": "b.end", "spheres": [[0, 0, 0, 1], [1, 0, 0, 1]]}}),
     document({"name": "a", "cyclide_chain": {"from": "b.end", "spheres": [[1, 0, 0, 1], [2, 0, 0, 1]], "tangents": [{"sphere": 1, "tangent": [1, 0, 0, 0]}]}}),
     document({"name": "a", "cone": {"from": "b.end", "length": 1, "end_semi_axes": [2, 1], "axis": [0, 0, 1]}}),
     document({"name": "a", "elbow": {"from": [0, 0, 0], "direction": [1, 0, 0], "to": [1, 2, 3], "semi_axes": [2, 1], "axis": [0, 0, 1]}}),

@@ -136,6 +136,26 @@ TEST(EditJson, a_chain_with_kneecaps_changes_in_the_pieces_through_the_sphere) {
   EXPECT_THROW((void)twist_chain(parse_assembly(text), 0, 2, 1), Error);
 }
 
+TEST(EditJson, a_chain_with_kneecaps_at_a_port_keeps_its_beginning) {
+  const std::string text =
+      R"({"units": "mm", "tolerance": 0.01, "parts": [{"name": "p", "pipe": {"from": [-2,0,0], "to": [0,0,0], "radius": 1}},
+      {"name": "c", "cyclide_chain": {"joints": "kneecaps", "from": "p.end",
+      "spheres": [[2,1,0,0.8],[4,1,0,1],[6,0.2,0,0.9],[8,1,0,0.7]]}}]})";
+  const auto chain = [](const std::string& document) {
+    return CyclideChain{cyclide_pieces(resolve(parse_assembly(document)).parts.at(1).shape)};
+  };
+  const auto edited = [&](std::size_t i, const PeVector& to) {
+    const Assembly assembly = parse_assembly(text);
+    return with_chain(text, {}, 1, move_sphere(assembly, 1, i, to));
+  };
+  EXPECT_EQ(differing(chain(text), chain(edited(0, sphere(2, 2, 0, .8)))),
+            std::vector<std::size_t>());
+  EXPECT_EQ(differing(chain(text), chain(edited(1, sphere(4, 1, .5, 1)))),
+            (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(differing(chain(text), chain(edited(3, sphere(8, 1, .5, .7)))),
+            std::vector<std::size_t>{1});
+}
+
 TEST(EditJson, refuses_what_cannot_be_edited) {
   const Assembly assembly = parse_assembly(hook());
   EXPECT_THROW((void)move_sphere(assembly, 0, 0, sphere(0, 8, 0, 1)), Error);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,9 +11,11 @@ namespace dupin {
 
 /// The pieces through each three spheres of which the last is the next piece's first ([SD94] UCCT):
 /// they touch all spheres, but meet at the common ones in different circles, between which the
-/// joint is a part of the sphere, its kneecap. Needs an odd number of spheres, three at least.
-/// Throws PieceError where a piece is not regular.
-[[nodiscard]] std::vector<PeArc> through_all(std::span<const PeVector> spheres);
+/// joint is a part of the sphere, its kneecap. Where the PE-unit tangent at the start is given, it
+/// decides about the first piece instead of that piece's second sphere. Needs an odd number of
+/// spheres, three at least. Throws PieceError where a piece is not regular.
+[[nodiscard]] std::vector<PeArc> through_all(std::span<const PeVector> spheres,
+                                             const std::optional<PeVector>& tangent = {});
 
 /// A sphere in which two pieces meet. The piece before covers the cap about the backward direction
 /// of its end tangent, the piece after that about the forward direction of its start tangent; the
@@ -35,6 +38,7 @@ struct SphericalJoint {
 /// flat discs of its contact circles, and at every joint of what the ball has beyond the disc of
 /// the piece before and ahead of that of the piece after. Throws PieceError{infeasible_blend} for a
 /// piece that turns back into the one before it.
-[[nodiscard]] Chain kneecap_chain(std::span<const PeVector> spheres);
+[[nodiscard]] Chain kneecap_chain(std::span<const PeVector> spheres,
+                                  const std::optional<PeVector>& tangent = {});
 
 }  // namespace dupin
