@@ -10,6 +10,7 @@
 #include "assembly/welded_runs.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/blends/tessellate.h"
+#include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
 #include "tessellation/tessellation_tolerance.h"
 
@@ -103,7 +104,7 @@ class Builder {
     return chosen;
   }
 
-  // The pieces of a chain with kneecaps overlap each other.
+  // The pieces of a chain with kneecaps overlap each other, and so do those of its inner skin.
   [[nodiscard]] std::vector<Solid> solids_of(std::span<const std::uint32_t> parts,
                                              const RingSampling& chosen) const {
     TriMesh mesh = assembly::welded(resolved_, parts, tubes_, chosen);
@@ -114,11 +115,15 @@ class Builder {
     if (!overlaps) {
       return {Solid::from(mesh)};
     }
-    std::vector<Solid> solids;
-    for (const TriMesh& shell : assembly::connected_parts(mesh)) {
-      solids.push_back(Solid::from(shell));
+    std::vector<Solid> solids, cavities;
+    for (TriMesh& shell : assembly::connected_parts(mesh)) {
+      const bool is_cavity = check(shell, {.limit = 0, .self_intersections = false}).volume < 0;
+      if (is_cavity) {
+        std::ranges::for_each(shell.triangles, [](Triangle& t) { std::swap(t[1], t[2]); });
+      }
+      (is_cavity ? cavities : solids).push_back(Solid::from(shell));
     }
-    return solids;
+    return cavities.empty() ? solids : std::vector{subtract(unite(solids), cavities)};
   }
 
   // Parts of a run may cross, touch or cover each other. Such a run is halved, at a ring, until

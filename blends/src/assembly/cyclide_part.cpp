@@ -134,19 +134,15 @@ class ChainPart {
 
   // Every piece but the first is shaped by its three spheres alone.
   void check_kneecaps() const {
-    const auto refuse = [&](bool is_given, const std::string& key) {
-      if (is_given) {
-        fail(Errc::invalid_argument, key, "a chain with kneecaps takes no '" + key + "'");
-      }
-    };
-    refuse(!chain_.tangents.empty(), "tangents");
-    refuse(chain_.wall > 0, "wall");
+    if (!chain_.tangents.empty()) {
+      fail(Errc::invalid_argument, "tangents", "a chain with kneecaps takes no 'tangents'");
+    }
   }
 
   Chain kneecaps(const std::vector<PeVector>& spheres) const {
     const bool is_free = std::holds_alternative<ChainFree>(chain_.from);
     const auto tangent = is_free ? std::optional<PeVector>() : initial(spheres);
-    Chain chain = at_piece([&] { return kneecap_chain(spheres, tangent); });
+    Chain chain = at_piece([&] { return hollow(kneecap_chain(spheres, tangent), chain_.wall); });
     if (port_ != nullptr) {
       std::get<CyclidePiece>(chain.pieces.front()).start = flipped(context_.ring(*port_));
     }

@@ -75,11 +75,18 @@ Chain cyclide_tube(const CyclideChain& chain, const Ring& start, const Ring& end
 }
 
 Chain cyclide_tube(const CyclideChain& chain, double wall) {
+  return hollow(cyclide_tube(chain, flipped(circle_at(chain.pieces.front(), 0)),
+                             circle_at(chain.pieces.back(), 1)),
+                wall);
+}
+
+Chain hollow(Chain chain, double wall) {
   if (!(wall >= 0)) {
     throw Error(Errc::invalid_argument, "the wall's thickness must not be negative");
   }
-  for (std::size_t i = 0; wall > 0 && i < chain.pieces.size(); ++i) {
-    const double least = least_radius(chain.pieces[i]);
+  const std::vector<PeArc> arcs = cyclide_pieces(chain);
+  for (std::size_t i = 0; wall > 0 && i < arcs.size(); ++i) {
+    const double least = least_radius(arcs[i]);
     if (!(least > wall)) {
       throw PieceError(
           i, Error(Errc::infeasible_blend, "the wall of " + decimal(wall) +
@@ -87,23 +94,32 @@ Chain cyclide_tube(const CyclideChain& chain, double wall) {
                                                decimal(least)));
     }
   }
-  Chain tube = cyclide_tube(chain, flipped(circle_at(chain.pieces.front(), 0)),
-                            circle_at(chain.pieces.back(), 1));
-  tube.wall = wall;
+  chain.wall = wall;
   if (wall > 0) {
-    (void)inner_skin(tube);
+    (void)inner_skin(chain);
   }
-  return tube;
+  return chain;
 }
 
 Chain inner_skin(const Chain& chain) {
   const CyclideChain outer{cyclide_pieces(chain)};
-  if (outer.pieces.size() != chain.pieces.size() || chain.joints != Joints::smooth) {
-    throw Error(Errc::invalid_argument,
-                "only chains of cyclides that meet smoothly can have a wall");
+  if (outer.pieces.size() != chain.pieces.size()) {
+    throw Error(Errc::invalid_argument, "only chains of cyclides can have a wall");
   }
-  return cyclide_tube(offset(outer, -chain.wall), inside(end_ring(chain, End::start), chain.wall),
-                      inside(end_ring(chain, End::end), chain.wall));
+  const Ring start = inside(end_ring(chain, End::start), chain.wall),
+             end = inside(end_ring(chain, End::end), chain.wall);
+  if (chain.joints == Joints::smooth) {
+    return cyclide_tube(offset(outer, -chain.wall), start, end);
+  }
+  Chain result;
+  for (const PeArc& arc : outer.pieces) {
+    result.pieces.emplace_back(
+        cyclide_piece(offset(CyclideChain{{arc}}, -chain.wall).pieces.front()));
+  }
+  std::get<CyclidePiece>(result.pieces.front()).start = start;
+  std::get<CyclidePiece>(result.pieces.back()).end = end;
+  result.joints = chain.joints;
+  return result;
 }
 
 Enclosure margin(const PeArc& arc) {

@@ -7,6 +7,7 @@
 #include "dupin/kernel/error.h"
 #include "surfaces/kneecap_chain_mesh.h"
 #include "surfaces/surface_piece.h"
+#include "tessellation/convex_fill.h"
 
 namespace dupin {
 namespace {
@@ -146,6 +147,15 @@ std::uint32_t last_shift(const Tessellation& skin, const Chain& chain,
                    skin.mesh.points[skin.mesh.points.size() - sampling.segments]);
 }
 
+// Inside out.
+void append_backward(const TriMesh& mesh, TriMesh& result) {
+  const auto offset = std::uint32_t(result.points.size());
+  result.points.insert(result.points.end(), mesh.points.begin(), mesh.points.end());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    result.triangles.push_back({offset + a, offset + c, offset + b});
+  }
+}
+
 // The inner skin inside out and the conical rims between the two: straight rulings, so that their
 // quadrilaterals are as near to the cone as the outer circle's chords to it.
 //
@@ -156,10 +166,7 @@ Tessellation hollow(Tessellation outer, const Tessellation& inner, std::uint32_t
   const auto last = offset - segments;
   const auto inner_last = std::uint32_t(inner.mesh.points.size()) - segments;
   TriMesh& mesh = outer.mesh;
-  mesh.points.insert(mesh.points.end(), inner.mesh.points.begin(), inner.mesh.points.end());
-  for (const auto& [a, b, c] : inner.mesh.triangles) {
-    mesh.triangles.push_back({offset + a, offset + c, offset + b});
-  }
+  append_backward(inner.mesh, mesh);
   mesh.labels.assign(mesh.triangles.size(), 0);
   const auto quadrilateral = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
                                  std::uint32_t label) {
@@ -181,6 +188,73 @@ Tessellation hollow(Tessellation outer, const Tessellation& inner, std::uint32_t
   return outer;
 }
 
+// Meshes that overlap have no common rims: each skin is closed with the inner polygons' discs, the
+// outer one with the rims to these, so that one taken from the other leaves the rims.
+class OverlappingWall {
+ public:
+  OverlappingWall(Tessellation outer, Tessellation inner, std::uint32_t segments)
+      : result_(std::move(outer)), inner_(std::move(inner)), n_(segments) {}
+
+  Tessellation closed(const Chain& chain, const Chain& inside, const RingSampling& sampling) {
+    const auto shift = [&](const Tessellation& of, const Chain& skin) {
+      return last_shift(of, skin, sampling);
+    };
+    const std::uint32_t outer_shift = shift(result_, chain), inner_shift = shift(inner_, inside);
+    TriMesh& mesh = result_.mesh;
+    const auto outer_last = std::uint32_t(mesh.points.size()) - n_;
+    const auto inner_last = std::uint32_t(inner_.mesh.points.size()) - n_;
+    mesh.labels.assign(mesh.triangles.size(), 0);
+    const auto outer_end = [=, this](std::uint32_t i) {
+      return outer_last + (i + n_ - outer_shift) % n_;
+    };
+    const auto inner_end = [=, this](std::uint32_t i) {
+      return inner_last + (i + n_ - inner_shift) % n_;
+    };
+    // Seen from outside, the start's polygon runs clockwise.
+    close([this](std::uint32_t i) { return (n_ - i) % n_; },
+          [this](std::uint32_t i) { return (n_ - i) % n_; }, 1);
+    close(outer_end, inner_end, 2);
+    append_backward(inner_.mesh, mesh);
+    mesh.labels.resize(mesh.triangles.size(), 0);
+    result_.error_bound = std::max(result_.error_bound, inner_.error_bound);
+    result_.bands += inner_.bands;
+    return std::move(result_);
+  }
+
+ private:
+  // Corner i of both polygons, counter-clockwise from outside.
+  template <class Outer, class Inner>
+  void close(const Outer& outer, const Inner& inner, std::uint32_t label) {
+    TriMesh& mesh = result_.mesh;
+    const auto disc = std::uint32_t(mesh.points.size());
+    for (std::uint32_t i = 0; i < n_; ++i) {
+      mesh.points.push_back(inner_.mesh.points[inner(i)]);
+    }
+    for (std::uint32_t i = 0; i < n_; ++i) {
+      const std::uint32_t k = (i + 1) % n_;
+      mesh.triangles.push_back({outer(i), outer(k), disc + k});
+      mesh.triangles.push_back({outer(i), disc + k, disc + i});
+    }
+    std::vector<Triangle> corners;
+    tessellation::fill(0, n_ - 1, corners);
+    for (const auto& [a, b, c] : corners) {
+      mesh.triangles.push_back({disc + a, disc + b, disc + c});
+      inner_.mesh.triangles.push_back({inner(a), inner(b), inner(c)});
+    }
+    mesh.labels.resize(mesh.triangles.size(), label);
+  }
+
+  Tessellation result_, inner_;
+  std::uint32_t n_;
+};
+
+// Pieces that overlap each other, open at the chain's ends.
+Tessellation overlapping(const Chain& chain, const RingSampling& sampling,
+                         const TessellationOptions& options) {
+  return surfaces::kneecap_chain_mesh(end_ring(chain, End::start), end_ring(chain, End::end),
+                                      cyclide_pieces(chain), sampling, options);
+}
+
 }  // namespace
 
 std::uint32_t segments_for(const Chain& chain, double tolerance, double grid) {
@@ -196,14 +270,16 @@ std::uint32_t segments_for(const Chain& chain, double tolerance, double grid) {
 
 Tessellation tessellate(const Chain& chain, const RingSampling& sampling,
                         const TessellationOptions& options) {
-  if (chain.joints == Joints::spherical && chain.wall == 0) {
-    return surfaces::kneecap_chain_mesh(end_ring(chain, End::start), end_ring(chain, End::end),
-                                        cyclide_pieces(chain), sampling, options);
-  }
+  const bool overlaps = chain.joints == Joints::spherical;
   if (chain.wall == 0) {
-    return skin(chain, sampling, options);
+    return overlaps ? overlapping(chain, sampling, options) : skin(chain, sampling, options);
   }
   const Chain inside = inner_skin(chain);
+  if (overlaps) {
+    return OverlappingWall(overlapping(chain, sampling, options),
+                           overlapping(inside, sampling, options), sampling.segments)
+        .closed(chain, inside, sampling);
+  }
   Tessellation outer = skin(chain, sampling, options);
   const Tessellation inner = skin(inside, sampling, options);
   const std::uint32_t turn =

@@ -326,7 +326,7 @@ TEST(KneecapChain, documents_errors_have_their_places) {
       {"tangents", with([](auto& chain) {
          chain.tangents = {{2, {Vec3::UnitX(), 0}}};
        })},
-      {"wall", with([](auto& chain) { chain.wall = 0.1; })},
+      {"spheres/4", with([](auto& chain) { chain.wall = 0.75; })},
       {"spheres", with([](auto& chain) { chain.spheres.pop_back(); })},
       {"spheres/1", with([](auto& chain) { chain.spheres[1].r = -1; })},
       {"spheres/4", with([](auto& chain) { chain.spheres[3].r = 5; })},
@@ -387,6 +387,40 @@ TEST(KneecapChain, begins_along_a_direction_that_is_given) {
   const PeVector tangent = cyclide_pieces(resolved.parts[0].shape).front().start_tangent();
   EXPECT_LT((tangent.m - std::hypot(1, .25) * Vec3::UnitX()).norm(), 1e-15);
   EXPECT_EQ(tangent.r, .25);
+}
+
+// The wall of a bend of cylinders with a spherical joint: outside minus inside, both closed forms;
+// their lens at the joint is what the pieces' own volumes count twice.
+TEST(KneecapChain, is_hollow_with_the_volume_between_its_skins) {
+  for (const double bend : {.4, 1.2}) {
+    Assembly assembly = document(corner(bend), .001);
+    const double wall = .25;
+    std::get<CyclideChainThrough>(assembly.parts[0].shape).wall = wall;
+    const Built hollow_one = build(assembly);
+    Spheres inner = corner(bend);
+    std::ranges::for_each(inner, [&](PeVector& s) { s.r -= wall; });
+    const double expected = build(document(corner(bend), .001)).solid.volume() -
+                            build(document(inner, .001)).solid.volume();
+    // Either mesh keeps the bound, and its area is that of 8 long cylinders and some.
+    EXPECT_NEAR(hollow_one.solid.volume(), expected, .001 * 2 * (8 + 2) * 2 * pi) << bend;
+    EXPECT_EQ(hollow_one.solid.euler_number(), 0) << bend;
+    EXPECT_TRUE(hollow_one.ports.empty());
+    const TriMesh mesh = to_mesh(hollow_one.solid).mesh();
+    EXPECT_TRUE(check(mesh).is_solid());
+    EXPECT_EQ(mesh.names, (std::vector<std::string>{"chain", "chain.start", "chain.end"}));
+    for (const Vec3& p : mesh.points) {
+      EXPECT_TRUE(p.x() > -.5 || std::hypot(p.y(), p.z()) > .7) << "a disc is left";
+    }
+  }
+}
+
+TEST(KneecapChain, is_hollow_where_cones_end_in_conical_rims) {
+  Assembly assembly = document(to_cone(.2, .8), .01);
+  std::get<CyclideChainThrough>(assembly.parts[0].shape).wall = .1;
+  const Built built = build(assembly);
+  EXPECT_EQ(built.solid.euler_number(), 0);
+  EXPECT_TRUE(check(to_mesh(built.solid).mesh()).is_solid());
+  EXPECT_LE(built.parts[0].error_bound, .01);
 }
 
 TEST(KneecapChain, is_welded_to_the_parts_at_its_ends) {

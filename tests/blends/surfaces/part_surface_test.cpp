@@ -63,17 +63,10 @@ TEST(PartSurface, of_pieces_of_several_kinds_is_meshed_as_one_tube) {
   EXPECT_LE(result.error_bound, 0.01);
 }
 
-TEST(PartSurface, has_a_wall_of_cyclides_that_meet_smoothly_only) {
+TEST(PartSurface, has_a_wall_of_cyclides_only) {
   Chain tube = oblique(Vec3(0, 0, 0), Vec3(0, 0, 3));
   tube.wall = 0.1;
   EXPECT_THROW((void)tessellate(tube, {16}), Error);
-  Chain kneecaps = kneecap_chain(std::vector<PeVector>{{Vec3(0, 0, 0), 1},
-                                                       {Vec3(2, 1, 0), .8},
-                                                       {Vec3(4, 1, 0), 1},
-                                                       {Vec3(6, .2, 0), .9},
-                                                       {Vec3(8, 1, 0), .7}});
-  kneecaps.wall = 0.1;
-  EXPECT_THROW((void)tessellate(kneecaps, {16}), Error);
 }
 
 TEST(PieceError, says_which_piece_is_at_fault_as_a_number_and_in_words) {

@@ -44,7 +44,7 @@ REFUSED = [
     document({"name": "a", "cyclide_chain": {"slope": 1, "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
     document({"name": "a", "cyclide_chain": {"from": "b.end", "direction": [1, 0, 0], "spheres": [[1, 0, 0, 1], [2, 0, 0, 1]]}}),
     document({"name": "a", "cyclide_chain": {"joints": "caps", "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
-    document({"name": "a", "cyclide_chain": {"joints": "kneecaps", "wall": 1, "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
+    document({"name": "a", "cyclide_chain": {"joints": "kneecaps", "tangents": [{"sphere": 2, "tangent": [1, 0, 0, 0]}], "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
     document({"name": "a", "cyclide_chain": {"wall": 0, "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
     document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "semi_axes": [1, 2]}}),
     document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "semi_axes": [1, 0], "axis": [0, 0, 1]}}),
@@ -56,7 +56,7 @@ REFUSED = [
 
 ACCEPTED = [
     document({"name": "a", "cyclide_blend": {"from": "b.end", "to": "c.start"}}),
-    document({"name": "a", "cyclide_chain": {"joints": "kneecaps", "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
+    document({"name": "a", "cyclide_chain": {"joints": "kneecaps", "wall": 0.1, "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
     document({"name": "a", "cyclide_chain": {"joints": "kneecaps", "from": "b.end", "spheres": [[0, 0, 0, 1], [1, 0, 0, 1]]}}),
     document({"name": "a", "cyclide_chain": {"from": "b.end", "spheres": [[1, 0, 0, 1], [2, 0, 0, 1]], "tangents": [{"sphere": 1, "tangent": [1, 0, 0, 0]}]}}),
     document({"name": "a", "cone": {"from": "b.end", "length": 1, "end_semi_axes": [2, 1], "axis": [0, 0, 1]}}),

@@ -16,9 +16,15 @@ namespace dupin {
 /// The same between stored rings, solid.
 [[nodiscard]] Chain cyclide_tube(const CyclideChain& chain, const Ring& start, const Ring& end);
 
+/// A solid chain of cyclide pieces with a wall of this thickness, inwards. Throws PieceError naming
+/// the piece whose inner skin is not regular, Error{invalid_argument} for a negative wall and for
+/// other pieces.
+[[nodiscard]] Chain hollow(Chain chain, double wall);
+
 /// The space that the wall of a hollow chain encloses, its rings on the conical rims' inner edges;
-/// the end rings' normals are the chain's, bitwise. Throws Error{invalid_argument} for chains with
-/// other pieces than cyclides, Error{infeasible_blend} for walls that are too thick.
+/// the end rings' normals are the chain's, bitwise; its joints are of the chain's kind. Throws
+/// Error{invalid_argument} for chains with other pieces than cyclides, Error{infeasible_blend} for
+/// walls that are too thick.
 [[nodiscard]] Chain inner_skin(const Chain& chain);
 
 /// Certified bounds of the margin along a piece: min(1 - kappa R) with the spheres' radius R and

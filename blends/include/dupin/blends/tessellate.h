@@ -33,11 +33,12 @@ namespace dupin {
 ///
 /// With spherical joints, one mesh of several: the pieces, closed but for the chain's ends, and the
 /// sectors of the joints' balls that the kneecaps bound. They share no points, but have copies of
-/// the same where they meet, and cover parts of each other; their union is the chain. Circles apart
-/// by less than a sixteenth of the tolerance count as one.
+/// the same where they meet, and cover parts of each other; their union is the chain. Of a hollow
+/// one those of the inner skin are inside out, and their union is to be taken from that of the
+/// others; all are closed. Circles apart by less than a sixteenth of the tolerance count as one.
 ///
 /// Throws Error{irregular_surface}, and Error{invalid_argument} for a tolerance that is too small
-/// and for a wall of other pieces than cyclides that meet smoothly.
+/// and for a wall of other pieces than cyclides.
 [[nodiscard]] Tessellation tessellate(const Chain& chain, const RingSampling& sampling,
                                       const TessellationOptions& options = {});
 
