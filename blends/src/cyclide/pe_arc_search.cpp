@@ -49,7 +49,7 @@ class JunctionLocus {
 
 JunctionLocus required_locus(const PeVector& start, const PeVector& start_tangent,
                              const PeVector& end, const PeVector& end_tangent) {
-  const JunctionLocus locus(start, start_tangent, end, end_tangent);
+  JunctionLocus locus(start, start_tangent, end, end_tangent);
   if (!locus.exists()) {
     throw Error(Errc::infeasible_blend,
                 "no double-cyclide blend: the ends have no locus of junction spheres; move the "
