@@ -104,13 +104,6 @@ TESTED_THROUGH_OTHERS = {
     "blends/src/tessellation/kneecap_mesh.cpp",
     "blends/src/tessellation/swept_mesh.cpp",
     "blends/src/tessellation/tessellation_tolerance.cpp",
-    "io/src/json/certificate_pieces.cpp",
-    "io/src/json/parts/part_values.cpp",
-    "kernel/src/booleans/combine.cpp",
-    "kernel/src/booleans/set_operation.cpp",
-    "kernel/src/cross_check/nef.cpp",
-    "kernel/src/cross_check/pairwise.cpp",
-    "kernel/src/cross_check/surface_mesh.cpp",
 }
 MOST_FILES = 40  # in a folder
 CROWDED = {"blends/include/dupin/blends": 42}  # a debt
