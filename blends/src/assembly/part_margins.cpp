@@ -10,7 +10,9 @@
 namespace dupin::assembly {
 namespace {
 
-[[noreturn]] void refuse(double margin) {
+// Where the spine may stop there is no lower bound.
+[[noreturn]] void refuse(const surfaces::MarginBounds& bounds) {
+  const double margin = bounds.upper && *bounds.upper <= 0 ? *bounds.upper : bounds.lower;
   throw Error(Errc::irregular_surface,
               std::isfinite(margin)
                   ? "the surface folds: the margin 1 - kappa R is " + decimal(margin) +
@@ -35,7 +37,7 @@ struct Margins {
       const surfaces::MarginBounds here =
           std::visit([](const auto& p) { return surfaces::margin_bounds(p); }, piece);
       if (!here.regular) {
-        refuse(here.upper.value_or(here.lower));
+        refuse(here);
       }
       const bool is_first = &piece == &chain.pieces.front();
       result.margin_lower = is_first ? here.lower : std::min(*result.margin_lower, here.lower);

@@ -14,7 +14,7 @@ namespace {
 using json::JsonNode;
 using json::list;
 using json::numbers;
-using json::vector;
+using json::vec3;
 
 std::uint32_t count(const JsonNode& node, std::uint32_t limit) {
   const double number = node.number();
@@ -39,7 +39,7 @@ bool boolean(const JsonNode& node) {
 PartSurface shape(const JsonNode& node) {
   if (node.has("sphere")) {
     const JsonNode s = node.at("sphere");
-    return Sphere{vector(s.at("center")), s.at("radius").number()};
+    return Sphere{vec3(s.at("center")), s.at("radius").number()};
   }
   if (node.has("other_shape")) {
     Chain unknown;
@@ -104,7 +104,7 @@ std::optional<Overlap> overlap(const JsonNode& node) {
   if (node.value().is_null()) {
     return std::nullopt;
   }
-  return Overlap{vector(node.at("point")), interval(node.at("first")), interval(node.at("second"))};
+  return Overlap{vec3(node.at("point")), interval(node.at("first")), interval(node.at("second"))};
 }
 
 std::optional<double> optional_number(const JsonNode& node) {

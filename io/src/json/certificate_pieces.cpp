@@ -113,12 +113,12 @@ struct PieceForm {
 };
 
 Ring ring(const JsonNode& node) {
-  Ring result{vector(node.at("center")), vector(node.at("normal")), node.at("radius").number(),
+  Ring result{vec3(node.at("center")), vec3(node.at("normal")), node.at("radius").number(),
               node.at("slope").number()};
   if (node.has("ellipse")) {
     const JsonNode e = node.at("ellipse");
     result.ellipse =
-        Ellipse{vector(e.at("axis")), e.at("across").number(), e.at("across_slope").number()};
+        Ellipse{vec3(e.at("axis")), e.at("across").number(), e.at("across_slope").number()};
   }
   return result;
 }
@@ -131,7 +131,7 @@ PeVector sphere(const JsonNode& node) {
 Spine spine(const JsonNode& node) {
   if (node.has("line")) {
     const JsonNode s = node.at("line");
-    return LineSpine{vector(s.at("from")), vector(s.at("to"))};
+    return LineSpine{vec3(s.at("from")), vec3(s.at("to"))};
   }
   if (node.has("arc")) {
     const JsonNode s = node.at("arc");
@@ -139,15 +139,15 @@ Spine spine(const JsonNode& node) {
     if (!(angle > 0 && angle <= 2 * std::numbers::pi)) {
       s.at("angle").fail("an arc turns by more than 0 and at most 2 pi");
     }
-    return ArcSpine{vector(s.at("center")), vector(s.at("axis")), vector(s.at("start")), angle};
+    return ArcSpine{vec3(s.at("center")), vec3(s.at("axis")), vec3(s.at("start")), angle};
   }
   if (node.has("hermite")) {
     const JsonNode s = node.at("hermite");
-    return HermiteSpine{vector(s.at("from")), vector(s.at("to")), vector(s.at("start_velocity")),
-                        vector(s.at("end_velocity"))};
+    return HermiteSpine{vec3(s.at("from")), vec3(s.at("to")), vec3(s.at("start_velocity")),
+                        vec3(s.at("end_velocity"))};
   }
   const JsonNode s = node.at("bezier");
-  return BezierSpine{list<Vec3>(s.at("points"), vector), numbers(s.at("weights"))};
+  return BezierSpine{list<Vec3>(s.at("points"), vec3), numbers(s.at("weights"))};
 }
 
 RadiusLaw radius(const JsonNode& node) {
@@ -169,7 +169,7 @@ RadiusLaw radius(const JsonNode& node) {
 
 RationalRingedTube read_rational(const JsonNode& node) {
   RationalRingedTube result{ring(node.at("start")), ring(node.at("end")), {}};
-  const auto points = list<Vec3>(node.at("center"), vector);
+  const auto points = list<Vec3>(node.at("center"), vec3);
   if (points.size() != result.surface.center.size()) {
     node.at("center").fail("must hold 4 points");
   }

@@ -38,7 +38,7 @@ template <std::size_t count>
   return result;
 }
 
-[[nodiscard]] inline Vec3 vector(const JsonNode& node) {
+[[nodiscard]] inline Vec3 vec3(const JsonNode& node) {
   const auto [x, y, z] = numbers<3>(node);
   return {x, y, z};
 }

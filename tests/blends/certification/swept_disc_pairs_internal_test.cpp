@@ -1,0 +1,216 @@
+#include <gtest/gtest.h>
+
+#include "blends/certification/disc_samples.h"
+#include "certification/swept_disc_pairs.h"
+
+namespace dupin::certification {
+namespace {
+
+using test::cylinder;
+using test::disc_at;
+using test::elbow;
+using test::is_inside;
+
+constexpr double kPi = std::numbers::pi;
+constexpr std::size_t kBoxes = 1 << 14;
+
+// Some parameters of a stretch, its ends included.
+std::vector<double> within(const ParameterInterval& t, int steps) {
+  std::vector<double> result;
+  for (int i = 0; i <= steps; ++i) {
+    result.push_back(std::lerp(t.from, t.to, double(i) / steps));
+  }
+  return result;
+}
+
+// Points of the first one's discs lie behind those of the second one's by as much.
+void expect_apart(const Chain& first, const Chain& second, const DiscPairs& leaf, double distance) {
+  const Vec3 direction = leaf.direction->normalized();
+  double behind = -1e300, front = 1e300;
+  for (const double s : within(leaf.first, 4)) {
+    for (const Vec3& point : disc_at(first, s).points()) {
+      behind = std::max(behind, point.dot(direction));
+    }
+  }
+  for (const double t : within(leaf.second, 4)) {
+    for (const Vec3& point : disc_at(second, t).points()) {
+      front = std::min(front, point.dot(direction));
+    }
+  }
+  EXPECT_GE(front - behind, distance);
+}
+
+bool covers(const std::vector<DiscPairs>& leaves, double s, double t) {
+  return std::any_of(leaves.begin(), leaves.end(), [&](const DiscPairs& leaf) {
+    return leaf.first.from <= s && s <= leaf.first.to && leaf.second.from <= t &&
+           t <= leaf.second.to;
+  });
+}
+
+TEST(SweptDiscPairs, hulls_are_separated_by_a_slab) {
+  const SweptDiscs pipe(cylinder(Vec3(-5, 0, 0), Vec3(5, 0, 0), 1));
+  const auto apart = [&](const SweptDiscs& other) {
+    return separation(pipe.over({0, 1}), other.over({0, 1}));
+  };
+  const struct {
+    SweptDiscs other;
+    double exact;
+    Vec3 direction;
+  } rows[] = {
+      {SweptDiscs(cylinder(Vec3(-5, 0, 4), Vec3(5, 0, 4), 2)), 1, Vec3(0, 0, 1)},
+      {SweptDiscs(cylinder(Vec3(0, -5, 4), Vec3(0, 5, 4), 2)), 1, Vec3(0, 0, 1)},
+      {SweptDiscs(cylinder(Vec3(7, 0, 0), Vec3(9, 0, 0), 3)), 2, Vec3(1, 0, 0)},
+      {SweptDiscs(Sphere{Vec3(1, 0, -8), 4}), 3, Vec3(0, 0, -1)},
+  };
+  for (const auto& row : rows) {
+    const Separation found = apart(row.other);
+    EXPECT_LE(found.distance, row.exact);
+    EXPECT_GT(found.distance, 0.95 * row.exact);
+    EXPECT_GE(found.nearest, 0.95 * row.exact);
+    EXPECT_GT(found.direction.normalized().dot(row.direction), 0.95);
+  }
+  EXPECT_LE(apart(SweptDiscs(cylinder(Vec3(0, -5, 1), Vec3(0, 5, 1), 1))).distance, 0);
+  EXPECT_LE(apart(SweptDiscs(cylinder(Vec3(5, 0, 0), Vec3(9, 0, 0), 1))).distance, 0) << "touching";
+}
+
+TEST(SweptDiscPairs, clearances_are_nearly_the_distance) {
+  const struct {
+    Chain first, second;
+    double exact;
+  } rows[] = {
+      {cylinder(Vec3(-5, 0, 0), Vec3(5, 0, 0), 1), cylinder(Vec3(1, -5, 3), Vec3(1, 5, 3), 1), 1},
+      // The ring around the z axis, and a pipe along that.
+      {elbow(3, 2, 0.5), cylinder(Vec3(0, 0, -4), Vec3(0, 0, 4), 0.5), 2},
+      // A straight piece after a bend, and its neighbour.
+      {Chain(std::vector{elbow(3, kPi / 2, 1), cylinder(Vec3(0, 3, 0), Vec3(-9, 3, 0), 1)}),
+       cylinder(Vec3(-5, -3, 0), Vec3(-5, 1.75, 0), 0.5), 0.25},
+  };
+  for (const auto& row : rows) {
+    const ClearanceClaim claim =
+        prove_clearance(SweptDiscs(row.first), SweptDiscs(row.second), kBoxes);
+    EXPECT_EQ(claim.verdict, Verdict::proved);
+    EXPECT_FALSE(claim.overlap);
+    EXPECT_LE(claim.distance, row.exact);
+    EXPECT_GE(claim.distance, 0.89 * row.exact);
+    const auto length = [](const Chain& chain) { return double(chain.pieces.size()); };
+    for (const double s : within({0, length(row.first)}, 37)) {
+      for (const double t : within({0, length(row.second)}, 37)) {
+        EXPECT_TRUE(covers(claim.leaves, s, t)) << s << " " << t;
+      }
+    }
+    for (const DiscPairs& leaf : claim.leaves) {
+      ASSERT_TRUE(leaf.direction);
+      expect_apart(row.first, row.second, leaf, claim.distance);
+    }
+  }
+}
+
+TEST(SweptDiscPairs, clearances_of_what_overlaps_are_a_point_of_both) {
+  const Chain pipe = cylinder(Vec3(-5, 0, 0), Vec3(5, 0, 0), 1),
+              other = cylinder(Vec3(1, -5, 1), Vec3(1, 5, 1), 0.75);
+  const ClearanceClaim claim = prove_clearance(SweptDiscs(pipe), SweptDiscs(other), kBoxes);
+  EXPECT_EQ(claim.verdict, Verdict::proved);
+  EXPECT_EQ(claim.distance, 0);
+  ASSERT_TRUE(claim.overlap);
+  EXPECT_TRUE(is_inside(pipe, claim.overlap->first, claim.overlap->point));
+  EXPECT_TRUE(is_inside(other, claim.overlap->second, claim.overlap->point));
+  EXPECT_EQ(prove_clearance(SweptDiscs(pipe), SweptDiscs(other), 0).verdict, Verdict::undecided)
+      << "without work";
+}
+
+// Every pair of discs is covered, and those with a plane between them are on its two sides.
+void expect_embedded(const Chain& chain) {
+  const EmbeddedClaim claim = prove_embedded(SweptDiscs(chain), 0.25, kBoxes);
+  ASSERT_EQ(claim.verdict, Verdict::proved);
+  EXPECT_FALSE(claim.overlap);
+  const auto length = double(chain.pieces.size());
+  for (const double s : within({0, length}, 53)) {
+    for (const double t : within({s, length}, 53)) {
+      EXPECT_TRUE(covers(claim.leaves, s, t)) << s << " " << t;
+    }
+  }
+  for (const DiscPairs& leaf : claim.leaves) {
+    if (leaf.direction) {
+      expect_apart(chain, chain, leaf, 0);
+    }
+  }
+}
+
+TEST(SweptDiscPairs, parts_that_come_back_beside_themselves_are_embedded) {
+  expect_embedded(cylinder(Vec3::Zero(), Vec3(5, 0, 0), 1));
+  expect_embedded(elbow(3, 5.5, 1));
+  expect_embedded(test::loop(1.5));
+  expect_embedded(
+      Chain(std::vector{elbow(3, kPi, 1),
+                        [] {
+                          RingedSurface half = elbow(3, kPi, 1);
+                          std::swap(half.start, half.end);
+                          half.start = flipped(half.start);
+                          half.end = flipped(half.end);
+                          half.spine = ArcSpine{Vec3::Zero(), Vec3::UnitZ(), Vec3(-3, 0, 0), kPi};
+                          return half;
+                        }()},
+            true));
+}
+
+TEST(SweptDiscPairs, parts_that_cross_themselves_are_not_embedded) {
+  const Chain crossing = test::loop(6);
+  const EmbeddedClaim claim = prove_embedded(SweptDiscs(crossing), 0.25, 1 << 9);
+  EXPECT_EQ(claim.verdict, Verdict::refuted);
+  EXPECT_TRUE(claim.leaves.empty());
+  ASSERT_TRUE(claim.overlap);
+  EXPECT_TRUE(is_inside(crossing, claim.overlap->first, claim.overlap->point));
+  EXPECT_TRUE(is_inside(crossing, claim.overlap->second, claim.overlap->point));
+  // Discs that overlap do not tell of a part that is not all of them.
+  Chain hollow = crossing;
+  hollow.wall = 0.25;
+  const EmbeddedClaim unknown = prove_embedded(SweptDiscs(hollow), 0.25, 1 << 9);
+  EXPECT_EQ(unknown.verdict, Verdict::undecided);
+  EXPECT_FALSE(unknown.overlap);
+}
+
+TEST(SweptDiscPairs, no_more_work_is_done_than_allowed) {
+  Chain hollow = elbow(3, 5.5, 1);
+  hollow.wall = 0.25;
+  EXPECT_EQ(prove_embedded(SweptDiscs(hollow), 0.25, kBoxes).verdict, Verdict::proved);
+  EXPECT_EQ(prove_embedded(SweptDiscs(hollow), 0.25, 1).verdict, Verdict::undecided);
+}
+
+// A pipe that ends where the bend begins, which comes back to it if it turns far enough.
+ClearanceClaim joint(double angle) {
+  const SweptDiscs pipe(cylinder(Vec3(3, -9, 0), Vec3(3, 0, 0), 1)), bend(elbow(3, angle, 1));
+  return prove_joint(pipe, bend, {{End::end, End::start}}, 1 << 10);
+}
+
+TEST(SweptDiscPairs, joined_parts_have_nothing_but_the_joint_in_common) {
+  const Chain pipe = cylinder(Vec3(3, -9, 0), Vec3(3, 0, 0), 1), bend = elbow(3, 4, 1);
+  const ClearanceClaim claim = joint(4);
+  ASSERT_EQ(claim.verdict, Verdict::proved);
+  EXPECT_EQ(claim.distance, 0);
+  EXPECT_FALSE(claim.overlap);
+  for (const double s : within({0, 1}, 53)) {
+    for (const double t : within({0, 1}, 53)) {
+      EXPECT_TRUE(covers(claim.leaves, s, t)) << s << " " << t;
+    }
+  }
+  for (const DiscPairs& leaf : claim.leaves) {
+    if (leaf.direction) {
+      expect_apart(pipe, bend, leaf, 0);
+    } else {
+      EXPECT_LT(4 * leaf.second.to, kPi) << "no way back";
+    }
+  }
+  EXPECT_TRUE(covers(claim.leaves, 1, 0));
+}
+
+TEST(SweptDiscPairs, joined_parts_may_meet_again) {
+  const ClearanceClaim claim = joint(5.5);
+  EXPECT_EQ(claim.verdict, Verdict::refuted);
+  ASSERT_TRUE(claim.overlap);
+  EXPECT_TRUE(is_inside(elbow(3, 5.5, 1), claim.overlap->second, claim.overlap->point));
+  EXPECT_LT(std::hypot(claim.overlap->point.x() - 3, claim.overlap->point.z()), 1);
+  EXPECT_LT(claim.overlap->point.y(), 0);
+}
+
+}  // namespace
+}  // namespace dupin::certification
