@@ -67,11 +67,7 @@ TEST(PartSurface, has_a_wall_of_cyclides_that_meet_smoothly_only) {
   Chain tube = oblique(Vec3(0, 0, 0), Vec3(0, 0, 3));
   tube.wall = 0.1;
   EXPECT_THROW((void)tessellate(tube, {16}), Error);
-  Chain kneecaps = kneecap_chain(std::vector<PeVector>{{Vec3(0, 0, 0), 1},
-                                                       {Vec3(2, 1, 0), .8},
-                                                       {Vec3(4, 1, 0), 1},
-                                                       {Vec3(6, .2, 0), .9},
-                                                       {Vec3(8, 1, 0), .7}});
+  Chain kneecaps = kneecap_chain(test::lune_spheres());
   kneecaps.wall = 0.1;
   EXPECT_THROW((void)tessellate(kneecaps, {16}), Error);
 }
