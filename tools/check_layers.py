@@ -85,7 +85,6 @@ TESTED_THROUGH_OTHERS = {
     "blends/src/certification/swept_disc_overlap.cpp",
     "blends/src/certification/swept_disc_pairs.cpp",
     "blends/src/certification/swept_discs.cpp",
-    "blends/src/cyclide/cyclide_piece.cpp",
     "blends/src/surfaces/cyclide_piece_operations.cpp",
     "blends/src/surfaces/elliptic_piece_operations.cpp",
     "blends/src/surfaces/exact_rows.cpp",
