@@ -82,6 +82,7 @@ TEST(ExactRows, of_arcs_have_the_turned_section_everywhere) {
 
 TEST(ExactRows, are_none_of_what_is_not_rational) {
   const ArcSpine arc{Vec3(0, 0, 0), Vec3::UnitZ(), Vec3(4, 0, 0), 1};
+  const HermiteSpine nearly_straight{kLine.from, kLine.to, 1.5 * kStep + 1e-9 * kAxis, 6 * kStep};
   const BezierSpine weighted{{kLine.from, (kLine.from + kLine.to) / 2, kLine.to}, {1, 2, 1}};
   struct Row {
     Spine spine;
@@ -93,6 +94,7 @@ TEST(ExactRows, are_none_of_what_is_not_rational) {
       {arc, LinearRadius{1, 2}, ConstantRadius{1}},
       {arc, ConstantRadius{1}, CubicRadius{1, 2}},
       {test::skew_spine(10, 20), ConstantRadius{1}, ConstantRadius{1}},
+      {nearly_straight, ConstantRadius{1}, ConstantRadius{1}},
       {weighted, ConstantRadius{1}, ConstantRadius{1}},
   };
   for (const Row& row : rows) {

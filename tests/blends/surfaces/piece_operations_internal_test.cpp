@@ -75,6 +75,9 @@ TEST(PieceOperations, margins_of_bounds_are_proved_by_halving) {
     const double twice = 2 * size(leaf), from = std::floor(leaf.from / twice) * twice;
     EXPECT_LE(lower_bound({from, from + twice}), margin) << "halved for nothing";
   }
+  // With room to prove it where the bound is nowhere more than the margin.
+  const MarginOver flat = [](const ParameterInterval&) { return .5; };
+  EXPECT_EQ(prove_margin(flat, nearly_largest_margin(flat)).leaves.size(), 1U);
   const ProvedStretches fails = prove_margin(lower_bound, .31);
   EXPECT_EQ(fails.verdict, Verdict::undecided);
   EXPECT_TRUE(fails.leaves.empty());
