@@ -135,6 +135,16 @@ TEST(CyclidePieceOperations, of_a_torus_have_closed_forms) {
 }
 
 TEST(CyclidePieceOperations, claims_the_angle_to_the_cone_beyond) {
+  test::RandomArcs arcs;
+  for (int i = 0; i < 30; ++i) {
+    const CyclidePiece piece = cyclide_piece(arcs.next());
+    for (const End end : {End::start, End::end}) {
+      const TangencyClaim claim = tangency_claim(piece, end);
+      EXPECT_LT(claim.deviation.value(), 1e-12);
+      EXPECT_LT(claim.axis_angle, 1e-7);  // an angle of nearly parallel vectors has half the digits
+      EXPECT_LT(claim.offset, 1e-11);
+    }
+  }
   for (const double slope : {0., .25, -.25}) {
     CyclidePiece piece = torus_quarter();
     piece.start.slope = piece.end.slope = slope;

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -162,6 +163,15 @@ TEST(KneecapChainMesh, keeps_to_the_tolerance_with_the_segments_it_asks_for) {
   EXPECT_THROW((void)kneecap_chain_segments(arcs, 0.01, 0.01), Error);
   const Ring start = flipped(circle_at(arcs.front(), 0)), end = circle_at(arcs.back(), 1);
   EXPECT_THROW((void)kneecap_chain_mesh(start, end, arcs, {32, 0, 0.01}, {0.01}), Error);
+  // What snapping costs is stated on top: where chords are left as much, the bands are the same.
+  const std::vector<PeArc> pipe = through_all(corner_spheres(0));
+  const auto bound = [&](double tolerance, double grid) {
+    return kneecap_chain_mesh(flipped(circle_at(pipe.front(), 0)), circle_at(pipe.back(), 1), pipe,
+                              {32, 0, grid}, {tolerance})
+        .error_bound;
+  };
+  constexpr double kGrid = 0x1p-7, kMove = std::numbers::sqrt3 / 2 * kGrid;
+  EXPECT_NEAR(bound(0.1 + kMove, kGrid), bound(0.1, 0) + kMove, 1e-9);
   // With fewer segments it says how far it is.
   EXPECT_GT(kneecap_chain_mesh(start, end, arcs, {12}, {0.001}).error_bound, 0.01);
 }
