@@ -41,7 +41,7 @@ TEST(RingedPieceOperations, bands_of_an_elbow_are_equally_long_and_turn_with_it)
   // The angle of a point in its circle, turned back to the start.
   const auto angle = [&](std::uint32_t row, std::uint32_t column) {
     const Eigen::AngleAxisd back(-kAngle * found.knots[row], Vec3::UnitZ());
-    const Vec3 d = back * found.mesh.points[24 * row + column] - surface.start.center;
+    const Vec3 d = back * found.mesh.points[std::size_t{24} * row + column] - surface.start.center;
     EXPECT_NEAR(std::hypot(d.x(), d.z()), 1, 1e-14);
     EXPECT_NEAR(d.y(), 0, 1e-14);
     return std::atan2(-d.z(), d.x());
@@ -67,7 +67,8 @@ TEST(RingedPieceOperations, rows_of_a_skew_spine_turn_no_more_than_it_forces_the
   const FrameField frames(surface.spine, found.mesh.points[0] - surface.start.center,
                           {.knots = 4096});
   const auto angle = [&](std::uint32_t row) {
-    const Vec3 d = found.mesh.points[16 * row] - evaluate(surface.spine, found.knots[row]).position;
+    const Vec3 d = found.mesh.points[std::size_t{16} * row] -
+                   evaluate(surface.spine, found.knots[row]).position;
     const Frame frame = frames.at(found.knots[row]);
     return std::atan2(d.dot(frame.second), d.dot(frame.first));
   };

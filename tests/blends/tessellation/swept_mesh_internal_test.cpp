@@ -95,9 +95,10 @@ TEST(SweptMesh, runs_through_rows_from_polygon_to_polygon) {
   // All columns turn by the twist, evenly.
   ASSERT_NE(last.twist, 0);
   for (std::size_t k = 0; k < mesh.points.size(); ++k) {
-    const double row = double(k / 12),
-                 expected = angle + 2 * pi * double(k % 12) / 12 + last.twist * row / 4;
-    const Row here = torus_row(row / 4);
+    const std::size_t row = k / 12;
+    const double share = double(row) / 4;
+    const double expected = angle + 2 * pi * double(k % 12) / 12 + last.twist * share;
+    const Row here = torus_row(share);
     EXPECT_LT((mesh.points[k] - here.center - here.direction(expected)).norm(), 1e-14) << k;
   }
   std::size_t outward = 0;
