@@ -69,28 +69,6 @@ MOST_LINES = [  # first match wins: (pattern, most lines)
     (re.compile(r"^(?!tests/).*\.h$"), 200),
     (re.compile(r".*"), 600),
 ]
-# Debts: sources with behaviour that only the tests of others reach. No new ones; shorten the list.
-TESTED_THROUGH_OTHERS = {
-    "blends/src/cyclide/cyclide_piece.cpp",
-    "blends/src/surfaces/cyclide_piece_operations.cpp",
-    "blends/src/surfaces/elliptic_piece_operations.cpp",
-    "blends/src/surfaces/exact_rows.cpp",
-    "blends/src/surfaces/kneecap_chain_mesh.cpp",
-    "blends/src/surfaces/moving_disc.cpp",
-    "blends/src/surfaces/nurbs_rows.cpp",
-    "blends/src/surfaces/piece_discs.cpp",
-    "blends/src/surfaces/piece_operations.cpp",
-    "blends/src/surfaces/rational_piece_operations.cpp",
-    "blends/src/surfaces/ringed_piece_operations.cpp",
-    "blends/src/surfaces/swept_disc_tube.cpp",
-    "blends/src/tessellation/band_stepper.cpp",
-    "blends/src/tessellation/convex_fill.cpp",
-    "blends/src/tessellation/cyclide_rows.cpp",
-    "blends/src/tessellation/kneecap_joint.cpp",
-    "blends/src/tessellation/kneecap_mesh.cpp",
-    "blends/src/tessellation/swept_mesh.cpp",
-    "blends/src/tessellation/tessellation_tolerance.cpp",
-}
 MOST_FILES = 40  # in a folder
 MOST_FLOORS = 8  # of the folders of a room
 LARGEST_CIRCLE = 3  # of files with their headers
@@ -233,10 +211,7 @@ def faults_of_names(house):
             if not any(stem.startswith(header + "_") for header in headers):
                 yield f"{path}: no header has its name, or a name that it begins with"
         elif not {f"{stem}_test.cpp", f"{stem}_internal_test.cpp"} & tests:
-            if path not in TESTED_THROUGH_OTHERS:
-                yield f"{path}: no test has its name"
-        elif path in TESTED_THROUGH_OTHERS:
-            yield f"{path}: has a test of its name now; take it off the list"
+            yield f"{path}: no test has its name"
 
 
 def circles(graph):

@@ -44,6 +44,27 @@ inline CyclideChain jet_engine() {
   return compose(spheres, direction(Vec3::UnitX(), 0.3));
 }
 
+/// Two pieces with a lune between them (mathematics C9).
+inline std::vector<PeVector> lune_spheres() {
+  return {sphere(0, 0, 0, 1), sphere(2, 1, 0, .8), sphere(4, 1, 0, 1), sphere(6, .2, 0, .9),
+          sphere(8, 1, 0, .7)};
+}
+
+/// Balls of radius 1 along a line of length 4 to the origin and one of length 4 from there, at an
+/// angle to it.
+inline std::vector<PeVector> corner_spheres(double bend) {
+  const Vec3 on(std::cos(bend), std::sin(bend), 0);
+  return {sphere(-4, 0, 0, 1), sphere(-2, 0, 0, 1), {Vec3::Zero(), 1}, {2 * on, 1}, {4 * on, 1}};
+}
+
+/// A cylinder along the x axis to the origin, then a cone whose balls grow by `sine` of the way.
+inline std::vector<PeVector> cylinder_to_cone_spheres(double sine, double bend) {
+  std::vector<PeVector> spheres = corner_spheres(bend);
+  spheres[3].r += 2 * sine;
+  spheres[4].r += 4 * sine;
+  return spheres;
+}
+
 /// Regular pieces between random spheres in [-4, 4]^3.
 struct RandomArcs {
   std::mt19937_64 random{1994};

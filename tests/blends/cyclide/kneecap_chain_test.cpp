@@ -23,30 +23,11 @@ namespace dupin {
 namespace {
 
 using std::numbers::pi;
-using test::sphere;
+using test::corner_spheres;
+using test::cylinder_to_cone_spheres;
+using test::lune_spheres;
 
 using Spheres = std::vector<PeVector>;
-
-// Mathematics C9.
-Spheres five() {
-  return {sphere(0, 0, 0, 1), sphere(2, 1, 0, .8), sphere(4, 1, 0, 1), sphere(6, .2, 0, .9),
-          sphere(8, 1, 0, .7)};
-}
-
-// Balls of radius 1 along a line of length 4 to the origin and one of length 4 from there, at an
-// angle to it.
-Spheres corner(double bend) {
-  const Vec3 on(std::cos(bend), std::sin(bend), 0);
-  return {sphere(-4, 0, 0, 1), sphere(-2, 0, 0, 1), {Vec3::Zero(), 1}, {2 * on, 1}, {4 * on, 1}};
-}
-
-// A cylinder along the x axis to the origin, then a cone whose balls grow by `sine` of the way.
-Spheres to_cone(double sine, double bend) {
-  Spheres spheres = corner(bend);
-  spheres[3].r += 2 * sine;
-  spheres[4].r += 4 * sine;
-  return spheres;
-}
 
 Assembly document(const Spheres& spheres, double tolerance) {
   CyclideChainThrough chain;
@@ -110,7 +91,8 @@ TEST(KneecapChain, corner_of_two_pipes_has_a_sector_of_a_ball) {
     SCOPED_TRACE(bend);
     const double t = std::tan(bend / 2);
     const Measure exact{2 * pi * 8 + 2 * pi + 2 * bend - 4 * t, pi * 8 + 2 * bend / 3 - 4 * t / 3};
-    expect_second_order(exact, [&](double tolerance) { return built(corner(bend), tolerance); });
+    expect_second_order(exact,
+                        [&](double tolerance) { return built(corner_spheres(bend), tolerance); });
   }
 }
 
@@ -118,7 +100,7 @@ TEST(KneecapChain, corner_of_two_pipes_has_a_sector_of_a_ball) {
 TEST(KneecapChain, band_joint_has_the_area_and_volume_of_its_parts) {
   for (const double bend : {0.0, 0.15}) {
     SCOPED_TRACE(bend);
-    const Spheres spheres = to_cone(-0.2, bend);
+    const Spheres spheres = cylinder_to_cone_spheres(-0.2, bend);
     const Chain chain = kneecap_chain(spheres);
     const std::vector<PeArc> pieces = cyclide_pieces(chain);
     const SphericalJoint knee = spherical_joint(pieces[0], pieces[1]);
@@ -137,14 +119,15 @@ TEST(KneecapChain, band_joint_has_the_area_and_volume_of_its_parts) {
 // The cone leaves the cylinder where it gets wider, behind the common sphere's centre.
 TEST(KneecapChain, hidden_joint_is_the_union_of_the_pieces) {
   const double sine = 0.2, angle = std::asin(sine), x = std::tan(angle / 2);
-  const Chain chain = kneecap_chain(to_cone(sine, 0));
+  const Chain chain = kneecap_chain(cylinder_to_cone_spheres(sine, 0));
   const double end_x = end_ring(chain, End::end).center.x(),
                end_r = end_ring(chain, End::end).radius, height = end_x + x;
   const Measure exact{2 * pi * (4 - x) + pi * (1 + end_r) * height / std::cos(angle) +
                           disc_area(end_ring(chain, End::start)) +
                           disc_area(end_ring(chain, End::end)),
                       pi * (4 - x) + pi / 3 * height * (1 + end_r + end_r * end_r)};
-  expect_second_order(exact, [&](double tolerance) { return built(to_cone(sine, 0), tolerance); });
+  expect_second_order(
+      exact, [&](double tolerance) { return built(cylinder_to_cone_spheres(sine, 0), tolerance); });
 }
 
 TEST(KneecapChain, pieces_of_one_torus_meet_in_one_circle) {
@@ -170,7 +153,7 @@ double arc_behind(double h1, double h2, double n12) {
 // The mesh of the pieces, before they are united: the kneecap is a lune, its sector of the ball is
 // the cone over it from the centre with those over the discs' segments.
 TEST(KneecapChain, pieces_with_the_oracles_kneecap_converge_at_second_order) {
-  const Chain chain = kneecap_chain(five());
+  const Chain chain = kneecap_chain(lune_spheres());
   const std::vector<PeArc> pieces = cyclide_pieces(chain);
   const SphericalJoint knee = spherical_joint(pieces[0], pieces[1]);
   const Ring before = circle_at(pieces[0], 1), after = circle_at(pieces[1], 0);
@@ -208,7 +191,7 @@ double distance_to(const Chain& chain, const Vec3& point) {
 }
 
 TEST(KneecapChain, solid_is_as_near_to_the_smooth_one_as_the_report_says) {
-  const Spheres spheres = five();
+  const Spheres spheres = lune_spheres();
   const Chain chain = kneecap_chain(spheres);
   const Built result = build(document(spheres, 0.01));
   const double bound = result.parts[0].error_bound;
@@ -229,7 +212,7 @@ TEST(KneecapChain, solid_is_as_near_to_the_smooth_one_as_the_report_says) {
 }
 
 TEST(KneecapChain, ends_in_its_stored_rings_bitwise) {
-  const Chain chain = kneecap_chain(five());
+  const Chain chain = kneecap_chain(lune_spheres());
   const RingSampling sampling{64, 0.25, std::ldexp(1.0, -20)};
   const TriMesh mesh = tessellate(chain, sampling, {0.01}).mesh;
   const auto first = sample(flipped(end_ring(chain, End::start)), sampling);
@@ -251,8 +234,10 @@ void expect_ball(const Spheres& spheres, double tolerance) {
 
 TEST(KneecapChain, every_kind_of_joint_is_watertight_before_and_after_float32) {
   for (const Spheres& spheres :
-       {five(), corner(1), to_cone(-0.1, 0), to_cone(-0.2, 0.1), to_cone(0.2, 0.1),
-        to_cone(-0.2, 1), to_cone(0.3, 2), corner(1e-9), corner(1e-4), corner(0.02)}) {
+       {lune_spheres(), corner_spheres(1), cylinder_to_cone_spheres(-0.1, 0),
+        cylinder_to_cone_spheres(-0.2, 0.1), cylinder_to_cone_spheres(0.2, 0.1),
+        cylinder_to_cone_spheres(-0.2, 1), cylinder_to_cone_spheres(0.3, 2), corner_spheres(1e-9),
+        corner_spheres(1e-4), corner_spheres(0.02)}) {
     expect_ball(spheres, 0.02);
   }
 }
@@ -262,8 +247,8 @@ TEST(KneecapChain, circles_that_nearly_touch_are_watertight) {
   const double sine = -0.2, touching = std::asin(-sine);
   for (const double off : {-1e-3, -1e-6, -1e-12, 0.0, 1e-12, 1e-6, 1e-3}) {
     SCOPED_TRACE(off);
-    expect_ball(to_cone(sine, touching + off), 0.02);
-    expect_ball(to_cone(-sine, touching + off), 0.02);
+    expect_ball(cylinder_to_cone_spheres(sine, touching + off), 0.02);
+    expect_ball(cylinder_to_cone_spheres(-sine, touching + off), 0.02);
   }
 }
 
@@ -294,7 +279,7 @@ TEST(KneecapChain, random_chains_are_watertight) {
 }
 
 TEST(KneecapChain, refuses_a_piece_that_turns_back_into_the_one_before) {
-  Spheres spheres = to_cone(-0.2, pi - 0.1);
+  Spheres spheres = cylinder_to_cone_spheres(-0.2, pi - 0.1);
   spheres[0].r = 2.2;
   spheres[1].r = 1.6;
   try {
@@ -314,7 +299,7 @@ TEST(KneecapChain, documents_errors_have_their_places) {
   };
   const auto with = [](const auto& change) {
     CyclideChainThrough chain;
-    chain.spheres = five();
+    chain.spheres = lune_spheres();
     chain.joints = ChainJoints::kneecaps;
     change(chain);
     return chain;
@@ -342,12 +327,13 @@ TEST(KneecapChain, documents_errors_have_their_places) {
   }
 }
 
-// A pipe to the origin, from there the first piece of five() as a straight one, then a bend: the
-// same solid as the pipe and the chain that begins with a sphere of its own where the pipe ends.
+// A pipe to the origin, from there the first piece of lune_spheres() as a straight one, then a
+// bend: the same solid as the pipe and the chain that begins with a sphere of its own where the
+// pipe ends.
 TEST(KneecapChain, begins_at_a_port_tangent_to_it_and_shares_its_ring) {
   CyclideChainThrough chain;
   chain.joints = ChainJoints::kneecaps;
-  const Spheres all = corner(1);
+  const Spheres all = corner_spheres(1);
   chain.spheres = {all.begin() + 1, all.end()};
   chain.from = PortReference{"pipe", End::end};
   const PipeBetween pipe{Vec3(-6, 0, 0), Vec3(-4, 0, 0), 1};
@@ -380,7 +366,7 @@ TEST(KneecapChain, begins_at_a_port_tangent_to_it_and_shares_its_ring) {
 TEST(KneecapChain, begins_along_a_direction_that_is_given) {
   CyclideChainThrough chain;
   chain.joints = ChainJoints::kneecaps;
-  chain.spheres = five();
+  chain.spheres = lune_spheres();
   chain.from = ChainDirection{Vec3(1, 0, 0), .25};
   const ResolvedAssembly resolved =
       resolve({"c.json", Unit::millimetre, 0.01, {}, {{"chain", chain}}});
@@ -393,13 +379,13 @@ TEST(KneecapChain, begins_along_a_direction_that_is_given) {
 // their lens at the joint is what the pieces' own volumes count twice.
 TEST(KneecapChain, is_hollow_with_the_volume_between_its_skins) {
   for (const double bend : {.4, 1.2}) {
-    Assembly assembly = document(corner(bend), .001);
+    Assembly assembly = document(corner_spheres(bend), .001);
     const double wall = .25;
     std::get<CyclideChainThrough>(assembly.parts[0].shape).wall = wall;
     const Built hollow_one = build(assembly);
-    Spheres inner = corner(bend);
+    Spheres inner = corner_spheres(bend);
     std::ranges::for_each(inner, [&](PeVector& s) { s.r -= wall; });
-    const double expected = build(document(corner(bend), .001)).solid.volume() -
+    const double expected = build(document(corner_spheres(bend), .001)).solid.volume() -
                             build(document(inner, .001)).solid.volume();
     // Either mesh keeps the bound, and its area is that of 8 long cylinders and some.
     EXPECT_NEAR(hollow_one.solid.volume(), expected, .001 * 2 * (8 + 2) * 2 * pi) << bend;
@@ -415,7 +401,7 @@ TEST(KneecapChain, is_hollow_with_the_volume_between_its_skins) {
 }
 
 TEST(KneecapChain, is_hollow_where_cones_end_in_conical_rims) {
-  Assembly assembly = document(to_cone(.2, .8), .01);
+  Assembly assembly = document(cylinder_to_cone_spheres(.2, .8), .01);
   std::get<CyclideChainThrough>(assembly.parts[0].shape).wall = .1;
   const Built built = build(assembly);
   EXPECT_EQ(built.solid.euler_number(), 0);
@@ -425,7 +411,7 @@ TEST(KneecapChain, is_hollow_where_cones_end_in_conical_rims) {
 
 TEST(KneecapChain, is_welded_to_the_parts_at_its_ends) {
   CyclideChainThrough chain;
-  chain.spheres = corner(1);
+  chain.spheres = corner_spheres(1);
   chain.joints = ChainJoints::kneecaps;
   const Assembly assembly{"",
                           Unit::millimetre,
@@ -438,8 +424,8 @@ TEST(KneecapChain, is_welded_to_the_parts_at_its_ends) {
   EXPECT_EQ(result.runs, 1U);
   EXPECT_EQ(result.pieces, 3U);
   EXPECT_EQ(result.solid.euler_number(), 2);
-  EXPECT_NEAR(result.solid.volume(), build(document(corner(1), 0.01)).solid.volume() + 3 * pi,
-              0.01 * 2 * pi * 3);
+  EXPECT_NEAR(result.solid.volume(),
+              build(document(corner_spheres(1), 0.01)).solid.volume() + 3 * pi, 0.01 * 2 * pi * 3);
 }
 
 }  // namespace

@@ -15,12 +15,8 @@ namespace dupin {
 namespace {
 
 using std::numbers::pi;
+using test::lune_spheres;
 using test::sphere;
-
-std::vector<PeVector> five() {
-  return {sphere(0, 0, 0, 1), sphere(2, 1, 0, .8), sphere(4, 1, 0, 1), sphere(6, .2, 0, .9),
-          sphere(8, 1, 0, .7)};
-}
 
 double distance(const PeVector& a, const PeVector& b) {
   return std::hypot((a.m - b.m).norm(), a.r - b.r);
@@ -28,7 +24,7 @@ double distance(const PeVector& a, const PeVector& b) {
 
 TEST(ThroughAll, pieces_have_the_oracle_values) {
   // Mathematics C9.
-  const std::vector<PeArc> pieces = through_all(five());
+  const std::vector<PeArc> pieces = through_all(lune_spheres());
   ASSERT_EQ(pieces.size(), 2U);
   EXPECT_NEAR(pieces[0].w(), 0.911576107807702, 1e-12);
   EXPECT_NEAR(pieces[0].chord(), 4.12310562561766, 1e-12 * 4);
@@ -53,14 +49,14 @@ TEST(ThroughAll, pieces_have_the_oracle_values) {
   EXPECT_NEAR(second.c, 0.2835036664999, 1e-11);
   EXPECT_NEAR(second.mu, 0.7182757532734, 1e-11);
   // The middle sphere belongs to the piece, at the parameter that the tangential distances give.
-  const auto spheres = five();
+  const auto spheres = lune_spheres();
   const double c01 = std::sqrt(squared_tangential_distance(spheres[0], spheres[1]));
   const double c12 = std::sqrt(squared_tangential_distance(spheres[1], spheres[2]));
   EXPECT_LT(distance(sphere_at(pieces[0], c01 / (c01 + c12)), spheres[1]), 1e-12);
 }
 
 TEST(Kneecap, has_the_oracle_values) {
-  const std::vector<PeArc> pieces = through_all(five());
+  const std::vector<PeArc> pieces = through_all(lune_spheres());
   const SphericalJoint knee = spherical_joint(pieces[0], pieces[1]);
   const double degree = pi / 180;
   EXPECT_NEAR(knee.before, 79.4597606664767 * degree, 1e-12);
@@ -72,7 +68,7 @@ TEST(Kneecap, has_the_oracle_values) {
 }
 
 TEST(Kneecap, areas_are_those_of_random_directions) {
-  const std::vector<PeArc> pieces = through_all(five());
+  const std::vector<PeArc> pieces = through_all(lune_spheres());
   const SphericalJoint knee = spherical_joint(pieces[0], pieces[1]);
   const PeVector back = pieces[0].end_tangent(), ahead = pieces[1].start_tangent();
   std::mt19937_64 random(13);
@@ -105,7 +101,7 @@ TEST(Kneecap, of_pieces_that_meet_g1_is_a_circle) {
 }
 
 TEST(ThroughAll, names_the_piece_that_fails) {
-  auto spheres = five();
+  auto spheres = lune_spheres();
   spheres[3].r = 5;
   try {
     (void)through_all(spheres);

@@ -12,6 +12,7 @@
 #include "dupin/blends/kneecap.h"
 #include "dupin/blends/ringed_blend.h"
 #include "dupin/kernel/error.h"
+#include "support/cyclide_cases.h"
 #include "support/paper_surfaces.h"
 
 namespace dupin {
@@ -101,11 +102,7 @@ TEST(Nurbs, of_rational_surfaces_is_exact) {
 // Mathematics C9: the pieces' patches and the sphere at their joint, all of which the kneecap
 // needs.
 TEST(Nurbs, of_a_chain_with_kneecaps_are_its_pieces_and_spheres) {
-  const Chain chain = kneecap_chain(std::vector<PeVector>{{Vec3(0, 0, 0), 1},
-                                                          {Vec3(2, 1, 0), .8},
-                                                          {Vec3(4, 1, 0), 1},
-                                                          {Vec3(6, .2, 0), .9},
-                                                          {Vec3(8, 1, 0), .7}});
+  const Chain chain = kneecap_chain(test::lune_spheres());
   const std::vector<PeArc> pieces = cyclide_pieces(chain);
   const NurbsForm form = nurbs(chain, .01);
   EXPECT_EQ(form.error_bound, 0);

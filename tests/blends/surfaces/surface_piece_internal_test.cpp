@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "dupin/blends/cyclide_tube.h"
@@ -130,6 +131,17 @@ TYPED_TEST(APiece, off_its_ring_is_told) {
   auto moved = this->piece_;
   moved.end.radius += 0.01;
   EXPECT_NEAR(surfaces::tangency_claim(moved, End::end).offset, 0.01, 1e-12);
+  moved.end.center += 0.02 * moved.end.normal;
+  EXPECT_NEAR(surfaces::tangency_claim(moved, End::end).offset, 0.03, 1e-12);
+  constexpr double kTilt = 0.01;
+  for (Ring* ring : {&moved.start, &moved.end}) {
+    ring->normal = Eigen::AngleAxisd(kTilt, reference_axis(*ring)) * ring->normal;
+  }
+  for (const End end : {End::start, End::end}) {
+    const double angle = surfaces::tangency_claim(moved, end).axis_angle;
+    EXPECT_NEAR(angle, kTilt, 1e-7);
+    EXPECT_GE(angle, kTilt - 1e-12);
+  }
 }
 
 }  // namespace
