@@ -46,6 +46,7 @@ double point_error(const std::vector<PeArc>& arcs, double grid) {
 std::vector<tessellation::Bands> bands(const std::vector<PeArc>& arcs, double allowed,
                                        std::uint32_t segments) {
   std::vector<tessellation::BandStepper> marches;
+  marches.reserve(arcs.size());
   for (const PeArc& arc : arcs) {
     marches.push_back(tessellation::march_of(arc, 2 * std::numbers::pi / segments));
   }

@@ -353,7 +353,7 @@ TEST(KneecapChain, begins_at_a_port_tangent_to_it_and_shares_its_ring) {
 
   // The first piece bends to where its third sphere is; its second one does not count.
   chain.spheres = {
-      sphere(-2, 9, 9, 1), {Vec3(-1, 1, 0), 1}, {Vec3(-1, 3, 1), 1}, {Vec3(0, 5, 1), 1}};
+      test::sphere(-2, 9, 9, 1), {Vec3(-1, 1, 0), 1}, {Vec3(-1, 3, 1), 1}, {Vec3(0, 5, 1), 1}};
   const Chain bent = std::get<Chain>(
       resolve({"c.json", Unit::millimetre, 0.01, {}, {{"pipe", pipe}, {"chain", chain}}})
           .parts[1]

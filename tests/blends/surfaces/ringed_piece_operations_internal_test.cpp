@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "dupin/blends/curvature_jump.h"
+#include "dupin/blends/tangency.h"
 #include "support/paper_surfaces.h"
 #include "surfaces/ringed_piece_operations.h"
 
