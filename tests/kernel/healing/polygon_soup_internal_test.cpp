@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
+#include "healing/degenerate_faces.h"
+#include "healing/face_copies.h"
 #include "healing/polygon_soup.h"
 #include "mesh/exact_mesh.h"
 #include "mesh/measure.h"
@@ -97,7 +99,7 @@ TEST(PolygonSoup, of_copies_of_faces_one_stays) {
   mesh.triangles.push_back(t);
   PolygonSoup soup = soup_of(mesh);
   RepairReport report;
-  drop_duplicate_faces(soup, report);
+  (void)settle_copies(soup, report);
   EXPECT_EQ(report.duplicate_faces, 2U);
   EXPECT_TRUE(is_balanced(soup));
 }
@@ -109,7 +111,7 @@ TEST(PolygonSoup, of_faces_that_cover_both_ways_none_stays_unless_needed) {
   wall.triangles.push_back({0, 7, 3});
   PolygonSoup soup = soup_of(wall);
   RepairReport report;
-  drop_duplicate_faces(soup, report);
+  (void)settle_copies(soup, report);
   EXPECT_EQ(report.duplicate_faces, 2U);
   EXPECT_EQ(soup.triangles, test::box({0, 0, 0}, {1, 1, 1}).triangles);
   // A face of the surface itself is.
@@ -117,7 +119,7 @@ TEST(PolygonSoup, of_faces_that_cover_both_ways_none_stays_unless_needed) {
   const Triangle t = doubled.triangles[2];
   doubled.triangles.push_back({t[0], t[2], t[1]});
   soup = soup_of(doubled);
-  drop_duplicate_faces(soup, report);
+  (void)settle_copies(soup, report);
   EXPECT_EQ(soup.triangles.size(), 4U);
 }
 
@@ -136,7 +138,7 @@ TEST(PolygonSoup, faces_are_turned_to_agree_and_shells_outward) {
     }
     PolygonSoup soup = soup_of(turned);
     RepairReport report;
-    orient_soup(soup, report);
+    turn_shells_outward(soup, settle_copies(soup, report), report);
     EXPECT_TRUE(is_balanced(soup));
     // Most faces of each shell were right.
     EXPECT_EQ(soup.triangles, mesh.triangles) << round;
@@ -148,7 +150,7 @@ TEST(PolygonSoup, a_shell_that_no_other_encloses_is_turned_outward_as_a_whole) {
   PolygonSoup soup = soup_of(test::reversed(test::frame()));
   ASSERT_EQ(volume_sign(soup), -1);
   RepairReport report;
-  orient_soup(soup, report);
+  turn_shells_outward(soup, settle_copies(soup, report), report);
   EXPECT_EQ(volume_sign(soup), 1);
   EXPECT_EQ(report.turned_faces, soup.triangles.size());
 }
@@ -162,7 +164,7 @@ TEST(PolygonSoup, a_surface_of_one_side_is_refused) {
   PolygonSoup soup = soup_of(strip);
   RepairReport report;
   try {
-    orient_soup(soup, report);
+    turn_shells_outward(soup, settle_copies(soup, report), report);
     FAIL() << "it has no orientation";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Errc::not_oriented);
