@@ -228,13 +228,13 @@ class DegenerateFaces {
 
 }  // namespace
 
-void drop_degenerate_faces(PolygonSoup& soup, RepairReport& report) {
-  report.degenerate_faces += drop_faces_that_repeat_a_corner(soup);
+std::size_t drop_degenerate_faces(PolygonSoup& soup) {
+  const std::size_t dropped = drop_faces_that_repeat_a_corner(soup);
   const DegenerateFaces degenerate(soup);
   if (degenerate.count() > 0) {
-    report.degenerate_faces += degenerate.count();
     soup = degenerate.replaced();
   }
+  return dropped + degenerate.count();
 }
 
 }  // namespace dupin::healing

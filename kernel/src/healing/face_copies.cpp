@@ -74,7 +74,7 @@ struct Choice {
 
 }  // namespace
 
-std::vector<bool> settle_copies(PolygonSoup& soup, RepairReport& report) {
+SettledCopies settle_copies(PolygonSoup& soup) {
   const DistinctFaces distinct(soup.triangles);
   const std::vector<int> counts = closing_counts(soup.points, distinct.triangles, distinct.numbers);
   Choice choice{std::vector<std::uint8_t>(soup.triangles.size(), 0),
@@ -82,10 +82,11 @@ std::vector<bool> settle_copies(PolygonSoup& soup, RepairReport& report) {
   for (std::size_t i = 0; i < distinct.triangles.size(); ++i) {
     choice.keep(distinct.copies_of(i), counts[i]);
   }
-  std::vector<bool> is_turned;
+  SettledCopies settled;
+  std::vector<bool>& is_turned = settled.is_turned;
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
     if (choice.is_kept[i] == 0) {
-      ++report.duplicate_faces;
+      ++settled.dropped;
       continue;
     }
     Triangle t = soup.triangles[i];
@@ -98,7 +99,7 @@ std::vector<bool> settle_copies(PolygonSoup& soup, RepairReport& report) {
   }
   soup.triangles.resize(is_turned.size());
   soup.sources.resize(is_turned.size());
-  return is_turned;
+  return settled;
 }
 
 }  // namespace dupin::healing

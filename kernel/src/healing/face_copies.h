@@ -1,11 +1,16 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 #include "healing/polygon_soup.h"
 
 namespace dupin::healing {
+
+struct SettledCopies {
+  std::size_t dropped = 0;
+  std::vector<bool> is_turned;  ///< of each triangle left
+};
 
 /// Decides how often each triangle counts, and which way round, so that the surface is closed:
 /// drops copies that are too many and turns triangles.
@@ -20,8 +25,7 @@ namespace dupin::healing {
 /// opening, counts of single triangles are changed as long as that makes it smaller. If none of it
 /// closes the surface, it stays open.
 ///
-/// Returns for each triangle left whether it was turned. O(n log n). Throws Error{not_oriented}
-/// for what has only one side.
-[[nodiscard]] std::vector<bool> settle_copies(PolygonSoup& soup, RepairReport& report);
+/// O(n log n). Throws Error{not_oriented} for what has only one side.
+SettledCopies settle_copies(PolygonSoup& soup);
 
 }  // namespace dupin::healing

@@ -1,6 +1,7 @@
 #include "healing/polygon_soup.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "mesh/coincident_points.h"
 #include "mesh/edge_table.h"
@@ -34,7 +35,7 @@ std::vector<std::uint32_t> faces_inside_out(const PolygonSoup& soup) {
 
 }  // namespace
 
-PolygonSoup merge_duplicate_points(const TriMesh& mesh, RepairReport& report) {
+MergedPoints merge_duplicate_points(const TriMesh& mesh) {
   const std::vector<std::uint32_t> first = mesh::coincident_representatives(mesh.points);
   PolygonSoup soup{mesh.points, mesh.triangles, {}};
   std::vector<bool> is_copy(mesh.points.size());
@@ -45,16 +46,16 @@ PolygonSoup merge_duplicate_points(const TriMesh& mesh, RepairReport& report) {
       corner = first[corner];
     }
   }
-  report.merged_points = static_cast<std::size_t>(std::count(is_copy.begin(), is_copy.end(), true));
-  return soup;
+  const auto copies = std::ranges::count(is_copy, true);
+  return {std::move(soup), static_cast<std::size_t>(copies)};
 }
 
-void turn_shells_outward(PolygonSoup& soup, std::vector<bool> is_turned, RepairReport& report) {
+std::size_t turn_shells_outward(PolygonSoup& soup, std::vector<bool> is_turned) {
   for (const std::uint32_t face : faces_inside_out(soup)) {
     turn(soup.triangles[face]);
     is_turned[face] = !is_turned[face];
   }
-  report.turned_faces = static_cast<std::size_t>(std::ranges::count(is_turned, true));
+  return static_cast<std::size_t>(std::ranges::count(is_turned, true));
 }
 
 }  // namespace dupin::healing

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "dupin/kernel/repair.h"
+#include "dupin/kernel/mesh.h"
 
 /// Solids from meshes that are none, and solids without contacts, by steps that are exact and can
 /// be said in one sentence each. repair() merges points, drops faces without area
@@ -21,12 +22,16 @@ struct PolygonSoup {
   std::vector<std::uint32_t> sources;  ///< the face of the first mesh that each triangle is from
 };
 
-/// The mesh with points of identical coordinates as one. Its points are finite and its indices in
-/// range.
-[[nodiscard]] PolygonSoup merge_duplicate_points(const TriMesh& mesh, RepairReport& report);
+/// The mesh with points of identical coordinates as one, and how many were copies of others. Its
+/// points are finite and its indices in range.
+struct MergedPoints {
+  PolygonSoup soup;
+  std::size_t copies = 0;
+};
+[[nodiscard]] MergedPoints merge_duplicate_points(const TriMesh& mesh);
 
 /// Turns shells of negative volume that an even number of others encloses. `is_turned` says of each
-/// triangle whether it has been turned already; the report counts those that end up turned.
-void turn_shells_outward(PolygonSoup& soup, std::vector<bool> is_turned, RepairReport& report);
+/// triangle whether it has been turned already; returns how many end up turned.
+std::size_t turn_shells_outward(PolygonSoup& soup, std::vector<bool> is_turned);
 
 }  // namespace dupin::healing

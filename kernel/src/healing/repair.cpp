@@ -24,8 +24,10 @@ using mesh::EdgeTable;
 
 void refuse_no_mesh(const TriMesh& mesh) {
   const Report report = check(mesh, {.limit = 1, .self_intersections = false});
-  const bool is_mesh =
-      report.count(Defect::non_finite_point) + report.count(Defect::bad_index) == 0;
+  const bool is_mesh = report.count(Defect::non_finite_point) +
+                           report.count(Defect::point_out_of_range) +
+                           report.count(Defect::bad_index) ==
+                       0;
   const auto is_name = [&](std::uint32_t label) { return label < mesh.names.size(); };
   const bool is_labelled =
       mesh.labels.empty() || (mesh.labels.size() == mesh.triangles.size() &&
@@ -94,11 +96,14 @@ Repaired repair(const TriMesh& mesh, const Progress& progress) {
     return {Solid::from(mesh), {}};
   }
   RepairReport report;
-  healing::PolygonSoup soup = healing::merge_duplicate_points(mesh, report);
-  healing::drop_degenerate_faces(soup, report);
-  std::vector<bool> is_turned = healing::settle_copies(soup, report);
+  healing::MergedPoints merged = healing::merge_duplicate_points(mesh);
+  healing::PolygonSoup& soup = merged.soup;
+  report.merged_points = merged.copies;
+  report.degenerate_faces = healing::drop_degenerate_faces(soup);
+  healing::SettledCopies settled = healing::settle_copies(soup);
+  report.duplicate_faces = settled.dropped;
   refuse_holes(soup);
-  healing::turn_shells_outward(soup, std::move(is_turned), report);
+  report.turned_faces = healing::turn_shells_outward(soup, std::move(settled.is_turned));
 
   mesh::ExactMesh surface;
   surface.points = soup.points;
