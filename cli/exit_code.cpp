@@ -20,6 +20,8 @@ ExitCode exit_code(Errc code) {
     case Errc::unroundable:
     case Errc::cancelled:
       return ExitCode::refused;
+    case Errc::internal:
+      return ExitCode::internal;
   }
   return ExitCode::internal;
 }

@@ -103,6 +103,7 @@ int run(std::span<char*> arguments) {
   add_certify(app, action);
   add_verify(app, action);
   add_convert(app, action);
+  add_repair(app, action);
   add_simplify(app, action);
   add_nurbs(app, action);
   add_edit(app, action);

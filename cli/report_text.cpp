@@ -106,7 +106,7 @@ std::string repair_text(const RepairReport& report) {
   if (report.united_overlaps) {
     add("overlaps united");
   }
-  return text;
+  return text.empty() ? "nothing to mend" : text;
 }
 
 std::string cross_check_text(const CrossCheck& check) {

@@ -20,7 +20,8 @@ TEST(ExitCode, every_error_code_has_one) {
       {Errc::infeasible_blend, ExitCode::refused}, {Errc::boolean_failed, ExitCode::refused},
       {Errc::contact, ExitCode::refused},          {Errc::unroundable, ExitCode::refused},
       {Errc::limit_exceeded, ExitCode::input},     {Errc::cancelled, ExitCode::refused},
-      {Errc::parse_failed, ExitCode::input},       {Errc::io_failed, ExitCode::input}};
+      {Errc::parse_failed, ExitCode::input},       {Errc::io_failed, ExitCode::input},
+      {Errc::internal, ExitCode::internal}};
   for (const auto& [code, expected] : table) {
     EXPECT_EQ(cli::exit_code(code), expected) << name(code);
   }

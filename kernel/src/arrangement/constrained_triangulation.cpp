@@ -1,9 +1,11 @@
 #include "arrangement/constrained_triangulation.h"
 
-#include <cassert>
 #include <cmath>
+#include <string>
 
 #include "arrangement/implicit_predicates.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -105,11 +107,38 @@ std::uint32_t ConstrainedTriangulation::next_random() {
   return random_ >> 16;
 }
 
+// What cannot happen as long as the vertices lie in the plane and in the first triangle: in every
+// build an error, so that nothing goes on with a triangulation that is none.
+void ConstrainedTriangulation::fail(Vertex v, const char* what) const {
+  std::string place = "a corner of the frame";
+  if (const PointId id = vertices_[v].id; id < kNewPoint) {
+    place = decimal(points_.approximation(id));
+  } else if (id < kFrame) {
+    const IntervalPoint& box = new_points_[id - kNewPoint].box;
+    place = decimal(Vec3(box[0].sup(), box[1].sup(), box[2].sup()));
+  }
+  throw Error(Errc::internal, std::string("internal error, please report it: ") + what +
+                                  " in the triangulation at " + place);
+}
+
+ConstrainedTriangulation::Location ConstrainedTriangulation::location_in(
+    std::uint32_t face, const std::array<int, 3>& sides) {
+  for (int k = 0; k < 3; ++k) {
+    if (sides[at(k)] == 0) {
+      const int other = sides[at(next(k))] == 0       ? next(k)
+                        : sides[at(previous(k))] == 0 ? previous(k)
+                                                      : -1;
+      return other == -1 ? Location{face, k, false} : Location{face, 3 - k - other, true};
+    }
+  }
+  return {face, -1, false};
+}
+
 // A walk that starts each step at a random edge ends in any triangulation (O. Devillers, S. Pion,
-// M. Teillaud, Walking in a triangulation, 2002).
+// M. Teillaud, Walking in a triangulation, 2002); sooner than this, or all faces are looked at.
 ConstrainedTriangulation::Location ConstrainedTriangulation::locate(Vertex p) {
   std::uint32_t face = hint_, from = kNone;
-  while (true) {
+  for (std::size_t steps = 8 * faces_.size() + 64; steps > 0; --steps) {
     const Face& f = faces_[face];
     std::array<int, 3> sides{1, 1, 1};
     std::uint32_t onward = kNone;
@@ -121,30 +150,37 @@ ConstrainedTriangulation::Location ConstrainedTriangulation::locate(Vertex p) {
       sides[at(i)] = turn(f.corners[at(next(i))], f.corners[at(previous(i))], p);
       if (sides[at(i)] < 0) {
         onward = f.neighbours[at(i)];
-        assert(onward != kNone);
+        if (onward == kNone) {
+          fail(p, "a vertex lies outside");
+        }
       }
     }
-    if (onward != kNone) {
-      from = face;
-      face = onward;
-      continue;
+    if (onward == kNone) {
+      hint_ = face;
+      return location_in(face, sides);
     }
-    hint_ = face;
-    for (int k = 0; k < 3; ++k) {
-      if (sides[at(k)] == 0) {
-        const int other = sides[at(next(k))] == 0       ? next(k)
-                          : sides[at(previous(k))] == 0 ? previous(k)
-                                                        : -1;
-        return other == -1 ? Location{face, k, false} : Location{face, 3 - k - other, true};
-      }
-    }
-    return {face, -1, false};
+    from = face;
+    face = onward;
   }
+  return search(p);
+}
+
+ConstrainedTriangulation::Location ConstrainedTriangulation::search(Vertex p) const {
+  for (std::uint32_t face = 0; face < faces_.size(); ++face) {
+    const auto& c = faces_[face].corners;
+    const std::array<int, 3> sides{turn(c[1], c[2], p), turn(c[2], c[0], p), turn(c[0], c[1], p)};
+    if (sides[0] >= 0 && sides[1] >= 0 && sides[2] >= 0) {
+      return location_in(face, sides);
+    }
+  }
+  fail(p, "a vertex lies outside");
 }
 
 void ConstrainedTriangulation::insert(Vertex p) {
   const Location at_p = locate(p);
-  assert(!at_p.at_corner);
+  if (at_p.at_corner) {
+    fail(p, "two vertices coincide");
+  }
   if (at_p.corner == -1) {
     split_face(at_p.face, p);
   } else {
@@ -241,7 +277,14 @@ void ConstrainedTriangulation::mark(std::uint32_t face, int corner, std::uint32_
 }
 
 void ConstrainedTriangulation::constrain(Vertex a, Vertex b, std::uint32_t slot) {
-  while (a != b) {
+  if (vertices_[a].face == kNone || vertices_[b].face == kNone) {
+    fail(vertices_[a].face == kNone ? a : b, "an end of a constraint is missing");
+  }
+  // Each step passes a vertex, or an edge that was there before.
+  for (std::size_t steps = 4 * faces_.size() + 64; a != b; --steps) {
+    if (steps == 0) {
+      fail(b, "a constraint does not come to its end");
+    }
     a = advance(a, b, slot);
   }
 }
@@ -274,8 +317,7 @@ ConstrainedTriangulation::Vertex ConstrainedTriangulation::advance(Vertex a, Ver
       face = f.neighbours[at(clockwise ? previous(i) : next(i))];
     } while (face != kNone && face != first);
   }
-  assert(!"the end of a constraint lies outside the triangulation");
-  return b;
+  fail(b, "the end of a constraint lies outside");
 }
 
 ConstrainedTriangulation::Vertex ConstrainedTriangulation::split_crossed_edge(std::uint32_t face,
@@ -318,6 +360,9 @@ ConstrainedTriangulation::Vertex ConstrainedTriangulation::cross(std::uint32_t f
       return advance(a, split_crossed_edge(face, corner, slot), slot);
     }
     const std::uint32_t onward = faces_[face].neighbours[at(corner)];
+    if (onward == kNone || cavity_.size() > faces_.size()) {
+      fail(b, "a constraint leaves the faces");
+    }
     const int entry = corner_facing(onward, face);
     const Vertex apex = faces_[onward].corners[at(entry)];
     const int side = apex == b ? 0 : turn(a, b, apex);
@@ -349,7 +394,9 @@ void ConstrainedTriangulation::fill_cavity(std::uint32_t slot) {
   const Vertex a = left_.front().vertex, b = left_.back().vertex;
   const int corner = 3 - corner_of(left, a) - corner_of(left, b);
   connect(left, corner, right, slot);
-  assert(spare_.empty());
+  if (!spare_.empty()) {
+    fail(a, "a constraint leaves faces over");
+  }
   for (const std::uint32_t face : cavity_) {
     in_cavity_[face] = 0;
   }
@@ -367,7 +414,9 @@ std::uint32_t ConstrainedTriangulation::fill(const std::vector<Link>& chain, boo
       if (is_left ? bend >= 0 : bend <= 0) {
         break;
       }
-      assert(!spare_.empty());
+      if (spare_.empty()) {
+        fail(v.vertex, "a constraint lacks faces");
+      }
       const std::uint32_t face = spare_.back();
       spare_.pop_back();
       if (is_left) {
@@ -386,7 +435,9 @@ std::uint32_t ConstrainedTriangulation::fill(const std::vector<Link>& chain, boo
     }
     stack_.push_back(w);
   }
-  assert(stack_.size() == 2);
+  if (stack_.size() != 2) {
+    fail(chain.front().vertex, "what a constraint crosses cannot be filled");
+  }
   return stack_.front().outer;
 }
 

@@ -15,6 +15,9 @@ namespace dupin::arrangement {
 /// A constrained triangulation of points of one plane, in projection along an axis, exact. The
 /// vertices lie in the triangle it starts from.
 ///
+/// Where these conditions do not hold, as no bug-free caller has it, insert() and constrain() throw
+/// Error{internal} with the place; no loop is without a bound.
+///
 /// Constraints carry a slot (a number that means something to the caller). Where two cross, a
 /// vertex is made.
 class ConstrainedTriangulation {
@@ -83,6 +86,9 @@ class ConstrainedTriangulation {
   [[nodiscard]] int turn(Vertex a, Vertex b, Vertex c) const;
   const mesh::ExactPoint& exact(Vertex v, mesh::ExactPoint& scratch) const;
   [[nodiscard]] Location locate(Vertex p);
+  [[nodiscard]] Location search(Vertex p) const;
+  [[nodiscard]] static Location location_in(std::uint32_t face, const std::array<int, 3>& sides);
+  [[noreturn]] void fail(Vertex v, const char* what) const;
   void split_face(std::uint32_t face, Vertex p);
   void split_edge(std::uint32_t face, int corner, Vertex p);
   void connect(std::uint32_t face, int corner, std::uint32_t neighbour, std::uint32_t slot);

@@ -1,10 +1,11 @@
 #include "arrangement/triangle_intersection.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "arrangement/implicit_predicates.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -271,8 +272,10 @@ Projection projection_of(const PointTable& points, const Triangle& support) {
       return {axis, orientation};
     }
   }
-  assert(!"a degenerate triangle");
-  return {};
+  throw Error(Errc::internal,
+              "internal error, please report it: the arrangement has a triangle "
+              "without area at " +
+                  decimal(a));
 }
 
 }  // namespace dupin::arrangement

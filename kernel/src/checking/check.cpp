@@ -4,6 +4,7 @@
 #include <span>
 
 #include "checking/inspection.h"
+#include "dupin/kernel/coordinates.h"
 #include "dupin/kernel/decimal.h"
 
 namespace dupin {
@@ -64,6 +65,8 @@ std::string_view name(Defect defect) {
   switch (defect) {
     case Defect::non_finite_point:
       return "non_finite_point";
+    case Defect::point_out_of_range:
+      return "point_out_of_range";
     case Defect::bad_index:
       return "bad_index";
     case Defect::degenerate_face:
@@ -96,6 +99,8 @@ std::string describe(const Finding& finding, const TriMesh& mesh) {
   switch (finding.defect) {
     case Defect::non_finite_point:
       return point(0) + " has coordinates that are not finite numbers: " + decimal(finding.place);
+    case Defect::point_out_of_range:
+      return point(0) + " has " + range_fault(finding.place);
     case Defect::bad_index:
       return at_faces() + " refers to " + point(0) + ", but there are only " +
              std::to_string(mesh.points.size()) + " points";

@@ -5,6 +5,7 @@
 
 #include "boxes/bounds.h"
 #include "checking/self_intersection.h"
+#include "dupin/kernel/coordinates.h"
 #include "exact/exact_numbers.h"
 #include "mesh/coincident_points.h"
 #include "mesh/edge_table.h"
@@ -66,7 +67,7 @@ class Inspector {
     check_edges(edges);
     check_vertices(fans);
     report_shells(shells, edges, fans);
-    if (all_finite_) {
+    if (are_places_known_) {
       check_places(edges);
       measure(shells);
     }
@@ -109,7 +110,10 @@ class Inspector {
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
       if (!points_[i].allFinite()) {
         add_original(Defect::non_finite_point, {}, {i}, points_[i]);
-        all_finite_ = false;
+        are_places_known_ = false;
+      } else if (!is_in_range(points_[i])) {
+        add_original(Defect::point_out_of_range, {}, {i}, points_[i]);
+        are_places_known_ = false;
       }
     }
   }
@@ -344,7 +348,7 @@ class Inspector {
   std::vector<Triangle> triangles_;         // those with three different corners
   std::vector<std::uint32_t> face_ids_;     // of triangles_ in the mesh
   std::vector<std::vector<Finding>> kept_;  // by defect
-  bool all_finite_ = true;
+  bool are_places_known_ = true;
   Inspection inspection_;
 };
 

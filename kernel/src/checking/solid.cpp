@@ -36,6 +36,8 @@ std::string remedy(Defect defect) {
   switch (defect) {
     case Defect::non_finite_point:
       return "coordinates must be finite";
+    case Defect::point_out_of_range:
+      return "use another unit of length, or write 0 for what is nearly 0";
     case Defect::bad_index:
       return "indices must be below the number of points";
     case Defect::degenerate_face:

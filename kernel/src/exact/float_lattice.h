@@ -6,14 +6,15 @@
 
 namespace dupin::exact {
 
-/// The numbers a coordinate may be rounded to: binary64 or binary32 numbers, and of those the
-/// multiples of a spacing.
+/// The numbers a coordinate may be rounded to: binary64 numbers in range (is_in_range) or binary32
+/// numbers, and of those the multiples of a spacing.
 class FloatLattice {
  public:
   /// `spacing` is a power of two, or 0 for none.
   explicit FloatLattice(Coordinates coordinates, double spacing = 0)
       : digits_(coordinates == Coordinates::binary64 ? 53 : 24),
         least_exponent_(coordinates == Coordinates::binary64 ? -1074 : -149),
+        least_number_(coordinates == Coordinates::binary64 ? -199 : -149),
         spacing_(spacing) {}
 
   /// True if every double belongs to it.
@@ -22,7 +23,7 @@ class FloatLattice {
   /// The distance to the next number of the lattice away from 0; `value` need not belong to it.
   [[nodiscard]] double step(double value) const {
     const int exponent =
-        value == 0 ? least_exponent_ : std::max(std::ilogb(value) - digits_ + 1, least_exponent_);
+        value == 0 ? least_number_ : std::max(std::ilogb(value) - digits_ + 1, least_exponent_);
     return std::max(std::ldexp(1.0, exponent), spacing_);
   }
 
@@ -31,7 +32,7 @@ class FloatLattice {
   template <class Remainder>
   [[nodiscard]] double nearest(double value, Remainder&& remainder) const {
     if (holds_doubles()) {
-      return value + 0.0;
+      return std::abs(value) < kLeastCoordinate ? 0.0 : value;
     }
     const double unit = step(value);
     const double multiple = value / unit, floor = std::floor(multiple);
@@ -45,9 +46,8 @@ class FloatLattice {
   }
   [[nodiscard]] double nearest(double value) const {
     constexpr double kFarFromOverflow = 0x1p127;  // in binary32
-    if (spacing_ == 0 && std::abs(value) < kFarFromOverflow) {
-      const auto target = digits_ == 53 ? Coordinates::binary64 : Coordinates::binary32;
-      return dupin::nearest(value, target) + 0.0;
+    if (digits_ == 24 && spacing_ == 0 && std::abs(value) < kFarFromOverflow) {
+      return dupin::nearest(value, Coordinates::binary32) + 0.0;
     }
     return nearest(value, [] { return 0; });
   }
@@ -59,7 +59,7 @@ class FloatLattice {
   [[nodiscard]] double shifted(double value, int count) const;
 
  private:
-  int digits_, least_exponent_;
+  int digits_, least_exponent_, least_number_;
   double spacing_;
 };
 

@@ -50,8 +50,8 @@ std::size_t count_welded(const gaps::MeshPair& pair) {
 }  // namespace
 
 MeshGapReport measure_gaps(const TriMesh& a, const TriMesh& b, const MeshGapOptions& options) {
-  validate(options);
   const gaps::MeshPair pair = gaps::merged(a, b);
+  validate(options);
   const gaps::FaceBoxIndex boxes(pair);
 
   MeshGapReport report;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "boxes/bounds.h"
+#include "dupin/kernel/coordinates.h"
 #include "dupin/kernel/error.h"
 #include "exact/exact_numbers.h"
 #include "mesh/coincident_points.h"
@@ -16,6 +17,10 @@ void validate(const TriMesh& mesh, const std::string& which) {
     if (!mesh.points[i].allFinite()) {
       throw Error(Errc::invalid_argument,
                   "point " + std::to_string(i) + " of the " + which + " mesh is not finite");
+    }
+    if (!is_in_range(mesh.points[i])) {
+      throw Error(Errc::invalid_argument, "point " + std::to_string(i) + " of the " + which +
+                                              " mesh has " + range_fault(mesh.points[i]));
     }
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

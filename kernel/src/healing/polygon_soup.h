@@ -1,16 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "dupin/kernel/repair.h"
+#include "dupin/kernel/mesh.h"
 
 /// Solids from meshes that are none, and solids without contacts, by steps that are exact and can
-/// be said in one sentence each. repair() merges points, drops faces without area and copies of
-/// faces, turns faces until they agree, and takes what the surface then winds around a positive
-/// number of times (arrangement::positive_winding_boundary); it moves no point and fills no hole.
-/// separate() and bridge() (contacts.cpp) cut away or add small polyhedra around contacts. Here are
-/// the steps on a soup: triangles of which nothing is known but that their indices are in range.
+/// be said in one sentence each. repair() merges points, drops faces without area
+/// (degenerate_faces.h) and copies of faces, turns faces until they agree (face_copies.h), and
+/// takes what the surface then winds around a positive number of times
+/// (arrangement::positive_winding_boundary); it moves no point and fills no hole. separate() and
+/// bridge() (contacts.cpp) cut away or add small polyhedra around contacts. Here is the soup that
+/// repair() works on: triangles of which nothing is known but that their indices are in range.
 namespace dupin::healing {
 
 /// Triangles on their way to becoming a solid.
@@ -20,22 +22,16 @@ struct PolygonSoup {
   std::vector<std::uint32_t> sources;  ///< the face of the first mesh that each triangle is from
 };
 
-/// The mesh with points of identical coordinates as one. Its points are finite and its indices in
-/// range.
-[[nodiscard]] PolygonSoup merge_duplicate_points(const TriMesh& mesh, RepairReport& report);
+/// The mesh with points of identical coordinates as one, and how many were copies of others. Its
+/// points are finite and its indices in range.
+struct MergedPoints {
+  PolygonSoup soup;
+  std::size_t copies = 0;
+};
+[[nodiscard]] MergedPoints merge_duplicate_points(const TriMesh& mesh);
 
-/// Drops triangles without area. One with three different corners goes by splitting the triangles
-/// across its longest edge at the corner between, so that no slit opens; it stays if there are
-/// none.
-void drop_degenerate_faces(PolygonSoup& soup, RepairReport& report);
-
-/// Drops copies of triangles. Of those that cover the same area both ways, one stays if the
-/// surface needs it to be closed, else none.
-void drop_duplicate_faces(PolygonSoup& soup, RepairReport& report);
-
-/// Turns triangles so that those at an edge of two run along it in opposite directions, as most of
-/// them do already, and shells that no other encloses so that their volume is positive. Throws
-/// Error{not_oriented} for a surface with one side.
-void orient_soup(PolygonSoup& soup, RepairReport& report);
+/// Turns shells of negative volume that an even number of others encloses. `is_turned` says of each
+/// triangle whether it has been turned already; returns how many end up turned.
+std::size_t turn_shells_outward(PolygonSoup& soup, std::vector<bool> is_turned);
 
 }  // namespace dupin::healing

@@ -1,12 +1,17 @@
 #include "dupin/kernel/repair.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "arrangement/arrange.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "healing/degenerate_faces.h"
+#include "healing/face_copies.h"
 #include "healing/polygon_soup.h"
 #include "mesh/edge_table.h"
 #include "mesh/exact_mesh.h"
@@ -19,8 +24,10 @@ using mesh::EdgeTable;
 
 void refuse_no_mesh(const TriMesh& mesh) {
   const Report report = check(mesh, {.limit = 1, .self_intersections = false});
-  const bool is_mesh =
-      report.count(Defect::non_finite_point) + report.count(Defect::bad_index) == 0;
+  const bool is_mesh = report.count(Defect::non_finite_point) +
+                           report.count(Defect::point_out_of_range) +
+                           report.count(Defect::bad_index) ==
+                       0;
   const auto is_name = [&](std::uint32_t label) { return label < mesh.names.size(); };
   const bool is_labelled =
       mesh.labels.empty() || (mesh.labels.size() == mesh.triangles.size() &&
@@ -30,6 +37,37 @@ void refuse_no_mesh(const TriMesh& mesh) {
   }
 }
 
+std::ptrdiff_t balance(const EdgeTable& edges, const Edge& edge) {
+  std::ptrdiff_t sum = 0;
+  for (const std::uint32_t half_edge : edge.half_edges) {
+    sum += edges.origin(half_edge) == edge.low ? 1 : -1;
+  }
+  return sum;
+}
+
+// What the faces of the mesh at an edge do wrong.
+std::string fault_at(const Edge& edge, const healing::PolygonSoup& soup) {
+  std::set<std::uint32_t> faces;
+  for (const std::uint32_t half_edge : edge.half_edges) {
+    faces.insert(soup.sources[half_edge / 3]);
+  }
+  if (faces.size() == 1) {
+    return "which only face " + std::to_string(*faces.begin()) + " has";
+  }
+  constexpr std::size_t kMost = 6;
+  std::string text = "where faces ";
+  std::size_t shown = 0;
+  for (const std::uint32_t face : faces) {
+    if (shown == kMost) {
+      text += " and " + std::to_string(faces.size() - shown) + " more";
+      break;
+    }
+    text += (shown == 0 ? "" : shown + 1 == faces.size() ? " and " : ", ") + std::to_string(face);
+    ++shown;
+  }
+  return text + " meet, and no way was found to turn and count them that closes the surface";
+}
+
 // Whether each edge is run along as often one way as the other.
 void refuse_holes(const healing::PolygonSoup& soup) {
   const EdgeTable edges(soup.triangles, soup.points.size());
@@ -37,12 +75,9 @@ void refuse_holes(const healing::PolygonSoup& soup) {
   std::string first;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Edge edge = edges[i];
-    std::ptrdiff_t balance = 0;
-    for (const std::uint32_t half_edge : edge.half_edges) {
-      balance += edges.origin(half_edge) == edge.low ? 1 : -1;
-    }
-    if (balance != 0 && open++ == 0) {
-      first = decimal(soup.points[edge.low]) + " to " + decimal(soup.points[edge.high]);
+    if (balance(edges, edge) != 0 && open++ == 0) {
+      first = decimal(soup.points[edge.low]) + " to " + decimal(soup.points[edge.high]) + ", " +
+              fault_at(edge, soup);
     }
   }
   if (open > 0) {
@@ -61,11 +96,14 @@ Repaired repair(const TriMesh& mesh, const Progress& progress) {
     return {Solid::from(mesh), {}};
   }
   RepairReport report;
-  healing::PolygonSoup soup = healing::merge_duplicate_points(mesh, report);
-  healing::drop_degenerate_faces(soup, report);
-  healing::drop_duplicate_faces(soup, report);
-  healing::orient_soup(soup, report);
+  healing::MergedPoints merged = healing::merge_duplicate_points(mesh);
+  healing::PolygonSoup& soup = merged.soup;
+  report.merged_points = merged.copies;
+  report.degenerate_faces = healing::drop_degenerate_faces(soup);
+  healing::SettledCopies settled = healing::settle_copies(soup);
+  report.duplicate_faces = settled.dropped;
   refuse_holes(soup);
+  report.turned_faces = healing::turn_shells_outward(soup, std::move(settled.is_turned));
 
   mesh::ExactMesh surface;
   surface.points = soup.points;

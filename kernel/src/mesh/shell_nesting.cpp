@@ -74,7 +74,7 @@ bool ShellNest::encloses(std::size_t outer, std::size_t inner) const {
     }
   }
   const Eigen::AlignedBox3d around = bounds_of(test_faces_[inner]);
-  bool inside = false;
+  int winding = 0;
   for (const std::uint32_t face : shells_.faces_of(outer)) {
     const Eigen::AlignedBox3d bounds = bounds_of(face);
     if (bounds.max().x() < around.min().x() || bounds.min().y() > around.max().y() ||
@@ -86,9 +86,9 @@ bool ShellNest::encloses(std::size_t outer, std::size_t inner) const {
     const TriangleAndStart triangle{
         {tripled(mesh_.points[t[0]]), tripled(mesh_.points[t[1]]), tripled(mesh_.points[t[2]])},
         point};
-    inside ^= ray_crossing(triangle, 1) != 0;
+    winding += ray_crossing(triangle, 1);
   }
-  return inside;
+  return winding != 0;
 }
 
 std::vector<int> nesting_depths(const MeshView& mesh, const Shells& shells) {

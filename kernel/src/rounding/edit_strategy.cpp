@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "dupin/kernel/coordinates.h"
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
 #include "support/sequences.h"
@@ -259,6 +260,8 @@ std::uint64_t repair_around(EditedMesh& mesh, const BrokenMesh& original,
     mesh.find_faults(inexact_faces(mesh, original, around));
     left = mend_faults(mesh, doubles, reach / lattice.step(largest) * doubles.step(largest), left);
     thicken(mesh, reach, with_neighbours(mesh, broken));
+    place_on_lattice(mesh, original, lattice);
+  } else if (!std::ranges::all_of(mesh.points(), [](const Vec3& p) { return is_in_range(p); })) {
     place_on_lattice(mesh, original, lattice);
   }
   mesh.find_faults(differing_faces(mesh, original), broken_pairs);

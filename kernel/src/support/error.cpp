@@ -49,6 +49,8 @@ std::string_view name(Errc code) {
       return "parse_failed";
     case Errc::io_failed:
       return "io_failed";
+    case Errc::internal:
+      return "internal";
   }
   return "unknown";
 }

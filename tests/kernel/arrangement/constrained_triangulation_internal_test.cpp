@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "arrangement/constrained_triangulation.h"
+#include "dupin/kernel/error.h"
 #include "exact/exact_numbers.h"
 
 namespace dupin::arrangement {
@@ -225,6 +226,46 @@ TEST(ConstrainedTriangulation, of_points_without_segments_is_nearly_delaunay) {
   }
   EXPECT_GT(legal, 200);
   EXPECT_EQ(illegal, 0);
+}
+
+// What no caller does who has no bug: the loops end nevertheless, and say where.
+TEST(ConstrainedTriangulation, broken_rules_are_internal_errors_with_their_place) {
+  PointTable points;
+  const std::array<PointId, 3> corners{points.add(Vec3(0, 0, 0)), points.add(Vec3(8, 0, 0)),
+                                       points.add(Vec3(0, 8, 0))};
+  const PointId inside = points.add(Vec3(1, 2, 0)), same = points.add(Vec3(1, 2, 0)),
+                outside = points.add(Vec3(7, 6, 0));
+  const auto message = [&](PointId second, bool is_constrained) -> std::string {
+    const UpwardRounding rounding;
+    ConstrainedTriangulation triangulation(
+        points, {[](auto, auto) { return ImplicitPoint(); }, [](auto a, auto) { return a; }});
+    triangulation.clear({2, 1});
+    std::array<Vertex, 3> frame{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      frame[i] = triangulation.add(corners[i]);
+    }
+    triangulation.start(frame[0], frame[1], frame[2]);
+    const Vertex first = triangulation.add(inside), last = triangulation.add(second);
+    triangulation.insert(first);
+    try {
+      if (is_constrained) {
+        triangulation.constrain(first, last, 0);
+      } else {
+        triangulation.insert(last);
+      }
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::internal);
+      return error.message();
+    }
+    return {};
+  };
+  const std::string start = "internal error, please report it: ";
+  EXPECT_EQ(message(outside, false),
+            start + "a vertex lies outside in the triangulation at (7, 6, 0)");
+  EXPECT_EQ(message(same, false),
+            start + "two vertices coincide in the triangulation at (1, 2, 0)");
+  EXPECT_EQ(message(outside, true),
+            start + "an end of a constraint is missing in the triangulation at (7, 6, 0)");
 }
 
 }  // namespace

@@ -46,8 +46,24 @@ TEST(Lattice, steps_from_number_to_number) {
       EXPECT_EQ(floats.shifted(start, count), static_cast<double>(up)) << start;
       EXPECT_EQ(floats.shifted(start, -count), static_cast<double>(down)) << start;
     }
-    EXPECT_EQ(doubles.shifted(start, 1), std::nextafter(static_cast<double>(start), 1e300));
-    EXPECT_EQ(doubles.shifted(start, -1), std::nextafter(static_cast<double>(start), -1e300));
+    if (start != 0) {
+      EXPECT_EQ(doubles.shifted(start, 1), std::nextafter(static_cast<double>(start), 1e300));
+      EXPECT_EQ(doubles.shifted(start, -1), std::nextafter(static_cast<double>(start), -1e300));
+    }
+  }
+}
+
+TEST(Lattice, has_no_doubles_out_of_range) {
+  const FloatLattice doubles(Coordinates::binary64);
+  for (const int way : {1, -1}) {
+    const double next = doubles.shifted(0, way);
+    EXPECT_TRUE(is_in_range(next));
+    EXPECT_FALSE(is_in_range(next / 2));
+    EXPECT_EQ(doubles.nearest(next), next);
+    for (const double tiny : {9e-61, 1e-200, 5e-324}) {
+      EXPECT_EQ(doubles.nearest(way * tiny), 0);
+      EXPECT_EQ(doubles.nearest(way * tiny, [] { return 1; }), 0);
+    }
   }
 }
 

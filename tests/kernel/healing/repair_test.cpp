@@ -54,6 +54,36 @@ TriMesh with_cap() {
   return mesh;
 }
 
+// The same with more points, bridged by a fan of faces without area.
+TriMesh with_fan(std::uint32_t pieces) {
+  TriMesh mesh = cube(0, 1024);
+  const Triangle t = mesh.triangles[0];
+  std::uint32_t last = t[0];
+  for (std::uint32_t i = 1; i < pieces; ++i) {
+    const auto next = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.emplace_back(mesh.points[t[0]] +
+                             (mesh.points[t[1]] - mesh.points[t[0]]) * i / pieces);
+    mesh.triangles.push_back({last, next, t[2]});
+    mesh.triangles.push_back({t[1], next, last});
+    last = next;
+  }
+  mesh.triangles[0] = {last, t[1], t[2]};
+  return mesh;
+}
+
+// Pyramids of different heights over the same base, whose two copies are both needed.
+TriMesh nested_over_one_base() {
+  TriMesh mesh;
+  mesh.points = {{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {1, 1, 1}, {1, 1, 2}};
+  for (const std::uint32_t apex : {3U, 4U}) {
+    mesh.triangles.push_back({0, 2, 1});
+    mesh.triangles.push_back({0, 1, apex});
+    mesh.triangles.push_back({1, 2, apex});
+    mesh.triangles.push_back({2, 0, apex});
+  }
+  return mesh;
+}
+
 struct Row {
   const char* name;
   TriMesh mesh;
@@ -72,6 +102,8 @@ std::vector<Row> rows() {
       {"points of their own", unwelded(whole), 8, 1, 1, {.merged_points = 28}},
       {"an edge twice", with_face(whole, {0, 1, 1}), 8, 1, 1, {.degenerate_faces = 1}},
       {"a cap", with_cap(), 8, 1, 1, {.degenerate_faces = 1}},
+      {"a fan", with_fan(1024), 1024 * 1024 * 1024, 1, 1, {.degenerate_faces = 1023}},
+      {"copies that are needed", nested_over_one_base(), 12, 1, 1, {.united_overlaps = true}},
       {"a face twice", with_face(whole, first), 8, 1, 1, {.duplicate_faces = 1}},
       {"a face and its back", with_face(whole, turned), 8, 1, 1, {.duplicate_faces = 1}},
       {"all twice", joined({whole, whole}), 8, 1, 1, {.merged_points = 8, .duplicate_faces = 12}},

@@ -12,6 +12,7 @@ namespace dupin {
 
 enum class Defect {
   non_finite_point,
+  point_out_of_range,  ///< finite, but not is_in_range() (dupin/kernel/coordinates.h)
   bad_index,
   degenerate_face,  ///< repeated index or zero area, exactly
   duplicate_face,   ///< faces whose corners have the same three places, in any order

@@ -23,6 +23,7 @@ enum class Errc {
   cancelled,       ///< the caller's progress callback asked to stop
   parse_failed,    ///< input text or bytes that are not what the format demands
   io_failed,       ///< the operating system refused to read or write
+  internal,        ///< a bug of ours
 };
 
 /// The enumerator's name, e.g. "not_closed".

@@ -60,7 +60,7 @@ struct MeshGapOptions {
 /// so are pieces inside the material of the other mesh (asked only if neither has a boundary).
 ///
 /// O(n log n) if every face has O(1) others within `connect`. Throws Error{invalid_argument} for
-/// points that are not finite, indices out of range, and options out of range.
+/// points that are not finite or out of range, indices out of range, and options out of range.
 [[nodiscard]] MeshGapReport measure_gaps(const TriMesh& a, const TriMesh& b,
                                          const MeshGapOptions& options = {});
 

@@ -29,9 +29,9 @@ struct Repaired {
 /// together with, and shells inside out that no other one is around; keeps the places that the
 /// surface then winds around a positive number of times. Sources name the faces of `mesh`.
 ///
-/// Holes are never filled. Throws Error{invalid_argument} for what is no mesh (non-finite points,
-/// bad indices or labels), Error{not_closed | not_oriented} where more would have to be guessed,
-/// and what unite() throws.
+/// Holes are never filled. Throws Error{invalid_argument} for what is no mesh (points that
+/// are not finite or out of range, bad indices or labels), Error{not_closed | not_oriented} where
+/// more would have to be guessed, and what unite() throws.
 [[nodiscard]] Repaired repair(const TriMesh& mesh, const Progress& progress = {});
 
 }  // namespace dupin

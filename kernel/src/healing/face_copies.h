@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "healing/polygon_soup.h"
+
+namespace dupin::healing {
+
+struct SettledCopies {
+  std::size_t dropped = 0;
+  std::vector<bool> is_turned;  ///< of each triangle left
+};
+
+/// Decides how often each triangle counts, and which way round, so that the surface is closed:
+/// drops copies that are too many and turns triangles.
+///
+/// Copies are triangles of the same corners. Where the triangles as they are run along each edge as
+/// often one way as the other, so they stay: copies of opposite orientation cancel, others stay as
+/// often as the surface has them; but where all of what hangs together is there several times, once
+/// is enough. Elsewhere a triangle counts at most as often as it is there, and at least once unless
+/// there are copies that may cancel: both ways, or away from edges that no other triangle has; what
+/// hangs together by edges of two different triangles has one orientation, that of most of it, and
+/// one count; and edges of more settle the rest, the largest such parts first. Where that leaves an
+/// opening, counts of single triangles are changed as long as that makes it smaller. If none of it
+/// closes the surface, it stays open.
+///
+/// O(n log n). Throws Error{not_oriented} for what has only one side.
+SettledCopies settle_copies(PolygonSoup& soup);
+
+}  // namespace dupin::healing

@@ -1,0 +1,368 @@
+#include "healing/patch_counts.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <numeric>
+#include <optional>
+
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
+#include "healing/count_descent.h"
+#include "mesh/edge_table.h"
+#include "support/none.h"
+
+namespace dupin::healing {
+namespace {
+
+using support::kNone;
+
+// +1 if a half-edge runs from the lower point to the upper one.
+int way(const mesh::EdgeTable& edges, std::uint32_t half_edge) {
+  return edges.origin(half_edge) < edges.target(half_edge) ? 1 : -1;
+}
+
+bool is_balanced(const mesh::EdgeTable& edges, std::size_t edge, std::span<const int> counts) {
+  std::int64_t sum = 0;
+  for (const std::uint32_t half_edge : edges[edge].half_edges) {
+    sum += std::int64_t{way(edges, half_edge)} * counts[half_edge / 3];
+  }
+  return sum == 0;
+}
+
+// Per shell.
+std::vector<std::uint8_t> open_shells(const mesh::EdgeTable& edges, const mesh::Shells& shells,
+                                      std::span<const int> counts) {
+  std::vector<std::uint8_t> is_open(shells.count, 0);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (!is_balanced(edges, i, counts)) {
+      is_open[shells.of_face[edges[i].half_edges[0] / 3]] = 1;
+    }
+  }
+  return is_open;
+}
+
+/// Triangles that hang together by edges of two: they have one count, but for its sign.
+struct Patch {
+  std::uint32_t first = 0;  ///< triangle
+  std::size_t size = 0;
+  int least = 0, most = 0;    ///< of the count's size
+  std::int64_t majority = 0;  ///< of triangles as they are, relative to the first one
+  bool is_one_sided = false;
+};
+
+struct Patches {
+  std::vector<std::uint32_t> of_triangle;
+  std::vector<int> sign;  ///< of a triangle relative to its patch's first
+  std::vector<Patch> patches;
+};
+
+// Those of triangles that are `wanted`; all at an edge are, or none.
+class PatchFinder {
+ public:
+  PatchFinder(const mesh::EdgeTable& edges, std::span<const CountRange> ranges)
+      : ranges_(ranges), links_(ranges.size(), {kNone, kNone, kNone}), agrees_(ranges.size()) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const auto along = edges[i].half_edges;
+      if (along.size() == 2) {
+        const std::uint32_t a = along[0], b = along[1];
+        const bool agrees = way(edges, a) != way(edges, b);
+        links_[a / 3][a % 3] = b / 3;
+        links_[b / 3][b % 3] = a / 3;
+        agrees_[a / 3][a % 3] = agrees_[b / 3][b % 3] = agrees ? 1 : -1;
+      }
+    }
+  }
+
+  Patches find(std::span<const std::uint8_t> wanted) {
+    found_ = {std::vector(ranges_.size(), kNone), std::vector<int>(ranges_.size(), 1), {}};
+    for (std::uint32_t first = 0; first < ranges_.size(); ++first) {
+      if (wanted[first] && found_.of_triangle[first] == kNone) {
+        grow(first);
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void grow(std::uint32_t first) {
+    const auto number = static_cast<std::uint32_t>(found_.patches.size());
+    Patch patch{.first = first, .most = ranges_[first].most};
+    found_.of_triangle[first] = number;
+    std::vector<std::uint32_t> queue{first};
+    for (std::size_t q = 0; q < queue.size(); ++q) {
+      const std::uint32_t t = queue[q];
+      include(t, patch);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = links_[t][k];
+        if (other == kNone) {
+          continue;
+        }
+        const int sign = found_.sign[t] * agrees_[t][k];
+        if (found_.of_triangle[other] == kNone) {
+          found_.of_triangle[other] = number;
+          found_.sign[other] = sign;
+          queue.push_back(other);
+        } else {
+          patch.is_one_sided |= found_.sign[other] != sign;
+        }
+      }
+    }
+    found_.patches.push_back(patch);
+  }
+
+  void include(std::uint32_t t, Patch& patch) const {
+    const auto [given, least, most] = ranges_[t];
+    ++patch.size;
+    patch.least = std::max(patch.least, least);
+    patch.most = std::min(patch.most, most);
+    patch.majority += std::int64_t{found_.sign[t]} * given;
+  }
+
+  std::span<const CountRange> ranges_;
+  std::vector<std::array<std::uint32_t, 3>> links_;
+  std::vector<std::array<int, 3>> agrees_;
+  Patches found_;
+};
+
+/// What the patches at an edge add up to: zero.
+struct Equation {
+  struct Term {
+    std::uint32_t patch;
+    int factor;
+  };
+  std::vector<Term> terms;
+};
+
+std::vector<Equation> find_equations(const mesh::EdgeTable& edges, const Patches& patches) {
+  std::vector<Equation> equations;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto along = edges[i].half_edges;
+    if (along.size() == 2 || patches.of_triangle[along[0] / 3] == kNone) {
+      continue;
+    }
+    std::vector<Equation::Term> terms;
+    for (const std::uint32_t half_edge : along) {
+      terms.push_back({patches.of_triangle[half_edge / 3],
+                       way(edges, half_edge) * patches.sign[half_edge / 3]});
+    }
+    std::ranges::sort(terms, {}, &Equation::Term::patch);
+    Equation equation;
+    for (const Equation::Term& term : terms) {
+      if (!equation.terms.empty() && equation.terms.back().patch == term.patch) {
+        equation.terms.back().factor += term.factor;
+      } else {
+        equation.terms.push_back(term);
+      }
+    }
+    std::erase_if(equation.terms, [](const Equation::Term& term) { return term.factor == 0; });
+    if (!equation.terms.empty()) {
+      equations.push_back(std::move(equation));
+    }
+  }
+  return equations;
+}
+
+/// Gives each patch a count, such that the equations hold if that is found.
+class Solver {
+ public:
+  Solver(std::span<const Patch> patches, std::span<const Equation> equations)
+      : patches_(patches), equations_(equations), equations_of_(patches.size()) {
+    for (std::uint32_t e = 0; e < equations.size(); ++e) {
+      for (const Equation::Term& term : equations[e].terms) {
+        equations_of_[term.patch].push_back(e);
+      }
+    }
+  }
+
+  /// With `trusting`, patches that are there once keep the orientation of most of their triangles,
+  /// whatever the larger ones say.
+  std::vector<int> solve(bool trusting) {
+    counts_.assign(patches_.size(), std::nullopt);
+    open_.clear();
+    for (const Equation& equation : equations_) {
+      open_.push_back(equation.terms.size());
+    }
+    const std::vector<std::uint32_t> order = by_certainty();
+    if (trusting) {
+      for (const std::uint32_t patch : order) {
+        if (is_settled(patches_[patch])) {
+          decide(patch, preferred(patches_[patch]));
+        }
+      }
+    }
+    for (std::uint32_t e = 0; e < equations_.size(); ++e) {
+      follow(e);
+    }
+    propagate();
+    for (const std::uint32_t patch : order) {
+      if (!counts_[patch]) {
+        decide(patch, preferred(patches_[patch]));
+        propagate();
+      }
+    }
+    std::vector<int> counts;
+    counts.reserve(counts_.size());
+    for (const std::optional<int>& count : counts_) {
+      counts.push_back(*count);
+    }
+    return counts;
+  }
+
+ private:
+  static bool is_settled(const Patch& patch) { return patch.least == patch.most; }
+
+  static int preferred(const Patch& patch) {
+    return patch.is_one_sided || patch.majority == 0 ? (patch.least == 0 ? 0 : 1)
+           : patch.majority > 0                      ? 1
+                                                     : -1;
+  }
+
+  // Patches of one possible count before others, the large before the small.
+  [[nodiscard]] std::vector<std::uint32_t> by_certainty() const {
+    std::vector<std::uint32_t> order(patches_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, [this](std::uint32_t a, std::uint32_t b) {
+      const Patch &p = patches_[a], &q = patches_[b];
+      return is_settled(p) != is_settled(q) ? is_settled(p) : p.size > q.size;
+    });
+    return order;
+  }
+
+  void decide(std::uint32_t patch, int count) {
+    counts_[patch] = count;
+    for (const std::uint32_t e : equations_of_[patch]) {
+      --open_[e];
+      follow(e);
+    }
+  }
+
+  void follow(std::uint32_t e) {
+    if (open_[e] == 1) {
+      queue_.push_back(e);
+    }
+  }
+
+  void propagate() {
+    while (!queue_.empty()) {
+      const std::uint32_t e = queue_.back();
+      queue_.pop_back();
+      if (open_[e] != 1) {
+        continue;
+      }
+      std::int64_t sum = 0;
+      Equation::Term last{};
+      for (const Equation::Term& term : equations_[e].terms) {
+        if (counts_[term.patch]) {
+          sum += std::int64_t{term.factor} * *counts_[term.patch];
+        } else {
+          last = term;
+        }
+      }
+      const Patch& patch = patches_[last.patch];
+      const std::int64_t size = std::abs(sum / last.factor);
+      const bool is_zero_needed = patch.is_one_sided && sum != 0;
+      if (sum % last.factor == 0 && size >= patch.least && size <= patch.most && !is_zero_needed) {
+        decide(last.patch, static_cast<int>(-sum / last.factor));
+      }
+    }
+  }
+
+  std::span<const Patch> patches_;
+  std::span<const Equation> equations_;
+  std::vector<std::vector<std::uint32_t>> equations_of_;
+  std::vector<std::optional<int>> counts_;
+  std::vector<std::size_t> open_;  // terms of each equation that are not decided
+  std::vector<std::uint32_t> queue_;
+};
+
+void refuse_one_sided(std::span<const Patch> patches, std::span<const Vec3> points,
+                      std::span<const Triangle> triangles) {
+  for (const Patch& patch : patches) {
+    if (patch.is_one_sided && patch.least > 0) {
+      throw Error(Errc::not_oriented,
+                  "the mesh cannot be repaired: its surface has only one side, near " +
+                      decimal(points[triangles[patch.first][0]]));
+    }
+  }
+}
+
+// Copies may cancel, if need be turned; but what ends at an edge may only where they do as they
+// are.
+std::vector<CountRange> ranges_of(std::span<const CopyNumbers> numbers,
+                                  const mesh::EdgeTable& edges) {
+  std::vector<CountRange> ranges;
+  ranges.reserve(numbers.size());
+  for (const auto& [even, odd] : numbers) {
+    ranges.push_back({even - odd, even + odd > 1 ? 0 : 1, even + odd});
+  }
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (const auto along = edges[i].half_edges; along.size() == 1) {
+      const auto [even, odd] = numbers[along[0] / 3];
+      ranges[along[0] / 3].least = even > 0 && odd > 0 ? 0 : 1;
+    }
+  }
+  return ranges;
+}
+
+// Divides the counts of each shell by what they have in common.
+void drop_common_factors(const mesh::Shells& shells, std::vector<int>& counts) {
+  for (std::size_t shell = 0; shell < shells.count; ++shell) {
+    int common = 0;
+    for (const std::uint32_t t : shells.faces_of(shell)) {
+      common = std::gcd(common, counts[t]);
+    }
+    for (const std::uint32_t t : shells.faces_of(shell)) {
+      counts[t] = common == 0 ? 0 : counts[t] / common;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<int> closing_counts(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                                std::span<const CopyNumbers> numbers) {
+  const mesh::EdgeTable edges(triangles, points.size());
+  const mesh::Shells shells = mesh::shells(triangles.size(), edges);
+  std::vector<int> counts;
+  counts.reserve(numbers.size());
+  const std::vector<CountRange> ranges = ranges_of(numbers, edges);
+  for (const CountRange& range : ranges) {
+    counts.push_back(range.given);
+  }
+  std::vector<std::uint8_t> is_open = open_shells(edges, shells, counts);
+  const auto is_any_open = [&] { return std::ranges::find(is_open, 1) != is_open.end(); };
+  if (is_any_open()) {
+    std::vector<std::uint8_t> wanted;
+    wanted.reserve(triangles.size());
+    for (const std::uint32_t shell : shells.of_face) {
+      wanted.push_back(is_open[shell]);
+    }
+    const Patches patches = PatchFinder(edges, ranges).find(wanted);
+    refuse_one_sided(patches.patches, points, triangles);
+    const std::vector<Equation> equations = find_equations(edges, patches);
+    Solver solver(patches.patches, equations);
+    for (const bool trusting : {true, false}) {
+      const std::vector<int> solution = solver.solve(trusting);
+      for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (is_open[shells.of_face[t]]) {
+          counts[t] = patches.sign[t] * solution[patches.of_triangle[t]];
+        }
+      }
+      is_open = open_shells(edges, shells, counts);
+    }
+  }
+  if (is_any_open()) {
+    const std::vector<int> descended = descended_counts(edges, ranges);
+    const std::vector<std::uint8_t> stays_open = open_shells(edges, shells, descended);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const std::uint32_t shell = shells.of_face[t];
+      counts[t] = is_open[shell] && !stays_open[shell] ? descended[t] : counts[t];
+    }
+  }
+  drop_common_factors(shells, counts);
+  return counts;
+}
+
+}  // namespace dupin::healing
