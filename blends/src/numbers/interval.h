@@ -97,10 +97,14 @@ inline Interval operator*(const Interval& a, const Interval& b) {
   return around(a.lower * b.lower, a.lower * b.upper, a.upper * b.lower, a.upper * b.upper);
 }
 
-/// The whole line for a divisor that may be 0.
+/// By the numbers of a divisor that are not 0; the whole line where 0 is inside it, or all of it.
 inline Interval operator/(const Interval& a, const Interval& b) {
-  return b.lower > 0 || b.upper < 0
-             ? around(a.lower / b.lower, a.lower / b.upper, a.upper / b.lower, a.upper / b.upper)
+  if (b.lower < 0 && b.upper <= 0) {
+    return -(a / -b);
+  }
+  const double least = b.lower + 0.0;  // -0 would have the other sign of infinity
+  return least >= 0 && b.upper > 0
+             ? around(a.lower / least, a.lower / b.upper, a.upper / least, a.upper / b.upper)
              : Interval::whole();
 }
 

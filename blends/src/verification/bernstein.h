@@ -29,9 +29,15 @@ inline std::size_t words(const Polynomial& p) {
   }
   return most;
 }
-template <class Number>
-std::size_t words(const std::vector<Number>&) {
-  return 0;
+
+// Every multiplication is followed by a greatest common divisor, as dear as itself.
+inline std::uint64_t work_of_part(const Polynomial& p) {
+  const std::size_t n = p.size(), size = words(p);
+  return n * n * n * (1 + size * size / 16) / 4 + 1;
+}
+template <class Interval>
+std::uint64_t work_of_part(const std::vector<Interval>& p) {
+  return p.size() * p.size() * p.size() / 128 + 1;
 }
 
 inline Polynomial product(const Polynomial& a, const Polynomial& b) {
@@ -73,8 +79,7 @@ inline Polynomial derivative(const Polynomial& p) {
 /// On the part [from, to] of the stretch [0, 1]; for rational numbers or intervals.
 template <class Number>
 std::vector<Number> part(const std::vector<Number>& p, const Number& from, const Number& to) {
-  const std::size_t n = p.size(), size = words(p);
-  spend(n * n * n * (1 + size * size / 16) / 4 + 1);
+  spend(work_of_part(p));
   std::vector<Number> result;
   for (std::size_t upper = 0; upper < p.size(); ++upper) {
     std::vector<Number> row = p;

@@ -95,7 +95,7 @@ struct CertificateLimits {
   static constexpr std::uint32_t segments = 1'000'000;  ///< the most that a tessellation has
   /// Work of the checker in units of about a microsecond: so much for any certificate, and so much
   /// more for every number in its shapes and claims.
-  static constexpr std::uint64_t work = 3'000'000, work_per_number = 16;
+  static constexpr std::uint64_t work = 3'000'000, work_per_number = 12;
 };
 
 /// The parts that a certificate of the assembly is about. Throws as `resolve`.
