@@ -116,9 +116,11 @@ ExitCode run_verify(const std::string& file, const std::string& document,
                     const CommonOptions& common) {
   refuse_tolerance("verify", common);
   const Input input = read_input(file);
-  const Certificate certificate = parse_certificate(input.bytes, input.name);
-  if (!document.empty() && sha256(read_input(document).bytes) != certificate.document_sha256) {
-    throw Error(Errc::invalid_argument, "the certificate is not about this document", {}, document);
+  Certificate certificate = parse_certificate(input.bytes, input.name);
+  if (!document.empty()) {
+    const Input about = read_input(document);
+    require_about(certificate, about.bytes, about.name);
+    certificate.document = about.name;
   }
   verify(certificate);
   print_summary(std::cout, certificate, common);

@@ -6,12 +6,12 @@
 #include <string>
 
 #include "assembly/welded_runs.h"
+#include "certification/checked_claims.h"
 #include "certification/prove_regular.h"
 #include "certification/swept_disc_pairs.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "surfaces/surface_piece.h"
-#include "verification/claims.h"
 
 namespace dupin {
 namespace {
@@ -27,6 +27,14 @@ std::vector<certification::JoinedEnds> joints(const CertifiedPart& part, std::ui
   return result;
 }
 
+std::vector<CertifiedPart> parts_of(const ResolvedAssembly& resolved) {
+  std::vector<CertifiedPart> result;
+  for (const ResolvedPart& part : resolved.parts) {
+    result.push_back({part.name, part.kind, part.shape, part.joined});
+  }
+  return result;
+}
+
 class Certifier {
  public:
   Certifier(const Assembly& assembly, const CertifyOptions& options)
@@ -36,10 +44,11 @@ class Certifier {
     result_.document = assembly_.source;
     result_.unit = assembly_.unit;
     result_.tolerance = assembly_.tolerance;
-    for (const ResolvedPart& part : resolved_.parts) {
-      result_.parts.push_back({part.name, part.kind, part.shape, part.joined});
+    result_.parts = parts_of(resolved_);
+    for (const CertifiedPart& part : result_.parts) {
       sweeps_.push_back(
           std::visit([](const auto& s) { return certification::SweptDiscs(s); }, part.shape));
+      checker_.read(part);
       result_.claims.push_back(
           std::visit([&](const auto& s) { return claims(s, sweeps_.back()); }, part.shape));
     }
@@ -51,39 +60,28 @@ class Certifier {
  private:
   static PartClaims claims(const Sphere&, const certification::SweptDiscs&) { return {}; }
 
-  [[nodiscard]] PartClaims claims(const Chain& chain,
-                                  const certification::SweptDiscs& sweep) const {
+  [[nodiscard]] PartClaims claims(const Chain& chain, const certification::SweptDiscs& sweep) {
     PartClaims result;
     result.regular.emplace();
     result.embedded.emplace();
     if (sweep.length() == 0) {
       return result;
     }
-    result.regular = certification::prove_regular(chain, options_.margin);
+    result.regular = checker_.agreed(certification::prove_regular(chain, options_.margin));
     if (result.regular->verdict == Verdict::proved) {
-      result.embedded =
-          certification::prove_embedded(sweep, result.regular->margin, options_.boxes);
+      result.embedded = checker_.agreed(
+          certification::prove_embedded(sweep, result.regular->margin, options_.boxes),
+          *result.regular);
     }
-    for (const Piece& piece : chain.pieces) {
+    for (std::size_t i = 0; i < chain.pieces.size(); ++i) {
       for (const auto end : {End::start, End::end}) {
-        result.tangency.push_back(
-            std::visit([=](const auto& p) { return surfaces::tangency_claim(p, end); }, piece));
+        result.tangency.push_back(checker_.agreed(
+            std::visit([=](const auto& p) { return surfaces::tangency_claim(p, end); },
+                       chain.pieces[i]),
+            i, end, assembly_.tolerance));
       }
     }
     return result;
-  }
-
-  // The checker bounds errors in another way: more than was proven is claimed, so that it follows.
-  static std::optional<MeshClaim> checkable(const CertifiedPart& part, MeshClaim claim) {
-    const verification::Solid solid(part);
-    const double proven = claim.error_bound;
-    for (const double room : {0x1p-20, 0x1p-6, 0x1p-4, 0x1p-2, 1.0}) {
-      claim.error_bound = proven * (1 + room);
-      if (verification::follows(solid, claim)) {
-        return claim;
-      }
-    }
-    return std::nullopt;
   }
 
   void append_meshes() {
@@ -95,9 +93,8 @@ class Certifier {
         Tessellation mesh = assembly::tessellated(assembly_, resolved_.parts[part], sampling);
         const bool is_sphere = std::holds_alternative<Sphere>(result_.parts[part].shape);
         if (is_sphere || !mesh.knots.empty()) {
-          result_.claims[part].mesh =
-              checkable(result_.parts[part],
-                        {sampling.segments, grid, std::move(mesh.knots), mesh.error_bound});
+          result_.claims[part].mesh = checker_.agreed(
+              {sampling.segments, grid, std::move(mesh.knots), mesh.error_bound}, part);
         }
       }
     }
@@ -109,7 +106,7 @@ class Certifier {
         ClearanceClaim claim = clearance(i, j);
         claim.first = i;
         claim.second = j;
-        result_.clearances.push_back(std::move(claim));
+        result_.clearances.push_back(checker_.agreed(std::move(claim), result_.parts));
       }
     }
   }
@@ -127,6 +124,7 @@ class Certifier {
   const CertifyOptions& options_;
   ResolvedAssembly resolved_;
   std::vector<certification::SweptDiscs> sweeps_;
+  certification::CheckedClaims checker_;
   Certificate result_;
 };
 
@@ -147,6 +145,10 @@ std::size_t Certificate::findings() const {
 
 bool Certificate::joined(const ClearanceClaim& claim) const {
   return !joints(parts[claim.first], claim.second).empty();
+}
+
+std::vector<CertifiedPart> certified_parts(const Assembly& assembly) {
+  return parts_of(resolve(assembly));
 }
 
 Certificate certify(const Assembly& assembly, const CertifyOptions& options) {

@@ -35,33 +35,75 @@ bool crosses(const SweptDiscs& sweep, const ParameterInterval& t, const Vec3& po
              });
 }
 
-// The stretches in which the planes of discs are thought to pass the point, made short.
-std::vector<ParameterInterval> crossings(const SweptDiscs& sweep, const Vec3& point) {
-  constexpr int kStretches = 64, kHalvings = 12;
-  if (sweep.over({0, 1}).tangents.empty()) {
-    return {{0, 1}};
-  }
-  std::vector<ParameterInterval> result;
-  for (const ParameterInterval& piece : sweep.stretches()) {
-    const auto height_at = [&](double t) { return height(sweep.over({t, t}), point); };
-    double before = height_at(piece.from);
-    for (int i = 0; i < kStretches; ++i) {
-      ParameterInterval t{piece.from + double(i) / kStretches,
-                          piece.from + double(i + 1) / kStretches};
-      const double after = height_at(t.to);
-      if (before > 0 && after <= 0) {
-        for (int k = 0; k < kHalvings; ++k) {
-          const auto [left, right] = halves(t);
-          t = height_at(left.to) <= 0 ? left : right;
-        }
-        result.push_back(
-            {std::max(piece.from, t.from - size(t)), std::min(piece.to, t.to + size(t))});
+// Where the planes of a sweep's discs are thought to pass a point. Discs and boxes about stretches
+// are computed once: many points are asked about, and near each there are few stretches.
+class Crossings {
+ public:
+  explicit Crossings(const SweptDiscs& sweep) : sweep_(sweep) {
+    if (sweep.over({0, 1}).tangents.empty()) {
+      return;  // a ball
+    }
+    for (const ParameterInterval& piece : sweep.stretches()) {
+      DiscHull first = sweep.over({piece.from, piece.from});
+      for (int i = 0; i < kStretches; ++i) {
+        const ParameterInterval t{piece.from + double(i) / kStretches,
+                                  piece.from + double(i + 1) / kStretches};
+        DiscHull last = sweep.over({t.to, t.to});
+        stretches_.push_back({piece, t, reach(sweep.over(t)), first, last});
+        first = std::move(last);
       }
-      before = after;
     }
   }
-  return result;
-}
+
+  // The stretches, made short.
+  [[nodiscard]] std::vector<ParameterInterval> at(const Vec3& point) const {
+    if (stretches_.empty()) {
+      return {{0, 1}};
+    }
+    std::vector<ParameterInterval> result;
+    for (const Stretch& stretch : stretches_) {
+      if (stretch.reach.contains(point) && height(stretch.first, point) > 0 &&
+          height(stretch.last, point) <= 0) {
+        result.push_back(shortened(stretch, point));
+      }
+    }
+    return result;
+  }
+
+ private:
+  static constexpr int kStretches = 64, kHalvings = 12;
+
+  struct Stretch {
+    ParameterInterval piece, t;
+    Eigen::AlignedBox3d reach;
+    DiscHull first, last;
+  };
+
+  static Eigen::AlignedBox3d reach(const DiscHull& hull) {
+    Eigen::AlignedBox3d box;
+    for (const numbers::IntervalVec& c : hull.centers) {
+      box.extend(Vec3(c[0].lower, c[1].lower, c[2].lower));
+      box.extend(Vec3(c[0].upper, c[1].upper, c[2].upper));
+    }
+    // No point of a disc is outside, whatever rounding does.
+    const double radius = hull.radius.upper + box.diagonal().norm() + 0x1p-40 * box.center().norm();
+    const Vec3 around = Vec3::Constant(radius);
+    return {Vec3(box.min() - around), Vec3(box.max() + around)};
+  }
+
+  [[nodiscard]] ParameterInterval shortened(const Stretch& stretch, const Vec3& point) const {
+    ParameterInterval t = stretch.t;
+    for (int k = 0; k < kHalvings; ++k) {
+      const auto [left, right] = halves(t);
+      t = height(sweep_.over({left.to, left.to}), point) <= 0 ? left : right;
+    }
+    return {std::max(stretch.piece.from, t.from - size(t)),
+            std::min(stretch.piece.to, t.to + size(t))};
+  }
+
+  const SweptDiscs& sweep_;
+  std::vector<Stretch> stretches_;
+};
 
 // Points of some discs, tried on all others.
 std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b, bool same) {
@@ -69,6 +111,7 @@ std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b, bool sa
   if (!a.full() || !b.full()) {
     return std::nullopt;
   }
+  const Crossings crossings(b);
   for (int i = 0; i < kDiscs * int(a.length()); ++i) {
     const double t = (i + 0.5) / kDiscs;
     const ParameterInterval around{t - 0x1p-16, t + 0x1p-16};
@@ -83,7 +126,7 @@ std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b, bool sa
       if (!crosses(a, around, point)) {
         continue;
       }
-      for (const ParameterInterval& other : crossings(b, point)) {
+      for (const ParameterInterval& other : crossings.at(point)) {
         const bool own = same && other.from <= around.to && around.from <= other.to;
         if (!own && crosses(b, other, point)) {
           return Overlap{point, around, other};

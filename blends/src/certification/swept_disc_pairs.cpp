@@ -30,10 +30,19 @@ Box box(const SweptDiscs& a, const SweptDiscs& b, const ParameterInterval& s,
   return result;
 }
 
-std::vector<Box> split(const SweptDiscs& a, const SweptDiscs& b, const Box& whole) {
+// Whether it is the first stretch that would be halved: a ball has none.
+bool splits_first(const Box& whole) {
   const bool has_b = !whole.second_hull.tangents.empty();
   const bool has_a = !whole.first_hull.tangents.empty();
-  if (has_a && (!has_b || whole.first_hull.extent() >= whole.second_hull.extent())) {
+  return has_a && (!has_b || whole.first_hull.extent() >= whole.second_hull.extent());
+}
+
+bool is_shortest(const Box& whole) {
+  return size(splits_first(whole) ? whole.first : whole.second) < kShortest;
+}
+
+std::vector<Box> split(const SweptDiscs& a, const SweptDiscs& b, const Box& whole) {
+  if (splits_first(whole)) {
     const auto [left, right] = halves(whole.first);
     return {box(a, b, left, whole.second), box(a, b, right, whole.second)};
   }
@@ -112,7 +121,7 @@ std::optional<std::vector<DiscPairs>> leaves_of(const SweptDiscs& first, const S
       leaves.push_back({pair.first, pair.second, {}});
       continue;
     }
-    if (looked_at >= boxes || std::max(size(pair.first), size(pair.second)) < kShortest) {
+    if (looked_at >= boxes || std::min(size(pair.first), size(pair.second)) < kShortest) {
       return std::nullopt;
     }
     const auto [left, right] = halves(pair.first);
@@ -227,7 +236,7 @@ ClearanceClaim prove_clearance(const SweptDiscs& first, const SweptDiscs& second
     if (front.apart.distance > 0 && front.apart.distance >= kEnough * occurs) {
       break;
     }
-    if (looked_at >= boxes || std::max(size(front.first), size(front.second)) < kShortest) {
+    if (looked_at >= boxes || is_shortest(front)) {
       break;
     }
     // Overlapping parts never come apart; look for a common point before much work is done.

@@ -23,12 +23,31 @@ namespace dupin::numbers {
 
 /// A closed interval of reals, ends rounded outwards after every operation: whatever real numbers
 /// the operands stand for, the result holds the operation's exact value.
+///
+/// It is total: infinite ends stand for no bound, and what has no result, or no order of its ends,
+/// is the whole line. No operation makes a NaN, so that a comparison with an end never passes, or
+/// is passed over, because of one: `lower` is never +infinity, and `upper` never -infinity.
 struct Interval {
   double lower = 0, upper = 0;
 
   Interval() = default;
-  Interval(double value) : lower(value), upper(value) {}  // numbers are intervals
-  Interval(double low, double high) : lower(low), upper(high) {}
+  Interval(double value) : Interval(value, value) {}  // numbers are intervals
+  Interval(double low, double high) : lower(low), upper(high) {
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    if (!(low <= high)) {
+      *this = whole();
+    } else if (low > kLargest) {
+      lower = kLargest;
+    } else if (high < -kLargest) {
+      upper = -kLargest;
+    }
+  }
+
+  /// All reals.
+  [[nodiscard]] static Interval whole() {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {-kInfinity, kInfinity};
+  }
 
   /// The largest absolute value in it.
   [[nodiscard]] double magnitude() const { return std::max(std::abs(lower), std::abs(upper)); }
@@ -65,17 +84,38 @@ inline Interval operator+(const Interval& a, const Interval& b) {
 
 inline Interval operator-(const Interval& a, const Interval& b) { return a + -b; }
 
-inline Interval operator*(const Interval& a, const Interval& b) {
-  const auto [low, high] =
-      std::minmax({a.lower * b.lower, a.lower * b.upper, a.upper * b.lower, a.upper * b.upper});
-  return outward(low, high);
+/// What holds four numbers; the whole line if one of them is none, as 0 times infinity is.
+inline Interval around(double a, double b, double c, double d) {
+  if (std::isnan(a) || std::isnan(b) || std::isnan(c) || std::isnan(d)) {
+    return Interval::whole();
+  }
+  return outward(std::min(std::min(a, b), std::min(c, d)),
+                 std::max(std::max(a, b), std::max(c, d)));
 }
 
-/// Requires b > 0.
+inline Interval operator*(const Interval& a, const Interval& b) {
+  return around(a.lower * b.lower, a.lower * b.upper, a.upper * b.lower, a.upper * b.upper);
+}
+
+/// By the numbers of a divisor that are not 0; the whole line where 0 is inside it, or all of it.
 inline Interval operator/(const Interval& a, const Interval& b) {
-  const auto [low, high] =
-      std::minmax({a.lower / b.lower, a.lower / b.upper, a.upper / b.lower, a.upper / b.upper});
-  return outward(low, high);
+  if (b.lower < 0 && b.upper <= 0) {
+    return -(a / -b);
+  }
+  const double least = b.lower + 0.0;  // -0 would have the other sign of infinity
+  return least >= 0 && b.upper > 0
+             ? around(a.lower / least, a.lower / b.upper, a.upper / least, a.upper / b.upper)
+             : Interval::whole();
+}
+
+/// Holds the larger of two numbers.
+inline Interval max(const Interval& a, const Interval& b) {
+  return {std::max(a.lower, b.lower), std::max(a.upper, b.upper)};
+}
+
+/// Holds the smaller of two numbers.
+inline Interval min(const Interval& a, const Interval& b) {
+  return {std::min(a.lower, b.lower), std::min(a.upper, b.upper)};
 }
 
 inline Interval square(const Interval& a) {
@@ -85,8 +125,11 @@ inline Interval square(const Interval& a) {
   return {std::max(product.lower, 0.0), product.upper};
 }
 
-/// The root of the part of it that is not negative.
+/// The root of the part of it that is not negative; the whole line if there is none.
 inline Interval sqrt(const Interval& a) {
+  if (a.upper < 0) {
+    return Interval::whole();
+  }
   const Interval root = outward(std::sqrt(std::max(a.lower, 0.0)), std::sqrt(a.upper));
   return {std::max(root.lower, 0.0), root.upper};
 }
@@ -101,8 +144,11 @@ inline Interval sqrt(const Interval& a) {
   const double x = mpz_get_d_2exp(&n_exponent, n.get_mpz_t());
   const double y = mpz_get_d_2exp(&d_exponent, d.get_mpz_t());
   const int e = static_cast<int>(n_exponent - d_exponent + exponent);
-  return {std::ldexp(next_below(x / next_above(y)), e),
-          std::ldexp(next_above(next_above(x) / y), e)};
+  // Among the subnormals, ldexp rounds once more.
+  const Interval result{std::ldexp(next_below(x / next_above(y)), e),
+                        std::ldexp(next_above(next_above(x) / y), e)};
+  return result.lower < std::numeric_limits<double>::min() ? outward(result.lower, result.upper)
+                                                           : result;
 }
 
 using IntervalVec = std::array<Interval, 3>;

@@ -6,11 +6,15 @@
 
 namespace dupin::numbers {
 
-/// An interval of MPFI with ends of so many bits, rounded outward by every operation.
+/// An interval of MPFI with ends of so many bits, rounded outward by every operation. It is total,
+/// as Interval is: what has no result is the whole line.
 template <mpfr_prec_t bits>
 class MpfiInterval {
  public:
-  MpfiInterval(double value = 0) : MpfiInterval(Raw{}) { mpfi_set_d(value_, value); }
+  MpfiInterval(double value = 0) : MpfiInterval(Raw{}) {
+    mpfi_set_d(value_, value);
+    make_total();
+  }
   MpfiInterval(const MpfiInterval& other) : MpfiInterval(Raw{}) { mpfi_set(value_, other.value_); }
   MpfiInterval& operator=(const MpfiInterval& other) {
     mpfi_set(value_, other.value_);
@@ -25,6 +29,10 @@ class MpfiInterval {
   [[nodiscard]] static MpfiInterval between(double lower, double upper) {
     MpfiInterval result{Raw{}};
     mpfi_interv_d(result.value_, lower, upper);
+    if (!(lower <= upper)) {  // mpfi would exchange them
+      mpfr_set_nan(&result.value_->left);
+    }
+    result.make_total();
     return result;
   }
 
@@ -66,7 +74,15 @@ class MpfiInterval {
   static MpfiInterval made(Operation operation, const Operand&... operands) {
     MpfiInterval result{Raw{}};
     operation(result.value_, operands.value_...);
+    result.make_total();
     return result;
+  }
+
+  void make_total() {
+    if (mpfi_nan_p(value_) != 0) {
+      mpfr_set_inf(&value_->left, -1);
+      mpfr_set_inf(&value_->right, 1);
+    }
   }
 
   mpfi_t value_;

@@ -45,7 +45,7 @@ void make_integers(const std::vector<mpq_class>& a, const std::vector<mpq_class>
 numbers::Interval at_end_point(const mpz_class& numerator, const mpz_class& denominator,
                                const numbers::Interval* radius) {
   if (sgn(denominator) <= 0) {
-    return {kInfinity, kInfinity};
+    return numbers::Interval::whole();  // the spine stops
   }
   const numbers::Interval q = numbers::quotient(numerator, denominator);
   if (radius == nullptr) {
@@ -195,23 +195,22 @@ numbers::Interval CurvatureRatio::range(const Leaf& leaf) const {
   }
   // A quotient of Bernstein polynomials with positive denominators lies between its least and
   // largest coefficient quotients.
-  numbers::Interval result{kInfinity, 0};
+  double least = kInfinity, most = 0;
   const Scaled upper = upper_numerator(leaf);
   const Scaled lower = law_ ? lower_numerator(leaf) : upper;
   for (std::size_t i = 0; i < denominator.size(); ++i) {
     if (sgn(upper.coefficients[i]) > 0) {
-      result.upper =
-          std::max(result.upper,
-                   numbers::quotient(upper.coefficients[i], denominator[i], upper.exponent).upper);
+      most = std::max(
+          most, numbers::quotient(upper.coefficients[i], denominator[i], upper.exponent).upper);
     }
-    result.lower =
+    least =
         sgn(lower.coefficients[i]) <= 0
             ? 0
             : std::min(
-                  result.lower,
+                  least,
                   numbers::quotient(lower.coefficients[i], denominator[i], lower.exponent).lower);
   }
-  return result;
+  return {least, most};
 }
 
 numbers::Interval CurvatureRatio::at_start(const Leaf& leaf) const {

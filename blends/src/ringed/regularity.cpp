@@ -74,9 +74,7 @@ class LargestRatio {
 
   void push(Leaf leaf) {
     for (const Interval& end : {ratio_.at_start(leaf), ratio_.at_end(leaf)}) {
-      if (end.lower < kInfinity) {
-        attained_ = std::max(attained_, end.lower);
-      }
+      attained_ = std::max(attained_, end.lower);
     }
     const Interval range = ratio_.range(leaf);
     heap_.push_back({std::move(leaf), range});

@@ -7,6 +7,8 @@
 
 #include <gmpxx.h>
 
+#include "verification/work.h"
+
 namespace dupin::verification {
 
 /// Exact Bernstein coefficients on some stretch of the parameter; never empty.
@@ -19,8 +21,29 @@ inline mpq_class choose(std::size_t n, std::size_t k) {
   return result;
 }
 
+/// Words of the longest coefficient.
+inline std::size_t words(const Polynomial& p) {
+  std::size_t most = 1;
+  for (const mpq_class& c : p) {
+    most = std::max(most, mpz_size(c.get_num_mpz_t()) + mpz_size(c.get_den_mpz_t()));
+  }
+  return most;
+}
+
+// Every multiplication is followed by a greatest common divisor, as dear as itself.
+inline std::uint64_t work_of_part(const Polynomial& p) {
+  const std::size_t n = p.size(), size = words(p);
+  return n * n * n * (1 + size * size / 16) / 4 + 1;
+}
+template <class Interval>
+std::uint64_t work_of_part(const std::vector<Interval>& p) {
+  return p.size() * p.size() * p.size() / 128 + 1;
+}
+
 inline Polynomial product(const Polynomial& a, const Polynomial& b) {
   const std::size_t m = a.size() - 1, n = b.size() - 1;
+  const std::size_t long_a = words(a), long_b = words(b);
+  spend(a.size() * b.size() * (1 + long_a * long_b / 64));
   Polynomial c(m + n + 1);
   for (std::size_t i = 0; i <= m; ++i) {
     for (std::size_t j = 0; j <= n; ++j) {
@@ -56,6 +79,7 @@ inline Polynomial derivative(const Polynomial& p) {
 /// On the part [from, to] of the stretch [0, 1]; for rational numbers or intervals.
 template <class Number>
 std::vector<Number> part(const std::vector<Number>& p, const Number& from, const Number& to) {
+  spend(work_of_part(p));
   std::vector<Number> result;
   for (std::size_t upper = 0; upper < p.size(); ++upper) {
     std::vector<Number> row = p;

@@ -14,3 +14,12 @@
 #include "verification/pair_claims.h"
 #include "verification/regular_claim.h"
 #include "verification/tangency_claim.h"
+
+namespace dupin::verification {
+
+/// Where a part is joined to another. Throws Error{invalid_argument} if their rings differ there.
+[[nodiscard]] std::vector<JoinedEnds> joints(const std::vector<Solid>& solids,
+                                             const std::vector<CertifiedPart>& parts,
+                                             std::uint32_t first, std::uint32_t second);
+
+}  // namespace dupin::verification

@@ -5,6 +5,7 @@
 
 #include "numbers/interval.h"
 #include "numbers/mpfi_interval.h"
+#include "verification/work.h"
 
 namespace dupin::verification {
 
@@ -14,6 +15,7 @@ using Mpfi = numbers::MpfiInterval<128>;
 
 /// The interval of doubles around it.
 [[nodiscard]] inline Interval narrowed(const Mpfi& x) {
+  spend(8);  // on sines, cosines and angles
   const Enclosure e = x.rounded_outward();
   return {e.lower, e.upper};
 }

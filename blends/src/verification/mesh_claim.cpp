@@ -1,10 +1,12 @@
 #include "verification/mesh_claim.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <vector>
+
+#include "verification/admitted.h"
 
 namespace dupin::verification {
 namespace {
@@ -24,7 +26,7 @@ struct Bounds {
 void include_spinning(Bounds& bounds, const MovingDisc& disc) {
   const auto& [omega, change] = *disc.spin;
   const Interval rate = numbers::norm(omega).upper, slope = disc.radius[1].magnitude();
-  const Interval radius = disc.radius[0].upper;
+  const Interval radius = disc.radius[0].magnitude();
   const Interval along = numbers::norm(part(disc.center, 2)) + disc.radius[2].magnitude() +
                          Interval(2) * slope * rate +
                          radius * (numbers::norm(change) + square(rate));
@@ -53,7 +55,8 @@ bool include(Bounds& bounds, const Motion& motion, double from, double to) {
   const IntervalVec n = part(disc->normal, 0);
   const IntervalVec c2 = part(derivative(c1) / value, 0), n2 = part(derivative(n1) / value, 0);
   const Interval turn = numbers::norm(part(n1, 0)).upper, slope = r1[0].magnitude();
-  const Interval radius = disc->radius[0].upper, bend = (derivative(r1) / value)[0].magnitude();
+  const Interval radius = disc->radius[0].magnitude(),
+                 bend = (derivative(r1) / value)[0].magnitude();
   const Interval lengthwise = Interval(numbers::dot(c2, n).magnitude()) +
                               Interval(2) * slope * turn +
                               radius * numbers::norm(numbers::cross(n2, n)).upper;
@@ -96,17 +99,32 @@ Interval displacement(double grid, double size) {
   return numbers::sqrt(Interval(3)) / 2 * grid + Interval(std::ldexp(size, -47));
 }
 
+// Whether two semi-axes, each at the start and at the end, keep their ratio.
+bool are_similar(const std::array<double, 2>& first, const std::array<double, 2>& second) {
+  return mpq_class(first[0]) * mpq_class(second[1]) == mpq_class(first[1]) * mpq_class(second[0]);
+}
+
+std::array<double, 2> end_radii(const Tube& tube) {
+  return {tube.radius_at(End::start), tube.radius_at(End::end)};
+}
+
 // A cylinder or cone between rings that look the same way: of ellipses, similar ones with the same
-// axes.
+// axes, by their stored rings and by the radii between them.
 bool is_straight(const Piece& piece) {
   const Ring &a = piece.start, &b = piece.end;
   const auto& tubes = piece.tubes;
   return !tubes.empty() &&
          std::all_of(tubes.begin(), tubes.end(), [](const Tube& t) { return t.is_cone(); }) &&
          b.normal == -a.normal &&
-         (tubes.size() == 1 || (a.ellipse && b.ellipse && a.ellipse->axis == b.ellipse->axis &&
-                                mpq_class(a.radius) * mpq_class(b.ellipse->across) ==
-                                    mpq_class(b.radius) * mpq_class(a.ellipse->across)));
+         (tubes.size() == 1 ||
+          (a.ellipse && b.ellipse && a.ellipse->axis == b.ellipse->axis &&
+           are_similar({a.radius, b.radius}, {a.ellipse->across, b.ellipse->across}) &&
+           are_similar(end_radii(tubes[0]), end_radii(tubes[1]))));
+}
+
+bool ascends(const std::vector<double>& knots) {
+  return std::adjacent_find(knots.begin(), knots.end(),
+                            [](double a, double b) { return !(a < b); }) == knots.end();
 }
 
 // The half segment that the last ring may ask for is shared by so many bands.
@@ -116,7 +134,7 @@ bool piece_follows(const Piece& piece, const std::vector<double>& knots, std::ui
   if (knots.size() == 2 && is_straight(piece)) {
     double largest = 0;
     for (const Tube& tube : piece.tubes) {
-      largest = std::max(largest, tube.radius_range(0, 1).upper);
+      largest = std::max(largest, tube.radius_range(0, 1).magnitude());
     }
     const Mpfi sagitta = Mpfi(largest) * (1 - cosine(pi / double(segments)));
     return sagitta.rounded_outward().upper <= allowed;
@@ -137,7 +155,7 @@ bool piece_follows(const Piece& piece, const std::vector<double>& knots, std::ui
 // How large the coordinates may be.
 double size_over(const Solid& solid, const ParameterInterval& t, int halvings) {
   if (const auto discs = solid.discs(t)) {
-    double size = discs->radius.upper;
+    double size = discs->radius.magnitude();
     for (const IntervalVec& center : discs->centers) {
       size = std::max(size, numbers::norm(center).upper);
     }
@@ -161,20 +179,19 @@ double size_of(const Solid& solid) {
 
 // No point of a facet of the graticule is nearer to the centre than its plane.
 bool sphere_follows(const Sphere& sphere, const MeshClaim& claim) {
-  if (claim.segments < 3 || !claim.knots.empty()) {
+  if (!claim.knots.empty()) {
     return false;
   }
   const std::uint32_t bands = (claim.segments + 1) / 2;
   const Mpfi step = Mpfi::pi() / double(bands);
   const Mpfi half = cosine(Mpfi::pi() / double(claim.segments));
-  double nearest = 1;
-  for (std::uint32_t i = 0; i < bands; ++i) {
-    const Mpfi a = step * double(i), b = step * double(i + 1);
-    const Mpfi xa = half * sine(a), xb = half * sine(b), za = cosine(a), zb = cosine(b);
-    const Mpfi plane =
-        magnitude(xa * zb - xb * za) / square_root(square(xb - xa) + square(zb - za));
-    nearest = std::min(nearest, plane.rounded_outward().lower);
-  }
+  // Of a band about the polar angle m that is half sin(step) / (2 sin(step/2) sqrt(half^2 cos^2 m +
+  // sin^2 m)): least for the band nearest to the equator.
+  const double i = (bands - 1) / 2;
+  const Mpfi a = step * i, b = step * (i + 1);
+  const Mpfi xa = half * sine(a), xb = half * sine(b), za = cosine(a), zb = cosine(b);
+  const Mpfi plane = magnitude(xa * zb - xb * za) / square_root(square(xb - xa) + square(zb - za));
+  const double nearest = std::min(1., plane.rounded_outward().lower);
   const Interval sag = Interval(sphere.radius) * (Interval(1) - nearest);
   const double size = std::max(sphere.radius, sphere.center.norm());
   return (sag + displacement(claim.grid, size)).upper <= claim.error_bound;
@@ -183,7 +200,8 @@ bool sphere_follows(const Sphere& sphere, const MeshClaim& claim) {
 }  // namespace
 
 bool follows(const Solid& solid, const MeshClaim& claim) {
-  if (!(claim.grid >= 0)) {
+  if (!is_bound(claim.grid) || !is_bound(claim.error_bound) || claim.segments < 3 ||
+      claim.segments > CertificateLimits::segments) {
     return false;
   }
   if (solid.ball() != nullptr) {
@@ -199,9 +217,8 @@ bool follows(const Solid& solid, const MeshClaim& claim) {
       knots.push_back(*knot - double(i));
     }
     const Piece& piece = solid.pieces()[i];
-    if (claim.segments < 3 || piece.inner || knots.size() < 2 || knots.front() != 0 ||
-        knots.back() != 1 ||
-        std::adjacent_find(knots.begin(), knots.end(), std::greater_equal<>()) != knots.end() ||
+    if (piece.inner || knots.size() < 2 || knots.front() != 0 || knots.back() != 1 ||
+        !ascends(knots) ||
         !piece_follows(piece, knots, claim.segments,
                        (piece.shares_frame ? claim.knots.size() : knots.size()) - 1, allowed)) {
       return false;

@@ -66,8 +66,11 @@ JetVec<3> moved(JetVec<3> v, const IntervalVec& by) {
 
 const Jet<3> kOne{{1, 0, 0}};
 
+constexpr std::uint64_t kDiscWork = 16;  // of the products and roots of jets
+
 std::optional<MovingDisc> across(const JetVec<4>& spine, const IntervalVec& base,
                                  const Jet<3>& radius) {
+  spend(kDiscWork);
   const JetVec<3> velocity = derivative(spine);
   const Jet<3> squared = squared_norm(velocity);
   if (!(squared[0].lower > 0)) {
@@ -265,6 +268,7 @@ Motion motion(const CyclidePiece& piece, double wall) {
   return [base = numbers::interval_vec(piece.first.m), m_times_w = EnclosedCurve<4>(centers),
           r_times_w = Enclosed<4>(radius),
           weight = Enclosed<4>(weight)](double from, double to) -> std::optional<MovingDisc> {
+    spend(kDiscWork);
     const Jet<4> w = weight.over(from, to);
     if (!(w[0].lower > 0)) {
       return std::nullopt;
@@ -293,6 +297,7 @@ Motion motion(const RationalRingedSurface& surface) {
           axis = EnclosedCurve<3>(c.axis), radius = Enclosed<3>(c.radius),
           scalar = Enclosed<3>(q[0]), vector = EnclosedCurve<3>({q[1], q[2], q[3]})](
              double from, double to) -> std::optional<MovingDisc> {
+    spend(kDiscWork);
     const JetVec<3> n = axis.over(from, to);
     const Jet<3> squared = squared_norm(n);
     if (!(squared[0].lower > 0)) {
@@ -313,6 +318,7 @@ Motion steered_motion(const RationalRingedSurface& surface) {
   }
   return [=, center = EnclosedCurve<3>(c.center), axis = EnclosedCurve<3>(c.axis),
           radius = Enclosed<3>(c.radius)](double from, double to) -> std::optional<MovingDisc> {
+    spend(kDiscWork);
     JetVec<3> d = center.over(from, to), n = axis.over(from, to);
     for (const End end : {End::start, End::end}) {
       if (resting.at(at(end)) && (end == End::end ? to == 1 : from == 0)) {

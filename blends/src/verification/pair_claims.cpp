@@ -5,58 +5,11 @@
 #include <limits>
 #include <numbers>
 
+#include "verification/admitted.h"
+#include "verification/covering.h"
+
 namespace dupin::verification {
 namespace {
-
-using Pairs = std::vector<const DiscPairs*>;
-
-bool contains(const ParameterInterval& outer, const ParameterInterval& inner) {
-  return outer.from <= inner.from && inner.to <= outer.to;
-}
-
-bool meet(const ParameterInterval& a, const ParameterInterval& b) {
-  return a.from < b.to && b.from < a.to;
-}
-
-// Whether the leaves cover the rectangle, or its part where first <= second; where a leaf covers it
-// in part, it is cut along that leaf's border.
-bool covered(const ParameterInterval& first, const ParameterInterval& second, const Pairs& leaves,
-             bool ordered) {
-  if (ordered && first.from >= second.to) {
-    return true;
-  }
-  Pairs near;
-  for (const DiscPairs* leaf : leaves) {
-    if (meet(leaf->first, first) && meet(leaf->second, second)) {
-      near.push_back(leaf);
-    }
-  }
-  if (near.empty()) {
-    return false;
-  }
-  const DiscPairs& leaf = *near[near.size() / 2];
-  for (const double cut : {leaf.first.from, leaf.first.to}) {
-    if (first.from < cut && cut < first.to) {
-      return covered({first.from, cut}, second, near, ordered) &&
-             covered({cut, first.to}, second, near, ordered);
-    }
-  }
-  for (const double cut : {leaf.second.from, leaf.second.to}) {
-    if (second.from < cut && cut < second.to) {
-      return covered(first, {second.from, cut}, near, ordered) &&
-             covered(first, {cut, second.to}, near, ordered);
-    }
-  }
-  return contains(leaf.first, first) && contains(leaf.second, second);
-}
-
-Pairs listed(const std::vector<DiscPairs>& leaves) {
-  Pairs result;
-  for (const DiscPairs& leaf : leaves) {
-    result.push_back(&leaf);
-  }
-  return result;
-}
 
 // The least upper bound that so many cells give of x.w on the stretch.
 double furthest(const Solid& solid, const ParameterInterval& t, const IntervalVec& w, int cells) {
@@ -98,10 +51,10 @@ bool turns_little(const std::vector<Tube>& tubes, const ParameterInterval& t, do
   bool grows = true, falls = true;
   for (const Tube& tube : tubes) {
     const Interval here = tube.radius_range(t.from, t.to);
-    range = {std::max(range.lower, here.lower), std::max(range.upper, here.upper)};
+    range = max(range, here);
     Polynomial r = tube.radius(t.from, t.to);
     if (r.empty()) {
-      r = {evaluate(tube.surface().radius, 0).value, evaluate(tube.surface().radius, 1).value};
+      r = {tube.radius_at(End::start), tube.radius_at(End::end)};
     }
     grows = grows && std::is_sorted(r.begin(), r.end());
     falls = falls && std::is_sorted(r.rbegin(), r.rend());
@@ -126,6 +79,9 @@ bool append(const Solid& solid, const ParameterInterval& t, std::vector<Cell>& w
   }
   return !solid.ball();
 }
+
+// On longer ways some piece turns too much; so they are not looked at.
+constexpr double kLongestWay = 2;
 
 // The second lemma, with sines and cosines replaced by phi and 1 - phi^2 / 2.
 bool advances(const std::vector<Cell>& way, int cells) {
@@ -202,7 +158,9 @@ bool crosses(const Solid& solid, const ParameterInterval& t, const Vec3& point) 
 }
 
 bool follows(const Overlap& overlap, const Solid& first, const Solid& second) {
-  return first.is_full() && second.is_full() && crosses(first, overlap.first, overlap.point) &&
+  return is_point(overlap.point) && is_stretch(overlap.first, first.length()) &&
+         is_stretch(overlap.second, second.length()) && first.is_full() && second.is_full() &&
+         crosses(first, overlap.first, overlap.point) &&
          crosses(second, overlap.second, overlap.point);
 }
 
@@ -213,12 +171,14 @@ bool is_short_way(const Solid& solid, const DiscPairs& leaf, double margin) {
   if (leaf.first.from > leaf.second.from) {
     return false;
   }
+  const double beyond = solid.length() - leaf.second.from + leaf.first.to;
   if (piece != nullptr && turns_little(piece->tubes, within_piece(all), margin)) {
     return true;
   }
   std::vector<Cell> way, around;
-  return (append(solid, all, way) && advances(way)) ||
-         (solid.closed() && append(solid, {leaf.second.from, solid.length()}, around) &&
+  return (all.to - all.from <= kLongestWay && append(solid, all, way) && advances(way)) ||
+         (solid.closed() && beyond <= kLongestWay &&
+          append(solid, {leaf.second.from, solid.length()}, around) &&
           append(solid, {0, leaf.first.to}, around) && advances(around));
 }
 
@@ -230,30 +190,53 @@ ParameterInterval to_joint(const Solid& solid, const ParameterInterval& t, End e
 bool is_short_way(const Solid& first, const Solid& second, const std::vector<JoinedEnds>& joints,
                   const DiscPairs& leaf) {
   return std::any_of(joints.begin(), joints.end(), [&](const JoinedEnds& joint) {
+    const auto one = to_joint(first, leaf.first, joint.first);
+    const auto other = to_joint(second, leaf.second, joint.second);
     std::vector<Cell> way;
-    return append(first, to_joint(first, leaf.first, joint.first), way) &&
-           append(second, to_joint(second, leaf.second, joint.second), way) && advances(way);
+    return one.to - one.from + other.to - other.from <= kLongestWay && append(first, one, way) &&
+           append(second, other, way) && advances(way);
   });
 }
 
 bool has_leaf(const Solid& solid, const ParameterInterval& t) {
-  return t.from < t.to && (solid.ball() != nullptr || solid.piece(t) != nullptr);
+  return t.from < t.to && is_stretch(t, solid.length()) &&
+         (solid.ball() != nullptr || solid.piece(t) != nullptr);
+}
+
+bool has_leaf(const Solid& first, const Solid& second, const DiscPairs& leaf) {
+  return has_leaf(first, leaf.first) && has_leaf(second, leaf.second) &&
+         (!leaf.direction || is_point(*leaf.direction));
 }
 
 }  // namespace
 
+bool has_form(const EmbeddedClaim& claim) {
+  return (claim.verdict == Verdict::proved || claim.leaves.empty()) &&
+         claim.overlap.has_value() == (claim.verdict == Verdict::refuted);
+}
+
+bool has_form(const ClearanceClaim& claim) {
+  const bool is_separated = claim.verdict == Verdict::proved && !claim.overlap;
+  return is_bound(claim.distance) &&
+         (is_separated || (claim.leaves.empty() && claim.distance == 0)) &&
+         (claim.verdict != Verdict::undecided || !claim.overlap);
+}
+
 bool follows(const Solid& solid, const EmbeddedClaim& claim, const RegularClaim& regular) {
+  if (!has_form(claim) || claim.verdict == Verdict::undecided) {
+    return false;
+  }
   if (claim.verdict == Verdict::refuted) {
-    return claim.overlap && claim.overlap->first.from < claim.overlap->first.to &&
+    return claim.overlap->first.from < claim.overlap->first.to &&
            claim.overlap->second.from < claim.overlap->second.to &&
            (claim.overlap->first.to < claim.overlap->second.from ||
             claim.overlap->second.to < claim.overlap->first.from) &&
            follows(*claim.overlap, solid, solid);
   }
   const ParameterInterval all{0, solid.length()};
-  return regular.verdict == Verdict::proved && covered(all, all, listed(claim.leaves), true) &&
+  return regular.verdict == Verdict::proved && covered(all, all, claim.leaves, true) &&
          std::all_of(claim.leaves.begin(), claim.leaves.end(), [&](const DiscPairs& leaf) {
-           return has_leaf(solid, leaf.first) && has_leaf(solid, leaf.second) &&
+           return has_leaf(solid, solid, leaf) &&
                   (leaf.direction ? apart(solid, solid, leaf, 0)
                                   : is_short_way(solid, leaf, regular.margin));
          });
@@ -262,6 +245,9 @@ bool follows(const Solid& solid, const EmbeddedClaim& claim, const RegularClaim&
 bool follows(const Solid& first, const Solid& second, const std::vector<JoinedEnds>& joints,
              const ClearanceClaim& claim) {
   const bool joined = !joints.empty();
+  if (!has_form(claim) || claim.verdict == Verdict::undecided) {
+    return false;
+  }
   if (claim.overlap) {
     const bool touching = claim.overlap->first.from == claim.overlap->first.to ||
                           claim.overlap->second.from == claim.overlap->second.to;
@@ -270,9 +256,9 @@ bool follows(const Solid& first, const Solid& second, const std::vector<JoinedEn
            follows(*claim.overlap, first, second);
   }
   return claim.verdict == Verdict::proved && (joined ? claim.distance == 0 : claim.distance > 0) &&
-         covered({0, first.length()}, {0, second.length()}, listed(claim.leaves), false) &&
+         covered({0, first.length()}, {0, second.length()}, claim.leaves, false) &&
          std::all_of(claim.leaves.begin(), claim.leaves.end(), [&](const DiscPairs& leaf) {
-           return has_leaf(first, leaf.first) && has_leaf(second, leaf.second) &&
+           return has_leaf(first, second, leaf) &&
                   (leaf.direction ? apart(first, second, leaf, claim.distance)
                                   : is_short_way(first, second, joints, leaf));
          });

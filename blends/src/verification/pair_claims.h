@@ -12,6 +12,11 @@ struct JoinedEnds {
   End first = End::start, second = End::start;
 };
 
+/// Whether the claim says nothing besides its verdict: evidence for that alone, and a distance only
+/// where one is proved.
+[[nodiscard]] bool has_form(const EmbeddedClaim& claim);
+[[nodiscard]] bool has_form(const ClearanceClaim& claim);
+
 /// Whether a claim that is proved or refuted follows from the part's numbers; `regular` is known to
 /// follow if it says that it is proved.
 [[nodiscard]] bool follows(const Solid& solid, const EmbeddedClaim& claim,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "verification/admitted.h"
+
 namespace dupin::verification {
 namespace {
 
@@ -111,8 +113,15 @@ bool is_refuted(const Solid& solid, const RegularClaim& claim) {
 
 }  // namespace
 
+bool has_form(const Solid& solid, const RegularClaim& claim) {
+  return claim.margin >= 0 && claim.margin < 1 &&
+         (claim.verdict == Verdict::proved || claim.leaves.empty()) &&
+         (claim.where == ParameterInterval{} ||
+          (claim.verdict != Verdict::proved && is_stretch(claim.where, solid.length())));
+}
+
 bool follows(const Solid& solid, const RegularClaim& claim) {
-  if (!(claim.margin >= 0 && claim.margin < 1)) {
+  if (!has_form(solid, claim) || claim.verdict == Verdict::undecided) {
     return false;
   }
   if (claim.verdict == Verdict::refuted) {
@@ -121,8 +130,8 @@ bool follows(const Solid& solid, const RegularClaim& claim) {
   double reached = 0;
   for (const ParameterInterval& leaf : claim.leaves) {
     const Piece* piece = solid.piece(leaf);
-    if (leaf.from != reached || !(leaf.from < leaf.to) || piece == nullptr ||
-        !is_regular_on(*piece, claim.margin, within_piece(leaf))) {
+    if (leaf.from != reached || !(leaf.from < leaf.to) || !is_stretch(leaf, solid.length()) ||
+        piece == nullptr || !is_regular_on(*piece, claim.margin, within_piece(leaf))) {
       return false;
     }
     reached = leaf.to;

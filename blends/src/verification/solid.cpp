@@ -3,19 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dupin/kernel/error.h"
+#include "verification/admitted.h"
 
 namespace dupin::verification {
 namespace {
 
-Interval larger(const Interval& a, const Interval& b) {
-  return {std::max(a.lower, b.lower), std::max(a.upper, b.upper)};
-}
-
 Interval largest_radius(const std::vector<Tube>& tubes, double from, double to) {
   Interval result = tubes.front().radius_range(from, to);
   for (const Tube& tube : tubes) {
-    result = larger(result, tube.radius_range(from, to));
+    result = max(result, tube.radius_range(from, to));
   }
   return result;
 }
@@ -82,7 +78,9 @@ Piece::Piece(const dupin::Piece& certified, double wall) : shape(certified) {
       shape);
 }
 
-Solid::Solid(const CertifiedPart& part) {
+Solid::Solid(const CertifiedPart& certified) {
+  const AdmittedPart admitted(certified);
+  const CertifiedPart& part = *admitted;
   if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
     ball_ = *sphere;
     return;
@@ -95,10 +93,6 @@ Solid::Solid(const CertifiedPart& part) {
   closed_ = chain.closed;
   is_full_ = chain.wall == 0 && !chain.pieces.empty();
   for (const dupin::Piece& shape : chain.pieces) {
-    // Nothing would be claimed of the inner skins of other pieces.
-    if (chain.wall != 0 && !(chain.wall > 0 && std::holds_alternative<CyclidePiece>(shape))) {
-      throw Error(Errc::invalid_argument, "only chains of cyclide pieces have a wall", part.name);
-    }
     pieces_.emplace_back(shape, chain.wall);
     is_full_ = is_full_ && pieces_.back().tubes.size() < 2;
   }

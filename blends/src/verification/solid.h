@@ -27,7 +27,8 @@ struct Piece {
 /// chain with spherical joints, that nothing is claimed about, has no pieces here.
 class Solid {
  public:
-  explicit Solid(const CertifiedPart& part);
+  /// Throws as AdmittedPart.
+  explicit Solid(const CertifiedPart& certified);
 
   [[nodiscard]] const Sphere* ball() const { return ball_ ? &*ball_ : nullptr; }
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }

@@ -118,7 +118,7 @@ Difference difference_of(const std::vector<Tube>& tubes, const Ring& ring, const
   }
   Wide reach = 0, offset = length(difference(y.position, vector(ring.center)));
   for (std::size_t i = 0; i < walls.size(); ++i) {
-    const double radius = evaluate(tubes[i].surface().radius, end == End::end ? 1 : 0).value;
+    const double radius = tubes[i].radius_at(end);
     reach = std::max(upper(reach), radius);
     offset = offset + magnitude(Wide(radius) - walls[i].radius);
   }
@@ -202,12 +202,17 @@ bool curvature_follows(const Piece& piece, double claimed, End end) {
 
 }  // namespace
 
+bool is_near(const TangencyClaim& claim, const Ring& ring, double tolerance) {
+  return claim.offset + claim.axis_angle * ring.radius <= tolerance;
+}
+
 bool follows(const Piece& piece, const TangencyClaim& claim, End end) {
   const bool has_none = piece.tubes.size() == 1 && piece.tubes.front().is_cone();
   if (claim.curvature &&
       !(has_none ? *claim.curvature >= 0 : curvature_follows(piece, *claim.curvature, end))) {
     return false;
   }
+  spend(200);
   const Ring& ring = end == End::end ? piece.end : piece.start;
   const WideVec normal = vector(end == End::end ? ring.normal : Vec3(-ring.normal));
   const Difference found =

@@ -8,4 +8,7 @@ namespace dupin::verification {
 /// Whether the claim follows from the numbers of the piece, at its start or its end.
 [[nodiscard]] bool follows(const Piece& piece, const TangencyClaim& claim, End end);
 
+/// Whether what the other claims leave out, at the joints, is less than the tolerance.
+[[nodiscard]] bool is_near(const TangencyClaim& claim, const Ring& ring, double tolerance);
+
 }  // namespace dupin::verification

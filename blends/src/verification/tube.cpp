@@ -122,6 +122,13 @@ Polynomial Tube::radius(double from, double to) const {
   return radius_.empty() ? radius_ : part<mpq_class>(radius_, from, to);
 }
 
+double Tube::radius_at(End end) const {
+  if (const auto* law = std::get_if<CyclideRadius>(&surface_.radius)) {
+    return end == End::end ? law->end : law->start;
+  }
+  return (end == End::end ? radius_.back() : radius_.front()).get_d();
+}
+
 Interval Tube::radius_range(double from, double to) const {
   if (const auto* law = std::get_if<CyclideRadius>(&surface_.radius)) {
     return numbers::hull(cyclide_radius(*law, from), cyclide_radius(*law, to));  // it is monotone
@@ -132,6 +139,7 @@ Interval Tube::radius_range(double from, double to) const {
 }
 
 Discs Tube::discs(double from, double to) const {
+  spend(4);
   if (from == to) {  // stretches have their ends' tangents
     const bool at_end = from == 1;
     const Discs around = at_end ? discs(0, 1) : discs(from, 1);
@@ -160,6 +168,7 @@ Discs Tube::discs(double from, double to) const {
 // A disc of normal T reaches R |T x w| from its centre. Where all tangents are on one side of the
 // plane across w, so is their cone, and its largest angle to w is that of one of them.
 double furthest(const Discs& discs, const IntervalVec& w) {
+  spend(1);
   const Interval length = numbers::norm(w);
   double sine = 0;
   bool with = !discs.tangents.empty(), against = with;
@@ -171,8 +180,9 @@ double furthest(const Discs& discs, const IntervalVec& w) {
                ? std::max(sine, (numbers::norm(numbers::cross(tangent, w)) / scale).upper)
                : 1;
   }
+  // Whatever the radius law says: a disc of negative radius would reach less far than its centre.
   const Interval reach =
-      Interval(discs.radius.upper) * length *
+      Interval(discs.radius.magnitude()) * length *
       (with || against ? std::min((Interval(sine) + discs.spread).upper, 1.0) : 1);
   double result = -std::numeric_limits<double>::infinity();
   for (const IntervalVec& center : discs.centers) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "dupin/blends/end.h"
 #include "dupin/blends/ringed_surface.h"
 #include "numbers/interval.h"
 #include "verification/bernstein.h"
@@ -40,6 +41,7 @@ class Tube {
   [[nodiscard]] Stretch stretch(double from, double to) const;
   /// Coefficients of the radius; none for CyclideRadius.
   [[nodiscard]] Polynomial radius(double from, double to) const;
+  [[nodiscard]] double radius_at(End end) const;
   [[nodiscard]] Interval radius_range(double from, double to) const;
   /// For 0 <= from <= to <= 1.
   [[nodiscard]] Discs discs(double from, double to) const;

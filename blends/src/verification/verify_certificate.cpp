@@ -1,11 +1,13 @@
 #include "dupin/blends/verify_certificate.h"
 
-#include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "dupin/kernel/error.h"
+#include "verification/admitted.h"
 #include "verification/claims.h"
+#include "verification/work.h"
 
 namespace dupin::verification {
 namespace {
@@ -32,44 +34,57 @@ const Ring& end_ring(const Solid& solid, End end) {
   return end == End::end ? solid.pieces().back().end : solid.pieces().front().start;
 }
 
-// What the other claims leave out is less than the tolerance.
-bool is_near(const TangencyClaim& claim, const Ring& ring, double tolerance) {
-  return claim.offset + claim.axis_angle * ring.radius <= tolerance;
+// Nothing is claimed of it but that nothing is known.
+bool is_silent(const PartClaims& claims) {
+  const bool no_margin = claims.regular && is_undecided(claims.regular->verdict) &&
+                         claims.regular->margin == 0 && claims.regular->leaves.empty() &&
+                         claims.regular->where == ParameterInterval{};
+  return no_margin && claims.embedded && is_undecided(claims.embedded->verdict) &&
+         has_form(*claims.embedded) && claims.tangency.empty() && !claims.mesh;
+}
+
+void verify_joints(const Solid& solid, const std::string& name, const PartClaims& claims,
+                   double tolerance) {
+  const auto& pieces = solid.pieces();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    require(follows(pieces[i], claims.tangency[2 * i], End::start) &&
+                follows(pieces[i], claims.tangency[2 * i + 1], End::end),
+            name, "tangency");
+    require(is_near(claims.tangency[2 * i], pieces[i].start, tolerance) &&
+                is_near(claims.tangency[2 * i + 1], pieces[i].end, tolerance),
+            name, "joints");
+    require(i == 0 ? !solid.closed() || are_flips(pieces.back().end, pieces.front().start)
+                   : are_flips(pieces[i - 1].end, pieces[i].start),
+            name, "joints");
+  }
 }
 
 void verify_part(const Solid& solid, const std::string& name, const PartClaims& claims,
                  double tolerance) {
   if (solid.ball() != nullptr) {
     require(solid.ball()->radius > 0, name, "radius");
+    require(!claims.regular && !claims.embedded && claims.tangency.empty(), name, "regular");
   } else if (solid.pieces().empty()) {
-    require(claims.regular && is_undecided(claims.regular->verdict) && claims.embedded &&
-                is_undecided(claims.embedded->verdict) && claims.tangency.empty() && !claims.mesh,
-            name, "undecided");
+    require(is_silent(claims), name, "undecided");
   } else {
-    const auto& pieces = solid.pieces();
-    require(claims.regular && claims.embedded && claims.tangency.size() == 2 * pieces.size(), name,
-            "regular");
-    require(is_undecided(claims.regular->verdict) || follows(solid, *claims.regular), name,
-            "regular");
     require(
-        is_undecided(claims.embedded->verdict) || follows(solid, *claims.embedded, *claims.regular),
-        name, "embedded");
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      require(follows(pieces[i], claims.tangency[2 * i], End::start) &&
-                  follows(pieces[i], claims.tangency[2 * i + 1], End::end),
-              name, "tangency");
-      require(is_near(claims.tangency[2 * i], pieces[i].start, tolerance) &&
-                  is_near(claims.tangency[2 * i + 1], pieces[i].end, tolerance),
-              name, "joints");
-      require(i == 0 ? !solid.closed() || are_flips(pieces.back().end, pieces.front().start)
-                     : are_flips(pieces[i - 1].end, pieces[i].start),
-              name, "joints");
-    }
+        claims.regular && claims.embedded && claims.tangency.size() == 2 * solid.pieces().size(),
+        name, "regular");
+    require(is_undecided(claims.regular->verdict) ? has_form(solid, *claims.regular)
+                                                  : follows(solid, *claims.regular),
+            name, "regular");
+    require(is_undecided(claims.embedded->verdict)
+                ? has_form(*claims.embedded)
+                : follows(solid, *claims.embedded, *claims.regular),
+            name, "embedded");
+    verify_joints(solid, name, claims, tolerance);
   }
   require(!claims.mesh || follows(solid, *claims.mesh), name, "mesh");
 }
 
-// Where a part is joined to another: in rings that are the same, bitwise.
+}  // namespace
+
+// In rings that are the same, bitwise.
 std::vector<JoinedEnds> joints(const std::vector<Solid>& solids,
                                const std::vector<CertifiedPart>& parts, std::uint32_t first,
                                std::uint32_t second) {
@@ -82,6 +97,7 @@ std::vector<JoinedEnds> joints(const std::vector<Solid>& solids,
         continue;  // nothing can be claimed
       }
       require(solids[first].ball() == nullptr && solids[second].ball() == nullptr &&
+                  !solids[first].closed() && !solids[second].closed() &&
                   are_flips(end_ring(solids[first], joint.first),
                             end_ring(solids[second], joint.second)),
               parts[first].name, "joined");
@@ -91,6 +107,29 @@ std::vector<JoinedEnds> joints(const std::vector<Solid>& solids,
   return result;
 }
 
+namespace {
+
+void verify_inputs(const Certificate& certificate) {
+  require(is_name(certificate.document), "", "document");
+  require(is_bound(certificate.tolerance), "", "tolerance");
+  std::set<std::string> names;
+  for (const CertifiedPart& part : certificate.parts) {
+    require(is_name(part.name) && is_name(part.kind) && names.insert(part.name).second, part.name,
+            "name");
+    for (const auto& joined : part.joined) {
+      require(!joined || joined->part < certificate.parts.size(), part.name, "joined");
+    }
+  }
+}
+
+bool follows_or_is_silent(const std::vector<Solid>& solids, const Certificate& certificate,
+                          const ClearanceClaim& claim) {
+  return is_undecided(claim.verdict)
+             ? has_form(claim)
+             : follows(solids[claim.first], solids[claim.second],
+                       joints(solids, certificate.parts, claim.first, claim.second), claim);
+}
+
 }  // namespace
 }  // namespace dupin::verification
 
@@ -98,6 +137,8 @@ namespace dupin {
 
 void verify(const Certificate& certificate) {
   const auto& parts = certificate.parts;
+  const verification::WorkLimit limit(verification::work_for(certificate));
+  verification::verify_inputs(certificate);
   verification::require(certificate.claims.size() == parts.size(), "", "parts");
   std::vector<verification::Solid> solids;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -108,12 +149,10 @@ void verify(const Certificate& certificate) {
   auto claim = certificate.clearances.begin();
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
     for (std::uint32_t j = i + 1; j < parts.size(); ++j, ++claim) {
-      verification::require(
-          claim != certificate.clearances.end() && claim->first == i && claim->second == j &&
-              (verification::is_undecided(claim->verdict) ||
-               verification::follows(solids[i], solids[j],
-                                     verification::joints(solids, parts, i, j), *claim)),
-          parts[i].name, "clearance of " + parts[j].name);
+      verification::require(claim != certificate.clearances.end() && claim->first == i &&
+                                claim->second == j &&
+                                verification::follows_or_is_silent(solids, certificate, *claim),
+                            parts[i].name, "clearance of " + parts[j].name);
     }
   }
   verification::require(claim == certificate.clearances.end(), "", "clearance");

@@ -13,6 +13,7 @@
 #include "dupin/io/glb.h"
 #include "dupin/kernel/error.h"
 #include "formats/glb_layout.h"
+#include "text/json_depth.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
 
@@ -283,6 +284,9 @@ class GlbReader {
 };
 
 Json document(const Chunks& chunks, std::string_view file) {
+  if (text::first_too_deep(chunks.json)) {
+    fail(file, "byte 20", "found JSON with brackets nested too deep");
+  }
   Json json = Json::parse(chunks.json, nullptr, false);
   if (!json.is_object()) {
     fail(file, "byte 20", "found faulty JSON, expected an object");

@@ -133,9 +133,9 @@ PartClaims part_claims(const JsonNode& node) {
   });
   if (node.has("mesh")) {
     const JsonNode mesh = node.at("mesh");
-    constexpr std::uint32_t kMostSegments = 2'000'000;  // more than any tessellation has
-    result.mesh = {count(mesh.at("segments"), kMostSegments), mesh.at("grid").number(),
-                   numbers(mesh.at("knots")), mesh.at("error_bound").number()};
+    result.mesh = {count(mesh.at("segments"), CertificateLimits::segments + 1),
+                   mesh.at("grid").number(), numbers(mesh.at("knots")),
+                   mesh.at("error_bound").number()};
   }
   return result;
 }

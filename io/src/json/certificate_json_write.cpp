@@ -127,6 +127,10 @@ std::string json_text(std::string_view words) {
 
 }  // namespace
 
+std::string json::input_text(const CertifiedPart& part) {
+  return dupin::json_value(part).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string json::inputs_text(const Certificate& certificate) {
   return "  \"units\": " + json_text(symbol(certificate.unit)) +
          ",\n  \"tolerance\": " + Json(certificate.tolerance).dump() +
@@ -150,7 +154,8 @@ std::string certificate_summary_json(const Certificate& certificate) {
     Json part{{"name", certificate.parts[i].name}, {"kind", certificate.parts[i].kind}};
     if (claims.regular && claims.embedded) {
       part["regular"] = name(claims.regular->verdict);
-      part["margin"] = claims.regular->margin;
+      part["margin"] = claims.regular->verdict == Verdict::undecided ? Json(nullptr)
+                                                                     : Json(claims.regular->margin);
       part["embedded"] = name(claims.embedded->verdict);
     }
     part["error_bound"] = claims.mesh ? Json(claims.mesh->error_bound) : Json(nullptr);

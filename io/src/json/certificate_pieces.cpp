@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "dupin/blends/certificate.h"
 #include "json/json_lists.h"
 #include "json/json_value.h"
 
@@ -128,6 +129,16 @@ PeVector sphere(const JsonNode& node) {
   return {Vec3(x, y, z), r};
 }
 
+// Refused before any of it is computed with.
+template <class Values>
+Values no_more_than_limit(const JsonNode& node, Values values) {
+  if (values.size() > CertificateLimits::coefficients) {
+    node.fail("must hold at most " + std::to_string(CertificateLimits::coefficients) +
+              " coefficients");
+  }
+  return values;
+}
+
 Spine spine(const JsonNode& node) {
   if (node.has("line")) {
     const JsonNode s = node.at("line");
@@ -147,7 +158,8 @@ Spine spine(const JsonNode& node) {
                         vec3(s.at("end_velocity"))};
   }
   const JsonNode s = node.at("bezier");
-  return BezierSpine{list<Vec3>(s.at("points"), vec3), numbers(s.at("weights"))};
+  return BezierSpine{no_more_than_limit(s.at("points"), list<Vec3>(s.at("points"), vec3)),
+                     no_more_than_limit(s.at("weights"), numbers(s.at("weights")))};
 }
 
 RadiusLaw radius(const JsonNode& node) {
@@ -164,7 +176,7 @@ RadiusLaw radius(const JsonNode& node) {
   if (node.has("cyclide")) {
     return CyclideRadius{ends("cyclide")[0], ends("cyclide")[1]};
   }
-  return BezierRadius{numbers(node.at("bezier"))};
+  return BezierRadius{no_more_than_limit(node.at("bezier"), numbers(node.at("bezier")))};
 }
 
 RationalRingedTube read_rational(const JsonNode& node) {
@@ -177,6 +189,7 @@ RationalRingedTube read_rational(const JsonNode& node) {
   result.surface.radius = numbers<4>(node.at("radius"));
   result.surface.rotation = list<std::array<double, 4>>(
       node.at("rotation"), [](const JsonNode& control) { return numbers<4>(control); });
+  result.surface.rotation = no_more_than_limit(node.at("rotation"), result.surface.rotation);
   if (result.surface.rotation.size() < 2) {
     node.at("rotation").fail("must hold 2 quaternions at least");
   }

@@ -4,6 +4,8 @@
 #include <set>
 #include <vector>
 
+#include "text/json_depth.h"
+
 namespace dupin::json {
 namespace {
 
@@ -32,6 +34,8 @@ std::string after(std::string_view mark, const std::string& what) {
   const auto start = what.find(mark);
   return start == std::string::npos ? what : what.substr(start + mark.size());
 }
+
+constexpr std::size_t kMostKeys = 1024;  // of one object, where keys are looked up one by one
 
 // Follows the parser to find repeated keys, which a JSON value cannot hold.
 class RepeatedKeys {
@@ -76,12 +80,19 @@ class RepeatedKeys {
   void begin_key(const std::string& key) {
     levels_.back().key = key;
     if (!levels_.back().keys.insert(key).second) {
-      std::string pointer;
-      for (const auto& level : levels_) {
-        pointer += "/" + (level.is_array ? std::to_string(level.count - 1) : escaped(level.key));
-      }
-      throw Error(Errc::parse_failed, "the key occurs twice", {}, place(*source_, pointer));
+      fail("the key occurs twice");
     }
+    if (levels_.back().keys.size() > kMostKeys) {
+      fail("the object has more than " + std::to_string(kMostKeys) + " keys");
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& message) const {
+    std::string pointer;
+    for (const auto& level : levels_) {
+      pointer += "/" + (level.is_array ? std::to_string(level.count - 1) : escaped(level.key));
+    }
+    throw Error(Errc::parse_failed, message, {}, place(*source_, pointer));
   }
 
   const std::string* source_;
@@ -91,6 +102,12 @@ class RepeatedKeys {
 }  // namespace
 
 Json parse_json(std::string_view text, const std::string& source) {
+  if (const auto bracket = dupin::text::first_too_deep(text)) {
+    throw Error(
+        Errc::parse_failed,
+        "brackets are nested more than " + std::to_string(dupin::text::kDeepestJson) + " deep", {},
+        source + ":" + line_and_column(text, *bracket + 1));
+  }
   RepeatedKeys repeated(source);
   const auto watch = [&](int, nlohmann::detail::parse_event_t event, Json& parsed) {
     repeated(event, parsed);

@@ -19,7 +19,8 @@ namespace dupin::json {
 using Json = nlohmann::ordered_json;
 
 /// JSON text as a value. Throws Error{parse_failed} with "source:line:column" for text that is not
-/// JSON, and with "source#/json/pointer" for an object that repeats a key.
+/// JSON or is nested too deep, and with "source#/json/pointer" for an object that repeats a key or
+/// has more of them than any document.
 [[nodiscard]] Json parse_json(std::string_view text, const std::string& source);
 
 /// A value in a document that knows its place, so that faults do.

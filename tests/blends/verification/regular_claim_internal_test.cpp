@@ -6,6 +6,7 @@
 #include "blends/verification/solids_internal.h"
 #include "dupin/blends/ringed_blend.h"
 #include "dupin/blends/ringed_tube.h"
+#include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
 #include "support/paper_surfaces.h"
 #include "verification/regular_claim.h"
@@ -93,10 +94,14 @@ TEST(RegularClaim, needs_a_margin_in_the_unit_interval) {
 
 TEST(RegularClaim, needs_positive_radii) {
   RingedSurface surface = test::cylinder({0, 0, 0}, {1, 0, 0}, 1);
-  for (const RadiusLaw& law :
-       {RadiusLaw(ConstantRadius{0}), RadiusLaw(ConstantRadius{-1}), RadiusLaw(LinearRadius{1, -1}),
-        RadiusLaw(BezierRadius{{1, -3, 1}})}) {
+  for (const RadiusLaw& law : {RadiusLaw(ConstantRadius{0}), RadiusLaw(ConstantRadius{-1}),
+                               RadiusLaw(LinearRadius{1, -1})}) {
     surface.radius = law;
+    EXPECT_THROW((void)test::solid(surface), Error);
+  }
+  for (const std::vector<double>& coefficients :
+       {std::vector<double>{1, -3, 1}, {0}, {-1}, {1, -1}}) {
+    surface.radius = BezierRadius{coefficients};
     EXPECT_FALSE(follows(test::solid(surface), proved(0)));
     EXPECT_FALSE(follows(test::solid(surface), proved(0, equal_leaves(16))));
   }

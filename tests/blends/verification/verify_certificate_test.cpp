@@ -62,6 +62,8 @@ TEST(VerifyCertificate, does_not_ask_about_what_is_undecided) {
   c.claims[0].mesh.reset();
   c.clearances[1].verdict = Verdict::undecided;
   c.clearances[1].leaves.clear();
+  EXPECT_THROW(verify(c), Error) << "a distance that nothing proves";
+  c.clearances[1].distance = 0;
   EXPECT_NO_THROW(verify(c));
 }
 

@@ -19,4 +19,10 @@ namespace dupin {
 /// byte was changed. Whether its claims follow is for `verify` to say.
 [[nodiscard]] Certificate parse_certificate(std::string_view text, const std::string& source = {});
 
+/// Throws Error{invalid_argument} for a certificate that is not about this document: the parts,
+/// read and resolved again, differ from the certificate's in some bit, or its tolerance is larger
+/// than the document's. Throws as `parse_assembly` and `resolve` for a document that is none.
+void require_about(const Certificate& certificate, std::string_view document,
+                   const std::string& source);
+
 }  // namespace dupin

@@ -1,0 +1,112 @@
+#include "certification/checked_claims.h"
+
+#include <utility>
+
+#include "dupin/kernel/error.h"
+
+namespace dupin::certification {
+
+// What it refuses costs nothing later: it is not claimed.
+template <class Check>
+bool CheckedClaims::holds(std::uint64_t allowance, const Check& check) {
+  const std::uint64_t before = limit_.left();
+  limit_.set_left(before + allowance);
+  try {
+    if (check()) {
+      return true;
+    }
+  } catch (const Error& error) {
+    if (error.code() != Errc::limit_exceeded) {
+      throw;
+    }
+  }
+  limit_.set_left(before);
+  return false;
+}
+
+void CheckedClaims::read(const CertifiedPart& part) {
+  limit_.set_left(limit_.left() + verification::work_for(part, {}));
+  solids_.emplace_back(part);
+  names_.push_back(part.name);
+}
+
+RegularClaim CheckedClaims::agreed(RegularClaim claim) {
+  if (claim.verdict != Verdict::undecided && !holds(verification::work_for(claim), [&] {
+        return verification::follows(solids_.back(), claim);
+      })) {
+    claim = {Verdict::undecided, claim.margin, {}, {}};
+  }
+  if (!verification::has_form(solids_.back(), claim)) {
+    claim.where = {};
+  }
+  return claim;
+}
+
+EmbeddedClaim CheckedClaims::agreed(EmbeddedClaim claim, const RegularClaim& regular) {
+  if (claim.verdict != Verdict::undecided && !holds(verification::work_for(claim.leaves), [&] {
+        return verification::follows(solids_.back(), claim, regular);
+      })) {
+    return {};
+  }
+  return claim;
+}
+
+// The prover's bound is tight; the checker's curvature comes from intervals of doubles.
+TangencyClaim CheckedClaims::agreed(TangencyClaim claim, std::size_t piece, End end,
+                                    double tolerance) {
+  const verification::Piece& its = solids_.back().pieces()[piece];
+  const auto follows = [&] {
+    return holds(0, [&] { return verification::follows(its, claim, end); });
+  };
+  if (!follows() && claim.curvature) {
+    const double proven = *claim.curvature, size = 1 / its.start.radius;
+    for (double room = 0x1p-50; room < 1 && !follows(); room *= 4) {
+      claim.curvature = proven * (1 + room) + room * size;
+    }
+    if (!follows()) {
+      claim.curvature.reset();
+    }
+  }
+  const Ring& ring = end == End::end ? its.end : its.start;
+  if (!follows() || !verification::is_near(claim, ring, tolerance)) {
+    throw Error(Errc::invalid_argument,
+                "the stored rings differ from the surface by more than the tolerance",
+                names_.back());
+  }
+  return claim;
+}
+
+std::optional<MeshClaim> CheckedClaims::agreed(MeshClaim claim, std::uint32_t part) {
+  const double proven = claim.error_bound;
+  for (const double room : {0x1p-20, 0x1p-6, 0x1p-4, 0x1p-2, 1.0}) {
+    claim.error_bound = proven * (1 + room);
+    if (holds(verification::work_for(claim),
+              [&] { return verification::follows(solids_[part], claim); })) {
+      return claim;
+    }
+  }
+  return std::nullopt;
+}
+
+ClearanceClaim CheckedClaims::agreed(ClearanceClaim claim,
+                                     const std::vector<CertifiedPart>& parts) {
+  if (claim.verdict == Verdict::undecided) {
+    return claim;
+  }
+  const auto joints = verification::joints(solids_, parts, claim.first, claim.second);
+  const double proven = claim.distance;
+  for (const double share : {1.0, 1 - 0x1p-20, 0.5, 0x1p-10}) {
+    claim.distance = proven * share;
+    if (holds(verification::work_for(claim.leaves), [&] {
+          return verification::follows(solids_[claim.first], solids_[claim.second], joints, claim);
+        })) {
+      return claim;
+    }
+    if (proven == 0) {
+      break;
+    }
+  }
+  return {claim.first, claim.second, Verdict::undecided, 0, {}, {}};
+}
+
+}  // namespace dupin::certification

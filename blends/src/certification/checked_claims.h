@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "verification/claims.h"
+#include "verification/work.h"
+
+namespace dupin::certification {
+
+/// Claims as the checker will believe them. It bounds things in another way than the prover, and
+/// does no more work than a certificate's length allows: a claim that does not follow for it, as
+/// little as it may lack, is made weaker or left undecided.
+class CheckedClaims {
+ public:
+  /// The next part. Throws Error{invalid_argument} for one whose numbers no certificate holds.
+  void read(const CertifiedPart& part);
+
+  // About the part that was read last.
+  [[nodiscard]] RegularClaim agreed(RegularClaim claim);
+  [[nodiscard]] EmbeddedClaim agreed(EmbeddedClaim claim, const RegularClaim& regular);
+  /// Throws Error{invalid_argument} if the ring is further from its disc than the tolerance.
+  [[nodiscard]] TangencyClaim agreed(TangencyClaim claim, std::size_t piece, End end,
+                                     double tolerance);
+
+  /// None: undecided.
+  [[nodiscard]] std::optional<MeshClaim> agreed(MeshClaim claim, std::uint32_t part);
+  [[nodiscard]] ClearanceClaim agreed(ClearanceClaim claim,
+                                      const std::vector<CertifiedPart>& parts);
+
+ private:
+  template <class Check>
+  bool holds(std::uint64_t allowance, const Check& check);
+
+  verification::WorkLimit limit_{CertificateLimits::work};
+  std::vector<verification::Solid> solids_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace dupin::certification

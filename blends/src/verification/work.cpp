@@ -1,0 +1,67 @@
+#include "verification/work.h"
+
+#include <algorithm>
+
+#include "dupin/kernel/error.h"
+
+namespace dupin::verification {
+namespace {
+
+thread_local WorkLimit* current = nullptr;
+
+}  // namespace
+
+WorkLimit::WorkLimit(std::uint64_t units) : left_(units), outer_(current) { current = this; }
+
+WorkLimit::~WorkLimit() { current = outer_; }
+
+std::uint64_t WorkLimit::left() const { return left_; }
+
+void WorkLimit::set_left(std::uint64_t units) { left_ = units; }
+
+std::uint64_t work_for(const std::vector<DiscPairs>& leaves) {
+  constexpr std::uint64_t kNumbers = 4;  // a direction is not asked for
+  return CertificateLimits::work_per_number * kNumbers * leaves.size();
+}
+
+std::uint64_t work_for(const RegularClaim& claim) {
+  return CertificateLimits::work_per_number * 2 * claim.leaves.size();
+}
+
+std::uint64_t work_for(const MeshClaim& claim) {
+  return CertificateLimits::work_per_number * claim.knots.size();
+}
+
+std::uint64_t work_for(const CertifiedPart& part, const PartClaims& claims) {
+  constexpr std::uint64_t kNumbersOfPiece = 32;  // two rings, a spine and a radius; four bounds
+  const auto* chain = std::get_if<Chain>(&part.shape);
+  const std::uint64_t numbers = kNumbersOfPiece * (chain != nullptr ? chain->pieces.size() : 0);
+  return CertificateLimits::work_per_number * numbers +
+         (claims.regular ? work_for(*claims.regular) : 0) +
+         (claims.embedded ? work_for(claims.embedded->leaves) : 0) +
+         (claims.mesh ? work_for(*claims.mesh) : 0);
+}
+
+std::uint64_t work_for(const Certificate& certificate) {
+  std::uint64_t units = CertificateLimits::work;
+  for (std::size_t i = 0; i < std::min(certificate.parts.size(), certificate.claims.size()); ++i) {
+    units += work_for(certificate.parts[i], certificate.claims[i]);
+  }
+  for (const ClearanceClaim& claim : certificate.clearances) {
+    units += work_for(claim.leaves);
+  }
+  return units;
+}
+
+void spend(std::uint64_t units) {
+  if (current == nullptr) {
+    return;
+  }
+  if (units > current->left_) {
+    throw Error(Errc::limit_exceeded, "the claims take more work than their length allows", {},
+                "certificate");
+  }
+  current->left_ -= units;
+}
+
+}  // namespace dupin::verification

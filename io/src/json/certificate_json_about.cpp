@@ -1,0 +1,34 @@
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "dupin/io/assembly_json.h"
+#include "dupin/io/certificate_json.h"
+#include "dupin/io/sha256.h"
+#include "dupin/kernel/error.h"
+#include "json/certificate_seal.h"
+
+namespace dupin {
+
+// The digest says that it may be about the document; who made the certificate wrote it, too.
+void require_about(const Certificate& certificate, std::string_view document,
+                   const std::string& source) {
+  const auto require = [&](bool holds, const std::string& reason, const std::string& part = {}) {
+    if (!holds) {
+      throw Error(Errc::invalid_argument, "the certificate is not about this document: " + reason,
+                  part, source);
+    }
+  };
+  require(sha256(document) == certificate.document_sha256, "the digest is another's");
+  const Assembly assembly = parse_assembly(document, source);
+  require(certificate.unit == assembly.unit, "the unit is another");
+  require(certificate.tolerance <= assembly.tolerance, "its tolerance is larger");
+  const std::vector<CertifiedPart> parts = certified_parts(assembly);
+  require(certificate.parts.size() == parts.size(), "it has not as many parts");
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    require(json::input_text(certificate.parts[i]) == json::input_text(parts[i]),
+            "the part is another", parts[i].name);
+  }
+}
+
+}  // namespace dupin

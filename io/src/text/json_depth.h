@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace dupin::text {
+
+/// No document that is read here is deeper.
+inline constexpr int kDeepestJson = 64;
+
+/// The first bracket of JSON text that is nested deeper than kDeepestJson, if there is one: what
+/// follows values level by level, as destroying them does, would need as deep a stack.
+[[nodiscard]] std::optional<std::size_t> first_too_deep(std::string_view json);
+
+}  // namespace dupin::text

@@ -1,0 +1,379 @@
+#include "io/json/forged_certificates.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "dupin/blends/certify.h"
+#include "dupin/blends/verify_certificate.h"
+#include "dupin/io/assembly_json.h"
+#include "dupin/io/certificate_json.h"
+#include "dupin/io/sha256.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin::test {
+namespace {
+
+using Random = std::mt19937_64;
+
+constexpr double kPi = 3.14159265358979323846;
+
+double between(Random& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+std::uint32_t part(const Certificate& c, const std::string& name) {
+  const auto found =
+      std::find_if(c.parts.begin(), c.parts.end(), [&](const auto& p) { return p.name == name; });
+  return std::uint32_t(found - c.parts.begin());
+}
+
+PartClaims& claims(Certificate& c, const std::string& name) { return c.claims.at(part(c, name)); }
+
+Chain& chain(Certificate& c, const std::string& name) {
+  return std::get<Chain>(c.parts.at(part(c, name)).shape);
+}
+
+RingedSurface& tube(Certificate& c, const std::string& name) {
+  return std::get<RingedSurface>(chain(c, name).pieces.front());
+}
+
+ClearanceClaim& pair(Certificate& c, const std::string& a, const std::string& b) {
+  return *std::find_if(c.clearances.begin(), c.clearances.end(), [&](const auto& claim) {
+    return c.parts[claim.first].name == a && c.parts[claim.second].name == b;
+  });
+}
+
+// Any number that a forger may think of.
+double hostile(Random& random) {
+  constexpr double kNumbers[] = {0,      -0.0,   1,     -1,      5e-324, -5e-324, 1e-308, 2.3e-308,
+                                 1e-160, -1e160, 1e160, 1.7e308, -1e308, 0x1p300, 1e-15,  3};
+  return kNumbers[random() % std::size(kNumbers)];
+}
+
+Vec3 any_direction(Random& random) {
+  if (random() % 4 == 0) {
+    return {hostile(random), hostile(random), hostile(random)};
+  }
+  return std::ldexp(1, int(random() % 600) - 300) *
+         Vec3(between(random, -1, 1), between(random, -1, 1), between(random, -1, 1));
+}
+
+// Leaves that cover all pairs, with directions of any kind, or none.
+std::vector<DiscPairs> any_leaves(Random& random, double first, double second, bool ordered) {
+  const int cuts = 1 << random() % 5;
+  std::vector<DiscPairs> leaves;
+  for (int i = 0; i < int(first) * cuts; ++i) {
+    for (int j = ordered ? i : 0; j < int(second) * cuts; ++j) {
+      DiscPairs leaf{
+          {double(i) / cuts, double(i + 1) / cuts}, {double(j) / cuts, double(j + 1) / cuts}, {}};
+      if (random() % 3 != 0) {
+        leaf.direction = any_direction(random);
+      }
+      leaves.push_back(leaf);
+    }
+  }
+  return leaves;
+}
+
+double length(const CertifiedPart& p) {
+  const auto* its = std::get_if<Chain>(&p.shape);
+  return its != nullptr ? double(its->pieces.size()) : 1;
+}
+
+void separate(Certificate& c, ClearanceClaim& claim, double distance, Random& random) {
+  claim.verdict = Verdict::proved;
+  claim.overlap.reset();
+  claim.distance = distance;
+  claim.leaves =
+      any_leaves(random, length(c.parts[claim.first]), length(c.parts[claim.second]), false);
+}
+
+void embed(Certificate& c, const std::string& name, Random& random) {
+  const double pieces = length(c.parts[part(c, name)]);
+  RegularClaim regular{Verdict::proved, between(random, 0, .9), {}, {}};
+  const int cuts = 1 << random() % 8;
+  for (int i = 0; i < int(pieces) * cuts; ++i) {
+    regular.leaves.push_back({double(i) / cuts, double(i + 1) / cuts});
+  }
+  if (random() % 2 == 0) {
+    claims(c, name).regular = regular;
+  }
+  claims(c, name).embedded =
+      EmbeddedClaim{Verdict::proved, any_leaves(random, pieces, pieces, true), {}};
+}
+
+// The same loop, as a rational curve with weights that exact numbers hold and doubles do not.
+void make_rational(Certificate& c, const std::vector<double>& weights) {
+  RingedSurface& loop = tube(c, "loop");
+  const auto& hermite = std::get<HermiteSpine>(loop.spine);
+  loop.spine = BezierSpine{{hermite.from, hermite.from + hermite.start_velocity / 3,
+                            hermite.to - hermite.end_velocity / 3, hermite.to},
+                           weights};
+}
+
+void set_radius(Certificate& c, const std::string& name, const RadiusLaw& law) {
+  tube(c, name).radius = law;
+}
+
+}  // namespace
+
+Truth truth(Random& random) {
+  const double r = between(random, .4, 1), rb = between(random, .4, 1),
+               bend = between(random, 2, 4);
+  const double height = between(random, -.7, .7), oval = between(random, 1.2, 2);
+  const double size = between(random, .8, 1.3);
+  std::ostringstream text;
+  text.precision(17);
+  text << R"({"units": "mm", "tolerance": 0.2, "parts": [
+  {"name": "a", "pipe": {"from": [-5, 0, 0], "to": [5, 0, 0], "radius": )"
+       << r << R"(}},
+  {"name": "b", "pipe": {"from": [0, -5, )"
+       << height << "], \"to\": [0, 5, " << height << R"(], "radius": )" << rb << R"(}},
+  {"name": "ball", "sphere": {"center": [3, 0, 6], "radius": 2}},
+  {"name": "elbow", "elbow": {"from": [0, 100, 0], "direction": [1, 0, 0], "radius": 1, "bend_radius": )"
+       << bend << R"(, "angle": 90, "toward": [0, 1, 0]}},
+  {"name": "on", "pipe": {"from": "elbow.end", "length": 3}},
+  {"name": "oval", "pipe": {"from": [0, 200, 0], "to": [9, 200, 0], "semi_axes": [)"
+       << oval << R"(, 1], "axis": [0, 0, 1]}},
+  {"name": "in", "pipe": {"from": [0, 300, 0], "direction": [1, 0, 0], "length": 1, "radius": 1}},
+  {"name": "out", "pipe": {"from": [)"
+       << 4 * size << ", " << 300 - 4 * size
+       << R"(, 0], "direction": [0, -1, 0], "length": 1, "radius": 1}},
+  {"name": "loop", "cyclic_blend": {"from": "in.end", "to": "out.start", "radius_law": "R1", "k": )"
+       << 60 * size << ", \"l\": " << 60 * size << R"(}}]})";
+  Truth result{text.str(), {}, 1 - 1 / bend};
+  result.honest = certify(parse_assembly(result.document, "truth.json"));
+  result.honest.document_sha256 = sha256(result.document);
+  return result;
+}
+
+const std::vector<Forgery>& forgeries() {
+  static const std::vector<Forgery> all{
+      {"a pipe and a ball further apart than they are",
+       [](Certificate& c, const Truth&, Random& random) {
+         const double r = std::get<ConstantRadius>(tube(c, "a").radius).radius;
+         pair(c, "a", "ball").distance = (4 - r) * between(random, 1 + 1e-12, 3);
+       }},
+      {"crossing pipes apart",
+       [](Certificate& c, const Truth&, Random& random) {
+         separate(c, pair(c, "a", "b"), between(random, 1e-9, 10), random);
+       }},
+      {"crossing pipes apart by a number of any size",
+       [](Certificate& c, const Truth&, Random& random) {
+         separate(c, pair(c, "a", "b"), std::abs(hostile(random)) + 5e-324, random);
+       }},
+      {"a distance beside the point that both have",
+       [](Certificate& c, const Truth&, Random& random) {
+         pair(c, "a", "b").distance = between(random, 1e-300, 1);
+       }},
+      {"a distance that is undecided",
+       [](Certificate& c, const Truth&, Random& random) {
+         pair(c, "a", "b") = {part(c, "a"),           part(c, "b"), Verdict::undecided,
+                              between(random, .1, 9), {},           {}};
+       }},
+      {"a point of parts that are apart",
+       [](Certificate& c, const Truth&, Random& random) {
+         ClearanceClaim& claim = pair(c, "a", "ball");
+         claim.distance = 0;
+         claim.leaves.clear();
+         const double t = std::ldexp(double(random() % 1000), -10);
+         const ParameterInterval ends[] = {{0, 0}, {1, 1}, {t, t + 0x1p-9}, {0, 1}, {t, t}};
+         claim.overlap =
+             Overlap{Vec3(3, 0, between(random, .5, 5)), ends[random() % 5], ends[random() % 5]};
+       }},
+      {"an elbow that bends less tightly than it does",
+       [](Certificate& c, const Truth& truth, Random& random) {
+         claims(c, "elbow").regular->margin = between(random, truth.bend_margin + 1e-12, 1);
+       }},
+      {"an elbow that folds",
+       [](Certificate& c, const Truth& truth, Random& random) {
+         claims(c, "elbow").regular = RegularClaim{
+             Verdict::refuted, between(random, 0, truth.bend_margin - 1e-9), {}, {0, 1}};
+         claims(c, "elbow").embedded = EmbeddedClaim{};
+       }},
+      {"a margin of nothing",
+       [](Certificate& c, const Truth&, Random& random) {
+         claims(c, "elbow").regular =
+             RegularClaim{Verdict::undecided, random() % 2 == 0 ? 1 : hostile(random) + 2, {}, {}};
+         claims(c, "elbow").embedded = EmbeddedClaim{};
+       }},
+      {"a loop that does not cross itself",
+       [](Certificate& c, const Truth&, Random& random) { embed(c, "loop", random); }},
+      {"a loop of tiny weights",
+       [](Certificate& c, const Truth&, Random& random) {
+         const double weight = std::ldexp(1, -int(random() % 1074));
+         make_rational(c, {weight, weight, weight, weight});
+         embed(c, "loop", random);
+       }},
+      {"a loop of weights in any ratio",
+       [](Certificate& c, const Truth&, Random& random) {
+         const double weight = std::ldexp(1, int(random() % 99));
+         make_rational(c, {weight, 1 / weight, 1 / weight, weight});
+         for (Vec3& p : std::get<BezierSpine>(tube(c, "loop").spine).points) {
+           p *= std::abs(hostile(random));
+         }
+         embed(c, "loop", random);
+         c.claims[part(c, "loop")].regular->verdict = Verdict::proved;
+       }},
+      {"a pipe of overflowing points, far from the one that it lies in",
+       [](Certificate& c, const Truth&, Random& random) {
+         const double far = random() % 2 == 0 ? 1e308 : 1.7e308;
+         tube(c, "a").spine = BezierSpine{{{-far, 0, 0}, {far, 0, 0}, {-far, 0, 0}, {5, 0, 0}}, {}};
+         separate(c, pair(c, "a", "b"), 1000, random);
+       }},
+      {"a pipe of negative radius",
+       [](Certificate& c, const Truth&, Random& random) {
+         const double r = -between(random, 1e-9, 3);
+         const RadiusLaw laws[] = {ConstantRadius{r}, LinearRadius{r, r}, CubicRadius{r, r},
+                                   CyclideRadius{r, r}, BezierRadius{{r, r, r}}};
+         set_radius(c, "a", laws[random() % 5]);
+         claims(c, "a").regular = RegularClaim{};
+         claims(c, "a").embedded = EmbeddedClaim{};
+         pair(c, "a", "ball").distance = 4 + std::abs(r) / 2;
+       }},
+      {"a mesh nearer than its sagitta",
+       [](Certificate& c, const Truth&, Random& random) {
+         MeshClaim& mesh = *claims(c, "a").mesh;
+         const double r = std::get<ConstantRadius>(tube(c, "a").radius).radius;
+         mesh.error_bound = r * (1 - std::cos(kPi / mesh.segments)) * between(random, 0, 1 - 1e-9);
+       }},
+      {"a mesh on a grid that takes away",
+       [](Certificate& c, const Truth&, Random& random) {
+         const char* const names[] = {"a", "ball", "elbow"};
+         MeshClaim& mesh = *claims(c, names[random() % 3]).mesh;
+         mesh.grid = -between(random, .1, 1e9);
+         mesh.error_bound = 1e-9;
+       }},
+      {"a mesh of fewer segments",
+       [](Certificate& c, const Truth&, Random& random) {
+         const char* const names[] = {"a", "ball"};
+         MeshClaim& mesh = *claims(c, names[random() % 2]).mesh;
+         mesh.segments = mesh.segments / 2;
+       }},
+      {"a mesh of too many segments",
+       [](Certificate& c, const Truth&, Random& random) {
+         const char* const names[] = {"a", "ball", "elbow"};
+         claims(c, names[random() % 3]).mesh->segments =
+             1'000'001 + std::uint32_t(random() % 900'000);
+       }},
+      {"a bent mesh in one band",
+       [](Certificate& c, const Truth&, Random&) {
+         claims(c, "elbow").mesh->knots = {0, 1};
+       }},
+      {"an elliptic pipe judged by its rings",
+       [](Certificate& c, const Truth&, Random& random) {
+         auto& oval = std::get<EllipticTube>(chain(c, "oval").pieces.front());
+         const double more = between(random, 1.01, 2);
+         oval.first = LinearRadius{oval.start.radius * more, oval.start.radius / more};
+         oval.second = LinearRadius{1 / more, more};
+         for (TangencyClaim& claim : claims(c, "oval").tangency) {
+           claim.offset = claim.deviation.emplace(100);
+         }
+         c.tolerance = 1e9;
+       }},
+      {"a wall of what has none",
+       [](Certificate& c, const Truth&, Random& random) {
+         const char* const names[] = {"a", "elbow", "oval", "loop"};
+         chain(c, names[random() % 4]).wall = between(random, -4, 4);
+       }},
+      {"a pipe that closes",
+       [](Certificate& c, const Truth&, Random& random) {
+         const char* const names[] = {"a", "elbow", "loop"};
+         chain(c, names[random() % 3]).closed = true;
+       }},
+      {"parts apart that are joined",
+       [](Certificate& c, const Truth&, Random& random) {
+         c.parts[part(c, "elbow")].joined[1].reset();
+         c.parts[part(c, "on")].joined[0].reset();
+         separate(c, pair(c, "elbow", "on"), between(random, 1e-12, 1), random);
+       }},
+      {"crossing pipes that are joined",
+       [](Certificate& c, const Truth&, Random& random) {
+         const End ends[] = {End::start, End::end};
+         c.parts[part(c, "a")].joined[random() % 2] = EndIndex{part(c, "b"), ends[random() % 2]};
+         separate(c, pair(c, "a", "b"), 0, random);
+       }},
+      {"a curve of a high degree",
+       [](Certificate& c, const Truth&, Random& random) {
+         BezierSpine spine;
+         for (std::size_t i = 0; i < 14 + random() % 150; ++i) {
+           spine.points.emplace_back(-5 + double(i), std::sin(double(i)), 0);
+         }
+         tube(c, "a").spine = spine;
+       }},
+      {"claims about a ball",
+       [](Certificate& c, const Truth&, Random& random) {
+         claims(c, "ball").regular =
+             RegularClaim{Verdict::proved, between(random, 0, .99), {{0, 1}}, {}};
+         claims(c, "ball").embedded = EmbeddedClaim{Verdict::proved, {{{0, 1}, {0, 1}, {}}}, {}};
+       }},
+      {"rings that look another way",
+       [](Certificate& c, const Truth&, Random& random) {
+         tube(c, "a").start.normal =
+             Vec3(-1, between(random, .001, 1), between(random, -1, 1)).normalized();
+       }},
+      {"rings of no length",
+       [](Certificate& c, const Truth&, Random& random) {
+         tube(c, "a").start.normal *= hostile(random) + .5;
+       }},
+      {"another name on the next line",
+       [](Certificate& c, const Truth&, Random&) {
+         c.parts[part(c, "a")].name = "a\nnot proved           0";
+       }},
+      {"the tolerance of another document",
+       [](Certificate& c, const Truth&, Random& random) {
+         c.tolerance *= between(random, 1.01, 9);
+       },
+       true},
+      {"the parts of another document",
+       [](Certificate& c, const Truth&, Random& random) {
+         double& y = std::get<Sphere>(c.parts[part(c, "ball")].shape).center.z();
+         y = std::nextafter(y, random() % 2 == 0 ? 0 : 9);
+       },
+       true},
+      {"another name", [](Certificate& c, const Truth&, Random&) { c.parts[0].name = "another"; },
+       true},
+      {"another unit", [](Certificate& c, const Truth&, Random&) { c.unit = Unit::inch; }, true}};
+  return all;
+}
+
+void expect_none_believed(std::uint64_t seed, int count) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int kOfOneTruth = 100;
+  Random random(seed);
+  Truth known;
+  for (int i = 0; i < count; ++i) {
+    if (i % kOfOneTruth == 0) {
+      known = truth(random);
+      const Certificate read = parse_certificate(certificate_json(known.honest));
+      ASSERT_NO_THROW(verify(read));
+      ASSERT_NO_THROW(require_about(read, known.document, "truth.json"));
+    }
+    const Forgery& forgery = forgeries()[std::size_t(i) % forgeries().size()];
+    Certificate forged = known.honest;
+    forgery.tell(forged, known, random);
+    const auto before = Clock::now();
+    try {
+      const Certificate read = parse_certificate(certificate_json(forged));
+      if (forgery.is_about_another) {
+        require_about(read, known.document, "truth.json");
+      } else {
+        verify(read);
+      }
+      ADD_FAILURE() << i << ": believed: " << forgery.way;
+    } catch (const Error& error) {
+      EXPECT_TRUE(error.code() == Errc::invalid_argument || error.code() == Errc::parse_failed ||
+                  error.code() == Errc::limit_exceeded)
+          << forgery.way << ": " << error.what();
+    }
+    EXPECT_LT(std::chrono::duration<double>(Clock::now() - before).count(), 10)
+        << i << ": " << forgery.way;
+  }
+}
+
+}  // namespace dupin::test

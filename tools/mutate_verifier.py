@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""What the tests of the verifier are worth: breaks each comparison, bound and inclusion of its
+sources once, and lists the mutants that no test notices.
+
+    tools/mutate_verifier.py BUILD [FILE ...]     for example build/dev regular_claim.cpp
+
+BUILD is a directory where ninja has built blends_verification_test; FILEs are sources of
+blends/src/verification, all of them if none is given. A mutant that does not compile, crashes the
+test or takes more than a minute counts as noticed. KNOWN lists survivors that are right as they
+are, with the reason; the exit code is 1 if there are others.
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SOURCES = ROOT / "blends/src/verification"
+TEST = "tests/blends/blends_verification_test"
+SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" == ", " != "),
+         (" != ", " == "), (" && ", " || "), (" || ", " && "), (".lower", ".upper"),
+         (".upper", ".lower"), ("std::max(", "std::min("), ("std::min(", "std::max("),
+         (" max(", " min("), ("all_of(", "any_of("), ("any_of(", "all_of("),
+         ("return false", "return true"), ("return true", "return false"), ("!(", "("),
+         ("lower_bound(", "upper_bound("), ("upper_bound(", "lower_bound(")]
+# (file, what the line contains, what becomes of it): why nothing can notice.
+KNOWN = {
+    ("covering.cpp", "if (to <= begin || end <= from) {", " < "):
+        "a range that only touches falls through to its children, which return, or to nothing",
+    ("covering.cpp", "return a.at < b.at; });", " <= "): "the order of equal events is free",
+    ("covering.cpp", "reached < first.to;) {", " <= "): "strips beyond the end are of no width",
+}
+
+
+def mutants(text):
+    """Pairs of a description and a changed text; comments and includes are left alone."""
+    lines = text.split("\n")
+    for number, line in enumerate(lines):
+        code = line.split("//")[0]
+        if code.lstrip().startswith("#"):
+            continue
+        for old, new in SWAPS:
+            for found in re.finditer(re.escape(old), code):
+                changed = code[:found.start()] + new + code[found.end():]
+                yield (number + 1, line.strip(), new,
+                       "\n".join(lines[:number] + [changed] + lines[number + 1:]))
+
+
+def linking(build):
+    """Objects and libraries of the test, as ninja links them."""
+    text = (build / "build.ninja").read_text()
+    block = re.search(r"^build %s:.*?\n\n" % re.escape(TEST), text, re.M | re.S).group(0)
+    objects = [w for w in block.split("|")[0].split() if w.endswith(".o")]
+    libraries = re.search(r"LINK_LIBRARIES = (.*)", block).group(1).split()
+    return objects, libraries
+
+
+def is_noticed(build, entry, text, folder, parts):
+    source, target, program = (folder / n for n in ("mutant.cpp", "mutant.o", "test"))
+    source.write_text(text)
+    command = re.sub(r"^\S*ccache\s+", "", entry["command"])
+    command = re.sub(r" -o \S+", f" -o {target}", command).replace(entry["file"], str(source))
+    command = command.replace(" -Werror", "")
+    if subprocess.run(command, shell=True, cwd=build, capture_output=True).returncode:
+        return True
+    objects, libraries = parts
+    subprocess.run(["c++", "-o", program, *objects, target, *libraries], cwd=build, check=True)
+    try:
+        return subprocess.run([program, "--gtest_brief=1"], cwd=build, capture_output=True,
+                              timeout=60).returncode != 0
+    except subprocess.TimeoutExpired:
+        return True
+
+
+def main():
+    build = pathlib.Path(sys.argv[1]).resolve()
+    names = sys.argv[2:] or sorted(p.name for p in SOURCES.glob("*.cpp"))
+    entries = {e["file"]: e for e in json.loads((build / "compile_commands.json").read_text())}
+    parts, survivors, count = linking(build), [], 0
+    with tempfile.TemporaryDirectory() as folder:
+        for name in names:
+            path = SOURCES / name
+            for number, line, new, text in mutants(path.read_text()):
+                count += 1
+                if is_noticed(build, entries[str(path)], text, pathlib.Path(folder), parts):
+                    continue
+                reason = next((why for (f, where, what), why in KNOWN.items()
+                               if f == name and where in line and what == new), None)
+                print(f"{name}:{number}: '{new.strip()}' in: {line}" +
+                      (f"\n    known: {reason}" if reason else ""), flush=True)
+                if reason is None:
+                    survivors.append(line)
+    print(f"{count} mutants, {len(survivors)} survivors without a reason")
+    return 1 if survivors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
