@@ -27,6 +27,7 @@ SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" 
          ("lower_bound(", "upper_bound("), ("upper_bound(", "lower_bound(")]
 # (file, what the line contains, what becomes of it): why nothing can notice.
 KNOWN = {
+    ("covering.cpp", "while (width_ < cells) {", " <= "): "a wider tree has cells that nobody asks for",
     ("covering.cpp", "if (to <= begin || end <= from) {", " < "):
         "a range that only touches falls through to its children, which return, or to nothing",
     ("covering.cpp", "return a.at < b.at; });", " <= "): "the order of equal events is free",

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -123,6 +124,109 @@ TEST(Interval, vectors_have_products_that_hold_the_exact_ones) {
     const Interval length = norm(a);
     EXPECT_TRUE(mpq_class(length.lower) * length.lower <= squared &&
                 squared <= mpq_class(length.upper) * length.upper);
+  }
+}
+
+// Ends of every kind: whatever reals the operands hold, results hold those of exact arithmetic.
+const std::vector<double> kEnds{-kInfinity, -1.7e308, -1e160,  -3,       -1e-160, -2.3e-308,
+                                -5e-324,    -0.0,     0,       5e-324,   1e-308,  1e-160,
+                                1,          1e160,    1.7e308, kInfinity};
+
+std::vector<Interval> intervals_of_every_kind() {
+  std::vector<Interval> result;
+  for (const double a : kEnds) {
+    for (const double b : kEnds) {
+      result.emplace_back(a, b);
+    }
+    result.emplace_back(a, std::nan(""));
+    result.emplace_back(std::nan(""), a);
+    result.emplace_back(a);
+  }
+  return result;
+}
+
+// Some reals of it, both ends among them where they are.
+std::vector<mpq_class> members(const Interval& a) {
+  std::vector<mpq_class> result;
+  for (const double x : {a.lower, a.upper, 0.0, 1.0, -2e160, 3e-200}) {
+    if (a.lower <= x && x <= a.upper && std::isfinite(x)) {
+      result.emplace_back(x);
+    }
+  }
+  return result;
+}
+
+void expect_holds(const Interval& a, const mpq_class& x) {
+  EXPECT_FALSE(std::isnan(a.lower) || std::isnan(a.upper));
+  EXPECT_TRUE(a.lower == -kInfinity || mpq_class(a.lower) <= x) << a.lower;
+  EXPECT_TRUE(a.upper == kInfinity || x <= mpq_class(a.upper)) << a.upper;
+}
+
+TEST(Interval, without_order_or_number_is_the_whole_line) {
+  for (const Interval& a : {Interval(std::nan("")), Interval(2, 1), Interval(std::nan(""), 1),
+                            Interval(1, std::nan("")), Interval::whole()}) {
+    EXPECT_EQ(a.lower, -kInfinity);
+    EXPECT_EQ(a.upper, kInfinity);
+  }
+  EXPECT_EQ(Interval(kInfinity).lower, std::numeric_limits<double>::max());
+  EXPECT_EQ(Interval(-kInfinity).upper, std::numeric_limits<double>::lowest());
+  for (const Interval& a : intervals_of_every_kind()) {
+    EXPECT_LE(a.lower, a.upper);
+    EXPECT_LT(a.lower, kInfinity);
+    EXPECT_GT(a.upper, -kInfinity);
+  }
+}
+
+TEST(Interval, is_total_for_ends_of_every_kind) {
+  const std::vector<Interval> all = intervals_of_every_kind();
+  for (const Interval& a : all) {
+    const std::vector<mpq_class> of_a = members(a);
+    for (const mpq_class& x : of_a) {
+      expect_holds(-a, -x);
+      expect_holds(square(a), x * x);
+      EXPECT_TRUE(a.magnitude() == kInfinity || mpq_class(a.magnitude()) >= abs(x));
+      const Interval root = sqrt(a);
+      EXPECT_TRUE(x < 0 || mpq_class(root.lower) * root.lower <= x);
+      EXPECT_TRUE(x < 0 || root.upper == kInfinity || mpq_class(root.upper) * root.upper >= x);
+    }
+    for (const Interval& b : all) {
+      for (const mpq_class& x : of_a) {
+        for (const mpq_class& y : members(b)) {
+          expect_holds(a + b, x + y);
+          expect_holds(a - b, x - y);
+          expect_holds(a * b, x * y);
+          expect_holds(max(a, b), std::max(x, y));
+          expect_holds(min(a, b), std::min(x, y));
+          expect_holds(hull(a, b), x);
+          expect_holds(hull(a, b), y);
+          if (y != 0) {
+            expect_holds(a / b, x / y);
+          }
+        }
+      }
+      const IntervalVec v{a, b, a};
+      EXPECT_FALSE(std::isnan(norm(v).lower) || std::isnan(norm(v).upper));
+      EXPECT_FALSE(std::isnan(dot(v, v).lower) || std::isnan(dot(v, v).upper));
+    }
+  }
+}
+
+TEST(Interval, quotients_and_roots_without_a_result_are_the_whole_line) {
+  for (const Interval& a : {Interval(1) / Interval(0), Interval(1) / Interval(-1, 1),
+                            Interval(0) / Interval(0, 1), sqrt(Interval(-2, -1))}) {
+    EXPECT_EQ(a.lower, -kInfinity);
+    EXPECT_EQ(a.upper, kInfinity);
+  }
+  EXPECT_GT((Interval(1) / Interval(0, 4)).lower, .2499) << "by all but 0";
+  EXPECT_GT((Interval(1) / Interval(-0.0, 4)).lower, .2499);
+  EXPECT_LT((Interval(1) / Interval(-4, 0)).upper, -.2499);
+}
+
+TEST(Quotient, among_subnormal_numbers_is_still_outward) {
+  for (unsigned bits = 1060; bits < 1080; ++bits) {
+    const mpz_class d = (mpz_class(1) << bits) + 12345;
+    const Interval found = quotient(7, d);
+    expect_holds(found, mpq_class(7, d));
   }
 }
 

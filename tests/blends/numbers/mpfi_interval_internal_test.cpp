@@ -91,6 +91,18 @@ TEST(MpfiInterval, is_positive_where_all_of_it_is) {
   EXPECT_FALSE(Narrow::between(-1, 1).is_positive());
 }
 
+TEST(MpfiInterval, without_a_result_is_the_whole_line) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Narrow none = std::nan(""), whole = Narrow::between(-kInfinity, kInfinity);
+  for (const Narrow& x :
+       {none, Narrow::between(2, 1), square_root(Narrow(-1)), Narrow(0) / 0, whole * 0 + whole,
+        cosine(none) * whole, angle(none, none) * whole, whole - whole, none + 1}) {
+    EXPECT_EQ(x.rounded_outward().lower, -kInfinity);
+    EXPECT_EQ(x.rounded_outward().upper, kInfinity);
+    EXPECT_FALSE(x.is_positive());
+  }
+}
+
 TEST(MpfiInterval, is_copied_by_value) {
   Narrow a = 1;
   Narrow b = a;

@@ -1,5 +1,6 @@
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "json/json_document.h"
@@ -58,6 +59,18 @@ TEST(JsonDocument, without_a_source_the_pointer_stands_alone) {
   const Json json = parse_json("{\"a\": 1}", source);
   EXPECT_EQ(message_of([&] { JsonNode(json, source, "").at("a").require_object(); }),
             "/a: must be an object, not number");
+}
+
+TEST(JsonDocument, that_is_deep_or_has_too_many_keys_is_refused_with_its_place) {
+  const std::string deep(100'000, '[');
+  EXPECT_THAT(message_of([&] { (void)parse_json("{\n\"a\": " + deep, "d").size(); }),
+              testing::HasSubstr("d:2:"));
+  std::string keys = "{\"a\": {";
+  for (int i = 0; i < 2000; ++i) {
+    keys += (i == 0 ? "\"" : ", \"") + std::to_string(i) + "\": 0";
+  }
+  EXPECT_THAT(message_of([&] { (void)parse_json(keys + "}}", "d").size(); }),
+              testing::HasSubstr("d#/a/1024: "));
 }
 
 }  // namespace

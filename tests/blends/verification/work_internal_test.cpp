@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/error.h"
+#include "verification/work.h"
+
+namespace dupin::verification {
+namespace {
+
+TEST(Work, without_a_limit_is_free) { EXPECT_NO_THROW(spend(~std::uint64_t(0))); }
+
+TEST(Work, is_counted_by_the_innermost_limit) {
+  const WorkLimit outer(100);
+  spend(40);
+  EXPECT_EQ(outer.left(), 60U);
+  {
+    const WorkLimit inner(10);
+    EXPECT_NO_THROW(spend(10));
+    EXPECT_THROW(spend(1), Error);
+    EXPECT_EQ(inner.left(), 0U);
+  }
+  EXPECT_NO_THROW(spend(60));
+  EXPECT_THROW(spend(1), Error);
+}
+
+TEST(Work, that_is_refused_is_not_spent) {
+  WorkLimit limit(5);
+  EXPECT_THROW(spend(6), Error);
+  EXPECT_EQ(limit.left(), 5U);
+  limit.set_left(7);
+  EXPECT_NO_THROW(spend(7));
+}
+
+TEST(Work, that_a_certificate_allows_is_linear_in_its_numbers) {
+  Certificate certificate;
+  EXPECT_EQ(work_for(certificate), CertificateLimits::work);
+  certificate.parts.resize(1);
+  certificate.parts[0].shape = Chain{};
+  certificate.claims.resize(1);
+  certificate.claims[0].regular.emplace();
+  certificate.claims[0].embedded.emplace();
+  certificate.claims[0].mesh.emplace();
+  EXPECT_EQ(work_for(certificate), CertificateLimits::work);
+  certificate.claims[0].regular->leaves.resize(3);
+  certificate.claims[0].embedded->leaves.resize(5);
+  certificate.claims[0].mesh->knots.resize(7);
+  certificate.clearances.resize(2);
+  certificate.clearances[1].leaves.resize(11);
+  EXPECT_EQ(work_for(certificate), CertificateLimits::work + CertificateLimits::work_per_number *
+                                                                 (2 * 3 + 4 * 5 + 7 + 4 * 11));
+}
+
+}  // namespace
+}  // namespace dupin::verification
