@@ -33,7 +33,7 @@ class CheckedClaims {
   template <class Check>
   bool holds(std::uint64_t allowance, const Check& check);
 
-  verification::WorkLimit limit_{CertificateLimits::work};
+  verification::WorkLimit limit_{CertificateLimits::kWork};
   std::vector<verification::Solid> solids_;
   std::vector<std::string> names_;
 };

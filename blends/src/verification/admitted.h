@@ -4,6 +4,26 @@
 
 namespace dupin::verification {
 
+/// What numbers of shapes have to be. Each throws Error{invalid_argument} with the part's name.
+class Requirements {
+ public:
+  explicit Requirements(const std::string& part) : part_(part) {}
+
+  void require(bool holds, const std::string& what) const;
+  void number(double x) const;
+  void positive(double x, const std::string& what) const;
+  void point(const Vec3& p) const;
+  void direction(const Vec3& v) const;  ///< of unit length
+  void ring(const Ring& r) const;
+  void spine(const Spine& s) const;
+  void radius(const RadiusLaw& r) const;
+  /// Of polynomials: at least one, no more than CertificateLimits say.
+  void coefficients(std::size_t count) const;
+
+ private:
+  const std::string& part_;
+};
+
 /// A part whose numbers are what its shape needs: finite and no larger than CertificateLimits say,
 /// radii, weights and chords positive, normals of unit length, no more coefficients than the
 /// limits. There are no others: the checker reads shapes from here.

@@ -201,7 +201,7 @@ bool sphere_follows(const Sphere& sphere, const MeshClaim& claim) {
 
 bool follows(const Solid& solid, const MeshClaim& claim) {
   if (!is_bound(claim.grid) || !is_bound(claim.error_bound) || claim.segments < 3 ||
-      claim.segments > CertificateLimits::segments) {
+      claim.segments > CertificateLimits::kSegments) {
     return false;
   }
   if (solid.ball() != nullptr) {

@@ -3,25 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "verification/motion.h"
+#include "verification/piece.h"
 
 namespace dupin::verification {
-
-/// A piece of a chain, read exactly.
-struct Piece {
-  Piece(const dupin::Piece& certified, double wall);
-
-  dupin::Piece shape;
-  Ring start, end;
-  /// A ringed surface's, or those of an elliptic tube's two semi-axes; none for other pieces.
-  std::vector<Tube> tubes;
-  Motion motion;  ///< none for elliptic tubes
-  /// Of the discs that contain the piece's; first derivatives may have lost a positive factor.
-  Motion steered;
-  Motion inner;  ///< of the inner skin; none for solid pieces
-  /// The bands of all neighbours of its kind share a frame, and so its twist.
-  bool shares_frame = false;
-};
 
 /// A part, read exactly: discs for parameters from 0 to the number of its pieces, or a ball. A
 /// chain with spherical joints, that nothing is claimed about, has no pieces here.

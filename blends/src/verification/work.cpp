@@ -21,29 +21,29 @@ void WorkLimit::set_left(std::uint64_t units) { left_ = units; }
 
 std::uint64_t work_for(const std::vector<DiscPairs>& leaves) {
   constexpr std::uint64_t kNumbers = 4;  // a direction is not asked for
-  return CertificateLimits::work_per_number * kNumbers * leaves.size();
+  return CertificateLimits::kWorkPerNumber * kNumbers * leaves.size();
 }
 
 std::uint64_t work_for(const RegularClaim& claim) {
-  return CertificateLimits::work_per_number * 2 * claim.leaves.size();
+  return CertificateLimits::kWorkPerNumber * 2 * claim.leaves.size();
 }
 
 std::uint64_t work_for(const MeshClaim& claim) {
-  return CertificateLimits::work_per_number * claim.knots.size();
+  return CertificateLimits::kWorkPerNumber * claim.knots.size();
 }
 
 std::uint64_t work_for(const CertifiedPart& part, const PartClaims& claims) {
   constexpr std::uint64_t kNumbersOfPiece = 32;  // two rings, a spine and a radius; four bounds
   const auto* chain = std::get_if<Chain>(&part.shape);
   const std::uint64_t numbers = kNumbersOfPiece * (chain != nullptr ? chain->pieces.size() : 0);
-  return CertificateLimits::work_per_number * numbers +
+  return CertificateLimits::kWorkPerNumber * numbers +
          (claims.regular ? work_for(*claims.regular) : 0) +
          (claims.embedded ? work_for(claims.embedded->leaves) : 0) +
          (claims.mesh ? work_for(*claims.mesh) : 0);
 }
 
 std::uint64_t work_for(const Certificate& certificate) {
-  std::uint64_t units = CertificateLimits::work;
+  std::uint64_t units = CertificateLimits::kWork;
   for (std::size_t i = 0; i < std::min(certificate.parts.size(), certificate.claims.size()); ++i) {
     units += work_for(certificate.parts[i], certificate.claims[i]);
   }

@@ -133,7 +133,7 @@ PartClaims part_claims(const JsonNode& node) {
   });
   if (node.has("mesh")) {
     const JsonNode mesh = node.at("mesh");
-    result.mesh = {count(mesh.at("segments"), CertificateLimits::segments + 1),
+    result.mesh = {count(mesh.at("segments"), CertificateLimits::kSegments + 1),
                    mesh.at("grid").number(), numbers(mesh.at("knots")),
                    mesh.at("error_bound").number()};
   }

@@ -132,8 +132,8 @@ PeVector sphere(const JsonNode& node) {
 // Refused before any of it is computed with.
 template <class Values>
 Values no_more_than_limit(const JsonNode& node, Values values) {
-  if (values.size() > CertificateLimits::coefficients) {
-    node.fail("must hold at most " + std::to_string(CertificateLimits::coefficients) +
+  if (values.size() > CertificateLimits::kCoefficients) {
+    node.fail("must hold at most " + std::to_string(CertificateLimits::kCoefficients) +
               " coefficients");
   }
   return values;

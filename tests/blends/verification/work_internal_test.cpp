@@ -32,20 +32,20 @@ TEST(Work, that_is_refused_is_not_spent) {
 
 TEST(Work, that_a_certificate_allows_is_linear_in_its_numbers) {
   Certificate certificate;
-  EXPECT_EQ(work_for(certificate), CertificateLimits::work);
+  EXPECT_EQ(work_for(certificate), CertificateLimits::kWork);
   certificate.parts.resize(1);
   certificate.parts[0].shape = Chain{};
   certificate.claims.resize(1);
   certificate.claims[0].regular.emplace();
   certificate.claims[0].embedded.emplace();
   certificate.claims[0].mesh.emplace();
-  EXPECT_EQ(work_for(certificate), CertificateLimits::work);
+  EXPECT_EQ(work_for(certificate), CertificateLimits::kWork);
   certificate.claims[0].regular->leaves.resize(3);
   certificate.claims[0].embedded->leaves.resize(5);
   certificate.claims[0].mesh->knots.resize(7);
   certificate.clearances.resize(2);
   certificate.clearances[1].leaves.resize(11);
-  EXPECT_EQ(work_for(certificate), CertificateLimits::work + CertificateLimits::work_per_number *
+  EXPECT_EQ(work_for(certificate), CertificateLimits::kWork + CertificateLimits::kWorkPerNumber *
                                                                  (2 * 3 + 4 * 5 + 7 + 4 * 11));
 }
 

@@ -89,13 +89,13 @@ struct ClearanceClaim {
 /// What is larger is no certificate: whoever reads it knows what it may cost before it is checked.
 struct CertificateLimits {
   /// Of a spine, a radius law or a rotation: 1 more than the degree. Blends have up to 8.
-  static constexpr std::size_t coefficients = 13;
-  static constexpr double weight = 0x1p100;  ///< of a spine's points, and not below its inverse
-  static constexpr double number = 0x1p300;  ///< of all numbers but digests' and parameters'
-  static constexpr std::uint32_t segments = 1'000'000;  ///< the most that a tessellation has
+  static constexpr std::size_t kCoefficients = 13;
+  static constexpr double kWeight = 0x1p100;  ///< of a spine's points, and not below its inverse
+  static constexpr double kNumber = 0x1p300;  ///< of all numbers but digests' and parameters'
+  static constexpr std::uint32_t kSegments = 1'000'000;  ///< the most that a tessellation has
   /// Work of the checker in units of about a microsecond: so much for any certificate, and so much
   /// more for every number in its shapes and claims.
-  static constexpr std::uint64_t work = 3'000'000, work_per_number = 12;
+  static constexpr std::uint64_t kWork = 3'000'000, kWorkPerNumber = 12;
 };
 
 /// The parts that a certificate of the assembly is about. Throws as `resolve`.
