@@ -31,7 +31,8 @@ KNOWN = {
     ("admitted.cpp", "std::abs(s.axis.dot(spoke)) <= kUnitSlack", " < "): SLACK,
     ("admitted.cpp", "std::abs(v.stableNorm() - 1) <= kUnitSlack", " < "): SLACK,
     ("admitted.cpp", "ellipse->axis.dot(r.normal)) <= kUnitSlack", " < "): SLACK,
-    ("covering.cpp", "while (width_ < cells) {", " <= "): "a wider tree has cells that nobody asks for",
+    ("covering.cpp", "while (width_ < cells) {", " <= "):
+        "a wider tree has cells that nobody asks for",
     ("covering.cpp", "if (leaf.first.from < leaf.first.to", " <= "): "an empty leaf adds nothing",
     ("covering.cpp", "if (leaf.first.from < leaf.first.to", " || "):
         "a leaf whose ends are exchanged takes away before it adds",
