@@ -26,8 +26,19 @@ SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" 
          ("return false", "return true"), ("return true", "return false"), ("!(", "("),
          ("lower_bound(", "upper_bound("), ("upper_bound(", "lower_bound(")]
 # (file, what the line contains, what becomes of it): why nothing can notice.
+SLACK = "the slack has no meaning to the last bit"
 KNOWN = {
-    ("covering.cpp", "while (width_ < cells) {", " <= "): "a wider tree has cells that nobody asks for",
+    ("admitted.cpp", "std::abs(s.axis.dot(spoke)) <= kUnitSlack", " < "): SLACK,
+    ("admitted.cpp", "std::abs(v.stableNorm() - 1) <= kUnitSlack", " < "): SLACK,
+    ("admitted.cpp", "ellipse->axis.dot(r.normal)) <= kUnitSlack", " < "): SLACK,
+    ("covering.cpp", "while (width_ < cells) {", " <= "):
+        "a wider tree has cells that nobody asks for",
+    ("covering.cpp", "if (leaf.first.from < leaf.first.to", " <= "): "an empty leaf adds nothing",
+    ("covering.cpp", "if (leaf.first.from < leaf.first.to", " || "):
+        "a leaf whose ends are exchanged takes away before it adds",
+    ("covering.cpp", "std::max(lowest, above > 0", " >= "): "the lowest cut is never above",
+    ("covering.cpp", "if (from < highest && counts", " <= "):
+        "no strip that is asked for begins where the last cell ends",
     ("covering.cpp", "if (to <= begin || end <= from) {", " < "):
         "a range that only touches falls through to its children, which return, or to nothing",
     ("covering.cpp", "return a.at < b.at; });", " <= "): "the order of equal events is free",

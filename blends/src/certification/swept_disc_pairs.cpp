@@ -13,8 +13,14 @@
 namespace dupin::certification {
 namespace {
 
-// Shorter stretches only show the rounding of their ends.
-constexpr double kShortest = 0x1p-40;
+// Shorter stretches only show the rounding of their ends; and one that gets shorter while the other
+// stays long would be empty in the end.
+constexpr double kShortest = 0x1p-40, kShortestOfOne = 0x1p-52;
+
+bool are_too_short(const ParameterInterval& first, const ParameterInterval& second) {
+  return std::max(size(first), size(second)) < kShortest ||
+         std::min(size(first), size(second)) < kShortestOfOne;
+}
 
 // A stretch of one sweep against one of the same or another.
 struct Box {
@@ -35,10 +41,6 @@ bool splits_first(const Box& whole) {
   const bool has_b = !whole.second_hull.tangents.empty();
   const bool has_a = !whole.first_hull.tangents.empty();
   return has_a && (!has_b || whole.first_hull.extent() >= whole.second_hull.extent());
-}
-
-bool is_shortest(const Box& whole) {
-  return size(splits_first(whole) ? whole.first : whole.second) < kShortest;
 }
 
 std::vector<Box> split(const SweptDiscs& a, const SweptDiscs& b, const Box& whole) {
@@ -121,7 +123,7 @@ std::optional<std::vector<DiscPairs>> leaves_of(const SweptDiscs& first, const S
       leaves.push_back({pair.first, pair.second, {}});
       continue;
     }
-    if (looked_at >= boxes || std::min(size(pair.first), size(pair.second)) < kShortest) {
+    if (looked_at >= boxes || are_too_short(pair.first, pair.second)) {
       return std::nullopt;
     }
     const auto [left, right] = halves(pair.first);
@@ -236,11 +238,9 @@ ClearanceClaim prove_clearance(const SweptDiscs& first, const SweptDiscs& second
     if (front.apart.distance > 0 && front.apart.distance >= kEnough * occurs) {
       break;
     }
-    if (looked_at >= boxes || is_shortest(front)) {
-      break;
-    }
+    const bool is_last = looked_at >= boxes || are_too_short(front.first, front.second);
     // Overlapping parts never come apart; look for a common point before much work is done.
-    if (looked_at == kTries && !(front.apart.distance > 0)) {
+    if ((is_last ? looked_at < kTries : looked_at == kTries) && !(front.apart.distance > 0)) {
       claim.overlap = contact(first, second);
       if (!claim.overlap) {
         claim.overlap = overlap(first, second);
@@ -249,6 +249,9 @@ ClearanceClaim prove_clearance(const SweptDiscs& first, const SweptDiscs& second
         claim.verdict = Verdict::proved;
         return claim;
       }
+    }
+    if (is_last) {
+      break;
     }
     std::pop_heap(heap.begin(), heap.end(), nearer);
     const Box whole = std::move(heap.back());

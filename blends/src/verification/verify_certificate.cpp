@@ -114,8 +114,8 @@ void verify_inputs(const Certificate& certificate) {
   require(is_bound(certificate.tolerance), "", "tolerance");
   std::set<std::string> names;
   for (const CertifiedPart& part : certificate.parts) {
-    require(is_name(part.name) && is_name(part.kind) && names.insert(part.name).second, part.name,
-            "name");
+    require(is_name(part.name) && is_name(part.kind) && names.insert(part.name).second, "",
+            "name");  // of which nothing is repeated: it would be printed
     for (const auto& joined : part.joined) {
       require(!joined || joined->part < certificate.parts.size(), part.name, "joined");
     }

@@ -85,6 +85,7 @@ TEST(AdmittedPart, has_positive_radii_and_unit_directions) {
                 arc.center = arc.start;
               })),
               HasSubstr("'axis'"));
+  EXPECT_EQ(refused(changed([](auto& s) { std::get<ArcSpine>(s.spine).angle = 64; })), "");
   for (const double bad : {0.0, -1.0, 65.0}) {
     EXPECT_THAT(refused(changed([=](auto& s) { std::get<ArcSpine>(s.spine).angle = bad; })),
                 HasSubstr("'angle'"));
@@ -129,6 +130,29 @@ TEST(AdmittedPart, has_few_coefficients_and_weights_in_range) {
   EXPECT_EQ(refused(radii(13)), "");
   EXPECT_NE(refused(radii(14)), "");
   EXPECT_NE(refused(radii(0)), "");
+}
+
+TEST(AdmittedPart, has_rotations_of_2_to_13_quaternions) {
+  const auto with = [](std::size_t count) {
+    const RingedSurface like = test::cylinder({0, 0, 0}, {1, 0, 0}, 1);
+    RationalRingedTube tube{like.start, like.end, {}};
+    tube.surface.center.fill(Vec3::Zero());
+    tube.surface.radius.fill(1);
+    tube.surface.rotation.assign(count, {1, 0, 0, 0});
+    return tube;
+  };
+  for (const std::size_t good : {2, 13}) {
+    EXPECT_EQ(refused(test::part(with(good))), "");
+  }
+  for (const std::size_t bad : {0, 1, 14}) {
+    EXPECT_NE(refused(test::part(with(bad))), "");
+  }
+  RationalRingedTube tube = with(2);
+  tube.surface.rotation[1][3] = kInfinity;
+  EXPECT_NE(refused(test::part(tube)), "");
+  tube = with(2);
+  tube.surface.radius[2] = kInfinity;
+  EXPECT_NE(refused(test::part(tube)), "");
 }
 
 TEST(AdmittedPart, has_walls_of_cyclide_pieces_only) {

@@ -1,6 +1,8 @@
 #include "dupin/blends/verify_certificate.h"
 
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -104,6 +106,43 @@ INSTANTIATE_TEST_SUITE_P(
         Lie{"claims_of_a_part", "", "parts", [](Certificate& c) { c.claims.pop_back(); }},
         Lie{"no_regular_claim", "a", "regular",
             [](Certificate& c) { c.claims[0].regular.reset(); }},
+        Lie{"name_of_two_lines", "", "name", [](Certificate& c) { c.parts[0].name = "a\nb"; }},
+        Lie{"name_of_two_parts", "", "name", [](Certificate& c) { c.parts[0].name = "b"; }},
+        Lie{"joined_to_none", "a", "joined",
+            [](Certificate& c) { c.parts[0].joined[1]->part = 3; }},
+        Lie{"negative_tolerance", "", "tolerance", [](Certificate& c) { c.tolerance = -1; }},
+        Lie{"document_of_two_lines", "", "document", [](Certificate& c) { c.document = "\n"; }},
+        Lie{"margin_of_a_ball", "ball", "regular",
+            [](Certificate& c) { c.claims[2].regular = c.claims[0].regular; }},
+        Lie{"negative_grid", "ball", "mesh", [](Certificate& c) { c.claims[2].mesh->grid = -1; }},
+        Lie{"infinite_bound", "ball", "mesh",
+            [](Certificate& c) {
+              c.claims[2].mesh->error_bound = std::numeric_limits<double>::infinity();
+            }},
+        Lie{"knot_that_is_none", "a", "mesh",
+            [](Certificate& c) {
+              c.claims[0].mesh->knots = {0, std::nan(""), 1};
+            }},
+        Lie{"undecided_margin", "a", "regular",
+            [](Certificate& c) {
+              c.claims[0].regular = RegularClaim{Verdict::undecided, 1.5, {}, {}};
+              c.claims[0].embedded = EmbeddedClaim{};
+            }},
+        Lie{"undecided_with_evidence", "a", "embedded",
+            [](Certificate& c) { c.claims[0].embedded->verdict = Verdict::undecided; }},
+        Lie{"proved_with_a_common_point", "a", "embedded",
+            [](Certificate& c) { c.claims[0].embedded->overlap = Overlap{}; }},
+        Lie{"distance_without_a_limit", "a", "clearance of ball",
+            [](Certificate& c) {
+              c.clearances[1].distance = std::numeric_limits<double>::quiet_NaN();
+            }},
+        Lie{"direction_without_length", "a", "clearance of ball",
+            [](Certificate& c) { c.clearances[1].leaves[0].direction = Vec3(0, std::nan(""), 0); }},
+        Lie{"parameter_of_many_bits", "a", "clearance of ball",
+            [](Certificate& c) {
+              c.clearances[1].leaves = {{{0, 0x1p-70}, {0, 1}, Vec3(0, 1, 0)},
+                                        {{0x1p-70, 1}, {0, 1}, Vec3(0, 1, 0)}};
+            }},
         Lie{"no_embedded_claim", "b", "regular",
             [](Certificate& c) { c.claims[1].embedded.reset(); }},
         Lie{"tangency_of_one_end", "a", "regular",
