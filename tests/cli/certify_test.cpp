@@ -1,4 +1,5 @@
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,6 +34,34 @@ TEST_F(Certify, takes_the_tolerance_of_the_command_line) {
   };
   EXPECT_LE(bound_of("0.01mm"), 0.01);
   EXPECT_GT(bound_of("0.1mm"), 0.01);
+}
+
+TEST_F(Certify, verify_is_about_the_document_whatever_the_tolerance_was_asked_for) {
+  const std::string reducer = example("reducer.json");
+  EXPECT_EQ(
+      dupin({"certify", "-q", reducer, "-o", "fine.cert.json", "--tolerance", "0.01mm"}).exit_code,
+      0);
+  EXPECT_EQ(dupin({"verify", "-q", "fine.cert.json", reducer}).exit_code, 0);
+  EXPECT_EQ(
+      dupin({"certify", "-q", reducer, "-o", "coarse.cert.json", "--tolerance", "0.1mm"}).exit_code,
+      0);
+  EXPECT_EQ(dupin({"verify", "-q", "coarse.cert.json"}).exit_code, 0);
+  const ProcessResult result = dupin({"verify", "-q", "coarse.cert.json", reducer});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("its tolerance is larger"));
+}
+
+TEST_F(Certify, deep_nesting_is_an_error_with_its_place) {
+  const std::string deep = "{\"parts\": " + std::string(100'000, '[');
+  for (const std::string command : {"verify", "info", "build", "certify"}) {
+    std::vector<std::string> arguments{command, "-"};
+    if (command == "build" || command == "certify") {
+      arguments.insert(arguments.end(), {"-o", "x.off"});
+    }
+    const ProcessResult result = dupin(arguments, deep);
+    EXPECT_EQ(result.exit_code, 3) << command;
+    EXPECT_THAT(result.err, HasSubstr("standard input:1:")) << command;
+  }
 }
 
 TEST_F(Certify, a_claim_that_is_too_bold_is_a_finding) {
