@@ -6,13 +6,18 @@
 namespace dupin {
 namespace {
 
-TEST(ForgedCertificates, are_not_believed_by_the_thousand) {
-  test::expect_none_believed(2026, 5000);
+/// By seed.
+struct ForgedCertificatesLong : testing::TestWithParam<int> {};
+struct RandomDocumentsLong : testing::TestWithParam<int> {};
+
+TEST_P(ForgedCertificatesLong, are_not_believed) { test::expect_none_believed(GetParam(), 1000); }
+
+TEST_P(RandomDocumentsLong, are_certified_as_the_checker_agrees) {
+  test::expect_all_verified(GetParam(), 400);
 }
 
-TEST(RandomDocuments, are_certified_as_the_checker_agrees_by_the_thousand) {
-  test::expect_all_verified(2026, 2000);
-}
+INSTANTIATE_TEST_SUITE_P(Seeds, ForgedCertificatesLong, testing::Range(2026, 2031));
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomDocumentsLong, testing::Range(2026, 2031));
 
 }  // namespace
 }  // namespace dupin
