@@ -110,7 +110,7 @@ std::string repair_text(const RepairReport& report) {
 }
 
 std::string cross_check_text(const CrossCheck& check) {
-  const std::string engine(name(check.engine));
+  std::string engine(name(check.engine));
   switch (check.verdict) {
     case CrossCheck::Verdict::agrees:
       return engine + " agrees, exactly";

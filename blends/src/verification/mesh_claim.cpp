@@ -187,7 +187,8 @@ bool sphere_follows(const Sphere& sphere, const MeshClaim& claim) {
   const Mpfi half = cosine(Mpfi::pi() / double(claim.segments));
   // Of a band about the polar angle m that is half sin(step) / (2 sin(step/2) sqrt(half^2 cos^2 m +
   // sin^2 m)): least for the band nearest to the equator.
-  const double i = (bands - 1) / 2;
+  const std::uint32_t nearest_band = (bands - 1) / 2;
+  const double i = nearest_band;
   const Mpfi a = step * i, b = step * (i + 1);
   const Mpfi xa = half * sine(a), xb = half * sine(b), za = cosine(a), zb = cosine(b);
   const Mpfi plane = magnitude(xa * zb - xb * za) / square_root(square(xb - xa) + square(zb - za));

@@ -20,7 +20,7 @@ std::vector<Copy> sorted_copies(std::span<const Triangle> triangles) {
   copies.reserve(triangles.size());
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     Triangle corners = triangles[i];
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
     const bool is_odd = corners[1] > corners[2];
     std::ranges::sort(corners);
     copies.push_back({corners, is_odd, i});
