@@ -160,10 +160,17 @@ void print_output(std::ostream& out, const OutputReport& report, std::string_vie
   }
   print_row(out, "rounding", rounding_text(report.rounding, unit));
   print_row(out, "verified", report.check ? "read back and checked" : "no");
-  if (report.rounding.filled_slits > 0) {
+  const std::vector<Vec3>&filled = report.rounding.filled_places,
+        &snapped = report.rounding.snapped_places;
+  if (!filled.empty()) {
     print_row(out, "slits",
-              counted(report.rounding.filled_slits, "void") + " filled, at most " +
-                  powered(report.rounding.slit_width, unit, "") + " wide");
+              std::to_string(filled.size()) + " filled, at most " +
+                  powered(report.rounding.slit_width, unit, "") + " wide, first at " +
+                  place_text(filled.front()));
+  }
+  if (!snapped.empty()) {
+    print_row(out, "snapped",
+              counted(snapped.size(), "time") + ", first at " + place_text(snapped.front()));
   }
   if (report.rounding.origin != Vec3::Zero()) {
     print_row(out, "origin", place_text(report.rounding.origin));

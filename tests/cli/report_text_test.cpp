@@ -50,14 +50,17 @@ TEST(ReportText, an_output_tells_only_what_happened) {
             "verified             no\n");
   report.rounding.moved = 1;
   report.rounding.largest_move = 0.5;
-  report.rounding.filled_slits = 2;
+  report.rounding.filled_places = {Vec3(1, 2, 3), Vec3(4, 5, 6)};
+  report.rounding.snapped_places = {Vec3(7, 8, 9)};
   report.rounding.slit_width = 0.25;
   report.rounding.origin = Vec3(1, 2, 3);
   report.simplification = {12, 0.125};
   report.check = check(test::box({0, 0, 0}, {2, 2, 2}));
   const std::string text = text_of(report, "mm");
   EXPECT_THAT(text, HasSubstr("rounding             1 point moved, at most 0.5 mm\n"));
-  EXPECT_THAT(text, HasSubstr("slits                2 voids filled, at most 0.25 mm wide\n"));
+  EXPECT_THAT(
+      text, HasSubstr("slits                2 filled, at most 0.25 mm wide, first at (1, 2, 3)\n"));
+  EXPECT_THAT(text, HasSubstr("snapped              1 time, first at (7, 8, 9)\n"));
   EXPECT_THAT(text, HasSubstr("origin               (1, 2, 3)\n"));
   EXPECT_THAT(text,
               HasSubstr("simplified           12 triangles less, deviation at most 0.125 mm"));

@@ -23,6 +23,14 @@ Json json_value(const ShellReport& shell) {
           {"euler_number", shell.euler_number}};
 }
 
+Json json_places(const std::vector<Vec3>& places) {
+  Json list = Json::array();
+  for (const Vec3& place : places) {
+    list.push_back(json_value(place));
+  }
+  return list;
+}
+
 Json json_value(const RoundingReport& rounding) {
   return {{"coordinates", rounding.coordinates == Coordinates::binary64 ? "binary64" : "binary32"},
           {"origin", json_value(rounding.origin)},
@@ -31,8 +39,10 @@ Json json_value(const RoundingReport& rounding) {
           {"repair_reach", rounding.repair_reach},
           {"removed_triangles", rounding.removed_triangles},
           {"removed_shells", rounding.removed_shells},
-          {"filled_slits", rounding.filled_slits},
-          {"slit_width", rounding.slit_width}};
+          {"filled_slits", rounding.filled_places.size()},
+          {"filled_places", json_places(rounding.filled_places)},
+          {"slit_width", rounding.slit_width},
+          {"snapped_places", json_places(rounding.snapped_places)}};
 }
 
 Json json_value(const Contact& contact) {

@@ -268,4 +268,10 @@ std::uint64_t repair_around(EditedMesh& mesh, const BrokenMesh& original,
   return mend_faults(mesh, lattice, reach, left);
 }
 
+std::uint64_t repair_further(EditedMesh& mesh, const exact::FloatLattice& lattice,
+                             const Faces& broken, double reach, std::uint64_t trials) {
+  thicken(mesh, reach, with_neighbours(mesh, broken));
+  return mend_faults(mesh, lattice, reach, trials);
+}
+
 }  // namespace dupin::rounding

@@ -24,6 +24,11 @@ std::uint64_t repair_around(EditedMesh& mesh, const BrokenMesh& original,
                             const std::vector<std::uint32_t>& broken,
                             const std::vector<Fault>& broken_pairs, const RepairLimits& limits);
 
+/// Goes on where repair_around() left faults, with a larger reach, near the `broken` faces only.
+std::uint64_t repair_further(EditedMesh& mesh, const exact::FloatLattice& lattice,
+                             const std::vector<std::uint32_t>& broken, double reach,
+                             std::uint64_t trials);
+
 /// Removes the known faults one by one, in order, by collapsing an edge not longer than `reach`,
 /// else flipping an edge, else moving a point to a near number of the lattice. Every step lowers
 /// their number. Gives up once about as many edits have been tried as `trials` says; returns how

@@ -8,12 +8,15 @@
 #include <tbb/parallel_invoke.h>
 
 #include "boxes/bounds.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/repair.h"
 #include "mesh/coincident_points.h"
 #include "mesh/exact_mesh.h"
 #include "mesh/used_points.h"
 #include "rounding/edit_strategy.h"
 #include "rounding/mesh_part.h"
+#include "rounding/open_slits.h"
 #include "rounding/point_rounding.h"
 #include "rounding/rounding_options.h"
 #include "rounding/shell_check.h"
@@ -36,14 +39,44 @@ constexpr double kVoidWidth = 16;
 /// 600 unions of io_written_unions_test need. What takes more gets nowhere.
 constexpr std::uint64_t kTrialsPerFault = 64, kTrials = 1 << 17;
 
-/// What has been done before the solid is rounded anew without some voids.
+/// So many faults are no accident of single points: open slits are looked for before repair.
+constexpr std::size_t kManyFaults = 256;
+
+/// Where repair with this reach leaves faults, the surface is made a solid again as it is; and that
+/// at most so often.
+constexpr double kSnapReach = 16;  // steps
+constexpr int kSnaps = 8;
+
+/// What has been done before the solid is rounded anew: without some voids or slits, or snapped.
 struct Past {
-  double reach = 0;          ///< of the next attempt at repair; 0 for the first
-  std::uint64_t trials = 0;  ///< left for it
-  std::size_t voids = 0;     ///< filled
-  double void_width = 0;     ///< of the widest
-  std::size_t removed_triangles = 0;
+  std::size_t triangles = 0;  ///< of the solid as given
+  double reach = 0;           ///< of the next attempt at repair; 0 for the first
+  std::uint64_t trials = 0;   ///< left for it
+  double void_width = 0;      ///< of the widest filled void
+  double slit_reach = 0;      ///< how far from the solid what was filled in open slits goes
+  bool has_filled_slits = false;
+  int snaps = 0;
+  double moved = 0;              ///< by what was snapped
+  std::size_t moved_points = 0;  ///< likewise
+  Vec3 origin = Vec3::Zero();    ///< that it is given from already
+  std::vector<Vec3> filled_places, snapped_places;
+
+  /// How far all that has taken any place.
+  [[nodiscard]] double distance() const { return moved + std::max(void_width / 2, slit_reach); }
 };
+
+/// The solid that the surface winds around; none if it is not one that closes.
+std::optional<mesh::ExactMesh> resolved(const Rounded& surface) {
+  try {
+    mesh::ExactMesh solid = repair(surface.mesh()).solid.exact();
+    for (Source& source : solid.sources) {
+      source = surface.sources()[source.triangle];
+    }
+    return solid;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
 
 template <class Item>
 void copy(const std::vector<Item>& from, std::vector<Item>& to) {
@@ -56,13 +89,13 @@ void copy(const std::vector<Item>& from, std::vector<Item>& to) {
 class Rounding {
  public:
   Rounding(const mesh::ExactMesh& exact, Coordinates coordinates, const RoundingOptions& options,
-           const Past& past = {})
+           Past past = {})
       : exact_(exact),
         options_(options),
-        past_(past),
+        past_(std::move(past)),
         coordinates_(coordinates),
         lattice_(coordinates, options.output_grid),
-        origin_(chosen_origin(options.origin, exact.points)),
+        origin_(past_.snaps > 0 ? Vec3(Vec3::Zero()) : chosen_origin(options.origin, exact.points)),
         rounded_(round_points(exact, lattice_, origin_)),
         representatives_(mesh::representatives_at_contacts(exact)) {
     if (!(rounded_.largest_on_lattice <= largest_number())) {
@@ -72,7 +105,10 @@ class Rounding {
     step_ = lattice_.step(rounded_.largest);
     double_step_ = exact::FloatLattice(Coordinates::binary64).step(rounded_.largest);
     tolerance_ = options.tolerance > 0 ? options.tolerance : kDefaultTolerance * step_;
+    past_.triangles = past_.triangles == 0 ? exact.triangles.size() : past_.triangles;
   }
+
+  [[nodiscard]] double tolerance() const { return tolerance_; }
 
   Rounded run() {
     const auto groups = mesh::groups_apart(exact_.stable, lattice_, step_, !origin_.isZero(0));
@@ -111,43 +147,114 @@ class Rounding {
                                                  : std::numeric_limits<float>::max();
   }
 
-  /// Fills sliver voids and repairs, as far as the tolerance allows.
+  /// Fills slits and voids, repairs and snaps, as far as the tolerance allows.
   Rounded repaired(const std::vector<Fault>& broken_pairs, std::vector<std::uint32_t> broken) {
     const bool is_first = past_.reach == 0;
     trials_left_ = is_first ? kTrials + kTrialsPerFault * broken_pairs.size() : past_.trials;
-    const double farthest = tolerance_ - past_.void_width / 2;
+    const double farthest = tolerance_ - past_.distance();
     const auto voids = may_have_voids()
                            ? std::optional(SliverVoids(exact_, representatives_, tolerance_))
                            : std::nullopt;
+    std::optional<EditedMesh> mesh;
+    std::size_t shells = 0;
     for (double reach = is_first ? kReachGrowth * step_ : past_.reach;; reach *= kReachGrowth) {
       reach = std::min(reach, farthest);
       const double widest = std::min(kVoidWidth * reach, tolerance_);
-      if (const auto filled = voids ? voids->filled(widest) : std::nullopt) {
-        const Past past{
-            reach, trials_left_, past_.voids + filled->count,
-            std::max(past_.void_width, filled->width),
-            past_.removed_triangles + exact_.triangles.size() - filled->mesh.triangles.size()};
-        return Rounding(filled->mesh, coordinates_, options_, past).run();
+      if (auto filled = voids ? voids->filled(widest) : std::nullopt) {
+        return without_voids(std::move(*filled), reach);
       }
-      if (auto done = repaired_in_part(broken, broken_pairs, reach)) {
-        return std::move(*done);
+      if (!mesh) {
+        if (auto done = broken_pairs.size() < kManyFaults ? std::nullopt
+                                                          : without_open_slits(broken_pairs)) {
+          return std::move(*done);
+        }
+        if (auto done = repaired_in_part(broken, broken_pairs, reach)) {
+          return std::move(*done);
+        }
+        mesh.emplace(doubles(), exact_.triangles, exact_.labels, representatives_);
+        shells = remove_small_shells(*mesh, broken, reach);
+        trials_left_ = repair_around(*mesh, whole(), broken, broken_pairs,
+                                     {lattice_, rounded_.largest, reach, trials_left_});
+      } else {
+        shells += remove_small_shells(*mesh, broken, reach);
+        trials_left_ = repair_further(*mesh, lattice_, broken, reach, trials_left_);
       }
-      EditedMesh mesh(doubles(), exact_.triangles, exact_.labels, representatives_);
-      const std::size_t shells = remove_small_shells(mesh, broken, reach);
-      trials_left_ = repair_around(mesh, whole(), broken, broken_pairs,
-                                   {lattice_, rounded_.largest, reach, trials_left_});
-      const auto alive = mesh.alive_faces();
-      const double move = largest_move(mesh, alive);
-      const std::vector<std::uint32_t> left = faults(mesh, alive, move);
-      if (left.empty() && !alive.empty()) {
-        return finished(mesh, alive,
+      const auto alive = mesh->alive_faces();
+      const double move = largest_move(*mesh, alive);
+      broken = faults(*mesh, alive, move);
+      if (broken.empty() && !alive.empty()) {
+        return finished(*mesh, alive,
                         {.largest_move = move, .repair_reach = reach, .removed_shells = shells});
       }
-      if (reach == farthest || trials_left_ == 0) {
-        throw unroundable(left.empty() ? doubles()[0] : mesh.point(mesh.triangle(left[0])[0]));
+      if (auto done = begun_anew(*mesh, alive, broken_pairs, broken, reach)) {
+        return std::move(*done);
       }
-      broken.insert(broken.end(), left.begin(), left.end());
+      if (reach == farthest || trials_left_ == 0) {
+        throw unroundable(broken.empty() ? doubles()[0]
+                                         : mesh->point(mesh->triangle(broken[0])[0]));
+      }
     }
+  }
+
+  /// What else there is where repair with some reach leaves faults.
+  std::optional<Rounded> begun_anew(const EditedMesh& mesh, std::span<const std::uint32_t> alive,
+                                    const std::vector<Fault>& broken_pairs,
+                                    const std::vector<std::uint32_t>& left, double reach) {
+    if (auto done = without_open_slits(broken_pairs)) {
+      return done;
+    }
+    if (reach < kSnapReach * step_ || past_.snaps == kSnaps || left.empty() || alive.empty()) {
+      return std::nullopt;
+    }
+    return snapped(mesh, alive, mesh.point(mesh.triangle(left[0])[0]));
+  }
+
+  Rounded without_voids(FilledVoids filled, double reach) {
+    Past past = past_;
+    past.reach = reach;
+    past.trials = trials_left_;
+    past.void_width = std::max(past.void_width, filled.width);
+    past.filled_places.insert(past.filled_places.end(), filled.places.begin(), filled.places.end());
+    return Rounding(filled.mesh, coordinates_, options_, std::move(past)).run();
+  }
+
+  /// None if there are none, or if the tolerance does not allow it, or if that has been done.
+  std::optional<Rounded> without_open_slits(const std::vector<Fault>& broken_pairs) {
+    const double widest = (tolerance_ - past_.distance()) / 4;
+    if (past_.has_filled_slits || widest < kSlitOverlap * step_) {
+      return std::nullopt;
+    }
+    past_.has_filled_slits = true;
+    const auto filled = fill_open_slits(exact_, broken_pairs, step_, widest);
+    if (!filled) {
+      return std::nullopt;
+    }
+    Past past = past_;
+    past.reach = 0;
+    past.slit_reach = filled->reach;
+    past.filled_places.insert(past.filled_places.end(), filled->places.begin(),
+                              filled->places.end());
+    return Rounding(filled->mesh, coordinates_, options_, std::move(past)).run();
+  }
+
+  /// The surface as far as it is repaired, made a solid again where it still crosses itself, and
+  /// rounded anew: iterated snap rounding. None if that is no surface to make a solid of.
+  std::optional<Rounded> snapped(const EditedMesh& mesh, std::span<const std::uint32_t> alive,
+                                 const Vec3& at) {
+    const Rounded surface = finished(mesh, alive, {});
+    Past past = past_;
+    past.reach = 0;
+    past.moved = largest_move(mesh, alive) - std::max(past_.void_width / 2, past_.slit_reach);
+    past.moved_points = surface.report().moved;
+    past.snapped_places.emplace_back(at + origin_ + past_.origin);
+    past.origin += origin_;
+    ++past.snaps;
+    if (!(past.distance() + kReachGrowth * step_ < tolerance_)) {
+      return std::nullopt;
+    }
+    const auto solid = resolved(surface);
+    return solid ? std::optional(Rounding(*solid, coordinates_, options_, std::move(past)).run())
+                 : std::nullopt;
   }
 
   [[nodiscard]] BrokenMesh whole() const {
@@ -252,10 +359,12 @@ class Rounding {
 Rounded Rounding::with_report(RoundingReport report, std::size_t triangles) const {
   Rounded result;
   report.coordinates = coordinates_;
-  report.origin = origin_;
-  report.removed_triangles = past_.removed_triangles + exact_.triangles.size() - triangles;
-  report.filled_slits = past_.voids;
-  report.slit_width = past_.void_width;
+  report.origin = origin_ + past_.origin;
+  report.removed_triangles = past_.triangles - std::min(past_.triangles, triangles);
+  report.moved += past_.moved_points;
+  report.slit_width = std::max(past_.void_width, past_.slit_reach);
+  report.filled_places = past_.filled_places;
+  report.snapped_places = past_.snapped_places;
   result.mesh_.names = exact_.names;
   result.contacts_ = exact_.contacts;
   result.report_ = report;
@@ -266,7 +375,7 @@ Rounded Rounding::with_report(RoundingReport report, std::size_t triangles) cons
 Rounded Rounding::unrepaired(double move) {
   RoundingReport report{.largest_move = move};
   report.moved = static_cast<std::size_t>(std::ranges::count(rounded_.moved, 1));
-  Rounded result = with_report(report, exact_.triangles.size());
+  Rounded result = with_report(std::move(report), exact_.triangles.size());
   result.mesh_.points = std::move(rounded_.on_lattice);
   tbb::parallel_invoke([&] { copy(exact_.triangles, result.mesh_.triangles); },
                        [&] { copy(exact_.sources, result.sources_); },
@@ -277,7 +386,7 @@ Rounded Rounding::unrepaired(double move) {
 /// The mesh of the faces that repair has left alive.
 Rounded Rounding::finished(const EditedMesh& mesh, std::span<const std::uint32_t> alive,
                            RoundingReport report) const {
-  Rounded result = with_report(report, alive.size());
+  Rounded result = with_report(std::move(report), alive.size());
   const mesh::UsedPoints used = mesh::used_points(mesh.triangles_of(alive), mesh.points().size());
   support::reserve_bulk(result.mesh_.points, used.points.size());
   for (std::uint32_t v = 0; v < used.number.size(); ++v) {
@@ -363,18 +472,40 @@ double Rounding::largest_move(const EditedMesh& repaired,
   return largest_move(vertex + surface);
 }
 
-/// Of exact place to nearest double, of that to the lattice and by repair, as given; and half the
-/// width of sliver voids, in which no place is farther from the solid. The factor covers the
-/// rounding of these few sums and norms.
+/// Of exact place to nearest double, of that to the lattice and by repair, as given; and of all
+/// that was done before. The factor covers the rounding of these few sums and norms.
 double Rounding::largest_move(double from_doubles) const {
   const double rounding = rounded_.any_inexact ? std::sqrt(0.75) * double_step_ : 0;
-  return (from_doubles + rounding + past_.void_width / 2) * (1 + 0x1p-48);
+  return (from_doubles + rounding + past_.distance()) * (1 + 0x1p-48);
 }
 
 Error Rounding::unroundable(const Vec3& at) const {
   const bool is_far = boxes::bounds_of(doubles()).sizes().maxCoeff() < rounded_.largest;
-  return unroundable_error(at + origin_, tolerance_, coordinates_, is_far);
+  return unroundable_error(at + origin_ + past_.origin, tolerance_, coordinates_, is_far);
 }
+
+namespace {
+
+/// Found by trying a few, each of which ends after the trials it has.
+std::string larger_tolerance_text(const mesh::ExactMesh& solid, Coordinates coordinates,
+                                  RoundingOptions options, double tolerance) {
+  constexpr int kTries = 3;
+  for (int i = 0; i < kTries; ++i) {
+    tolerance *= kReachGrowth;
+    options.tolerance = tolerance;
+    try {
+      static_cast<void>(Rounding(solid, coordinates, options).run());
+      return " (" + decimal(tolerance) + " would do)";
+    } catch (const Error& error) {
+      if (error.code() != Errc::unroundable) {
+        throw;
+      }
+    }
+  }
+  return " (" + decimal(tolerance) + " would not do)";
+}
+
+}  // namespace
 
 }  // namespace dupin::rounding
 
@@ -382,7 +513,19 @@ namespace dupin {
 
 Rounded to_mesh(const Solid& solid, Coordinates coordinates, const RoundingOptions& options) {
   rounding::validate(options);
-  return rounding::Rounding(solid.exact(), coordinates, options).run();
+  rounding::Rounding rounding(solid.exact(), coordinates, options);
+  try {
+    return rounding.run();
+  } catch (const Error& error) {
+    if (error.code() != Errc::unroundable) {
+      throw;
+    }
+    // The message ends by asking for a larger tolerance.
+    throw Error(error.code(),
+                error.message() + rounding::larger_tolerance_text(solid.exact(), coordinates,
+                                                                  options, rounding.tolerance()),
+                error.part(), error.where());
+  }
 }
 
 }  // namespace dupin

@@ -238,13 +238,14 @@ std::optional<FilledVoids> SliverVoids::filled(double width) const {
     if (sliver.width > width) {
       continue;
     }
-    ++result.count;
+    const auto faces = cells_.faces_of(sliver.cell);
+    result.places.push_back(mesh_.points[merged_[faces.front()][0]]);
     result.width = std::max(result.width, sliver.width);
-    for (const std::uint32_t face : cells_.faces_of(sliver.cell)) {
+    for (const std::uint32_t face : faces) {
       gone[face] = 1;
     }
   }
-  if (result.count == 0) {
+  if (result.places.empty()) {
     return std::nullopt;
   }
   result.mesh = without(gone);

@@ -14,8 +14,8 @@ namespace dupin::rounding {
 /// A solid together with some of its voids.
 struct FilledVoids {
   mesh::ExactMesh mesh;
-  std::size_t count = 0;  ///< of voids
-  double width = 0;       ///< of the widest of them
+  std::vector<Vec3> places;  ///< a point in each
+  double width = 0;          ///< of the widest of them
 };
 
 /// The sliver voids of a solid: between two parallel planes that are close to each other. They

@@ -45,7 +45,7 @@ TEST_P(RoundedSlitCase, is_one_pipe_in_doubles_and_floats) {
   for (const Coordinates target : {Coordinates::binary64, Coordinates::binary32}) {
     SCOPED_TRACE(target == Coordinates::binary64 ? "binary64" : "binary32");
     const Rounded rounded = to_mesh(exact, target);
-    EXPECT_GT(rounded.report().filled_slits, 0);
+    EXPECT_GT(rounded.report().filled_places.size(), 0U);
     EXPECT_LE(rounded.report().slit_width, 0x1p-40);
     EXPECT_TRUE(rounded.contacts().empty());
     const Report report = check(rounded.mesh());

@@ -204,9 +204,9 @@ Solid pyramids(std::array<double, 4> steps) {
 TEST(ToMesh, fills_slits_that_rounding_turns_inside_out) {
   const Solid solid = pyramids(kTurningVoid);
   EXPECT_EQ(solid.contacts().size(), 4);
-  EXPECT_EQ(to_mesh(solid).report().filled_slits, 0) << "doubles hold it as it is";
+  EXPECT_EQ(to_mesh(solid).report().filled_places.size(), 0U) << "doubles hold it as it is";
   const Rounded rounded = to_mesh(solid, Coordinates::binary32);
-  EXPECT_EQ(rounded.report().filled_slits, 1);
+  EXPECT_EQ(rounded.report().filled_places.size(), 1U);
   EXPECT_EQ(rounded.report().removed_triangles, 4);
   EXPECT_TRUE(rounded.contacts().empty());
   EXPECT_EQ(rounded.mesh().points.size(), 6);
@@ -217,7 +217,7 @@ TEST(ToMesh, fills_slits_that_rounding_turns_inside_out) {
 TEST(ToMesh, keeps_slits_that_rounding_keeps) {
   const Solid solid = pyramids(kLastingVoid);
   const Rounded rounded = to_mesh(solid, Coordinates::binary32);
-  EXPECT_EQ(rounded.report().filled_slits, 0);
+  EXPECT_EQ(rounded.report().filled_places.size(), 0U);
   EXPECT_EQ(rounded.contacts().size(), 4);
   EXPECT_TRUE(check(rounded.mesh()).is_solid());
 }

@@ -48,7 +48,7 @@ TEST(Slits, between_two_ends_of_one_ring_are_filled) {
   EXPECT_EQ(touching.components(), 2);
   const auto result = filled(touching, 2 * kStep);
   ASSERT_TRUE(result);
-  EXPECT_EQ(result->count, 1);
+  EXPECT_EQ(result->places.size(), 1);
   // The ring lies between two horizontal planes, and slanted ones cannot be much closer.
   EXPECT_GT(result->width, kStep / 2);
   EXPECT_LT(result->width, kStep * 1.001);
@@ -79,10 +79,10 @@ TEST(Slits, that_touch_nothing_are_filled_by_width) {
   const SliverVoids voids(cube.exact(), mesh::coincident_representatives(cube.exact()), 0.5);
   const auto one = voids.filled(kStep * 1.5), both = voids.filled(0.5);
   ASSERT_TRUE(one && both);
-  EXPECT_EQ(one->count, 1);
+  EXPECT_EQ(one->places.size(), 1);
   EXPECT_NEAR(one->width, kStep, kStep * 1e-9);
   EXPECT_GE(one->width, kStep);
-  EXPECT_EQ(both->count, 2);
+  EXPECT_EQ(both->places.size(), 2);
   EXPECT_NEAR(both->width, 4 * kStep, kStep * 1e-9);
   EXPECT_EQ(solid(one->mesh).exact_volume(), cube.exact_volume() + 36 * mpq_class(kStep));
   EXPECT_EQ(solid(both->mesh).exact_volume(), 512 - 36);

@@ -85,7 +85,7 @@ TEST(FilledSlits, leave_the_solid_around_them) {
     ASSERT_EQ(result.shells(), 1) << round;
     ASSERT_EQ(result.genus(), 0) << round;
     ASSERT_TRUE(subtract(result, std::vector{expected}).empty()) << round;
-    several += filled->count > 1 ? 1 : 0;
+    several += filled->places.size() > 1 ? 1 : 0;
     touching += united.contacts().empty() ? 0 : 1;
   }
   EXPECT_GT(several, 50);

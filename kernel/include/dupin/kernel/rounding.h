@@ -37,16 +37,21 @@ struct RoundingReport {
   Vec3 origin = Vec3::Zero();  ///< was subtracted from all coordinates
   std::size_t moved = 0;       ///< vertices of the solid that are not written where they were
   /// An upper bound, in model units, of how far a vertex moved plus how far flipped edges moved the
-  /// surface plus how far from the solid sliver voids were filled. At most the tolerance plus half
+  /// surface plus how far from the solid slits were filled. At most the tolerance plus half
   /// the distance of neighbouring numbers per coordinate.
   double largest_move = 0;
   double repair_reach = 0;  ///< the part of the tolerance that was needed; 0 without repair
   std::size_t removed_triangles = 0;
   std::size_t removed_shells = 0;  ///< smaller than the reach and not representable
-  /// Sliver voids, between two parallel planes, that were filled because rounding breaks them, and
-  /// the distance of these planes.
-  std::size_t filled_slits = 0;
+  /// A point in each slit that was filled because rounding breaks it. What faced each other there
+  /// is joined. Sliver voids lie between two parallel planes; slits that are open to the outside
+  /// are closed by extending one of their flat sides to the other.
+  std::vector<Vec3> filled_places;
+  /// Of the widest: the distance of the planes, or how far from the solid it was filled.
   double slit_width = 0;
+  /// Where, each time that repair came to no end, the surface still crossed itself. It was made the
+  /// boundary of what it winds around, and rounded again; pieces may have joined or gone there.
+  std::vector<Vec3> snapped_places;
 };
 
 namespace rounding {
@@ -79,10 +84,12 @@ class Rounded {
 /// vertices merged, is still closed, 2-manifold (contacts apart) and free of self-intersection by
 /// exact predicates on the rounded numbers. Every coordinate goes to the nearest number, ties to
 /// even; where that breaks the mesh, sliver voids are filled, as between parts that end in one
-/// ring and close it by different triangles, short edges collapsed, edges flipped and vertices
-/// moved to neighbouring numbers until it is whole. O(n log n), and nearly nothing for solids that
-/// need no rounding. Throws Error{unroundable} naming the place and what would help, and
-/// Error{invalid_argument} for a tolerance or grid outside its range.
+/// ring and close it by different triangles, slits between ends that nearly meet are closed, short
+/// edges collapsed, edges flipped and vertices moved to neighbouring numbers until it is whole.
+/// What that does not mend is cut at itself, exactly, and rounded again [snap rounding, iterated].
+/// O(n log n), and nearly nothing for solids that need no rounding. Throws Error{unroundable}
+/// naming the place and what would help, and Error{invalid_argument} for a tolerance or grid
+/// outside its range.
 [[nodiscard]] Rounded to_mesh(const Solid& solid, Coordinates coordinates = Coordinates::binary64,
                               const RoundingOptions& options = {});
 
