@@ -27,7 +27,10 @@ SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" 
          ("lower_bound(", "upper_bound("), ("upper_bound(", "lower_bound(")]
 # (file, what the line contains, what becomes of it): why nothing can notice.
 SLACK = "the slack has no meaning to the last bit"
+REGULAR = "a claim of its own says that radii are positive"
 ADMITTED = "radii of ends are admitted as positive, and so are those between"
+ROUNDING = "the two differ by rounding only"
+STRICTER = "it can only refuse more, and later cells say the same"
 DEPTH = "to halve once more changes no answer but of what is nearly too much"
 KNOWN = {
     ("admitted.cpp", "std::abs(s.axis.dot(spoke)) <= kUnitSlack", " < "): SLACK,
@@ -50,7 +53,24 @@ KNOWN = {
     ("regular_claim.cpp", "return least > 0 &&", " >= "): ADMITTED,
     ("regular_claim.cpp", "return halvings > 0 && is_regular_on(", " >= "): DEPTH,
     ("regular_claim.cpp", "least = tube.radius_range(t, t).lower;", ".upper"):
-        "at one place the two differ by rounding only",
+ROUNDING,
+    ("pair_claims.cpp", "cells <= kMostCells; cells *= 2", " < "): STRICTER,
+    ("pair_claims.cpp", "for (int i = 0; i < cells; ++i) {", " <= "): STRICTER,
+    ("pair_claims.cpp", "length.lower > 0 ?", " >= "): "a quotient by what may be 0 is the line",
+    ("pair_claims.cpp", "length.lower > 0 ?", ".upper"):
+        "a quotient by what may be 0 is the line; of others the two differ by rounding only",
+    ("pair_claims.cpp", "if (width > 0 && width >= distance) {", " >= "):
+        "a width is rounded down, to less than 0 where it is 0",
+    ("pair_claims.cpp", "if (width > 0 && width >= distance) {", " > "): SLACK,
+    ("pair_claims.cpp", "tangents) <= std::numbers::pi / 2", " < "): SLACK,
+    ("pair_claims.cpp", "return range.lower > 0 &&", " >= "): REGULAR,
+    ("pair_claims.cpp", "return range.lower > 0 &&", ".upper"): REGULAR,
+    ("pair_claims.cpp", "* range.upper).upper <= range.lower", " < "): SLACK,
+    ("pair_claims.cpp", "!(disc->radius[0].lower > 0)", " >= "): REGULAR,
+    ("pair_claims.cpp", "!(disc->radius[0].lower > 0)", ".upper"): REGULAR,
+    ("pair_claims.cpp", "phi = phi.upper;", ".lower"): ROUNDING,
+    ("pair_claims.cpp", "const Interval cosine =", ".upper"): ROUNDING,
+    ("pair_claims.cpp", "return phi.upper < 1 &&", " <= "): SLACK,
 }
 
 

@@ -119,6 +119,7 @@ TEST(RegularClaim, needs_a_margin_in_the_unit_interval) {
   const Solid solid = test::solid(test::cylinder({0, 0, 0}, {1, 0, 0}, 1));
   for (const double margin : {-.1, 1., 2., std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_FALSE(follows(solid, proved(margin)));
+    EXPECT_FALSE(has_form(solid, {Verdict::undecided, margin, {}, {}}));
   }
 }
 
