@@ -2,7 +2,7 @@
 """What the tests of the verifier are worth: breaks each comparison, bound and inclusion of its
 sources once, and lists the mutants that no test notices.
 
-    tools/mutate_verifier.py BUILD [FILE ...]     for example build/dev regular_claim.cpp
+    tools/mutate_verifier.py BUILD [FILE[:LINE] ...]     for example build/dev regular_claim.cpp
 
 BUILD is a directory where ninja has built blends_verification_test; FILEs are sources of
 blends/src/verification, all of them if none is given. A mutant that does not compile, crashes the
@@ -68,7 +68,15 @@ ROUNDING,
     ("pair_claims.cpp", "* range.upper).upper <= range.lower", " < "): SLACK,
     ("pair_claims.cpp", "!(disc->radius[0].lower > 0)", " >= "): REGULAR,
     ("pair_claims.cpp", "!(disc->radius[0].lower > 0)", ".upper"): REGULAR,
+    ("pair_claims.cpp", "radius = std::max(radius.upper, disc->radius[0].upper);", ".lower"):
+        "the largest radius so far is one number; tests notice if the other is the lower",
     ("pair_claims.cpp", "phi = phi.upper;", ".lower"): ROUNDING,
+    ("pair_claims.cpp", "if (!(t.from < t.to) || !discs", " <= "):
+        "no point is on both sides of a plane",
+    ("pair_claims.cpp", "first->tangents.front()).lower > 0", " >= "): SLACK,
+    ("pair_claims.cpp", "first->tangents.front()).lower > 0", ".upper"): ROUNDING,
+    ("pair_claims.cpp", "last->tangents.back()).upper < 0", " <= "): SLACK,
+    ("pair_claims.cpp", "last->tangents.back()).upper < 0", ".lower"): ROUNDING,
     ("pair_claims.cpp", "const Interval cosine =", ".upper"): ROUNDING,
     ("pair_claims.cpp", "return phi.upper < 1 &&", " <= "): SLACK,
 }
@@ -120,9 +128,12 @@ def main():
     entries = {e["file"]: e for e in json.loads((build / "compile_commands.json").read_text())}
     parts, survivors, count = linking(build), [], 0
     with tempfile.TemporaryDirectory() as folder:
-        for name in names:
+        for asked in names:
+            name, _, only = asked.partition(":")
             path = SOURCES / name
             for number, line, new, text in mutants(path.read_text()):
+                if only and int(only) != number:
+                    continue
                 count += 1
                 if is_noticed(build, entries[str(path)], text, pathlib.Path(folder), parts):
                     continue

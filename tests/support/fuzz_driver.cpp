@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -51,17 +52,18 @@ int main(int argc, char** argv) {
     std::ifstream file(argv[1], std::ios::binary);
     return runs({std::istreambuf_iterator<char>(file), {}}) ? 0 : 1;
   }
+  // Tests run side by side.
+  const std::string file = std::filesystem::path(argv[0]).filename().string() + ".input";
   std::mt19937_64 random(seed);
   const std::vector<std::string> seeds = dupin::test::fuzz_seeds();
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::string input = seeds.empty()
                                   ? any_bytes(random)
                                   : dupin::test::mutated(seeds[random() % seeds.size()], random);
-    // Written before it runs: what aborts cannot tell.
-    if (!std::ofstream("fuzzed-input", std::ios::binary)
-             .write(input.data(), std::streamsize(input.size())) ||
-        !runs(input)) {
-      std::cerr << "input " << i << " of seed " << seed << " is in fuzzed-input\n";
+    // Before it runs: what aborts cannot tell.
+    std::ofstream(file, std::ios::binary).write(input.data(), std::streamsize(input.size()));
+    if (!runs(input)) {
+      std::cerr << "input " << i << " of seed " << seed << " is in " << file << '\n';
       return 1;
     }
   }

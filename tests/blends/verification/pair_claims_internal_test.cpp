@@ -283,6 +283,17 @@ TEST(ClearanceClaim, with_a_common_point_proves_that_unjoined_parts_are_connecte
                        common_point(Verdict::proved, {Vec3(0, 0, .5), {.4375, .5625}, {0, 1}})));
 }
 
+// All of the stretch's centres are nearer than the radius, not some.
+TEST(ClearanceClaim, with_a_common_point_needs_short_stretches) {
+  const Solid pipe = test::solid(test::cylinder({0, 0, 0}, {10, 0, 0}, 1)),
+              ball = test::ball({.5, 0, 0}, 1);
+  const Vec3 inside(.5, 0, 0);
+  EXPECT_TRUE(follows(pipe, ball, {}, common_point(Verdict::proved, {inside, {0, .125}, {0, 1}})));
+  EXPECT_FALSE(follows(pipe, ball, {}, common_point(Verdict::proved, {inside, {0, .75}, {0, 1}})));
+  EXPECT_FALSE(
+      follows(pipe, ball, {}, common_point(Verdict::proved, {inside, {.0625, .125}, {0, 1}})));
+}
+
 // Only flat ends that touch: the point lies in the disc of the stored ring, border included.
 TEST(ClearanceClaim, with_a_point_of_a_flat_end_connects_parts_that_touch) {
   const Solid before = test::solid(test::cylinder({-5, 0, 0}, {0, 0, 0}, 1)),
