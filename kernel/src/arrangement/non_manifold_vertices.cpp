@@ -221,7 +221,8 @@ class Separator {
 
   // Splits faces at the middles of their edges (edge i runs from corner i to the next).
   void split_faces() {
-    for (const auto& [face, middles] : middles_) {
+    for (const auto& [split_face, middles] : middles_) {
+      const auto face = split_face;  // Clang's lambdas take no names of structured bindings
       const OutputTriangle whole = kept_[face];
       std::vector<PointId> outline;
       for (std::uint8_t i = 0; i < 3; ++i) {

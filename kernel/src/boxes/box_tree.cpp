@@ -31,6 +31,9 @@ std::uint64_t spread(std::uint64_t value) {
 /// Interleaved bits of the box's centre, whose coordinates lie in [-1, 1] (see BoxQuantizer).
 std::uint64_t morton_key(const Box& box) {
   std::uint64_t key = 0;
+  if (box.is_nothing()) {
+    return key;  // nothing has no centre
+  }
   for (int k = 0; k < 3; ++k) {
     const float centre = (box.low[k] + box.high[k]) / 2;
     const float cell = (std::clamp(centre, -1.0F, 1.0F) + 1) * 0x0.fffffp20F;

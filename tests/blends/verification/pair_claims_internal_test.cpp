@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -114,6 +115,30 @@ TEST(EmbeddedClaim, of_a_tube_that_swells_needs_the_margin) {
   EXPECT_FALSE(follows(test::solid(bent), embedded({whole()}), {Verdict::proved, .1, {}, {}}));
 }
 
+// Bent by more than lemma 2 takes.
+TEST(EmbeddedClaim, of_a_tube_that_only_grows_or_falls_needs_no_margin) {
+  RingedSurface bent = test::elbow(4, 1.5, 1);
+  for (const RadiusLaw& law : {RadiusLaw(LinearRadius{1, 2}), RadiusLaw(LinearRadius{2, 1}),
+                               RadiusLaw(CyclideRadius{1, 2}), RadiusLaw(CyclideRadius{2, 1})}) {
+    bent.radius = law;
+    EXPECT_TRUE(follows(test::solid(bent), embedded({whole()}), {Verdict::proved, .1, {}, {}}));
+  }
+}
+
+TEST(EmbeddedClaim, of_an_elliptic_tube_that_swells_needs_the_margin_of_its_larger_axis) {
+  EllipticTube tube;
+  const RingedSurface about = test::elbow(16, 1.5, 3);
+  tube.start = about.start;
+  tube.end = about.end;
+  tube.spine = about.spine;
+  tube.first = BezierRadius{{2, 2.25, 2}};
+  tube.second = BezierRadius{{3, 2.5, 3}};
+  tube.axis = Vec3::UnitZ();
+  const Solid solid = test::solid(tube);
+  EXPECT_TRUE(follows(solid, embedded({whole()}), {Verdict::proved, .4, {}, {}}));
+  EXPECT_FALSE(follows(solid, embedded({whole()}), {Verdict::proved, .15, {}, {}}));
+}
+
 TEST(EmbeddedClaim, of_a_chain_advances_across_its_joints) {
   const Solid chain = test::solid(test::cylinder({4, -3, 0}, {4, 0, 0}, 1), test::elbow(4, .5, 1));
   const std::vector<DiscPairs> leaves{
@@ -169,6 +194,15 @@ TEST(ClearanceClaim, of_parallel_pipes_is_the_slab_between_them) {
   EXPECT_FALSE(follows(low, high, {}, refuted));
 }
 
+TEST(ClearanceClaim, of_pipes_that_touch_does_not_follow) {
+  const Solid low = test::solid(test::cylinder({0, 0, 0}, {9, 0, 0}, 1)),
+              high = test::solid(test::cylinder({2, 0, 3}, {7, 0, 3}, 2));
+  const std::vector<JoinedEnds> joined{kEndToStart};
+  EXPECT_FALSE(follows(low, high, joined, clearance(0, {whole(Vec3::UnitZ())})));
+  EXPECT_TRUE(follows(low, test::solid(test::cylinder({2, 0, 3.001}, {7, 0, 3.001}, 2)), joined,
+                      clearance(0, {whole(Vec3::UnitZ())})));
+}
+
 TEST(ClearanceClaim, needs_leaves_for_all_pairs) {
   const Solid low = test::solid(test::cylinder({0, 0, 0}, {9, 0, 0}, 1)),
               high = test::solid(test::cylinder({2, 0, 5}, {7, 0, 5}, 2));
@@ -187,6 +221,41 @@ TEST(ClearanceClaim, of_balls_is_the_distance_of_their_surfaces) {
   EXPECT_TRUE(follows(a, b, {}, clearance(1.999, {whole(across)})));
   EXPECT_FALSE(follows(a, b, {}, clearance(2.001, {whole(across)})));
   EXPECT_FALSE(follows(a, b, {}, clearance(1.999, {whole(Vec3::UnitX())})));
+}
+
+TEST(ClearanceClaim, of_balls_is_never_more_than_their_distance) {
+  const Solid a = test::ball({0, 0, 0}, 1);
+  for (const Vec3& across : {Vec3(1, 0, 0), Vec3(1, 1, 1), Vec3(1, 2, 3), Vec3(3, 7, -1)}) {
+    const Solid b = test::ball(4 * across, 1);
+    const double distance = 4 * across.norm() - 2;
+    EXPECT_TRUE(follows(a, b, {}, clearance(distance * (1 - 0x1p-48), {whole(across)})));
+    EXPECT_FALSE(follows(a, b, {}, clearance(std::nextafter(distance, 99), {whole(across)})));
+  }
+}
+
+// A straight pipe into a bend of radius R and angle a: the lemma asks for R (1 - a^2 / 2) > r, and
+// the cells lose nothing. r is the largest radius on the way.
+TEST(ClearanceClaim, of_joined_parts_follows_just_where_the_lemma_says) {
+  const auto connected = [](double bend, double angle, const RadiusLaw& before,
+                            const RadiusLaw& after) {
+    RingedSurface pipe = test::cylinder({bend, -3, 0}, {bend, 0, 0}, 1);
+    RingedSurface elbow = test::elbow(bend, angle, 1);
+    pipe.radius = before;
+    elbow.radius = after;
+    return follows(test::solid(pipe), test::solid(elbow), {kEndToStart}, clearance(0, {whole()}));
+  };
+  const LinearRadius growing{1, 2}, falling{2, 1};
+  const ConstantRadius one{1}, two{2};
+  for (const double angle : {.5, .7, .9}) {
+    const double least = 1 / (1 - angle * angle / 2);
+    EXPECT_TRUE(connected(least * (1 + 1e-9), angle, one, one));
+    EXPECT_FALSE(connected(least * (1 - 1e-9), angle, one, one));
+    for (const auto& [before, after] :
+         {std::pair<RadiusLaw, RadiusLaw>{two, one}, {one, two}, {one, growing}, {falling, one}}) {
+      EXPECT_TRUE(connected(2 * least * (1 + 1e-9), angle, before, after));
+      EXPECT_FALSE(connected(2 * least * (1 - 1e-9), angle, before, after));
+    }
+  }
 }
 
 TEST(ClearanceClaim, with_a_common_point_proves_that_unjoined_parts_are_connected) {
@@ -212,6 +281,17 @@ TEST(ClearanceClaim, with_a_common_point_proves_that_unjoined_parts_are_connecte
                       common_point(Verdict::proved, {Vec3(0, 0, -.5), {.4375, .5625}, {0, 1}})));
   EXPECT_FALSE(follows(along, ball, {},
                        common_point(Verdict::proved, {Vec3(0, 0, .5), {.4375, .5625}, {0, 1}})));
+}
+
+// All of the stretch's centres are nearer than the radius, not some.
+TEST(ClearanceClaim, with_a_common_point_needs_short_stretches) {
+  const Solid pipe = test::solid(test::cylinder({0, 0, 0}, {10, 0, 0}, 1)),
+              ball = test::ball({.5, 0, 0}, 1);
+  const Vec3 inside(.5, 0, 0);
+  EXPECT_TRUE(follows(pipe, ball, {}, common_point(Verdict::proved, {inside, {0, .125}, {0, 1}})));
+  EXPECT_FALSE(follows(pipe, ball, {}, common_point(Verdict::proved, {inside, {0, .75}, {0, 1}})));
+  EXPECT_FALSE(
+      follows(pipe, ball, {}, common_point(Verdict::proved, {inside, {.0625, .125}, {0, 1}})));
 }
 
 // Only flat ends that touch: the point lies in the disc of the stored ring, border included.

@@ -50,6 +50,36 @@ TEST(RegularClaim, of_an_elbow_follows_up_to_its_margin) {
   EXPECT_TRUE(follows(test::solid(test::elbow(4, 1.5, 4.5)), refuted(0)));
 }
 
+TEST(RegularClaim, of_an_elbow_is_exact_at_its_margin) {
+  const Solid solid = test::solid(test::elbow(4, 1.5, 1));
+  EXPECT_FALSE(follows(solid, proved(.75)));
+  EXPECT_TRUE(follows(solid, refuted(.75)));
+}
+
+// An axis as long as is admitted makes the arc an ellipse of semi-axes 4 and 4 + 3.2e-9.
+TEST(RegularClaim, of_an_arc_allows_for_all_that_its_axis_may_be) {
+  RingedSurface surface = test::elbow(4, 1.5, 1);
+  std::get<ArcSpine>(surface.spine).axis *= 1 + 8e-10;
+  const Solid solid = test::solid(surface);
+  EXPECT_TRUE(follows(solid, proved(.75 - 1e-9)));
+  EXPECT_FALSE(follows(solid, proved(.75 - 1e-10)));
+  EXPECT_TRUE(follows(solid, refuted(.75 + 1e-9)));
+  EXPECT_FALSE(follows(solid, refuted(.75 + 2e-10)));
+}
+
+// From 1 - 1 / 4 at the start to 1 - 2 / 4 at the end.
+TEST(RegularClaim, of_a_reducing_elbow_is_about_its_largest_radius) {
+  RingedSurface surface = test::elbow(4, 1.5, 1);
+  for (const RadiusLaw& law : {RadiusLaw(LinearRadius{1, 2}), RadiusLaw(CyclideRadius{1, 2})}) {
+    surface.radius = law;
+    const Solid solid = test::solid(surface);
+    EXPECT_TRUE(follows(solid, proved(.49)));
+    EXPECT_FALSE(follows(solid, proved(.6)));
+    EXPECT_TRUE(follows(solid, refuted(.6, {.25, 1})));
+    EXPECT_FALSE(follows(solid, refuted(.6, {0, .25})));
+  }
+}
+
 // Figure 6 of [MS06]: the margin is 0.0848584660472, at t = 0.7344...
 TEST(RegularClaim, of_figure_6_follows_up_to_its_margin) {
   for (const RadiusLaw& law : {RadiusLaw(CubicRadius{1, 2}), RadiusLaw(CyclideRadius{1, 2})}) {
@@ -89,6 +119,7 @@ TEST(RegularClaim, needs_a_margin_in_the_unit_interval) {
   const Solid solid = test::solid(test::cylinder({0, 0, 0}, {1, 0, 0}, 1));
   for (const double margin : {-.1, 1., 2., std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_FALSE(follows(solid, proved(margin)));
+    EXPECT_FALSE(has_form(solid, {Verdict::undecided, margin, {}, {}}));
   }
 }
 
@@ -142,6 +173,14 @@ TEST(RegularClaim, of_a_rational_tube_follows_up_to_its_margin) {
   EXPECT_TRUE(follows(test::solid(tube), proved(.9)));
   auto vanishing = tube;
   vanishing.surface.radius = {1, 0, -1, 1};
+  EXPECT_FALSE(follows(test::solid(vanishing), proved(0)));
+  auto standing = tube;
+  standing.surface.center.fill(Vec3::Zero());
+  EXPECT_FALSE(follows(test::solid(standing), proved(0)));
+  // Negative on less than a leaf is divided into.
+  vanishing.surface.radius = {1, -1. / 3 - 1e-5, -1. / 3 - 1e-5, 1};
+  EXPECT_FALSE(follows(test::solid(vanishing), proved(0)));
+  vanishing.surface.radius = {0, 1, 1, 1};
   EXPECT_FALSE(follows(test::solid(vanishing), proved(0)));
   // Out of a plate the circle's centre stands still: only the limit of the quotient says more.
   const Ring plate{Vec3(0, 0, 0), -Vec3::UnitZ(), 2}, pipe{Vec3(0, 0, 4), Vec3::UnitZ(), 1};

@@ -1,21 +1,23 @@
-// A libFuzzer target for all mesh readers:
-//
-//   cmake --preset fuzz && cmake --build --preset fuzz --target mesh_file_fuzzer
-//   mkdir corpus && build/fuzz/tests/io/mesh_file_fuzzer -max_total_time=600 -rss_limit_mb=2048
-//   corpus
-//
-// The first byte of an input chooses the format, in the order of mesh_formats. Start the corpus
-// with a small file of each, as `dupin convert` writes them, behind that byte: the containers of
-// 3MF and glTF are hard to guess. An input that crashes is written to crash-*; give its name as the
-// argument to run it again, and add what it taught to the tables of malformed files.
+// All mesh readers: a file is read, or refused for one of the two reasons that are promised. The
+// first byte of an input chooses the format, in the order of mesh_formats; what a finding taught
+// goes to the tables of malformed files. See tests/support/fuzz_target.h.
 
-#include <cstddef>
-#include <cstdint>
 #include <string_view>
 
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/off.h"
 #include "dupin/kernel/error.h"
+#include "support/fuzz_target.h"
+#include "support/sample_meshes.h"
+
+std::vector<std::string> dupin::test::fuzz_seeds() {
+  std::vector<std::string> seeds;
+  for (const MeshFormat& format : mesh_formats()) {
+    seeds.push_back(std::string(1, static_cast<char>(seeds.size())) +
+                    mesh_bytes(labelled_tetrahedron(), format, {"mm", "a note"}));
+  }
+  return seeds;
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) {
