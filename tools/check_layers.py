@@ -29,7 +29,7 @@ ARROWS = {
         "arrangement": ["mesh", "boxes", "support"],
         "booleans": ["arrangement", "checking", "mesh", "support"],
         "healing": ["booleans", "arrangement", "checking", "mesh", "predicates", "support"],
-        "rounding": ["arrangement", "checking", "mesh", "boxes", "predicates", "exact", "support"],
+        "rounding": ["healing", "arrangement", "checking", "mesh", "boxes", "predicates", "exact", "support"],
         "gaps": ["mesh", "boxes", "predicates", "exact", "support"],
         "cross_check": ["booleans", "checking", "mesh", "exact", "support"],
     },
