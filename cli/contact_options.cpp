@@ -1,8 +1,12 @@
 #include "contact_options.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <CLI/App.hpp>
 
 #include "dupin/kernel/contacts.h"
+#include "dupin/kernel/error.h"
 #include "exit_code.h"
 #include "length.h"
 
@@ -11,15 +15,19 @@ namespace dupin::cli {
 void add_contacts_option(CLI::App& command, std::string& contacts) {
   command
       .add_option("--contacts", contacts,
-                  "Where the result touches itself: report it (default), refuse, take\n"
-                  "material away (separate=LENGTH) or add some (bridge=LENGTH)")
+                  "Where the result touches itself: report it (default but for STL), refuse,\n"
+                  "take material away (separate=LENGTH; for STL one spacing of its\n"
+                  "numbers) or add some (bridge=LENGTH)")
       ->type_name("POLICY");
 }
 
 ContactChoice contact_choice(const std::string& text, const std::string& unit) {
   using Kind = ContactChoice::Kind;
-  if (text.empty() || text == "report") {
+  if (text.empty()) {
     return {};
+  }
+  if (text == "report") {
+    return {Kind::report};
   }
   if (text == "refuse") {
     return {Kind::refuse};
@@ -43,6 +51,33 @@ Solid settle(const Solid& solid, const ContactChoice& choice, OutputReport& repo
   Settled settled = is_bridge ? bridge(solid, choice.length) : separate(solid, choice.length);
   report.settled = {is_bridge ? "bridge" : "separate", choice.length, std::move(settled.contacts)};
   return settled.solid;
+}
+
+Rounded rounded_apart(const Solid& solid, Coordinates coordinates, const RoundingOptions& options,
+                      OutputReport& report) {
+  constexpr double kMost = 64;
+  double largest = 0;
+  for (const Vec3& point : solid.nearest_points()) {
+    largest = std::max(largest, point.cwiseAbs().maxCoeff());
+  }
+  // separate() asks for more than 2^-32 of the largest coordinate.
+  const int digits = coordinates == Coordinates::binary32 ? 23 : 31;
+  const double spacing = std::ldexp(1.0, std::ilogb(largest) - digits);
+  for (double length = spacing; length <= kMost * spacing; length *= 2) {
+    try {
+      Settled settled = separate(solid, length);
+      Rounded rounded = to_mesh(settled.solid, coordinates, options);
+      if (rounded.contacts().empty()) {
+        report.settled = {"separate", length, std::move(settled.contacts)};
+        return rounded;
+      }
+    } catch (const Error& error) {
+      if (error.code() != Errc::contact && error.code() != Errc::unroundable) {
+        throw;
+      }
+    }
+  }
+  return to_mesh(solid, coordinates, options);
 }
 
 }  // namespace dupin::cli

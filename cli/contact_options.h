@@ -4,6 +4,7 @@
 
 #include "dupin/io/report_json.h"
 #include "dupin/kernel/boolean.h"
+#include "dupin/kernel/rounding.h"
 #include "dupin/kernel/solid.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
@@ -14,8 +15,14 @@ namespace dupin::cli {
 
 /// What --contacts says to do where a result touches itself.
 struct ContactChoice {
-  enum class Kind { report, refuse, separate, bridge };
-  Kind kind = Kind::report;
+  enum class Kind {
+    standard,  ///< separate for formats whose readers weld, report for others
+    report,
+    refuse,
+    separate,
+    bridge
+  };
+  Kind kind = Kind::standard;
   double length = 0;  ///< to separate or bridge within
 
   /// What the set operation itself has to do.
@@ -32,5 +39,10 @@ void add_contacts_option(CLI::App& command, std::string& contacts);
 
 /// The solid after what was chosen, told in `report`.
 [[nodiscard]] Solid settle(const Solid& solid, const ContactChoice& choice, OutputReport& report);
+
+/// The solid rounded, apart where it touches itself by as few spacings of the coordinates as it
+/// takes: one, two, four to 64; told in `report`. Where none of them does, as it is.
+[[nodiscard]] Rounded rounded_apart(const Solid& solid, Coordinates coordinates,
+                                    const RoundingOptions& options, OutputReport& report);
 
 }  // namespace dupin::cli

@@ -136,7 +136,10 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
                          MeshHeader header, const ContactChoice& contacts) {
   OutputReport report;
   const Solid settled = settle(solid, contacts, report);
-  const Rounded rounded = to_mesh(settled, to.format.coordinates, rounding);
+  const bool parts = contacts.kind == ContactChoice::Kind::standard && to.format.merges_points &&
+                     !settled.contacts().empty();
+  const Rounded rounded = parts ? rounded_apart(settled, to.format.coordinates, rounding, report)
+                                : to_mesh(settled, to.format.coordinates, rounding);
   refuse_contacts(rounded.contacts(), to);
   report.contacts = rounded.contacts();
   if (rounded.report().origin != Vec3::Zero()) {

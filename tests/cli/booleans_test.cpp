@@ -59,13 +59,30 @@ TEST_F(MeshCommands, contacts_are_reported_or_refused) {
 TEST_F(MeshCommands, stl_is_refused_for_contacts_that_its_readers_would_weld) {
   put("a.off", box({0, 0, 0}, {1, 1, 1}));
   put("b.off", box({1, 1, 0}, {2, 2, 1}));
-  const ProcessResult result = dupin({"union", "a.off", "b.off", "-o", "c.stl"});
+  const ProcessResult result =
+      dupin({"union", "a.off", "b.off", "-o", "c.stl", "--contacts", "report"});
   EXPECT_EQ(result.exit_code, 4);
   EXPECT_EQ(result.err,
             "dupin: c.stl: the solid touches itself in 1 place, at (1, 1, 0), and readers of STL "
             "would weld it there; write another format, or see --contacts separate=LENGTH and "
             "bridge=LENGTH\n");
   EXPECT_THAT(folder_.files(), ElementsAre("a.off", "b.off"));
+}
+
+TEST_F(MeshCommands, stl_is_parted_at_contacts_by_what_its_numbers_can_hold) {
+  const Vec3 far(1234567.25, 345678.125, 98765.5);  // where binary32 has a spacing of 0.125
+  put("a.off", box(far, far + Vec3(100, 100, 100)));
+  put("edge.off", box(far + Vec3(100, 100, 0), far + Vec3(200, 200, 100)));
+  put("point.off", box(far + Vec3(100, 100, 100), far + Vec3(200, 200, 200)));
+  for (const std::string other : {"edge.off", "point.off"}) {
+    const auto report = json({"union", "a.off", other, "-o", "c.stl"}, 0);
+    EXPECT_TRUE(report.at("contacts").empty());
+    EXPECT_EQ(report.at("settled").at("policy"), "separate");
+    EXPECT_EQ(report.at("settled").at("contacts").size(), 1);
+    EXPECT_LE(report.at("settled").at("length"), 8.0);
+    EXPECT_EQ(report.at("check").at("components"), 2);
+    EXPECT_NEAR(report.at("check").at("volume"), 2e6, 2e6 * 0.01);
+  }
 }
 
 TEST_F(MeshCommands, contacts_are_separated_or_bridged_and_told) {

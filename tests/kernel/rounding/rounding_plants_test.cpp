@@ -31,14 +31,10 @@ TEST_P(Plants, are_written_as_floats_where_they_stand) {
     const Report report = check(rounded.mesh());
     EXPECT_TRUE(report.is_solid());
     EXPECT_EQ(rounded.mesh().triangles.size(), rounded.sources().size());
-    if (coordinates == Coordinates::binary64) {
-      EXPECT_TRUE(rounded.report().filled_places.empty()) << "doubles hold it as it is";
-      continue;
-    }
-    EXPECT_FALSE(rounded.report().filled_places.empty());
-    EXPECT_LE(rounded.report().largest_move, 1024 * 0.25);
-    // What was missing between ends is little, and nothing else is gone.
-    EXPECT_NEAR(Solid::from(rounded.mesh()).volume() / plant.volume(), 1, 2e-3);
+    // What is filled and moved is no more than ends miss each other by, at flanges out of line.
+    EXPECT_LE(rounded.report().slit_width, 16);
+    EXPECT_LE(rounded.report().largest_move, 32);
+    EXPECT_NEAR(Solid::from(rounded.mesh()).volume() / plant.volume(), 1, 4e-3);
   }
 }
 
