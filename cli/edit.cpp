@@ -134,7 +134,7 @@ ExitCode run_edit(const EditArguments& arguments, const CommonOptions& common) {
   EditReport report = compared(before, parse_assembly(text, input.name), part);
   report.file = arguments.output;
   write_text(arguments.output, text);
-  std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
+  std::ostream& out = report_stream(arguments.output);
   if (common.json) {
     out << to_json(report) << '\n';
   } else if (!common.quiet) {
