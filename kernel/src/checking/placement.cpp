@@ -47,10 +47,10 @@ struct Quaternion {
   bool is_exact = true;
 };
 
-/// The axis' length if that is a double.
+/// The axis' length if that is a double: the root of its square rounded to nearest is then it.
 std::optional<mpq_class> exact_length(const Point& axis) {
   const mpq_class square = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
-  const mpq_class length = std::sqrt(square.get_d());
+  const mpq_class length = std::sqrt(exact::nearest_double(square));
   return length * length == square ? std::optional(length) : std::nullopt;
 }
 
