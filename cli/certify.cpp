@@ -108,7 +108,7 @@ ExitCode run_certify(const CertifyArguments& arguments, const CommonOptions& com
   Certificate certificate = certify(assembly, {.margin = arguments.margin});
   certificate.document_sha256 = sha256(input.bytes);
   write_text(arguments.output, certificate_json(certificate));
-  print_summary(arguments.output == "-" ? std::cerr : std::cout, certificate, common);
+  print_summary(report_stream(arguments.output), certificate, common);
   return verdict_on(certificate);
 }
 

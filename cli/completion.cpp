@@ -53,7 +53,8 @@ _dupin() {
     --contacts) COMPREPLY=($(compgen -W "report refuse separate= bridge=" -- "$word")); return ;;
     --cross-check) COMPREPLY=($(compgen -W "nef corefinement" -- "$word")); return ;;
     --origin) COMPREPLY=($(compgen -W "keep auto" -- "$word")); return ;;
-    --tolerance|--rounding-tolerance|--connect|--grid|--move|--twist|--margin) return ;;
+    --tolerance|--rounding-tolerance|--connect|--grid|--move|--twist|--margin|\
+    --translate|--rotate|--scale) return ;;
   esac
   case $command in
     "") words=")" +

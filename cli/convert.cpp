@@ -5,10 +5,12 @@
 
 #include "commands.h"
 #include "dupin/kernel/check.h"
+#include "dupin/kernel/placement.h"
 #include "input.h"
 #include "length.h"
 #include "mesh_to_mesh.h"
 #include "output.h"
+#include "placement_options.h"
 
 namespace dupin::cli {
 namespace {
@@ -19,7 +21,35 @@ bool fits(const TriMesh& mesh, Coordinates coordinates) {
                      [&](const Vec3& point) { return point == nearest(point, coordinates); });
 }
 
-ExitCode run_convert(const MeshToMesh& arguments, const CommonOptions& common) {
+struct ConvertArguments {
+  MeshToMesh files;
+  PlacementArguments placement;
+};
+
+/// What is a solid is put elsewhere in exact coordinates and stays one; the points of other meshes
+/// are rounded each by itself.
+OutputReport write_placed(const TriMesh& mesh, const Placement& placement, const Destination& to,
+                          const RoundingOptions& rounding, const MeshHeader& header) {
+  double radius = 0;
+  for (const Vec3& point : mesh.points) {
+    radius = std::max(radius, point.allFinite() ? point.stableNorm() : 0);
+  }
+  const double error = placement.error(radius);
+  if (check(mesh).is_solid()) {
+    OutputReport report = write_solid(placed(Solid::from(mesh), placement), to, rounding, header);
+    report.placement = {placement.is_exact() && report.rounding.moved == 0,
+                        error + report.rounding.largest_move};
+    return report;
+  }
+  const PlacedMesh elsewhere = placed(mesh, placement);
+  OutputReport report = write_plain(elsewhere.mesh, to, header);
+  report.placement = {placement.is_exact() && elsewhere.is_exact && report.rounding.moved == 0,
+                      error + elsewhere.largest_move + report.rounding.largest_move};
+  return report;
+}
+
+ExitCode run_convert(const ConvertArguments& all, const CommonOptions& common) {
+  const MeshToMesh& arguments = all.files;
   refuse_tolerance("convert", common, "--rounding-tolerance");
   const Destination to = destination(arguments.output);
   const Input input = read_input(arguments.input);
@@ -28,6 +58,11 @@ ExitCode run_convert(const MeshToMesh& arguments, const CommonOptions& common) {
   const bool unchanged =
       rounding.output_grid == 0 && rounding.origin.choice == Origin::Choice::keep;
   const TriMesh mesh = read_mesh(input.bytes, input.name);
+  if (!all.placement.empty()) {
+    const Placement where = placement(all.placement, unit_of_mesh(header.unit));
+    print_written(write_placed(mesh, where, to, rounding, header), to, common);
+    return ExitCode::ok;
+  }
   const bool stays_solid =
       !(unchanged && fits(mesh, to.format.coordinates)) && check(mesh).is_solid();
   print_written(stays_solid ? write_solid(Solid::from(mesh), to, rounding, header)
@@ -40,15 +75,19 @@ ExitCode run_convert(const MeshToMesh& arguments, const CommonOptions& common) {
 
 void add_convert(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("convert", "Write a mesh in another format");
-  const auto arguments = std::make_shared<MeshToMesh>();
-  add_mesh_to_mesh_options(*command, "mesh file", *arguments);
+  const auto arguments = std::make_shared<ConvertArguments>();
+  add_mesh_to_mesh_options(*command, "mesh file", arguments->files);
+  add_placement_options(*command, arguments->placement);
   command->footer(
       "A solid whose coordinates the format cannot hold is rounded so that it stays one; any\n"
-      "other mesh is written as it is.\n\n"
+      "other mesh is written as it is. Moves, turns and changes of size are exact, and rounded "
+      "once.\n\n"
       "Examples:\n"
       "  dupin convert part.off part.stl\n"
+      "  dupin convert valve.stl placed.stl --rotate 0,0,1,90 --translate 1.5m,0,-20mm\n"
       "  dupin convert - - --format off < part.stl > part.off");
-  command->callback([arguments, &action] {
+  command->callback([arguments, command, &action] {
+    arguments->placement.collect(*command);
     action = [arguments](const CommonOptions& common) { return run_convert(*arguments, common); };
   });
 }

@@ -14,11 +14,13 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/edit_json.h"
+#include "dupin/io/place_json.h"
 #include "dupin/io/report_json.h"
 #include "exit_code.h"
 #include "input.h"
 #include "length.h"
 #include "output.h"
+#include "placement_options.h"
 #include "report_text.h"
 
 namespace dupin::cli {
@@ -27,6 +29,7 @@ namespace {
 struct EditArguments {
   std::string file, output, part, move, twist;
   bool on_locus = false;
+  PlacementArguments placement;
 };
 
 /// "4=1,2,3": a sphere and numbers.
@@ -74,7 +77,8 @@ std::vector<PeArc> pieces(const Assembly& assembly, std::uint32_t part) {
 CyclideChainThrough edited_chain(const EditArguments& arguments, const Assembly& assembly,
                                  std::uint32_t part) {
   if (arguments.move.empty() == arguments.twist.empty()) {
-    throw UsageError("edit needs either --move or --twist");
+    throw UsageError(
+        "edit needs either --move or --twist, or else --translate, --rotate or --scale");
   }
   if (arguments.on_locus && arguments.move.empty()) {
     throw UsageError("--on-locus is for --move");
@@ -123,8 +127,36 @@ void print_edit(std::ostream& out, const EditReport& report) {
   print_row(out, "written", report.file);
 }
 
+/// Puts the whole document elsewhere.
+ExitCode run_placement(const EditArguments& arguments, const CommonOptions& common) {
+  if (!arguments.move.empty() || !arguments.twist.empty() || !arguments.part.empty() ||
+      arguments.on_locus) {
+    throw UsageError(
+        "--translate, --rotate and --scale are for the whole document, not beside --move, --twist, "
+        "--on-locus or --part; edit twice");
+  }
+  const Input input = read_input(arguments.file);
+  const Unit unit = parse_assembly(input.bytes, input.name).unit;
+  const PlacedDocument after =
+      placed_document(input.bytes, input.name, placement(arguments.placement, unit));
+  (void)resolve(parse_assembly(after.text, input.name));
+  write_text(arguments.output, after.text);
+  const PlacedDocumentReport report{arguments.output, unit, {after.is_exact, after.largest_move}};
+  std::ostream& out = report_stream(arguments.output);
+  if (common.json) {
+    out << to_json(report) << '\n';
+  } else if (!common.quiet) {
+    print_row(out, "placed", placement_text(after.is_exact, after.largest_move, symbol(unit)));
+    print_row(out, "written", report.file);
+  }
+  return ExitCode::ok;
+}
+
 ExitCode run_edit(const EditArguments& arguments, const CommonOptions& common) {
   refuse_tolerance("edit", common);
+  if (!arguments.placement.empty()) {
+    return run_placement(arguments, common);
+  }
   const Input input = read_input(arguments.file);
   const Assembly before = parse_assembly(input.bytes, input.name);
   const std::uint32_t part =
@@ -134,7 +166,7 @@ ExitCode run_edit(const EditArguments& arguments, const CommonOptions& common) {
   EditReport report = compared(before, parse_assembly(text, input.name), part);
   report.file = arguments.output;
   write_text(arguments.output, text);
-  std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
+  std::ostream& out = report_stream(arguments.output);
   if (common.json) {
     out << to_json(report) << '\n';
   } else if (!common.quiet) {
@@ -146,7 +178,8 @@ ExitCode run_edit(const EditArguments& arguments, const CommonOptions& common) {
 }  // namespace
 
 void add_edit(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("edit", "Change a chain of cyclides in a document");
+  CLI::App* command = app.add_subcommand(
+      "edit", "Change a chain of cyclides in a document, or put the document elsewhere");
   const auto arguments = std::make_shared<EditArguments>();
   command->add_option("FILE", arguments->file, "assembly document; - for standard input")
       ->type_name("")
@@ -164,18 +197,22 @@ void add_edit(CLI::App& app, Action& action) {
       ->add_option("--twist", arguments->twist,
                    "Turn what follows a junction about the axis of its\ntangent cone")
       ->type_name("SPHERE=DEGREES");
+  add_placement_options(*command, arguments->placement);
   command->footer(
       "Spheres count from 0 as in the document. Three pieces change when a junction moves (two "
       "with\n"
       "--on-locus), of a chain with kneecaps those through the sphere; all others stay the same "
       "bit\n"
-      "by bit, and so does the rest of the document.\n\n"
+      "by bit, and so does the rest of the document. Moves, turns and changes of size are for all\n"
+      "of it; each number is rounded once.\n\n"
       "Examples:\n"
       "  dupin edit hook.json --move 4=1.1,2.5,0.2,0.8 -o new.json\n"
       "  dupin edit hook.json --move 6=2.1,0.9,0.1,0.97 --on-locus -o new.json\n"
       "  dupin edit plant.json --part hook --twist 6=25 -o twisted.json\n"
+      "  dupin edit pump.json --rotate 0,0,1,90 --translate 1.5m,0,-20mm -o placed.json\n"
       "  dupin edit hook.json --move 4=1.1,2.5,0.2,0.8 -o - -q | dupin build - -o hook.stl");
-  command->callback([arguments, &action] {
+  command->callback([arguments, command, &action] {
+    arguments->placement.collect(*command);
     action = [arguments](const CommonOptions& common) { return run_edit(*arguments, common); };
   });
 }

@@ -2,53 +2,82 @@
 
 #include <atomic>
 #include <csignal>
+#include <initializer_list>
 
 #include <unistd.h>
 
+#include "dupin/io/atomic_file.h"
 #include "exit_code.h"
 
 namespace dupin::cli {
 namespace {
 
-// A signal reaches any thread and takes no argument: only globals tell it where the program is.
-std::atomic<bool> is_writing = false;
-std::atomic<bool> is_interrupted = false;
+// A signal reaches any thread and takes no argument: only globals tell what came before it.
+constinit std::atomic<bool> was_interrupted = false;
+constinit std::atomic<bool> lost_reader = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-// Only what POSIX allows in a handler.
-[[noreturn]] void end() {
-  constexpr char kMessage[] = "dupin: interrupted\n";
-  [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, kMessage, sizeof(kMessage) - 1);
-  ::_exit(static_cast<int>(ExitCode::interrupted));
+// What follows calls only what POSIX allows in a handler. All other signals wait in its thread.
+
+void on_interrupt(int) {
+  if (abandon_files()) {
+    constexpr char kMessage[] = "dupin: interrupted\n";
+    [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, kMessage, sizeof(kMessage) - 1);
+    ::_exit(static_cast<int>(ExitCode::interrupted));
+  }
+  if (was_interrupted.exchange(true)) {
+    ::_exit(static_cast<int>(ExitCode::ok));
+  }
 }
 
-void on_signal(int) {
-  is_interrupted = true;
-  if (!is_writing) {
-    end();
+void on_end(int number) {
+  if (!abandon_files() && number == SIGPIPE) {
+    lost_reader = true;
+    return;
   }
+  ::signal(number, SIG_DFL);
+  ::raise(number);
+}
+
+bool is_one_of(int number, std::initializer_list<int> numbers) {
+  for (const int one : numbers) {
+    if (number == one) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// What is to be done at a signal; null for those that end no program.
+void (*handler_of(int number))(int) {
+  if (is_one_of(number, {SIGKILL, SIGSTOP, SIGTSTP, SIGTTIN, SIGTTOU, SIGCONT, SIGCHLD, SIGURG,
+                         SIGWINCH, SIGTRAP})) {
+    return nullptr;
+  }
+  if (number == SIGXFSZ) {
+    return SIG_IGN;
+  }
+  const bool ends_itself =
+      is_one_of(number, {SIGPIPE, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGSYS});
+  return ends_itself ? on_end : on_interrupt;
 }
 
 }  // namespace
 
-void end_on_interrupt() {
-  for (const int number : {SIGINT, SIGTERM}) {
+void end_on_signals() {
+  for (int number = 1; number <= SIGRTMAX; ++number) {
     struct sigaction action {};
-    if (::sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) {
+    const auto handler = handler_of(number);
+    if (handler != nullptr && ::sigaction(number, nullptr, &action) == 0 &&
+        action.sa_handler == SIG_DFL) {
       action = {};
-      action.sa_handler = on_signal;
+      action.sa_handler = handler;
+      ::sigfillset(&action.sa_mask);
       ::sigaction(number, &action, nullptr);
     }
   }
 }
 
-Uninterrupted::Uninterrupted() { is_writing = true; }
-
-Uninterrupted::~Uninterrupted() {
-  is_writing = false;
-  if (is_interrupted) {
-    end();
-  }
-}
+bool has_lost_reader() { return lost_reader; }
 
 }  // namespace dupin::cli

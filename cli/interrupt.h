@@ -2,17 +2,14 @@
 
 namespace dupin::cli {
 
-/// From now on SIGINT and SIGTERM end the program at once with exit code 130, except while a
-/// file is being written (see Uninterrupted). A signal that was ignored stays so.
-void end_on_interrupt();
+/// From now on a signal that would end the program ends it with exit code 130 and leaves no file
+/// that is not whole; a closed pipe and a crash end it as they always do, but leave none either.
+/// Once a file has taken its place, only a second signal ends the program, and as a success: what
+/// is missing is the report. Too large a file (SIGXFSZ) is an error of writing. A signal that was
+/// ignored, or has a handler, stays so.
+void end_on_signals();
 
-/// During its life, an interrupt waits: a file is put in place whole, or taken away again.
-class Uninterrupted {
- public:
-  Uninterrupted();
-  ~Uninterrupted();
-  Uninterrupted(const Uninterrupted&) = delete;
-  Uninterrupted& operator=(const Uninterrupted&) = delete;
-};
+/// Whether the report has lost its reader after the file took its place.
+[[nodiscard]] bool has_lost_reader();
 
 }  // namespace dupin::cli

@@ -63,7 +63,7 @@ int perform(const Action& action, const CommonOptions& common) {
   try {
     const ExitCode code = action(common);
     std::cout.flush();
-    if (!std::cout) {
+    if (!std::cout && !has_lost_reader()) {
       throw OutputError(Error(Errc::io_failed, "cannot be written", {}, "standard output"));
     }
     return static_cast<int>(code);
@@ -129,7 +129,7 @@ int run(std::span<char*> arguments) {
 int main(int argc, char** argv) {
   try {
     std::ios::sync_with_stdio(false);
-    dupin::cli::end_on_interrupt();
+    dupin::cli::end_on_signals();
     return dupin::cli::run({argv, static_cast<std::size_t>(argc)});
   } catch (...) {  // even saying why may have failed
     return static_cast<int>(dupin::cli::ExitCode::internal);

@@ -58,7 +58,7 @@ ExitCode run_nurbs(const NurbsArguments& arguments, const CommonOptions& common)
   const double tolerance = length_in(assembly.unit, common.tolerance, assembly.tolerance);
   const auto parts = nurbs_of(assembly, tolerance);
   write_text(arguments.output, nurbs_json(parts, assembly.unit) + "\n");
-  if (arguments.output == "-") {
+  if (output_path(arguments.output) == "-") {
     return ExitCode::ok;
   }
   if (common.json) {

@@ -9,7 +9,6 @@
 
 #include "dupin/io/atomic_file.h"
 #include "exit_code.h"
-#include "interrupt.h"
 #include "report_text.h"
 
 namespace dupin::cli {
@@ -18,7 +17,6 @@ namespace {
 /// Runs a function that writes; what the system refuses there is an output error.
 template <class Function>
 auto writing(const Function& function) {
-  const Uninterrupted whole_file;
   try {
     return function();
   } catch (const Error& error) {
@@ -47,11 +45,13 @@ Report write_verified_stdout(const TriMesh& mesh, const MeshFormat& format,
   return report;
 }
 
-/// Returns the bytes written.
-std::string write_unverified(const TriMesh& mesh, const Destination& to, const MeshHeader& header) {
-  std::string bytes = mesh_bytes(mesh, to.format, header);
+void write_bytes(const std::string& bytes, const Destination& to) {
   to.is_stdout() ? write_stdout(bytes) : write_file(to.path, bytes);
-  return bytes;
+}
+
+/// Under these names, too, a report behind the mesh would spoil it.
+bool names_stdout(const std::string& path) {
+  return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }
 
 std::string shown(const Destination& to) { return to.is_stdout() ? "standard output" : to.path; }
@@ -117,8 +117,11 @@ void add_output_options(CLI::App& command, OutputArguments& arguments) {
                    "Write without reading the file back and checking it");
 }
 
+std::string output_path(const std::string& typed) { return names_stdout(typed) ? "-" : typed; }
+
 Destination destination(const OutputArguments& arguments) {
-  const auto& [path, format, no_verify] = arguments;
+  const auto& [typed, format, no_verify] = arguments;
+  const std::string path = output_path(typed);
   if (const MeshFormat* const chosen = find_mesh_format(format)) {
     return {path, *chosen, !no_verify};
   }
@@ -150,7 +153,7 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
   report.rounding = rounded.report();
   report.check = writing([&]() -> std::optional<Report> {
     if (!to.verify) {
-      static_cast<void>(write_unverified(rounded.mesh(), to, header));
+      write_bytes(mesh_bytes(rounded.mesh(), to.format, header), to);
       return std::nullopt;
     }
     return to.is_stdout() ? write_verified_stdout(rounded.mesh(), to.format, header)
@@ -164,19 +167,24 @@ OutputReport write_plain(const TriMesh& mesh, const Destination& to, const MeshH
   report.file = shown(to);
   report.format = to.format.name;
   report.rounding = nearest_rounding(mesh, to.format.coordinates);
-  const std::string bytes = writing([&] { return write_unverified(mesh, to, header); });
+  const std::string bytes = mesh_bytes(mesh, to.format, header);
   if (to.verify) {
-    report.check = check(to.format.read(bytes, to.path));
+    report.check = check(to.format.read(bytes, shown(to)));
   }
+  writing([&] { write_bytes(bytes, to); });
   return report;
 }
 
 void write_text(const std::string& path, const std::string& text) {
-  writing([&] { path == "-" ? write_stdout(text) : write_file(path, text); });
+  writing([&] { names_stdout(path) ? write_stdout(text) : write_file(path, text); });
 }
 
 std::ostream& report_stream(const Destination& to) {
   return to.is_stdout() ? std::cerr : std::cout;
+}
+
+std::ostream& report_stream(const std::string& path) {
+  return names_stdout(path) ? std::cerr : std::cout;
 }
 
 void print_written(const OutputReport& report, const Destination& to, const CommonOptions& common) {

@@ -39,6 +39,9 @@ struct OutputArguments {
 /// Adds --format and --no-verify, shared by all commands that write a mesh.
 void add_output_options(CLI::App& command, OutputArguments& arguments);
 
+/// A file's path as typed, or "-" under all names of standard output.
+[[nodiscard]] std::string output_path(const std::string& typed);
+
 /// The format is the one asked for (see format_names) or, if empty, the one that the
 /// path's extension names. Throws UsageError.
 [[nodiscard]] Destination destination(const OutputArguments& arguments);
@@ -61,6 +64,8 @@ void write_text(const std::string& path, const std::string& text);
 
 /// Where the report goes: standard output, or standard error when the mesh goes to standard output.
 [[nodiscard]] std::ostream& report_stream(const Destination& to);
+/// The same for a text, by its path as typed.
+[[nodiscard]] std::ostream& report_stream(const std::string& path);
 
 /// Prints the report as the common options say.
 void print_written(const OutputReport& report, const Destination& to, const CommonOptions& common);

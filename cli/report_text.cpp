@@ -141,6 +141,11 @@ void print_row(std::ostream& out, std::string_view label, std::string_view value
   out << label << std::string(gap, ' ') << value << '\n';
 }
 
+std::string placement_text(bool is_exact, double largest_move, std::string_view unit) {
+  return is_exact ? "exactly"
+                  : "not exactly, points at most " + powered(largest_move, unit, "") + " off";
+}
+
 void print_report(std::ostream& out, const Report& report) {
   print_measures(out, report, "");
   print_row(out, "solid", report.is_solid() ? "yes" : "no");
@@ -157,6 +162,10 @@ void print_output(std::ostream& out, const OutputReport& report, std::string_vie
               counted(report.simplification->removed_triangles, "triangle") +
                   " less, deviation at most " +
                   powered(report.simplification->deviation, unit, ""));
+  }
+  if (report.placement) {
+    print_row(out, "placed",
+              placement_text(report.placement->is_exact, report.placement->largest_move, unit));
   }
   print_row(out, "rounding", rounding_text(report.rounding, unit));
   print_row(out, "verified", report.check ? "read back and checked" : "no");

@@ -21,6 +21,9 @@ namespace dupin::cli {
 /// "label               value" and a line break.
 void print_row(std::ostream& out, std::string_view label, std::string_view value);
 
+/// "exactly", or how far points are from where they were asked to be.
+[[nodiscard]] std::string placement_text(bool is_exact, double largest_move, std::string_view unit);
+
 /// Counts, measures and findings of a mesh.
 void print_report(std::ostream& out, const Report& report);
 

@@ -75,5 +75,27 @@ TEST_F(MeshCommands, malformed_files_are_named_with_the_place) {
   EXPECT_THAT(folder_.files(), ElementsAre("a.off"));
 }
 
+TEST_F(MeshCommands, files_that_show_no_triangle_are_refused) {
+  put("a.off", box({0, 0, 0}, {1, 1, 1}));
+  folder_.write("cloud.off", "OFF\n1 0 0\n0 0 0\n");
+  folder_.write("cloud.obj", "v 0 0 0\n");
+  for (const std::string name : {"cloud.off", "cloud.obj"}) {
+    EXPECT_EQ(dupin({"check", name}).exit_code, 3) << name;
+    EXPECT_EQ(dupin({"union", "a.off", name, "-o", "b.off"}).exit_code, 3) << name;
+  }
+}
+
+TEST_F(MeshCommands, the_empty_set_goes_through_every_format) {
+  put("a.off", box({0, 0, 0}, {1, 1, 1}));
+  put("b.off", box({5, 0, 0}, {6, 1, 1}));
+  for (const std::string format :
+       {"off", "stl", "stl-ascii", "ply", "ply-ascii", "obj", "3mf", "glb"}) {
+    const std::string name = "c." + format.substr(0, 3);
+    EXPECT_EQ(dupin({"intersect", "a.off", "b.off", "-o", name, "--format", format}).exit_code, 0);
+    EXPECT_EQ(json({"union", "a.off", name, "-o", "d.off"}, 0).at("check").at("volume"), 1)
+        << format;
+  }
+}
+
 }  // namespace
 }  // namespace dupin::test

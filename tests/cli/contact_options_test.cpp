@@ -16,7 +16,6 @@ using Kind = ContactChoice::Kind;
 TEST(ContactOptions, say_what_to_do) {
   EXPECT_EQ(contact_choice("", "mm").kind, Kind::standard);
   EXPECT_EQ(contact_choice("report", "mm").kind, Kind::report);
-  EXPECT_EQ(contact_choice("report", "mm").kind, Kind::report);
   EXPECT_EQ(contact_choice("refuse", "mm").kind, Kind::refuse);
   EXPECT_EQ(contact_choice("separate=1in", "mm").kind, Kind::separate);
   EXPECT_EQ(contact_choice("separate=1in", "mm").length, 25.4);

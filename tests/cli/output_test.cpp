@@ -82,6 +82,48 @@ TEST_F(Output, no_file_is_left_behind_when_the_disk_is_full) {
   EXPECT_THAT(folder_.files(), ElementsAre("a.off"));
 }
 
+TEST_F(Output, too_large_a_file_is_an_error_of_writing) {
+  put("a.off", tube(1, 0, 1, 500));
+  const ProcessResult result =
+      shell("ulimit -f 8; dupin convert a.off b.stl; echo $?; rm examples");
+  EXPECT_EQ(result.out, "5\n");
+  EXPECT_EQ(result.err, "dupin: b.stl: cannot write the file: File too large\n");
+  EXPECT_THAT(folder_.files(), ElementsAre("a.off"));
+}
+
+TEST_F(Output, standard_output_has_other_names) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  for (const std::string name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+    const ProcessResult result = dupin({"convert", "a.off", name, "--format", "off"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(check(read_mesh(result.out, "out")).volume, 8) << name;
+    EXPECT_THAT(result.err, HasSubstr("written              standard output, OFF\n"));
+  }
+}
+
+TEST_F(Output, a_place_that_cannot_be_written_is_told) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  const std::string longest(251, 'x');
+  const std::vector<std::pair<std::string, std::string>> table = {
+      {"mkdir out", "out: cannot write the file: Is a directory"},
+      {"ln -s out out", "out: cannot write the file: Too many levels of symbolic links"},
+      {"ln -s no/where out", "no/where: cannot create a file beside it: No such file or directory"},
+      {"ln -s /dev/full out", "out: cannot write the file: No space left on device"},
+      {"ln -s a.off/x out", "out: cannot write the file: Not a directory"}};
+  for (const auto& [made, message] : table) {
+    const ProcessResult result =
+        shell(made + "; dupin convert a.off out --format off; echo $?; rm -rf out");
+    EXPECT_EQ(result.out, "5\n") << made;
+    EXPECT_EQ(result.err, "dupin: " + message + "\n") << made;
+  }
+  EXPECT_EQ(dupin({"convert", "a.off", longest + ".off", "-q"}).exit_code, 0);
+  EXPECT_EQ(dupin({"convert", "a.off", longest + "x.off", "-q"}).exit_code, 5);
+  EXPECT_EQ(
+      shell("ln -s there.off link.off; dupin convert a.off link.off -q; readlink link.off").out,
+      "there.off\n");
+  EXPECT_EQ(check(read_mesh(folder_.read("there.off"), "x")).volume, 8);
+}
+
 TEST_F(Output, standard_error_is_silent_where_it_is_no_terminal) {
   EXPECT_EQ(dupin({"build", example("reducer.json"), "-o", "a.stl"}).err, "");
 }

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <pthread.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -77,17 +79,75 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
-/// A new file beside `target`, readable as its permissions or the process's mask say.
-int create_aside(const fs::path& target, fs::path& aside) {
-  static std::atomic<unsigned> files{0};
-  for (;;) {
-    const std::string suffix = std::to_string(::getpid()) + "-" + std::to_string(files++);
-    aside = target.parent_path() / ("." + target.filename().string() + "." + suffix + ".part");
-    const int descriptor = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0 || errno != EEXIST) {
-      return descriptor;
+/// What a signal handler has to know of the files that are aside. Read and changed under Exclusive
+/// alone.
+struct Register {
+  std::vector<const char*> aside;
+  bool has_committed = false;
+};
+
+// Never destroyed: handlers may run after the end of main.
+constinit Register* the_register = nullptr;
+
+constinit std::atomic_flag is_busy;
+
+/// One thread at a time makes, renames or removes files that are aside, and is not interrupted: a
+/// handler in another thread waits for the few calls that takes, and never for its own.
+class Exclusive {
+ public:
+  Exclusive() {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+    acquire();
+  }
+  ~Exclusive() {
+    is_busy.clear();
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  Exclusive(const Exclusive&) = delete;
+  Exclusive& operator=(const Exclusive&) = delete;
+
+  static void acquire() {
+    while (is_busy.test_and_set()) {
     }
   }
+
+ private:
+  sigset_t before_;
+};
+
+/// A new file in `folder`, readable as the process's mask says, or the system's reason, negative.
+/// Its name does not depend on the target's, which may be as long as names can be.
+int create_aside(const fs::path& folder, fs::path& aside) {
+  static std::atomic<unsigned> files{0};
+  for (;;) {
+    const std::string name = std::to_string(::getpid()) + "-" + std::to_string(files++);
+    aside = folder / (".dupin-" + name + ".part");
+    const Exclusive exclusive;
+    if (the_register == nullptr) {
+      the_register = new Register;
+    }
+    the_register->aside.reserve(the_register->aside.size() + 1);
+    const int descriptor = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0) {
+      the_register->aside.push_back(aside.c_str());
+    }
+    if (descriptor >= 0 || errno != EEXIST) {
+      return descriptor >= 0 ? descriptor : -errno;
+    }
+  }
+}
+
+/// The file is there no more, under this name at least.
+void forget(const fs::path& aside) {
+  std::erase_if(the_register->aside, [&](const char* name) { return name == aside.c_str(); });
+}
+
+void remove_aside(const fs::path& aside) {
+  const Exclusive exclusive;
+  ::unlink(aside.c_str());
+  forget(aside);
 }
 
 /// Makes the rename last through a power cut. Some file systems cannot, which is no fault of ours.
@@ -99,13 +159,61 @@ void sync_directory(const fs::path& file) {
   }
 }
 
-fs::path resolved(const fs::path& target) {
-  std::error_code ignored;
-  if (!fs::is_symlink(target, ignored)) {
-    return target;
+/// Where a file of this name is, or would be: at the end of a chain of links.
+fs::path end_of_links(fs::path path) {
+  constexpr int kMostLinks = 40;  // as Linux has it
+  std::error_code failure;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(path, failure); ++i) {
+    path = path.parent_path() / fs::read_symlink(path, failure);  // the latter alone if absolute
   }
-  fs::path real = fs::weakly_canonical(target, ignored);
-  return ignored ? target : real;
+  return path;
+}
+
+struct Target {
+  fs::path path;
+  bool exists = false, replaceable = true;
+  mode_t mode = 0;
+};
+
+Target target_of(const fs::path& path) {
+  struct stat status {};
+  const bool exists = ::stat(path.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) {
+    fail("write the file", path, errno);
+  }
+  if (!exists) {
+    return {end_of_links(path)};
+  }
+  if (S_ISDIR(status.st_mode)) {
+    fail("write the file", path, EISDIR);
+  }
+  if (::access(path.c_str(), W_OK) != 0) {
+    fail("write the file", path, errno);
+  }
+  Target target{path, true, S_ISREG(status.st_mode), status.st_mode};
+  if (target.replaceable) {
+    // Links in /proc may point to what has no name any more.
+    fs::path real = end_of_links(path);
+    struct stat there {};
+    target.replaceable = ::stat(real.c_str(), &there) == 0 && there.st_dev == status.st_dev &&
+                         there.st_ino == status.st_ino;
+    target.path = target.replaceable ? std::move(real) : path;
+  }
+  return target;
+}
+
+/// Writes, with the permissions of what will be replaced; 0 or the system's reason.
+int fill(Descriptor& file, std::string_view bytes, const Target& target) {
+  int reason = write_all(file.number(), bytes);
+  if (reason == 0 && target.exists && target.replaceable &&
+      ::fchmod(file.number(), target.mode & 07777U) != 0) {
+    reason = errno;
+  }
+  if (reason == 0 && ::fsync(file.number()) != 0) {
+    reason = errno;
+  }
+  const int close_reason = file.close();
+  return reason != 0 ? reason : close_reason;
 }
 
 }  // namespace
@@ -131,45 +239,26 @@ std::string read_file(const fs::path& path) {
   }
 }
 
-AsideFile::AsideFile(const fs::path& target, std::string_view bytes) : target_(resolved(target)) {
-  struct stat status {};
-  const bool exists = ::stat(target_.c_str(), &status) == 0;
-  if (exists && S_ISDIR(status.st_mode)) {
-    fail("write the file", target_, EISDIR);
-  }
-  if (exists && ::access(target_.c_str(), W_OK) != 0) {
-    fail("write the file", target_, errno);
-  }
-  replaceable_ = !exists || S_ISREG(status.st_mode);
+AsideFile::AsideFile(const fs::path& path, std::string_view bytes) {
+  const Target target = target_of(path);
+  target_ = target.path;
+  replaceable_ = target.replaceable;
   std::error_code ignored;
-  const fs::path beside =
-      replaceable_ ? target_ : fs::temp_directory_path(ignored) / target_.filename();
-  Descriptor file(create_aside(beside, aside_));
+  Descriptor file(create_aside(
+      replaceable_ ? target_.parent_path() : fs::temp_directory_path(ignored), aside_));
   if (file.number() < 0) {
-    fail("create a file beside it", target_, errno);
+    fail("create a file beside it", target_, -file.number());
   }
   pending_ = true;
-  int reason = write_all(file.number(), bytes);
-  if (reason == 0 && exists && replaceable_ &&
-      ::fchmod(file.number(), status.st_mode & 07777U) != 0) {
-    reason = errno;
-  }
-  if (reason == 0 && ::fsync(file.number()) != 0) {
-    reason = errno;
-  }
-  const int close_reason = file.close();
-  if (reason == 0) {
-    reason = close_reason;
-  }
-  if (reason != 0) {
-    ::unlink(aside_.c_str());
+  if (const int reason = fill(file, bytes, target); reason != 0) {
+    remove_aside(aside_);
     fail("write the file", target_, reason);
   }
 }
 
 AsideFile::~AsideFile() {
   if (pending_) {
-    ::unlink(aside_.c_str());
+    remove_aside(aside_);
   }
 }
 
@@ -196,13 +285,34 @@ void AsideFile::commit() {
     if (reason != 0) {
       fail("write the file", target_, reason);
     }
+    const Exclusive exclusive;
+    the_register->has_committed = true;
     return;
   }
-  if (::rename(aside_.c_str(), target_.c_str()) != 0) {
-    fail("put the file in place", target_, errno);
+  {
+    const Exclusive exclusive;
+    if (::rename(aside_.c_str(), target_.c_str()) != 0) {
+      fail("put the file in place", target_, errno);
+    }
+    pending_ = false;
+    forget(aside_);
+    the_register->has_committed = true;
   }
-  pending_ = false;
   sync_directory(target_);
+}
+
+bool abandon_files() noexcept {
+  Exclusive::acquire();
+  if (the_register != nullptr) {
+    if (the_register->has_committed) {
+      is_busy.clear();
+      return false;
+    }
+    for (const char* aside : the_register->aside) {
+      ::unlink(aside);
+    }
+  }
+  return true;  // and nobody else is let in
 }
 
 void write_file(const fs::path& path, std::string_view bytes) {

@@ -1,7 +1,6 @@
 #include "files/zip_package.h"
 
-#include <cstdint>
-#include <memory>
+#include <utility>
 
 #include <zip.h>
 
@@ -32,7 +31,7 @@ struct Discard {
   void operator()(zip_source_t* source) const { zip_source_free(source); }
   void operator()(zip_file_t* entry) const { zip_fclose(entry); }
 };
-using Archive = std::unique_ptr<zip_t, Discard>;
+using Handle = std::unique_ptr<zip_t, Discard>;
 using Source = std::unique_ptr<zip_source_t, Discard>;
 using Entry = std::unique_ptr<zip_file_t, Discard>;
 
@@ -83,7 +82,7 @@ std::string zip_archive(const std::vector<ZipEntry>& entries) {
   if (!buffer) {
     fail_to_write(error.message());
   }
-  Archive archive(zip_open_from_source(buffer.get(), ZIP_TRUNCATE, error.get()));
+  Handle archive(zip_open_from_source(buffer.get(), ZIP_TRUNCATE, error.get()));
   if (!archive) {
     fail_to_write(error.message());
   }
@@ -98,29 +97,49 @@ std::string zip_archive(const std::vector<ZipEntry>& entries) {
   return contents(buffer.get());
 }
 
-std::string unzip(std::string_view archive_bytes, std::string_view name, std::string_view file) {
+struct ZipPackage::Archive {
+  Handle zip;
+};
+
+ZipPackage::ZipPackage(std::string_view bytes, std::string_view file)
+    : file_(file), size_(bytes.size()) {
   ZipError error;
-  Source buffer(
-      zip_source_buffer_create(archive_bytes.data(), archive_bytes.size(), 0, error.get()));
-  Archive archive(buffer ? zip_open_from_source(buffer.get(), ZIP_RDONLY, error.get()) : nullptr);
+  Source buffer(zip_source_buffer_create(bytes.data(), bytes.size(), 0, error.get()));
+  Handle archive(buffer ? zip_open_from_source(buffer.get(), ZIP_RDONLY, error.get()) : nullptr);
   if (!archive) {
     fail_to_read(file, "found no ZIP archive (" + error.message() + "), expected a 3MF package");
   }
-  (void)buffer.release();
+  (void)buffer.release();  // the archive has it now
+  archive_ = std::make_unique<Archive>(Archive{std::move(archive)});
+}
+
+ZipPackage::~ZipPackage() = default;
+
+std::string ZipPackage::read(std::string_view name) {
+  zip_t* const archive = archive_->zip.get();
   const std::string wanted(name);
+  zip_int64_t index = zip_name_locate(archive, wanted.c_str(), 0);
+  if (index < 0) {
+    index = zip_name_locate(archive, wanted.c_str(), ZIP_FL_NOCASE);
+  }
   zip_stat_t status;
-  const zip_int64_t index = zip_name_locate(archive.get(), wanted.c_str(), ZIP_FL_NOCASE);
-  if (index < 0 ||
-      zip_stat_index(archive.get(), static_cast<zip_uint64_t>(index), 0, &status) != 0) {
-    fail_to_read(file, "found no entry '" + wanted + "' in the ZIP archive, expected one");
+  if (index < 0 || zip_stat_index(archive, static_cast<zip_uint64_t>(index), 0, &status) != 0) {
+    fail_to_read(file_, "found no entry '" + wanted + "' in the ZIP archive, expected one");
   }
   if (status.size > kAlwaysAllowed && status.size > kLargestRatio * status.comp_size) {
     throw Error(Errc::limit_exceeded,
                 "the entry '" + wanted + "' expands from " + std::to_string(status.comp_size) +
                     " to " + std::to_string(status.size) + " bytes, more than 200 times its size",
-                {}, std::string(file));
+                {}, file_);
   }
-  const Entry entry(zip_fopen_index(archive.get(), static_cast<zip_uint64_t>(index), 0));
+  expanded_ += status.size;
+  if (expanded_ > kAlwaysAllowed && expanded_ > kLargestRatio * size_) {
+    throw Error(Errc::limit_exceeded,
+                "the entries of the ZIP archive expand from " + std::to_string(size_) +
+                    " bytes to more than 200 times as many",
+                {}, file_);
+  }
+  const Entry entry(zip_fopen_index(archive, static_cast<zip_uint64_t>(index), 0));
   std::string bytes(status.size, '\0');
   std::size_t filled = 0;
   zip_int64_t taken = entry ? 1 : -1;
@@ -136,11 +155,15 @@ std::string unzip(std::string_view archive_bytes, std::string_view name, std::st
     }
   }
   if (taken < 0 || filled != bytes.size()) {
-    fail_to_read(file, "found a damaged entry '" + wanted + "' (" +
-                           (entry ? zip_file_strerror(entry.get()) : zip_strerror(archive.get())) +
-                           "), expected its " + std::to_string(bytes.size()) + " bytes");
+    fail_to_read(file_, "found a damaged entry '" + wanted + "' (" +
+                            (entry ? zip_file_strerror(entry.get()) : zip_strerror(archive)) +
+                            "), expected its " + std::to_string(bytes.size()) + " bytes");
   }
   return bytes;
+}
+
+std::string unzip(std::string_view archive, std::string_view name, std::string_view file) {
+  return ZipPackage(archive, file).read(name);
 }
 
 }  // namespace dupin::files

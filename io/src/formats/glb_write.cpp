@@ -12,6 +12,7 @@
 #include "dupin/io/glb.h"
 #include "dupin/kernel/error.h"
 #include "formats/glb_layout.h"
+#include "formats/placed_mesh.h"
 #include "text/label_colour.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
@@ -114,7 +115,7 @@ Json document(Content& content, const MeshHeader& header) {
     json["asset"]["extras"] = {{"unit", header.unit}, {"note", text::clean_line(header.note)}};
   }
   if (content.primitives.empty()) {
-    json["scenes"] = Json::array({Json::object()});
+    json["scenes"] = Json::array({Json{{"name", formats::kEmptySet}}});
     return json;
   }
   // A quarter turn about x: z, upward here, becomes glTF's y.

@@ -75,7 +75,7 @@ void read_vertex(text::TextScanner& scanner, TriMesh& mesh) {
   mesh.points.push_back(scanner.vector("a coordinate"));
   // A weight, or a colour of three or four components.
   for (int extra = 0; extra < 4 && !scanner.at_line_end(); ++extra) {
-    (void)scanner.number("a weight or a colour's component");
+    scanner.skip_number("a weight or a colour's component");
   }
   scanner.end_line("the end of the line behind a vertex");
 }
@@ -123,6 +123,9 @@ TriMesh read_obj(std::string_view bytes, std::string_view file) {
     } else {
       skip_statement(scanner);
     }
+  }
+  if (mesh.triangles.empty() && !mesh.points.empty()) {
+    scanner.fail("a face behind the " + std::to_string(mesh.points.size()) + " vertices");
   }
   if (named) {
     std::move(labels).name_labels(mesh);

@@ -21,6 +21,7 @@ constexpr std::size_t kShortestFace = 8;
 struct Counts {
   std::size_t points = 0;
   std::size_t faces = 0;
+  std::size_t place = 0;  ///< in the file
 };
 
 /// The keyword; true when numbers follow the coordinates of each point. Leaves the scanner behind
@@ -49,8 +50,8 @@ bool read_keyword(text::TextScanner& scanner) {
 
 Counts read_counts(text::TextScanner& scanner) {
   scanner.skip_space();
-  const std::size_t place = scanner.position();
   Counts counts;
+  const std::size_t place = counts.place = scanner.position();
   counts.points = static_cast<std::size_t>(
       scanner.integer(0, kMostPoints, "the number of vertices, an integer"));
   counts.faces =
@@ -86,11 +87,12 @@ void read_face(text::TextScanner& scanner, std::vector<std::uint32_t>& corners, 
       scanner.integer(3, kMostPoints, "a face: its number of vertices, an integer");
   corners.clear();
   for (std::int64_t i = 0; i < size; ++i) {
+    scanner.skip_space();  // a face may run over several lines
     corners.push_back(static_cast<std::uint32_t>(scanner.integer(
         0, static_cast<std::int64_t>(points) - 1, "the index of a vertex, an integer")));
   }
   for (int colour = 0; colour < 4 && !scanner.at_line_end(); ++colour) {
-    (void)scanner.number("a colour's component");
+    scanner.skip_number("a colour's component");
   }
   if (!scanner.at_line_end()) {
     scanner.fail_at(place, "found more than 4 numbers behind a face of " + std::to_string(size) +
@@ -118,7 +120,7 @@ TriMesh read_off(std::string_view bytes, std::string_view file) {
     scanner.skip_space();
     mesh.points.push_back(scanner.vector("a coordinate"));
     while (has_extras && !scanner.at_line_end()) {
-      (void)scanner.number("a component of a normal, colour or texture coordinate");
+      scanner.skip_number("a component of a normal, colour or texture coordinate");
     }
     scanner.end_line("the end of the line behind a vertex");
   }
@@ -129,6 +131,10 @@ TriMesh read_off(std::string_view bytes, std::string_view file) {
   }
   if (!scanner.at_end()) {
     scanner.fail("the end of the file behind the last face");
+  }
+  if (counts.points > 0 && counts.faces == 0) {
+    scanner.fail_at(counts.place, "found " + std::to_string(counts.points) +
+                                      " vertices and no face, expected faces");
   }
   return mesh;
 }

@@ -63,6 +63,7 @@ class PlyReader {
     if (!has_vertices) {
       places_.fail_at(0, "found no element 'vertex', expected one");
     }
+    require_faces();
     if (!mesh_.labels.empty()) {
       std::move(labels_).name_labels(mesh_);
     }
@@ -78,6 +79,19 @@ class PlyReader {
                                          std::to_string(least) + " bytes for them, not " +
                                          std::to_string(numbers_.remaining()));
     }
+  }
+
+  /// A cloud of points, or one with other kinds of faces, is no mesh.
+  void require_faces() const {
+    if (mesh_.points.empty() || !mesh_.triangles.empty()) {
+      return;
+    }
+    std::size_t place = 0;
+    for (const formats::PlyElement& element : header_.elements) {
+      place = element.name == "face" || place == 0 ? element.place : place;
+    }
+    places_.fail_at(place, "found " + std::to_string(mesh_.points.size()) +
+                               " vertices and no face, expected an element 'face' with some");
   }
 
   void skip_property(const formats::PlyProperty& property) {

@@ -9,6 +9,7 @@
 #include "dupin/kernel/error.h"
 #include "files/xml_events.h"
 #include "files/zip_package.h"
+#include "formats/placed_mesh.h"
 #include "formats/three_mf_model.h"
 #include "text/label_colour.h"
 #include "text/mesh_text.h"
@@ -91,6 +92,9 @@ void append_object(std::string& text, const TriMesh& mesh) {
   const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
   text.reserve(text.size() + points.size() * 80 + mesh.triangles.size() * 64);
   text += "<object id=\"1\" type=\"model\"";
+  if (mesh.triangles.empty()) {
+    text += " name=\"" + std::string(formats::kEmptySet) + '"';
+  }
   text += mesh.labels.empty() ? ">" : " pid=\"2\" pindex=\"0\">";
   text += "\n<mesh>\n<vertices>\n";
   for (const Vec3& point : points) {
@@ -130,9 +134,9 @@ std::string model_text(const TriMesh& mesh, const MeshHeader& header) {
 }
 
 /// The entry that holds the model, as the package's relationships tell it.
-std::string model_entry(std::string_view bytes, std::string_view file) {
+std::string model_entry(files::ZipPackage& package, std::string_view file) {
   std::string target;
-  const std::string relationships = files::unzip(bytes, "_rels/.rels", file);
+  const std::string relationships = package.read("_rels/.rels");
   files::read_xml(relationships, std::string(file) + ":_rels/.rels",
                   {[&](std::string_view element, const files::XmlAttributes& attributes) {
                      if (element == "Relationship" && attributes.find("Type") == kModelType) {
@@ -158,14 +162,17 @@ Evidence recognise(std::string_view bytes) {
 }  // namespace
 
 TriMesh read_3mf(std::string_view bytes, std::string_view file) {
-  const std::string entry = model_entry(bytes, file);
-  return formats::read_3mf_model(files::unzip(bytes, entry, file),
-                                 std::string(file) + ":" + text::clean_line(entry));
+  files::ZipPackage package(bytes, file);
+  const std::string root = model_entry(package, file);
+  return formats::read_3mf_model(root, [&](const std::string& part) {
+    return formats::ModelText{package.read(part), std::string(file) + ":" + text::clean_line(part)};
+  });
 }
 
 std::string unit_of_3mf(std::string_view bytes, std::string_view file) {
   std::string unit = "mm";  // what a model without the attribute is in
-  const std::string model = files::unzip(bytes, model_entry(bytes, file), file);
+  files::ZipPackage package(bytes, file);
+  const std::string model = package.read(model_entry(package, file));
   files::read_xml(model, std::string(file),
                   {[&](std::string_view, const files::XmlAttributes& attributes) {
                      for (const auto& [symbol, unit_in_3mf] : kUnits) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <system_error>
@@ -13,19 +14,18 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/LU>
-
 #include "dupin/kernel/error.h"
 #include "files/xml_events.h"
+#include "formats/placed_mesh.h"
 #include "text/mesh_text.h"
 #include "text/text_scanner.h"
 
 namespace dupin::formats {
 namespace {
 
-// Components can repeat components, so that a few lines may ask for any amount of work and depth.
-constexpr std::size_t kLargestWeight = 300'000'000;
-constexpr std::size_t kLargestDepth = 100;
+constexpr std::size_t kLargestDepth = 100;  // of components in components, and of parts in parts
+constexpr std::string_view kPath =
+    "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|path";
 
 [[noreturn]] void fail(const std::string& message) { throw Error(Errc::parse_failed, message); }
 
@@ -63,19 +63,6 @@ std::optional<std::uint32_t> optional_id(const files::XmlAttributes& attributes,
   return text ? std::optional(number_in<std::uint32_t>(*text, name)) : std::nullopt;
 }
 
-/// point -> linear * point + shift
-struct Transform {
-  Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
-  Vec3 shift = Vec3::Zero();
-
-  [[nodiscard]] Transform after(const Transform& inner) const {
-    return {linear * inner.linear, linear * inner.shift + shift};
-  }
-  [[nodiscard]] bool is_identity() const {
-    return linear == Eigen::Matrix3d::Identity() && shift == Vec3::Zero();
-  }
-};
-
 /// Twelve numbers: the rows of a matrix that row vectors are multiplied with, the shift last.
 Transform transform_of(const files::XmlAttributes& attributes) {
   Transform transform;
@@ -97,12 +84,15 @@ Transform transform_of(const files::XmlAttributes& attributes) {
   return transform;
 }
 
+struct Object;
+
 struct Component {
-  std::uint32_t object = 0;
+  const Object* object = nullptr;
   Transform transform;
 };
 
 struct Object {
+  std::uint32_t id = 0;
   std::string name;
   std::optional<std::uint32_t> property_group;
   std::vector<Vec3> points;
@@ -111,11 +101,34 @@ struct Object {
   std::vector<Component> components;
   std::size_t weight = 1;  ///< objects, points and triangles, with those of the components
   std::size_t depth = 0;   ///< levels of components below
+
+  [[nodiscard]] bool says_that_it_is_empty() const { return name == kEmptySet && weight == 1; }
 };
 
-/// Collects the resources and the build while the XML runs by.
+/// What one part of the package holds.
+struct ModelPart {
+  bool is_model = false;
+  bool is_read = false;
+  std::string unit;
+  std::map<std::uint32_t, Object> objects;
+  std::vector<Component> items;
+};
+
+/// The labels of all parts.
+struct Labels {
+  text::LabelBuilder builder;
+  bool named = false;
+};
+
+/// A part by its p:path.
+using OtherPart = std::function<const ModelPart&(std::string_view path)>;
+
+/// Collects the resources and the build of one part while the XML runs by.
 class ModelReader {
  public:
+  ModelReader(ModelPart& part, Labels& labels, OtherPart other)
+      : part_(part), labels_(labels), other_(std::move(other)) {}
+
   void begin(std::string_view element, const files::XmlAttributes& attributes) {
     if (element == "vertex") {
       add_vertex(attributes);
@@ -135,30 +148,17 @@ class ModelReader {
     } else if (element == "item") {
       add_item(attributes);
     } else if (element == "model") {
-      is_model_ = true;
+      part_.is_model = true;
+      part_.unit = attributes.find("unit").value_or("millimeter");
     }
   }
 
   void end(std::string_view element) {
     if (element == "object") {
       object_ = nullptr;
+    } else if (element == "build" && part_.items.empty()) {
+      fail("found a build without items, expected what it is to show");
     }
-  }
-
-  TriMesh build() && {
-    if (!is_model_) {
-      fail("found no element 'model', expected one");
-    }
-    TriMesh mesh;
-    for (const Component& item : items_) {
-      append(item.object, item.transform, mesh);
-    }
-    if (named_) {
-      std::move(labels_).name_labels(mesh);
-    } else {
-      mesh.labels.clear();
-    }
-    return mesh;
   }
 
  private:
@@ -170,25 +170,31 @@ class ModelReader {
     return *object_;
   }
 
-  const Object& known_object(std::uint32_t id) const {
-    const auto found = objects_.find(id);
-    if (found == objects_.end() || &found->second == object_) {
-      fail("found object " + std::to_string(id) + ", expected the id of an object before it");
+  /// The object that an item or a component names, in this part or in another.
+  const Object& known_object(const files::XmlAttributes& attributes) const {
+    const std::uint32_t id = id_of(attributes, "objectid");
+    const auto path = attributes.find(kPath);
+    const ModelPart& part = path ? other_(*path) : part_;
+    const auto found = part.objects.find(id);
+    if (found == part.objects.end() || &found->second == object_) {
+      fail("found object " + std::to_string(id) + ", expected the id of an object " +
+           (&part == &part_ ? "before it" : "of the part " + text::quoted(*path)));
     }
     return found->second;
   }
 
   void begin_object(const files::XmlAttributes& attributes) {
     const std::uint32_t id = id_of(attributes, "id");
-    const auto [place, fresh] = objects_.try_emplace(id);
+    const auto [place, fresh] = part_.objects.try_emplace(id);
     if (!fresh) {
       fail("found a second object " + std::to_string(id) + ", expected a new id");
     }
     object_ = &place->second;
+    object_->id = id;
     object_->name = text::clean_line(attributes.find("name").value_or(""));
     object_->property_group = optional_id(attributes, "pid");
     const bool other = attributes.find("type").value_or("model") != "model";
-    named_ = named_ || (!object_->name.empty() && !other);
+    labels_.named = labels_.named || (!object_->name.empty() && !other);
     if (object_->name.empty()) {
       object_->name = "object " + std::to_string(id);
     }
@@ -234,87 +240,170 @@ class ModelReader {
           fail("found " + std::to_string(*index) + " as 'p1', expected the index of one of the " +
                std::to_string(found->second.size()) + " base materials");
         }
-        named_ = true;
-        return labels_.label(found->second[*index]);
+        labels_.named = true;
+        return labels_.builder.label(found->second[*index]);
       }
     }
-    return labels_.label(object.name);
+    return labels_.builder.label(object.name);
   }
 
   void add_component(const files::XmlAttributes& attributes) {
     Object& object = open_object("component");
-    const std::uint32_t id = id_of(attributes, "objectid");
-    const Object& child = known_object(id);
+    const Object& child = known_object(attributes);
     object.weight += child.weight;
     object.depth = std::max(object.depth, child.depth + 1);
     require_size(object.weight, object.depth);
-    object.components.push_back({id, transform_of(attributes)});
+    object.components.push_back({&child, transform_of(attributes)});
   }
 
   void add_item(const files::XmlAttributes& attributes) {
-    const std::uint32_t id = id_of(attributes, "objectid");
-    weight_ += known_object(id).weight;
+    const Object& object = known_object(attributes);
+    weight_ += object.weight;
     require_size(weight_, 0);
-    items_.push_back({id, transform_of(attributes)});
+    part_.items.push_back({&object, transform_of(attributes)});
   }
 
   static void require_size(std::size_t weight, std::size_t depth) {
-    if (weight > kLargestWeight || depth > kLargestDepth) {
+    if (weight > kLargestUnfolding || depth > kLargestDepth) {
       throw Error(Errc::limit_exceeded, "the components unfold to more than " +
-                                            std::to_string(kLargestWeight) +
+                                            std::to_string(kLargestUnfolding) +
                                             " points and triangles, or lie more than " +
                                             std::to_string(kLargestDepth) + " levels deep");
     }
   }
 
-  void append(std::uint32_t id, const Transform& transform, TriMesh& mesh) const {
-    const Object& object = objects_.at(id);
-    const auto first = static_cast<std::uint32_t>(mesh.points.size());
-    const bool plain = transform.is_identity();
-    const bool mirrored = transform.linear.determinant() < 0;
-    for (const Vec3& point : object.points) {
-      mesh.points.push_back(plain ? point : Vec3(transform.linear * point + transform.shift));
-      if (!mesh.points.back().allFinite()) {
-        fail("found a transformation of object " + std::to_string(id) +
-             " beyond the range of doubles, expected finite coordinates");
-      }
-    }
-    for (const Triangle& t : object.triangles) {
-      mesh.triangles.push_back(
-          {first + t[0], first + t[mirrored ? 2 : 1], first + t[mirrored ? 1 : 2]});
-    }
-    mesh.labels.insert(mesh.labels.end(), object.labels.begin(), object.labels.end());
-    for (const Component& component : object.components) {
-      append(component.object, transform.after(component.transform), mesh);
-    }
-  }
-
+  ModelPart& part_;
+  Labels& labels_;
+  OtherPart other_;
   std::map<std::uint32_t, std::vector<std::string>> materials_;
-  std::map<std::uint32_t, Object> objects_;
-  std::vector<Component> items_;
-  text::LabelBuilder labels_;
   std::uint32_t group_ = 0;
   Object* object_ = nullptr;
   std::size_t weight_ = 0;
-  bool named_ = false;
-  bool is_model_ = false;
+};
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return text;
+}
+
+/// The parts of a package, each read when it is first named.
+class Model {
+ public:
+  explicit Model(const ModelSource& source) : source_(source) {}
+
+  const ModelPart& read(const std::string& name) {
+    // The names of parts are equal in any case (ECMA-376 part 2).
+    const auto [place, fresh] = parts_.try_emplace(lower_case(name));
+    ModelPart& part = place->second;
+    if (!fresh) {
+      return part;
+    }
+    if (++depth_ > kLargestDepth) {
+      throw Error(Errc::limit_exceeded,
+                  "parts name parts more than " + std::to_string(kLargestDepth) + " levels deep");
+    }
+    const ModelText text = source_(name);
+    root_place_ = depth_ == 1 ? text.place : root_place_;
+    ModelReader reader(part, labels_, [&](std::string_view path) -> const ModelPart& {
+      return other(path, part);
+    });
+    files::read_xml(text.xml, text.place,
+                    {[&](std::string_view element, const files::XmlAttributes& attributes) {
+                       // Builds are those of the root.
+                       if (depth_ == 1 || element != "item") {
+                         reader.begin(element, attributes);
+                       }
+                       if (element == "model") {
+                         require_unit(part);
+                       }
+                       return true;
+                     },
+                     [&](std::string_view element) {
+                       if (depth_ == 1 || element != "build") {
+                         reader.end(element);
+                       }
+                     }});
+    if (!part.is_model) {
+      throw Error(Errc::parse_failed, "found no element 'model', expected one", {}, text.place);
+    }
+    --depth_;
+    part.is_read = true;
+    return part;
+  }
+
+  /// What the root shows.
+  TriMesh build(const ModelPart& root) && {
+    TriMesh mesh;
+    bool says_that_it_is_empty = true;
+    for (const Component& item : root.items) {
+      append(*item.object, item.transform, mesh);
+      says_that_it_is_empty = says_that_it_is_empty && item.object->says_that_it_is_empty();
+    }
+    if (root.items.empty()) {
+      fail_in_root("found no build, expected one with items");
+    }
+    if (mesh.triangles.empty() && !says_that_it_is_empty) {
+      fail_in_root("found a build of objects without triangles, expected some");
+    }
+    if (labels_.named) {
+      std::move(labels_.builder).name_labels(mesh);
+    } else {
+      mesh.labels.clear();
+    }
+    return mesh;
+  }
+
+ private:
+  const ModelPart& other(std::string_view path, const ModelPart& from) {
+    if (!path.starts_with('/')) {
+      fail("found " + text::quoted(path) + " as path, expected a part, such as '/3D/part.model'");
+    }
+    const ModelPart& part = read(std::string(path.substr(1)));
+    if (!part.is_read && &part != &from) {
+      fail("found the part " + text::quoted(path) + " inside of itself, expected no circle");
+    }
+    return part;
+  }
+
+  /// Lengths of another unit would be taken for what they are not.
+  void require_unit(const ModelPart& part) {
+    if (depth_ == 1) {
+      unit_ = part.unit;
+    } else if (part.unit != unit_) {
+      fail("found the unit " + text::quoted(part.unit) + ", expected that of the root, " +
+           text::quoted(unit_));
+    }
+  }
+
+  [[noreturn]] void fail_in_root(const std::string& message) const {
+    throw Error(Errc::parse_failed, message, {}, root_place_);
+  }
+
+  void append(const Object& object, const Transform& transform, TriMesh& mesh) const {
+    if (!append_placed(object.points, object.triangles, transform, mesh)) {
+      fail_in_root("found a transformation of object " + std::to_string(object.id) +
+                   " beyond the range of doubles, expected finite coordinates");
+    }
+    mesh.labels.insert(mesh.labels.end(), object.labels.begin(), object.labels.end());
+    for (const Component& component : object.components) {
+      append(*component.object, transform.after(component.transform), mesh);
+    }
+  }
+
+  const ModelSource& source_;
+  std::map<std::string, ModelPart> parts_;
+  Labels labels_;
+  std::string unit_, root_place_;
+  std::size_t depth_ = 0;
 };
 
 }  // namespace
 
-TriMesh read_3mf_model(std::string_view xml, const std::string& place) {
-  ModelReader reader;
-  files::read_xml(xml, place,
-                  {[&](std::string_view element, const files::XmlAttributes& attributes) {
-                     reader.begin(element, attributes);
-                     return true;
-                   },
-                   [&](std::string_view element) { reader.end(element); }});
-  try {
-    return std::move(reader).build();
-  } catch (const Error& error) {
-    throw Error(error.code(), error.message(), {}, place);
-  }
+TriMesh read_3mf_model(const std::string& root, const ModelSource& source) {
+  Model model(source);
+  const ModelPart& part = model.read(root);
+  return std::move(model).build(part);
 }
 
 }  // namespace dupin::formats

@@ -14,6 +14,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json_value(const Report& report);
 [[nodiscard]] Json json_value(const OutputReport& report);
 [[nodiscard]] Json json_value(const GapSummary& summary);
+[[nodiscard]] Json json_value(const PlacementReport& placement);
 
 /// Bytes that are no UTF-8 (file names may hold them) become U+FFFD.
 [[nodiscard]] std::string text(const Json& json);

@@ -96,6 +96,10 @@ Json counts_json(const Report& report) {
 
 }  // namespace
 
+Json json_value(const PlacementReport& placement) {
+  return {{"exact", placement.is_exact}, {"largest_move", placement.largest_move}};
+}
+
 Json json_value(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
 
 Json json_value(const Report& report) {
@@ -134,6 +138,9 @@ Json json_value(const OutputReport& report) {
   if (!report.repairs.empty()) {
     object["repairs"] = list(report.repairs);
   }
+  if (report.placement) {
+    object["placement"] = json_value(*report.placement);
+  }
   if (report.cross_check) {
     object["cross_check"] = json_value(*report.cross_check);
   }
@@ -157,6 +164,12 @@ Eigen::AlignedBox3d bounding_box(const TriMesh& mesh) {
 std::string to_json(const Report& report) { return json::text(json::json_value(report)); }
 
 std::string to_json(const OutputReport& report) { return json::text(json::json_value(report)); }
+
+std::string to_json(const PlacedDocumentReport& report) {
+  return json::text({{"file", report.file},
+                     {"unit", symbol(report.unit)},
+                     {"placement", json::json_value(report.placement)}});
+}
 
 std::string to_json(const MeshSummary& summary) {
   json::Json object{{"file", summary.file}, {"kind", "mesh"}};

@@ -137,6 +137,22 @@ double TextScanner::number(std::string_view expected) {
   return value + 0.0;  // -0 becomes 0
 }
 
+void TextScanner::skip_number(std::string_view expected) {
+  std::string_view rest = peek();
+  if (rest.size() > 1 && (rest.front() == '+' || rest.front() == '-')) {
+    rest.remove_prefix(1);
+  }
+  double ignored = 0;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), ignored);
+  const bool is_number = error != std::errc::invalid_argument && rest.front() != '-';
+  rest.remove_prefix(is_number ? static_cast<std::size_t>(end - rest.data()) : 0);
+  // What is left of "1.#INF" and "-nan(ind)", where from_chars does not know them.
+  if (!is_number || !(rest.empty() || rest.starts_with("#") || rest == "(ind)")) {
+    fail(expected);
+  }
+  (void)token();
+}
+
 Vec3 TextScanner::vector(std::string_view expected) {
   const double x = number(expected);
   const double y = number(expected);

@@ -68,6 +68,9 @@ class TextScanner {
   /// The nearest double to the next token; fails unless it is a finite decimal number in range.
   double number(std::string_view expected);
   Vec3 vector(std::string_view expected);
+  /// Takes a number that nobody reads, as of a colour: finite or not, of any size, in any spelling
+  /// that programs print ("nan", "-nan(ind)", "1.#INF").
+  void skip_number(std::string_view expected);
   /// An integer in [lowest, highest].
   std::int64_t integer(std::int64_t lowest, std::int64_t highest, std::string_view expected) {
     skip_blanks();

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <string>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -83,6 +84,71 @@ TEST_F(AtomicFile, keeps_permissions_and_follows_links) {
   EXPECT_TRUE(fs::is_symlink(path("link")));
   EXPECT_EQ(read_file(path("x")), "new");
   EXPECT_EQ(fs::status(path("x")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(AtomicFile, writes_to_where_a_link_points_though_nothing_is_there) {
+  fs::create_directory(path("sub"));
+  fs::create_symlink("sub/second", path("first"));
+  fs::create_symlink("x", path("sub/second"));
+  write_file(path("first"), "new");
+  EXPECT_TRUE(fs::is_symlink(path("first")));
+  EXPECT_TRUE(fs::is_symlink(path("sub/second")));
+  EXPECT_EQ(read_file(path("sub/x")), "new");
+  EXPECT_EQ(entries(path("sub")), 2);
+  EXPECT_EQ(entries(directory()), 2);
+  fs::create_symlink(path("no/where"), path("far"));
+  EXPECT_EQ(
+      message_of([&] { write_file(path("far"), ""); }),
+      path("no/where").string() + ": cannot create a file beside it: No such file or directory");
+  fs::create_symlink("round", path("round"));
+  EXPECT_EQ(message_of([&] { write_file(path("round"), ""); }),
+            path("round").string() + ": cannot write the file: Too many levels of symbolic links");
+}
+
+TEST_F(AtomicFile, may_have_the_longest_name_there_is) {
+  const std::string longest(static_cast<std::size_t>(::pathconf(directory().c_str(), _PC_NAME_MAX)),
+                            'x');
+  write_file(path(longest), "1");
+  write_file(path(longest), "2");
+  EXPECT_EQ(read_file(path(longest)), "2");
+  EXPECT_EQ(entries(directory()), 1);
+  EXPECT_EQ(message_of([&] { write_file(path(longest + "x"), ""); }),
+            path(longest + "x").string() + ": cannot write the file: File name too long");
+  EXPECT_EQ(entries(directory()), 1);
+}
+
+TEST_F(AtomicFile, writes_into_what_has_no_name_any_more) {
+  const int file = ::open(path("x").c_str(), O_RDWR | O_CREAT, 0600);
+  ASSERT_GE(file, 0);
+  fs::remove(path("x"));
+  write_file("/proc/self/fd/" + std::to_string(file), "bytes");
+  char bytes[8] = {};
+  EXPECT_EQ(::pread(file, bytes, sizeof bytes, 0), 5);
+  EXPECT_EQ(std::string(bytes), "bytes");
+  EXPECT_EQ(entries(directory()), 0);
+  ::close(file);
+}
+
+TEST_F(AtomicFile, is_abandoned_unless_one_has_taken_its_place) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // in a process that has written nothing yet
+  const auto end = [&](bool is_right) {
+    fs::remove_all(directory());
+    ::_exit(is_right ? 7 : 8);
+  };
+  EXPECT_EXIT(
+      {
+        const AsideFile one(path("x"), "1");
+        const AsideFile two(path("y"), "2");
+        end(abandon_files() && entries(directory()) == 0);
+      },
+      testing::ExitedWithCode(7), "");
+  EXPECT_EXIT(
+      {
+        AsideFile one(path("x"), "1");
+        one.commit();
+        end(!abandon_files() && read_file(path("x")) == "1");
+      },
+      testing::ExitedWithCode(7), "");
 }
 
 TEST_F(AtomicFile, writes_to_a_device_without_replacing_it) {

@@ -1,4 +1,3 @@
-#include <cstring>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -15,26 +14,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The same file with another JSON chunk.
-std::string with_json(const std::string& glb, std::string text) {
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  const std::string rest = glb.substr(20 + test::number_at(glb, 12));
-  std::string bytes = glb.substr(0, 20) + text + rest;
-  const auto set = [&](std::size_t place, std::size_t value) {
-    const auto number = static_cast<std::uint32_t>(value);
-    std::memcpy(bytes.data() + place, &number, 4);
-  };
-  set(8, bytes.size());
-  set(12, text.size());
-  return bytes;
-}
-
 /// A valid file after one change of its JSON.
 std::string changed(const std::string& pointer, const Json& value) {
   const std::string glb = glb_bytes(test::tetrahedron());
   Json json = test::glb_json(glb);
   json[Json::json_pointer(pointer)] = value;
-  return with_json(glb, json.dump());
+  return test::with_json(glb, json.dump());
 }
 
 TEST(Glb, malformed_files_are_refused_with_their_place) {
@@ -60,9 +45,12 @@ TEST(Glb, malformed_files_are_refused_with_their_place) {
                           std::to_string(glb.size() + 1) + " bytes, expected the same"},
           {chunk, "x.glb:byte 12: found a chunk of " + std::to_string(test::number_at(chunk, 12)) +
                       " bytes, expected at most " + std::to_string(glb.size() - 12)},
-          {with_json(glb, "{\"asset\":"), "x.glb:byte 20: found faulty JSON, expected an object"},
-          {with_json(glb, "[]"), "x.glb:byte 20: found faulty JSON, expected an object"},
-          {changed("/meshes", Json::array({1, 2})), "x.glb:/meshes: found 2 meshes, expected one"},
+          {test::with_json(glb, "{\"asset\":"),
+           "x.glb:byte 20: found faulty JSON, expected an object"},
+          {test::with_json(glb, "[]"), "x.glb:byte 20: found faulty JSON, expected an object"},
+          {changed("/meshes", 7), "x.glb:/meshes/0: found nothing there, expected an entry"},
+          {changed("/meshes", Json::array()),
+           "x.glb:/meshes/0: found nothing there, expected an entry"},
           {changed("/meshes/0", 7), "x.glb:/meshes/0: found no 'primitives', expected one"},
           {changed("/meshes/0/primitives", 7),
            "x.glb:/meshes/0/primitives: found no array, expected one"},
@@ -70,6 +58,11 @@ TEST(Glb, malformed_files_are_refused_with_their_place) {
            "x.glb:/meshes/0/primitives/0: found no 'attributes', expected one"},
           {changed("/meshes/0/primitives/0/mode", 5),
            "x.glb:/meshes/0/primitives/0/mode: found another mode, expected 4, triangles"},
+          {changed("/meshes/0/primitives", Json::array()),
+           "x.glb:/meshes: found meshes without triangles, expected some"},
+          {changed("/extensionsRequired", Json::array({"KHR_draco_mesh_compression"})),
+           "x.glb:/extensionsRequired/0: found 'KHR_draco_mesh_compression', expected no extension "
+           "but of materials"},
           {changed("/meshes/0/primitives/0/indices", -1),
            "x.glb:/meshes/0/primitives/0/indices: found -1, expected an integer from 0 to "
            "4294967295"},
@@ -104,6 +97,120 @@ TEST(Glb, malformed_files_are_refused_with_their_place) {
            "finite coordinates"},
           {index, "x.glb:/meshes/0/primitives/0/indices: found index 4 at 2, expected less than 4"},
       });
+}
+
+/// Two meshes of one triangle each, the second without indices, under the nodes and scenes given.
+std::string scene_of(const Json& more) {
+  const std::string glb = glb_bytes(test::tetrahedron());
+  Json json = test::glb_json(glb);
+  json["asset"]["generator"] = "another";
+  json["accessors"][1]["count"] = 3;
+  json["meshes"][0] = {{"name", "first"}, {"primitives", json["meshes"][0]["primitives"]}};
+  json["meshes"][0]["primitives"][0]["material"] = 0;
+  json["accessors"][1]["byteOffset"] = 12;  // the second triangle of the tetrahedron
+  json["accessors"][0]["count"] = 4;
+  json["materials"] = Json::array({{{"name", "steel"}}});
+  json["accessors"].push_back(json["accessors"][0]);
+  json["accessors"][2]["count"] = 3;
+  json["meshes"].push_back(
+      {{"name", "second"}, {"primitives", Json::array({{{"attributes", {{"POSITION", 2}}}}})}});
+  json.erase("scene");
+  json.erase("scenes");
+  json.erase("nodes");
+  json.update(more);
+  return test::with_json(glb, json.dump());
+}
+
+TEST(Glb, nodes_show_meshes_where_they_put_them_as_often_as_they_do) {
+  const TriMesh mesh = read_glb(scene_of(Json::parse(R"({
+        "scene": 1, "scenes": [{}, {"nodes": [2, 0]}],
+        "nodes": [{"mesh": 0, "translation": [10, 0, 0]},
+                  {"mesh": 1, "name": "pump", "matrix": [2,0,0,0, 0,2,0,0, 0,0,2,0, 5,0,0,1]},
+                  {"children": [1, 3], "rotation": [0, 0, 0.70710678, 0.70710678]},
+                  {"mesh": 0, "scale": [1, 1, -1]}]})")),
+                                "x.glb");
+  // Mesh 1 is (0,0,0), (1,0,0), (0,1,0), as it comes; mesh 0 is triangle 0, 1, 3 of four points.
+  ASSERT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {3, 6, 4}, {7, 8, 10}}));
+  EXPECT_EQ(mesh.points[0], Vec3(0, 5, 0)) << "a quarter turn is exact";
+  EXPECT_EQ(mesh.points[1], Vec3(0, 7, 0));
+  EXPECT_EQ(mesh.points[2], Vec3(-2, 5, 0));
+  EXPECT_EQ(mesh.points[4], Vec3(0, 1, 0));
+  EXPECT_EQ(mesh.points[6], Vec3(0, 0, -1)) << "mirrored, and turned to keep its outside";
+  EXPECT_EQ(mesh.points[8], Vec3(11, 0, 0));
+  EXPECT_EQ(mesh.names, (std::vector<std::string>{"pump", "steel"}));
+  EXPECT_EQ(mesh.labels, (std::vector<std::uint32_t>{0, 1, 1}));
+}
+
+TEST(Glb, without_scenes_all_roots_and_without_nodes_all_meshes_are_shown) {
+  const auto triangles = [](const char* more) {
+    return read_glb(scene_of(Json::parse(more)), "x.glb").triangles.size();
+  };
+  EXPECT_EQ(triangles("{}"), 2U);
+  EXPECT_EQ(triangles(R"({"nodes": [{"mesh": 0, "children": [1]}, {"mesh": 1}, {"mesh": 1}]})"),
+            3U);
+  EXPECT_EQ(triangles(R"({"scenes": [{"nodes": [1]}], "nodes": [{"mesh": 0}, {"mesh": 1}]})"), 1U);
+}
+
+TEST(Glb, points_without_indices_come_three_by_three) {
+  const Json one = Json::parse(R"({"scenes": [{"nodes": [0]}], "nodes": [{"mesh": 1}]})");
+  const TriMesh mesh = read_glb(scene_of(one), "x.glb");
+  EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
+  EXPECT_TRUE(mesh.labels.empty()) << "the only mesh needs no name";
+  Json json = test::glb_json(scene_of(one));
+  json["accessors"][2]["count"] = 4;
+  test::expect_refused(read_glb, "x.glb",
+                       {{test::with_json(scene_of(one), json.dump()),
+                         "x.glb:/meshes/1/primitives/0: found 4 points and no indices, expected "
+                         "three per triangle"}});
+}
+
+TEST(Glb, scenes_that_show_nothing_or_are_no_forest_are_refused) {
+  const auto refused = [](const char* more, const std::string& what) {
+    test::expect_refused(read_glb, "x.glb", {{scene_of(Json::parse(more)), "x.glb:" + what}});
+  };
+  const std::string none = ": found no mesh, expected one that a node shows";
+  const std::string twice = ": found a node that is met twice, expected no circle and one parent";
+  refused(R"({"scenes": [{}]})", "/scenes/0" + none);
+  refused(R"({"scenes": [{"name": "empty"}]})", "/scenes/0" + none);
+  refused(R"({"scenes": [{"nodes": []}], "nodes": [{"mesh": 0}]})", "/scenes/0" + none);
+  refused(R"({"scenes": [{"nodes": [0]}], "nodes": [{}, {"mesh": 0}]})", "/scenes/0" + none);
+  refused(R"({"scene": 2, "scenes": [{"nodes": [0]}]})",
+          "/scenes/2: found nothing there, expected an entry");
+  refused(R"({"nodes": [{}]})", "/nodes" + none);
+  refused(R"({"meshes": []})", "/meshes: found no mesh, expected one");
+  refused(R"({"nodes": [{"children": [1]}, {"children": [0], "mesh": 0}]})", "/nodes" + none);
+  refused(R"({"scenes": [{"nodes": [0]}],
+              "nodes": [{"children": [1]}, {"children": [0], "mesh": 0}]})",
+          "/nodes/0" + twice);
+  refused(R"({"scenes": [{"nodes": [0]}], "nodes": [{"children": [0], "mesh": 0}]})",
+          "/nodes/0" + twice);
+  refused(R"({"scenes": [{"nodes": [0, 1]}], "nodes": [{"children": [1]}, {"mesh": 0}]})",
+          "/nodes/1" + twice);
+  refused(R"({"nodes": [{"children": [7], "mesh": 0}]})",
+          "/nodes/7: found nothing there, expected an entry");
+  refused(R"({"nodes": [{"children": [-1], "mesh": 0}]})",
+          "/nodes/0/children/0: found -1, expected an integer from 0 to 4294967295");
+  refused(R"({"nodes": [{"mesh": 2}]})", "/meshes/2: found nothing there, expected an entry");
+  refused(R"({"nodes": [{"mesh": 0, "scale": [1, 2]}]})",
+          "/nodes/0/scale: found something else, expected 3 finite numbers");
+  refused(R"({"nodes": [{"mesh": 0, "rotation": [0, 0, 0, 0]}]})",
+          "/nodes/0/rotation: found a quaternion of zeros, expected a turn");
+  refused(R"({"nodes": [{"mesh": 0, "matrix": [1,0,0,1, 0,1,0,0, 0,0,1,0, 0,0,0,1]}]})",
+          "/nodes/0/matrix: found a projection, expected 0, 0, 0, 1 in the last row");
+  refused(R"({"nodes": [{"mesh": 0, "scale": [1e300, 1, 1], "children": [1]},
+                        {"mesh": 0, "scale": [1e300, 1, 1]}]})",
+          "/meshes/0: found a transformation beyond the range of doubles, expected finite "
+          "coordinates");
+}
+
+TEST(Glb, a_chain_of_nodes_may_be_long) {
+  Json nodes = Json::array();
+  constexpr int kDeep = 100000;
+  for (int i = 0; i < kDeep; ++i) {
+    nodes.push_back({{"children", {i + 1}}});
+  }
+  nodes.push_back({{"mesh", 0}});
+  EXPECT_EQ(read_glb(scene_of({{"nodes", nodes}}), "x.glb").triangles.size(), 1U);
 }
 
 }  // namespace

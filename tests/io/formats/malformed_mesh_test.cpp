@@ -73,8 +73,10 @@ TEST(MalformedMesh, off_is_refused_with_its_line) {
            "a.off:6: found '-1', expected the index of a vertex, an integer from 0 to 2"},
           {head + "3 0 1 0.5\n",
            "a.off:6: found '0.5', expected the index of a vertex, an integer"},
-          {head + "3 0 1   \n2\n",
-           "a.off:6: found the end of the line, expected the index of a vertex, an integer"},
+          {head + "3 0 1   \n#2\n",
+           "a.off:8: found the end of the file, expected the index of a vertex, an integer"},
+          {head + "3 0 1 2 2nan\n", "a.off:6: found '2nan', expected a colour's component"},
+          {head + "3 0 1 2 --1\n", "a.off:6: found '--1', expected a colour's component"},
           {head + "3 0 1 2 1 2 3 4 5\n",
            "a.off:6: found more than 4 numbers behind a face of 3 vertices, expected at most a "
            "colour"},

@@ -46,6 +46,22 @@ TEST(Obj, reads_every_dialect) {
   }
 }
 
+TEST(Obj, numbers_of_colours_may_be_none) {
+  EXPECT_TRUE(test::identical(
+      read_obj("v 0 0 0 nan nan nan\nv 1 0 0 inf -inf 1e999\nv 0 1 0 1 1 1 nan\nv 0 0 1 -nan(ind)\n"
+               "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
+               "x.obj"),
+      test::tetrahedron()));
+}
+
+TEST(Obj, points_without_faces_are_no_mesh) {
+  test::expect_refused(
+      read_obj, "x.obj",
+      {{kPoints + "p 1 2\nl 1 2\n\n",
+        "x.obj:8: found the end of the file, expected a face behind the 4 vertices"}});
+  EXPECT_TRUE(test::identical(read_obj("# dupin\n", "x.obj"), {})) << "the empty set";
+}
+
 TEST(Obj, the_latest_group_or_object_names_the_label) {
   const TriMesh mesh = read_obj(
       kPoints + "f 1 3 2\no pump\nf 1 2 4\ng two  words\nf 1 4 3\no pump\nf 2 3 4\n", "x.obj");

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
+#include "support/malformed.h"
 #include "support/sample_meshes.h"
 
 namespace dupin {
@@ -59,6 +60,33 @@ TEST(Off, reads_every_dialect) {
   for (const std::string& text : dialects) {
     EXPECT_TRUE(test::identical(read_off(text, "x.off"), test::tetrahedron())) << text;
   }
+}
+
+TEST(Off, faces_may_run_over_several_lines) {
+  const std::string points = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  for (const std::string faces : {"3\n0\n2\n1\n3 0\n 1 3\n3 0 3\n2\n3\n1 2 3\n",
+                                  "3 # three\n\n# of them\n0 2 1 255 0 0\n3 0 1\n3 nan inf -nan "
+                                  "1.#IND\n3\r\n0 3 2\r3 1 2\n3"}) {
+    EXPECT_TRUE(test::identical(read_off(points + faces, "x.off"), test::tetrahedron())) << faces;
+  }
+  const TriMesh square =
+      read_off("OFF 4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1\n2 3\n3\n0\n1\n2\n", "x.off");
+  EXPECT_EQ(square.triangles.size(), 3U);
+}
+
+TEST(Off, numbers_of_colours_may_be_none) {
+  const TriMesh mesh = read_off(
+      "COFF\n4 4 0\n0 0 0 nan 0 0 1\n1 0 0 inf -inf 1e999\n0 1 0 -nan(ind) +0.5 1.#QNAN\n0 0 1\n"
+      "3 0 2 1 nan nan nan nan\n3 0 1 3 inf\n3 0 3 2 1.#INF\n3 1 2 3 -1.#IND00\n",
+      "x.off");
+  EXPECT_TRUE(test::identical(mesh, test::tetrahedron()));
+}
+
+TEST(Off, points_without_faces_are_no_mesh) {
+  test::expect_refused(read_off, "x.off",
+                       {{"OFF\n# a cloud\n2 0 0\n0 0 0\n1 0 0\n",
+                         "x.off:3: found 2 vertices and no face, expected faces"}});
+  EXPECT_TRUE(test::identical(read_off("OFF\n0 0 0\n", "x.off"), {})) << "the empty set";
 }
 
 TEST(Off, reads_any_mixture_of_line_ends) {

@@ -62,6 +62,30 @@ TEST(Ply, reads_other_writers_text) {
   }
 }
 
+TEST(Ply, numbers_of_colours_may_be_none) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+      "z\n"
+      "property float red\nelement face 4\nproperty list uchar int vertex_indices\n"
+      "property float green\nend_header\n0 0 0 nan\n1 0 0 inf\n0 1 0 -nan(ind)\n0 0 1 1e999\n"
+      "3 0 2 1 nan\n3 0 1 3 inf\n3 0 3 2 -inf\n3 1 2 3 1.#IND\n";
+  EXPECT_TRUE(test::identical(read_ply(text, "x.ply"), test::tetrahedron()));
+}
+
+TEST(Ply, points_without_faces_are_no_mesh) {
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\n";
+  const std::string faces = "property list uchar int vertex_indices\nend_header\n0 0 0\n";
+  const std::string what = "found 1 vertices and no face, expected an element 'face' with some";
+  test::expect_refused(
+      read_ply, "x.ply",
+      {{head + "end_header\n0 0 0\n", "x.ply:3: " + what},
+       {head + "element face 0\n" + faces, "x.ply:7: " + what},
+       {head + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n0\n",
+        "x.ply:3: " + what}});
+  EXPECT_TRUE(test::identical(read_ply(ply_binary_bytes({}), "x.ply"), {})) << "the empty set";
+}
+
 TEST(Ply, big_endian_reads_like_little_endian) {
   std::string big =
       "ply\nformat binary_big_endian 1.0\nelement vertex 4\nproperty float x\nproperty short y\n"

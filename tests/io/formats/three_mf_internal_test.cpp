@@ -18,7 +18,9 @@ namespace {
 const std::string kModel = "3D/3dmodel.model";
 
 TriMesh read_model(std::string_view xml, std::string_view place) {
-  return formats::read_3mf_model(xml, std::string(place));
+  return formats::read_3mf_model("root", [&](const std::string&) {
+    return formats::ModelText{std::string(xml), std::string(place)};
+  });
 }
 
 std::string model_xml(const TriMesh& mesh, const MeshHeader& header = {}) {
@@ -33,6 +35,25 @@ TEST(ThreeMf, reads_back_bit_for_bit_what_it_writes) {
   TriMesh labelled = test::labelled_tetrahedron();
   labelled.names[1] = "<\"R&D\">";
   EXPECT_TRUE(test::identical(read_3mf(three_mf_bytes(labelled), "x.3mf"), labelled));
+  EXPECT_TRUE(test::identical(read_3mf(three_mf_bytes({}), "x.3mf"), {})) << "the empty set";
+}
+
+TEST(ThreeMf, reads_the_parts_of_a_package_that_the_root_names) {
+  const std::string good = three_mf_bytes(test::tetrahedron());
+  const std::string root =
+      "<model xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\">"
+      "<build><item objectid=\"1\" p:path=\"/3D/Objects/a.model\"/></build></model>";
+  const auto package = [&](const std::string& name) {
+    return files::zip_archive({{"_rels/.rels", files::unzip(good, "_rels/.rels", "")},
+                               {kModel, root},
+                               {name, files::unzip(good, kModel, "")}});
+  };
+  EXPECT_TRUE(
+      test::identical(read_3mf(package("3D/Objects/a.model"), "x.3mf"), test::tetrahedron()));
+  test::expect_refused(
+      read_3mf, "x.3mf",
+      {{package("3D/Objects/b.model"),
+        "x.3mf: found no entry '3D/Objects/a.model' in the ZIP archive, expected one"}});
 }
 
 TEST(ThreeMf, the_model_tells_unit_names_and_note) {

@@ -1,3 +1,5 @@
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,13 +14,35 @@ namespace dupin {
 namespace {
 
 TriMesh read_model(std::string_view xml, std::string_view place) {
-  return formats::read_3mf_model(xml, std::string(place));
+  return formats::read_3mf_model("root", [&](const std::string&) {
+    return formats::ModelText{std::string(xml), std::string(place)};
+  });
+}
+
+/// A package of these parts.
+TriMesh read_parts(const std::map<std::string, std::string>& parts) {
+  return formats::read_3mf_model("root", [&](const std::string& name) {
+    if (!parts.contains(name)) {
+      throw Error(Errc::parse_failed, "no such part", {}, name);
+    }
+    return formats::ModelText{parts.at(name), name};
+  });
+}
+
+std::string message_of(const std::function<TriMesh()>& read) {
+  try {
+    (void)read();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "read";
 }
 
 /// A model of these resources and build items.
 std::string model(const std::string& resources, const std::string& build) {
-  return "<?xml version=\"1.0\"?>\n<model xmlns=\"m\"><resources>" + resources +
-         "</resources>\n<build>" + build + "</build></model>";
+  return "<?xml version=\"1.0\"?>\n<model xmlns=\"m\" xmlns:p=\"http://schemas.microsoft.com/"
+         "3dmanufacturing/production/2015/06\"><resources>" +
+         resources + "</resources>\n<build>" + build + "</build></model>";
 }
 
 const std::string kMesh =
@@ -107,6 +131,114 @@ TEST(ThreeMf, malformed_models_are_refused_with_their_line) {
                ""),
            "m:2: found 1 as 'p1', expected the index of one of the 1 base materials"},
       });
+}
+
+TEST(ThreeMf, a_model_that_shows_nothing_is_refused) {
+  const std::string object = "<object id=\"1\">" + kMesh;
+  const std::string points =
+      "<object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"0\" "
+      "z=\"0\"/></vertices></mesh></object>";
+  const std::string nothing = "<object id=\"1\"><mesh><vertices/><triangles/></mesh></object>";
+  const std::string item = "<item objectid=\"1\"/>";
+  const std::string none = "found a build of objects without triangles, expected some";
+  const std::string parent =
+      "<object id=\"2\"><components><component objectid=\"1\"/></components></object>";
+  test::expect_refused(
+      read_model, "m",
+      {{model(object, ""), "m:3: found a build without items, expected what it is to show"},
+       {model("", ""), "m:3: found a build without items, expected what it is to show"},
+       {"<model><resources>" + object + "</resources>\n<build/></model>",
+        "m:2: found a build without items, expected what it is to show"},
+       {"<model><resources>" + object + "</resources></model>",
+        "m: found no build, expected one with items"},
+       {"<model/>", "m: found no build, expected one with items"},
+       {model("<object id=\"1\"/>", item), "m: " + none},
+       {model(points, item), "m: " + none},
+       {model(nothing, item), "m: " + none},
+       {model(nothing + parent, "<item objectid=\"2\"/>"), "m: " + none},
+       {model("<object id=\"1\" name=\"empty set\"/>" + parent, "<item objectid=\"2\"/>"),
+        "m: " + none}});
+  EXPECT_TRUE(
+      read_model(model("<object id=\"1\" name=\"empty set\"/>", item), "m").triangles.empty());
+  EXPECT_EQ(
+      read_model(model(points + "<object id=\"2\">" + kMesh, item + "<item objectid=\"2\"/>"), "m")
+          .triangles.size(),
+      1U)
+      << "one object with triangles is enough";
+}
+
+TEST(ThreeMf, objects_of_other_parts_are_shown_where_items_and_components_put_them) {
+  const std::string part = model("<object id=\"1\" name=\"in a part\" p:UUID=\"u\">" + kMesh, "");
+  const TriMesh mesh = read_parts(
+      {{"root", model("<object id=\"1\" name=\"own\">" + kMesh +
+                          "<object id=\"5\"><components><component objectid=\"1\" "
+                          "p:path=\"/3D/Objects/A.model\" transform=\"1 0 0 0 1 0 0 0 1 10 0 0\"/>"
+                          "<component objectid=\"1\"/></components></object>",
+                      "<item objectid=\"5\" p:UUID=\"v\" transform=\"2 0 0 0 2 0 0 0 2 0 0 7\"/>"
+                      "<item objectid=\"1\" p:path=\"/3D/Objects/a.MODEL\"/>"
+                      "<item objectid=\"1\" p:path=\"/root\"/>")},
+       {"3D/Objects/A.model", part},
+       {"3D/Objects/a.MODEL", "<never-read/>"}});
+  EXPECT_EQ(mesh.triangles.size(), 4U);
+  ASSERT_EQ(mesh.points.size(), 12U);
+  EXPECT_EQ(mesh.points[1], Vec3(22, 0, 7));
+  EXPECT_EQ(mesh.points[4], Vec3(2, 0, 7));
+  EXPECT_EQ(mesh.points[7], Vec3(1, 0, 0));
+  EXPECT_EQ(mesh.names, (std::vector<std::string>{"own", "in a part"}));
+  EXPECT_EQ(mesh.labels, (std::vector<std::uint32_t>{1, 0, 1, 0}));
+}
+
+TEST(ThreeMf, a_part_may_name_another_and_its_own_build_shows_nothing) {
+  const auto component = [](const std::string& path) {
+    return "<object id=\"1\"><components><component objectid=\"1\" p:path=\"" + path +
+           "\" transform=\"1 0 0 0 1 0 0 0 1 1 0 0\"/></components></object>";
+  };
+  const TriMesh mesh =
+      read_parts({{"root", model(component("/a"), "<item objectid=\"1\"/>")},
+                  {"a", model(component("/b"), "<item objectid=\"1\"/>")},
+                  {"b", model("<object id=\"1\">" + kMesh, "<item objectid=\"77\"/>")}});
+  ASSERT_EQ(mesh.triangles.size(), 1U);
+  EXPECT_EQ(mesh.points[0], Vec3(2, 0, 0));
+}
+
+TEST(ThreeMf, faults_of_other_parts_are_refused_with_their_place) {
+  const auto root = [](const std::string& path, const std::string& id = "1") {
+    return model("<object id=\"1\">" + kMesh,
+                 "<item objectid=\"" + id + "\" p:path=\"" + path + "\"/>");
+  };
+  const auto message = [](const std::string& of_root, const std::string& of_part) {
+    return message_of([&] { return read_parts({{"root", of_root}, {"a", of_part}}); });
+  };
+  const std::string part = model("<object id=\"1\">" + kMesh, "");
+  EXPECT_EQ(message(root("/a"), part), "read");
+  EXPECT_EQ(message(root("a"), part),
+            "root:3: found 'a' as path, expected a part, such as '/3D/part.model'");
+  EXPECT_EQ(message(root("/b"), part), "b: no such part");
+  EXPECT_EQ(message(root("/a", "2"), part),
+            "root:3: found object 2, expected the id of an object of the part '/a'");
+  EXPECT_EQ(message(root("/a"), "<model>\n<object/></model>"),
+            "a:2: found no attribute 'id', expected one");
+  EXPECT_EQ(message(root("/a"), "<xml/>"), "a: found no element 'model', expected one");
+  EXPECT_EQ(message(root("/a"), "<model unit=\"inch\"/>"),
+            "a:1: found the unit 'inch', expected that of the root, 'millimeter'");
+  const std::string back = model(
+      "<object id=\"2\"><components><component objectid=\"1\" "
+      "p:path=\"/root\"/></components></object>",
+      "");
+  EXPECT_EQ(message(root("/a", "2"), back),
+            "a:2: found the part '/root' inside of itself, expected no circle");
+}
+
+TEST(ThreeMf, parts_that_name_each_other_without_end_are_refused) {
+  std::map<std::string, std::string> parts;
+  const auto name = [](int i) { return i == 0 ? "root" : "p" + std::to_string(i); };
+  for (int i = 0; i < 300; ++i) {
+    parts[name(i)] = model("<object id=\"1\"><components><component objectid=\"1\" p:path=\"/" +
+                               name(i + 1) + "\"/></components></object>",
+                           "<item objectid=\"1\"/>");
+  }
+  EXPECT_EQ(message_of([&] { return read_parts(parts); }),
+            "p99:2: parts name parts more than 100 levels deep");
 }
 
 TEST(ThreeMf, components_that_unfold_without_measure_are_refused) {

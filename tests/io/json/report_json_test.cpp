@@ -46,6 +46,17 @@ TEST(ReportJson, points_are_lists_of_three_even_beside_strings) {
   EXPECT_EQ(contact.at("names"), json::parse(R"(["a", "b"])"));
 }
 
+TEST(ReportJson, a_placement_is_told_where_there_was_one) {
+  OutputReport report;
+  EXPECT_FALSE(json::parse(to_json(report)).contains("placement"));
+  report.placement = {false, 0.5};
+  const json expected = json::parse(R"({"exact": false, "largest_move": 0.5})");
+  EXPECT_EQ(json::parse(to_json(report)).at("placement"), expected);
+  const PlacedDocumentReport document{"a.json", Unit::inch, {false, 0.5}};
+  EXPECT_EQ(json::parse(to_json(document)),
+            json({{"file", "a.json"}, {"unit", "in"}, {"placement", expected}}));
+}
+
 TEST(ReportJson, only_defects_that_occur_are_counted) {
   TriMesh mesh = box({0, 0, 0}, {1, 1, 1});
   mesh.triangles.pop_back();

@@ -13,8 +13,9 @@ namespace dupin {
 /// one step: whoever looks, at any moment, finds the old file or the whole new one. Without
 /// `commit` the destructor removes it and the target stays untouched.
 ///
-/// A symbolic link is followed; an existing file keeps its permissions. A target that is no
-/// regular file (a device, a pipe) cannot be replaced and is written directly by `commit`.
+/// A symbolic link stays and what it points to is written, there or not yet. An existing file keeps
+/// its permissions. A target that is no regular file (a device, a pipe) cannot be replaced and is
+/// written directly by `commit`; its file aside is among the system's temporary ones.
 /// All functions throw Error{io_failed} with the system's reason.
 class AsideFile {
  public:
@@ -35,6 +36,12 @@ class AsideFile {
   bool replaceable_ = true;  // target is a regular file or does not exist
   bool pending_ = false;     // the aside file exists and is ours to remove
 };
+
+/// For the handler of a signal that is to end the process, in whatever thread it runs: calls only
+/// what POSIX allows there. Either removes every file that is aside, after which no file takes its
+/// place any more and the process has to end at once; or, if a file has taken its place, does
+/// nothing and returns false, so that the process can go on and say so.
+[[nodiscard]] bool abandon_files() noexcept;
 
 /// Writes aside and commits.
 void write_file(const std::filesystem::path& path, std::string_view bytes);

@@ -9,13 +9,18 @@
 
 namespace dupin {
 
-/// Reads the triangles of a binary glTF 2.0 file with one mesh, in the mesh's own coordinates (the
-/// node's transformation, which turns and scales to glTF's metres with y upward, is not applied).
-/// The material of a primitive names its label; primitives share points if they share an accessor.
+/// Reads the triangles of all meshes that the scene of a binary glTF 2.0 file shows, each where its
+/// nodes put it: in glTF's metres with y upward. What `glb_bytes` wrote comes back in the mesh's
+/// own coordinates: its one node, which only turns and scales to glTF's, is not applied. Without
+/// scenes all nodes are shown, without nodes all meshes. A mesh that several nodes show is there
+/// several times.
 ///
-/// Meant for reading back what `glb_bytes` wrote: files with several meshes, compressed or sparse
-/// data, or outside buffers are refused. Throws Error{parse_failed} with the file and the JSON
-/// pointer.
+/// The material of a primitive names its label; where it has none and there are several meshes, the
+/// node or mesh does. Primitives of a mesh share points if they share an accessor. Files that show
+/// no mesh (but for what `glb_bytes` writes for one without triangles), nodes with two parents or
+/// in a circle, compressed or sparse data, outside buffers and other extensions that change
+/// geometry are refused. Throws Error{parse_failed} with the file and the JSON pointer,
+/// Error{limit_exceeded} where nodes repeat meshes without measure.
 [[nodiscard]] TriMesh read_glb(std::string_view bytes, std::string_view file);
 
 /// The unit that `glb_bytes` noted, or empty. Throws like `read_glb`.

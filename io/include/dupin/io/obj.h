@@ -12,8 +12,9 @@ namespace dupin {
 /// Reads the polygons of a Wavefront OBJ: `v`, `f` (with texture and normal indices, skipped, and
 /// with negative indices), `g` and `o`. The latest `g` or `o` names the label of the faces after
 /// it; faces before any are labelled "default" if others have a name. Faces are cut into triangles
-/// as `read_off` does; free-form geometry is refused, everything else is skipped. Points keep their
-/// order and are not merged; -0 becomes 0.
+/// as `read_off` does; free-form geometry is refused, and points without any face; everything else
+/// is skipped, also numbers of colours that are not finite. Points keep their order and are not
+/// merged; -0 becomes 0.
 ///
 /// `file` is named in errors. Throws Error{parse_failed} with "file:line", and
 /// Error{limit_exceeded} as `read_off`.

@@ -10,8 +10,10 @@
 namespace dupin {
 
 /// Reads Geomview's OFF: keyword OFF with any of the prefixes ST, C and N, comments, blank lines,
-/// counts on the line of the keyword or after it, any line ends. Colours, normals and texture
-/// coordinates are skipped; points keep their order and are not merged; -0 becomes 0.
+/// counts on the line of the keyword or after it, any line ends. The corners of a face may run over
+/// several lines, its colour ends with the last one's. Colours, normals and texture coordinates are
+/// skipped, whatever numbers they are; points keep their order and are not merged; -0 becomes 0.
+/// Points without any face are refused.
 ///
 /// A face of more than three corners is cut into triangles by clipping ears, decided by exact
 /// predicates in the coordinate plane it is least inclined to: correct for every simple planar

@@ -14,7 +14,8 @@ namespace dupin {
 /// `vertex_indices` (or `vertex_index`); faces are cut into triangles as `read_off` does.
 ///
 /// An integer property `label` of the faces gives labels; comments "label NAME", one per label and
-/// in their order, give the names. All other elements and properties are skipped. -0 becomes 0.
+/// in their order, give the names. All other elements and properties are skipped, whatever
+/// numbers they are. Points without any face are refused. -0 becomes 0.
 ///
 /// `file` is named in errors. Throws Error{parse_failed} with "file:line", or "file:byte N" in a
 /// binary body, and Error{limit_exceeded} as `read_off`.

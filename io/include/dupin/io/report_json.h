@@ -41,6 +41,12 @@ struct FileRepair {
   RepairReport report;
 };
 
+/// How what was read was put elsewhere before.
+struct PlacementReport {
+  bool is_exact = true;     ///< all numbers written are those asked for
+  double largest_move = 0;  ///< no point is farther from where it was asked to be
+};
+
 /// What a mesh file that was written holds, and how it came to.
 struct OutputReport {
   std::string file;
@@ -50,7 +56,8 @@ struct OutputReport {
   std::vector<Contact> contacts;  ///< where the solid touches itself
   std::optional<SimplificationReport> simplification = std::nullopt;
   std::optional<ContactSettlement> settled = std::nullopt;
-  std::vector<FileRepair> repairs = {};                  ///< of operands that needed some
+  std::vector<FileRepair> repairs = {};  ///< of operands that needed some
+  std::optional<PlacementReport> placement = std::nullopt;
   std::optional<CrossCheck> cross_check = std::nullopt;  ///< of the exact result, before rounding
 
   /// Whether the cross-check disagrees. That the other engine failed is no finding about ours.
@@ -113,6 +120,13 @@ struct EditReport {
   std::vector<MovedSphere> spheres;
 };
 
+/// A document that was put elsewhere.
+struct PlacedDocumentReport {
+  std::string file;
+  Unit unit = Unit::millimetre;
+  PlacementReport placement;
+};
+
 /// JSON objects, indented by two, without a final line break; keys as in docs/cli.md. Numbers are
 /// the shortest decimals that read back to the same double, null where not finite. Always the same
 /// text for the same value.
@@ -125,6 +139,7 @@ struct EditReport {
 [[nodiscard]] std::string to_json(const MeshGapSummary& summary);
 [[nodiscard]] std::string to_json(const BuildReport& report);
 [[nodiscard]] std::string to_json(const EditReport& report);
+[[nodiscard]] std::string to_json(const PlacedDocumentReport& report);
 /// `kind` is the error's name for programs, usually name(error.code()).
 [[nodiscard]] std::string error_json(const Error& error, std::string_view kind, int exit_code);
 

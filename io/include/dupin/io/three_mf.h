@@ -10,9 +10,12 @@
 namespace dupin {
 
 /// Reads the model of a 3MF package: every item of its build, with its transformation, components
-/// resolved. A triangle's label is its base material if it has one of its own, else its object's
-/// name ("object ID" where only others have one). Textures, colours and slices are skipped. Points
-/// keep their order and are not merged; -0 becomes 0. Coordinates are in the package's unit.
+/// resolved, also those in other parts (p:path of the production extension, which must be in the
+/// root's unit). A model without a build, or whose build shows no triangle, is refused, but for
+/// what `three_mf_bytes` writes for a mesh without any. A triangle's label is its base material if
+/// it has one of its own, else its object's name ("object ID" where only others have one).
+/// Textures, colours and slices are skipped. Points keep their order and are not merged; -0 becomes
+/// 0. Coordinates are in the package's unit.
 ///
 /// `file` is named in errors. Throws Error{parse_failed} with the file, the part of the package and
 /// the line, and Error{limit_exceeded} for a package that expands beyond all measure.
