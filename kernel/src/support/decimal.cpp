@@ -34,12 +34,13 @@ std::string decimal(double value, int digits) {
   return text;
 }
 
-// A unit of the last digit is at least 1e-6 and at most 1e-5 of the number, half of one less than
-// what is added.
+// A unit of the last digit is from 1e-6 to 1e-5 of the number.
 std::string decimal_at_most(double value) {
-  const std::string text = decimal(value, kMessageDigits);
-  return read(text) >= value ? text
-                             : decimal(value + 6e-6 * std::abs(value) + 1e-323, kMessageDigits);
+  std::string text = decimal(value, kMessageDigits);
+  for (double share = 6e-7; read(text) < value; share *= 2) {
+    text = decimal(value + share * std::abs(value) + 1e-323, kMessageDigits);
+  }
+  return text;
 }
 
 std::string decimal_at_least(double value) {
