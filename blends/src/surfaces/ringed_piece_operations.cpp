@@ -135,7 +135,9 @@ MarginBounds margin_bounds(const RingedSurface& surface) {
 bool is_embedded_torus(const RingedSurface& surface) {
   const auto* arc = std::get_if<ArcSpine>(&surface.spine);
   const auto* radius = std::get_if<ConstantRadius>(&surface.radius);
-  if (arc == nullptr || radius == nullptr || !(std::abs(arc->angle) < 2 * std::numbers::pi)) {
+  if (arc == nullptr || radius == nullptr || !(std::abs(arc->angle) < 2 * std::numbers::pi) ||
+      !(std::isfinite(radius->radius) && radius->radius > 0) || !arc->start.allFinite() ||
+      !arc->center.allFinite()) {
     return false;
   }
   mpq_class squared = 0;
