@@ -16,6 +16,8 @@
 #include "dupin/io/edit_json.h"
 #include "dupin/io/place_json.h"
 #include "dupin/io/report_json.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
 #include "exit_code.h"
 #include "input.h"
 #include "length.h"
@@ -30,6 +32,7 @@ struct EditArguments {
   std::string file, output, part, move, twist;
   bool on_locus = false;
   PlacementArguments placement;
+  double margin = kEditMargin;
 };
 
 /// "4=1,2,3": a sphere and numbers.
@@ -74,21 +77,139 @@ std::vector<PeArc> pieces(const Assembly& assembly, std::uint32_t part) {
   return cyclide_pieces(found->shape);
 }
 
-CyclideChainThrough edited_chain(const EditArguments& arguments, const Assembly& assembly,
-                                 std::uint32_t part) {
-  if (arguments.move.empty() == arguments.twist.empty()) {
-    throw UsageError(
-        "edit needs either --move or --twist, or else --translate, --rotate or --scale");
+double at_places(double value) {
+  const std::string text = decimal(value, kPlaceDigits);
+  double result = 0;
+  std::from_chars(text.data(), text.data() + text.size(), result);
+  return result;
+}
+
+/// What was asked for, and how to go a share of the way there.
+class Edit {
+ public:
+  Edit(const EditArguments& arguments, const Assembly& before, std::uint32_t part)
+      : arguments_(arguments), before_(before), part_(part) {
+    if (arguments.move.empty() == arguments.twist.empty()) {
+      throw UsageError(
+          "edit needs either --move or --twist, or else --translate, --rotate or --scale");
+    }
+    if (arguments.on_locus && arguments.move.empty()) {
+      throw UsageError("--on-locus is for --move");
+    }
+    if (!(arguments.margin >= 0 && arguments.margin < 1)) {
+      throw UsageError("--margin takes a number of at least 0 and less than 1");
+    }
+    const auto& spheres = std::get<CyclideChainThrough>(before.parts[part].shape).spheres;
+    if (!arguments.move.empty()) {
+      const auto [sphere, to] = change<4>("--move", arguments.move, "SPHERE=X,Y,Z,RADIUS");
+      sphere_ = sphere;
+      to_ = {{to[0], to[1], to[2]}, to[3]};
+      from_ = sphere < spheres.size() ? spheres[sphere] : to_;
+    } else {
+      const auto [sphere, degrees] = change<1>("--twist", arguments.twist, "SPHERE=DEGREES");
+      sphere_ = sphere;
+      degrees_ = degrees[0];
+    }
   }
-  if (arguments.on_locus && arguments.move.empty()) {
-    throw UsageError("--on-locus is for --move");
+
+  [[nodiscard]] CyclideChainThrough whole() const { return chain(to_, degrees_); }
+
+  /// A share of the way, at numbers as they are printed.
+  [[nodiscard]] CyclideChainThrough chain_at(double share) const {
+    return chain(place(share), at_places(share * degrees_));
   }
-  if (!arguments.move.empty()) {
-    const auto [sphere, to] = change<4>("--move", arguments.move, "SPHERE=X,Y,Z,RADIUS");
-    return move_sphere(assembly, part, sphere, {{to[0], to[1], to[2]}, to[3]}, arguments.on_locus);
+
+  /// "--move 4=1.1,2.5,0.2,0.8".
+  [[nodiscard]] std::string option_at(double share) const {
+    const std::string sphere = std::to_string(sphere_) + "=";
+    const auto text = [](double value) { return decimal(value, kPlaceDigits); };
+    if (arguments_.move.empty()) {
+      return "--twist " + sphere + text(share * degrees_);
+    }
+    const PeVector at = place(share);
+    return "--move " + sphere + text(at.m.x()) + "," + text(at.m.y()) + "," + text(at.m.z()) + "," +
+           text(at.r);
   }
-  const auto [sphere, degrees] = change<1>("--twist", arguments.twist, "SPHERE=DEGREES");
-  return twist_chain(assembly, part, sphere, degrees[0] / 180 * std::numbers::pi);
+
+  [[nodiscard]] bool is_sound(double share, bool build_all) const {
+    try {
+      Assembly after = before_;
+      after.parts[part_].shape = share == 0 ? before_.parts[part_].shape : chain_at(share);
+      check_edit(after, part_, arguments_.margin, build_all);
+      return true;
+    } catch (const Error& error) {
+      if (error.code() == Errc::cancelled) {
+        throw;
+      }
+      return false;
+    }
+  }
+
+  [[nodiscard]] std::string place_in_document() const {
+    return document_place(before_, part_, "spheres/" + std::to_string(sphere_));
+  }
+  [[nodiscard]] std::string action() const {
+    return "sphere " + std::to_string(sphere_) +
+           (arguments_.move.empty() ? " cannot be turned about so far: "
+                                    : " cannot be moved there: ");
+  }
+
+ private:
+  [[nodiscard]] PeVector place(double share) const {
+    const PeVector there = from_ + share * (to_ - from_);
+    return {{at_places(there.m.x()), at_places(there.m.y()), at_places(there.m.z())},
+            at_places(there.r)};
+  }
+  [[nodiscard]] CyclideChainThrough chain(const PeVector& to, double degrees) const {
+    return arguments_.move.empty()
+               ? twist_chain(before_, part_, sphere_, degrees / 180 * std::numbers::pi)
+               : move_sphere(before_, part_, sphere_, to, arguments_.on_locus);
+  }
+
+  const EditArguments& arguments_;
+  const Assembly& before_;
+  std::uint32_t part_;
+  std::size_t sphere_ = 0;
+  PeVector from_, to_;
+  double degrees_ = 0;
+};
+
+// How far the edit can go, found by halving; sound steps need not be all of them.
+std::string farthest(const Edit& edit) {
+  constexpr int kHalvings = 10, kBuilds = 4;
+  if (!edit.is_sound(0, false)) {
+    return "; the chain is no better as it is, see --margin";
+  }
+  double sound = 0, unsound = 1;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (sound + unsound) / 2;
+    (edit.is_sound(middle, false) ? sound : unsound) = middle;
+  }
+  for (int i = 0; i < kBuilds && sound > 0; ++i, sound /= 2) {
+    if (edit.is_sound(sound, true)) {
+      return "; the farthest that was found to be sound is " + edit.option_at(sound) + ", " +
+             decimal(100 * sound, 3) + "% of the way";
+    }
+  }
+  return "; no sound place was found on the way there";
+}
+
+// Usage and numbers out of range are said as they are; what does not fit, with what would.
+template <class Work>
+auto or_farthest(const Edit& edit, const std::string& part, const Work& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    if (error.code() != Errc::infeasible_blend && error.code() != Errc::irregular_surface) {
+      throw;
+    }
+    const std::string action =
+        error.message().find(" cannot be moved there: ") == std::string::npos ? edit.action() : "";
+    throw Error(error.code(),
+                action + (error.part().empty() || error.part() == part ? "" : error.part() + ": ") +
+                    error.message() + farthest(edit),
+                part, action.empty() ? error.where() : edit.place_in_document());
+  }
 }
 
 // What differs is compared bit by bit in the document that will be written.
@@ -161,8 +282,12 @@ ExitCode run_edit(const EditArguments& arguments, const CommonOptions& common) {
   const Assembly before = parse_assembly(input.bytes, input.name);
   const std::uint32_t part =
       find_chain(before, arguments.part.empty() ? std::nullopt : std::optional(arguments.part));
-  const std::string text =
-      with_chain(input.bytes, input.name, part, edited_chain(arguments, before, part));
+  const Edit edit(arguments, before, part);
+  const std::string text = or_farthest(edit, before.parts[part].name, [&] {
+    std::string written = with_chain(input.bytes, input.name, part, edit.whole());
+    check_edit(parse_assembly(written, input.name), part, arguments.margin);
+    return written;
+  });
   EditReport report = compared(before, parse_assembly(text, input.name), part);
   report.file = arguments.output;
   write_text(arguments.output, text);
@@ -198,13 +323,17 @@ void add_edit(CLI::App& app, Action& action) {
                    "Turn what follows a junction about the axis of its\ntangent cone")
       ->type_name("SPHERE=DEGREES");
   add_placement_options(*command, arguments->placement);
+  command
+      ->add_option("--margin", arguments->margin,
+                   "Refuse an edit that leaves a margin 1 - kappa R below this;\n1/64 unless given")
+      ->type_name("NUMBER");
   command->footer(
       "Spheres count from 0 as in the document. Three pieces change when a junction moves (two "
       "with\n"
       "--on-locus), of a chain with kneecaps those through the sphere; all others stay the same "
       "bit\n"
       "by bit, and so does the rest of the document. Moves, turns and changes of size are for all\n"
-      "of it; each number is rounded once.\n\n"
+      "of it; each number is rounded once. What build would refuse is not written.\n\n"
       "Examples:\n"
       "  dupin edit hook.json --move 4=1.1,2.5,0.2,0.8 -o new.json\n"
       "  dupin edit hook.json --move 6=2.1,0.9,0.1,0.97 --on-locus -o new.json\n"

@@ -76,7 +76,7 @@ TEST_F(Edit, says_in_one_line_what_is_wrong) {
        spheres + "/4: 'hook': sphere 4 cannot be moved there: "},
       {{hook, "--move", "12=-2,2.7,0,2"},
        4,
-       "/12: 'hook': piece 5: no cyclide piece: one end sphere"},
+       "/12: 'hook': sphere 12 cannot be moved there: piece 5: no cyclide piece: one end sphere"},
       {{hook, "--twist", "5=25"},
        3,
        "sphere 5 is no junction between two pieces; these are 2, 4, 6, 8, 10"},
@@ -119,6 +119,28 @@ TEST_F(Edit, edits_the_chain_that_is_named) {
   EXPECT_EQ(report, nlohmann::json::parse(
                         R"({"file": "new.json", "part": "b", "pieces": 1, "changed": [0],
                             "spheres": [{"sphere": 2, "value": [4.0, 9.5, 0.0, 1.0]}]})"));
+}
+
+TEST_F(Edit, says_how_far_a_sphere_can_go) {
+  const std::string hook = example("crane-hook.json");
+  const auto refused = [&](const std::string& move, std::vector<std::string> more) {
+    more.insert(more.begin(), {"edit", hook, "--move", move, "-o", "new.json"});
+    const ProcessResult result = dupin(more);
+    EXPECT_EQ(result.exit_code, 4) << result.err;
+    return result.err;
+  };
+  const std::string error = refused("4=1.4,0.4,0,0.9", {});
+  const std::string::size_type from = error.find("--move 4=");
+  ASSERT_NE(from, std::string::npos) << error;
+  const std::string typed = error.substr(from + 7, error.find(", ", from) - from - 7);
+  EXPECT_EQ(dupin({"edit", hook, "--move", typed, "-o", "new.json"}).exit_code, 0) << typed;
+  EXPECT_EQ(dupin({"build", "new.json", "-o", "new.off", "-q"}).exit_code, 0);
+  EXPECT_THAT(refused("4=1.1,2.5,0.2,0.8", {"--margin", "0.9"}),
+              testing::AllOf(HasSubstr("its margin 1 - kappa R is at most "),
+                             HasSubstr(", and must be at least 0.9; the chain is no better")));
+  EXPECT_EQ(dupin({"edit", hook, "--move", "4=1.1,2.5,0.2,0.8", "--margin", "1", "-o", "x.json"})
+                .exit_code,
+            2);
 }
 
 }  // namespace

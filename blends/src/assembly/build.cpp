@@ -134,16 +134,13 @@ class Builder {
       solids_.insert(solids_.end(), solids.begin(), solids.end());
       return;
     } catch (const Error& error) {
-      if (error.code() == Errc::limit_exceeded) {
+      if (error.code() == Errc::limit_exceeded || error.code() == Errc::cancelled) {
         throw;
       }
-    }
-    if (parts.size() == 1) {
-      in_part(resolved_.parts[parts.front()], [] {
-        throw Error(
-            Errc::irregular_surface,
-            "the part comes back and crosses itself; choose other ends, end speeds or radii");
-      });
+      if (parts.size() == 1) {
+        const ResolvedPart& part = resolved_.parts[parts.front()];
+        in_part(part, [&] { assembly::refuse_mesh(part.shape, error); });
+      }
     }
     const auto half = parts.size() / 2;
     append_solids(parts.first(half), chosen);

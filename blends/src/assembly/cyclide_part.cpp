@@ -50,12 +50,13 @@ class ChainPart {
       const auto& [center, radius] = chain_.spheres[i];
       if (!center.allFinite() || !(std::isfinite(radius) && radius > 0)) {
         fail(Errc::invalid_argument, sphere_key(i),
-             "a sphere needs finite coordinates and a positive radius, not " + decimal(radius));
+             "a sphere needs finite coordinates and a positive radius, not " +
+                 decimal(radius, kMessageDigits));
       }
     }
     if (!(chain_.wall >= 0 && std::isfinite(chain_.wall))) {
       fail(Errc::invalid_argument, "wall",
-           "the wall's thickness must be positive, not " + decimal(chain_.wall));
+           "the wall's thickness must be positive, not " + decimal(chain_.wall, kMessageDigits));
     }
     if (port_ != nullptr && context_.ring(*port_).ellipse) {
       fail(Errc::invalid_argument, "from",

@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "dupin/blends/build.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/kneecap.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/decimal.h"
@@ -49,7 +51,8 @@ class Editor {
            std::to_string(edited_.spheres.size() - 1));
     }
     if (!to.m.allFinite() || !(to.r > 0 && std::isfinite(to.r))) {
-      fail("a sphere needs finite coordinates and a positive radius, not " + decimal(to.r));
+      fail("a sphere needs finite coordinates and a positive radius, not " +
+           decimal(to.r, kMessageDigits));
     }
     if (edited_.joints == ChainJoints::kneecaps) {
       edited_.spheres[sphere] = to;
@@ -199,6 +202,31 @@ CyclideChainThrough move_sphere(const Assembly& assembly, std::uint32_t part, st
 CyclideChainThrough twist_chain(const Assembly& assembly, std::uint32_t part, std::size_t sphere,
                                 double angle) {
   return Editor(assembly, part).twisted(sphere, angle);
+}
+
+void check_edit(const Assembly& edited, std::uint32_t part, double margin, bool build_all) {
+  const ResolvedAssembly resolved = resolve(edited);
+  for (const ResolvedPart& other : resolved.parts) {
+    if (other.index != part) {
+      continue;
+    }
+    const std::vector<PeArc> pieces = cyclide_pieces(other.shape);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const Enclosure found = dupin::margin(pieces[i]);
+      if (!(found.lower >= margin && found.lower > 0)) {
+        throw Error(Errc::irregular_surface,
+                    "piece " + std::to_string(i) + " would all but fold: its margin 1 - kappa R " +
+                        (found.upper < margin ? "is at most " + decimal_at_most(found.upper)
+                                              : "is proved to be at least " +
+                                                    decimal_at_least(found.lower) + " only") +
+                        ", and must be at least " + decimal(margin, kMessageDigits),
+                    other.name, document_place(edited, part));
+      }
+    }
+  }
+  if (build_all) {
+    (void)build(edited);
+  }
 }
 
 }  // namespace dupin

@@ -12,13 +12,23 @@ namespace {
 
 // Where the spine may stop there is no lower bound.
 [[noreturn]] void refuse(const surfaces::MarginBounds& bounds) {
-  const double margin = bounds.upper && *bounds.upper <= 0 ? *bounds.upper : bounds.lower;
+  constexpr const char* kHelp = "; use a smaller radius or a larger bend radius";
+  if (bounds.upper && *bounds.upper <= 0) {
+    throw Error(Errc::irregular_surface, "the surface folds: the margin 1 - kappa R is at most " +
+                                             decimal_at_most(*bounds.upper) +
+                                             " where it must be positive" + kHelp);
+  }
+  if (!std::isfinite(bounds.lower)) {
+    throw Error(
+        Errc::irregular_surface,
+        "the surface may fold: its spine stops, or is not known to go on, where it may turn "
+        "round on the spot; choose other ends or points");
+  }
   throw Error(Errc::irregular_surface,
-              std::isfinite(margin)
-                  ? "the surface folds: the margin 1 - kappa R is " + decimal(margin) +
-                        " where it must be positive; use a smaller radius or a larger bend radius"
-                  : "the surface folds: its spine stops and turns round on the spot; choose other "
-                    "ends or points");
+              "whether the surface folds is undecided: of the margin 1 - kappa R, which must be "
+              "positive, is proved only that it is at least " +
+                  decimal_at_least(bounds.lower) +
+                  (bounds.upper ? " and at most " + decimal_at_most(*bounds.upper) : "") + kHelp);
 }
 
 std::optional<double> tangency(const Chain& chain, End end) {
@@ -55,6 +65,22 @@ struct Margins {
 
 PartMargins margins(const PartSurface& surface, bool with_tangency) {
   return std::visit(Margins{with_tangency}, surface);
+}
+
+void refuse_mesh(const PartSurface& surface, const Error& reason) {
+  const auto* chain = std::get_if<Chain>(&surface);
+  const auto* torus = chain != nullptr && chain->pieces.size() == 1
+                          ? std::get_if<RingedSurface>(&chain->pieces.front())
+                          : nullptr;
+  const bool is_embedded = torus != nullptr && surfaces::is_embedded_torus(*torus);
+  throw Error(
+      Errc::irregular_surface,
+      "the part's mesh is no solid: " + reason.message() +
+          (is_embedded ? "; the surface does not cross itself, but is too close to its axis "
+                         "for these coordinates; use a larger bend radius"
+                       : "; whether the surface crosses itself, or only comes too close, is "
+                         "undecided, and 'certify' may tell; choose a smaller tolerance, or "
+                         "other ends, end speeds or radii"));
 }
 
 }  // namespace dupin::assembly

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "dupin/blends/part_surface.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin::assembly {
 
@@ -16,5 +17,9 @@ struct PartMargins {
 /// neighbours, how far they are from it. Throws Error{irregular_surface} for a surface that is not
 /// proven to be free of folds.
 [[nodiscard]] PartMargins margins(const PartSurface& surface, bool with_tangency);
+
+/// Throws Error{irregular_surface} for a part whose mesh is no solid, for the reason given: what
+/// that says of the surface.
+[[noreturn]] void refuse_mesh(const PartSurface& surface, const Error& reason);
 
 }  // namespace dupin::assembly

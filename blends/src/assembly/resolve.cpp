@@ -56,9 +56,10 @@ class Resolver {
   void check_header() const {
     const double tolerance = assembly_.tolerance;
     if (!(tolerance > 0 && std::isfinite(tolerance))) {
-      throw Error(Errc::invalid_argument,
-                  "the tolerance must be a positive number, not " + decimal(tolerance), {},
-                  document_place(assembly_, "/tolerance"));
+      throw Error(
+          Errc::invalid_argument,
+          "the tolerance must be a positive number, not " + decimal(tolerance, kMessageDigits), {},
+          document_place(assembly_, "/tolerance"));
     }
     if (assembly_.segments && *assembly_.segments < 3) {
       throw Error(Errc::invalid_argument,

@@ -25,6 +25,7 @@ std::vector<std::uint32_t> walk(const ResolvedAssembly& assembly, std::uint32_t 
 
 struct Extent {
   double smallest, largest;
+  double clearance = std::numeric_limits<double>::infinity();
 
   void include(double size) { smallest = std::min(smallest, size); }
   void include(const Vec3& point, double radius) {
@@ -44,10 +45,11 @@ Extent extent_of(const PartSurface& shape) {
     extent.include(chain.wall);
   }
   for (const Piece& piece : chain.pieces) {
-    const auto [smallest, largest] =
+    const surfaces::PieceExtent own =
         std::visit([&](const auto& p) { return surfaces::extent(p, chain.wall); }, piece);
-    extent.include(smallest);
-    extent.largest = std::max(extent.largest, largest);
+    extent.include(own.smallest);
+    extent.largest = std::max(extent.largest, own.largest);
+    extent.clearance = std::min(extent.clearance, own.clearance);
   }
   for (const End end : {End::start, End::end}) {
     if (const Ring* ring = port_ring(shape, end)) {
@@ -107,18 +109,22 @@ double lattice_spacing(const Assembly& assembly, const ResolvedAssembly& resolve
       extent.smallest = own.smallest;
       smallest = &part;
     }
+    extent.clearance = std::min(extent.clearance, own.clearance);
     if (own.largest > extent.largest) {
       extent.largest = own.largest;
       largest = &part;
     }
   }
-  const double spacing = std::ldexp(1.0, std::ilogb(extent.smallest) - 11);
+  // Bends that all but touch their axis are kept off it as far as coordinates can.
+  const double finest = std::ldexp(extent.largest, -38);
+  const double detail = std::min(extent.smallest, std::max(extent.clearance, finest));
+  const double spacing = std::ldexp(1.0, std::ilogb(detail) - 11);
   // One bit is left for bends that reach further than their ends.
   if (!(extent.largest < std::ldexp(spacing, 51))) {
-    const std::string problem = decimal(extent.smallest) + ", is too small for coordinates of " +
-                                decimal(extent.largest) + " (of '" + largest->name +
-                                "'); it must be at least " +
-                                decimal(std::ldexp(extent.largest, -39), 2);
+    const std::string problem =
+        decimal(extent.smallest, kMessageDigits) + ", is too small for coordinates of " +
+        decimal(extent.largest, kMessageDigits) + " (of '" + largest->name +
+        "'); it must be at least " + decimal(std::ldexp(extent.largest, -39), 2);
     throw smallest == nullptr
         ? Error(Errc::invalid_argument, "the tolerance, " + problem, {},
                 document_place(assembly, "/tolerance"))

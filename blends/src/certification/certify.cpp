@@ -153,9 +153,9 @@ std::vector<CertifiedPart> certified_parts(const Assembly& assembly) {
 
 Certificate certify(const Assembly& assembly, const CertifyOptions& options) {
   if (options.margin && !(*options.margin >= 0 && *options.margin < 1)) {
-    throw Error(
-        Errc::invalid_argument,
-        "the margin to prove must be at least 0 and less than 1, not " + decimal(*options.margin));
+    throw Error(Errc::invalid_argument,
+                "the margin to prove must be at least 0 and less than 1, not " +
+                    decimal(*options.margin, kMessageDigits));
   }
   return Certifier(assembly, options).run();
 }

@@ -11,8 +11,8 @@ BezierSpine two_cone_spine(const std::array<Vec3, 4>& vertices, const std::array
   for (const auto& weights : {m, w}) {
     for (const double weight : weights) {
       if (!(std::isfinite(weight) && weight > 0)) {
-        throw Error(Errc::invalid_argument,
-                    "a ridge's weights must be positive numbers, not " + decimal(weight));
+        throw Error(Errc::invalid_argument, "a ridge's weights must be positive numbers, not " +
+                                                decimal(weight, kMessageDigits));
       }
     }
   }

@@ -39,7 +39,8 @@ void check_pin(const PeVector& arriving, const PinnedTangent& pin, const PeVecto
   if (!(size <= cyclide::tangent_rounding(before, at))) {
     throw Error(Errc::invalid_argument,
                 "the tangent given at sphere " + std::to_string(pin.sphere) +
-                    " must be the arriving one up to rounding, but differs by " + decimal(size));
+                    " must be the arriving one up to rounding, but differs by " +
+                    decimal(size, kMessageDigits));
   }
 }
 

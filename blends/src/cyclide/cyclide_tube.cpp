@@ -89,9 +89,9 @@ Chain hollow(Chain chain, double wall) {
     const double least = least_radius(arcs[i]);
     if (!(least > wall)) {
       throw PieceError(
-          i, Error(Errc::infeasible_blend, "the wall of " + decimal(wall) +
+          i, Error(Errc::infeasible_blend, "the wall of " + decimal(wall, kMessageDigits) +
                                                " is no thinner than the least sphere, of radius " +
-                                               decimal(least)));
+                                               decimal(least, kMessageDigits)));
     }
   }
   chain.wall = wall;

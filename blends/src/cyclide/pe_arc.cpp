@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include <Eigen/Geometry>
 
 #include "cyclide/complementary_sphere.h"
 #include "cyclide/exact_pe.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
@@ -39,31 +39,32 @@ ArcFault exact_fault(const PeVector& start, const PeVector& tangent, const PeVec
   return power > 0 && power * power > across ? ArcFault::none : ArcFault::pinched;
 }
 
+// The fault is decided exactly; the rounded number may lie on the other side, and is not said then.
+std::string fails(const std::string& what, double value, double bound) {
+  const std::string must = bound == 0 ? " must be positive" : " must exceed -1";
+  return value <= bound ? what + (bound == 0 ? " " : " = ") + decimal(value, kMessageDigits) + must
+                        : what + must;
+}
+
 std::string explain(const ArcValidity& v) {
-  std::ostringstream text;
-  text.precision(12);
-  text << "no cyclide piece: ";
   switch (v.fault) {
     case ArcFault::none:
       break;
     case ArcFault::nested:
-      text << "one end sphere contains the other (squared tangential distance " << v.squared_length
-           << " must be positive): move them apart or make the radii more alike";
-      break;
+      return "no cyclide piece: one end sphere contains the other (" +
+             fails("squared tangential distance", v.squared_length, 0) +
+             "): move them apart or make the radii more alike";
     case ArcFault::through_infinity:
-      text << "the end sphere lies behind the start direction (w = " << v.w
-           << " must exceed -1): insert an intermediate sphere";
-      break;
+      return "no cyclide piece: the end sphere lies behind the start direction (" +
+             fails("w", v.w, -1) + "): insert an intermediate sphere";
     case ArcFault::radius_vanishes:
-      text << "the radius would pass through zero (margin " << v.radius_margin
-           << " must be positive): reduce the start slope or insert a sphere";
-      break;
+      return "no cyclide piece: the radius would pass through zero (" +
+             fails("margin", v.radius_margin, 0) + "): reduce the start slope or insert a sphere";
     case ArcFault::pinched:
-      text << "the bend is too tight for its radius (least power " << v.least_power
-           << " must be positive): move the end sphere further away";
-      break;
+      return "no cyclide piece: the bend is too tight for its radius (" +
+             fails("least power", v.least_power, 0) + "): move the end sphere further away";
   }
-  return text.str();
+  return "no cyclide piece";
 }
 
 HomogeneousSphere blossom(const PeArc& arc, double t) {

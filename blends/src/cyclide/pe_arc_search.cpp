@@ -112,7 +112,7 @@ DoubleCyclide at_tau(const JunctionLocus& locus, const PeVector& start,
   if (!(junction.r > 0)) {
     throw Error(Errc::infeasible_blend,
                 "no double-cyclide blend: the junction sphere would have the radius " +
-                    decimal(junction.r) + "; choose another tau");
+                    decimal(junction.r, kMessageDigits) + "; choose another tau");
   }
   PeArc first = PeArc::from(start, start_tangent, junction);
   PeArc second = PeArc::from(first.end(), first.end_tangent(), end);

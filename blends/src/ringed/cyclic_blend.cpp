@@ -70,8 +70,8 @@ ringed::BlendSearch search(const Ring& from, const Ring& to, const CyclicBlendOp
 
 void require_positive(const std::optional<double>& speed, const std::string& name) {
   if (speed && !(std::isfinite(*speed) && *speed > 0)) {
-    throw Error(Errc::invalid_argument,
-                "the blend's " + name + " must be a positive number, not " + decimal(*speed));
+    throw Error(Errc::invalid_argument, "the blend's " + name + " must be a positive number, not " +
+                                            decimal(*speed, kMessageDigits));
   }
 }
 
@@ -81,9 +81,9 @@ void validate(const Ring& from, const Ring& to, const CyclicBlendOptions& option
   require_positive(options.k, "k");
   require_positive(options.l, "l");
   if (!(options.margin >= 0 && options.margin < 1)) {
-    throw Error(
-        Errc::invalid_argument,
-        "the blend's margin must be at least 0 and less than 1, not " + decimal(options.margin));
+    throw Error(Errc::invalid_argument,
+                "the blend's margin must be at least 0 and less than 1, not " +
+                    decimal(options.margin, kMessageDigits));
   }
   if (options.radius_law == BlendLaw::r2 && spine_degree(from, to, options) > 3) {
     throw Error(Errc::invalid_argument,
@@ -171,7 +171,8 @@ std::optional<BlendChoice> widest_choice(const Ring& from, const Ring& to,
   const auto widest = widest_choice(from, to, options, search(from, to, options));
   throw Error(
       Errc::infeasible_blend,
-      "no end speeds give this blend a margin min(1 - kappa R) of " + decimal(options.margin) +
+      "no end speeds give this blend a margin min(1 - kappa R) of " +
+          decimal(options.margin, kMessageDigits) +
           (widest ? "; the largest reachable is " + decimal(widest->margin, 4) +
                         " with k = " + decimal(widest->k, 4) + ", l = " + decimal(widest->l, 4)
                   : "") +
@@ -226,7 +227,8 @@ double missing_length(const RingedSurface& surface, const std::vector<ParameterI
   const Regularity found = regularity(surface);
   const BlendAdvice advice = blend_advice(from, to, options);
   const std::string help = "; " + remedy(from, to, options, advice);
-  const std::string speeds = "k = " + decimal(*options.k) + ", l = " + decimal(*options.l);
+  const std::string speeds =
+      "k = " + decimal(*options.k, kMessageDigits) + ", l = " + decimal(*options.l, kMessageDigits);
   if (!(smallest_radius(surface.radius) > 0)) {
     throw Error(Errc::irregular_surface,
                 "with " + speeds +
@@ -241,9 +243,9 @@ double missing_length(const RingedSurface& surface, const std::vector<ParameterI
   throw Error(Errc::irregular_surface,
               "with " + speeds + " the blend " + (found.upper <= 0 ? "folds" : "nearly folds") +
                   " there: its margin min(1 - kappa R) is " + decimal(found.lower, 4) + ", " +
-                  decimal(advice.missing_margin, 4) + " short of " + decimal(options.margin) +
-                  ", its radius " + decimal(advice.missing_length, 4) + " too large for the bend" +
-                  help,
+                  decimal(advice.missing_margin, 4) + " short of " +
+                  decimal(options.margin, kMessageDigits) + ", its radius " +
+                  decimal(advice.missing_length, 4) + " too large for the bend" + help,
               {}, "t in [" + decimal(bad.front().from, 4) + ", " + decimal(bad.back().to, 4) + "]");
 }
 

@@ -14,7 +14,7 @@ void validate(const TravelRing& ring) { validate(Ring{ring.center, ring.normal, 
 void require_speed(double speed) {
   if (!(std::isfinite(speed) && speed > 0)) {
     throw Error(Errc::invalid_argument,
-                "a ring's speed must be a positive number, not " + decimal(speed));
+                "a ring's speed must be a positive number, not " + decimal(speed, kMessageDigits));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "ringed/curvature_ratio.h"
 
@@ -152,7 +153,7 @@ std::vector<ParameterInterval> violations(const CurvatureRatio& ratio, double ma
 Regularity regularity(const RingedSurface& surface, const RegularityOptions& options) {
   if (!(options.width > 0)) {
     throw Error(Errc::invalid_argument, "the width of the margin's bounds must be positive, not " +
-                                            std::to_string(options.width));
+                                            decimal(options.width, kMessageDigits));
   }
   const CurvatureRatio ratio(surface);
   Regularity result = LargestRatio(ratio, options.width).result();

@@ -25,9 +25,9 @@ void validate(const std::vector<Waypoint>& points, const SplinePipeOptions& opti
     }
   }
   if (!(options.margin >= 0 && options.margin < 1)) {
-    throw Error(
-        Errc::invalid_argument,
-        "the pipe's margin must be at least 0 and less than 1, not " + decimal(options.margin));
+    throw Error(Errc::invalid_argument,
+                "the pipe's margin must be at least 0 and less than 1, not " +
+                    decimal(options.margin, kMessageDigits));
   }
 }
 
@@ -139,9 +139,9 @@ void certify(const RingedSurface& piece, std::size_t span, double margin) {
       "t in [" + decimal(bad.front().from, 4) + ", " + decimal(bad.back().to, 4) + "]";
   throw Error(Errc::irregular_surface,
               "the pipe is bent too sharply between its points " + std::to_string(span) + " and " +
-                  std::to_string(span + 1) + ": its margin min(1 - kappa R) is " +
-                  decimal(regularity(piece).lower, 4) + ", not " + decimal(margin) +
-                  "; move the points apart or reduce the radii",
+                  std::to_string(span + 1) + ": its margin min(1 - kappa R) is at most " +
+                  decimal_at_most(regularity(piece).upper) + ", not " +
+                  decimal(margin, kMessageDigits) + "; move the points apart or reduce the radii",
               {}, where);
 }
 

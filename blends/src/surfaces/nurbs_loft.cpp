@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "ringed/second_derivatives.h"
 #include "surfaces/nurbs_rows.h"
@@ -176,7 +177,7 @@ NurbsForm lofted(const Tube& tube, double tolerance) {
       return {{nurbs_through(rows, 3)}, error};
     }
   }
-  throw Error(Errc::limit_exceeded, "a tolerance of " + std::to_string(tolerance) +
+  throw Error(Errc::limit_exceeded, "a tolerance of " + decimal(tolerance, kMessageDigits) +
                                         " asks for more than " + std::to_string(kMost) +
                                         " cubics along the part; use a larger one");
 }

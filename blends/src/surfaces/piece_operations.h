@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace dupin::surfaces {
 struct PieceExtent {
   double smallest;     ///< length or radius
   double largest = 0;  ///< coordinate
+  /// Of a bend from its axis, which neighbouring rows have between them.
+  double clearance = std::numeric_limits<double>::infinity();
 };
 
 /// Certified bounds of the margin min(1 - R |n'| / (c'.n)), which is min(1 - kappa R) where the

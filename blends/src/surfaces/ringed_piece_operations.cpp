@@ -110,9 +110,14 @@ Tessellation tessellate(const RingedSurface& surface, const RingSampling& sampli
 }
 
 PieceExtent extent(const RingedSurface& surface, double) {
-  return {std::holds_alternative<LineSpine>(surface.spine)
-              ? (surface.end.center - surface.start.center).norm()
-              : std::numeric_limits<double>::infinity()};
+  PieceExtent result{std::numeric_limits<double>::infinity()};
+  if (std::holds_alternative<LineSpine>(surface.spine)) {
+    result.smallest = (surface.end.center - surface.start.center).norm();
+  }
+  if (const auto* arc = std::get_if<ArcSpine>(&surface.spine)) {
+    result.clearance = (arc->start - arc->center).norm() - largest_radius(surface.radius);
+  }
+  return result;
 }
 
 MovingRing leaving(const RingedSurface& surface, End end) {
@@ -123,7 +128,24 @@ PieceDiscs discs(const RingedSurface& surface) { return discs_of(SweptDiscTube(s
 
 MarginBounds margin_bounds(const RingedSurface& surface) {
   const Regularity margin = regularity(surface);
-  return {margin.lower, margin.upper, margin.lower > 0};
+  return {margin.lower, margin.upper, margin.lower > 0 || is_embedded_torus(surface)};
+}
+
+// Discs in half planes about one axis, each of them strictly on its side of it.
+bool is_embedded_torus(const RingedSurface& surface) {
+  const auto* arc = std::get_if<ArcSpine>(&surface.spine);
+  const auto* radius = std::get_if<ConstantRadius>(&surface.radius);
+  if (arc == nullptr || radius == nullptr || !(std::abs(arc->angle) < 2 * std::numbers::pi) ||
+      !(std::isfinite(radius->radius) && radius->radius > 0) || !arc->start.allFinite() ||
+      !arc->center.allFinite()) {
+    return false;
+  }
+  mpq_class squared = 0;
+  for (int i = 0; i < 3; ++i) {
+    const mpq_class leg = mpq_class(arc->start[i]) - mpq_class(arc->center[i]);
+    squared += leg * leg;
+  }
+  return squared > mpq_class(radius->radius) * mpq_class(radius->radius);
 }
 
 double nearly_largest_margin(const RingedSurface& surface, double) {

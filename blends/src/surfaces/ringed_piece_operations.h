@@ -21,4 +21,8 @@ namespace dupin::surfaces {
 [[nodiscard]] TangencyClaim tangency_claim(const RingedSurface& piece, End end);
 [[nodiscard]] NurbsForm nurbs(const RingedSurface& piece, double tolerance);
 
+/// Whether this is a torus segment that does not meet itself: its circles, in half planes about the
+/// axis, do not reach it, and make less than a turn. Decided exactly.
+[[nodiscard]] bool is_embedded_torus(const RingedSurface& piece);
+
 }  // namespace dupin::surfaces

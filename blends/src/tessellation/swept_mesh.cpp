@@ -64,6 +64,7 @@ std::vector<Bands> even_bands(const std::vector<BandStepper>& marches, double al
   for (const BandStepper& march : marches) {
     count += march.knots(budget.enough, 0, kNoLimit).size() - 1;
   }
+  refuse_too_fine(2 * std::size_t{segments} * count);  // before the search for the best of them
   const double twist = around / 2 / double(count);
   std::vector<Bands> result;
   for (const BandStepper& march : marches) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin::tessellation {
@@ -9,10 +10,10 @@ namespace dupin::tessellation {
 double allowed_error(double tolerance, double displacement) {
   if (!(tolerance > 2 * displacement)) {
     throw Error(Errc::invalid_argument,
-                "the tolerance " + std::to_string(tolerance) +
+                "the tolerance " + decimal(tolerance, kMessageDigits) +
                     " is too small for coordinates of this size on a grid of this spacing: points "
                     "may be off by " +
-                    std::to_string(displacement));
+                    decimal_at_most(displacement));
   }
   return tolerance - displacement;
 }

@@ -50,7 +50,9 @@ std::string with_chain(std::string_view text, const std::string& source, std::ui
       put(span(result, {std::string("spheres"), i}), text_of(chain.spheres[i]));
     }
   }
-  if (!before.tangents.empty()) {
+  // An empty list is a key as well.
+  const Json document = Json::parse(text);
+  if (document.at("parts").at(part).at("cyclide_chain").contains("tangents")) {
     put(span(result, {std::string("tangents")}), text_of(chain.tangents));
   } else if (!chain.tangents.empty()) {
     const std::size_t end = span(result, {std::string("spheres")}).end;

@@ -22,7 +22,7 @@ std::string range_fault(const Vec3& point) {
   const auto axis = static_cast<std::size_t>(fault - point.begin());
   std::string text = "the x coordinate ";
   text[4] = "xyz"[axis];
-  text += decimal(*fault) + ", which must be 0 or from ";
+  text += decimal(*fault, kMessageDigits) + ", which must be 0 or from ";
   text += decimal(kLeastCoordinate) + " to ";
   return text + decimal(kGreatestCoordinate) + " in size";
 }

@@ -99,7 +99,7 @@ void validate(std::span<const Port> ports, double connect) {
     throw Error(Errc::invalid_argument,
                 "the distance within which ends are connected must be a finite length of at least "
                 "0, not " +
-                    decimal(connect));
+                    decimal(connect, kMessageDigits));
   }
   for (const Port& port : ports) {
     try {

@@ -17,12 +17,12 @@ void validate(const MeshGapOptions& options) {
     throw Error(Errc::invalid_argument,
                 "the distance within which faces are connected must be a finite length of at least "
                 "0, not " +
-                    decimal(options.connect));
+                    decimal(options.connect, kMessageDigits));
   }
   if (!(options.cosine > 0 && options.cosine <= 1)) {
     throw Error(Errc::invalid_argument,
                 "the cosine for faces that look at each other must be above 0 and at most 1, not " +
-                    decimal(options.cosine));
+                    decimal(options.cosine, kMessageDigits));
   }
 }
 

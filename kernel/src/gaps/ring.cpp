@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
@@ -41,7 +42,7 @@ Vec3 axis_of(const Vec3& normal) {
 void require_positive(double radius) {
   if (radius <= 0) {
     throw Error(Errc::invalid_argument,
-                "a ring's radius must be positive, not " + std::to_string(radius));
+                "a ring's radius must be positive, not " + decimal(radius, kMessageDigits));
   }
 }
 

@@ -68,10 +68,11 @@ Settled settle(const Solid& solid, double size, const Progress& progress, Operat
   // Far above the error of the tools' corners, a few units in the last place of a coordinate.
   const double smallest = 0x1p-32 * largest_coordinate(solid);
   if (!std::isfinite(size) || size <= smallest) {
-    throw Error(Errc::invalid_argument, "contacts cannot be settled within " + decimal(size) +
+    throw Error(Errc::invalid_argument, "contacts cannot be settled within " +
+                                            decimal(size, kMessageDigits) +
                                             "; with coordinates this large, the length must be "
                                             "above " +
-                                            decimal(smallest));
+                                            decimal(smallest, kMessageDigits));
   }
   // New contacts arise only where tools happen to end on something: then smaller ones do not.
   constexpr int kAttempts = 4;
@@ -87,8 +88,9 @@ Settled settle(const Solid& solid, double size, const Progress& progress, Operat
       return {std::move(settled), solid.contacts()};
     }
   }
-  throw Error(Errc::contact, "the contacts cannot be settled within " + decimal(size) +
-                                 ", the first at " + decimal(solid.contacts().front().from) +
+  throw Error(Errc::contact, "the contacts cannot be settled within " +
+                                 decimal(size, kMessageDigits) + ", the first at " +
+                                 decimal(solid.contacts().front().from) +
                                  "; another length may do");
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace dupin {
 namespace {
@@ -11,6 +12,12 @@ void append(std::string& text, Number value, How... how) {
   std::array<char, 32> digits;  // the longest double, -1.2345678901234567e-308, takes 24
   const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value, how...);
   text.append(digits.data(), result.ptr);
+}
+
+double read(const std::string& text) {
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
 }
 
 }  // namespace
@@ -27,8 +34,23 @@ std::string decimal(double value, int digits) {
   return text;
 }
 
+// A unit of the last digit is from 1e-6 to 1e-5 of the number.
+std::string decimal_at_most(double value) {
+  std::string text = decimal(value, kMessageDigits);
+  for (double share = 6e-7; read(text) < value; share *= 2) {
+    text = decimal(value + share * std::abs(value) + 1e-323, kMessageDigits);
+  }
+  return text;
+}
+
+std::string decimal_at_least(double value) {
+  const std::string text = decimal_at_most(-value);
+  return text.front() == '-' ? text.substr(1) : (read(text) == 0 ? "0" : "-" + text);
+}
+
 std::string decimal(const Vec3& point) {
-  return "(" + decimal(point.x()) + ", " + decimal(point.y()) + ", " + decimal(point.z()) + ")";
+  return "(" + decimal(point.x(), kPlaceDigits) + ", " + decimal(point.y(), kPlaceDigits) + ", " +
+         decimal(point.z(), kPlaceDigits) + ")";
 }
 
 void append_decimal(std::string& text, double value) { append(text, value); }

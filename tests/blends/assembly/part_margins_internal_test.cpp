@@ -63,11 +63,11 @@ TEST(PartMargins, refuses_folds) {
     return std::string("not refused");
   };
   constexpr const char* kFold =
-      R"(the surface folds: the margin 1 - kappa R is (-0.[0-9]*) where it must be positive; use a smaller radius or a larger bend radius)";
+      R"(the surface folds: the margin 1 - kappa R is at most (-0.[0-9]{1,6}) where it must be positive; use a smaller radius or a larger bend radius)";
   std::smatch margin;
   const std::string folded = refusal(bend(0, 4.5));
   ASSERT_TRUE(std::regex_match(folded, margin, std::regex(kFold))) << folded;
-  EXPECT_NEAR(std::stod(margin[1]), -0.5, 1e-6);
+  EXPECT_EQ(margin[1], "-0.499999");  // a bound of -0.5
   EXPECT_EQ(refusal(Chain(std::vector{bend(0, 1), bend(1, 4.5)})), folded);
   // Straight on and back again: its curvature is 0 wherever it has one.
   const RingedSurface turning{{Vec3::Zero(), Vec3(-1, 0, 0), 1},
@@ -75,8 +75,48 @@ TEST(PartMargins, refuses_folds) {
                               BezierSpine{{Vec3::Zero(), Vec3(4, 0, 0), Vec3(1, 0, 0)}},
                               ConstantRadius{1}};
   EXPECT_EQ(refusal(turning),
-            "the surface folds: its spine stops and turns round on the spot; choose other ends or "
-            "points");
+            "the surface may fold: its spine stops, or is not known to go on, where it may turn "
+            "round on the spot; choose other ends or points");
+}
+
+// In doubles the two are the same: no bound is positive, none is negative.
+TEST(PartMargins, call_a_fold_undecided_that_is_not_proved) {
+  try {
+    (void)margins(bend(0, 3), false);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_TRUE(std::regex_search(
+        error.message(), std::regex("whether the surface folds is undecided: .* is proved only "
+                                    "that it is at least -[0-9.]+e-1[0-9] and at most ")))
+        << error.message();
+  }
+}
+
+// The last one's margin is no double that bounds would show: the two radii are compared exactly.
+TEST(PartMargins, of_bends_barely_wider_than_the_pipe_are_proved) {
+  for (const double radius : {1 - 1e-5, 1 - 1e-9, 1 - 1e-13, std::nextafter(1.0, 0.0)}) {
+    const RingedSurface torus{{Vec3(1, 0, 0), Vec3(0, -1, 0), radius},
+                              {Vec3(0, 1, 0), Vec3(-1, 0, 0), radius},
+                              ArcSpine{Vec3::Zero(), Vec3::UnitZ(), Vec3(1, 0, 0), std::acos(0.0)},
+                              ConstantRadius{radius}};
+    EXPECT_NO_THROW((void)margins(torus, false)) << 1 - radius;
+  }
+}
+
+TEST(PartMargins, meshes_that_are_no_solids_refute_no_surface) {
+  const auto refusal = [](const PartSurface& surface) {
+    try {
+      refuse_mesh(surface, Error(Errc::self_intersecting, "faces 1 and 2 intersect"));
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::irregular_surface);
+      EXPECT_EQ(error.message().find("the part's mesh is no solid: faces 1 and 2 intersect; "), 0U);
+      return error.message();
+    }
+  };
+  EXPECT_NE(refusal(bend(0, 1)).find("the surface does not cross itself"), std::string::npos);
+  EXPECT_NE(refusal(bend(0, 3)).find("is undecided"), std::string::npos);
+  EXPECT_NE(refusal(Chain(std::vector{bend(0, 1), bend(1, 1)})).find("is undecided"),
+            std::string::npos);
 }
 
 TEST(PartMargins, know_how_far_open_chains_are_from_tangent) {

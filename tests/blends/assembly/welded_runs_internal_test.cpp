@@ -133,11 +133,11 @@ TEST(WeldedRuns, coordinates_have_to_fit_on_the_lattice) {
   // The spacing for 1 is 2^-11, and 2^51 of it are 2^40.
   EXPECT_EQ(refusal({1, {Sphere{Vec3(0, 0x1p40 - 9, 0), 2}}}), "");
   EXPECT_EQ(refusal({1, {Sphere{Vec3(0, 0x1p40, 0), 2}}}),
-            "d#/tolerance: the tolerance, 1, is too small for coordinates of 1099511627778 (of "
+            "d#/tolerance: the tolerance, 1, is too small for coordinates of 1.09951e+12 (of "
             "'part 0'); it must be at least 2");
   EXPECT_EQ(refusal({2, {Sphere{Vec3(0, -0x1p40, 0), 2}, Sphere{Vec3::Zero(), 1}}}),
             "d#/parts/1: 'part 1': its smallest radius or length, 1, is too small for coordinates "
-            "of 1099511627778 (of 'part 0'); it must be at least 2");
+            "of 1.09951e+12 (of 'part 0'); it must be at least 2");
 }
 
 // A chord of n-th of a circle of radius r is r (1 - cos(pi / n)) off it.

@@ -147,5 +147,22 @@ TEST(RingedPieceOperations, nurbs_are_exact_or_lofted) {
   EXPECT_EQ(lofted.surfaces.front().degree_along, 3);
 }
 
+TEST(RingedPieceOperations, a_torus_that_keeps_off_its_axis_is_embedded) {
+  const auto torus = [](double radius, double angle, double bend = 1) {
+    return is_embedded_torus({{Vec3(bend, 0, 0), Vec3(0, -1, 0), radius},
+                              {Vec3(bend, 0, 0), Vec3(0, 1, 0), radius},
+                              ArcSpine{Vec3::Zero(), Vec3::UnitZ(), Vec3(bend, 0, 0), angle},
+                              ConstantRadius{radius}});
+  };
+  EXPECT_TRUE(torus(0.5, 6.28));
+  EXPECT_TRUE(torus(std::nextafter(1.0, 0.0), 1));
+  EXPECT_FALSE(torus(1, 1));
+  EXPECT_FALSE(torus(std::nextafter(1.0, 2.0), 1));
+  EXPECT_FALSE(torus(0.5, 6.29)) << "it comes back to itself";
+  for (const double none : {std::nan(""), HUGE_VAL}) {
+    EXPECT_FALSE(torus(none, 1) || torus(0.5, none) || torus(0.5, 1, none));
+  }
+}
+
 }  // namespace
 }  // namespace dupin::surfaces

@@ -1,12 +1,15 @@
 #include "dupin/io/edit_json.h"
 
+#include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <random>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "dupin/blends/build.h"
 #include "dupin/blends/edit_chain.h"
 #include "dupin/blends/part_surface.h"
 #include "dupin/blends/resolve.h"
@@ -164,6 +167,61 @@ TEST(EditJson, refuses_what_cannot_be_edited) {
   EXPECT_THROW((void)twist_chain(assembly, 0, 5, 1), Error);
   EXPECT_THROW((void)find_chain(assembly, "shank"), Error);
   EXPECT_EQ(find_chain(assembly, {}), 0U);
+}
+
+// parse_assembly refuses keys that occur twice.
+TEST(EditJson, writes_a_key_once_that_was_there_empty) {
+  for (const std::string tangents : {"", ", \"tangents\": []", ", \"tangents\" : [ ]"}) {
+    const std::string text =
+        R"({"units": "mm", "tolerance": 0.01, "parts": [{"name": "h", "cyclide_chain": {
+           "direction": [0, -1, 0], "spheres": [[0, 8, 0, 0.55], [0, 6, 0, 0.58],
+           [0, 4.2, 0, 0.62], [0.3, 3.3, 0, 0.7], [1, 2.6, 0, 0.78], [1.75, 1.95, 0, 0.87],
+           [2, 1, 0, 0.95], [1.4, -0.4, 0, 1], [0, -1, 0, 1.05]])" +
+        tangents + "}}]}";
+    const std::string after = moved(text, 2, sphere(0, 4.3, 0.05, 0.62));
+    const Assembly assembly = parse_assembly(after);
+    EXPECT_FALSE(std::get<CyclideChainThrough>(assembly.parts[0].shape).tangents.empty());
+  }
+}
+
+// What is not refused is built from what was written, and keeps to the margin.
+TEST(EditJson, random_edits_are_written_sound_or_refused) {
+  std::mt19937 random(480);
+  std::uniform_real_distribution<double> shift(-1, 1);
+  std::string text = hook();
+  int written = 0, refused = 0;
+  for (int i = 0; i < 480; ++i) {
+    const Assembly before = parse_assembly(text);
+    const auto& spheres = std::get<CyclideChainThrough>(before.parts[0].shape).spheres;
+    const std::size_t at = 1 + random() % (spheres.size() - 1);
+    const double size = std::pow(10, 0.8 * shift(random));
+    PeVector to = spheres[at];
+    to.m += size * Vec3(shift(random), shift(random), shift(random));
+    to.r *= std::exp(size * shift(random) / 4);
+    std::string after;
+    try {
+      after = moved(text, at, to, random() % 3 == 0);
+      check_edit(parse_assembly(after), 0, kEditMargin);
+    } catch (const Error& error) {
+      EXPECT_TRUE(error.code() == Errc::infeasible_blend ||
+                  error.code() == Errc::irregular_surface ||
+                  error.message().find("its smallest radius or length, ") == 0)
+          << error.what();
+      ++refused;
+      continue;
+    }
+    ++written;
+    if (written % 4 == 0) {
+      EXPECT_GE(build(parse_assembly(after)).parts[0].margin_lower.value(), kEditMargin);
+    }
+    if (written % 8 != 0) {
+      text = after;  // edits of edits, back to the hook in between
+    } else {
+      text = hook();
+    }
+  }
+  EXPECT_GT(written, 48);
+  EXPECT_GT(refused, 48);
 }
 
 }  // namespace

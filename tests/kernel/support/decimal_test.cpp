@@ -49,6 +49,30 @@ TEST(DecimalText, of_a_point_is_a_triple) {
   EXPECT_EQ(decimal(Vec3(1, -0.25, 1e-9)), "(1, -0.25, 1e-09)");
 }
 
+TEST(DecimalText, of_bounds_are_bounds) {
+  EXPECT_EQ(decimal_at_most(0.5), "0.5");
+  EXPECT_EQ(decimal_at_most(1.0 / 3), "0.333334");
+  EXPECT_EQ(decimal_at_most(-1.0 / 3), "-0.333333");
+  EXPECT_EQ(decimal_at_least(1.0 / 3), "0.333333");
+  EXPECT_EQ(decimal_at_least(-1.0 / 3), "-0.333334");
+  EXPECT_EQ(decimal_at_least(0), "0");
+  double value = 1;
+  for (int i = 0; i < 2000; ++i) {
+    value = value > 1e100 ? value * 1e-200 : value * 1.7320508;
+    for (const double x : {value, -value}) {
+      const std::string most = decimal_at_most(x), least = decimal_at_least(x);
+      EXPECT_GE(std::stod(most), x) << most;
+      EXPECT_LE(std::stod(least), x) << least;
+      EXPECT_NEAR(std::stod(most) / x, 1, 2e-5);
+      EXPECT_NEAR(std::stod(least) / x, 1, 2e-5);
+    }
+  }
+}
+
+TEST(DecimalText, of_places_tells_them_in_a_plant) {
+  EXPECT_EQ(decimal(Vec3(1712345.678, -0.1, 1e-7 / 3)), "(1712345.68, -0.1, 3.33333333e-08)");
+}
+
 TEST(DecimalText, is_appended_in_the_precision_of_its_type) {
   std::string text = "x ";
   append_decimal(text, 0.1F);

@@ -33,4 +33,13 @@ namespace dupin {
 [[nodiscard]] CyclideChainThrough twist_chain(const Assembly& assembly, std::uint32_t part,
                                               std::size_t sphere, double angle);
 
+/// The least margin 1 - kappa R that edits leave, unless another is asked for: that of a
+/// cyclide_blend.
+constexpr double kEditMargin = 1.0 / 64;
+
+/// Throws Error{irregular_surface} unless the chain's margin is proved to be at least `margin`, and
+/// what `build` throws. With `build_all`, the whole document is built; without, resolved only,
+/// which is quick.
+void check_edit(const Assembly& edited, std::uint32_t part, double margin, bool build_all = true);
+
 }  // namespace dupin

@@ -41,7 +41,7 @@ struct PartRules<"elbow"> {
     if (!(elbow.angle > 0 && elbow.angle < 2 * std::numbers::pi)) {
       fail(context, "angle",
            "an elbow's angle must lie between 0 and 360 degrees, not at " +
-               decimal(elbow.angle / std::numbers::pi * 180));
+               decimal(elbow.angle / std::numbers::pi * 180, kMessageDigits));
     }
     check_finite(context, elbow.toward, "toward");
     const Vec3 travel = opposite(start.normal);
@@ -72,10 +72,10 @@ struct PartRules<"elbow"> {
     const double first = to_corner.dot(travel), second = (elbow.to - elbow.corner).norm();
     const double aside = (to_corner - first * travel).norm();
     check_within_tolerance(context, aside, "corner",
-                           "the corner is " + decimal(aside) + " off the axis");
-    check_within_tolerance(
-        context, std::abs(first - second), "corner",
-        "the legs from the corner are " + decimal(first) + " and " + decimal(second) + " long");
+                           "the corner is " + decimal(aside, kMessageDigits) + " off the axis");
+    check_within_tolerance(context, std::abs(first - second), "corner",
+                           "the legs from the corner are " + decimal(first, kMessageDigits) +
+                               " and " + decimal(second, kMessageDigits) + " long");
     if (!(second >= kSmallest)) {
       fail(context, "to", "the point must differ from the one at 'corner'");
     }

@@ -11,7 +11,8 @@ void fail(const PartContext& context, std::string_view key, const std::string& m
 
 void check_positive(const PartContext& context, double value, std::string_view key) {
   if (!(value >= kSmallest && value <= kLargest)) {
-    fail(context, key, "must be a positive number between 1e-12 and 1e12, not " + decimal(value));
+    fail(context, key,
+         "must be a positive number between 1e-12 and 1e12, not " + decimal(value, kMessageDigits));
   }
 }
 
@@ -25,7 +26,8 @@ void check_within_tolerance(const PartContext& context, double deviation, std::s
                             const std::string& what) {
   const double tolerance = context.assembly.tolerance;
   if (!(deviation <= tolerance)) {
-    fail(context, key, what + ", more than the tolerance of " + decimal(tolerance) + " allows");
+    fail(context, key,
+         what + ", more than the tolerance of " + decimal(tolerance, kMessageDigits) + " allows");
   }
 }
 

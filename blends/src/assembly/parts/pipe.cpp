@@ -32,11 +32,12 @@ struct PartRules<"pipe"> {
     const double length = chord.dot(travel), aside = (chord - length * travel).norm();
     if (!(length > 0)) {
       fail(context, "to",
-           "the point must lie ahead of '" + to_string(pipe.from) + "', not " + decimal(-length) +
-               " behind it");
+           "the point must lie ahead of '" + to_string(pipe.from) + "', not " +
+               decimal(-length, kMessageDigits) + " behind it");
     }
-    check_within_tolerance(context, aside, "to",
-                           "the point is " + decimal(aside) + " off the pipe's axis");
+    check_within_tolerance(
+        context, aside, "to",
+        "the point is " + decimal(aside, kMessageDigits) + " off the pipe's axis");
     return cylinder(start, start.center + length * travel);
   }
 };

@@ -142,7 +142,7 @@ class RingedBlend {
     }
     throw Error(Errc::infeasible_blend,
                 "no end speeds between 0.3 and 2.5 times the distance of the ends, " +
-                    decimal(chord) +
+                    decimal(chord, kMessageDigits) +
                     ", give discs that do not overlap; move the ends apart, turn them towards each "
                     "other, or put a ring between");
   }

@@ -15,7 +15,15 @@ namespace dupin {
 /// `value` to 1 to 17 significant digits, without zeros at the end.
 [[nodiscard]] std::string decimal(double value, int digits);
 
-/// "(x, y, z)", of the shortest decimals.
+/// Significant digits of numbers in messages, and of coordinates, which have to tell the place in a
+/// plant: a hundredth of a millimetre at kilometres. What programs read has all digits.
+constexpr int kMessageDigits = 6, kPlaceDigits = 9;
+
+/// The number to kMessageDigits digits, rounded so that it is still a bound of `value`.
+[[nodiscard]] std::string decimal_at_most(double value);
+[[nodiscard]] std::string decimal_at_least(double value);
+
+/// "(x, y, z)", each to kPlaceDigits digits.
 [[nodiscard]] std::string decimal(const Vec3& point);
 
 /// Appends the shortest decimal that reads back to `value`, a number of the same type.
