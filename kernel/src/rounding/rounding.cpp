@@ -72,7 +72,7 @@ std::optional<mesh::ExactMesh> resolved(const Rounded& surface) {
     for (Source& source : solid.sources) {
       source = surface.sources()[source.triangle];
     }
-    return solid;
+    return solid.triangles.empty() ? std::nullopt : std::optional(std::move(solid));
   } catch (const Error&) {
     return std::nullopt;
   }
