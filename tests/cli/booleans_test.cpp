@@ -182,7 +182,7 @@ TEST_F(MeshCommands, union_fills_slits_and_says_so) {
   put("b.off", parts[1]);
   const ProcessResult result = dupin({"union", "a.off", "b.off", "-o", "c.stl"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("slits                1 void filled, at most "));
+  EXPECT_THAT(result.out, HasSubstr("slits                1 filled, at most "));
   const auto report = json({"union", "a.off", "b.off", "-o", "c.stl"}, 0);
   EXPECT_EQ(report.at("rounding").at("filled_slits"), 1);
   EXPECT_GT(report.at("rounding").at("slit_width"), 0);

@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include <Eigen/Geometry>
 
 #include "arrangement/arrange.h"
 #include "exact/exact_numbers.h"
 #include "mesh/edge_table.h"
-#include "support/blocks.h"
 #include "support/sequences.h"
 
 namespace dupin::rounding {
@@ -53,13 +53,33 @@ std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& a, const
   return result;
 }
 
-/// The points of a prism: doubles first, as an exact mesh has them.
+/// The points of prisms, each once: doubles first, as an exact mesh has them.
 class PrismPoints {
  public:
   explicit PrismPoints(const mesh::ExactMesh& solid) : solid_(solid) {}
 
   /// A point of the solid, moved; returns a number that final() knows.
   std::uint32_t add(std::uint32_t point, const Vec3& by) {
+    const auto [known, is_new] = numbers_.try_emplace({point, by.x(), by.y(), by.z()});
+    if (is_new) {
+      known->second = added(point, by);
+    }
+    return known->second;
+  }
+
+  [[nodiscard]] std::uint32_t final(std::uint32_t number) const {
+    const auto doubles = static_cast<std::uint32_t>(doubles_.size());
+    return number < doubles ? number : doubles + (support::kNone - 1 - number);
+  }
+
+  void take(mesh::ExactMesh& mesh) {
+    mesh.points = std::move(doubles_);
+    mesh.points.insert(mesh.points.end(), nearest_.begin(), nearest_.end());
+    mesh.implicit = std::move(implicit_);
+  }
+
+ private:
+  std::uint32_t added(std::uint32_t point, const Vec3& by) {
     const Vec3 &from = solid_.points[point], to = from + by;
     if (point < solid_.double_count() && to - from == by && to - by == from) {
       doubles_.push_back(to);
@@ -75,19 +95,8 @@ class PrismPoints {
     return static_cast<std::uint32_t>(support::kNone - nearest_.size());
   }
 
-  [[nodiscard]] std::uint32_t final(std::uint32_t number) const {
-    const auto doubles = static_cast<std::uint32_t>(doubles_.size());
-    return number < doubles ? number : doubles + (support::kNone - 1 - number);
-  }
-
-  void take(mesh::ExactMesh& mesh) {
-    mesh.points = std::move(doubles_);
-    mesh.points.insert(mesh.points.end(), nearest_.begin(), nearest_.end());
-    mesh.implicit = std::move(implicit_);
-  }
-
- private:
   const mesh::ExactMesh& solid_;
+  std::map<std::tuple<std::uint32_t, double, double, double>, std::uint32_t> numbers_;
   std::vector<Vec3> doubles_, nearest_;
   std::vector<mesh::ExactPoint> implicit_;
 };
@@ -116,24 +125,14 @@ class OpenSlits {
     if (patches_.empty()) {
       return std::nullopt;
     }
-    // A patch may lie over itself by some rounding of its points; what the prism winds around does
-    // not.
-    std::vector<mesh::ExactMesh> prisms(patches_.size());
-    support::for_each_in_parallel(prisms.size(), [&](std::size_t i) {
-      const mesh::ExactMesh all = prism(patches_[i]);
-      prisms[i] = arrangement::positive_winding_boundary(all);
-      for (Source& source : prisms[i].sources) {
-        source = all.sources[source.triangle];
-      }
-    });
-    std::vector<const mesh::ExactMesh*> operands = {&solid_};
-    for (const mesh::ExactMesh& prism : prisms) {
-      operands.push_back(&prism);
-    }
+    // Prisms may overlap, and a patch may lie over itself by some rounding of its points.
+    const mesh::ExactMesh all = prisms();
+    const mesh::ExactMesh filling = arrangement::positive_winding_boundary(all);
     FilledSlits result;
-    result.mesh = arrangement::arrange(operands, arrangement::union_rule(operands.size()));
+    result.mesh = arrangement::arrange(std::array{&solid_, &filling}, arrangement::union_rule(2));
     for (Source& source : result.mesh.sources) {
-      source = operands[source.operand]->sources[source.triangle];
+      source = source.operand == 0 ? solid_.sources[source.triangle]
+                                   : all.sources[filling.sources[source.triangle].triangle];
     }
     for (const Patch& patch : patches_) {
       result.places.push_back(corner(patch.faces.front(), 0));
@@ -283,27 +282,34 @@ class OpenSlits {
     return std::ceil(std::min(distance, widest_) / unit) * unit + kSlitOverlap * step_;
   }
 
-  /// The prism over the patch, which it shares with the solid.
-  [[nodiscard]] mesh::ExactMesh prism(const Patch& patch) const {
+  /// The prisms over all patches, which they share with the solid.
+  [[nodiscard]] mesh::ExactMesh prisms() const {
+    mesh::ExactMesh prisms;
+    prisms.names = solid_.names;
     PrismPoints points(solid_);
+    for (const Patch& patch : patches_) {
+      add_prism(patch, points, prisms);
+    }
+    for (Triangle& triangle : prisms.triangles) {
+      for (std::uint32_t& corner : triangle) {
+        corner = points.final(corner);
+      }
+    }
+    points.take(prisms);
+    return prisms;
+  }
+
+  void add_prism(const Patch& patch, PrismPoints& points, mesh::ExactMesh& prisms) const {
     std::map<std::uint32_t, std::uint32_t> low, high;
     for (const std::uint32_t point : points_of(patch)) {
       low[point] = points.add(point, Vec3::Zero());
       high[point] = points.add(point, rise(patch, point) * patch.direction);
     }
-    for (auto* numbers : {&low, &high}) {
-      for (auto& [point, number] : *numbers) {
-        number = points.final(number);
-      }
-    }
-    mesh::ExactMesh prism;
-    prism.names = solid_.names;
-    points.take(prism);
     const auto put = [&](std::uint32_t face, const Triangle& triangle) {
-      prism.triangles.push_back(triangle);
-      prism.sources.push_back(solid_.sources[face]);
+      prisms.triangles.push_back(triangle);
+      prisms.sources.push_back(solid_.sources[face]);
       if (!solid_.labels.empty()) {
-        prism.labels.push_back(solid_.labels[face]);
+        prisms.labels.push_back(solid_.labels[face]);
       }
     };
     const std::uint32_t number = patch_of_[patch.faces.front()];
@@ -320,7 +326,6 @@ class OpenSlits {
         }
       }
     }
-    return prism;
   }
 
   const mesh::ExactMesh& solid_;

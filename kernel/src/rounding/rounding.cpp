@@ -31,16 +31,16 @@ namespace {
 constexpr double kReachGrowth = 4;
 constexpr double kDefaultTolerance = 1024;  // steps
 
-/// Sliver voids are filled before repair reaches a sixteenth of their width: filling moves no
-/// point.
-constexpr double kVoidWidth = 16;
-
 /// Edits to be tried in all, per fault that rounding leaves and besides: 50 times as many as the
 /// 600 unions of io_written_unions_test need. What takes more gets nowhere.
 constexpr std::uint64_t kTrialsPerFault = 64, kTrials = 1 << 17;
 
 /// So many faults are no accident of single points: open slits are looked for before repair.
 constexpr std::size_t kManyFaults = 256;
+
+/// Sliver voids and open slits are filled where they are narrower: what is wider, the format can
+/// tell.
+constexpr double kWidestSlit = 64;  // steps
 
 /// Where repair with this reach leaves faults, the surface is made a solid again as it is; and that
 /// at most so often.
@@ -50,8 +50,6 @@ constexpr int kSnaps = 8;
 /// What has been done before the solid is rounded anew: without some voids or slits, or snapped.
 struct Past {
   std::size_t triangles = 0;  ///< of the solid as given
-  double reach = 0;           ///< of the next attempt at repair; 0 for the first
-  std::uint64_t trials = 0;   ///< left for it
   double void_width = 0;      ///< of the widest filled void
   double slit_reach = 0;      ///< how far from the solid what was filled in open slits goes
   bool has_filled_slits = false;
@@ -149,50 +147,41 @@ class Rounding {
 
   /// Fills slits and voids, repairs and snaps, as far as the tolerance allows.
   Rounded repaired(const std::vector<Fault>& broken_pairs, std::vector<std::uint32_t> broken) {
-    const bool is_first = past_.reach == 0;
-    trials_left_ = is_first ? kTrials + kTrialsPerFault * broken_pairs.size() : past_.trials;
+    if (auto done = without_voids()) {
+      return std::move(*done);
+    }
+    if (broken_pairs.size() >= kManyFaults) {
+      if (auto done = without_open_slits(broken_pairs)) {
+        return std::move(*done);
+      }
+    }
+    trials_left_ = kTrials + kTrialsPerFault * broken_pairs.size();
     const double farthest = tolerance_ - past_.distance();
-    const auto voids = may_have_voids()
-                           ? std::optional(SliverVoids(exact_, representatives_, tolerance_))
-                           : std::nullopt;
-    std::optional<EditedMesh> mesh;
-    std::size_t shells = 0;
-    for (double reach = is_first ? kReachGrowth * step_ : past_.reach;; reach *= kReachGrowth) {
-      reach = std::min(reach, farthest);
-      const double widest = std::min(kVoidWidth * reach, tolerance_);
-      if (auto filled = voids ? voids->filled(widest) : std::nullopt) {
-        return without_voids(std::move(*filled), reach);
-      }
-      if (!mesh) {
-        if (auto done = broken_pairs.size() < kManyFaults ? std::nullopt
-                                                          : without_open_slits(broken_pairs)) {
-          return std::move(*done);
-        }
-        if (auto done = repaired_in_part(broken, broken_pairs, reach)) {
-          return std::move(*done);
-        }
-        mesh.emplace(doubles(), exact_.triangles, exact_.labels, representatives_);
-        shells = remove_small_shells(*mesh, broken, reach);
-        trials_left_ = repair_around(*mesh, whole(), broken, broken_pairs,
-                                     {lattice_, rounded_.largest, reach, trials_left_});
-      } else {
-        shells += remove_small_shells(*mesh, broken, reach);
-        trials_left_ = repair_further(*mesh, lattice_, broken, reach, trials_left_);
-      }
-      const auto alive = mesh->alive_faces();
-      const double move = largest_move(*mesh, alive);
-      broken = faults(*mesh, alive, move);
+    double reach = std::min(kReachGrowth * step_, farthest);
+    if (auto done = repaired_in_part(broken, broken_pairs, reach)) {
+      return std::move(*done);
+    }
+    EditedMesh mesh(doubles(), exact_.triangles, exact_.labels, representatives_);
+    std::size_t shells = remove_small_shells(mesh, broken, reach);
+    trials_left_ = repair_around(mesh, whole(), broken, broken_pairs,
+                                 {lattice_, rounded_.largest, reach, trials_left_});
+    while (true) {
+      const auto alive = mesh.alive_faces();
+      const double move = largest_move(mesh, alive);
+      broken = faults(mesh, alive, move);
       if (broken.empty() && !alive.empty()) {
-        return finished(*mesh, alive,
+        return finished(mesh, alive,
                         {.largest_move = move, .repair_reach = reach, .removed_shells = shells});
       }
-      if (auto done = begun_anew(*mesh, alive, broken_pairs, broken, reach)) {
+      if (auto done = begun_anew(mesh, alive, broken_pairs, broken, reach)) {
         return std::move(*done);
       }
       if (reach == farthest || trials_left_ == 0) {
-        throw unroundable(broken.empty() ? doubles()[0]
-                                         : mesh->point(mesh->triangle(broken[0])[0]));
+        throw unroundable(broken.empty() ? doubles()[0] : mesh.point(mesh.triangle(broken[0])[0]));
       }
+      reach = std::min(kReachGrowth * reach, farthest);
+      shells += remove_small_shells(mesh, broken, reach);
+      trials_left_ = repair_further(mesh, lattice_, broken, reach, trials_left_);
     }
   }
 
@@ -209,18 +198,26 @@ class Rounding {
     return snapped(mesh, alive, mesh.point(mesh.triangle(left[0])[0]));
   }
 
-  Rounded without_voids(FilledVoids filled, double reach) {
+  /// None if there are no sliver voids.
+  std::optional<Rounded> without_voids() {
+    if (!may_have_voids()) {
+      return std::nullopt;
+    }
+    const double widest = std::min(kWidestSlit * step_, tolerance_ - past_.distance());
+    const auto filled = SliverVoids(exact_, representatives_, widest).filled(widest);
+    if (!filled) {
+      return std::nullopt;
+    }
     Past past = past_;
-    past.reach = reach;
-    past.trials = trials_left_;
-    past.void_width = std::max(past.void_width, filled.width);
-    past.filled_places.insert(past.filled_places.end(), filled.places.begin(), filled.places.end());
-    return Rounding(filled.mesh, coordinates_, options_, std::move(past)).run();
+    past.void_width = std::max(past.void_width, filled->width);
+    past.filled_places.insert(past.filled_places.end(), filled->places.begin(),
+                              filled->places.end());
+    return Rounding(filled->mesh, coordinates_, options_, std::move(past)).run();
   }
 
   /// None if there are none, or if the tolerance does not allow it, or if that has been done.
   std::optional<Rounded> without_open_slits(const std::vector<Fault>& broken_pairs) {
-    const double widest = (tolerance_ - past_.distance()) / 4;
+    const double widest = std::min((tolerance_ - past_.distance()) / 4, kWidestSlit * step_);
     if (past_.has_filled_slits || widest < kSlitOverlap * step_) {
       return std::nullopt;
     }
@@ -230,7 +227,6 @@ class Rounding {
       return std::nullopt;
     }
     Past past = past_;
-    past.reach = 0;
     past.slit_reach = filled->reach;
     past.filled_places.insert(past.filled_places.end(), filled->places.begin(),
                               filled->places.end());
@@ -243,7 +239,6 @@ class Rounding {
                                  const Vec3& at) {
     const Rounded surface = finished(mesh, alive, {});
     Past past = past_;
-    past.reach = 0;
     past.moved = largest_move(mesh, alive) - std::max(past_.void_width / 2, past_.slit_reach);
     past.moved_points = surface.report().moved;
     past.snapped_places.emplace_back(at + origin_ + past_.origin);
