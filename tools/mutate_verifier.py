@@ -50,6 +50,8 @@ KNOWN = {
     ("covering.cpp", "reached < first.to;) {", " <= "): "strips beyond the end are of no width",
     ("regular_claim.cpp", "if (range.lower > 0 && all_positive(excess", " >= "): ADMITTED,
     ("regular_claim.cpp", "if (range.lower > 0 && all_positive(excess", ".upper"): ADMITTED,
+    ("regular_claim.cpp", "- disc->radius[0] * turning).lower > 0) {", " >= "):
+        "a bound is rounded down, to less than 0 where it is 0",
     ("regular_claim.cpp", "return least > 0 &&", " >= "): ADMITTED,
     ("regular_claim.cpp", "return halvings > 0 && is_regular_on(", " >= "): DEPTH,
     ("regular_claim.cpp", "least = tube.radius_range(t, t).lower;", ".upper"):
