@@ -162,8 +162,8 @@ void large_unions(const std::vector<std::string>& names) {
   }
 }
 
-/// Plants whose ends miss each other by less than binary32 can tell; what the issue of real plants
-/// asks for: rounding takes at most ten times the union.
+/// Plants whose ends miss each other by less than binary32 can tell. The aim: rounding takes at
+/// most ten times the union.
 void plants(std::uint32_t seeds) {
   std::puts(
       "\nplants of 200 components with misfits, at 1e5 to 2e6 mm, to binary32; processor seconds");
