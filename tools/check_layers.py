@@ -150,10 +150,11 @@ def fault_of_include(house, path, quoted, angled):
         return None if inside or room in GUESTS else "only users may include dupin/interop"
     target_room, target_folder = house.folder(target)
     if room in GUESTS:
-        may = re.search(r"_internal(_test\.cpp|\.h)$", path) or target_room in GUESTS or (
+        may = re.search(r"_internal(_(test|fuzzer)\.cpp|\.h)$", path) or target_room in GUESTS or (
             path.startswith("tests/cli/") and target_room == "cli")  # the tool has no public headers
         return None if may or not is_private(target) else (
-            f"{target} is private: only *_internal_test.cpp and *_internal.h may include it")
+            f"{target} is private: only *_internal_test.cpp, *_internal_fuzzer.cpp and *_internal.h may "
+            "include it")
     if target_room in GUESTS or ROOMS.index(target_room) > ROOMS.index(room):
         return f"{room} must not know {target_room}"
     if target_room != room:
