@@ -35,6 +35,8 @@ class JunctionLocus {
 
   [[nodiscard]] bool exists() const { return exists_ && w_ > -1; }
 
+  [[nodiscard]] double weight() const { return w_; }
+
   [[nodiscard]] PeVector at(double tau) const {
     const double b0 = (1 - tau) * (1 - tau), b1 = 2 * tau * (1 - tau), b2 = tau * tau;
     const PeVector middle = w_ * start_ + (chord_ / 2) * tangent_;
@@ -47,13 +49,17 @@ class JunctionLocus {
   bool exists_ = false;
 };
 
+[[noreturn]] void refuse_locus() {
+  throw Error(Errc::infeasible_blend,
+              "no double-cyclide blend: the ends have no locus of junction spheres; move the "
+              "ends apart or turn them towards each other");
+}
+
 JunctionLocus required_locus(const PeVector& start, const PeVector& start_tangent,
                              const PeVector& end, const PeVector& end_tangent) {
   JunctionLocus locus(start, start_tangent, end, end_tangent);
   if (!locus.exists()) {
-    throw Error(Errc::infeasible_blend,
-                "no double-cyclide blend: the ends have no locus of junction spheres; move the "
-                "ends apart or turn them towards each other");
+    refuse_locus();
   }
   return locus;
 }
@@ -150,6 +156,22 @@ DoubleCyclide best_double(const PeVector& start, const PeVector& start_tangent, 
                 "pieces; use three pieces or move the ends apart");
   }
   return at_tau(locus, start, start_tangent, end, tau);
+}
+
+// The locus is 1 / sqrt(1 - w^2) chords wide: 22 at the least weight that is taken. The root in the
+// tangent and the chord's direction leave an error of a few ulps in w, far below the first bound.
+void refuse_far_locus(const PeVector& start, const PeVector& start_tangent, const PeVector& end,
+                      const PeVector& end_tangent) {
+  constexpr double kAtInfinity = -1 + 0x1p-40, kLeastWeight = -1 + 0x1p-10;
+  const double w = required_locus(start, start_tangent, end, end_tangent).weight();
+  if (w < kAtInfinity) {
+    refuse_locus();
+  }
+  if (w < kLeastWeight) {
+    throw Error(Errc::infeasible_blend,
+                "no double-cyclide blend: the locus of junction spheres leads nearly through "
+                "infinity; move the ends apart or turn them towards each other");
+  }
 }
 
 double tangent_rounding(const PeVector& start, const PeVector& end) {
