@@ -68,10 +68,12 @@ JunctionLocus required_locus(const PeVector& start, const PeVector& start_tangen
 // around the best.
 template <class Objective>
 double best_tau(Objective objective) {
+  // Of samples that are equal but for rounding, as mirrored ones are, always the first.
+  constexpr double kLess = 1 - 0x1p-30;
   double best = 0, value = kInfinity;
   for (int i = 1; i < kSearchSamples; ++i) {
     const double tau = static_cast<double>(i) / kSearchSamples, f = objective(tau);
-    if (f < value) {
+    if (f < kLess * value) {
       value = f;
       best = tau;
     }
