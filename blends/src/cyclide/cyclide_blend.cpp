@@ -83,6 +83,7 @@ double bending_of(const DoubleCyclide& d) { return bending(d.first) + bending(d.
 Attempt two(const Ends& e) {
   std::string first_flaw;
   try {
+    cyclide::refuse_far_locus(e.start, e.start_tangent, e.end, e.end_tangent);
     const DoubleCyclide any = double_cyclide(e.start, e.start_tangent, e.end, e.end_tangent);
     first_flaw = flaw({any.first, any.second}, e);
     if (first_flaw.empty()) {
@@ -135,6 +136,25 @@ std::optional<CyclideChain> through(const Ends& e, const PeVector& junction) {
   }
 }
 
+// Axes that turn with the ends: along the start's, towards the end or, where that lies straight
+// ahead, towards its axis; if all are on one line, no direction is better than another.
+Eigen::Matrix3d axes(const Ends& e) {
+  constexpr double kStraight = 0x1p-30;
+  const Vec3 along = e.from.normal.normalized(), chord = e.end.m - e.start.m;
+  const auto across = [&](const Vec3& v) -> Vec3 { return v - v.dot(along) * along; };
+  Vec3 side = across(chord);
+  if (side.norm() <= kStraight * size(e)) {
+    side = across(e.to.normal.normalized());
+    if (side.norm() <= kStraight) {
+      side = along.unitOrthogonal();
+    }
+  }
+  side.normalize();
+  Eigen::Matrix3d result;
+  result << side, along.cross(side), along;
+  return result;
+}
+
 // A first junction anywhere around the ends; the cheapest of the first that are sound.
 Attempt three(const Ends& e) {
   constexpr unsigned kCandidates = 192, kMostRegular = 64, kEnough = 8;
@@ -142,12 +162,13 @@ Attempt three(const Ends& e) {
   std::optional<CyclideChain> best;
   const Vec3 middle = (e.start.m + e.end.m) / 2;
   const double reach = size(e);
+  const Eigen::Matrix3d turned = axes(e);
   while (tried < kCandidates && regular < kMostRegular && sound < kEnough) {
     const unsigned i = ++tried;
     const Vec3 place(radical_inverse(i, 2), radical_inverse(i, 3), radical_inverse(i, 5));
     const double s = radical_inverse(i, 7);
-    auto chain = through(
-        e, {middle + reach * (2 * place - Vec3::Ones()), (1 - s) * e.start.r + s * e.end.r});
+    auto chain = through(e, {middle + turned * (reach * (2 * place - Vec3::Ones())),
+                             (1 - s) * e.start.r + s * e.end.r});
     if (!chain) {
       continue;
     }

@@ -35,6 +35,8 @@ class JunctionLocus {
 
   [[nodiscard]] bool exists() const { return exists_ && w_ > -1; }
 
+  [[nodiscard]] double weight() const { return w_; }
+
   [[nodiscard]] PeVector at(double tau) const {
     const double b0 = (1 - tau) * (1 - tau), b1 = 2 * tau * (1 - tau), b2 = tau * tau;
     const PeVector middle = w_ * start_ + (chord_ / 2) * tangent_;
@@ -47,13 +49,17 @@ class JunctionLocus {
   bool exists_ = false;
 };
 
+[[noreturn]] void refuse_locus() {
+  throw Error(Errc::infeasible_blend,
+              "no double-cyclide blend: the ends have no locus of junction spheres; move the "
+              "ends apart or turn them towards each other");
+}
+
 JunctionLocus required_locus(const PeVector& start, const PeVector& start_tangent,
                              const PeVector& end, const PeVector& end_tangent) {
   JunctionLocus locus(start, start_tangent, end, end_tangent);
   if (!locus.exists()) {
-    throw Error(Errc::infeasible_blend,
-                "no double-cyclide blend: the ends have no locus of junction spheres; move the "
-                "ends apart or turn them towards each other");
+    refuse_locus();
   }
   return locus;
 }
@@ -62,10 +68,12 @@ JunctionLocus required_locus(const PeVector& start, const PeVector& start_tangen
 // around the best.
 template <class Objective>
 double best_tau(Objective objective) {
+  // Of samples that are equal but for rounding, as mirrored ones are, always the first.
+  constexpr double kLess = 1 - 0x1p-30;
   double best = 0, value = kInfinity;
   for (int i = 1; i < kSearchSamples; ++i) {
     const double tau = static_cast<double>(i) / kSearchSamples, f = objective(tau);
-    if (f < value) {
+    if (f < kLess * value) {
       value = f;
       best = tau;
     }
@@ -150,6 +158,22 @@ DoubleCyclide best_double(const PeVector& start, const PeVector& start_tangent, 
                 "pieces; use three pieces or move the ends apart");
   }
   return at_tau(locus, start, start_tangent, end, tau);
+}
+
+// The locus is 1 / sqrt(1 - w^2) chords wide: 22 at the least weight that is taken. The root in the
+// tangent and the chord's direction leave an error of a few ulps in w, far below the first bound.
+void refuse_far_locus(const PeVector& start, const PeVector& start_tangent, const PeVector& end,
+                      const PeVector& end_tangent) {
+  constexpr double kAtInfinity = -1 + 0x1p-40, kLeastWeight = -1 + 0x1p-10;
+  const double w = required_locus(start, start_tangent, end, end_tangent).weight();
+  if (w < kAtInfinity) {
+    refuse_locus();
+  }
+  if (w < kLeastWeight) {
+    throw Error(Errc::infeasible_blend,
+                "no double-cyclide blend: the locus of junction spheres leads nearly through "
+                "infinity; move the ends apart or turn them towards each other");
+  }
 }
 
 double tangent_rounding(const PeVector& start, const PeVector& end) {

@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "dupin/blends/cyclide_form.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
@@ -96,6 +98,72 @@ TEST(CyclideBlend, random_ends_are_joined_g1_or_refused) {
   // The design's statistics: 91 % by two pieces, nearly all by three.
   EXPECT_GE(doubles, count * 8 / 10);
   EXPECT_GE(joined, count * 9 / 10);
+}
+
+struct RingPair {
+  const char* name;
+  Ring from, to;
+};
+
+// The pipes' rings of examples/cyclide-blends.json and of shapes that are special: straight ahead,
+// planar, S-shaped, back beside, and askew.
+std::vector<RingPair> ring_pairs() {
+  const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ(), o = Vec3::Zero();
+  return {{"single", {o, z, 1}, {Vec3(3, 0, 3), -x, 1}},
+          {"double", {Vec3(0, 5, 0), z, 1}, {Vec3(3, 5, 3), -x, 0.6}},
+          {"triple", {Vec3(0, 15, 0), z, 0.5}, {Vec3(3, 15, -4), -z, 0.5}},
+          {"triple, unequal", {Vec3(0, 15, 0), z, 0.5}, {Vec3(3, 15, -4), -z, 0.4}},
+          {"ringed", {Vec3(0, 26, 0), z, 4}, {Vec3(0.25, 26, 3.5), -z, 1}},
+          {"straight", {o, z, 1}, {Vec3(0, 0, 5), -z, 1}},
+          {"straight, unequal", {o, z, 1}, {Vec3(0, 0, 5), -z, 0.7}},
+          {"planar", {o, z, 0.5}, {Vec3(2, 0, 5), Vec3(-0.6, 0, -0.8), 0.5}},
+          {"planar, unequal", {o, z, 0.5}, {Vec3(2, 0, 5), Vec3(-0.6, 0, -0.8), 0.3}},
+          {"S", {o, z, 0.5}, {Vec3(3, 0, 4), -z, 0.5}},
+          {"S, unequal", {o, z, 0.5}, {Vec3(3, 0, 4), -z, 0.8}},
+          {"U", {o, z, 0.5}, {Vec3(3, 0, 0), z, 0.5}},
+          {"U, unequal", {o, z, 0.5}, {Vec3(3, 0, 0), z, 0.3}},
+          {"from behind on one line", {o, z, 0.5}, {Vec3(0, 0, -8), -z, 0.5}},
+          {"askew", {o, z, 0.5}, {Vec3(3, 4, 2), -y, 0.4}}};
+}
+
+TEST(CyclideBlend, turned_ends_take_the_turned_blend) {
+  std::mt19937_64 random(33);
+  std::uniform_real_distribution<double> unit(-1, 1), shift(-20, 20);
+  for (const RingPair& pair : ring_pairs()) {
+    SCOPED_TRACE(pair.name);
+    const CyclideSearch plain = search_cyclide_blend(pair.from, pair.to);
+    for (int i = 0; i < 10; ++i) {
+      SCOPED_TRACE(i);
+      const Eigen::Quaterniond turn =
+          Eigen::Quaterniond(unit(random), unit(random), unit(random), unit(random)).normalized();
+      const Vec3 way(shift(random), shift(random), shift(random));
+      const auto moved = [&](Ring ring) {
+        ring.center = turn * ring.center + way;
+        ring.normal = (turn * ring.normal).normalized();
+        return ring;
+      };
+      const CyclideSearch turned = search_cyclide_blend(moved(pair.from), moved(pair.to));
+      ASSERT_EQ(turned.tube.has_value(), plain.tube.has_value());
+      ASSERT_EQ(turned.rejected.size(), plain.rejected.size());
+      if (plain.tube) {
+        EXPECT_NEAR(volume(*turned.tube) / volume(*plain.tube), 1, 1e-6);
+        EXPECT_NEAR(area(*turned.tube) / area(*plain.tube), 1, 1e-6);
+      }
+    }
+  }
+}
+
+TEST(CyclideBlend, a_slight_turn_of_the_end_leads_no_further_away) {
+  const Ring from{Vec3::Zero(), Vec3::UnitZ(), 0.5};
+  const double plain = volume(cyclide_blend(from, {Vec3(3, 0, -4), -Vec3::UnitZ(), 0.5}));
+  for (const double angle : {1e-15, 1e-12, 1e-9, 1e-6, 1e-3}) {
+    for (const double sign : {-1.0, 1.0}) {
+      const Vec3 normal(sign * std::sin(angle), 0, -std::cos(angle));
+      EXPECT_NEAR(volume(cyclide_blend(from, {Vec3(3, 0, -4), normal, 0.5})) / plain, 1,
+                  1e-6 + 4 * angle)
+          << sign * angle;
+    }
+  }
 }
 
 }  // namespace
