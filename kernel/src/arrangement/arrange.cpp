@@ -1,5 +1,7 @@
 #include "arrangement/arrange.h"
 
+#include <array>
+
 #include "arrangement/broad_phase.h"
 #include "arrangement/constraints.h"
 #include "arrangement/limits.h"
@@ -90,15 +92,30 @@ mesh::ExactMesh arrange(std::span<const mesh::ExactMesh* const> operands, const 
   return arrange(input, rule, progress, memory_limit);
 }
 
-mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface,
-                                          const Progress& progress) {
+mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface, const Progress& progress,
+                                          std::span<const std::uint8_t> crossing) {
   const mesh::ExactMesh* const operand = &surface;
   const BooleanRule rule = union_rule(1);
   ArrangementInput input = imported({&operand, 1}, rule);
   input.operand_pairs = {{0, 0}};
+  input.crossing = crossing;
   // Any edge may have more than two triangles.
   std::fill(input.special.begin(), input.special.end(), std::uint8_t{1});
   return arrange(input, rule, progress, 0);
+}
+
+mesh::ExactMesh united_with_winding(const mesh::ExactMesh& solid, const mesh::ExactMesh& surface) {
+  const std::array<const mesh::ExactMesh*, 2> operands{&solid, &surface};
+  const BooleanRule rule{
+      {0, 1}, 2, [](std::span<const int> counts) { return counts[0] > 0 || counts[1] > 0; }};
+  ArrangementInput input = imported(operands, rule);
+  input.operand_pairs = {{0, 1}, {1, 1}};
+  // Any edge of the surface may have more than two triangles.
+  for (const auto* first : {&input.first_double, &input.first_implicit}) {
+    std::fill(input.special.begin() + (*first)[1], input.special.begin() + (*first)[2],
+              std::uint8_t{1});
+  }
+  return arrange(input, rule, {}, 0);
 }
 
 BooleanRule union_rule(std::size_t operands) {

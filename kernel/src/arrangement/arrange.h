@@ -28,9 +28,17 @@ namespace dupin::arrangement {
 
 /// The boundary of the points that a surface winds around a positive number of times. It is closed
 /// (each edge is run along as often one way as the other) and has no degenerate or duplicate
-/// triangles, but may cross and cover itself. Throws like arrange().
-[[nodiscard]] mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface,
-                                                        const Progress& progress = {});
+/// triangles, but may cross and cover itself. `crossing`: empty, or 1 per triangle that may meet
+/// another one but in common corners and edges. Throws like arrange().
+[[nodiscard]] mesh::ExactMesh positive_winding_boundary(
+    const mesh::ExactMesh& surface, const Progress& progress = {},
+    std::span<const std::uint8_t> crossing = {});
+
+/// The boundary of the points that are inside the solid or that the surface, which may cross and
+/// cover itself and the solid's, winds around a positive number of times. Contacts of the solid
+/// become places where the result touches itself. Throws like arrange().
+[[nodiscard]] mesh::ExactMesh united_with_winding(const mesh::ExactMesh& solid,
+                                                  const mesh::ExactMesh& surface);
 
 /// Inside any, inside all, inside the first but none of the others.
 [[nodiscard]] BooleanRule union_rule(std::size_t operands);

@@ -213,8 +213,11 @@ class Finder {
   [[nodiscard]] std::vector<TrianglePair> pairs_within(std::uint32_t operand) const {
     std::vector<std::uint32_t> runs(framed_[operand].runs.size());
     std::iota(runs.begin(), runs.end(), 0u);
-    const std::vector<TriangleBox> all =
+    std::vector<TriangleBox> all =
         boxes(operand, runs, framed_[operand].axes, framed_[operand].bounds);
+    if (!input_.crossing.empty()) {
+      std::erase_if(all, [&](const TriangleBox& b) { return input_.crossing[b.triangle] == 0; });
+    }
     const boxes::BoxTree tree = tree_over(all, quantizer_for(bounds_of(all), Bounds()));
     std::vector<TrianglePair> result;
     boxes::TreeTraversal(tree).visit({1, 1}, [&](std::uint32_t i, std::uint32_t k) {

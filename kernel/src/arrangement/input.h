@@ -55,6 +55,8 @@ struct ArrangementInput {
   std::vector<Bounds> bounds;                 ///< of each operand
   double extent = 0;                          ///< bounds the magnitude of all coordinates
   std::vector<std::array<std::uint32_t, 2>> operand_pairs;  ///< to compare, ascending
+  /// Per triangle, or empty: whether it may meet others of its operand but in what they share.
+  std::span<const std::uint8_t> crossing;
   /// Per point: more than one fan may meet there, or no triangle has it for a corner.
   std::vector<std::uint8_t> special;
   std::vector<std::uint8_t> merged;   ///< per triangle: cancelled, or a copy of another

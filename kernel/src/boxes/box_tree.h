@@ -38,13 +38,14 @@ class BoxTree {
   /// Calls visit(item) for every item whose box overlaps `box`.
   template <class Visit>
   void visit(const Box& box, Visit&& visit) const {
-    visit_items(box, OrientedBox(box), visit);
+    visit_items(box, OrientedBox(box),
+                [&](std::uint32_t item, const Box&) { return visit(item), false; });
   }
-  /// Calls visit(item) for every item whose triangle meets the one given, which lies in `box`, and
-  /// some others.
+  /// Calls visit(item, its box) for items, until it returns true: all those whose triangle meets
+  /// some of those given, which lie in `box`, and others. Whether it did.
   template <class Visit>
-  void visit(const Box& box, const FramedTriangle& triangle, Visit&& visit) const {
-    visit_items(box, oriented_.empty() ? OrientedBox() : OrientedBox({&triangle, 1}), visit);
+  bool visit_until(const Box& box, std::span<const FramedTriangle> triangles, Visit&& visit) const {
+    return visit_items(box, oriented_.empty() ? OrientedBox() : OrientedBox(triangles), visit);
   }
 
   /// The items in the tree's order, kLeafSize to a leaf.
@@ -82,12 +83,11 @@ class BoxTree {
     const Box& box;
     const OrientedBox& oriented;
   };
-  /// Calls visit(leaf) for the leaves below nodes that meets(node) is true of, until it returns
-  /// true. Whether it did.
+  /// Calls visit(leaf) for leaves below nodes where meets(node), until it is true; whether it was.
   template <class Meets, class Visit>
   bool visit_leaves(Meets&& meets, Visit&& visit) const;
   template <class Visit>
-  void visit_items(const Box& box, const OrientedBox& oriented, Visit&& visit) const;
+  bool visit_items(const Box& box, const OrientedBox& oriented, Visit&& visit) const;
   [[nodiscard]] bool overlap(std::uint32_t node, const Target& target) const {
     return target.box.overlaps(nodes_[node]) &&
            (oriented_.empty() || !oriented_[node].apart(target.oriented));
@@ -160,17 +160,17 @@ double BoxTree::orient_if_crowded(Triangles&& triangle) {
 }
 
 template <class Visit>
-void BoxTree::visit_items(const Box& box, const OrientedBox& oriented, Visit&& visit) const {
+bool BoxTree::visit_items(const Box& box, const OrientedBox& oriented, Visit&& visit) const {
   const Target target{box, oriented};
-  visit_leaves([&](std::uint32_t node) { return overlap(node, target); },
-               [&](std::uint32_t leaf) {
-                 for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
-                   if (box.overlaps(boxes_[i])) {
-                     visit(order_[i]);
-                   }
-                 }
-                 return false;
-               });
+  return visit_leaves([&](std::uint32_t node) { return overlap(node, target); },
+                      [&](std::uint32_t leaf) {
+                        for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
+                          if (box.overlaps(boxes_[i]) && visit(order_[i], boxes_[i])) {
+                            return true;
+                          }
+                        }
+                        return false;
+                      });
 }
 
 template <class Meets, class Visit>

@@ -217,6 +217,12 @@ TriangleOverlapTest::TriangleOverlapTest(std::span<const Vec3> points, const Tri
       corners_(corners),
       plane_(points[corners[0]], points[corners[1]], points[corners[2]]) {}
 
+bool TriangleOverlapTest::is_degenerate() const {
+  const auto& [a, b, c] = corners_;
+  return !plane_.certain() &&
+         CGAL::collinear(point(points_[a]), point(points_[b]), point(points_[c]));
+}
+
 TriangleOverlap TriangleOverlapTest::meeting(const Triangle& other) const {
   int shared = 0, mine = 0, others = 0;
   for (int i = 0; i < 3; ++i) {

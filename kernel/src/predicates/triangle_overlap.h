@@ -27,6 +27,13 @@ class TriangleOverlapTest {
  public:
   TriangleOverlapTest(std::span<const Vec3> points, const Triangle& corners);
 
+  /// Of a triangle that may be degenerate: whether it is, exactly.
+  [[nodiscard]] bool is_degenerate() const;
+  /// Whether the plane has all three points on one side, certainly.
+  [[nodiscard]] bool is_on_one_side(const Vec3& a, const Vec3& b, const Vec3& c) const {
+    const int side = plane_.side(a);
+    return side != 0 && plane_.side(b) == side && plane_.side(c) == side;
+  }
   [[nodiscard]] TriangleOverlap meeting(const Triangle& other) const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <tuple>
 
 #include <Eigen/Geometry>
@@ -106,15 +107,28 @@ bool shift_any_point(EditedMesh& mesh, const exact::FloatLattice& lattice, const
       vertices, [&](std::uint32_t vertex) { return shift_point(mesh, lattice, vertex, rule); });
 }
 
-/// One step that lowers the number of faults: at the fault's own faces, else next to them; new
-/// edges first, because they are cheaper to try than new places.
+/// Ways to lower the number of faults, by what it takes to try them.
+enum class Effort { edges, edges_around, points };
+
+/// One step that lowers the number of faults: at the fault's own faces or next to them too.
 bool improve(EditedMesh& mesh, const exact::FloatLattice& lattice, const Fault& fault,
-             const EditRule& rule) {
+             const EditRule& rule, Effort effort) {
   Faces faces = {fault.first, fault.second};
   support::sort_unique(faces);
-  const Faces ring = with_neighbours(mesh, faces);
-  return collapse_or_flip(mesh, faces, rule) || collapse_or_flip(mesh, ring, rule) ||
-         shift_any_point(mesh, lattice, faces, rule) || shift_any_point(mesh, lattice, ring, rule);
+  if (effort == Effort::edges_around) {
+    faces = with_neighbours(mesh, faces);
+  }
+  return effort < Effort::points ? collapse_or_flip(mesh, faces, rule)
+                                 : shift_any_point(mesh, lattice, faces, rule);
+}
+
+/// Edits to be tried, per fault and besides: ten times as many as the 600 unions of
+/// io_written_unions_test need. What takes more gets nowhere.
+constexpr std::uint64_t kTrialsPerFault = 16, kTrials = 1 << 15;
+
+/// mend_faults(), which may give up.
+void mend(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach) {
+  mend_faults(mesh, lattice, reach, kTrials + kTrialsPerFault * mesh.faults().size());
 }
 
 double height(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -154,9 +168,10 @@ bool flip_low(EditedMesh& mesh, std::uint32_t face, const EditRule& rule) {
   return after > before && mesh.flip(face, edge, rule);
 }
 
-/// The faces with corners, of the faces given, that are not where the solid has them.
+/// The faces, of those given, with corners that are not where the solid has them, and all others at
+/// these.
 support::BulkVector<std::uint8_t> inexact_faces(const EditedMesh& mesh, const BrokenMesh& original,
-                                                const std::vector<std::uint32_t>& faces) {
+                                                const Faces& faces) {
   support::BulkVector<std::uint8_t> inexact(mesh.face_count(), 0);
   for (const std::uint32_t f : faces) {
     for (const std::uint32_t v : mesh.triangle(f)) {
@@ -214,21 +229,26 @@ std::vector<std::uint32_t> with_neighbours(const EditedMesh& mesh, const Faces& 
   return ring;
 }
 
-std::uint64_t mend_faults(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach,
-                          std::uint64_t trials) {
+bool mend_faults(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach,
+                 std::uint64_t trials) {
   const EditRule rule{FaultRule::fewer, reach};
   const std::uint64_t first = mesh.trials();
-  std::vector<Fault> faults = mesh.faults();
-  for (bool progress = true; progress && !faults.empty(); faults = mesh.faults()) {
-    progress = false;
-    for (const Fault& fault : faults) {
+  for (Effort effort = Effort::edges;;) {
+    bool progress = false;
+    for (const Fault& fault : mesh.faults()) {
       if (mesh.trials() - first >= trials) {
-        return 0;
+        return false;
       }
-      progress = (mesh.is_fault(fault) && improve(mesh, lattice, fault, rule)) || progress;
+      progress = (mesh.is_fault(fault) && improve(mesh, lattice, fault, rule, effort)) || progress;
+    }
+    if (progress) {
+      effort = Effort::edges;
+    } else if (effort == Effort::points) {
+      return true;
+    } else {
+      effort = static_cast<Effort>(static_cast<int>(effort) + 1);
     }
   }
-  return trials - std::min(trials, mesh.trials() - first);
 }
 
 void thicken(EditedMesh& mesh, double reach, Faces faces) {
@@ -249,29 +269,40 @@ void thicken(EditedMesh& mesh, double reach, Faces faces) {
   }
 }
 
-std::uint64_t repair_around(EditedMesh& mesh, const BrokenMesh& original,
-                            const std::vector<std::uint32_t>& broken,
-                            const std::vector<Fault>& broken_pairs, const RepairLimits& limits) {
-  const auto& [lattice, largest, reach, trials] = limits;
-  std::uint64_t left = trials;
+bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original, double reach, double mending) {
+  Faces all(mesh.face_count());
+  std::iota(all.begin(), all.end(), 0);
+  mesh.find_faults(marked_faces(original.triangles, original.inexact));
+  mend(mesh, exact::FloatLattice(Coordinates::binary64), mending);
+  if (!mesh.faults().empty()) {
+    return false;
+  }
+  thicken(mesh, reach, std::move(all));
+  return true;
+}
+
+void repair_around(EditedMesh& mesh, const BrokenMesh& original,
+                   const std::vector<std::uint32_t>& broken, const std::vector<Fault>& broken_pairs,
+                   const RepairLimits& limits) {
+  const auto& [lattice, largest, reach] = limits;
   if (!lattice.holds_doubles()) {
     const exact::FloatLattice doubles(Coordinates::binary64);
     const auto around = with_neighbours(mesh, broken);
     mesh.find_faults(inexact_faces(mesh, original, around));
-    left = mend_faults(mesh, doubles, reach / lattice.step(largest) * doubles.step(largest), left);
+    mend(mesh, doubles, reach / lattice.step(largest) * doubles.step(largest));
     thicken(mesh, reach, with_neighbours(mesh, broken));
     place_on_lattice(mesh, original, lattice);
   } else if (!std::ranges::all_of(mesh.points(), [](const Vec3& p) { return is_in_range(p); })) {
     place_on_lattice(mesh, original, lattice);
   }
   mesh.find_faults(differing_faces(mesh, original), broken_pairs);
-  return mend_faults(mesh, lattice, reach, left);
+  mend(mesh, lattice, reach);
 }
 
-std::uint64_t repair_further(EditedMesh& mesh, const exact::FloatLattice& lattice,
-                             const Faces& broken, double reach, std::uint64_t trials) {
+void repair_further(EditedMesh& mesh, const exact::FloatLattice& lattice, const Faces& broken,
+                    double reach) {
   thicken(mesh, reach, with_neighbours(mesh, broken));
-  return mend_faults(mesh, lattice, reach, trials);
+  mend(mesh, lattice, reach);
 }
 
 }  // namespace dupin::rounding

@@ -12,29 +12,31 @@ namespace dupin::rounding {
 /// What an attempt at repair may do.
 struct RepairLimits {
   exact::FloatLattice lattice;
-  double largest;        ///< coordinate
-  double reach;          ///< of collapses and moves
-  std::uint64_t trials;  ///< edits to be tried
+  double largest;  ///< coordinate
+  double reach;    ///< of collapses and moves
 };
+
+/// Mends the mesh of doubles, whose points may move by `mending`, and thickens it everywhere. False
+/// if faults are left.
+bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original, double reach, double mending);
 
 /// Around the faces that rounding breaks: mends the mesh of doubles, then, for a coarser lattice,
 /// thickens what is thin, rounds, and mends again. `broken_pairs` are the faults of the mesh that
-/// is rounded only. Returns how many trials are left; faults may be, too.
-std::uint64_t repair_around(EditedMesh& mesh, const BrokenMesh& original,
-                            const std::vector<std::uint32_t>& broken,
-                            const std::vector<Fault>& broken_pairs, const RepairLimits& limits);
+/// is rounded only. Faults may be left.
+void repair_around(EditedMesh& mesh, const BrokenMesh& original,
+                   const std::vector<std::uint32_t>& broken, const std::vector<Fault>& broken_pairs,
+                   const RepairLimits& limits);
 
 /// Goes on where repair_around() left faults, with a larger reach, near the `broken` faces only.
-std::uint64_t repair_further(EditedMesh& mesh, const exact::FloatLattice& lattice,
-                             const std::vector<std::uint32_t>& broken, double reach,
-                             std::uint64_t trials);
+void repair_further(EditedMesh& mesh, const exact::FloatLattice& lattice,
+                    const std::vector<std::uint32_t>& broken, double reach);
 
 /// Removes the known faults one by one, in order, by collapsing an edge not longer than `reach`,
 /// else flipping an edge, else moving a point to a near number of the lattice. Every step lowers
-/// their number. Gives up once about as many edits have been tried as `trials` says; returns how
-/// many are left, 0 if it gave up.
-std::uint64_t mend_faults(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach,
-                          std::uint64_t trials);
+/// their number. What takes more tries is tried where less does not help any fault. Whether it got
+/// there, or nowhere else: gives up once about as many edits have been tried as `trials` says.
+bool mend_faults(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach,
+                 std::uint64_t trials);
 
 /// Collapses edges shorter than `reach` and flips away triangles that are lower, among `faces` and
 /// what these edits touch, where the mesh stays free of faults. What is thinner than the rounding's

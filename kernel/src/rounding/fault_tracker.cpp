@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 
 #include "checking/self_intersection.h"
-#include "predicates/triangle_overlap.h"
 #include "support/blocks.h"
 #include "support/sequences.h"
 
@@ -19,17 +19,18 @@ void look_nearby(const Embedding& mesh, std::span<const std::uint32_t> faces,
                  std::vector<Fault>& found) {
   for (std::size_t i = 0; i < faces.size() && found.size() < limit; ++i) {
     const std::uint32_t f = faces[i];
-    if (is_degenerate(mesh, f)) {
+    FaultTest test(mesh, f);
+    if (test.is_degenerate()) {
       found.push_back({f, f});
       continue;
     }
-    const auto test = [&](std::uint32_t g) {
-      if (found.size() < limit && !is_degenerate(mesh, g) && is_faulty_pair(mesh, f, g)) {
+    const auto look_at = [&](std::uint32_t g) {
+      if (found.size() < limit && !is_degenerate(mesh, g) && test.is_faulty_with(g)) {
         found.push_back(fault_of(f, g));
       }
     };
-    std::ranges::for_each(hot, test);
-    std::ranges::for_each(faces.subspan(i + 1), test);
+    std::ranges::for_each(hot, look_at);
+    std::ranges::for_each(faces.subspan(i + 1), look_at);
   }
 }
 
@@ -40,26 +41,28 @@ bool is_degenerate(const Embedding& mesh, std::uint32_t face) {
   return predicates::collinear(mesh.points[a], mesh.points[b], mesh.points[c]);
 }
 
-bool is_faulty_pair(const Embedding& mesh, std::uint32_t f, std::uint32_t g) {
-  std::array<Vec3, 6> corners;
-  Triangle second{};
+FaultTest::FaultTest(const Embedding& mesh, std::uint32_t face)
+    : mesh_(mesh),
+      face_(face),
+      corners_{mesh.points[mesh.triangles[face][0]], mesh.points[mesh.triangles[face][1]],
+               mesh.points[mesh.triangles[face][2]]},
+      test_(corners_, {0, 1, 2}) {}
+
+bool FaultTest::is_faulty_with(std::uint32_t other) {
+  const Triangle &mine = mesh_.triangles[face_], &others = mesh_.triangles[other];
+  Triangle second = {3, 4, 5};
   bool foreign_contact = false;
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    corners[i] = mesh.points[mesh.triangles[f][i]];
-    corners[3 + i] = mesh.points[mesh.triangles[g][i]];
-    second[i] = 3 + i;
-  }
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    for (std::uint32_t j = 0; j < 3; ++j) {
-      if (corners[i] == corners[3 + j]) {
+  for (std::uint32_t j = 0; j < 3; ++j) {
+    const Vec3& corner = corners_[3 + j] = mesh_.points[others[j]];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (corners_[i] == corner) {
         second[j] = i;
-        foreign_contact = foreign_contact || mesh.representatives[mesh.triangles[f][i]] !=
-                                                 mesh.representatives[mesh.triangles[g][j]];
+        foreign_contact =
+            foreign_contact || mesh_.representatives[mine[i]] != mesh_.representatives[others[j]];
       }
     }
   }
-  return foreign_contact || predicates::TriangleOverlapTest(corners, {0, 1, 2}).meeting(second) !=
-                                predicates::TriangleOverlap::none;
+  return foreign_contact || test_.meeting(second) != predicates::TriangleOverlap::none;
 }
 
 support::BulkVector<std::uint8_t> marked_faces(std::span<const Triangle> triangles,
@@ -75,6 +78,9 @@ support::BulkVector<std::uint8_t> marked_faces(std::span<const Triangle> triangl
 }
 
 std::vector<Fault> find_faults(const Embedding& mesh, std::span<const std::uint8_t> marked) {
+  if (std::ranges::find(marked, 1) == marked.end()) {
+    return {};
+  }
   const checking::SelfIntersections found =
       checking::find_self_intersections(mesh.points, mesh.triangles,
                                         {.active = marked,
@@ -146,13 +152,16 @@ void FaultTracker::find_of(const Mesh& mesh, std::uint32_t face,
     remember({face, face});
     return;
   }
-  tree(mesh).visit(box(mesh, face), framed(mesh, face), [&](std::uint32_t other) {
+  const boxes::FramedTriangle triangle = framed(mesh, face);
+  const auto look_at = [&](std::uint32_t other, const boxes::Box&) {
     const bool is_first = face < other || (face != other && marked[other] == 0);
     if (is_first && mesh.alive[other] != 0 && !is_degenerate(all, other) &&
         is_faulty_pair(all, face, other)) {
       remember(fault_of(face, other));
     }
-  });
+    return false;
+  };
+  tree(mesh).visit_until(frame_.around(triangle), {&triangle, 1}, look_at);
 }
 
 void FaultTracker::find(const Mesh& mesh, std::span<const std::uint8_t> marked,
@@ -226,6 +235,9 @@ void FaultTracker::forget(const Fault& fault) {
 /// The known faults that involve one of the faces, ascending.
 std::vector<Fault> FaultTracker::known_of(std::span<const std::uint32_t> faces) const {
   std::vector<Fault> known;
+  if (partners_.empty()) {
+    return known;
+  }
   for (const std::uint32_t f : faces) {
     const auto entry = partners_.find(f);
     if (entry != partners_.end()) {
@@ -258,17 +270,36 @@ void FaultTracker::look_everywhere(const Mesh& mesh, std::span<const std::uint32
   for (const std::uint32_t f : hot) {
     stamp_[f] = searches_;
   }
+  // They have a point in common: one descent finds what is near any of them.
+  std::vector<boxes::FramedTriangle> triangles;
+  std::vector<boxes::Box> boxes;
+  std::deque<FaultTest> tests;
+  boxes::Box around = boxes::Box::nothing();
   for (const std::uint32_t f : faces) {
-    if (is_degenerate(all, f)) {
+    if (tests.emplace_back(all, f).is_degenerate()) {
+      tests.pop_back();
       continue;
     }
-    tree(mesh).visit(box(mesh, f), framed(mesh, f), [&](std::uint32_t g) {
-      if (found.size() < limit && mesh.alive[g] != 0 && stamp_[g] != searches_ &&
-          !is_degenerate(all, g) && is_faulty_pair(all, f, g)) {
-        found.push_back(fault_of(f, g));
-      }
-    });
+    triangles.push_back(framed(mesh, f));
+    boxes.push_back(frame_.around(triangles.back()));
+    around.join(boxes.back());
   }
+  if (tests.empty()) {
+    return;
+  }
+  tree(mesh).visit_until(around, triangles, [&](std::uint32_t g, const boxes::Box& box_of_g) {
+    if (mesh.alive[g] == 0 || stamp_[g] == searches_) {
+      return false;
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      // Few are left that it is worth asking whether they are degenerate.
+      if (boxes[i].overlaps(box_of_g) && !tests[i].is_apart_from(g) && !is_degenerate(all, g) &&
+          tests[i].is_faulty_with(g)) {
+        found.push_back(fault_of(tests[i].face(), g));
+      }
+    }
+    return found.size() >= limit;
+  });
 }
 
 bool FaultTracker::accept(const Mesh& mesh, std::span<const std::uint32_t> before,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -8,6 +9,7 @@
 
 #include "boxes/box_tree.h"
 #include "dupin/kernel/mesh.h"
+#include "predicates/triangle_overlap.h"
 #include "support/bulk_vector.h"
 
 namespace dupin::rounding {
@@ -29,8 +31,35 @@ struct Embedding {
 
 [[nodiscard]] bool is_degenerate(const Embedding& mesh, std::uint32_t face);
 
+/// One triangle of a mesh to be tested for faults with others.
+class FaultTest {
+ public:
+  /// The mesh outlives this.
+  FaultTest(const Embedding& mesh, std::uint32_t face);
+  FaultTest(const FaultTest&) = delete;
+  FaultTest& operator=(const FaultTest&) = delete;
+
+  [[nodiscard]] std::uint32_t face() const { return face_; }
+  [[nodiscard]] bool is_degenerate() const { return test_.is_degenerate(); }
+  /// Whether another one lies on one side of the triangle's plane, certainly.
+  [[nodiscard]] bool is_apart_from(std::uint32_t other) const {
+    const auto& [a, b, c] = mesh_.triangles[other];
+    return test_.is_on_one_side(mesh_.points[a], mesh_.points[b], mesh_.points[c]);
+  }
+  /// Whether the triangle and another one, none of them degenerate, are a fault.
+  [[nodiscard]] bool is_faulty_with(std::uint32_t other);
+
+ private:
+  const Embedding& mesh_;
+  std::uint32_t face_;
+  std::array<Vec3, 6> corners_;  // of the triangle, then of the other one
+  predicates::TriangleOverlapTest test_;
+};
+
 /// Whether two triangles, none of them degenerate, are a fault.
-[[nodiscard]] bool is_faulty_pair(const Embedding& mesh, std::uint32_t f, std::uint32_t g);
+[[nodiscard]] inline bool is_faulty_pair(const Embedding& mesh, std::uint32_t f, std::uint32_t g) {
+  return FaultTest(mesh, f).is_faulty_with(g);
+}
 
 /// A mark per triangle: whether it has a marked point.
 [[nodiscard]] support::BulkVector<std::uint8_t> marked_faces(

@@ -127,12 +127,10 @@ class OpenSlits {
     }
     // Prisms may overlap, and a patch may lie over itself by some rounding of its points.
     const mesh::ExactMesh all = prisms();
-    const mesh::ExactMesh filling = arrangement::positive_winding_boundary(all);
     FilledSlits result;
-    result.mesh = arrangement::arrange(std::array{&solid_, &filling}, arrangement::union_rule(2));
+    result.mesh = arrangement::united_with_winding(solid_, all);
     for (Source& source : result.mesh.sources) {
-      source = source.operand == 0 ? solid_.sources[source.triangle]
-                                   : all.sources[filling.sources[source.triangle].triangle];
+      source = source.operand == 0 ? solid_.sources[source.triangle] : all.sources[source.triangle];
     }
     for (const Patch& patch : patches_) {
       result.places.push_back(corner(patch.faces.front(), 0));

@@ -10,7 +10,6 @@
 #include "boxes/bounds.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "dupin/kernel/repair.h"
 #include "mesh/coincident_points.h"
 #include "mesh/exact_mesh.h"
 #include "mesh/used_points.h"
@@ -19,6 +18,7 @@
 #include "rounding/open_slits.h"
 #include "rounding/point_rounding.h"
 #include "rounding/rounding_options.h"
+#include "rounding/self_crossings.h"
 #include "rounding/shell_check.h"
 #include "rounding/shell_orientation.h"
 #include "rounding/sliver_voids.h"
@@ -31,10 +31,6 @@ namespace {
 constexpr double kReachGrowth = 4;
 constexpr double kDefaultTolerance = 1024;  // steps
 
-/// Edits to be tried in all, per fault that rounding leaves and besides: 50 times as many as the
-/// 600 unions of io_written_unions_test need. What takes more gets nowhere.
-constexpr std::uint64_t kTrialsPerFault = 64, kTrials = 1 << 17;
-
 /// So many faults are no accident of single points: open slits are looked for before repair.
 constexpr std::size_t kManyFaults = 256;
 
@@ -42,19 +38,24 @@ constexpr std::size_t kManyFaults = 256;
 /// tell.
 constexpr double kWidestSlit = 64;  // steps
 
+/// So many triangles of which rounding leaves nothing, of so many that are looked at, are no
+/// accident either: what is thinner than a step is thickened first.
+constexpr std::size_t kSampled = 16, kManyNeedles = kManyFaults / kSampled;
+
 /// Where repair with this reach leaves faults, the surface is made a solid again as it is; and that
 /// at most so often.
 constexpr double kSnapReach = 16;  // steps
 constexpr int kSnaps = 8;
 
-/// What has been done before the solid is rounded anew: without some voids or slits, or snapped.
+/// What has been done before the solid is rounded anew: thickened, without some voids or slits, or
+/// snapped.
 struct Past {
   std::size_t triangles = 0;  ///< of the solid as given
   double void_width = 0;      ///< of the widest filled void
   double slit_reach = 0;      ///< how far from the solid what was filled in open slits goes
-  bool has_filled_slits = false;
-  int snaps = 0;
-  double moved = 0;              ///< by what was snapped
+  bool has_filled_slits = false, has_filled_voids = false;
+  int thickenings = 0, snaps = 0;
+  double moved = 0;              ///< by what was thickened or snapped
   std::size_t moved_points = 0;  ///< likewise
   Vec3 origin = Vec3::Zero();    ///< that it is given from already
   std::vector<Vec3> filled_places, snapped_places;
@@ -62,19 +63,6 @@ struct Past {
   /// How far all that has taken any place.
   [[nodiscard]] double distance() const { return moved + std::max(void_width / 2, slit_reach); }
 };
-
-/// The solid that the surface winds around; none if it is not one that closes.
-std::optional<mesh::ExactMesh> resolved(const Rounded& surface) {
-  try {
-    mesh::ExactMesh solid = repair(surface.mesh()).solid.exact();
-    for (Source& source : solid.sources) {
-      source = surface.sources()[source.triangle];
-    }
-    return solid.triangles.empty() ? std::nullopt : std::optional(std::move(solid));
-  } catch (const Error&) {
-    return std::nullopt;
-  }
-}
 
 template <class Item>
 void copy(const std::vector<Item>& from, std::vector<Item>& to) {
@@ -93,7 +81,8 @@ class Rounding {
         past_(std::move(past)),
         coordinates_(coordinates),
         lattice_(coordinates, options.output_grid),
-        origin_(past_.snaps > 0 ? Vec3(Vec3::Zero()) : chosen_origin(options.origin, exact.points)),
+        origin_(past_.thickenings + past_.snaps > 0 ? Vec3(Vec3::Zero())
+                                                    : chosen_origin(options.origin, exact.points)),
         rounded_(round_points(exact, lattice_, origin_)),
         representatives_(mesh::representatives_at_contacts(exact)) {
     if (!(rounded_.largest_on_lattice <= largest_number())) {
@@ -109,6 +98,9 @@ class Rounding {
   [[nodiscard]] double tolerance() const { return tolerance_; }
 
   Rounded run() {
+    if (auto done = thickened()) {
+      return std::move(*done);
+    }
     const auto groups = mesh::groups_apart(exact_.stable, lattice_, step_, !origin_.isZero(0));
     const std::vector<Fault> found =
         find_faults({rounded_.on_lattice, exact_.triangles, representatives_, groups},
@@ -145,6 +137,58 @@ class Rounding {
                                                  : std::numeric_limits<float>::max();
   }
 
+  [[nodiscard]] bool is_full_of_needles() const {
+    std::size_t needles = 0;
+    for (std::size_t f = 0; f < exact_.triangles.size(); f += kSampled) {
+      const auto& [a, b, c] = exact_.triangles[f];
+      const std::vector<Vec3>& points = rounded_.on_lattice;
+      needles += points[a] == points[b] || points[b] == points[c] || points[c] == points[a] ? 1 : 0;
+    }
+    return needles >= kManyNeedles;
+  }
+
+  /// Where parts nearly coincide, a union has more triangles thinner than a step than others, and
+  /// rounding folds them over one another. They are collapsed before, among doubles, where they
+  /// are not in each other's way, once, and once after slits are filled. None if there are few, or
+  /// if that does not do.
+  std::optional<Rounded> thickened() {
+    if (lattice_.holds_doubles() || past_.thickenings > (past_.has_filled_slits ? 1 : 0) ||
+        !is_full_of_needles()) {
+      return std::nullopt;
+    }
+    if (past_.has_filled_slits) {
+      if (auto done = without_voids()) {
+        return done;
+      }
+    }
+    EditedMesh mesh(doubles(), exact_.triangles, exact_.labels, representatives_);
+    const double reach = std::min(step_, (tolerance_ - past_.distance()) / kReachGrowth);
+    if (!thicken_doubles(mesh, whole(), reach, kReachGrowth * double_step_)) {
+      return std::nullopt;
+    }
+    const auto alive = mesh.alive_faces();
+    const double move = largest_move(mesh, alive);
+    if (!misplaced({mesh.points(), mesh.triangles_of(alive)}, move).empty()) {
+      return std::nullopt;
+    }
+    Past past = past_;
+    past.moved = move - std::max(past_.void_width / 2, past_.slit_reach);
+    for (std::uint32_t v = 0; v < mesh.points().size(); ++v) {
+      past.moved_points += mesh.faces(v).empty() || mesh.point(v) != doubles()[v] ? 1 : 0;
+    }
+    past.origin += origin_;
+    ++past.thickenings;
+    Rounded surface = finished(mesh, alive, {});
+    mesh::ExactMesh solid;
+    solid.points = std::move(surface.mesh_.points);
+    solid.triangles = std::move(surface.mesh_.triangles);
+    solid.labels = std::move(surface.mesh_.labels);
+    solid.names = exact_.names;
+    solid.sources = std::move(surface.sources_);
+    solid.contacts = exact_.contacts;
+    return Rounding(solid, coordinates_, options_, std::move(past)).run();
+  }
+
   /// Fills slits and voids, repairs and snaps, as far as the tolerance allows.
   Rounded repaired(const std::vector<Fault>& broken_pairs, std::vector<std::uint32_t> broken) {
     if (auto done = without_voids()) {
@@ -155,7 +199,6 @@ class Rounding {
         return std::move(*done);
       }
     }
-    trials_left_ = kTrials + kTrialsPerFault * broken_pairs.size();
     const double farthest = tolerance_ - past_.distance();
     double reach = std::min(kReachGrowth * step_, farthest);
     if (auto done = repaired_in_part(broken, broken_pairs, reach)) {
@@ -163,8 +206,7 @@ class Rounding {
     }
     EditedMesh mesh(doubles(), exact_.triangles, exact_.labels, representatives_);
     std::size_t shells = remove_small_shells(mesh, broken, reach);
-    trials_left_ = repair_around(mesh, whole(), broken, broken_pairs,
-                                 {lattice_, rounded_.largest, reach, trials_left_});
+    repair_around(mesh, whole(), broken, broken_pairs, {lattice_, rounded_.largest, reach});
     while (true) {
       const auto alive = mesh.alive_faces();
       const double move = largest_move(mesh, alive);
@@ -176,12 +218,12 @@ class Rounding {
       if (auto done = begun_anew(mesh, alive, broken_pairs, broken, reach)) {
         return std::move(*done);
       }
-      if (reach == farthest || trials_left_ == 0) {
+      if (reach == farthest) {
         throw unroundable(broken.empty() ? doubles()[0] : mesh.point(mesh.triangle(broken[0])[0]));
       }
       reach = std::min(kReachGrowth * reach, farthest);
       shells += remove_small_shells(mesh, broken, reach);
-      trials_left_ = repair_further(mesh, lattice_, broken, reach, trials_left_);
+      repair_further(mesh, lattice_, broken, reach);
     }
   }
 
@@ -200,9 +242,10 @@ class Rounding {
 
   /// None if there are no sliver voids.
   std::optional<Rounded> without_voids() {
-    if (!may_have_voids()) {
+    if (past_.has_filled_voids || !may_have_voids()) {
       return std::nullopt;
     }
+    past_.has_filled_voids = true;
     const double widest = std::min(kWidestSlit * step_, tolerance_ - past_.distance());
     const auto filled = SliverVoids(exact_, representatives_, widest).filled(widest);
     if (!filled) {
@@ -228,6 +271,7 @@ class Rounding {
     }
     Past past = past_;
     past.slit_reach = filled->reach;
+    past.has_filled_voids = false;
     past.filled_places.insert(past.filled_places.end(), filled->places.begin(),
                               filled->places.end());
     return Rounding(filled->mesh, coordinates_, options_, std::move(past)).run();
@@ -243,11 +287,18 @@ class Rounding {
     past.moved_points = surface.report().moved;
     past.snapped_places.emplace_back(at + origin_ + past_.origin);
     past.origin += origin_;
+    past.has_filled_voids = false;
     ++past.snaps;
     if (!(past.distance() + kReachGrowth * step_ < tolerance_)) {
       return std::nullopt;
     }
-    const auto solid = resolved(surface);
+    std::vector<Fault> faults = mesh.faults();
+    for (Fault& fault : faults) {
+      for (std::uint32_t* face : {&fault.first, &fault.second}) {
+        *face = static_cast<std::uint32_t>(std::ranges::lower_bound(alive, *face) - alive.begin());
+      }
+    }
+    const auto solid = without_self_crossings(surface.mesh(), surface.sources(), faults);
     return solid ? std::optional(Rounding(*solid, coordinates_, options_, std::move(past)).run())
                  : std::nullopt;
   }
@@ -274,16 +325,13 @@ class Rounding {
     for (const Fault& fault : broken_pairs) {
       pairs.push_back({part->face(fault.first), part->face(fault.second)});
     }
-    const std::uint64_t trials = trials_left_;
     const std::size_t shells = remove_small_shells(mesh, faces, reach);
-    trials_left_ =
-        repair_around(mesh, view, faces, pairs, {lattice_, rounded_.largest, reach, trials_left_});
+    repair_around(mesh, view, faces, pairs, {lattice_, rounded_.largest, reach});
     if (mesh.faults().empty()) {
       if (auto done = spliced(mesh, *part, {.repair_reach = reach, .removed_shells = shells})) {
         return done;
       }
     }
-    trials_left_ = trials;
     return std::nullopt;
   }
 
@@ -347,7 +395,6 @@ class Rounding {
   RoundedPoints rounded_;
   std::vector<std::uint32_t> representatives_, shell_of_;
   double step_ = 0, double_step_ = 0, tolerance_ = 0;
-  std::uint64_t trials_left_ = 0;
 };
 
 /// A result of so many triangles, less its mesh and sources.
@@ -481,7 +528,7 @@ Error Rounding::unroundable(const Vec3& at) const {
 
 namespace {
 
-/// Found by trying a few, each of which ends after the trials it has.
+/// Found by trying a few, each of which ends.
 std::string larger_tolerance_text(const mesh::ExactMesh& solid, Coordinates coordinates,
                                   RoundingOptions options, double tolerance) {
   constexpr int kTries = 3;

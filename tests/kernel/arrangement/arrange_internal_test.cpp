@@ -142,5 +142,57 @@ TEST(Arrange, leaves_the_rounding_of_later_tasks_alone) {
   EXPECT_EQ(rounded_up, 0);
 }
 
+mesh::ExactMesh surface_of(const std::vector<TriMesh>& meshes) {
+  const TriMesh all = test::joined(meshes);
+  mesh::ExactMesh surface;
+  surface.points = all.points;
+  surface.triangles = all.triangles;
+  for (std::uint32_t t = 0; t < all.triangles.size(); ++t) {
+    surface.sources.push_back({0, t});
+  }
+  return surface;
+}
+
+Solid solid_of(mesh::ExactMesh mesh) {
+  return Solid(std::make_shared<const mesh::ExactMesh>(std::move(mesh)));
+}
+
+TriMesh inside_out(TriMesh mesh) {
+  for (Triangle& t : mesh.triangles) {
+    std::swap(t[1], t[2]);
+  }
+  return mesh;
+}
+
+TEST(UnitedWithWinding, adds_what_the_surface_winds_around_and_takes_nothing_away) {
+  const Solid solid = Solid::from(cube(0, 0, 0));
+  // Two boxes that cross each other and the solid, one on a face of it, and a hole in it.
+  const mesh::ExactMesh surface =
+      surface_of({box(Vec3(1, 0.5, 0.5), Vec3(4, 1.5, 1.5)), box(Vec3(3, 0, 1), Vec3(5, 1, 3)),
+                  box(Vec3(0.5, 0.5, 2), Vec3(1, 1, 3)),
+                  inside_out(box(Vec3(0.25, 0.25, 0.25), Vec3(0.5, 0.5, 0.5)))});
+  const Solid all = solid_of(united_with_winding(solid.exact(), surface));
+  // 8, and 2 x 1 x 1 of the first box, and 2 x 1 x 2 less 1 x 0.5 x 0.5, and 0.25.
+  EXPECT_EQ(all.exact_volume(), mpq_class("14") - mpq_class("1/4") + mpq_class("1/4"));
+  EXPECT_EQ(all.components(), 1);
+  EXPECT_EQ(all.shells(), 1);
+}
+
+TEST(PositiveWindingBoundary, looks_for_crossings_where_it_is_told_only) {
+  const mesh::ExactMesh surface =
+      surface_of({box(Vec3(0, 0, 0), Vec3(2, 2, 2)), box(Vec3(1, 1, 1), Vec3(3, 3, 3)),
+                  box(Vec3(8, 0, 0), Vec3(9, 1, 1))});
+  std::vector<std::uint8_t> crossing(36, 1);
+  std::fill(crossing.begin() + 24, crossing.end(), 0);
+  const mesh::ExactMesh all = positive_winding_boundary(surface);
+  const mesh::ExactMesh told = positive_winding_boundary(surface, {}, crossing);
+  EXPECT_EQ(told.points, all.points);
+  EXPECT_EQ(told.triangles, all.triangles);
+  EXPECT_EQ(solid_of(told).exact_volume(), 16);
+  EXPECT_EQ(positive_winding_boundary(surface, {}, std::vector<std::uint8_t>(36, 0)).triangles,
+            surface.triangles)
+      << "nothing is cut";
+}
+
 }  // namespace
 }  // namespace dupin::arrangement

@@ -102,8 +102,19 @@ TEST(BoxTree, with_oriented_boxes_visits_all_triangles_that_meet_another_one) {
   std::size_t met = 0, seen = 0, seen_upright = 0;
   for (std::uint32_t i = 0; i < 200; ++i) {
     std::vector<std::uint32_t> near;
-    tree.visit(boxes[i], needles.framed(frame, i), [&](std::uint32_t k) { near.push_back(k); });
+    const FramedTriangle triangle = needles.framed(frame, i);
+    EXPECT_FALSE(tree.visit_until(boxes[i], {&triangle, 1}, [&](std::uint32_t k, const Box& box) {
+      EXPECT_EQ(box.low, boxes[k].low);
+      near.push_back(k);
+      return false;
+    }));
     upright.visit(boxes[i], [&](std::uint32_t) { ++seen_upright; });
+    std::size_t count = 0;
+    EXPECT_TRUE(tree.visit_until(boxes[i], {&triangle, 1}, [&](std::uint32_t k, const Box&) {
+      EXPECT_EQ(k, near[count]) << "in the same order";
+      return ++count == (near.size() + 1) / 2;
+    }));
+    EXPECT_EQ(count, (near.size() + 1) / 2) << "and no further";
     std::ranges::sort(near);
     seen += near.size();
     const predicates::TriangleOverlapTest test(needles.points, needles.triangles[i]);

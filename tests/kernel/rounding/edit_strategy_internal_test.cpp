@@ -28,7 +28,7 @@ TEST_F(Edit, repairs_what_random_moves_have_broken) {
     EditedMesh tube = mesh();
     tube.find_faults(std::vector<std::uint8_t>(shape.triangles.size(), 1));
     const std::size_t before = tube.faults().size();
-    mend_faults(tube, lattice, 2, 1'000'000);
+    EXPECT_TRUE(mend_faults(tube, lattice, 2, 1'000'000));
     const Report after = check(result(tube));
     EXPECT_EQ(tube.faults().empty(),
               after.count(Defect::self_intersection) + after.count(Defect::degenerate_face) == 0)
@@ -47,7 +47,7 @@ TEST_F(Edit, gives_up_when_its_trials_are_spent) {
   const std::vector<Fault> before = tube.faults();
   ASSERT_FALSE(before.empty());
   const exact::FloatLattice lattice(Coordinates::binary64, 0x1p-10);
-  EXPECT_EQ(mend_faults(tube, lattice, 1e-3, 1), 0);
+  EXPECT_FALSE(mend_faults(tube, lattice, 1e-3, 1));
   EXPECT_TRUE(tube.faults() == before);
 }
 
@@ -65,6 +65,22 @@ TEST_F(Edit, thickens_what_is_lower_than_the_reach) {
       EXPECT_GT((thick.points[t[k]] - thick.points[t[(k + 1) % 3]]).norm(), 1e-4);
     }
   }
+}
+
+TEST_F(Edit, thickens_everywhere_what_doubles_hold) {
+  shape.points[1] = shape.points[0] + Vec3(0, 1e-6, 0);
+  const std::vector<std::uint8_t> inexact(shape.points.size(), 1);
+  const BrokenMesh original{shape.points,    shape.points, inexact,
+                            shape.triangles, labels,       representatives};
+  EditedMesh tube = mesh();
+  EXPECT_TRUE(thicken_doubles(tube, original, 1e-4, 0x1p-50));
+  const TriMesh thick = result(tube);
+  EXPECT_TRUE(check(thick).is_solid());
+  EXPECT_LT(thick.triangles.size(), shape.triangles.size());
+
+  shape.points[0] = Vec3(0, 0, 5);  // through the top
+  EditedMesh broken = mesh();
+  EXPECT_FALSE(thicken_doubles(broken, original, 1e-4, 0x1p-50));
 }
 
 TEST_F(Edit, knows_all_that_share_a_point) {

@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/solid.h"
+#include "rounding/self_crossings.h"
+#include "support/shapes.h"
+
+namespace dupin::rounding {
+namespace {
+
+std::vector<Source> sources_of(const TriMesh& mesh) {
+  std::vector<Source> sources;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    sources.push_back({7, t});
+  }
+  return sources;
+}
+
+Solid solid(mesh::ExactMesh mesh) {
+  return Solid(std::make_shared<const mesh::ExactMesh>(std::move(mesh)));
+}
+
+/// Two boxes that cross each other, and one by itself.
+const TriMesh kCrossing =
+    test::joined({test::box(Vec3(0, 0, 0), Vec3(2, 2, 2)), test::box(Vec3(1, 1, 1), Vec3(3, 3, 3)),
+                  test::box(Vec3(8, 0, 0), Vec3(9, 1, 1))});
+
+TEST(SelfCrossings, are_cut_away) {
+  std::vector<Fault> faults;
+  for (std::uint32_t f = 0; f < 12; ++f) {
+    for (std::uint32_t g = 12; g < 24; ++g) {
+      faults.push_back({f, g});
+    }
+  }
+  const auto mesh = without_self_crossings(kCrossing, sources_of(kCrossing), faults);
+  ASSERT_TRUE(mesh);
+  for (const Source& source : mesh->sources) {
+    EXPECT_EQ(source.operand, 7);
+    EXPECT_LT(source.triangle, kCrossing.triangles.size());
+  }
+  const Solid united = solid(*mesh);
+  EXPECT_EQ(united.exact_volume(), 16);
+  EXPECT_EQ(united.components(), 2);
+}
+
+TEST(SelfCrossings, go_with_triangles_without_area_and_points_that_coincide) {
+  TriMesh mesh = test::box(Vec3(0, 0, 0), Vec3(2, 2, 2));
+  // One edge becomes two, with a triangle on the line between them, and a copy of a point.
+  const auto [a, b, c] = mesh.triangles.front();
+  const auto middle = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.emplace_back((mesh.points[a] + mesh.points[b]) / 2);
+  mesh.points.push_back(mesh.points[c]);
+  mesh.triangles.front() = {a, middle, middle + 1};
+  mesh.triangles.push_back({middle, b, c});
+  mesh.triangles.push_back({a, b, middle});
+  const std::uint32_t flat = 13;
+  const auto closed =
+      without_self_crossings(mesh, sources_of(mesh), std::vector<Fault>{{flat, flat}});
+  ASSERT_TRUE(closed);
+  const Solid box = solid(*closed);
+  EXPECT_EQ(box.exact_volume(), 8);
+  EXPECT_EQ(box.components(), 1);
+}
+
+TEST(SelfCrossings, leave_nothing_of_what_is_inside_out) {
+  TriMesh mesh = test::box(Vec3(0, 0, 0), Vec3(2, 2, 2));
+  for (Triangle& t : mesh.triangles) {
+    std::swap(t[1], t[2]);
+  }
+  EXPECT_FALSE(without_self_crossings(mesh, sources_of(mesh), {}));
+}
+
+}  // namespace
+}  // namespace dupin::rounding
