@@ -13,19 +13,6 @@ TriMesh cube(double x, double y, double z, double size) {
   return box({x, y, z}, {x + size, y + size, z + size});
 }
 
-// The same box with the other diagonal in each side: its mirror image, mirrored back.
-TriMesh cut_otherwise(TriMesh mesh) {
-  double low = mesh.points[0].x(), high = low;
-  for (const Vec3& point : mesh.points) {
-    low = std::min(low, point.x());
-    high = std::max(high, point.x());
-  }
-  for (Vec3& point : mesh.points) {
-    point.x() = low + high - point.x();
-  }
-  return reversed(mesh);
-}
-
 // A prism along z over a convex polygon; each end a fan about its corner `apex`, or about `middle`
 // if there is one.
 TriMesh prism(const std::vector<Vec3>& outline, double low, double high, std::uint32_t apex,

@@ -94,6 +94,18 @@ TriMesh joined(const std::vector<TriMesh>& meshes) {
   return result;
 }
 
+TriMesh cut_otherwise(TriMesh box) {
+  double low = box.points[0].x(), high = low;
+  for (const Vec3& point : box.points) {
+    low = std::min(low, point.x());
+    high = std::max(high, point.x());
+  }
+  for (Vec3& point : box.points) {
+    point.x() = low + high - point.x();
+  }
+  return reversed(std::move(box));
+}
+
 TriMesh reversed(TriMesh mesh) {
   for (Triangle& corners : mesh.triangles) {
     std::swap(corners[1], corners[2]);

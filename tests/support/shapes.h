@@ -33,6 +33,9 @@ namespace dupin::test {
 /// All faces in one mesh, points not merged; labels kept where there are any.
 [[nodiscard]] TriMesh joined(const std::vector<TriMesh>& meshes);
 
+/// The same box with the other diagonal in each side: its mirror image, mirrored back.
+[[nodiscard]] TriMesh cut_otherwise(TriMesh box);
+
 /// The same surface seen from inside.
 [[nodiscard]] TriMesh reversed(TriMesh mesh);
 

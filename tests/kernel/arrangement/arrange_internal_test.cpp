@@ -157,20 +157,13 @@ Solid solid_of(mesh::ExactMesh mesh) {
   return Solid(std::make_shared<const mesh::ExactMesh>(std::move(mesh)));
 }
 
-TriMesh inside_out(TriMesh mesh) {
-  for (Triangle& t : mesh.triangles) {
-    std::swap(t[1], t[2]);
-  }
-  return mesh;
-}
-
 TEST(UnitedWithWinding, adds_what_the_surface_winds_around_and_takes_nothing_away) {
   const Solid solid = Solid::from(cube(0, 0, 0));
   // Two boxes that cross each other and the solid, one on a face of it, and a hole in it.
   const mesh::ExactMesh surface =
       surface_of({box(Vec3(1, 0.5, 0.5), Vec3(4, 1.5, 1.5)), box(Vec3(3, 0, 1), Vec3(5, 1, 3)),
                   box(Vec3(0.5, 0.5, 2), Vec3(1, 1, 3)),
-                  inside_out(box(Vec3(0.25, 0.25, 0.25), Vec3(0.5, 0.5, 0.5)))});
+                  test::reversed(box(Vec3(0.25, 0.25, 0.25), Vec3(0.5, 0.5, 0.5)))});
   const Solid all = solid_of(united_with_winding(solid.exact(), surface));
   // 8, and 2 x 1 x 1 of the first box, and 2 x 1 x 2 less 1 x 0.5 x 0.5, and 0.25.
   EXPECT_EQ(all.exact_volume(), mpq_class("14") - mpq_class("1/4") + mpq_class("1/4"));
