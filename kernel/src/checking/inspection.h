@@ -6,7 +6,9 @@
 #include "dupin/kernel/check.h"
 #include "mesh/self_contact.h"
 
-/// What is wrong with a mesh, exactly: the folder behind dupin/kernel/check.h and Solid::from.
+/// What is wrong with a mesh, exactly: the folder behind dupin/kernel/check.h and Solid::from,
+/// which asks plain_solid.h first: most meshes have nothing wrong with them, and nobody asks how
+/// large they are.
 ///
 /// `inspect` (this file) looks at indices, edges, corners and places in turn, and asks
 /// self_intersection.h whether triangles meet where they should not, which is most of the work.

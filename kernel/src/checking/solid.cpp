@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "checking/inspection.h"
+#include "checking/plain_solid.h"
 #include "dupin/kernel/error.h"
 #include "exact/exact_numbers.h"
 #include "mesh/edge_table.h"
@@ -94,7 +95,12 @@ void refuse_bad_labels(const TriMesh& mesh) {
 }
 
 // Copies the points that faces use.
-void copy_surface(const TriMesh& mesh, mesh::ExactMesh& exact) {
+void copy_surface(const TriMesh& mesh, bool uses_all_points, mesh::ExactMesh& exact) {
+  if (uses_all_points) {
+    exact.points = mesh.points;
+    exact.triangles = mesh.triangles;
+    return;
+  }
   const mesh::UsedPoints used = mesh::used_points(mesh.triangles, mesh.points.size());
   exact.points = support::selected(std::span<const Vec3>(mesh.points), used.points);
   exact.triangles = mesh.triangles;
@@ -128,21 +134,26 @@ Solid::Solid(std::shared_ptr<const mesh::ExactMesh> mesh) : mesh_(std::move(mesh
 
 Solid Solid::from(const TriMesh& mesh) {
   refuse_bad_labels(mesh);
-  const double largest = largest_coordinate(mesh);
-  const checking::Inspection inspection =
-      checking::inspect(mesh, {.limit = 1}, mesh::reach_of_binary32(largest));
-  refuse_faults(inspection.report, mesh);
+  const double largest = largest_coordinate(mesh), margin = mesh::reach_of_binary32(largest);
   auto exact = std::make_shared<mesh::ExactMesh>();
-  copy_surface(mesh, *exact);
+  if (const auto plain = checking::plain_solid(mesh, margin)) {
+    copy_surface(mesh, plain->uses_all_points, *exact);
+    exact->stable = mesh::one_group(plain->stable, largest);
+  } else {
+    const checking::Inspection inspection = checking::inspect(mesh, {.limit = 1}, margin);
+    refuse_faults(inspection.report, mesh);
+    copy_surface(mesh, false, *exact);
+    exact->stable = mesh::one_group(inspection.stable, largest);
+    for (const mesh::ContactPlace& place : inspection.contacts) {
+      exact->contacts.push_back(
+          mesh::to_contact(place, {mesh.points, mesh.triangles}, mesh.labels, mesh.names));
+    }
+  }
   exact->labels = mesh.labels;
   exact->names = mesh.names;
+  exact->sources.reserve(mesh.triangles.size());
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     exact->sources.push_back({0, i});
-  }
-  exact->stable = mesh::one_group(inspection.stable, largest);
-  for (const mesh::ContactPlace& place : inspection.contacts) {
-    exact->contacts.push_back(
-        mesh::to_contact(place, {mesh.points, mesh.triangles}, mesh.labels, mesh.names));
   }
   return Solid(std::move(exact));
 }

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "dupin/kernel/mesh.h"
+
+namespace dupin::checking {
+
+/// What is learnt on the way of a mesh without any fault or contact.
+struct PlainSolid {
+  std::vector<std::uint8_t> stable;  ///< see SelfIntersections
+  bool uses_all_points = false;
+};
+
+/// Whether a mesh is a solid that does not touch itself; none says that it is not, or that it has
+/// to be looked at closely. Far quicker than inspect(), which names faults and measures. `margin`
+/// is that of SelfIntersectionOptions. O(n log n) where boxes overlap O(1) others.
+[[nodiscard]] std::optional<PlainSolid> plain_solid(const TriMesh& mesh, double margin);
+
+}  // namespace dupin::checking
