@@ -14,6 +14,7 @@
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/boolean_expression.h"
 #include "dupin/kernel/cross_check.h"
+#include "dupin/kernel/parallel.h"
 #include "dupin/kernel/repair.h"
 #include "exit_code.h"
 #include "input.h"
@@ -65,16 +66,26 @@ Solid combined(SetOperation operation, std::span<const Solid> operands,
   return {};
 }
 
-/// The solid in a file, mended where that is asked for; what was done goes to `repairs`.
-Solid read_operand(const Input& input, bool is_repaired, std::vector<FileRepair>& repairs) {
-  if (!is_repaired) {
-    return solid_of(input);
+/// The solids in files, mended where that is asked for; what was done goes to `repairs`.
+std::vector<Solid> read_operands(const std::vector<Input>& inputs, bool are_repaired,
+                                 std::vector<FileRepair>& repairs) {
+  std::vector<Solid> operands(inputs.size());
+  std::vector<RepairReport> reports(inputs.size());
+  for_each_in_parallel(inputs.size(), [&](std::size_t i) {
+    if (are_repaired) {
+      Repaired repaired = repaired_solid_of(inputs[i]);
+      operands[i] = std::move(repaired.solid);
+      reports[i] = repaired.report;
+    } else {
+      operands[i] = solid_of(inputs[i]);
+    }
+  });
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (reports[i] != RepairReport{}) {
+      repairs.push_back({inputs[i].name, reports[i]});
+    }
   }
-  Repaired repaired = repaired_solid_of(input);
-  if (repaired.report != RepairReport{}) {
-    repairs.push_back({input.name, repaired.report});
-  }
-  return std::move(repaired.solid);
+  return operands;
 }
 
 /// Reads the files, does the task with their solids, settles contacts, writes.
@@ -87,12 +98,8 @@ ExitCode run_operation(const std::vector<std::string>& files, const OperandArgum
   const MeshHeader header{common_unit(inputs), {}};
   const ContactChoice contacts = contact_choice(arguments.contacts, header.unit);
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit);
-  std::vector<Solid> operands;
-  operands.reserve(inputs.size());
   std::vector<FileRepair> repairs;
-  for (const Input& input : inputs) {
-    operands.push_back(read_operand(input, arguments.repair, repairs));
-  }
+  const std::vector<Solid> operands = read_operands(inputs, arguments.repair, repairs);
   OutputReport report;
   {
     ProgressLine line(common.quiet);
