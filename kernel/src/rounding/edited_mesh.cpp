@@ -60,7 +60,7 @@ EditedMesh::EditedMesh(std::span<const Vec3> points, std::span<const Triangle> t
       tracker_(points_, triangles_, !complete.empty()) {
   for (std::uint32_t v = 0; v < points_.size(); ++v) {
     if (representatives_[v] != v) {
-      fixed_[v] = fixed_[representatives_[v]] = 1;
+      fixed_[v] = fixed_[representatives_[v]] = kAtContact;
     }
   }
   for (const Triangle& triangle : triangles_) {
@@ -79,7 +79,7 @@ EditedMesh::EditedMesh(std::span<const Vec3> points, std::span<const Triangle> t
     }
     if (!all_complete(triangles_[f])) {
       for (const std::uint32_t v : triangles_[f]) {
-        fixed_[v] = 1;
+        fixed_[v] |= kAtBorder;
       }
     }
   }
@@ -182,7 +182,11 @@ bool EditedMesh::collapsible(std::uint32_t from, std::uint32_t to) const {
 bool EditedMesh::collapse(std::uint32_t from, std::uint32_t to, const EditRule& rule) {
   const double moved = reach_[from] + (points_[from] - points_[to]).norm();
   const auto all = faces(from);
-  if (fixed_[from] != 0 || moved > rule.reach || !tracker_.may_accept(all, rule.faults) ||
+  // Of points at a contact one may take another's place.
+  const bool is_copy =
+      points_[from] == points_[to] && representatives_[from] == representatives_[to];
+  const bool is_fixed = fixed_[from] == kAtContact ? !is_copy : fixed_[from] != 0;
+  if (is_fixed || moved > rule.reach || !tracker_.may_accept(all, rule.faults) ||
       !collapsible(from, to)) {
     return false;
   }

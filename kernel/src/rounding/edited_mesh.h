@@ -100,8 +100,8 @@ class EditedMesh {
   std::span<const std::uint32_t> labels_, representatives_;
   std::span<const std::uint8_t> complete_;
   support::BulkVector<std::uint8_t> alive_;
-  support::BulkVector<std::uint8_t>
-      fixed_;  // points at contacts, and neighbours of incomplete ones
+  static constexpr std::uint8_t kAtContact = 1, kAtBorder = 2;  // or a neighbour of the border
+  support::BulkVector<std::uint8_t> fixed_;                     // of points
   support::BulkVector<std::uint32_t> parent_;
   support::BulkVector<double> reach_, deviation_;
   // Faces around vertices: slices of one array, or, once edited, a list of their own.

@@ -45,7 +45,7 @@ constexpr std::size_t kSampled = 16, kManyNeedles = kManyFaults / kSampled;
 /// Where repair with this reach leaves faults, the surface is made a solid again as it is; and that
 /// at most so often.
 constexpr double kSnapReach = 16;  // steps
-constexpr int kSnaps = 8;
+constexpr int kSnaps = 32;
 
 /// What has been done before the solid is rounded anew: thickened, without some voids or slits, or
 /// snapped.
@@ -168,9 +168,6 @@ class Rounding {
     }
     const auto alive = mesh.alive_faces();
     const double move = largest_move(mesh, alive);
-    if (!misplaced({mesh.points(), mesh.triangles_of(alive)}, move).empty()) {
-      return std::nullopt;
-    }
     Past past = past_;
     past.moved = move - std::max(past_.void_width / 2, past_.slit_reach);
     for (std::uint32_t v = 0; v < mesh.points().size(); ++v) {
@@ -178,15 +175,23 @@ class Rounding {
     }
     past.origin += origin_;
     ++past.thickenings;
+    const auto broken = misplaced({mesh.points(), mesh.triangles_of(alive)}, move);
     Rounded surface = finished(mesh, alive, {});
-    mesh::ExactMesh solid;
-    solid.points = std::move(surface.mesh_.points);
-    solid.triangles = std::move(surface.mesh_.triangles);
-    solid.labels = std::move(surface.mesh_.labels);
-    solid.names = exact_.names;
-    solid.sources = std::move(surface.sources_);
-    solid.contacts = exact_.contacts;
-    return Rounding(solid, coordinates_, options_, std::move(past)).run();
+    std::optional<mesh::ExactMesh> solid(std::in_place);
+    if (broken.empty()) {
+      solid->points = std::move(surface.mesh_.points);
+      solid->triangles = std::move(surface.mesh_.triangles);
+      solid->labels = std::move(surface.mesh_.labels);
+      solid->names = exact_.names;
+      solid->sources = std::move(surface.sources_);
+      solid->contacts = exact_.contacts;
+    } else {
+      past.snapped_places.emplace_back(mesh.point(mesh.triangle(alive[broken[0]])[0]) +
+                                       past.origin);
+      solid = without_self_crossings(surface.mesh(), surface.sources(), {});
+    }
+    return solid ? std::optional(Rounding(*solid, coordinates_, options_, std::move(past)).run())
+                 : std::nullopt;
   }
 
   /// Fills slits and voids, repairs and snaps, as far as the tolerance allows.
@@ -287,7 +292,6 @@ class Rounding {
     past.moved_points = surface.report().moved;
     past.snapped_places.emplace_back(at + origin_ + past_.origin);
     past.origin += origin_;
-    past.has_filled_voids = false;
     ++past.snaps;
     if (!(past.distance() + kReachGrowth * step_ < tolerance_)) {
       return std::nullopt;

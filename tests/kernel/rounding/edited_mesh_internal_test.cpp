@@ -54,6 +54,18 @@ TEST_F(Edit, leaves_points_of_contacts_alone) {
   EXPECT_TRUE(tube.move(2, tube.point(2) * 1.25, rule));
 }
 
+TEST_F(Edit, lets_one_point_of_a_contact_take_the_place_of_another) {
+  representatives[1] = 0;
+  EditedMesh apart = mesh();
+  EXPECT_FALSE(apart.collapse(1, 0, rule)) << "they are not in one place";
+  shape.points[1] = shape.points[0];
+  EditedMesh tube = mesh();
+  tube.find_faults(std::vector<std::uint8_t>(shape.triangles.size(), 1));
+  EXPECT_FALSE(tube.faults().empty());
+  EXPECT_TRUE(tube.collapse(1, 0, rule));
+  EXPECT_TRUE(check(result(tube)).is_solid());
+}
+
 TEST_F(Edit, gives_no_area_to_another_class) {
   std::iota(labels.begin(), labels.end(), 0);
   EditedMesh tube = mesh();
