@@ -73,11 +73,11 @@ bool append(const Solid& solid, const ParameterInterval& t, std::vector<Cell>& w
   for (const ParameterInterval& stretch : cut(t)) {
     const Piece* piece = solid.piece(stretch);
     if (piece == nullptr) {
-      return false;
+      return false;  // a ball
     }
     way.push_back({piece, within_piece(stretch)});
   }
-  return !solid.ball();
+  return true;
 }
 
 // On longer ways some piece turns too much; so they are not looked at.
