@@ -245,7 +245,9 @@ bool follows(const Solid& solid, const EmbeddedClaim& claim, const RegularClaim&
 bool follows(const Solid& first, const Solid& second, const std::vector<JoinedEnds>& joints,
              const ClearanceClaim& claim) {
   const bool joined = !joints.empty();
-  if (!has_form(claim) || claim.verdict == Verdict::undecided) {
+  // No leaves at all cover the discs of a part of which nothing is known.
+  if (!has_form(claim) || claim.verdict == Verdict::undecided ||
+      std::min(first.length(), second.length()) == 0) {
     return false;
   }
   if (claim.overlap) {

@@ -248,14 +248,6 @@ TEST(EmbeddedClaim, is_not_refuted_by_what_touches_a_flat_end) {
   EXPECT_FALSE(follows(chain, overlapping(on, across, end), kRegular));
 }
 
-TEST(EmbeddedClaim, is_not_refuted_by_the_rounding_of_a_joint) {
-  const Solid chain = test::solid(test::cylinder({0, 0, 0}, {1 + 1e-9, 0, 0}, 1),
-                                  test::cylinder({1, 0, 0}, {2, 0, 0}, 1));
-  const Vec3 between(1 + 5e-10, 0, 0);
-  EXPECT_FALSE(follows(chain, overlapping(between, {.5, 1}, {1, 1.5}), kRegular));
-  EXPECT_FALSE(follows(chain, overlapping(between, {1, 1.5}, {.5, 1}), kRegular));
-}
-
 TEST(ClearanceClaim, of_parallel_pipes_is_the_slab_between_them) {
   const Solid low = test::solid(test::cylinder({0, 0, 0}, {9, 0, 0}, 1)),
               high = test::solid(test::cylinder({2, 0, 5}, {7, 0, 5}, 2));

@@ -80,6 +80,36 @@ TEST(VerifyCertificate, of_a_shape_without_proofs_takes_only_undecided_claims) {
   EXPECT_THROW(verify(c), Error);
 }
 
+// It has no discs, so that no leaves cover all of them.
+TEST(VerifyCertificate, of_a_shape_without_proofs_takes_no_clearance) {
+  for (const bool is_first : {true, false}) {
+    Certificate c;
+    c.parts = {part("pipe", pipe({0, 0, 0}, {4, 0, 0})), part("pipe", pipe({0, 0, 0}, {4, 0, 0}))};
+    c.claims = {straight_claims(), straight_claims()};
+    c.tolerance = .01;
+    const std::size_t other = is_first ? 0 : 1;
+    c.parts[other].name = "other";
+    c.parts[other].shape = Chain{};
+    std::get<Chain>(c.parts[other].shape).joints = Joints::spherical;
+    c.claims[other] = {RegularClaim{}, EmbeddedClaim{}, {}, {}};
+    c.clearances = {{0, 1, Verdict::undecided, 0, {}, {}}};
+    EXPECT_NO_THROW(verify(c));
+    for (const bool joined : {false, true}) {
+      if (joined) {
+        c.parts[0].joined[1] = EndIndex{1, {}};
+        EXPECT_NO_THROW(verify(c));
+      }
+      Certificate lie = c;
+      lie.clearances = {{0, 1, Verdict::proved, joined ? 0. : 5., {}, {}}};
+      EXPECT_THROW(verify(lie), Error) << is_first << joined;
+      lie.clearances[0].distance = 5;
+      EXPECT_THROW(verify(lie), Error) << is_first << joined;
+      lie.clearances[0].leaves = {{{0, 0}, {0, 1}, Vec3(0, 1, 0)}, {{0, 1}, {0, 0}, {}}};
+      EXPECT_THROW(verify(lie), Error) << is_first << joined;
+    }
+  }
+}
+
 struct Lie {
   std::string about, part, claim;
   std::function<void(Certificate&)> tell;
