@@ -252,5 +252,37 @@ TEST(VerifyCertificate, of_a_chain_needs_pieces_that_share_their_rings) {
   EXPECT_THAT(refused_for(moved), testing::HasSubstr("'joints'"));
 }
 
+// With the same slopes across, seen from both sides.
+TEST(VerifyCertificate, of_a_chain_of_elliptic_tubes_needs_rings_with_the_same_slopes) {
+  EllipticTube before, after;
+  before.start = {Vec3(0, 0, 0), -Vec3::UnitX(), 2, 0, Ellipse{Vec3::UnitY(), 1, -.25}};
+  before.end = {Vec3(4, 0, 0), Vec3::UnitX(), 2, 0, Ellipse{Vec3::UnitY(), 2, .25}};
+  after.start = {Vec3(4, 0, 0), -Vec3::UnitX(), 2, 0, Ellipse{Vec3::UnitY(), 2, -.25}};
+  after.end = {Vec3(8, 0, 0), Vec3::UnitX(), 2, 0, Ellipse{Vec3::UnitY(), 3, .25}};
+  before.spine = LineSpine{Vec3(0, 0, 0), Vec3(4, 0, 0)};
+  after.spine = LineSpine{Vec3(4, 0, 0), Vec3(8, 0, 0)};
+  before.first = after.first = ConstantRadius{2};
+  before.second = LinearRadius{1, 2};
+  after.second = LinearRadius{2, 3};
+  before.axis = after.axis = Vec3::UnitY();
+  const TangencyClaim near{4, 0, 1e-300, {}};
+  Certificate c;
+  c.tolerance = .01;
+  c.parts.resize(1);
+  c.parts[0].name = "chain";
+  c.claims = {{RegularClaim{}, EmbeddedClaim{}, {near, near, near, near}, {}}};
+  const auto verify_chain = [&] {
+    Chain chain;
+    chain.pieces = {before, after};
+    c.parts[0].shape = chain;
+    verify(c);
+  };
+  EXPECT_NO_THROW(verify_chain());
+  for (const double slope : {.25, 0.}) {
+    after.start.ellipse->across_slope = slope;
+    EXPECT_THROW(verify_chain(), Error) << slope;
+  }
+}
+
 }  // namespace
 }  // namespace dupin
