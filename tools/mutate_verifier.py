@@ -2,7 +2,7 @@
 """What the tests of the verifier are worth: breaks each comparison, bound and inclusion of its
 sources once, and lists the mutants that no test notices.
 
-    tools/mutate_verifier.py BUILD [FILE[:LINE] ...]     for example build/dev regular_claim.cpp
+    tools/mutate_verifier.py BUILD [FILE[:LINE[-LINE]] ...]     e.g. build/dev regular_claim.cpp
 
 BUILD is a directory where ninja has built blends_verification_test; FILEs are sources of
 blends/src/verification, all of them if none is given. A mutant that does not compile, crashes the
@@ -32,6 +32,7 @@ ADMITTED = "radii of ends are admitted as positive, and so are those between"
 ROUNDING = "the two differ by rounding only"
 STRICTER = "it can only refuse more, and later cells say the same"
 DEPTH = "to halve once more changes no answer but of what is nearly too much"
+ONE_SIDE = "no point is on both sides of a plane"
 KNOWN = {
     ("admitted.cpp", "std::abs(s.axis.dot(spoke)) <= kUnitSlack", " < "): SLACK,
     ("admitted.cpp", "std::abs(v.stableNorm() - 1) <= kUnitSlack", " < "): SLACK,
@@ -54,8 +55,7 @@ KNOWN = {
         "a bound is rounded down, to less than 0 where it is 0",
     ("regular_claim.cpp", "return least > 0 &&", " >= "): ADMITTED,
     ("regular_claim.cpp", "return halvings > 0 && is_regular_on(", " >= "): DEPTH,
-    ("regular_claim.cpp", "least = tube.radius_range(t, t).lower;", ".upper"):
-ROUNDING,
+    ("regular_claim.cpp", "least = tube.radius_range(t, t).lower;", ".upper"): ROUNDING,
     ("pair_claims.cpp", "cells <= kMostCells; cells *= 2", " < "): STRICTER,
     ("pair_claims.cpp", "for (int i = 0; i < cells; ++i) {", " <= "): STRICTER,
     ("pair_claims.cpp", "length.lower > 0 ?", " >= "): "a quotient by what may be 0 is the line",
@@ -73,14 +73,26 @@ ROUNDING,
     ("pair_claims.cpp", "radius = std::max(radius.upper, disc->radius[0].upper);", ".lower"):
         "the largest radius so far is one number; tests notice if the other is the lower",
     ("pair_claims.cpp", "phi = phi.upper;", ".lower"): ROUNDING,
-    ("pair_claims.cpp", "if (!(t.from < t.to) || !discs", " <= "):
-        "no point is on both sides of a plane",
+    ("pair_claims.cpp", "if (!(t.from < t.to) || !discs", " <= "): ONE_SIDE,
     ("pair_claims.cpp", "first->tangents.front()).lower > 0", " >= "): SLACK,
     ("pair_claims.cpp", "first->tangents.front()).lower > 0", ".upper"): ROUNDING,
     ("pair_claims.cpp", "last->tangents.back()).upper < 0", " <= "): SLACK,
     ("pair_claims.cpp", "last->tangents.back()).upper < 0", ".lower"): ROUNDING,
     ("pair_claims.cpp", "const Interval cosine =", ".upper"): ROUNDING,
     ("pair_claims.cpp", "return phi.upper < 1 &&", " <= "): SLACK,
+    ("pair_claims.cpp", "norm(p - center).upper < discs->radius.lower", " <= "):
+        "a point of the border is in the disc too",
+    ("pair_claims.cpp", "overlap->first.to < claim.overlap->second.from", " <= "): ONE_SIDE,
+    ("pair_claims.cpp", "overlap->second.to < claim.overlap->first.from", " <= "): ONE_SIDE,
+    ("tangency_claim.cpp", "norm(part(disc->normal, 1)).upper", ".lower"): ROUNDING,
+    ("tangency_claim.cpp", "cross(part(disc->normal, 2), n)).upper", ".lower"): ROUNDING,
+    ("tangency_claim.cpp", "return q.lower > 0 &&", " >= "): SLACK,
+    ("tangency_claim.cpp", ".magnitude() <= claimed;", " < "): SLACK,
+    ("tangency_claim.cpp", "axis_angle * ring.radius <= tolerance", " < "): SLACK,
+    ("tangency_claim.cpp", "found.offset.rounded_outward().upper", " < "): SLACK,
+    ("tangency_claim.cpp", "found.offset.rounded_outward().upper", ".lower"): ROUNDING,
+    ("verify_certificate.cpp", "for (std::uint32_t i = 0; i < parts", " <= "):
+        "behind the last part there are no pairs",
 }
 
 
@@ -107,37 +119,86 @@ def linking(build):
     return objects, libraries
 
 
-def is_noticed(build, entry, text, folder, parts):
+def prepare(build, folder, command):
+    """What all mutants share: the headers compiled before, and libraries without debug symbols."""
+    found = {i for p in SOURCES.glob("*.cpp")
+             for i in re.findall(r"^#include <.*>", p.read_text(), re.M)}
+    shared = [f'#include "{name}"' for name in
+              ("numbers/interval.h", "numbers/mpfi_interval.h", "dupin/blends/certificate.h")]
+    header = folder / "shared.h"
+    header.write_text("\n".join(sorted(found) + shared) + "\n")
+    subprocess.run([*command, "-x", "c++-header", header, "-o", f"{header}.gch"],
+                   cwd=build, check=True)
+    objects, libraries = linking(build)
+    files = []
+    for i, name in enumerate([*objects, *libraries]):
+        if name.startswith(("-", "/")):
+            files.append(name)
+            continue
+        files.append(folder / f"{i}{pathlib.Path(name).suffix}")
+        subprocess.run(["strip", "-g", "-o", files[-1], build / name], check=True)
+    return files
+
+
+def compiling(entry):
+    """The compiler's call for one of the sources, quick instead of optimised."""
+    words = re.sub(r"^\S*ccache\s+", "", entry["command"]).split()
+    drop = [i for i, w in enumerate(words) if w in ("-include", "-o", "-c")]
+    drop = {j for i in drop for j in (i, i + 1)}
+    unwanted = ("-W", "-O", "-g", "-fpch")
+    return [w for i, w in enumerate(words) if i not in drop and not w.startswith(unwanted)] + ["-w"]
+
+
+def suites(name):
+    """The filter of the tests of that source, which are the likeliest to notice."""
+    tests = ROOT / "tests/blends/verification"
+    text = "".join(p.read_text() for p in tests.glob(f"{pathlib.Path(name).stem}_*test.cpp"))
+    return ":".join(f"*{s}.*:*{s}/*" for s in set(re.findall(r"^TEST\w*\((\w+)", text, re.M)))
+
+
+def passes(program, name):
+    for tests in (suites(name), "*"):
+        try:
+            if subprocess.run([program, "--gtest_fail_fast", f"--gtest_filter={tests}"],
+                              capture_output=True, timeout=60).returncode:
+                return False
+        except subprocess.TimeoutExpired:
+            return False
+    return True
+
+
+def is_noticed(build, command, name, text, folder, files):
     source, target, program = (folder / n for n in ("mutant.cpp", "mutant.o", "test"))
     source.write_text(text)
-    command = re.sub(r"^\S*ccache\s+", "", entry["command"])
-    command = re.sub(r" -o \S+", f" -o {target}", command).replace(entry["file"], str(source))
-    command = command.replace(" -Werror", "") + " -O0 -g0"
-    if subprocess.run(command, shell=True, cwd=build, capture_output=True).returncode:
+    if subprocess.run([*command, "-include", folder / "shared.h", "-c", source, "-o", target],
+                      cwd=build, capture_output=True).returncode:
         return True
-    objects, libraries = parts
-    subprocess.run(["c++", "-o", program, *objects, target, *libraries], cwd=build, check=True)
-    try:
-        return subprocess.run([program, "--gtest_brief=1", "--gtest_fail_fast"], cwd=build, capture_output=True,
-                              timeout=60).returncode != 0
-    except subprocess.TimeoutExpired:
-        return True
+    objects = [f for f in files if str(f).endswith(".o")]
+    subprocess.run(["c++", "-o", program, *objects, target, *files[len(objects):]],
+                   cwd=build, check=True)
+    return not passes(program, name)
 
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     names = sys.argv[2:] or sorted(p.name for p in SOURCES.glob("*.cpp"))
     entries = {e["file"]: e for e in json.loads((build / "compile_commands.json").read_text())}
-    parts, survivors, count = linking(build), [], 0
-    with tempfile.TemporaryDirectory() as folder:
+    survivors, known, count = [], 0, 0
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = pathlib.Path(temporary)
+        command = compiling(entries[str(SOURCES / "work.cpp")])
+        files = prepare(build, folder, command)
         for asked in names:
             name, _, only = asked.partition(":")
-            path = SOURCES / name
-            for number, line, new, text in mutants(path.read_text()):
-                if only and int(only) != number:
+            first, _, last = only.partition("-")
+            original = (SOURCES / name).read_text()
+            if is_noticed(build, command, name, original, folder, files):
+                sys.exit(f"{name} fails its tests as it is")
+            for number, line, new, text in mutants(original):
+                if only and not int(first) <= number <= int(last or first):
                     continue
                 count += 1
-                if is_noticed(build, entries[str(path)], text, pathlib.Path(folder), parts):
+                if is_noticed(build, command, name, text, folder, files):
                     continue
                 reason = next((why for (f, where, what), why in KNOWN.items()
                                if f == name and where in line and what == new), None)
@@ -145,7 +206,10 @@ def main():
                       (f"\n    known: {reason}" if reason else ""), flush=True)
                 if reason is None:
                     survivors.append(line)
-    print(f"{count} mutants, {len(survivors)} survivors without a reason")
+                else:
+                    known += 1
+            print(f"{name}: done, {count} mutants, {known} known, {len(survivors)} not", flush=True)
+    print(f"{count} mutants, {known} survivors with a reason, {len(survivors)} without")
     return 1 if survivors else 0
 
 

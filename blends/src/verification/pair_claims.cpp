@@ -73,11 +73,11 @@ bool append(const Solid& solid, const ParameterInterval& t, std::vector<Cell>& w
   for (const ParameterInterval& stretch : cut(t)) {
     const Piece* piece = solid.piece(stretch);
     if (piece == nullptr) {
-      return false;
+      return false;  // a ball
     }
     way.push_back({piece, within_piece(stretch)});
   }
-  return !solid.ball();
+  return true;
 }
 
 // On longer ways some piece turns too much; so they are not looked at.
@@ -245,7 +245,9 @@ bool follows(const Solid& solid, const EmbeddedClaim& claim, const RegularClaim&
 bool follows(const Solid& first, const Solid& second, const std::vector<JoinedEnds>& joints,
              const ClearanceClaim& claim) {
   const bool joined = !joints.empty();
-  if (!has_form(claim) || claim.verdict == Verdict::undecided) {
+  // No leaves at all cover the discs of a part of which nothing is known.
+  if (!has_form(claim) || claim.verdict == Verdict::undecided ||
+      std::min(first.length(), second.length()) == 0) {
     return false;
   }
   if (claim.overlap) {

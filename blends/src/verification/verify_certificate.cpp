@@ -62,7 +62,6 @@ void verify_joints(const Solid& solid, const std::string& name, const PartClaims
 void verify_part(const Solid& solid, const std::string& name, const PartClaims& claims,
                  double tolerance) {
   if (solid.ball() != nullptr) {
-    require(solid.ball()->radius > 0, name, "radius");
     require(!claims.regular && !claims.embedded && claims.tangency.empty(), name, "regular");
   } else if (solid.pieces().empty()) {
     require(is_silent(claims), name, "undecided");

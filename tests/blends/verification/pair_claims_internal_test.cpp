@@ -150,6 +150,67 @@ TEST(EmbeddedClaim, of_a_chain_advances_across_its_joints) {
   EXPECT_FALSE(follows(tight, embedded(leaves), kRegular));
 }
 
+// The first and the last of four straight pieces overlap, and the way from one to the other is
+// short only where the chain closes.
+TEST(EmbeddedClaim, goes_around_only_where_the_chain_closes) {
+  const Vec3 up = Vec3::UnitY();
+  const auto chain = [](const auto& last) {
+    return test::part(test::cylinder({0, 0, 0}, {3, 0, 0}, 1),
+                      test::cylinder({0, 100, 0}, {3, 100, 0}, 1),
+                      test::cylinder({0, 200, 0}, {3, 200, 0}, 1), last);
+  };
+  const ParameterInterval a{0, 1}, b{1, 2}, c{2, 3}, d{3, 4};
+  const EmbeddedClaim claim = embedded({{a, a, {}},
+                                        {a, b, up},
+                                        {a, c, up},
+                                        {a, d, {}},
+                                        {b, b, {}},
+                                        {b, c, up},
+                                        {b, d, -up},
+                                        {c, c, {}},
+                                        {c, d, -up},
+                                        {d, d, {}}});
+  CertifiedPart straight = chain(test::cylinder({1, 0, 0}, {4, 0, 0}, 1)),
+                bent = chain(test::elbow(1.5, 1.2, 1));
+  EXPECT_FALSE(follows(Solid(straight), claim, kRegular));
+  std::get<Chain>(straight.shape).closed = std::get<Chain>(bent.shape).closed = true;
+  EXPECT_TRUE(follows(Solid(straight), claim, kRegular));
+  EXPECT_FALSE(follows(Solid(bent), claim, kRegular));
+}
+
+// A loop that crosses itself after its first eighth, of which all is true that is said. Then a leaf
+// whose second interval begins before its first says nothing of the way between the two.
+TEST(EmbeddedClaim, needs_leaves_that_begin_in_the_order_of_the_way) {
+  RingedSurface loop;
+  loop.spine = BezierSpine{{Vec3(0, 0, 0), Vec3(30, 20, 0), Vec3(-20, 20, 0), Vec3(10, 0, 0)}, {}};
+  loop.radius = ConstantRadius{.01};
+  constexpr int kCells = 64;
+  const auto cell = [](int i) {
+    return ParameterInterval{double(i) / kCells, double(i + 1) / kCells};
+  };
+  const auto middle = [&](int i) { return evaluate(loop.spine, (i + .5) / kCells).position; };
+  std::vector<DiscPairs> leaves;
+  for (int i = 0; i < kCells / 8; ++i) {
+    for (int j = i; j < kCells; ++j) {
+      leaves.push_back({cell(i), cell(j), {}});
+      if (j > i + 1) {
+        leaves.back().direction = middle(j) - middle(i);
+      }
+    }
+  }
+  const Solid solid = test::solid(loop);
+  leaves.push_back({{.125, 1}, {0, 1}, {}});
+  EXPECT_FALSE(follows(solid, embedded(leaves), kRegular));
+  // The same leaves are enough of the loop's first quarter, going on straight.
+  RingedSurface open = loop;
+  open.spine = BezierSpine{{Vec3(0, 0, 0), Vec3(30, 20, 0), Vec3(60, 30, 0), Vec3(90, 30, 0)}, {}};
+  for (DiscPairs& leaf : leaves) {
+    leaf.direction = leaf.direction ? std::optional<Vec3>(Vec3::UnitX()) : std::nullopt;
+  }
+  leaves.back() = {{.125, 1}, {.125, 1}, {}};
+  EXPECT_TRUE(follows(test::solid(open), embedded(leaves), kRegular));
+}
+
 TEST(EmbeddedClaim, of_a_cyclide_follows_by_what_it_advances) {
   const PeArc arc = PeArc::from(test::sphere(0, 0, 0, 1), test::direction(Vec3::UnitX(), .1),
                                 test::sphere(4, 1, .5, .8));
@@ -173,6 +234,18 @@ TEST(EmbeddedClaim, is_refuted_by_a_point_in_two_discs) {
   EXPECT_FALSE(follows(solid, overlapping(inside, {.125, .25}, {.1875, .875}), kRegular));
   EXPECT_FALSE(follows(solid, overlapping(inside, first, {5. / 6, 5. / 6}), kRegular));
   EXPECT_FALSE(follows(solid, {Verdict::refuted, {}, {}}, kRegular));
+}
+
+// That a flat end is touched is told of two parts, not of one.
+TEST(EmbeddedClaim, is_not_refuted_by_what_touches_a_flat_end) {
+  const Solid chain = test::solid(test::cylinder({0, 0, 0}, {4, 0, 0}, 1),
+                                  test::cylinder({-2, .5, 0}, {3, .5, 0}, 1));
+  const Vec3 on(0, .5, 0), behind(.1, .5, 0);
+  const ParameterInterval end{0, 0}, after{0, .125}, across{1.25, 1.5};
+  EXPECT_TRUE(follows(chain, overlapping(behind, after, across), kRegular));
+  EXPECT_TRUE(follows(chain, overlapping(behind, across, after), kRegular));
+  EXPECT_FALSE(follows(chain, overlapping(on, end, across), kRegular));
+  EXPECT_FALSE(follows(chain, overlapping(on, across, end), kRegular));
 }
 
 TEST(ClearanceClaim, of_parallel_pipes_is_the_slab_between_them) {
@@ -211,6 +284,8 @@ TEST(ClearanceClaim, needs_leaves_for_all_pairs) {
   EXPECT_TRUE(
       follows(low, high, {}, clearance(1, {{a, a, up}, {b, a, up}, {a, b, up}, {b, b, up}})));
   EXPECT_FALSE(follows(low, high, {}, clearance(1, {{a, a, up}, {b, a, up}, {b, b, up}})));
+  EXPECT_FALSE(
+      follows(low, high, {}, clearance(1, {{a, a, up}, {b, a, -up}, {a, b, up}, {b, b, up}})));
   EXPECT_FALSE(follows(low, high, {}, clearance(1, {})));
   EXPECT_FALSE(follows(low, high, {}, clearance(1, {whole()})));  // there is no joint
 }
@@ -269,6 +344,13 @@ TEST(ClearanceClaim, with_a_common_point_proves_that_unjoined_parts_are_connecte
   const std::vector<JoinedEnds> joined{kEndToStart};
   EXPECT_TRUE(follows(along, across, joined, common_point(Verdict::refuted, between)));
   EXPECT_FALSE(follows(along, across, joined, common_point(Verdict::proved, between)));
+  // It says nothing besides.
+  ClearanceClaim more = common_point(Verdict::proved, between);
+  more.distance = .5;
+  EXPECT_FALSE(follows(along, across, {}, more));
+  more = common_point(Verdict::proved, between);
+  more.leaves = {whole()};
+  EXPECT_FALSE(follows(along, across, {}, more));
   Overlap wrong = between;
   wrong.point = Vec3(0, 0, 1.25);  // outside of the first
   EXPECT_FALSE(follows(along, across, {}, common_point(Verdict::proved, wrong)));
@@ -292,6 +374,40 @@ TEST(ClearanceClaim, with_a_common_point_needs_short_stretches) {
   EXPECT_FALSE(follows(pipe, ball, {}, common_point(Verdict::proved, {inside, {0, .75}, {0, 1}})));
   EXPECT_FALSE(
       follows(pipe, ball, {}, common_point(Verdict::proved, {inside, {.0625, .125}, {0, 1}})));
+}
+
+// Of a cone no disc passes beyond its border, though later ones of the stretch are larger.
+TEST(ClearanceClaim, with_a_common_point_is_about_the_least_radius) {
+  const Solid cone = test::solid(test::cone({0, 0, 0}, {1, 0, 0}, 1, 3)),
+              ball = test::ball({.5, 2.2, 0}, 1);
+  const ParameterInterval middle{.25, .75};
+  EXPECT_TRUE(
+      follows(cone, ball, {}, common_point(Verdict::proved, {Vec3(.5, 1.3, 0), middle, {0, 1}})));
+  EXPECT_FALSE(
+      follows(cone, ball, {}, common_point(Verdict::proved, {Vec3(.5, 2.2, 0), middle, {0, 1}})));
+}
+
+// Their centres are known to lie in a box, which comes near to more than they do.
+TEST(ClearanceClaim, with_a_common_point_of_a_cyclide_is_about_all_of_its_centres) {
+  const PeArc arc = PeArc::from(test::sphere(4, 0, 0, 1), test::direction(Vec3::UnitY(), 0),
+                                test::sphere(0, 4, 0, 1));
+  const Solid bend = test::solid(test::cyclide_piece(arc));
+  const auto found = [&](double along, const ParameterInterval& t) {
+    const Vec3 point(along, along, 0);
+    return follows(bend, test::ball(point, .5), {},
+                   common_point(Verdict::proved, {point, t, {0, 1}}));
+  };
+  EXPECT_TRUE(found(2.8, {.46875, .53125}));
+  for (const double beside : {1.5, 1.9, 3.7, 4.}) {
+    EXPECT_FALSE(found(beside, {.25, .75}));
+    EXPECT_FALSE(found(beside, {0, 1}));
+  }
+}
+
+TEST(ClearanceClaim, of_joined_parts_has_no_way_through_a_ball) {
+  const Solid pipe = test::solid(test::cylinder({4, -3, 0}, {4, 0, 0}, 1)),
+              ball = test::ball({4, 1, 0}, 1);
+  EXPECT_FALSE(follows(pipe, ball, {kEndToStart}, clearance(0, {whole()})));
 }
 
 // Only flat ends that touch: the point lies in the disc of the stored ring, border included.

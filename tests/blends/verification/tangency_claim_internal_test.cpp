@@ -176,6 +176,26 @@ TEST(TangencyClaim, curvature_of_an_elbow_is_at_least_that_of_its_inside) {
   EXPECT_FALSE(at_end(test::solid(test::elbow(1, 1.5, 2)), bent(1e9)));  // folded
 }
 
+TEST(TangencyClaim, curvature_is_that_of_the_end_it_is_about) {
+  RingedSurface growing = test::elbow(8, 1, 1);
+  growing.radius = BezierRadius{{1, 1, 1, 4, 4, 4}};  // constant near its ends
+  growing.end.radius = 4;
+  TangencyClaim bent = claim(1, kRounding, 1);
+  bent.curvature = .24;  // more than 1/(8 - 1) with the verifier's room, less than 1/(8 - 4)
+  EXPECT_TRUE(at_start(test::solid(growing), bent));
+  EXPECT_FALSE(at_end(test::solid(growing), bent));
+}
+
+// Though the wall that widens there is smooth by its formula.
+TEST(TangencyClaim, curvature_of_a_folded_end_is_not_bounded) {
+  RingedSurface folded = test::elbow(1, 1.5, 2);
+  folded.radius = LinearRadius{2, 3};
+  TangencyClaim bent = claim(4, kRounding, 9);
+  EXPECT_TRUE(at_end(test::solid(folded), bent));
+  bent.curvature = 1e9;
+  EXPECT_FALSE(at_end(test::solid(folded), bent));
+}
+
 TEST(TangencyClaim, without_a_bound_never_follows) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const Solid pipe = test::solid(test::cylinder({0, 0, 0}, {3, 1, 2}, 1));

@@ -80,6 +80,36 @@ TEST(VerifyCertificate, of_a_shape_without_proofs_takes_only_undecided_claims) {
   EXPECT_THROW(verify(c), Error);
 }
 
+// It has no discs, so that no leaves cover all of them.
+TEST(VerifyCertificate, of_a_shape_without_proofs_takes_no_clearance) {
+  for (const bool is_first : {true, false}) {
+    Certificate c;
+    c.parts = {part("pipe", pipe({0, 0, 0}, {4, 0, 0})), part("pipe", pipe({0, 0, 0}, {4, 0, 0}))};
+    c.claims = {straight_claims(), straight_claims()};
+    c.tolerance = .01;
+    const std::size_t other = is_first ? 0 : 1;
+    c.parts[other].name = "other";
+    c.parts[other].shape = Chain{};
+    std::get<Chain>(c.parts[other].shape).joints = Joints::spherical;
+    c.claims[other] = {RegularClaim{}, EmbeddedClaim{}, {}, {}};
+    c.clearances = {{0, 1, Verdict::undecided, 0, {}, {}}};
+    EXPECT_NO_THROW(verify(c));
+    for (const bool joined : {false, true}) {
+      if (joined) {
+        c.parts[0].joined[1] = EndIndex{1, {}};
+        EXPECT_NO_THROW(verify(c));
+      }
+      Certificate lie = c;
+      lie.clearances = {{0, 1, Verdict::proved, joined ? 0. : 5., {}, {}}};
+      EXPECT_THROW(verify(lie), Error) << is_first << joined;
+      lie.clearances[0].distance = 5;
+      EXPECT_THROW(verify(lie), Error) << is_first << joined;
+      lie.clearances[0].leaves = {{{0, 0}, {0, 1}, Vec3(0, 1, 0)}, {{0, 1}, {0, 0}, {}}};
+      EXPECT_THROW(verify(lie), Error) << is_first << joined;
+    }
+  }
+}
+
 struct Lie {
   std::string about, part, claim;
   std::function<void(Certificate&)> tell;
@@ -220,6 +250,38 @@ TEST(VerifyCertificate, of_a_chain_needs_pieces_that_share_their_rings) {
   auto& second = std::get<Chain>(moved.parts[0].shape).pieces[1];
   std::get<RingedSurface>(second) = pipe({4.001, 0, 0}, {8, 0, 0});
   EXPECT_THAT(refused_for(moved), testing::HasSubstr("'joints'"));
+}
+
+// With the same slopes across, seen from both sides.
+TEST(VerifyCertificate, of_a_chain_of_elliptic_tubes_needs_rings_with_the_same_slopes) {
+  EllipticTube before, after;
+  before.start = {Vec3(0, 0, 0), -Vec3::UnitX(), 2, 0, Ellipse{Vec3::UnitY(), 1, -.25}};
+  before.end = {Vec3(4, 0, 0), Vec3::UnitX(), 2, 0, Ellipse{Vec3::UnitY(), 2, .25}};
+  after.start = {Vec3(4, 0, 0), -Vec3::UnitX(), 2, 0, Ellipse{Vec3::UnitY(), 2, -.25}};
+  after.end = {Vec3(8, 0, 0), Vec3::UnitX(), 2, 0, Ellipse{Vec3::UnitY(), 3, .25}};
+  before.spine = LineSpine{Vec3(0, 0, 0), Vec3(4, 0, 0)};
+  after.spine = LineSpine{Vec3(4, 0, 0), Vec3(8, 0, 0)};
+  before.first = after.first = ConstantRadius{2};
+  before.second = LinearRadius{1, 2};
+  after.second = LinearRadius{2, 3};
+  before.axis = after.axis = Vec3::UnitY();
+  const TangencyClaim near{4, 0, 1e-300, {}};
+  Certificate c;
+  c.tolerance = .01;
+  c.parts.resize(1);
+  c.parts[0].name = "chain";
+  c.claims = {{RegularClaim{}, EmbeddedClaim{}, {near, near, near, near}, {}}};
+  const auto verify_chain = [&] {
+    Chain chain;
+    chain.pieces = {before, after};
+    c.parts[0].shape = chain;
+    verify(c);
+  };
+  EXPECT_NO_THROW(verify_chain());
+  for (const double slope : {.25, 0.}) {
+    after.start.ellipse->across_slope = slope;
+    EXPECT_THROW(verify_chain(), Error) << slope;
+  }
 }
 
 }  // namespace

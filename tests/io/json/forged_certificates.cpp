@@ -292,6 +292,21 @@ const std::vector<Forgery>& forgeries() {
          c.parts[part(c, "on")].joined[0].reset();
          separate(c, pair(c, "elbow", "on"), between(random, 1e-12, 1), random);
        }},
+      {"a distance of a shape that nothing is known of",
+       [](Certificate& c, const Truth&, Random& random) {
+         Chain unknown;
+         unknown.joints = Joints::spherical;
+         c.parts[part(c, "a")].shape = unknown;
+         claims(c, "a") = {RegularClaim{}, EmbeddedClaim{}, {}, {}};
+         for (ClearanceClaim& claim : c.clearances) {
+           if (c.parts[claim.first].name == "a") {
+             claim = {claim.first, claim.second, Verdict::undecided, 0, {}, {}};
+           }
+         }
+         ClearanceClaim& claim = pair(c, "a", random() % 2 == 0 ? "ball" : "elbow");
+         claim.verdict = Verdict::proved;
+         claim.distance = between(random, 200, 1000);  // further than the pipe is
+       }},
       {"crossing pipes that are joined",
        [](Certificate& c, const Truth&, Random& random) {
          const End ends[] = {End::start, End::end};
