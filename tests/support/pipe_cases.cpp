@@ -160,8 +160,7 @@ std::vector<TriMesh> coaxial(int pipes, double step) {
   for (int i = 0; i < pipes; ++i) {
     random = random * 1664525u + 1013904223u;
     const double turn = 0.06 * random / 0x1p32;
-    parts.push_back(
-        pipe_z({0, 0, step * i}, 10, 1, {64, 1, turn * 64 / (2 * std::numbers::pi)}));
+    parts.push_back(pipe_z({0, 0, step * i}, 10, 1, {64, 1, turn * 64 / (2 * std::numbers::pi)}));
   }
   return parts;
 }
