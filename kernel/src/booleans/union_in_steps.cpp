@@ -1,6 +1,7 @@
 #include "booleans/union_in_steps.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ using mesh::ExactMesh;
 using Indices = std::span<std::uint32_t>;
 
 // Of so many solids at a time.
-constexpr std::size_t kAtOnce = 4;
+constexpr std::size_t kAtOnce = 3;
 
 Vec3 centre_of(const ExactMesh& mesh) {
   Eigen::AlignedBox3d box;
@@ -27,10 +28,30 @@ Vec3 centre_of(const ExactMesh& mesh) {
   return mesh.points.empty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
 }
 
+// How so many are divided.
+std::vector<std::array<std::size_t, 2>> parts_of(std::size_t operands) {
+  std::vector<std::array<std::size_t, 2>> parts;
+  const std::size_t count = std::min(kAtOnce, operands);
+  for (std::size_t i = 0; i < count; ++i) {
+    parts.push_back({operands * i / count, operands * (i + 1) / count});
+  }
+  return parts;
+}
+
+std::size_t step_count(std::size_t operands) {
+  std::size_t count = operands > 1 ? 1 : 0;
+  if (count > 0) {
+    for (const auto& [begin, end] : parts_of(operands)) {
+      count += step_count(end - begin);
+    }
+  }
+  return count;
+}
+
 class Steps {
  public:
   Steps(std::span<const Solid> operands, const BooleanOptions& options)
-      : operands_(operands), options_(options) {
+      : operands_(operands), options_(options), steps_(step_count(operands.size())) {
     for (const Solid& operand : operands) {
       centres_.push_back(centre_of(operand.exact()));
     }
@@ -51,10 +72,7 @@ class Steps {
     }
     sort_along_longest(operands);
     std::vector<ExactMesh> parts;
-    const std::size_t count = std::min(kAtOnce, operands.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t begin = operands.size() * i / count,
-                        end = operands.size() * (i + 1) / count;
+    for (const auto& [begin, end] : parts_of(operands.size())) {
       parts.push_back(united(operands.subspan(begin, end - begin)));
     }
     return step(parts);
@@ -96,15 +114,14 @@ class Steps {
   }
 
   // Behind what arrange_unless_crowded() has told.
-  [[nodiscard]] Progress progress() const {
+  [[nodiscard]] Progress progress() {
     if (!options_.progress) {
       return {};
     }
-    constexpr double kBegin = 0.4;
-    const auto begin = static_cast<double>(done_), all = static_cast<double>(operands_.size());
-    return [this, begin, all](std::string_view stage, double fraction) {
-      const double part = std::min(1.0, (begin + fraction) / all);
-      return options_.progress(stage, kBegin + (1 - kBegin) * part);
+    return [this](std::string_view stage, double fraction) {
+      const double part = (static_cast<double>(done_) + fraction) / static_cast<double>(steps_);
+      told_ = std::clamp(kBegin + (1 - kBegin) * part, told_, 1.0);  // lest rounding leads back
+      return options_.progress(stage, told_);
     };
   }
 
@@ -135,7 +152,9 @@ class Steps {
   std::span<const Solid> operands_;
   const BooleanOptions& options_;
   std::vector<Vec3> centres_;
-  std::size_t done_ = 0;  // steps
+  static constexpr double kBegin = 0.4;
+  std::size_t steps_, done_ = 0;
+  double told_ = kBegin;
 };
 
 }  // namespace
