@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -122,6 +123,44 @@ std::vector<TriMesh> rack(int pipes, double lift, std::uint32_t rows) {
   }
   for (int i = 0; i < pipes; ++i) {
     parts.push_back(pipe_y({2.0 * i, -1, lift}, length, 0.4, shape));
+  }
+  return parts;
+}
+
+// Equal pipes through the origin, about axes in the plane z = 0.
+std::vector<TriMesh> star(int pipes) {
+  const Shape shape{48, 1};
+  std::vector<TriMesh> parts;
+  for (int i = 0; i < pipes; ++i) {
+    const double angle = std::numbers::pi * i / pipes;
+    const Vec3 along(std::cos(angle), std::sin(angle), 0), across(-along[1], along[0], 0);
+    parts.push_back(pipe(-3 * along, 3 * along, across, Vec3::UnitZ(), 0.4, shape));
+  }
+  return parts;
+}
+
+// The same about axes all over the sphere, on a spiral.
+std::vector<TriMesh> star_general(int pipes) {
+  const Shape shape{48, 1};
+  std::vector<TriMesh> parts;
+  for (int i = 0; i < pipes; ++i) {
+    const double height = (i + 0.5) / pipes, radius = std::sqrt(1 - height * height);
+    const double angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
+    const Vec3 along(radius * std::cos(angle), radius * std::sin(angle), height);
+    const Vec3 across = along.cross(Vec3(0.3, 0.5, -0.8)).normalized();
+    parts.push_back(pipe(-3 * along, 3 * along, across, along.cross(across), 0.4, shape));
+  }
+  return parts;
+}
+
+// Pipes about one axis that all overlap, turned by up to 0.06; each by `step` above the one before.
+std::vector<TriMesh> coaxial(int pipes, double step) {
+  std::vector<TriMesh> parts;
+  std::uint32_t random = 1;
+  for (int i = 0; i < pipes; ++i) {
+    random = random * 1664525u + 1013904223u;
+    const double turn = 0.06 * random / 0x1p32;
+    parts.push_back(pipe_z({0, 0, step * i}, 10, 1, {64, 1, turn * 64 / (2 * std::numbers::pi)}));
   }
   return parts;
 }
@@ -266,6 +305,31 @@ const std::map<std::string, std::function<std::vector<TriMesh>()>, std::less<>>&
   return all;
 }
 
+// Cases of any size: FAMILY_COUNT.
+const std::map<std::string, std::vector<TriMesh> (*)(int), std::less<>>& families() {
+  static const std::map<std::string, std::vector<TriMesh> (*)(int), std::less<>> all{
+      {"star", star},
+      {"star_general", star_general},
+      {"coaxial", [](int pipes) { return coaxial(pipes, 0.05); }},
+      {"coaxial_flush", [](int pipes) { return coaxial(pipes, 0); }}};
+  return all;
+}
+
+std::vector<TriMesh> parts_of(std::string_view name) {
+  if (const auto place = cases().find(name); place != cases().end()) {
+    return place->second();
+  }
+  const std::size_t end = std::min(name.rfind('_'), name.size() - 1);
+  const auto family = families().find(name.substr(0, end));
+  int count = 0;
+  const char* const last = name.data() + name.size();
+  const auto [read, error] = std::from_chars(name.data() + end + 1, last, count);
+  if (family == families().end() || error != std::errc() || read != last || count < 1) {
+    throw std::out_of_range("no pipe case " + std::string(name));
+  }
+  return family->second(count);
+}
+
 Vec3 turned(const Vec3& p) {
   const Vec3 axis = Vec3(1, std::sqrt(2.0), std::sqrt(3.0)).normalized();
   const double angle = std::sqrt(0.7), c = std::cos(angle), s = std::sin(angle);
@@ -280,11 +344,7 @@ std::vector<TriMesh> pipe_case(std::string_view name) {
   if (is_turned) {
     name.remove_suffix(kTurned.size());
   }
-  const auto place = cases().find(name);
-  if (place == cases().end()) {
-    throw std::out_of_range("no pipe case " + std::string(name));
-  }
-  std::vector<TriMesh> parts = place->second();
+  std::vector<TriMesh> parts = parts_of(name);
   for (TriMesh& part : parts) {
     if (is_turned) {
       std::transform(part.points.begin(), part.points.end(), part.points.begin(), turned);

@@ -4,9 +4,11 @@
 
 #include "arrangement/broad_phase.h"
 #include "arrangement/constraints.h"
+#include "arrangement/crowding.h"
 #include "arrangement/limits.h"
 #include "arrangement/manifold_patches.h"
 #include "arrangement/output_mesh.h"
+#include "arrangement/piece_merging.h"
 #include "arrangement/subdivision.h"
 #include "arrangement/triangle_intersection.h"
 #include "arrangement/winding_numbers.h"
@@ -33,23 +35,27 @@ std::vector<TriangleIntersection> find_intersections(const ArrangementInput& inp
   return support::joined(std::move(batches));
 }
 
-Constraints intersect_triangles(ArrangementInput& input, const Progress& progress,
-                                std::uint64_t memory_limit) {
+std::vector<TriangleIntersection> intersections_of(const ArrangementInput& input,
+                                                   const Progress& progress) {
   const UpwardRounding rounding;
   const std::vector<TrianglePair> candidates =
       broad_phase(input, support::ProgressStage(progress, "intersect", 0, 0.2));
-  const std::vector<TriangleIntersection> intersections = find_intersections(
-      input, candidates, support::ProgressStage(progress, "intersect", 0.2, 0.4));
+  return find_intersections(input, candidates,
+                            support::ProgressStage(progress, "intersect", 0.2, 0.4));
+}
+
+Constraints constraints_of(ArrangementInput& input, std::vector<TriangleIntersection> intersections,
+                           std::uint64_t memory_limit) {
+  const UpwardRounding rounding;
   refuse_too_large(input.triangles.size(), intersections.size(), memory_limit);
   return collect_constraints(input, intersections);
 }
 
 // All that stands between the input and these ends here, to make room for the result.
-support::BulkVector<OutputTriangle> select_triangles(ArrangementInput& input,
-                                                     const BooleanRule& rule,
-                                                     const Progress& progress,
-                                                     std::uint64_t memory_limit) {
-  Constraints constraints = intersect_triangles(input, progress, memory_limit);
+support::BulkVector<OutputTriangle> select_triangles(
+    ArrangementInput& input, std::vector<TriangleIntersection> intersections,
+    const BooleanRule& rule, const Progress& progress, std::uint64_t memory_limit) {
+  Constraints constraints = constraints_of(input, std::move(intersections), memory_limit);
   Subdivision subdivision;
   {
     const support::ProgressStage stage(progress, "triangulate", 0.4, 0.7);
@@ -64,10 +70,16 @@ support::BulkVector<OutputTriangle> select_triangles(ArrangementInput& input,
   return collect_output_triangles(input, constraints, subdivision, patches, selection);
 }
 
-mesh::ExactMesh arrange(ArrangementInput& input, const BooleanRule& rule, const Progress& progress,
-                        std::uint64_t memory_limit) {
-  support::BulkVector<OutputTriangle> kept = select_triangles(input, rule, progress, memory_limit);
+mesh::ExactMesh arrange(ArrangementInput& input, std::vector<TriangleIntersection> intersections,
+                        const BooleanRule& rule, const Progress& progress,
+                        std::uint64_t memory_limit, bool merging = false) {
+  support::BulkVector<OutputTriangle> kept =
+      select_triangles(input, std::move(intersections), rule, progress, memory_limit);
   const support::ProgressStage stage(progress, "extract", 0.9, 1);
+  if (merging) {
+    const UpwardRounding rounding;
+    kept = merge_pieces(input, kept);
+  }
   return extract(input, std::move(kept));
 }
 
@@ -79,17 +91,40 @@ ArrangementInput imported(std::span<const mesh::ExactMesh* const> operands,
   return load_operands(operands, rule);
 }
 
-}  // namespace
-
-mesh::ExactMesh arrange(std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
-                        const Progress& progress, std::uint64_t memory_limit) {
+ArrangementInput imported_within(std::span<const mesh::ExactMesh* const> operands,
+                                 const BooleanRule& rule, std::uint64_t memory_limit) {
   std::uint64_t triangles = 0;
   for (const mesh::ExactMesh* mesh : operands) {
     triangles += mesh->triangles.size();
   }
   refuse_too_large(triangles, 0, memory_limit);
-  ArrangementInput input = imported(operands, rule);
-  return arrange(input, rule, progress, memory_limit);
+  return imported(operands, rule);
+}
+
+}  // namespace
+
+mesh::ExactMesh arrange(std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
+                        const Progress& progress, std::uint64_t memory_limit) {
+  ArrangementInput input = imported_within(operands, rule, memory_limit);
+  return arrange(input, intersections_of(input, progress), rule, progress, memory_limit);
+}
+
+std::optional<mesh::ExactMesh> arrange_unless_crowded(
+    std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
+    const Progress& progress, std::uint64_t memory_limit) {
+  ArrangementInput input = imported_within(operands, rule, memory_limit);
+  std::vector<TriangleIntersection> intersections = intersections_of(input, progress);
+  if (crowded(input, intersections)) {
+    return std::nullopt;
+  }
+  return arrange(input, std::move(intersections), rule, progress, memory_limit);
+}
+
+mesh::ExactMesh arrange_and_merge(std::span<const mesh::ExactMesh* const> operands,
+                                  const BooleanRule& rule, const Progress& progress,
+                                  std::uint64_t memory_limit) {
+  ArrangementInput input = imported_within(operands, rule, memory_limit);
+  return arrange(input, intersections_of(input, progress), rule, progress, memory_limit, true);
 }
 
 mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface, const Progress& progress,
@@ -101,7 +136,7 @@ mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface, const 
   input.crossing = crossing;
   // Any edge may have more than two triangles.
   std::fill(input.special.begin(), input.special.end(), std::uint8_t{1});
-  return arrange(input, rule, progress, 0);
+  return arrange(input, intersections_of(input, progress), rule, progress, 0);
 }
 
 mesh::ExactMesh united_with_winding(const mesh::ExactMesh& solid, const mesh::ExactMesh& surface) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "arrangement/input.h"
@@ -25,6 +26,18 @@ namespace dupin::arrangement {
 [[nodiscard]] mesh::ExactMesh arrange(std::span<const mesh::ExactMesh* const> operands,
                                       const BooleanRule& rule, const Progress& progress = {},
                                       std::uint64_t memory_limit = 0);
+
+/// The same, or nothing if the operands are `crowded` (crowding.h).
+[[nodiscard]] std::optional<mesh::ExactMesh> arrange_unless_crowded(
+    std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
+    const Progress& progress = {}, std::uint64_t memory_limit = 0);
+
+/// arrange(), and then what is kept of one triangle merged (piece_merging.h). Two triangles of the
+/// operands that have the same source there are pieces of one.
+[[nodiscard]] mesh::ExactMesh arrange_and_merge(std::span<const mesh::ExactMesh* const> operands,
+                                                const BooleanRule& rule,
+                                                const Progress& progress = {},
+                                                std::uint64_t memory_limit = 0);
 
 /// The boundary of the points that a surface winds around a positive number of times. It is closed
 /// (each edge is run along as often one way as the other) and has no degenerate or duplicate

@@ -156,6 +156,72 @@ bool reaches_into(const TriangleBox& box, const Bounds& window) {
   return true;
 }
 
+// Long triangles across the axes fill little of their boxes: they are looked at in slices.
+class Slicer {
+ public:
+  Slicer(const Axes& axes, double slack) : axes_(axes), slack_(slack) {}
+
+  void append(const TriangleBox& box, const mesh::ExactMesh& mesh, const Triangle& corners,
+              std::vector<TriangleBox>& result) const {
+    std::array<double, 3> sizes{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      sizes[k] = box.high[k] - box.low[k];
+    }
+    std::sort(sizes.begin(), sizes.end());
+    if (sizes[1] * 8 < sizes[2]) {
+      result.push_back(box);
+      return;
+    }
+    std::array<Vec3, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[k] = rotated(axes_, mesh.points[corners[k]]);
+    }
+    while ((p[1] - p[0]).squaredNorm() <
+           std::max((p[2] - p[1]).squaredNorm(), (p[0] - p[2]).squaredNorm())) {
+      std::rotate(p.begin(), p.begin() + 1, p.end());
+    }
+    const Vec3 along = p[1] - p[0], aside = p[2] - p[0];
+    const double length = along.norm(), height = along.cross(aside).norm() / length;
+    const double count = std::min(std::floor(length / (2 * height)), kMost);
+    if (!(count >= 4)) {
+      result.push_back(box);
+      return;
+    }
+    add_slices(p, std::round(aside.dot(along) / (length * length) * count), count, box.triangle,
+               result);
+  }
+
+ private:
+  static constexpr double kMost = 8;
+
+  // Lemma: f affine with f = 0 at p[0], `count` at p[1] and `apex`, a whole number between these,
+  // at p[2] has its values in [0, count] on the triangle, which is the union of the parts with f
+  // between neighbouring whole numbers. Each is the hull of its corners, which lie on the first
+  // edge and on the others; the apex is such a corner.
+  void add_slices(const std::array<Vec3, 3>& p, double apex, double count, std::uint32_t triangle,
+                  std::vector<TriangleBox>& result) const {
+    const auto lower = [&](double f) -> Vec3 { return p[0] + (p[1] - p[0]) * (f / count); };
+    const auto upper = [&](double f) -> Vec3 {
+      return f < apex   ? p[0] + (p[2] - p[0]) * (f / apex)
+             : f > apex ? p[1] + (p[2] - p[1]) * ((count - f) / (count - apex))
+                        : p[2];
+    };
+    for (double f = 0; f < count; ++f) {
+      Bounds slice(lower(f));
+      slice.extend(upper(f));
+      slice.extend(lower(f + 1));
+      slice.extend(upper(f + 1));
+      // Twice: once for the corners' rounding, and once for that of places between them.
+      const Vec3 low = slice.min() - Vec3::Constant(2 * slack_),
+                 high = slice.max() + Vec3::Constant(2 * slack_);
+      result.push_back({{low[0], low[1], low[2]}, {high[0], high[1], high[2]}, triangle});
+    }
+  }
+
+  const Axes& axes_;
+  double slack_;
+};
+
 class Finder {
  public:
   explicit Finder(const ArrangementInput& input)
@@ -189,6 +255,60 @@ class Finder {
     std::vector<TriangleBox> b_boxes = boxes(b, b_runs, axes, window(a, a_bounds));
     std::vector<TriangleBox> a_boxes = boxes(a, a_runs, axes, bounds_of(b_boxes));
     b_boxes = within(bounds_of(a_boxes), b_boxes);
+    const bool in_slices = expected_pairs(a_boxes, b_boxes) >
+                           kManyPairs * static_cast<double>(a_boxes.size() + b_boxes.size());
+    if (in_slices) {
+      a_boxes = within(bounds_of(b_boxes), sliced(a, a_boxes, axes));
+      b_boxes = within(bounds_of(a_boxes), sliced(b, b_boxes, axes));
+    }
+    std::vector<TrianglePair> found = overlapping(a_boxes, b_boxes);
+    if (in_slices) {
+      std::sort(found.begin(), found.end());
+      found.erase(std::unique(found.begin(), found.end()), found.end());
+    }
+    return found;
+  }
+
+ private:
+  // For each box; with fewer, slicing takes longer than it saves.
+  static constexpr double kManyPairs = 32;
+
+  // If boxes lay anywhere in the bounds of the larger of the two sets.
+  [[nodiscard]] static double expected_pairs(const std::vector<TriangleBox>& a,
+                                             const std::vector<TriangleBox>& b) {
+    const auto sizes = [](const std::vector<TriangleBox>& boxes) {
+      Vec3 sum = Vec3::Zero();
+      for (const TriangleBox& box : boxes) {
+        sum += Vec3(box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]);
+      }
+      return sum;
+    };
+    const auto a_count = static_cast<double>(a.size()), b_count = static_cast<double>(b.size());
+    if (a.empty() || b.empty()) {
+      return 0;
+    }
+    const Vec3 reach = sizes(a) / a_count + sizes(b) / b_count;
+    const Vec3 room = bounds_of(a).sizes().cwiseMax(bounds_of(b).sizes());
+    return a_count * b_count * reach.cwiseQuotient(room).cwiseMin(1).prod();
+  }
+
+  [[nodiscard]] std::vector<TriangleBox> sliced(std::uint32_t operand,
+                                                const std::vector<TriangleBox>& boxes,
+                                                const Axes& axes) const {
+    const mesh::ExactMesh& mesh = *input_.operands[operand];
+    const Slicer slicer(axes, slack_);
+    return support::collect_in_order<TriangleBox>(
+        boxes.size(), [&](std::size_t i, std::vector<TriangleBox>& slices) {
+          const std::uint32_t t = boxes[i].triangle - input_.first_triangle[operand];
+          slicer.append(boxes[i], mesh, mesh.triangles[t], slices);
+        });
+  }
+
+  [[nodiscard]] static std::vector<TrianglePair> overlapping(
+      const std::vector<TriangleBox>& a_boxes, const std::vector<TriangleBox>& b_boxes) {
+    if (a_boxes.empty() || b_boxes.empty()) {
+      return {};
+    }
     // Triangles that follow one another are neighbours, mostly: blocks of them make good trees.
     const boxes::BoxQuantizer quantizer = quantizer_for(bounds_of(a_boxes), bounds_of(b_boxes));
     const boxes::BoxTree b_tree = tree_over(b_boxes, quantizer);
@@ -209,7 +329,6 @@ class Finder {
     return support::joined(std::move(parts));
   }
 
- private:
   [[nodiscard]] std::vector<TrianglePair> pairs_within(std::uint32_t operand) const {
     std::vector<std::uint32_t> runs(framed_[operand].runs.size());
     std::iota(runs.begin(), runs.end(), 0u);

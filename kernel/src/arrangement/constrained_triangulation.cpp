@@ -1,7 +1,10 @@
 #include "arrangement/constrained_triangulation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+
+#include <Eigen/Geometry>
 
 #include "arrangement/implicit_predicates.h"
 #include "dupin/kernel/decimal.h"
@@ -66,6 +69,31 @@ ConstrainedTriangulation::Vertex ConstrainedTriangulation::add_frame_corner(doub
 }
 
 void ConstrainedTriangulation::start(Vertex a, Vertex b, Vertex c) { add_face(a, b, c); }
+
+void ConstrainedTriangulation::start_around(std::span<const PointId> ids) {
+  const int u = (projection_.axis + 1) % 3, v = (projection_.axis + 2) % 3;
+  Eigen::AlignedBox2d box;
+  for (const PointId id : ids) {
+    const Vec3 p = points_.approximation(id);
+    box.extend(Eigen::Vector2d(p[u], p[v]));
+  }
+  const Eigen::Vector2d center = box.center();
+  const double size = 2 * box.diagonal().norm();
+  const double high = projection_.orientation > 0 ? size : -size;
+  const Vertex a = add_frame_corner(center[0] - 2 * size, center[1] - high);
+  const Vertex b = add_frame_corner(center[0] + 2 * size, center[1] - high);
+  const Vertex c = add_frame_corner(center[0], center[1] + 2 * high);
+  start(a, b, c);
+}
+
+std::uint32_t ConstrainedTriangulation::face_at_frame() const {
+  const auto at_frame = [this](const Face& face) {
+    return std::any_of(face.corners.begin(), face.corners.end(),
+                       [this](Vertex v) { return point(v) >= kFirstFrameCorner; });
+  };
+  return static_cast<std::uint32_t>(std::find_if(faces_.begin(), faces_.end(), at_frame) -
+                                    faces_.begin());
+}
 
 const mesh::ExactPoint& ConstrainedTriangulation::exact(Vertex v, mesh::ExactPoint& scratch) const {
   const PointId id = vertices_[v].id;

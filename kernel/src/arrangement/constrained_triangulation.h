@@ -43,11 +43,10 @@ class ConstrainedTriangulation {
   /// Makes a vertex without inserting it. `sides` is a set of lines, one bit each, that it is known
   /// to lie on: three vertices with a common bit are collinear.
   Vertex add(PointId id, std::uint8_t sides = 0);
-  /// Makes a vertex that stands for no point, at projected coordinates.
-  Vertex add_frame_corner(double u, double v);
-
   /// The triangle that holds all other vertices, counter-clockwise in the projection.
   void start(Vertex a, Vertex b, Vertex c);
+  /// A triangle around these points instead: a frame of three vertices that stand for no points.
+  void start_around(std::span<const PointId> ids);
   void insert(Vertex p);
   void constrain(Vertex a, Vertex b, std::uint32_t slot);
   /// Flips edges without constraint towards Delaunay, as far as doubles can tell.
@@ -57,6 +56,8 @@ class ConstrainedTriangulation {
   /// The point of a vertex; with kNewPoint set, an index into new_points();
   /// from kFirstFrameCorner on, a corner of the frame.
   [[nodiscard]] PointId point(Vertex v) const { return vertices_[v].id; }
+  /// A face with a corner of the frame.
+  [[nodiscard]] std::uint32_t face_at_frame() const;
   [[nodiscard]] std::vector<NewPoint>& new_points() { return new_points_; }
   static constexpr PointId kNewPoint = 0x80000000u;
   static constexpr PointId kFirstFrameCorner = kNone - 3;
@@ -83,6 +84,7 @@ class ConstrainedTriangulation {
     std::uint32_t face;
   };
 
+  Vertex add_frame_corner(double u, double v);
   [[nodiscard]] int turn(Vertex a, Vertex b, Vertex c) const;
   const mesh::ExactPoint& exact(Vertex v, mesh::ExactPoint& scratch) const;
   [[nodiscard]] Location locate(Vertex p);

@@ -155,19 +155,7 @@ void FaceTriangulator::insert_remaining() {
 
 // Several triangles: a triangle around them all, and their edges as constraints.
 void FaceTriangulator::start_from_frame() {
-  const int u = (projection_.axis + 1) % 3, v = (projection_.axis + 2) % 3;
-  Eigen::AlignedBox2d box;
-  for (const PointId id : ids_) {
-    const Vec3 p = input_.points.approximation(id);
-    box.extend(Eigen::Vector2d(p[u], p[v]));
-  }
-  const Eigen::Vector2d center = box.center();
-  const double size = 2 * box.diagonal().norm();
-  const double high = projection_.orientation > 0 ? size : -size;
-  const auto a = triangulation_.add_frame_corner(center[0] - 2 * size, center[1] - high);
-  const auto b = triangulation_.add_frame_corner(center[0] + 2 * size, center[1] - high);
-  const auto c = triangulation_.add_frame_corner(center[0], center[1] + 2 * high);
-  triangulation_.start(a, b, c);
+  triangulation_.start_around(ids_);
   for (std::size_t m = 0; m < members_.size(); ++m) {
     for (const PointId id : input_.triangles[members_[m]]) {
       insert(id, 0);
@@ -239,7 +227,7 @@ void FaceTriangulator::find_regions() {
 std::vector<FaceTriangulator::Members> FaceTriangulator::find_covers() const {
   std::vector<Members> covers(region_count());
   const auto& faces = triangulation_.faces();
-  std::vector<std::uint32_t> queue{region_of_[face_at_frame()]};
+  std::vector<std::uint32_t> queue{region_of_[triangulation_.face_at_frame()]};
   std::vector<std::uint8_t> known(covers.size(), 0);
   known[queue[0]] = 1;
   for (std::size_t q = 0; q < queue.size(); ++q) {
@@ -260,17 +248,6 @@ std::vector<FaceTriangulator::Members> FaceTriangulator::find_covers() const {
     }
   }
   return covers;
-}
-
-std::uint32_t FaceTriangulator::face_at_frame() const {
-  const auto& faces = triangulation_.faces();
-  const auto at_frame = [this](const ConstrainedTriangulation::Face& face) {
-    return std::any_of(face.corners.begin(), face.corners.end(), [this](auto v) {
-      return triangulation_.point(v) >= ConstrainedTriangulation::kFirstFrameCorner;
-    });
-  };
-  return static_cast<std::uint32_t>(std::find_if(faces.begin(), faces.end(), at_frame) -
-                                    faces.begin());
 }
 
 std::vector<SignedTriangle> FaceTriangulator::signed_cover(

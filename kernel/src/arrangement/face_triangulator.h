@@ -60,7 +60,6 @@ class FaceTriangulator {
   void find_regions();
   [[nodiscard]] std::size_t region_count() const { return first_in_region_.size() - 1; }
   [[nodiscard]] std::vector<Members> find_covers() const;
-  [[nodiscard]] std::uint32_t face_at_frame() const;
   [[nodiscard]] std::vector<SignedTriangle> signed_cover(
       std::span<const std::uint32_t> members) const;
   void emit_single(FaceSubdivision& result) const;

@@ -49,8 +49,9 @@ bool precedes(const ExactMesh& a, const ExactMesh& b) {
 
 // The operation on operands of which those from `first_alike` on may be exchanged: in an order that
 // does not depend on theirs, so that the result does not either.
+template <class Combine>
 Solid combine_alike(std::span<const Solid> operands, std::size_t first_alike,
-                    const arrangement::BooleanRule& rule, const BooleanOptions& options) {
+                    const Combine& combine) {
   std::vector<std::uint32_t> order(operands.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(std::min(first_alike, order.size())),
@@ -62,7 +63,7 @@ Solid combine_alike(std::span<const Solid> operands, std::size_t first_alike,
   for (const std::uint32_t i : order) {
     sorted.push_back(operands[i]);
   }
-  ExactMesh result = booleans::combine(sorted, rule, options);
+  ExactMesh result = combine(sorted);
   for (Source& source : result.sources) {
     source.operand = order[source.operand];
   }
@@ -72,17 +73,23 @@ Solid combine_alike(std::span<const Solid> operands, std::size_t first_alike,
 }  // namespace
 
 Solid unite(std::span<const Solid> operands, const BooleanOptions& options) {
-  return combine_alike(operands, 0, arrangement::union_rule(operands.size()), options);
+  return combine_alike(operands, 0, [&](std::span<const Solid> sorted) {
+    return booleans::combine_in_union(sorted, options);
+  });
 }
 
 Solid intersect(std::span<const Solid> operands, const BooleanOptions& options) {
-  return combine_alike(operands, 0, arrangement::intersection_rule(operands.size()), options);
+  return combine_alike(operands, 0, [&](std::span<const Solid> sorted) {
+    return booleans::combine(sorted, arrangement::intersection_rule(sorted.size()), options);
+  });
 }
 
 Solid subtract(const Solid& from, std::span<const Solid> operands, const BooleanOptions& options) {
   std::vector<Solid> all = {from};
   all.insert(all.end(), operands.begin(), operands.end());
-  return combine_alike(all, 1, arrangement::difference_rule(all.size()), options);
+  return combine_alike(all, 1, [&](std::span<const Solid> sorted) {
+    return booleans::combine(sorted, arrangement::difference_rule(sorted.size()), options);
+  });
 }
 
 }  // namespace dupin

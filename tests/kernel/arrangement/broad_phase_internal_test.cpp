@@ -2,7 +2,9 @@
 #include <CGAL/intersections.h>
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/boolean.h"
 #include "kernel/arrangement/stages_internal.h"
+#include "support/pipe_cases.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -75,6 +77,35 @@ TEST(Candidates, are_few_where_slanted_tubes_cross) {
                         turned(test::tube(1, -40, 40, 256), 2.1, {3, -1, 1})});
   const std::size_t all = 1020 * 1020;
   EXPECT_LT(s.candidates().size(), all / 8);
+}
+
+// Two unions of pipes through one point: thousands of long triangles in all directions, whose boxes
+// overlap many others, so that they are looked at in slices.
+TEST(Candidates, hold_all_that_meets_where_long_triangles_are_looked_at_in_slices) {
+  const std::vector<Solid> pipes = test::solids_of(test::pipe_case("star_general_20"));
+  const std::vector<Solid> halves = {unite(std::span(pipes).first(10)),
+                                     unite(std::span(pipes).subspan(10))};
+  const std::vector<const mesh::ExactMesh*> operands = test::operands_of(halves);
+  const UpwardRounding rounding;
+  const ArrangementInput input = load_operands(operands, union_rule(2));
+  const Progress silent;
+  const std::vector<TrianglePair> candidates =
+      broad_phase(input, support::ProgressStage(silent, "test", 0, 1));
+  EXPECT_TRUE(std::is_sorted(candidates.begin(), candidates.end()));
+  EXPECT_EQ(std::adjacent_find(candidates.begin(), candidates.end()), candidates.end());
+  std::size_t meeting = 0;
+  std::vector<TriangleIntersection> found;
+  for (std::uint32_t i = 0; i < input.first_triangle[1]; i += 20) {
+    for (std::uint32_t j = input.first_triangle[1]; j < input.first_triangle[2]; ++j) {
+      found.clear();
+      intersect(input, i, j, found);
+      if (!found.empty()) {
+        ++meeting;
+        EXPECT_TRUE(std::binary_search(candidates.begin(), candidates.end(), TrianglePair{i, j}));
+      }
+    }
+  }
+  EXPECT_GT(meeting, 100U);
 }
 
 TEST(Candidates, come_in_the_same_order_every_time) {

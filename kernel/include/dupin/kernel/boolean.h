@@ -11,7 +11,8 @@
 /// (union: at least once; intersection: as often as there are operands; difference: the first, and
 /// none of the others). Regularised: what has no volume is not in the result. Expressions over
 /// named operands are one rule too, in boolean_expression.h; the algorithm is in
-/// kernel/src/arrangement/arrange.h.
+/// kernel/src/arrangement/arrange.h. Where many operands of a union meet each other in the same
+/// place, few are arranged at a time.
 namespace dupin {
 
 /// What to do where a result touches itself (see Contact).

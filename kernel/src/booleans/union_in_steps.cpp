@@ -1,0 +1,166 @@
+#include "booleans/union_in_steps.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "arrangement/arrange.h"
+#include "mesh/exact_mesh.h"
+
+namespace dupin::booleans {
+namespace {
+
+using mesh::ExactMesh;
+using Indices = std::span<std::uint32_t>;
+
+// Of so many solids at a time.
+constexpr std::size_t kAtOnce = 3;
+
+Vec3 centre_of(const ExactMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : mesh.points) {
+    box.extend(point);
+  }
+  return mesh.points.empty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
+}
+
+// How so many are divided.
+std::vector<std::array<std::size_t, 2>> parts_of(std::size_t operands) {
+  std::vector<std::array<std::size_t, 2>> parts;
+  const std::size_t count = std::min(kAtOnce, operands);
+  for (std::size_t i = 0; i < count; ++i) {
+    parts.push_back({operands * i / count, operands * (i + 1) / count});
+  }
+  return parts;
+}
+
+std::size_t step_count(std::size_t operands) {
+  std::size_t count = operands > 1 ? 1 : 0;
+  if (count > 0) {
+    for (const auto& [begin, end] : parts_of(operands)) {
+      count += step_count(end - begin);
+    }
+  }
+  return count;
+}
+
+class Steps {
+ public:
+  Steps(std::span<const Solid> operands, const BooleanOptions& options)
+      : operands_(operands), options_(options), steps_(step_count(operands.size())) {
+    for (const Solid& operand : operands) {
+      centres_.push_back(centre_of(operand.exact()));
+    }
+  }
+
+  ExactMesh run() {
+    std::vector<std::uint32_t> all(operands_.size());
+    std::iota(all.begin(), all.end(), 0u);
+    ExactMesh result = united(all);
+    order_names(result);
+    return result;
+  }
+
+ private:
+  ExactMesh united(Indices operands) {
+    if (operands.size() == 1) {
+      return with_sources(operands[0]);
+    }
+    sort_along_longest(operands);
+    std::vector<ExactMesh> parts;
+    for (const auto& [begin, end] : parts_of(operands.size())) {
+      parts.push_back(united(operands.subspan(begin, end - begin)));
+    }
+    return step(parts);
+  }
+
+  ExactMesh with_sources(std::uint32_t operand) const {
+    ExactMesh mesh = operands_[operand].exact();
+    for (std::uint32_t i = 0; i < mesh.sources.size(); ++i) {
+      mesh.sources[i] = {operand, i};
+    }
+    return mesh;
+  }
+
+  // Equal ones stay in their order.
+  void sort_along_longest(Indices operands) const {
+    Eigen::AlignedBox3d box;
+    for (const std::uint32_t o : operands) {
+      box.extend(centres_[o]);
+    }
+    Eigen::Index axis = 0;
+    box.sizes().maxCoeff(&axis);
+    std::stable_sort(operands.begin(), operands.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return centres_[i][axis] < centres_[j][axis];
+    });
+  }
+
+  ExactMesh step(const std::vector<ExactMesh>& parts) {
+    std::vector<const ExactMesh*> meshes;
+    for (const ExactMesh& part : parts) {
+      meshes.push_back(&part);
+    }
+    ExactMesh result = arrangement::arrange_and_merge(
+        meshes, arrangement::union_rule(meshes.size()), progress(), options_.memory_limit);
+    for (Source& source : result.sources) {
+      source = parts[source.operand].sources[source.triangle];
+    }
+    ++done_;
+    return result;
+  }
+
+  // Behind what arrange_unless_crowded() has told.
+  [[nodiscard]] Progress progress() {
+    if (!options_.progress) {
+      return {};
+    }
+    return [this](std::string_view stage, double fraction) {
+      const double part = (static_cast<double>(done_) + fraction) / static_cast<double>(steps_);
+      told_ = std::clamp(kBegin + (1 - kBegin) * part, told_, 1.0);  // lest rounding leads back
+      return options_.progress(stage, told_);
+    };
+  }
+
+  // As if all had been united at once.
+  void order_names(ExactMesh& result) const {
+    std::vector<std::string> names;
+    const auto number_of = [&names](const std::string& name) {
+      const auto at = std::find(names.begin(), names.end(), name);
+      const auto number = static_cast<std::uint32_t>(at - names.begin());
+      if (at == names.end()) {
+        names.push_back(name);
+      }
+      return number;
+    };
+    for (const Solid& operand : operands_) {
+      std::for_each(operand.names().begin(), operand.names().end(), number_of);
+    }
+    std::vector<std::uint32_t> number;
+    for (const std::string& name : result.names) {
+      number.push_back(number_of(name));
+    }
+    for (std::uint32_t& label : result.labels) {
+      label = number[label];
+    }
+    result.names = std::move(names);
+  }
+
+  std::span<const Solid> operands_;
+  const BooleanOptions& options_;
+  std::vector<Vec3> centres_;
+  static constexpr double kBegin = 0.4;
+  std::size_t steps_, done_ = 0;
+  double told_ = kBegin;
+};
+
+}  // namespace
+
+ExactMesh unite_in_steps(std::span<const Solid> operands, const BooleanOptions& options) {
+  return Steps(operands, options).run();
+}
+
+}  // namespace dupin::booleans
