@@ -150,7 +150,7 @@ mesh::ExactMesh united_with_winding(const mesh::ExactMesh& solid, const mesh::Ex
     std::fill(input.special.begin() + (*first)[1], input.special.begin() + (*first)[2],
               std::uint8_t{1});
   }
-  return arrange(input, rule, {}, 0);
+  return arrange(input, intersections_of(input, {}), rule, {}, 0);
 }
 
 BooleanRule union_rule(std::size_t operands) {
