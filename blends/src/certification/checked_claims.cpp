@@ -6,9 +6,12 @@
 
 namespace dupin::certification {
 
-// What it refuses costs nothing later: it is not claimed.
+// What it refuses costs the certificate nothing, for it is not claimed; but it took time.
 template <class Check>
 bool CheckedClaims::holds(std::uint64_t allowance, const Check& check) {
+  if (allowance > 0 && refused_work_ > CertificateLimits::kWork) {
+    return false;
+  }
   const std::uint64_t before = limit_.left();
   limit_.set_left(before + allowance);
   try {
@@ -20,6 +23,7 @@ bool CheckedClaims::holds(std::uint64_t allowance, const Check& check) {
       throw;
     }
   }
+  refused_work_ += before + allowance - limit_.left();
   limit_.set_left(before);
   return false;
 }
