@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -39,7 +40,8 @@ std::vector<CertifiedPart> parts_of(const ResolvedAssembly& resolved) {
 constexpr std::uint64_t kWorkOfPair = 8;
 
 std::uint64_t work_for(std::uint64_t parts, const CertifyOptions& options) {
-  return options.work + kWorkOfPair * (parts * (parts + 1) / 2);
+  const std::uint64_t pairs = kWorkOfPair * (parts * (parts + 1) / 2);
+  return options.work + std::min(pairs, std::numeric_limits<std::uint64_t>::max() - options.work);
 }
 
 class Certifier {

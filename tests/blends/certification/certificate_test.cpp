@@ -1,3 +1,6 @@
+#include <cstdint>
+#include <limits>
+
 #include "blends/random_blends.h"
 
 namespace dupin {
@@ -21,6 +24,8 @@ TEST(Certificate, holds_whatever_work_its_searches_may_take) {
   verify(found);
   verify(first_looks);
   EXPECT_EQ(found.findings(), 0U);
+  const auto all = std::numeric_limits<std::uint64_t>::max();
+  EXPECT_EQ(certify(assembly, {.work = all}).findings(), 0U) << "no limit";
   EXPECT_EQ(first_looks.findings(), 2U) << "those that overlap";
   // The far one is the third.
   for (const std::size_t i : {1U, 3U, 5U}) {
