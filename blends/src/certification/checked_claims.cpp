@@ -9,7 +9,8 @@ namespace dupin::certification {
 // What it refuses costs the certificate nothing, for it is not claimed; but it took time.
 template <class Check>
 bool CheckedClaims::holds(std::uint64_t allowance, const Check& check) {
-  if (allowance > 0 && refused_work_ > CertificateLimits::kWork) {
+  constexpr std::uint64_t kMostRefused = 8 * CertificateLimits::kWork;
+  if (allowance > 0 && refused_work_ > kMostRefused) {
     return false;
   }
   const std::uint64_t before = limit_.left();
