@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -35,10 +36,21 @@ std::vector<CertifiedPart> parts_of(const ResolvedAssembly& resolved) {
   return result;
 }
 
+// So much a pair of parts that are far from each other costs, whatever else the work goes to.
+constexpr std::uint64_t kWorkOfPair = 8;
+
+std::uint64_t work_for(std::uint64_t parts, const CertifyOptions& options) {
+  const std::uint64_t pairs = kWorkOfPair * (parts * (parts + 1) / 2);
+  return options.work + std::min(pairs, std::numeric_limits<std::uint64_t>::max() - options.work);
+}
+
 class Certifier {
  public:
   Certifier(const Assembly& assembly, const CertifyOptions& options)
-      : assembly_(assembly), options_(options), resolved_(resolve(assembly)) {}
+      : assembly_(assembly),
+        options_(options),
+        resolved_(resolve(assembly)),
+        work_(work_for(resolved_.parts.size(), options)) {}
 
   Certificate run() {
     result_.document = assembly_.source;
@@ -46,8 +58,8 @@ class Certifier {
     result_.tolerance = assembly_.tolerance;
     result_.parts = parts_of(resolved_);
     for (const CertifiedPart& part : result_.parts) {
-      sweeps_.push_back(
-          std::visit([](const auto& s) { return certification::SweptDiscs(s); }, part.shape));
+      sweeps_.push_back(std::visit(
+          [&](const auto& s) { return certification::SweptDiscs(s, &work_); }, part.shape));
       checker_.read(part);
       result_.claims.push_back(
           std::visit([&](const auto& s) { return claims(s, sweeps_.back()); }, part.shape));
@@ -123,6 +135,7 @@ class Certifier {
   const Assembly& assembly_;
   const CertifyOptions& options_;
   ResolvedAssembly resolved_;
+  certification::SearchWork work_;
   std::vector<certification::SweptDiscs> sweeps_;
   certification::CheckedClaims checker_;
   Certificate result_;

@@ -6,9 +6,13 @@
 
 namespace dupin::certification {
 
-// What it refuses costs nothing later: it is not claimed.
+// What it refuses costs the certificate nothing, for it is not claimed; but it took time.
 template <class Check>
 bool CheckedClaims::holds(std::uint64_t allowance, const Check& check) {
+  constexpr std::uint64_t kMostRefused = 8 * CertificateLimits::kWork;
+  if (allowance > 0 && refused_work_ > kMostRefused) {
+    return false;
+  }
   const std::uint64_t before = limit_.left();
   limit_.set_left(before + allowance);
   try {
@@ -20,6 +24,7 @@ bool CheckedClaims::holds(std::uint64_t allowance, const Check& check) {
       throw;
     }
   }
+  refused_work_ += before + allowance - limit_.left();
   limit_.set_left(before);
   return false;
 }

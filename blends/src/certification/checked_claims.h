@@ -34,6 +34,7 @@ class CheckedClaims {
   bool holds(std::uint64_t allowance, const Check& check);
 
   verification::WorkLimit limit_{CertificateLimits::kWork};
+  std::uint64_t refused_work_ = 0;
   std::vector<verification::Solid> solids_;
   std::vector<std::string> names_;
 };

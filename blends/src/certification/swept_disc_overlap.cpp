@@ -108,11 +108,11 @@ class Crossings {
 // Points of some discs, tried on all others.
 std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b, bool same) {
   constexpr int kDiscs = 24, kAngles = 8;
-  if (!a.full() || !b.full()) {
+  if (!a.full() || !b.full() || a.is_out_of_work()) {
     return std::nullopt;
   }
   const Crossings crossings(b);
-  for (int i = 0; i < kDiscs * int(a.length()); ++i) {
+  for (int i = 0; i < kDiscs * int(a.length()) && !a.is_out_of_work(); ++i) {
     const double t = (i + 0.5) / kDiscs;
     const ParameterInterval around{t - 0x1p-16, t + 0x1p-16};
     const DiscHull disc = a.over(around);

@@ -123,7 +123,7 @@ std::optional<std::vector<DiscPairs>> leaves_of(const SweptDiscs& first, const S
       leaves.push_back({pair.first, pair.second, {}});
       continue;
     }
-    if (looked_at >= boxes || are_too_short(pair.first, pair.second)) {
+    if (looked_at >= boxes || first.is_out_of_work() || are_too_short(pair.first, pair.second)) {
       return std::nullopt;
     }
     const auto [left, right] = halves(pair.first);
@@ -238,7 +238,8 @@ ClearanceClaim prove_clearance(const SweptDiscs& first, const SweptDiscs& second
     if (front.apart.distance > 0 && front.apart.distance >= kEnough * occurs) {
       break;
     }
-    const bool is_last = looked_at >= boxes || are_too_short(front.first, front.second);
+    const bool is_last =
+        looked_at >= boxes || first.is_out_of_work() || are_too_short(front.first, front.second);
     // Overlapping parts never come apart; look for a common point before much work is done.
     if ((is_last ? looked_at < kTries : looked_at == kTries) && !(front.apart.distance > 0)) {
       claim.overlap = contact(first, second);

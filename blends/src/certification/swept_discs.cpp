@@ -15,9 +15,10 @@ ParameterInterval part_of(const ParameterInterval& t, int part, int parts) {
 
 }  // namespace
 
-SweptDiscs::SweptDiscs(const Sphere& sphere) : sphere_(sphere) {}
+SweptDiscs::SweptDiscs(const Sphere& sphere, SearchWork* work) : work_(work), sphere_(sphere) {}
 
-SweptDiscs::SweptDiscs(const Chain& chain) : closed_(chain.closed), full_(chain.wall == 0) {
+SweptDiscs::SweptDiscs(const Chain& chain, SearchWork* work)
+    : work_(work), closed_(chain.closed), full_(chain.wall == 0) {
   if (chain.joints == Joints::spherical) {
     full_ = false;
     return;
@@ -43,7 +44,14 @@ std::size_t SweptDiscs::piece_of(const ParameterInterval& t) const {
   return std::min(std::size_t(t.from), pieces_.size() - 1);
 }
 
+void SweptDiscs::spend(std::uint64_t units) const {
+  if (work_ != nullptr) {
+    work_->spend(units);
+  }
+}
+
 DiscHull SweptDiscs::over(const ParameterInterval& t) const {
+  spend(1);
   if (sphere_) {
     return {{numbers::interval_vec(sphere_->center)}, {}, Vec3::Zero(), 0, sphere_->radius, 0};
   }
@@ -59,10 +67,12 @@ bool SweptDiscs::turns_little(const ParameterInterval& t, double margin) const {
 
 bool SweptDiscs::append_way(const ParameterInterval& t, std::vector<DiscPace>& way) const {
   constexpr int kCells = 4;
+  constexpr std::uint64_t kWorkOfPace = 8;  // of moving frames, more than a hull
   for (double from = t.from; from < t.to; from = std::floor(from) + 1) {
     const double to = std::min(t.to, std::floor(from) + 1);
     const std::size_t i = piece_of({from, to});
     for (int k = 0; k < kCells; ++k) {
+      spend(kWorkOfPace);
       const auto pace = pieces_[i].pace(part_of({from - double(i), to - double(i)}, k, kCells));
       if (!pace) {
         return false;

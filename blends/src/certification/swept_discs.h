@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "certification/search_work.h"
 #include "dupin/blends/certificate.h"
 #include "numbers/interval.h"
 #include "surfaces/piece_discs.h"
@@ -28,8 +29,9 @@ using surfaces::support_point;
 /// more than its discs; nothing is known of it, and its length is 0.
 class SweptDiscs {
  public:
-  explicit SweptDiscs(const Sphere& sphere);
-  explicit SweptDiscs(const Chain& chain);
+  /// What is asked of the discs is spent of `work`, if given; it outlives this.
+  explicit SweptDiscs(const Sphere& sphere, SearchWork* work = nullptr);
+  explicit SweptDiscs(const Chain& chain, SearchWork* work = nullptr);
 
   [[nodiscard]] double length() const { return sphere_ ? 1 : double(pieces_.size()); }
   [[nodiscard]] bool closed() const { return closed_; }
@@ -37,6 +39,8 @@ class SweptDiscs {
   [[nodiscard]] bool full() const { return full_; }
   /// One for each piece, or for the ball.
   [[nodiscard]] std::vector<ParameterInterval> stretches() const;
+  /// The searches have to end.
+  [[nodiscard]] bool is_out_of_work() const { return work_ != nullptr && work_->is_used_up(); }
   /// The stored rings of its ends, if it has any.
   [[nodiscard]] const std::vector<Ring>& end_rings() const { return end_rings_; }
 
@@ -53,6 +57,9 @@ class SweptDiscs {
  private:
   [[nodiscard]] std::size_t piece_of(const ParameterInterval& t) const;
 
+  void spend(std::uint64_t units) const;
+
+  SearchWork* work_;
   std::optional<Sphere> sphere_;
   std::vector<surfaces::PieceDiscs> pieces_;
   std::vector<Ring> end_rings_;

@@ -176,6 +176,30 @@ TEST(SweptDiscPairs, no_more_work_is_done_than_allowed) {
   EXPECT_EQ(prove_embedded(SweptDiscs(hollow), 0.25, 1).verdict, Verdict::undecided);
 }
 
+// What all claims may take together: found in the first look, or undecided.
+TEST(SweptDiscPairs, searches_end_when_the_work_of_all_is_used_up) {
+  SearchWork enough(1 << 16), none(0);
+  const Chain pipe = cylinder(Vec3(-5, 0, 0), Vec3(5, 0, 0), 1),
+              across = cylinder(Vec3(1, -5, 1), Vec3(1, 5, 1), 0.75), bend = elbow(3, 5.5, 1);
+  const Sphere inside{Vec3::Zero(), 1};  // of the bend, whose hull holds it
+  for (SearchWork* work : {&enough, &none}) {
+    const bool found = work == &enough;
+    const auto verdict_if_found = found ? Verdict::proved : Verdict::undecided;
+    EXPECT_EQ(prove_clearance(SweptDiscs(bend, work), SweptDiscs(inside, work), kBoxes).verdict,
+              verdict_if_found);
+    EXPECT_EQ(prove_clearance(SweptDiscs(pipe, work), SweptDiscs(across, work), kBoxes).verdict,
+              verdict_if_found);
+    EXPECT_EQ(prove_embedded(SweptDiscs(bend, work), 0.25, kBoxes).verdict, verdict_if_found);
+    const SweptDiscs straight(pipe, work);
+    EXPECT_EQ(prove_embedded(straight, 0.25, kBoxes).verdict, Verdict::proved);
+    const ClearanceClaim clear =
+        prove_clearance(straight, SweptDiscs(Sphere{Vec3(0, 0, 8), 1}, work), kBoxes);
+    EXPECT_EQ(clear.verdict, Verdict::proved);
+    EXPECT_GT(clear.distance, 5);
+    EXPECT_EQ(work->is_used_up(), !found);
+  }
+}
+
 // A pipe that ends where the bend begins, which comes back to it if it turns far enough.
 ClearanceClaim joint(double angle) {
   const SweptDiscs pipe(cylinder(Vec3(3, -9, 0), Vec3(3, 0, 0), 1)), bend(elbow(3, angle, 1));

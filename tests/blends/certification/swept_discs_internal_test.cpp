@@ -135,5 +135,19 @@ TEST(SweptDiscs, ways_lead_over_seams) {
   EXPECT_FALSE(SweptDiscs(Chain(back)).append_way({0, 1}, way));
 }
 
+TEST(SweptDiscs, count_what_they_are_asked) {
+  SearchWork work(10);
+  const SweptDiscs pipe(test::cylinder(Vec3::Zero(), Vec3(5, 0, 0), 1), &work);
+  EXPECT_FALSE(pipe.is_out_of_work());
+  (void)pipe.over({0, 1});
+  EXPECT_FALSE(pipe.is_out_of_work());
+  std::vector<DiscPace> way;
+  EXPECT_TRUE(pipe.append_way({0, 1}, way));
+  EXPECT_TRUE(pipe.is_out_of_work());
+  (void)pipe.over({0, 1});
+  EXPECT_TRUE(pipe.is_out_of_work()) << "it stays so";
+  EXPECT_FALSE(SweptDiscs(test::cylinder(Vec3::Zero(), Vec3(5, 0, 0), 1)).is_out_of_work());
+}
+
 }  // namespace
 }  // namespace dupin::certification

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "dupin/blends/assembly.h"
@@ -13,6 +14,9 @@ struct CertifyOptions {
   std::optional<double> margin = {};
   /// Boxes of parameters that one claim may be divided into before it is left undecided.
   std::size_t boxes = 1 << 14;
+  /// That all searches together may take, in units of a few microseconds; far pairs of parts are
+  /// not counted. When it is used up, what is not found at the first look is undecided.
+  std::uint64_t work = 1 << 20;
 };
 
 /// Proves what it can about the smooth parts and their meshes, in exact rational or outward rounded

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace dupin::certification {
+
+/// What all searches of a certificate may cost together, counted, not timed: the same document
+/// gives the same claims on every machine. A unit is a few microseconds.
+class SearchWork {
+ public:
+  explicit SearchWork(std::uint64_t units) : left_(units) {}
+
+  void spend(std::uint64_t units) { left_ -= std::min(left_, units); }
+  [[nodiscard]] bool is_used_up() const { return left_ == 0; }
+
+ private:
+  std::uint64_t left_;
+};
+
+}  // namespace dupin::certification
