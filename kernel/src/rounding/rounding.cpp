@@ -38,9 +38,10 @@ constexpr std::size_t kManyFaults = 256;
 /// tell.
 constexpr double kWidestSlit = 64;  // steps
 
-/// So many triangles of which rounding leaves nothing, of so many that are looked at, are no
-/// accident either: what is thinner than a step is thickened first.
+/// So many triangles of which rounding leaves nothing, and such a part of all, are no accident
+/// either: what is thinner than a step is thickened first. One in so many is looked at.
 constexpr std::size_t kSampled = 16, kManyNeedles = kManyFaults / kSampled;
+constexpr double kNeedlePart = 1.0 / 32;
 
 /// Where repair with this reach leaves faults, the surface is made a solid again as it is; and that
 /// at most so often.
@@ -144,7 +145,8 @@ class Rounding {
       const std::vector<Vec3>& points = rounded_.on_lattice;
       needles += points[a] == points[b] || points[b] == points[c] || points[c] == points[a] ? 1 : 0;
     }
-    return needles >= kManyNeedles;
+    const auto all = static_cast<double>(exact_.triangles.size());
+    return needles >= kManyNeedles && static_cast<double>(needles * kSampled) >= kNeedlePart * all;
   }
 
   /// Where parts nearly coincide, a union has more triangles thinner than a step than others, and
