@@ -5,16 +5,14 @@
 #include <numeric>
 #include <span>
 
-#include <Eigen/Geometry>
-
 #include "checking/self_intersection.h"
+#include "dupin/kernel/connected_components.h"
 #include "dupin/kernel/coordinates.h"
 #include "mesh/edge_table.h"
 #include "mesh/measure.h"
 #include "mesh/shell_nesting.h"
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
-#include "support/disjoint_sets.h"
 #include "support/none.h"
 #include "support/sequences.h"
 
@@ -121,50 +119,14 @@ bool is_closed_manifold(std::span<const Triangle> triangles, std::size_t points,
 
 /// Of a closed manifold: triangles hang together by edges if they do by points.
 mesh::Shells shells_of(std::span<const Triangle> triangles, std::size_t points) {
-  support::DisjointSets sets(points);
-  support::for_each_block(triangles.size(), [&](const support::Block& block) {
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      const auto& [a, b, c] = triangles[i];
-      sets.unite(a, b);
-      sets.unite(a, c);
-    }
-  });
+  const std::vector<std::uint32_t> component = connected_components(triangles, points);
   std::vector<std::uint32_t> first(points, support::kNone), lowest(triangles.size());
   for (std::uint32_t f = 0; f < triangles.size(); ++f) {
-    std::uint32_t& face = first[sets.find(triangles[f][0])];
+    std::uint32_t& face = first[component[triangles[f][0]]];
     face = std::min(face, f);
     lowest[f] = face;
   }
   return mesh::grouped(std::move(lowest));
-}
-
-/// The sign of the volume that closed triangles enclose, if doubles tell it; else 0. With u =
-/// 2^-52, which also bounds directed rounding, each of the six products of a determinant is off by
-/// less than 9 u of itself, all six together are at most the product of the three 1-norms, and n
-/// sums add less than n u. Differences and products of coordinates in range do not underflow.
-int quick_volume_sign(std::span<const Vec3> points, std::span<const Triangle> triangles) {
-  struct Sums {
-    double volume = 0, magnitude = 0;
-  };
-  const Vec3 origin = points[triangles.front()[0]];
-  std::vector<Sums> parts(support::block_count(triangles.size()));
-  support::for_each_block(triangles.size(), [&](const support::Block& block) {
-    Sums sums;
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      const auto& [a, b, c] = triangles[i];
-      const Vec3 p = points[a] - origin, u = points[b] - points[a], v = points[c] - points[a];
-      sums.volume += p.dot(u.cross(v));
-      sums.magnitude += p.lpNorm<1>() * u.lpNorm<1>() * v.lpNorm<1>();
-    }
-    parts[block.number] = sums;
-  });
-  Sums all;
-  for (const Sums& part : parts) {
-    all.volume += part.volume;
-    all.magnitude += part.magnitude;
-  }
-  const double doubt = all.magnitude * (static_cast<double>(triangles.size()) + 20) * 0x1p-51;
-  return (all.volume > doubt) - (all.volume < -doubt);
 }
 
 /// Whether shells around material enclose a positive volume, those around voids a negative one.
@@ -177,9 +139,7 @@ bool are_turned_right(const mesh::MeshView& mesh, const mesh::Shells& shells) {
       faces = support::selected(mesh.triangles, shells.faces_of(i));
       shell.triangles = faces;
     }
-    const int quick = quick_volume_sign(shell.points, shell.triangles);
-    const int sign = quick != 0 ? quick : mesh::volume_sign(shell);
-    if (sign != (depths[i] % 2 == 0 ? 1 : -1)) {
+    if (mesh::volume_sign(shell) != (depths[i] % 2 == 0 ? 1 : -1)) {
       return false;
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "arrangement/arrange.h"
 #include "mesh/coincident_points.h"
 #include "mesh/edge_table.h"
 #include "mesh/measure.h"
@@ -48,6 +49,29 @@ MergedPoints merge_duplicate_points(const TriMesh& mesh) {
   }
   const auto copies = std::ranges::count(is_copy, true);
   return {std::move(soup), static_cast<std::size_t>(copies)};
+}
+
+mesh::ExactMesh wound_around(const PolygonSoup& soup, const TriMesh& mesh, const Progress& progress,
+                             std::span<const std::uint8_t> crossing) {
+  mesh::ExactMesh surface;
+  surface.points = soup.points;
+  surface.triangles = soup.triangles;
+  surface.names = mesh.names;
+  std::vector<std::uint8_t> is_crossing;
+  for (const std::uint32_t face : soup.sources) {
+    surface.sources.push_back({0, face});
+    if (!mesh.labels.empty()) {
+      surface.labels.push_back(mesh.labels[face]);
+    }
+    if (!crossing.empty()) {
+      is_crossing.push_back(crossing[face]);
+    }
+  }
+  mesh::ExactMesh solid = arrangement::positive_winding_boundary(surface, progress, is_crossing);
+  for (Source& source : solid.sources) {
+    source.triangle = soup.sources[source.triangle];
+  }
+  return solid;
 }
 
 std::size_t turn_shells_outward(PolygonSoup& soup, std::vector<bool> is_turned) {

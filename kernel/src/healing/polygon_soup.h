@@ -2,9 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
+#include "dupin/kernel/progress.h"
+#include "mesh/exact_mesh.h"
 
 /// Solids from meshes that are none, and solids without contacts, by steps that are exact and can
 /// be said in one sentence each. repair() merges points, drops faces without area
@@ -29,6 +32,13 @@ struct MergedPoints {
   std::size_t copies = 0;
 };
 [[nodiscard]] MergedPoints merge_duplicate_points(const TriMesh& mesh);
+
+/// What the soup winds around a positive number of times, with the labels of the mesh it is from;
+/// sources are {0, face of the mesh}. `crossing`: empty, or 1 per face of the mesh that may meet
+/// another one but in common corners and edges. Throws like arrangement::arrange().
+[[nodiscard]] mesh::ExactMesh wound_around(const PolygonSoup& soup, const TriMesh& mesh,
+                                           const Progress& progress = {},
+                                           std::span<const std::uint8_t> crossing = {});
 
 /// Turns shells of negative volume that an even number of others encloses. `is_turned` says of each
 /// triangle whether it has been turned already; returns how many end up turned.

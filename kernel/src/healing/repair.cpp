@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "arrangement/arrange.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -105,21 +104,8 @@ Repaired repair(const TriMesh& mesh, const Progress& progress) {
   refuse_holes(soup);
   report.turned_faces = healing::turn_shells_outward(soup, std::move(settled.is_turned));
 
-  mesh::ExactMesh surface;
-  surface.points = soup.points;
-  surface.triangles = soup.triangles;
-  surface.names = mesh.names;
-  for (const std::uint32_t face : soup.sources) {
-    surface.sources.push_back({0, face});
-    if (!mesh.labels.empty()) {
-      surface.labels.push_back(mesh.labels[face]);
-    }
-  }
-  mesh::ExactMesh solid = arrangement::positive_winding_boundary(surface, progress);
+  mesh::ExactMesh solid = healing::wound_around(soup, mesh, progress);
   report.united_overlaps = solid.triangles.size() != soup.triangles.size();
-  for (Source& source : solid.sources) {
-    source.triangle = soup.sources[source.triangle];
-  }
   return {Solid(std::make_shared<const mesh::ExactMesh>(std::move(solid))), report};
 }
 

@@ -17,7 +17,7 @@ namespace dupin::mesh {
 /// The double nearest to exact_volume, by enclosures that need no common denominator. O(n).
 [[nodiscard]] double nearest_volume(const MeshView& mesh);
 
-/// The sign of exact_volume, likewise.
+/// The sign of exact_volume, likewise; of doubles, where rounding leaves no doubt, from these.
 [[nodiscard]] int volume_sign(const MeshView& mesh);
 
 /// The sum of the areas of the triangles; relative error below 1e-12.

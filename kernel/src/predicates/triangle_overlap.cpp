@@ -219,8 +219,7 @@ TriangleOverlapTest::TriangleOverlapTest(std::span<const Vec3> points, const Tri
 
 bool TriangleOverlapTest::is_degenerate() const {
   const auto& [a, b, c] = corners_;
-  return !plane_.certain() &&
-         CGAL::collinear(point(points_[a]), point(points_[b]), point(points_[c]));
+  return !plane_.certain() && collinear(points_[a], points_[b], points_[c]);
 }
 
 TriangleOverlap TriangleOverlapTest::meeting(const Triangle& other) const {

@@ -33,8 +33,8 @@ void repair_further(EditedMesh& mesh, const exact::FloatLattice& lattice,
 
 /// Removes the known faults one by one, in order, by collapsing an edge not longer than `reach`,
 /// else flipping an edge, else moving a point to a near number of the lattice. Every step lowers
-/// their number. What takes more tries is tried where less does not help any fault. Whether it got
-/// there, or nowhere else: gives up once about as many edits have been tried as `trials` says.
+/// their number. What takes more tries is tried where less does not help any fault. Gives up once
+/// about as many edits have been tried as `trials` says; whether it came to an end before.
 bool mend_faults(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach,
                  std::uint64_t trials);
 

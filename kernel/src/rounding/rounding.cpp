@@ -62,7 +62,9 @@ struct Past {
   std::vector<Vec3> filled_places, snapped_places;
 
   /// How far all that has taken any place.
-  [[nodiscard]] double distance() const { return moved + std::max(void_width / 2, slit_reach); }
+  [[nodiscard]] double distance() const { return moved + filled(); }
+  /// The part of it that filling has.
+  [[nodiscard]] double filled() const { return std::max(void_width / 2, slit_reach); }
 };
 
 template <class Item>
@@ -171,7 +173,7 @@ class Rounding {
     const auto alive = mesh.alive_faces();
     const double move = largest_move(mesh, alive);
     Past past = past_;
-    past.moved = move - std::max(past_.void_width / 2, past_.slit_reach);
+    past.moved = move - past_.filled();
     for (std::uint32_t v = 0; v < mesh.points().size(); ++v) {
       past.moved_points += mesh.faces(v).empty() || mesh.point(v) != doubles()[v] ? 1 : 0;
     }
@@ -290,7 +292,7 @@ class Rounding {
                                  const Vec3& at) {
     const Rounded surface = finished(mesh, alive, {});
     Past past = past_;
-    past.moved = largest_move(mesh, alive) - std::max(past_.void_width / 2, past_.slit_reach);
+    past.moved = largest_move(mesh, alive) - past_.filled();
     past.moved_points = surface.report().moved;
     past.snapped_places.emplace_back(at + origin_ + past_.origin);
     past.origin += origin_;

@@ -8,10 +8,10 @@
 
 #include <Eigen/Geometry>
 
+#include "dupin/kernel/connected_components.h"
 #include "mesh/measure.h"
 #include "mesh/self_contact.h"
 #include "support/blocks.h"
-#include "support/disjoint_sets.h"
 
 namespace dupin::rounding {
 namespace {
@@ -80,15 +80,7 @@ int sign_of_shell(mesh::MeshView view, std::span<const std::uint32_t> shell_of,
 }  // namespace
 
 std::vector<std::uint32_t> shell_of_points(const mesh::ExactMesh& exact) {
-  support::DisjointSets sets(exact.points.size());
-  support::for_each_block(exact.triangles.size(), [&](const support::Block& block) {
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      const Triangle& t = exact.triangles[i];
-      sets.unite(t[0], t[1]);
-      sets.unite(t[0], t[2]);
-    }
-  });
-  return sets.representatives();
+  return connected_components(exact.triangles, exact.points.size());
 }
 
 std::vector<std::uint32_t> turned_shells(const mesh::ExactMesh& exact,

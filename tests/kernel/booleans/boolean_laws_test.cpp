@@ -4,6 +4,7 @@
 
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/boolean_expression.h"
+#include "kernel/same_solid.h"
 #include "support/grid_solids.h"
 #include "support/shapes.h"
 
@@ -29,20 +30,10 @@ void for_all_triples(const Law& law) {
   }
 }
 
-// What does not depend on the triangulation.
-void expect_same_solid(const Solid& x, const Solid& y) {
-  EXPECT_EQ(x.exact_volume(), y.exact_volume());
-  EXPECT_EQ(x.components(), y.components());
-  EXPECT_EQ(x.genus(), y.genus());
-  EXPECT_EQ(x.contacts().empty(), y.contacts().empty());
-  EXPECT_TRUE(subtract(x, {&y, 1}).empty());
-  EXPECT_TRUE(subtract(y, {&x, 1}).empty());
-}
-
 void expect_equal(const char* left, const char* right) {
   SCOPED_TRACE(std::string(left) + " = " + right);
   for_all_triples([&](const std::map<std::string, Solid>& operands) {
-    expect_same_solid(set(left, operands), set(right, operands));
+    test::expect_same_solid(set(left, operands), set(right, operands));
   });
 }
 
@@ -56,18 +47,18 @@ TEST(BooleanLaws, associative_in_one_arrangement_and_in_two) {
   for_all_triples([](std::map<std::string, Solid> operands) {
     operands.emplace("ab", set("a + b", operands));
     operands.emplace("bc", set("b + c", operands));
-    expect_same_solid(set("ab + c", operands), set("a + bc", operands));
+    test::expect_same_solid(set("ab + c", operands), set("a + bc", operands));
     operands.insert_or_assign("ab", set("a & b", operands));
     operands.insert_or_assign("bc", set("b & c", operands));
-    expect_same_solid(set("ab & c", operands), set("a & bc", operands));
+    test::expect_same_solid(set("ab & c", operands), set("a & bc", operands));
   });
 }
 
 TEST(BooleanLaws, idempotent) {
   for_all_triples([](const std::map<std::string, Solid>& operands) {
     const Solid& a = operands.at("a");
-    expect_same_solid(unite(std::vector{a, a, a}), a);
-    expect_same_solid(intersect(std::vector{a, a}), a);
+    test::expect_same_solid(unite(std::vector{a, a, a}), a);
+    test::expect_same_solid(intersect(std::vector{a, a}), a);
     EXPECT_TRUE(subtract(a, {&a, 1}).empty());
   });
 }

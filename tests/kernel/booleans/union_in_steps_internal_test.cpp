@@ -7,6 +7,7 @@
 #include "booleans/union_in_steps.h"
 #include "dupin/kernel/error.h"
 #include "kernel/booleans/pipe_case_checks_internal.h"
+#include "kernel/same_solid.h"
 #include "mesh/exact_mesh.h"
 #include "support/shapes.h"
 
@@ -29,12 +30,8 @@ Solid at_once(const std::vector<Solid>& solids) {
 }
 
 void expect_alike(const Solid& a, const Solid& b) {
-  EXPECT_EQ(a.exact_volume(), b.exact_volume());
-  EXPECT_EQ(a.components(), b.components());
-  EXPECT_EQ(a.genus(), b.genus());
+  test::expect_same_solid(a, b);
   EXPECT_EQ(a.contacts().size(), b.contacts().size());
-  EXPECT_TRUE(subtract(a, {&b, 1}).empty());
-  EXPECT_TRUE(subtract(b, {&a, 1}).empty());
 }
 
 // In general and in special position: many through one point, in planes, coplanar.
