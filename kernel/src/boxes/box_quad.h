@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -8,7 +7,7 @@
 #include <emmintrin.h>
 #endif
 
-#include "boxes/box_quantizer.h"
+#include "boxes/box.h"
 
 namespace dupin::boxes {
 
