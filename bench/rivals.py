@@ -118,7 +118,7 @@ def table(options):
     rival = (options.build / "bench" / "manifold_contest").exists()
     print("ours / Manifold's; seconds of wall [of processors], minima; x: its time in units of ours; all: make + op "
           "+ round,\nof Manifold without its last step, which only hands out the mesh")
-    print(f"{'case':18}{'triangles':>9} {'make':^36} {'op':^36} {'x':>7} {'round':^36} {'all x':>7}  of the other")
+    print(f"{'case':18}{'triangles':>9} {'of results':^19} {'make':^36} {'op':^36} {'x':>7} {'round':^36} {'all x':>7}  of the other")
     rows, slower = {}, []
     for case in options.cases or CASES:
         ours = compete(options, "union_contest", case)
@@ -135,7 +135,8 @@ def table(options):
         if any(value is not None and value < 1 for value in (op, whole)):
             slower.append(case)
         pairs = [f"{ours.text(step)} / {other.text(step)}" for step in STEPS]
-        print(f"{case:18}{ours.result.get('before', 0):9.0f} {pairs[0]:^36} {pairs[1]:^36} {shown(op):>7} "
+        sizes = " / ".join(f"{run.result.get('after', 0):.0f}" for run in (ours, other))
+        print(f"{case:18}{ours.result.get('before', 0):9.0f} {sizes:^19} {pairs[0]:^36} {pairs[1]:^36} {shown(op):>7} "
               f"{pairs[2]:^36} {shown(whole):>7}  {notes}", flush=True)
     for title, names in [("first fourteen", FIRST), ("all", list(rows))]:
         found = [rows[name] for name in names if name in rows]
