@@ -144,7 +144,7 @@ void find_operand_pairs(ArrangementInput& input) {
     }
   }
   const boxes::BoxTree tree{std::span<const boxes::Box>(mapped)};
-  boxes::TreeTraversal(tree).visit({1, 1}, [&](std::uint32_t i, std::uint32_t k) {
+  boxes::TreeTraversal(tree).visit([&](std::uint32_t i, std::uint32_t k) {
     const auto [a, b] = std::minmax(tree.items()[i], tree.items()[k]);
     if (input.bounds[a].intersects(input.bounds[b])) {
       input.operand_pairs.push_back({a, b});

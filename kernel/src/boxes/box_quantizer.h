@@ -17,10 +17,11 @@
 ///
 /// A BoxQuantizer maps coordinates to floats in [-1, 1], along the axes in which boxes are small
 /// (main_directions), and makes a Box of each triangle that contains it, rounding included. A
-/// BoxTree is a binary tree over such boxes, an implicit one: node i has the children 2i and 2i +
-/// 1, the leaves have four items each. One tree is asked for what is near one box (BoxTree::visit),
-/// a list of boxes (boxes_near), or another tree, or itself (TreeTraversal). Where long slanted
-/// facets leave boxes empty, nodes have an OrientedBox besides [GLM96].
+/// BoxTree is a tree over such boxes, an implicit one: node i of a level has the children 4i to 4i
+/// + 3 of the level below, whose boxes it has side by side (BoxQuad), the leaves four items each.
+/// One tree is asked for what is near one box (BoxTree::visit), a list of boxes (boxes_near), or
+/// another tree, or itself (TreeTraversal). Where long slanted facets leave boxes empty, nodes have
+/// an OrientedBox besides [GLM96].
 namespace dupin::boxes {
 
 /// A box along the axes, and in the single precision coordinates, of a BoxQuantizer.
