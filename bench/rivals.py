@@ -57,9 +57,9 @@ class Run:
                 best = self.times.get(step, took)
                 self.times[step] = (min(best[0], took[0]), min(best[1], took[1]))
 
-    def wall(self, *steps):
-        """The sum; None if a step was not reached."""
-        return sum(self.times[step][0] for step in steps) if all(step in self.times for step in steps) else None
+    def took(self, *steps, clock=0):
+        """The sum, by the wall's clock (0) or the processors' (1); None if a step was not reached."""
+        return sum(self.times[step][clock] for step in steps) if all(step in self.times for step in steps) else None
 
     def text(self, step):
         if step not in self.times:
@@ -123,9 +123,9 @@ def table(options):
     for case in options.cases or CASES:
         ours = compete(options, "union_contest", case)
         other = compete(options, "manifold_contest", case) if rival else Run([], "not built")
-        op = ratio(ours.wall("op"), other.wall("op"))
-        whole = ratio(ours.wall(*STEPS), other.wall("make", "op"))
-        rows[case] = (op, whole)
+        rows[case] = [ratio(ours.took(*mine, clock=clock), other.took(*theirs, clock=clock))
+                      for clock in (0, 1) for mine, theirs in [(["op"], ["op"]), (STEPS, ["make", "op"])]]
+        op, whole = rows[case][:2]
         notes = other.ending
         if ours.ending:
             notes += f" OURS: {ours.ending}"
@@ -141,7 +141,8 @@ def table(options):
     for title, names in [("first fourteen", FIRST), ("all", list(rows))]:
         found = [rows[name] for name in names if name in rows]
         if found:
-            print_means(title, {"op": [row[0] for row in found], "all": [row[1] for row in found]})
+            kinds = ["op", "all", "op of processors", "all of processors"]
+            print_means(title, {kind: [row[i] for row in found] for i, kind in enumerate(kinds)})
     print("slower than Manifold:", ", ".join(slower) or "nowhere")
 
 
@@ -227,7 +228,7 @@ def threads(options):
     for case in options.cases or ["tee_100k_rot", "tee_1M_rot", "header_100_rot", "header_1000_rot", "rack_rot",
                                   "rack_fine_rot", "rack_eq", "chain_100", "chain_100_fan"]:
         one, two = (compete(options, "union_contest", case, count) for count in (1, 2))
-        gains = {step.removeprefix("stage "): ratio(two.wall(step), one.wall(step)) for step in two.times}
+        gains = {step.removeprefix("stage "): ratio(two.took(step), one.took(step)) for step in two.times}
         print(f"{case:18}" + ", ".join(f"{step} {shown(gain)}" for step, gain in gains.items()), flush=True)
 
 
