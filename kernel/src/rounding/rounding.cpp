@@ -104,6 +104,11 @@ class Rounding {
     if (auto done = thickened()) {
       return std::move(*done);
     }
+    if (past_.thickenings > 0) {  // such solids have voids, which are sought before what is dearer
+      if (auto done = without_voids()) {
+        return std::move(*done);
+      }
+    }
     const auto groups = mesh::groups_apart(exact_.stable, lattice_, step_, !origin_.isZero(0));
     const std::vector<Fault> found =
         find_faults({rounded_.on_lattice, exact_.triangles, representatives_, groups},
