@@ -212,11 +212,11 @@ def growth(options):
         steps = list(dict.fromkeys(step for run in runs for step in run.times))
         print(f"{'case':26}{size:>10}" + "".join(f"{step.split()[-1]:>12}" for step in steps) + f"{'bytes/tri':>11}")
         for name, run in zip(names, runs):
-            of_size = run.result.get(size, 0)
+            of_size = shown(run.result.get(size), "{:.0f}")
             triangles = run.result.get("before", 0) + run.result.get("after", 0)
-            print(f"{name:26}{of_size:10.0f}" +
+            print(f"{name:26}{of_size:>10}" +
                   "".join(f"{shown(run.times.get(step, (None, None))[1], '{:.4f}'):>12}" for step in steps) +
-                  f"{run.result.get('memory', 0) / max(triangles, 1):11.0f} {run.ending}")
+                  f"{run.result.get('memory', 0) / max(triangles, 1):11.0f}  {run.ending}")
         for text, chosen in [("exponent", runs), ("exponent at the end", runs[-2:])]:
             print(f"{text:36}" + "".join(
                 "{:>12}".format(shown(slope([(run.result.get(size), run.times.get(step, (0, 0))[1]) for run in chosen])))
@@ -224,12 +224,13 @@ def growth(options):
 
 
 def threads(options):
-    print("ours: wall seconds of one thread in units of those of two")
+    print("ours: wall seconds of one thread in units of those of two [processors that the two had on average]")
     for case in options.cases or ["tee_100k_rot", "tee_1M_rot", "header_100_rot", "header_1000_rot", "rack_rot",
                                   "rack_fine_rot", "rack_eq", "chain_100", "chain_100_fan"]:
         one, two = (compete(options, "union_contest", case, count) for count in (1, 2))
-        gains = {step.removeprefix("stage "): ratio(two.took(step), one.took(step)) for step in two.times}
-        print(f"{case:18}" + ", ".join(f"{step} {shown(gain)}" for step, gain in gains.items()), flush=True)
+        gains = [f"{step.removeprefix('stage ')} {shown(ratio(two.took(step), one.took(step)))} "
+                 f"[{shown(ratio(two.took(step), two.took(step, clock=1)))}]" for step in two.times]
+        print(f"{case:18}" + ", ".join(gains), flush=True)
 
 
 def main():
