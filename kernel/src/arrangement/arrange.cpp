@@ -39,7 +39,7 @@ std::vector<TriangleIntersection> intersections_of(const ArrangementInput& input
                                                    const Progress& progress) {
   const UpwardRounding rounding;
   const std::vector<TrianglePair> candidates =
-      broad_phase(input, support::ProgressStage(progress, "intersect", 0, 0.2));
+      broad_phase(input, support::ProgressStage(progress, "search", 0, 0.2));
   return find_intersections(input, candidates,
                             support::ProgressStage(progress, "intersect", 0.2, 0.4));
 }
