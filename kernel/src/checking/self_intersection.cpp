@@ -44,9 +44,10 @@ class Search {
     if (active_.empty()) {
       return {};
     }
-    SelfIntersections found = examined(boxes::TreeTraversal(tree_), {tree_, active_});
+    const Items items(tree_, active_, corners_);
+    SelfIntersections found = examined(boxes::TreeTraversal(tree_), items, items);
     if (!among_all_) {
-      found = joined(std::move(found), examined_passive());
+      found = joined(std::move(found), examined_passive(items));
     }
     trim(found.pairs);
     if (!tree_.is_oriented()) {  // else boxes tell triangles apart that may not stay so
@@ -62,11 +63,21 @@ class Search {
   }
 
  private:
-  /// What the items of a tree are.
+  /// The triangles that the items of a tree are, in the tree's order: neighbours there are looked
+  /// at one after another.
   struct Items {
-    const boxes::BoxTree& tree;
-    std::span<const std::uint32_t> faces;
-    std::uint32_t face(std::uint32_t place) const { return faces[tree.items()[place]]; }
+    Items(const boxes::BoxTree& tree, std::span<const std::uint32_t> faces,
+          std::span<const Triangle> all)
+        : face(tree.size()), corners(tree.size()) {
+      support::for_each_block(tree.size(), [&](const support::Block& block) {
+        for (std::size_t i = block.begin; i < block.end; ++i) {
+          face[i] = faces[tree.items()[i]];
+          corners[i] = all[face[i]];
+        }
+      });
+    }
+    support::BulkVector<std::uint32_t> face;
+    support::BulkVector<Triangle> corners;
   };
 
   /// Fills what comes before it and returns the tree over the active triangles.
@@ -185,15 +196,16 @@ class Search {
     return options_.active.empty() || options_.active[triangle] != 0;
   }
 
-  /// Examines pairs of the one tree's triangles and the active ones.
-  SelfIntersections examined(const boxes::TreeTraversal& pairs, const Items& items) {
+  /// Examines pairs of triangles of two trees.
+  SelfIntersections examined(const boxes::TreeTraversal& pairs, const Items& items,
+                             const Items& others) {
     constexpr std::size_t kTasks = 512;
     const std::vector<boxes::TreeTraversal::Nodes> tasks = pairs.tasks(kTasks);
     return tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, tasks.size()), SelfIntersections{},
         [&](const auto& range, SelfIntersections part) {
           for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            examine(pairs, tasks[i], items, part);
+            examine(pairs, tasks[i], items, others, part);
           }
           return part;
         },
@@ -203,18 +215,18 @@ class Search {
   }
 
   void examine(const boxes::TreeTraversal& pairs, const boxes::TreeTraversal::Nodes& nodes,
-               const Items& items, SelfIntersections& found) {
-    const Items others{tree_, active_};
+               const Items& items, const Items& others, SelfIntersections& found) {
     std::optional<predicates::TriangleOverlapTest> probe;
     std::uint32_t probed = 0;
     pairs.visit(nodes, [&](std::uint32_t i, std::uint32_t k) {
-      const std::uint32_t face = items.face(i), other = others.face(k);
-      if (share_injective_star(corners_[face], corners_[other])) {
+      const Triangle &corners = items.corners[i], &other_corners = others.corners[k];
+      const std::uint32_t face = items.face[i], other = others.face[k];
+      if (share_injective_star(corners, other_corners)) {
         record(face, other, predicates::TriangleOverlap::none, found);
         return;
       }
       if (seeks_stable() && !is_sliver(face) && !is_sliver(other)) {
-        if (predicates::keep_apart(points_, corners_[face], corners_[other], options_.margin)) {
+        if (predicates::keep_apart(points_, corners, other_corners, options_.margin)) {
           return;
         }
         for (const std::uint32_t f : {face, other}) {
@@ -222,15 +234,15 @@ class Search {
         }
       }
       if (!probe || probed != i) {
-        probe.emplace(points_, corners_[face]);
+        probe.emplace(points_, corners);
         probed = i;
       }
-      record(face, other, probe->meeting(corners_[other]), found);
+      record(face, other, probe->meeting(other_corners), found);
     });
   }
 
   /// Pairs of a passive and an active triangle.
-  SelfIntersections examined_passive() {
+  SelfIntersections examined_passive(const Items& actives) {
     const auto near = boxes::boxes_near(tree_, triangles_.size(), [&](std::uint32_t face) {
       return active(face) ? boxes::Box::nothing() : box(face);
     });
@@ -241,7 +253,7 @@ class Search {
       }
     });
     const boxes::BoxTree tree(boxes, [&](std::uint32_t i) { return framed(near[i]); });
-    return examined(boxes::TreeTraversal(tree, tree_), {tree, near});
+    return examined(boxes::TreeTraversal(tree, tree_), {tree, near, corners_}, actives);
   }
 
   /// Whether the triangles have a corner in common around which triangles keep apart.
@@ -256,7 +268,8 @@ class Search {
 
   void record(std::uint32_t face, std::uint32_t other, predicates::TriangleOverlap meeting,
               SelfIntersections& found) const {
-    if (!active(face) && !active(other)) {
+    const bool is_nothing = meeting == predicates::TriangleOverlap::none && !touching_apart_;
+    if (is_nothing || (!active(face) && !active(other))) {
       return;
     }
     FacePair pair{std::min(face, other), std::max(face, other)};
@@ -269,7 +282,7 @@ class Search {
         ++found.overlaps;
         break;
       case predicates::TriangleOverlap::none:
-        if (!touching_apart_ || !touch_apart(face, other)) {
+        if (!touch_apart(face, other)) {
           return;
         }
         pair.kind = FacePair::Kind::contact;
