@@ -90,6 +90,17 @@ std::uint32_t segments_for(const RingedSurface& surface, double tolerance, doubl
                                      std::acos(1 - std::min(allowed / radius, 1.0)));
 }
 
+double expected_bands(const RingedSurface& surface, const RingSampling& sampling,
+                      double tolerance) {
+  if (is_straight(surface)) {
+    return 1;
+  }
+  return tessellation::expected_bands(
+      {march_of(surface, 2 * std::numbers::pi / sampling.segments)},
+      tessellation::allowed_error(tolerance, tessellation::point_error(surface, sampling.grid)),
+      largest_radius(surface.radius), sampling.segments);
+}
+
 Tessellation tessellate(const RingedSurface& surface, const RingSampling& sampling,
                         const TessellationOptions& options) {
   const double displacement = tessellation::point_error(surface, sampling.grid);

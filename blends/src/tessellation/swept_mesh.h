@@ -55,6 +55,10 @@ struct Bands {
   double error_bound = 0;
 };
 
+/// About how many bands even_bands() makes.
+[[nodiscard]] double expected_bands(const std::vector<BandStepper>& marches, double allowed,
+                                    double largest_radius, std::uint32_t segments);
+
 /// As few bands as keep to `allowed` along pieces that share a twist of at most half a segment.
 [[nodiscard]] std::vector<Bands> even_bands(const std::vector<BandStepper>& marches, double allowed,
                                             double largest_radius, std::uint32_t segments);
