@@ -43,7 +43,10 @@ void print_findings(std::ostream& out, const Certificate& certificate) {
     if (claims.regular && claims.embedded) {
       print(certificate.parts[i].name, "margin above " + number(claims.regular->margin),
             claims.regular->verdict);
-      print(certificate.parts[i].name, "embedded", claims.embedded->verdict);
+      const auto& overlap = claims.embedded->overlap;
+      print(certificate.parts[i].name,
+            overlap ? "embedded, crosses itself at " + place_text(overlap->point) : "embedded",
+            claims.embedded->verdict);
     }
     print(certificate.parts[i].name, "mesh error",
           claims.mesh ? Verdict::proved : Verdict::undecided);

@@ -154,11 +154,12 @@ void refuse_too_costly(const Assembly& assembly, const ResolvedAssembly& resolve
   }
   const auto enough = estimator.tolerance_that_would_do(assembly);
   const ResolvedPart& part = resolved.parts[estimate.part];
-  throw Error(Errc::limit_exceeded,
-              what_is_asked_for(assembly, estimate, limit) +
-                  (enough ? "; a tolerance of " + decimal(*enough, 2) + " would do, or a higher limit"
-                          : std::string("; fewer segments would do, smaller parts, or a higher limit")),
-              part.name, document_place(assembly, part.index));
+  throw Error(
+      Errc::limit_exceeded,
+      what_is_asked_for(assembly, estimate, limit) +
+          (enough ? "; a tolerance of " + decimal(*enough, 2) + " would do, or a higher limit"
+                  : std::string("; fewer segments would do, smaller parts, or a higher limit")),
+      part.name, document_place(assembly, part.index));
 }
 
 }  // namespace dupin::assembly
