@@ -57,10 +57,10 @@ Carrier carrier(const EllipticTube& tube, const std::vector<ringed::BandBounds>&
   return {steps, lost / steps};
 }
 
-std::vector<ringed::BandBounds> cells_of(const EllipticTube& tube) {
+std::vector<ringed::BandBounds> cells_of(const EllipticTube& tube, std::uint32_t count = kCells) {
   std::vector<ringed::BandBounds> cells;
-  for (std::uint32_t i = 0; i < kCells; ++i) {
-    cells.push_back(ringed::band_bounds(tube, double(i) / kCells, double(i + 1) / kCells));
+  for (std::uint32_t i = 0; i < count; ++i) {
+    cells.push_back(ringed::band_bounds(tube, double(i) / count, double(i + 1) / count));
   }
   return cells;
 }
@@ -137,8 +137,10 @@ double expected_bands(const EllipticTube& tube, const RingSampling& sampling, do
   if (is_straight(tube)) {
     return 1;
   }
+  auto cells = tessellation::coarse_if_it_tells(
+      [&](std::uint32_t count) { return cells_of(tube, count); }, kCells);
   return tessellation::expected_bands(
-      {{cells_of(tube), 2 * std::numbers::pi / sampling.segments}},
+      {{std::move(cells), 2 * std::numbers::pi / sampling.segments}},
       tessellation::allowed_error(tolerance, tessellation::point_error(tube, sampling.grid)),
       largest_radius(tube), sampling.segments);
 }

@@ -35,10 +35,11 @@ tessellation::Row row_at(const RationalRingedSurface& surface, double t) {
           evaluate(surface, t, std::numbers::pi / 2).position - center};
 }
 
-tessellation::BandStepper march_of(const RationalRingedSurface& surface, std::uint32_t segments) {
+tessellation::BandStepper march_of(const RationalRingedSurface& surface, std::uint32_t segments,
+                                   std::uint32_t count = kCells) {
   std::vector<ringed::BandBounds> cells;
-  for (std::uint32_t i = 0; i < kCells; ++i) {
-    cells.push_back(ringed::band_bounds(surface, double(i) / kCells, double(i + 1) / kCells));
+  for (std::uint32_t i = 0; i < count; ++i) {
+    cells.push_back(ringed::band_bounds(surface, double(i) / count, double(i + 1) / count));
   }
   return {std::move(cells), 2 * std::numbers::pi / segments};
 }
@@ -55,9 +56,11 @@ std::uint32_t segments_for(const RationalRingedTube& tube, double tolerance, dou
 
 double expected_bands(const RationalRingedTube& tube, const RingSampling& sampling,
                       double tolerance) {
+  const auto march = tessellation::coarse_if_it_tells(
+      [&](std::uint32_t count) { return march_of(tube.surface, sampling.segments, count); },
+      kCells);
   return tessellation::expected_bands(
-      {march_of(tube.surface, sampling.segments)},
-      tessellation::allowed_error(tolerance, point_error(tube.surface, sampling.grid)),
+      {march}, tessellation::allowed_error(tolerance, point_error(tube.surface, sampling.grid)),
       largest_radius(tube.surface), sampling.segments);
 }
 

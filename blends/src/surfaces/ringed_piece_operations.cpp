@@ -36,8 +36,9 @@ bool is_uniform(const RingedSurface& surface) {
          std::holds_alternative<ConstantRadius>(surface.radius);
 }
 
-tessellation::BandStepper march_of(const RingedSurface& surface, double around) {
-  const std::uint32_t cells = is_uniform(surface) ? 1 : kCells;
+tessellation::BandStepper march_of(const RingedSurface& surface, double around,
+                                   std::uint32_t cells = kCells) {
+  cells = is_uniform(surface) ? 1 : cells;
   std::vector<ringed::BandBounds> bounds;
   bounds.reserve(cells);
   for (std::uint32_t i = 0; i < cells; ++i) {
@@ -95,8 +96,11 @@ double expected_bands(const RingedSurface& surface, const RingSampling& sampling
   if (is_straight(surface)) {
     return 1;
   }
+  const double around = 2 * std::numbers::pi / sampling.segments;
+  const auto march = tessellation::coarse_if_it_tells(
+      [&](std::uint32_t cells) { return march_of(surface, around, cells); }, kCells);
   return tessellation::expected_bands(
-      {march_of(surface, 2 * std::numbers::pi / sampling.segments)},
+      {march},
       tessellation::allowed_error(tolerance, tessellation::point_error(surface, sampling.grid)),
       largest_radius(surface.radius), sampling.segments);
 }
