@@ -11,11 +11,13 @@
 
 #include "commands.h"
 #include "cross_check_option.h"
+#include "dupin/io/mesh_file.h"
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/boolean_expression.h"
 #include "dupin/kernel/cross_check.h"
 #include "dupin/kernel/parallel.h"
 #include "dupin/kernel/repair.h"
+#include "dupin/kernel/stage_clock.h"
 #include "exit_code.h"
 #include "input.h"
 #include "length.h"
@@ -45,6 +47,7 @@ struct OperandArguments {
   std::string contacts, cross_check;
   OutputArguments output;
   bool repair = false;
+  bool timing = false;
   RoundingArguments rounding;
 };
 
@@ -66,18 +69,30 @@ Solid combined(SetOperation operation, std::span<const Solid> operands,
   return {};
 }
 
-/// The solids in files, mended where that is asked for; what was done goes to `repairs`.
-std::vector<Solid> read_operands(const std::vector<Input>& inputs, bool are_repaired,
-                                 std::vector<FileRepair>& repairs) {
+/// The meshes in files, whose bytes make room for them.
+std::vector<TriMesh> read_meshes(std::vector<Input>& inputs) {
+  std::vector<TriMesh> meshes(inputs.size());
+  for_each_in_parallel(inputs.size(), [&](std::size_t i) {
+    meshes[i] = read_mesh(inputs[i].bytes, inputs[i].name);
+    inputs[i].bytes = {};
+  });
+  return meshes;
+}
+
+/// The solids of meshes, which make room for them; mended where that is asked for, and what was
+/// done goes to `repairs`.
+std::vector<Solid> prove_operands(std::vector<TriMesh> meshes, const std::vector<Input>& inputs,
+                                  bool are_repaired, std::vector<FileRepair>& repairs) {
   std::vector<Solid> operands(inputs.size());
   std::vector<RepairReport> reports(inputs.size());
   for_each_in_parallel(inputs.size(), [&](std::size_t i) {
+    const TriMesh mesh = std::move(meshes[i]);
     if (are_repaired) {
-      Repaired repaired = repaired_solid_of(inputs[i]);
+      Repaired repaired = repaired_solid_of(mesh, inputs[i].name);
       operands[i] = std::move(repaired.solid);
       reports[i] = repaired.report;
     } else {
-      operands[i] = solid_of(inputs[i]);
+      operands[i] = solid_of(mesh, inputs[i].name);
     }
   });
   for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -94,24 +109,35 @@ ExitCode run_operation(const std::vector<std::string>& files, const OperandArgum
   refuse_tolerance(arguments.command, common, "--rounding-tolerance");
   const Destination to = destination(arguments.output);
   const auto engine = cross_check_engine(arguments.cross_check);
-  const std::vector<Input> inputs = read_inputs(files);
+  StageClock clock;
+  clock.begin("read");
+  std::vector<Input> inputs = read_inputs(files);
   const MeshHeader header{common_unit(inputs), {}};
   const ContactChoice contacts = contact_choice(arguments.contacts, header.unit);
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit);
+  std::vector<TriMesh> meshes = read_meshes(inputs);
+  clock.begin("prove");
   std::vector<FileRepair> repairs;
-  const std::vector<Solid> operands = read_operands(inputs, arguments.repair, repairs);
+  const std::vector<Solid> operands =
+      prove_operands(std::move(meshes), inputs, arguments.repair, repairs);
   OutputReport report;
   {
     ProgressLine line(common.quiet);
-    const Solid result = task.operation(operands, {contacts.policy(), line.callback()});
+    const Progress progress = arguments.timing ? clock.progress(line.callback()) : line.callback();
+    clock.begin("load");
+    const Solid result = task.operation(operands, {contacts.policy(), progress});
     std::optional<CrossCheck> check;
     if (engine) {
+      clock.begin("cross-check");
       check = task.second_opinion(result, *engine, operands, line.callback());
     }
-    report = write_solid(result, to, rounding, header, contacts);
+    report = write_solid(result, to, rounding, header, contacts, progress);
     report.cross_check = std::move(check);
   }
   report.repairs = std::move(repairs);
+  if (arguments.timing) {
+    report.timing = clock.times();
+  }
   print_written(report, to, common);
   return report.findings() == 0 ? ExitCode::ok : ExitCode::findings;
 }
@@ -187,6 +213,9 @@ void add_operand_options(CLI::App& command, OperandArguments& arguments) {
                    "identical points, drop degenerate and duplicate faces, turn faces round,\n"
                    "unite what overlaps; holes are never filled");
   add_cross_check_option(command, arguments.cross_check);
+  command.add_flag("--timing", arguments.timing,
+                   "Say how many seconds each stage took: in the report with --json,\n"
+                   "else on standard error");
   add_rounding_options(command, arguments.rounding);
   arguments.command = command.get_name();
 }

@@ -11,12 +11,11 @@ namespace dupin::cli {
 namespace {
 
 template <class Function>
-auto blaming(const Input& input, const Function& function) {
-  const TriMesh mesh = read_mesh(input.bytes, input.name);
+auto blaming(const std::string& name, const Function& function) {
   try {
-    return function(mesh);
+    return function();
   } catch (const Error& error) {
-    throw error.in_part(input.name);
+    throw error.in_part(name);
   }
 }
 
@@ -73,11 +72,19 @@ TriMesh read_mesh_input(const std::string& path) {
 }
 
 Solid solid_of(const Input& input) {
-  return blaming(input, [](const TriMesh& mesh) { return Solid::from(mesh); });
+  return solid_of(read_mesh(input.bytes, input.name), input.name);
+}
+
+Solid solid_of(const TriMesh& mesh, const std::string& name) {
+  return blaming(name, [&] { return Solid::from(mesh); });
 }
 
 Repaired repaired_solid_of(const Input& input) {
-  return blaming(input, [](const TriMesh& mesh) { return repair(mesh); });
+  return repaired_solid_of(read_mesh(input.bytes, input.name), input.name);
+}
+
+Repaired repaired_solid_of(const TriMesh& mesh, const std::string& name) {
+  return blaming(name, [&] { return repair(mesh); });
 }
 
 }  // namespace dupin::cli

@@ -34,7 +34,9 @@ struct Input {
 
 /// Throws Error naming the file as its part when the mesh is not a solid.
 [[nodiscard]] Solid solid_of(const Input& input);
+[[nodiscard]] Solid solid_of(const TriMesh& mesh, const std::string& name);
 /// Repairs it first. Throws Error naming the file as its part when that is not possible.
 [[nodiscard]] Repaired repaired_solid_of(const Input& input);
+[[nodiscard]] Repaired repaired_solid_of(const TriMesh& mesh, const std::string& name);
 
 }  // namespace dupin::cli

@@ -33,8 +33,10 @@ void write_stdout(const std::string& bytes) {
 
 /// The same promise as `write_verified`, for a stream that cannot be taken back.
 Report write_verified_stdout(const TriMesh& mesh, const MeshFormat& format,
-                             const MeshHeader& header) {
+                             const MeshHeader& header, const Progress& progress) {
+  tell(progress, "write");
   const std::string bytes = mesh_bytes(mesh, format, header);
+  tell(progress, "verify");
   Report report = check(format.read(bytes, "standard output"));
   if (!report.is_solid()) {
     throw Error(Errc::unroundable,
@@ -136,9 +138,14 @@ Destination destination(const OutputArguments& arguments) {
 }
 
 OutputReport write_solid(const Solid& solid, const Destination& to, const RoundingOptions& rounding,
-                         MeshHeader header, const ContactChoice& contacts) {
+                         MeshHeader header, const ContactChoice& contacts,
+                         const Progress& progress) {
   OutputReport report;
+  if (!solid.contacts().empty()) {
+    tell(progress, "settle");
+  }
   const Solid settled = settle(solid, contacts, report);
+  tell(progress, "round");
   const bool parts = contacts.kind == ContactChoice::Kind::standard && to.format.merges_points &&
                      !settled.contacts().empty();
   const Rounded rounded = parts ? rounded_apart(settled, to.format.coordinates, rounding, report)
@@ -153,11 +160,12 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
   report.rounding = rounded.report();
   report.check = writing([&]() -> std::optional<Report> {
     if (!to.verify) {
+      tell(progress, "write");
       write_bytes(mesh_bytes(rounded.mesh(), to.format, header), to);
       return std::nullopt;
     }
-    return to.is_stdout() ? write_verified_stdout(rounded.mesh(), to.format, header)
-                          : write_verified(to.path, rounded.mesh(), to.format, header);
+    return to.is_stdout() ? write_verified_stdout(rounded.mesh(), to.format, header, progress)
+                          : write_verified(to.path, rounded.mesh(), to.format, header, progress);
   });
   return report;
 }
@@ -192,6 +200,9 @@ void print_written(const OutputReport& report, const Destination& to, const Comm
     report_stream(to) << to_json(report) << '\n';
   } else if (!common.quiet) {
     print_output(report_stream(to), report, "");
+  }
+  if (!common.json) {
+    print_timing(std::cerr, report.timing);
   }
 }
 

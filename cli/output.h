@@ -9,6 +9,7 @@
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/off.h"
 #include "dupin/io/report_json.h"
+#include "dupin/kernel/progress.h"
 #include "dupin/kernel/rounding.h"
 #include "dupin/kernel/solid.h"
 
@@ -48,11 +49,13 @@ void add_output_options(CLI::App& command, OutputArguments& arguments);
 
 /// Settles contacts as chosen, rounds once to what the format holds, reads the bytes back and
 /// checks them unless told otherwise, and only then lets the file take its place; says so in the
-/// header if the origin is moved. Throws Error{unroundable}, Error{contact} for contacts in a
-/// format whose readers weld vertices, OutputError.
+/// header if the origin is moved. Tells the stages "settle" (if there are contacts), "round",
+/// "write" and "verify". Throws Error{unroundable}, Error{contact} for contacts in a format whose
+/// readers weld vertices, OutputError.
 [[nodiscard]] OutputReport write_solid(const Solid& solid, const Destination& to,
                                        const RoundingOptions& rounding, MeshHeader header,
-                                       const ContactChoice& contacts = {});
+                                       const ContactChoice& contacts = {},
+                                       const Progress& progress = {});
 
 /// Writes any mesh with every coordinate rounded to the nearest that the format holds, and says
 /// what came of it. Throws OutputError.

@@ -213,4 +213,11 @@ void print_output(std::ostream& out, const OutputReport& report, std::string_vie
   }
 }
 
+void print_timing(std::ostream& out, const std::vector<StageTime>& timing) {
+  for (const StageTime& time : timing) {
+    print_row(out, time.stage,
+              decimal(time.wall, 3) + " s, of processors " + decimal(time.processor, 3) + " s");
+  }
+}
+
 }  // namespace dupin::cli

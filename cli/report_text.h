@@ -3,9 +3,11 @@
 #include <iosfwd>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "dupin/io/report_json.h"
 #include "dupin/kernel/check.h"
+#include "dupin/kernel/stage_clock.h"
 
 namespace dupin::cli {
 
@@ -29,5 +31,8 @@ void print_report(std::ostream& out, const Report& report);
 
 /// What was written, and how the rounding went. `unit` may be empty.
 void print_output(std::ostream& out, const OutputReport& report, std::string_view unit);
+
+/// One row per stage: seconds on the clock, and of all processors.
+void print_timing(std::ostream& out, const std::vector<StageTime>& timing);
 
 }  // namespace dupin::cli

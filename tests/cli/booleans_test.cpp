@@ -35,6 +35,39 @@ TEST_F(MeshCommands, union_of_crossing_boxes_has_the_exact_volume) {
   }
 }
 
+TEST_F(MeshCommands, timing_is_in_the_report_only_where_it_is_asked_for) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  put("b.off", box({1, 1, 1}, {3, 3, 3}));
+  const auto plain = json({"union", "a.off", "b.off", "-o", "c.off"}, 0);
+  EXPECT_FALSE(plain.contains("timing"));
+  auto timed = json({"union", "a.off", "b.off", "-o", "c.off", "--timing"}, 0);
+  std::vector<std::string> stages;
+  for (const auto& stage : timed.at("timing")) {
+    stages.push_back(stage.at("stage"));
+    EXPECT_GE(stage.at("wall"), 0) << stages.back();
+    EXPECT_GE(stage.at("processor"), 0) << stages.back();
+  }
+  EXPECT_THAT(stages, ElementsAre("read", "prove", "load", "search", "intersect", "triangulate",
+                                  "classify", "extract", "round", "write", "verify"));
+  timed.erase("timing");
+  EXPECT_EQ(timed, plain);
+}
+
+TEST_F(MeshCommands, timing_goes_to_standard_error_beside_a_text) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  put("b.off", box({1, 1, 1}, {3, 3, 3}));
+  const ProcessResult plain = dupin({"subtract", "a.off", "b.off", "-o", "c.off"});
+  const ProcessResult timed = dupin({"subtract", "a.off", "b.off", "-o", "c.off", "--timing"});
+  EXPECT_EQ(plain.err, "");
+  EXPECT_EQ(timed.out, plain.out);
+  EXPECT_THAT(timed.err, testing::StartsWith("read  "));
+  EXPECT_THAT(timed.err, HasSubstr("\nverify  "));
+  const ProcessResult unverified = dupin(
+      {"union", "a.off", "b.off", "-o", "-", "--format", "off", "-q", "--no-verify", "--timing"});
+  EXPECT_THAT(unverified.err, HasSubstr("\nwrite  "));
+  EXPECT_THAT(unverified.err, testing::Not(HasSubstr("\nverify  ")));
+}
+
 TEST_F(MeshCommands, booleans_name_the_operand_that_is_no_solid) {
   put("a.off", box({0, 0, 0}, {1, 1, 1}));
   put("open.off", open_box());

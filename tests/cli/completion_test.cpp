@@ -33,6 +33,7 @@ TEST_F(Completion, offers_commands_options_values_and_files) {
       {{"dupin", "certify", "--m"}, "--margin"},
       {{"dupin", "verify", "pl"}, "plant.json"},
       {{"dupin", "union", "--c"}, "--contacts --cross-check"},
+      {{"dupin", "union", "--tim"}, "--timing"},
       {{"dupin", "build", "--s"}, "--segments"},
       {{"dupin", "check", "--q"}, "--quiet"},
       {{"dupin", "edit", "--rot"}, "--rotate"},

@@ -100,8 +100,13 @@ std::vector<TriMesh> tee(const Shape& shape) {
   return {pipe_z({0, 0, -5}, 10, 1, shape), pipe_x({0, 0, 0}, 10, 0.7, shape)};
 }
 
-std::vector<TriMesh> header(int branches) {
-  const Shape shape{64, 15};
+// Of about so many thousand triangles, finer around than along the more there are.
+std::vector<TriMesh> tee_of(int thousands) {
+  const auto segments = 4 * static_cast<std::uint32_t>(std::lround(8 * std::pow(thousands, 0.6)));
+  return tee({segments, 250 * static_cast<std::uint32_t>(thousands) / segments});
+}
+
+std::vector<TriMesh> header(int branches, const Shape& shape = {64, 15}) {
   std::vector<TriMesh> parts = {pipe_x({0, 0, 0}, 0.8 * branches + 1, 1, shape)};
   const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
   for (int i = 0; i < branches; ++i) {
@@ -161,6 +166,16 @@ std::vector<TriMesh> coaxial(int pipes, double step) {
     random = random * 1664525u + 1013904223u;
     const double turn = 0.06 * random / 0x1p32;
     parts.push_back(pipe_z({0, 0, step * i}, 10, 1, {64, 1, turn * 64 / (2 * std::numbers::pi)}));
+  }
+  return parts;
+}
+
+// Equal parallel pipes in a square grid, each touching its neighbours along lines, exactly.
+std::vector<TriMesh> bundle(int pipes) {
+  const int columns = static_cast<int>(std::ceil(std::sqrt(pipes)));
+  std::vector<TriMesh> parts;
+  for (int i = 0; i < pipes; ++i) {
+    parts.push_back(pipe_z({0.5 * (i % columns), 0.5 * (i / columns), 0}, 4, 0.25, {32, 1}));
   }
   return parts;
 }
@@ -243,9 +258,6 @@ const std::map<std::string, std::function<std::vector<TriMesh>()>, std::less<>>&
        [] {
          return tee({2048, 121});
        }},
-      {"header_10", [] { return header(10); }},
-      {"header_100", [] { return header(100); }},
-      {"header_1000", [] { return header(1000); }},
       {"rack_small", [] { return rack(4, 0.5, 1); }},
       {"rack_eq_small", [] { return rack(4, 0, 1); }},
       {"rack", [] { return rack(20, 0.5, 1); }},
@@ -310,6 +322,15 @@ const std::map<std::string, std::vector<TriMesh> (*)(int), std::less<>>& familie
   static const std::map<std::string, std::vector<TriMesh> (*)(int), std::less<>> all{
       {"star", star},
       {"star_general", star_general},
+      {"tee_thousands", tee_of},
+      {"header", [](int branches) { return header(branches); }},
+      {"header_coarse",
+       [](int branches) {
+         return header(branches, {16, 1});
+       }},
+      {"rack", [](int pipes) { return rack(pipes, 0.5, 1); }},
+      {"rack_eq", [](int pipes) { return rack(pipes, 0, 1); }},
+      {"bundle", bundle},
       {"coaxial", [](int pipes) { return coaxial(pipes, 0.05); }},
       {"coaxial_flush", [](int pipes) { return coaxial(pipes, 0); }}};
   return all;

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/mesh_file.h"
@@ -67,8 +68,11 @@ std::optional<std::uint32_t> first_lost(const Rounded& rounded, const std::strin
 }  // namespace
 
 Report write_verified(const std::filesystem::path& path, const TriMesh& mesh,
-                      const MeshFormat& format, const MeshHeader& header) {
+                      const MeshFormat& format, const MeshHeader& header,
+                      const Progress& progress) {
+  tell(progress, "write");
   Written written(path, mesh, format, header);
+  tell(progress, "verify");
   const TriMesh read_back = format.read(written.bytes, path.string());
   Report report = check(read_back);
   if (read_back.triangles.size() != mesh.triangles.size() || !report.is_solid()) {

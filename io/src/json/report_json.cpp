@@ -83,6 +83,10 @@ Json json_value(const CrossCheck& check) {
           {"failure", failed ? Json(check.failure) : Json(nullptr)}};
 }
 
+Json json_value(const StageTime& time) {
+  return {{"stage", time.stage}, {"wall", time.wall}, {"processor", time.processor}};
+}
+
 template <class Value>
 Json list(const std::vector<Value>& values) {
   Json result = Json::array();
@@ -152,6 +156,9 @@ Json json_value(const OutputReport& report) {
   }
   if (report.cross_check) {
     object["cross_check"] = json_value(*report.cross_check);
+  }
+  if (!report.timing.empty()) {
+    object["timing"] = list(report.timing);
   }
   return object;
 }

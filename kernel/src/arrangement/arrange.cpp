@@ -5,7 +5,6 @@
 #include "arrangement/broad_phase.h"
 #include "arrangement/constraints.h"
 #include "arrangement/crowding.h"
-#include "arrangement/limits.h"
 #include "arrangement/manifold_patches.h"
 #include "arrangement/output_mesh.h"
 #include "arrangement/piece_merging.h"
@@ -14,6 +13,7 @@
 #include "arrangement/winding_numbers.h"
 #include "dupin/kernel/error.h"
 #include "support/blocks.h"
+#include "support/operation_limits.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -39,7 +39,7 @@ std::vector<TriangleIntersection> intersections_of(const ArrangementInput& input
                                                    const Progress& progress) {
   const UpwardRounding rounding;
   const std::vector<TrianglePair> candidates =
-      broad_phase(input, support::ProgressStage(progress, "intersect", 0, 0.2));
+      broad_phase(input, support::ProgressStage(progress, "search", 0, 0.2));
   return find_intersections(input, candidates,
                             support::ProgressStage(progress, "intersect", 0.2, 0.4));
 }
@@ -47,7 +47,7 @@ std::vector<TriangleIntersection> intersections_of(const ArrangementInput& input
 Constraints constraints_of(ArrangementInput& input, std::vector<TriangleIntersection> intersections,
                            std::uint64_t memory_limit) {
   const UpwardRounding rounding;
-  refuse_too_large(input.triangles.size(), intersections.size(), memory_limit);
+  support::refuse_too_large(input.triangles.size(), intersections.size(), memory_limit);
   return collect_constraints(input, intersections);
 }
 
@@ -67,6 +67,9 @@ support::BulkVector<OutputTriangle> select_triangles(
   const ManifoldPatches patches(input, rule, constraints, subdivision);
   const std::vector<std::int8_t> selection =
       propagate_winding_numbers(input, rule, constraints, subdivision, patches);
+  triangulate_outlines(
+      input, [&](std::uint32_t region) { return selection[patches.of_region(region)] != 0; },
+      subdivision);
   return collect_output_triangles(input, constraints, subdivision, patches, selection);
 }
 
@@ -97,7 +100,7 @@ ArrangementInput imported_within(std::span<const mesh::ExactMesh* const> operand
   for (const mesh::ExactMesh* mesh : operands) {
     triangles += mesh->triangles.size();
   }
-  refuse_too_large(triangles, 0, memory_limit);
+  support::refuse_too_large(triangles, 0, memory_limit);
   return imported(operands, rule);
 }
 

@@ -12,7 +12,8 @@
 /// where those cannot decide [Att20]. The stages, one file each, in the order of arrange.cpp: 1
 /// input (operands in one index space), 2 broad_phase (pairs of triangles whose boxes overlap), 3
 /// triangle_intersection, 4 constraints (points and segments on each face and edge), 5 subdivision
-/// (constrained triangulations), 6 manifold_patches, 7 winding_numbers, 8 output_mesh. A face is a
+/// (outlines of regions, or constrained triangulations), 6 manifold_patches, 7 winding_numbers, 8
+/// output_mesh; outlines that are kept are triangulated before that. A face is a
 /// triangle of the input, or several that overlap in one plane; sub-triangles are what it falls
 /// into. Whatever is said to need UpwardRounding compares intervals.
 namespace dupin::arrangement {

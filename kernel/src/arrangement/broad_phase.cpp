@@ -318,7 +318,7 @@ class Finder {
           std::span(a_boxes).subspan(block.begin, block.end - block.begin);
       const boxes::BoxTree tree = tree_over(mine, quantizer);
       std::vector<TrianglePair>& found = parts[block.number];
-      boxes::TreeTraversal(tree, b_tree).visit({1, 1}, [&](std::uint32_t i, std::uint32_t k) {
+      boxes::TreeTraversal(tree, b_tree).visit([&](std::uint32_t i, std::uint32_t k) {
         const TriangleBox &x = mine[tree.items()[i]], &y = b_boxes[b_tree.items()[k]];
         if (overlap(x, y)) {
           found.push_back({x.triangle, y.triangle});
@@ -339,7 +339,7 @@ class Finder {
     }
     const boxes::BoxTree tree = tree_over(all, quantizer_for(bounds_of(all), Bounds()));
     std::vector<TrianglePair> result;
-    boxes::TreeTraversal(tree).visit({1, 1}, [&](std::uint32_t i, std::uint32_t k) {
+    boxes::TreeTraversal(tree).visit([&](std::uint32_t i, std::uint32_t k) {
       const TriangleBox &x = all[tree.items()[i]], &y = all[tree.items()[k]];
       if (overlap(x, y)) {
         result.push_back({std::min(x.triangle, y.triangle), std::max(x.triangle, y.triangle)});

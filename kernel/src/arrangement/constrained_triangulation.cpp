@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <Eigen/Geometry>
@@ -47,6 +48,8 @@ ConstrainedTriangulation::ConstrainedTriangulation(const PointTable& points, Cal
 void ConstrainedTriangulation::clear(const Projection& projection) {
   projection_ = projection;
   vertices_.clear();
+  intervals_.clear();
+  reach_ = radius_ = turn_bound_ = 0;
   faces_.clear();
   new_points_.clear();
   frame_corners_.clear();
@@ -57,15 +60,37 @@ void ConstrainedTriangulation::clear(const Projection& projection) {
 
 ConstrainedTriangulation::Vertex ConstrainedTriangulation::add(PointId id, std::uint8_t sides) {
   const int u = (projection_.axis + 1) % 3, v = (projection_.axis + 2) % 3;
-  vertices_.push_back({points_.interval(id, u), points_.interval(id, v), id, kNone, sides});
+  return add_vertex(points_.interval(id, u), points_.interval(id, v), id, sides);
+}
+
+// The bound, for rounding upward: differences of middles are below 2 reach (1 + 2^-51), products of
+// them below 4.01 reach^2, and by stage A of [She97] with u = 2^-52 their difference is off by less
+// than (3 + 16 u) u times two of these. Those of the points are off them by 2 radius at most, which
+// changes the value by less than 2 radius times four of them and 8 radius^2. The addend covers
+// underflow. What is no number is no bound.
+ConstrainedTriangulation::Vertex ConstrainedTriangulation::add_vertex(const Interval& u,
+                                                                      const Interval& v, PointId id,
+                                                                      std::uint8_t sides) {
+  const double middle_u = (u.inf() + u.sup()) / 2, middle_v = (v.inf() + v.sup()) / 2;
+  vertices_.push_back({middle_u, middle_v, id, kNone, sides});
+  intervals_.push_back({u, v});
+  const auto grow = [](double& largest, double value) {
+    largest = value <= largest ? largest : value;
+  };
+  for (const double radius :
+       {u.sup() - middle_u, middle_u - u.inf(), v.sup() - middle_v, middle_v - v.inf()}) {
+    grow(radius_, radius);
+  }
+  grow(reach_, std::abs(middle_u - vertices_[0].u));
+  grow(reach_, std::abs(middle_v - vertices_[0].v));
+  turn_bound_ = 25 * 0x1p-52 * reach_ * reach_ + 17 * radius_ * (reach_ + radius_) + 0x1p-900;
   return static_cast<Vertex>(vertices_.size() - 1);
 }
 
 ConstrainedTriangulation::Vertex ConstrainedTriangulation::add_frame_corner(double u, double v) {
   const auto id = static_cast<PointId>(kFrame + frame_corners_.size());
   frame_corners_.push_back({u, v});
-  vertices_.push_back({Interval(u), Interval(v), id, kNone, 0});
-  return static_cast<Vertex>(vertices_.size() - 1);
+  return add_vertex(Interval(u), Interval(v), id, 0);
 }
 
 void ConstrainedTriangulation::start(Vertex a, Vertex b, Vertex c) { add_face(a, b, c); }
@@ -84,6 +109,18 @@ void ConstrainedTriangulation::start_around(std::span<const PointId> ids) {
   const Vertex b = add_frame_corner(center[0] + 2 * size, center[1] - high);
   const Vertex c = add_frame_corner(center[0], center[1] + 2 * high);
   start(a, b, c);
+}
+
+void ConstrainedTriangulation::start(std::span<const std::array<Vertex, 3>> ears) {
+  after_.assign(vertices_.size(), kNone);
+  for (const auto& [a, v, c] : ears) {
+    const std::uint32_t face = add_face(a, v, c);
+    connect(face, 2, after_[a], kNone);
+    connect(face, 0, after_[v], kNone);
+    after_[a] = face;
+  }
+  const auto& [a, v, c] = ears.back();
+  connect(after_[a], 1, after_[c], kNone);
 }
 
 std::uint32_t ConstrainedTriangulation::face_at_frame() const {
@@ -115,19 +152,12 @@ const mesh::ExactPoint& ConstrainedTriangulation::exact(Vertex v, mesh::ExactPoi
   return point.exact;
 }
 
-int ConstrainedTriangulation::turn(Vertex a, Vertex b, Vertex c) const {
-  const VertexData &p = vertices_[a], &q = vertices_[b], &r = vertices_[c];
-  if ((p.sides & q.sides & r.sides) != 0) {
-    return 0;
-  }
-  const FilteredSign filtered = sign_of((q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u));
-  if (filtered.certain) {
-    return projection_.orientation * filtered.sign;
-  }
+int ConstrainedTriangulation::exact_turn(Vertex a, Vertex b, Vertex c) const {
   std::array<mesh::ExactPoint, 3> scratch;
   const mesh::ExactPoint& x = exact(a, scratch[0]);
   const mesh::ExactPoint& y = exact(b, scratch[1]);
-  return projection_.orientation * exact_turn(x, y, exact(c, scratch[2]), projection_.axis);
+  return projection_.orientation *
+         arrangement::exact_turn(x, y, exact(c, scratch[2]), projection_.axis);
 }
 
 std::uint32_t ConstrainedTriangulation::next_random() {
@@ -322,6 +352,7 @@ ConstrainedTriangulation::Vertex ConstrainedTriangulation::advance(Vertex a, Ver
   const std::uint32_t first = vertices_[a].face;
   for (const bool clockwise : {false, true}) {
     std::uint32_t face = first;
+    std::optional<int> known;  // the turn to the corner that the face before has too
     do {
       const int i = corner_of(face, a);
       const Face& f = faces_[face];
@@ -330,7 +361,9 @@ ConstrainedTriangulation::Vertex ConstrainedTriangulation::advance(Vertex a, Ver
         mark(face, right == b ? previous(i) : next(i), slot);
         return b;
       }
-      const int r = turn(a, b, right), l = turn(a, b, left);
+      const int r = known && !clockwise ? *known : turn(a, b, right),
+                l = known && clockwise ? *known : turn(a, b, left);
+      known = clockwise ? r : l;
       if (r == 0 && l > 0) {
         mark(face, previous(i), slot);
         return right;
@@ -360,9 +393,8 @@ ConstrainedTriangulation::Vertex ConstrainedTriangulation::split_crossed_edge(st
     point.box = enclose(point.exact);
   }
   const auto id = static_cast<PointId>(kNewPoint | new_points_.size());
-  vertices_.push_back({point.box[u], point.box[v], id, kNone, 0});
+  const Vertex vertex = add_vertex(point.box[u], point.box[v], id, 0);
   new_points_.push_back(std::move(point));
-  const auto vertex = static_cast<Vertex>(vertices_.size() - 1);
   split_edge(face, corner, vertex);
   return vertex;
 }
@@ -544,7 +576,7 @@ void ConstrainedTriangulation::improve(const Triangle& support) {
     const auto is_frame = [this](Vertex v) { return vertices_[v].id >= kFirstFrameCorner; };
     if (is_frame(a) || is_frame(b) || is_frame(c) || is_frame(d) ||
         !certainly_in_circle(planar_[a], planar_[b], planar_[d], planar_[c]) ||
-        turn(a, b, c) <= 0 || turn(a, c, d) <= 0) {
+        certain_turn(a, b, c) <= 0 || certain_turn(a, c, d) <= 0) {
       continue;
     }
     flip(face, corner);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "arrangement/implicit_points.h"
+#include "arrangement/implicit_predicates.h"
 #include "arrangement/triangle_intersection.h"
 
 namespace dupin::arrangement {
@@ -47,12 +49,28 @@ class ConstrainedTriangulation {
   void start(Vertex a, Vertex b, Vertex c);
   /// A triangle around these points instead: a frame of three vertices that stand for no points.
   void start_around(std::span<const PointId> ids);
+  /// A triangulated polygon instead, of all vertices: each triangle is cut off what the ones before
+  /// leave of it, at its second corner; at the last one's, nothing is left.
+  void start(std::span<const std::array<Vertex, 3>> ears);
   void insert(Vertex p);
   void constrain(Vertex a, Vertex b, std::uint32_t slot);
   /// Flips edges without constraint towards Delaunay, as far as doubles can tell.
   void improve(const Triangle& support);
 
+  [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }
   [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
+  /// The sign of the turn from the way a to b to that from a to c, seen from the front.
+  [[nodiscard]] int turn(Vertex a, Vertex b, Vertex c) const {
+    const FilteredSign filtered = filtered_turn(a, b, c);
+    return filtered.certain ? filtered.sign : exact_turn(a, b, c);
+  }
+  /// The same if intervals tell, else 0.
+  [[nodiscard]] int certain_turn(Vertex a, Vertex b, Vertex c) const {
+    const FilteredSign filtered = filtered_turn(a, b, c);
+    return filtered.certain ? filtered.sign : 0;
+  }
+  /// Where a vertex lies in the projection.
+  [[nodiscard]] const std::array<Interval, 2>& intervals(Vertex v) const { return intervals_[v]; }
   /// The point of a vertex; with kNewPoint set, an index into new_points();
   /// from kFirstFrameCorner on, a corner of the frame.
   [[nodiscard]] PointId point(Vertex v) const { return vertices_[v].id; }
@@ -64,7 +82,7 @@ class ConstrainedTriangulation {
 
  private:
   struct VertexData {
-    Interval u, v;
+    double u, v;  ///< middles of its intervals
     PointId id;
     std::uint32_t face;  ///< one that has it as a corner
     std::uint8_t sides;
@@ -85,7 +103,23 @@ class ConstrainedTriangulation {
   };
 
   Vertex add_frame_corner(double u, double v);
-  [[nodiscard]] int turn(Vertex a, Vertex b, Vertex c) const;
+  Vertex add_vertex(const Interval& u, const Interval& v, PointId id, std::uint8_t sides);
+  [[nodiscard]] FilteredSign filtered_turn(Vertex a, Vertex b, Vertex c) const {
+    const VertexData &p = vertices_[a], &q = vertices_[b], &r = vertices_[c];
+    if ((p.sides & q.sides & r.sides) != 0) {
+      return {0, true};
+    }
+    const double value = (q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u);
+    if (std::abs(value) > turn_bound_) {
+      return {value > 0 ? projection_.orientation : -projection_.orientation, true};
+    }
+    const auto& [pu, pv] = intervals_[a];
+    const auto& [qu, qv] = intervals_[b];
+    const auto& [ru, rv] = intervals_[c];
+    const FilteredSign filtered = sign_of((qu - pu) * (rv - pv) - (qv - pv) * (ru - pu));
+    return {projection_.orientation * filtered.sign, filtered.certain};
+  }
+  [[nodiscard]] int exact_turn(Vertex a, Vertex b, Vertex c) const;
   const mesh::ExactPoint& exact(Vertex v, mesh::ExactPoint& scratch) const;
   [[nodiscard]] Location locate(Vertex p);
   [[nodiscard]] Location search(Vertex p) const;
@@ -113,6 +147,11 @@ class ConstrainedTriangulation {
   Projection projection_;
   Caller caller_;
   std::vector<VertexData> vertices_;
+  std::vector<std::array<Interval, 2>> intervals_;  // of vertices
+  // Of vertices' middles from that of the first, of intervals about their middles, and of what a
+  // turn in doubles may be off.
+  double reach_ = 0, radius_ = 0, turn_bound_ = 0;
+  std::vector<std::uint32_t> after_;  // the face beyond the edge from each corner of what is left
   std::vector<Face> faces_;
   mutable std::vector<NewPoint> new_points_;
   std::vector<std::array<double, 2>> frame_corners_;

@@ -29,6 +29,7 @@ FaceTriangulator::FaceTriangulator(const ArrangementInput& input, const BooleanR
     : input_(input),
       rule_(rule),
       constraints_(constraints),
+      outlines_(input, constraints),
       triangulation_(input.points,
                      {[this](std::uint32_t a, std::uint32_t b) { return crossing(a, b); },
                       [this](std::uint32_t a, std::uint32_t b) { return both(a, b); }}) {}
@@ -36,9 +37,13 @@ FaceTriangulator::FaceTriangulator(const ArrangementInput& input, const BooleanR
 void FaceTriangulator::append(std::span<const std::uint32_t> members, FaceSubdivision& result) {
   members_ = members;
   projection_ = projection_of(input_.points, input_.support(members[0]));
+  const bool is_single = members.size() == 1;
+  if (is_single && outlines_.find(members[0], projection_)) {
+    emit_single(result, [&](std::size_t covers) { outlines_.append(covers, result.local); });
+    return;
+  }
   triangulation_.clear(projection_);
   slots_.clear();
-  const bool is_single = members.size() == 1;
   collect_points();
   if (is_single) {
     start_from_triangle();
@@ -49,7 +54,7 @@ void FaceTriangulator::append(std::span<const std::uint32_t> members, FaceSubdiv
   triangulation_.improve(input_.support(members[0]));
   find_regions();
   if (is_single) {
-    emit_single(result);
+    emit_single(result, [&](std::size_t covers) { emit_regions(covers, result); });
   } else {
     emit_overlapping(result);
   }
@@ -269,16 +274,20 @@ std::vector<SignedTriangle> FaceTriangulator::signed_cover(
 }
 
 // All regions of a triangle alone have one cover.
-void FaceTriangulator::emit_single(FaceSubdivision& result) const {
+template <class Emit>
+void FaceTriangulator::emit_single(FaceSubdivision& result, Emit&& emit) const {
   const std::vector<SignedTriangle> cover = signed_cover(members_);
   if (changes_nothing(winding_change(input_, rule_, cover))) {
     return;
   }
-  Subdivision& local = result.local;
-  const auto first = static_cast<std::uint32_t>(local.covers.size());
-  local.covers.insert(local.covers.end(), cover.begin(), cover.end());
+  result.local.covers.insert(result.local.covers.end(), cover.begin(), cover.end());
+  emit(cover.size());
+}
+
+void FaceTriangulator::emit_regions(std::size_t covers, FaceSubdivision& result) const {
+  const auto end = static_cast<std::uint32_t>(result.local.covers.size());
   for (std::uint32_t region = 0; region < region_count(); ++region) {
-    local.regions.push_back({first, static_cast<std::uint32_t>(local.covers.size()), members_[0]});
+    result.local.regions.push_back({end - static_cast<std::uint32_t>(covers), end, members_[0]});
     emit_sub_triangles(region, false, result);
   }
 }

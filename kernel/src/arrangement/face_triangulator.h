@@ -7,6 +7,7 @@
 
 #include "arrangement/constrained_triangulation.h"
 #include "arrangement/constraints.h"
+#include "arrangement/face_outlines.h"
 #include "arrangement/input.h"
 #include "arrangement/subdivision.h"
 
@@ -19,8 +20,8 @@ struct FaceSubdivision {
   std::vector<ConstrainedTriangulation::NewPoint> new_points;
 };
 
-/// Triangulates one face after another, with the points and segments on it, and finds what covers
-/// its regions. Needs UpwardRounding.
+/// Divides one face after another by the points and segments on it, and finds what covers its
+/// regions; as outlines where that does. Needs UpwardRounding.
 class FaceTriangulator {
  public:
   FaceTriangulator(const ArrangementInput& input, const BooleanRule& rule,
@@ -62,13 +63,16 @@ class FaceTriangulator {
   [[nodiscard]] std::vector<Members> find_covers() const;
   [[nodiscard]] std::vector<SignedTriangle> signed_cover(
       std::span<const std::uint32_t> members) const;
-  void emit_single(FaceSubdivision& result) const;
+  template <class Emit>
+  void emit_single(FaceSubdivision& result, Emit&& emit) const;
+  void emit_regions(std::size_t covers, FaceSubdivision& result) const;
   void emit_overlapping(FaceSubdivision& result) const;
   void emit_sub_triangles(std::uint32_t region, bool reversed, FaceSubdivision& result) const;
 
   const ArrangementInput& input_;
   const BooleanRule& rule_;
   const Constraints& constraints_;
+  FaceOutlines outlines_;
   ConstrainedTriangulation triangulation_;
   // Of the present face:
   std::span<const std::uint32_t> members_;

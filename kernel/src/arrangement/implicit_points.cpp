@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "arrangement/limits.h"
+#include "support/operation_limits.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -233,13 +233,13 @@ PointId PointTable::add(const mesh::ExactPoint& point) {
 }
 
 PointId PointTable::add(const ImplicitPoint& definition) {
-  refuse_too_many(size(), 0);
+  support::refuse_too_many(size(), 0);
   implicit_.push_back({definition, evaluate(*this, definition), {}});
   return size() - 1;
 }
 
 void PointTable::add_undefined(std::size_t count) {
-  refuse_too_many(size() + count, 0);
+  support::refuse_too_many(size() + count, 0);
   implicit_.resize(implicit_.size() + count);
 }
 
@@ -250,7 +250,7 @@ void PointTable::define(PointId id, const ImplicitPoint& definition) {
 }
 
 PointId PointTable::add(DefinedPoint point) {
-  refuse_too_many(size(), 0);
+  support::refuse_too_many(size(), 0);
   implicit_.push_back({point.definition, point.box,
                        point.exact[3].sign() == 0 ? LazyPoint() : LazyPoint(point.exact)});
   return size() - 1;

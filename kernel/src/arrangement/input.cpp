@@ -6,11 +6,11 @@
 #include <numeric>
 
 #include "arrangement/coincident_point_index.h"
-#include "arrangement/limits.h"
 #include "boxes/box_tree.h"
 #include "boxes/tree_traversal.h"
 #include "mesh/coincident_points.h"
 #include "support/blocks.h"
+#include "support/operation_limits.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -21,7 +21,7 @@ void check_limits(std::span<const mesh::ExactMesh* const> operands) {
     points += mesh->points.size() + 3 * mesh->planes.size();
     triangles += mesh->triangles.size();
   }
-  refuse_too_many(points, triangles);
+  support::refuse_too_many(points, triangles);
 }
 
 // Where the points and triangles of each operand begin.
@@ -144,7 +144,7 @@ void find_operand_pairs(ArrangementInput& input) {
     }
   }
   const boxes::BoxTree tree{std::span<const boxes::Box>(mapped)};
-  boxes::TreeTraversal(tree).visit({1, 1}, [&](std::uint32_t i, std::uint32_t k) {
+  boxes::TreeTraversal(tree).visit([&](std::uint32_t i, std::uint32_t k) {
     const auto [a, b] = std::minmax(tree.items()[i], tree.items()[k]);
     if (input.bounds[a].intersects(input.bounds[b])) {
       input.operand_pairs.push_back({a, b});

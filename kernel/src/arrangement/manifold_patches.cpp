@@ -22,6 +22,7 @@ ManifoldPatches::ManifoldPatches(const ArrangementInput& input, const BooleanRul
   }
   find_changes_of_regions(rule);
   add_sub_triangles();
+  add_outlines();
   add_triangles(rule);
   add_loose(rule);
   join_sides();
@@ -85,6 +86,25 @@ void ManifoldPatches::add_sub_triangles() {
         sides);
   };
   sides_ = support::collect_in_order<Side>(subdivision_.triangles.size(), add);
+}
+
+void ManifoldPatches::add_outlines() {
+  const auto add = [this](std::size_t i, std::vector<Side>& sides) {
+    const auto& [region, begin, end] = subdivision_.outlines[i];
+    const std::uint32_t member = first_region_ + region;
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const auto& [from, apex, lines] = subdivision_.outline_corners[k];
+      const PointId to = subdivision_.outline_corners[k + 1 < end ? k + 1 : begin].point;
+      if (!input_.special[from]) {
+        classes_.unite(from, member);
+      } else if (input_.special[to]) {
+        const HalfPlane half_plane{apex, subdivision_.regions[region].support, from < to, member};
+        sides.push_back({edge_key(from, to), half_plane, member_changes_[region]});
+      }
+    }
+  };
+  const auto found = support::collect_in_order<Side>(subdivision_.outlines.size(), add);
+  sides_.insert(sides_.end(), found.begin(), found.end());
 }
 
 // Triangles with a corner that is not special coincide with no other.

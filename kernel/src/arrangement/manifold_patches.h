@@ -60,6 +60,7 @@ class ManifoldPatches {
   [[nodiscard]] std::uint32_t change_number(std::vector<int> change);
   void find_changes_of_regions(const BooleanRule& rule);
   void add_sub_triangles();
+  void add_outlines();
   void add_triangles(const BooleanRule& rule);
   void add_loose(const BooleanRule& rule);
   void add_sides(const Triangle& corners, unsigned edges, const Owner& owner,

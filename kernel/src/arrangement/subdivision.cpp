@@ -4,6 +4,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include "arrangement/face_outlines.h"
 #include "arrangement/face_triangulator.h"
 #include "support/blocks.h"
 
@@ -27,11 +28,11 @@ std::vector<PointId> add_new_points(ArrangementInput& input, CoincidentPointInde
 
 // Where the sub-triangles of a batch go.
 struct Offsets {
-  std::uint32_t triangle = 0, region = 0, cover = 0;
+  std::uint32_t triangle = 0, region = 0, cover = 0, outline = 0, corner = 0;
 };
 
-void copy_sub_triangles(const FaceSubdivision& batch, const std::vector<PointId>& new_ids,
-                        const Offsets& offsets, Subdivision& result) {
+void copy_regions(const FaceSubdivision& batch, const std::vector<PointId>& new_ids,
+                  const Offsets& offsets, Subdivision& result) {
   const Subdivision& local = batch.local;
   for (std::size_t i = 0; i < local.triangles.size(); ++i) {
     Subdivision::SubTriangle& triangle = result.triangles[offsets.triangle + i] =
@@ -49,6 +50,13 @@ void copy_sub_triangles(const FaceSubdivision& batch, const std::vector<PointId>
     region.end_cover += offsets.cover;
   }
   std::copy(local.covers.begin(), local.covers.end(), result.covers.begin() + offsets.cover);
+  for (std::size_t i = 0; i < local.outlines.size(); ++i) {
+    const auto& [region, begin, end] = local.outlines[i];
+    result.outlines[offsets.outline + i] = {region + offsets.region, begin + offsets.corner,
+                                            end + offsets.corner};
+  }
+  std::copy(local.outline_corners.begin(), local.outline_corners.end(),
+            result.outline_corners.begin() + offsets.corner);
 }
 
 // Puts the batches behind one another, in order.
@@ -63,13 +71,17 @@ Subdivision joined(ArrangementInput& input, CoincidentPointIndex& coincident,
     next.triangle += static_cast<std::uint32_t>(batch.local.triangles.size());
     next.region += static_cast<std::uint32_t>(batch.local.regions.size());
     next.cover += static_cast<std::uint32_t>(batch.local.covers.size());
+    next.outline += static_cast<std::uint32_t>(batch.local.outlines.size());
+    next.corner += static_cast<std::uint32_t>(batch.local.outline_corners.size());
   }
   Subdivision result;
   result.triangles.resize(next.triangle);
   result.regions.resize(next.region);
   result.covers.resize(next.cover);
+  result.outlines.resize(next.outline);
+  result.outline_corners.resize(next.corner);
   support::for_each_in_parallel(batches.size(), [&](std::size_t b) {
-    copy_sub_triangles(batches[b], new_ids[b], offsets[b], result);
+    copy_regions(batches[b], new_ids[b], offsets[b], result);
     batches[b] = {};
   });
   return result;
@@ -98,6 +110,38 @@ Subdivision retriangulate(ArrangementInput& input, const BooleanRule& rule,
   Subdivision subdivision = joined(input, *constraints.coincident_points, std::move(batches));
   input.special.resize(input.points.size(), 1);
   return subdivision;
+}
+
+void triangulate_outlines(const ArrangementInput& input,
+                          const std::function<bool(std::uint32_t)>& is_kept,
+                          Subdivision& subdivision) {
+  constexpr std::size_t kBatch = 128;
+  std::vector<std::vector<Subdivision::SubTriangle>> parts(
+      support::block_count(subdivision.outlines.size(), kBatch));
+  tbb::enumerable_thread_specific<OutlineTriangulator> triangulators(
+      [&] { return OutlineTriangulator(input); });
+  support::for_each_block(
+      subdivision.outlines.size(),
+      [&](const support::Block& block) {
+        const UpwardRounding rounding;
+        OutlineTriangulator& triangulator = triangulators.local();
+        for (std::size_t i = block.begin; i < block.end; ++i) {
+          const Subdivision::Outline& outline = subdivision.outlines[i];
+          if (is_kept(outline.region)) {
+            triangulator.append(subdivision, outline, parts[block.number]);
+          }
+        }
+      },
+      kBatch);
+  std::vector<std::size_t> begin(parts.size() + 1, subdivision.triangles.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    begin[i + 1] = begin[i] + parts[i].size();
+  }
+  subdivision.triangles.resize(begin.back());
+  support::for_each_in_parallel(parts.size(), [&](std::size_t i) {
+    std::ranges::copy(parts[i],
+                      subdivision.triangles.begin() + static_cast<std::ptrdiff_t>(begin[i]));
+  });
 }
 
 }  // namespace dupin::arrangement

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "arrangement/face_outlines.h"
 #include "arrangement/implicit_predicates.h"
 #include "arrangement/triangle_intersection.h"
 #include "mesh/ray_crossing.h"
@@ -214,9 +215,9 @@ void relate_around(const ArrangementInput& input, const ManifoldPatches& patches
 
 // Some triangle of each set of related patches: an untouched triangle where possible.
 struct Sample {
-  bool found = false;
-  bool is_untouched = false;
-  std::uint32_t index = 0;  // of the triangle or sub-triangle
+  enum class Kind : std::uint8_t { none, untouched, sub_triangle, outline };
+  Kind kind = Kind::none;
+  std::uint32_t index = 0;  // of the triangle, sub-triangle or outline
 };
 
 // By the root of the set.
@@ -228,34 +229,60 @@ std::vector<Sample> find_samples(const ArrangementInput& input, const Constraint
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
     missing += relations.root(p) == p ? 1 : 0;
   }
-  const auto offer = [&](std::uint32_t patch, bool is_untouched, std::uint32_t index) {
+  const auto offer = [&](std::uint32_t patch, Sample::Kind kind, std::uint32_t index) {
     Sample& sample = samples[relations.root(patch)];
-    if (!sample.found) {
-      sample = {true, is_untouched, index};
+    if (sample.kind == Sample::Kind::none) {
+      sample = {kind, index};
       --missing;
     }
   };
   for (std::uint32_t t = 0; t < input.triangles.size() && missing > 0; ++t) {
     if (!constraints.touched[t] && !input.merged[t]) {
-      offer(patches.of_triangle(t), true, t);
+      offer(patches.of_triangle(t), Sample::Kind::untouched, t);
     }
   }
   for (std::uint32_t p = 0; p < subdivision.triangles.size() && missing > 0; ++p) {
-    offer(patches.of_region(subdivision.triangles[p].region), false, p);
+    offer(patches.of_region(subdivision.triangles[p].region), Sample::Kind::sub_triangle, p);
+  }
+  for (std::uint32_t i = 0; i < subdivision.outlines.size() && missing > 0; ++i) {
+    offer(patches.of_region(subdivision.outlines[i].region), Sample::Kind::outline, i);
   }
   return samples;
 }
 
+// A triangle in the sample's place; of an outline, the first one in it.
+Subdivision::SubTriangle triangle_of(const ArrangementInput& input, const Subdivision& subdivision,
+                                     const Sample& sample) {
+  if (sample.kind == Sample::Kind::sub_triangle) {
+    return subdivision.triangles[sample.index];
+  }
+  std::vector<Subdivision::SubTriangle> triangles;
+  OutlineTriangulator(input).append(subdivision, subdivision.outlines[sample.index], triangles);
+  return triangles.front();
+}
+
 Counts counts_in_front_of(ArrangementInput& input, const BooleanRule& rule,
                           const Subdivision& subdivision, const Sample& sample) {
-  if (sample.is_untouched) {
+  if (sample.kind == Sample::Kind::untouched) {
     return winding_numbers_at(input, rule, input.triangles[sample.index],
                               input.support(sample.index), input.cover(sample.index));
   }
-  const Subdivision::SubTriangle& triangle = subdivision.triangles[sample.index];
+  const Subdivision::SubTriangle triangle = triangle_of(input, subdivision, sample);
   return winding_numbers_at(input, rule, triangle.corners,
                             input.support(subdivision.regions[triangle.region].support),
                             subdivision.cover(triangle.region));
+}
+
+std::uint32_t patch_of(const Subdivision& subdivision, const ManifoldPatches& patches,
+                       const Sample& sample) {
+  switch (sample.kind) {
+    case Sample::Kind::sub_triangle:
+      return patches.of_region(subdivision.triangles[sample.index].region);
+    case Sample::Kind::outline:
+      return patches.of_region(subdivision.outlines[sample.index].region);
+    default:
+      return patches.of_triangle(sample.index);
+  }
 }
 
 }  // namespace
@@ -274,14 +301,12 @@ std::vector<std::int8_t> propagate_winding_numbers(ArrangementInput& input, cons
   std::vector<std::int8_t> selection(patches.size(), 0);
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
     const std::uint32_t root = relations.root(p);
-    if (!samples[root].found) {
+    if (samples[root].kind == Sample::Kind::none) {
       continue;
     }
     if (front_of_root[root].empty()) {
       const Sample& sample = samples[root];
-      const std::uint32_t at = sample.is_untouched
-                                   ? patches.of_triangle(sample.index)
-                                   : patches.of_region(subdivision.triangles[sample.index].region);
+      const std::uint32_t at = patch_of(subdivision, patches, sample);
       front_of_root[root] =
           sum(counts_in_front_of(input, rule, subdivision, sample), relations.offset(at), -1);
     }

@@ -16,20 +16,6 @@ constexpr float kRounding = 0x1p-23F;
 
 }  // namespace
 
-bool Box::contains(const Box& other) const {
-  for (int k = 0; k < 3; ++k) {
-    if (other.low[k] < low[k] || high[k] < other.high[k]) {
-      return false;
-    }
-  }
-  return true;
-}
-
-Box Box::nothing() {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-}
-
 BoxQuantizer::BoxQuantizer(std::span<const Vec3> points) : middle_(Vec3::Zero()), scale_(1) {
   if (points.empty()) {
     return;

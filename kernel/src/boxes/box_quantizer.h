@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "boxes/box.h"
 #include "boxes/oriented_box.h"
 #include "dupin/kernel/mesh.h"
 #include "support/bulk_vector.h"
@@ -17,32 +18,12 @@
 ///
 /// A BoxQuantizer maps coordinates to floats in [-1, 1], along the axes in which boxes are small
 /// (main_directions), and makes a Box of each triangle that contains it, rounding included. A
-/// BoxTree is a binary tree over such boxes, an implicit one: node i has the children 2i and 2i +
-/// 1, the leaves have four items each. One tree is asked for what is near one box (BoxTree::visit),
-/// a list of boxes (boxes_near), or another tree, or itself (TreeTraversal). Where long slanted
-/// facets leave boxes empty, nodes have an OrientedBox besides [GLM96].
+/// BoxTree is a tree over such boxes, an implicit one: node i of a level has the children 4i to 4i
+/// + 3 of the level below, whose boxes it has side by side (BoxQuad), the leaves four items each.
+/// One tree is asked for what is near one box (BoxTree::visit), a list of boxes (boxes_near), or
+/// another tree, or itself (TreeTraversal). Where long slanted facets leave boxes empty, nodes have
+/// an OrientedBox besides [GLM96].
 namespace dupin::boxes {
-
-/// A box along the axes, and in the single precision coordinates, of a BoxQuantizer.
-struct Box {
-  std::array<float, 3> low, high;
-
-  [[nodiscard]] bool overlaps(const Box& other) const {
-    return (low[0] <= other.high[0]) & (other.low[0] <= high[0]) & (low[1] <= other.high[1]) &
-           (other.low[1] <= high[1]) & (low[2] <= other.high[2]) & (other.low[2] <= high[2]);
-  }
-  [[nodiscard]] bool contains(const Box& other) const;
-  /// Makes the box contain `other` too.
-  void join(const Box& other) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], other.low[k]);
-      high[k] = std::max(high[k], other.high[k]);
-    }
-  }
-  /// Contains nothing, overlaps nothing.
-  [[nodiscard]] static Box nothing();
-  [[nodiscard]] bool is_nothing() const { return high[0] < low[0]; }
-};
 
 /// Maps coordinates to floats between -1 and 1 about the middle of a point set.
 class BoxQuantizer {

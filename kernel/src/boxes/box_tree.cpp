@@ -54,7 +54,7 @@ BoxTree BoxTree::reordered() const {
   std::vector<Keyed> keyed(size());
   support::for_each_block(size(), [&](const support::Block& block) {
     for (auto i = static_cast<std::uint32_t>(block.begin); i < block.end; ++i) {
-      keyed[i] = {morton_key(boxes_[i]), i};
+      keyed[i] = {morton_key(box_of({0, i})), i};
     }
   });
   tbb::parallel_sort(keyed.begin(), keyed.end());
@@ -62,13 +62,13 @@ BoxTree BoxTree::reordered() const {
   support::BulkVector<Box> boxes(size());
   for (std::uint32_t i = 0; i < size(); ++i) {
     order[i] = order_[keyed[i].item];
-    boxes[i] = boxes_[keyed[i].item];
+    boxes[i] = box_of({0, keyed[i].item});
   }
-  return {std::move(order), std::move(boxes)};
+  return {std::move(order), std::span<const Box>(boxes)};
 }
 
 BoxTree::BoxTree(std::span<const Box> boxes, std::span<const std::uint32_t> groups)
-    : BoxTree(given_order(boxes.size()), support::BulkVector<Box>(boxes.begin(), boxes.end())) {
+    : BoxTree(given_order(boxes.size()), boxes) {
   set_groups(groups);
   if (const double crowded = crowding(); crowded > kCrowded) {
     BoxTree other = reordered();
@@ -79,38 +79,100 @@ BoxTree::BoxTree(std::span<const Box> boxes, std::span<const std::uint32_t> grou
   }
 }
 
-BoxTree::BoxTree(std::vector<std::uint32_t> order, support::BulkVector<Box>&& boxes)
-    : order_(std::move(order)),
-      boxes_(std::move(boxes)),
-      leaves_(std::bit_ceil(std::max(1U, leaf_count()))),
-      nodes_(2 * std::size_t{leaves_}) {
-  support::for_each_block(leaves_, [&](const support::Block& block) {
-    for (auto leaf = static_cast<std::uint32_t>(block.begin); leaf < block.end; ++leaf) {
-      Box node = Box::nothing();
-      for (std::uint32_t i = leaf * kLeafSize; leaf < leaf_count() && i < leaf_end(leaf); ++i) {
-        node.join(boxes_[i]);
-      }
-      nodes_[leaves_ + leaf] = node;
+BoxTree::BoxTree(std::span<const Box> boxes, const TriangleOf& triangle,
+                 std::span<const std::uint32_t> groups)
+    : BoxTree(given_order(boxes.size()), boxes) {
+  set_groups(groups);
+  const double crowded = orient_if_crowded(triangle);
+  if (crowded > (size() <= kFew ? kCrowdedFew : kCrowded)) {
+    BoxTree other = reordered();
+    other.set_groups(groups);
+    if (other.orient_if_crowded(triangle) < crowded) {
+      *this = std::move(other);
     }
-  });
-  nodes_[0] = Box::nothing();
-  for (std::size_t node = leaves_ - 1; node > 0; --node) {
-    nodes_[node] = nodes_[2 * node];
-    nodes_[node].join(nodes_[2 * node + 1]);
   }
 }
 
-void BoxTree::set_oriented(std::uint32_t node, const OrientedBox& box) {
-  // Below that, the other box alone is cheaper.
-  constexpr float kSlanted = 4;
-  const OrientedBox upright(nodes_[node]);
-  slanted_[node] = kSlanted * box.surface() < upright.surface() ? 1 : 0;
-  oriented_[node] = slanted_[node] != 0 ? box : upright;
+BoxTree::BoxTree(std::vector<std::uint32_t> order, std::span<const Box> boxes)
+    : order_(std::move(order)) {
+  std::uint32_t nodes = size();
+  do {
+    nodes = std::max(1U, nodes / kFan + (nodes % kFan == 0 ? 0 : 1));
+    ++height_;
+    first_[height_ + 1] = first_[height_] + nodes;
+  } while (nodes > 1);
+  quads_.resize(first_[height_ + 1]);
+  for (std::uint32_t level = 1; level <= height_; ++level) {
+    support::for_each_block(count(level), [&](const support::Block& block) {
+      for (auto index = static_cast<std::uint32_t>(block.begin); index < block.end; ++index) {
+        BoxQuad children;
+        const std::uint32_t end = std::min(kFan * (index + 1), count(level - 1));
+        for (std::uint32_t i = kFan * index; i < end; ++i) {
+          children.set(i % kFan, level == 1 ? boxes[i] : quad({level - 1, i}).joined());
+        }
+        quads_[number({level, index})] = children;
+      }
+    });
+  }
+  root_ = quad(root()).joined();
 }
 
-void BoxTree::orient_leaf(std::uint32_t leaf, std::span<const FramedTriangle> triangles) {
-  if (!triangles.empty()) {
-    set_oriented(leaves_ + leaf, OrientedBox(triangles));
+double BoxTree::orient_if_crowded(const TriangleOf& triangle) {
+  if (const double crowded = crowding(); crowded <= kCrowded) {
+    return crowded;
+  }
+  oriented_.resize(quads_.size());
+  slanted_.resize(quads_.size());
+  constexpr std::size_t kLeaves = 64;
+  const auto orient = [&](const support::Block& block) {
+    for (auto leaf = static_cast<std::uint32_t>(block.begin); leaf < block.end; ++leaf) {
+      std::array<FramedTriangle, kFan> triangles;
+      std::size_t found = 0;
+      for (std::uint32_t i = kFan * leaf; i < std::min(kFan * (leaf + 1), size()); ++i) {
+        if (!box_of({0, i}).is_nothing()) {
+          triangles[found++] = triangle(order_[i]);
+        }
+      }
+      if (found > 0) {
+        set_oriented({1, leaf}, OrientedBox(std::span(triangles).first(found)));
+      }
+    }
+  };
+  support::for_each_block(count(1), orient, kLeaves);
+  orient_inner_nodes();
+  return crowding();
+}
+
+void BoxTree::set_oriented(const Node& node, const OrientedBox& box) {
+  // Below that, the other box alone is cheaper.
+  constexpr float kSlanted = 4;
+  const OrientedBox upright(box_of(node));
+  const bool is_smaller = kSlanted * box.surface() < upright.surface();
+  slanted_[number(node)] = is_smaller ? 1 : 0;
+  oriented_[number(node)] = is_smaller ? box : upright;
+}
+
+void BoxTree::orient_inner_node(const Node& node) {
+  std::array<Node, kFan> children;
+  std::size_t found = 0;
+  bool slanted = false;
+  for (std::uint32_t i = 0; i < kFan; ++i) {
+    if (!quad(node)[i].is_nothing()) {
+      children[found++] = node.child(i);
+      slanted = slanted || is_slanted(node.child(i));
+    }
+  }
+  if (found == 1) {
+    oriented_[number(node)] = oriented_[number(children[0])];
+    slanted_[number(node)] = slanted_[number(children[0])];
+  } else if (slanted) {
+    OrientedBox all = oriented_[number(children[0])];
+    for (std::size_t i = 1; i < found; ++i) {
+      all = OrientedBox(all, oriented_[number(children[i])]);
+    }
+    set_oriented(node, all);
+  } else if (found > 1) {
+    oriented_[number(node)] = OrientedBox(box_of(node));
   }
 }
 
@@ -119,69 +181,51 @@ void BoxTree::orient_inner_nodes() {
     oriented_ = {};
     return;
   }
-  for (std::uint32_t node = leaves_ - 1; node > 0; --node) {
-    const std::uint32_t left = 2 * node, right = left + 1;
-    if (nodes_[left].is_nothing() || nodes_[right].is_nothing()) {
-      const std::uint32_t only = nodes_[left].is_nothing() ? right : left;
-      oriented_[node] = oriented_[only];
-      slanted_[node] = slanted_[only];
-    } else if (slanted_[left] == 0 && slanted_[right] == 0) {
-      oriented_[node] = OrientedBox(nodes_[node]);
-    } else {
-      set_oriented(node, OrientedBox(oriented_[left], oriented_[right]));
-    }
+  for (std::uint32_t level = 2; level <= height_; ++level) {
+    support::for_each_block(count(level), [&](const support::Block& block) {
+      for (auto index = static_cast<std::uint32_t>(block.begin); index < block.end; ++index) {
+        orient_inner_node({level, index});
+      }
+    });
   }
 }
 
-bool BoxTree::overlap(std::uint32_t node, const BoxTree& other, std::uint32_t other_node) const {
-  if (!nodes_[node].overlaps(other.nodes_[other_node])) {
-    return false;
-  }
-  const auto slanted = [](const BoxTree& tree, std::uint32_t i) {
-    return !tree.oriented_.empty() && tree.slanted_[i] != 0;
+bool BoxTree::oriented_apart(const Node& node, const BoxTree& other, const Node& other_node) const {
+  const auto oriented = [](const BoxTree& tree, const Node& i) {
+    return tree.oriented_.empty() ? OrientedBox(tree.box_of(i)) : tree.oriented_[tree.number(i)];
   };
-  if (!slanted(*this, node) && !slanted(other, other_node)) {
-    return true;
-  }
-  const auto oriented = [](const BoxTree& tree, std::uint32_t i) {
-    return tree.oriented_.empty() ? OrientedBox(tree.nodes_[i]) : tree.oriented_[i];
-  };
-  return !oriented(*this, node).apart(oriented(other, other_node));
-}
-
-bool BoxTree::overlaps(const Box& box) const {
-  return visit_leaves(
-      [&](std::uint32_t node) { return box.overlaps(nodes_[node]); },
-      [&](std::uint32_t leaf) {
-        const auto items =
-            std::span(boxes_).subspan(leaf * kLeafSize, leaf_end(leaf) - leaf * kLeafSize);
-        return std::ranges::any_of(items, [&](const Box& item) { return box.overlaps(item); });
-      });
+  return oriented(*this, node).apart(oriented(other, other_node));
 }
 
 double BoxTree::crowding() const {
   constexpr std::uint32_t kSamples = 64, kMost = 1 << 14, kLeaf = 8;  // times an inner node
-  const std::uint32_t count = std::min(kSamples, leaf_count());
+  const std::uint32_t samples = size() == 0 ? 0 : std::min(kSamples, count(1));
   std::uint32_t met = 0;
-  std::vector<std::uint32_t> nodes;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const auto leaf = leaves_ + static_cast<std::uint32_t>(std::uint64_t{i} * leaf_count() / count);
-    nodes.assign({1});
-    while (!nodes.empty() && met < count * kMost) {
-      const std::uint32_t node = nodes.back();
+  std::vector<Node> nodes;
+  for (std::uint32_t i = 0; i < samples; ++i) {
+    const Node leaf{1, static_cast<std::uint32_t>(std::uint64_t{i} * count(1) / samples)};
+    const Box box = box_of(leaf);
+    nodes.assign({root()});
+    while (!nodes.empty() && met < samples * kMost) {
+      const Node node = nodes.back();
       nodes.pop_back();
-      ++met;
-      if (node == leaf || of_one_group(leaf, node) || !overlap(leaf, *this, node)) {
+      if (node == leaf || of_one_group(leaf, node) || !may_meet(leaf, *this, node)) {
         continue;
       }
-      if (node < leaves_) {
-        nodes.insert(nodes.end(), {2 * node, 2 * node + 1});
-      } else {
+      if (node.is_leaf()) {
         met += kLeaf;
+        continue;
+      }
+      met += kFan;
+      const unsigned meeting = quad(node).overlapping(box);
+      for (std::uint32_t k = 0; k < kFan; ++k) {
+        if ((meeting >> k & 1) != 0) {
+          nodes.push_back(node.child(k));
+        }
       }
     }
   }
-  return count == 0 ? 0 : static_cast<double>(met) / count;
+  return samples == 0 ? 0 : static_cast<double>(met) / samples;
 }
 
 void BoxTree::set_groups(std::span<const std::uint32_t> groups) {
@@ -192,17 +236,19 @@ void BoxTree::set_groups(std::span<const std::uint32_t> groups) {
   for (std::uint32_t i = 0; i < size(); ++i) {
     item_groups_[i] = groups[order_[i]];
   }
-  groups_.assign(nodes_.size(), support::kNone);
-  for (std::uint32_t leaf = 0; leaf < leaf_count(); ++leaf) {
-    const std::uint32_t first = leaf * kLeafSize;
-    std::uint32_t& group = groups_[leaves_ + leaf];
-    group = item_groups_[first];
-    for (std::uint32_t i = first; i < leaf_end(leaf); ++i) {
-      group = item_groups_[i] == group ? group : support::kNone;
+  groups_.assign(quads_.size(), support::kNone);
+  for (std::uint32_t level = 1; level <= height_; ++level) {
+    for (std::uint32_t index = 0; index < count(level); ++index) {
+      const auto group_below = [&](std::uint32_t i) {
+        return level == 1 ? item_groups_[i] : groups_[number({level - 1, i})];
+      };
+      const std::uint32_t end = std::min(kFan * (index + 1), count(level - 1));
+      std::uint32_t& group = groups_[number({level, index})];
+      group = kFan * index < end ? group_below(kFan * index) : support::kNone;
+      for (std::uint32_t i = kFan * index; i < end; ++i) {
+        group = group_below(i) == group ? group : support::kNone;
+      }
     }
-  }
-  for (std::size_t node = leaves_ - 1; node > 0; --node) {
-    groups_[node] = groups_[2 * node] == groups_[2 * node + 1] ? groups_[2 * node] : support::kNone;
   }
 }
 
@@ -213,18 +259,22 @@ void BoxTree::grow(std::uint32_t item, const Box& box, const FramedTriangle& tri
       position_[order_[i]] = i;
     }
   }
-  const std::uint32_t at = position_[item];
-  boxes_[at].join(box);
-  for (std::uint32_t node = leaves_ + at / kLeafSize; node > 0; node /= 2) {
-    const bool was_nothing = nodes_[node].is_nothing();
-    nodes_[node].join(box);
-    if (!oriented_.empty()) {
+  for (Node node{0, position_[item]};; node = node.parent()) {
+    Box grown = box_of(node);
+    const bool was_nothing = grown.is_nothing();
+    grown.join(box);
+    if (node.level > 0 && !oriented_.empty()) {
       if (was_nothing) {
-        oriented_[node] = OrientedBox({&triangle, 1});
+        oriented_[number(node)] = OrientedBox({&triangle, 1});
       } else {
-        oriented_[node].include(triangle);
+        oriented_[number(node)].include(triangle);
       }
     }
+    if (node == root()) {
+      root_ = grown;
+      return;
+    }
+    quads_[number(node.parent())].set(node.index % kFan, grown);
   }
 }
 

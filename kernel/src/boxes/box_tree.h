@@ -1,24 +1,36 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
+#include "boxes/box_quad.h"
 #include "boxes/box_quantizer.h"
 #include "boxes/oriented_box.h"
-#include "support/blocks.h"
 #include "support/bulk_vector.h"
 #include "support/none.h"
 
 namespace dupin::boxes {
 
-/// A balanced binary tree over boxes, four to a leaf.
+/// A balanced tree over boxes, in which each node has four children and each leaf four items.
 class BoxTree {
  public:
-  static constexpr std::uint32_t kLeafSize = 4;
+  static constexpr std::uint32_t kFan = BoxQuad::kSize;
+
+  /// The node `index` of those at a level: leaves are at level 1, the root at the highest. An item
+  /// may be named so too, at level 0 and by its place in the tree's order.
+  struct Node {
+    std::uint32_t level, index;
+    friend bool operator==(const Node&, const Node&) = default;
+    [[nodiscard]] Node child(std::uint32_t i) const { return {level - 1, kFan * index + i}; }
+    [[nodiscard]] Node parent() const { return {level + 1, index / kFan}; }
+    [[nodiscard]] bool is_leaf() const { return level == 1; }
+  };
+
+  using TriangleOf = std::function<FramedTriangle(std::uint32_t item)>;
 
   /// The order is kept where neighbours come together, as from any generator of meshes: such trees
   /// are quick to make and better than those in Morton order, which is taken else. Items may belong
@@ -29,26 +41,30 @@ class BoxTree {
   /// The same over triangles that lie in the boxes. Where they are long and slanted, and many boxes
   /// overlap for that, nodes have oriented boxes besides. `triangle(item)` is asked for all whose
   /// box is not nothing.
-  template <class Triangles>
-  BoxTree(support::BulkVector<Box> boxes, Triangles&& triangle,
+  BoxTree(std::span<const Box> boxes, const TriangleOf& triangle,
           std::span<const std::uint32_t> groups = {});
 
   /// Whether `box` overlaps that of some item.
-  [[nodiscard]] bool overlaps(const Box& box) const;
+  [[nodiscard]] bool overlaps(const Box& box) const {
+    return visit_items(box, nullptr, [](std::uint32_t) { return true; });
+  }
   /// Calls visit(item) for every item whose box overlaps `box`.
   template <class Visit>
   void visit(const Box& box, Visit&& visit) const {
-    visit_items(box, OrientedBox(box),
-                [&](std::uint32_t item, const Box&) { return visit(item), false; });
+    const OrientedBox oriented(box);
+    visit_items(box, &oriented, [&](std::uint32_t i) { return visit(order_[i]), false; });
   }
   /// Calls visit(item, its box) for items, until it returns true: all those whose triangle meets
   /// some of those given, which lie in `box`, and others. Whether it did.
   template <class Visit>
   bool visit_until(const Box& box, std::span<const FramedTriangle> triangles, Visit&& visit) const {
-    return visit_items(box, oriented_.empty() ? OrientedBox() : OrientedBox(triangles), visit);
+    const OrientedBox oriented = oriented_.empty() ? OrientedBox() : OrientedBox(triangles);
+    return visit_items(box, &oriented, [&](std::uint32_t i) {
+      return visit(order_[i], box_of({0, i}));
+    });
   }
 
-  /// The items in the tree's order, kLeafSize to a leaf.
+  /// The items in the tree's order, kFan to a leaf.
   [[nodiscard]] std::span<const std::uint32_t> items() const { return order_; }
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(order_.size()); }
   /// Whether some boxes of nodes lie along axes of their own, and contain nothing but the
@@ -62,56 +78,70 @@ class BoxTree {
  private:
   friend class TreeTraversal;
   /// Over boxes in this order.
-  BoxTree(std::vector<std::uint32_t> order, support::BulkVector<Box>&& boxes);
+  BoxTree(std::vector<std::uint32_t> order, std::span<const Box> boxes);
   [[nodiscard]] static std::vector<std::uint32_t> given_order(std::size_t size);
   /// The same items in Morton order.
   [[nodiscard]] BoxTree reordered() const;
   void set_groups(std::span<const std::uint32_t> groups);
-  [[nodiscard]] bool of_one_group(std::uint32_t node, std::uint32_t other) const {
-    return !groups_.empty() && groups_[node] != support::kNone && groups_[node] == groups_[other];
+  [[nodiscard]] Node root() const { return {height_, 0}; }
+  /// Where what nodes have is found in arrays.
+  [[nodiscard]] std::uint32_t number(const Node& node) const {
+    return first_[node.level] + node.index;
+  }
+  /// The number of nodes, or items, at a level.
+  [[nodiscard]] std::uint32_t count(std::uint32_t level) const {
+    return level == 0 ? size() : first_[level + 1] - first_[level];
+  }
+  /// The boxes of its children, or items.
+  [[nodiscard]] const BoxQuad& quad(const Node& node) const { return quads_[number(node)]; }
+  [[nodiscard]] Box box_of(const Node& node) const {
+    return node.level == height_ ? root_ : quad(node.parent())[node.index % kFan];
+  }
+  [[nodiscard]] bool of_one_group(const Node& node, const Node& other) const {
+    if (groups_.empty()) {
+      return false;
+    }
+    const std::uint32_t group = groups_[number(node)];
+    return group != support::kNone && group == groups_[number(other)];
   }
   [[nodiscard]] bool items_of_one_group(std::uint32_t i, std::uint32_t k) const {
     return !item_groups_.empty() && item_groups_[i] != support::kNone &&
            item_groups_[i] == item_groups_[k];
   }
-  [[nodiscard]] std::uint32_t leaf_count() const { return (size() + kLeafSize - 1) / kLeafSize; }
-  [[nodiscard]] std::uint32_t leaf_end(std::uint32_t leaf) const {
-    return std::min((leaf + 1) * kLeafSize, size());
+  [[nodiscard]] bool is_slanted(const Node& node) const {
+    return !oriented_.empty() && slanted_[number(node)] != 0;
   }
-  /// What is sought among nodes.
-  struct Target {
-    const Box& box;
-    const OrientedBox& oriented;
-  };
-  /// Calls visit(leaf) for leaves below nodes where meets(node), until it is true; whether it was.
-  template <class Meets, class Visit>
-  bool visit_leaves(Meets&& meets, Visit&& visit) const;
+  /// Calls visit(place of an item) for those whose boxes overlap `box`, below nodes whose oriented
+  /// boxes overlap `oriented`, if given, until it is true; whether it was.
   template <class Visit>
-  bool visit_items(const Box& box, const OrientedBox& oriented, Visit&& visit) const;
-  [[nodiscard]] bool overlap(std::uint32_t node, const Target& target) const {
-    return target.box.overlaps(nodes_[node]) &&
-           (oriented_.empty() || !oriented_[node].apart(target.oriented));
+  bool visit_items(const Box& box, const OrientedBox* oriented, Visit&& visit) const;
+  /// Whether the oriented boxes of nodes whose boxes overlap are not apart.
+  [[nodiscard]] bool may_meet(const Node& node, const BoxTree& other,
+                              const Node& other_node) const {
+    return (!is_slanted(node) && !other.is_slanted(other_node)) ||
+           !oriented_apart(node, other, other_node);
   }
-  [[nodiscard]] bool overlap(std::uint32_t node, const BoxTree& other,
-                             std::uint32_t other_node) const;
+  [[nodiscard]] bool oriented_apart(const Node& node, const BoxTree& other,
+                                    const Node& other_node) const;
   /// What a leaf costs: nodes that it meets, leaves more than others, not those of one group.
   [[nodiscard]] double crowding() const;
-  /// Leaves of meshes in good order cost 70 to 350, which grows with the tree's height.
-  static constexpr double kCrowded = 1000;
+  /// Leaves of meshes in good order cost 60 to 350, which grows with the tree's height.
+  static constexpr double kCrowded = 700;
   /// Few items may be picked here and there, and are quick to put in order.
   static constexpr std::uint32_t kFew = 1 << 16;
   static constexpr double kCrowdedFew = 100;
   /// Makes oriented boxes if the tree is crowded without them. Returns the crowding.
-  template <class Triangles>
-  double orient_if_crowded(Triangles&& triangle);
-  void orient_leaf(std::uint32_t leaf, std::span<const FramedTriangle> triangles);
+  double orient_if_crowded(const TriangleOf& triangle);
+  void orient_inner_node(const Node& node);
   void orient_inner_nodes();
-  void set_oriented(std::uint32_t node, const OrientedBox& box);
+  void set_oriented(const Node& node, const OrientedBox& box);
 
-  std::vector<std::uint32_t> order_, position_;  // the latter once an item grows
-  support::BulkVector<Box> boxes_;               // in the order of the tree
-  std::uint32_t leaves_;                         // a power of two
-  support::BulkVector<Box> nodes_;  // node i has the children 2i and 2i + 1; the leaves come last
+  static constexpr std::uint32_t kMostLevels = 20;  // more than any tree over 2^32 items has
+  std::vector<std::uint32_t> order_, position_;     // the latter once an item grows
+  std::uint32_t height_ = 0;
+  std::array<std::uint32_t, kMostLevels> first_{};  // number of the first node at each level
+  support::BulkVector<BoxQuad> quads_;
+  Box root_;
   // Of nodes, and whether it is much smaller than the other box; empty if it never is.
   std::vector<OrientedBox> oriented_;
   std::vector<std::uint8_t> slanted_;
@@ -119,79 +149,29 @@ class BoxTree {
   std::vector<std::uint32_t> item_groups_;  // in the order of the tree
 };
 
-template <class Triangles>
-BoxTree::BoxTree(support::BulkVector<Box> boxes, Triangles&& triangle,
-                 std::span<const std::uint32_t> groups)
-    : BoxTree(given_order(boxes.size()), std::move(boxes)) {
-  set_groups(groups);
-  const double crowded = orient_if_crowded(triangle);
-  if (crowded > (size() <= kFew ? kCrowdedFew : kCrowded)) {
-    BoxTree other = reordered();
-    other.set_groups(groups);
-    if (other.orient_if_crowded(triangle) < crowded) {
-      *this = std::move(other);
-    }
-  }
-}
-
-template <class Triangles>
-double BoxTree::orient_if_crowded(Triangles&& triangle) {
-  if (const double crowded = crowding(); crowded <= kCrowded) {
-    return crowded;
-  }
-  oriented_.resize(nodes_.size());
-  slanted_.resize(nodes_.size());
-  constexpr std::size_t kLeaves = 64;
-  const auto orient = [&](const support::Block& block) {
-    for (auto leaf = static_cast<std::uint32_t>(block.begin); leaf < block.end; ++leaf) {
-      std::array<FramedTriangle, kLeafSize> triangles;
-      std::size_t count = 0;
-      for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
-        if (!boxes_[i].is_nothing()) {
-          triangles[count++] = triangle(order_[i]);
-        }
-      }
-      orient_leaf(leaf, std::span(triangles).first(count));
-    }
-  };
-  support::for_each_block(leaf_count(), orient, kLeaves);
-  orient_inner_nodes();
-  return crowding();
-}
-
 template <class Visit>
-bool BoxTree::visit_items(const Box& box, const OrientedBox& oriented, Visit&& visit) const {
-  const Target target{box, oriented};
-  return visit_leaves([&](std::uint32_t node) { return overlap(node, target); },
-                      [&](std::uint32_t leaf) {
-                        for (std::uint32_t i = leaf * kLeafSize; i < leaf_end(leaf); ++i) {
-                          if (box.overlaps(boxes_[i]) && visit(order_[i], boxes_[i])) {
-                            return true;
-                          }
-                        }
-                        return false;
-                      });
-}
-
-template <class Meets, class Visit>
-bool BoxTree::visit_leaves(Meets&& meets, Visit&& visit) const {
-  if (!meets(1)) {
-    return false;
-  }
-  std::array<std::uint32_t, 40> stack;  // deeper than any tree over 2^32 items
+bool BoxTree::visit_items(const Box& box, const OrientedBox* oriented, Visit&& visit) const {
+  std::array<Node, kMostLevels * kFan> stack;
   std::size_t depth = 0;
-  stack[depth++] = 1;
+  stack[depth++] = root();
+  const bool by_axes = oriented != nullptr && !oriented_.empty();
   while (depth > 0) {
-    const std::uint32_t node = stack[--depth];
-    if (node >= leaves_) {
-      if (visit(node - leaves_)) {
-        return true;
+    const Node node = stack[--depth];
+    if (by_axes && oriented_[number(node)].apart(*oriented)) {
+      continue;
+    }
+    const unsigned meeting = quad(node).overlapping(box);
+    if (node.is_leaf()) {
+      for (unsigned bits = meeting; bits != 0; bits &= bits - 1) {
+        if (visit(node.child(static_cast<std::uint32_t>(std::countr_zero(bits))).index)) {
+          return true;
+        }
       }
       continue;
     }
-    for (const std::uint32_t child : {2 * node + 1, 2 * node}) {
-      stack[depth] = child;
-      depth += meets(child) ? 1 : 0;
+    for (std::uint32_t i = kFan; i-- > 0;) {  // the first is visited first
+      stack[depth] = node.child(i);
+      depth += meeting >> i & 1;
     }
   }
   return false;

@@ -69,9 +69,8 @@ template <class BoxOf>
   std::vector<std::uint8_t> near(runs);
   std::ranges::transform(group, near.begin(),
                          [](std::uint32_t g) { return g == support::kNone ? 1 : 0; });
-  TreeTraversal(tree).visit({1, 1}, [&](std::uint32_t i, std::uint32_t k) {
-    near[tree.items()[i]] = near[tree.items()[k]] = 1;
-  });
+  TreeTraversal(tree).visit(
+      [&](std::uint32_t i, std::uint32_t k) { near[tree.items()[i]] = near[tree.items()[k]] = 1; });
   std::vector<std::uint32_t> found;
   for (std::size_t run = 0; run < runs; ++run) {
     for (std::size_t i = run * kTogether; near[run] != 0 && i < end_of(run); ++i) {

@@ -100,7 +100,7 @@ class Search {
       groups = of_active;
     }
     return boxes::BoxTree(
-        std::move(boxes), [&](std::uint32_t i) { return framed(active_[i]); }, groups);
+        boxes, [&](std::uint32_t i) { return framed(active_[i]); }, groups);
   }
 
   /// The triangles to be searched among themselves and, unless all are, with the others.
@@ -240,7 +240,7 @@ class Search {
         boxes[i] = is_degenerate(near[i]) ? boxes::Box::nothing() : box(near[i]);
       }
     });
-    const boxes::BoxTree tree(std::move(boxes), [&](std::uint32_t i) { return framed(near[i]); });
+    const boxes::BoxTree tree(boxes, [&](std::uint32_t i) { return framed(near[i]); });
     return examined(boxes::TreeTraversal(tree, tree_), {tree, near});
   }
 

@@ -29,11 +29,8 @@ class TriangleOverlapTest {
 
   /// Of a triangle that may be degenerate: whether it is, exactly.
   [[nodiscard]] bool is_degenerate() const;
-  /// Whether the plane has all three points on one side, certainly.
-  [[nodiscard]] bool is_on_one_side(const Vec3& a, const Vec3& b, const Vec3& c) const {
-    const int side = plane_.side(a);
-    return side != 0 && plane_.side(b) == side && plane_.side(c) == side;
-  }
+  /// On which side of the triangle's plane a point certainly lies, else 0.
+  [[nodiscard]] int certain_side(const Vec3& point) const { return plane_.side(point); }
   [[nodiscard]] TriangleOverlap meeting(const Triangle& other) const;
 
  private:

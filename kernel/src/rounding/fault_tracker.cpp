@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
+#include <bit>
 
 #include "checking/self_intersection.h"
 #include "support/blocks.h"
@@ -13,24 +13,26 @@ namespace {
 
 Fault fault_of(std::uint32_t f, std::uint32_t g) { return {std::min(f, g), std::max(f, g)}; }
 
-/// Appends faults among `faces` and between them and `hot`, until there are `limit`.
-void look_nearby(const Embedding& mesh, std::span<const std::uint32_t> faces,
+/// Appends faults of the tested faces among each other and with `hot`, until there are `limit`.
+void look_nearby(const Embedding& mesh, std::deque<FaultTest>& tests,
                  const std::vector<std::uint32_t>& hot, std::size_t limit,
                  std::vector<Fault>& found) {
-  for (std::size_t i = 0; i < faces.size() && found.size() < limit; ++i) {
-    const std::uint32_t f = faces[i];
-    FaultTest test(mesh, f);
+  for (std::size_t i = 0; i < tests.size() && found.size() < limit; ++i) {
+    FaultTest& test = tests[i];
     if (test.is_degenerate()) {
-      found.push_back({f, f});
+      found.push_back({test.face(), test.face()});
       continue;
     }
     const auto look_at = [&](std::uint32_t g) {
-      if (found.size() < limit && !is_degenerate(mesh, g) && test.is_faulty_with(g)) {
-        found.push_back(fault_of(f, g));
+      if (found.size() < limit && !test.is_apart_from(g) && !is_degenerate(mesh, g) &&
+          test.is_faulty_with(g)) {
+        found.push_back(fault_of(test.face(), g));
       }
     };
     std::ranges::for_each(hot, look_at);
-    std::ranges::for_each(faces.subspan(i + 1), look_at);
+    for (std::size_t k = i + 1; k < tests.size(); ++k) {
+      look_at(tests[k].face());
+    }
   }
 }
 
@@ -148,15 +150,16 @@ bool FaultTracker::is_fault(const Mesh& mesh, const Fault& fault) {
 void FaultTracker::find_of(const Mesh& mesh, std::uint32_t face,
                            std::span<const std::uint8_t> marked) {
   const Embedding& all = mesh.embedding;
-  if (is_degenerate(all, face)) {
+  FaultTest test(all, face);
+  if (test.is_degenerate()) {
     remember({face, face});
     return;
   }
   const boxes::FramedTriangle triangle = framed(mesh, face);
   const auto look_at = [&](std::uint32_t other, const boxes::Box&) {
     const bool is_first = face < other || (face != other && marked[other] == 0);
-    if (is_first && mesh.alive[other] != 0 && !is_degenerate(all, other) &&
-        is_faulty_pair(all, face, other)) {
+    if (is_first && mesh.alive[other] != 0 && !test.is_apart_from(other) &&
+        !is_degenerate(all, other) && test.is_faulty_with(other)) {
       remember(fault_of(face, other));
     }
     return false;
@@ -258,44 +261,48 @@ bool FaultTracker::may_accept(std::span<const std::uint32_t> faces, FaultRule ru
          std::ranges::any_of(faces, [&](std::uint32_t f) { return partners_.contains(f); });
 }
 
-/// Appends faults between `faces` and all others but `hot`, until there are `limit`.
-void FaultTracker::look_everywhere(const Mesh& mesh, std::span<const std::uint32_t> faces,
+/// Appends faults between the tested faces and all others but `hot`, until there are `limit`.
+void FaultTracker::look_everywhere(const Mesh& mesh, std::deque<FaultTest>& tests,
                                    const std::vector<std::uint32_t>& hot, std::size_t limit,
                                    std::vector<Fault>& found) {
   const Embedding& all = mesh.embedding;
   ++searches_;
-  for (const std::uint32_t f : faces) {
-    stamp_[f] = searches_;
+  for (const FaultTest& test : tests) {
+    stamp_[test.face()] = searches_;
   }
   for (const std::uint32_t f : hot) {
     stamp_[f] = searches_;
   }
   // They have a point in common: one descent finds what is near any of them.
   std::vector<boxes::FramedTriangle> triangles;
-  std::vector<boxes::Box> boxes;
-  std::deque<FaultTest> tests;
+  std::vector<boxes::BoxQuad> boxes;
   boxes::Box around = boxes::Box::nothing();
-  for (const std::uint32_t f : faces) {
-    if (tests.emplace_back(all, f).is_degenerate()) {
-      tests.pop_back();
-      continue;
+  constexpr std::size_t kSize = boxes::BoxQuad::kSize;
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    if (i % kSize == 0) {
+      boxes.emplace_back();
     }
-    triangles.push_back(framed(mesh, f));
-    boxes.push_back(frame_.around(triangles.back()));
-    around.join(boxes.back());
+    if (!tests[i].is_degenerate()) {
+      triangles.push_back(framed(mesh, tests[i].face()));
+      const boxes::Box box = frame_.around(triangles.back());
+      boxes.back().set(i % kSize, box);
+      around.join(box);
+    }
   }
-  if (tests.empty()) {
+  if (triangles.empty()) {
     return;
   }
   tree(mesh).visit_until(around, triangles, [&](std::uint32_t g, const boxes::Box& box_of_g) {
     if (mesh.alive[g] == 0 || stamp_[g] == searches_) {
       return false;
     }
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      // Few are left that it is worth asking whether they are degenerate.
-      if (boxes[i].overlaps(box_of_g) && !tests[i].is_apart_from(g) && !is_degenerate(all, g) &&
-          tests[i].is_faulty_with(g)) {
-        found.push_back(fault_of(tests[i].face(), g));
+    for (std::size_t quad = 0; quad < boxes.size(); ++quad) {
+      for (unsigned bits = boxes[quad].overlapping(box_of_g); bits != 0; bits &= bits - 1) {
+        FaultTest& test = tests[kSize * quad + static_cast<std::size_t>(std::countr_zero(bits))];
+        // Few are left that it is worth asking whether they are degenerate.
+        if (!test.is_apart_from(g) && !is_degenerate(all, g) && test.is_faulty_with(g)) {
+          found.push_back(fault_of(test.face(), g));
+        }
       }
     }
     return found.size() >= limit;
@@ -316,10 +323,14 @@ bool FaultTracker::accept(const Mesh& mesh, std::span<const std::uint32_t> befor
     }
   }
   support::sort_unique(hot);
+  std::deque<FaultTest> tests;
+  for (const std::uint32_t f : after) {
+    tests.emplace_back(mesh.embedding, f);
+  }
   std::vector<Fault> found;
-  look_nearby(mesh.embedding, after, hot, limit, found);
+  look_nearby(mesh.embedding, tests, hot, limit, found);
   if (found.size() < limit) {
-    look_everywhere(mesh, after, hot, limit, found);
+    look_everywhere(mesh, tests, hot, limit, found);
   }
   if (found.size() >= limit) {
     return false;

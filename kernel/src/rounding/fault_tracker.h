@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <span>
@@ -41,10 +42,21 @@ class FaultTest {
 
   [[nodiscard]] std::uint32_t face() const { return face_; }
   [[nodiscard]] bool is_degenerate() const { return test_.is_degenerate(); }
-  /// Whether another one lies on one side of the triangle's plane, certainly.
+  /// Whether another one certainly is no fault with the triangle, since it meets its plane in
+  /// nothing but the points they have in common: all others lie on one side, and there is one.
   [[nodiscard]] bool is_apart_from(std::uint32_t other) const {
-    const auto& [a, b, c] = mesh_.triangles[other];
-    return test_.is_on_one_side(mesh_.points[a], mesh_.points[b], mesh_.points[c]);
+    const auto& [a, b, c] = mesh_.triangles[face_];
+    int side = 0;
+    for (const std::uint32_t v : mesh_.triangles[other]) {
+      if (v != a && v != b && v != c) {
+        const int here = test_.certain_side(mesh_.points[v]);
+        if (here == 0 || here == -side) {
+          return false;
+        }
+        side = here;
+      }
+    }
+    return side != 0;
   }
   /// Whether the triangle and another one, none of them degenerate, are a fault.
   [[nodiscard]] bool is_faulty_with(std::uint32_t other);
@@ -115,7 +127,7 @@ class FaultTracker {
   boxes::BoxTree& tree(const Mesh& mesh);
   void find_of(const Mesh& mesh, std::uint32_t face, std::span<const std::uint8_t> marked);
   [[nodiscard]] std::vector<Fault> known_of(std::span<const std::uint32_t> faces) const;
-  void look_everywhere(const Mesh& mesh, std::span<const std::uint32_t> faces,
+  void look_everywhere(const Mesh& mesh, std::deque<FaultTest>& tests,
                        const std::vector<std::uint32_t>& hot, std::size_t limit,
                        std::vector<Fault>& found);
   void forget(const Fault& fault);

@@ -105,13 +105,11 @@ class Rounding {
   Rounded run_with_warnings() {
     Rounded result = run();
     RoundingReport& report = result.report_;
-    if (report.moved > 0) {
-      const bool is_repaired = report.repair_reach > 0 || report.removed_triangles > 0 ||
-                               !report.filled_places.empty() || !report.snapped_places.empty();
-      const PointMoves moves{lattice_, report.origin, is_repaired ? report.largest_move : 0};
-      for (const auto& [place, thickness, move] : thin_shells(exact_, moves, report.largest_move)) {
-        report.thin_shells.push_back({place, thickness, move});
-      }
+    const bool is_repaired = report.repair_reach > 0 || report.removed_triangles > 0 ||
+                             !report.filled_places.empty() || !report.snapped_places.empty();
+    const PointMoves moves{lattice_, report.origin, is_repaired ? report.largest_move : 0};
+    for (const auto& [place, thickness, move] : thin_shells(exact_, moves, report.largest_move)) {
+      report.thin_shells.push_back({place, thickness, move});
     }
     return result;
   }
@@ -119,6 +117,11 @@ class Rounding {
   Rounded run() {
     if (auto done = thickened()) {
       return std::move(*done);
+    }
+    if (past_.thickenings > 0) {  // such solids have voids, which are sought before what is dearer
+      if (auto done = without_voids()) {
+        return std::move(*done);
+      }
     }
     const auto groups = mesh::groups_apart(exact_.stable, lattice_, step_, !origin_.isZero(0));
     const std::vector<Fault> found =

@@ -34,6 +34,9 @@ std::vector<Measures> measures_of_shells(const mesh::ExactMesh& exact,
 
 std::vector<MovedShell> thin_shells(const mesh::ExactMesh& exact, const PointMoves& moves,
                                     double longest) {
+  if (longest == 0) {
+    return {};
+  }
   const std::vector<std::uint32_t> shell_of = shell_of_points(exact);
   const std::vector<Measures> measures = measures_of_shells(exact, shell_of);
   std::map<std::uint32_t, MovedShell> found;

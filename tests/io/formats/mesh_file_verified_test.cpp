@@ -1,6 +1,8 @@
 #include <filesystem>
 #include <iterator>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -39,6 +41,26 @@ TEST_F(WriteVerified, writes_a_solid_and_returns_its_report) {
     EXPECT_EQ(read_file(path("x")), mesh_bytes(tetrahedron(), format));
   }
   EXPECT_NO_THROW(write_verified(path("flat"), too_flat_for_floats(), kOff));
+}
+
+TEST_F(WriteVerified, tells_its_stages_and_keeps_the_old_file_when_cancelled_in_any) {
+  write_file(path("x.off"), "old");
+  std::vector<std::string> told;
+  for (const std::string last : {"write", "verify"}) {
+    told.clear();
+    const Progress progress = [&](std::string_view stage, double) {
+      told.emplace_back(stage);
+      return stage != last;
+    };
+    try {
+      write_verified(path("x.off"), tetrahedron(), kOff, {}, progress);
+      ADD_FAILURE() << last;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::cancelled);
+    }
+    EXPECT_EQ(read_file(path("x.off")), "old");
+  }
+  EXPECT_EQ(told, (std::vector<std::string>{"write", "verify"}));
 }
 
 TEST_F(WriteVerified, keeps_the_old_file_when_rounding_breaks_the_solid) {

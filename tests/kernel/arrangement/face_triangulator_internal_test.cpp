@@ -29,11 +29,18 @@ class FaceTriangulatorOf : public testing::TestWithParam<test::Meeting> {
     }
     return result;
   }
-  // Of the sub-triangles from `first` on, each as often as what covers it counts.
-  [[nodiscard]] Vector covered_area(const FaceSubdivision& faces, std::size_t first) const {
+  // Of the sub-triangles and outlines from those on, each as often as what covers it counts.
+  [[nodiscard]] Vector covered_area(const FaceSubdivision& faces, std::size_t first,
+                                    std::size_t first_outline) const {
+    const auto& local = faces.local;
+    std::vector<Subdivision::SubTriangle> triangles(
+        local.triangles.begin() + static_cast<std::ptrdiff_t>(first), local.triangles.end());
+    OutlineTriangulator triangulator(stages.input);
+    for (std::size_t i = first_outline; i < local.outlines.size(); ++i) {
+      triangulator.append(local, local.outlines[i], triangles);
+    }
     Vector sum;
-    for (std::size_t i = first; i < faces.local.triangles.size(); ++i) {
-      const auto& triangle = faces.local.triangles[i];
+    for (const Subdivision::SubTriangle& triangle : triangles) {
       const Vector part = area(triangle.corners, faces);
       for (const SignedTriangle& t : faces.local.cover(triangle.region)) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -54,6 +61,7 @@ TEST_P(FaceTriangulatorOf, members_covers_as_much_as_they_do) {
   FaceSubdivision faces;
   for (std::size_t f = 0; f < constraints.face_count(); ++f) {
     const std::size_t first = faces.local.triangles.size();
+    const std::size_t first_outline = faces.local.outlines.size();
     triangulator.append(constraints.face(f), faces);
     Vector expected;
     for (const std::uint32_t t : constraints.face(f)) {
@@ -64,7 +72,7 @@ TEST_P(FaceTriangulatorOf, members_covers_as_much_as_they_do) {
         }
       }
     }
-    EXPECT_EQ(covered_area(faces, first), expected) << f;
+    EXPECT_EQ(covered_area(faces, first, first_outline), expected) << f;
   }
 }
 
@@ -76,6 +84,7 @@ TEST_P(FaceTriangulatorOf, members_is_the_same_after_any_other_face) {
     FaceSubdivision alone;
     fresh.append(constraints.face(f), alone);
     const std::size_t first = all.local.triangles.size();
+    const std::size_t first_corner = all.local.outline_corners.size();
     one.append(constraints.face(f), all);
     ASSERT_EQ(all.local.triangles.size() - first, alone.local.triangles.size());
     for (std::size_t i = 0; i < alone.local.triangles.size(); ++i) {
@@ -84,6 +93,13 @@ TEST_P(FaceTriangulatorOf, members_is_the_same_after_any_other_face) {
                   at(alone.local.triangles[i].corners[k], alone));
       }
       EXPECT_EQ(all.local.triangles[first + i].open, alone.local.triangles[i].open);
+    }
+    ASSERT_EQ(all.local.outline_corners.size() - first_corner, alone.local.outline_corners.size());
+    for (std::size_t i = 0; i < alone.local.outline_corners.size(); ++i) {
+      const Subdivision::OutlineCorner& corner = all.local.outline_corners[first_corner + i];
+      EXPECT_EQ(corner.point, alone.local.outline_corners[i].point);
+      EXPECT_EQ(corner.apex, alone.local.outline_corners[i].apex);
+      EXPECT_EQ(corner.sides, alone.local.outline_corners[i].sides);
     }
   }
 }

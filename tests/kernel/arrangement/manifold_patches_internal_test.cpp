@@ -51,8 +51,9 @@ class PatchesOf : public testing::TestWithParam<test::Meeting> {
   };
   test::Stages stages{GetParam().solids, separate_groups(GetParam().solids.size())};
   Constraints constraints = stages.incidences();
-  Subdivision subdivision = stages.subdivision(constraints);
-  ManifoldPatches patches{stages.input, stages.rule, constraints, subdivision};
+  Subdivision outlined = stages.subdivision(constraints);
+  ManifoldPatches patches{stages.input, stages.rule, constraints, outlined};
+  Subdivision subdivision = stages.triangulated(outlined);
   std::vector<Facet> facets;
   std::map<EdgeKey, std::vector<Side>> at_edge;
 };

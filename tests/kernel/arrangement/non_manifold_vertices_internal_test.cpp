@@ -25,9 +25,10 @@ Duplicated duplicated(const std::vector<TriMesh>& solids, const BooleanRule& rul
   const Subdivision subdivision = stages.subdivision(constraints);
   const ManifoldPatches patches(stages.input, rule, constraints, subdivision);
   Duplicated result;
-  result.before = collect_output_triangles(
-      stages.input, constraints, subdivision, patches,
-      propagate_winding_numbers(stages.input, rule, constraints, subdivision, patches));
+  const auto selection =
+      propagate_winding_numbers(stages.input, rule, constraints, subdivision, patches);
+  result.before = collect_output_triangles(stages.input, constraints,
+                                           stages.triangulated(subdivision), patches, selection);
   result.after = result.before;
   result.duplicates = duplicate_non_manifold_vertices(stages.input, result.after);
   return result;

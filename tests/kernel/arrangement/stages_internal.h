@@ -73,6 +73,13 @@ class Stages {
   [[nodiscard]] arrangement::Subdivision subdivision(arrangement::Constraints& constraints) {
     return arrangement::retriangulate(input, rule, constraints, stage_);
   }
+  /// With triangles in place of all outlines.
+  [[nodiscard]] arrangement::Subdivision triangulated(arrangement::Subdivision divided) const {
+    arrangement::triangulate_outlines(
+        input, [](std::uint32_t) { return true; }, divided);
+    divided.outlines.clear();
+    return divided;
+  }
 
   [[nodiscard]] std::array<mpq_class, 3> place(arrangement::PointId id) const {
     const mesh::ExactPoint p = input.points.exact_value(id);

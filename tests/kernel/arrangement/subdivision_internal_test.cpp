@@ -30,7 +30,7 @@ class Face : public testing::TestWithParam<test::Meeting> {
  protected:
   test::Stages stages{GetParam().solids, separate_rule(GetParam().solids.size())};
   Constraints constraints = stages.incidences();
-  Subdivision subdivision = stages.subdivision(constraints);
+  Subdivision subdivision = stages.triangulated(stages.subdivision(constraints));
 };
 
 TEST_P(Face, pieces_add_up_to_each_triangle) {

@@ -60,6 +60,35 @@ TEST(Faults, are_degenerate_triangles_and_those_that_meet_where_they_should_not)
   EXPECT_FALSE(is_faulty_pair({mesh.points, mesh.triangles, touching}, 1, 8));
 }
 
+TEST(Faults, are_not_where_a_triangle_is_certainly_apart) {
+  int apart = 0, neighbours = 0, faults = 0;
+  for (std::uint32_t seed = 0; seed < 3; ++seed) {
+    const Broken broken(seed);
+    const auto count = static_cast<std::uint32_t>(broken.mesh.triangles.size());
+    for (std::uint32_t f = 0; f < count; ++f) {
+      const Embedding mesh = broken.embedding();
+      FaultTest test(mesh, f);
+      for (std::uint32_t g = 0; g < count && !test.is_degenerate(); ++g) {
+        if (g == f || is_degenerate(mesh, g)) {
+          ASSERT_TRUE(g != f || !test.is_apart_from(g)) << "of its own place, " << f;
+          continue;
+        }
+        const bool is_fault = test.is_faulty_with(g);
+        ASSERT_FALSE(is_fault && test.is_apart_from(g)) << f << " and " << g;
+        const bool shares = std::ranges::any_of(mesh.triangles[f], [&](std::uint32_t v) {
+          return std::ranges::count(mesh.triangles[g], v) > 0;
+        });
+        apart += test.is_apart_from(g) ? 1 : 0;
+        neighbours += shares && test.is_apart_from(g) ? 1 : 0;
+        faults += is_fault ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(apart, 100000);
+  EXPECT_GT(neighbours, 5000) << "those with points in common too";
+  EXPECT_GT(faults, 50);
+}
+
 TEST(Faults, of_marked_faces_are_all_found) {
   std::size_t found = 0;
   for (std::uint32_t seed = 0; seed < 8; ++seed) {

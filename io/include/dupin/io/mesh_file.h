@@ -9,6 +9,7 @@
 #include "dupin/io/mesh_header.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/mesh.h"
+#include "dupin/kernel/progress.h"
 #include "dupin/kernel/rounding.h"
 
 namespace dupin {
@@ -52,9 +53,11 @@ void write_mesh(const std::filesystem::path& path, const TriMesh& mesh);
 
 /// Like `write_mesh`, but before the file takes its place it is read back from disk, must give the
 /// same triangles, and must be a solid by `check` on the numbers read. Returns that check's report;
-/// throws Error{unroundable} with the first findings, leaving the old file, otherwise.
+/// throws Error{unroundable} with the first findings, leaving the old file, otherwise. Tells the
+/// stages "write" and "verify", and throws Error{cancelled}.
 Report write_verified(const std::filesystem::path& path, const TriMesh& mesh,
-                      const MeshFormat& format, const MeshHeader& header = {});
+                      const MeshFormat& format, const MeshHeader& header = {},
+                      const Progress& progress = {});
 /// The same, in the format that the path's extension names.
 Report write_verified(const std::filesystem::path& path, const TriMesh& mesh);
 

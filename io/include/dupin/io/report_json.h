@@ -20,6 +20,7 @@
 #include "dupin/kernel/repair.h"
 #include "dupin/kernel/rounding.h"
 #include "dupin/kernel/solid.h"
+#include "dupin/kernel/stage_clock.h"
 
 namespace dupin {
 
@@ -60,6 +61,7 @@ struct OutputReport {
   std::vector<FileRepair> repairs = {};  ///< of operands that needed some
   std::optional<PlacementReport> placement = std::nullopt;
   std::optional<CrossCheck> cross_check = std::nullopt;  ///< of the exact result, before rounding
+  std::vector<StageTime> timing = {};  ///< where it was asked for: never the same twice
 
   /// Whether the cross-check disagrees. That the other engine failed is no finding about ours.
   [[nodiscard]] std::size_t findings() const {

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <string_view>
+
+#include "dupin/kernel/error.h"
 
 namespace dupin {
 
@@ -9,5 +12,12 @@ namespace dupin {
 /// return false to cancel (the operation then throws Error{cancelled}). Always called from the
 /// thread that started the operation.
 using Progress = std::function<bool(std::string_view stage, double fraction)>;
+
+/// Tells, if there is anyone to be told, that a stage begins. Throws Error{cancelled}.
+inline void tell(const Progress& progress, std::string_view stage) {
+  if (progress && !progress(stage, 0)) {
+    throw Error(Errc::cancelled, "cancelled at the stage '" + std::string(stage) + "'");
+  }
+}
 
 }  // namespace dupin

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "arrangement/limits.h"
 #include "dupin/kernel/error.h"
+#include "support/operation_limits.h"
 
-namespace dupin::arrangement {
+namespace dupin::support {
 namespace {
 
 // The message of Error{limit_exceeded}; empty if nothing is thrown.
@@ -60,4 +60,4 @@ TEST(Limits, are_told_in_numbers) {
 }
 
 }  // namespace
-}  // namespace dupin::arrangement
+}  // namespace dupin::support

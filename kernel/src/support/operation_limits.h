@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace dupin::arrangement {
+namespace dupin::support {
 
 /// The other half of the index space is for the points of one face before they are numbered.
 inline constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 31;
@@ -16,4 +16,4 @@ void refuse_too_many(std::uint64_t points, std::uint64_t triangles);
 /// memory.
 void refuse_too_large(std::uint64_t triangles, std::uint64_t intersections, std::uint64_t limit);
 
-}  // namespace dupin::arrangement
+}  // namespace dupin::support

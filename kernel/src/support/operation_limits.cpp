@@ -1,4 +1,4 @@
-#include "arrangement/limits.h"
+#include "support/operation_limits.h"
 
 #include <string>
 
@@ -6,7 +6,7 @@
 
 #include "dupin/kernel/error.h"
 
-namespace dupin::arrangement {
+namespace dupin::support {
 namespace {
 
 // Rounded up from the peaks that boolean_bench reports, operands not counted: untouched triangles
@@ -47,4 +47,4 @@ void refuse_too_large(std::uint64_t triangles, std::uint64_t intersections, std:
   }
 }
 
-}  // namespace dupin::arrangement
+}  // namespace dupin::support
