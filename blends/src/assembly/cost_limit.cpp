@@ -130,7 +130,7 @@ std::string what_is_asked_for(const Assembly& assembly, const Estimate& estimate
   const auto shared = [](double all, double own) {
     return own < 0.9 * all ? ", " + count_text(own) + " of them for this part alone" : "";
   };
-  if (estimate.all.triangles > limit.triangles) {
+  if (estimate.all.triangles / limit.triangles > estimate.all.pairs / limit.pairs) {
     return text + "about " + count_text(estimate.all.triangles) + " triangles" +
            shared(estimate.all.triangles, estimate.worst.triangles) + "; the limit is " +
            count_text(limit.triangles);

@@ -8,7 +8,7 @@
 namespace dupin::assembly {
 
 /// Pairs of triangles side by side that may be compared, for each triangle allowed.
-constexpr double kPairsPerTriangle = 100;
+constexpr double kPairsPerTriangle = 10;
 
 /// Throws Error{limit_exceeded} if the meshes of all parts together would have more than about
 /// `most` triangles, or kPairsPerTriangle times as many pairs of them that lie side by side. The
