@@ -24,6 +24,7 @@ struct BuildArguments {
   std::string file, connect, contacts, cross_check;
   OutputArguments output;
   std::uint32_t segments = 0;
+  std::size_t most_triangles = kUsualTriangles;
   RoundingArguments rounding;
 };
 
@@ -91,6 +92,7 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
   if (arguments.segments > 0) {
     options.segments = arguments.segments;
   }
+  options.most_triangles = arguments.most_triangles;
   options.connect = length_in(assembly.unit, arguments.connect, assembly.tolerance);
   options.contacts =
       contact_choice(arguments.contacts, std::string(symbol(assembly.unit))).policy();
@@ -142,6 +144,7 @@ void add_build(CLI::App& app, Action& action) {
   command->add_option("--segments", arguments->segments, "Fixed number of segments of every ring")
       ->type_name("NUMBER")
       ->check(CLI::Range(3, 65536));
+  add_triangles_option(*command, arguments->most_triangles);
   add_connect_option(*command, arguments->connect);
   add_contacts_option(*command, arguments->contacts);
   add_cross_check_option(*command, arguments->cross_check);

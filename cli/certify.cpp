@@ -8,6 +8,7 @@
 #include <CLI/App.hpp>
 
 #include "commands.h"
+#include "document.h"
 #include "dupin/blends/verify_certificate.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/certificate_json.h"
@@ -23,6 +24,7 @@ namespace {
 struct CertifyArguments {
   std::string file, output;
   std::optional<double> margin;
+  std::size_t most_triangles = kUsualTriangles;
 };
 
 std::string named(const Certificate& certificate, const ClearanceClaim& claim) {
@@ -41,7 +43,10 @@ void print_findings(std::ostream& out, const Certificate& certificate) {
     if (claims.regular && claims.embedded) {
       print(certificate.parts[i].name, "margin above " + number(claims.regular->margin),
             claims.regular->verdict);
-      print(certificate.parts[i].name, "embedded", claims.embedded->verdict);
+      const auto& overlap = claims.embedded->overlap;
+      print(certificate.parts[i].name,
+            overlap ? "embedded, crosses itself at " + place_text(overlap->point) : "embedded",
+            claims.embedded->verdict);
     }
     print(certificate.parts[i].name, "mesh error",
           claims.mesh ? Verdict::proved : Verdict::undecided);
@@ -105,7 +110,8 @@ ExitCode run_certify(const CertifyArguments& arguments, const CommonOptions& com
   const Input input = read_input(arguments.file);
   Assembly assembly = parse_assembly(input.bytes, input.name);
   assembly.tolerance = length_in(assembly.unit, common.tolerance, assembly.tolerance);
-  Certificate certificate = certify(assembly, {.margin = arguments.margin});
+  Certificate certificate =
+      certify(assembly, {.margin = arguments.margin, .most_triangles = arguments.most_triangles});
   certificate.document_sha256 = sha256(input.bytes);
   write_text(arguments.output, certificate_json(certificate));
   print_summary(report_stream(arguments.output), certificate, common);
@@ -143,6 +149,7 @@ void add_certify(CLI::App& app, Action& action) {
       ->add_option("--margin", arguments->margin,
                    "Prove 1 - kappa R > NUMBER, instead of nearly the largest that holds")
       ->type_name("NUMBER");
+  add_triangles_option(*command, arguments->most_triangles);
   command->footer(
       "Exit code 1 means that a claim is refuted or undecided.\n\n"
       "Examples:\n"

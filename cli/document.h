@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "dupin/blends/assembly.h"
@@ -16,6 +17,9 @@ namespace dupin::cli {
 
 /// Adds --connect.
 void add_connect_option(CLI::App& command, std::string& connect);
+
+/// Adds --triangles.
+void add_triangles_option(CLI::App& command, std::size_t& most_triangles);
 
 /// Pairs and measures all ends of the parts. `connect` is a length as typed; empty stands for the
 /// document's tolerance.

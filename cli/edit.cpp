@@ -77,11 +77,13 @@ std::vector<PeArc> pieces(const Assembly& assembly, std::uint32_t part) {
   return cyclide_pieces(found->shape);
 }
 
-double at_places(double value) {
-  const std::string text = decimal(value, kPlaceDigits);
-  double result = 0;
-  std::from_chars(text.data(), text.data() + text.size(), result);
-  return result;
+double at_places(double value) { return rounded(value, kPlaceDigits); }
+
+/// "4=1.1,2.5,0.2,0.8".
+std::string sphere_text(std::size_t sphere, const PeVector& at) {
+  const auto text = [](double value) { return decimal(value, kPlaceDigits); };
+  return std::to_string(sphere) + "=" + text(at.m.x()) + "," + text(at.m.y()) + "," +
+         text(at.m.z()) + "," + text(at.r);
 }
 
 /// What was asked for, and how to go a share of the way there.
@@ -121,14 +123,10 @@ class Edit {
 
   /// "--move 4=1.1,2.5,0.2,0.8".
   [[nodiscard]] std::string option_at(double share) const {
-    const std::string sphere = std::to_string(sphere_) + "=";
-    const auto text = [](double value) { return decimal(value, kPlaceDigits); };
     if (arguments_.move.empty()) {
-      return "--twist " + sphere + text(share * degrees_);
+      return "--twist " + std::to_string(sphere_) + "=" + decimal(share * degrees_, kPlaceDigits);
     }
-    const PeVector at = place(share);
-    return "--move " + sphere + text(at.m.x()) + "," + text(at.m.y()) + "," + text(at.m.z()) + "," +
-           text(at.r);
+    return "--move " + sphere_text(sphere_, place(share));
   }
 
   [[nodiscard]] bool is_sound(double share, bool build_all) const {
@@ -233,6 +231,16 @@ EditReport compared(const Assembly& before, const Assembly& after, std::uint32_t
   return report;
 }
 
+std::string turned_text(const TurnedPiece& turned) {
+  std::string text = "piece " + std::to_string(turned.piece) + " turns away from sphere " +
+                     std::to_string(turned.bias_sphere) + ", which asks for the other segment";
+  if (!turned.remedy) {
+    return text + "; no move of its junctions was found that leads there";
+  }
+  return text + "; --move " + sphere_text(turned.remedy->first, turned.remedy->second) +
+         " would lead there";
+}
+
 void print_edit(std::ostream& out, const EditReport& report) {
   print_row(out, "part", report.part);
   std::string changed;
@@ -244,6 +252,9 @@ void print_edit(std::ostream& out, const EditReport& report) {
   for (const auto& [sphere, value] : report.spheres) {
     print_row(out, "sphere " + std::to_string(sphere),
               place_text(value.m) + ", radius " + number(value.r));
+  }
+  for (const TurnedPiece& turned : report.turned) {
+    print_row(out, "warning", turned_text(turned));
   }
   print_row(out, "written", report.file);
 }
@@ -288,7 +299,9 @@ ExitCode run_edit(const EditArguments& arguments, const CommonOptions& common) {
     check_edit(parse_assembly(written, input.name), part, arguments.margin);
     return written;
   });
-  EditReport report = compared(before, parse_assembly(text, input.name), part);
+  const Assembly after = parse_assembly(text, input.name);
+  EditReport report = compared(before, after, part);
+  report.turned = turned_pieces(after, part, arguments.margin);
   report.file = arguments.output;
   write_text(arguments.output, text);
   std::ostream& out = report_stream(arguments.output);

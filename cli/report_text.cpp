@@ -72,6 +72,14 @@ std::string rounding_text(const RoundingReport& rounding, std::string_view unit)
          powered(rounding.largest_move, unit, "");
 }
 
+std::string thin_shells_text(const std::vector<ThinShell>& shells, std::string_view unit) {
+  const ThinShell& first = shells.front();
+  const std::size_t others = shells.size() - 1;
+  return "rounding moves points by up to " + powered(first.move, unit, "") +
+         ", more than the shell there is thick, " + powered(first.thickness, unit, "") + ", at " +
+         place_text(first.place) + (others > 0 ? ", and in " + counted(others, "other shell") : "");
+}
+
 void print_contacts(std::ostream& out, const std::vector<Contact>& contacts) {
   for (const Contact& contact : contacts) {
     out << "  " << (contact.kind == Contact::Kind::vertex ? "point " : "edge ")
@@ -180,6 +188,9 @@ void print_output(std::ostream& out, const OutputReport& report, std::string_vie
   if (!snapped.empty()) {
     print_row(out, "snapped",
               counted(snapped.size(), "time") + ", first at " + place_text(snapped.front()));
+  }
+  if (!report.rounding.thin_shells.empty()) {
+    print_row(out, "warning", thin_shells_text(report.rounding.thin_shells, unit));
   }
   if (report.rounding.origin != Vec3::Zero()) {
     print_row(out, "origin", place_text(report.rounding.origin));

@@ -2,10 +2,10 @@
 
 #include <charconv>
 #include <cmath>
-#include <sstream>
 
 #include <CLI/App.hpp>
 
+#include "dupin/kernel/decimal.h"
 #include "exit_code.h"
 #include "length.h"
 
@@ -47,11 +47,8 @@ double grid_of(const std::string& text, const std::string& unit) {
   const double grid = mesh_length(text, 0, unit);
   int exponent = 0;
   if (grid != 0 && std::frexp(grid, &exponent) != 0.5) {
-    std::ostringstream message;
-    message.precision(17);
-    message << "the grid must be a power of two, such as " << std::exp2(std::ilogb(grid))
-            << ", not '" << text << "'";
-    throw UsageError(message.str());
+    throw UsageError("the grid must be a power of two, such as " +
+                     decimal(std::exp2(std::ilogb(grid))) + ", not '" + text + "'");
   }
   return grid;
 }

@@ -72,5 +72,20 @@ TEST_F(Certify, a_claim_that_is_too_bold_is_a_finding) {
   EXPECT_EQ(dupin({"verify", "-", "-q"}, result.out).exit_code, 1);
 }
 
+TEST_F(Certify, says_where_a_part_is_proved_to_cross_itself) {
+  std::string through;
+  for (const char* point :
+       {"0,0,0", "10,10,0", "20,0,0", "10,-10,0", "0,0.3,0", "-10,10,0", "-20,0,0", "-10,-10,0"}) {
+    through +=
+        std::string(through.empty() ? "" : ", ") + R"({"point": [)" + point + R"(], "radius": 1})";
+  }
+  folder_.write("eight.json", R"({"units": "mm", "tolerance": 0.05, "parts": [{"name": "eight",
+      "spline": {"closed": true, "through": [)" +
+                                  through + "]}}]}");
+  const ProcessResult result = dupin({"certify", "eight.json", "-o", "eight.cert.json"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("refuted: eight: embedded, crosses itself at (0."));
+}
+
 }  // namespace
 }  // namespace dupin::test

@@ -118,7 +118,8 @@ TEST_F(Edit, edits_the_chain_that_is_named) {
       json({"edit", "two.json", "--part", "b", "--move", "2=4,9.5,0,1", "-o", "new.json"}, 0);
   EXPECT_EQ(report, nlohmann::json::parse(
                         R"({"file": "new.json", "part": "b", "pieces": 1, "changed": [0],
-                            "spheres": [{"sphere": 2, "value": [4.0, 9.5, 0.0, 1.0]}]})"));
+                            "spheres": [{"sphere": 2, "value": [4.0, 9.5, 0.0, 1.0]}],
+                            "turned": []})"));
 }
 
 TEST_F(Edit, says_how_far_a_sphere_can_go) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "assembly/cost_limit.h"
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
 #include "assembly/parts/part_kind.h"
@@ -12,7 +13,6 @@
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
-#include "tessellation/tessellation_tolerance.h"
 
 namespace dupin {
 namespace {
@@ -47,6 +47,7 @@ class Builder {
     built_.ports = ports(resolved_);
     built_.gaps = pair_ends(built_.ports, options_.connect);
     const auto runs = assembly::welded_runs(resolved_);
+    assembly::refuse_too_costly(assembly_, resolved_, runs, built_.grid, options_.most_triangles);
     for (std::size_t i = 0; i < runs.size(); ++i) {
       report("weld", double(i) / double(runs.size()));
       append_solids(runs[i].parts, tessellated(runs[i], i));
@@ -96,8 +97,6 @@ class Builder {
       entry.segments = chosen.segments;
       entry.bands = result.bands;
       entry.triangles = result.mesh.triangles.size();
-      triangles_ += entry.triangles;
-      tessellation::refuse_too_fine(triangles_);
       entry.smallest_angle = smallest_angle(result.mesh);
       tubes_[index] = std::move(result.mesh);
     }
@@ -151,7 +150,6 @@ class Builder {
   const BuildOptions& options_;
   ResolvedAssembly resolved_;
   std::vector<TriMesh> tubes_;  // by part
-  std::size_t triangles_ = 0;   // of them all
   std::vector<Solid> solids_;
   Built built_;
 };

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "assembly/cost_limit.h"
 #include "assembly/welded_runs.h"
 #include "certification/checked_claims.h"
 #include "certification/prove_regular.h"
@@ -99,6 +100,7 @@ class Certifier {
   void append_meshes() {
     const double grid = assembly::lattice_spacing(assembly_, resolved_);
     const auto runs = assembly::welded_runs(resolved_);
+    assembly::refuse_too_costly(assembly_, resolved_, runs, grid, options_.most_triangles);
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const RingSampling sampling = assembly::run_sampling(assembly_, resolved_, runs[i], i, grid);
       for (const auto part : runs[i].parts) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "numbers/bezier.h"
 #include "numbers/quaternion.h"
@@ -37,8 +38,8 @@ SpineBounds assembled(const numbers::IntervalVec& first, const numbers::Interval
   const numbers::Interval speed = numbers::norm(first);
   if (!(speed.lower > 0)) {
     throw Error(Errc::irregular_surface,
-                "the spine stops, or nearly so, between t = " + std::to_string(t.lower) + " and " +
-                    std::to_string(t.upper));
+                "the spine stops, or nearly so, between t = " + decimal(t.lower, kMessageDigits) +
+                    " and " + decimal(t.upper, kMessageDigits));
   }
   const numbers::Interval acceleration = numbers::dot(first, second) / speed;
   const numbers::IntervalVec change = numbers::Interval(1) / speed * third_across +

@@ -43,14 +43,14 @@ double point_error(const std::vector<PeArc>& arcs, double grid) {
 }
 
 // Knots are fractions of the pieces' tangential lengths.
-std::vector<tessellation::Bands> bands(const std::vector<PeArc>& arcs, double allowed,
-                                       std::uint32_t segments) {
+std::vector<tessellation::BandStepper> marches_of(const std::vector<PeArc>& arcs,
+                                                  std::uint32_t segments) {
   std::vector<tessellation::BandStepper> marches;
   marches.reserve(arcs.size());
   for (const PeArc& arc : arcs) {
     marches.push_back(tessellation::march_of(arc, 2 * std::numbers::pi / segments));
   }
-  return tessellation::even_bands(marches, allowed, largest_radius(arcs), segments);
+  return marches;
 }
 
 // The rows between the end rings. `first` is the direction of the start polygon's first corner,
@@ -83,12 +83,22 @@ std::uint32_t segments_for(std::span<const CyclidePiece> run, double tolerance, 
                                      std::sqrt(largest_radius(arcs) / (2 * allowed)));
 }
 
+double expected_bands(const CyclidePiece& piece, const RingSampling& sampling, double tolerance) {
+  const std::vector<PeArc> arcs{arc_of(piece)};
+  return tessellation::expected_bands(
+      marches_of(arcs, sampling.segments),
+      tessellation::allowed_error(tolerance, point_error(arcs, sampling.grid)),
+      largest_radius(arcs), sampling.segments);
+}
+
 Tessellation tessellate(std::span<const CyclidePiece> run, const RingSampling& sampling,
                         const TessellationOptions& options) {
   const auto arcs = arcs_of(run);
   const double displacement = point_error(arcs, sampling.grid);
   const auto along =
-      bands(arcs, tessellation::allowed_error(options.tolerance, displacement), sampling.segments);
+      tessellation::even_bands(marches_of(arcs, sampling.segments),
+                               tessellation::allowed_error(options.tolerance, displacement),
+                               largest_radius(arcs), sampling.segments);
   Vec3 first = tessellation::first_direction(flipped(run.front().start), sampling);
   const std::vector<Row> inner = inner_rows(arcs, along, first);
   Tessellation result{

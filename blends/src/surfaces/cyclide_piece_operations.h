@@ -13,6 +13,8 @@ namespace dupin::surfaces {
 [[nodiscard]] PieceExtent extent(const CyclidePiece& piece, double wall);
 [[nodiscard]] MovingRing leaving(const CyclidePiece& piece, End end);
 [[nodiscard]] std::uint32_t segments_for(const CyclidePiece& piece, double tolerance, double grid);
+[[nodiscard]] double expected_bands(const CyclidePiece& piece, const RingSampling& sampling,
+                                    double tolerance);
 [[nodiscard]] Tessellation tessellate(const CyclidePiece& piece, const RingSampling& sampling,
                                       const TessellationOptions& options);
 [[nodiscard]] PieceDiscs discs(const CyclidePiece& piece);

@@ -57,6 +57,14 @@ Carrier carrier(const EllipticTube& tube, const std::vector<ringed::BandBounds>&
   return {steps, lost / steps};
 }
 
+std::vector<ringed::BandBounds> cells_of(const EllipticTube& tube, std::uint32_t count = kCells) {
+  std::vector<ringed::BandBounds> cells;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    cells.push_back(ringed::band_bounds(tube, double(i) / count, double(i + 1) / count));
+  }
+  return cells;
+}
+
 std::vector<Vec3> carried_along(const EllipticTube& tube, const std::vector<double>& knots,
                                 double steps) {
   Vec3 tangent = evaluate(tube.spine, 0).first.normalized();
@@ -125,6 +133,18 @@ std::uint32_t segments_for(const EllipticTube& tube, double tolerance, double gr
   return tessellation::segment_count(2 * std::numbers::pi * std::sqrt(radius / (2 * allowed)));
 }
 
+double expected_bands(const EllipticTube& tube, const RingSampling& sampling, double tolerance) {
+  if (is_straight(tube)) {
+    return 1;
+  }
+  auto cells = tessellation::coarse_if_it_tells(
+      [&](std::uint32_t count) { return cells_of(tube, count); }, kCells);
+  return tessellation::expected_bands(
+      {{std::move(cells), 2 * std::numbers::pi / sampling.segments}},
+      tessellation::allowed_error(tolerance, tessellation::point_error(tube, sampling.grid)),
+      largest_radius(tube), sampling.segments);
+}
+
 Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
                         const TessellationOptions& options) {
   const double displacement = tessellation::point_error(tube, sampling.grid);
@@ -135,10 +155,7 @@ Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
             tessellation::sagitta(largest_radius(tube), sampling.segments) + displacement,
             {0, 1}};
   }
-  std::vector<ringed::BandBounds> cells;
-  for (std::uint32_t i = 0; i < kCells; ++i) {
-    cells.push_back(ringed::band_bounds(tube, double(i) / kCells, double(i + 1) / kCells));
-  }
+  std::vector<ringed::BandBounds> cells = cells_of(tube);
   const Carrier frames = carrier(tube, cells, options.tolerance);
   const double misplaced = 2 * frames.drift * largest_radius(tube);
   const double around = 2 * std::numbers::pi / sampling.segments;

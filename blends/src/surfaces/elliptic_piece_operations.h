@@ -12,6 +12,8 @@ namespace dupin::surfaces {
 [[nodiscard]] PieceExtent extent(const EllipticTube& piece, double wall);
 [[nodiscard]] MovingRing leaving(const EllipticTube& piece, End end);
 [[nodiscard]] std::uint32_t segments_for(const EllipticTube& piece, double tolerance, double grid);
+[[nodiscard]] double expected_bands(const EllipticTube& piece, const RingSampling& sampling,
+                                    double tolerance);
 [[nodiscard]] Tessellation tessellate(const EllipticTube& piece, const RingSampling& sampling,
                                       const TessellationOptions& options);
 [[nodiscard]] PieceDiscs discs(const EllipticTube& piece);

@@ -217,7 +217,7 @@ class Mesher {
     result_.error_bound =
         std::max(result_.error_bound, march.error_bound(rows, along.twist() / double(bands)));
     result_.bands += std::uint32_t(bands);
-    refuse_too_fine(2 * std::size_t{sampling_.segments} * result_.bands);
+    refuse_too_fine(2. * sampling_.segments * result_.bands);
 
     TriMesh& mesh = result_.mesh;
     const std::uint32_t n = sampling_.segments;
@@ -325,6 +325,17 @@ std::uint32_t kneecap_chain_segments(const std::vector<PeArc>& arcs, double tole
                                      double grid) {
   const double allowed = allowed_error(tolerance, point_error(arcs, grid));
   return segments_of(arcs, (1 - kNegligible) * allowed);
+}
+
+double expected_kneecap_rows(const std::vector<PeArc>& arcs, const RingSampling& sampling,
+                             double tolerance) {
+  const double allowed = allowed_error(tolerance, point_error(arcs, sampling.grid));
+  double sum = 0;
+  for (std::size_t i = 1; i < arcs.size(); ++i) {
+    sum += tessellation::expected_rows(
+        joint(arcs[i - 1], arcs[i], kNegligible * allowed, sampling.grid), sampling.segments);
+  }
+  return sum;
 }
 
 Tessellation kneecap_chain_mesh(const Ring& start, const Ring& end, const std::vector<PeArc>& arcs,

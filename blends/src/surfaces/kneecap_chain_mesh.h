@@ -12,6 +12,9 @@ namespace dupin::surfaces {
 /// the rings stored at their ends.
 [[nodiscard]] std::uint32_t kneecap_chain_segments(const std::vector<PeArc>& arcs, double tolerance,
                                                    double grid);
+/// About how many rows of triangles the joints' kneecaps have.
+[[nodiscard]] double expected_kneecap_rows(const std::vector<PeArc>& arcs,
+                                           const RingSampling& sampling, double tolerance);
 [[nodiscard]] Tessellation kneecap_chain_mesh(const Ring& start, const Ring& end,
                                               const std::vector<PeArc>& arcs,
                                               const RingSampling& sampling,

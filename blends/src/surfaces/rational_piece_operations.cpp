@@ -35,6 +35,15 @@ tessellation::Row row_at(const RationalRingedSurface& surface, double t) {
           evaluate(surface, t, std::numbers::pi / 2).position - center};
 }
 
+tessellation::BandStepper march_of(const RationalRingedSurface& surface, std::uint32_t segments,
+                                   std::uint32_t count = kCells) {
+  std::vector<ringed::BandBounds> cells;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    cells.push_back(ringed::band_bounds(surface, double(i) / count, double(i + 1) / count));
+  }
+  return {std::move(cells), 2 * std::numbers::pi / segments};
+}
+
 }  // namespace
 
 namespace surfaces {
@@ -45,16 +54,21 @@ std::uint32_t segments_for(const RationalRingedTube& tube, double tolerance, dou
                                      std::sqrt(largest_radius(tube.surface) / (2 * allowed)));
 }
 
+double expected_bands(const RationalRingedTube& tube, const RingSampling& sampling,
+                      double tolerance) {
+  const auto march = tessellation::coarse_if_it_tells(
+      [&](std::uint32_t count) { return march_of(tube.surface, sampling.segments, count); },
+      kCells);
+  return tessellation::expected_bands(
+      {march}, tessellation::allowed_error(tolerance, point_error(tube.surface, sampling.grid)),
+      largest_radius(tube.surface), sampling.segments);
+}
+
 Tessellation tessellate(const RationalRingedTube& tube, const RingSampling& sampling,
                         const TessellationOptions& options) {
   const double displacement = point_error(tube.surface, sampling.grid);
-  std::vector<ringed::BandBounds> cells;
-  for (std::uint32_t i = 0; i < kCells; ++i) {
-    cells.push_back(ringed::band_bounds(tube.surface, double(i) / kCells, double(i + 1) / kCells));
-  }
-  const double around = 2 * std::numbers::pi / sampling.segments;
   const auto bands =
-      tessellation::even_bands({{std::move(cells), around}},
+      tessellation::even_bands({march_of(tube.surface, sampling.segments)},
                                tessellation::allowed_error(options.tolerance, displacement),
                                largest_radius(tube.surface), sampling.segments)
           .front();

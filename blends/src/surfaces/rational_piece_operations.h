@@ -12,6 +12,8 @@ namespace dupin::surfaces {
 [[nodiscard]] MovingRing leaving(const RationalRingedTube& piece, End end);
 [[nodiscard]] std::uint32_t segments_for(const RationalRingedTube& piece, double tolerance,
                                          double grid);
+[[nodiscard]] double expected_bands(const RationalRingedTube& piece, const RingSampling& sampling,
+                                    double tolerance);
 [[nodiscard]] Tessellation tessellate(const RationalRingedTube& piece, const RingSampling& sampling,
                                       const TessellationOptions& options);
 [[nodiscard]] PieceDiscs discs(const RationalRingedTube& piece);

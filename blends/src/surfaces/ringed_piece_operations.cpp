@@ -36,8 +36,9 @@ bool is_uniform(const RingedSurface& surface) {
          std::holds_alternative<ConstantRadius>(surface.radius);
 }
 
-tessellation::BandStepper march_of(const RingedSurface& surface, double around) {
-  const std::uint32_t cells = is_uniform(surface) ? 1 : kCells;
+tessellation::BandStepper march_of(const RingedSurface& surface, double around,
+                                   std::uint32_t cells = kCells) {
+  cells = is_uniform(surface) ? 1 : cells;
   std::vector<ringed::BandBounds> bounds;
   bounds.reserve(cells);
   for (std::uint32_t i = 0; i < cells; ++i) {
@@ -88,6 +89,20 @@ std::uint32_t segments_for(const RingedSurface& surface, double tolerance, doubl
   }
   return tessellation::segment_count(std::numbers::pi /
                                      std::acos(1 - std::min(allowed / radius, 1.0)));
+}
+
+double expected_bands(const RingedSurface& surface, const RingSampling& sampling,
+                      double tolerance) {
+  if (is_straight(surface)) {
+    return 1;
+  }
+  const double around = 2 * std::numbers::pi / sampling.segments;
+  const auto march = tessellation::coarse_if_it_tells(
+      [&](std::uint32_t cells) { return march_of(surface, around, cells); }, kCells);
+  return tessellation::expected_bands(
+      {march},
+      tessellation::allowed_error(tolerance, tessellation::point_error(surface, sampling.grid)),
+      largest_radius(surface.radius), sampling.segments);
 }
 
 Tessellation tessellate(const RingedSurface& surface, const RingSampling& sampling,

@@ -11,6 +11,8 @@ namespace dupin::surfaces {
 [[nodiscard]] PieceExtent extent(const RingedSurface& piece, double wall);
 [[nodiscard]] MovingRing leaving(const RingedSurface& piece, End end);
 [[nodiscard]] std::uint32_t segments_for(const RingedSurface& piece, double tolerance, double grid);
+[[nodiscard]] double expected_bands(const RingedSurface& piece, const RingSampling& sampling,
+                                    double tolerance);
 [[nodiscard]] Tessellation tessellate(const RingedSurface& piece, const RingSampling& sampling,
                                       const TessellationOptions& options);
 [[nodiscard]] PieceDiscs discs(const RingedSurface& piece);

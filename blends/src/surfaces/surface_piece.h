@@ -27,6 +27,7 @@ concept SurfacePiece = requires(const P& piece, End end, double number,
   // How fine a mesh has to be, and the mesh: from the start's polygon to the end's, bitwise.
   { surfaces::extent(piece, number) } -> std::same_as<PieceExtent>;
   { surfaces::segments_for(piece, number, number) } -> std::same_as<std::uint32_t>;
+  { surfaces::expected_bands(piece, sampling, number) } -> std::same_as<double>;
   {
     surfaces::tessellate(piece, sampling, TessellationOptions{number})
     } -> std::same_as<Tessellation>;

@@ -43,7 +43,7 @@ std::uint32_t segments_for(const Sphere& sphere, double tolerance, double grid) 
 
 Tessellation tessellate(const Sphere& sphere, const RingSampling& sampling) {
   const std::uint32_t n = sampling.segments, bands = bands_for(n);
-  tessellation::refuse_too_fine(2 * std::size_t{n} * bands);
+  tessellation::refuse_too_fine(2. * n * bands);
   Tessellation result{
       {},
       bands,

@@ -49,6 +49,14 @@ struct BandStepper::Band {
     return dt * dt * second.along + 2 * dt * du * second.mixed + du * du * second.around;
   }
 
+  // The largest dt allowed, but for the shear, which fine bands have little of.
+  [[nodiscard]] double longest(double eight_errors_allowed) const {
+    const double left = eight_errors_allowed - around * around * second.around;
+    const double mixed = around * second.mixed;
+    return std::min(left / (mixed + std::sqrt(mixed * mixed + second.along * left)),
+                    kLargestTurn / turning);
+  }
+
   [[nodiscard]] bool allows(double dt, double eight_errors_allowed) const {
     return turning * dt <= kLargestTurn && eight_errors(dt) <= eight_errors_allowed;
   }
@@ -63,6 +71,16 @@ std::vector<double> BandStepper::knots(double eight_errors_allowed, double twist
     result.push_back(next(result.back(), eight_errors_allowed, twist));
   }
   return result;
+}
+
+double BandStepper::expected_bands(double eight_errors_allowed) const {
+  double sum = 0;
+  for (const auto& cell : cells_) {
+    Band band = start(0);
+    band.include(cell);
+    sum += 1 / (count() * band.longest(eight_errors_allowed));
+  }
+  return std::max(sum, 1.0);
 }
 
 double BandStepper::error_bound(const std::vector<double>& knots, double twist) const {

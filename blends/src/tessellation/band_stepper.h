@@ -24,6 +24,10 @@ class BandStepper {
   [[nodiscard]] std::vector<double> knots(double eight_errors_allowed, double twist,
                                           std::size_t limit) const;
 
+  /// About how many bands there would be without a twist: what each cell asks for, added up, as
+  /// cheap for any number of them.
+  [[nodiscard]] double expected_bands(double eight_errors_allowed) const;
+
   [[nodiscard]] double error_bound(const std::vector<double>& knots, double twist) const;
 
  private:

@@ -167,7 +167,19 @@ class Patch {
   Pencil pencil_;
 };
 
+// In steps as long as the segments of the larger circle.
+double wanted_rows(const JointCircles& joint, std::uint32_t segments) {
+  const double step = 2 * pi / segments * std::max(joint.before.radius, joint.after.radius);
+  return std::ceil(Pencil(joint).width() * joint.sphere.r / step);
+}
+
 }  // namespace
+
+double expected_rows(const JointCircles& joint, std::uint32_t segments) {
+  return joint.kind == JointKind::lune || joint.kind == JointKind::band
+             ? wanted_rows(joint, segments)
+             : 0;
+}
 
 double append_kneecap(TriMesh& mesh, const JointCircles& joint,
                       std::span<const std::uint32_t> before, std::span<const std::uint32_t> after,
@@ -177,9 +189,7 @@ double append_kneecap(TriMesh& mesh, const JointCircles& joint,
     from.push_back(from.front());
     to.push_back(to.front());
   }
-  const double step =
-      2 * pi / sampling.segments * std::max(joint.before.radius, joint.after.radius);
-  const double wanted = std::ceil(Pencil(joint).width() * joint.sphere.r / step);
+  const double wanted = wanted_rows(joint, sampling.segments);
   const std::size_t points = mesh.points.size(), triangles = mesh.triangles.size();
   // Where the rows of a band are unevenly far apart, twice as many.
   for (std::uint32_t rows = std::max(1U, std::uint32_t(wanted));; rows *= 2) {

@@ -14,6 +14,9 @@ struct KneecapSampling {
   double grid = 0;
 };
 
+/// About how many rows of triangles a kneecap has between its edges; 0 if there is none.
+[[nodiscard]] double expected_rows(const JointCircles& joint, std::uint32_t segments);
+
 /// Appends the kneecap of a lune or band between the edges `before` and `after` of the circles'
 /// polygons, as indices of the mesh's points: those of a lune share their ends, those of a band are
 /// closed and do not repeat the first point. Returns how far the triangles are from the sphere, but

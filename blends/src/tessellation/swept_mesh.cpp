@@ -54,17 +54,28 @@ Arrival arrival(const Ring& end, const RingSampling& sampling, const Vec3& carri
                 std::atan2(end.normal.dot(carried_first.cross(wanted)), carried_first.dot(wanted)));
 }
 
+double expected_bands(const std::vector<BandStepper>& marches, double allowed,
+                      double largest_radius, std::uint32_t segments) {
+  const BandBudget budget = band_budget(allowed, largest_radius, 2 * std::numbers::pi / segments);
+  double sum = 0;
+  for (const BandStepper& march : marches) {
+    sum += march.expected_bands(budget.enough);
+  }
+  return sum;
+}
+
 // First without a twist, to learn how many bands share it.
 std::vector<Bands> even_bands(const std::vector<BandStepper>& marches, double allowed,
                               double largest_radius, std::uint32_t segments) {
   constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
   const double around = 2 * std::numbers::pi / segments;
   const BandBudget budget = band_budget(allowed, largest_radius, around);
+  refuse_too_fine(2. * segments * expected_bands(marches, allowed, largest_radius, segments));
   std::size_t count = 0;
   for (const BandStepper& march : marches) {
     count += march.knots(budget.enough, 0, kNoLimit).size() - 1;
   }
-  refuse_too_fine(2 * std::size_t{segments} * count);  // before the search for the best of them
+  refuse_too_fine(2. * segments * double(count));  // before the search for the best of them
   const double twist = around / 2 / double(count);
   std::vector<Bands> result;
   for (const BandStepper& march : marches) {
@@ -108,7 +119,7 @@ TriMesh swept_mesh(const Ring& start, const Ring& end, std::vector<Row> rows,
 
 TriMesh first_row(const std::vector<Vec3>& points, std::size_t bands) {
   const std::size_t triangles = 2 * points.size() * bands;
-  refuse_too_fine(triangles);
+  refuse_too_fine(double(triangles));
   TriMesh mesh;
   mesh.points.reserve(points.size() * (bands + 1));
   mesh.points.insert(mesh.points.end(), points.begin(), points.end());

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/ring.h"
 #include "tessellation/band_stepper.h"
@@ -54,6 +55,21 @@ struct Bands {
   std::vector<double> knots;
   double error_bound = 0;
 };
+
+/// What `bounded` makes of an eighth of the cells, or of all where so long ones tell nothing: for
+/// estimates, which need not be sharp.
+template <class Bounded>
+[[nodiscard]] auto coarse_if_it_tells(const Bounded& bounded, std::uint32_t cells) {
+  try {
+    return bounded(cells / 8);
+  } catch (const Error&) {
+    return bounded(cells);
+  }
+}
+
+/// About how many bands even_bands() makes.
+[[nodiscard]] double expected_bands(const std::vector<BandStepper>& marches, double allowed,
+                                    double largest_radius, std::uint32_t segments);
 
 /// As few bands as keep to `allowed` along pieces that share a twist of at most half a segment.
 [[nodiscard]] std::vector<Bands> even_bands(const std::vector<BandStepper>& marches, double allowed,

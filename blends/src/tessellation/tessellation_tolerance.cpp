@@ -27,11 +27,17 @@ std::uint32_t segment_count(double wanted) {
   return std::max(kFewest, std::uint32_t(std::ceil(wanted)));
 }
 
-void refuse_too_fine(std::size_t triangles) {
-  constexpr std::size_t kMost = 50'000'000;
-  if (triangles > kMost) {
-    throw Error(Errc::limit_exceeded, "the tolerance asks for " + std::to_string(triangles) +
-                                          " triangles, more than " + std::to_string(kMost) +
+std::string count_text(double count) {
+  if (count < 1e6) {
+    return decimal(std::round(count), kMessageDigits);
+  }
+  return count < 1e9 ? decimal(count / 1e6, 3) + " million" : decimal(count, 3);
+}
+
+void refuse_too_fine(double triangles) {
+  if (!(triangles <= kMostTriangles)) {
+    throw Error(Errc::limit_exceeded, "the tolerance asks for about " + count_text(triangles) +
+                                          " triangles, more than " + count_text(kMostTriangles) +
                                           "; use a larger one, or smaller parts");
   }
 }

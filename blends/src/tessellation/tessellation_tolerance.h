@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "dupin/blends/elliptic_tube.h"
 #include "dupin/blends/ringed_surface.h"
@@ -57,8 +58,13 @@ double allowed_error(double tolerance, double displacement);
 /// Error{limit_exceeded} beyond a million.
 std::uint32_t segment_count(double wanted);
 
-/// Throws Error{limit_exceeded} for more than 50 million triangles: a build needs 400 bytes for
-/// each.
-void refuse_too_fine(std::size_t triangles);
+/// More triangles than these no part is made of: a build needs 400 bytes for each.
+constexpr double kMostTriangles = 50'000'000;
+
+/// "123456", "1.23 million", "1.23e+09".
+[[nodiscard]] std::string count_text(double count);
+
+/// Throws Error{limit_exceeded} for more than kMostTriangles.
+void refuse_too_fine(double triangles);
 
 }  // namespace dupin::tessellation

@@ -31,6 +31,14 @@ Json json_places(const std::vector<Vec3>& places) {
   return list;
 }
 
+Json json_shells(const std::vector<ThinShell>& shells) {
+  Json list = Json::array();
+  for (const auto& [place, thickness, move] : shells) {
+    list.push_back({{"place", json_value(place)}, {"thickness", thickness}, {"move", move}});
+  }
+  return list;
+}
+
 Json json_value(const RoundingReport& rounding) {
   return {{"coordinates", rounding.coordinates == Coordinates::binary64 ? "binary64" : "binary32"},
           {"origin", json_value(rounding.origin)},
@@ -42,7 +50,8 @@ Json json_value(const RoundingReport& rounding) {
           {"filled_slits", rounding.filled_places.size()},
           {"filled_places", json_places(rounding.filled_places)},
           {"slit_width", rounding.slit_width},
-          {"snapped_places", json_places(rounding.snapped_places)}};
+          {"snapped_places", json_places(rounding.snapped_places)},
+          {"thin_shells", json_shells(rounding.thin_shells)}};
 }
 
 Json json_value(const Contact& contact) {

@@ -41,17 +41,31 @@ std::string to_json(const Assembly& assembly) {
                      {"parts", parts}});
 }
 
+namespace {
+
+json::Json moved_sphere(std::size_t sphere, const PeVector& value) {
+  return {{"sphere", sphere}, {"value", {value.m.x(), value.m.y(), value.m.z(), value.r}}};
+}
+
+}  // namespace
+
 std::string to_json(const EditReport& report) {
-  json::Json spheres = json::Json::array();
+  json::Json spheres = json::Json::array(), turned = json::Json::array();
   for (const auto& [sphere, value] : report.spheres) {
-    spheres.push_back(
-        {{"sphere", sphere}, {"value", {value.m.x(), value.m.y(), value.m.z(), value.r}}});
+    spheres.push_back(moved_sphere(sphere, value));
+  }
+  for (const auto& [piece, bias_sphere, remedy] : report.turned) {
+    turned.push_back(
+        {{"piece", piece},
+         {"bias_sphere", bias_sphere},
+         {"remedy", remedy ? moved_sphere(remedy->first, remedy->second) : json::Json(nullptr)}});
   }
   return json::text({{"file", report.file},
                      {"part", report.part},
                      {"pieces", report.pieces},
                      {"changed", report.changed},
-                     {"spheres", spheres}});
+                     {"spheres", spheres},
+                     {"turned", turned}});
 }
 
 std::string to_json(const BuildReport& report) {

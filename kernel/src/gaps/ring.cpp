@@ -87,8 +87,8 @@ void validate(const Ring& ring) {
   // A normal that came from one normalisation is unit to 2 ulp; 1e-9 admits typed-in ones and turns
   // no point by more than that.
   if (std::abs(ring.normal.norm() - 1) > 1e-9) {
-    throw Error(Errc::invalid_argument,
-                "a ring's normal must have unit length, not " + std::to_string(ring.normal.norm()));
+    throw Error(Errc::invalid_argument, "a ring's normal must have unit length, not " +
+                                            decimal(ring.normal.norm(), kPlaceDigits));
   }
   if (ring.ellipse) {
     validate(*ring.ellipse, ring.normal);

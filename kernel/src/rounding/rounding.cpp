@@ -22,6 +22,7 @@
 #include "rounding/shell_check.h"
 #include "rounding/shell_orientation.h"
 #include "rounding/sliver_voids.h"
+#include "rounding/thin_shells.h"
 #include "support/bulk_vector.h"
 
 namespace dupin::rounding {
@@ -99,6 +100,19 @@ class Rounding {
   }
 
   [[nodiscard]] double tolerance() const { return tolerance_; }
+
+  /// What run() returns, and the shells to warn of.
+  Rounded run_with_warnings() {
+    Rounded result = run();
+    RoundingReport& report = result.report_;
+    const bool is_repaired = report.repair_reach > 0 || report.removed_triangles > 0 ||
+                             !report.filled_places.empty() || !report.snapped_places.empty();
+    const PointMoves moves{lattice_, report.origin, is_repaired ? report.largest_move : 0};
+    for (const auto& [place, thickness, move] : thin_shells(exact_, moves, report.largest_move)) {
+      report.thin_shells.push_back({place, thickness, move});
+    }
+    return result;
+  }
 
   Rounded run() {
     if (auto done = thickened()) {
@@ -550,14 +564,14 @@ std::string larger_tolerance_text(const mesh::ExactMesh& solid, Coordinates coor
     options.tolerance = tolerance;
     try {
       static_cast<void>(Rounding(solid, coordinates, options).run());
-      return " (" + decimal(tolerance) + " would do)";
+      return " (" + decimal_at_most(tolerance) + " would do)";
     } catch (const Error& error) {
       if (error.code() != Errc::unroundable) {
         throw;
       }
     }
   }
-  return " (" + decimal(tolerance) + " would not do)";
+  return " (" + decimal_at_least(tolerance) + " would not do)";
 }
 
 }  // namespace
@@ -570,7 +584,7 @@ Rounded to_mesh(const Solid& solid, Coordinates coordinates, const RoundingOptio
   rounding::validate(options);
   rounding::Rounding rounding(solid.exact(), coordinates, options);
   try {
-    return rounding.run();
+    return rounding.run_with_warnings();
   } catch (const Error& error) {
     if (error.code() != Errc::unroundable) {
       throw;

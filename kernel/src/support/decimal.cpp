@@ -34,6 +34,8 @@ std::string decimal(double value, int digits) {
   return text;
 }
 
+double rounded(double value, int digits) { return read(decimal(value, digits)); }
+
 // A unit of the last digit is from 1e-6 to 1e-5 of the number.
 std::string decimal_at_most(double value) {
   std::string text = decimal(value, kMessageDigits);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "support/shortened.h"
+
 namespace dupin {
 namespace {
 
@@ -9,12 +11,12 @@ std::string sentence(const std::string& message, const std::string& part,
                      const std::string& where) {
   std::string text;
   if (!where.empty()) {
-    text += where + ": ";
+    text += support::with_short_keys(where) + ": ";
   }
   if (!part.empty()) {
-    text += "'" + part + "': ";
+    text += "'" + support::shortened(part) + "': ";
   }
-  return text + message;
+  return text + support::with_short_quotes(message);
 }
 
 }  // namespace
@@ -58,7 +60,7 @@ std::string_view name(Errc code) {
 Error::Error(Errc code, const std::string& message, std::string part, std::string where)
     : std::runtime_error(sentence(message, part, where)),
       code_(code),
-      message_(message),
+      message_(support::with_short_quotes(message)),
       part_(std::move(part)),
       where_(std::move(where)) {}
 

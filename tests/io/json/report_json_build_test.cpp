@@ -60,9 +60,13 @@ TEST(ReportJson, of_an_edit_tells_pieces_and_spheres) {
   report.pieces = 3;
   report.changed = {0, 2};
   report.spheres = {{4, {{1, 2, 3}, 0.5}}};
+  report.turned = {{1, 3, std::pair(std::size_t{2}, PeVector{{4, 5, 6}, 0.25})}, {2, 5, {}}};
   EXPECT_EQ(json::parse(to_json(report)),
             json::parse(R"({"file": "new.json", "part": "hook", "pieces": 3, "changed": [0, 2],
-      "spheres": [{"sphere": 4, "value": [1, 2, 3, 0.5]}]})"));
+      "spheres": [{"sphere": 4, "value": [1, 2, 3, 0.5]}],
+      "turned": [{"piece": 1, "bias_sphere": 3,
+                  "remedy": {"sphere": 2, "value": [4, 5, 6, 0.25]}},
+                 {"piece": 2, "bias_sphere": 5, "remedy": null}]})"));
 }
 
 }  // namespace

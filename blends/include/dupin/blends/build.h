@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/tessellation.h"
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/cross_check.h"
 #include "dupin/kernel/gap.h"
@@ -19,6 +20,9 @@ struct BuildOptions {
   std::optional<double> tolerance;        ///< instead of the document's, in its unit
   std::optional<std::uint32_t> segments;  ///< instead of the document's
   double connect = 0;  ///< ends that face each other at most so far apart are measured as a pair
+  /// What the parts' meshes may have together, by an estimate made before they are; a build needs
+  /// 400 bytes for each. 50 million are the most for one part.
+  std::size_t most_triangles = kUsualTriangles;
   ContactPolicy contacts = ContactPolicy::report;
   std::optional<CrossCheckEngine> cross_check;  ///< to check the union of the pieces by
   Progress progress;                            ///< may be empty
@@ -62,7 +66,8 @@ struct Built {
 /// of every triangle, or the cap or "part.start" of an end disc.
 ///
 /// Throws Error{irregular_surface} for a blend that folds, Error{self_intersecting} for a part that
-/// crosses itself, and what `resolve`, `unite` throw; each names the part.
+/// crosses itself, Error{limit_exceeded} for more triangles than `most_triangles`, and what
+/// `resolve`, `unite` throw; each names the part.
 [[nodiscard]] Built build(const Assembly& assembly, const BuildOptions& options = {});
 
 }  // namespace dupin

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/tessellation.h"
 #include "dupin/blends/certificate.h"
 
 namespace dupin {
@@ -17,6 +18,8 @@ struct CertifyOptions {
   /// That all searches together may take, in units of a few microseconds; far pairs of parts are
   /// not counted. When it is used up, what is not found at the first look is undecided.
   std::uint64_t work = 1 << 20;
+  /// What the parts' meshes may have together, as in BuildOptions.
+  std::size_t most_triangles = kUsualTriangles;
 };
 
 /// Proves what it can about the smooth parts and their meshes, in exact rational or outward rounded

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "dupin/blends/assembly.h"
 
@@ -32,6 +34,20 @@ namespace dupin {
 /// for a chain with kneecaps.
 [[nodiscard]] CyclideChainThrough twist_chain(const Assembly& assembly, std::uint32_t part,
                                               std::size_t sphere, double angle);
+
+/// A piece of a chain that runs along the other segment of its arc than its bias sphere asks for:
+/// the tangent it starts with forces it.
+struct TurnedPiece {
+  std::size_t piece = 0, bias_sphere = 0;  ///< the latter as in CyclideChainThrough::spheres
+  /// Where to move which junction so that the piece turns to the bias sphere, coordinates of
+  /// kPlaceDigits; of those that were tried, leave the margin and build, the nearest. Sphere first.
+  std::optional<std::pair<std::size_t, PeVector>> remedy;
+};
+
+/// Those of a chain that resolves, with moves that were tried: of the junctions before and behind
+/// the piece, towards the bias sphere and past it. None of a chain with kneecaps.
+[[nodiscard]] std::vector<TurnedPiece> turned_pieces(const Assembly& assembly, std::uint32_t part,
+                                                     double margin);
 
 /// The least margin 1 - kappa R that edits leave, unless another is asked for: that of a
 /// cyclide_blend.

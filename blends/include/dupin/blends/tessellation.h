@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
 
 namespace dupin {
+
+/// What the meshes of a document may ask for unless more is allowed: seconds of work, two gigabytes.
+constexpr std::size_t kUsualTriangles = 4'000'000;
 
 struct TessellationOptions {
   /// Largest distance between the smooth surface and the mesh, both ways, in model units.

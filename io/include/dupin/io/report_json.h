@@ -9,6 +9,7 @@
 
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/build.h"
+#include "dupin/blends/edit_chain.h"
 #include "dupin/blends/unit.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/cross_check.h"
@@ -120,6 +121,7 @@ struct EditReport {
   std::size_t pieces = 0;
   std::vector<std::size_t> changed;  ///< pieces that differ by any bit
   std::vector<MovedSphere> spheres;
+  std::vector<TurnedPiece> turned;
 };
 
 /// A document that was put elsewhere.

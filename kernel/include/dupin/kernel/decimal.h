@@ -15,6 +15,9 @@ namespace dupin {
 /// `value` to 1 to 17 significant digits, without zeros at the end.
 [[nodiscard]] std::string decimal(double value, int digits);
 
+/// The number that its text of so many digits reads back as.
+[[nodiscard]] double rounded(double value, int digits);
+
 /// Significant digits of numbers in messages, and of coordinates, which have to tell the place in a
 /// plant: a hundredth of a millimetre at kilometres. What programs read has all digits.
 constexpr int kMessageDigits = 6, kPlaceDigits = 9;

@@ -30,7 +30,7 @@ enum class Errc {
 [[nodiscard]] std::string_view name(Errc code);
 
 /// The one exception type of the library. `what()` is a complete sentence for people: part, place,
-/// fault, remedy.
+/// fault, remedy. Of names and other texts of more than 60 bytes it quotes the beginning.
 class Error : public std::runtime_error {
  public:
   /// `part` names the part or operand at fault, `where` the place in it (file:line, JSON pointer,

@@ -31,6 +31,13 @@ struct RoundingOptions {
   Origin origin;
 };
 
+/// A shell that rounding moves by more than it is thick. Its thickness is twice its volume over its
+/// area: that of a plate, or of the wall of an open tube.
+struct ThinShell {
+  Vec3 place = Vec3::Zero();  ///< a point that moves so far
+  double thickness = 0, move = 0;
+};
+
 /// How the one rounding went.
 struct RoundingReport {
   Coordinates coordinates = Coordinates::binary64;
@@ -52,6 +59,9 @@ struct RoundingReport {
   /// Where, each time that repair came to no end, the surface still crossed itself. It was made the
   /// boundary of what it winds around, and rounded again; pieces may have joined or gone there.
   std::vector<Vec3> snapped_places;
+  /// What may not look like what was meant. `move` is a bound for the whole solid where anything
+  /// was repaired.
+  std::vector<ThinShell> thin_shells;
 };
 
 namespace rounding {

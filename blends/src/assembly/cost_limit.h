@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "assembly/welded_runs.h"
+
+namespace dupin::assembly {
+
+/// Pairs of triangles side by side that may be compared, for each triangle allowed.
+constexpr double kPairsPerTriangle = 10;
+
+/// Throws Error{limit_exceeded} if the meshes of all parts together would have more than about
+/// `most` triangles, or kPairsPerTriangle times as many pairs of them that lie side by side. The
+/// error names the part that asks for most, and the tolerance that would do. Costs a few
+/// evaluations per piece, whatever the meshes would.
+void refuse_too_costly(const Assembly& assembly, const ResolvedAssembly& resolved,
+                       std::span<const WeldedRun> runs, double grid, std::size_t most);
+
+}  // namespace dupin::assembly

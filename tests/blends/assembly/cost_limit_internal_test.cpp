@@ -1,0 +1,196 @@
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "assembly/cost_limit.h"
+#include "dupin/blends/build.h"
+#include "dupin/blends/certify.h"
+#include "dupin/io/assembly_json.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin::assembly {
+namespace {
+
+const std::string kPipe =
+    R"({"name": "p", "pipe": {"from": [0,0,0], "to": [10,0,0], "radius": 1}})";
+const std::string kFarPipe =
+    R"(, {"name": "q", "pipe": {"from": [1e5,3e4,0], "to": [1.2e5,3e4,100], "radius": 1e4}})";
+
+std::string elbow(const std::string& bend_radius) {
+  return kPipe + R"(, {"name": "e", "elbow": {"from": "p.end", "bend_radius": )" + bend_radius +
+         R"(, "toward": [0,1,0], "angle": 90}})";
+}
+
+std::string blend(const std::string& kind, const std::string& more = "") {
+  return kPipe + kFarPipe + R"(, {"name": "b", ")" + kind +
+         R"(": {"from": "p.end", "to": "q.start")" + more + "}}";
+}
+
+std::string sphere(const std::string& radius) {
+  return R"({"name": "s", "sphere": {"center": [0,0,0], "radius": )" + radius + "}}";
+}
+
+std::string cone(const std::string& to, const std::string& radii) {
+  return R"({"name": "c", "cone": {"from": [0,0,0], "to": )" + to + R"(, "radii": )" + radii + "}}";
+}
+
+std::string spheres(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    text += std::string(i == 0 ? "" : ", ") + R"({"name": "s)" + std::to_string(i) +
+            R"(", "sphere": {"center": [)" + std::to_string(3 * i) + R"(,0,0], "radius": 1}})";
+  }
+  return text;
+}
+
+struct Row {
+  const char* tolerance;
+  std::string parts;
+  bool is_refused;
+};
+
+const std::vector<Row>& rows() {
+  static const std::vector<Row> kRows{
+      {"1e-3", elbow("3"), false},
+      {"1e-5", elbow("3"), false},
+      {"1e-6", elbow("3"), true},
+      {"1e-7", elbow("3"), true},
+      {"1e-9", elbow("3"), true},
+      {"0.05", elbow("1e4"), false},
+      {"0.05", elbow("1e6"), false},
+      {"0.001", elbow("1e6"), true},
+      {"0.05", elbow("1e9"), false},
+      {"0.001", elbow("1e9"), true},
+      {"0.05", blend("ringed_blend"), false},
+      {"0.001", blend("ringed_blend"), true},
+      {"0.05", blend("cyclide_blend"), false},
+      {"0.01", blend("cyclide_blend"), true},
+      {"0.05", blend("cyclic_blend", R"(, "radius_law": "R2", "k": 1e5, "l": 1e5)"), false},
+      {"0.0001", blend("cyclic_blend", R"(, "radius_law": "R2", "k": 1e5, "l": 1e5)"), true},
+      {"1e-4", kPipe, false},
+      {"1e-7", kPipe, false},
+      {"1e-9", kPipe, true},
+      {"1e-5", sphere("1"), false},
+      {"1e-6", sphere("1"), true},
+      {"1e-8", sphere("1"), true},
+      {"0.01", sphere("1e4"), true},
+      {"1", sphere("1e6"), true},
+      {"1", cone("[1e6,0,0]", "[1,1e6]"), false},
+      {"0.001", cone("[1e6,0,0]", "[1,1e6]"), true},
+      {"0.001", cone("[1e6,1e6,1e6]", "[1e5,1e6]"), true},
+      {"5e-6", spheres(1), false},
+      {"5e-6", spheres(20), true},
+  };
+  return kRows;
+}
+
+Assembly document(const Row& row, const std::string& keys = "") {
+  return parse_assembly(R"({"units": "mm", )" + keys + R"("tolerance": )" + row.tolerance +
+                            R"(, "parts": [)" + row.parts + "]}",
+                        "d.json");
+}
+
+// Why a document is refused, or "".
+std::string refusal(const Assembly& assembly, std::size_t most = kUsualTriangles) {
+  const ResolvedAssembly resolved = resolve(assembly);
+  try {
+    refuse_too_costly(assembly, resolved, welded_runs(resolved),
+                      lattice_spacing(assembly, resolved), most);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::limit_exceeded);
+    EXPECT_THAT(error.what(), testing::HasSubstr("d.json#/parts/"));
+    return error.message();
+  }
+  return "";
+}
+
+// What all meshes together have.
+std::size_t triangles_of(const Assembly& assembly) {
+  const ResolvedAssembly resolved = resolve(assembly);
+  const double grid = lattice_spacing(assembly, resolved);
+  std::size_t count = 0;
+  for (const WeldedRun& run : welded_runs(resolved)) {
+    const RingSampling sampling = run_sampling(assembly, resolved, run, 0, grid);
+    EXPECT_LE(sampling.segments, 9000U);
+    for (const auto part : run.parts) {
+      count += tessellated(assembly, resolved.parts[part], sampling).mesh.triangles.size();
+    }
+  }
+  return count;
+}
+
+TEST(CostLimit, makes_or_refuses_extreme_documents_by_what_they_would_cost) {
+  for (const Row& row : rows()) {
+    const Assembly assembly = document(row);
+    EXPECT_EQ(refusal(assembly) != "", row.is_refused) << row.tolerance << ": " << row.parts;
+    if (!row.is_refused) {
+      EXPECT_LE(triangles_of(assembly), 1.1 * kUsualTriangles) << row.parts;
+    }
+  }
+}
+
+TEST(CostLimit, names_a_tolerance_that_would_do_and_is_not_much_larger_than_needed) {
+  const std::string before = "a tolerance of ";
+  for (const Row& row : rows()) {
+    Assembly assembly = document(row);
+    if (const std::string message = refusal(assembly); !message.empty()) {
+      assembly.tolerance = std::stod(message.substr(message.rfind(before) + before.size()));
+      EXPECT_EQ(refusal(assembly), "") << message;
+      assembly.tolerance /= 1.3;
+      EXPECT_NE(refusal(assembly), "") << message;
+    }
+  }
+}
+
+TEST(CostLimit, says_what_is_asked_for) {
+  const struct {
+    Row row;
+    std::string keys, message;
+  } table[]{
+      {{"1e-6", elbow("3"), true},
+       "",
+       "a tolerance of 1e-06 asks for about 15.2 million triangles; the limit is 4 million; a "
+       "tolerance of 4e-06 would do, or a higher limit"},
+      {{"5e-6", spheres(20), true},
+       "",
+       "a tolerance of 5e-06 asks for about 39.5 million triangles, 1.98 million of them for this "
+       "part alone; the limit is 4 million; a tolerance of 5.3e-05 would do, or a higher limit"},
+      {{"1e-9", kPipe, true},
+       "",
+       "a tolerance of 1e-09 asks for 70265 segments around this part, whose triangles lie side by "
+       "side: about 2.47e+09 pairs to compare; the limit is 40 million; a tolerance of 6.6e-08 "
+       "would do, or a higher limit"},
+      {{"0.05", elbow("1e4"), true},
+       R"("segments": 60000, )",
+       "60000 segments and a tolerance of 0.05 ask for 60000 segments around this part, whose "
+       "triangles lie side by side: about 1.81e+09 pairs to compare; the limit is 40 million; "
+       "fewer "
+       "segments would do, smaller parts, or a higher limit"},
+  };
+  for (const auto& [row, keys, message] : table) {
+    EXPECT_EQ(refusal(document(row, keys)), message);
+  }
+}
+
+TEST(CostLimit, names_the_part_that_asks_for_most) {
+  const Assembly assembly = document({"1e-6", elbow("3"), true});
+  try {
+    (void)build(assembly);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.part(), "e");
+    EXPECT_EQ(error.where(), "d.json#/parts/1");
+  }
+  EXPECT_THROW((void)certify(assembly), Error);
+}
+
+TEST(CostLimit, can_be_raised) {
+  const Row row{"5e-6", elbow("3"), false};
+  EXPECT_NE(refusal(document(row), 1'000'000), "");
+  EXPECT_EQ(refusal(document(row), 10'000'000), "");
+}
+
+}  // namespace
+}  // namespace dupin::assembly
