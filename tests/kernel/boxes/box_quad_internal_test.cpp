@@ -1,7 +1,6 @@
-#include "boxes/box_quad.h"
-
 #include <gtest/gtest.h>
 
+#include "boxes/box_quad.h"
 #include "kernel/boxes/random_boxes_internal.h"
 
 namespace dupin::boxes {

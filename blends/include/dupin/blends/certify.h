@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "dupin/blends/assembly.h"
-#include "dupin/blends/tessellation.h"
 #include "dupin/blends/certificate.h"
+#include "dupin/blends/tessellation.h"
 
 namespace dupin {
 

@@ -8,7 +8,8 @@
 
 namespace dupin {
 
-/// What the meshes of a document may ask for unless more is allowed: seconds of work, two gigabytes.
+/// What the meshes of a document may ask for unless more is allowed: seconds of work, two
+/// gigabytes.
 constexpr std::size_t kUsualTriangles = 4'000'000;
 
 struct TessellationOptions {
