@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "assembly/part_context.h"
@@ -58,6 +59,38 @@ Extent extent_of(const PartSurface& shape) {
     }
   }
   return extent;
+}
+
+double smallest_ring(const ResolvedAssembly& resolved, const WeldedRun& run) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const auto part : run.parts) {
+    for (const End end : {End::start, End::end}) {
+      if (const Ring* ring = port_ring(resolved.parts[part].shape, end)) {
+        smallest = std::min({smallest, ring->radius, across(*ring)});
+      }
+    }
+  }
+  return smallest;
+}
+
+// A ring has as many segments as the widest of its run needs. A corner of it stands out from its
+// neighbours by less than the lattice may move points, if that is too coarse: then corners come to
+// lie on one line, and flat ends get faces without area.
+double keeping_rings_convex(double spacing, const Assembly& assembly,
+                            const ResolvedAssembly& resolved, double largest) {
+  double result = spacing;
+  for (const WeldedRun& run : welded_runs(resolved)) {
+    try {
+      const double turn =
+          2 * std::numbers::pi / double(run_sampling(assembly, resolved, run, 0, spacing).segments);
+      const double height = smallest_ring(resolved, run) * turn * turn / 2;
+      while (2 * result > height && largest < std::ldexp(result, 50)) {
+        result /= 2;
+      }
+    } catch (const Error&) {  // it is refused where its mesh is made, which says why
+    }
+  }
+  return result;
 }
 
 struct Mesher {
@@ -131,7 +164,7 @@ double lattice_spacing(const Assembly& assembly, const ResolvedAssembly& resolve
         : Error(Errc::invalid_argument, "its smallest radius or length, " + problem, smallest->name,
                 document_place(assembly, smallest->index));
   }
-  return spacing;
+  return keeping_rings_convex(spacing, assembly, resolved, extent.largest);
 }
 
 RingSampling run_sampling(const Assembly& assembly, const ResolvedAssembly& resolved,

@@ -21,8 +21,9 @@ struct WeldedRun {
 [[nodiscard]] std::vector<WeldedRun> welded_runs(const ResolvedAssembly& assembly);
 
 /// The spacing of the lattice that mesh points lie on: a power of two, at most 1/2048 of the
-/// tolerance and of the smallest radius and straight length. Throws Error{invalid_argument} if the
-/// coordinates do not fit doubles on such a lattice.
+/// tolerance and of the smallest radius and straight length, and half of what a corner of any ring
+/// stands out from its neighbours, where coordinates can be that fine. Throws
+/// Error{invalid_argument} if the coordinates do not fit doubles on such a lattice.
 [[nodiscard]] double lattice_spacing(const Assembly& assembly, const ResolvedAssembly& resolved);
 
 /// How the rings of a run become polygons, `position` being the run's: one number of segments, the

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "dupin/blends/build.h"
 #include "dupin/blends/certify.h"
 #include "dupin/io/assembly_json.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin::assembly {
@@ -127,6 +129,31 @@ TEST(CostLimit, makes_or_refuses_extreme_documents_by_what_they_would_cost) {
     EXPECT_EQ(refusal(assembly) != "", row.is_refused) << row.tolerance << ": " << row.parts;
     if (!row.is_refused) {
       EXPECT_LE(triangles_of(assembly), 1.1 * kUsualTriangles) << row.parts;
+    }
+  }
+}
+
+std::string wide_blend(const std::string& kind, double ratio, const std::string& more = "") {
+  const auto times = [&](double factor) { return decimal(factor * ratio, 17); };
+  return kPipe + R"(, {"name": "q", "pipe": {"from": [)" + times(10) + "," + times(3) +
+         R"(,0], "to": [)" + times(12) + "," + times(3) + "," + times(0.01) + R"(], "radius": )" +
+         times(1) + R"(}}, {"name": "b", ")" + kind + R"(": {"from": "p.end", "to": "q.start")" +
+         more + "}}";
+}
+
+// The small end has as many corners as the large one needs.
+TEST(CostLimit, blends_of_extreme_ratios_are_solids_wherever_the_cost_allows_them) {
+  const struct {
+    double ratio;
+    const char* tolerance;
+  } table[]{{1e2, "0.05"}, {1e3, "0.05"}, {1e4, "0.05"}, {1e6, "100"}};
+  for (const auto& [ratio, tolerance] : table) {
+    const std::string reach = decimal(10 * ratio, 17);
+    for (const std::string& parts :
+         {wide_blend("ringed_blend", ratio), wide_blend("cyclide_blend", ratio),
+          wide_blend("cyclic_blend", ratio,
+                     R"(, "radius_law": "R2", "k": )" + reach + R"(, "l": )" + reach)}) {
+      EXPECT_GT(build(document({tolerance, parts, false})).solid.volume(), 0) << parts;
     }
   }
 }
