@@ -31,9 +31,9 @@ void write_stdout(const std::string& bytes) {
   std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// The same promise as `write_verified`, for a stream that cannot be taken back.
-Report write_verified_stdout(const TriMesh& mesh, const MeshFormat& format,
-                             const MeshHeader& header, const Progress& progress) {
+/// The same promise as `write_verified`, by the full check, for a stream that cannot be taken back.
+Report write_checked_stdout(const TriMesh& mesh, const MeshFormat& format, const MeshHeader& header,
+                            const Progress& progress) {
   tell(progress, "write");
   const std::string bytes = mesh_bytes(mesh, format, header);
   tell(progress, "verify");
@@ -51,12 +51,46 @@ void write_bytes(const std::string& bytes, const Destination& to) {
   to.is_stdout() ? write_stdout(bytes) : write_file(to.path, bytes);
 }
 
+std::string shown(const Destination& to) { return to.is_stdout() ? "standard output" : to.path; }
+
+/// Returns the measures of a mesh that the file gives back as rounding has proved it.
+Report write_compared(const Rounded& rounded, const Destination& to, const MeshHeader& header,
+                      const Progress& progress) {
+  tell(progress, "measure");
+  Report report = check(rounded.mesh(), {.self_intersections = false});
+  if (!report.is_solid()) {
+    throw Error(Errc::internal,
+                "internal error, please report it: rounding gave a mesh that is no solid", {},
+                shown(to));
+  }
+  if (to.is_stdout()) {
+    write_stdout(verified_bytes("standard output", rounded, to.format, header, progress));
+  } else {
+    write_verified(to.path, rounded, to.format, header, progress);
+  }
+  return report;
+}
+
+std::optional<Report> write_as_chosen(const Rounded& rounded, const Destination& to,
+                                      const MeshHeader& header, const Progress& progress) {
+  switch (to.verification) {
+    case Verification::none:
+      tell(progress, "write");
+      write_bytes(mesh_bytes(rounded.mesh(), to.format, header), to);
+      return std::nullopt;
+    case Verification::compare:
+      return write_compared(rounded, to, header, progress);
+    case Verification::full:
+      return to.is_stdout() ? write_checked_stdout(rounded.mesh(), to.format, header, progress)
+                            : write_verified(to.path, rounded.mesh(), to.format, header, progress);
+  }
+  return std::nullopt;
+}
+
 /// Under these names, too, a report behind the mesh would spoil it.
 bool names_stdout(const std::string& path) {
   return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }
-
-std::string shown(const Destination& to) { return to.is_stdout() ? "standard output" : to.path; }
 
 /// What rounding every coordinate to the nearest does.
 RoundingReport nearest_rounding(const TriMesh& mesh, Coordinates coordinates) {
@@ -115,23 +149,36 @@ void add_output_options(CLI::App& command, OutputArguments& arguments) {
   command.add_option("--format", arguments.format, help)
       ->type_name("NAME")
       ->check(CLI::IsMember(format_names()));
-  command.add_flag("--no-verify", arguments.no_verify,
-                   "Write without reading the file back and checking it");
+  auto* const verify =
+      command
+          .add_option("--verify", arguments.verification,
+                      "How the file is verified before it takes its place: compare (the usual)\n"
+                      "with the mesh that rounding has proved, number by number, or full:\n"
+                      "checked again from what is read back alone, as by check")
+          ->type_name("HOW")
+          ->check(CLI::IsMember({name(Verification::compare), name(Verification::full)}));
+  command
+      .add_flag("--no-verify", arguments.no_verify, "Write without reading the file back at all")
+      ->excludes(verify);
 }
 
 std::string output_path(const std::string& typed) { return names_stdout(typed) ? "-" : typed; }
 
 Destination destination(const OutputArguments& arguments) {
-  const auto& [typed, format, no_verify] = arguments;
+  const auto& [typed, format, chosen_verification, no_verify] = arguments;
+  const Verification verification = no_verify ? Verification::none
+                                    : chosen_verification == name(Verification::full)
+                                        ? Verification::full
+                                        : Verification::compare;
   const std::string path = output_path(typed);
   if (const MeshFormat* const chosen = find_mesh_format(format)) {
-    return {path, *chosen, !no_verify};
+    return {path, *chosen, verification};
   }
   if (path == "-") {
     throw UsageError("standard output needs --format");
   }
   try {
-    return {path, format_of(path), !no_verify};
+    return {path, format_of(path), verification};
   } catch (const Error& error) {
     throw UsageError(error.what() + std::string("; or say --format"));
   }
@@ -158,15 +205,8 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
   report.file = shown(to);
   report.format = to.format.name;
   report.rounding = rounded.report();
-  report.check = writing([&]() -> std::optional<Report> {
-    if (!to.verify) {
-      tell(progress, "write");
-      write_bytes(mesh_bytes(rounded.mesh(), to.format, header), to);
-      return std::nullopt;
-    }
-    return to.is_stdout() ? write_verified_stdout(rounded.mesh(), to.format, header, progress)
-                          : write_verified(to.path, rounded.mesh(), to.format, header, progress);
-  });
+  report.verification = to.verification;
+  report.check = writing([&] { return write_as_chosen(rounded, to, header, progress); });
   return report;
 }
 
@@ -176,7 +216,8 @@ OutputReport write_plain(const TriMesh& mesh, const Destination& to, const MeshH
   report.format = to.format.name;
   report.rounding = nearest_rounding(mesh, to.format.coordinates);
   const std::string bytes = mesh_bytes(mesh, to.format, header);
-  if (to.verify) {
+  if (to.verification != Verification::none) {
+    report.verification = Verification::full;
     report.check = check(to.format.read(bytes, shown(to)));
   }
   writing([&] { write_bytes(bytes, to); });

@@ -23,7 +23,7 @@ namespace dupin::cli {
 struct Destination {
   std::string path;
   MeshFormat format = kOff;
-  bool verify = true;  ///< whether the bytes are read back and checked
+  Verification verification = Verification::compare;
 
   [[nodiscard]] bool is_stdout() const { return path == "-"; }
 };
@@ -33,11 +33,11 @@ struct Destination {
 
 /// What the commands that write a mesh are told of where it goes.
 struct OutputArguments {
-  std::string path, format;
+  std::string path, format, verification;
   bool no_verify = false;
 };
 
-/// Adds --format and --no-verify, shared by all commands that write a mesh.
+/// Adds --format, --verify and --no-verify, shared by all commands that write a mesh.
 void add_output_options(CLI::App& command, OutputArguments& arguments);
 
 /// A file's path as typed, or "-" under all names of standard output.
@@ -48,7 +48,7 @@ void add_output_options(CLI::App& command, OutputArguments& arguments);
 [[nodiscard]] Destination destination(const OutputArguments& arguments);
 
 /// Settles contacts as chosen, rounds once to what the format holds, reads the bytes back and
-/// checks them unless told otherwise, and only then lets the file take its place; says so in the
+/// verifies them as chosen, and only then lets the file take its place; says so in the
 /// header if the origin is moved. Tells the stages "settle" (if there are contacts), "round",
 /// "write" and "verify". Throws Error{unroundable}, Error{contact} for contacts in a format whose
 /// readers weld vertices, OutputError.
@@ -58,7 +58,8 @@ void add_output_options(CLI::App& command, OutputArguments& arguments);
                                        const Progress& progress = {});
 
 /// Writes any mesh with every coordinate rounded to the nearest that the format holds, and says
-/// what came of it. Throws OutputError.
+/// what came of it. Of such a mesh nothing is proved: whatever is read back is checked in full.
+/// Throws OutputError.
 [[nodiscard]] OutputReport write_plain(const TriMesh& mesh, const Destination& to,
                                        const MeshHeader& header = {});
 

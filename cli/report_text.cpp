@@ -154,6 +154,18 @@ std::string placement_text(bool is_exact, double largest_move, std::string_view 
                   : "not exactly, points at most " + powered(largest_move, unit, "") + " off";
 }
 
+std::string verified_text(Verification verification) {
+  switch (verification) {
+    case Verification::none:
+      return "no";
+    case Verification::compare:
+      return "read back, as it was proved";
+    case Verification::full:
+      return "read back and checked";
+  }
+  return "unknown";
+}
+
 void print_report(std::ostream& out, const Report& report) {
   print_measures(out, report, "");
   print_row(out, "solid", report.is_solid() ? "yes" : "no");
@@ -176,7 +188,7 @@ void print_output(std::ostream& out, const OutputReport& report, std::string_vie
               placement_text(report.placement->is_exact, report.placement->largest_move, unit));
   }
   print_row(out, "rounding", rounding_text(report.rounding, unit));
-  print_row(out, "verified", report.check ? "read back and checked" : "no");
+  print_row(out, "verified", verified_text(report.verification));
   const std::vector<Vec3>&filled = report.rounding.filled_places,
         &snapped = report.rounding.snapped_places;
   if (!filled.empty()) {

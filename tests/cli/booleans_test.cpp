@@ -48,7 +48,7 @@ TEST_F(MeshCommands, timing_is_in_the_report_only_where_it_is_asked_for) {
     EXPECT_GE(stage.at("processor"), 0) << stages.back();
   }
   EXPECT_THAT(stages, ElementsAre("read", "prove", "load", "search", "intersect", "triangulate",
-                                  "classify", "extract", "round", "write", "verify"));
+                                  "classify", "extract", "round", "measure", "write", "verify"));
   timed.erase("timing");
   EXPECT_EQ(timed, plain);
 }

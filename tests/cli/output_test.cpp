@@ -50,7 +50,7 @@ TEST_F(Output, is_not_read_back_with_no_verify) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return result.out;
   };
-  EXPECT_THAT(with({}), HasSubstr("verified             read back and checked\n"));
+  EXPECT_THAT(with({}), HasSubstr("verified             read back, as it was proved\n"));
   const std::string verified = folder_.read("ab.stl");
   const std::string report = with({"--no-verify"});
   EXPECT_THAT(report, HasSubstr("verified             no\n"));
@@ -58,10 +58,47 @@ TEST_F(Output, is_not_read_back_with_no_verify) {
   EXPECT_EQ(folder_.read("ab.stl"), verified);
   const auto json = nlohmann::json::parse(with({"--no-verify", "--json"}));
   EXPECT_EQ(json.at("verified"), false);
+  EXPECT_EQ(json.at("verification"), "none");
   EXPECT_FALSE(json.contains("check"));
-  EXPECT_EQ(nlohmann::json::parse(with({"--json"})).at("verified"), true);
   EXPECT_EQ(dupin({"convert", "a.off", "a.stl", "--no-verify", "-q"}).exit_code, 0);
   EXPECT_EQ(check(read_mesh(folder_.read("a.stl"), "a.stl")).volume, 8);
+}
+
+TEST_F(Output, is_compared_with_what_was_proved_or_checked_anew) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  put("b.off", box({1, 1, 1}, {3, 3, 3}));
+  put("c.off", box({5, 0, 0}, {8, 3, 3}));
+  put("d.off", box({6, 1, 1}, {7, 2, 2}));
+  ASSERT_EQ(dupin({"subtract", "c.off", "d.off", "-o", "hollow.off"}).exit_code, 0);
+  for (const MeshFormat& format : mesh_formats()) {
+    for (const std::string to : {"out", "-"}) {
+      const auto run = [&](const std::string& how) {
+        const ProcessResult result =
+            dupin({"union", "a.off", "b.off", "hollow.off", "-o", to, "--format",
+                   std::string(format.key), "--verify", how, "--json"});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        auto json = nlohmann::json::parse(to == "-" ? result.err : result.out);
+        EXPECT_EQ(json.at("verification"), how);
+        EXPECT_EQ(json.at("verified"), true);
+        return std::pair(json.at("check"), to == "-" ? result.out : folder_.read(to));
+      };
+      const auto compared = run("compare"), full = run("full");
+      EXPECT_EQ(compared, full) << format.name << " to " << to;
+      EXPECT_EQ(compared.first.at("volume"), 15 + 26);
+      EXPECT_EQ(compared.first.at("shells").size(), 3);
+    }
+  }
+}
+
+TEST_F(Output, no_verification_is_no_choice_beside_one) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  for (const std::vector<std::string>& wrong :
+       {std::vector<std::string>{"--verify", "twice"}, {"--verify", "full", "--no-verify"}}) {
+    std::vector<std::string> command = {"convert", "a.off", "b.off"};
+    command.insert(command.end(), wrong.begin(), wrong.end());
+    EXPECT_EQ(dupin(command).exit_code, 2);
+  }
+  EXPECT_THAT(folder_.files(), ElementsAre("a.off"));
 }
 
 TEST_F(Output, a_file_that_was_there_survives_a_failure) {

@@ -56,6 +56,7 @@ TEST(ReportText, an_output_tells_only_what_happened) {
   report.rounding.thin_shells = {{Vec3(4, 5, 6), 0.01, 0.0625}, {Vec3(7, 5, 6), 0.02, 0.0625}};
   report.rounding.origin = Vec3(1, 2, 3);
   report.simplification = {12, 0.125};
+  report.verification = Verification::full;
   report.check = check(test::box({0, 0, 0}, {2, 2, 2}));
   const std::string text = text_of(report, "mm");
   EXPECT_THAT(text, HasSubstr("rounding             1 point moved, at most 0.5 mm\n"));

@@ -57,12 +57,25 @@ bool list_triangles(const std::string& bytes, const Rounded& rounded, const Mesh
 
 /// The first triangle that our own reader does not find in the bytes as the mesh has it.
 std::optional<std::uint32_t> first_lost(const Rounded& rounded, const std::string& bytes,
-                                        const std::filesystem::path& path,
-                                        const MeshFormat& format) {
+                                        std::string_view file, const MeshFormat& format) {
   if (list_triangles(bytes, rounded, format)) {
     return std::nullopt;
   }
-  return formats::first_difference(rounded.mesh(), format.read(bytes, path.string()));
+  return formats::first_difference(rounded.mesh(), format.read(bytes, std::string(file)));
+}
+
+void require_same(const Rounded& rounded, const std::string& bytes, std::string_view file,
+                  const MeshFormat& format) {
+  if (const auto face = first_lost(rounded, bytes, file, format)) {
+    const TriMesh& mesh = rounded.mesh();
+    throw Error(Errc::unroundable,
+                "as " + std::string(format.name) + " this mesh is another one: triangle " +
+                    std::to_string(*face) + " at " +
+                    place_text(mesh.points[mesh.triangles[*face][0]]) +
+                    " does not come back as it is; round to the coordinates of the format, and "
+                    "write a format with indices where the solid touches itself",
+                {}, std::string(file));
+  }
 }
 
 }  // namespace
@@ -92,19 +105,21 @@ Report write_verified(const std::filesystem::path& path, const TriMesh& mesh) {
 }
 
 void write_verified(const std::filesystem::path& path, const Rounded& rounded,
-                    const MeshFormat& format, const MeshHeader& header) {
-  const TriMesh& mesh = rounded.mesh();
-  Written written(path, mesh, format, header);
-  if (const auto face = first_lost(rounded, written.bytes, path, format)) {
-    throw Error(Errc::unroundable,
-                "as " + std::string(format.name) + " this mesh is another one: triangle " +
-                    std::to_string(*face) + " at " +
-                    place_text(mesh.points[mesh.triangles[*face][0]]) +
-                    " does not come back as it is; round to the coordinates of the format, and "
-                    "write a format with indices where the solid touches itself",
-                {}, path.string());
-  }
+                    const MeshFormat& format, const MeshHeader& header, const Progress& progress) {
+  tell(progress, "write");
+  Written written(path, rounded.mesh(), format, header);
+  tell(progress, "verify");
+  require_same(rounded, written.bytes, path.string(), format);
   written.file.commit();
+}
+
+std::string verified_bytes(std::string_view file, const Rounded& rounded, const MeshFormat& format,
+                           const MeshHeader& header, const Progress& progress) {
+  tell(progress, "write");
+  std::string bytes = mesh_bytes(rounded.mesh(), format, header);
+  tell(progress, "verify");
+  require_same(rounded, bytes, file, format);
+  return bytes;
 }
 
 }  // namespace dupin

@@ -135,7 +135,8 @@ Json json_value(const OutputReport& report) {
               {"format", report.format},
               {"rounding", json_value(report.rounding)},
               {"contacts", list(report.contacts)},
-              {"verified", report.check.has_value()}};
+              {"verified", report.verification != Verification::none},
+              {"verification", name(report.verification)}};
   if (report.check) {
     object["check"] = json_value(*report.check);
   }
@@ -168,6 +169,18 @@ std::string text(const Json& json) {
 }
 
 }  // namespace json
+
+std::string_view name(Verification verification) {
+  switch (verification) {
+    case Verification::none:
+      return "none";
+    case Verification::compare:
+      return "compare";
+    case Verification::full:
+      return "full";
+  }
+  return "unknown";
+}
 
 Eigen::AlignedBox3d bounding_box(const TriMesh& mesh) {
   Eigen::AlignedBox3d box;

@@ -18,9 +18,15 @@
 namespace dupin::arrangement {
 namespace {
 
+std::vector<TrianglePair> candidates_of(const ArrangementInput& input, const Progress& progress) {
+  const UpwardRounding rounding;
+  return broad_phase(input, support::ProgressStage(progress, "search", 0, 0.2));
+}
+
 std::vector<TriangleIntersection> find_intersections(const ArrangementInput& input,
                                                      const std::vector<TrianglePair>& candidates,
-                                                     const support::ProgressStage& stage) {
+                                                     const Progress& progress) {
+  const support::ProgressStage stage(progress, "intersect", 0.2, 0.4);
   constexpr std::size_t kBatch = 1024;
   std::vector<std::vector<TriangleIntersection>> batches(
       support::block_count(candidates.size(), kBatch));
@@ -37,11 +43,7 @@ std::vector<TriangleIntersection> find_intersections(const ArrangementInput& inp
 
 std::vector<TriangleIntersection> intersections_of(const ArrangementInput& input,
                                                    const Progress& progress) {
-  const UpwardRounding rounding;
-  const std::vector<TrianglePair> candidates =
-      broad_phase(input, support::ProgressStage(progress, "search", 0, 0.2));
-  return find_intersections(input, candidates,
-                            support::ProgressStage(progress, "intersect", 0.2, 0.4));
+  return find_intersections(input, candidates_of(input, progress), progress);
 }
 
 Constraints constraints_of(ArrangementInput& input, std::vector<TriangleIntersection> intersections,
@@ -116,11 +118,12 @@ std::optional<mesh::ExactMesh> arrange_unless_crowded(
     std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
     const Progress& progress, std::uint64_t memory_limit) {
   ArrangementInput input = imported_within(operands, rule, memory_limit);
-  std::vector<TriangleIntersection> intersections = intersections_of(input, progress);
-  if (crowded(input, intersections)) {
+  const std::vector<TrianglePair> candidates = candidates_of(input, progress);
+  if (crowded(input, candidates)) {
     return std::nullopt;
   }
-  return arrange(input, std::move(intersections), rule, progress, memory_limit);
+  return arrange(input, find_intersections(input, candidates, progress), rule, progress,
+                 memory_limit);
 }
 
 mesh::ExactMesh arrange_and_merge(std::span<const mesh::ExactMesh* const> operands,

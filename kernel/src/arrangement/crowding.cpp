@@ -1,11 +1,55 @@
 #include "arrangement/crowding.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
+#include "arrangement/triangle_intersection.h"
+#include "support/hash.h"
+
 namespace dupin::arrangement {
 namespace {
+
+// A pair in so many is looked at.
+constexpr std::size_t kSampled = 16;
+
+std::uint64_t hash_of(const Vec3& place) {
+  std::uint64_t hash = 0;
+  for (int i = 0; i < 3; ++i) {
+    hash = support::mixed(hash, std::bit_cast<std::uint64_t>(place[i] + 0.0));
+  }
+  return hash;
+}
+
+// By its corners, whatever their order, the order of triangles and that of operands. Those that are
+// no doubles count nothing: how well they are known may depend on it.
+std::uint64_t hash_of(const ArrangementInput& input, std::uint32_t triangle) {
+  std::uint64_t hash = 0;
+  for (const PointId corner : input.triangles[triangle]) {
+    hash += input.points.is_double(corner) ? hash_of(input.points.coordinates(corner)) : 0;
+  }
+  return hash;
+}
+
+// What those of the candidates have in common that are looked at.
+std::vector<TriangleIntersection> sampled_intersections(const ArrangementInput& input,
+                                                        std::span<const TrianglePair> candidates) {
+  std::vector<std::uint64_t> hashes(input.triangles.size());
+  support::for_each_block(hashes.size(), [&](const support::Block& block) {
+    for (std::size_t t = block.begin; t < block.end; ++t) {
+      hashes[t] = hash_of(input, static_cast<std::uint32_t>(t));
+    }
+  });
+  return support::collect_in_order<TriangleIntersection>(
+      candidates.size(), [&](std::size_t i, std::vector<TriangleIntersection>& found) {
+        const auto& [first, second] = candidates[i];
+        if (support::mixed(0, hashes[first] + hashes[second]) % kSampled == 0) {
+          const UpwardRounding rounding;
+          intersect(input, first, second, found);
+        }
+      });
+}
 
 // Operands that each operand meets, ascending. Intersections come pair by pair of operands.
 std::vector<std::vector<std::uint32_t>> met_by_each(
@@ -35,10 +79,14 @@ std::vector<std::vector<std::uint32_t>> met_by_each(
 
 }  // namespace
 
-bool crowded(const ArrangementInput& input, std::span<const TriangleIntersection> intersections) {
+bool crowded(const ArrangementInput& input, std::span<const TrianglePair> candidates) {
   // Fewer in common are arranged at once as fast, and so are operands that hardly touch.
   constexpr std::size_t kManyInCommon = 8;
-  if (input.operands.size() < kManyInCommon + 2 || intersections.size() < input.triangles.size()) {
+  if (input.operands.size() < kManyInCommon + 2) {
+    return false;
+  }
+  const std::vector<TriangleIntersection> intersections = sampled_intersections(input, candidates);
+  if (intersections.size() * kSampled < input.triangles.size()) {
     return false;
   }
   const std::vector<std::vector<std::uint32_t>> met = met_by_each(input, intersections);

@@ -2,16 +2,16 @@
 
 #include <span>
 
+#include "arrangement/broad_phase.h"
 #include "arrangement/input.h"
-#include "arrangement/triangle_intersection.h"
 
 namespace dupin::arrangement {
 
 /// Whether so many operands meet each other in the same places that most of their arrangement would
 /// be inside of a union: k surfaces that all meet each other divide their faces by about k^3
 /// segments and points, of which a union keeps k^2 at most. By the operands that the two of a
-/// meeting pair both meet, on average; nothing is lost but time where this errs.
-[[nodiscard]] bool crowded(const ArrangementInput& input,
-                           std::span<const TriangleIntersection> intersections);
+/// meeting pair both meet, on average; nothing is lost but time where this errs. Told from a sample
+/// of the candidates (of broad_phase) that depends on where they are, not on any order.
+[[nodiscard]] bool crowded(const ArrangementInput& input, std::span<const TrianglePair> candidates);
 
 }  // namespace dupin::arrangement

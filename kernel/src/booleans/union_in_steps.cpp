@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <numeric>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "arrangement/arrange.h"
+#include "dupin/kernel/parallel.h"
 #include "mesh/exact_mesh.h"
 
 namespace dupin::booleans {
@@ -71,10 +74,12 @@ class Steps {
       return with_sources(operands[0]);
     }
     sort_along_longest(operands);
-    std::vector<ExactMesh> parts;
-    for (const auto& [begin, end] : parts_of(operands.size())) {
-      parts.push_back(united(operands.subspan(begin, end - begin)));
-    }
+    const std::vector<std::array<std::size_t, 2>> ranges = parts_of(operands.size());
+    std::vector<ExactMesh> parts(ranges.size());
+    for_each_in_parallel(ranges.size(), [&](std::size_t i) {
+      const auto [begin, end] = ranges[i];
+      parts[i] = united(operands.subspan(begin, end - begin));
+    });
     return step(parts);
   }
 
@@ -113,15 +118,21 @@ class Steps {
     return result;
   }
 
-  // Behind what arrange_unless_crowded() has told.
+  // Behind what arrange_unless_crowded() has told. The caller hears of it on the thread it called
+  // on; on others steps only learn whether to go on.
   [[nodiscard]] Progress progress() {
     if (!options_.progress) {
       return {};
     }
     return [this](std::string_view stage, double fraction) {
-      const double part = (static_cast<double>(done_) + fraction) / static_cast<double>(steps_);
+      if (std::this_thread::get_id() != thread_) {
+        return !is_cancelled_;
+      }
+      const double part =
+          (static_cast<double>(done_.load()) + fraction) / static_cast<double>(steps_);
       told_ = std::clamp(kBegin + (1 - kBegin) * part, told_, 1.0);  // lest rounding leads back
-      return options_.progress(stage, told_);
+      is_cancelled_ = !options_.progress(stage, told_);
+      return !is_cancelled_;
     };
   }
 
@@ -153,8 +164,11 @@ class Steps {
   const BooleanOptions& options_;
   std::vector<Vec3> centres_;
   static constexpr double kBegin = 0.4;
-  std::size_t steps_, done_ = 0;
+  std::size_t steps_;
+  std::atomic<std::size_t> done_{0};
+  std::thread::id thread_ = std::this_thread::get_id();
   double told_ = kBegin;
+  std::atomic<bool> is_cancelled_{false};
 };
 
 }  // namespace

@@ -63,6 +63,27 @@ TEST_F(WriteVerified, tells_its_stages_and_keeps_the_old_file_when_cancelled_in_
   EXPECT_EQ(told, (std::vector<std::string>{"write", "verify"}));
 }
 
+TEST_F(WriteVerified, of_what_was_rounded_keeps_the_old_file_when_cancelled_in_any_stage) {
+  write_file(path("x.off"), "old");
+  const Rounded rounded = to_mesh(Solid::from(tetrahedron()));
+  for (const std::string last : {"write", "verify"}) {
+    const Progress progress = [&](std::string_view stage, double) { return stage != last; };
+    for (const bool is_file : {true, false}) {
+      try {
+        if (is_file) {
+          write_verified(path("x.off"), rounded, kOff, {}, progress);
+        } else {
+          static_cast<void>(verified_bytes("x.off", rounded, kOff, {}, progress));
+        }
+        ADD_FAILURE() << last;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Errc::cancelled);
+      }
+    }
+    EXPECT_EQ(read_file(path("x.off")), "old");
+  }
+}
+
 TEST_F(WriteVerified, keeps_the_old_file_when_rounding_breaks_the_solid) {
   write_file(path("x.stl"), "old");
   for (const MeshFormat& format : mesh_formats()) {
@@ -95,6 +116,7 @@ TEST_F(WriteVerified, compares_the_file_with_the_mesh_that_rounding_proved) {
     const Rounded rounded = to_mesh(solid, format.coordinates);
     EXPECT_NO_THROW(write_verified(path("x"), rounded, format)) << format.name;
     EXPECT_EQ(read_file(path("x")), mesh_bytes(rounded.mesh(), format));
+    EXPECT_EQ(verified_bytes("x", rounded, format), read_file(path("x")));
   }
 }
 
@@ -115,6 +137,7 @@ TEST_F(WriteVerified, keeps_the_old_file_when_the_format_is_coarser_than_the_rou
           << error.what();
     }
     EXPECT_EQ(read_file(path("x")), "old");
+    EXPECT_THROW(static_cast<void>(verified_bytes("x", rounded, format)), Error);
   }
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 bool is_crowded(const char* name) {
   const test::Stages stages(test::pipe_case(name));
-  return crowded(stages.input, stages.intersections());
+  return crowded(stages.input, stages.candidates());
 }
 
 TEST(Crowding, is_where_many_meet_each_other_in_one_place) {

@@ -66,6 +66,13 @@ Report write_verified(const std::filesystem::path& path, const TriMesh& mesh);
 /// Error{unroundable} naming the first triangle that differs: the format holds coarser numbers than
 /// the solid was rounded to, or its readers weld what only touches (contacts).
 void write_verified(const std::filesystem::path& path, const Rounded& rounded,
-                    const MeshFormat& format, const MeshHeader& header = {});
+                    const MeshFormat& format, const MeshHeader& header = {},
+                    const Progress& progress = {});
+
+/// `mesh_bytes` that give back the very numbers and neighbours that rounding has proved; throws as
+/// `write_verified` does, naming `file`. Tells the same stages.
+[[nodiscard]] std::string verified_bytes(std::string_view file, const Rounded& rounded,
+                                         const MeshFormat& format, const MeshHeader& header = {},
+                                         const Progress& progress = {});
 
 }  // namespace dupin

@@ -49,12 +49,25 @@ struct PlacementReport {
   double largest_move = 0;  ///< no point is farther from where it was asked to be
 };
 
+/// What was made sure of before a file took its place.
+enum class Verification {
+  none,     ///< nothing: it was not read back
+  compare,  ///< that it gives back, number by number, the mesh that rounding has proved
+  full,     ///< by `check`, from the numbers read back alone
+};
+
+/// "none", "compare" or "full".
+[[nodiscard]] std::string_view name(Verification verification);
+
 /// What a mesh file that was written holds, and how it came to.
 struct OutputReport {
   std::string file;
-  std::string format;             ///< for people, "binary STL"
-  RoundingReport rounding;        ///< of exact coordinates to the file's
-  std::optional<Report> check;    ///< of the file as read back; none if it was not
+  std::string format;       ///< for people, "binary STL"
+  RoundingReport rounding;  ///< of exact coordinates to the file's
+  Verification verification = Verification::none;
+  /// Of the file, none if it was not read back. Where it was compared, that nothing in it crosses
+  /// is what rounding has proved.
+  std::optional<Report> check;
   std::vector<Contact> contacts;  ///< where the solid touches itself
   std::optional<SimplificationReport> simplification = std::nullopt;
   std::optional<ContactSettlement> settled = std::nullopt;
