@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -53,6 +54,7 @@ class Crossings {
         first = std::move(last);
       }
     }
+    sort();
   }
 
   // The stretches, made short.
@@ -61,7 +63,8 @@ class Crossings {
       return {{0, 1}};
     }
     std::vector<ParameterInterval> result;
-    for (const Stretch& stretch : stretches_) {
+    for (const std::uint32_t i : near(point)) {
+      const Stretch& stretch = stretches_[i];
       if (stretch.reach.contains(point) && height(stretch.first, point) > 0 &&
           height(stretch.last, point) <= 0) {
         result.push_back(shortened(stretch, point));
@@ -91,6 +94,44 @@ class Crossings {
     return {Vec3(box.min() - around), Vec3(box.max() + around)};
   }
 
+  // By where their boxes begin along the axis on which the part is longest.
+  void sort() {
+    Eigen::AlignedBox3d all;
+    for (std::uint32_t i = 0; i < stretches_.size(); ++i) {
+      const Eigen::AlignedBox3d& box = stretches_[i].reach;
+      if ((box.min().array() <= box.max().array()).all()) {  // others contain no point
+        all.extend(box);
+        sorted_.push_back(i);
+      }
+    }
+    if (sorted_.empty()) {
+      return;
+    }
+    all.sizes().maxCoeff(&axis_);
+    std::ranges::sort(sorted_, {}, [&](std::uint32_t i) { return begin(i); });
+    for (const std::uint32_t i : sorted_) {
+      longest_ = std::max(longest_, stretches_[i].reach.sizes()[axis_]);
+    }
+  }
+
+  [[nodiscard]] double begin(std::uint32_t stretch) const {
+    return stretches_[stretch].reach.min()[axis_];
+  }
+
+  // In their own order, those whose boxes may contain the point.
+  [[nodiscard]] std::vector<std::uint32_t> near(const Vec3& point) const {
+    const auto begins = [&](std::uint32_t i) { return begin(i); };
+    const double at = point[axis_], slack = 0x1p-40 * (std::abs(at) + longest_);
+    const auto first = std::ranges::lower_bound(sorted_, at - longest_ - slack, {}, begins);
+    const auto last = std::ranges::upper_bound(sorted_, at, {}, begins);
+    std::vector<std::uint32_t> result;
+    if (first < last) {
+      result.assign(first, last);
+      std::ranges::sort(result);
+    }
+    return result;
+  }
+
   [[nodiscard]] ParameterInterval shortened(const Stretch& stretch, const Vec3& point) const {
     ParameterInterval t = stretch.t;
     for (int k = 0; k < kHalvings; ++k) {
@@ -103,6 +144,9 @@ class Crossings {
 
   const SweptDiscs& sweep_;
   std::vector<Stretch> stretches_;
+  std::vector<std::uint32_t> sorted_;
+  Eigen::Index axis_ = 0;
+  double longest_ = 0;  // of all boxes, along the axis
 };
 
 // Points of some discs, tried on all others.
