@@ -23,6 +23,7 @@ bool CheckedClaims::holds(std::uint64_t allowance, const Check& check) {
     if (error.code() != Errc::limit_exceeded) {
       throw;
     }
+    lacks_work_ = true;
   }
   refused_work_ += before + allowance - limit_.left();
   limit_.set_left(before);
@@ -73,7 +74,14 @@ TangencyClaim CheckedClaims::agreed(TangencyClaim claim, std::size_t piece, End 
     }
   }
   const Ring& ring = end == End::end ? its.end : its.start;
+  lacks_work_ = false;
   if (!follows() || !verification::is_near(claim, ring, tolerance)) {
+    if (lacks_work_) {
+      throw Error(Errc::limit_exceeded,
+                  "to check how its pieces meet takes more work than a certificate may; choose "
+                  "parts of fewer pieces or points, or several documents",
+                  names_.back());
+    }
     throw Error(Errc::invalid_argument,
                 "the stored rings differ from the surface by more than the tolerance",
                 names_.back());

@@ -20,7 +20,8 @@ class CheckedClaims {
   // About the part that was read last.
   [[nodiscard]] RegularClaim agreed(RegularClaim claim);
   [[nodiscard]] EmbeddedClaim agreed(EmbeddedClaim claim, const RegularClaim& regular);
-  /// Throws Error{invalid_argument} if the ring is further from its disc than the tolerance.
+  /// Throws Error{invalid_argument} if the ring is further from its disc than the tolerance, and
+  /// Error{limit_exceeded} if there is no work left to tell.
   [[nodiscard]] TangencyClaim agreed(TangencyClaim claim, std::size_t piece, End end,
                                      double tolerance);
 
@@ -35,6 +36,7 @@ class CheckedClaims {
 
   verification::WorkLimit limit_{CertificateLimits::kWork};
   std::uint64_t refused_work_ = 0;
+  bool lacks_work_ = false;  // it was work, not truth, that a claim lacked
   std::vector<verification::Solid> solids_;
   std::vector<std::string> names_;
 };

@@ -50,6 +50,20 @@ TEST(CheckedClaims, weaken_a_distance_before_they_give_it_up) {
   EXPECT_TRUE(none.leaves.empty());
 }
 
+TEST(CheckedClaims, tell_rings_that_are_off_from_rings_that_there_is_no_work_left_for) {
+  CheckedClaims checker;
+  checker.read(pipe(0));
+  try {
+    for (int i = 0; i < 100'000; ++i) {
+      (void)checker.agreed(TangencyClaim{0, 0, 1e-300, 0}, 0, End::start, .1);
+    }
+    FAIL() << "work has an end";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::limit_exceeded) << error.what();
+    EXPECT_EQ(error.part(), pipe(0).name);
+  }
+}
+
 TEST(CheckedClaims, allow_a_curvature_for_its_last_bits_only_and_no_loose_ring) {
   CheckedClaims checker;
   checker.read(pipe(0));
