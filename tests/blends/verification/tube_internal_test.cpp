@@ -172,5 +172,23 @@ TEST(Tube, enclosed_holds_the_rational) {
   EXPECT_EQ(enclosed(.1).upper, .1);
 }
 
+// Discs whose tangents turn from one side of the plane across w to the other: between them is one
+// that reaches as far as its radius, though none of the two does.
+TEST(Tube, discs_that_turn_past_a_direction_reach_their_radius) {
+  const IntervalVec with = numbers::interval_vec(Vec3(1, 0.125, 0)),
+                    against = numbers::interval_vec(Vec3(-1, 0.125, 0));
+  const IntervalVec origin = numbers::interval_vec(Vec3::Zero());
+  for (const auto& tangents : {std::vector{with, against}, {against, with}}) {
+    for (const double side : {1., -1.}) {
+      const IntervalVec w = numbers::interval_vec(Vec3(side, 0, 0));
+      EXPECT_GE(furthest({{origin}, tangents, Interval(2), 0}, w), 2);
+    }
+  }
+  for (const IntervalVec& tangent : {with, against}) {
+    const IntervalVec w = numbers::interval_vec(Vec3(1, 0, 0));
+    EXPECT_LT(furthest({{origin}, {tangent, tangent}, Interval(2), 0}, w), 0.25);
+  }
+}
+
 }  // namespace
 }  // namespace dupin::verification

@@ -49,5 +49,15 @@ TEST(Work, that_a_certificate_allows_is_linear_in_its_numbers) {
                                                                   (2 * 3 + 4 * 5 + 7 + 4 * 11));
 }
 
+// It is asked before anything is admitted.
+TEST(Work, is_allowed_for_parts_that_have_claims_and_claims_that_have_parts) {
+  Certificate certificate;
+  certificate.parts.resize(1);
+  certificate.parts[0].shape = Chain(std::vector<RingedSurface>(1));
+  EXPECT_EQ(work_for(certificate), CertificateLimits::kWork);
+  certificate.claims.resize(1);
+  EXPECT_GT(work_for(certificate), CertificateLimits::kWork);
+}
+
 }  // namespace
 }  // namespace dupin::verification
