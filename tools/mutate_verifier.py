@@ -32,6 +32,7 @@ ADMITTED = "radii of ends are admitted as positive, and so are those between"
 ROUNDING = "the two differ by rounding only"
 STRICTER = "it can only refuse more, and later cells say the same"
 DEPTH = "to halve once more changes no answer but of what is nearly too much"
+ACROSS = "a tangent that may be across has 1 among its sines, or has no quotient: the line"
 ONE_SIDE = "no point is on both sides of a plane"
 KNOWN = {
     ("admitted.cpp", "std::abs(s.axis.dot(spoke)) <= kUnitSlack", " < "): SLACK,
@@ -91,6 +92,38 @@ KNOWN = {
     ("tangency_claim.cpp", "axis_angle * ring.radius <= tolerance", " < "): SLACK,
     ("tangency_claim.cpp", "found.offset.rounded_outward().upper", " < "): SLACK,
     ("tangency_claim.cpp", "found.offset.rounded_outward().upper", ".lower"): ROUNDING,
+    ("tube.cpp", "if (arc.angle * (to - from) > kLargestTurn", " >= "): DEPTH,
+    ("tube.cpp", "with = with && cosine.lower > 0;", " >= "): ACROSS,
+    ("tube.cpp", "with = with && cosine.lower > 0;", ".upper"): ACROSS,
+    ("tube.cpp", "against = against && cosine.upper < 0;", " <= "): ACROSS,
+    ("tube.cpp", "against = against && cosine.upper < 0;", ".lower"): ACROSS,
+    ("tube.cpp", "sine = scale.lower > 0", " >= "): ACROSS,
+    ("tube.cpp", "sine = scale.lower > 0", ".upper"): ACROSS,
+    ("tube.cpp", "(Interval(sine) + discs.spread).upper", ".lower"): ROUNDING,
+    ("piece.cpp", "return x.rounded_outward().upper; }", ".lower"): ROUNDING,
+    ("piece.cpp", "std::max((Interval(t.to) - middle).upper", ".lower"): ROUNDING,
+    ("piece.cpp", "std::max((Interval(t.to) - middle).upper", "std::min("): ROUNDING,
+    ("mesh_claim.cpp", "const Interval around = Interval(2) * Interval(pi", ".upper"): ROUNDING,
+    ("mesh_claim.cpp", "const Interval around = Interval(2) * Interval(pi", ".lower"): ROUNDING,
+    ("mesh_claim.cpp", "bounds.around = std::max(bounds.around, radius.upper);", ".lower"):
+        "a magnitude is one number",
+    ("mesh_claim.cpp", "bounds.mixed = std::max(bounds.mixed, (slope + radius * rate)", ".lower"):
+        ROUNDING,
+    ("mesh_claim.cpp", "numbers::sqrt(square(slope) + square(radius * turn))", ".lower"): ROUNDING,
+    ("mesh_claim.cpp", "bounds.turning = std::max(bounds.turning, turn.upper);", ".lower"):
+        "a magnitude is one number",
+    ("mesh_claim.cpp", "turn.upper <= 1 && error.upper <= allowed", " < "): SLACK,
+    ("mesh_claim.cpp", "turn.upper <= 1 && error.upper <= allowed", ".lower"): ROUNDING,
+    ("mesh_claim.cpp", "{twist.lower, twist.upper}", ".upper"): ROUNDING,
+    ("mesh_claim.cpp", "{twist.lower, twist.upper}", ".lower"): ROUNDING,
+    ("mesh_claim.cpp", "size)).upper <= claim.error_bound;", " < "): SLACK,
+    ("mesh_claim.cpp", "size)).upper <= claim.error_bound;", ".lower"): ROUNDING,
+    ("mesh_claim.cpp", "- displacement(claim.grid, size_of(solid))).lower;", ".upper"): ROUNDING,
+    ("mesh_claim.cpp", "cells <= 1 << kRefinements; cells *= 2", " < "): STRICTER,
+    ("mesh_claim.cpp", "for (int i = 0; i < cells && moves; ++i) {", " <= "): STRICTER,
+    ("mesh_claim.cpp", "return sagitta.rounded_outward().upper <= allowed;", " < "): SLACK,
+    ("mesh_claim.cpp", "return sagitta.rounded_outward().upper <= allowed;", ".lower"): ROUNDING,
+    ("mesh_claim.cpp", "std::min(1., plane.rounded_outward().lower)", ".upper"): ROUNDING,
     ("verify_certificate.cpp", "for (std::uint32_t i = 0; i < parts", " <= "):
         "behind the last part there are no pairs",
 }
