@@ -57,7 +57,7 @@ std::string shown(const Destination& to) { return to.is_stdout() ? "standard out
 Report write_compared(const Rounded& rounded, const Destination& to, const MeshHeader& header,
                       const Progress& progress) {
   tell(progress, "measure");
-  Report report = check(rounded.mesh(), {.self_intersections = false});
+  Report report = check(rounded);
   if (!report.is_solid()) {
     throw Error(Errc::internal,
                 "internal error, please report it: rounding gave a mesh that is no solid", {},

@@ -12,6 +12,7 @@
 #include "mesh/measure.h"
 #include "mesh/shell_nesting.h"
 #include "predicates/triangle_overlap.h"
+#include "support/blocks.h"
 #include "support/sequences.h"
 
 namespace dupin::checking {
@@ -147,26 +148,35 @@ class Inspector {
     }
   }
 
+  static std::optional<Defect> defect_of(const mesh::Edge& edge, const mesh::EdgeTable& edges) {
+    const auto& along = edge.half_edges;
+    if (along.size() == 1) {
+      return Defect::boundary_edge;
+    }
+    if (along.size() > 2) {
+      return Defect::non_manifold_edge;
+    }
+    return edges.origin(along[0]) == edges.origin(along[1])
+               ? std::optional(Defect::inconsistent_orientation)
+               : std::nullopt;
+  }
+
   void check_edges(const mesh::EdgeTable& edges) {
-    for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto faulty = support::collect_in_order<std::size_t>(
+        edges.size(), [&](std::size_t i, std::vector<std::size_t>& found) {
+          if (defect_of(edges[i], edges)) {
+            found.push_back(i);
+          }
+        });
+    for (const std::size_t i : faulty) {
       const mesh::Edge edge = edges[i];
-      const auto& along = edge.half_edges;
-      std::optional<Defect> defect;
-      if (along.size() == 1) {
-        defect = Defect::boundary_edge;
-      } else if (along.size() > 2) {
-        defect = Defect::non_manifold_edge;
-      } else if (edges.origin(along[0]) == edges.origin(along[1])) {
-        defect = Defect::inconsistent_orientation;
+      std::vector<std::uint32_t> faces;
+      for (const std::uint32_t half_edge : edge.half_edges) {
+        faces.push_back(half_edge / 3);
       }
-      if (defect) {
-        std::vector<std::uint32_t> faces;
-        for (const std::uint32_t half_edge : along) {
-          faces.push_back(half_edge / 3);
-        }
-        std::sort(faces.begin(), faces.end());
-        add(*defect, std::move(faces), {edge.low, edge.high}, middle(edge.low, edge.high));
-      }
+      std::sort(faces.begin(), faces.end());
+      add(*defect_of(edge, edges), std::move(faces), {edge.low, edge.high},
+          middle(edge.low, edge.high));
     }
   }
 
@@ -232,25 +242,40 @@ class Inspector {
 
   std::vector<std::vector<std::uint32_t>> check_degenerate_and_duplicate(
       const std::vector<Triangle>& merged, const mesh::EdgeTable& edges) {
+    const auto flat = support::collect_in_order<std::uint32_t>(
+        merged.size(), [&](std::size_t i, std::vector<std::uint32_t>& found) {
+          const auto& [p, q, r] = merged[i];
+          if (predicates::collinear(points_[p], points_[q], points_[r])) {
+            found.push_back(static_cast<std::uint32_t>(i));
+          }
+        });
+    for (const std::uint32_t i : flat) {
+      add(Defect::degenerate_face, {i}, {triangles_[i].begin(), triangles_[i].end()},
+          points_[merged[i][0]]);
+    }
+    if (flat.empty() && merged == triangles_) {
+      return add_duplicates(duplicate_groups(triangles_, edges));
+    }
     std::vector<Triangle> proper;
     std::vector<std::uint32_t> positions;
     for (std::uint32_t i = 0; i < merged.size(); ++i) {
-      const Triangle& t = merged[i];
-      if (predicates::collinear(points_[t[0]], points_[t[1]], points_[t[2]])) {
-        add(Defect::degenerate_face, {i}, {triangles_[i].begin(), triangles_[i].end()},
-            points_[t[0]]);
-      } else {
-        proper.push_back(t);
+      if (!std::binary_search(flat.begin(), flat.end(), i)) {
+        proper.push_back(merged[i]);
         positions.push_back(i);
       }
     }
-    auto groups = proper == triangles_
-                      ? duplicate_groups(triangles_, edges)
-                      : duplicate_groups(proper, mesh::EdgeTable(proper, points_.size()));
+    auto groups = duplicate_groups(proper, mesh::EdgeTable(proper, points_.size()));
     for (auto& group : groups) {
       for (std::uint32_t& face : group) {
         face = positions[face];
       }
+    }
+    return add_duplicates(std::move(groups));
+  }
+
+  std::vector<std::vector<std::uint32_t>> add_duplicates(
+      std::vector<std::vector<std::uint32_t>> groups) {
+    for (const auto& group : groups) {
       const Triangle& corners = triangles_[group[0]];
       add(Defect::duplicate_face, group, {corners.begin(), corners.end()}, points_[corners[0]]);
     }

@@ -4,10 +4,12 @@
 #include <atomic>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "checking/self_intersection.h"
 #include "dupin/kernel/connected_components.h"
 #include "dupin/kernel/coordinates.h"
+#include "exact/exact_numbers.h"
 #include "mesh/edge_table.h"
 #include "mesh/measure.h"
 #include "mesh/shell_nesting.h"
@@ -117,6 +119,17 @@ bool is_closed_manifold(std::span<const Triangle> triangles, std::size_t points,
   return is_closed;
 }
 
+/// Whether points are in range, and triangles have three of them.
+bool is_mesh(const TriMesh& mesh) {
+  const std::size_t points = mesh.points.size();
+  const auto is_triangle = [&](std::size_t i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    return a < points && b < points && c < points && a != b && b != c && c != a;
+  };
+  return all_of(points, [&](std::size_t i) { return is_in_range(mesh.points[i]); }) &&
+         all_of(mesh.triangles.size(), is_triangle);
+}
+
 /// Of a closed manifold: triangles hang together by edges if they do by points.
 mesh::Shells shells_of(std::span<const Triangle> triangles, std::size_t points) {
   const std::vector<std::uint32_t> component = connected_components(triangles, points);
@@ -129,9 +142,10 @@ mesh::Shells shells_of(std::span<const Triangle> triangles, std::size_t points) 
   return mesh::grouped(std::move(lowest));
 }
 
-/// Whether shells around material enclose a positive volume, those around voids a negative one.
-bool are_turned_right(const mesh::MeshView& mesh, const mesh::Shells& shells) {
-  const std::vector<int> depths = mesh::nesting_depths(mesh, shells);
+/// Calls visit(shell, its triangles) for each shell, one after the other, until one returns false;
+/// whether none did.
+template <class Visit>
+bool visit_shells(const mesh::MeshView& mesh, const mesh::Shells& shells, const Visit& visit) {
   for (std::size_t i = 0; i < shells.count; ++i) {
     mesh::MeshView shell = mesh;
     std::vector<Triangle> faces;
@@ -139,25 +153,29 @@ bool are_turned_right(const mesh::MeshView& mesh, const mesh::Shells& shells) {
       faces = support::selected(mesh.triangles, shells.faces_of(i));
       shell.triangles = faces;
     }
-    if (mesh::volume_sign(shell) != (depths[i] % 2 == 0 ? 1 : -1)) {
+    if (!visit(i, shell)) {
       return false;
     }
   }
   return true;
 }
 
+/// Of the volume of a shell around material, or of one around a void.
+int sign_at(int depth) { return depth % 2 == 0 ? 1 : -1; }
+
+bool are_turned_right(const mesh::MeshView& mesh, const mesh::Shells& shells) {
+  const std::vector<int> depths = mesh::nesting_depths(mesh, shells);
+  return visit_shells(mesh, shells, [&](std::size_t i, const mesh::MeshView& shell) {
+    return mesh::volume_sign(shell) == sign_at(depths[i]);
+  });
+}
+
 }  // namespace
 
 std::optional<PlainSolid> plain_solid(const TriMesh& mesh, double margin) {
   const std::size_t points = mesh.points.size();
-  const auto is_triangle = [&](std::size_t i) {
-    const auto& [a, b, c] = mesh.triangles[i];
-    return a < points && b < points && c < points && a != b && b != c && c != a;
-  };
   PlainSolid plain;
-  if (!all_of(points, [&](std::size_t i) { return is_in_range(mesh.points[i]); }) ||
-      !all_of(mesh.triangles.size(), is_triangle) ||
-      !is_closed_manifold(mesh.triangles, points, plain.uses_all_points)) {
+  if (!is_mesh(mesh) || !is_closed_manifold(mesh.triangles, points, plain.uses_all_points)) {
     return std::nullopt;
   }
   // Points that coincide, if there are any, make their triangles cross.
@@ -172,6 +190,48 @@ std::optional<PlainSolid> plain_solid(const TriMesh& mesh, double margin) {
   }
   plain.stable = std::move(found.stable);
   return plain;
+}
+
+std::optional<Report> plain_report(const TriMesh& mesh) {
+  const std::size_t points = mesh.points.size();
+  bool uses_all_points = false;
+  if (!is_mesh(mesh) || !is_closed_manifold(mesh.triangles, points, uses_all_points) ||
+      !uses_all_points) {
+    return std::nullopt;
+  }
+  const mesh::Shells shells = shells_of(mesh.triangles, points);
+  const mesh::MeshView view(mesh.points, mesh.triangles);
+  const std::vector<int> depths = mesh::nesting_depths(view, shells);
+  Report report;
+  report.points = points;
+  report.triangles = mesh.triangles.size();
+  report.counts.assign(static_cast<std::size_t>(Defect::isolated_point) + 1, 0);
+  report.area = mesh::area(view);
+  std::vector<std::int64_t> corners(shells.count, 0);
+  std::vector<std::uint8_t> is_counted(points, 0);
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    for (const std::uint32_t corner : mesh.triangles[f]) {
+      corners[shells.of_face[f]] += 1 - std::exchange(is_counted[corner], 1);
+    }
+  }
+  mpq_class sum;
+  const auto add_shell = [&](std::size_t i, const mesh::MeshView& shell) {
+    const mpq_class volume = mesh::exact_volume(shell);
+    sum += volume;
+    const std::size_t faces = shell.triangles.size();
+    const std::int64_t euler = corners[i] - static_cast<std::int64_t>(faces) / 2;
+    report.shells.push_back(
+        {shells.faces_of(i)[0], faces, exact::nearest_double(volume), depths[i], euler});
+    report.euler_number += euler;
+    report.genus += (2 - euler) / 2;
+    report.components += depths[i] % 2 == 0 ? 1 : 0;
+    return sgn(volume) == sign_at(depths[i]);
+  };
+  if (!visit_shells(view, shells, add_shell)) {
+    return std::nullopt;
+  }
+  report.volume = exact::nearest_double(sum);
+  return report;
 }
 
 }  // namespace dupin::checking

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -75,16 +76,29 @@ struct Bounds {
 class SixVolumes {
  public:
   explicit SixVolumes(const MeshView& mesh) : mesh_(mesh) {
-    exact::ExactSum sum;
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-      const Triangle& t = mesh.triangles[i];
-      if (has_implicit_corner(mesh, t)) {
+    constexpr std::size_t kBlock = 1 << 16;
+    std::vector<mpq_class> parts(support::block_count(mesh.triangles.size(), kBlock));
+    support::for_each_block(
+        mesh.triangles.size(),
+        [&](const support::Block& block) {
+          exact::ExactSum sum;
+          for (std::size_t i = block.begin; i < block.end; ++i) {
+            const Triangle& t = mesh.triangles[i];
+            if (!has_implicit_corner(mesh, t)) {
+              add_determinant(sum, mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+            }
+          }
+          parts[block.number] = sum.value();
+        },
+        kBlock);
+    for (const mpq_class& part : parts) {
+      doubles_ += part;
+    }
+    for (std::uint32_t i = 0; !mesh.implicit.empty() && i < mesh.triangles.size(); ++i) {
+      if (has_implicit_corner(mesh, mesh.triangles[i])) {
         implicit_faces_.push_back(i);
-      } else {
-        add_determinant(sum, mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
       }
     }
-    doubles_ = sum.value();
   }
 
   [[nodiscard]] mpq_class exact() const {
@@ -172,29 +186,71 @@ int quick_volume_sign(std::span<const Vec3> points, std::span<const Triangle> tr
   return (all.volume > doubt) - (all.volume < -doubt);
 }
 
-// Twice the area where rounding provably costs less than 1e-13 of it.
-std::optional<double> quick_double_area(const MeshView& mesh, const Triangle& corners) {
-  constexpr double kHalfUlp = 0x1p-53;
-  const Vec3 &a = mesh.points[corners[0]], &b = mesh.points[corners[1]],
-             &c = mesh.points[corners[2]];
-  const Vec3 u = b - a, v = c - a;
-  const double doubled = u.cross(v).norm();
+// Added up with what rounding takes from it [Kahan].
+class CompensatedSum {
+ public:
+  void add(double term) {
+    const double rest = term - rest_, next = sum_ + rest;
+    rest_ = (next - sum_) - rest;
+    sum_ = next;
+  }
+  [[nodiscard]] double value() const { return sum_; }
+
+ private:
+  double sum_ = 0, rest_ = 0;
+};
+
+// A sum over all triangles, by blocks that do not depend on the number of threads.
+template <class Term>
+double sum_of(const MeshView& mesh, const Term& term) {
+  std::vector<CompensatedSum> parts(support::block_count(mesh.triangles.size()));
+  support::for_each_block(mesh.triangles.size(), [&](const support::Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      parts[block.number].add(term(mesh.triangles[i]));
+    }
+  });
+  CompensatedSum sum;
+  for (const CompensatedSum& part : parts) {
+    sum.add(part.value());
+  }
+  return sum.value();
+}
+
+// Twice the area by the processor's widest numbers, and a bound for what rounding does to it.
+struct QuickArea {
+  double doubled, error;
+};
+
+QuickArea quick_double_area(const MeshView& mesh, const Triangle& corners) {
+  using Wide = Eigen::Matrix<long double, 3, 1>;
+  constexpr auto kWideHalfUlp = std::numeric_limits<long double>::epsilon() / 2;
+  constexpr auto kHalfUlp = std::numeric_limits<double>::epsilon() / 2;
+  const Wide a = mesh.points[corners[0]].cast<long double>(),
+             b = mesh.points[corners[1]].cast<long double>(),
+             c = mesh.points[corners[2]].cast<long double>();
+  const Wide u = b - a, v = c - a;
+  const long double doubled = u.cross(v).norm();
   // Of each coordinate of u and v: rounding of the difference, and of implicit points themselves.
-  const double off = has_implicit_corner(mesh, corners)
-                         ? 2 * kHalfUlp * std::max({a.lpNorm<1>(), b.lpNorm<1>(), c.lpNorm<1>()})
-                         : 0;
-  const double length_u = u.lpNorm<1>(), length_v = v.lpNorm<1>();
-  const double off_u = kHalfUlp * length_u + 3 * off, off_v = kHalfUlp * length_v + 3 * off;
+  const long double off =
+      has_implicit_corner(mesh, corners)
+          ? 2 * kHalfUlp * std::max({a.lpNorm<1>(), b.lpNorm<1>(), c.lpNorm<1>()})
+          : 0;
+  const long double length_u = u.lpNorm<1>(), length_v = v.lpNorm<1>();
+  const long double off_u = kWideHalfUlp * length_u + 3 * off,
+                    off_v = kWideHalfUlp * length_v + 3 * off;
+  // More than underflow takes, also of the squares in the norm.
+  constexpr double kUnderflow = 0x1p-400;
   // The cross product's own rounding is below 3 half ulps of the products, the norm's below 4 of
   // the result; factor 2 covers the second order.
-  const double error = 2 * (length_u * off_v + length_v * off_u + off_u * off_v +
-                            3 * kHalfUlp * length_u * length_v + 4 * kHalfUlp * doubled);
-  constexpr double kSafeFromUnderflow = 0x1p-400;
-  if (doubled > kSafeFromUnderflow && error < 1e-13 * doubled) {
-    return doubled;
-  }
-  return std::nullopt;
+  const long double error =
+      2 * (length_u * off_v + length_v * off_u + off_u * off_v +
+           3 * kWideHalfUlp * length_u * length_v + 4 * kWideHalfUlp * doubled);
+  return {static_cast<double>(doubled),
+          static_cast<double>(error + 2 * kHalfUlp * doubled) + kUnderflow};
 }
+
+// Of all areas, or of one, that rounding may take.
+constexpr double kPart = 1e-13;
 
 double exact_double_area(const MeshView& mesh, const Triangle& corners) {
   const ExactPoint a = mesh.exact(corners[0]), b = mesh.exact(corners[1]),
@@ -242,15 +298,19 @@ int volume_sign(const MeshView& mesh) {
 }
 
 double area(const MeshView& mesh) {
-  double sum = 0, rest = 0;  // compensated summation
-  for (const Triangle& corners : mesh.triangles) {
-    const auto quick = quick_double_area(mesh, corners);
-    const double term = (quick ? *quick : exact_double_area(mesh, corners)) - rest;
-    const double next = sum + term;
-    rest = (next - sum) - term;
-    sum = next;
+  const auto doubled = [&](const Triangle& t) { return quick_double_area(mesh, t).doubled; };
+  const auto error = [&](const Triangle& t) { return quick_double_area(mesh, t).error; };
+  const double quick = sum_of(mesh, doubled);
+  if (sum_of(mesh, error) < kPart * quick) {
+    return quick / 2;
   }
-  return sum / 2;
+  return sum_of(mesh,
+                [&](const Triangle& t) {
+                  const QuickArea area = quick_double_area(mesh, t);
+                  return area.error < kPart * area.doubled ? area.doubled
+                                                           : exact_double_area(mesh, t);
+                }) /
+         2;
 }
 
 }  // namespace dupin::mesh

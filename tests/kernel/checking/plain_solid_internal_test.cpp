@@ -26,6 +26,53 @@ void expect_as_inspected(const TriMesh& mesh) {
   }
 }
 
+void expect_same_report(const Report& report, const Report& inspected) {
+  EXPECT_EQ(report.points, inspected.points);
+  EXPECT_EQ(report.triangles, inspected.triangles);
+  EXPECT_EQ(report.counts, inspected.counts);
+  EXPECT_EQ(report.shells, inspected.shells);
+  EXPECT_EQ(report.components, inspected.components);
+  EXPECT_EQ(report.euler_number, inspected.euler_number);
+  EXPECT_EQ(report.genus, inspected.genus);
+  EXPECT_EQ(report.volume, inspected.volume);
+  EXPECT_EQ(report.area, inspected.area);
+  EXPECT_TRUE(report.findings.empty());
+}
+
+TEST(PlainSolid, is_reported_as_inspection_does) {
+  std::size_t reported = 0;
+  for (const test::NastyShape& shape : test::nasty_shapes()) {
+    SCOPED_TRACE(shape.name);
+    const Inspection inspection = inspect(shape.mesh, {.limit = 1}, kMargin);
+    const auto report = plain_report(shape.mesh);
+    if (inspection.report.is_solid() && inspection.contacts.empty() &&
+        inspection.report.count(Defect::isolated_point) == 0) {
+      ASSERT_TRUE(report.has_value());
+      expect_same_report(*report, inspection.report);
+      ++reported;
+    } else if (report) {  // all that it looks at is right
+      EXPECT_GT(inspection.report.count(Defect::self_intersection) + inspection.contacts.size(), 0);
+    }
+  }
+  EXPECT_GT(reported, 20);
+}
+
+TEST(PlainSolid, of_a_shell_the_wrong_way_has_no_report) {
+  const TriMesh outer = test::box(Vec3(-3, -3, -3), Vec3(3, 3, 3)), inner = test::tetrahedron();
+  EXPECT_FALSE(plain_report(test::joined({outer, inner})));
+  TriMesh hollow = test::joined({outer, test::reversed(inner)});
+  const auto report = plain_report(hollow);
+  ASSERT_TRUE(report);
+  expect_same_report(*report, inspect(hollow, {}, 0).report);
+  EXPECT_EQ(report->components, 1);
+  EXPECT_EQ(report->shells[1].depth, 1);
+  hollow.points.emplace_back(1, 2, 9);
+  EXPECT_FALSE(plain_report(hollow)) << "a point that no triangle has";
+  hollow.points.pop_back();
+  hollow.triangles.pop_back();
+  EXPECT_FALSE(plain_report(hollow)) << "open";
+}
+
 TEST(PlainSolid, is_what_has_no_fault_and_no_contact) {
   std::size_t plain = 0;
   for (const test::NastyShape& shape : test::nasty_shapes()) {

@@ -98,5 +98,29 @@ TEST(Measure, areas_of_slivers_far_away_are_right_to_1e_12) {
   EXPECT_NEAR(area({points, triangles}), expected, 1e-12 * expected);
 }
 
+// So many that they are added up in parts; rounding is bounded for all of them together, though it
+// takes much of some.
+TEST(Measure, areas_of_many_are_right_to_1e_12) {
+  constexpr std::uint32_t kSide = 100;
+  const double thin = 0x1p-40;
+  std::vector<Vec3> points;
+  for (std::uint32_t i = 0; i <= kSide; ++i) {
+    const double x = 0x1p12 + (i == kSide ? kSide - 1 + thin : i);  // the last row is of slivers
+    for (std::uint32_t j = 0; j <= kSide; ++j) {
+      points.emplace_back(x, j, x);
+    }
+  }
+  std::vector<Triangle> triangles;
+  for (std::uint32_t i = 0; i < kSide; ++i) {
+    for (std::uint32_t j = 0; j < kSide; ++j) {
+      const std::uint32_t at = i * (kSide + 1) + j, next = at + kSide + 1;
+      triangles.push_back({at, next, next + 1});
+      triangles.push_back({at, next + 1, at + 1});
+    }
+  }
+  const double expected = std::sqrt(2) * (kSide - 1 + thin) * kSide;
+  EXPECT_NEAR(area({points, triangles}), expected, 1e-13 * expected);
+}
+
 }  // namespace
 }  // namespace dupin::mesh

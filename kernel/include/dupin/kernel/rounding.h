@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "dupin/kernel/check.h"
 #include "dupin/kernel/coordinates.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
@@ -102,5 +103,10 @@ class Rounded {
 /// outside its range.
 [[nodiscard]] Rounded to_mesh(const Solid& solid, Coordinates coordinates = Coordinates::binary64,
                               const RoundingOptions& options = {});
+
+/// What `check` says of the mesh. That its triangles do not cross is taken from `to_mesh`, which
+/// has proved it; that it is closed, a manifold and turned the right way is looked at again. All
+/// but O(n).
+[[nodiscard]] Report check(const Rounded& rounded);
 
 }  // namespace dupin
