@@ -32,6 +32,7 @@ FILES = ["tee_10k", "tee_100k_rot", "tee_1M_rot", "header_100_rot", "rack_fine_r
 GROWTH = {
     "triangles": ([f"tee_thousands_{count}_rot" for count in [10, 40, 100, 400, 1000, 4000]], "before"),
     "operands": ([f"header_coarse_{count}_rot" for count in [10, 100, 1000, 10000]], "operands"),
+    "operands apart": ([f"row_{count}" for count in [10, 100, 1000, 10000]], "operands"),
     "crossings": ([f"rack_{count}_rot" for count in [5, 10, 20, 40, 60]], "crossings"),
     "equal crossings": ([f"rack_eq_{count}" for count in [5, 10, 20, 40, 60]], "crossings"),
     "pipes through a point": ([f"star_{count}" for count in [5, 10, 20, 40]], "operands"),

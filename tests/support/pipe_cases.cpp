@@ -180,6 +180,15 @@ std::vector<TriMesh> bundle(int pipes) {
   return parts;
 }
 
+// Parallel pipes that do not touch, one beside the other.
+std::vector<TriMesh> row(int pipes) {
+  std::vector<TriMesh> parts;
+  for (int i = 0; i < pipes; ++i) {
+    parts.push_back(pipe_z({i, 0, 0}, 4, 0.25, {16, 1}));
+  }
+  return parts;
+}
+
 // Straight pipes and bends in turn, neighbours with the same ring: bends close it in a fan, pipes
 // around its centre or alike.
 std::vector<TriMesh> chain(int bends, End bend_ends) {
@@ -331,6 +340,7 @@ const std::map<std::string, std::vector<TriMesh> (*)(int), std::less<>>& familie
       {"rack", [](int pipes) { return rack(pipes, 0.5, 1); }},
       {"rack_eq", [](int pipes) { return rack(pipes, 0, 1); }},
       {"bundle", bundle},
+      {"row", row},
       {"coaxial", [](int pipes) { return coaxial(pipes, 0.05); }},
       {"coaxial_flush", [](int pipes) { return coaxial(pipes, 0); }}};
   return all;

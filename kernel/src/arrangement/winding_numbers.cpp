@@ -59,17 +59,17 @@ class Ray {
       : input_(input), start_(start), axis_(front.axis), direction_(front.orientation) {}
 
   // May be wrong only by saying yes.
-  [[nodiscard]] bool may_meet(const ArrangementInput::Bounds& box) const {
-    return may_meet_extent([&box](int k) { return std::pair(box.min()[k], box.max()[k]); });
-  }
   [[nodiscard]] bool may_meet(const Triangle& corners) const {
-    return may_meet_extent([&](int k) {
-      const Interval a = input_.points.interval(corners[0], k),
-                     b = input_.points.interval(corners[1], k),
-                     c = input_.points.interval(corners[2], k);
-      return std::pair(std::min({a.inf(), b.inf(), c.inf()}),
-                       std::max({a.sup(), b.sup(), c.sup()}));
-    });
+    for (const int k : {(axis_ + 1) % 3, (axis_ + 2) % 3}) {
+      const Interval x = input_.points.interval(start_, k);
+      const auto [low, high] = extent(corners, k);
+      if (x.sup() < low || x.inf() > high) {
+        return false;
+      }
+    }
+    const Interval x = input_.points.interval(start_, axis_);
+    const auto [low, high] = extent(corners, axis_);
+    return direction_ > 0 ? x.inf() <= high : x.sup() >= low;
   }
 
   // See mesh::ray_crossing().
@@ -79,19 +79,12 @@ class Ray {
   }
 
  private:
-  // Of something that lies between the ends of extent(k) along each axis k.
-  template <class Extent>
-  [[nodiscard]] bool may_meet_extent(const Extent& extent) const {
-    for (const int k : {(axis_ + 1) % 3, (axis_ + 2) % 3}) {
-      const Interval x = input_.points.interval(start_, k);
-      const auto [low, high] = extent(k);
-      if (x.sup() < low || x.inf() > high) {
-        return false;
-      }
-    }
-    const Interval x = input_.points.interval(start_, axis_);
-    const auto [low, high] = extent(axis_);
-    return direction_ > 0 ? x.inf() <= high : x.sup() >= low;
+  // The ends between which a triangle lies along an axis.
+  [[nodiscard]] std::pair<double, double> extent(const Triangle& corners, int k) const {
+    const Interval a = input_.points.interval(corners[0], k),
+                   b = input_.points.interval(corners[1], k),
+                   c = input_.points.interval(corners[2], k);
+    return {std::min({a.inf(), b.inf(), c.inf()}), std::max({a.sup(), b.sup(), c.sup()})};
   }
 
   const ArrangementInput& input_;
@@ -119,17 +112,31 @@ int crossings(const ArrangementInput& input, const Ray& ray, std::size_t operand
   return std::accumulate(sums.begin(), sums.end(), 0);
 }
 
+// A point for which it may not be told whether the box contains it.
+bool may_contain(const ArrangementInput::Bounds& box, const IntervalPoint& point) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    if (point[k].sup() < box.min()[axis] || point[k].inf() > box.max()[axis]) {
+      return false;
+    }
+  }
+  return true;
+}
+
 // How often the operands of each group contain what lies right in front of a part of a face: signed
-// crossings of a ray from its middle. `corners` span the part, `support` gives its plane and
-// orientation, and `cover` the triangles it is part of. Adds a point to the input and removes it.
-// O(triangles) in the worst case. Needs UpwardRounding.
+// crossings of a ray from its middle. Lemma: a closed surface winds 0 times around what lies
+// outside its box, so whatever a ray leaves of such an operand it has entered before. `corners`
+// span the part, `support` gives its plane and orientation, and `cover` the triangles it is part
+// of. Adds a point to the input and removes it. O(triangles) in the worst case. Needs
+// UpwardRounding.
 Counts winding_numbers_at(ArrangementInput& input, const BooleanRule& rule, const Triangle& corners,
                           const Triangle& support, std::span<const SignedTriangle> cover) {
   const PointId start = input.points.add(middle(input.points, corners));
   const Ray ray(input, start, projection_of(input.points, support));
+  const IntervalPoint place = input.points.interval(start);
   std::vector<int> counts(rule.groups, 0);
   for (std::size_t o = 0; o < input.operands.size(); ++o) {
-    if (ray.may_meet(input.bounds[o])) {
+    if (may_contain(input.bounds[o], place)) {
       counts[rule.group_of_operand[o]] += crossings(input, ray, o, cover);
     }
   }
