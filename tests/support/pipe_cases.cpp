@@ -184,7 +184,7 @@ std::vector<TriMesh> bundle(int pipes) {
 std::vector<TriMesh> row(int pipes) {
   std::vector<TriMesh> parts;
   for (int i = 0; i < pipes; ++i) {
-    parts.push_back(pipe_z({i, 0, 0}, 4, 0.25, {16, 1}));
+    parts.push_back(pipe_z({1.0 * i, 0, 0}, 4, 0.25, {16, 1}));
   }
   return parts;
 }

@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <span>
-#include <utility>
 
 #include "checking/inspection.h"
-#include "checking/plain_solid.h"
 #include "dupin/kernel/coordinates.h"
 #include "dupin/kernel/decimal.h"
-#include "dupin/kernel/rounding.h"
 
 namespace dupin {
 namespace {
@@ -44,15 +41,6 @@ std::string edge(const Finding& finding, const TriMesh& mesh) {
 
 Report check(const TriMesh& mesh, const CheckOptions& options) {
   return checking::inspect(mesh, options).report;
-}
-
-Report check(const Rounded& rounded) {
-  if (rounded.contacts().empty()) {
-    if (auto report = checking::plain_report(rounded.mesh())) {
-      return std::move(*report);
-    }
-  }
-  return check(rounded.mesh(), {.self_intersections = false});
 }
 
 bool Report::closed() const {
