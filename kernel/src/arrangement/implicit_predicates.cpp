@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "exact/lattice_orientation.h"
+
 namespace dupin::arrangement {
 namespace {
 
@@ -43,10 +45,8 @@ std::array<Number, 3> direction(const mesh::ExactPoint& from, const mesh::ExactP
 }
 
 int exact_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
-  for (int k = 0; k < 3; ++k) {
-    if (a[k] == b[k] && a[k] == c[k] && a[k] == p[k]) {
-      return 0;  // in a plane across an axis, as many are
-    }
+  if (const auto sign = exact::lattice_orientation(a, b, c, p)) {
+    return *sign;
   }
   const std::array<Number, 3> origin{Number(a[0]), Number(a[1]), Number(a[2])};
   const auto from_origin = [&origin](const Vec3& q) {

@@ -5,6 +5,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include "exact/lattice_orientation.h"
+
 namespace dupin::predicates {
 namespace {
 
@@ -15,6 +17,9 @@ using Sides = std::array<int, 3>;
 Kernel::Point_3 point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 int exact_side(const Corners& plane, const Vec3& p) {
+  if (const auto sign = exact::lattice_orientation(plane[0], plane[1], plane[2], p)) {
+    return *sign;
+  }
   return CGAL::orientation(point(plane[0]), point(plane[1]), point(plane[2]), point(p));
 }
 

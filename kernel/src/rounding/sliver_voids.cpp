@@ -10,6 +10,7 @@
 #include "mesh/measure.h"
 #include "mesh/self_contact.h"
 #include "predicates/triangle_distance.h"
+#include "support/blocks.h"
 #include "support/disjoint_sets.h"
 #include "support/sequences.h"
 
@@ -35,6 +36,20 @@ std::vector<std::uint32_t> points_of(std::span<const Triangle> triangles,
   }
   support::sort_unique(points);
   return points;
+}
+
+/// In parallel, for so few indices that take so long that blocks would be too large.
+template <class Visit>
+void for_each(std::size_t count, const Visit& visit) {
+  constexpr std::size_t kAtOnce = 8;
+  support::for_each_block(
+      count,
+      [&](const support::Block& block) {
+        for (std::size_t i = block.begin; i < block.end; ++i) {
+          visit(i);
+        }
+      },
+      kAtOnce);
 }
 
 /// The mean normal of the triangles that face the same way as the largest, of length 1 but for
@@ -101,10 +116,18 @@ std::vector<Eigen::AlignedBox3d> bounds_of(const mesh::Shells& shells,
 SliverVoids::SliverVoids(const mesh::ExactMesh& mesh,
                          std::span<const std::uint32_t> representatives, double widest)
     : mesh_(mesh), merged_(merged(mesh, representatives)), edges_(merged_, mesh.points.size()) {
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    if (edges_[i].half_edges.size() > 2) {
-      around_.emplace(i, mesh::sorted_around(mesh::MeshView(mesh_), edges_, edges_[i]));
-    }
+  const auto crowded = support::collect_in_order<std::size_t>(
+      edges_.size(), [&](std::size_t i, std::vector<std::size_t>& found) {
+        if (edges_[i].half_edges.size() > 2) {
+          found.push_back(i);
+        }
+      });
+  std::vector<std::vector<std::uint32_t>> around(crowded.size());
+  for_each(crowded.size(), [&](std::size_t i) {
+    around[i] = mesh::sorted_around(mesh::MeshView(mesh_), edges_, edges_[crowded[i]]);
+  });
+  for (std::size_t i = 0; i < crowded.size(); ++i) {
+    around_.emplace(crowded[i], std::move(around[i]));
   }
   cells_ = find_cells();
   voids_ = find_voids(widest);
@@ -167,13 +190,19 @@ bool SliverVoids::is_void(std::uint32_t cell) const {
 
 /// Those in which material might float are left out.
 std::vector<SliverVoids::Void> SliverVoids::find_voids(double widest) const {
-  std::vector<Void> voids;
-  for (std::uint32_t cell = 0; cell < cells_.count; ++cell) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::vector<double> widths(cells_.count, kNone);
+  for_each(cells_.count, [&](std::size_t i) {
+    const auto cell = static_cast<std::uint32_t>(i);
     const auto faces = cells_.faces_of(cell);
     const auto points = points_of(merged_, faces);
     const double width = width_across(mean_normal(mesh_, faces), mesh_, points, widest);
-    if (width <= widest && is_void(cell)) {
-      voids.push_back({cell, width});
+    widths[cell] = width <= widest && is_void(cell) ? width : kNone;
+  });
+  std::vector<Void> voids;
+  for (std::uint32_t cell = 0; cell < cells_.count; ++cell) {
+    if (widths[cell] < kNone) {
+      voids.push_back({cell, widths[cell]});
     }
   }
   const std::vector<Eigen::AlignedBox3d> bounds = bounds_of(cells_, mesh_);
