@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "exact/lattice_orientation.h"
+#include "predicates/lattice_orientation.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -45,7 +45,7 @@ std::array<Number, 3> direction(const mesh::ExactPoint& from, const mesh::ExactP
 }
 
 int exact_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
-  if (const auto sign = exact::lattice_orientation(a, b, c, p)) {
+  if (const auto sign = predicates::lattice_orientation(a, b, c, p)) {
     return *sign;
   }
   const std::array<Number, 3> origin{Number(a[0]), Number(a[1]), Number(a[2])};

@@ -5,7 +5,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include "exact/lattice_orientation.h"
+#include "predicates/lattice_orientation.h"
 
 namespace dupin::predicates {
 namespace {
@@ -17,7 +17,7 @@ using Sides = std::array<int, 3>;
 Kernel::Point_3 point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 int exact_side(const Corners& plane, const Vec3& p) {
-  if (const auto sign = exact::lattice_orientation(plane[0], plane[1], plane[2], p)) {
+  if (const auto sign = lattice_orientation(plane[0], plane[1], plane[2], p)) {
     return *sign;
   }
   return CGAL::orientation(point(plane[0]), point(plane[1]), point(plane[2]), point(p));

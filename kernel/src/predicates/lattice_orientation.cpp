@@ -1,4 +1,4 @@
-#include "exact/lattice_orientation.h"
+#include "predicates/lattice_orientation.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace dupin::exact {
+namespace dupin::predicates {
 namespace {
 
 __extension__ using Int128 = __int128;
@@ -90,4 +90,4 @@ std::optional<int> lattice_orientation(const Vec3& a, const Vec3& b, const Vec3&
   return static_cast<std::uint64_t>(low) != 0 ? 1 : 0;
 }
 
-}  // namespace dupin::exact
+}  // namespace dupin::predicates

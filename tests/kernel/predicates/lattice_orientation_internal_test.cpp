@@ -5,9 +5,9 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "exact/lattice_orientation.h"
+#include "predicates/lattice_orientation.h"
 
-namespace dupin::exact {
+namespace dupin::predicates {
 namespace {
 
 int by_rationals(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
@@ -109,4 +109,4 @@ TEST(LatticeOrientation, is_told_or_left_at_the_ends_of_the_range) {
 }
 
 }  // namespace
-}  // namespace dupin::exact
+}  // namespace dupin::predicates

@@ -4,7 +4,7 @@
 
 #include "dupin/kernel/vec.h"
 
-namespace dupin::exact {
+namespace dupin::predicates {
 
 /// The sign of det(b - a, c - a, p - a), by integers of fixed width: a few products, and no memory.
 /// None if coordinates along some axis are no multiples of one power of two below 2^60 of them.
@@ -16,4 +16,4 @@ namespace dupin::exact {
 [[nodiscard]] std::optional<int> lattice_orientation(const Vec3& a, const Vec3& b, const Vec3& c,
                                                      const Vec3& p);
 
-}  // namespace dupin::exact
+}  // namespace dupin::predicates
