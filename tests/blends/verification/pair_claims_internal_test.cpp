@@ -184,13 +184,13 @@ TEST(EmbeddedClaim, needs_leaves_that_begin_in_the_order_of_the_way) {
   RingedSurface loop;
   loop.spine = BezierSpine{{Vec3(0, 0, 0), Vec3(30, 20, 0), Vec3(-20, 20, 0), Vec3(10, 0, 0)}, {}};
   loop.radius = ConstantRadius{.01};
-  constexpr int kCells = 64;
+  constexpr int kCells = 64, kFirst = 3;  // cells before the loop crosses itself, at .067
   const auto cell = [](int i) {
     return ParameterInterval{double(i) / kCells, double(i + 1) / kCells};
   };
   const auto middle = [&](int i) { return evaluate(loop.spine, (i + .5) / kCells).position; };
   std::vector<DiscPairs> leaves;
-  for (int i = 0; i < kCells / 8; ++i) {
+  for (int i = 0; i < kFirst; ++i) {
     for (int j = i; j < kCells; ++j) {
       leaves.push_back({cell(i), cell(j), {}});
       if (j > i + 1) {
@@ -199,7 +199,8 @@ TEST(EmbeddedClaim, needs_leaves_that_begin_in_the_order_of_the_way) {
     }
   }
   const Solid solid = test::solid(loop);
-  leaves.push_back({{.125, 1}, {0, 1}, {}});
+  const ParameterInterval rest{double(kFirst) / kCells, 1};
+  leaves.push_back({rest, {0, 1}, {}});
   EXPECT_FALSE(follows(solid, embedded(leaves), kRegular));
   // The same leaves are enough of the loop's first quarter, going on straight.
   RingedSurface open = loop;
@@ -207,7 +208,7 @@ TEST(EmbeddedClaim, needs_leaves_that_begin_in_the_order_of_the_way) {
   for (DiscPairs& leaf : leaves) {
     leaf.direction = leaf.direction ? std::optional<Vec3>(Vec3::UnitX()) : std::nullopt;
   }
-  leaves.back() = {{.125, 1}, {.125, 1}, {}};
+  leaves.back() = {rest, rest, {}};
   EXPECT_TRUE(follows(test::solid(open), embedded(leaves), kRegular));
 }
 
