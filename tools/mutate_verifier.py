@@ -57,7 +57,7 @@ KNOWN = {
     ("regular_claim.cpp", "return least > 0 &&", " >= "): ADMITTED,
     ("regular_claim.cpp", "return halvings > 0 && is_regular_on(", " >= "): DEPTH,
     ("regular_claim.cpp", "least = tube.radius_range(t, t).lower;", ".upper"): ROUNDING,
-    ("pair_claims.cpp", "cells <= kMostCells; cells *= 2", " < "): STRICTER,
+    ("pair_claims.cpp", "cells <= kMostCells; cells *= 4", " < "): STRICTER,
     ("pair_claims.cpp", "for (int i = 0; i < cells; ++i) {", " <= "): STRICTER,
     ("pair_claims.cpp", "length.lower > 0 ?", " >= "): "a quotient by what may be 0 is the line",
     ("pair_claims.cpp", "length.lower > 0 ?", ".upper"):
@@ -74,6 +74,13 @@ KNOWN = {
     ("pair_claims.cpp", "radius = std::max(radius.upper, disc->radius[0].upper);", ".lower"):
         "the largest radius so far is one number; tests notice if the other is the lower",
     ("pair_claims.cpp", "phi = phi.upper;", ".lower"): ROUNDING,
+    ("pair_claims.cpp", "return phi.upper < 1 &&", ".lower"): ROUNDING,  # phi is one number by then
+    ("pair_claims.cpp", ".lower > 0;", ".upper"): ROUNDING,  # all that it is made of are single numbers
+    ("pair_claims.cpp", ".lower > 0;", " >= "): SLACK,
+    ("pair_claims.cpp", "* range.upper).upper <= range.lower", ".lower"): ROUNDING,
+    ("pair_claims.cpp", "if (!(t.from < t.to) || !discs", " && "):
+        "of one disc no point is on both sides; without `discs` an empty optional is read, whose"
+        " garbage a test asks for and need not accept; and ends are known where `discs` are",
     ("pair_claims.cpp", "if (!(t.from < t.to) || !discs", " <= "): ONE_SIDE,
     ("pair_claims.cpp", "first->tangents.front()).lower > 0", " >= "): SLACK,
     ("pair_claims.cpp", "first->tangents.front()).lower > 0", ".upper"): ROUNDING,

@@ -377,6 +377,17 @@ TEST(ClearanceClaim, with_a_common_point_needs_short_stretches) {
       follows(pipe, ball, {}, common_point(Verdict::proved, {inside, {.0625, .125}, {0, 1}})));
 }
 
+// Nothing is known of discs that are of two pieces, though it is of the first and the last.
+TEST(ClearanceClaim, with_a_common_point_needs_stretches_of_one_piece) {
+  const Solid chain = test::solid(test::cylinder({0, 0, 0}, {1, 0, 0}, 1),
+                                  test::cylinder({1, 0, 0}, {2, 0, 0}, 1)),
+              ball = test::ball({1, 0, 0}, 1);
+  const Vec3 inside(.875, 0, 0);
+  EXPECT_TRUE(follows(chain, ball, {}, common_point(Verdict::proved, {inside, {.75, 1}, {0, 1}})));
+  EXPECT_FALSE(
+      follows(chain, ball, {}, common_point(Verdict::proved, {inside, {.75, 1.25}, {0, 1}})));
+}
+
 // Of a cone no disc passes beyond its border, though later ones of the stretch are larger.
 TEST(ClearanceClaim, with_a_common_point_is_about_the_least_radius) {
   const Solid cone = test::solid(test::cone({0, 0, 0}, {1, 0, 0}, 1, 3)),
