@@ -15,11 +15,8 @@ namespace {
 constexpr std::size_t kSampled = 16;
 
 std::uint64_t hash_of(const Vec3& place) {
-  std::uint64_t hash = 0;
-  for (int i = 0; i < 3; ++i) {
-    hash = support::mixed(hash, std::bit_cast<std::uint64_t>(place[i] + 0.0));
-  }
-  return hash;
+  const auto bits = [&](int axis) { return std::bit_cast<std::uint64_t>(place[axis] + 0.0); };
+  return support::mixed(0, bits(0) ^ std::rotl(bits(1), 21) ^ std::rotl(bits(2), 42));
 }
 
 // By its corners, whatever their order, the order of triangles and that of operands. Those that are
@@ -35,16 +32,10 @@ std::uint64_t hash_of(const ArrangementInput& input, std::uint32_t triangle) {
 // What those of the candidates have in common that are looked at.
 std::vector<TriangleIntersection> sampled_intersections(const ArrangementInput& input,
                                                         std::span<const TrianglePair> candidates) {
-  std::vector<std::uint64_t> hashes(input.triangles.size());
-  support::for_each_block(hashes.size(), [&](const support::Block& block) {
-    for (std::size_t t = block.begin; t < block.end; ++t) {
-      hashes[t] = hash_of(input, static_cast<std::uint32_t>(t));
-    }
-  });
   return support::collect_in_order<TriangleIntersection>(
       candidates.size(), [&](std::size_t i, std::vector<TriangleIntersection>& found) {
         const auto& [first, second] = candidates[i];
-        if (support::mixed(0, hashes[first] + hashes[second]) % kSampled == 0) {
+        if (support::mixed(0, hash_of(input, first) + hash_of(input, second)) % kSampled == 0) {
           const UpwardRounding rounding;
           intersect(input, first, second, found);
         }
