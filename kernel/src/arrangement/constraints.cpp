@@ -181,13 +181,9 @@ void group_faces(std::span<const TriangleIntersection> intersections, Constraint
     }
     faces[face].push_back(overlapping[i]);
   }
-  const auto collect = [&](std::size_t i, std::vector<std::uint32_t>& found) {
-    const auto t = static_cast<std::uint32_t>(i);
-    if (result.touched[t] && !std::binary_search(overlapping.begin(), overlapping.end(), t)) {
-      found.push_back(t);
-    }
-  };
-  result.alone = support::collect_in_order<std::uint32_t>(result.touched.size(), collect);
+  result.alone = support::indices_where(result.touched.size(), [&](std::uint32_t t) {
+    return result.touched[t] && !std::binary_search(overlapping.begin(), overlapping.end(), t);
+  });
 }
 
 template <class Item>

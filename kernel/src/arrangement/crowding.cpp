@@ -1,11 +1,12 @@
 #include "arrangement/crowding.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <vector>
 
 #include "arrangement/triangle_intersection.h"
+#include "mesh/coincident_points.h"
+#include "support/blocks.h"
 #include "support/hash.h"
 
 namespace dupin::arrangement {
@@ -14,17 +15,12 @@ namespace {
 // A pair in so many is looked at.
 constexpr std::size_t kSampled = 16;
 
-std::uint64_t hash_of(const Vec3& place) {
-  const auto bits = [&](int axis) { return std::bit_cast<std::uint64_t>(place[axis] + 0.0); };
-  return support::mixed(0, bits(0) ^ std::rotl(bits(1), 21) ^ std::rotl(bits(2), 42));
-}
-
 // By its corners, whatever their order, the order of triangles and that of operands. Those that are
 // no doubles count nothing: how well they are known may depend on it.
 std::uint64_t hash_of(const ArrangementInput& input, std::uint32_t triangle) {
   std::uint64_t hash = 0;
   for (const PointId corner : input.triangles[triangle]) {
-    hash += input.points.is_double(corner) ? hash_of(input.points.coordinates(corner)) : 0;
+    hash += input.points.is_double(corner) ? mesh::hash_of(input.points.coordinates(corner)) : 0;
   }
   return hash;
 }

@@ -70,13 +70,10 @@ DisjointFaceGroups given_groups(const WeldedMesh& mesh, std::span<const std::uin
       marked[v] = 0;
     }
   }
-  const auto around = support::collect_in_order<std::uint32_t>(
-      given.size(), [&](std::size_t f, std::vector<std::uint32_t>& found) {
-        const auto& [a, b, c] = mesh.corners[f];
-        if ((marked[a] & marked[b] & marked[c]) == 0) {
-          found.push_back(static_cast<std::uint32_t>(f));
-        }
-      });
+  const auto around = support::indices_where(given.size(), [&](std::uint32_t f) {
+    const auto& [a, b, c] = mesh.corners[f];
+    return (marked[a] & marked[b] & marked[c]) == 0;
+  });
   const auto corners = support::selected(mesh.corners, around);
   DisjointFaceGroups groups{{given.begin(), given.end()},
                             injective_stars(mesh.points, corners, marked)};

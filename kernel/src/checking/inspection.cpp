@@ -162,13 +162,9 @@ class Inspector {
   }
 
   void check_edges(const mesh::EdgeTable& edges) {
-    const auto faulty = support::collect_in_order<std::size_t>(
-        edges.size(), [&](std::size_t i, std::vector<std::size_t>& found) {
-          if (defect_of(edges[i], edges)) {
-            found.push_back(i);
-          }
-        });
-    for (const std::size_t i : faulty) {
+    const auto faulty = support::indices_where(
+        edges.size(), [&](std::uint32_t i) { return defect_of(edges[i], edges).has_value(); });
+    for (const std::uint32_t i : faulty) {
       const mesh::Edge edge = edges[i];
       std::vector<std::uint32_t> faces;
       for (const std::uint32_t half_edge : edge.half_edges) {
@@ -242,13 +238,10 @@ class Inspector {
 
   std::vector<std::vector<std::uint32_t>> check_degenerate_and_duplicate(
       const std::vector<Triangle>& merged, const mesh::EdgeTable& edges) {
-    const auto flat = support::collect_in_order<std::uint32_t>(
-        merged.size(), [&](std::size_t i, std::vector<std::uint32_t>& found) {
-          const auto& [p, q, r] = merged[i];
-          if (predicates::collinear(points_[p], points_[q], points_[r])) {
-            found.push_back(static_cast<std::uint32_t>(i));
-          }
-        });
+    const auto flat = support::indices_where(merged.size(), [&](std::uint32_t i) {
+      const auto& [p, q, r] = merged[i];
+      return predicates::collinear(points_[p], points_[q], points_[r]);
+    });
     for (const std::uint32_t i : flat) {
       add(Defect::degenerate_face, {i}, {triangles_[i].begin(), triangles_[i].end()},
           points_[merged[i][0]]);

@@ -28,12 +28,8 @@ std::vector<std::uint32_t> ring(const BrokenMesh& mesh, std::span<const std::uin
     }
   }
   const support::BulkVector<std::uint8_t> marked = marked_faces(mesh.triangles, marks);
-  return support::collect_in_order<std::uint32_t>(
-      marked.size(), [&](std::size_t face, std::vector<std::uint32_t>& found) {
-        if (marked[face] != 0) {
-          found.push_back(static_cast<std::uint32_t>(face));
-        }
-      });
+  return support::indices_where(marked.size(),
+                                [&](std::uint32_t face) { return marked[face] != 0; });
 }
 
 boxes::FramedTriangle framed(const boxes::BoxQuantizer& frame, std::span<const Vec3> points,

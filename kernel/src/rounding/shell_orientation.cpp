@@ -125,13 +125,10 @@ constexpr std::uint8_t kOwn = 1, kForeign = 2;
 /// The triangles with an own corner and without a foreign one.
 std::vector<std::uint32_t> own_faces(std::span<const Triangle> triangles,
                                      std::span<const std::uint8_t> marks) {
-  return support::collect_in_order<std::uint32_t>(
-      triangles.size(), [&](std::size_t face, std::vector<std::uint32_t>& found) {
-        const auto& [a, b, c] = triangles[face];
-        if ((marks[a] | marks[b] | marks[c]) == kOwn) {
-          found.push_back(static_cast<std::uint32_t>(face));
-        }
-      });
+  return support::indices_where(triangles.size(), [&](std::uint32_t face) {
+    const auto& [a, b, c] = triangles[face];
+    return (marks[a] | marks[b] | marks[c]) == kOwn;
+  });
 }
 
 /// A connected part of the surface that does not stay, with the triangles next to it.

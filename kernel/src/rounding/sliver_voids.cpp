@@ -38,20 +38,6 @@ std::vector<std::uint32_t> points_of(std::span<const Triangle> triangles,
   return points;
 }
 
-/// In parallel, for so few indices that take so long that blocks would be too large.
-template <class Visit>
-void for_each(std::size_t count, const Visit& visit) {
-  constexpr std::size_t kAtOnce = 8;
-  support::for_each_block(
-      count,
-      [&](const support::Block& block) {
-        for (std::size_t i = block.begin; i < block.end; ++i) {
-          visit(i);
-        }
-      },
-      kAtOnce);
-}
-
 /// The mean normal of the triangles that face the same way as the largest, of length 1 but for
 /// rounding; any direction if doubles cannot tell it.
 Vec3 mean_normal(const mesh::ExactMesh& mesh, std::span<const std::uint32_t> faces) {
@@ -116,14 +102,10 @@ std::vector<Eigen::AlignedBox3d> bounds_of(const mesh::Shells& shells,
 SliverVoids::SliverVoids(const mesh::ExactMesh& mesh,
                          std::span<const std::uint32_t> representatives, double widest)
     : mesh_(mesh), merged_(merged(mesh, representatives)), edges_(merged_, mesh.points.size()) {
-  const auto crowded = support::collect_in_order<std::size_t>(
-      edges_.size(), [&](std::size_t i, std::vector<std::size_t>& found) {
-        if (edges_[i].half_edges.size() > 2) {
-          found.push_back(i);
-        }
-      });
+  const auto crowded = support::indices_where(
+      edges_.size(), [&](std::uint32_t i) { return edges_[i].half_edges.size() > 2; });
   std::vector<std::vector<std::uint32_t>> around(crowded.size());
-  for_each(crowded.size(), [&](std::size_t i) {
+  support::for_each_in_parallel(crowded.size(), [&](std::size_t i) {
     around[i] = mesh::sorted_around(mesh::MeshView(mesh_), edges_, edges_[crowded[i]]);
   });
   for (std::size_t i = 0; i < crowded.size(); ++i) {
@@ -192,7 +174,7 @@ bool SliverVoids::is_void(std::uint32_t cell) const {
 std::vector<SliverVoids::Void> SliverVoids::find_voids(double widest) const {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   std::vector<double> widths(cells_.count, kNone);
-  for_each(cells_.count, [&](std::size_t i) {
+  support::for_each_in_parallel(cells_.count, [&](std::size_t i) {
     const auto cell = static_cast<std::uint32_t>(i);
     const auto faces = cells_.faces_of(cell);
     const auto points = points_of(merged_, faces);

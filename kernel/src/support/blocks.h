@@ -76,6 +76,17 @@ template <class Item, class Collect>
   return joined(std::move(parts));
 }
 
+/// The indices below `count`, ascending, that holds(index) is true of.
+template <class Holds>
+[[nodiscard]] std::vector<std::uint32_t> indices_where(std::size_t count, const Holds& holds) {
+  return collect_in_order<std::uint32_t>(
+      count, [&](std::size_t i, std::vector<std::uint32_t>& found) {
+        if (const auto index = static_cast<std::uint32_t>(i); holds(index)) {
+          found.push_back(index);
+        }
+      });
+}
+
 /// Items from `begin` to before `end` that have the same key, while their neighbours have others.
 struct IndexRange {
   std::uint32_t begin, end;

@@ -3,6 +3,7 @@
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/rounding.h"
+#include "kernel/same_report.h"
 #include "support/pipe_cases.h"
 #include "support/shapes.h"
 
@@ -20,17 +21,7 @@ Solid united(const std::vector<TriMesh>& meshes) {
 void expect_as_checked(const Solid& solid) {
   for (const Coordinates coordinates : {Coordinates::binary64, Coordinates::binary32}) {
     const Rounded rounded = to_mesh(solid, coordinates);
-    const Report told = check(rounded), checked = check(rounded.mesh());
-    EXPECT_EQ(told.points, checked.points);
-    EXPECT_EQ(told.triangles, checked.triangles);
-    EXPECT_EQ(told.counts, checked.counts);
-    EXPECT_EQ(told.findings.size(), checked.findings.size());
-    EXPECT_EQ(told.shells, checked.shells);
-    EXPECT_EQ(told.components, checked.components);
-    EXPECT_EQ(told.euler_number, checked.euler_number);
-    EXPECT_EQ(told.genus, checked.genus);
-    EXPECT_EQ(told.volume, checked.volume);
-    EXPECT_EQ(told.area, checked.area);
+    test::expect_same_report(check(rounded), check(rounded.mesh()));
   }
 }
 

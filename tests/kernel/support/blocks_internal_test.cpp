@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -39,6 +40,17 @@ TEST_P(Blocks, join_what_they_find_in_order) {
     collect(i, expected);
   }
   EXPECT_EQ(collect_in_order<std::size_t>(GetParam(), collect), expected);
+}
+
+TEST_P(Blocks, tell_indices_in_order) {
+  const auto holds = [](std::uint32_t i) { return i % 7 < 3 || i % Block::kSize == 5; };
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t i = 0; i < GetParam(); ++i) {
+    if (holds(i)) {
+      expected.push_back(i);
+    }
+  }
+  EXPECT_EQ(indices_where(GetParam(), holds), expected);
 }
 
 TEST_P(Blocks, rank_indices_in_order) {
