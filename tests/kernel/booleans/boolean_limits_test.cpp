@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/error.h"
@@ -64,6 +65,11 @@ TEST(BooleanLimits, progress_comes_from_the_calling_thread_and_grows) {
     ++calls;
     return true;
   };
+  (void)unite(rack, {.progress = progress});
+  // With others at work, how often the caller hears depends on what it gets to do itself.
+  const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
+  last = 0;
+  calls = 0;
   (void)unite(rack, {.progress = progress});
   EXPECT_GT(calls, 20U);
 }
