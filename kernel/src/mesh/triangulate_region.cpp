@@ -79,6 +79,9 @@ class Region {
   using Face = Triangulation::Face_handle;
 
   void insert(std::uint32_t corner) {
+    if (vertices_[corner] != Triangulation::Vertex_handle()) {
+      return;  // polygons have it in common
+    }
     const Vec2& point = points_[corner];
     if (!point.allFinite()) {
       throw Error(Errc::invalid_argument, "the corner of a region is not finite");

@@ -92,6 +92,19 @@ TEST(TriangulateRegion, keeps_every_side_and_adds_no_corner) {
   }
 }
 
+TEST(TriangulateRegion, lets_polygons_have_corners_in_common) {
+  Drawing drawing;
+  drawing.add(square(3));
+  drawing.add({{0, 0}, {1, -1}, {2, 0}, {1, 1}});
+  drawing.add({{-1, -1}, {-2, 0}, {-1, 1}});
+  drawing.polygons[2].push_back(4);  // (0, 0)
+  double area = 0;
+  for (const Triangle& triangle : drawing.triangles()) {
+    area += drawing.area(triangle);
+  }
+  EXPECT_EQ(area, 36 - 2 - 2);
+}
+
 TEST(TriangulateRegion, does_not_depend_on_where_polygons_begin) {
   Drawing drawing;
   drawing.add(square(2));
