@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/fillet.h"
 #include "dupin/blends/part_surface.h"
 #include "dupin/kernel/gap.h"
 
@@ -32,8 +33,17 @@ struct ResolvedPart {
   bool is_tangent = false;  ///< a transition between its neighbours, to be tangent to them
 };
 
+/// A fillet with its geometry. It is no part: it trims those that it is between.
+struct ResolvedFillet {
+  std::string name;
+  std::uint32_t index = 0;                ///< in Assembly::parts
+  std::array<std::uint32_t, 2> between{};  ///< in ResolvedAssembly::parts
+  Fillet shape;
+};
+
 struct ResolvedAssembly {
   std::vector<ResolvedPart> parts;  ///< in document order
+  std::vector<ResolvedFillet> fillets;
 };
 
 /// All rings, computed once. A port that another part's name refers to is that part's ring,

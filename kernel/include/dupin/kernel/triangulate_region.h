@@ -4,13 +4,10 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "dupin/kernel/mesh.h"
+#include "dupin/kernel/vec.h"
 
 namespace dupin {
-
-using Vec2 = Eigen::Vector2d;
 
 /// The region of the plane that closed polygons bound: what lies within an odd number of them. They
 /// are told by the indices of their corners, may run either way round and have corners in common.

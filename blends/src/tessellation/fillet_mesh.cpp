@@ -1,0 +1,270 @@
+#include "tessellation/fillet_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "dupin/blends/canal_patch.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
+#include "tessellation/tessellation_tolerance.h"
+
+namespace dupin::tessellation {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+// A row of the mesh, and what the proof needs of it.
+struct FilletRow {
+  double parameter = 0;
+  MovingBall ball;
+  ContactArc arc;
+};
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return 2 * std::asin(std::min(1.0, (a - b).norm() / 2));
+}
+
+// The direction from a quadric's axis, about which it turns.
+Vec3 arm(const Ring& quadric, const Vec3& foot) {
+  const Vec3 from = foot - quadric.center;
+  return (from - from.dot(quadric.normal) * quadric.normal).normalized();
+}
+
+// The distance of the origin from a segment of the plane.
+double distance_of_segment(const Vec2& a, const Vec2& b) {
+  const Vec2 along = b - a;
+  const double share =
+      along.squaredNorm() > 0 ? std::clamp(-a.dot(along) / along.squaredNorm(), 0.0, 1.0) : 0;
+  return (a + share * along).norm();
+}
+
+// How far triangles between two rows are from the surface, which is everywhere the ball's radius
+// from the way of its centre.
+//
+// That way is nowhere further than `bend` from its chord, so that it is enough to compare distances
+// from this. They are at most the radius in the triangles' corners, hence all over, as the distance
+// from a segment is convex. They are no less than those of the triangles, seen along the chord,
+// from the chord's point.
+class Cell {
+ public:
+  Cell(const FilletRow& from, const FilletRow& to, double bend)
+      : from_(from), to_(to), radius_(from.ball.radius), bend_(bend) {
+    const Vec3 chord = (to.ball.center - from.ball.center).normalized();
+    first_ = from.arc.to_first - from.arc.to_first.dot(chord) * chord;
+    first_.normalize();
+    second_ = chord.cross(first_);
+  }
+
+  [[nodiscard]] double error(std::uint32_t columns) const {
+    double nearest = radius_;
+    for (std::uint32_t j = 0; j < columns; ++j) {
+      const Vec2 a = seen(from_, j, columns), b = seen(from_, j + 1, columns),
+                 c = seen(to_, j, columns), d = seen(to_, j + 1, columns);
+      for (const double distance :
+           {distance_of_segment(a, b), distance_of_segment(c, d), distance_of_segment(a, c),
+            distance_of_segment(b, d), distance_of_segment(a, d), distance_of_segment(b, c)}) {
+        nearest = std::min(nearest, distance);
+      }
+    }
+    return radius_ - nearest + bend_;
+  }
+
+ private:
+  [[nodiscard]] Vec2 seen(const FilletRow& row, std::uint32_t j, std::uint32_t columns) const {
+    const Vec3 arm = point(row.arc, row.arc.angle * j / columns) - row.ball.center;
+    return {arm.dot(first_), arm.dot(second_)};
+  }
+
+  const FilletRow &from_, &to_;
+  double radius_, bend_;
+  Vec3 first_, second_;
+};
+
+class Rows {
+ public:
+  Rows(const CanalFillet& loop, const FilletSampling& sampling, double allowed)
+      : loop_(loop), sampling_(sampling), allowed_(allowed) {
+    constexpr int kFirst = 16;
+    std::vector<FilletRow> first;
+    double widest = 0;
+    for (int i = 0; i <= kFirst; ++i) {
+      first.push_back(row(kTurn * i / kFirst));
+      widest = std::max(widest, first.back().arc.angle);
+    }
+    // Half of what is allowed to chords across, as a row's arcs; the rest to the way along.
+    const double radius = first.front().ball.radius;
+    const double half = std::acos(std::max(0.0, 1 - allowed / (2 * radius)));
+    columns_ = std::max(2U, segment_count_of(widest / (2 * half)));
+    rows_.push_back(first.front());
+    for (int i = 0; i < kFirst; ++i) {
+      divide(first[std::size_t(i)], first[std::size_t(i) + 1], 0);
+    }
+    rows_.pop_back();  // the first again
+  }
+
+  [[nodiscard]] const std::vector<FilletRow>& rows() const { return rows_; }
+  [[nodiscard]] std::uint32_t columns() const { return columns_; }
+  [[nodiscard]] double error() const { return error_; }
+
+ private:
+  static std::uint32_t segment_count_of(double wanted) {
+    return wanted <= 8 ? std::uint32_t(std::ceil(wanted)) : segment_count(wanted);
+  }
+
+  [[nodiscard]] FilletRow row(double parameter) const {
+    const MovingBall at = ball(loop_, parameter);
+    return {parameter, at, contact_arc(loop_.quadrics, at)};
+  }
+
+  [[nodiscard]] bool turns_too_far(const FilletRow& a, const FilletRow& b) const {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Ring& quadric = loop_.quadrics.at(i);
+      if (angle_between(arm(quadric, a.arc.feet.at(i)), arm(quadric, b.arc.feet.at(i))) >
+          sampling_.turns.at(i)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void divide(const FilletRow& from, const FilletRow& to, int depth) {
+    const double step = to.parameter - from.parameter;
+    const double bend = acceleration_bound(loop_, from.parameter, to.parameter) * step * step / 8;
+    const double error = Cell(from, to, bend).error(columns_);
+    if (error <= allowed_ && !turns_too_far(from, to)) {
+      error_ = std::max(error_, error);
+      refuse_too_fine(2.0 * double(rows_.size()) * columns_);
+      rows_.push_back(to);
+      return;
+    }
+    if (depth == kDeepest) {
+      throw Error(Errc::infeasible_blend,
+                  "the ball turns so sharply where the pipes all but touch that no mesh keeps to "
+                  "the tolerance of " +
+                      decimal(sampling_.tolerance, kMessageDigits));
+    }
+    const FilletRow middle = row(from.parameter + step / 2);
+    divide(from, middle, depth + 1);
+    divide(middle, to, depth + 1);
+  }
+
+  static constexpr int kDeepest = 24;
+  const CanalFillet& loop_;
+  const FilletSampling& sampling_;
+  double allowed_;
+  std::uint32_t columns_ = 0;
+  std::vector<FilletRow> rows_;
+  double error_ = 0;
+};
+
+struct Before {
+  bool operator()(const Vec3& a, const Vec3& b) const {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  }
+};
+
+class Mesher {
+ public:
+  Mesher(const Rows& rows, double grid) : rows_(rows.rows()), columns_(rows.columns()), grid_(grid) {
+    for (const FilletRow& row : rows_) {
+      for (std::uint32_t j = 0; j <= columns_; ++j) {
+        vertices_.push_back(vertex(point(row.arc, row.arc.angle * j / columns_)));
+      }
+    }
+  }
+
+  FilletMesh run() {
+    const std::size_t count = rows_.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::uint32_t j = 0; j < columns_; ++j) {
+        append_cell(i, (i + 1) % count, j);
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      append_foot(at(i, 0), result_.feet[0]);
+      append_foot(at(i, columns_), result_.feet[1]);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  // Points of one row may coincide; others do not.
+  std::uint32_t vertex(const Vec3& point) {
+    TriMesh& mesh = result_.tessellation.mesh;
+    const Vec3 place = snapped(point, grid_);
+    const auto [entry, is_new] =
+        vertex_at_.try_emplace(place, std::uint32_t(mesh.points.size()));
+    if (is_new) {
+      mesh.points.push_back(place);
+    }
+    return entry->second;
+  }
+
+  [[nodiscard]] std::uint32_t at(std::size_t row, std::uint32_t column) const {
+    return vertices_[row * (columns_ + 1) + column];
+  }
+
+  void append_foot(std::uint32_t vertex, std::vector<Vec3>& feet) const {
+    const Vec3& place = result_.tessellation.mesh.points[vertex];
+    if (feet.empty() || feet.back() != place) {
+      feet.push_back(place);
+    }
+  }
+
+  // Seen from the balls: along the way, then from the first foot to the second, if this is so.
+  void append_cell(std::size_t row, std::size_t next, std::uint32_t column) {
+    const FilletRow& here = rows_[row].arc.angle > 0 ? rows_[row] : rows_[next];
+    const Vec3 around = here.arc.to_first.cross(here.arc.across);
+    const bool forward = around.dot(here.ball.velocity) > 0;
+    std::array<std::uint32_t, 4> corner{at(row, column), at(next, column), at(next, column + 1),
+                                        at(row, column + 1)};
+    if (!forward) {
+      std::swap(corner[1], corner[3]);
+    }
+    const auto& points = result_.tessellation.mesh.points;
+    const auto length = [&](std::size_t i, std::size_t k) {
+      return (points[corner.at(i)] - points[corner.at(k)]).squaredNorm();
+    };
+    if (length(0, 2) <= length(1, 3)) {
+      append({corner[0], corner[1], corner[2]});
+      append({corner[0], corner[2], corner[3]});
+    } else {
+      append({corner[0], corner[1], corner[3]});
+      append({corner[1], corner[2], corner[3]});
+    }
+  }
+
+  void append(const Triangle& t) {
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) {
+      result_.tessellation.mesh.triangles.push_back(t);
+    }
+  }
+
+  const std::vector<FilletRow>& rows_;
+  std::uint32_t columns_;
+  double grid_;
+  std::map<Vec3, std::uint32_t, Before> vertex_at_;
+  std::vector<std::uint32_t> vertices_;
+  FilletMesh result_;
+};
+
+}  // namespace
+
+FilletMesh fillet_mesh(const CanalFillet& loop, const FilletSampling& sampling) {
+  const MovingBall start = ball(loop, 0);
+  const double displacement =
+      point_error(start.center.norm() + loop.quadrics[0].center.norm() +
+                      loop.quadrics[1].center.norm() + start.radius,
+                  sampling.grid);
+  const Rows rows(loop, sampling, allowed_error(sampling.tolerance, displacement));
+  FilletMesh result = Mesher(rows, sampling.grid).run();
+  result.tessellation.bands = std::uint32_t(rows.rows().size());
+  result.tessellation.error_bound = rows.error() + displacement;
+  return result;
+}
+
+}  // namespace dupin::tessellation
