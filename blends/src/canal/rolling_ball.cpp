@@ -1,0 +1,112 @@
+#include "canal/rolling_ball.h"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Geometry>
+
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin {
+namespace {
+
+/// Two skew or crossing axes: origin of the first one nearest to the second, and how far it lies
+/// over that in the direction `up`.
+struct CrossedAxes {
+  Vec3 origin, along, across, up;
+  double cosine = 0, sine = 1, height = 0;
+  double reach = 0;  ///< of the centres from each other
+};
+
+void require_rollable(const std::array<Ring, 2>& quadrics, double radius) {
+  if (!(std::isfinite(radius) && radius > 0)) {
+    throw Error(Errc::invalid_argument, "a ball's radius must be a positive number");
+  }
+  for (const Ring& quadric : quadrics) {
+    validate(quadric);
+    if (quadric.ellipse) {
+      throw Error(Errc::invalid_argument, "a ball rolls on circular cylinders and cones only");
+    }
+  }
+}
+
+CrossedAxes crossed(const Ring& first, const Ring& second) {
+  constexpr double kParallel = 1e-9;  // the loop would be longer than the pipes by its inverse
+  const Vec3 a = first.normal.normalized(), b = second.normal.normalized();
+  const Vec3 product = a.cross(b), apart = second.center - first.center;
+  const double sine = product.norm();
+  if (!(sine > kParallel)) {
+    throw Error(Errc::irregular_surface,
+                "a ball on two cylinders with parallel axes runs along them and closes no loop");
+  }
+  CrossedAxes axes;
+  axes.along = a;
+  axes.up = product / sine;
+  axes.across = axes.up.cross(a);
+  axes.cosine = a.dot(b);
+  axes.sine = sine;
+  axes.origin = first.center + apart.cross(b).dot(axes.up) / sine * a;
+  axes.height = -apart.dot(axes.up);
+  axes.reach = apart.norm();
+  return axes;
+}
+
+/// Zero where it is zero within the rounding of numbers of size `scale`.
+double settled(double x, double scale) {
+  return std::abs(x) <= 16 * std::numeric_limits<double>::epsilon() * scale ? 0 : x;
+}
+
+RollingThrough through(const Ring& thicker, const CrossedAxes& axes, double passing, double radius,
+                       double side) {
+  RollingThrough motion{axes.origin,      axes.along,  axes.across, axes.up, axes.cosine, axes.sine,
+                        passing + radius, axes.height, 0,           0,       side,        radius};
+  const double difference = thicker.radius - passing;
+  const double scale = thicker.radius + axes.reach;
+  motion.below = settled(difference + axes.height, scale);
+  motion.above = settled(difference - axes.height, scale);
+  return motion;
+}
+
+RollingPartly partly(const std::array<Ring, 2>& cylinders, double radius) {
+  // The first one is the upper one, if need be seen from the other end of the second axis.
+  CrossedAxes axes = crossed(cylinders[0], cylinders[1]);
+  if (axes.height < 0) {
+    axes = crossed(cylinders[0], flipped(cylinders[1]));
+  }
+  const double difference = cylinders[0].radius - cylinders[1].radius;
+  const double sum = cylinders[0].radius + cylinders[1].radius;
+  if (!(axes.height < sum)) {
+    throw Error(Errc::irregular_surface, "no edge for a ball to roll along: the axes are " +
+                                             decimal(axes.height, kMessageDigits) +
+                                             " apart, and the radii are " +
+                                             decimal(sum, kMessageDigits) + " together");
+  }
+  return {axes.origin,
+          axes.along,
+          axes.across,
+          axes.up,
+          axes.cosine,
+          axes.sine,
+          cylinders[0].radius + radius,
+          sum - axes.height + 2 * radius,
+          axes.height + difference,
+          axes.height - difference,
+          radius};
+}
+
+}  // namespace
+
+std::vector<CanalFillet> rolling_ball_fillets(const std::array<Ring, 2>& quadrics, double radius) {
+  require_rollable(quadrics, radius);
+  const std::size_t thick = quadrics[0].radius < quadrics[1].radius ? 1 : 0;
+  const Ring &thicker = quadrics[thick], &thinner = quadrics[1 - thick];
+  const CrossedAxes axes = crossed(thicker, thinner);
+  const RollingThrough motion = through(thicker, axes, thinner.radius, radius, 1);
+  if (motion.below < 0 || motion.above < 0) {
+    return {{quadrics, partly(quadrics, radius)}};
+  }
+  return {{quadrics, motion}, {quadrics, through(thicker, axes, thinner.radius, radius, -1)}};
+}
+
+}  // namespace dupin
