@@ -187,8 +187,8 @@ class Builder {
     }
     const ResolvedFillet& first = resolved_.fillets[group.fillets.front()];
     try {
-      solids_.push_back(Solid::from(
-          assembly::joined_by_fillets(resolved_, welded, group.fillets, meshes)));
+      solids_.push_back(
+          Solid::from(assembly::joined_by_fillets(resolved_, welded, group.fillets, meshes)));
     } catch (const Error& error) {
       throw refusal(first, "with the pipes that it joins, it bounds no solid: " + error.message());
     }
@@ -223,8 +223,7 @@ class Builder {
       entry.error_bound = std::max(entry.error_bound, loop.tessellation.error_bound);
       entry.bands += loop.tessellation.bands;
       entry.triangles += loop.tessellation.mesh.triangles.size();
-      entry.smallest_angle =
-          std::min(entry.smallest_angle, smallest_angle(loop.tessellation.mesh));
+      entry.smallest_angle = std::min(entry.smallest_angle, smallest_angle(loop.tessellation.mesh));
     }
     fillet_reports_.emplace_back(fillet.index, std::move(entry));
   }
@@ -246,7 +245,7 @@ class Builder {
   const BuildOptions& options_;
   ResolvedAssembly resolved_;
   std::vector<std::pair<std::uint32_t, PartReport>> fillet_reports_;  // by place in the document
-  std::vector<TriMesh> tubes_;  // by part
+  std::vector<TriMesh> tubes_;                                        // by part
   std::vector<Solid> solids_;
   Built built_;
 };

@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kSamples = 256;  // of a loop
+// What rounding leaves of a touch, of a radius.
+constexpr double kTouching = 1e-9;
 
 const RingedSurface& straight_tube(const PartSurface& surface, const std::string& name) {
   const auto* chain = std::get_if<Chain>(&surface);
@@ -41,8 +43,8 @@ struct Range {
 
 // How a loop lies on one of its pipes.
 struct Course {
-  Range height;         // along the axis, from the start
-  bool winds = false;   // about the axis
+  Range height;        // along the axis, from the start
+  bool winds = false;  // about the axis
 };
 
 enum class Place { within, beside, across };
@@ -50,7 +52,9 @@ enum class Place { within, beside, across };
 class Pipe {
  public:
   Pipe(const RingedSurface& tube, const std::string& name)
-      : tube_(tube), name_(name), axis_(tube.end.normal),
+      : tube_(tube),
+        name_(name),
+        axis_(tube.end.normal),
         length_((tube.end.center - tube.start.center).dot(axis_)) {}
 
   [[nodiscard]] const Ring& ring() const { return tube_.end; }
@@ -75,39 +79,43 @@ class Pipe {
     return course;
   }
 
-  [[nodiscard]] Place place(const Course& course) const {
-    if (course.height.least > 0 && course.height.most < length_) {
+  // Beyond a buried end there is no face: a loop is on this side of it, but for one point where the
+  // pipes touch, or on the other.
+  [[nodiscard]] Place place(const Course& course, const std::array<bool, 2>& buried) const {
+    const Range& height = course.height;
+    const double middle = (height.least + height.most) / 2;
+    const bool over_start = buried[0] ? middle > 0 : height.least > 0;
+    const bool under_end = buried[1] ? middle < length_ : height.most < length_;
+    if (over_start && under_end) {
       return Place::within;
     }
-    return course.height.most < 0 || course.height.least > length_ ? Place::beside : Place::across;
+    const bool beside = (buried[0] && !over_start) || (buried[1] && !under_end) ||
+                        height.most < 0 || height.least > length_;
+    return beside ? Place::beside : Place::across;
   }
 
-  // Whether a disc lies inside, by distances of points on its circle and how far these may differ
-  // from those of their neighbours.
+  // Whether a disc lies inside; it may touch, as the end of a branch as thick as the pipe does.
   [[nodiscard]] bool buries(const Ring& disc) const {
     const Vec3 first = reference_axis(disc), second = disc.normal.cross(first);
-    const double step = kTurn / kSamples, between = disc.radius * step / 2;
-    for (int i = 0; i < kSamples; ++i) {
-      const Vec3 point = disc.center + disc.radius * (std::cos(i * step) * first +
-                                                      std::sin(i * step) * second);
-      const double at = height(point), slack = between * (1 + std::abs(tube_.end.slope));
+    const auto over = [&](double t) {  // how far the circle's point is outside
+      const Vec3 point = disc.center + disc.radius * (std::cos(t) * first + std::sin(t) * second);
+      const double at = height(point);
       const double radius = tube_.end.radius + tube_.end.slope * (at - length_);
-      if (!(arm(point).norm() + slack < radius && at > between && at < length_ - between)) {
-        return false;
-      }
+      return std::max({arm(point).norm() - radius, -at, at - length_});
+    };
+    double most = 0, step = kTurn / kSamples;
+    for (int i = 1; i < kSamples; ++i) {
+      most = over(i * step) > over(most) ? i * step : most;
     }
-    return true;
+    for (; step > 1e-9; step /= 2) {
+      most = over(most - step) > over(most) ? most - step : most;
+      most = over(most + step) > over(most) ? most + step : most;
+    }
+    return over(most) <= kTouching * tube_.end.radius;
   }
 
   [[nodiscard]] const Ring& end(End end) const {
     return end == End::start ? tube_.start : tube_.end;
-  }
-
-  // Where the axis is next to another one.
-  [[nodiscard]] double height_next_to(const Pipe& other) const {
-    const Vec3 between = other.tube_.start.center - tube_.start.center;
-    const double cosine = axis_.dot(other.axis_);
-    return (between.dot(axis_) - cosine * between.dot(other.axis_)) / (1 - cosine * cosine);
   }
 
  private:
@@ -132,16 +140,23 @@ class Search {
   Search(const std::array<Pipe, 2>& pipes, double radius) : pipes_(pipes), radius_(radius) {}
 
   Fillet run() {
-    for (CanalFillet& loop :
-         rolling_ball_fillets({pipes_[0].ring(), pipes_[1].ring()}, radius_)) {
+    for (const std::size_t i : {0U, 1U}) {
+      for (const End end : {End::start, End::end}) {
+        result_.buried.at(i).at(at(end)) = pipes_.at(1 - i).buries(pipes_.at(i).end(end));
+      }
+      if (result_.buried.at(i)[0] && result_.buried.at(i)[1]) {
+        refuse("'" + pipes_.at(i).name() + "' lies inside '" + pipes_.at(1 - i).name() + "'");
+      }
+    }
+    for (CanalFillet& loop : rolling_ball_fillets({pipes_[0].ring(), pipes_[1].ring()}, radius_)) {
       consider(std::move(loop));
     }
     if (result_.loops.empty()) {
       refuse("'" + pipes_[0].name() + "' and '" + pipes_[1].name() +
              "' do not cross within their lengths");
     }
-    for (std::size_t i = 0; i < 2; ++i) {
-      bury(i);
+    for (const std::size_t i : {0U, 1U}) {
+      refuse_open_end(i);
     }
     return std::move(result_);
   }
@@ -149,7 +164,8 @@ class Search {
  private:
   void consider(CanalFillet loop) {
     const std::array<Course, 2> courses{pipes_[0].course(loop, 0), pipes_[1].course(loop, 1)};
-    const std::array<Place, 2> places{pipes_[0].place(courses[0]), pipes_[1].place(courses[1])};
+    const std::array<Place, 2> places{pipes_[0].place(courses[0], result_.buried[0]),
+                                      pipes_[1].place(courses[1], result_.buried[1])};
     if (places[0] == Place::beside || places[1] == Place::beside) {
       return;
     }
@@ -171,23 +187,13 @@ class Search {
     courses_.push_back(courses);
   }
 
-  // A pipe that a single loop winds about ends inside the other one, on the far side of the axes'
-  // crossing.
-  void bury(std::size_t i) {
-    const bool winds = courses_.front().at(i).winds;
-    if (!winds || result_.loops.size() > 1) {
-      return;
+  // A pipe that a single loop winds about has to end inside the other one.
+  void refuse_open_end(std::size_t i) const {
+    const auto& buried = result_.buried.at(i);
+    if (courses_.front().at(i).winds && result_.loops.size() == 1 && !buried[0] && !buried[1]) {
+      refuse("'" + pipes_.at(i).name() + "' neither ends inside '" + pipes_.at(1 - i).name() +
+             "' nor passes so far through it that a fillet fits on both sides");
     }
-    const Range& height = courses_.front().at(i).height;
-    const bool beyond =
-        (height.least + height.most) / 2 > pipes_.at(i).height_next_to(pipes_.at(1 - i));
-    const End end = beyond ? End::start : End::end;
-    if (!pipes_.at(1 - i).buries(pipes_.at(i).end(end))) {
-      refuse("the end '" + pipes_.at(i).name() + (beyond ? ".start" : ".end") +
-             "' neither lies inside '" + pipes_.at(1 - i).name() +
-             "' nor so far beyond it that a fillet fits there");
-    }
-    result_.buried.at(i).at(at(end)) = true;
   }
 
   const std::array<Pipe, 2>& pipes_;

@@ -272,8 +272,7 @@ class Resolver {
   void refuse_joined(const ResolvedFillet& fillet, const assembly::FilletPipes& pipes) const {
     for (std::size_t i = 0; i < 2; ++i) {
       for (const auto end : {End::start, End::end}) {
-        const std::string& by =
-            ends_[index_.at(pipes.names.at(i))].at(at(end)).taken_by;
+        const std::string& by = ends_[index_.at(pipes.names.at(i))].at(at(end)).taken_by;
         if (fillet.shape.buried.at(i).at(at(end)) && !by.empty()) {
           fail(fillet.index, pipes.key,
                "the port '" + to_string({pipes.names.at(i), end}) + "' lies inside '" +

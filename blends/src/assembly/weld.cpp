@@ -39,8 +39,7 @@ class Welder {
     }
     const std::size_t first = row_size({index, End::start}), last = row_size({index, End::end});
     const std::span points(tube.points);
-    std::vector<std::uint32_t> vertices =
-        on_ring(ring({index, End::start}), points.first(first));
+    std::vector<std::uint32_t> vertices = on_ring(ring({index, End::start}), points.first(first));
     const auto inner = appended(points.subspan(first, points.size() - first - last));
     vertices.insert(vertices.end(), inner.begin(), inner.end());
     const auto at_end = on_ring(ring({index, End::end}), points.last(last));

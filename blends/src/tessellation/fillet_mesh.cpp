@@ -169,7 +169,8 @@ struct Before {
 
 class Mesher {
  public:
-  Mesher(const Rows& rows, double grid) : rows_(rows.rows()), columns_(rows.columns()), grid_(grid) {
+  Mesher(const Rows& rows, double grid)
+      : rows_(rows.rows()), columns_(rows.columns()), grid_(grid) {
     for (const FilletRow& row : rows_) {
       for (std::uint32_t j = 0; j <= columns_; ++j) {
         vertices_.push_back(vertex(point(row.arc, row.arc.angle * j / columns_)));
@@ -196,8 +197,7 @@ class Mesher {
   std::uint32_t vertex(const Vec3& point) {
     TriMesh& mesh = result_.tessellation.mesh;
     const Vec3 place = snapped(point, grid_);
-    const auto [entry, is_new] =
-        vertex_at_.try_emplace(place, std::uint32_t(mesh.points.size()));
+    const auto [entry, is_new] = vertex_at_.try_emplace(place, std::uint32_t(mesh.points.size()));
     if (is_new) {
       mesh.points.push_back(place);
     }
@@ -217,7 +217,9 @@ class Mesher {
 
   // Seen from the balls: along the way, then from the first foot to the second, if this is so.
   void append_cell(std::size_t row, std::size_t next, std::uint32_t column) {
-    const FilletRow& here = rows_[row].arc.angle > 0 ? rows_[row] : rows_[next];
+    // Where the feet coincide an arc has no sense.
+    const bool wider = rows_[row].arc.angle > rows_[next].arc.angle;
+    const FilletRow& here = wider ? rows_[row] : rows_[next];
     const Vec3 around = here.arc.to_first.cross(here.arc.across);
     const bool forward = around.dot(here.ball.velocity) > 0;
     std::array<std::uint32_t, 4> corner{at(row, column), at(next, column), at(next, column + 1),
@@ -256,10 +258,9 @@ class Mesher {
 
 FilletMesh fillet_mesh(const CanalFillet& loop, const FilletSampling& sampling) {
   const MovingBall start = ball(loop, 0);
-  const double displacement =
-      point_error(start.center.norm() + loop.quadrics[0].center.norm() +
-                      loop.quadrics[1].center.norm() + start.radius,
-                  sampling.grid);
+  const double displacement = point_error(start.center.norm() + loop.quadrics[0].center.norm() +
+                                              loop.quadrics[1].center.norm() + start.radius,
+                                          sampling.grid);
   const Rows rows(loop, sampling, allowed_error(sampling.tolerance, displacement));
   FilletMesh result = Mesher(rows, sampling.grid).run();
   result.tessellation.bands = std::uint32_t(rows.rows().size());

@@ -268,7 +268,7 @@ class Trimmer {
     Corners corners;
     for (const Vec3& point : curve) {
       const double height = chart_.height(point);
-      if (!(height > 0 && height < 1)) {
+      if ((face_.keeps_start && !(height > 0)) || (face_.keeps_end && !(height < 1))) {
         throw Error(Errc::self_intersecting, "a curve leaves the face that it trims");
       }
       const auto [entry, is_new] =

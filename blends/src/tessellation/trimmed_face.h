@@ -9,7 +9,7 @@
 namespace dupin::tessellation {
 
 /// The face of a straight tube, a right cylinder or cone between two circles on one axis, as far as
-/// curves leave it. Curves are closed polygons on the face that neither cross nor leave it; they
+/// curves leave it. Curves are closed polygons that neither cross nor pass a ring that is kept; they
 /// may have corners in common.
 struct TrimmedFace {
   Ring start, end;  ///< normals pointing out of the tube
@@ -25,7 +25,7 @@ struct TrimmedFace {
 /// height that corners next to each other by angle are joined. Every triangle is within R (1 -
 /// cos(angle / 2)) of the face, `angle` being what it spans about the axis: `error_bound`.
 ///
-/// Throws Error{self_intersecting} where curves cross or leave the face.
+/// Throws Error{self_intersecting} where curves cross or pass a ring that is kept.
 [[nodiscard]] Tessellation trimmed_face(const TrimmedFace& face, const RingSampling& sampling);
 
 }  // namespace dupin::tessellation
