@@ -169,7 +169,8 @@ class Builder {
     for (const std::size_t f : group.fillets) {
       const ResolvedFillet& fillet = resolved_.fillets[f];
       meshes[f] = assembly::fillet_meshes(
-          assembly_, fillet, {sampling.at(fillet.between[0]), sampling.at(fillet.between[1])});
+          assembly_, fillet, {sampling.at(fillet.between[0]), sampling.at(fillet.between[1])},
+          options_.most_triangles);
       report_fillet(fillet, meshes[f]);
     }
     std::map<std::uint32_t, std::size_t> fillet_on;

@@ -112,7 +112,8 @@ std::vector<FilletedRuns> filleted_runs(const ResolvedAssembly& assembly,
 }
 
 std::vector<FilletMesh> fillet_meshes(const Assembly& assembly, const ResolvedFillet& fillet,
-                                      const std::array<RingSampling, 2>& samplings) {
+                                      const std::array<RingSampling, 2>& samplings,
+                                      std::size_t most_triangles) {
   constexpr double kTurn = 2 * std::numbers::pi;
   return with_part_context(assembly, fillet.index, [&] {
     std::vector<FilletMesh> result;
@@ -120,7 +121,8 @@ std::vector<FilletMesh> fillet_meshes(const Assembly& assembly, const ResolvedFi
       result.push_back(tessellation::fillet_mesh(
           loop, {assembly.tolerance,
                  {kTurn / samplings[0].segments, kTurn / samplings[1].segments},
-                 samplings[0].grid}));
+                 samplings[0].grid,
+                 most_triangles}));
     }
     return result;
   });

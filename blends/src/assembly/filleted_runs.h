@@ -23,10 +23,10 @@ struct FilletedRuns {
                                                       std::span<const WeldedRun> runs);
 
 /// A fillet's loops as triangles, within the assembly's tolerance; the samplings are those of the
-/// runs of its pipes.
+/// runs of its pipes. Throws Error{limit_exceeded} for more triangles than that.
 [[nodiscard]] std::vector<tessellation::FilletMesh> fillet_meshes(
     const Assembly& assembly, const ResolvedFillet& fillet,
-    const std::array<RingSampling, 2>& samplings);
+    const std::array<RingSampling, 2>& samplings, std::size_t most_triangles);
 
 /// What fillets leave of a pipe's face: `meshes` are those of all fillets, by fillet.
 [[nodiscard]] Tessellation trimmed(

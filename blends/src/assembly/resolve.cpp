@@ -292,11 +292,30 @@ class Resolver {
 
 ResolvedAssembly resolve(const Assembly& assembly) { return Resolver(assembly).run(); }
 
+bool is_buried(const ResolvedAssembly& assembly, const EndIndex& end) {
+  return std::ranges::any_of(assembly.fillets, [&](const ResolvedFillet& fillet) {
+    return (fillet.between[0] == end.part && fillet.shape.buried[0].at(at(end.end))) ||
+           (fillet.between[1] == end.part && fillet.shape.buried[1].at(at(end.end)));
+  });
+}
+
+void refuse_fillets(const Assembly& assembly, const ResolvedAssembly& resolved,
+                    std::string_view what) {
+  for (const ResolvedFillet& fillet : resolved.fillets) {
+    throw Error(Errc::invalid_argument,
+                "fillets have no " + std::string(what) +
+                    "; leave them out of the document, then its pipes have",
+                fillet.name, document_place(assembly, fillet.index));
+  }
+}
+
 std::vector<Port> ports(const ResolvedAssembly& assembly) {
   std::vector<Port> result;
   for (const auto& part : assembly.parts) {
     for (const End end : {End::start, End::end}) {
-      if (const Ring* ring = port_ring(part.shape, end)) {
+      const Ring* ring = port_ring(part.shape, end);
+      const EndIndex index{std::uint32_t(&part - assembly.parts.data()), end};
+      if (ring != nullptr && !is_buried(assembly, index)) {
         result.push_back({to_string({part.name, end}), *ring, part.name});
       }
     }

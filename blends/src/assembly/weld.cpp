@@ -57,16 +57,9 @@ class Welder {
     return joined && is_member_[joined->part];
   }
 
-  [[nodiscard]] bool is_buried(const EndIndex& end) const {
-    return std::any_of(assembly_.fillets.begin(), assembly_.fillets.end(), [&](const auto& f) {
-      return (f.between[0] == end.part && f.shape.buried[0].at(at(end.end))) ||
-             (f.between[1] == end.part && f.shape.buried[1].at(at(end.end)));
-    });
-  }
-
   // How many points a tube has at an end: those of the ring, or none.
   [[nodiscard]] std::size_t row_size(const EndIndex& end) const {
-    return is_buried(end) ? 0 : sampling_.segments;
+    return is_buried(assembly_, end) ? 0 : sampling_.segments;
   }
 
   // Both ends at a welded ring have the same vertices; the end that comes first owns them.
@@ -124,7 +117,7 @@ class Welder {
 
   // Ends that are joined to a part outside the piece vanish in the union and need no name.
   void close(std::uint32_t index, End end, const Ring& at_ring, std::uint32_t part_label) {
-    if (is_welded({index, end}) || is_buried({index, end})) {
+    if (is_welded({index, end}) || is_buried(assembly_, {index, end})) {
       return;
     }
     const ResolvedPart& part = assembly_.parts[index];

@@ -137,7 +137,7 @@ class Rows {
     const double error = Cell(from, to, bend).error(columns_);
     if (error <= allowed_ && !turns_too_far(from, to)) {
       error_ = std::max(error_, error);
-      refuse_too_fine(2.0 * double(rows_.size()) * columns_);
+      refuse_too_many();
       rows_.push_back(to);
       return;
     }
@@ -150,6 +150,15 @@ class Rows {
     const FilletRow middle = row(from.parameter + step / 2);
     divide(from, middle, depth + 1);
     divide(middle, to, depth + 1);
+  }
+
+  void refuse_too_many() const {
+    if (2.0 * double(rows_.size()) * columns_ > double(sampling_.most_triangles)) {
+      throw Error(Errc::limit_exceeded,
+                  "a tolerance of " + decimal(sampling_.tolerance, kMessageDigits) +
+                      " asks for more than " + count_text(double(sampling_.most_triangles)) +
+                      " triangles for this fillet alone; use a larger one, or a higher limit");
+    }
   }
 
   static constexpr int kDeepest = 24;

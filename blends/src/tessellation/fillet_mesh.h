@@ -22,14 +22,15 @@ struct FilletSampling {
   /// beside them keep to the tolerance.
   std::array<double, 2> turns{0.1, 0.1};
   double grid = 0;  ///< as RingSampling::grid
+  std::size_t most_triangles = kUsualTriangles;
 };
 
-/// Triangles counter-clockwise as seen from the balls. Rows go along the arcs between the feet; where
-/// these coincide, as they do where equal pipes touch, a row is one point. Rows are placed by bounds
-/// of second derivatives, as those of tubes are: `error_bound` is proved.
+/// Triangles counter-clockwise as seen from the balls. Rows go along the arcs between the feet;
+/// where these coincide, as they do where equal pipes touch, a row is one point. Rows are placed by
+/// bounds of second derivatives, as those of tubes are: `error_bound` is proved.
 ///
 /// Throws Error{infeasible_blend} where that needs steps below rounding, and
-/// Error{limit_exceeded} as refuse_too_fine().
+/// Error{limit_exceeded} for too many triangles.
 [[nodiscard]] FilletMesh fillet_mesh(const CanalFillet& loop, const FilletSampling& sampling);
 
 }  // namespace dupin::tessellation

@@ -9,8 +9,8 @@
 namespace dupin::tessellation {
 
 /// The face of a straight tube, a right cylinder or cone between two circles on one axis, as far as
-/// curves leave it. Curves are closed polygons that neither cross nor pass a ring that is kept; they
-/// may have corners in common.
+/// curves leave it. Curves are closed polygons that neither cross nor pass a ring that is kept;
+/// they may have corners in common.
 struct TrimmedFace {
   Ring start, end;  ///< normals pointing out of the tube
   std::vector<std::vector<Vec3>> curves;

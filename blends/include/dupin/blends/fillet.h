@@ -7,8 +7,8 @@
 
 namespace dupin {
 
-/// What a ball leaves uncovered that rolls round the crossing of two straight pipes outside of both:
-/// a surface tangent to both along closed curves. The pipes' faces end there.
+/// What a ball leaves uncovered that rolls round the crossing of two straight pipes outside of
+/// both: a surface tangent to both along closed curves. The pipes' faces end there.
 struct Fillet {
   /// Those of the balls' ways that lie on the pipes: one for a branch, two where a pipe passes
   /// through the other. All have the same quadrics.
