@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "canal/rational_fillet.h"
 #include "canal/rolling_ball.h"
 
 namespace dupin {

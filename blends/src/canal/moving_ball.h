@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "canal/jet.h"
+#include "dupin/blends/pe_arc.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin::canal {
@@ -28,6 +30,26 @@ struct BallJet {
   JetVec<T> center;
   Jet<T> radius;
 };
+
+/// The ball that is the point `origin` plus a combination of vectors in R^{3,1}: its last
+/// coordinate is minus the radius.
+template <class T, std::size_t n>
+[[nodiscard]] BallJet<T> ball_at(const PeVector& origin, const std::array<PeVector, n>& axes,
+                                 const std::array<Jet<T>, n>& coordinates) {
+  BallJet<T> result;
+  for (int k = 0; k < 3; ++k) {
+    Jet<T>& coordinate = result.center[static_cast<std::size_t>(k)];
+    coordinate = origin.m[k];
+    for (std::size_t i = 0; i < n; ++i) {
+      coordinate = coordinate + axes[i].m[k] * coordinates[i];
+    }
+  }
+  result.radius = -origin.r;
+  for (std::size_t i = 0; i < n; ++i) {
+    result.radius = result.radius - axes[i].r * coordinates[i];
+  }
+  return result;
+}
 
 /// What motions are made of: functions of the parameter.
 template <class T>

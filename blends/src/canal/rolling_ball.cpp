@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
+#include "canal/quadric_pair.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
@@ -18,18 +20,6 @@ struct CrossedAxes {
   double cosine = 0, sine = 1, height = 0;
   double reach = 0;  ///< of the centres from each other
 };
-
-void require_rollable(const std::array<Ring, 2>& quadrics, double radius) {
-  if (!(std::isfinite(radius) && radius > 0)) {
-    throw Error(Errc::invalid_argument, "a ball's radius must be a positive number");
-  }
-  for (const Ring& quadric : quadrics) {
-    validate(quadric);
-    if (quadric.ellipse) {
-      throw Error(Errc::invalid_argument, "a ball rolls on circular cylinders and cones only");
-    }
-  }
-}
 
 CrossedAxes crossed(const Ring& first, const Ring& second) {
   constexpr double kParallel = 1e-9;  // the loop would be longer than the pipes by its inverse
@@ -95,10 +85,55 @@ RollingPartly partly(const std::array<Ring, 2>& cylinders, double radius) {
           radius};
 }
 
+/// The ring of the parallel quadric at a distance, on which balls of that radius have their
+/// centres.
+Ring parallel(Ring ring, double distance) {
+  ring.normal.normalize();
+  ring.radius += distance * std::hypot(1, ring.slope);
+  return ring;
+}
+
+/// Throws unless the balls touch the wanted nappes and their loop is closed and regular.
+void require_closed(const CanalFillet& fillet) {
+  for (int k = 0; k < 128; ++k) {
+    // Not numbers where the generator misses the other quadric.
+    const MovingBall at = ball(fillet, 2 * std::numbers::pi * k / 128);
+    if (!at.center.allFinite()) {
+      throw Error(Errc::irregular_surface,
+                  "neither quadric passes through the other: the ball closes no loop");
+    }
+    const ContactArc arc = contact_arc(fillet.quadrics, at);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Ring& ring = fillet.quadrics[i];
+      if (!(ring.radius + ring.slope * (arc.feet[i] - ring.center).dot(ring.normal) > 0)) {
+        throw Error(Errc::irregular_surface,
+                    "the ball runs beyond the apex of a cone before it has closed a loop");
+      }
+    }
+  }
+}
+
+std::vector<CanalFillet> on_cones(const std::array<Ring, 2>& quadrics, double radius) {
+  const std::size_t one = canal::passed_through(canal::quadric_pair(quadrics));
+  const Ring first = parallel(quadrics[one], radius), second = parallel(quadrics[1 - one], radius);
+  const CrossedAxes axes = crossed(first, second);
+  std::vector<CanalFillet> fillets;
+  for (const double side : {1.0, -1.0}) {
+    fillets.push_back({quadrics, RollingOnCones{first, second, second.normal.cross(axes.up),
+                                                axes.up, side, radius}});
+    require_closed(fillets.back());
+  }
+  return fillets;
+}
+
 }  // namespace
 
 std::vector<CanalFillet> rolling_ball_fillets(const std::array<Ring, 2>& quadrics, double radius) {
-  require_rollable(quadrics, radius);
+  canal::require_quadrics(quadrics);
+  canal::require_positive(radius);
+  if (quadrics[0].slope != 0 || quadrics[1].slope != 0) {
+    return on_cones(quadrics, radius);
+  }
   const std::size_t thick = quadrics[0].radius < quadrics[1].radius ? 1 : 0;
   const Ring &thicker = quadrics[thick], &thinner = quadrics[1 - thick];
   const CrossedAxes axes = crossed(thicker, thinner);

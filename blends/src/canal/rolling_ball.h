@@ -40,4 +40,39 @@ template <class T>
           Jet<T>(motion.radius)};
 }
 
+template <class T>
+[[nodiscard]] Jet<T> product(const JetVec<T>& a, const JetVec<T>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class T>
+[[nodiscard]] Jet<T> product(const JetVec<T>& a, const Vec3& b) {
+  return b[0] * a[0] + b[1] * a[1] + b[2] * a[2];
+}
+
+template <class T>
+[[nodiscard]] BallJet<T> ball_jet(const RollingOnCones& motion, const Turn<T>& turn) {
+  // The generator start + t ahead, where |w|^2 - (w.n)^2 = (radius + slope w.n)^2 from the first.
+  const Ring &one = motion.first, &two = motion.second;
+  const auto around = [&](const Vec3& origin, const Vec3& along, double size) {
+    return combination<T>(origin, {size * motion.zero, size * motion.quarter, along},
+                          {turn.cosine, turn.sine, Jet<T>(1)});
+  };
+  const JetVec<T> start = around(two.center - one.center, Vec3::Zero(), two.radius);
+  const JetVec<T> ahead = around(Vec3::Zero(), two.normal, two.slope);
+  const Jet<T> s0 = product<T>(start, one.normal), s1 = product<T>(ahead, one.normal);
+  const double stretch = 1 + one.slope * one.slope, lever = one.radius * one.slope;
+  const Jet<T> a = product<T>(ahead, ahead) - stretch * square(s1);
+  const Jet<T> b = product<T>(start, ahead) - stretch * (s0 * s1) - lever * s1;
+  const Jet<T> c = product<T>(start, start) - stretch * square(s0) - 2 * lever * s0 -
+                   Jet<T>(one.radius * one.radius);
+  const Jet<T> t = (motion.side * square_root(square(b) - a * c) - b) / a;
+  BallJet<T> result;
+  result.radius = motion.radius;
+  for (std::size_t k = 0; k < 3; ++k) {
+    result.center[k] = Jet<T>(one.center[static_cast<int>(k)]) + start[k] + t * ahead[k];
+  }
+  return result;
+}
+
 }  // namespace dupin::canal

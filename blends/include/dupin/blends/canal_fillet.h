@@ -6,6 +6,7 @@
 
 #include "dupin/blends/canal_patch.h"
 #include "dupin/blends/pe_arc.h"
+#include "dupin/blends/regularity.h"
 #include "dupin/kernel/ring.h"
 #include "dupin/kernel/vec.h"
 
@@ -40,11 +41,50 @@ struct RollingPartly {
   double radius = 1;
 };
 
+/// Balls of one radius on two quadrics, one of them a cone at least, of which the second passes
+/// through the first: the parameter is the angle around the second. Each quadric's parallel one at
+/// the distance of the radius is told by a ring; the centre is where the generator of the second
+/// meets the first, on the side to which the second one's normal points or the other one.
+struct RollingOnCones {
+  Ring first, second;  ///< of the centres: at the ring's centre, along its normal, with its radius
+  Vec3 zero = Vec3::UnitX(), quarter = Vec3::UnitY();  ///< directions of the second one's angles
+  double side = 1;                                     ///< 1 or -1
+  double radius = 1;
+};
+
+/// Balls of varying radius on two quadrics of which the second passes through the first, rational
+/// in the tangent of half the parameter: [KK00] as corrected in the mathematics B.5. The balls are
+/// the points of R^{3,1} (centre; -radius)
+/// origin + x along + y across + (2 p d / n) e3 - (d (1 + p^2) / n) e4, with
+/// y = side d (1 - p^2) / n, x = (2 g d cos / n + y cosine) / sine, p = g sin, n = 1 + p^2 - 2 g,
+/// g = size[0] + size[1] cos + size[2] sin + size[3] cos of the double parameter.
+struct RationalCrossing {
+  PeVector origin, along, across, e3, e4;  ///< the latter four PE-orthonormal, e4 timelike
+  double cosine = 0, sine = 1;  ///< of the angle between the directions in R^{3,1}, sine > 0
+  double distance = 1;          ///< d
+  double side = 1;              ///< 1 or -1
+  std::array<double, 4> size{};
+};
+
+/// The same where the span of both directions is timelike, as for two quadrics with parallel axes
+/// that are not both cylinders; the loop surrounds the first one (mathematics B.6):
+/// origin + h u v ey + 4 h c / ((1 - a)(1 + b)) ez + x nu1 + y nu2, with a = a0^2 (1 + cos) / 2,
+/// b = b0^2 (1 - cos) / 2, c = a0 b0 sin / 2, u = (1 + a) / (1 - a), v = (1 - b) / (1 + b), and x,
+/// y such that the products with nu1 and nu2 are h (v - u) and -h (v + u).
+struct RationalParallel {
+  PeVector origin, ey, ez, nu1, nu2;
+  double half_distance = 1;   ///< h
+  double product = -2;        ///< <nu1, nu2> < -1
+  double far_squared = 0.5;   ///< a0^2 in (0, 1): sets the radius at 0
+  double near_squared = 0.5;  ///< b0^2 > 0: sets the radius at pi
+};
+
 /// Balls that touch two cylinders or cones, one loop of them; the parameter has the period 2 pi.
 /// Value type: what is stored defines the balls.
 struct CanalFillet {
   std::array<Ring, 2> quadrics;  ///< as they were given, in that order
-  std::variant<RollingThrough, RollingPartly> motion;
+  std::variant<RollingThrough, RollingPartly, RollingOnCones, RationalCrossing, RationalParallel>
+      motion;
 };
 
 /// The ball and its motion at a parameter. At a corner (`corners`) the derivatives are one-sided:
@@ -62,16 +102,48 @@ struct CanalFillet {
 
 /// The fillets of a ball of constant radius between two quadrics, which it touches from outside
 /// (mathematics B.7). Two where one quadric passes through the other, or touches it from inside, or
-/// both are equally thick and meet: first the one on the side to which the ring normal of the
-/// quadric that passes points; the quadric that passes through is the thinner one, of equal ones
-/// the second. One where neither passes through the other.
+/// both are equally thick cylinders and meet: first the one on the side to which the ring normal of
+/// the quadric that passes points; of cylinders the thinner one passes, of equal ones the second.
+/// One where neither of two cylinders passes through the other.
 ///
-/// The rounded distance of axes is taken for tangency from inside where it is that within rounding.
+/// Two cylinders touch from inside where they do within rounding.
 ///
 /// Throws Error{invalid_argument} for invalid or elliptic rings and radii that are not positive;
-/// Error{irregular_surface} where the ball has no closed loop around an edge of both: the axes are
-/// parallel, or the quadrics do not meet.
+/// Error{irregular_surface} where the ball closes no such loop: the axes are parallel, the quadrics
+/// do not meet, or of a cone and another quadric neither passes through the other. A loop that
+/// folds is not refused: `prove_regular` tells.
 [[nodiscard]] std::vector<CanalFillet> rolling_ball_fillets(const std::array<Ring, 2>& quadrics,
                                                             double radius);
+
+/// The rational fillet on one side (1: the one to which the ring normal of the quadric that passes
+/// points; -1) with these ball radii at the parameters 0, pi/2, pi and 3 pi/2, between two quadrics
+/// of which one passes through the other, or that have parallel axes and are not both cylinders.
+/// Of the latter there is one loop, around the first, whatever the side, and only the radii at 0
+/// (far from the second one's axis) and pi (near it) count.
+///
+/// Throws Error{invalid_argument} for invalid or elliptic rings, radii that are not positive, and
+/// other sides; Error{irregular_surface} where there is no such fillet, with why: neither quadric
+/// passes through the other, both are cylinders with parallel axes, the radii are too large, or the
+/// fillet would fold (at 128 parameters; `prove_regular` proves that it does not).
+[[nodiscard]] CanalFillet rational_fillet(const std::array<Ring, 2>& quadrics,
+                                          const std::array<double, 4>& radii, int side);
+
+/// All of them with one radius at the four parameters: sides 1 and -1, or the one loop.
+[[nodiscard]] std::vector<CanalFillet> rational_fillets(const std::array<Ring, 2>& quadrics,
+                                                        double radius);
+
+/// What was proved of a whole loop in interval arithmetic, of the stored numbers.
+struct CanalRegularity {
+  /// proved: `regularity` and `radius` are positive lower bounds of `least_regularity` and of the
+  /// ball's radius. refuted: at `where` the fillet folds, or the ball's radius is not positive.
+  Verdict verdict = Verdict::undecided;
+  double regularity = 0;
+  double radius = 0;
+  ParameterInterval where;  ///< refuted or undecided: where; else that of the lowest bound
+  std::size_t leaves = 0;   ///< intervals on which the bounds were proved
+};
+
+/// Bounds within a tenth of the true ones where the effort suffices (mathematics D.4).
+[[nodiscard]] CanalRegularity prove_regular(const CanalFillet& fillet);
 
 }  // namespace dupin
