@@ -223,6 +223,7 @@ class Builder {
     for (const auto& loop : loops) {
       entry.error_bound = std::max(entry.error_bound, loop.tessellation.error_bound);
       entry.bands += loop.tessellation.bands;
+      entry.segments = std::max(entry.segments, loop.columns);
       entry.triangles += loop.tessellation.mesh.triangles.size();
       entry.smallest_angle = std::min(entry.smallest_angle, smallest_angle(loop.tessellation.mesh));
     }

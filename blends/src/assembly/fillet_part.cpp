@@ -148,7 +148,7 @@ class Search {
         refuse("'" + pipes_.at(i).name() + "' lies inside '" + pipes_.at(1 - i).name() + "'");
       }
     }
-    for (CanalFillet& loop : rolling_ball_fillets({pipes_[0].ring(), pipes_[1].ring()}, radius_)) {
+    for (CanalFillet& loop : loops()) {
       consider(std::move(loop));
     }
     if (result_.loops.empty()) {
@@ -162,6 +162,14 @@ class Search {
   }
 
  private:
+  // Round parallel axes the ball grows and shrinks.
+  [[nodiscard]] std::vector<CanalFillet> loops() const {
+    const std::array<Ring, 2> quadrics{pipes_[0].ring(), pipes_[1].ring()};
+    const bool parallel = quadrics[0].normal.cross(quadrics[1].normal).norm() < kTouching;
+    return parallel ? rational_fillets(quadrics, radius_)
+                    : rolling_ball_fillets(quadrics, radius_);
+  }
+
   void consider(CanalFillet loop) {
     const std::array<Course, 2> courses{pipes_[0].course(loop, 0), pipes_[1].course(loop, 1)};
     const std::array<Place, 2> places{pipes_[0].place(courses[0], result_.buried[0]),

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "canal/rational_fillet.h"
 #include "canal/rolling_ball.h"
 #include "numbers/mpfi_interval.h"
 
@@ -42,9 +43,9 @@ BallJet<Interval> balls(const CanalFillet& fillet, double from, double to) {
 
 double acceleration_bound(const CanalFillet& fillet, double from, double to) {
   const auto jet = canal::balls(fillet, from, to);
-  return numbers::norm({jet.center[0].acceleration, jet.center[1].acceleration,
-                        jet.center[2].acceleration})
-      .upper;
+  const numbers::Interval center = numbers::norm(
+      {jet.center[0].acceleration, jet.center[1].acceleration, jet.center[2].acceleration});
+  return (center + numbers::Interval(jet.radius.acceleration.magnitude())).upper;
 }
 
 }  // namespace dupin

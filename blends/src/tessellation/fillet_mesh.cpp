@@ -1,6 +1,7 @@
 #include "tessellation/fillet_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -34,54 +35,61 @@ Vec3 arm(const Ring& quadric, const Vec3& foot) {
   return (from - from.dot(quadric.normal) * quadric.normal).normalized();
 }
 
-// The distance of the origin from a segment of the plane.
-double distance_of_segment(const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double share =
-      along.squaredNorm() > 0 ? std::clamp(-a.dot(along) / along.squaredNorm(), 0.0, 1.0) : 0;
-  return (a + share * along).norm();
-}
-
-// How far triangles between two rows are from the surface, which is everywhere the ball's radius
-// from the way of its centre.
+// How far triangles between two rows are from the surface, which bounds the union of the balls: a
+// point is min (|x - m| - rho) off it, negative inside.
 //
-// That way is nowhere further than `bend` from its chord, so that it is enough to compare distances
-// from this. They are at most the radius in the triangles' corners, hence all over, as the distance
-// from a segment is convex. They are no less than those of the triangles, seen along the chord,
-// from the chord's point.
+// Balls of linear centre and radius differ from these by `bend` at most. Over such ones
+// |x - m| - rho is convex and at most 0 in a triangle's corners, with their own balls, hence all
+// over. It is at least n (x - m) - rho for any unit vector n, which is the same for all balls where
+// n is across them, that is n m' = -rho': then it is least in a corner. The n between a triangle's
+// corners is taken.
 class Cell {
  public:
   Cell(const FilletRow& from, const FilletRow& to, double bend)
-      : from_(from), to_(to), radius_(from.ball.radius), bend_(bend) {
-    const Vec3 chord = (to.ball.center - from.ball.center).normalized();
-    first_ = from.arc.to_first - from.arc.to_first.dot(chord) * chord;
-    first_.normalize();
-    second_ = chord.cross(first_);
+      : from_(from), to_(to), bend_(bend) {
+    const Vec3 step = to.ball.center - from.ball.center;
+    const double length = step.norm();
+    chord_ = step / length;
+    slope_ = (to.ball.radius - from.ball.radius) / length;
   }
 
   [[nodiscard]] double error(std::uint32_t columns) const {
-    double nearest = radius_;
+    double deepest = 0;
     for (std::uint32_t j = 0; j < columns; ++j) {
-      const Vec2 a = seen(from_, j, columns), b = seen(from_, j + 1, columns),
-                 c = seen(to_, j, columns), d = seen(to_, j + 1, columns);
-      for (const double distance :
-           {distance_of_segment(a, b), distance_of_segment(c, d), distance_of_segment(a, c),
-            distance_of_segment(b, d), distance_of_segment(a, d), distance_of_segment(b, c)}) {
-        nearest = std::min(nearest, distance);
-      }
+      const Corner a = corner(from_, j, columns), b = corner(from_, j + 1, columns),
+                   c = corner(to_, j, columns), d = corner(to_, j + 1, columns);
+      // Both diagonals: which is taken is not known yet.
+      deepest = std::max(
+          {deepest, depth({a, b, c}), depth({b, c, d}), depth({a, b, d}), depth({a, c, d})});
     }
-    return radius_ - nearest + bend_;
+    return deepest + 2 * bend_;
   }
 
  private:
-  [[nodiscard]] Vec2 seen(const FilletRow& row, std::uint32_t j, std::uint32_t columns) const {
-    const Vec3 arm = point(row.arc, row.arc.angle * j / columns) - row.ball.center;
-    return {arm.dot(first_), arm.dot(second_)};
+  struct Corner {
+    Vec3 arm;  // from the ball's centre
+    double radius = 1;
+  };
+
+  [[nodiscard]] static Corner corner(const FilletRow& row, std::uint32_t j, std::uint32_t columns) {
+    return {point(row.arc, row.arc.angle * j / columns) - row.ball.center, row.ball.radius};
+  }
+
+  [[nodiscard]] double depth(const std::array<Corner, 3>& corners) const {
+    Vec3 between = corners[0].arm / corners[0].radius + corners[1].arm / corners[1].radius +
+                   corners[2].arm / corners[2].radius;
+    between -= between.dot(chord_) * chord_;
+    const Vec3 across = std::sqrt(1 - slope_ * slope_) * between.normalized() - slope_ * chord_;
+    double deepest = 0;
+    for (const Corner& corner : corners) {
+      deepest = std::max(deepest, corner.radius - across.dot(corner.arm));
+    }
+    return deepest;
   }
 
   const FilletRow &from_, &to_;
-  double radius_, bend_;
-  Vec3 first_, second_;
+  double bend_, slope_ = 0;
+  Vec3 chord_;
 };
 
 class Rows {
@@ -90,15 +98,15 @@ class Rows {
       : loop_(loop), sampling_(sampling), allowed_(allowed) {
     constexpr int kFirst = 16;
     std::vector<FilletRow> first;
-    double widest = 0;
+    double columns = 2;
     for (int i = 0; i <= kFirst; ++i) {
       first.push_back(row(kTurn * i / kFirst));
-      widest = std::max(widest, first.back().arc.angle);
+      // Half of what is allowed to chords across; the rest to the way along.
+      const double radius = first.back().ball.radius;
+      const double half = std::acos(std::max(0.0, 1 - allowed / (2 * radius)));
+      columns = std::max(columns, first.back().arc.angle / (2 * half));
     }
-    // Half of what is allowed to chords across, as a row's arcs; the rest to the way along.
-    const double radius = first.front().ball.radius;
-    const double half = std::acos(std::max(0.0, 1 - allowed / (2 * radius)));
-    columns_ = std::max(2U, segment_count_of(widest / (2 * half)));
+    columns_ = columns <= 8 ? std::uint32_t(std::ceil(columns)) : segment_count(columns);
     rows_.push_back(first.front());
     for (int i = 0; i < kFirst; ++i) {
       divide(first[std::size_t(i)], first[std::size_t(i) + 1], 0);
@@ -111,10 +119,6 @@ class Rows {
   [[nodiscard]] double error() const { return error_; }
 
  private:
-  static std::uint32_t segment_count_of(double wanted) {
-    return wanted <= 8 ? std::uint32_t(std::ceil(wanted)) : segment_count(wanted);
-  }
-
   [[nodiscard]] FilletRow row(double parameter) const {
     const MovingBall at = ball(loop_, parameter);
     return {parameter, at, contact_arc(loop_.quadrics, at)};
@@ -272,6 +276,7 @@ FilletMesh fillet_mesh(const CanalFillet& loop, const FilletSampling& sampling) 
                                           sampling.grid);
   const Rows rows(loop, sampling, allowed_error(sampling.tolerance, displacement));
   FilletMesh result = Mesher(rows, sampling.grid).run();
+  result.columns = rows.columns();
   result.tessellation.bands = std::uint32_t(rows.rows().size());
   result.tessellation.error_bound = rows.error() + displacement;
   return result;
