@@ -76,8 +76,16 @@ class Cell {
   }
 
   [[nodiscard]] double depth(const std::array<Corner, 3>& corners) const {
-    Vec3 between = corners[0].arm / corners[0].radius + corners[1].arm / corners[1].radius +
-                   corners[2].arm / corners[2].radius;
+    // In the middle of those that are furthest apart.
+    Vec3 between = Vec3::Zero();
+    double widest = 2;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 a = corners.at(i).arm.normalized(), b = corners.at((i + 1) % 3).arm.normalized();
+      if (a.dot(b) < widest) {
+        widest = a.dot(b);
+        between = a + b;
+      }
+    }
     between -= between.dot(chord_) * chord_;
     const Vec3 across = std::sqrt(1 - slope_ * slope_) * between.normalized() - slope_ * chord_;
     double deepest = 0;
