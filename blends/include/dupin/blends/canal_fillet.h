@@ -131,7 +131,8 @@ struct CanalFillet {
 /// What was proved of a whole loop in interval arithmetic, of the stored numbers.
 struct CanalRegularity {
   /// proved: `regularity` and `radius` are positive lower bounds of `least_regularity` and of the
-  /// ball's radius. refuted: at `where` the fillet folds, or the ball's radius is not positive.
+  /// ball's radius. refuted: at `where` the fillet folds, or the ball's radius is not positive; the
+  /// two are upper bounds there.
   Verdict verdict = Verdict::undecided;
   double regularity = 0;
   double radius = 0;
@@ -139,7 +140,8 @@ struct CanalRegularity {
   std::size_t leaves = 0;   ///< intervals on which the bounds were proved
 };
 
-/// Bounds within a tenth of the true ones where the effort suffices (mathematics D.4).
+/// By halving; the bound of the regularity is within a tenth of the true one, unless 20000
+/// intervals do not suffice (mathematics D.4).
 [[nodiscard]] CanalRegularity prove_regular(const CanalFillet& fillet);
 
 }  // namespace dupin
