@@ -105,5 +105,64 @@ TEST(RationalFilletOracle, RegularitiesOfConstantSize) {
   }
 }
 
+Vec3 evaluated(const CanalNet& net, double q, double t) {
+  Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+  const std::array<double, 3> across{(1 - t) * (1 - t), 2 * t * (1 - t), t * t};
+  for (std::size_t j = 0; j < 3; ++j) {
+    std::array<Eigen::Vector4d, 11> row;
+    for (std::size_t i = 0; i < 11; ++i) {
+      row[i] = Eigen::Vector4d(net[j][i].data());
+    }
+    for (std::size_t n = 10; n > 0; --n) {
+      for (std::size_t i = 0; i < n; ++i) {
+        row[i] = (1 - q) * row[i] + q * row[i + 1];
+      }
+    }
+    sum += across[j] * row[0];
+  }
+  return sum.head<3>() / sum[3];
+}
+
+TEST(ExactNets, AreTheFilletsArcs) {
+  std::mt19937 random(31);
+  const test::Placement place = test::random_placement(random);
+  std::array<Ring, 2> quadrics{place(canal_tables()[0].quadrics[0]),
+                               place(canal_tables()[0].quadrics[1])};
+  for (const bool swapped : {false, true}) {
+    for (const int side : {1, -1}) {
+      const CanalFillet fillet = rational_fillet(quadrics, radii_of_constant_size(.3), side);
+      const auto nets = exact_nets(fillet);
+      ASSERT_TRUE(nets) << swapped << side;
+      for (int quarter = 0; quarter < 4; ++quarter) {
+        for (const double share : {0.0, .2, .5, .9, 1.0}) {
+          const double local = share * kPi / 2;  // from the end where the sine is 0
+          const double q = quarter % 2 == 0 ? std::tan(local / 2) : 1 - std::tan(local / 2);
+          const double parameter =
+              quarter % 2 == 0 ? (quarter - 2) * kPi / 2 + local : (quarter - 1) * kPi / 2 - local;
+          const MovingBall at = ball(fillet, parameter);
+          const ContactArc arc = contact_arc(quadrics, at);
+          expect_close(evaluated(nets->at(quarter), q, 0), arc.feet[0]);
+          expect_close(evaluated(nets->at(quarter), q, 1), arc.feet[1]);
+          const Vec3 middle = evaluated(nets->at(quarter), q, .4);
+          EXPECT_NEAR((middle - at.center).norm(), at.radius, 1e-13);
+          EXPECT_NEAR((middle - arc.center).dot(at.velocity.normalized()), 0, 1e-13);
+        }
+      }
+    }
+    std::swap(quadrics[0], quadrics[1]);
+  }
+}
+
+TEST(ExactNets, AreThereForConstantSizeAtRightAnglesOnly) {
+  const auto tables = canal_tables();
+  EXPECT_TRUE(exact_nets(rational_fillet(tables[0].quadrics, tables[0].radii, 1)));
+  EXPECT_FALSE(exact_nets(rational_fillet(tables[0].quadrics, {1, .4, 1, .4}, 1)));
+  for (std::size_t i = 1; i < tables.size(); ++i) {
+    EXPECT_FALSE(exact_nets(rational_fillet(tables[i].quadrics, tables[i].radii, tables[i].side)))
+        << tables[i].name;
+  }
+  EXPECT_FALSE(exact_nets(rolling_ball_fillets(tables[0].quadrics, .5)[0]));
+}
+
 }  // namespace
 }  // namespace dupin

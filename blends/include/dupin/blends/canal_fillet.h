@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -127,6 +128,15 @@ struct CanalFillet {
 /// All of them with one radius at the four parameters: sides 1 and -1, or the one loop.
 [[nodiscard]] std::vector<CanalFillet> rational_fillets(const std::array<Ring, 2>& quadrics,
                                                         double radius);
+
+/// Homogeneous control points (x w, y w, z w, w) of a rational Bezier patch: three rows across the
+/// arcs, from the foot on the first quadric to that on the second, of degree 10 along the loop.
+using CanalNet = std::array<std::array<std::array<double, 4>, 11>, 3>;
+
+/// The fillet as four exact patches, up to the rounding of the control points, from -pi to pi in
+/// quarters (mathematics B.8): for rational fillets of constant size between two cylinders whose
+/// axes meet at right angles, within rounding. None for others.
+[[nodiscard]] std::optional<std::array<CanalNet, 4>> exact_nets(const CanalFillet& fillet);
 
 /// What was proved of a whole loop in interval arithmetic, of the stored numbers.
 struct CanalRegularity {
