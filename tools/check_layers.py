@@ -38,7 +38,7 @@ ARROWS = {
         "curves": ["numbers"],
         "ringed": ["curves", "numbers"],
         "cyclide": ["ringed", "numbers"],
-        "canal": ["cyclide", "numbers"],
+        "canal": ["cyclide", "ringed", "numbers"],
         "tessellation": ["canal", "cyclide", "ringed", "curves", "numbers"],
         "surfaces": ["tessellation", "cyclide", "ringed", "curves", "numbers"],
         "assembly": ["surfaces", "tessellation", "canal", "cyclide", "ringed", "curves", "numbers"],

@@ -219,6 +219,7 @@ class Builder {
     PartReport entry;
     entry.name = fillet.name;
     entry.kind = "fillet";
+    entry.margin_lower = fillet.shape.regularity;
     entry.smallest_angle = std::numbers::pi;
     for (const auto& loop : loops) {
       entry.error_bound = std::max(entry.error_bound, loop.tessellation.error_bound);

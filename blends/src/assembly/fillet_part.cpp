@@ -166,8 +166,7 @@ class Search {
   [[nodiscard]] std::vector<CanalFillet> loops() const {
     const std::array<Ring, 2> quadrics{pipes_[0].ring(), pipes_[1].ring()};
     const bool parallel = quadrics[0].normal.cross(quadrics[1].normal).norm() < kTouching;
-    return parallel ? rational_fillets(quadrics, radius_)
-                    : rolling_ball_fillets(quadrics, radius_);
+    return parallel ? rational_fillets(quadrics, radius_) : rolling_ball_fillets(quadrics, radius_);
   }
 
   void consider(CanalFillet loop) {
@@ -185,12 +184,13 @@ class Search {
                decimal(over, kMessageDigits));
       }
     }
-    for (int i = 0; i < kSamples; ++i) {
-      const MovingBall at = ball(loop, kTurn * i / kSamples);
-      if (!(least_regularity(at, contact_arc(loop.quadrics, at)) > 0)) {
-        refuse("the fillet folds: the ball is too large for the turns of its way");
-      }
+    const CanalRegularity proof = prove_regular(loop);
+    if (proof.verdict != Verdict::proved) {
+      refuse(proof.verdict == Verdict::refuted
+                 ? "the fillet folds: the ball is too large for the turns of its way"
+                 : "whether the fillet folds is undecided");
     }
+    result_.regularity = std::min(result_.regularity, proof.regularity);
     result_.loops.push_back(std::move(loop));
     courses_.push_back(courses);
   }

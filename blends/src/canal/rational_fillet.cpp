@@ -41,7 +41,7 @@ PeVector completed(const PeVector& a, const PeVector& b, const PeVector& c) {
 [[noreturn]] void refuse_radius(double radius, double parameter) {
   refuse("no ball of radius " + decimal(radius, kMessageDigits) +
          " touches both quadrics at the parameter " + decimal(parameter, kMessageDigits) +
-         " of the fillet: choose a smaller radius");
+         " of such a fillet");
 }
 
 /// The g for which the ball at the parameter has this radius.
@@ -84,8 +84,9 @@ PeVector timelike(const PeVector& first, const PeVector& second, const QuadricPa
 }
 
 RationalParallel around_first(const QuadricPair& pair, const std::array<double, 4>& radii) {
-  if (!(pair.squared_distance > 0)) {
-    refuse("one quadric lies inside the other: no ball touches both from outside");
+  const double size = std::abs(pair.nearest[0].r) + std::abs(pair.nearest[1].r);
+  if (!(pair.squared_distance > 1e-18 * size * size)) {
+    refuse("the quadrics share an axis: a ball between them runs around it and sweeps a torus");
   }
   RationalParallel motion;
   motion.half_distance = std::sqrt(pair.squared_distance) / 2;

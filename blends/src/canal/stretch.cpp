@@ -1,7 +1,5 @@
 #include "canal/stretch.h"
 
-#include <cmath>
-
 #include "canal/rational_fillet.h"
 #include "canal/rolling_ball.h"
 #include "numbers/mpfi_interval.h"
@@ -11,38 +9,41 @@ namespace canal {
 namespace {
 
 using numbers::Interval;
-using Mpfi = numbers::MpfiInterval<64>;
+using Number = numbers::MpfiInterval<64>;
 
-Interval narrowed(const Mpfi& x) {
-  const Enclosure e = x.rounded_outward();
-  return {e.lower, e.upper};
+Interval rounded(const Number& x) {
+  const auto [lower, upper] = x.rounded_outward();
+  return {lower, upper};
 }
 
 }  // namespace
 
-Turn<Interval> turn(double from, double to) {
-  const Mpfi angle = Mpfi::between(from, to), half = (angle - Mpfi::pi() / Mpfi(2)) / Mpfi(2);
-  const Interval c = narrowed(cosine(angle)), s = narrowed(sine(angle));
-  const Interval p = narrowed(cosine(half)), q = narrowed(sine(half));
-  const Turn<double> middle = turn(from + (to - from) / 2);
-  return {{c, -s, -c},
-          {s, c, -s},
-          {p, -q / 2, -p / 4},
-          {q, p / 2, -q / 4},
+Turn<Interval> turn(const ParameterInterval& at) {
+  const Number parameter = Number::between(at.from, numbers::next_above(at.to));
+  const Number two = Number(mpq_class(2));
+  const Number half = (parameter - Number::pi() / two) / two;
+  const Interval c = rounded(cosine(parameter)), s = rounded(sine(parameter));
+  const Interval p = rounded(cosine(half)), q = rounded(sine(half));
+  const Interval by_2 = 0.5, by_4 = 0.25;
+  const auto middle = turn((at.from + at.to) / 2);
+  return {Jet<Interval>(c, -s, -c),
+          Jet<Interval>(s, c, -s),
+          Jet<Interval>(p, -by_2 * q, -by_4 * p),
+          Jet<Interval>(q, by_2 * p, -by_4 * q),
           middle.half_cosine_sign,
           middle.half_sine_sign};
 }
 
-BallJet<Interval> balls(const CanalFillet& fillet, double from, double to) {
-  const Turn<Interval> over = turn(from, to);
+BallJet<Interval> balls(const CanalFillet& fillet, const ParameterInterval& at) {
+  const Turn<Interval> over = turn(at);
   return std::visit([&](const auto& motion) { return ball_jet<Interval>(motion, over); },
                     fillet.motion);
 }
 
 }  // namespace canal
 
-double acceleration_bound(const CanalFillet& fillet, double from, double to) {
-  const auto jet = canal::balls(fillet, from, to);
+double acceleration_bound(const CanalFillet& fillet, const ParameterInterval& at) {
+  const auto jet = canal::balls(fillet, at);
   const numbers::Interval center = numbers::norm(
       {jet.center[0].acceleration, jet.center[1].acceleration, jet.center[2].acceleration});
   return (center + numbers::Interval(jet.radius.acceleration.magnitude())).upper;

@@ -6,10 +6,13 @@
 
 namespace dupin::canal {
 
-/// What motions are made of, over a stretch of the parameter. The signs are those in its middle.
-[[nodiscard]] Turn<numbers::Interval> turn(double from, double to);
+/// What motions are made of, on all of the interval, up to the double after it: there is no gap to
+/// the next one that begins with this one's end. It holds at most one of the parameters pi/2 and
+/// -pi/2 (with the period 2 pi), at an end.
+[[nodiscard]] Turn<numbers::Interval> turn(const ParameterInterval& at);
 
-/// The balls of a stretch.
-[[nodiscard]] BallJet<numbers::Interval> balls(const CanalFillet& fillet, double from, double to);
+/// The balls there.
+[[nodiscard]] BallJet<numbers::Interval> balls(const CanalFillet& fillet,
+                                               const ParameterInterval& at);
 
 }  // namespace dupin::canal

@@ -145,7 +145,7 @@ class Rows {
 
   void divide(const FilletRow& from, const FilletRow& to, int depth) {
     const double step = to.parameter - from.parameter;
-    const double bend = acceleration_bound(loop_, from.parameter, to.parameter) * step * step / 8;
+    const double bend = acceleration_bound(loop_, {from.parameter, to.parameter}) * step * step / 8;
     const double error = Cell(from, to, bend).error(columns_);
     if (error <= allowed_ && !turns_too_far(from, to)) {
       error_ = std::max(error_, error);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -93,7 +94,7 @@ struct CanalFillet {
 
 /// An upper bound of |m''| + |rho''| over a stretch, by interval arithmetic; infinite where none is
 /// found. A corner may be an end of the stretch, not inside of it.
-[[nodiscard]] double acceleration_bound(const CanalFillet& fillet, double from, double to);
+[[nodiscard]] double acceleration_bound(const CanalFillet& fillet, const ParameterInterval& at);
 
 /// The parameters in (-pi, pi] where the loop has a corner: the feet coincide there, where one
 /// cylinder touches the other from inside (at one place), or both are equally thick and their axes
@@ -132,10 +133,20 @@ struct CanalFillet {
 [[nodiscard]] std::vector<CanalFillet> rational_fillets(const std::array<Ring, 2>& quadrics,
                                                         double radius);
 
+/// Homogeneous control points (x w, y w, z w, w) of a rational Bezier patch: three rows across the
+/// arcs, from the foot on the first quadric to that on the second, of degree 10 along the loop.
+using CanalNet = std::array<std::array<std::array<double, 4>, 11>, 3>;
+
+/// The fillet as four exact patches, up to the rounding of the control points, from -pi to pi in
+/// quarters (mathematics B.8): for rational fillets of constant size between two cylinders whose
+/// axes meet at right angles, within rounding. None for others.
+[[nodiscard]] std::optional<std::array<CanalNet, 4>> exact_nets(const CanalFillet& fillet);
+
 /// What was proved of a whole loop in interval arithmetic, of the stored numbers.
 struct CanalRegularity {
   /// proved: `regularity` and `radius` are positive lower bounds of `least_regularity` and of the
-  /// ball's radius. refuted: at `where` the fillet folds, or the ball's radius is not positive.
+  /// ball's radius. refuted: at `where` the fillet folds, or the ball's radius is not positive; the
+  /// two are upper bounds there.
   Verdict verdict = Verdict::undecided;
   double regularity = 0;
   double radius = 0;
@@ -143,7 +154,8 @@ struct CanalRegularity {
   std::size_t leaves = 0;   ///< intervals on which the bounds were proved
 };
 
-/// Bounds within a tenth of the true ones where the effort suffices (mathematics D.4).
+/// By halving; the bound of the regularity is within a tenth of the true one, unless 20000
+/// intervals do not suffice (mathematics D.4).
 [[nodiscard]] CanalRegularity prove_regular(const CanalFillet& fillet);
 
 }  // namespace dupin

@@ -15,6 +15,8 @@ struct Fillet {
   std::vector<CanalFillet> loops;
   /// Which ends of the first and second pipe lie inside the other one, and vanish.
   std::array<std::array<bool, 2>, 2> buried{};
+  /// A proved lower bound of how far the loops are from folding (least_regularity).
+  double regularity = 1;
 };
 
 }  // namespace dupin
