@@ -24,7 +24,9 @@ struct NurbsArguments {
 
 std::vector<NamedNurbs> nurbs_of(const Assembly& assembly, double tolerance) {
   std::vector<NamedNurbs> result;
-  for (const ResolvedPart& part : resolve(assembly).parts) {
+  const ResolvedAssembly resolved = resolve(assembly);
+  refuse_fillets(assembly, resolved, "NURBS");
+  for (const ResolvedPart& part : resolved.parts) {
     try {
       result.push_back({part.name, part.kind, nurbs(part.shape, tolerance)});
     } catch (const Error& error) {

@@ -1,9 +1,12 @@
 #include "dupin/blends/build.h"
 
 #include <algorithm>
+#include <map>
+#include <numbers>
 #include <span>
 
 #include "assembly/cost_limit.h"
+#include "assembly/filleted_runs.h"
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
 #include "assembly/parts/part_kind.h"
@@ -48,10 +51,16 @@ class Builder {
     built_.gaps = pair_ends(built_.ports, options_.connect);
     const auto runs = assembly::welded_runs(resolved_);
     assembly::refuse_too_costly(assembly_, resolved_, runs, built_.grid, options_.most_triangles);
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      report("weld", double(i) / double(runs.size()));
-      append_solids(runs[i].parts, tessellated(runs[i], i));
+    for (const assembly::FilletedRuns& group : assembly::filleted_runs(resolved_, runs)) {
+      report("weld", double(group.runs.front()) / double(runs.size()));
+      if (group.fillets.empty()) {
+        const std::size_t run = group.runs.front();
+        append_solids(runs[run].parts, tessellated(runs[run], run));
+      } else {
+        append_filleted(runs, group);
+      }
     }
+    order_reports();
     built_.runs = runs.size();
     built_.pieces = solids_.size();
     built_.solid = solids_.size() == 1 ? solids_.front()
@@ -146,10 +155,99 @@ class Builder {
     append_solids(parts.subspan(half), chosen);
   }
 
+  // Pipes that end in fillets, with these: one solid, as nothing else closes them.
+  void append_filleted(const std::vector<assembly::WeldedRun>& runs,
+                       const assembly::FilletedRuns& group) {
+    std::map<std::uint32_t, RingSampling> sampling;  // by part
+    for (const std::size_t run : group.runs) {
+      const RingSampling chosen = tessellated(runs[run], run);
+      for (const auto part : runs[run].parts) {
+        sampling[part] = chosen;
+      }
+    }
+    std::vector<std::vector<tessellation::FilletMesh>> meshes(resolved_.fillets.size());
+    for (const std::size_t f : group.fillets) {
+      const ResolvedFillet& fillet = resolved_.fillets[f];
+      meshes[f] = assembly::fillet_meshes(
+          assembly_, fillet, {sampling.at(fillet.between[0]), sampling.at(fillet.between[1])},
+          options_.most_triangles);
+      report_fillet(fillet, meshes[f]);
+    }
+    std::map<std::uint32_t, std::size_t> fillet_on;
+    for (const std::size_t f : group.fillets) {
+      fillet_on.try_emplace(resolved_.fillets[f].between[0], f);
+      fillet_on.try_emplace(resolved_.fillets[f].between[1], f);
+    }
+    for (const auto& [part, f] : fillet_on) {
+      trim(resolved_.fillets[f], part, sampling.at(part), meshes);
+    }
+    std::vector<TriMesh> welded;
+    for (const std::size_t run : group.runs) {
+      const auto& parts = runs[run].parts;
+      welded.push_back(assembly::welded(resolved_, parts, tubes_, sampling.at(parts.front())));
+    }
+    const ResolvedFillet& first = resolved_.fillets[group.fillets.front()];
+    try {
+      solids_.push_back(
+          Solid::from(assembly::joined_by_fillets(resolved_, welded, group.fillets, meshes)));
+    } catch (const Error& error) {
+      throw refusal(first, "with the pipes that it joins, it bounds no solid: " + error.message());
+    }
+  }
+
+  void trim(const ResolvedFillet& fillet, std::uint32_t part, const RingSampling& sampling,
+            const std::vector<std::vector<tessellation::FilletMesh>>& meshes) {
+    try {
+      Tessellation face = assembly::trimmed(resolved_, part, sampling, meshes);
+      PartReport& entry = built_.parts[part];
+      entry.error_bound = face.error_bound;
+      entry.triangles = face.mesh.triangles.size();
+      entry.smallest_angle = smallest_angle(face.mesh);
+      tubes_[part] = std::move(face.mesh);
+    } catch (const Error& error) {
+      throw refusal(fillet, "on '" + resolved_.parts[part].name + "', " + error.message() +
+                                "; fillets must be apart from each other and from its ends");
+    }
+  }
+
+  [[nodiscard]] Error refusal(const ResolvedFillet& fillet, const std::string& why) const {
+    return Error(Errc::infeasible_blend, why, fillet.name, document_place(assembly_, fillet.index));
+  }
+
+  void report_fillet(const ResolvedFillet& fillet,
+                     const std::vector<tessellation::FilletMesh>& loops) {
+    PartReport entry;
+    entry.name = fillet.name;
+    entry.kind = "fillet";
+    entry.smallest_angle = std::numbers::pi;
+    for (const auto& loop : loops) {
+      entry.error_bound = std::max(entry.error_bound, loop.tessellation.error_bound);
+      entry.bands += loop.tessellation.bands;
+      entry.segments = std::max(entry.segments, loop.columns);
+      entry.triangles += loop.tessellation.mesh.triangles.size();
+      entry.smallest_angle = std::min(entry.smallest_angle, smallest_angle(loop.tessellation.mesh));
+    }
+    fillet_reports_.emplace_back(fillet.index, std::move(entry));
+  }
+
+  // Those of fillets are put where the document has them.
+  void order_reports() {
+    std::vector<std::pair<std::uint32_t, PartReport>> all = std::move(fillet_reports_);
+    for (std::size_t i = 0; i < built_.parts.size(); ++i) {
+      all.emplace_back(resolved_.parts[i].index, std::move(built_.parts[i]));
+    }
+    std::ranges::sort(all, {}, [](const auto& entry) { return entry.first; });
+    built_.parts.clear();
+    for (auto& [index, entry] : all) {
+      built_.parts.push_back(std::move(entry));
+    }
+  }
+
   const Assembly& assembly_;
   const BuildOptions& options_;
   ResolvedAssembly resolved_;
-  std::vector<TriMesh> tubes_;  // by part
+  std::vector<std::pair<std::uint32_t, PartReport>> fillet_reports_;  // by place in the document
+  std::vector<TriMesh> tubes_;                                        // by part
   std::vector<Solid> solids_;
   Built built_;
 };

@@ -33,7 +33,7 @@ class Resolver {
       }
     }
     for (const auto part : in_order_of_need()) {
-      if (!part_kind(assembly_.parts[part].shape).names_end) {
+      if (part_kind(assembly_.parts[part].shape).is_part()) {
         shapes_[part] = geometry(part);
       }
     }
@@ -189,12 +189,16 @@ class Resolver {
   }
 
   [[nodiscard]] PartSurface geometry(std::uint32_t part) const {
-    const auto ring = [this](const PortReference& port) -> const Ring& { return ring_at(port); };
-    const auto motion = [this](const PortReference& port) { return motion_at(port); };
     return assembly::with_part_context(assembly_, part, [&] {
       const PartShape& shape = assembly_.parts[part].shape;
-      return part_kind(shape).geometry({assembly_, part, ring, motion}, shape);
+      return part_kind(shape).geometry(context(part), shape);
     });
+  }
+
+  [[nodiscard]] assembly::PartContext context(std::uint32_t part) const {
+    return {assembly_, part,
+            [this](const PortReference& port) -> const Ring& { return ring_at(port); },
+            [this](const PortReference& port) { return motion_at(port); }};
   }
 
   [[nodiscard]] const Ring& ring_at(const PortReference& port) const {
@@ -212,7 +216,7 @@ class Resolver {
       position[i] = std::uint32_t(result.parts.size());
       const Part& part = assembly_.parts[i];
       const assembly::PartKind& its_kind = part_kind(part.shape);
-      if (its_kind.names_end) {
+      if (!its_kind.is_part()) {
         continue;
       }
       ResolvedPart resolved{part.name, std::string(its_kind.key), i, shapes_[i], {},
@@ -232,7 +236,50 @@ class Resolver {
         }
       }
     }
+    for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
+      if (part_kind(assembly_.parts[i].shape).fillet != nullptr) {
+        result.fillets.push_back(fillet(i, position));
+      }
+    }
     return result;
+  }
+
+  [[nodiscard]] ResolvedFillet fillet(std::uint32_t part,
+                                      const std::vector<std::uint32_t>& position) const {
+    const assembly::PartKind& kind = part_kind(assembly_.parts[part].shape);
+    const assembly::FilletPipes pipes = kind.pipes(assembly_.parts[part].shape);
+    ResolvedFillet result{assembly_.parts[part].name, part, {}, {}};
+    std::array<const PartSurface*, 2> surfaces{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto found = index_.find(pipes.names.at(i));
+      if (found == index_.end()) {
+        fail(part, pipes.key, "there is no part named '" + pipes.names.at(i) + "'");
+      }
+      if (!part_kind(assembly_.parts[found->second].shape).is_part()) {
+        fail(part, pipes.key, "'" + pipes.names.at(i) + "' is no pipe or cone");
+      }
+      surfaces.at(i) = &shapes_[found->second];
+      result.between.at(i) = position[found->second];
+    }
+    result.shape = assembly::with_part_context(assembly_, part, [&] {
+      return kind.fillet(context(part), assembly_.parts[part].shape, surfaces);
+    });
+    refuse_joined(result, pipes);
+    return result;
+  }
+
+  // An end that vanishes in the other pipe can neither be named nor joined to a part.
+  void refuse_joined(const ResolvedFillet& fillet, const assembly::FilletPipes& pipes) const {
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (const auto end : {End::start, End::end}) {
+        const std::string& by = ends_[index_.at(pipes.names.at(i))].at(at(end)).taken_by;
+        if (fillet.shape.buried.at(i).at(at(end)) && !by.empty()) {
+          fail(fillet.index, pipes.key,
+               "the port '" + to_string({pipes.names.at(i), end}) + "' lies inside '" +
+                   pipes.names.at(1 - i) + "' and vanishes, but is taken by '" + by + "'");
+        }
+      }
+    }
   }
 
   const Assembly& assembly_;
@@ -245,11 +292,30 @@ class Resolver {
 
 ResolvedAssembly resolve(const Assembly& assembly) { return Resolver(assembly).run(); }
 
+bool is_buried(const ResolvedAssembly& assembly, const EndIndex& end) {
+  return std::ranges::any_of(assembly.fillets, [&](const ResolvedFillet& fillet) {
+    return (fillet.between[0] == end.part && fillet.shape.buried[0].at(at(end.end))) ||
+           (fillet.between[1] == end.part && fillet.shape.buried[1].at(at(end.end)));
+  });
+}
+
+void refuse_fillets(const Assembly& assembly, const ResolvedAssembly& resolved,
+                    std::string_view what) {
+  for (const ResolvedFillet& fillet : resolved.fillets) {
+    throw Error(Errc::invalid_argument,
+                "fillets have no " + std::string(what) +
+                    "; leave them out of the document, then its pipes have",
+                fillet.name, document_place(assembly, fillet.index));
+  }
+}
+
 std::vector<Port> ports(const ResolvedAssembly& assembly) {
   std::vector<Port> result;
   for (const auto& part : assembly.parts) {
     for (const End end : {End::start, End::end}) {
-      if (const Ring* ring = port_ring(part.shape, end)) {
+      const Ring* ring = port_ring(part.shape, end);
+      const EndIndex index{std::uint32_t(&part - assembly.parts.data()), end};
+      if (ring != nullptr && !is_buried(assembly, index)) {
         result.push_back({to_string({part.name, end}), *ring, part.name});
       }
     }

@@ -37,15 +37,13 @@ class Welder {
       append_closed(part, tube, label);
       return;
     }
-    const auto n = std::ptrdiff_t(sampling_.segments);
+    const std::size_t first = row_size({index, End::start}), last = row_size({index, End::end});
     const std::span points(tube.points);
-    RingVertices& start = ring({index, End::start});
-    RingVertices& end = ring({index, End::end});
-    std::vector<std::uint32_t> vertices = on_ring(start, points.first(n));
-    const auto inner = appended(points.subspan(n, points.size() - 2 * n));
+    std::vector<std::uint32_t> vertices = on_ring(ring({index, End::start}), points.first(first));
+    const auto inner = appended(points.subspan(first, points.size() - first - last));
     vertices.insert(vertices.end(), inner.begin(), inner.end());
-    const auto last = on_ring(end, points.last(n));
-    vertices.insert(vertices.end(), last.begin(), last.end());
+    const auto at_end = on_ring(ring({index, End::end}), points.last(last));
+    vertices.insert(vertices.end(), at_end.begin(), at_end.end());
     append_triangles(tube, vertices, label);
     close(index, End::start, *start_ring, label);
     close(index, End::end, *port_ring(part.shape, End::end), label);
@@ -57,6 +55,11 @@ class Welder {
   [[nodiscard]] bool is_welded(const EndIndex& end) const {
     const auto& joined = assembly_.parts[end.part].joined.at(at(end.end));
     return joined && is_member_[joined->part];
+  }
+
+  // How many points a tube has at an end: those of the ring, or none.
+  [[nodiscard]] std::size_t row_size(const EndIndex& end) const {
+    return is_buried(assembly_, end) ? 0 : sampling_.segments;
   }
 
   // Both ends at a welded ring have the same vertices; the end that comes first owns them.
@@ -114,7 +117,7 @@ class Welder {
 
   // Ends that are joined to a part outside the piece vanish in the union and need no name.
   void close(std::uint32_t index, End end, const Ring& at_ring, std::uint32_t part_label) {
-    if (is_welded({index, end})) {
+    if (is_welded({index, end}) || is_buried(assembly_, {index, end})) {
       return;
     }
     const ResolvedPart& part = assembly_.parts[index];

@@ -9,9 +9,11 @@
 
 namespace dupin::assembly {
 
-/// The tubes of `parts` as one closed mesh: tubes that share a ring share its vertices, and every
-/// other end gets a disc. `tubes` are the tessellations of all parts, by part; `sampling` is the
-/// run's. Labels name the parts, and the discs of open ends as ResolvedPart::end_names says.
+/// The tubes of `parts` as one mesh, closed but for what fillets
+/// trimmed: tubes that share a ring share its vertices, and every
+/// other end gets a disc, but for ends that a fillet buries. `tubes` are the tessellations of all
+/// parts, by part; `sampling` is the run's. Labels name the parts, and the discs of open ends as
+/// ResolvedPart::end_names says.
 [[nodiscard]] TriMesh welded(const ResolvedAssembly& assembly, std::span<const std::uint32_t> parts,
                              const std::vector<TriMesh>& tubes, const RingSampling& sampling);
 

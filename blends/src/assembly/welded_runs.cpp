@@ -135,17 +135,28 @@ std::vector<WeldedRun> welded_runs(const ResolvedAssembly& assembly) {
 
 double lattice_spacing(const Assembly& assembly, const ResolvedAssembly& resolved) {
   Extent extent{assembly.tolerance, 0};
-  const ResolvedPart *smallest = nullptr, *largest = nullptr;
+  const std::string* largest = nullptr;
+  struct {
+    const std::string* name = nullptr;
+    std::uint32_t index = 0;
+  } smallest;
   for (const ResolvedPart& part : resolved.parts) {
     const Extent own = extent_of(part.shape);
     if (own.smallest < extent.smallest) {
       extent.smallest = own.smallest;
-      smallest = &part;
+      smallest = {&part.name, part.index};
     }
     extent.clearance = std::min(extent.clearance, own.clearance);
     if (own.largest > extent.largest) {
       extent.largest = own.largest;
-      largest = &part;
+      largest = &part.name;
+    }
+  }
+  for (const ResolvedFillet& fillet : resolved.fillets) {
+    const double radius = ball(fillet.shape.loops.front(), 0).radius;
+    if (radius < extent.smallest) {
+      extent.smallest = radius;
+      smallest = {&fillet.name, fillet.index};
     }
   }
   // Bends that all but touch their axis are kept off it as far as coordinates can.
@@ -156,13 +167,13 @@ double lattice_spacing(const Assembly& assembly, const ResolvedAssembly& resolve
   if (!(extent.largest < std::ldexp(spacing, 51))) {
     const std::string problem =
         decimal(extent.smallest, kMessageDigits) + ", is too small for coordinates of " +
-        decimal(extent.largest, kMessageDigits) + " (of '" + largest->name +
-        "'); it must be at least " + decimal(std::ldexp(extent.largest, -39), 2);
-    throw smallest == nullptr
+        decimal(extent.largest, kMessageDigits) + " (of '" + *largest + "'); it must be at least " +
+        decimal(std::ldexp(extent.largest, -39), 2);
+    throw smallest.name == nullptr
         ? Error(Errc::invalid_argument, "the tolerance, " + problem, {},
                 document_place(assembly, "/tolerance"))
-        : Error(Errc::invalid_argument, "its smallest radius or length, " + problem, smallest->name,
-                document_place(assembly, smallest->index));
+        : Error(Errc::invalid_argument, "its smallest radius or length, " + problem, *smallest.name,
+                document_place(assembly, smallest.index));
   }
   return keeping_rings_convex(spacing, assembly, resolved, extent.largest);
 }

@@ -6,46 +6,19 @@
 #include <utility>
 #include <vector>
 
-#include "canal/rational_fillet.h"
-#include "canal/rolling_ball.h"
+#include "canal/stretch.h"
 #include "dupin/blends/canal_fillet.h"
-#include "numbers/mpfi_interval.h"
+#include "numbers/interval.h"
 
 namespace dupin {
 namespace {
 
 using canal::BallJet;
-using canal::Jet;
-using canal::Turn;
 using numbers::Interval;
 using numbers::IntervalVec;
 
 constexpr std::size_t kMostLeaves = 20000;
 constexpr double kShare = 0.9;  // of the least sampled value, at which the bound is good enough
-
-Interval rounded(const numbers::MpfiInterval<64>& x) {
-  const auto [lower, upper] = x.rounded_outward();
-  return {lower, upper};
-}
-
-/// On all of the interval, up to the double after it: there is no gap to the next one that begins
-/// with this one's end. It holds at most one of the parameters pi/2 and -pi/2, at an end.
-Turn<Interval> turn(const ParameterInterval& at) {
-  using Number = numbers::MpfiInterval<64>;
-  const Number parameter = Number::between(at.from, numbers::next_above(at.to));
-  const Number two = Number(mpq_class(2));
-  const Number half = (parameter - Number::pi() / two) / two;
-  const Interval c = rounded(cosine(parameter)), s = rounded(sine(parameter));
-  const Interval p = rounded(cosine(half)), q = rounded(sine(half));
-  const Interval by_2 = 0.5, by_4 = 0.25;
-  const auto middle = canal::turn((at.from + at.to) / 2);
-  return {Jet<Interval>(c, -s, -c),
-          Jet<Interval>(s, c, -s),
-          Jet<Interval>(p, -by_2 * q, -by_4 * p),
-          Jet<Interval>(q, by_2 * p, -by_4 * q),
-          middle.half_cosine_sign,
-          middle.half_sine_sign};
-}
 
 /// The outward normal where the ball touches a quadric from outside.
 IntervalVec normal_at_foot(const Ring& quadric, const IntervalVec& center, const Interval& radius) {
@@ -68,9 +41,8 @@ struct Bounds {
 /// Of `least_regularity` and the radius. Where the ball grows as fast as it moves, none of it is
 /// regular.
 Bounds bounds(const CanalFillet& fillet, const ParameterInterval& at) {
-  const BallJet<Interval> ball =
-      std::visit([&](const auto& motion) { return canal::ball_jet<Interval>(motion, turn(at)); },
-                 fillet.motion);
+  // Up to the double after it: no gap is left to the interval that begins with this one's end.
+  const BallJet<Interval> ball = canal::balls(fillet, at.from, numbers::next_above(at.to));
   const auto& [x, y, z] = ball.center;
   const IntervalVec center{x.value, y.value, z.value}, velocity{x.rate, y.rate, z.rate};
   const IntervalVec bend{x.acceleration, y.acceleration, z.acceleration};

@@ -54,6 +54,7 @@ class Certifier {
         work_(work_for(resolved_.parts.size(), options)) {}
 
   Certificate run() {
+    refuse_fillets(assembly_, resolved_, "certificates");
     result_.document = assembly_.source;
     result_.unit = assembly_.unit;
     result_.tolerance = assembly_.tolerance;
@@ -163,7 +164,9 @@ bool Certificate::joined(const ClearanceClaim& claim) const {
 }
 
 std::vector<CertifiedPart> certified_parts(const Assembly& assembly) {
-  return parts_of(resolve(assembly));
+  const ResolvedAssembly resolved = resolve(assembly);
+  refuse_fillets(assembly, resolved, "certificates");
+  return parts_of(resolved);
 }
 
 Certificate certify(const Assembly& assembly, const CertifyOptions& options) {

@@ -105,4 +105,11 @@ struct CyclideChainThrough {
   ChainJoints joints = ChainJoints::smooth;
 };
 
+/// The fillet of a ball of this radius that rolls round the crossing of two pipes or cones, told by
+/// their names; see fillet.h.
+struct FilletBetween {
+  std::array<std::string, 2> between;
+  double radius = 1;
+};
+
 }  // namespace dupin

@@ -92,6 +92,10 @@ struct CanalFillet {
 /// those of the side on which the rounded parameter lies.
 [[nodiscard]] MovingBall ball(const CanalFillet& fillet, double parameter);
 
+/// An upper bound of |m''| + |rho''| over a stretch, by interval arithmetic; infinite where none is
+/// found. A corner may be an end of the stretch, not inside of it.
+[[nodiscard]] double acceleration_bound(const CanalFillet& fillet, double from, double to);
+
 /// The parameters in (-pi, pi] where the loop has a corner: the feet coincide there, where one
 /// cylinder touches the other from inside (at one place), or both are equally thick and their axes
 /// meet (at pi/2 and -pi/2). Both loops have their corners in the same places.

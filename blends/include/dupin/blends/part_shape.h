@@ -130,6 +130,7 @@ using PartKeys = PartKeyTable<PartKey<"pipe", PipeBetween, PipeAlong, PipeTo>,  
                               PartKey<"ringed_blend", RingedBlendBetween>,           //
                               PartKey<"cyclide_blend", CyclideBlendBetween>,         //
                               PartKey<"cyclide_chain", CyclideChainThrough>,         //
+                              PartKey<"fillet", FilletBetween>,                      //
                               PartKey<"cap", CapAt>>;
 
 /// A variant of all their shapes.

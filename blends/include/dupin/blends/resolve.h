@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/fillet.h"
 #include "dupin/blends/part_surface.h"
 #include "dupin/kernel/gap.h"
 
@@ -32,8 +34,17 @@ struct ResolvedPart {
   bool is_tangent = false;  ///< a transition between its neighbours, to be tangent to them
 };
 
+/// A fillet with its geometry. It is no part: it trims those that it is between.
+struct ResolvedFillet {
+  std::string name;
+  std::uint32_t index = 0;                 ///< in Assembly::parts
+  std::array<std::uint32_t, 2> between{};  ///< in ResolvedAssembly::parts
+  Fillet shape;
+};
+
 struct ResolvedAssembly {
   std::vector<ResolvedPart> parts;  ///< in document order
+  std::vector<ResolvedFillet> fillets;
 };
 
 /// All rings, computed once. A port that another part's name refers to is that part's ring,
@@ -44,7 +55,14 @@ struct ResolvedAssembly {
 /// references, numbers that are not finite or not positive, parts without length.
 [[nodiscard]] ResolvedAssembly resolve(const Assembly& assembly);
 
-/// All ports in document order, named "part.start" and "part.end".
+/// Whether a fillet's other pipe has the end inside of it, where it vanishes. O(fillets).
+[[nodiscard]] bool is_buried(const ResolvedAssembly& assembly, const EndIndex& end);
+
+/// Throws Error{invalid_argument} if there is a fillet: for what is not made of these.
+void refuse_fillets(const Assembly& assembly, const ResolvedAssembly& resolved,
+                    std::string_view what);
+
+/// All ports in document order, named "part.start" and "part.end", without those that are buried.
 [[nodiscard]] std::vector<Port> ports(const ResolvedAssembly& assembly);
 
 }  // namespace dupin

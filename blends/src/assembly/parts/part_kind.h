@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "assembly/part_context.h"
+#include "dupin/blends/fillet.h"
 #include "dupin/blends/part_shape.h"
 #include "dupin/blends/part_surface.h"
 
@@ -19,6 +21,12 @@ struct Reference {
 };
 
 using References = std::vector<Reference>;
+
+/// The straight tubes that a fillet is between, by the names it gives under a key.
+struct FilletPipes {
+  std::string_view key;
+  std::array<std::string, 2> names;
+};
 
 /// What a report says of a part in words; see PartReport.
 struct PartNotes {
@@ -38,6 +46,13 @@ struct PartKind {
   PartSurface (*geometry)(const PartContext&, const PartShape&);
   /// What is to be said of a shape that turned out to be this surface.
   PartNotes (*notes)(const PartShape&, const PartSurface&);
+  /// Of a fillet, none of other kinds: it is no part of its own, but trims these.
+  FilletPipes (*pipes)(const PartShape&) = nullptr;
+  Fillet (*fillet)(const PartContext&, const PartShape&,
+                   const std::array<const PartSurface*, 2>& pipes) = nullptr;
+
+  /// Whether it has a surface with ends.
+  [[nodiscard]] bool is_part() const { return !names_end && fillet == nullptr; }
 };
 
 /// The kind of a key. Each is defined in the file of the key's name; see part_rules.h.

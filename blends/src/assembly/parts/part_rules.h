@@ -17,6 +17,7 @@ namespace dupin::assembly {
 ///     };
 ///     template const PartKind& part_kind<"sphere">();
 ///
+/// A fillet has, instead of a geometry, `pipes(shape)` and `fillet(context, shape, surfaces)`.
 /// What it need not say: `kIsTangent` and `kNamesEnd` (false; a kind that names an end has no
 /// geometry), `portless(shape)` (it has ports), `notes(shape, surface)` (none).
 template <KeyName key>
@@ -33,6 +34,13 @@ concept NamesEnd = requires {
 };
 
 template <class Rules, class Shape>
+concept IsFillet = requires(const PartContext& context, const Shape& shape,
+                            const std::array<const PartSurface*, 2>& surfaces) {
+  { Rules::pipes(shape) } -> std::same_as<FilletPipes>;
+  { Rules::fillet(context, shape, surfaces) } -> std::same_as<Fillet>;
+};
+
+template <class Rules, class Shape>
 concept HasGeometry = requires(const PartContext& context, const Shape& shape) {
   { Rules::geometry(context, shape) } -> std::convertible_to<PartSurface>;
 };
@@ -43,7 +51,8 @@ concept HasReferences = requires(const Shape& shape) {
 };
 
 template <class Rules, class Shape>
-concept RulesFor = HasReferences<Rules, Shape> &&(NamesEnd<Rules> || HasGeometry<Rules, Shape>);
+concept RulesFor = HasReferences<Rules, Shape> &&
+    (NamesEnd<Rules> || IsFillet<Rules, Shape> || HasGeometry<Rules, Shape>);
 
 /// What `work` returns of the shape, which is one of the key's.
 template <KeyName key, class Result, class Work>
@@ -82,10 +91,10 @@ std::string_view portless_by_rules(const PartShape& shape) {
 template <KeyName key>
 PartSurface geometry_by_rules(const PartContext& context, const PartShape& shape) {
   return of_shape<key, PartSurface>(shape, [&]([[maybe_unused]] const auto& given) -> PartSurface {
-    if constexpr (NamesEnd<PartRules<key>>) {
-      throw std::bad_variant_access();
-    } else {
+    if constexpr (requires { PartRules<key>::geometry(context, given); }) {
       return PartRules<key>::geometry(context, given);
+    } else {
+      throw std::bad_variant_access();
     }
   });
 }
@@ -102,16 +111,39 @@ PartNotes notes_by_rules(const PartShape& shape, const PartSurface& surface) {
 }
 
 template <KeyName key>
+FilletPipes pipes_by_rules(const PartShape& shape) {
+  return of_shape<key, FilletPipes>(
+      shape, [](const auto& given) { return PartRules<key>::pipes(given); });
+}
+
+template <KeyName key>
+Fillet fillet_by_rules(const PartContext& context, const PartShape& shape,
+                       const std::array<const PartSurface*, 2>& surfaces) {
+  return of_shape<key, Fillet>(shape, [&](const auto& given) {
+    return PartRules<key>::fillet(context, given, surfaces);
+  });
+}
+
+template <KeyName key>
+constexpr PartKind with_fillet(PartKind kind) {
+  if constexpr (requires { PartRules<key>::pipes; }) {
+    kind.pipes = pipes_by_rules<key>;
+    kind.fillet = fillet_by_rules<key>;
+  }
+  return kind;
+}
+
+template <KeyName key>
 const PartKind& part_kind() {
   static_assert(PartKeys::kHas<key>, "the table of keys, PartKeys, lacks this one");
   using Rules = PartRules<key>;
-  static constexpr PartKind kKind{key.view(),
+  static constexpr PartKind kKind = with_fillet<key>({key.view(),
                                   IsTangent<Rules>,
                                   NamesEnd<Rules>,
                                   references_by_rules<key>,
                                   portless_by_rules<key>,
                                   geometry_by_rules<key>,
-                                  notes_by_rules<key>};
+                                  notes_by_rules<key>});
   return kKind;
 }
 

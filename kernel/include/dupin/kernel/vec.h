@@ -8,4 +8,7 @@ namespace dupin {
 /// under every -m flag.
 using Vec3 = Eigen::Vector3d;
 
+/// A place in a plane.
+using Vec2 = Eigen::Vector2d;
+
 }  // namespace dupin

@@ -1,0 +1,252 @@
+#include "assembly/fillet_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "dupin/blends/canal_patch.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin::assembly {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr int kSamples = 256;  // of a loop
+// What rounding leaves of a touch, of a radius.
+constexpr double kTouching = 1e-9;
+
+const RingedSurface& straight_tube(const PartSurface& surface, const std::string& name) {
+  const auto* chain = std::get_if<Chain>(&surface);
+  const auto* tube = chain != nullptr && chain->pieces.size() == 1 && chain->wall == 0
+                         ? std::get_if<RingedSurface>(&chain->pieces.front())
+                         : nullptr;
+  if (tube == nullptr || !std::holds_alternative<LineSpine>(tube->spine)) {
+    throw Error(Errc::invalid_argument,
+                "a fillet is between straight pipes or cones, which '" + name + "' is not");
+  }
+  return *tube;
+}
+
+struct Range {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+
+  void include(double value) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+};
+
+// How a loop lies on one of its pipes.
+struct Course {
+  Range height;        // along the axis, from the start
+  bool winds = false;  // about the axis
+};
+
+enum class Place { within, beside, across };
+
+class Pipe {
+ public:
+  Pipe(const RingedSurface& tube, const std::string& name)
+      : tube_(tube),
+        name_(name),
+        axis_(tube.end.normal),
+        length_((tube.end.center - tube.start.center).dot(axis_)) {}
+
+  [[nodiscard]] const Ring& ring() const { return tube_.end; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] double length() const { return length_; }
+
+  [[nodiscard]] double height(const Vec3& point) const {
+    return (point - tube_.start.center).dot(axis_);
+  }
+
+  [[nodiscard]] Course course(const CanalFillet& loop, std::size_t side) const {
+    Course course;
+    double turn = 0;
+    Vec3 last = arm(foot(loop, side, kSamples - 1));
+    for (int i = 0; i < kSamples; ++i) {
+      const Vec3 point = foot(loop, side, i), next = arm(point);
+      course.height.include(height(point));
+      turn += std::atan2(last.cross(next).dot(axis_), last.dot(next));
+      last = next;
+    }
+    course.winds = std::abs(turn) > kTurn / 2;
+    return course;
+  }
+
+  // Beyond a buried end there is no face: a loop is on this side of it, but for one point where the
+  // pipes touch, or on the other.
+  [[nodiscard]] Place place(const Course& course, const std::array<bool, 2>& buried) const {
+    const Range& height = course.height;
+    const double middle = (height.least + height.most) / 2;
+    const bool over_start = buried[0] ? middle > 0 : height.least > 0;
+    const bool under_end = buried[1] ? middle < length_ : height.most < length_;
+    if (over_start && under_end) {
+      return Place::within;
+    }
+    const bool beside = (buried[0] && !over_start) || (buried[1] && !under_end) ||
+                        height.most < 0 || height.least > length_;
+    return beside ? Place::beside : Place::across;
+  }
+
+  // Whether a disc lies inside; it may touch, as the end of a branch as thick as the pipe does.
+  [[nodiscard]] bool buries(const Ring& disc) const {
+    const Vec3 first = reference_axis(disc), second = disc.normal.cross(first);
+    const auto over = [&](double t) {  // how far the circle's point is outside
+      const Vec3 point = disc.center + disc.radius * (std::cos(t) * first + std::sin(t) * second);
+      const double at = height(point);
+      const double radius = tube_.end.radius + tube_.end.slope * (at - length_);
+      return std::max({arm(point).norm() - radius, -at, at - length_});
+    };
+    double most = 0, step = kTurn / kSamples;
+    for (int i = 1; i < kSamples; ++i) {
+      most = over(i * step) > over(most) ? i * step : most;
+    }
+    for (; step > 1e-9; step /= 2) {
+      most = over(most - step) > over(most) ? most - step : most;
+      most = over(most + step) > over(most) ? most + step : most;
+    }
+    return over(most) <= kTouching * tube_.end.radius;
+  }
+
+  [[nodiscard]] const Ring& end(End end) const {
+    return end == End::start ? tube_.start : tube_.end;
+  }
+
+ private:
+  static Vec3 foot(const CanalFillet& loop, std::size_t side, int i) {
+    return contact_arc(loop.quadrics, ball(loop, kTurn * i / kSamples)).feet.at(side);
+  }
+  [[nodiscard]] Vec3 arm(const Vec3& point) const {
+    const Vec3 from = point - tube_.start.center;
+    return from - from.dot(axis_) * axis_;
+  }
+
+  const RingedSurface& tube_;
+  const std::string& name_;
+  Vec3 axis_;
+  double length_;
+};
+
+[[noreturn]] void refuse(const std::string& why) { throw Error(Errc::infeasible_blend, why); }
+
+class Search {
+ public:
+  Search(const std::array<Pipe, 2>& pipes, double radius) : pipes_(pipes), radius_(radius) {}
+
+  Fillet run() {
+    for (const std::size_t i : {0U, 1U}) {
+      for (const End end : {End::start, End::end}) {
+        result_.buried.at(i).at(at(end)) = pipes_.at(1 - i).buries(pipes_.at(i).end(end));
+      }
+      if (result_.buried.at(i)[0] && result_.buried.at(i)[1]) {
+        refuse("'" + pipes_.at(i).name() + "' lies inside '" + pipes_.at(1 - i).name() + "'");
+      }
+    }
+    for (CanalFillet& loop : loops()) {
+      consider(std::move(loop));
+    }
+    if (result_.loops.empty()) {
+      refuse("'" + pipes_[0].name() + "' and '" + pipes_[1].name() +
+             "' do not cross within their lengths");
+    }
+    for (const std::size_t i : {0U, 1U}) {
+      refuse_open_end(i);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  // Round parallel axes the ball grows and shrinks.
+  [[nodiscard]] std::vector<CanalFillet> loops() const {
+    const std::array<Ring, 2> quadrics{pipes_[0].ring(), pipes_[1].ring()};
+    const bool parallel = quadrics[0].normal.cross(quadrics[1].normal).norm() < kTouching;
+    return parallel ? rational_fillets(quadrics, radius_)
+                    : rolling_ball_fillets(quadrics, radius_);
+  }
+
+  void consider(CanalFillet loop) {
+    const std::array<Course, 2> courses{pipes_[0].course(loop, 0), pipes_[1].course(loop, 1)};
+    const std::array<Place, 2> places{pipes_[0].place(courses[0], result_.buried[0]),
+                                      pipes_[1].place(courses[1], result_.buried[1])};
+    if (places[0] == Place::beside || places[1] == Place::beside) {
+      return;
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (places.at(i) == Place::across) {
+        const Range& height = courses.at(i).height;
+        const double over = std::max(-height.least, height.most - pipes_.at(i).length());
+        refuse("the fillet runs over the end of '" + pipes_.at(i).name() + "' by " +
+               decimal(over, kMessageDigits));
+      }
+    }
+    for (int i = 0; i < kSamples; ++i) {
+      const MovingBall at = ball(loop, kTurn * i / kSamples);
+      if (!(least_regularity(at, contact_arc(loop.quadrics, at)) > 0)) {
+        refuse("the fillet folds: the ball is too large for the turns of its way");
+      }
+    }
+    result_.loops.push_back(std::move(loop));
+    courses_.push_back(courses);
+  }
+
+  // A pipe that a single loop winds about has to end inside the other one.
+  void refuse_open_end(std::size_t i) const {
+    const auto& buried = result_.buried.at(i);
+    if (courses_.front().at(i).winds && result_.loops.size() == 1 && !buried[0] && !buried[1]) {
+      refuse("'" + pipes_.at(i).name() + "' neither ends inside '" + pipes_.at(1 - i).name() +
+             "' nor passes so far through it that a fillet fits on both sides");
+    }
+  }
+
+  const std::array<Pipe, 2>& pipes_;
+  double radius_;
+  Fillet result_;
+  std::vector<std::array<Course, 2>> courses_;
+};
+
+std::optional<Fillet> feasible(const std::array<Pipe, 2>& pipes, double radius) {
+  try {
+    return Search(pipes, radius).run();
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+// To two digits, rounded down; none if not even a thousandth of the ball fits.
+std::optional<double> largest_radius_below(const std::array<Pipe, 2>& pipes, double radius) {
+  double fits = radius / 1000, too_large = radius;
+  if (!feasible(pipes, fits)) {
+    return std::nullopt;
+  }
+  while (too_large > 1.005 * fits) {
+    const double middle = std::sqrt(fits * too_large);
+    (feasible(pipes, middle) ? fits : too_large) = middle;
+  }
+  const double digit = std::pow(10, std::floor(std::log10(fits)) - 1);
+  return std::floor(fits / digit) * digit;
+}
+
+}  // namespace
+
+Fillet fillet_between(const std::array<const PartSurface*, 2>& surfaces,
+                      const std::array<std::string, 2>& names, double radius) {
+  const std::array<Pipe, 2> pipes{Pipe(straight_tube(*surfaces[0], names[0]), names[0]),
+                                  Pipe(straight_tube(*surfaces[1], names[1]), names[1])};
+  try {
+    return Search(pipes, radius).run();
+  } catch (const Error& error) {
+    const auto largest = largest_radius_below(pipes, radius);
+    throw Error(Errc::infeasible_blend,
+                error.message() + (largest ? "; the largest ball that fits has a radius of " +
+                                                 decimal(*largest, 2)
+                                           : std::string("; nor does a smaller ball fit")));
+  }
+}
+
+}  // namespace dupin::assembly

@@ -1,0 +1,169 @@
+#include "assembly/filleted_runs.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "assembly/part_context.h"
+#include "tessellation/trimmed_face.h"
+
+namespace dupin::assembly {
+namespace {
+
+using tessellation::FilletMesh;
+
+struct Before {
+  bool operator()(const Vec3& a, const Vec3& b) const {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  }
+};
+
+// Meshes side by side, in which points at feet are the same.
+class Joiner {
+ public:
+  void open_at(const std::vector<Vec3>& feet) {
+    for (const Vec3& foot : feet) {
+      vertex_at_.try_emplace(foot, kNone);
+    }
+  }
+
+  void append(const TriMesh& mesh) {
+    std::vector<std::uint32_t> vertices, labels;
+    for (const Vec3& point : mesh.points) {
+      vertices.push_back(vertex(point));
+    }
+    for (const std::string& name : mesh.names) {
+      labels.push_back(std::uint32_t(result_.names.size()));
+      result_.names.push_back(name);
+    }
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const Triangle& t = mesh.triangles[i];
+      result_.triangles.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
+      result_.labels.push_back(labels.at(mesh.labels[i]));
+    }
+  }
+
+  TriMesh take() { return std::move(result_); }
+
+ private:
+  static constexpr auto kNone = std::uint32_t(-1);
+
+  std::uint32_t vertex(const Vec3& point) {
+    const auto foot = vertex_at_.find(point);
+    if (foot != vertex_at_.end() && foot->second != kNone) {
+      return foot->second;
+    }
+    const auto index = std::uint32_t(result_.points.size());
+    result_.points.push_back(point);
+    if (foot != vertex_at_.end()) {
+      foot->second = index;
+    }
+    return index;
+  }
+
+  std::map<Vec3, std::uint32_t, Before> vertex_at_;
+  TriMesh result_;
+};
+
+// All loops of a fillet under its name.
+TriMesh labelled(const std::string& name, const std::vector<FilletMesh>& loops) {
+  TriMesh result;
+  result.names = {name};
+  for (const FilletMesh& loop : loops) {
+    const TriMesh& mesh = loop.tessellation.mesh;
+    const auto offset = std::uint32_t(result.points.size());
+    result.points.insert(result.points.end(), mesh.points.begin(), mesh.points.end());
+    for (const auto& [a, b, c] : mesh.triangles) {
+      result.triangles.push_back({offset + a, offset + b, offset + c});
+    }
+  }
+  result.labels.assign(result.triangles.size(), 0);
+  return result;
+}
+
+}  // namespace
+
+std::vector<FilletedRuns> filleted_runs(const ResolvedAssembly& assembly,
+                                        std::span<const WeldedRun> runs) {
+  std::vector<std::size_t> run_of(assembly.parts.size()), group_of(runs.size());
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    for (const std::uint32_t part : runs[r].parts) {
+      run_of[part] = r;
+    }
+  }
+  std::iota(group_of.begin(), group_of.end(), std::size_t{0});
+  // Groups are called after their first run.
+  for (const ResolvedFillet& fillet : assembly.fillets) {
+    const std::size_t a = group_of[run_of[fillet.between[0]]],
+                      b = group_of[run_of[fillet.between[1]]];
+    std::ranges::replace(group_of, std::max(a, b), std::min(a, b));
+  }
+  std::vector<FilletedRuns> by_first(runs.size()), result;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    by_first[group_of[r]].runs.push_back(r);
+  }
+  for (std::size_t f = 0; f < assembly.fillets.size(); ++f) {
+    by_first[group_of[run_of[assembly.fillets[f].between[0]]]].fillets.push_back(f);
+  }
+  std::ranges::copy_if(by_first, std::back_inserter(result),
+                       [](const FilletedRuns& group) { return !group.runs.empty(); });
+  return result;
+}
+
+std::vector<FilletMesh> fillet_meshes(const Assembly& assembly, const ResolvedFillet& fillet,
+                                      const std::array<RingSampling, 2>& samplings,
+                                      std::size_t most_triangles) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  return with_part_context(assembly, fillet.index, [&] {
+    std::vector<FilletMesh> result;
+    for (const CanalFillet& loop : fillet.shape.loops) {
+      result.push_back(tessellation::fillet_mesh(
+          loop, {assembly.tolerance,
+                 {kTurn / samplings[0].segments, kTurn / samplings[1].segments},
+                 samplings[0].grid,
+                 most_triangles}));
+    }
+    return result;
+  });
+}
+
+Tessellation trimmed(const ResolvedAssembly& assembly, std::uint32_t part,
+                     const RingSampling& sampling,
+                     const std::vector<std::vector<FilletMesh>>& meshes) {
+  const Chain& chain = std::get<Chain>(assembly.parts[part].shape);
+  tessellation::TrimmedFace face{end_ring(chain, End::start), end_ring(chain, End::end), {}};
+  for (std::size_t f = 0; f < assembly.fillets.size(); ++f) {
+    const ResolvedFillet& fillet = assembly.fillets[f];
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (fillet.between.at(side) != part) {
+        continue;
+      }
+      for (const FilletMesh& loop : meshes[f]) {
+        face.curves.push_back(loop.feet.at(side));
+      }
+      face.keeps_start = face.keeps_start && !fillet.shape.buried.at(side)[0];
+      face.keeps_end = face.keeps_end && !fillet.shape.buried.at(side)[1];
+    }
+  }
+  return tessellation::trimmed_face(face, sampling);
+}
+
+TriMesh joined_by_fillets(const ResolvedAssembly& assembly, const std::vector<TriMesh>& runs,
+                          std::span<const std::size_t> fillets,
+                          const std::vector<std::vector<FilletMesh>>& meshes) {
+  Joiner joiner;
+  for (const std::size_t f : fillets) {
+    for (const FilletMesh& loop : meshes[f]) {
+      joiner.open_at(loop.feet[0]);
+      joiner.open_at(loop.feet[1]);
+    }
+  }
+  std::ranges::for_each(runs, [&](const TriMesh& run) { joiner.append(run); });
+  for (const std::size_t f : fillets) {
+    joiner.append(labelled(assembly.fillets[f].name, meshes[f]));
+  }
+  return joiner.take();
+}
+
+}  // namespace dupin::assembly

@@ -1,0 +1,26 @@
+#include "assembly/fillet_part.h"
+#include "assembly/parts/part_checks.h"
+#include "assembly/parts/part_rules.h"
+
+namespace dupin::assembly {
+
+template <>
+struct PartRules<"fillet"> {
+  static References references(const FilletBetween&) { return {}; }
+
+  static std::string_view portless(const FilletBetween&) { return "a fillet"; }
+
+  static FilletPipes pipes(const FilletBetween& fillet) { return {"between", fillet.between}; }
+
+  static Fillet fillet(const PartContext& context, const FilletBetween& fillet,
+                       const std::array<const PartSurface*, 2>& surfaces) {
+    check_positive(context, fillet.radius, "radius");
+    if (fillet.between[0] == fillet.between[1]) {
+      fail(context, "between", "a fillet is between two different parts");
+    }
+    return fillet_between(surfaces, fillet.between, fillet.radius);
+  }
+};
+template const PartKind& part_kind<"fillet">();
+
+}  // namespace dupin::assembly

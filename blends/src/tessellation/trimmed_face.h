@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dupin/blends/tessellation.h"
+#include "dupin/kernel/ring.h"
+
+namespace dupin::tessellation {
+
+/// The face of a straight tube, a right cylinder or cone between two circles on one axis, as far as
+/// curves leave it. Curves are closed polygons that neither cross nor pass a ring that is kept;
+/// they may have corners in common.
+struct TrimmedFace {
+  Ring start, end;  ///< normals pointing out of the tube
+  std::vector<std::vector<Vec3>> curves;
+  bool keeps_start = true, keeps_end = true;  ///< whether the face reaches that ring
+};
+
+/// Its triangles, counter-clockwise from outside; corners are those of the rings' polygons, as far
+/// as they are kept, and of the curves, and no others: first the start's as
+/// sample(flipped(start), sampling), last the end's as sample(end, sampling), bitwise.
+///
+/// A constrained Delaunay triangulation in the plane of angle and height, which is so flat in
+/// height that corners next to each other by angle are joined. Every triangle is within R (1 -
+/// cos(angle / 2)) of the face, `angle` being what it spans about the axis: `error_bound`.
+///
+/// Throws Error{self_intersecting} where curves cross or pass a ring that is kept.
+[[nodiscard]] Tessellation trimmed_face(const TrimmedFace& face, const RingSampling& sampling);
+
+}  // namespace dupin::tessellation

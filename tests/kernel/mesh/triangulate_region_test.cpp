@@ -1,0 +1,144 @@
+#include "dupin/kernel/triangulate_region.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/error.h"
+
+namespace dupin {
+namespace {
+
+struct Drawing {
+  std::vector<Vec2> points;
+  std::vector<std::vector<std::uint32_t>> polygons;
+
+  void add(const std::vector<Vec2>& corners) {
+    std::vector<std::uint32_t> polygon(corners.size());
+    std::iota(polygon.begin(), polygon.end(), std::uint32_t(points.size()));
+    points.insert(points.end(), corners.begin(), corners.end());
+    polygons.push_back(polygon);
+  }
+  [[nodiscard]] std::vector<Triangle> triangles() const {
+    return triangulate_region(points, polygons);
+  }
+  [[nodiscard]] double area(const Triangle& t) const {
+    const Vec2 u = points[t[1]] - points[t[0]], v = points[t[2]] - points[t[0]];
+    return (u.x() * v.y() - u.y() * v.x()) / 2;
+  }
+};
+
+std::vector<Vec2> square(double half) {
+  return {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+}
+
+TEST(TriangulateRegion, is_what_lies_within_an_odd_number_of_polygons) {
+  Drawing drawing;
+  drawing.add(square(1));
+  drawing.add(square(4));
+  drawing.add(square(2));
+  drawing.add(square(3));
+  std::reverse(drawing.polygons[2].begin(), drawing.polygons[2].end());
+  double area = 0;
+  for (const Triangle& triangle : drawing.triangles()) {
+    EXPECT_GT(drawing.area(triangle), 0);
+    area += drawing.area(triangle);
+  }
+  EXPECT_EQ(area, (64 - 36) + (16 - 4));
+}
+
+// Of a star-shaped polygon with a hole: all sides are there, in one sense, and areas add up.
+TEST(TriangulateRegion, keeps_every_side_and_adds_no_corner) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> radius(1, 3);
+  for (int round = 0; round < 20; ++round) {
+    Drawing drawing;
+    const int n = 5 + 7 * round;
+    double expected = 0;
+    for (const double scale : {1.0, 0.25}) {
+      std::vector<Vec2> corners;
+      for (int i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
+        corners.push_back(scale * radius(random) * Vec2(std::cos(angle), std::sin(angle)));
+      }
+      for (int i = 0; i < n; ++i) {
+        const Vec2 &a = corners[i], &b = corners[(i + 1) % n];
+        expected += (scale == 1 ? 1 : -1) * (a.x() * b.y() - a.y() * b.x()) / 2;
+      }
+      drawing.add(corners);
+    }
+    std::multiset<std::pair<std::uint32_t, std::uint32_t>> sides;
+    double area = 0;
+    const auto triangles = drawing.triangles();
+    for (const Triangle& t : triangles) {
+      area += drawing.area(t);
+      for (int i = 0; i < 3; ++i) {
+        sides.insert({t[i], t[(i + 1) % 3]});
+      }
+    }
+    EXPECT_NEAR(area, expected, 1e-12 * expected);
+    EXPECT_EQ(triangles.size(), std::size_t(2 * n)) << "an annulus has as many as corners";
+    for (std::uint32_t i = 0; i < std::uint32_t(n); ++i) {
+      const std::uint32_t k = (i + 1) % n;
+      EXPECT_EQ(sides.count({i, k}), 1U);
+      EXPECT_EQ(sides.count({k, i}), 0U);
+      EXPECT_EQ(sides.count({n + k, n + i}), 1U) << "a hole is to the right of its sides";
+    }
+  }
+}
+
+TEST(TriangulateRegion, lets_polygons_have_corners_in_common) {
+  Drawing drawing;
+  drawing.add(square(3));
+  drawing.add({{0, 0}, {1, -1}, {2, 0}, {1, 1}});
+  drawing.add({{-1, -1}, {-2, 0}, {-1, 1}});
+  drawing.polygons[2].push_back(4);  // (0, 0)
+  double area = 0;
+  for (const Triangle& triangle : drawing.triangles()) {
+    area += drawing.area(triangle);
+  }
+  EXPECT_EQ(area, 36 - 2 - 2);
+}
+
+TEST(TriangulateRegion, does_not_depend_on_where_polygons_begin) {
+  Drawing drawing;
+  drawing.add(square(2));
+  drawing.add(square(1));
+  const auto triangles = drawing.triangles();
+  std::ranges::rotate(drawing.polygons[0], drawing.polygons[0].begin() + 2);
+  EXPECT_EQ(drawing.triangles().size(), triangles.size());
+}
+
+Errc refusal(const Drawing& drawing) {
+  try {
+    (void)drawing.triangles();
+  } catch (const Error& error) {
+    return error.code();
+  }
+  return Errc::internal;
+}
+
+TEST(TriangulateRegion, refuses_polygons_that_cross_or_touch) {
+  const auto with = [](const std::vector<Vec2>& other) {
+    Drawing drawing;
+    drawing.add(square(2));
+    drawing.add(other);
+    return drawing;
+  };
+  EXPECT_EQ(refusal(with({{1, 0}, {3, 0}, {1, 1}})), Errc::self_intersecting) << "they cross";
+  EXPECT_EQ(refusal(with({{1, 0}, {2, 0}, {1, 1}})), Errc::self_intersecting) << "corner on a side";
+  EXPECT_EQ(refusal(with({{1, 0}, {2, 2}, {1, 1}})), Errc::self_intersecting) << "two corners";
+  EXPECT_EQ(refusal(with({{2, -1}, {2, 1}, {1, 0}})), Errc::self_intersecting) << "along a side";
+  EXPECT_EQ(refusal(with({{0, 0}, {1, 1}, {1, 0}, {0, 1}})), Errc::self_intersecting) << "itself";
+  EXPECT_EQ(refusal(with({{0, 0}, {1, 1}})), Errc::invalid_argument);
+  EXPECT_EQ(refusal(with({{0, 0}, {1, 1}, {std::numeric_limits<double>::quiet_NaN(), 0}})),
+            Errc::invalid_argument);
+}
+
+}  // namespace
+}  // namespace dupin
