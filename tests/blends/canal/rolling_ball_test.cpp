@@ -34,7 +34,7 @@ Ring cylinder(const Vec3& center, const Vec3& normal, double radius) {
 }
 
 std::vector<Table> tables() {
-  const double kSine = std::sqrt(0.75);
+  const double sine = std::sqrt(0.75);
   return {
       {"R1",
        {cylinder(Vec3::Zero(), Vec3::UnitX(), 2), cylinder(Vec3::Zero(), Vec3::UnitY(), 1)},
@@ -59,7 +59,7 @@ std::vector<Table> tables() {
        4.51597104068934,
        .6112698737},
       {"R2",
-       {cylinder(Vec3::Zero(), Vec3::UnitX(), 2), cylinder(Vec3::Zero(), Vec3(.5, kSine, 0), 1)},
+       {cylinder(Vec3::Zero(), Vec3::UnitX(), 2), cylinder(Vec3::Zero(), Vec3(.5, sine, 0), 1)},
        .5,
        {{0,
          {3.17542648054294, 2.5, 0},
