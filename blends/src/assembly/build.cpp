@@ -165,7 +165,7 @@ class Builder {
         sampling[part] = chosen;
       }
     }
-    std::vector<std::vector<tessellation::FilletMesh>> meshes(resolved_.fillets.size());
+    std::vector<std::vector<surfaces::FilletMesh>> meshes(resolved_.fillets.size());
     for (const std::size_t f : group.fillets) {
       const ResolvedFillet& fillet = resolved_.fillets[f];
       meshes[f] = assembly::fillet_meshes(
@@ -196,7 +196,7 @@ class Builder {
   }
 
   void trim(const ResolvedFillet& fillet, std::uint32_t part, const RingSampling& sampling,
-            const std::vector<std::vector<tessellation::FilletMesh>>& meshes) {
+            const std::vector<std::vector<surfaces::FilletMesh>>& meshes) {
     try {
       Tessellation face = assembly::trimmed(resolved_, part, sampling, meshes);
       PartReport& entry = built_.parts[part];
@@ -214,8 +214,7 @@ class Builder {
     return Error(Errc::infeasible_blend, why, fillet.name, document_place(assembly_, fillet.index));
   }
 
-  void report_fillet(const ResolvedFillet& fillet,
-                     const std::vector<tessellation::FilletMesh>& loops) {
+  void report_fillet(const ResolvedFillet& fillet, const std::vector<surfaces::FilletMesh>& loops) {
     PartReport entry;
     entry.name = fillet.name;
     entry.kind = "fillet";

@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "dupin/blends/canal_patch.h"
+#include "dupin/blends/canal_fillet.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "dupin/blends/fillet.h"
 #include "dupin/blends/part_surface.h"
+#include "dupin/blends/resolve.h"
 
 namespace dupin::assembly {
 

@@ -11,7 +11,7 @@
 namespace dupin::assembly {
 namespace {
 
-using tessellation::FilletMesh;
+using surfaces::FilletMesh;
 
 struct Before {
   bool operator()(const Vec3& a, const Vec3& b) const {
@@ -118,7 +118,7 @@ std::vector<FilletMesh> fillet_meshes(const Assembly& assembly, const ResolvedFi
   return with_part_context(assembly, fillet.index, [&] {
     std::vector<FilletMesh> result;
     for (const CanalFillet& loop : fillet.shape.loops) {
-      result.push_back(tessellation::fillet_mesh(
+      result.push_back(surfaces::fillet_mesh(
           loop, {assembly.tolerance,
                  {kTurn / samplings[0].segments, kTurn / samplings[1].segments},
                  samplings[0].grid,

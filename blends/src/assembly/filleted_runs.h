@@ -8,7 +8,7 @@
 #include "assembly/welded_runs.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/mesh.h"
-#include "tessellation/fillet_mesh.h"
+#include "surfaces/fillet_mesh.h"
 
 namespace dupin::assembly {
 
@@ -24,20 +24,20 @@ struct FilletedRuns {
 
 /// A fillet's loops as triangles, within the assembly's tolerance; the samplings are those of the
 /// runs of its pipes. Throws Error{limit_exceeded} for more triangles than that.
-[[nodiscard]] std::vector<tessellation::FilletMesh> fillet_meshes(
+[[nodiscard]] std::vector<surfaces::FilletMesh> fillet_meshes(
     const Assembly& assembly, const ResolvedFillet& fillet,
     const std::array<RingSampling, 2>& samplings, std::size_t most_triangles);
 
 /// What fillets leave of a pipe's face: `meshes` are those of all fillets, by fillet.
-[[nodiscard]] Tessellation trimmed(
-    const ResolvedAssembly& assembly, std::uint32_t part, const RingSampling& sampling,
-    const std::vector<std::vector<tessellation::FilletMesh>>& meshes);
+[[nodiscard]] Tessellation trimmed(const ResolvedAssembly& assembly, std::uint32_t part,
+                                   const RingSampling& sampling,
+                                   const std::vector<std::vector<surfaces::FilletMesh>>& meshes);
 
 /// Meshes that are open along the feet of these fillets, and the fillets between them, as one
 /// closed mesh. Labels name what they did, and the fillets.
 [[nodiscard]] TriMesh joined_by_fillets(
     const ResolvedAssembly& assembly, const std::vector<TriMesh>& runs,
     std::span<const std::size_t> fillets,
-    const std::vector<std::vector<tessellation::FilletMesh>>& meshes);
+    const std::vector<std::vector<surfaces::FilletMesh>>& meshes);
 
 }  // namespace dupin::assembly

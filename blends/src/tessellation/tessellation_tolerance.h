@@ -5,8 +5,8 @@
 #include <string>
 
 #include "dupin/blends/elliptic_tube.h"
+#include "dupin/blends/part_surface.h"
 #include "dupin/blends/ringed_surface.h"
-#include "dupin/blends/sphere.h"
 
 namespace dupin::tessellation {
 

@@ -8,7 +8,7 @@
 
 #include "assembly/filleted_runs.h"
 #include "dupin/blends/build.h"
-#include "dupin/blends/canal_patch.h"
+#include "dupin/blends/canal_fillet.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
@@ -182,65 +182,6 @@ TEST(FilletedRuns, are_united_with_what_crosses_them) {
   const Built built = build(assembly(parts));
   EXPECT_EQ(built.pieces, 2U);
   EXPECT_EQ(built.solid.components(), 1U);
-}
-
-struct Fault {
-  std::vector<Part> parts;
-  std::string message;
-  Errc code = Errc::infeasible_blend;
-};
-
-TEST(FilletedRuns, say_why_there_is_no_fillet) {
-  const Part run = pipe("run", {-20, 0, 0}, {20, 0, 0}, 4);
-  const Part branch = pipe("branch", {0, 0, 0}, {0, 12, 0}, 2);
-  const auto on = [](const Part& other, double radius = 0.5) {
-    return fillet("f", "run", other.name, radius);
-  };
-  const Part far = pipe("far", {0, 0, 9}, {0, 12, 9}, 2),
-             along = pipe("along", {0, 0, 0}, {9, 0, 0}, 2);
-  const Part stub = pipe("stub", {0, 0, 0}, {0, 4.4, 0}, 2);
-  const Part short_of_it = pipe("short", {0, 7, 0}, {0, 12, 0}, 2);
-  const Part out = pipe("out", {0, -4.1, 0}, {0, 12, 0}, 2);
-  const Part close = pipe("close", {4.5, 0, 0}, {4.5, 12, 0}, 2);
-  const Part elbow{"elbow", ElbowTurning{PortReference{"run", End::end}, 9, 1, {0, 1, 0}}};
-  const Fault faults[] = {
-      {{run, far, on(far)}, "the axes are 9 apart"},
-      {{run, along, on(along)}, "'along' lies inside 'run'"},
-      {{run, stub, on(stub)},
-       "the fillet runs over the end of 'stub' by 0.1; the largest ball that fits has a radius of "
-       "0.39"},
-      {{run, branch, on(branch, 20)}, "the largest ball that fits has a radius of"},
-      {{run, short_of_it, on(short_of_it)}, "do not cross within their lengths"},
-      {{run, out, on(out)}, "the fillet runs over the end of 'out' by"},
-      {{run, branch, close, fillet("g", "run", "branch", 0.5), fillet("f", "run", "close", 0.5)},
-       "fillets must be apart from each other"},
-      {{run, elbow, on(elbow)},
-       "a fillet is between straight pipes or cones, which 'elbow' is not",
-       Errc::invalid_argument},
-      {{run, branch, {"cap", CapAt{{"branch", End::start}}}, on(branch)},
-       "the port 'branch.start' lies inside 'run' and vanishes, but is taken by 'cap'",
-       Errc::invalid_argument},
-      {{run, branch, fillet("f", "run", "run", 1)}, "two different parts", Errc::invalid_argument},
-      {{run, branch, fillet("f", "run", "none", 1)},
-       "there is no part named 'none'",
-       Errc::invalid_argument},
-      {{run, branch, on(branch), fillet("g", "run", "f", 1)},
-       "'f' is no pipe or cone",
-       Errc::invalid_argument},
-      {{run, branch, on(branch, -1)}, "must be a positive number", Errc::invalid_argument},
-  };
-  for (const Fault& fault : faults) {
-    SCOPED_TRACE(fault.message);
-    try {
-      (void)build(assembly(fault.parts));
-      ADD_FAILURE() << "built";
-    } catch (const Error& error) {
-      EXPECT_EQ(name(error.code()), name(fault.code)) << error.what();
-      EXPECT_THAT(error.what(), testing::HasSubstr(fault.message));
-      EXPECT_THAT(error.where(), testing::HasSubstr("d.json#/parts/"));
-      EXPECT_FALSE(error.part().empty());
-    }
-  }
 }
 
 }  // namespace

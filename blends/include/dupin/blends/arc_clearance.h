@@ -1,8 +1,8 @@
 #pragma once
 
 #include "dupin/blends/cyclide_chain.h"
+#include "dupin/blends/part_surface.h"
 #include "dupin/blends/pe_arc.h"
-#include "dupin/blends/sphere.h"
 
 namespace dupin {
 

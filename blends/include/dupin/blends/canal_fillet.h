@@ -5,13 +5,54 @@
 #include <variant>
 #include <vector>
 
-#include "dupin/blends/canal_patch.h"
 #include "dupin/blends/pe_arc.h"
 #include "dupin/blends/regularity.h"
 #include "dupin/kernel/ring.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin {
+
+/// A ball that rolls, and its motion at one parameter; lengths in the unit of the assembly,
+/// derivatives by the parameter.
+struct MovingBall {
+  Vec3 center = Vec3::Zero(), velocity = Vec3::Zero(), acceleration = Vec3::Zero();  ///< m, m', m''
+  double radius = 1, radius_rate = 0, radius_acceleration = 0;  ///< rho > 0, rho', rho''
+};
+
+/// Where a ball touches two cylinders or cones from outside, and the shorter arc between both
+/// places of the circle along which it touches the envelope of its motion. [KK00] section 2.
+struct ContactArc {
+  std::array<Vec3, 2> feet;     ///< P1, P2, on the first and the second quadric
+  std::array<Vec3, 2> normals;  ///< of the quadrics there, outward, unit
+  Vec3 center = Vec3::Zero();   ///< of the circle, which is orthogonal to the velocity
+  double radius = 1;
+  Vec3 to_first = Vec3::UnitX();  ///< unit, from the centre to P1
+  Vec3 across = Vec3::UnitY();    ///< unit, in the circle's plane, orthogonal to `to_first`, on the
+                                  ///< side of P2
+  double angle = 0;               ///< of the arc, in [0, pi); 0 where the feet coincide
+  /// Where the tangents at the feet meet, and its weight in the rational arc with weights 1, w, w:
+  /// the squared cosine of half the angle.
+  Vec3 middle = Vec3::Zero();
+  double weight = 1;
+};
+
+/// The arc of the ball between the quadrics. Each quadric is told by a ring of it: the axis is the
+/// line through its centre along its normal, the slope is that of the radius along it (0: a
+/// cylinder). Of a cone it is the nappe where the radius is positive. The ball is taken to touch
+/// both from outside; what is found lies on both then, up to rounding.
+///
+/// Throws Error{invalid_argument} for elliptic rings, Error{irregular_surface} where the ball grows
+/// at least as fast as it moves: it envelops nothing then.
+[[nodiscard]] ContactArc contact_arc(const std::array<Ring, 2>& quadrics, const MovingBall& ball);
+
+/// The point at an angle from the first foot: feet[0] at 0, feet[1] at arc.angle.
+[[nodiscard]] Vec3 point(const ContactArc& arc, double angle);
+
+/// How far the envelope is from folding along the arc: the least
+/// 1 - (rho'^2 + rho (m''.n + rho'')) / |m'|^2, n being the unit vector from the ball's centre.
+/// The area element is this times |m'| rho by the parameter and the angle; the envelope is regular
+/// along the arc if and only if it is positive.
+[[nodiscard]] double least_regularity(const MovingBall& ball, const ContactArc& arc);
 
 /// Balls of one radius on two cylinders of which the thinner passes through the thicker: the
 /// parameter is the angle around the thinner one. Their centres are
@@ -29,9 +70,9 @@ struct RollingThrough {
   double radius = 1;
 };
 
-/// The same on two cylinders of which neither passes through the other. The centres are
-/// origin + x along + y across + z up, with z = w sin^2 - d1, y = sqrt(w) sin sqrt(first + w
-/// cos^2), x = (sqrt(w) cos sqrt(second + w sin^2) + y cosine) / sine, w = d1 + d2 - height.
+/// The same where neither passes through the other, with w = d1 + d2 - height, z = w sin^2 - d1,
+/// y = sqrt(w) sin sqrt(first + w cos^2), x = (sqrt(w) cos sqrt(second + w sin^2) + y cosine) /
+/// sine.
 struct RollingPartly {
   Vec3 origin = Vec3::Zero();  ///< of the upper axis, nearest to the other axis
   Vec3 along = Vec3::UnitX(), across = Vec3::UnitY(), up = Vec3::UnitZ();
@@ -105,9 +146,8 @@ struct CanalFillet {
 /// (mathematics B.7). Two where one quadric passes through the other, or touches it from inside, or
 /// both are equally thick cylinders and meet: first the one on the side to which the ring normal of
 /// the quadric that passes points; of cylinders the thinner one passes, of equal ones the second.
-/// One where neither of two cylinders passes through the other.
-///
-/// Two cylinders touch from inside where they do within rounding.
+/// One where neither of two cylinders passes through the other. They touch where they do within
+/// rounding.
 ///
 /// Throws Error{invalid_argument} for invalid or elliptic rings and radii that are not positive;
 /// Error{irregular_surface} where the ball closes no such loop: the axes are parallel, the quadrics
@@ -148,8 +188,7 @@ struct CanalRegularity {
   /// ball's radius. refuted: at `where` the fillet folds, or the ball's radius is not positive; the
   /// two are upper bounds there.
   Verdict verdict = Verdict::undecided;
-  double regularity = 0;
-  double radius = 0;
+  double regularity = 0, radius = 0;
   ParameterInterval where;  ///< refuted or undecided: where; else that of the lowest bound
   std::size_t leaves = 0;   ///< intervals on which the bounds were proved
 };

@@ -10,13 +10,18 @@
 #include "dupin/blends/end.h"
 #include "dupin/blends/ringed_surface.h"
 #include "dupin/blends/ringed_tube.h"
-#include "dupin/blends/sphere.h"
+#include "dupin/kernel/vec.h"
 
 namespace dupin {
 
 /// A tube between the two rings that it stores, swept by a disc for t in [0, 1]. What every kind of
 /// piece must be able to do is stated, and checked, in blends/src/surfaces/surface_piece.h.
 using Piece = std::variant<RingedSurface, EllipticTube, CyclidePiece, RationalRingedTube>;
+
+struct Sphere {
+  Vec3 center = Vec3::Zero();
+  double radius = 1;
+};
 
 /// How the pieces of a chain meet.
 enum class Joints {

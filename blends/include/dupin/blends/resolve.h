@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dupin/blends/assembly.h"
-#include "dupin/blends/fillet.h"
+#include "dupin/blends/canal_fillet.h"
 #include "dupin/blends/part_surface.h"
 #include "dupin/kernel/gap.h"
 
@@ -32,6 +32,18 @@ struct ResolvedPart {
   /// What the discs that close open ends are called: the cap's name, or "part.start".
   std::array<std::string, 2> end_names;
   bool is_tangent = false;  ///< a transition between its neighbours, to be tangent to them
+};
+
+/// What a ball leaves uncovered that rolls round the crossing of two straight pipes outside of
+/// both: a surface tangent to both along closed curves. The pipes' faces end there.
+struct Fillet {
+  /// Those of the balls' ways that lie on the pipes: one for a branch, two where a pipe passes
+  /// through the other. All have the same quadrics.
+  std::vector<CanalFillet> loops;
+  /// Which ends of the first and second pipe lie inside the other one, and vanish.
+  std::array<std::array<bool, 2>, 2> buried{};
+  /// A proved lower bound of how far the loops are from folding (least_regularity).
+  double regularity = 1;
 };
 
 /// A fillet with its geometry. It is no part: it trims those that it is between.

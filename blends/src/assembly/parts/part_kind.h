@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "assembly/part_context.h"
-#include "dupin/blends/fillet.h"
 #include "dupin/blends/part_shape.h"
 #include "dupin/blends/part_surface.h"
+#include "dupin/blends/resolve.h"
 
 namespace dupin::assembly {
 

@@ -1,4 +1,4 @@
-#include "tessellation/fillet_mesh.h"
+#include "surfaces/fillet_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -8,13 +8,18 @@
 
 #include <Eigen/Geometry>
 
-#include "dupin/blends/canal_patch.h"
+#include "dupin/blends/canal_fillet.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "tessellation/tessellation_tolerance.h"
 
-namespace dupin::tessellation {
+namespace dupin::surfaces {
 namespace {
+
+using tessellation::allowed_error;
+using tessellation::count_text;
+using tessellation::point_error;
+using tessellation::segment_count;
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
@@ -290,4 +295,4 @@ FilletMesh fillet_mesh(const CanalFillet& loop, const FilletSampling& sampling) 
   return result;
 }
 
-}  // namespace dupin::tessellation
+}  // namespace dupin::surfaces

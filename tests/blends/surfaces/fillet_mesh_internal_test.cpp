@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
-#include "tessellation/fillet_mesh.h"
+#include "surfaces/fillet_mesh.h"
 
-namespace dupin::tessellation {
+namespace dupin::surfaces {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
@@ -155,4 +155,4 @@ TEST(FilletMesh, refuses_what_is_too_fine) {
 }
 
 }  // namespace
-}  // namespace dupin::tessellation
+}  // namespace dupin::surfaces

@@ -1,4 +1,4 @@
-#include "dupin/blends/canal_patch.h"
+#include "dupin/blends/canal_fillet.h"
 
 #include <cmath>
 #include <limits>

@@ -6,7 +6,7 @@
 #include "dupin/blends/canal_fillet.h"
 #include "dupin/blends/tessellation.h"
 
-namespace dupin::tessellation {
+namespace dupin::surfaces {
 
 /// A loop of a fillet as triangles, and the closed polygons in which it meets its quadrics: their
 /// corners are corners of the mesh, snapped, and have to be those of the trimmed quadrics.
@@ -34,4 +34,4 @@ struct FilletSampling {
 /// Error{limit_exceeded} for too many triangles.
 [[nodiscard]] FilletMesh fillet_mesh(const CanalFillet& loop, const FilletSampling& sampling);
 
-}  // namespace dupin::tessellation
+}  // namespace dupin::surfaces

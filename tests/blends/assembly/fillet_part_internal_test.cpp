@@ -1,0 +1,109 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "assembly/fillet_part.h"
+#include "dupin/blends/build.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin {
+namespace {
+
+Part pipe(const std::string& name, const Vec3& from, const Vec3& to, double radius) {
+  return {name, PipeBetween{from, to, radius}};
+}
+Part fillet(const std::string& name, const std::string& a, const std::string& b, double radius) {
+  return {name, FilletBetween{{a, b}, radius}};
+}
+Assembly assembly(std::vector<Part> parts, double tolerance = 0.02) {
+  return {"d.json", Unit::millimetre, tolerance, {}, std::move(parts)};
+}
+
+Fillet between(const Part& first, const Part& second, double radius) {
+  return resolve(assembly({first, second, fillet("f", first.name, second.name, radius)}))
+      .fillets.front()
+      .shape;
+}
+
+TEST(FilletPart, has_the_loops_that_lie_on_both_pipes) {
+  const Part run = pipe("run", {-20, 0, 0}, {20, 0, 0}, 4);
+  const std::array<bool, 2> kNone{}, kStart{true, false}, kEnd{false, true};
+  const auto buried = [](const Fillet& f, std::size_t pipe) { return f.buried.at(pipe); };
+  const Fillet tee = between(run, pipe("b", {0, 0, 0}, {0, 12, 0}, 2), 1);
+  EXPECT_EQ(tee.loops.size(), 1U);
+  EXPECT_EQ(buried(tee, 0), kNone);
+  EXPECT_EQ(buried(tee, 1), kStart);
+  EXPECT_GT(tee.regularity, 0.1);
+  EXPECT_EQ(buried(between(run, pipe("b", {0, 12, 0}, {0, 0, 0}, 2), 1), 1), kEnd);
+  EXPECT_EQ(buried(between(pipe("b", {0, 12, 0}, {0, -1, 0}, 2), run, 1), 0), kEnd);
+  const Fillet through = between(run, pipe("b", {0, -12, 1}, {0, 12, 1}, 2), 1);
+  EXPECT_EQ(through.loops.size(), 2U);
+  EXPECT_EQ(buried(through, 1), kNone);
+  const Fillet partly = between(run, pipe("b", {0, -12, 3}, {0, 12, 3}, 2), 1);
+  EXPECT_EQ(partly.loops.size(), 1U);
+  EXPECT_EQ(buried(partly, 1), kNone);
+  // As thick, and touching from inside: the end's disc touches what buries it.
+  EXPECT_EQ(buried(between(run, pipe("b", {0, 0, 0}, {0, 12, 0}, 4), 1), 1), kStart);
+  EXPECT_EQ(buried(between(run, pipe("b", {0, 0, 2}, {0, 12, 2}, 2), 1), 1), kStart);
+}
+
+struct Fault {
+  std::vector<Part> parts;
+  std::string message;
+  Errc code = Errc::infeasible_blend;
+};
+
+TEST(FilletPart, says_why_there_is_no_fillet) {
+  const Part run = pipe("run", {-20, 0, 0}, {20, 0, 0}, 4);
+  const Part branch = pipe("branch", {0, 0, 0}, {0, 12, 0}, 2);
+  const auto on = [](const Part& other, double radius = 0.5) {
+    return fillet("f", "run", other.name, radius);
+  };
+  const Part far = pipe("far", {0, 0, 9}, {0, 12, 9}, 2),
+             along = pipe("along", {0, 0, 0}, {9, 0, 0}, 2);
+  const Part stub = pipe("stub", {0, 0, 0}, {0, 4.4, 0}, 2);
+  const Part short_of_it = pipe("short", {0, 7, 0}, {0, 12, 0}, 2);
+  const Part out = pipe("out", {0, -4.1, 0}, {0, 12, 0}, 2);
+  const Part close = pipe("close", {4.5, 0, 0}, {4.5, 12, 0}, 2);
+  const Part elbow{"elbow", ElbowTurning{PortReference{"run", End::end}, 9, 1, {0, 1, 0}}};
+  const Fault faults[] = {
+      {{run, far, on(far)}, "the axes are 9 apart"},
+      {{run, along, on(along)}, "'along' lies inside 'run'"},
+      {{run, stub, on(stub)},
+       "the fillet runs over the end of 'stub' by 0.1; the largest ball that fits has a radius of "
+       "0.39"},
+      {{run, branch, on(branch, 20)}, "the largest ball that fits has a radius of"},
+      {{run, short_of_it, on(short_of_it)}, "do not cross within their lengths"},
+      {{run, out, on(out)}, "the fillet runs over the end of 'out' by"},
+      {{run, branch, close, fillet("g", "run", "branch", 0.5), fillet("f", "run", "close", 0.5)},
+       "fillets must be apart from each other"},
+      {{run, elbow, on(elbow)},
+       "a fillet is between straight pipes or cones, which 'elbow' is not",
+       Errc::invalid_argument},
+      {{run, branch, {"cap", CapAt{{"branch", End::start}}}, on(branch)},
+       "the port 'branch.start' lies inside 'run' and vanishes, but is taken by 'cap'",
+       Errc::invalid_argument},
+      {{run, branch, fillet("f", "run", "run", 1)}, "two different parts", Errc::invalid_argument},
+      {{run, branch, fillet("f", "run", "none", 1)},
+       "there is no part named 'none'",
+       Errc::invalid_argument},
+      {{run, branch, on(branch), fillet("g", "run", "f", 1)},
+       "'f' is no pipe or cone",
+       Errc::invalid_argument},
+      {{run, branch, on(branch, -1)}, "must be a positive number", Errc::invalid_argument},
+  };
+  for (const Fault& fault : faults) {
+    SCOPED_TRACE(fault.message);
+    try {
+      (void)build(assembly(fault.parts));
+      ADD_FAILURE() << "built";
+    } catch (const Error& error) {
+      EXPECT_EQ(name(error.code()), name(fault.code)) << error.what();
+      EXPECT_THAT(error.what(), testing::HasSubstr(fault.message));
+      EXPECT_THAT(error.where(), testing::HasSubstr("d.json#/parts/"));
+      EXPECT_FALSE(error.part().empty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dupin
