@@ -1,5 +1,6 @@
 #include "arrangement/implicit_predicates.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "predicates/lattice_orientation.h"
@@ -16,16 +17,21 @@ using Number = CGAL::Mpzf;
 constexpr double kSideBound = 8 * 0x1p-52;
 constexpr double kUnderflow = 0x1p-900;
 
-int filtered_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+// Of all points that differ from `p` by at most `reach` in each coordinate, 0 if they do not agree.
+// A difference d changes the determinant by normal . d, and the sums of absolute products below are
+// no less than the normal's coordinates but for a few of their roundings.
+int filtered_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p,
+                  const Vec3& reach = Vec3::Zero()) {
   const double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
   const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
   const double px = p[0] - a[0], py = p[1] - a[1], pz = p[2] - a[2];
   const double yz = by * cz, zy = bz * cy, zx = bz * cx, xz = bx * cz, xy = bx * cy, yx = by * cx;
   const double value = px * (yz - zy) + py * (zx - xz) + pz * (xy - yx);
-  const double permanent = std::abs(px) * (std::abs(yz) + std::abs(zy)) +
-                           std::abs(py) * (std::abs(zx) + std::abs(xz)) +
-                           std::abs(pz) * (std::abs(xy) + std::abs(yx));
-  const double bound = kSideBound * permanent + kUnderflow;
+  const double x = std::abs(yz) + std::abs(zy), y = std::abs(zx) + std::abs(xz),
+               z = std::abs(xy) + std::abs(yx);
+  const double permanent = std::abs(px) * x + std::abs(py) * y + std::abs(pz) * z;
+  const double bound = kSideBound * permanent + kUnderflow +
+                       (reach[0] * x + reach[1] * y + reach[2] * z) * (1 + 0x1p-40);
   return (value > bound) - (value < -bound);
 }
 
@@ -62,11 +68,22 @@ int side_of_plane(const PointTable& points, PointId a, PointId b, PointId c, Poi
   if (p == a || p == b || p == c || a == b || b == c || c == a) {
     return 0;
   }
-  if (points.is_double(a) && points.is_double(b) && points.is_double(c) && points.is_double(p)) {
-    const Vec3 &x = points.coordinates(a), &y = points.coordinates(b), &z = points.coordinates(c),
-               &q = points.coordinates(p);
-    const int sign = filtered_side(x, y, z, q);
-    return sign != 0 ? sign : exact_side(x, y, z, q);
+  if (points.is_double(a) && points.is_double(b) && points.is_double(c)) {
+    const Vec3 &x = points.coordinates(a), &y = points.coordinates(b), &z = points.coordinates(c);
+    if (points.is_double(p)) {
+      const Vec3& q = points.coordinates(p);
+      const int sign = filtered_side(x, y, z, q);
+      return sign != 0 || q == x || q == y || q == z ? sign : exact_side(x, y, z, q);
+    }
+    const Vec3 q = points.approximation(p);
+    Vec3 reach;
+    for (int k = 0; k < 3; ++k) {
+      const Interval at = points.interval(p, k);
+      reach[k] = std::max(at.sup() - q[k], q[k] - at.inf());  // rounded upward
+    }
+    if (const int sign = filtered_side(x, y, z, q, reach); sign != 0) {
+      return sign;
+    }
   }
   const IntervalPoint origin = points.interval(a);
   const FilteredSign filtered = sign_of(determinant(difference(points.interval(b), origin),
