@@ -175,7 +175,8 @@ bool FaceOutlines::sort_around(Vertex v) {
   const Vertex first = target(out_[begin]);
   if (end - begin == 2) {
     const Vertex second = target(out_[begin + 1]);
-    return go_opposite_ways(v, first, second) || plane_.turn(v, first, second) != 0;
+    return plane_.certain_turn(v, first, second) != 0 || go_opposite_ways(v, first, second) ||
+           plane_.turn(v, first, second) != 0;
   }
   // Those to the left of the first one come before those to its right.
   const auto at = out_.begin();
