@@ -27,7 +27,7 @@ ARROWS = {
         "mesh": ["exact", "support"],
         "checking": ["mesh", "boxes", "predicates", "exact", "support"],
         "arrangement": ["mesh", "boxes", "predicates", "support"],
-        "booleans": ["arrangement", "checking", "mesh", "support"],
+        "booleans": ["arrangement", "boxes", "checking", "mesh", "support"],
         "healing": ["booleans", "arrangement", "checking", "mesh", "predicates", "support"],
         "rounding": ["healing", "arrangement", "checking", "mesh", "boxes", "predicates", "exact", "support"],
         "gaps": ["mesh", "boxes", "predicates", "exact", "support"],

@@ -1,5 +1,6 @@
 #include "arrangement/arrange.h"
 
+#include <algorithm>
 #include <array>
 
 #include "arrangement/broad_phase.h"
@@ -106,6 +107,33 @@ ArrangementInput imported_within(std::span<const mesh::ExactMesh* const> operand
   return imported(operands, rule);
 }
 
+// Whether a few of the operands, from all over, all meet each other: then so do all, most likely,
+// and need not be searched to be told crowded.
+bool is_sample_crowded(const ArrangementInput& all) {
+  constexpr std::size_t kSample = 6, kPairs = kSample * (kSample - 1) / 2, kLeast = 10;
+  const std::size_t count = all.operands.size();
+  if (count < kLeast) {
+    return false;
+  }
+  std::vector<std::uint32_t> numbers;
+  std::vector<const mesh::ExactMesh*> sample;
+  for (std::size_t i = 0; i < kSample; ++i) {
+    numbers.push_back(static_cast<std::uint32_t>(count * i / kSample));
+    sample.push_back(all.operands[numbers.back()]);
+  }
+  const auto is_sampled = [&numbers](std::uint32_t operand) {
+    return std::ranges::binary_search(numbers, operand);
+  };
+  const auto near = std::ranges::count_if(all.operand_pairs, [&](const auto& pair) {
+    return is_sampled(pair[0]) && is_sampled(pair[1]);
+  });
+  if (static_cast<std::size_t>(near) < kPairs) {
+    return false;
+  }
+  const ArrangementInput input = imported(sample, union_rule(kSample));
+  return crowded(input, candidates_of(input, {}), kSample - 2);
+}
+
 }  // namespace
 
 mesh::ExactMesh arrange(std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
@@ -118,6 +146,9 @@ std::optional<mesh::ExactMesh> arrange_unless_crowded(
     std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
     const Progress& progress, std::uint64_t memory_limit) {
   ArrangementInput input = imported_within(operands, rule, memory_limit);
+  if (is_sample_crowded(input)) {
+    return std::nullopt;
+  }
   const std::vector<TrianglePair> candidates = candidates_of(input, progress);
   if (crowded(input, candidates)) {
     return std::nullopt;

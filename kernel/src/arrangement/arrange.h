@@ -28,7 +28,8 @@ namespace dupin::arrangement {
                                       const BooleanRule& rule, const Progress& progress = {},
                                       std::uint64_t memory_limit = 0);
 
-/// The same, or nothing if the operands are `crowded` (crowding.h).
+/// The same, or nothing if the operands are `crowded` (crowding.h), which a few of them may tell
+/// before all are searched.
 [[nodiscard]] std::optional<mesh::ExactMesh> arrange_unless_crowded(
     std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
     const Progress& progress = {}, std::uint64_t memory_limit = 0);

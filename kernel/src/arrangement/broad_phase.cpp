@@ -6,8 +6,6 @@
 #include <numeric>
 #include <span>
 
-#include <Eigen/Eigenvalues>
-
 #include "boxes/box_tree.h"
 #include "boxes/main_directions.h"
 #include "boxes/tree_traversal.h"
@@ -33,28 +31,6 @@ struct FramedOperand {
   Bounds bounds;                 // in these axes
   std::vector<Bounds> runs;      // of triangles kRun i and on, in these axes
 };
-
-// Principal axes need not be exact, nor seen from every point.
-constexpr std::size_t kSamples = 512;
-
-Axes principal_axes(const mesh::ExactMesh& mesh) {
-  const std::size_t step = std::max<std::size_t>(1, mesh.points.size() / kSamples);
-  Vec3 center = Vec3::Zero();
-  double count = 0;
-  for (std::size_t i = 0; i < mesh.points.size(); i += step) {
-    center += mesh.points[i];
-    count += 1;
-  }
-  center /= count;
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < mesh.points.size(); i += step) {
-    const Vec3 d = mesh.points[i] - center;
-    spread += d * d.transpose();
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-  const Axes axes = boxes::orthonormal(solver.eigenvectors().col(2), solver.eigenvectors().col(1));
-  return axes.allFinite() ? axes : Axes::Identity();
-}
 
 Bounds run_bounds(const mesh::ExactMesh& mesh, std::size_t begin, std::size_t end, const Axes& axes,
                   double slack) {
@@ -87,7 +63,7 @@ FramedOperand framed(const mesh::ExactMesh& mesh, double slack) {
   if (mesh.points.empty()) {
     return result;
   }
-  result.axes = principal_axes(mesh);
+  result.axes = boxes::principal_axes(mesh.points);
   const std::size_t count = mesh.triangles.size();
   result.runs.resize(support::block_count(count, FramedOperand::kRun));
   support::for_each_block(

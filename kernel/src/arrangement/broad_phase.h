@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -10,7 +11,11 @@ namespace dupin::arrangement {
 
 struct TrianglePair {
   std::uint32_t first, second;
-  friend auto operator<=>(const TrianglePair&, const TrianglePair&) = default;
+  friend bool operator==(const TrianglePair&, const TrianglePair&) = default;
+  /// As one number: these are sorted in great numbers.
+  friend auto operator<=>(const TrianglePair& a, const TrianglePair& b) {
+    return (std::uint64_t{a.first} << 32 | a.second) <=> (std::uint64_t{b.first} << 32 | b.second);
+  }
 };
 
 /// Stage 2: for each pair of operands in question, pairs of triangles whose boxes overlap, every

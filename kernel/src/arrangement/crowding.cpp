@@ -66,10 +66,9 @@ std::vector<std::vector<std::uint32_t>> met_by_each(
 
 }  // namespace
 
-bool crowded(const ArrangementInput& input, std::span<const TrianglePair> candidates) {
-  // Fewer in common are arranged at once as fast, and so are operands that hardly touch.
-  constexpr std::size_t kManyInCommon = 8;
-  if (input.operands.size() < kManyInCommon + 2) {
+bool crowded(const ArrangementInput& input, std::span<const TrianglePair> candidates,
+             std::size_t many) {
+  if (input.operands.size() < many + 2) {
     return false;
   }
   const std::vector<TriangleIntersection> intersections = sampled_intersections(input, candidates);
@@ -93,7 +92,7 @@ bool crowded(const ArrangementInput& input, std::span<const TrianglePair> candid
       is_met[operand] = 0;
     }
   }
-  return pairs > 0 && common >= kManyInCommon * pairs;
+  return pairs > 0 && common >= many * pairs;
 }
 
 }  // namespace dupin::arrangement

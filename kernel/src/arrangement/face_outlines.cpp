@@ -175,7 +175,9 @@ bool FaceOutlines::sort_around(Vertex v) {
   const Vertex first = target(out_[begin]);
   if (end - begin == 2) {
     const Vertex second = target(out_[begin + 1]);
-    return go_opposite_ways(v, first, second) || plane_.turn(v, first, second) != 0;
+    return certainly_go_opposite_ways(v, first, second) ||
+           plane_.certain_turn(v, first, second) != 0 || go_opposite_ways(v, first, second) ||
+           plane_.turn(v, first, second) != 0;
   }
   // Those to the left of the first one come before those to its right.
   const auto at = out_.begin();
@@ -201,8 +203,8 @@ bool FaceOutlines::sort_strictly(Vertex v, std::size_t begin, std::size_t end) {
   return std::ranges::adjacent_find(range, std::not_fn(turns_left)) == range.end();
 }
 
-// Whether two points lie on different sides of a third along some axis.
-bool FaceOutlines::go_opposite_ways(Vertex v, Vertex first, Vertex second) const {
+// Whether two points lie on different sides of a third along some axis, if intervals tell.
+bool FaceOutlines::certainly_go_opposite_ways(Vertex v, Vertex first, Vertex second) const {
   for (std::size_t k = 0; k < 2; ++k) {
     const Interval &at = plane_.intervals(v)[k], &one = plane_.intervals(first)[k],
                    &other = plane_.intervals(second)[k];
@@ -211,6 +213,11 @@ bool FaceOutlines::go_opposite_ways(Vertex v, Vertex first, Vertex second) const
       return true;
     }
   }
+  return false;
+}
+
+// The same, exactly.
+bool FaceOutlines::go_opposite_ways(Vertex v, Vertex first, Vertex second) const {
   for (const int axis : {(projection_.axis + 1) % 3, (projection_.axis + 2) % 3}) {
     if (compare(input_.points, ids_[first], ids_[v], axis) *
             compare(input_.points, ids_[second], ids_[v], axis) <

@@ -42,6 +42,7 @@ class FaceOutlines {
   [[nodiscard]] bool sort_around_points();
   [[nodiscard]] bool sort_around(Vertex v);
   [[nodiscard]] bool sort_strictly(Vertex v, std::size_t begin, std::size_t end);
+  [[nodiscard]] bool certainly_go_opposite_ways(Vertex v, Vertex first, Vertex second) const;
   [[nodiscard]] bool go_opposite_ways(Vertex v, Vertex first, Vertex second) const;
   void link_half_edges();
   [[nodiscard]] bool trace();

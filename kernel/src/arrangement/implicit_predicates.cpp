@@ -1,5 +1,6 @@
 #include "arrangement/implicit_predicates.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "predicates/lattice_orientation.h"
@@ -15,19 +16,6 @@ using Number = CGAL::Mpzf;
 // products; overflow gives infinities or NaN, which are never certain.
 constexpr double kSideBound = 8 * 0x1p-52;
 constexpr double kUnderflow = 0x1p-900;
-
-int filtered_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
-  const double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
-  const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
-  const double px = p[0] - a[0], py = p[1] - a[1], pz = p[2] - a[2];
-  const double yz = by * cz, zy = bz * cy, zx = bz * cx, xz = bx * cz, xy = bx * cy, yx = by * cx;
-  const double value = px * (yz - zy) + py * (zx - xz) + pz * (xy - yx);
-  const double permanent = std::abs(px) * (std::abs(yz) + std::abs(zy)) +
-                           std::abs(py) * (std::abs(zx) + std::abs(xz)) +
-                           std::abs(pz) * (std::abs(xy) + std::abs(yx));
-  const double bound = kSideBound * permanent + kUnderflow;
-  return (value > bound) - (value < -bound);
-}
 
 template <class N>
 N determinant(const std::array<N, 3>& u, const std::array<N, 3>& v, const std::array<N, 3>& w) {
@@ -56,18 +44,7 @@ int exact_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   return determinant(from_origin(b), from_origin(c), from_origin(p)).sign();
 }
 
-}  // namespace
-
-int side_of_plane(const PointTable& points, PointId a, PointId b, PointId c, PointId p) {
-  if (p == a || p == b || p == c || a == b || b == c || c == a) {
-    return 0;
-  }
-  if (points.is_double(a) && points.is_double(b) && points.is_double(c) && points.is_double(p)) {
-    const Vec3 &x = points.coordinates(a), &y = points.coordinates(b), &z = points.coordinates(c),
-               &q = points.coordinates(p);
-    const int sign = filtered_side(x, y, z, q);
-    return sign != 0 ? sign : exact_side(x, y, z, q);
-  }
+int implicit_side(const PointTable& points, PointId a, PointId b, PointId c, PointId p) {
   const IntervalPoint origin = points.interval(a);
   const FilteredSign filtered = sign_of(determinant(difference(points.interval(b), origin),
                                                     difference(points.interval(c), origin),
@@ -81,6 +58,67 @@ int side_of_plane(const PointTable& points, PointId a, PointId b, PointId c, Poi
                      direction(o, points.exact(c, scratch[2])),
                      direction(o, points.exact(p, scratch[3])))
       .sign();
+}
+
+}  // namespace
+
+PlaneSides::PlaneSides(const PointTable& points, PointId a, PointId b, PointId c)
+    : points_(points), of_{a, b, c} {
+  is_of_doubles_ = points.is_double(a) && points.is_double(b) && points.is_double(c);
+  if (!is_of_doubles_) {
+    return;
+  }
+  origin_ = points.coordinates(a);
+  const Vec3 &q = points.coordinates(b), &r = points.coordinates(c);
+  const double bx = q[0] - origin_[0], by = q[1] - origin_[1], bz = q[2] - origin_[2];
+  const double cx = r[0] - origin_[0], cy = r[1] - origin_[1], cz = r[2] - origin_[2];
+  const double yz = by * cz, zy = bz * cy, zx = bz * cx, xz = bx * cz, xy = bx * cy, yx = by * cx;
+  normal_ = {yz - zy, zx - xz, xy - yx};
+  size_ = {std::abs(yz) + std::abs(zy), std::abs(zx) + std::abs(xz), std::abs(xy) + std::abs(yx)};
+}
+
+// Of all points that differ from `p` by at most `reach` in each coordinate, 0 if they do not agree.
+// A difference d changes the determinant by normal . d, and the sums of absolute products are no
+// less than the normal's coordinates but for a few of their roundings.
+int PlaneSides::filtered(const Vec3& p, const Vec3& reach) const {
+  const double px = p[0] - origin_[0], py = p[1] - origin_[1], pz = p[2] - origin_[2];
+  const double value = px * normal_[0] + py * normal_[1] + pz * normal_[2];
+  const double permanent =
+      std::abs(px) * size_[0] + std::abs(py) * size_[1] + std::abs(pz) * size_[2];
+  const double moved = reach[0] * size_[0] + reach[1] * size_[1] + reach[2] * size_[2];
+  const double bound = kSideBound * permanent + kUnderflow + moved * (1 + 0x1p-40);
+  return (value > bound) - (value < -bound);
+}
+
+int PlaneSides::of(PointId p) const {
+  const auto& [a, b, c] = of_;
+  if (p == a || p == b || p == c || a == b || b == c || c == a) {
+    return 0;
+  }
+  if (is_of_doubles_ && points_.is_double(p)) {
+    const Vec3& q = points_.coordinates(p);
+    if (const int sign = filtered(q, Vec3::Zero()); sign != 0) {
+      return sign;
+    }
+    const Vec3 &y = points_.coordinates(b), &z = points_.coordinates(c);
+    return q == origin_ || q == y || q == z ? 0 : exact_side(origin_, y, z, q);
+  }
+  if (is_of_doubles_) {
+    const Vec3 q = points_.approximation(p);
+    Vec3 reach;
+    for (int k = 0; k < 3; ++k) {
+      const Interval at = points_.interval(p, k);
+      reach[k] = std::max(at.sup() - q[k], q[k] - at.inf());  // rounded upward
+    }
+    if (const int sign = filtered(q, reach); sign != 0) {
+      return sign;
+    }
+  }
+  return implicit_side(points_, a, b, c, p);
+}
+
+int side_of_plane(const PointTable& points, PointId a, PointId b, PointId c, PointId p) {
+  return PlaneSides(points, a, b, c).of(p);
 }
 
 int exact_turn(const mesh::ExactPoint& a, const mesh::ExactPoint& b, const mesh::ExactPoint& c,

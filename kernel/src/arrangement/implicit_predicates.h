@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "arrangement/implicit_points.h"
 
 /// Exact signs over points of a table. All need UpwardRounding in the calling thread; points with
@@ -9,6 +11,22 @@ namespace dupin::arrangement {
 /// The side of `p` as seen from the plane a b c: +1 where its normal (b - a) x (c - a) points.
 [[nodiscard]] int side_of_plane(const PointTable& points, PointId a, PointId b, PointId c,
                                 PointId p);
+
+/// The same for one point after the other.
+class PlaneSides {
+ public:
+  PlaneSides(const PointTable& points, PointId a, PointId b, PointId c);
+  [[nodiscard]] int of(PointId p) const;
+
+ private:
+  [[nodiscard]] int filtered(const Vec3& p, const Vec3& reach) const;
+
+  const PointTable& points_;
+  std::array<PointId, 3> of_;
+  bool is_of_doubles_;  // else there is nothing of the following
+  Vec3 origin_, normal_;
+  Vec3 size_;  // sums of the absolute products that the normal is made of
+};
 
 /// +1 if a, b, c turn left in the projection along `axis` (seen against the axis).
 [[nodiscard]] int turn(const PointTable& points, PointId a, PointId b, PointId c, int axis);

@@ -16,11 +16,15 @@ namespace {
 // new points then do not build on those of earlier ones.
 class EdgeLines {
  public:
-  explicit EdgeLines(const ArrangementInput& input) : input_(input) {
+  /// Of no other edges than those that have marked points at both ends.
+  EdgeLines(const ArrangementInput& input, const std::vector<std::uint8_t>& marked)
+      : input_(input) {
     for (std::uint32_t t = 0; t < input.supports.size(); ++t) {
       for (Feature f = 3; f < kInside; ++f) {
         const EdgeKey edge = edge_of(input.triangles[t], f);
-        if (!input.points.is_double(lower_end(edge)) || !input.points.is_double(upper_end(edge))) {
+        const PointId low = lower_end(edge), high = upper_end(edge);
+        if (marked[low] && marked[high] &&
+            (!input.points.is_double(low) || !input.points.is_double(high))) {
           sides_.push_back({edge, t});
         }
       }
@@ -117,10 +121,7 @@ MeetingAt meeting_at(std::uint32_t end, const Meeting& m) {
 class Creator {
  public:
   Creator(ArrangementInput& input, std::span<const TriangleIntersection> intersections)
-      : input_(input),
-        intersections_(intersections),
-        lines_(input),
-        leader_(2 * intersections.size()) {
+      : input_(input), intersections_(intersections), leader_(2 * intersections.size()) {
     points_.ends.resize(2 * intersections.size());
     points_.first_new_point = input.points.size();
   }
@@ -129,6 +130,7 @@ class Creator {
     find_corners();
     find_meetings();
     find_leaders();
+    find_lines();
     add_points();
     return std::move(points_);
   }
@@ -217,6 +219,21 @@ class Creator {
     });
   }
 
+  void find_lines() {
+    std::vector<std::uint8_t> is_end_of_met;
+    if (!input_.supports.empty()) {
+      is_end_of_met.resize(input_.points.size(), 0);
+      for (const MeetingAt& m : meetings_) {
+        for (const EdgeKey edge : {m.meeting.first, m.meeting.second}) {
+          if ((edge & Meeting::kPlane) == 0) {
+            is_end_of_met[lower_end(edge)] = is_end_of_met[upper_end(edge)] = 1;
+          }
+        }
+      }
+    }
+    lines_.emplace(input_, is_end_of_met);
+  }
+
   void add_points() {
     const support::Ranking leaders(leader_.size(),
                                    [this](std::size_t end) { return leader_[end] == end; });
@@ -247,13 +264,13 @@ class Creator {
               {lower_end(a), upper_end(a), lower_end(b), upper_end(b)}};
     }
     return is_edge(on_first) && (first_crosses || !is_edge(on_second))
-               ? lines_.piercing(edge_of(first(end), on_first), input_.support(e.second))
-               : lines_.piercing(edge_of(second(end), on_second), input_.support(e.first));
+               ? lines_->piercing(edge_of(first(end), on_first), input_.support(e.second))
+               : lines_->piercing(edge_of(second(end), on_second), input_.support(e.first));
   }
 
   ArrangementInput& input_;
   std::span<const TriangleIntersection> intersections_;
-  EdgeLines lines_;
+  std::optional<EdgeLines> lines_;
   IntersectionPoints points_;
   std::vector<MeetingAt> meetings_;
   support::BulkVector<std::uint32_t> leader_;  // of each end

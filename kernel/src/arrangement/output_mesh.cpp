@@ -69,6 +69,16 @@ RoundedPoint rounded(const mesh::ExactPoint& exact) {
   return result;
 }
 
+// The same of a point whose nearest doubles are known.
+RoundedPoint rounded(const mesh::ExactPoint& exact, const Vec3& nearest) {
+  RoundedPoint result{nearest, true};
+  for (std::size_t k = 0; k < 3 && result.is_exact; ++k) {
+    const double coordinate = nearest[static_cast<Eigen::Index>(k)];
+    result.is_exact = std::isfinite(coordinate) && CGAL::Mpzf(coordinate) * exact[3] == exact[k];
+  }
+  return result;
+}
+
 // Numbers the points in use, those that doubles hold first.
 class PointWriter {
  public:
@@ -94,6 +104,12 @@ class PointWriter {
   [[nodiscard]] PointId original(PointId id) const {
     return id < duplicates_.first_copy ? id : duplicates_.copies[id - duplicates_.first_copy];
   }
+  // Of a point that an operand brought.
+  [[nodiscard]] const Vec3& nearest_given(PointId id) const {
+    const std::uint32_t operand = input_.operand_of_point(id);
+    const mesh::ExactMesh& mesh = *input_.operands[operand];
+    return mesh.points[mesh.double_count() + (id - input_.first_implicit[operand])];
+  }
   std::vector<RoundedPoint> evaluate(std::vector<mesh::ExactPoint>& exact) {
     const PointId first = input_.points.double_count();
     implicit_ = support::collect_in_order<PointId>(
@@ -106,8 +122,10 @@ class PointWriter {
     std::vector<RoundedPoint> nearest(implicit_.size());
     support::resize_bulk(exact, implicit_.size());
     support::for_each_in_parallel(implicit_.size(), [&](std::size_t i) {
-      exact[i] = input_.points.exact_value(original(implicit_[i]));
-      nearest[i] = rounded(exact[i]);
+      const PointId id = original(implicit_[i]);
+      exact[i] = input_.points.exact_value(id);
+      nearest[i] = id < input_.first_implicit.back() ? rounded(exact[i], nearest_given(id))
+                                                     : rounded(exact[i]);
     });
     return nearest;
   }

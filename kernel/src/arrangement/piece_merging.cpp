@@ -161,12 +161,12 @@ class PieceTriangulator {
                         [](std::uint32_t present, std::uint32_t) { return present; }}) {}
 
   void append(const Piece& piece, std::vector<OutputTriangle>& result) {
-    collect_points(piece);
-    if (!any_goes_) {
+    if (std::none_of(piece.begin(), piece.end(), [this](std::uint32_t t) { return loses(t); })) {
       std::transform(piece.begin(), piece.end(), std::back_inserter(result),
                      [this](std::uint32_t t) { return kept_[t]; });
       return;
     }
+    collect_points(piece);
     const Triangle& support = input_.support(kept_[piece[0]].support);
     triangulation_.clear(projection_of(input_.points, support));
     triangulation_.start_around(ids_);
@@ -183,14 +183,21 @@ class PieceTriangulator {
   using Vertex = ConstrainedTriangulation::Vertex;
   static constexpr Vertex kFirst = 3;  // behind the corners of the frame
 
+  // Whether a corner of the triangle goes.
+  [[nodiscard]] bool loses(std::uint32_t t) const {
+    const Triangle& corners = kept_[t].corners;
+    return std::any_of(corners.begin(), corners.end(),
+                       [this](PointId id) { return borders_.goes(id); });
+  }
+
   void collect_points(const Piece& piece) {
     ids_.clear();
     for (const std::uint32_t t : piece) {
-      ids_.insert(ids_.end(), kept_[t].corners.begin(), kept_[t].corners.end());
+      std::copy_if(kept_[t].corners.begin(), kept_[t].corners.end(), std::back_inserter(ids_),
+                   [this](PointId id) { return !borders_.goes(id); });
     }
     std::sort(ids_.begin(), ids_.end());
     ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
-    any_goes_ = std::erase_if(ids_, [this](PointId id) { return borders_.goes(id); }) > 0;
   }
 
   [[nodiscard]] Vertex vertex(PointId id) const {
@@ -256,7 +263,6 @@ class PieceTriangulator {
   ConstrainedTriangulation triangulation_;
   // Of the present piece:
   std::vector<PointId> ids_;
-  bool any_goes_ = false;
   std::vector<EdgeKey> lines_;
   std::vector<std::uint8_t> inside_;
   std::vector<std::uint32_t> queue_;

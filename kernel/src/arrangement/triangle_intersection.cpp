@@ -31,11 +31,12 @@ bool one_sided(const Signs& s) { return s[0] == s[1] && s[1] == s[2] && s[0] != 
 Signs sides(const ArrangementInput& input, std::uint32_t triangle, std::uint32_t plane) {
   const Triangle& corners = input.triangles[triangle];
   const Triangle& others = input.triangles[plane];
-  const Triangle& support = input.support(plane);
+  const auto& [a, b, c] = input.support(plane);
+  const PlaneSides sides(input.points, a, b, c);
   Signs s{};
   for (std::size_t k = 0; k < 3; ++k) {
     const bool shared = std::find(others.begin(), others.end(), corners[k]) != others.end();
-    s[k] = shared ? 0 : side_of_plane(input.points, support[0], support[1], support[2], corners[k]);
+    s[k] = shared ? 0 : sides.of(corners[k]);
   }
   return s;
 }

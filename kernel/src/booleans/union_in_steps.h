@@ -6,10 +6,11 @@
 
 namespace dupin::booleans {
 
-/// The union of at least one solid by unions of few at a time, of neighbours first. Each drops what
-/// lies inside of it before the next looks at it, and merges what it leaves of one triangle of the
-/// operands (arrangement/piece_merging.h), so that k solids that all meet each other cost about k^2
-/// log k instead of k^3.
+/// The union of at least one solid by unions of few at a time, of neighbours first; of more where
+/// all lie about axes in a plane through one point, around by angle. Each drops what lies inside of
+/// it before the next looks at it, and merges what it leaves of one triangle of the operands
+/// (arrangement/piece_merging.h), so that k solids that all meet each other cost about k^2 log k
+/// instead of k^3.
 ///
 /// The union of sets does not depend on how they are put in brackets, nor does its regularisation:
 /// the closure of the interior of a union of regularised sets is the union of these. Contacts are

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 namespace dupin::boxes {
@@ -75,6 +76,28 @@ Eigen::Matrix3d orthonormal(const Vec3& first, const Vec3& second) {
   b = (b - b.dot(a) * a).normalized();
   axes << a.transpose(), b.transpose(), a.cross(b).transpose();
   return axes;
+}
+
+// Principal axes need not be exact, nor seen from every point.
+Eigen::Matrix3d principal_axes(std::span<const Vec3> points) {
+  constexpr std::size_t kSamples = 512;
+  const std::size_t step = std::max<std::size_t>(1, points.size() / kSamples);
+  Vec3 center = Vec3::Zero();
+  double count = 0;
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    center += points[i];
+    count += 1;
+  }
+  center /= count;
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    const Vec3 d = points[i] - center;
+    spread += d * d.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  const Eigen::Matrix3d axes =
+      orthonormal(solver.eigenvectors().col(2), solver.eigenvectors().col(1));
+  return axes.allFinite() ? axes : Eigen::Matrix3d::Identity();
 }
 
 std::optional<Eigen::Matrix3d> main_directions(std::span<const Vec3> points,

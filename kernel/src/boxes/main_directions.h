@@ -13,6 +13,10 @@ namespace dupin::boxes {
 [[nodiscard]] Eigen::Matrix3d orthonormal(const Eigen::Vector3d& first,
                                           const Eigen::Vector3d& second);
 
+/// Orthonormal axes, but for rounding, as rows, in which at least one point spreads most, less and
+/// least; those of coordinates where that is nothing finite. Looks at some points only: O(1).
+[[nodiscard]] Eigen::Matrix3d principal_axes(std::span<const Vec3> points);
+
 /// Orthonormal axes, but for rounding, as rows, along which boxes around the triangles have much
 /// less surface than along the coordinate axes; none if such are not found. The first has most of
 /// the long edges along it, the second most of what these have across the first. Looks at some

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 
+#include "arrangement/arrange.h"
 #include "kernel/arrangement/stages_internal.h"
+#include "support/pipe_cases.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -185,6 +187,28 @@ TEST(PositiveWindingBoundary, looks_for_crossings_where_it_is_told_only) {
   EXPECT_EQ(positive_winding_boundary(surface, {}, std::vector<std::uint8_t>(36, 0)).triangles,
             surface.triangles)
       << "nothing is cut";
+}
+
+// A few of them tell, before all are searched.
+TEST(ArrangeUnlessCrowded, gives_up_without_a_search_where_all_meet_each_other) {
+  const auto searched = [](const char* name) {
+    const std::vector<Solid> solids = test::solids_of(test::pipe_case(name));
+    std::vector<const mesh::ExactMesh*> meshes;
+    for (const Solid& solid : solids) {
+      meshes.push_back(&solid.exact());
+    }
+    int told = 0;
+    const auto result = arrange_unless_crowded(meshes, union_rule(meshes.size()),
+                                               [&told](std::string_view, double) {
+                                                 ++told;
+                                                 return true;
+                                               });
+    EXPECT_EQ(result.has_value(), told > 0) << name;
+    return told > 0;
+  };
+  EXPECT_FALSE(searched("star_14"));
+  EXPECT_FALSE(searched("coaxial_14_rot"));
+  EXPECT_TRUE(searched("header_10_rot"));
 }
 
 }  // namespace

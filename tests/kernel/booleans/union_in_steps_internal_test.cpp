@@ -105,6 +105,17 @@ TEST(UnionInSteps, depends_neither_on_order_nor_on_threads) {
   EXPECT_EQ(bytes_of(unite(solids)), bytes_of(united));
 }
 
+// All of a fan have their centres in one point: neighbours are told by angles.
+TEST(UnionInSteps, goes_around_a_fan_whatever_the_order_of_its_solids) {
+  std::vector<Solid> solids = operands("star_13_rot");
+  const Solid steps = in_steps(solids);
+  std::rotate(solids.begin(), solids.begin() + 5, solids.end());
+  std::swap(solids[1], solids[7]);
+  const Solid others = in_steps(solids);
+  EXPECT_EQ(others.nearest_points(), steps.nearest_points());
+  EXPECT_EQ(others.triangles(), steps.triangles());
+}
+
 TEST(UnionInSteps, tells_its_progress_in_order_and_can_be_cancelled) {
   const std::vector<Solid> solids = operands("star_12");
   double last = 0;

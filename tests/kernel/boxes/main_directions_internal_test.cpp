@@ -53,6 +53,23 @@ TEST(MainDirections, are_not_sought_along_coordinate_axes_or_without_long_edges)
   EXPECT_FALSE(main_directions({}, {}));
 }
 
+TEST(PrincipalAxes, are_those_in_which_points_spread_most_and_least) {
+  std::mt19937 random(5);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Matrix3d frame = orthonormal(random_unit(random), random_unit(random));
+    std::vector<Vec3> points;
+    for (int k = 0; k < 3000; ++k) {
+      const Vec3 p = random_unit(random);
+      points.emplace_back(frame.transpose() * Vec3(5 * p[0], 2 * p[1], p[2]) + Vec3(7, -3, 1));
+    }
+    const Eigen::Matrix3d axes = principal_axes(points);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_GT(std::abs(axes.row(k).dot(frame.row(k))), 0.95) << k;
+    }
+  }
+  EXPECT_TRUE(principal_axes({}).allFinite());
+}
+
 TEST(Orthonormal, keeps_the_first_direction_and_the_plane_of_both) {
   std::mt19937 random(4);
   for (int i = 0; i < 1000; ++i) {
