@@ -12,12 +12,12 @@ namespace dupin {
 /// The region of the plane that closed polygons bound: what lies within an odd number of them. They
 /// are told by the indices of their corners, may run either way round and have corners in common.
 ///
-/// Its constrained Delaunay triangulation, counter-clockwise, by exact predicates: corners are
-/// `points`, and no others; every side of a polygon is a side of a triangle. The triangles come in
-/// an order that depends on the numbers only. O(n log n).
+/// Its constrained triangulation, counter-clockwise, by exact predicates, flipped towards Delaunay
+/// as far as doubles can tell: corners are those of the polygons, and no others; every side of a
+/// polygon is a side of a triangle. The same input gives the same triangles. O(n log n) expected.
 ///
-/// Throws Error{self_intersecting} where they cross, or touch in other places than common corners, and
-/// Error{invalid_argument} for fewer than three corners and for numbers that are not finite.
+/// Throws Error{self_intersecting} where they cross, or touch in other places than common corners,
+/// and Error{invalid_argument} for fewer than three corners and for numbers that are not finite.
 [[nodiscard]] std::vector<Triangle> triangulate_region(
     std::span<const Vec2> points, std::span<const std::vector<std::uint32_t>> polygons);
 
