@@ -1,10 +1,9 @@
-#include "dupin/blends/canal_fillet.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
 
+#include "dupin/blends/canal_fillet.h"
 #include "dupin/blends/pe_arc.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"

@@ -12,7 +12,7 @@ namespace dupin::surfaces {
 /// corners are corners of the mesh, snapped, and have to be those of the trimmed quadrics.
 struct FilletMesh {
   Tessellation tessellation;
-  std::uint32_t columns = 0;                ///< of triangles, along the feet
+  std::uint32_t columns = 0;              ///< of triangles, along the feet
   std::array<std::vector<Vec3>, 2> feet;  ///< on the first and second quadric
 };
 

@@ -1,11 +1,10 @@
-#include "dupin/blends/canal_fillet.h"
-
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "dupin/blends/canal_fillet.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {

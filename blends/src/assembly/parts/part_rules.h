@@ -112,16 +112,15 @@ PartNotes notes_by_rules(const PartShape& shape, const PartSurface& surface) {
 
 template <KeyName key>
 FilletPipes pipes_by_rules(const PartShape& shape) {
-  return of_shape<key, FilletPipes>(
-      shape, [](const auto& given) { return PartRules<key>::pipes(given); });
+  return of_shape<key, FilletPipes>(shape,
+                                    [](const auto& given) { return PartRules<key>::pipes(given); });
 }
 
 template <KeyName key>
 Fillet fillet_by_rules(const PartContext& context, const PartShape& shape,
                        const std::array<const PartSurface*, 2>& surfaces) {
-  return of_shape<key, Fillet>(shape, [&](const auto& given) {
-    return PartRules<key>::fillet(context, given, surfaces);
-  });
+  return of_shape<key, Fillet>(
+      shape, [&](const auto& given) { return PartRules<key>::fillet(context, given, surfaces); });
 }
 
 template <KeyName key>
@@ -137,13 +136,9 @@ template <KeyName key>
 const PartKind& part_kind() {
   static_assert(PartKeys::kHas<key>, "the table of keys, PartKeys, lacks this one");
   using Rules = PartRules<key>;
-  static constexpr PartKind kKind = with_fillet<key>({key.view(),
-                                  IsTangent<Rules>,
-                                  NamesEnd<Rules>,
-                                  references_by_rules<key>,
-                                  portless_by_rules<key>,
-                                  geometry_by_rules<key>,
-                                  notes_by_rules<key>});
+  static constexpr PartKind kKind =
+      with_fillet<key>({key.view(), IsTangent<Rules>, NamesEnd<Rules>, references_by_rules<key>,
+                        portless_by_rules<key>, geometry_by_rules<key>, notes_by_rules<key>});
   return kKind;
 }
 
