@@ -1,4 +1,4 @@
-// How long does an example take from document to solid?
+// How long does it take from document to solid: examples, and runs with more and more fillets?
 
 #include <cstdlib>
 #include <filesystem>
@@ -26,6 +26,34 @@ void build_bench(benchmark::State& state, const std::string& name, double tolera
   bench::report(state, built.solid.triangle_count());
 }
 
+// A run with so many branches, each with a fillet; none of them meets another.
+Assembly header(std::size_t branches) {
+  constexpr double kApart = 20;
+  Assembly assembly{"header", Unit::millimetre, 0.05, {}, {}};
+  const double length = kApart * double(branches);
+  assembly.parts.push_back({"run", PipeBetween{Vec3(-kApart, 0, 0), Vec3(length, 0, 0), 8}});
+  for (std::size_t i = 0; i < branches; ++i) {
+    const std::string number = std::to_string(i);
+    const Vec3 at(kApart * double(i), 0, 0);
+    assembly.parts.push_back({"b" + number, PipeBetween{at, at + Vec3(0, 0, 30), 4}});
+    assembly.parts.push_back({"f" + number, FilletBetween{{"run", "b" + number}, 1.5}});
+  }
+  return assembly;
+}
+
+void fillets_bench(benchmark::State& state) {
+  const Assembly assembly = header(std::size_t(state.range(0)));
+  Built built;
+  for ([[maybe_unused]] const auto iteration : state) {
+    built = build(assembly);
+    benchmark::DoNotOptimize(built);
+  }
+  bench::require(built.solid.components() == 1 && built.solid.euler_number() == 2,
+                 "one piece without handles");
+  bench::report(state, built.solid.triangle_count());
+  state.SetComplexityN(state.range(0));
+}
+
 }  // namespace
 }  // namespace dupin
 
@@ -34,17 +62,20 @@ int main(int argc, char** argv) {
     const char* name;
     double tolerance;
   };
-  const Row rows[] = {{"reducer.json", 0.05},
-                      {"reducer.json", 0.0005},
-                      {"header.json", 0.01},
-                      {"header.json", 0.0002},
-                      {"plant-run.json", 0.2}};
+  const Row rows[] = {{"reducer.json", 0.05},  {"reducer.json", 0.0005}, {"header.json", 0.01},
+                      {"header.json", 0.0002}, {"plant-run.json", 0.2},  {"tee.json", 0.02},
+                      {"equal-tee.json", 0.02}};
   for (const auto& row : rows) {
     benchmark::RegisterBenchmark(
         ("build/" + std::string(row.name) + "/" + std::to_string(row.tolerance)).c_str(),
         [=](auto& state) { dupin::build_bench(state, row.name, row.tolerance); })
         ->Unit(benchmark::kMillisecond);
   }
+  benchmark::RegisterBenchmark("fillets", dupin::fillets_bench)
+      ->RangeMultiplier(10)
+      ->Range(10, 1000)
+      ->Complexity()
+      ->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
   return EXIT_SUCCESS;

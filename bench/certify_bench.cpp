@@ -42,7 +42,8 @@ void verify_bench(benchmark::State& state, const std::string& name) {
 }  // namespace dupin
 
 int main(int argc, char** argv) {
-  for (const std::string name : {"reducer.json", "header.json", "plant-run.json"}) {
+  for (const std::string name :
+       {"reducer.json", "header.json", "plant-run.json", "skew-cross.json"}) {
     benchmark::RegisterBenchmark(("certify/" + name).c_str(), [=](auto& state) {
       dupin::certify_bench(state, name);
     })->Unit(benchmark::kMillisecond);

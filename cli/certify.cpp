@@ -51,6 +51,14 @@ void print_findings(std::ostream& out, const Certificate& certificate) {
     print(certificate.parts[i].name, "mesh error",
           claims.mesh ? Verdict::proved : Verdict::undecided);
   }
+  for (std::size_t i = 0; i < certificate.fillets.size(); ++i) {
+    for (const LoopClaims& claims : certificate.fillet_claims[i]) {
+      const std::string& fillet = certificate.fillets[i].name;
+      print(fillet, "margin above " + number(claims.regular.margin), claims.regular.verdict);
+      print(fillet, "embedded", claims.embedded.verdict);
+      print(fillet, "mesh error", claims.mesh ? Verdict::proved : Verdict::undecided);
+    }
+  }
   for (const ClearanceClaim& claim : certificate.clearances) {
     print(named(certificate, claim),
           certificate.joined(claim) ? "nothing in common but the joint" : "clearance",
@@ -59,13 +67,28 @@ void print_findings(std::ostream& out, const Certificate& certificate) {
 }
 
 void print_certificate(std::ostream& out, const Certificate& certificate) {
-  const PartClaims* tightest = nullptr;
-  double error = 0;
-  for (const PartClaims& claims : certificate.claims) {
+  const RegularClaim* tightest = nullptr;
+  std::string tightest_name;
+  double error = 0, contact = 0;
+  const auto include = [&](const RegularClaim& regular, const std::string& name) {
+    if (regular.verdict == Verdict::proved &&
+        (tightest == nullptr || regular.margin < tightest->margin)) {
+      tightest = &regular;
+      tightest_name = name;
+    }
+  };
+  for (std::size_t i = 0; i < certificate.parts.size(); ++i) {
+    const PartClaims& claims = certificate.claims[i];
     error = std::max(error, claims.mesh ? claims.mesh->error_bound : 0);
-    if (claims.regular && claims.regular->verdict == Verdict::proved &&
-        (tightest == nullptr || claims.regular->margin < tightest->regular->margin)) {
-      tightest = &claims;
+    if (claims.regular) {
+      include(*claims.regular, certificate.parts[i].name);
+    }
+  }
+  for (std::size_t i = 0; i < certificate.fillets.size(); ++i) {
+    for (const LoopClaims& claims : certificate.fillet_claims[i]) {
+      error = std::max(error, claims.mesh ? claims.mesh->error_bound : 0);
+      contact = std::max(contact, claims.contact.offset);
+      include(claims.regular, certificate.fillets[i].name);
     }
   }
   const ClearanceClaim* nearest = nullptr;
@@ -78,12 +101,17 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
   }
   const std::string unit = " " + std::string(symbol(certificate.unit));
   print_row(out, "parts", std::to_string(certificate.parts.size()));
+  if (!certificate.fillets.empty()) {
+    print_row(out, "fillets", std::to_string(certificate.fillets.size()));
+  }
   if (tightest != nullptr) {
-    const auto part = certificate.parts[std::size_t(tightest - certificate.claims.data())];
     print_row(out, "smallest margin",
-              "above " + number(tightest->regular->margin) + " (" + part.name + ")");
+              "above " + number(tightest->margin) + " (" + tightest_name + ")");
   }
   print_row(out, "mesh error", "at most " + number(error) + unit);
+  if (!certificate.fillets.empty()) {
+    print_row(out, "fillets touch pipes", "within " + number(contact) + unit);
+  }
   if (nearest != nullptr) {
     print_row(
         out, "smallest clearance",

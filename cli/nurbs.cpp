@@ -26,6 +26,7 @@ std::vector<NamedNurbs> nurbs_of(const Assembly& assembly, double tolerance) {
   std::vector<NamedNurbs> result;
   const ResolvedAssembly resolved = resolve(assembly);
   refuse_fillets(assembly, resolved, "NURBS");
+  refuse_junctions(assembly, resolved, "NURBS");
   for (const ResolvedPart& part : resolved.parts) {
     try {
       result.push_back({part.name, part.kind, nurbs(part.shape, tolerance)});

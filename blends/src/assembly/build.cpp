@@ -6,7 +6,9 @@
 #include <span>
 
 #include "assembly/cost_limit.h"
+#include "assembly/fillet_overlap.h"
 #include "assembly/filleted_runs.h"
+#include "assembly/joined_hubs.h"
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
 #include "assembly/parts/part_kind.h"
@@ -53,7 +55,7 @@ class Builder {
     assembly::refuse_too_costly(assembly_, resolved_, runs, built_.grid, options_.most_triangles);
     for (const assembly::FilletedRuns& group : assembly::filleted_runs(resolved_, runs)) {
       report("weld", double(group.runs.front()) / double(runs.size()));
-      if (group.fillets.empty()) {
+      if (group.fillets.empty() && group.junctions.empty()) {
         const std::size_t run = group.runs.front();
         append_solids(runs[run].parts, tessellated(runs[run], run));
       } else {
@@ -155,7 +157,7 @@ class Builder {
     append_solids(parts.subspan(half), chosen);
   }
 
-  // Pipes that end in fillets, with these: one solid, as nothing else closes them.
+  // Pipes that end in fillets or hubs, with these: one solid, as nothing else closes them.
   void append_filleted(const std::vector<assembly::WeldedRun>& runs,
                        const assembly::FilletedRuns& group) {
     std::map<std::uint32_t, RingSampling> sampling;  // by part
@@ -179,32 +181,76 @@ class Builder {
       fillet_on.try_emplace(resolved_.fillets[f].between[1], f);
     }
     for (const auto& [part, f] : fillet_on) {
-      trim(resolved_.fillets[f], part, sampling.at(part), meshes);
+      trim(resolved_.fillets[f], part, sampling, meshes);
     }
     std::vector<TriMesh> welded;
     for (const std::size_t run : group.runs) {
       const auto& parts = runs[run].parts;
       welded.push_back(assembly::welded(resolved_, parts, tubes_, sampling.at(parts.front())));
     }
-    const ResolvedFillet& first = resolved_.fillets[group.fillets.front()];
+    const TriMesh joined = assembly::joined_with_hubs(
+        assembly::joined_by_fillets(resolved_, welded, group.fillets, meshes),
+        hubs(group.junctions, sampling));
     try {
-      solids_.push_back(
-          Solid::from(assembly::joined_by_fillets(resolved_, welded, group.fillets, meshes)));
+      solids_.push_back(Solid::from(joined));
     } catch (const Error& error) {
-      throw refusal(first, "with the pipes that it joins, it bounds no solid: " + error.message());
+      const std::string why =
+          "with the pipes that it joins, it bounds no solid: " + error.message();
+      if (group.fillets.empty()) {
+        const ResolvedJunction& first = resolved_.junctions[group.junctions.front()];
+        throw Error(Errc::infeasible_blend, why, first.name,
+                    document_place(assembly_, first.index));
+      }
+      throw refusal(resolved_.fillets[group.fillets.front()], why);
     }
   }
 
-  void trim(const ResolvedFillet& fillet, std::uint32_t part, const RingSampling& sampling,
+  std::vector<assembly::HubPatch> hubs(const std::vector<std::size_t>& junctions,
+                                       const std::map<std::uint32_t, RingSampling>& sampling) {
+    std::vector<assembly::HubPatch> result;
+    for (const std::size_t j : junctions) {
+      const ResolvedJunction& junction = resolved_.junctions[j];
+      std::vector<RingSampling> samplings;
+      std::size_t on_circles = 0;
+      for (const auto arm : junction.arms) {
+        samplings.push_back(sampling.at(arm));
+        on_circles += samplings.back().segments;
+      }
+      Tessellation hub =
+          assembly::hub_tessellation(assembly_, junction, samplings, options_.most_triangles);
+      report_hub(junction, hub);
+      hub.mesh.names = {junction.name};
+      result.push_back({std::move(hub.mesh), on_circles});
+    }
+    return result;
+  }
+
+  void report_hub(const ResolvedJunction& junction, const Tessellation& hub) {
+    PartReport entry;
+    entry.name = junction.name;
+    entry.kind = "junction";
+    entry.construction = description(junction.shape);
+    entry.error_bound = hub.error_bound;
+    entry.triangles = hub.mesh.triangles.size();
+    entry.smallest_angle = smallest_angle(hub.mesh);
+    fillet_reports_.emplace_back(junction.index, std::move(entry));
+  }
+
+  void trim(const ResolvedFillet& fillet, std::uint32_t part,
+            const std::map<std::uint32_t, RingSampling>& sampling,
             const std::vector<std::vector<surfaces::FilletMesh>>& meshes) {
     try {
-      Tessellation face = assembly::trimmed(resolved_, part, sampling, meshes);
+      Tessellation face = assembly::trimmed(resolved_, part, sampling.at(part), meshes);
       PartReport& entry = built_.parts[part];
       entry.error_bound = face.error_bound;
       entry.triangles = face.mesh.triangles.size();
       entry.smallest_angle = smallest_angle(face.mesh);
       tubes_[part] = std::move(face.mesh);
     } catch (const Error& error) {
+      if (const auto overlap =
+              assembly::fillet_overlap(assembly_, resolved_, part, sampling, meshes)) {
+        throw refusal(resolved_.fillets[overlap->fillet], overlap->why);
+      }
       throw refusal(fillet, "on '" + resolved_.parts[part].name + "', " + error.message() +
                                 "; fillets must be apart from each other and from its ends");
     }
@@ -217,7 +263,7 @@ class Builder {
   void report_fillet(const ResolvedFillet& fillet, const std::vector<surfaces::FilletMesh>& loops) {
     PartReport entry;
     entry.name = fillet.name;
-    entry.kind = "fillet";
+    entry.kind = kind(assembly_.parts[fillet.index].shape);
     entry.margin_lower = fillet.shape.regularity;
     entry.smallest_angle = std::numbers::pi;
     for (const auto& loop : loops) {
@@ -230,13 +276,13 @@ class Builder {
     fillet_reports_.emplace_back(fillet.index, std::move(entry));
   }
 
-  // Those of fillets are put where the document has them.
+  // Those of fillets and hubs are put where the document has them, hubs before their arms.
   void order_reports() {
     std::vector<std::pair<std::uint32_t, PartReport>> all = std::move(fillet_reports_);
     for (std::size_t i = 0; i < built_.parts.size(); ++i) {
       all.emplace_back(resolved_.parts[i].index, std::move(built_.parts[i]));
     }
-    std::ranges::sort(all, {}, [](const auto& entry) { return entry.first; });
+    std::ranges::stable_sort(all, {}, [](const auto& entry) { return entry.first; });
     built_.parts.clear();
     for (auto& [index, entry] : all) {
       built_.parts.push_back(std::move(entry));

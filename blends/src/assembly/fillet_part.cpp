@@ -19,6 +19,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kSamples = 256;  // of a loop
 // What rounding leaves of a touch, of a radius.
 constexpr double kTouching = 1e-9;
+constexpr double kRounding = 1e-13;  // of what is no touch
 
 const RingedSurface& straight_tube(const PartSurface& surface, const std::string& name) {
   const auto* chain = std::get_if<Chain>(&surface);
@@ -27,7 +28,7 @@ const RingedSurface& straight_tube(const PartSurface& surface, const std::string
                          : nullptr;
   if (tube == nullptr || !std::holds_alternative<LineSpine>(tube->spine)) {
     throw Error(Errc::invalid_argument,
-                "a fillet is between straight pipes or cones, which '" + name + "' is not");
+                "'" + name + "' is no straight pipe or cone of circular sections");
   }
   return *tube;
 }
@@ -94,14 +95,11 @@ class Pipe {
     return beside ? Place::beside : Place::across;
   }
 
-  // Whether a disc lies inside; it may touch, as the end of a branch as thick as the pipe does.
-  [[nodiscard]] bool buries(const Ring& disc) const {
+  // How far a disc reaches out of it, negative inside.
+  [[nodiscard]] double reach_out(const Ring& disc) const {
     const Vec3 first = reference_axis(disc), second = disc.normal.cross(first);
     const auto over = [&](double t) {  // how far the circle's point is outside
-      const Vec3 point = disc.center + disc.radius * (std::cos(t) * first + std::sin(t) * second);
-      const double at = height(point);
-      const double radius = tube_.end.radius + tube_.end.slope * (at - length_);
-      return std::max({arm(point).norm() - radius, -at, at - length_});
+      return outside(disc.center + disc.radius * (std::cos(t) * first + std::sin(t) * second));
     };
     double most = 0, step = kTurn / kSamples;
     for (int i = 1; i < kSamples; ++i) {
@@ -111,7 +109,18 @@ class Pipe {
       most = over(most - step) > over(most) ? most - step : most;
       most = over(most + step) > over(most) ? most + step : most;
     }
-    return over(most) <= kTouching * tube_.end.radius;
+    return over(most);
+  }
+
+  // Whether a disc lies inside; it may touch, as the end of a branch as thick as the pipe does.
+  [[nodiscard]] bool buries(const Ring& disc) const {
+    return reach_out(disc) <= kTouching * tube_.end.radius;
+  }
+
+  [[nodiscard]] double outside(const Vec3& point) const {
+    const double at = height(point);
+    const double radius = tube_.end.radius + tube_.end.slope * (at - length_);
+    return std::max({arm(point).norm() - radius, -at, at - length_});
   }
 
   [[nodiscard]] const Ring& end(End end) const {
@@ -135,6 +144,7 @@ class Pipe {
 
 [[noreturn]] void refuse(const std::string& why) { throw Error(Errc::infeasible_blend, why); }
 
+// With a radius of 0, of a cope.
 class Search {
  public:
   Search(const std::array<Pipe, 2>& pipes, double radius) : pipes_(pipes), radius_(radius) {}
@@ -153,7 +163,7 @@ class Search {
     }
     if (result_.loops.empty()) {
       refuse("'" + pipes_[0].name() + "' and '" + pipes_[1].name() +
-             "' do not cross within their lengths");
+             "' do not cross within their lengths" + half_buried_end());
     }
     for (const std::size_t i : {0U, 1U}) {
       refuse_open_end(i);
@@ -162,11 +172,41 @@ class Search {
   }
 
  private:
-  // Round parallel axes the ball grows and shrinks.
+  // Round parallel axes the ball grows and shrinks. Of equally thick pipes the second passes
+  // through the first: the one that ends there.
   [[nodiscard]] std::vector<CanalFillet> loops() const {
-    const std::array<Ring, 2> quadrics{pipes_[0].ring(), pipes_[1].ring()};
-    const bool parallel = quadrics[0].normal.cross(quadrics[1].normal).norm() < kTouching;
-    return parallel ? rational_fillets(quadrics, radius_) : rolling_ball_fillets(quadrics, radius_);
+    const auto ends_inside = [&](std::size_t i) {
+      return result_.buried.at(i)[0] || result_.buried.at(i)[1];
+    };
+    const bool parallel = pipes_[0].ring().normal.cross(pipes_[1].ring().normal).norm() < kTouching;
+    const bool swaps = !parallel && ends_inside(0) && !ends_inside(1);
+    const std::array<Ring, 2> quadrics{pipes_.at(swaps ? 1 : 0).ring(),
+                                       pipes_.at(swaps ? 0 : 1).ring()};
+    if (parallel && radius_ == 0) {
+      refuse("the axes are parallel: such pipes are not cut along each other");
+    }
+    auto loops =
+        parallel ? rational_fillets(quadrics, radius_) : rolling_ball_fillets(quadrics, radius_);
+    for (CanalFillet& loop : loops) {
+      loop.quadrics = {pipes_[0].ring(), pipes_[1].ring()};
+    }
+    return loops;
+  }
+
+  // What may be meant to lie inside the other pipe, and does so but for a part.
+  [[nodiscard]] std::string half_buried_end() const {
+    for (const std::size_t i : {0U, 1U}) {
+      for (const End end : {End::start, End::end}) {
+        const Ring& disc = pipes_.at(i).end(end);
+        const double out = pipes_.at(1 - i).reach_out(disc);
+        if (out > kRounding * disc.radius && pipes_.at(1 - i).outside(disc.center) < 0) {
+          return ": '" + to_string({pipes_.at(i).name(), end}) + "' lies inside '" +
+                 pipes_.at(1 - i).name() + "' only in part, and sticks out by " +
+                 decimal(out, kMessageDigits);
+        }
+      }
+    }
+    return {};
   }
 
   void consider(CanalFillet loop) {
@@ -180,19 +220,25 @@ class Search {
       if (places.at(i) == Place::across) {
         const Range& height = courses.at(i).height;
         const double over = std::max(-height.least, height.most - pipes_.at(i).length());
-        refuse("the fillet runs over the end of '" + pipes_.at(i).name() + "' by " +
-               decimal(over, kMessageDigits));
+        refuse(std::string(radius_ == 0 ? "the cut" : "the fillet") + " runs over the end of '" +
+               pipes_.at(i).name() + "' by " + decimal(over, kMessageDigits) + half_buried_end());
       }
     }
+    if (radius_ > 0) {
+      include_regularity(loop);
+    }
+    result_.loops.push_back(std::move(loop));
+    courses_.push_back(courses);
+  }
+
+  void include_regularity(const CanalFillet& loop) {
     const CanalRegularity proof = prove_regular(loop);
     if (proof.verdict != Verdict::proved) {
       refuse(proof.verdict == Verdict::refuted
                  ? "the fillet folds: the ball is too large for the turns of its way"
-                 : "whether the fillet folds is undecided");
+                 : "whether the fillet folds is undecided" + half_buried_end());
     }
-    result_.regularity = std::min(result_.regularity, proof.regularity);
-    result_.loops.push_back(std::move(loop));
-    courses_.push_back(courses);
+    result_.regularity = std::min(result_.regularity.value_or(1), proof.regularity);
   }
 
   // A pipe that a single loop winds about has to end inside the other one.
@@ -200,7 +246,7 @@ class Search {
     const auto& buried = result_.buried.at(i);
     if (courses_.front().at(i).winds && result_.loops.size() == 1 && !buried[0] && !buried[1]) {
       refuse("'" + pipes_.at(i).name() + "' neither ends inside '" + pipes_.at(1 - i).name() +
-             "' nor passes so far through it that a fillet fits on both sides");
+             "' nor passes so far through it that it is left on both sides");
     }
   }
 
@@ -210,42 +256,58 @@ class Search {
   std::vector<std::array<Course, 2>> courses_;
 };
 
-std::optional<Fillet> feasible(const std::array<Pipe, 2>& pipes, double radius) {
+bool is_feasible(const std::array<Pipe, 2>& pipes, double radius) {
   try {
-    return Search(pipes, radius).run();
+    (void)Search(pipes, radius).run();
+    return true;
   } catch (const Error&) {
-    return std::nullopt;
+    return false;
   }
 }
 
-// To two digits, rounded down; none if not even a thousandth of the ball fits.
-std::optional<double> largest_radius_below(const std::array<Pipe, 2>& pipes, double radius) {
-  double fits = radius / 1000, too_large = radius;
-  if (!feasible(pipes, fits)) {
-    return std::nullopt;
-  }
-  while (too_large > 1.005 * fits) {
-    const double middle = std::sqrt(fits * too_large);
-    (feasible(pipes, middle) ? fits : too_large) = middle;
-  }
-  const double digit = std::pow(10, std::floor(std::log10(fits)) - 1);
-  return std::floor(fits / digit) * digit;
+std::array<Pipe, 2> pipes_of(const std::array<const PartSurface*, 2>& surfaces,
+                             const std::array<std::string, 2>& names) {
+  return {Pipe(straight_tube(*surfaces[0], names[0]), names[0]),
+          Pipe(straight_tube(*surfaces[1], names[1]), names[1])};
 }
 
 }  // namespace
 
+std::optional<double> largest_radius_below(double radius, const std::function<bool(double)>& fits) {
+  double feasible = radius / 1000, too_large = radius;
+  if (!fits(feasible)) {
+    return std::nullopt;
+  }
+  while (too_large > 1.005 * feasible) {
+    const double middle = std::sqrt(feasible * too_large);
+    (fits(middle) ? feasible : too_large) = middle;
+  }
+  const double digit = std::pow(10, std::floor(std::log10(feasible)) - 1);
+  return std::floor(feasible / digit) * digit;
+}
+
 Fillet fillet_between(const std::array<const PartSurface*, 2>& surfaces,
                       const std::array<std::string, 2>& names, double radius) {
-  const std::array<Pipe, 2> pipes{Pipe(straight_tube(*surfaces[0], names[0]), names[0]),
-                                  Pipe(straight_tube(*surfaces[1], names[1]), names[1])};
+  const std::array<Pipe, 2> pipes = pipes_of(surfaces, names);
   try {
     return Search(pipes, radius).run();
   } catch (const Error& error) {
-    const auto largest = largest_radius_below(pipes, radius);
+    const auto largest =
+        largest_radius_below(radius, [&](double tried) { return is_feasible(pipes, tried); });
     throw Error(Errc::infeasible_blend,
                 error.message() + (largest ? "; the largest ball that fits has a radius of " +
                                                  decimal(*largest, 2)
                                            : std::string("; nor does a smaller ball fit")));
+  }
+}
+
+Fillet cope_between(const std::array<const PartSurface*, 2>& surfaces,
+                    const std::array<std::string, 2>& names) {
+  const std::array<Pipe, 2> pipes = pipes_of(surfaces, names);
+  try {
+    return Search(pipes, 0).run();
+  } catch (const Error& error) {
+    throw Error(Errc::infeasible_blend, error.message());
   }
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <optional>
+#include <string>
 
 #include "dupin/blends/part_surface.h"
 #include "dupin/blends/resolve.h"
@@ -14,5 +17,17 @@ namespace dupin::assembly {
 /// the largest radius that would, to two digits; Error{invalid_argument} for other surfaces.
 [[nodiscard]] Fillet fillet_between(const std::array<const PartSurface*, 2>& pipes,
                                     const std::array<std::string, 2>& names, double radius);
+
+/// The largest radius that fits and is smaller than this one, which does not: to two digits,
+/// rounded down. None if not even a thousandth of it fits.
+[[nodiscard]] std::optional<double> largest_radius_below(double radius,
+                                                         const std::function<bool(double)>& fits);
+
+/// The curves in which they cross, and what they bury.
+///
+/// Throws Error{infeasible_blend} that says why there are none within their lengths, or why they do
+/// not bound both faces; Error{invalid_argument} for other surfaces.
+[[nodiscard]] Fillet cope_between(const std::array<const PartSurface*, 2>& pipes,
+                                  const std::array<std::string, 2>& names);
 
 }  // namespace dupin::assembly

@@ -94,10 +94,17 @@ std::vector<FilletedRuns> filleted_runs(const ResolvedAssembly& assembly,
   }
   std::iota(group_of.begin(), group_of.end(), std::size_t{0});
   // Groups are called after their first run.
-  for (const ResolvedFillet& fillet : assembly.fillets) {
-    const std::size_t a = group_of[run_of[fillet.between[0]]],
-                      b = group_of[run_of[fillet.between[1]]];
+  const auto join = [&](std::uint32_t part, std::uint32_t other) {
+    const std::size_t a = group_of[run_of[part]], b = group_of[run_of[other]];
     std::ranges::replace(group_of, std::max(a, b), std::min(a, b));
+  };
+  for (const ResolvedFillet& fillet : assembly.fillets) {
+    join(fillet.between[0], fillet.between[1]);
+  }
+  for (const ResolvedJunction& junction : assembly.junctions) {
+    for (const std::uint32_t arm : junction.arms) {
+      join(junction.arms.front(), arm);
+    }
   }
   std::vector<FilletedRuns> by_first(runs.size()), result;
   for (std::size_t r = 0; r < runs.size(); ++r) {
@@ -105,6 +112,9 @@ std::vector<FilletedRuns> filleted_runs(const ResolvedAssembly& assembly,
   }
   for (std::size_t f = 0; f < assembly.fillets.size(); ++f) {
     by_first[group_of[run_of[assembly.fillets[f].between[0]]]].fillets.push_back(f);
+  }
+  for (std::size_t j = 0; j < assembly.junctions.size(); ++j) {
+    by_first[group_of[run_of[assembly.junctions[j].arms.front()]]].junctions.push_back(j);
   }
   std::ranges::copy_if(by_first, std::back_inserter(result),
                        [](const FilletedRuns& group) { return !group.runs.empty(); });
@@ -161,7 +171,9 @@ TriMesh joined_by_fillets(const ResolvedAssembly& assembly, const std::vector<Tr
   }
   std::ranges::for_each(runs, [&](const TriMesh& run) { joiner.append(run); });
   for (const std::size_t f : fillets) {
-    joiner.append(labelled(assembly.fillets[f].name, meshes[f]));
+    if (!assembly.fillets[f].shape.is_cope()) {
+      joiner.append(labelled(assembly.fillets[f].name, meshes[f]));
+    }
   }
   return joiner.take();
 }

@@ -12,10 +12,10 @@
 
 namespace dupin::assembly {
 
-/// Runs that fillets join into one solid, and these, as indices into the list of runs and into
-/// ResolvedAssembly::fillets.
+/// Runs that fillets and junctions join into one solid, and these, as indices into the list of runs
+/// and into ResolvedAssembly::fillets and ResolvedAssembly::junctions.
 struct FilletedRuns {
-  std::vector<std::size_t> runs, fillets;
+  std::vector<std::size_t> runs, fillets, junctions = {};
 };
 
 /// Every run in exactly one group, in the order of their first runs.

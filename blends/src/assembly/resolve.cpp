@@ -31,6 +31,7 @@ class Resolver {
       for (const auto& reference : references(assembly_.parts[i].shape)) {
         join(i, reference);
       }
+      take_ends(i);
     }
     for (const auto part : in_order_of_need()) {
       if (part_kind(assembly_.parts[part].shape).is_part()) {
@@ -125,6 +126,18 @@ class Resolver {
     take(part, reference.key, own, reference.port.part);
     other_end.joined = own;
     ends_[part].at(at(own.end)).joined = other;
+  }
+
+  // Of a junction.
+  void take_ends(std::uint32_t part) {
+    const PartShape& shape = assembly_.parts[part].shape;
+    if (!part_kind(shape).is_junction()) {
+      return;
+    }
+    for (const Reference& reference : part_kind(shape).ends(shape)) {
+      take(part, reference.key, {referred(part, reference), reference.port.end},
+           assembly_.parts[part].name);
+    }
   }
 
   // Every part after those it refers to, otherwise in document order.
@@ -239,9 +252,40 @@ class Resolver {
     for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
       if (part_kind(assembly_.parts[i].shape).fillet != nullptr) {
         result.fillets.push_back(fillet(i, position));
+        refuse_twice(result.fillets);
+      }
+      if (part_kind(assembly_.parts[i].shape).is_junction()) {
+        append_junction(i, position, result);
       }
     }
     return result;
+  }
+
+  void append_junction(std::uint32_t part, const std::vector<std::uint32_t>& position,
+                       ResolvedAssembly& result) const {
+    const PartShape& shape = assembly_.parts[part].shape;
+    const assembly::PartKind& kind = part_kind(shape);
+    const std::string& name = assembly_.parts[part].name;
+    ResolvedJunction junction{name, part, {}, {}};
+    junction.shape = assembly::with_part_context(
+        assembly_, part, [&] { return kind.junction(context(part), shape); });
+    const References ends = kind.ends(shape);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const EndIndex neighbour{position[index_.at(ends[i].port.part)], ends[i].port.end};
+      const auto arm = std::uint32_t(result.parts.size());
+      const std::string arm_name = name + "." + std::to_string(i + 1);
+      result.parts.push_back({arm_name,
+                              std::string(kind.key),
+                              part,
+                              tube(junction.shape.arms[i]),
+                              {neighbour, std::nullopt},
+                              {arm_name + ".start", name},
+                              true,
+                              true});
+      result.parts[neighbour.part].joined.at(at(neighbour.end)) = EndIndex{arm, End::start};
+      junction.arms.push_back(arm);
+    }
+    result.junctions.push_back(std::move(junction));
   }
 
   [[nodiscard]] ResolvedFillet fillet(std::uint32_t part,
@@ -266,6 +310,21 @@ class Resolver {
     });
     refuse_joined(result, pipes);
     return result;
+  }
+
+  void refuse_twice(const std::vector<ResolvedFillet>& fillets) const {
+    const auto pair = [](const ResolvedFillet& fillet) {
+      return std::minmax(fillet.between[0], fillet.between[1]);
+    };
+    const ResolvedFillet& last = fillets.back();
+    const auto first = std::ranges::find_if(
+        fillets, [&](const ResolvedFillet& fillet) { return pair(fillet) == pair(last); });
+    if (first->index != last.index) {
+      fail(
+          last.index,
+          part_kind(assembly_.parts[last.index].shape).pipes(assembly_.parts[last.index].shape).key,
+          "the crossing of these parts has '" + first->name + "' already");
+    }
   }
 
   // An end that vanishes in the other pipe can neither be named nor joined to a part.
@@ -293,6 +352,9 @@ class Resolver {
 ResolvedAssembly resolve(const Assembly& assembly) { return Resolver(assembly).run(); }
 
 bool is_buried(const ResolvedAssembly& assembly, const EndIndex& end) {
+  if (assembly.parts[end.part].ends_in_hub && end.end == End::end) {
+    return true;
+  }
   return std::ranges::any_of(assembly.fillets, [&](const ResolvedFillet& fillet) {
     return (fillet.between[0] == end.part && fillet.shape.buried[0].at(at(end.end))) ||
            (fillet.between[1] == end.part && fillet.shape.buried[1].at(at(end.end)));
@@ -302,10 +364,23 @@ bool is_buried(const ResolvedAssembly& assembly, const EndIndex& end) {
 void refuse_fillets(const Assembly& assembly, const ResolvedAssembly& resolved,
                     std::string_view what) {
   for (const ResolvedFillet& fillet : resolved.fillets) {
+    if (fillet.shape.is_cope()) {
+      continue;
+    }
     throw Error(Errc::invalid_argument,
                 "fillets have no " + std::string(what) +
                     "; leave them out of the document, then its pipes have",
                 fillet.name, document_place(assembly, fillet.index));
+  }
+}
+
+void refuse_junctions(const Assembly& assembly, const ResolvedAssembly& resolved,
+                      std::string_view what) {
+  for (const ResolvedJunction& junction : resolved.junctions) {
+    throw Error(Errc::invalid_argument,
+                "junctions have no " + std::string(what) +
+                    "; leave them out of the document, then its pipes have",
+                junction.name, document_place(assembly, junction.index));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "assembly/joined_hubs.h"
 #include "assembly/part_context.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -154,7 +155,7 @@ double lattice_spacing(const Assembly& assembly, const ResolvedAssembly& resolve
   }
   for (const ResolvedFillet& fillet : resolved.fillets) {
     const double radius = ball(fillet.shape.loops.front(), 0).radius;
-    if (radius < extent.smallest) {
+    if (radius > 0 && radius < extent.smallest) {
       extent.smallest = radius;
       smallest = {&fillet.name, fillet.index};
     }
@@ -185,7 +186,10 @@ RingSampling run_sampling(const Assembly& assembly, const ResolvedAssembly& reso
     const ResolvedPart& part = resolved.parts[index];
     const auto needed = with_part_context(assembly, part.index, [&] {
       return std::visit(
-          [&](const auto& shape) { return segments_for(shape, assembly.tolerance, grid); },
+          [&](const auto& shape) {
+            const double share = part.ends_in_hub ? kArmShare : 1;
+            return segments_for(shape, share * assembly.tolerance, grid);
+          },
           part.shape);
     });
     result.segments = std::max(result.segments, needed);

@@ -16,7 +16,7 @@ using canal::BallJet;
 using numbers::Interval;
 using numbers::IntervalVec;
 
-constexpr std::size_t kMostLeaves = 20000;
+constexpr std::size_t kMostLeaves = 4000;
 constexpr double kShare = 0.9;  // of the least sampled value, at which the bound is good enough
 
 /// The outward normal where the ball touches a quadric from outside.

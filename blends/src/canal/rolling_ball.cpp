@@ -130,7 +130,9 @@ std::vector<CanalFillet> on_cones(const std::array<Ring, 2>& quadrics, double ra
 
 std::vector<CanalFillet> rolling_ball_fillets(const std::array<Ring, 2>& quadrics, double radius) {
   canal::require_quadrics(quadrics);
-  canal::require_positive(radius);
+  if (radius != 0) {
+    canal::require_positive(radius);
+  }
   if (quadrics[0].slope != 0 || quadrics[1].slope != 0) {
     return on_cones(quadrics, radius);
   }

@@ -3,12 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
+#include <set>
 #include <string>
 
+#include <Eigen/Geometry>
+
 #include "assembly/cost_limit.h"
+#include "assembly/filleted_runs.h"
+#include "assembly/part_context.h"
 #include "assembly/welded_runs.h"
 #include "certification/checked_claims.h"
+#include "certification/prove_fillet.h"
 #include "certification/prove_regular.h"
 #include "certification/swept_disc_pairs.h"
 #include "dupin/kernel/decimal.h"
@@ -29,10 +36,16 @@ std::vector<certification::JoinedEnds> joints(const CertifiedPart& part, std::ui
   return result;
 }
 
-std::vector<CertifiedPart> parts_of(const ResolvedAssembly& resolved) {
-  std::vector<CertifiedPart> result;
+CertifiedInputs inputs_of(const ResolvedAssembly& resolved) {
+  CertifiedInputs result;
   for (const ResolvedPart& part : resolved.parts) {
-    result.push_back({part.name, part.kind, part.shape, part.joined});
+    result.parts.push_back({part.name, part.kind, part.shape, part.joined});
+  }
+  for (const ResolvedFillet& fillet : resolved.fillets) {
+    if (!fillet.shape.is_cope()) {  // it adds no surface to those of its pipes
+      result.fillets.push_back(
+          {fillet.name, fillet.between, fillet.shape.buried, fillet.shape.loops});
+    }
   }
   return result;
 }
@@ -45,6 +58,22 @@ std::uint64_t work_for(std::uint64_t parts, const CertifyOptions& options) {
   return options.work + std::min(pairs, std::numeric_limits<std::uint64_t>::max() - options.work);
 }
 
+// The largest angle about a ring's axis that a triangle spans.
+double widest_turn(const TriMesh& mesh, const Ring& ring) {
+  const auto arm = [&](std::uint32_t vertex) -> Vec3 {
+    const Vec3 from = mesh.points[vertex] - ring.center;
+    return from - from.dot(ring.normal) * ring.normal;
+  };
+  double widest = 0;
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 a = arm(t.at(i)), b = arm(t.at((i + 1) % 3));
+      widest = std::max(widest, std::atan2(a.cross(b).norm(), a.dot(b)));
+    }
+  }
+  return widest;
+}
+
 class Certifier {
  public:
   Certifier(const Assembly& assembly, const CertifyOptions& options)
@@ -54,11 +83,13 @@ class Certifier {
         work_(work_for(resolved_.parts.size(), options)) {}
 
   Certificate run() {
-    refuse_fillets(assembly_, resolved_, "certificates");
+    refuse_junctions(assembly_, resolved_, "certificates");
     result_.document = assembly_.source;
     result_.unit = assembly_.unit;
     result_.tolerance = assembly_.tolerance;
-    result_.parts = parts_of(resolved_);
+    CertifiedInputs inputs = inputs_of(resolved_);
+    result_.parts = std::move(inputs.parts);
+    result_.fillets = std::move(inputs.fillets);
     for (const CertifiedPart& part : result_.parts) {
       sweeps_.push_back(std::visit(
           [&](const auto& s) { return certification::SweptDiscs(s, &work_); }, part.shape));
@@ -102,17 +133,64 @@ class Certifier {
     const double grid = assembly::lattice_spacing(assembly_, resolved_);
     const auto runs = assembly::welded_runs(resolved_);
     assembly::refuse_too_costly(assembly_, resolved_, runs, grid, options_.most_triangles);
+    std::vector<RingSampling> samplings(resolved_.parts.size());
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const RingSampling sampling = assembly::run_sampling(assembly_, resolved_, runs[i], i, grid);
       for (const auto part : runs[i].parts) {
-        Tessellation mesh = assembly::tessellated(assembly_, resolved_.parts[part], sampling);
-        const bool is_sphere = std::holds_alternative<Sphere>(result_.parts[part].shape);
-        if (is_sphere || !mesh.knots.empty()) {
-          result_.claims[part].mesh = checker_.agreed(
-              {sampling.segments, grid, std::move(mesh.knots), mesh.error_bound}, part);
+        samplings[part] = sampling;
+        if (std::ranges::none_of(resolved_.fillets, [&](const ResolvedFillet& fillet) {
+              return std::ranges::count(fillet.between, part) > 0;
+            })) {
+          append_mesh(part, sampling.segments, grid,
+                      assembly::tessellated(assembly_, resolved_.parts[part], sampling));
         }
       }
     }
+    append_fillets(samplings, grid);
+  }
+
+  void append_mesh(std::uint32_t part, std::uint32_t segments, double grid, Tessellation mesh) {
+    const bool is_sphere = std::holds_alternative<Sphere>(result_.parts[part].shape);
+    if (is_sphere || !mesh.knots.empty()) {
+      result_.claims[part].mesh =
+          checker_.agreed({segments, grid, std::move(mesh.knots), mesh.error_bound}, part);
+    }
+  }
+
+  void append_fillets(const std::vector<RingSampling>& samplings, double grid) {
+    std::vector<std::vector<surfaces::FilletMesh>> meshes;
+    std::set<std::uint32_t> trimmed;
+    for (const ResolvedFillet& fillet : resolved_.fillets) {
+      meshes.push_back(assembly::fillet_meshes(
+          assembly_, fillet, {samplings[fillet.between[0]], samplings[fillet.between[1]]},
+          options_.most_triangles));
+      trimmed.insert(fillet.between.begin(), fillet.between.end());
+      if (!fillet.shape.is_cope()) {
+        result_.fillet_claims.push_back(assembly::with_part_context(
+            assembly_, fillet.index, [&] { return fillet_claims(fillet, meshes.back(), grid); }));
+      }
+    }
+    // Of a straight pipe's mesh it counts only how far its triangles go about the axis.
+    for (const std::uint32_t part : trimmed) {
+      Tessellation face = assembly::trimmed(resolved_, part, samplings[part], meshes);
+      const Ring ring = end_ring(std::get<Chain>(result_.parts[part].shape), End::end);
+      const double turn = widest_turn(face.mesh, ring) * (1 + 0x1p-40);
+      face.knots = {0, 1};
+      append_mesh(part, std::uint32_t(2 * std::numbers::pi / turn), grid, std::move(face));
+    }
+  }
+
+  [[nodiscard]] std::vector<LoopClaims> fillet_claims(
+      const ResolvedFillet& fillet, const std::vector<surfaces::FilletMesh>& meshes, double grid) {
+    std::vector<LoopClaims> claims;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      claims.push_back(checker_.agreed(
+          fillet.shape.loops[i],
+          certification::prove_loop(fillet.shape.loops[i],
+                                    {meshes[i].tessellation.knots, meshes[i].columns, grid},
+                                    {options_.margin, options_.boxes, assembly_.tolerance})));
+    }
+    return claims;
   }
 
   void append_clearances() {
@@ -153,6 +231,13 @@ std::size_t Certificate::findings() const {
     count += part.embedded && part.embedded->verdict != Verdict::proved ? 1 : 0;
     count += part.mesh ? 0 : 1;
   }
+  for (const auto& loops : fillet_claims) {
+    for (const LoopClaims& loop : loops) {
+      count += loop.regular.verdict != Verdict::proved ? 1 : 0;
+      count += loop.embedded.verdict != Verdict::proved ? 1 : 0;
+      count += loop.mesh ? 0 : 1;
+    }
+  }
   return count +
          std::size_t(std::count_if(clearances.begin(), clearances.end(), [](const auto& claim) {
            return claim.verdict != Verdict::proved;
@@ -163,10 +248,10 @@ bool Certificate::joined(const ClearanceClaim& claim) const {
   return !joints(parts[claim.first], claim.second).empty();
 }
 
-std::vector<CertifiedPart> certified_parts(const Assembly& assembly) {
+CertifiedInputs certified_inputs(const Assembly& assembly) {
   const ResolvedAssembly resolved = resolve(assembly);
-  refuse_fillets(assembly, resolved, "certificates");
-  return parts_of(resolved);
+  refuse_junctions(assembly, resolved, "certificates");
+  return inputs_of(resolved);
 }
 
 Certificate certify(const Assembly& assembly, const CertifyOptions& options) {

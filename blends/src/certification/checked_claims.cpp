@@ -36,6 +36,34 @@ void CheckedClaims::read(const CertifiedPart& part) {
   names_.push_back(part.name);
 }
 
+LoopClaims CheckedClaims::agreed(const CanalFillet& loop, LoopClaims claims) {
+  limit_.set_left(limit_.left() + verification::work_for_loop());
+  std::optional<std::vector<verification::ArcCell>> cells;
+  const auto lacks = [&](std::uint64_t allowance, const auto& check) {
+    return !holds(allowance, check);
+  };
+  if (lacks(0, [&] { return verification::follows(loop, claims.contact); })) {
+    throw Error(Errc::limit_exceeded,
+                "to check its fillets takes more work than a certificate may; choose several "
+                "documents with fewer");
+  }
+  if (lacks(verification::work_for_arcs(claims.regular), [&] {
+        cells = verification::regular_cells(loop, claims.regular);
+        return cells.has_value();
+      })) {
+    return {{Verdict::undecided, claims.regular.margin, {}, {}}, {}, claims.contact, {}};
+  }
+  if (lacks(verification::work_for(claims.embedded.leaves),
+            [&] { return verification::follows(loop, *cells, claims.embedded); })) {
+    claims.embedded = {};
+  }
+  if (claims.mesh && lacks(verification::work_for(*claims.mesh),
+                           [&] { return verification::follows(*cells, *claims.mesh); })) {
+    claims.mesh.reset();
+  }
+  return claims;
+}
+
 RegularClaim CheckedClaims::agreed(RegularClaim claim) {
   if (claim.verdict != Verdict::undecided && !holds(verification::work_for(claim), [&] {
         return verification::follows(solids_.back(), claim);

@@ -17,6 +17,9 @@ class CheckedClaims {
   /// The next part. Throws Error{invalid_argument} for one whose numbers no certificate holds.
   void read(const CertifiedPart& part);
 
+  /// A loop of a fillet. What does not follow is undecided, but for the contact, which does.
+  [[nodiscard]] LoopClaims agreed(const CanalFillet& loop, LoopClaims claims);
+
   // About the part that was read last.
   [[nodiscard]] RegularClaim agreed(RegularClaim claim);
   [[nodiscard]] EmbeddedClaim agreed(EmbeddedClaim claim, const RegularClaim& regular);

@@ -292,6 +292,9 @@ FilletMesh fillet_mesh(const CanalFillet& loop, const FilletSampling& sampling) 
   result.columns = rows.columns();
   result.tessellation.bands = std::uint32_t(rows.rows().size());
   result.tessellation.error_bound = rows.error() + displacement;
+  for (const FilletRow& row : rows.rows()) {
+    result.tessellation.knots.push_back(row.parameter);
+  }
   return result;
 }
 

@@ -11,8 +11,8 @@ namespace dupin::surfaces {
 /// A loop of a fillet as triangles, and the closed polygons in which it meets its quadrics: their
 /// corners are corners of the mesh, snapped, and have to be those of the trimmed quadrics.
 struct FilletMesh {
-  Tessellation tessellation;
-  std::uint32_t columns = 0;              ///< of triangles, along the feet
+  Tessellation tessellation;  ///< its knots are the parameters of the loop, in [0, 2 pi)
+  std::uint32_t columns = 0;  ///< of triangles, along the feet
   std::array<std::vector<Vec3>, 2> feet;  ///< on the first and second quadric
 };
 

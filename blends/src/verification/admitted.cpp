@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include <Eigen/Geometry>
 
@@ -66,6 +67,46 @@ struct RadiusReader {
     needs.coefficients(r.coefficients.size());
     std::for_each(r.coefficients.begin(), r.coefficients.end(),
                   [this](double x) { needs.number(x); });
+  }
+};
+
+struct MotionReader {
+  const Requirements& needs;
+
+  void numbers(std::initializer_list<double> all) const {
+    std::for_each(all.begin(), all.end(), [this](double x) { needs.number(x); });
+  }
+  void points(std::initializer_list<Vec3> all) const {
+    std::for_each(all.begin(), all.end(), [this](const Vec3& p) { needs.point(p); });
+  }
+  void spheres(std::initializer_list<PeVector> all) const {
+    std::for_each(all.begin(), all.end(), [this](const PeVector& s) {
+      needs.point(s.m);
+      needs.number(s.r);
+    });
+  }
+  void operator()(const RollingThrough& m) const {
+    points({m.origin, m.along, m.across, m.up});
+    numbers({m.cosine, m.sine, m.distance, m.height, m.below, m.above, m.side, m.radius});
+  }
+  void operator()(const RollingPartly& m) const {
+    points({m.origin, m.along, m.across, m.up});
+    numbers({m.cosine, m.sine, m.distance, m.overlap, m.first, m.second, m.radius});
+  }
+  void operator()(const RollingOnCones& m) const {
+    needs.ring(m.first);
+    needs.ring(m.second);
+    points({m.zero, m.quarter});
+    numbers({m.side, m.radius});
+  }
+  void operator()(const RationalCrossing& m) const {
+    spheres({m.origin, m.along, m.across, m.e3, m.e4});
+    numbers({m.cosine, m.sine, m.distance, m.side});
+    numbers({m.size[0], m.size[1], m.size[2], m.size[3]});
+  }
+  void operator()(const RationalParallel& m) const {
+    spheres({m.origin, m.ey, m.ez, m.nu1, m.nu2});
+    numbers({m.half_distance, m.product, m.far_squared, m.near_squared});
   }
 };
 
@@ -138,6 +179,13 @@ void Requirements::coefficients(std::size_t count) const {
 
 AdmittedPart::AdmittedPart(const CertifiedPart& part) : part_(&part) {
   std::visit(PartReader{Requirements(part.name)}, part.shape);
+}
+
+void admit(const CertifiedFillet& fillet) {
+  const Requirements needs(fillet.name);
+  for (const CanalFillet& loop : fillet.loops) {
+    std::visit(MotionReader{needs}, loop.motion);
+  }
 }
 
 bool is_parameter(double t, double length) {

@@ -38,6 +38,10 @@ class AdmittedPart {
   const CertifiedPart* part_;
 };
 
+/// Throws Error{invalid_argument} for a fillet whose loops have numbers that are not finite or
+/// larger than CertificateLimits say. What is read from them is checked by its claims.
+void admit(const CertifiedFillet& fillet);
+
 /// A parameter of a part: a multiple of 2^-64 in [0, length], so that exact numbers stay short.
 [[nodiscard]] bool is_parameter(double t, double length);
 

@@ -10,6 +10,7 @@
 // The lemmas and their proofs are in docs/certificate_format.md; the regularity condition
 // 1 - kappa R > 0 is [MS06] eq. (11).
 
+#include "verification/fillet_claims.h"
 #include "verification/mesh_claim.h"
 #include "verification/pair_claims.h"
 #include "verification/regular_claim.h"

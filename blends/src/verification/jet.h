@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -70,6 +71,27 @@ Jet<count> operator*(const Jet<count>& a, const Jet<count>& b) {
   return c;
 }
 
+/// A function that stands still.
+template <std::size_t count>
+Jet<count> constant(const Interval& value) {
+  return {{value}};
+}
+
+template <std::size_t count>
+Jet<count> operator*(const Interval& s, Jet<count> a) {
+  for (Interval& derivative : a.d) {
+    derivative = s * derivative;
+  }
+  return a;
+}
+
+template <std::size_t count>
+Jet<count> square(const Jet<count>& a) {
+  Jet<count> result = a * a;
+  result[0] = numbers::square(a[0]);
+  return result;
+}
+
 /// Requires b > 0.
 template <std::size_t count>
 Jet<count> operator/(const Jet<count>& a, const Jet<count>& b) {
@@ -98,14 +120,27 @@ Jet<count> dot(const JetVec<count>& a, const JetVec<count>& b) {
 
 template <std::size_t count>
 Jet<count> squared_norm(const JetVec<count>& v) {
-  Jet<count> result = dot(v, v);
-  result[0] = square(v[0][0]) + square(v[1][0]) + square(v[2][0]);
-  return result;
+  return square(v[0]) + square(v[1]) + square(v[2]);
 }
 
 template <std::size_t count>
 JetVec<count> operator*(const Jet<count>& s, const JetVec<count>& v) {
   return {s * v[0], s * v[1], s * v[2]};
+}
+
+template <std::size_t count>
+JetVec<count> operator*(const Interval& s, const JetVec<count>& v) {
+  return {s * v[0], s * v[1], s * v[2]};
+}
+
+template <std::size_t count>
+JetVec<count> operator*(const Jet<count>& s, const IntervalVec& v) {
+  return {v[0] * s, v[1] * s, v[2] * s};
+}
+
+template <std::size_t count>
+Jet<count> dot(const JetVec<count>& a, const IntervalVec& b) {
+  return b[0] * a[0] + b[1] * a[1] + b[2] * a[2];
 }
 
 template <std::size_t count>
@@ -130,6 +165,29 @@ Jet<count - 1> derivative(const Jet<count>& a) {
 template <std::size_t count>
 JetVec<count - 1> derivative(const JetVec<count>& v) {
   return {derivative(v[0]), derivative(v[1]), derivative(v[2])};
+}
+
+template <std::size_t count>
+JetVec<count> operator+(const JetVec<count>& a, const JetVec<count>& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+template <std::size_t count>
+JetVec<count> cross(const JetVec<count>& a, const JetVec<count>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Without the derivatives beyond.
+template <std::size_t count, std::size_t more>
+Jet<count> shortened(const Jet<more>& a) {
+  Jet<count> result;
+  std::copy_n(a.d.begin(), count, result.d.begin());
+  return result;
+}
+
+template <std::size_t count, std::size_t more>
+JetVec<count> shortened(const JetVec<more>& v) {
+  return {shortened<count>(v[0]), shortened<count>(v[1]), shortened<count>(v[2])};
 }
 
 /// The values, first derivatives and so on of all three coordinates.

@@ -94,11 +94,6 @@ bool band_follows(const Motion& motion, double from, double to, std::uint32_t se
   return false;
 }
 
-// What snapping to the grid and the rounding of coordinates of this size may add.
-Interval displacement(double grid, double size) {
-  return numbers::sqrt(Interval(3)) / 2 * grid + Interval(std::ldexp(size, -47));
-}
-
 // Whether two semi-axes, each at the start and at the end, keep their ratio.
 bool are_similar(const std::array<double, 2>& first, const std::array<double, 2>& second) {
   return mpq_class(first[0]) * mpq_class(second[1]) == mpq_class(first[1]) * mpq_class(second[0]);
@@ -199,6 +194,10 @@ bool sphere_follows(const Sphere& sphere, const MeshClaim& claim) {
 }
 
 }  // namespace
+
+Interval displacement(double grid, double size) {
+  return numbers::sqrt(Interval(3)) / 2 * grid + Interval(std::ldexp(size, -47));
+}
 
 bool follows(const Solid& solid, const MeshClaim& claim) {
   if (!is_bound(claim.grid) || !is_bound(claim.error_bound) || claim.segments < 3 ||

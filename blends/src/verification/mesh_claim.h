@@ -5,6 +5,9 @@
 
 namespace dupin::verification {
 
+/// What snapping to the grid and the rounding of coordinates of this size may add.
+[[nodiscard]] Interval displacement(double grid, double size);
+
 /// Whether the claim follows from the part's numbers.
 [[nodiscard]] bool follows(const Solid& solid, const MeshClaim& claim);
 

@@ -52,11 +52,6 @@ Polynomial about(const Polynomial& p, const Polynomial& weight, const mpq_class&
   return difference(p, product(weight, {point}));
 }
 
-template <std::size_t count>
-Jet<3> shortened(const Jet<count>& a) {
-  return {{a[0], a[1], a[2]}};
-}
-
 JetVec<3> moved(JetVec<3> v, const IntervalVec& by) {
   for (std::size_t k = 0; k < 3; ++k) {
     v[k][0] = v[k][0] + by[k];
@@ -76,7 +71,7 @@ std::optional<MovingDisc> across(const JetVec<4>& spine, const IntervalVec& base
   if (!(squared[0].lower > 0)) {
     return std::nullopt;
   }
-  const JetVec<3> center{shortened(spine[0]), shortened(spine[1]), shortened(spine[2])};
+  const JetVec<3> center = shortened<3>(spine);
   return MovingDisc{moved(center, base), velocity / sqrt(squared), radius, kOne};
 }
 
@@ -282,8 +277,8 @@ Motion motion(const CyclidePiece& piece, double wall) {
     if (!((speed[0] - slope[0]).lower > 0)) {
       return std::nullopt;
     }
-    const Jet<3> pace = sqrt(speed - slope), value = shortened(r);
-    const JetVec<3> center{shortened(m[0]), shortened(m[1]), shortened(m[2])};
+    const Jet<3> pace = sqrt(speed - slope), value = shortened<3>(r);
+    const JetVec<3> center = shortened<3>(m);
     const JetVec<3> shift = (value * r1 / speed) * m1;
     return MovingDisc{moved(center - shift, base), m1 / sqrt(speed), value * pace / sqrt(speed),
                       pace};

@@ -1,5 +1,6 @@
 #include "dupin/blends/verify_certificate.h"
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
@@ -108,6 +109,42 @@ std::vector<JoinedEnds> joints(const std::vector<Solid>& solids,
 
 namespace {
 
+bool is_same(const Ring& a, const Ring& b) { return are_flips(a, flipped(b)); }
+
+// The quadrics are those of the pipes, so that what touches these touches the pipes.
+void verify_loop(const std::vector<Solid>& solids, const CertifiedFillet& fillet,
+                 const CanalFillet& loop, const LoopClaims& claims, double tolerance) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Solid& pipe = solids[fillet.between.at(side)];
+    require(!pipe.pieces().empty() && is_same(loop.quadrics.at(side), end_ring(pipe, End::end)) &&
+                !loop.quadrics.at(side).ellipse,
+            fillet.name, "between");
+  }
+  require(follows(loop, claims.contact) && claims.contact.offset <= tolerance, fillet.name,
+          "contact");
+  const auto cells = regular_cells(loop, claims.regular);
+  require(cells || (is_undecided(claims.regular.verdict) && has_form(claims.regular)), fillet.name,
+          "regular");
+  require(is_undecided(claims.embedded.verdict) ? has_form(claims.embedded)
+                                                : cells && follows(loop, *cells, claims.embedded),
+          fillet.name, "embedded");
+  require(!claims.mesh || (cells && follows(*cells, *claims.mesh)), fillet.name, "mesh");
+}
+
+void verify_fillets(const std::vector<Solid>& solids, const Certificate& certificate) {
+  const auto& fillets = certificate.fillets;
+  require(certificate.fillet_claims.size() == fillets.size(), "", "fillets");
+  for (std::size_t i = 0; i < fillets.size(); ++i) {
+    const auto& claims = certificate.fillet_claims[i];
+    const auto& loops = fillets[i].loops;
+    require(!loops.empty() && loops.size() == claims.size(), fillets[i].name, "loops");
+    admit(fillets[i]);
+    for (std::size_t k = 0; k < loops.size(); ++k) {
+      verify_loop(solids, fillets[i], loops[k], claims[k], certificate.tolerance);
+    }
+  }
+}
+
 void verify_inputs(const Certificate& certificate) {
   require(is_name(certificate.document), "", "document");
   require(is_bound(certificate.tolerance), "", "tolerance");
@@ -118,6 +155,12 @@ void verify_inputs(const Certificate& certificate) {
     for (const auto& joined : part.joined) {
       require(!joined || joined->part < certificate.parts.size(), part.name, "joined");
     }
+  }
+  for (const CertifiedFillet& fillet : certificate.fillets) {
+    require(is_name(fillet.name) && names.insert(fillet.name).second, "", "name");
+    require(std::max(fillet.between[0], fillet.between[1]) < certificate.parts.size() &&
+                fillet.between[0] != fillet.between[1],
+            fillet.name, "between");
   }
 }
 
@@ -145,6 +188,7 @@ void verify(const Certificate& certificate) {
     verification::verify_part(solids[i], parts[i].name, certificate.claims[i],
                               certificate.tolerance);
   }
+  verification::verify_fillets(solids, certificate);
   auto claim = certificate.clearances.begin();
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
     for (std::uint32_t j = i + 1; j < parts.size(); ++j, ++claim) {

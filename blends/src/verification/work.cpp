@@ -32,6 +32,17 @@ std::uint64_t work_for(const MeshClaim& claim) {
   return CertificateLimits::kWorkPerNumber * claim.knots.size();
 }
 
+std::uint64_t work_for_loop() {
+  constexpr std::uint64_t kNumbersOfLoop = 160;
+  return CertificateLimits::kWorkPerNumber * kNumbersOfLoop;
+}
+
+// One look at the arcs of a leaf is all that the other claims take, too.
+std::uint64_t work_for_arcs(const RegularClaim& claim) {
+  constexpr std::uint64_t kNumbersOfLeaf = 6;
+  return CertificateLimits::kWorkPerNumber * kNumbersOfLeaf * claim.leaves.size();
+}
+
 std::uint64_t work_for(const CertifiedPart& part, const PartClaims& claims) {
   constexpr std::uint64_t kNumbersOfPiece = 32;  // two rings, a spine and a radius; four bounds
   const auto* chain = std::get_if<Chain>(&part.shape);
@@ -46,6 +57,16 @@ std::uint64_t work_for(const Certificate& certificate) {
   std::uint64_t units = CertificateLimits::kWork;
   for (std::size_t i = 0; i < std::min(certificate.parts.size(), certificate.claims.size()); ++i) {
     units += work_for(certificate.parts[i], certificate.claims[i]);
+  }
+  for (std::size_t i = 0;
+       i < std::min(certificate.fillets.size(), certificate.fillet_claims.size()); ++i) {
+    const auto& loops = certificate.fillets[i].loops;
+    const auto& claims = certificate.fillet_claims[i];
+    for (std::size_t k = 0; k < std::min(loops.size(), claims.size()); ++k) {
+      units += work_for_loop() + work_for_arcs(claims[k].regular) +
+               work_for(claims[k].embedded.leaves) +
+               (claims[k].mesh ? work_for(*claims[k].mesh) : 0);
+    }
   }
   for (const ClearanceClaim& claim : certificate.clearances) {
     units += work_for(claim.leaves);

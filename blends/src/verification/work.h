@@ -31,6 +31,9 @@ class WorkLimit {
 [[nodiscard]] std::uint64_t work_for(const std::vector<DiscPairs>& leaves);
 [[nodiscard]] std::uint64_t work_for(const RegularClaim& claim);
 [[nodiscard]] std::uint64_t work_for(const MeshClaim& claim);
+/// The numbers of a loop of a fillet, and the leaves of a claim that it is regular.
+[[nodiscard]] std::uint64_t work_for_loop();
+[[nodiscard]] std::uint64_t work_for_arcs(const RegularClaim& claim);
 [[nodiscard]] std::uint64_t work_for(const CertifiedPart& part, const PartClaims& claims);
 
 /// Throws Error{limit_exceeded} where the limit does not allow it; without a limit all is allowed.

@@ -23,11 +23,16 @@ void require_about(const Certificate& certificate, std::string_view document,
   const Assembly assembly = parse_assembly(document, source);
   require(certificate.unit == assembly.unit, "the unit is another");
   require(certificate.tolerance <= assembly.tolerance, "its tolerance is larger");
-  const std::vector<CertifiedPart> parts = certified_parts(assembly);
+  const auto [parts, fillets] = certified_inputs(assembly);
   require(certificate.parts.size() == parts.size(), "it has not as many parts");
   for (std::size_t i = 0; i < parts.size(); ++i) {
     require(json::input_text(certificate.parts[i]) == json::input_text(parts[i]),
             "the part is another", parts[i].name);
+  }
+  require(certificate.fillets.size() == fillets.size(), "it has not as many fillets");
+  for (std::size_t i = 0; i < fillets.size(); ++i) {
+    require(json::input_text(certificate.fillets[i]) == json::input_text(fillets[i]),
+            "the fillet is another", fillets[i].name);
   }
 }
 

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
+#include "json/certificate_motions.h"
 #include "json/certificate_pieces.h"
 #include "json/certificate_seal.h"
 #include "json/json_document.h"
@@ -78,6 +80,36 @@ CertifiedPart part(const JsonNode& node, std::uint32_t parts) {
   return result;
 }
 
+template <class Element, class Read>
+std::array<Element, 2> two(const JsonNode& node, const Read& read) {
+  if (node.require_array() != 2) {
+    node.fail("must hold two elements");
+  }
+  return {read(node.at(std::size_t(0))), read(node.at(std::size_t(1)))};
+}
+
+// The rings of pipes are what their balls roll on.
+CertifiedFillet fillet(const JsonNode& node, const std::vector<CertifiedPart>& parts) {
+  CertifiedFillet result;
+  result.name = node.at("name").text();
+  result.between = two<std::uint32_t>(node.at("between"), [&](const JsonNode& part) {
+    return count(part, std::uint32_t(parts.size()));
+  });
+  result.buried = two<std::array<bool, 2>>(
+      node.at("buried"), [](const JsonNode& ends) { return two<bool>(ends, boolean); });
+  result.loops = list<CanalFillet>(node.at("loops"), json::certificate_motion);
+  for (CanalFillet& loop : result.loops) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      const auto* chain = std::get_if<Chain>(&parts[result.between.at(side)].shape);
+      if (chain == nullptr || chain->pieces.empty()) {
+        node.at("between").fail("must be two parts with pieces");
+      }
+      loop.quadrics.at(side) = end_ring(*chain, End::end);
+    }
+  }
+  return result;
+}
+
 Verdict verdict(const JsonNode& node) {
   const std::string text = node.text();
   for (const Verdict value : {Verdict::proved, Verdict::refuted, Verdict::undecided}) {
@@ -111,19 +143,33 @@ std::optional<double> optional_number(const JsonNode& node) {
   return node.value().is_null() ? std::nullopt : std::optional(node.number());
 }
 
+RegularClaim regular_claim(const JsonNode& node) {
+  return {verdict(node.at("verdict")), node.at("margin").number(),
+          list<ParameterInterval>(node.at("leaves"), interval), interval(node.at("where"))};
+}
+
+EmbeddedClaim embedded_claim(const JsonNode& node) {
+  return {verdict(node.at("verdict")), list<DiscPairs>(node.at("leaves"), disc_pairs),
+          overlap(node.at("overlap"))};
+}
+
+std::optional<MeshClaim> mesh_claim(const JsonNode& node) {
+  if (!node.has("mesh")) {
+    return std::nullopt;
+  }
+  const JsonNode mesh = node.at("mesh");
+  return MeshClaim{count(mesh.at("segments"), CertificateLimits::kSegments + 1),
+                   mesh.at("grid").number(), numbers(mesh.at("knots")),
+                   mesh.at("error_bound").number()};
+}
+
 PartClaims part_claims(const JsonNode& node) {
   PartClaims result;
   if (node.has("regular")) {
-    const JsonNode claim = node.at("regular");
-    result.regular = {verdict(claim.at("verdict")), claim.at("margin").number(),
-                      list<ParameterInterval>(claim.at("leaves"), interval),
-                      interval(claim.at("where"))};
+    result.regular = regular_claim(node.at("regular"));
   }
   if (node.has("embedded")) {
-    const JsonNode claim = node.at("embedded");
-    result.embedded = {verdict(claim.at("verdict")),
-                       list<DiscPairs>(claim.at("leaves"), disc_pairs),
-                       overlap(claim.at("overlap"))};
+    result.embedded = embedded_claim(node.at("embedded"));
   }
   result.tangency = list<TangencyClaim>(node.at("tangency"), [](const JsonNode& bounds) {
     const TangencyClaim claim{optional_number(bounds.at("deviation")),
@@ -131,13 +177,16 @@ PartClaims part_claims(const JsonNode& node) {
                               optional_number(bounds.at("curvature"))};
     return claim;
   });
-  if (node.has("mesh")) {
-    const JsonNode mesh = node.at("mesh");
-    result.mesh = {count(mesh.at("segments"), CertificateLimits::kSegments + 1),
-                   mesh.at("grid").number(), numbers(mesh.at("knots")),
-                   mesh.at("error_bound").number()};
-  }
+  result.mesh = mesh_claim(node);
   return result;
+}
+
+LoopClaims loop_claims(const JsonNode& node) {
+  const JsonNode contact = node.at("contact");
+  return {regular_claim(node.at("regular")),
+          embedded_claim(node.at("embedded")),
+          {contact.at("offset").number(), contact.at("deviation").number()},
+          mesh_claim(node)};
 }
 
 ClearanceClaim clearance(const JsonNode& node, std::uint32_t parts) {
@@ -172,10 +221,19 @@ Certificate parse_certificate(std::string_view text, const std::string& source) 
   const auto parts = std::uint32_t(root.at("parts").require_array());
   result.parts = list<CertifiedPart>(root.at("parts"),
                                      [=](const JsonNode& node) { return part(node, parts); });
+  if (root.has("fillets")) {
+    result.fillets = list<CertifiedFillet>(
+        root.at("fillets"), [&](const JsonNode& node) { return fillet(node, result.parts); });
+  }
   if (root.at("inputs_sha256").text() != sha256(json::inputs_text(result))) {
     root.at("inputs_sha256").fail("does not belong to these inputs");
   }
   result.claims = list<PartClaims>(root.at("claims"), part_claims);
+  if (root.has("fillet_claims")) {
+    result.fillet_claims = list<std::vector<LoopClaims>>(
+        root.at("fillet_claims"),
+        [](const JsonNode& node) { return list<LoopClaims>(node, loop_claims); });
+  }
   result.clearances = list<ClearanceClaim>(
       root.at("clearances"), [=](const JsonNode& node) { return clearance(node, parts); });
   return result;

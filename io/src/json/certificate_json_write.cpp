@@ -1,5 +1,6 @@
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
+#include "json/certificate_motions.h"
 #include "json/certificate_pieces.h"
 #include "json/certificate_seal.h"
 #include "json/json_value.h"
@@ -37,6 +38,17 @@ Json json_value(const CertifiedPart& part) {
   Json object{{"name", part.name}, {"kind", part.kind}, {"joined", ends}};
   object.update(std::visit(ShapeForm{}, part.shape));
   return object;
+}
+
+Json json_value(const CertifiedFillet& fillet) {
+  Json loops = Json::array();
+  for (const CanalFillet& loop : fillet.loops) {
+    loops.push_back(json::motion_value(loop));
+  }
+  return {{"name", fillet.name},
+          {"between", fillet.between},
+          {"buried", fillet.buried},
+          {"loops", loops}};
 }
 
 Json json_value(const std::vector<DiscPairs>& leaves) {
@@ -77,6 +89,28 @@ Json json_value(const EmbeddedClaim& claim) {
           {"overlap", json_value(claim.overlap)}};
 }
 
+Json json_value(const MeshClaim& claim) {
+  return {{"segments", claim.segments},
+          {"grid", claim.grid},
+          {"knots", claim.knots},
+          {"error_bound", claim.error_bound}};
+}
+
+Json json_value(const std::vector<LoopClaims>& loops) {
+  Json list = Json::array();
+  for (const LoopClaims& claims : loops) {
+    Json object{
+        {"regular", json_value(claims.regular)},
+        {"embedded", json_value(claims.embedded)},
+        {"contact", {{"offset", claims.contact.offset}, {"deviation", claims.contact.deviation}}}};
+    if (claims.mesh) {
+      object["mesh"] = json_value(*claims.mesh);
+    }
+    list.push_back(object);
+  }
+  return list;
+}
+
 Json json_value(const PartClaims& claims) {
   Json object = Json::object();
   if (claims.regular) {
@@ -94,10 +128,7 @@ Json json_value(const PartClaims& claims) {
          {"curvature", claim.curvature ? Json(*claim.curvature) : Json()}});
   }
   if (claims.mesh) {
-    object["mesh"] = {{"segments", claims.mesh->segments},
-                      {"grid", claims.mesh->grid},
-                      {"knots", claims.mesh->knots},
-                      {"error_bound", claims.mesh->error_bound}};
+    object["mesh"] = json_value(*claims.mesh);
   }
   return object;
 }
@@ -131,10 +162,16 @@ std::string json::input_text(const CertifiedPart& part) {
   return dupin::json_value(part).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+std::string json::input_text(const CertifiedFillet& fillet) {
+  return dupin::json_value(fillet).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string json::inputs_text(const Certificate& certificate) {
+  const auto& fillets = certificate.fillets;
   return "  \"units\": " + json_text(symbol(certificate.unit)) +
          ",\n  \"tolerance\": " + Json(certificate.tolerance).dump() +
-         ",\n  \"parts\": " + lines(certificate.parts);
+         ",\n  \"parts\": " + lines(certificate.parts) +
+         (fillets.empty() ? "" : ",\n  \"fillets\": " + lines(fillets));
 }
 
 std::string certificate_json(const Certificate& certificate) {
@@ -144,6 +181,9 @@ std::string certificate_json(const Certificate& certificate) {
                       ",\n  \"document_sha256\": " + json_text(certificate.document_sha256) +
                       ",\n" + inputs + ",\n  \"inputs_sha256\": " + json_text(sha256(inputs)) +
                       ",\n  \"claims\": " + lines(certificate.claims) +
+                      (certificate.fillets.empty()
+                           ? ""
+                           : ",\n  \"fillet_claims\": " + lines(certificate.fillet_claims)) +
                       ",\n  \"clearances\": " + lines(certificate.clearances) + ",\n");
 }
 
@@ -161,6 +201,20 @@ std::string certificate_summary_json(const Certificate& certificate) {
     part["error_bound"] = claims.mesh ? Json(claims.mesh->error_bound) : Json(nullptr);
     parts.push_back(part);
   }
+  Json fillets = Json::array();
+  for (std::size_t i = 0; i < certificate.fillets.size(); ++i) {
+    for (const LoopClaims& claims : certificate.fillet_claims[i]) {
+      fillets.push_back(
+          {{"name", certificate.fillets[i].name},
+           {"regular", name(claims.regular.verdict)},
+           {"margin", claims.regular.verdict == Verdict::undecided ? Json(nullptr)
+                                                                   : Json(claims.regular.margin)},
+           {"embedded", name(claims.embedded.verdict)},
+           {"offset", claims.contact.offset},
+           {"deviation", claims.contact.deviation},
+           {"error_bound", claims.mesh ? Json(claims.mesh->error_bound) : Json(nullptr)}});
+    }
+  }
   Json clearances = Json::array();
   for (const ClearanceClaim& claim : certificate.clearances) {
     clearances.push_back(
@@ -174,6 +228,7 @@ std::string certificate_summary_json(const Certificate& certificate) {
                      {"unit", symbol(certificate.unit)},
                      {"findings", certificate.findings()},
                      {"parts", parts},
+                     {"fillets", fillets},
                      {"clearances", clearances}});
 }
 

@@ -23,23 +23,6 @@ Json json_value(const std::vector<Vec3>& points) {
   return list;
 }
 
-Json json_value(const Ring& ring) {
-  Json object{{"center", json::json_value(ring.center)},
-              {"normal", json::json_value(ring.normal)},
-              {"radius", ring.radius},
-              {"slope", ring.slope}};
-  if (ring.ellipse) {
-    object["ellipse"] = {{"axis", json::json_value(ring.ellipse->axis)},
-                         {"across", ring.ellipse->across},
-                         {"across_slope", ring.ellipse->across_slope}};
-  }
-  return object;
-}
-
-Json json_value(const PeVector& sphere) {
-  return {sphere.m.x(), sphere.m.y(), sphere.m.z(), sphere.r};
-}
-
 struct SpineForm {
   Json operator()(const LineSpine& s) const {
     return {{"line", {{"from", json::json_value(s.from)}, {"to", json::json_value(s.to)}}}};
@@ -78,7 +61,7 @@ struct RadiusForm {
 
 struct PieceForm {
   static Json named(const char* kind, const Ring& start, const Ring& end, const Json& more) {
-    Json numbers{{"start", json_value(start)}, {"end", json_value(end)}};
+    Json numbers{{"start", ring_value(start)}, {"end", ring_value(end)}};
     numbers.update(more);
     Json object = Json::object();
     object[kind] = numbers;
@@ -97,9 +80,9 @@ struct PieceForm {
   }
   Json operator()(const CyclidePiece& s) const {
     return named(kCyclide, s.start, s.end,
-                 {{"first", json_value(s.first)},
-                  {"tangent", json_value(s.tangent)},
-                  {"last", json_value(s.last)},
+                 {{"first", sphere_value(s.first)},
+                  {"tangent", sphere_value(s.tangent)},
+                  {"last", sphere_value(s.last)},
                   {"chord", s.chord}});
   }
   Json operator()(const RationalRingedTube& s) const {
@@ -112,22 +95,6 @@ struct PieceForm {
         {{"center", points}, {"radius", s.surface.radius}, {"rotation", s.surface.rotation}});
   }
 };
-
-Ring ring(const JsonNode& node) {
-  Ring result{vec3(node.at("center")), vec3(node.at("normal")), node.at("radius").number(),
-              node.at("slope").number()};
-  if (node.has("ellipse")) {
-    const JsonNode e = node.at("ellipse");
-    result.ellipse =
-        Ellipse{vec3(e.at("axis")), e.at("across").number(), e.at("across_slope").number()};
-  }
-  return result;
-}
-
-PeVector sphere(const JsonNode& node) {
-  const auto [x, y, z, r] = numbers<4>(node);
-  return {Vec3(x, y, z), r};
-}
 
 // Refused before any of it is computed with.
 template <class Values>
@@ -180,7 +147,8 @@ RadiusLaw radius(const JsonNode& node) {
 }
 
 RationalRingedTube read_rational(const JsonNode& node) {
-  RationalRingedTube result{ring(node.at("start")), ring(node.at("end")), {}};
+  RationalRingedTube result{
+      certificate_ring(node.at("start")), certificate_ring(node.at("end")), {}};
   const auto points = list<Vec3>(node.at("center"), vec3);
   if (points.size() != result.surface.center.size()) {
     node.at("center").fail("must hold 4 points");
@@ -200,18 +168,19 @@ CyclidePiece read_cyclide(const JsonNode& node) {
   if (!(node.at("chord").number() > 0)) {
     node.at("chord").fail("must be positive");
   }
-  return {ring(node.at("start")),     ring(node.at("end")),    sphere(node.at("first")),
-          sphere(node.at("tangent")), sphere(node.at("last")), node.at("chord").number()};
+  return {certificate_ring(node.at("start")),   certificate_ring(node.at("end")),
+          certificate_sphere(node.at("first")), certificate_sphere(node.at("tangent")),
+          certificate_sphere(node.at("last")),  node.at("chord").number()};
 }
 
 EllipticTube read_elliptic(const JsonNode& node) {
-  return {ring(node.at("start")), ring(node.at("end")), spine(node.at("spine")),
-          radius(node.at("first")), radius(node.at("second"))};
+  return {certificate_ring(node.at("start")), certificate_ring(node.at("end")),
+          spine(node.at("spine")), radius(node.at("first")), radius(node.at("second"))};
 }
 
 RingedSurface read_ringed(const JsonNode& node) {
-  return {ring(node.at("start")), ring(node.at("end")), spine(node.at("spine")),
-          radius(node.at("radius"))};
+  return {certificate_ring(node.at("start")), certificate_ring(node.at("end")),
+          spine(node.at("spine")), radius(node.at("radius"))};
 }
 
 template <class Kind, Kind (*read)(const JsonNode&)>
@@ -230,6 +199,39 @@ constexpr Reader kReaders[] = {{kRational, piece_of<RationalRingedTube, read_rat
                                {kRinged, piece_of<RingedSurface, read_ringed>}};
 
 }  // namespace
+
+Json ring_value(const Ring& ring) {
+  Json object{{"center", json::json_value(ring.center)},
+              {"normal", json::json_value(ring.normal)},
+              {"radius", ring.radius},
+              {"slope", ring.slope}};
+  if (ring.ellipse) {
+    object["ellipse"] = {{"axis", json::json_value(ring.ellipse->axis)},
+                         {"across", ring.ellipse->across},
+                         {"across_slope", ring.ellipse->across_slope}};
+  }
+  return object;
+}
+
+Ring certificate_ring(const JsonNode& node) {
+  Ring result{vec3(node.at("center")), vec3(node.at("normal")), node.at("radius").number(),
+              node.at("slope").number()};
+  if (node.has("ellipse")) {
+    const JsonNode e = node.at("ellipse");
+    result.ellipse =
+        Ellipse{vec3(e.at("axis")), e.at("across").number(), e.at("across_slope").number()};
+  }
+  return result;
+}
+
+Json sphere_value(const PeVector& sphere) {
+  return {sphere.m.x(), sphere.m.y(), sphere.m.z(), sphere.r};
+}
+
+PeVector certificate_sphere(const JsonNode& node) {
+  const auto [x, y, z, r] = numbers<4>(node);
+  return {Vec3(x, y, z), r};
+}
 
 Json json_value(const Piece& piece) { return std::visit(PieceForm{}, piece); }
 

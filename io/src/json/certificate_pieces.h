@@ -12,4 +12,11 @@ namespace dupin::json {
 /// Throws Error{parse_failed} for anything else.
 [[nodiscard]] Piece certificate_piece(const JsonNode& node);
 
+// What these are made of.
+
+[[nodiscard]] Json ring_value(const Ring& ring);
+[[nodiscard]] Ring certificate_ring(const JsonNode& node);
+[[nodiscard]] Json sphere_value(const PeVector& sphere);  ///< [x, y, z, r]
+[[nodiscard]] PeVector certificate_sphere(const JsonNode& node);
+
 }  // namespace dupin::json

@@ -31,7 +31,7 @@ struct Row {
 
 /// All keys of a document whose numbers change. A key means the same in all parts; a number where a
 /// point could be ("sphere" of a tangent) is none.
-constexpr std::array<Row, 29> kRows{{
+constexpr std::array<Row, 31> kRows{{
     {"tolerance", Meaning::length},
     {"from", Meaning::point},
     {"to", Meaning::point},
@@ -59,6 +59,8 @@ constexpr std::array<Row, 29> kRows{{
     {"spheres", Meaning::sphere},
     {"tangent", Meaning::tangent},
     {"angle", Meaning::other},
+    {"cap_angles", Meaning::other},
+    {"smoothness", Meaning::other},
     {"slope", Meaning::other},
     {"segments", Meaning::other},
 }};

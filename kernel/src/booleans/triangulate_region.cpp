@@ -4,6 +4,7 @@
 #include <numeric>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "arrangement/constrained_triangulation.h"
 #include "dupin/kernel/error.h"
@@ -22,8 +23,11 @@ using Polygon = std::vector<std::uint32_t>;
 
 class Region {
  public:
-  Region(std::span<const Vec2> points, std::span<const Polygon> polygons)
-      : polygons_(polygons), vertex_of_(points.size(), kNone) {
+  Region(std::span<const Vec2> points, std::span<const Polygon> polygons,
+         std::span<const std::uint32_t> inner)
+      : polygons_(polygons),
+        corners_(inner.begin(), inner.end()),
+        vertex_of_(points.size(), kNone) {
     for (const Polygon& polygon : polygons) {
       if (polygon.size() < 3) {
         throw Error(Errc::invalid_argument, "a polygon needs at least three corners, not " +
@@ -34,11 +38,7 @@ class Region {
     std::ranges::sort(corners_);
     corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
     refuse_coincident(points);
-    // Where nothing is known of the points' order, a random one keeps searches short.
-    std::mt19937 random(1);
-    for (std::size_t i = corners_.size(); i > 1; --i) {
-      std::swap(corners_[i - 1], corners_[random() % i]);
-    }
+    order_for_insertion(points);
     for (const std::uint32_t corner : corners_) {
       table_.add(Vec3(points[corner].x(), points[corner].y(), 0));
     }
@@ -66,6 +66,46 @@ class Region {
   }
 
  private:
+  // In rounds of random points, each twice as large as all before and along a curve that fills the
+  // plane: a search starts near its end, in a triangulation of which nothing is known (N. Amenta,
+  // S. Choi, G. Rote, Incremental constructions con BRIO, 2003).
+  void order_for_insertion(std::span<const Vec2> points) {
+    std::mt19937 random(1);
+    for (std::size_t i = corners_.size(); i > 1; --i) {
+      std::swap(corners_[i - 1], corners_[random() % i]);
+    }
+    Vec2 low = points[corners_.front()], high = low;
+    for (const std::uint32_t corner : corners_) {
+      low = low.cwiseMin(points[corner]);
+      high = high.cwiseMax(points[corner]);
+    }
+    const auto place = [&](std::uint32_t corner) {
+      return interleaved(share(points[corner].x(), low.x(), high.x()),
+                         share(points[corner].y(), low.y(), high.y()));
+    };
+    for (std::size_t end = corners_.size(); end > 1;) {
+      const std::size_t begin = end / 3;
+      std::ranges::sort(corners_.begin() + std::ptrdiff_t(begin),
+                        corners_.begin() + std::ptrdiff_t(end), {},
+                        [&](std::uint32_t corner) { return std::pair(place(corner), corner); });
+      end = begin;
+    }
+  }
+
+  // Of the way from low to high, in 2^-16.
+  static std::uint32_t share(double x, double low, double high) {
+    constexpr double kFinest = 65535;
+    return high > low ? static_cast<std::uint32_t>((x - low) / (high - low) * kFinest) : 0;
+  }
+
+  static std::uint64_t interleaved(std::uint32_t x, std::uint32_t y) {
+    std::uint64_t result = 0;
+    for (int bit = 15; bit >= 0; --bit) {
+      result = result << 2 | (x >> bit & 1U) << 1 | (y >> bit & 1U);
+    }
+    return result;
+  }
+
   void refuse_coincident(std::span<const Vec2> points) const {
     std::vector<std::array<double, 2>> places;
     for (const std::uint32_t corner : corners_) {
@@ -140,8 +180,9 @@ class Region {
 }  // namespace
 
 std::vector<Triangle> triangulate_region(std::span<const Vec2> points,
-                                         std::span<const std::vector<std::uint32_t>> polygons) {
-  return Region(points, polygons).triangles();
+                                         std::span<const std::vector<std::uint32_t>> polygons,
+                                         std::span<const std::uint32_t> inner) {
+  return Region(points, polygons, inner).triangles();
 }
 
 }  // namespace dupin

@@ -63,6 +63,8 @@ TEST(FilletPart, says_why_there_is_no_fillet) {
   const Part stub = pipe("stub", {0, 0, 0}, {0, 4.4, 0}, 2);
   const Part short_of_it = pipe("short", {0, 7, 0}, {0, 12, 0}, 2);
   const Part out = pipe("out", {0, -4.1, 0}, {0, 12, 0}, 2);
+  const Part aside = pipe("aside", {0, 0, 2.001}, {0, 12, 2.001}, 2),
+             barely = pipe("barely", {0, 0, 2 + 1e-12}, {0, 12, 2 + 1e-12}, 2);
   const Part close = pipe("close", {4.5, 0, 0}, {4.5, 12, 0}, 2);
   const Part elbow{"elbow", ElbowTurning{PortReference{"run", End::end}, 9, 1, {0, 1, 0}}};
   const Fault faults[] = {
@@ -74,10 +76,17 @@ TEST(FilletPart, says_why_there_is_no_fillet) {
       {{run, branch, on(branch, 20)}, "the largest ball that fits has a radius of"},
       {{run, short_of_it, on(short_of_it)}, "do not cross within their lengths"},
       {{run, out, on(out)}, "the fillet runs over the end of 'out' by"},
+      {{run, aside, on(aside)},
+       ": 'aside.start' lies inside 'run' only in part, and sticks out by 0.001"},
+      {{run, barely, on(barely)},
+       ": 'barely.start' lies inside 'run' only in part, and sticks out by 1.0000"},
+      {{run, branch, on(branch), fillet("g", "branch", "run", 0.2)},
+       "the crossing of these parts has 'f' already",
+       Errc::invalid_argument},
       {{run, branch, close, fillet("g", "run", "branch", 0.5), fillet("f", "run", "close", 0.5)},
-       "fillets must be apart from each other"},
+       "it overlaps 'g' on 'run'"},
       {{run, elbow, on(elbow)},
-       "a fillet is between straight pipes or cones, which 'elbow' is not",
+       "'elbow' is no straight pipe or cone of circular sections",
        Errc::invalid_argument},
       {{run, branch, {"cap", CapAt{{"branch", End::start}}}, on(branch)},
        "the port 'branch.start' lies inside 'run' and vanishes, but is taken by 'cap'",

@@ -27,6 +27,7 @@ TEST(PartShape, every_shape_has_the_key_that_stands_for_it) {
   EXPECT_EQ(kind(RingedBlendBetween()), "ringed_blend");
   EXPECT_EQ(kind(CyclideBlendBetween()), "cyclide_blend");
   EXPECT_EQ(kind(CyclideChainThrough()), "cyclide_chain");
+  EXPECT_EQ(kind(JunctionOfPorts()), "junction");
   EXPECT_EQ(kind(CapAt()), "cap");
 }
 

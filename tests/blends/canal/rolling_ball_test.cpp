@@ -460,7 +460,7 @@ TEST(RollingBallFillets, SayWhyThereAreNone) {
   cone = cylinder(Vec3(0, 0, 1.5), Vec3::UnitY(), 1);
   cone.slope = .1;
   expect_refused({run, cone}, .2, Errc::irregular_surface, "partly");
-  expect_refused({run, branch}, 0, Errc::invalid_argument, "positive");
+  expect_refused({run, branch}, -1, Errc::invalid_argument, "positive");
   expect_refused({run, branch}, std::nan(""), Errc::invalid_argument, "positive");
   Ring bad = branch;
   bad.radius = -1;

@@ -4,9 +4,12 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 
+#include "dupin/blends/certify.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
@@ -282,6 +285,48 @@ TEST(VerifyCertificate, of_a_chain_of_elliptic_tubes_needs_rings_with_the_same_s
     after.start.ellipse->across_slope = slope;
     EXPECT_THROW(verify_chain(), Error) << slope;
   }
+}
+
+// The balls are to touch the parts themselves, not some quadrics beside.
+TEST(VerifyCertificate, of_fillets_is_about_the_quadrics_of_its_parts) {
+  const Part run{"run", PipeBetween{Vec3(-9, 0, 0), Vec3(9, 0, 0), 2}};
+  const Part branch{"branch", PipeBetween{Vec3(0, 0, 0), Vec3(0, 9, 0), 1}};
+  const Part fillet{"throat", FilletBetween{{"run", "branch"}, 0.3}};
+  const Certificate honest = certify({"d.json", Unit::millimetre, 0.05, {}, {run, branch, fillet}});
+  EXPECT_EQ(honest.findings(), 0U);
+  EXPECT_NO_THROW(verify(honest));
+  const std::vector<std::function<void(Ring&)>> changes{
+      [](Ring& ring) { ring.radius = std::nextafter(ring.radius, 0); },
+      [](Ring& ring) { ring.center.x() = std::nextafter(ring.center.x(), 100); },
+      [](Ring& ring) { ring = flipped(ring); }, [](Ring& ring) { ring.slope = 5e-324; },
+      [](Ring& ring) {
+        ring.ellipse = Ellipse{ring.normal.unitOrthogonal(), 1, 0};
+      }};
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (const auto& change : changes) {
+      Certificate c = honest;
+      change(c.fillets[0].loops[0].quadrics.at(side));
+      try {
+        verify(c);
+        ADD_FAILURE();
+      } catch (const Error& error) {
+        EXPECT_THAT(error.message(), testing::HasSubstr("'between'"));
+      }
+    }
+  }
+  Certificate itself = honest;
+  itself.fillets[0].between = {0, 0};
+  EXPECT_THROW(verify(itself), Error);
+  itself = honest;
+  itself.fillets[0].between = {0, 2};
+  EXPECT_THROW(verify(itself), Error);
+  itself = honest;
+  itself.fillets[0].loops.clear();
+  itself.fillet_claims[0].clear();
+  EXPECT_THROW(verify(itself), Error) << "nothing is claimed of it";
+  itself = honest;
+  itself.fillet_claims[0][0].contact = {0.06, 0.06};
+  EXPECT_THROW(verify(itself), Error) << "further than the tolerance";
 }
 
 }  // namespace

@@ -1,4 +1,7 @@
+#include <cmath>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -63,6 +66,32 @@ TEST(CertificateJsonAbout, is_no_other_whatever_the_digest_says) {
   auto& pipe = std::get<RingedSurface>(std::get<Chain>(c.parts[0].shape).pieces[0]);
   pipe.start.center.y() = -0.0;  // one bit
   EXPECT_THAT(refused(c), HasSubstr("'a'"));
+}
+
+TEST(CertificateJsonAbout, has_the_fillets_of_its_document) {
+  const std::string document = R"({"units": "mm", "tolerance": 0.1, "parts": [
+    {"name": "run", "pipe": {"from": [-9, 0, 0], "to": [9, 0, 0], "radius": 2}},
+    {"name": "branch", "pipe": {"from": [0, 0, 0], "to": [0, 9, 0], "radius": 1}},
+    {"name": "throat", "fillet": {"between": ["run", "branch"], "radius": 0.3}}]})";
+  Certificate honest = certify(parse_assembly(document, "d.json"));
+  honest.document_sha256 = sha256(document);
+  ASSERT_NO_THROW(require_about(honest, document, "d.json"));
+  const std::vector<std::function<void(CertifiedFillet&)>> changes{
+      [](CertifiedFillet& f) { f.name = "another"; },
+      [](CertifiedFillet& f) { std::swap(f.between[0], f.between[1]); },
+      [](CertifiedFillet& f) { f.buried[0][0] = !f.buried[0][0]; },
+      [](CertifiedFillet& f) { f.loops.pop_back(); },
+      [](CertifiedFillet& f) {
+        double& radius = std::get<RollingThrough>(f.loops[0].motion).radius;
+        radius = std::nextafter(radius, 9);
+      }};
+  for (const auto& change : changes) {
+    Certificate c = honest;
+    change(c.fillets[0]);
+    EXPECT_THROW(require_about(c, document, "d.json"), Error);
+  }
+  honest.fillets.clear();
+  EXPECT_THROW(require_about(honest, document, "d.json"), Error);
 }
 
 }  // namespace

@@ -72,7 +72,8 @@ TEST_P(OfAKind, is_rejected_with_one_digit_changed) {
 
 INSTANTIATE_TEST_SUITE_P(Certificate, OfAKind,
                          testing::Values("crane-hook", "jet-engine", "u-bend-cyclide", "way-points",
-                                         "pipe-ring", "oval-duct", "ringed-canal"),
+                                         "pipe-ring", "oval-duct", "ringed-canal", "skew-cross",
+                                         "parallel-cone"),
                          [](const auto& row) {
                            std::string name = row.param;
                            std::replace(name.begin(), name.end(), '-', '_');

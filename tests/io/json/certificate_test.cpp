@@ -132,8 +132,8 @@ TEST(Certificate, of_every_example_is_proved_and_verified) {
       EXPECT_THROW((void)certify(example(name)), Error);
       continue;
     }
-    if (!resolve(example(name)).fillets.empty()) {
-      EXPECT_THROW((void)certify(example(name)), Error) << "fillets have no certificates";
+    if (!resolve(example(name)).junctions.empty()) {
+      EXPECT_THROW((void)certify(example(name)), Error) << "junctions have no certificates";
       continue;
     }
     const Certificate certificate = certify(example(name));

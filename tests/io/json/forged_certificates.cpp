@@ -38,6 +38,19 @@ Chain& chain(Certificate& c, const std::string& name) {
   return std::get<Chain>(c.parts.at(part(c, name)).shape);
 }
 
+// Of one of both fillets, and what is claimed of it.
+CanalFillet& loop(Certificate& c, Random& random) {
+  auto& loops = c.fillets[random() % 2].loops;
+  return loops[random() % loops.size()];
+}
+
+LoopClaims& loop_claims(Certificate& c, Random& random) {
+  auto& loops = c.fillet_claims[random() % 2];
+  return loops[random() % loops.size()];
+}
+
+double& ball_radius(CanalFillet& loop) { return std::get<RollingThrough>(loop.motion).radius; }
+
 RingedSurface& tube(Certificate& c, const std::string& name) {
   return std::get<RingedSurface>(chain(c, name).pieces.front());
 }
@@ -145,7 +158,15 @@ Truth truth(Random& random) {
        << 4 * size << ", " << 300 - 4 * size
        << R"(, 0], "direction": [0, -1, 0], "length": 1, "radius": 1}},
   {"name": "loop", "cyclic_blend": {"from": "in.end", "to": "out.start", "radius_law": "R1", "k": )"
-       << 60 * size << ", \"l\": " << 60 * size << R"(}}]})";
+       << 60 * size << ", \"l\": " << 60 * size << R"(}},
+  {"name": "run", "pipe": {"from": [-20, 400, 0], "to": [20, 400, 0], "radius": 2}},
+  {"name": "equal", "pipe": {"from": [-9, 400, 0], "to": [-9, 400, 9], "radius": 2}},
+  {"name": "through", "pipe": {"from": [9, 391, 0.5], "to": [9, 409, 0.5], "radius": )"
+       << r << R"(}},
+  {"name": "throat", "fillet": {"between": ["run", "equal"], "radius": )"
+       << between(random, .3, .6) << R"(}},
+  {"name": "throats", "fillet": {"between": ["through", "run"], "radius": )"
+       << between(random, .1, .4) << R"(}}]})";
   Truth result{text.str(), {}, 1 - 1 / bend};
   result.honest = certify(parse_assembly(result.document, "truth.json"));
   result.honest.document_sha256 = sha256(result.document);
@@ -340,6 +361,70 @@ const std::vector<Forgery>& forgeries() {
        [](Certificate& c, const Truth&, Random&) {
          c.parts[part(c, "a")].name = "a\nnot proved           0";
        }},
+      {"a fillet further from folding than it is",
+       [](Certificate& c, const Truth&, Random& random) {
+         LoopClaims& claims = loop_claims(c, random);
+         // Within a seventh of what is true.
+         claims.regular.margin += (1 - claims.regular.margin) * between(random, .95, 1);
+       }},
+      {"a fillet regular but for some of it",
+       [](Certificate& c, const Truth&, Random& random) {
+         auto& leaves = loop_claims(c, random).regular.leaves;
+         leaves.erase(leaves.begin() + std::ptrdiff_t(random() % leaves.size()));
+       }},
+      {"a fillet of other balls, which do not touch",
+       [](Certificate& c, const Truth&, Random& random) {
+         ball_radius(loop(c, random)) *= between(random, 1.0000001, 1.5);
+       }},
+      {"a fillet of balls of any number",
+       [](Certificate& c, const Truth&, Random& random) {
+         auto& motion = std::get<RollingThrough>(loop(c, random).motion);
+         double* const numbers[] = {&motion.cosine, &motion.sine,  &motion.distance, &motion.height,
+                                    &motion.below,  &motion.above, &motion.radius};
+         double& changed = *numbers[random() % std::size(numbers)];
+         const double before = changed;
+         while (std::abs(changed - before) < 1e-6) {
+           changed = hostile(random);
+         }
+       }},
+      {"a fillet nearer to its pipes than it is",
+       [](Certificate& c, const Truth&, Random& random) {
+         ContactClaim& contact = loop_claims(c, random).contact;
+         (random() % 2 == 0 ? contact.offset : contact.deviation) =
+             random() % 2 == 0 ? 0 : -std::abs(hostile(random)) - 1e-300;
+       }},
+      {"a fillet between other pipes",
+       [](Certificate& c, const Truth&, Random& random) {
+         const char* const names[] = {"a", "b", "ball", "elbow", "in", "equal"};
+         c.fillets[1].between.at(random() % 2) = part(c, names[random() % 6]);
+       }},
+      {"a fillet that does not meet itself, for any reason",
+       [](Certificate& c, const Truth&, Random& random) {
+         LoopClaims& claims = loop_claims(c, random);
+         claims.embedded.leaves = any_leaves(random, 2, 2, true);
+         claims.embedded.leaves.front().direction = any_direction(random);
+       }},
+      {"a fillet's mesh nearer than its chords",
+       [](Certificate& c, const Truth&, Random& random) {
+         MeshClaim& mesh = *loop_claims(c, random).mesh;
+         if (random() % 2 == 0) {
+           mesh.error_bound *= between(random, 0, .2);
+         } else {
+           mesh.knots = {0, 1, 2};
+         }
+       }},
+      {"claims of no fillet",
+       [](Certificate& c, const Truth&, Random& random) {
+         if (random() % 2 == 0) {
+           c.fillet_claims[random() % 2].clear();
+         } else {
+           c.fillet_claims.pop_back();
+         }
+       }},
+      {"a fillet that has the name of a part",
+       [](Certificate& c, const Truth&, Random&) { c.fillets[0].name = "run"; }},
+      {"the fillet of another document",
+       [](Certificate& c, const Truth&, Random&) { c.fillets[0].buried[0][0] ^= true; }, true},
       {"the tolerance of another document",
        [](Certificate& c, const Truth&, Random& random) {
          c.tolerance *= between(random, 1.01, 9);

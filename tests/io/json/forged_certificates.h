@@ -21,7 +21,8 @@ struct Truth {
 
 /// Documents of a seed: crossing pipes ("a", "b") and a ball over the first ("ball"), an elbow with
 /// a pipe joined to it ("elbow", "on"), an elliptic pipe ("oval"), a loop that crosses itself
-/// ("loop"), each far from the others.
+/// ("loop"), each far from the others; and a pipe ("run") with fillets to an equal one that ends in
+/// it ("equal", "throat") and to a thinner one ("through", "throats").
 [[nodiscard]] Truth truth(std::mt19937_64& random);
 
 struct Forgery {

@@ -78,10 +78,12 @@ TEST(PlaceJson, knows_every_key_of_a_document) {
                                        "between",
                                        "bidegree",
                                        "cap",
+                                       "cap_angles",
                                        "center",
                                        "closed",
                                        "comment",
                                        "cone",
+                                       "cope",
                                        "continuity",
                                        "corner",
                                        "cyclic_blend",
@@ -89,7 +91,11 @@ TEST(PlaceJson, knows_every_key_of_a_document) {
                                        "direction",
                                        "cyclide_chain",
                                        "elbow",
+                                       "end",
                                        "end_radius",
+                                       "ends",
+                                       "junction",
+                                       "smoothness",
                                        "end_semi_axes",
                                        "fillet",
                                        "from",
@@ -158,8 +164,8 @@ void expect_like_itself(const std::string& text, const std::string& name) {
 }
 
 TEST(PlaceJson, documents_put_elsewhere_build_as_they_did) {
-  for (const std::string name :
-       {"crane-hook", "oblique-nozzle", "oval-duct", "reducing-elbow", "two-cones", "way-points"}) {
+  for (const std::string name : {"crane-hook", "junction", "oblique-nozzle", "oval-duct",
+                                 "reducing-elbow", "two-cones", "way-points"}) {
     expect_like_itself(read_file(kSource / "examples" / (name + ".json")), name);
   }
 }

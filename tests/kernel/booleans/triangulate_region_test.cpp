@@ -52,6 +52,26 @@ TEST(TriangulateRegion, is_what_lies_within_an_odd_number_of_polygons) {
   EXPECT_EQ(area, (64 - 36) + (16 - 4));
 }
 
+TEST(TriangulateRegion, has_inner_points_as_corners_where_they_lie_within) {
+  Drawing drawing;
+  drawing.add(square(4));
+  drawing.add(square(2));
+  const auto first = std::uint32_t(drawing.points.size());
+  drawing.points.insert(drawing.points.end(), {{3, 0.5}, {-3, 1}, {0, 1}, {0, 5}});
+  const std::vector<std::uint32_t> inner{first, first + 1, first + 2, first + 3};
+  double area = 0;
+  std::set<std::uint32_t> corners;
+  for (const Triangle& t : triangulate_region(drawing.points, drawing.polygons, inner)) {
+    area += drawing.area(t);
+    corners.insert(t.begin(), t.end());
+  }
+  EXPECT_EQ(area, 64 - 16);
+  EXPECT_TRUE(corners.contains(first) && corners.contains(first + 1));
+  EXPECT_FALSE(corners.contains(first + 2) || corners.contains(first + 3));
+  drawing.points[first] = {4, 0};  // on a side
+  EXPECT_THROW((void)triangulate_region(drawing.points, drawing.polygons, inner), Error);
+}
+
 // Of a star-shaped polygon with a hole: all sides are there, in one sense, and areas add up.
 TEST(TriangulateRegion, keeps_every_side_and_adds_no_corner) {
   std::mt19937 random(17);

@@ -9,6 +9,7 @@
 #include "dupin/blends/cyclic_blend.h"
 #include "dupin/blends/cyclide_chain.h"
 #include "dupin/blends/end.h"
+#include "dupin/blends/junction.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin {
@@ -110,6 +111,18 @@ struct CyclideChainThrough {
 struct FilletBetween {
   std::array<std::string, 2> between;
   double radius = 1;
+};
+
+/// An end of a pipe or cone that is cut to fit another one, in which it lies.
+struct CopeOfEnd {
+  PortReference end;
+  std::string to;
+};
+
+/// Any number of ports joined by a hub; see junction.h.
+struct JunctionOfPorts {
+  std::vector<PortReference> ends;
+  JunctionOptions options = {};
 };
 
 }  // namespace dupin

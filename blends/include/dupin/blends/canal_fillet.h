@@ -112,7 +112,7 @@ struct RationalCrossing {
 /// that are not both cylinders; the loop surrounds the first one (mathematics B.6):
 /// origin + h u v ey + 4 h c / ((1 - a)(1 + b)) ez + x nu1 + y nu2, with a = a0^2 (1 + cos) / 2,
 /// b = b0^2 (1 - cos) / 2, c = a0 b0 sin / 2, u = (1 + a) / (1 - a), v = (1 - b) / (1 + b), and x,
-/// y such that the products with nu1 and nu2 are h (v - u) and -h (v + u).
+/// y such that the products with nu1 and nu2 are h (u - v) and h (u + v).
 struct RationalParallel {
   PeVector origin, ey, ez, nu1, nu2;
   double half_distance = 1;   ///< h
@@ -147,9 +147,9 @@ struct CanalFillet {
 /// both are equally thick cylinders and meet: first the one on the side to which the ring normal of
 /// the quadric that passes points; of cylinders the thinner one passes, of equal ones the second.
 /// One where neither of two cylinders passes through the other. They touch where they do within
-/// rounding.
+/// rounding. The radius 0 is that of a point, and its ways are the curves in which they cross.
 ///
-/// Throws Error{invalid_argument} for invalid or elliptic rings and radii that are not positive;
+/// Throws Error{invalid_argument} for invalid or elliptic rings and radii that are negative;
 /// Error{irregular_surface} where the ball closes no such loop: the axes are parallel, the quadrics
 /// do not meet, or of a cone and another quadric neither passes through the other. A loop that
 /// folds is not refused: `prove_regular` tells.
@@ -193,7 +193,7 @@ struct CanalRegularity {
   std::size_t leaves = 0;   ///< intervals on which the bounds were proved
 };
 
-/// By halving; the bound of the regularity is within a tenth of the true one, unless 20000
+/// By halving; the bound of the regularity is within a tenth of the true one, unless 4000
 /// intervals do not suffice (mathematics D.4).
 [[nodiscard]] CanalRegularity prove_regular(const CanalFillet& fillet);
 

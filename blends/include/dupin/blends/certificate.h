@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/canal_fillet.h"
 #include "dupin/blends/part_surface.h"
 #include "dupin/blends/regularity.h"
 #include "dupin/blends/resolve.h"
@@ -86,6 +87,31 @@ struct ClearanceClaim {
   std::optional<Overlap> overlap;
 };
 
+/// A fillet as `resolve` made it: `between` are indices of parts. Its loops have the parameters
+/// [0, 2] (docs/certificate_format.md), and their quadrics are those of these parts' end rings.
+struct CertifiedFillet {
+  std::string name;
+  std::array<std::uint32_t, 2> between{};
+  std::array<std::array<bool, 2>, 2> buried{};
+  std::vector<CanalFillet> loops;
+};
+
+/// Upper bounds, all along both feet.
+struct ContactClaim {
+  double offset = 0;     ///< of how much nearer or further the quadric is than the ball's radius
+  double deviation = 0;  ///< of the angle between the envelope and the quadric, radians
+};
+
+/// What is claimed of a loop of a fillet.
+struct LoopClaims {
+  RegularClaim regular;  ///< least_regularity > margin, and radius > 0
+  /// The arcs are pairwise disjoint, but in corners.
+  EmbeddedClaim embedded;
+  ContactClaim contact;
+  /// The mesh with vertices on the arcs at `knots`, each divided equally into so many segments.
+  std::optional<MeshClaim> mesh;
+};
+
 /// What is larger is no certificate: whoever reads it knows what it may cost before it is checked.
 struct CertificateLimits {
   /// Of a spine, a radius law or a rotation: 1 more than the degree. Blends have up to 8.
@@ -98,8 +124,14 @@ struct CertificateLimits {
   static constexpr std::uint64_t kWork = 3'000'000, kWorkPerNumber = 12;
 };
 
-/// The parts that a certificate of the assembly is about. Throws as `resolve`.
-[[nodiscard]] std::vector<CertifiedPart> certified_parts(const Assembly& assembly);
+/// What a certificate of an assembly is about.
+struct CertifiedInputs {
+  std::vector<CertifiedPart> parts;
+  std::vector<CertifiedFillet> fillets;
+};
+
+/// Throws as `resolve`.
+[[nodiscard]] CertifiedInputs certified_inputs(const Assembly& assembly);
 
 /// Claims about an assembly, each with what is needed to check it again: see `verify`.
 struct Certificate {
@@ -107,7 +139,9 @@ struct Certificate {
   Unit unit = Unit::millimetre;
   double tolerance = 0;
   std::vector<CertifiedPart> parts;
-  std::vector<PartClaims> claims;  ///< one per part
+  std::vector<CertifiedFillet> fillets;
+  std::vector<PartClaims> claims;                      ///< one per part
+  std::vector<std::vector<LoopClaims>> fillet_claims;  ///< one per loop of every fillet
   std::vector<ClearanceClaim> clearances;
 
   /// Claims that are refuted or undecided, missing ones included.

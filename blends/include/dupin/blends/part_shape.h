@@ -131,6 +131,8 @@ using PartKeys = PartKeyTable<PartKey<"pipe", PipeBetween, PipeAlong, PipeTo>,  
                               PartKey<"cyclide_blend", CyclideBlendBetween>,         //
                               PartKey<"cyclide_chain", CyclideChainThrough>,         //
                               PartKey<"fillet", FilletBetween>,                      //
+                              PartKey<"cope", CopeOfEnd>,                            //
+                              PartKey<"junction", JunctionOfPorts>,                  //
                               PartKey<"cap", CapAt>>;
 
 /// A variant of all their shapes.

@@ -9,6 +9,7 @@
 
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/canal_fillet.h"
+#include "dupin/blends/junction.h"
 #include "dupin/blends/part_surface.h"
 #include "dupin/kernel/gap.h"
 
@@ -31,19 +32,25 @@ struct ResolvedPart {
   std::array<std::optional<EndIndex>, 2> joined;
   /// What the discs that close open ends are called: the cap's name, or "part.start".
   std::array<std::string, 2> end_names;
-  bool is_tangent = false;  ///< a transition between its neighbours, to be tangent to them
+  bool is_tangent = false;   ///< a transition between its neighbours, to be tangent to them
+  bool ends_in_hub = false;  ///< an arm of a junction, which has no end there
 };
 
 /// What a ball leaves uncovered that rolls round the crossing of two straight pipes outside of
 /// both: a surface tangent to both along closed curves. The pipes' faces end there.
+///
+/// A ball of radius 0 leaves nothing uncovered: it runs along the edge in which both pipes end, as
+/// where one is cut to fit the other (a cope).
 struct Fillet {
   /// Those of the balls' ways that lie on the pipes: one for a branch, two where a pipe passes
   /// through the other. All have the same quadrics.
   std::vector<CanalFillet> loops;
   /// Which ends of the first and second pipe lie inside the other one, and vanish.
   std::array<std::array<bool, 2>, 2> buried{};
-  /// A proved lower bound of how far the loops are from folding (least_regularity).
-  double regularity = 1;
+  /// A proved lower bound of how far the loops are from folding (least_regularity); none of a cope.
+  std::optional<double> regularity;
+
+  [[nodiscard]] bool is_cope() const { return !regularity; }
 };
 
 /// A fillet with its geometry. It is no part: it trims those that it is between.
@@ -54,9 +61,19 @@ struct ResolvedFillet {
   Fillet shape;
 };
 
+/// A junction with its geometry. Its arms are parts, called "name.1" and so on; it is what its hub
+/// has left.
+struct ResolvedJunction {
+  std::string name;
+  std::uint32_t index = 0;          ///< in Assembly::parts
+  std::vector<std::uint32_t> arms;  ///< in ResolvedAssembly::parts
+  Junction shape;
+};
+
 struct ResolvedAssembly {
-  std::vector<ResolvedPart> parts;  ///< in document order
+  std::vector<ResolvedPart> parts;  ///< in document order, then the arms of junctions
   std::vector<ResolvedFillet> fillets;
+  std::vector<ResolvedJunction> junctions;
 };
 
 /// All rings, computed once. A port that another part's name refers to is that part's ring,
@@ -67,12 +84,15 @@ struct ResolvedAssembly {
 /// references, numbers that are not finite or not positive, parts without length.
 [[nodiscard]] ResolvedAssembly resolve(const Assembly& assembly);
 
-/// Whether a fillet's other pipe has the end inside of it, where it vanishes. O(fillets).
+/// Whether the end vanishes: inside of a fillet's other pipe, or in a junction's hub. O(fillets).
 [[nodiscard]] bool is_buried(const ResolvedAssembly& assembly, const EndIndex& end);
 
-/// Throws Error{invalid_argument} if there is a fillet: for what is not made of these.
+// Each throws Error{invalid_argument} if there is one: for what is not made of these.
+
 void refuse_fillets(const Assembly& assembly, const ResolvedAssembly& resolved,
                     std::string_view what);
+void refuse_junctions(const Assembly& assembly, const ResolvedAssembly& resolved,
+                      std::string_view what);
 
 /// All ports in document order, named "part.start" and "part.end", without those that are buried.
 [[nodiscard]] std::vector<Port> ports(const ResolvedAssembly& assembly);

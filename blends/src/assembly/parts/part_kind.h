@@ -50,9 +50,13 @@ struct PartKind {
   FilletPipes (*pipes)(const PartShape&) = nullptr;
   Fillet (*fillet)(const PartContext&, const PartShape&,
                    const std::array<const PartSurface*, 2>& pipes) = nullptr;
+  /// Of a junction, none of other kinds: the ports that it joins, and its geometry.
+  References (*ends)(const PartShape&) = nullptr;
+  Junction (*junction)(const PartContext&, const PartShape&) = nullptr;
 
+  [[nodiscard]] bool is_junction() const { return junction != nullptr; }
   /// Whether it has a surface with ends.
-  [[nodiscard]] bool is_part() const { return !names_end && fillet == nullptr; }
+  [[nodiscard]] bool is_part() const { return !names_end && fillet == nullptr && !is_junction(); }
 };
 
 /// The kind of a key. Each is defined in the file of the key's name; see part_rules.h.

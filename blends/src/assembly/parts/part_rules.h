@@ -41,6 +41,12 @@ concept IsFillet = requires(const PartContext& context, const Shape& shape,
 };
 
 template <class Rules, class Shape>
+concept IsJunction = requires(const PartContext& context, const Shape& shape) {
+  { Rules::ends(shape) } -> std::same_as<References>;
+  { Rules::junction(context, shape) } -> std::same_as<Junction>;
+};
+
+template <class Rules, class Shape>
 concept HasGeometry = requires(const PartContext& context, const Shape& shape) {
   { Rules::geometry(context, shape) } -> std::convertible_to<PartSurface>;
 };
@@ -52,7 +58,8 @@ concept HasReferences = requires(const Shape& shape) {
 
 template <class Rules, class Shape>
 concept RulesFor = HasReferences<Rules, Shape> &&
-    (NamesEnd<Rules> || IsFillet<Rules, Shape> || HasGeometry<Rules, Shape>);
+    (NamesEnd<Rules> || IsFillet<Rules, Shape> || IsJunction<Rules, Shape> ||
+     HasGeometry<Rules, Shape>);
 
 /// What `work` returns of the shape, which is one of the key's.
 template <KeyName key, class Result, class Work>
@@ -124,10 +131,26 @@ Fillet fillet_by_rules(const PartContext& context, const PartShape& shape,
 }
 
 template <KeyName key>
+References ends_by_rules(const PartShape& shape) {
+  return of_shape<key, References>(shape,
+                                   [](const auto& given) { return PartRules<key>::ends(given); });
+}
+
+template <KeyName key>
+Junction junction_by_rules(const PartContext& context, const PartShape& shape) {
+  return of_shape<key, Junction>(
+      shape, [&](const auto& given) { return PartRules<key>::junction(context, given); });
+}
+
+template <KeyName key>
 constexpr PartKind with_fillet(PartKind kind) {
   if constexpr (requires { PartRules<key>::pipes; }) {
     kind.pipes = pipes_by_rules<key>;
     kind.fillet = fillet_by_rules<key>;
+  }
+  if constexpr (requires { PartRules<key>::ends; }) {
+    kind.ends = ends_by_rules<key>;
+    kind.junction = junction_by_rules<key>;
   }
   return kind;
 }

@@ -13,12 +13,15 @@ namespace dupin {
 /// are told by the indices of their corners, may run either way round and have corners in common.
 ///
 /// Its constrained triangulation, counter-clockwise, by exact predicates, flipped towards Delaunay
-/// as far as doubles can tell: corners are those of the polygons, and no others; every side of a
-/// polygon is a side of a triangle. The same input gives the same triangles. O(n log n) expected.
+/// as far as doubles can tell: corners are those of the polygons and the `inner` points within the
+/// region, and no others; every side of a polygon is a side of a triangle. The same input gives the
+/// same triangles. O(n log n) expected.
 ///
 /// Throws Error{self_intersecting} where they cross, or touch in other places than common corners,
-/// and Error{invalid_argument} for fewer than three corners and for numbers that are not finite.
+/// or an inner point lies on them, and Error{invalid_argument} for fewer than three corners and for
+/// numbers that are not finite.
 [[nodiscard]] std::vector<Triangle> triangulate_region(
-    std::span<const Vec2> points, std::span<const std::vector<std::uint32_t>> polygons);
+    std::span<const Vec2> points, std::span<const std::vector<std::uint32_t>> polygons,
+    std::span<const std::uint32_t> inner = {});
 
 }  // namespace dupin

@@ -1,11 +1,10 @@
-#include "dupin/blends/arc_clearance.h"
-
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "dupin/blends/cyclide_form.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
 

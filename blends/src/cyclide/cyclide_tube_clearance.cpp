@@ -1,11 +1,10 @@
-#include "dupin/blends/arc_clearance.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "cyclide/exact_pe.h"
 #include "dupin/blends/cyclide_form.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {

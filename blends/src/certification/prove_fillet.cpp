@@ -1,0 +1,276 @@
+#include "certification/prove_fillet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "dupin/kernel/error.h"
+#include "verification/contact_arcs.h"
+#include "verification/fillet_claims.h"
+#include "verification/work.h"
+
+namespace dupin::certification {
+namespace {
+
+constexpr std::uint64_t kWork = CertificateLimits::kWork;
+
+// What the search finds within its work; the checks of the caller's certificate are not charged.
+template <class Claim, class Search>
+Claim within_work(Claim otherwise, const Search& search) {
+  const verification::WorkLimit limit(kWork);
+  try {
+    return search();
+  } catch (const Error& error) {
+    if (error.code() != Errc::limit_exceeded) {
+      throw;
+    }
+    return otherwise;
+  }
+}
+
+double parameter_at(double angle) {
+  constexpr double kFine = 0x1p50;
+  double psi = std::remainder(angle / 2 + std::numbers::pi / 4, std::numbers::pi);
+  psi = psi < 0 ? psi + std::numbers::pi : psi;
+  const double half = psi < std::numbers::pi / 2 ? 0 : 1;
+  const double phi = psi - half * std::numbers::pi / 2;
+  const double share = std::sin(phi) / (std::sin(phi) + std::cos(phi));
+  const double t = half + std::round(share * kFine) / kFine;
+  return t < 2 ? std::max(t, 0.0) : 0;
+}
+
+using verification::ArcCell;
+
+// Leaves no longer than `longest`, halved until each is regular.
+bool append_cells(const CanalFillet& loop, double margin, double longest,
+                  const ParameterInterval& t, std::vector<ArcCell>& cells) {
+  constexpr double kShortest = 0x1p-40;
+  const double length = t.to - t.from;
+  if (length <= longest) {
+    if (auto cell = verification::regular_cell(loop, t, margin)) {
+      cells.push_back(*cell);
+      return true;
+    }
+  }
+  const double middle = std::midpoint(t.from, t.to);
+  return length > kShortest && append_cells(loop, margin, longest, {t.from, middle}, cells) &&
+         append_cells(loop, margin, longest, {middle, t.to}, cells);
+}
+
+double middle(const numbers::Interval& x) { return std::midpoint(x.lower, x.upper); }
+
+Vec3 middle(const numbers::IntervalVec& v) { return {middle(v[0]), middle(v[1]), middle(v[2])}; }
+
+const Vec3& furthest(const std::vector<Vec3>& points, const Vec3& d) {
+  return *std::ranges::max_element(points, {}, [&](const Vec3& p) { return p.dot(d); });
+}
+
+// A plane between two sets of points, if there is one: a perceptron.
+Vec3 direction_between(const std::vector<Vec3>& first, const std::vector<Vec3>& second) {
+  constexpr int kSteps = 24;
+  Vec3 d = Vec3::Zero();
+  for (const Vec3& p : second) {
+    d += p / double(second.size());
+  }
+  for (const Vec3& p : first) {
+    d -= p / double(first.size());
+  }
+  for (int i = 0; i < kSteps; ++i) {
+    const Vec3 gap = furthest(second, -d) - furthest(first, d);
+    if (gap.dot(d) > 0) {
+      break;
+    }
+    d = d.normalized() + gap.normalized();
+  }
+  return d.normalized();
+}
+
+// How the first foot moves.
+Vec3 motion(const verification::ContactArcs& arcs) {
+  const Vec3 tangent = middle(arcs.tangent), toward = middle(arcs.toward[0]);
+  return (middle(arcs.passing) * tangent +
+          middle(arcs.radius) * middle(arcs.spin[0]) * tangent.cross(toward))
+      .normalized();
+}
+
+class PairSearch {
+ public:
+  PairSearch(const CanalFillet& loop, const std::vector<ArcCell>& cells, std::size_t pairs)
+      : loop_(loop), cells_(cells), pairs_(pairs) {}
+
+  EmbeddedClaim run() {
+    const ParameterInterval first{0, 1}, second{1, 2};
+    EmbeddedClaim claim{Verdict::proved, {}, {}};
+    if (!settle({first, first, {}}, kDepth) || !settle({first, second, {}}, kDepth) ||
+        !settle({second, second, {}}, kDepth)) {
+      return {};
+    }
+    claim.leaves = std::move(leaves_);
+    return claim;
+  }
+
+ private:
+  static constexpr int kDepth = 40;
+  static constexpr double kShortWay = 0.25;
+
+  bool settle(const DiscPairs& pair, int depth) {
+    if (auto leaf = settled(pair)) {
+      leaves_.push_back(*leaf);
+      return true;
+    }
+    if (depth == 0 || ++divided_ > pairs_) {
+      return false;
+    }
+    const auto halves = [](const ParameterInterval& t) {
+      const double middle = std::midpoint(t.from, t.to);
+      return std::array<ParameterInterval, 2>{{{t.from, middle}, {middle, t.to}}};
+    };
+    if (pair.first == pair.second) {
+      const auto [a, b] = halves(pair.first);
+      return settle({a, a, {}}, depth - 1) && settle({a, b, {}}, depth - 1) &&
+             settle({b, b, {}}, depth - 1);
+    }
+    const bool longer = pair.first.to - pair.first.from > pair.second.to - pair.second.from;
+    const auto parts = halves(longer ? pair.first : pair.second);
+    return std::ranges::all_of(parts, [&](const ParameterInterval& t) {
+      return settle(longer ? DiscPairs{t, pair.second, {}} : DiscPairs{pair.first, t, {}},
+                    depth - 1);
+    });
+  }
+
+  [[nodiscard]] std::optional<DiscPairs> settled(DiscPairs pair) const {
+    const bool neighbours =
+        pair.second.from <= pair.first.to || (pair.first.from == 0 && pair.second.to == 2);
+    if (neighbours) {
+      if (verification::holds(loop_, cells_, pair)) {
+        return pair;
+      }
+      if (pair.first == pair.second) {
+        return std::nullopt;
+      }
+      pair.direction = direction_at_corner(pair);
+      return pair.direction && verification::holds(loop_, cells_, pair) ? std::optional(pair)
+                                                                        : std::nullopt;
+    }
+    DiscPairs apart = pair;
+    apart.direction = direction_between(corners(pair.first), corners(pair.second));
+    if (verification::holds(loop_, cells_, apart)) {
+      return apart;
+    }
+    const double way =
+        std::min(pair.second.to - pair.first.from, 2 - pair.second.from + pair.first.to);
+    return way < kShortWay && verification::holds(loop_, cells_, pair) ? std::optional(pair)
+                                                                       : std::nullopt;
+  }
+
+  // Between the ways of a foot before and after.
+  [[nodiscard]] std::optional<Vec3> direction_at_corner(const DiscPairs& pair) const {
+    const bool at_one = pair.first.to == 1 && pair.second.from == 1;
+    if (!verification::has_corner(loop_, at_one ? 1 : 0)) {
+      return std::nullopt;
+    }
+    const auto after = at_one ? std::ranges::lower_bound(cells_, 1.0, {},
+                                                         [](const ArcCell& c) { return c.t.from; })
+                              : cells_.begin();
+    const auto before = std::prev(at_one ? after : cells_.end());
+    return (motion(before->arcs) + motion(after->arcs)).normalized();
+  }
+
+  // Of what holds the arcs.
+  [[nodiscard]] std::vector<Vec3> corners(const ParameterInterval& t) const {
+    std::vector<Vec3> points;
+    for (const ArcCell& cell : cells_) {
+      if (cell.t.to > t.from && cell.t.from < t.to) {
+        for (const auto& corner : cell.arcs.corners) {
+          points.push_back(middle(corner));
+        }
+      }
+    }
+    return points;
+  }
+
+  const CanalFillet& loop_;
+  const std::vector<ArcCell>& cells_;
+  std::size_t pairs_, divided_ = 0;
+  std::vector<DiscPairs> leaves_;
+};
+
+double size_of(const CanalFillet& loop) {
+  const MovingBall at = ball(loop, 0);
+  return at.center.norm() + at.radius + loop.quadrics[0].center.norm() + loop.quadrics[0].radius +
+         loop.quadrics[1].center.norm() + loop.quadrics[1].radius;
+}
+
+ContactClaim prove_contact(const CanalFillet& loop, double tolerance) {
+  constexpr double kFinest = 0x1p-48;
+  for (double share = kFinest; share * size_of(loop) < tolerance; share *= 4) {
+    const ContactClaim claim{share * size_of(loop), share};
+    if (within_work(false, [&] { return verification::follows(loop, claim); })) {
+      return claim;
+    }
+  }
+  throw Error(Errc::invalid_argument,
+              "the ball that rolls along it is further from the pipes than the tolerance");
+}
+
+MeshClaim mesh_claim(const LoopMesh& mesh) {
+  MeshClaim claim{mesh.segments, mesh.grid, {}, 0};
+  std::ranges::transform(mesh.rows, std::back_inserter(claim.knots), parameter_at);
+  std::ranges::sort(claim.knots);
+  claim.knots.push_back(2);
+  return claim;
+}
+
+// What is claimed with leaves that are no longer than this.
+std::optional<LoopClaims> claims_with(const CanalFillet& loop, const LoopMesh& mesh, double margin,
+                                      double longest, std::size_t pairs) {
+  std::vector<ArcCell> cells;
+  if (!append_cells(loop, margin, longest, {0, 1}, cells) ||
+      !append_cells(loop, margin, longest, {1, 2}, cells)) {
+    return std::nullopt;
+  }
+  LoopClaims claims;
+  claims.regular = {Verdict::proved, margin, {}, {}};
+  for (const ArcCell& cell : cells) {
+    claims.regular.leaves.push_back(cell.t);
+  }
+  claims.mesh = mesh_claim(mesh);
+  claims.mesh->error_bound = verification::mesh_error(cells, *claims.mesh);
+  if (!std::isfinite(claims.mesh->error_bound)) {
+    claims.mesh.reset();
+  }
+  claims.embedded = PairSearch(loop, cells, pairs).run();
+  return claims;
+}
+
+}  // namespace
+
+LoopClaims prove_loop(const CanalFillet& loop, const LoopMesh& mesh, const LoopGoals& goals) {
+  constexpr double kFine = 0x1p-8;  // for the mesh's sake alone
+  constexpr double kShare = 0.97;   // of the margin that is known, as another way has proved it
+  const CanalRegularity known = prove_regular(loop);
+  LoopClaims claims;
+  claims.regular.margin = goals.margin.value_or(0);
+  if (known.verdict == Verdict::proved) {
+    const double margin = goals.margin.value_or(kShare * known.regularity);
+    for (double longest = 0x1p-6; longest >= 0x1p-10; longest /= 2) {
+      auto found = within_work(std::optional<LoopClaims>(), [&] {
+        return claims_with(loop, mesh, margin, longest, goals.pairs);
+      });
+      claims = found ? std::move(*found) : std::move(claims);
+      const bool close = claims.mesh && claims.mesh->error_bound <= goals.tolerance;
+      if (claims.embedded.verdict == Verdict::proved && (close || longest <= kFine)) {
+        break;
+      }
+    }
+  }
+  claims.contact = prove_contact(loop, goals.tolerance);
+  return claims;
+}
+
+}  // namespace dupin::certification

@@ -1,0 +1,317 @@
+#include "verification/fillet_claims.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+
+#include "verification/admitted.h"
+#include "verification/covering.h"
+#include "verification/mesh_claim.h"
+#include "verification/work.h"
+
+namespace dupin::verification {
+namespace {
+
+using numbers::cross;
+using numbers::dot;
+using numbers::norm;
+
+constexpr double kLength = 2;  // of a loop, in t
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+ParameterInterval cell(const ParameterInterval& t, int i, int cells) {
+  return {std::lerp(t.from, t.to, double(i) / cells),
+          std::lerp(t.from, t.to, double(i + 1) / cells)};
+}
+
+// The cells that a stretch meets.
+using Way = std::span<const ArcCell>;
+
+Way cells_of(const std::vector<ArcCell>& cells, const ParameterInterval& t) {
+  const auto first =
+      std::ranges::upper_bound(cells, t.from, {}, [](const ArcCell& c) { return c.t.to; });
+  const auto last = std::ranges::lower_bound(first, cells.end(), t.to, {},
+                                             [](const ArcCell& c) { return c.t.from; });
+  spend(1 + std::uint64_t(last - first) / 4);
+  return {first, last};
+}
+
+Interval spins(const ContactArcs& arcs) { return hull(arcs.spin[0], arcs.spin[1]); }
+
+// All arcs of the ways, one after the other, are in front of the planes of those before them.
+bool advances(const std::array<Way, 2>& ways) {
+  Interval phi = 0;
+  for (const Way& way : ways) {
+    for (const ArcCell& cell : way) {
+      phi = phi + Interval(cell.arcs.length) * numbers::norm(cell.arcs.turning).upper;
+    }
+  }
+  phi = phi.upper;
+  const Interval cosine = (Interval(1) - square(phi) / 2).lower;
+  return phi.upper < 1 && std::ranges::all_of(ways, [&](const Way& way) {
+           return std::ranges::all_of(way, [&](const ArcCell& cell) {
+             const ContactArcs& arcs = cell.arcs;
+             const Interval sideways = Interval(arcs.lag.magnitude()) * norm(arcs.turning).upper +
+                                       arcs.growth.magnitude() +
+                                       arcs.radius * spins(arcs).magnitude();
+             return (Interval(arcs.passing.lower) * cosine - sideways.upper * phi).lower > 0;
+           });
+         });
+}
+
+// All points of arcs move along d.
+bool moves_along(Way way, const IntervalVec& d) {
+  return std::ranges::all_of(way, [&](const ArcCell& cell) {
+    const ContactArcs& arcs = cell.arcs;
+    const Interval speed = arcs.passing * dot(arcs.tangent, d) - arcs.lag * dot(arcs.turning, d) +
+                           arcs.growth * along_arcs(arcs, d) +
+                           arcs.radius * spins(arcs) * along_arcs(arcs, cross(d, arcs.tangent));
+    return speed.lower > 0;
+  });
+}
+
+bool is_short_way(const CanalFillet& loop, const std::vector<ArcCell>& cells,
+                  const DiscPairs& leaf) {
+  if (leaf.first.from > leaf.second.from) {
+    return false;
+  }
+  const auto passes_one = [&](const ParameterInterval& t) {
+    return t.from < 1 && t.to > 1 && has_corner(loop, 1);
+  };
+  const ParameterInterval all{leaf.first.from, std::max(leaf.first.to, leaf.second.to)};
+  if (!passes_one(all) && advances({cells_of(cells, all), Way{}})) {
+    return true;
+  }
+  const ParameterInterval on{leaf.second.from, kLength}, again{0, leaf.first.to};
+  return !has_corner(loop, 0) && !passes_one(on) && !passes_one(again) &&
+         advances({cells_of(cells, on), cells_of(cells, again)});
+}
+
+// On both sides of a corner, where both stretches end.
+bool is_at_corner(const CanalFillet& loop, const DiscPairs& leaf) {
+  return (leaf.first.to == 1 && leaf.second.from == 1 && has_corner(loop, 1)) ||
+         (leaf.first.from == 0 && leaf.second.to == kLength && has_corner(loop, 0));
+}
+
+double furthest(Way way, const IntervalVec& d) {
+  double most = -kInfinity;
+  for (const ArcCell& cell : way) {
+    most = std::max(most, furthest(cell.arcs, d));
+  }
+  return most;
+}
+
+bool are_apart(Way first, Way second, const IntervalVec& d) {
+  return (Interval(furthest(first, d)) + furthest(second, Interval(-1) * d)).upper < 0;
+}
+
+bool is_leaf(const ParameterInterval& t) {
+  return is_stretch(t, kLength) && t.from < t.to && (t.to <= 1 || t.from >= 1);
+}
+
+// An enclosure of a function over a stretch, and of its derivative.
+struct Range {
+  Interval value, slope;
+};
+
+// By Taylor's formula at the middle.
+template <std::size_t count>
+Range range(const Jet<count>& middle, const Jet<count>& all, double reach) {
+  const Interval h(-reach, reach);
+  Range result{0, 0};
+  Interval power = 1;  // h^k / k!
+  for (std::size_t k = 0; k < count; ++k) {
+    const Interval& term = k + 1 < count ? middle[k] : all[k];
+    result.value = result.value + power * term;
+    if (k + 1 < count) {
+      result.slope = result.slope + power * (k + 2 < count ? middle[k + 1] : all[k + 1]);
+    }
+    power = power * h / Interval(double(k + 1));
+  }
+  return result;
+}
+
+constexpr std::size_t kOrders = 13;
+
+// The quadric's distance from the balls' centres, less their radius.
+Jet<kOrders> misfit(const Ring& quadric, const BallJets<kOrders>& balls) {
+  return seen_from(quadric, balls.center).distance - balls.radius;
+}
+
+bool touches_on(const CanalFillet& loop, const ContactClaim& claim, const ParameterInterval& t) {
+  constexpr std::uint64_t kWork = 64;
+  spend(kWork);
+  const double middle = std::midpoint(t.from, t.to);
+  const auto all = turn_stretch(t), at = turn_stretch({middle, middle}),
+             before = turn_stretch({t.from, middle}), after = turn_stretch({middle, t.to});
+  if (!all || !at || !before || !after) {
+    return false;
+  }
+  const auto balls = std::visit(BallReader<kOrders>(*all), loop.motion);
+  const auto ball = std::visit(BallReader<kOrders>(*at), loop.motion);
+  const Interval speed = sqrt(squared_norm(derivative(balls.center)))[0];
+  if (!(speed.lower > 0)) {
+    return false;
+  }
+  const double reach = std::max(before->length, after->length);
+  const double sine = (Interval(balls.radius[1].magnitude()) / speed.lower).upper;
+  return std::all_of(loop.quadrics.begin(), loop.quadrics.end(), [&](const Ring& quadric) {
+    const Range off = range(misfit(quadric, ball), misfit(quadric, balls), reach);
+    // The sine of how far the foot is off the circle's plane differs by so much.
+    const Interval lean = (Interval(off.slope.magnitude()) / speed.lower).upper;
+    const Interval rest = Interval(1) - square(Interval(sine) + lean);
+    return off.value.magnitude() <= claim.offset && rest.lower > 0 &&
+           (lean / sqrt(rest)).upper <= claim.deviation;
+  });
+}
+
+bool touches(const CanalFillet& loop, const ContactClaim& claim, const ParameterInterval& t,
+             int halvings) {
+  if (touches_on(loop, claim, t)) {
+    return true;
+  }
+  const double middle = std::midpoint(t.from, t.to);
+  return halvings > 0 && touches(loop, claim, {t.from, middle}, halvings - 1) &&
+         touches(loop, claim, {middle, t.to}, halvings - 1);
+}
+
+// With x = C + c w, b = T x w and the spin s of w: w' = -(w.T') T + s b.
+Interval along(const ContactArcs& a) {
+  const Interval spin = spins(a), turning = norm(a.turning), radius = a.radius.magnitude();
+  const Interval forward =
+      a.second_advance + a.lag * square(turning) - Interval(2) * a.growth * a.bending -
+      a.radius * along_arcs(a, a.second_turning) -
+      Interval(2) * a.radius * spin * along_arcs(a, cross(a.turning, a.tangent));
+  const Interval to_arc = Interval(a.second_growth.magnitude()) + radius * square(spin);
+  const Interval across = Interval((Interval(2) * a.growth * spin).magnitude()) +
+                          radius * hull(a.spin_change[0], a.spin_change[1]).magnitude();
+  const Interval aside = Interval(turning.upper) * (a.passing - a.second_lag).magnitude() +
+                         Interval(a.lag.magnitude()) * norm(a.second_turning).upper +
+                         sqrt(square(to_arc) + square(across));
+  return sqrt(square(forward) + square(aside));
+}
+
+void bound_derivatives(ArcCell& cell) {
+  const ContactArcs& arcs = cell.arcs;
+  const Interval chord = norm(arcs.toward[0] - arcs.toward[1]).upper;
+  const Interval rest = sqrt(max(Interval(4) - square(chord), 0));
+  const Interval arc = narrowed(Mpfi(2) * angle(Mpfi(chord.upper), Mpfi(rest.lower))).upper;
+  const Interval radius = arcs.radius.magnitude();
+  const Interval across =
+      arc * arcs.growth.magnitude() + radius * (arcs.spin[1] - arcs.spin[0]).magnitude();
+  const Interval turning = square(norm(arcs.turning)) + square(spins(arcs));
+  cell.along = along(arcs).upper;
+  cell.mixed = sqrt(square(across) + square(radius * arc) * turning).upper;
+  cell.around = (radius * square(arc)).upper;
+  for (const IntervalVec& corner : arcs.corners) {
+    cell.size = std::max(cell.size, norm(corner).upper);
+  }
+}
+
+}  // namespace
+
+bool has_form(const RegularClaim& claim) {
+  return claim.margin >= 0 && claim.margin < 1 && claim.where == ParameterInterval{} &&
+         (claim.verdict == Verdict::proved || claim.leaves.empty()) &&
+         claim.verdict != Verdict::refuted;
+}
+
+std::optional<ArcCell> regular_cell(const CanalFillet& loop, const ParameterInterval& leaf,
+                                    double margin) {
+  auto arcs = is_leaf(leaf) ? contact_arcs(loop, leaf) : std::nullopt;
+  if (!arcs || !(arcs->passing.lower > (Interval(margin) * arcs->speed).upper)) {
+    return std::nullopt;
+  }
+  ArcCell cell{leaf, *arcs};
+  bound_derivatives(cell);
+  return cell;
+}
+
+std::optional<std::vector<ArcCell>> regular_cells(const CanalFillet& loop,
+                                                  const RegularClaim& claim) {
+  std::vector<ArcCell> cells;
+  double reached = 0;
+  for (const ParameterInterval& leaf : claim.leaves) {
+    const auto cell = regular_cell(loop, leaf, claim.margin);
+    if (!cell || leaf.from != reached) {
+      return std::nullopt;
+    }
+    cells.push_back(*cell);
+    reached = leaf.to;
+  }
+  const bool all = has_form(claim) && claim.verdict == Verdict::proved && reached == kLength;
+  return all ? std::optional(std::move(cells)) : std::nullopt;
+}
+
+bool holds(const CanalFillet& loop, const std::vector<ArcCell>& cells, const DiscPairs& leaf) {
+  if (!is_leaf(leaf.first) || !is_leaf(leaf.second)) {
+    return false;
+  }
+  if (!leaf.direction) {
+    return is_short_way(loop, cells, leaf);
+  }
+  const IntervalVec d = numbers::interval_vec(*leaf.direction);
+  const Way first = cells_of(cells, leaf.first), second = cells_of(cells, leaf.second);
+  return is_point(*leaf.direction) &&
+         (are_apart(first, second, d) ||
+          (is_at_corner(loop, leaf) && moves_along(first, d) && moves_along(second, d)));
+}
+
+bool follows(const CanalFillet& loop, const std::vector<ArcCell>& cells,
+             const EmbeddedClaim& claim) {
+  const ParameterInterval all{0, kLength};
+  return claim.verdict == Verdict::proved && !claim.overlap &&
+         covered(all, all, claim.leaves, true) &&
+         std::ranges::all_of(claim.leaves,
+                             [&](const DiscPairs& leaf) { return holds(loop, cells, leaf); });
+}
+
+bool follows(const CanalFillet& loop, const ContactClaim& claim) {
+  constexpr int kCells = 16, kHalvings = 40;
+  if (!is_bound(claim.offset) || !is_bound(claim.deviation)) {
+    return false;
+  }
+  for (int i = 0; i < kCells; ++i) {
+    if (!touches(loop, claim, cell({0, kLength}, i, kCells), kHalvings)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+double mesh_error(const std::vector<ArcCell>& cells, const MeshClaim& claim) {
+  const auto& knots = claim.knots;
+  if (knots.size() < 3 || knots.front() != 0 || knots.back() != kLength) {
+    return kInfinity;
+  }
+  const Interval du = Interval(1) / double(claim.segments);
+  Interval error = 0;
+  double size = 0;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const ParameterInterval band{knots[i], knots[i + 1]};
+    const auto turn = is_leaf(band) ? turn_stretch(band) : std::nullopt;
+    if (!turn) {
+      return kInfinity;
+    }
+    Interval along = 0, mixed = 0, around = 0;
+    for (const ArcCell& cell : cells_of(cells, band)) {
+      along = max(along, cell.along);
+      mixed = max(mixed, cell.mixed);
+      around = max(around, cell.around);
+      size = std::max(size, cell.size);
+    }
+    const Interval dt = turn->length;
+    error = max(error, square(dt) * along + Interval(2) * dt * du * mixed + square(du) * around);
+  }
+  return (error / 8 + displacement(claim.grid, size)).upper;
+}
+
+bool follows(const std::vector<ArcCell>& cells, const MeshClaim& claim) {
+  return is_bound(claim.grid) && is_bound(claim.error_bound) && claim.segments >= 1 &&
+         claim.segments <= CertificateLimits::kSegments &&
+         mesh_error(cells, claim) <= claim.error_bound;
+}
+
+}  // namespace dupin::verification

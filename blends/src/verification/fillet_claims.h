@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "dupin/blends/certificate.h"
+#include "verification/contact_arcs.h"
+
+// Whether claims about a loop of a fillet follow from its numbers and its quadrics'. The lemmas and
+// their proofs are in docs/certificate_format.md.
+
+namespace dupin::verification {
+
+/// A leaf of a claim that a loop is regular, and its arcs, of which other claims make use.
+struct ArcCell {
+  ParameterInterval t;
+  ContactArcs arcs;
+  /// Upper bounds of |x_chi chi|, |x_chi u| and |x_u u|, u going from 0 to 1 along every arc, and
+  /// of how far the arcs are from the origin.
+  double along = 0, mixed = 0, around = 0, size = 0;
+};
+
+/// The leaves of a claim that is proved, if it follows.
+[[nodiscard]] std::optional<std::vector<ArcCell>> regular_cells(const CanalFillet& loop,
+                                                                const RegularClaim& claim);
+
+/// The leaf of a claim with this margin, if it holds.
+[[nodiscard]] std::optional<ArcCell> regular_cell(const CanalFillet& loop,
+                                                  const ParameterInterval& leaf, double margin);
+
+/// Whether the claim says nothing besides its verdict and margin.
+[[nodiscard]] bool has_form(const RegularClaim& claim);
+
+/// Whether a claim that is proved follows. O((leaves + cells) log).
+[[nodiscard]] bool follows(const CanalFillet& loop, const std::vector<ArcCell>& cells,
+                           const EmbeddedClaim& claim);
+
+/// Whether a leaf of such a claim holds. O(cells that it meets).
+[[nodiscard]] bool holds(const CanalFillet& loop, const std::vector<ArcCell>& cells,
+                         const DiscPairs& leaf);
+
+[[nodiscard]] bool follows(const CanalFillet& loop, const ContactClaim& claim);
+
+/// Of the mesh that has rows at the knots, and all arcs there divided into so many segments, an
+/// upper bound of the error; infinite where none is found.
+[[nodiscard]] double mesh_error(const std::vector<ArcCell>& cells, const MeshClaim& claim);
+[[nodiscard]] bool follows(const std::vector<ArcCell>& cells, const MeshClaim& claim);
+
+}  // namespace dupin::verification

@@ -1,0 +1,71 @@
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "assembly/fillet_overlap.h"
+#include "dupin/blends/build.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin {
+namespace {
+
+Part pipe(const std::string& name, const Vec3& from, const Vec3& to, double radius) {
+  return {name, PipeBetween{from, to, radius}};
+}
+Part fillet(const std::string& name, const std::string& a, const std::string& b, double radius) {
+  return {name, FilletBetween{{a, b}, radius}};
+}
+
+// Two branches on a run, the second at `to`.
+Assembly document(const Vec3& from, const Vec3& to, const Part& second) {
+  return {"d.json",
+          Unit::millimetre,
+          0.02,
+          {},
+          {pipe("run", {-60, 0, 0}, {60, 0, 0}, 15), pipe("a", {0, 0, 0}, {0, 0, 45}, 10),
+           pipe("b", from, to, 10), fillet("at-a", "run", "a", 3), second}};
+}
+
+std::string refused(const Assembly& assembly) {
+  try {
+    (void)build(assembly);
+    return "built";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::infeasible_blend);
+    EXPECT_EQ(error.part(), "at-b");
+    EXPECT_THAT(error.where(), testing::HasSubstr("d.json#/parts/4"));
+    return error.message();
+  }
+}
+
+// What is named builds, and a tenth more does not.
+TEST(FilletOverlap, names_both_and_the_largest_radius_that_builds) {
+  struct Row {
+    Vec3 from, to;
+  };
+  for (const auto& [from, to] :
+       {Row{{24, 0, 0}, {24, 0, 45}}, Row{{26, 0, 0}, {26, 0, 45}}, Row{{0, 0, 0}, {0, 45, 0}}}) {
+    const auto with = [&](double radius) {
+      return document(from, to, fillet("at-b", "run", "b", radius));
+    };
+    const std::string why = refused(with(4));
+    EXPECT_THAT(why, testing::HasSubstr("it overlaps 'at-a' on 'run'; with 'at-a' as it is, the "
+                                        "largest radius that fits is "));
+    const double named = std::strtod(why.substr(why.rfind(' ')).c_str(), nullptr);
+    EXPECT_GT(named, 0.1);
+    EXPECT_EQ(refused(with(named)), "built") << named;
+    EXPECT_THAT(refused(with(1.1 * named)), testing::HasSubstr("it overlaps 'at-a'")) << named;
+  }
+}
+
+TEST(FilletOverlap, says_where_no_ball_would_fit) {
+  EXPECT_THAT(refused(document({15, 0, 0}, {15, 0, 45}, fillet("at-b", "run", "b", 2))),
+              testing::HasSubstr("it overlaps 'at-a' on 'run'; nor does a smaller ball fit"));
+  EXPECT_EQ(
+      refused(document({15, 0, 0}, {15, 0, 45}, {"at-b", CopeOfEnd{{"b", End::start}, "run"}})),
+      "it overlaps 'at-a' on 'run'");
+}
+
+}  // namespace
+}  // namespace dupin
