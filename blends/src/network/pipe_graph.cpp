@@ -143,7 +143,7 @@ class Network {
     }
     if (degree == 2 && plan_blend(node)) {
       kinds_[node] = NodeKind::blend;
-    } else if (degree > 2 && plan_junction(node)) {
+    } else if (degree > 2 && (plan_junction(node) || plan_narrow_junction(node))) {
       kinds_[node] = NodeKind::junction;
     } else {
       make_ball(node, degree == 2
@@ -198,6 +198,31 @@ class Network {
       setback(edges[i], node) = back[i];
     }
     return true;
+  }
+
+  // With less and less of the node's radius, if none of its neighbours relies on that.
+  bool plan_narrow_junction(std::size_t node) {
+    double& radius = clean_.nodes[node].radius;
+    const double before = radius;
+    const std::string why_not = why_not_;
+    const bool is_free = std::ranges::none_of(
+        edges_at_[node], [&](std::size_t edge) { return is_planned_[other_end(edge, node)]; });
+    for (const double share : {0.85, 0.7, 0.55, 0.4}) {
+      radius = share * before;
+      const bool is_nested = std::ranges::any_of(edges_at_[node], [&](std::size_t edge) {
+        return clean_.nodes[other_end(edge, node)].radius - radius >= length(edge);
+      });
+      if (is_free && !is_nested && plan_junction(node)) {
+        clean_.notes.push_back(
+            {clean_.nodes[node].line, "node " + clean_.nodes[node].name + ": its radius of " +
+                                          decimal(before, kMessageDigits) + " made " +
+                                          decimal(radius, kMessageDigits) + ", as " + why_not});
+        return true;
+      }
+    }
+    radius = before;
+    why_not_ = why_not;
+    return false;
   }
 
   [[nodiscard]] JunctionSearch searched(std::size_t node, const std::vector<double>& back) const {

@@ -77,6 +77,17 @@ TEST(PipeGraph, balls_stand_where_nothing_smooth_fits) {
   expect_solid(network, "hairpin");
 }
 
+TEST(PipeGraph, crowded_junctions_are_narrower) {
+  const PipeGraph graph =
+      graph_of({{0, 0, 0}, {4, 0, 0}, {2.6, 3.1, 0}, {-20, 0, 0}, {30, -10, 3}, {5, 30, 0}},
+               {{0, 1}, {0, 2}, {0, 3}, {1, 4}, {2, 5}});
+  const PipeNetwork network = assembly_of(graph, {.radius = 1});
+  EXPECT_EQ(network.junctions, 1);
+  ASSERT_FALSE(network.notes.empty());
+  EXPECT_THAT(network.notes.front().text, HasSubstr("node 0: its radius of 1 made 0.85"));
+  expect_solid(network, "crowded");
+}
+
 TEST(PipeGraph, edges_that_pass_through_each_other_are_united) {
   const PipeGraph graph = graph_of({{-20, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}, {0, -20, 0}},
                                    {{0, 1}, {1, 2}, {2, 3}, {3, 4}});
