@@ -176,6 +176,7 @@ class Network {
   bool plan_junction(std::size_t node) {
     const std::vector<std::size_t>& edges = edges_at_[node];
     std::vector<double> back;
+    back.reserve(edges.size());
     for (const std::size_t edge : edges) {
       back.push_back(room(edge, node));
     }
