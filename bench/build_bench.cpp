@@ -1,5 +1,6 @@
 // How long does it take from document to solid: examples, and runs with more and more fillets?
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -7,6 +8,7 @@
 #include <benchmark/benchmark.h>
 
 #include "dupin/blends/build.h"
+#include "dupin/blends/pipe_graph.h"
 #include "dupin/io/assembly_json.h"
 #include "measured.h"
 
@@ -54,6 +56,39 @@ void fillets_bench(benchmark::State& state) {
   state.SetComplexityN(state.range(0));
 }
 
+// A spine with a zigzag on each of its nodes: none of its edges passes another.
+PipeGraph comb(std::size_t nodes) {
+  PipeGraph graph;
+  const auto teeth = std::size_t(std::sqrt(double(nodes)));
+  for (std::size_t i = 0; i < teeth; ++i) {
+    for (std::size_t k = 0; k < teeth; ++k) {
+      const std::size_t node = graph.nodes.size();
+      const double aside = k % 2 == 0 ? 0 : 4;
+      graph.nodes.push_back(
+          {std::to_string(node), Vec3(20 * double(i), 20 * double(k), aside), 1, 0});
+      if (node > 0) {
+        graph.edges.push_back({k == 0 ? node - teeth : node - 1, node, 0});
+      }
+    }
+  }
+  return graph;
+}
+
+void graph_bench(benchmark::State& state) {
+  const PipeGraph graph = comb(std::size_t(state.range(0)));
+  Built built;
+  for ([[maybe_unused]] const auto iteration : state) {
+    built = build(assembly_of(graph).assembly);
+    benchmark::DoNotOptimize(built);
+  }
+  bench::require(built.solid.components() == 1 && built.solid.euler_number() == 2,
+                 "one piece without handles");
+  bench::report(state, built.solid.triangle_count());
+  state.counters["nodes/s"] =
+      benchmark::Counter(double(graph.nodes.size()), benchmark::Counter::kIsIterationInvariantRate);
+  state.SetComplexityN(state.range(0));
+}
+
 }  // namespace
 }  // namespace dupin
 
@@ -74,6 +109,11 @@ int main(int argc, char** argv) {
   benchmark::RegisterBenchmark("fillets", dupin::fillets_bench)
       ->RangeMultiplier(10)
       ->Range(10, 1000)
+      ->Complexity()
+      ->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("graphs", dupin::graph_bench)
+      ->RangeMultiplier(5)
+      ->Range(100, 2500)
       ->Complexity()
       ->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);

@@ -25,6 +25,7 @@ struct BuildArguments {
   OutputArguments output;
   std::uint32_t segments = 0;
   std::size_t most_triangles = kUsualTriangles;
+  GraphArguments graph;
   RoundingArguments rounding;
 };
 
@@ -54,6 +55,19 @@ std::string margin_text(const std::vector<PartReport>& parts) {
   return tightest ? number(*tightest->margin_lower) + " (" + tightest->name + ")" : "none";
 }
 
+void print_graph(std::ostream& out, const PipeNetwork& graph) {
+  print_row(out, "graph",
+            counted(graph.nodes, "node") + ", " + counted(graph.edges, "edge") + ", " +
+                counted(graph.components, "component") + ", " + counted(graph.cycles, "cycle"));
+  print_row(out, "nodes became",
+            counted(graph.blends, "blend") + ", " + counted(graph.junctions, "junction") + ", " +
+                counted(graph.balls, "ball"));
+  for (const GraphNote& note : graph.notes) {
+    print_row(out, note.is_refusal ? "refused" : "note",
+              (note.line > 0 ? "line " + std::to_string(note.line) + ": " : "") + note.text);
+  }
+}
+
 void print_build(std::ostream& out, const BuildReport& report) {
   double error = 0;
   std::optional<double> tangency;
@@ -63,6 +77,9 @@ void print_build(std::ostream& out, const BuildReport& report) {
   }
   const std::string unit(symbol(report.gaps.unit));
   print_row(out, "parts", parts_text(report.parts));
+  if (report.graph) {
+    print_graph(out, *report.graph);
+  }
   print_output(out, report.output, unit);
   for (const PartReport& part : report.parts) {
     if (!part.construction.empty()) {
@@ -102,11 +119,15 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
 
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
   const Destination to = destination(arguments.output);
-  const Assembly assembly = read_document(arguments.file);
+  const Document document = read_document(arguments.file, arguments.graph);
+  const Assembly& assembly = document.assembly;
   BuildOptions options = build_options(assembly, arguments, common);
   const std::string unit(symbol(assembly.unit));
   const RoundingOptions rounding = rounding_options(arguments.rounding, unit);
   BuildReport report;
+  if (document.is_graph) {
+    report.graph = document.network;
+  }
   {
     ProgressLine line(common.quiet);
     options.progress = line.callback();
@@ -126,7 +147,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   } else if (!common.quiet) {
     print_build(report_stream(to), report);
   }
-  return report.gaps.findings() + report.output.findings() == 0 ? ExitCode::ok : ExitCode::findings;
+  return report.findings() == 0 ? ExitCode::ok : ExitCode::findings;
 }
 
 }  // namespace
@@ -134,7 +155,9 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
 void add_build(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("build", "Make a watertight solid of an assembly");
   const auto arguments = std::make_shared<BuildArguments>();
-  command->add_option("FILE", arguments->file, "assembly document; - for standard input")
+  command
+      ->add_option("FILE", arguments->file,
+                   "assembly document, or graph (.swc, .graph); - for standard input")
       ->type_name("")
       ->required();
   command->add_option("-o,--output", arguments->output.path, "mesh file; - for standard output")
@@ -146,13 +169,14 @@ void add_build(CLI::App& app, Action& action) {
       ->check(CLI::Range(3, 65536));
   add_triangles_option(*command, arguments->most_triangles);
   add_connect_option(*command, arguments->connect);
+  add_graph_options(*command, arguments->graph);
   add_contacts_option(*command, arguments->contacts);
   add_cross_check_option(*command, arguments->cross_check);
   add_rounding_options(*command, arguments->rounding);
   command->footer(
       "Exit code 1: built and written, but ends that belong together do not meet, or a "
       "cross-check\n"
-      "disagrees.\n\n"
+      "disagrees, or something of a graph was left out.\n\n"
       "Examples:\n"
       "  dupin build examples/reducer.json -o reducer.stl\n"
       "  dupin build plant.json -o plant.off --tolerance 0.2mm --connect 1mm\n"

@@ -1,18 +1,53 @@
 #include "document.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include <CLI/App.hpp>
 #include <CLI/Validators.hpp>
 
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
+#include "dupin/io/graph_file.h"
+#include "exit_code.h"
 #include "input.h"
 #include "length.h"
 
 namespace dupin::cli {
 
-Assembly read_document(const std::string& path) {
+Assembly read_document(const std::string& path) { return read_document(path, {}).assembly; }
+
+Document read_document(const std::string& path, const GraphArguments& arguments) {
   const Input input = read_input(path);
-  return parse_assembly(input.bytes, input.name);
+  if (!is_graph_file(path)) {
+    if (!arguments.radius.empty() || arguments.keep_going) {
+      throw UsageError("--radius and --keep-going are for graphs, files named .swc or .graph");
+    }
+    return {parse_assembly(input.bytes, input.name)};
+  }
+  PipeGraphOptions options;
+  options.keep_going = arguments.keep_going;
+  if (!arguments.radius.empty()) {
+    options.radius = length_in(Unit::millimetre, arguments.radius, 0);
+  }
+  std::vector<GraphNote> notes;
+  const PipeGraph graph =
+      parse_graph_file(input.bytes, input.name, arguments.keep_going ? &notes : nullptr);
+  PipeNetwork network = assembly_of(graph, options);
+  network.notes.insert(network.notes.begin(), notes.begin(), notes.end());
+  std::ranges::stable_sort(network.notes, {}, &GraphNote::line);
+  Assembly assembly = std::exchange(network.assembly, {});
+  return {std::move(assembly), true, std::move(network)};
+}
+
+void add_graph_options(CLI::App& command, GraphArguments& arguments) {
+  command
+      .add_option("--radius", arguments.radius,
+                  "Of a graph's nodes that have none, or none that is positive")
+      ->type_name("LENGTH");
+  command.add_flag("--keep-going", arguments.keep_going,
+                   "Leave out what is refused of a graph, and say so (exit code 1)");
 }
 
 void add_connect_option(CLI::App& command, std::string& connect) {

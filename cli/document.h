@@ -4,6 +4,7 @@
 #include <string>
 
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/pipe_graph.h"
 #include "dupin/io/report_json.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
@@ -14,6 +15,25 @@ namespace dupin::cli {
 
 /// An assembly from a file or, for "-", standard input.
 [[nodiscard]] Assembly read_document(const std::string& path);
+
+/// What is asked of graphs.
+struct GraphArguments {
+  std::string radius;  ///< of nodes without one, as typed; may be empty
+  bool keep_going = false;
+};
+
+/// An assembly, or a graph made into one, from a file or standard input.
+struct Document {
+  Assembly assembly;
+  bool is_graph = false;
+  PipeNetwork network = {};  ///< of a graph, without the assembly
+};
+
+/// The file is a graph if its extension says so.
+[[nodiscard]] Document read_document(const std::string& path, const GraphArguments& arguments);
+
+/// Adds --radius and --keep-going.
+void add_graph_options(CLI::App& command, GraphArguments& arguments);
 
 /// Adds --connect.
 void add_connect_option(CLI::App& command, std::string& connect);

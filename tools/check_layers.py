@@ -44,6 +44,7 @@ ARROWS = {
         "surfaces": ["tessellation", "canal", "cyclide", "ringed", "curves", "numbers"],
         "assembly": ["surfaces", "junction", "tessellation", "canal", "cyclide", "ringed", "curves",
                      "numbers"],
+        "network": ["assembly", "junction", "cyclide", "numbers"],
         "verification": ["ringed", "canal", "numbers"],
         "certification": ["verification", "assembly", "canal", "surfaces", "tessellation", "cyclide",
                           "ringed", "curves", "numbers"],
@@ -53,6 +54,7 @@ ARROWS = {
         "files": ["text"],
         "formats": ["files", "text"],
         "json": ["formats", "files", "text"],
+        "graph": ["text"],
     },
 }
 

@@ -48,6 +48,27 @@ TEST_F(Build, json_agrees_with_the_file) {
   EXPECT_EQ(report.at("gaps").at("findings"), 0);
 }
 
+TEST_F(Build, graphs_become_solids) {
+  const auto neuron = json({"build", example("neuron.swc"), "-o", "neuron.stl"}, 0);
+  EXPECT_EQ(neuron.at("output").at("check").at("euler_number"), 2);
+  EXPECT_EQ(neuron.at("graph").at("nodes"), 9);
+  ASSERT_EQ(neuron.at("graph").at("notes").size(), 1);
+  EXPECT_EQ(neuron.at("graph").at("notes").at(0).at("line"), 10);
+  const auto frame = json({"build", example("frame.graph"), "-o", "a.stl", "--radius", "2"}, 0);
+  EXPECT_EQ(frame.at("output").at("check").at("euler_number"), -2);
+  EXPECT_EQ(frame.at("graph").at("cycles"), 2);
+  EXPECT_EQ(frame.at("graph").at("balls"), 0);
+  EXPECT_EQ(frame.at("graph").at("junctions"), 3);
+}
+
+TEST_F(Build, graphs_without_radii_are_refused_where_they_lack_one) {
+  const ProcessResult result = dupin({"build", example("frame.graph"), "-o", "a.stl"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("frame.graph:2"));
+  EXPECT_THAT(result.err, HasSubstr("--radius"));
+  EXPECT_EQ(dupin({"build", example("tee.json"), "-o", "a.stl", "--radius", "2"}).exit_code, 2);
+}
+
 TEST_F(Build, every_example_gives_a_solid_but_the_tight_one) {
   for (const std::string name : {"reducer", "straight-reducer", "coplanar", "u-bend"}) {
     const auto report = json({"build", example(name + ".json"), "-o", name + ".stl"}, 0);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "dupin/io/report_json.h"
 #include "json/json_value.h"
 
@@ -24,6 +26,18 @@ Json part_json(const PartReport& part) {
           {"bands", part.bands},
           {"triangles", part.triangles},
           {"smallest_angle", part.smallest_angle}};
+}
+
+Json graph_json(const PipeNetwork& graph) {
+  Json notes = Json::array();
+  for (const GraphNote& note : graph.notes) {
+    notes.push_back({{"line", note.line > 0 ? Json(note.line) : Json(nullptr)},
+                     {"text", note.text},
+                     {"refused", note.is_refusal}});
+  }
+  return {{"nodes", graph.nodes},   {"edges", graph.edges},   {"components", graph.components},
+          {"cycles", graph.cycles}, {"blends", graph.blends}, {"junctions", graph.junctions},
+          {"balls", graph.balls},   {"notes", notes}};
 }
 
 }  // namespace
@@ -73,13 +87,25 @@ std::string to_json(const BuildReport& report) {
   for (const PartReport& part : report.parts) {
     parts.push_back(json::part_json(part));
   }
-  return json::text({{"unit", symbol(report.gaps.unit)},
-                     {"runs", report.runs},
-                     {"pieces", report.pieces},
-                     {"grid", report.grid},
-                     {"parts", parts},
-                     {"output", json::json_value(report.output)},
-                     {"gaps", json::json_value(report.gaps)}});
+  json::Json all = {{"unit", symbol(report.gaps.unit)},
+                    {"runs", report.runs},
+                    {"pieces", report.pieces},
+                    {"grid", report.grid},
+                    {"parts", parts},
+                    {"output", json::json_value(report.output)},
+                    {"gaps", json::json_value(report.gaps)}};
+  if (report.graph) {
+    all["graph"] = json::graph_json(*report.graph);
+  }
+  return json::text(all);
+}
+
+std::size_t BuildReport::findings() const {
+  std::size_t result = gaps.findings() + output.findings();
+  if (graph) {
+    result += std::size_t(std::ranges::count_if(graph->notes, &GraphNote::is_refusal));
+  }
+  return result;
 }
 
 }  // namespace dupin

@@ -1,5 +1,3 @@
-#include "dupin/blends/bounding_circles.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/blends/cyclide_chain.h"
+#include "dupin/blends/cyclide_form.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
 

@@ -10,6 +10,7 @@
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/build.h"
 #include "dupin/blends/edit_chain.h"
+#include "dupin/blends/pipe_graph.h"
 #include "dupin/blends/unit.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/cross_check.h"
@@ -122,6 +123,10 @@ struct BuildReport {
   double grid = 0;
   OutputReport output;
   GapSummary gaps;
+  std::optional<PipeNetwork> graph = {};  ///< that was built, without its assembly
+
+  /// Those of the gaps, of the output, and what of the graph was refused.
+  [[nodiscard]] std::size_t findings() const;
 };
 
 /// A chain that was edited.

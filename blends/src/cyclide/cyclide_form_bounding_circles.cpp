@@ -1,10 +1,9 @@
-#include "dupin/blends/bounding_circles.h"
-
 #include <cmath>
 
 #include <Eigen/Geometry>
 
 #include "cyclide/complementary_sphere.h"
+#include "dupin/blends/cyclide_form.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
