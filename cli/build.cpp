@@ -125,9 +125,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   const std::string unit(symbol(assembly.unit));
   const RoundingOptions rounding = rounding_options(arguments.rounding, unit);
   BuildReport report;
-  if (document.is_graph) {
-    report.graph = document.network;
-  }
+  report.graph = document.network;
   {
     ProgressLine line(common.quiet);
     options.progress = line.callback();

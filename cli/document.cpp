@@ -38,7 +38,7 @@ Document read_document(const std::string& path, const GraphArguments& arguments)
   network.notes.insert(network.notes.begin(), notes.begin(), notes.end());
   std::ranges::stable_sort(network.notes, {}, &GraphNote::line);
   Assembly assembly = std::exchange(network.assembly, {});
-  return {std::move(assembly), true, std::move(network)};
+  return {std::move(assembly), std::move(network)};
 }
 
 void add_graph_options(CLI::App& command, GraphArguments& arguments) {

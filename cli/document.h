@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "dupin/blends/assembly.h"
@@ -25,8 +26,7 @@ struct GraphArguments {
 /// An assembly, or a graph made into one, from a file or standard input.
 struct Document {
   Assembly assembly;
-  bool is_graph = false;
-  PipeNetwork network = {};  ///< of a graph, without the assembly
+  std::optional<PipeNetwork> network = {};  ///< of a graph, without the assembly
 };
 
 /// The file is a graph if its extension says so.

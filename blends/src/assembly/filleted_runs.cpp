@@ -6,18 +6,13 @@
 #include <numeric>
 
 #include "assembly/part_context.h"
+#include "numbers/point_order.h"
 #include "tessellation/trimmed_face.h"
 
 namespace dupin::assembly {
 namespace {
 
 using surfaces::FilletMesh;
-
-struct Before {
-  bool operator()(const Vec3& a, const Vec3& b) const {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  }
-};
 
 // Meshes side by side, in which points at feet are the same.
 class Joiner {
@@ -62,7 +57,7 @@ class Joiner {
     return index;
   }
 
-  std::map<Vec3, std::uint32_t, Before> vertex_at_;
+  std::map<Vec3, std::uint32_t, numbers::PointOrder> vertex_at_;
   TriMesh result_;
 };
 

@@ -5,18 +5,9 @@
 
 #include "assembly/part_context.h"
 #include "junction/hub_mesh.h"
+#include "numbers/point_order.h"
 
 namespace dupin::assembly {
-namespace {
-
-struct Before {
-  bool operator()(const Vec3& a, const Vec3& b) const {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  }
-};
-
-}  // namespace
-
 Tessellation hub_tessellation(const Assembly& assembly, const ResolvedJunction& junction,
                               std::span<const RingSampling> samplings, std::size_t most_triangles) {
   return with_part_context(assembly, junction.index, [&] {
@@ -30,7 +21,7 @@ Tessellation hub_tessellation(const Assembly& assembly, const ResolvedJunction& 
 }
 
 TriMesh joined_with_hubs(const TriMesh& runs, std::span<const HubPatch> hubs) {
-  std::map<Vec3, std::uint32_t, Before> vertex_at;
+  std::map<Vec3, std::uint32_t, numbers::PointOrder> vertex_at;
   for (const HubPatch& hub : hubs) {
     for (std::size_t i = 0; i < hub.on_circles; ++i) {
       vertex_at.try_emplace(hub.mesh.points[i], std::uint32_t(-1));

@@ -6,18 +6,13 @@
 
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/connected_components.h"
+#include "numbers/point_order.h"
 
 namespace dupin::assembly {
 namespace {
 
-struct Before {
-  bool operator()(const Vec3& a, const Vec3& b) const {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  }
-};
-
 // The vertices of one ring, by their coordinates, which all parts at the ring agree upon bitwise.
-using RingVertices = std::map<Vec3, std::uint32_t, Before>;
+using RingVertices = std::map<Vec3, std::uint32_t, numbers::PointOrder>;
 
 class Welder {
  public:

@@ -120,13 +120,17 @@ class Cleaning {
       if (edge.from >= graph_.nodes.size() || edge.to >= graph_.nodes.size()) {
         refuse(edge.line, "an edge to a node that does not exist");
       } else if (!is_left_[edge.from] || !is_left_[edge.to]) {
-        note(edge.line, named(edge) + ": one of its nodes was left out; left out", true);
+        leave_out(edge);
       } else if (edge.from == edge.to) {
         note(edge.line, named(edge) + ": leads from a node to itself; dropped");
       } else {
         take(edge);
       }
     }
+  }
+
+  void leave_out(const GraphEdge& edge) {
+    note(edge.line, named(edge) + ": one of its nodes was left out; left out", true);
   }
 
   void take(const GraphEdge& edge) {
@@ -209,7 +213,7 @@ class Cleaning {
       if (is_left_[edge.from] && is_left_[edge.to]) {
         kept.push_back(edge);
       } else {
-        note(edge.line, named(edge) + ": one of its nodes was left out; left out", true);
+        leave_out(edge);
       }
     }
     edges_ = std::move(kept);

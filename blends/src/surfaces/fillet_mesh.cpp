@@ -11,6 +11,7 @@
 #include "dupin/blends/canal_fillet.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "numbers/point_order.h"
 #include "tessellation/tessellation_tolerance.h"
 
 namespace dupin::surfaces {
@@ -187,12 +188,6 @@ class Rows {
   double error_ = 0;
 };
 
-struct Before {
-  bool operator()(const Vec3& a, const Vec3& b) const {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  }
-};
-
 class Mesher {
  public:
   Mesher(const Rows& rows, double grid)
@@ -275,7 +270,7 @@ class Mesher {
   const std::vector<FilletRow>& rows_;
   std::uint32_t columns_;
   double grid_;
-  std::map<Vec3, std::uint32_t, Before> vertex_at_;
+  std::map<Vec3, std::uint32_t, numbers::PointOrder> vertex_at_;
   std::vector<std::uint32_t> vertices_;
   FilletMesh result_;
 };

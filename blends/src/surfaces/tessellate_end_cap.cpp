@@ -1,18 +1,10 @@
-#include <algorithm>
-#include <array>
-#include <functional>
+#include <utility>
 
 #include "dupin/blends/tessellate.h"
+#include "numbers/point_order.h"
 #include "tessellation/convex_fill.h"
 
 namespace dupin {
-namespace {
-
-bool precedes(const Vec3& a, const Vec3& b) {
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-}
-
-}  // namespace
 
 TriMesh end_cap_mesh(const Ring& ring, const RingSampling& sampling) {
   TriMesh mesh{sample(ring, sampling), {}, {}, {}};
@@ -20,6 +12,7 @@ TriMesh end_cap_mesh(const Ring& ring, const RingSampling& sampling) {
   // The polygon of flipped(ring) runs the other way from the same first corner. Both sides halve in
   // the direction whose second corner precedes its last.
   tessellation::fill(0, n - 1, mesh.triangles);
+  const numbers::PointOrder precedes;
   if (!precedes(mesh.points[1], mesh.points[n - 1])) {
     for (auto& triangle : mesh.triangles) {
       for (auto& corner : triangle) {

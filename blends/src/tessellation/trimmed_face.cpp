@@ -12,6 +12,7 @@
 
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/triangulate_region.h"
+#include "numbers/point_order.h"
 #include "tessellation/swept_mesh.h"
 #include "tessellation/tessellation_tolerance.h"
 
@@ -225,12 +226,6 @@ class Strip {
   std::map<std::uint32_t, std::uint32_t> in_hole_;
 };
 
-struct Before {
-  bool operator()(const Vec3& a, const Vec3& b) const {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  }
-};
-
 class Trimmer {
  public:
   Trimmer(const TrimmedFace& face, const RingSampling& sampling)
@@ -330,7 +325,7 @@ class Trimmer {
   const TrimmedFace& face_;
   const RingSampling& sampling_;
   Chart chart_;
-  std::map<Vec3, std::uint32_t, Before> vertex_at_;
+  std::map<Vec3, std::uint32_t, numbers::PointOrder> vertex_at_;
   std::vector<Corners> polygons_;
   std::vector<Vec2> places_;
   Tessellation result_;

@@ -13,15 +13,14 @@
 #include "dupin/io/stl.h"
 #include "dupin/io/three_mf.h"
 #include "dupin/kernel/error.h"
+#include "text/lower_case.h"
 #include "text/text_scanner.h"
 
 namespace dupin {
 namespace {
 
 const MeshFormat* find_by_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  const std::string extension = text::lower_case(path.extension().string());
   for (const MeshFormat& format : mesh_formats()) {
     if (!extension.empty() && format.extension == extension) {
       return &format;
@@ -57,9 +56,9 @@ const MeshFormat* find_by_content(std::string_view bytes, std::string_view file)
 }  // namespace
 
 std::span<const MeshFormat> mesh_formats() {
-  static const std::array kFormats = {kOff,       kStlAscii, kStlBinary, kPlyAscii,
-                                      kPlyBinary, kObj,      kThreeMf,   kGlb};
-  return kFormats;
+  static const std::array formats = {kOff,       kStlAscii, kStlBinary, kPlyAscii,
+                                     kPlyBinary, kObj,      kThreeMf,   kGlb};
+  return formats;
 }
 
 const MeshFormat* find_mesh_format(std::string_view key) {

@@ -1,12 +1,13 @@
 #include "dupin/io/graph_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <limits>
 #include <unordered_map>
 
 #include "dupin/kernel/error.h"
+#include "text/line_counter.h"
+#include "text/lower_case.h"
 #include "text/text_scanner.h"
 
 namespace dupin {
@@ -17,40 +18,14 @@ using text::TextScanner;
 constexpr std::int64_t kLargestNumber = std::numeric_limits<std::int64_t>::max() / 16;
 
 std::string extension_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return char(std::tolower(c)); });
-  return extension;
+  return text::lower_case(file.extension().string());
 }
-
-// The number of the line that the scanner is at, for positions that only grow.
-class Lines {
- public:
-  explicit Lines(std::string_view text) : text_(text) {}
-
-  std::size_t at(std::size_t position) {
-    for (; seen_ < position; ++seen_) {
-      const bool is_pair =
-          text_[seen_] == '\r' && seen_ + 1 < text_.size() && text_[seen_ + 1] == '\n';
-      line_ += text_[seen_] == '\n' || (text_[seen_] == '\r' && !is_pair) ? 1 : 0;
-    }
-    return line_;
-  }
-
- private:
-  std::string_view text_;
-  std::size_t seen_ = 0, line_ = 1;
-};
 
 // Three numbers; ones that are none, as programs print them, are left to those who clean the graph.
 Vec3 coordinates(TextScanner& scanner) {
   Vec3 result;
   for (double& x : result) {
-    std::string token(scanner.peek());
-    std::ranges::transform(token, token.begin(),
-                           [](unsigned char c) { return char(std::tolower(c)); });
-    if (token == "nan" || token == "-nan" || token == "+nan") {
-      scanner.token();
+    if (scanner.take("nan") || scanner.take("-nan") || scanner.take("+nan")) {
       x = std::numeric_limits<double>::quiet_NaN();
     } else {
       x = scanner.number("a coordinate");
@@ -61,8 +36,7 @@ Vec3 coordinates(TextScanner& scanner) {
 
 // A line that refers to what may come later.
 struct Link {
-  std::size_t from = 0;
-  std::int64_t to = 0;
+  std::int64_t from = 0, to = 0;
   std::size_t position = 0, line = 0;
 };
 
@@ -94,7 +68,7 @@ PipeGraph parse_swc(std::string_view text, const std::string& source,
                     std::vector<GraphNote>* notes) {
   TextScanner scanner(text, source, '#');
   const Faults faults(scanner, notes);
-  Lines lines(text);
+  text::LineCounter lines(text);
   PipeGraph graph{source, {}, {}};
   std::unordered_map<std::int64_t, std::size_t> position_of;
   std::vector<Link> links;
@@ -113,7 +87,7 @@ PipeGraph parse_swc(std::string_view text, const std::string& source,
       continue;
     }
     if (parent >= 0) {
-      links.push_back({graph.nodes.size(), parent, start, line});
+      links.push_back({std::int64_t(graph.nodes.size()), parent, start, line});
     }
     graph.nodes.push_back({name, center, radius, line});
   }
@@ -121,10 +95,10 @@ PipeGraph parse_swc(std::string_view text, const std::string& source,
     const auto parent = position_of.find(link.to);
     if (parent == position_of.end()) {
       faults.add(link.position, link.line,
-                 "node " + graph.nodes[link.from].name + ": there is no parent " +
+                 "node " + graph.nodes[std::size_t(link.from)].name + ": there is no parent " +
                      std::to_string(link.to));
     } else {
-      graph.edges.push_back({parent->second, link.from, link.line});
+      graph.edges.push_back({parent->second, std::size_t(link.from), link.line});
     }
   }
   return graph;
@@ -134,9 +108,9 @@ PipeGraph parse_graph(std::string_view text, const std::string& source,
                       std::vector<GraphNote>* notes) {
   TextScanner scanner(text, source, '#');
   const Faults faults(scanner, notes);
-  Lines lines(text);
+  text::LineCounter lines(text);
   PipeGraph graph{source, {}, {}};
-  std::vector<std::pair<std::int64_t, Link>> links;
+  std::vector<Link> links;
   while (!scanner.at_end()) {
     scanner.skip_space();
     const std::size_t start = scanner.position(), line = lines.at(start);
@@ -149,21 +123,21 @@ PipeGraph parse_graph(std::string_view text, const std::string& source,
     } else if (scanner.take("c")) {
       const std::int64_t from = scanner.integer(0, kLargestNumber, "the number of a node, from 0");
       const std::int64_t to = scanner.integer(0, kLargestNumber, "the number of a node, from 0");
-      links.push_back({from, {0, to, start, line}});
+      links.push_back({from, to, start, line});
     } else {
       scanner.fail("\"n x y z [radius]\" for a node or \"c i j\" for an edge");
     }
     scanner.end_line("the end of the line");
   }
   const auto count = std::int64_t(graph.nodes.size());
-  for (const auto& [from, link] : links) {
-    if (std::max(from, link.to) >= count) {
+  for (const Link& link : links) {
+    if (std::max(link.from, link.to) >= count) {
       faults.add(link.position, link.line,
-                 "edge " + std::to_string(from) + "-" + std::to_string(link.to) +
-                     ": there is no node " + std::to_string(std::max(from, link.to)) + ", only " +
-                     std::to_string(count) + " from 0 on");
+                 "edge " + std::to_string(link.from) + "-" + std::to_string(link.to) +
+                     ": there is no node " + std::to_string(std::max(link.from, link.to)) +
+                     ", only " + std::to_string(count) + " from 0 on");
     } else {
-      graph.edges.push_back({std::size_t(from), std::size_t(link.to), link.line});
+      graph.edges.push_back({std::size_t(link.from), std::size_t(link.to), link.line});
     }
   }
   return graph;

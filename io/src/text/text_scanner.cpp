@@ -6,23 +6,10 @@
 #include <system_error>
 
 #include "dupin/kernel/error.h"
+#include "text/line_counter.h"
+#include "text/lower_case.h"
 
 namespace dupin::text {
-namespace {
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-std::size_t line_of(std::string_view bytes, std::size_t position) {
-  std::size_t line = 1;
-  for (std::size_t i = 0; i < position; ++i) {
-    const bool is_last_of_file = i + 1 == bytes.size();
-    line += bytes[i] == '\n' || (bytes[i] == '\r' && (is_last_of_file || bytes[i + 1] != '\n'));
-  }
-  return line;
-}
-
-}  // namespace
-
 TextScanner::TextScanner(std::string_view bytes, std::string_view file, char comment)
     : bytes_(bytes), file_(file), comment_(comment) {
   if (bytes_.substr(0, 3) == "\xEF\xBB\xBF") {
@@ -75,7 +62,7 @@ bool TextScanner::take(std::string_view keyword) {
   skip_blanks();
   const std::string_view next = bytes_.substr(position_, keyword.size());
   const bool same = std::equal(next.begin(), next.end(), keyword.begin(), keyword.end(),
-                               [](char found, char wanted) { return lower(found) == wanted; });
+                               [](char found, char wanted) { return lower_case(found) == wanted; });
   if (!same || !ends_token(position_ + keyword.size())) {
     return false;
   }
@@ -215,7 +202,7 @@ void TextScanner::fail(std::string_view expected) {
 
 void TextScanner::fail_at(std::size_t position, const std::string& message) const {
   throw Error(Errc::parse_failed, message, {},
-              std::string(file_) + ":" + std::to_string(line_of(bytes_, position)));
+              std::string(file_) + ":" + std::to_string(LineCounter(bytes_).at(position)));
 }
 
 std::string quoted(std::string_view bytes) {

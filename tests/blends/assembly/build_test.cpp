@@ -16,19 +16,18 @@
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/rounding.h"
+#include "support/named_parts.h"
 #include "support/single_piece.h"
 
 namespace dupin {
 namespace {
 
+using test::pipe;
+
 constexpr double kPi = std::numbers::pi;
 
 Assembly example(const std::string& name) {
   return read_assembly(std::filesystem::path(DUPIN_SOURCE_DIR) / "examples" / name);
-}
-
-Part pipe(const std::string& name, const Vec3& from, const Vec3& to, double radius) {
-  return {name, PipeBetween{from, to, radius}};
 }
 
 PortReference start_of(const std::string& part) { return {part, End::start}; }

@@ -6,16 +6,13 @@
 #include "assembly/fillet_overlap.h"
 #include "dupin/blends/build.h"
 #include "dupin/kernel/error.h"
+#include "support/named_parts.h"
 
 namespace dupin {
 namespace {
 
-Part pipe(const std::string& name, const Vec3& from, const Vec3& to, double radius) {
-  return {name, PipeBetween{from, to, radius}};
-}
-Part fillet(const std::string& name, const std::string& a, const std::string& b, double radius) {
-  return {name, FilletBetween{{a, b}, radius}};
-}
+using test::fillet;
+using test::pipe;
 
 // Two branches on a run, the second at `to`.
 Assembly document(const Vec3& from, const Vec3& to, const Part& second) {

@@ -4,16 +4,14 @@
 #include "assembly/fillet_part.h"
 #include "dupin/blends/build.h"
 #include "dupin/kernel/error.h"
+#include "support/named_parts.h"
 
 namespace dupin {
 namespace {
 
-Part pipe(const std::string& name, const Vec3& from, const Vec3& to, double radius) {
-  return {name, PipeBetween{from, to, radius}};
-}
-Part fillet(const std::string& name, const std::string& a, const std::string& b, double radius) {
-  return {name, FilletBetween{{a, b}, radius}};
-}
+using test::fillet;
+using test::pipe;
+
 Assembly assembly(std::vector<Part> parts, double tolerance = 0.02) {
   return {"d.json", Unit::millimetre, tolerance, {}, std::move(parts)};
 }

@@ -10,18 +10,16 @@
 #include "dupin/blends/build.h"
 #include "dupin/blends/canal_fillet.h"
 #include "dupin/kernel/error.h"
+#include "support/named_parts.h"
 
 namespace dupin {
 namespace {
 
+using test::fillet;
+using test::pipe;
+
 constexpr double kPi = std::numbers::pi;
 
-Part pipe(const std::string& name, const Vec3& from, const Vec3& to, double radius) {
-  return {name, PipeBetween{from, to, radius}};
-}
-Part fillet(const std::string& name, const std::string& a, const std::string& b, double radius) {
-  return {name, FilletBetween{{a, b}, radius}};
-}
 Assembly assembly(std::vector<Part> parts, double tolerance = 0.02) {
   return {"d.json", Unit::millimetre, tolerance, {}, std::move(parts)};
 }

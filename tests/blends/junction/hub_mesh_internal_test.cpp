@@ -6,6 +6,7 @@
 #include "blends/junction/junction_meshes_internal.h"
 #include "dupin/kernel/error.h"
 #include "junction/hub_mesh.h"
+#include "support/icosahedron.h"
 
 namespace dupin::junction {
 namespace {
@@ -64,16 +65,8 @@ TEST(HubMesh, follows_the_sizes_of_its_circles) {
 
 TEST(HubMesh, of_caps_that_cover_nearly_all_of_the_sphere) {
   std::vector<Ring> ends;
-  const double golden = std::numbers::phi;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double a : {-1.0, 1.0}) {
-      for (const double b : {-golden, golden}) {
-        Vec3 direction = Vec3::Zero();
-        direction(axis) = a;
-        direction((axis + 1) % 3) = b;
-        ends.push_back(towards_origin(direction, 0.5, 8));
-      }
-    }
+  for (const Vec3& direction : test::icosahedron_corners()) {
+    ends.push_back(towards_origin(direction, 0.5, 8));
   }
   const double widest = std::atan(2) / 2;  // half the angle between neighbours
   expect_sound(junction_of(ends, {Vec3(0, 0, 0), 1.2, std::vector<double>(12, 0.99 * widest)}),

@@ -13,6 +13,7 @@
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
 #include "junction/hub_mesh.h"
+#include "numbers/point_order.h"
 
 namespace dupin::test {
 
@@ -20,12 +21,6 @@ struct JunctionMesh {
   TriMesh open, closed;  // without and with the ends' discs
   Tessellation hub;
   double error_bound = 0;
-};
-
-struct Before {
-  bool operator()(const Vec3& a, const Vec3& b) const {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  }
 };
 
 // Points at the same place are the same.
@@ -50,7 +45,7 @@ class Welder {
     }
     return entry->second;
   }
-  std::map<Vec3, std::uint32_t, Before> at_;
+  std::map<Vec3, std::uint32_t, numbers::PointOrder> at_;
   TriMesh mesh_;
 };
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
+#include "support/icosahedron.h"
 
 namespace dupin {
 namespace {
@@ -94,16 +95,8 @@ TEST(Junction, of_cones_that_widen_and_narrow) {
 
 TEST(Junction, of_twelve_pipes_takes_the_directions_of_an_icosahedron) {
   std::vector<Ring> ends;
-  const double golden = std::numbers::phi;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double a : {-1.0, 1.0}) {
-      for (const double b : {-golden, golden}) {
-        Vec3 direction = Vec3::Zero();
-        direction(axis) = a;
-        direction((axis + 1) % 3) = b;
-        ends.push_back(towards({0, 0, 0}, direction, 8, 0.5));
-      }
-    }
+  for (const Vec3& direction : test::icosahedron_corners()) {
+    ends.push_back(towards({0, 0, 0}, direction, 8, 0.5));
   }
   const Junction junction = junction_of(ends);
   EXPECT_EQ(junction.arms.size(), 12U);

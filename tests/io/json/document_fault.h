@@ -27,6 +27,12 @@ inline std::string pipe_and(const std::string& part) {
   return document(parts);
 }
 
+inline constexpr const char* kTee =
+    R"({"name": "run", "pipe": {"from": [-9, 0, 0], "to": [9, 0, 0], "radius": 2}},
+       {"name": "branch", "pipe": {"from": [0, 0, 0], "to": [0, 0, 9], "radius": 1}}, )";
+
+inline std::string tee_and(const std::string& part) { return document(kTee + part); }
+
 /// A document that is refused, by reading or, with another code, by resolving.
 struct Malformed {
   std::string text, where, message;

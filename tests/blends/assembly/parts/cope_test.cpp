@@ -9,15 +9,15 @@
 #include "dupin/blends/certify.h"
 #include "dupin/blends/verify_certificate.h"
 #include "dupin/kernel/error.h"
+#include "support/named_parts.h"
 
 namespace dupin {
 namespace {
 
+using test::pipe;
+
 constexpr double kRun = 4;
 
-Part pipe(const std::string& name, const Vec3& from, const Vec3& to, double radius) {
-  return {name, PipeBetween{from, to, radius}};
-}
 Part cope(const std::string& name, const std::string& part, End end, const std::string& to) {
   return {name, CopeOfEnd{{part, end}, to}};
 }

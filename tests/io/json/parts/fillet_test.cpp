@@ -7,16 +7,10 @@
 namespace dupin {
 namespace {
 
-using test::document;
 using test::expect_fault;
 using test::Malformed;
 using test::read_last;
-
-constexpr const char* kTee =
-    R"({"name": "run", "pipe": {"from": [-9, 0, 0], "to": [9, 0, 0], "radius": 2}},
-       {"name": "branch", "pipe": {"from": [0, 0, 0], "to": [0, 0, 9], "radius": 1}}, )";
-
-std::string tee_and(const std::string& part) { return document(kTee + part); }
+using test::tee_and;
 
 TEST(FilletKey, reads_its_pipes_and_its_radius) {
   const std::string text =
