@@ -21,7 +21,7 @@ namespace dupin::cli {
 namespace {
 
 struct BuildArguments {
-  std::string file, connect, contacts, cross_check;
+  std::string file, connect, contacts, cross_check, wall, region;
   OutputArguments output;
   std::uint32_t segments = 0;
   std::size_t most_triangles = kUsualTriangles;
@@ -92,6 +92,12 @@ void print_build(std::ostream& out, const BuildReport& report) {
       print_row(out, "warning", warning + " (" + part.name + ")");
     }
   }
+  if (report.volumes) {
+    print_row(out, "region", std::string(name(report.region)));
+    print_row(out, "volumes", "outer " + number(report.volumes->outer) + ", metal " +
+                                  number(report.volumes->metal) + ", fluid " +
+                                  number(report.volumes->fluid) + " " + unit + "3");
+  }
   print_row(out, "smallest margin", margin_text(report.parts));
   print_row(out, "mesh error", "at most " + number(error) + " " + unit);
   if (tangency) {
@@ -114,13 +120,21 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
   options.contacts =
       contact_choice(arguments.contacts, std::string(symbol(assembly.unit))).policy();
   options.cross_check = cross_check_engine(arguments.cross_check);
+  for (const Region region : {Region::outer, Region::metal, Region::fluid}) {
+    if (arguments.region == name(region)) {
+      options.region = region;
+    }
+  }
   return options;
 }
 
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
   const Destination to = destination(arguments.output);
-  const Document document = read_document(arguments.file, arguments.graph);
-  const Assembly& assembly = document.assembly;
+  Document document = read_document(arguments.file, arguments.graph);
+  Assembly& assembly = document.assembly;
+  if (!arguments.wall.empty()) {
+    assembly.wall = length_in(assembly.unit, arguments.wall, 0);
+  }
   BuildOptions options = build_options(assembly, arguments, common);
   const std::string unit(symbol(assembly.unit));
   const RoundingOptions rounding = rounding_options(arguments.rounding, unit);
@@ -139,6 +153,8 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     report.runs = built.runs;
     report.pieces = built.pieces;
     report.grid = built.grid;
+    report.region = built.region;
+    report.volumes = built.volumes;
   }
   if (common.json) {
     report_stream(to) << to_json(report) << '\n';
@@ -165,6 +181,15 @@ void add_build(CLI::App& app, Action& action) {
   command->add_option("--segments", arguments->segments, "Fixed number of segments of every ring")
       ->type_name("NUMBER")
       ->check(CLI::Range(3, 65536));
+  command
+      ->add_option("--wall", arguments->wall,
+                   "Thickness of the walls, inwards, instead of the document's")
+      ->type_name("LENGTH");
+  command
+      ->add_option("--region", arguments->region,
+                   "outer, metal or fluid; metal if not given, where there are walls")
+      ->type_name("REGION")
+      ->check(CLI::IsMember({"outer", "metal", "fluid"}));
   add_triangles_option(*command, arguments->most_triangles);
   add_connect_option(*command, arguments->connect);
   add_graph_options(*command, arguments->graph);

@@ -1,22 +1,20 @@
 #include "dupin/blends/build.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
-#include <numbers>
-#include <span>
+#include <set>
+#include <string>
 
-#include "assembly/cost_limit.h"
-#include "assembly/fillet_overlap.h"
-#include "assembly/filleted_runs.h"
-#include "assembly/joined_hubs.h"
+#include "assembly/bore.h"
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
 #include "assembly/parts/part_kind.h"
-#include "assembly/weld.h"
+#include "assembly/run_solids.h"
 #include "assembly/welded_runs.h"
 #include "dupin/blends/resolve.h"
-#include "dupin/blends/tessellate.h"
-#include "dupin/kernel/check.h"
+#include "dupin/kernel/boolean.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
@@ -31,56 +29,32 @@ Assembly with_options(Assembly assembly, const BuildOptions& options) {
 }
 
 class Builder {
-  template <typename Work>
-  auto in_part(const ResolvedPart& part, const Work& work) const {
-    return assembly::with_part_context(assembly_, part.index, work);
-  }
-
  public:
-  Builder(const Assembly& assembly, const BuildOptions& options)
-      : assembly_(assembly),
-        options_(options),
-        resolved_(resolve(assembly)),
-        tubes_(resolved_.parts.size()) {
-    built_.grid = assembly::lattice_spacing(assembly, resolved_);
-  }
+  Builder(Assembly assembly, const BuildOptions& options)
+      : assembly_(std::move(assembly)), options_(options), resolved_(resolve(assembly_)) {}
 
   Built run() {
     for (const auto& part : resolved_.parts) {
-      built_.parts.push_back(in_part(part, [&] { return certified(part); }));
+      built_.parts.push_back(
+          assembly::with_part_context(assembly_, part.index, [&] { return certified(part); }));
     }
     built_.ports = ports(resolved_);
     built_.gaps = pair_ends(built_.ports, options_.connect);
-    const auto runs = assembly::welded_runs(resolved_);
-    assembly::refuse_too_costly(assembly_, resolved_, runs, built_.grid, options_.most_triangles);
-    for (const assembly::FilletedRuns& group : assembly::filleted_runs(resolved_, runs)) {
-      report("weld", double(group.runs.front()) / double(runs.size()));
-      if (group.fillets.empty() && group.junctions.empty()) {
-        const std::size_t run = group.runs.front();
-        append_solids(runs[run].parts, tessellated(runs[run], run));
-      } else {
-        append_filleted(runs, group);
-      }
-    }
-    order_reports();
-    built_.runs = runs.size();
-    built_.pieces = solids_.size();
-    built_.solid = solids_.size() == 1 ? solids_.front()
-                                       : unite(solids_, {options_.contacts, options_.progress});
-    if (options_.cross_check) {
-      built_.cross_check = second_opinion(built_.solid, *options_.cross_check, SetOperation::unite,
-                                          solids_, options_.progress);
+    if (const auto walls = assembly::walls_of(assembly_, resolved_, options_.region)) {
+      build_hollow(*walls);
+    } else if (options_.region.value_or(Region::outer) != Region::outer) {
+      throw Error(Errc::invalid_argument,
+                  "there is no " + std::string(name(*options_.region)) +
+                      " region: neither the document nor a part says how thick a wall is",
+                  {}, document_place(assembly_, "/wall"));
+    } else {
+      built_.grid = assembly::lattice_spacing(assembly_, resolved_);
+      built_.solid = outer();
     }
     return std::move(built_);
   }
 
  private:
-  void report(std::string_view stage, double fraction) const {
-    if (options_.progress && !options_.progress(stage, fraction)) {
-      throw Error(Errc::cancelled, "cancelled by the caller");
-    }
-  }
-
   [[nodiscard]] PartReport certified(const ResolvedPart& part) const {
     PartReport result;
     result.name = part.name;
@@ -98,187 +72,41 @@ class Builder {
     return result;
   }
 
-  RingSampling tessellated(const assembly::WeldedRun& run, std::size_t position) {
-    const RingSampling chosen =
-        assembly::run_sampling(assembly_, resolved_, run, position, built_.grid);
-    for (const auto index : run.parts) {
-      Tessellation result = assembly::tessellated(assembly_, resolved_.parts[index], chosen);
-      PartReport& entry = built_.parts[index];
-      entry.error_bound = result.error_bound;
-      entry.segments = chosen.segments;
-      entry.bands = result.bands;
-      entry.triangles = result.mesh.triangles.size();
-      entry.smallest_angle = smallest_angle(result.mesh);
-      tubes_[index] = std::move(result.mesh);
-    }
-    return chosen;
+  [[nodiscard]] Solid united(std::span<const Solid> solids) const {
+    return solids.size() == 1 ? solids.front()
+                              : unite(solids, {options_.contacts, options_.progress});
   }
 
-  // The pieces of a chain with kneecaps overlap each other, and so do those of its inner skin.
-  [[nodiscard]] std::vector<Solid> solids_of(std::span<const std::uint32_t> parts,
-                                             const RingSampling& chosen) const {
-    TriMesh mesh = assembly::welded(resolved_, parts, tubes_, chosen);
-    const bool overlaps = std::any_of(parts.begin(), parts.end(), [&](std::uint32_t part) {
-      const auto* chain = std::get_if<Chain>(&resolved_.parts[part].shape);
-      return chain != nullptr && chain->joints == Joints::spherical;
-    });
-    if (!overlaps) {
-      return {Solid::from(mesh)};
-    }
-    std::vector<Solid> solids, cavities;
-    for (TriMesh& shell : assembly::connected_parts(mesh)) {
-      const bool is_cavity = check(shell, {.limit = 0, .self_intersections = false}).volume < 0;
-      if (is_cavity) {
-        std::ranges::for_each(shell.triangles, [](Triangle& t) { std::swap(t[1], t[2]); });
-      }
-      (is_cavity ? cavities : solids).push_back(Solid::from(shell));
-    }
-    return cavities.empty() ? solids : std::vector{subtract(unite(solids), cavities)};
-  }
-
-  // Parts of a run may cross, touch or cover each other. Such a run is halved, at a ring, until
-  // every piece is a solid; the discs of both halves there are the same and vanish in the union.
-  void append_solids(std::span<const std::uint32_t> parts, const RingSampling& chosen) {
-    try {
-      auto solids = solids_of(parts, chosen);
-      solids_.insert(solids_.end(), solids.begin(), solids.end());
-      return;
-    } catch (const Error& error) {
-      if (error.code() == Errc::limit_exceeded || error.code() == Errc::cancelled) {
-        throw;
-      }
-      if (parts.size() == 1) {
-        const ResolvedPart& part = resolved_.parts[parts.front()];
-        in_part(part, [&] { assembly::refuse_mesh(part.shape, error); });
-      }
-    }
-    const auto half = parts.size() / 2;
-    append_solids(parts.first(half), chosen);
-    append_solids(parts.subspan(half), chosen);
-  }
-
-  // Pipes that end in fillets or hubs, with these: one solid, as nothing else closes them.
-  void append_filleted(const std::vector<assembly::WeldedRun>& runs,
-                       const assembly::FilletedRuns& group) {
-    std::map<std::uint32_t, RingSampling> sampling;  // by part
-    for (const std::size_t run : group.runs) {
-      const RingSampling chosen = tessellated(runs[run], run);
-      for (const auto part : runs[run].parts) {
-        sampling[part] = chosen;
-      }
-    }
-    std::vector<std::vector<surfaces::FilletMesh>> meshes(resolved_.fillets.size());
-    for (const std::size_t f : group.fillets) {
-      const ResolvedFillet& fillet = resolved_.fillets[f];
-      meshes[f] = assembly::fillet_meshes(
-          assembly_, fillet, {sampling.at(fillet.between[0]), sampling.at(fillet.between[1])},
-          options_.most_triangles);
-      report_fillet(fillet, meshes[f]);
-    }
-    std::map<std::uint32_t, std::size_t> fillet_on;
-    for (const std::size_t f : group.fillets) {
-      fillet_on.try_emplace(resolved_.fillets[f].between[0], f);
-      fillet_on.try_emplace(resolved_.fillets[f].between[1], f);
-    }
-    for (const auto& [part, f] : fillet_on) {
-      trim(resolved_.fillets[f], part, sampling, meshes);
-    }
-    std::vector<TriMesh> welded;
-    for (const std::size_t run : group.runs) {
-      const auto& parts = runs[run].parts;
-      welded.push_back(assembly::welded(resolved_, parts, tubes_, sampling.at(parts.front())));
-    }
-    const TriMesh joined = assembly::joined_with_hubs(
-        assembly::joined_by_fillets(resolved_, welded, group.fillets, meshes),
-        hubs(group.junctions, sampling));
-    try {
-      solids_.push_back(Solid::from(joined));
-    } catch (const Error& error) {
-      const std::string why =
-          "with the pipes that it joins, it bounds no solid: " + error.message();
-      if (group.fillets.empty()) {
-        const ResolvedJunction& first = resolved_.junctions[group.junctions.front()];
-        throw Error(Errc::infeasible_blend, why, first.name,
-                    document_place(assembly_, first.index));
-      }
-      throw refusal(resolved_.fillets[group.fillets.front()], why);
+  void cross_check(const Solid& result, SetOperation operation, std::span<const Solid> operands) {
+    const bool is_settled =
+        built_.cross_check && built_.cross_check->verdict != CrossCheck::Verdict::agrees;
+    if (options_.cross_check && !is_settled) {
+      built_.cross_check =
+          second_opinion(result, *options_.cross_check, operation, operands, options_.progress);
     }
   }
 
-  std::vector<assembly::HubPatch> hubs(const std::vector<std::size_t>& junctions,
-                                       const std::map<std::uint32_t, RingSampling>& sampling) {
-    std::vector<assembly::HubPatch> result;
-    for (const std::size_t j : junctions) {
-      const ResolvedJunction& junction = resolved_.junctions[j];
-      std::vector<RingSampling> samplings;
-      std::size_t on_circles = 0;
-      for (const auto arm : junction.arms) {
-        samplings.push_back(sampling.at(arm));
-        on_circles += samplings.back().segments;
-      }
-      Tessellation hub =
-          assembly::hub_tessellation(assembly_, junction, samplings, options_.most_triangles);
-      report_hub(junction, hub);
-      hub.mesh.names = {junction.name};
-      result.push_back({std::move(hub.mesh), on_circles});
+  Solid outer() {
+    assembly::RunSolids made =
+        assembly::solids_of_runs(assembly_, resolved_, built_.grid, options_);
+    for (std::size_t i = 0; i < made.parts.size(); ++i) {
+      PartReport &entry = built_.parts[i], &of_mesh = made.parts[i];
+      entry.error_bound = of_mesh.error_bound;
+      entry.segments = of_mesh.segments;
+      entry.bands = of_mesh.bands;
+      entry.triangles = of_mesh.triangles;
+      entry.smallest_angle = of_mesh.smallest_angle;
     }
+    built_.runs = made.runs;
+    built_.pieces = made.solids.size();
+    Solid result = united(made.solids);
+    cross_check(result, SetOperation::unite, made.solids);
+    order_reports(std::move(made.others));
     return result;
   }
 
-  void report_hub(const ResolvedJunction& junction, const Tessellation& hub) {
-    PartReport entry;
-    entry.name = junction.name;
-    entry.kind = "junction";
-    entry.construction = description(junction.shape);
-    entry.error_bound = hub.error_bound;
-    entry.triangles = hub.mesh.triangles.size();
-    entry.smallest_angle = smallest_angle(hub.mesh);
-    fillet_reports_.emplace_back(junction.index, std::move(entry));
-  }
-
-  void trim(const ResolvedFillet& fillet, std::uint32_t part,
-            const std::map<std::uint32_t, RingSampling>& sampling,
-            const std::vector<std::vector<surfaces::FilletMesh>>& meshes) {
-    try {
-      Tessellation face = assembly::trimmed(resolved_, part, sampling.at(part), meshes);
-      PartReport& entry = built_.parts[part];
-      entry.error_bound = face.error_bound;
-      entry.triangles = face.mesh.triangles.size();
-      entry.smallest_angle = smallest_angle(face.mesh);
-      tubes_[part] = std::move(face.mesh);
-    } catch (const Error& error) {
-      if (const auto overlap =
-              assembly::fillet_overlap(assembly_, resolved_, part, sampling, meshes)) {
-        throw refusal(resolved_.fillets[overlap->fillet], overlap->why);
-      }
-      throw refusal(fillet, "on '" + resolved_.parts[part].name + "', " + error.message() +
-                                "; fillets must be apart from each other and from its ends");
-    }
-  }
-
-  [[nodiscard]] Error refusal(const ResolvedFillet& fillet, const std::string& why) const {
-    return Error(Errc::infeasible_blend, why, fillet.name, document_place(assembly_, fillet.index));
-  }
-
-  void report_fillet(const ResolvedFillet& fillet, const std::vector<surfaces::FilletMesh>& loops) {
-    PartReport entry;
-    entry.name = fillet.name;
-    entry.kind = kind(assembly_.parts[fillet.index].shape);
-    entry.margin_lower = fillet.shape.regularity;
-    entry.smallest_angle = std::numbers::pi;
-    for (const auto& loop : loops) {
-      entry.error_bound = std::max(entry.error_bound, loop.tessellation.error_bound);
-      entry.bands += loop.tessellation.bands;
-      entry.segments = std::max(entry.segments, loop.columns);
-      entry.triangles += loop.tessellation.mesh.triangles.size();
-      entry.smallest_angle = std::min(entry.smallest_angle, smallest_angle(loop.tessellation.mesh));
-    }
-    fillet_reports_.emplace_back(fillet.index, std::move(entry));
-  }
-
   // Those of fillets and hubs are put where the document has them, hubs before their arms.
-  void order_reports() {
-    std::vector<std::pair<std::uint32_t, PartReport>> all = std::move(fillet_reports_);
+  void order_reports(std::vector<std::pair<std::uint32_t, PartReport>> all) {
     for (std::size_t i = 0; i < built_.parts.size(); ++i) {
       all.emplace_back(resolved_.parts[i].index, std::move(built_.parts[i]));
     }
@@ -289,20 +117,93 @@ class Builder {
     }
   }
 
-  const Assembly& assembly_;
+  void build_hollow(const std::vector<double>& walls) {
+    std::vector<bool> is_solid;
+    for (const double wall : walls) {
+      is_solid.push_back(wall == 0);
+      if (wall > 0) {
+        assembly_.tolerance = std::min(assembly_.tolerance, wall / 4);
+      }
+    }
+    resolved_ = assembly::filled(std::move(resolved_));
+    assembly::SelectedParts bore = assembly::bore_of(assembly_, resolved_, walls);
+    const ResolvedAssembly inside =
+        assembly::selected_parts(resolved_, is_solid).resolved;  // and not hollow
+    built_.grid = assembly::lattice_spacing(assembly_, resolved_);
+    if (!bore.resolved.parts.empty()) {
+      built_.grid = std::min(built_.grid, assembly::lattice_spacing(assembly_, bore.resolved));
+    }
+    const Solid whole = outer();
+    assembly::lengthen_out_of(bore, resolved_, walls, exposed_names(whole));
+    const Solid filling = subtract(united(bore.resolved), {{united(inside)}});
+    const std::array<Solid, 2> both{whole, filling};
+    const BooleanOptions options{options_.contacts, options_.progress};
+    const Solid metal = subtract(whole, {&filling, 1}, options), fluid = intersect(both, options);
+    refuse_broken_walls(fluid, walls);
+    built_.volumes = {whole.volume(), metal.volume(), fluid.volume()};
+    built_.region = options_.region.value_or(Region::metal);
+    built_.solid = built_.region == Region::outer   ? whole
+                   : built_.region == Region::metal ? metal
+                                                    : fluid;
+    if (built_.region != Region::outer) {
+      cross_check(built_.solid,
+                  built_.region == Region::metal ? SetOperation::subtract : SetOperation::intersect,
+                  both);
+    }
+  }
+
+  [[nodiscard]] Solid united(const ResolvedAssembly& parts) const {
+    return parts.parts.empty()
+               ? Solid()
+               : united(assembly::solids_of_runs(assembly_, parts, built_.grid, options_).solids);
+  }
+
+  [[nodiscard]] static std::set<std::string> exposed_names(const Solid& solid) {
+    std::set<std::string> result;
+    for (const std::uint32_t label : std::set(solid.labels().begin(), solid.labels().end())) {
+      result.insert(solid.names()[label]);
+    }
+    return result;
+  }
+
+  // What bounds the fluid is a bore, an open end or a solid part; else a bore has broken through.
+  void refuse_broken_walls(const Solid& fluid, const std::vector<double>& walls) const {
+    std::map<std::string_view, std::uint32_t> hollow;
+    const auto include = [&](const auto& named) {
+      if (walls[named.index] > 0) {
+        hollow.emplace(named.name, named.index);
+      }
+    };
+    std::ranges::for_each(resolved_.parts, include);
+    std::ranges::for_each(resolved_.fillets, include);
+    std::ranges::for_each(resolved_.junctions, include);
+    for (std::size_t i = 0; i < fluid.triangle_count(); ++i) {
+      const auto part = hollow.find(fluid.names()[fluid.labels()[i]]);
+      if (part != hollow.end()) {
+        const Vec3& at = fluid.nearest_points()[fluid.triangles()[i][0]];
+        throw Error(Errc::infeasible_blend,
+                    "its surface lies inside of a bore at " + decimal(at) +
+                        ": there is no wall; walls must be thinner, or parts further apart",
+                    std::string(part->first), document_place(assembly_, part->second));
+      }
+    }
+  }
+
+  Assembly assembly_;
   const BuildOptions& options_;
   ResolvedAssembly resolved_;
-  std::vector<std::pair<std::uint32_t, PartReport>> fillet_reports_;  // by place in the document
-  std::vector<TriMesh> tubes_;                                        // by part
-  std::vector<Solid> solids_;
   Built built_;
 };
 
 }  // namespace
 
+std::string_view name(Region region) {
+  constexpr std::array<std::string_view, 3> kNames{"outer", "metal", "fluid"};
+  return kNames.at(std::size_t(region));
+}
+
 Built build(const Assembly& assembly, const BuildOptions& options) {
-  const Assembly effective = with_options(assembly, options);
-  return Builder(effective, options).run();
+  return Builder(with_options(assembly, options), options).run();
 }
 
 }  // namespace dupin

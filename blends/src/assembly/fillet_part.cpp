@@ -147,7 +147,9 @@ class Pipe {
 // With a radius of 0, of a cope.
 class Search {
  public:
-  Search(const std::array<Pipe, 2>& pipes, double radius) : pipes_(pipes), radius_(radius) {}
+  Search(const std::array<Pipe, 2>& pipes, double radius) : pipes_(pipes), radius_(radius) {
+    result_.radius = radius;
+  }
 
   Fillet run() {
     for (const std::size_t i : {0U, 1U}) {

@@ -27,6 +27,7 @@ class Resolver {
   ResolvedAssembly run() {
     check_header();
     check_names();
+    check_walls();
     for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
       for (const auto& reference : references(assembly_.parts[i].shape)) {
         join(i, reference);
@@ -70,6 +71,31 @@ class Resolver {
     if (assembly_.parts.empty()) {
       throw Error(Errc::invalid_argument, "an assembly needs at least one part", {},
                   document_place(assembly_, "/parts"));
+    }
+  }
+
+  // A document's wall is positive; a part's may be 0, which makes it solid.
+  void check_walls() const {
+    if (assembly_.wall && !(*assembly_.wall > 0 && std::isfinite(*assembly_.wall))) {
+      throw Error(Errc::invalid_argument,
+                  "the wall must be a positive number, not " +
+                      decimal(*assembly_.wall, kMessageDigits),
+                  {}, document_place(assembly_, "/wall"));
+    }
+    for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
+      const Part& part = assembly_.parts[i];
+      const auto fault = [&](const std::string& message) {
+        return Error(Errc::invalid_argument, message, part.name,
+                     document_place(assembly_, i) + "/wall");
+      };
+      const assembly::PartKind& its_kind = part_kind(part.shape);
+      if (part.wall && !(*part.wall >= 0 && std::isfinite(*part.wall))) {
+        throw fault("a part's wall must be positive, or 0 for a solid part, not " +
+                    decimal(*part.wall, kMessageDigits));
+      }
+      if (part.wall && !its_kind.is_part() && !its_kind.is_junction()) {
+        throw fault("a " + std::string(its_kind.key) + " has the wall of the parts it is at");
+      }
     }
   }
 

@@ -28,7 +28,7 @@ constexpr std::array<PartKeyRow, sizeof...(Key)> rows(PartKeyTable<Key...> /*tab
 constexpr auto kRows = rows(PartKeys());
 
 Part part(const JsonNode& node) {
-  Keys known{"name", "comment"}, keys;
+  Keys known{"name", "comment", "wall"}, keys;
   for (const auto& row : kRows) {
     keys.push_back(row.key);
   }
@@ -37,6 +37,9 @@ Part part(const JsonNode& node) {
   Part result{node.at("name").text(), {}};
   if (node.has("comment")) {
     (void)node.at("comment").text();
+  }
+  if (node.has("wall")) {
+    result.wall = node.at("wall").number();
   }
   const auto count =
       std::count_if(keys.begin(), keys.end(), [&](auto key) { return node.has(key); });
@@ -75,13 +78,16 @@ Unit unit(const JsonNode& node) {
 Assembly parse_assembly(std::string_view text, const std::string& source) {
   const json::Json json = json::parse_json(text, source);
   const JsonNode document(json, source, "");
-  json::allow_only(document, {"units", "tolerance", "segments", "comment", "parts"});
+  json::allow_only(document, {"units", "tolerance", "segments", "wall", "comment", "parts"});
   Assembly assembly;
   assembly.source = source;
   assembly.unit = unit(document.at("units"));
   assembly.tolerance = document.at("tolerance").number();
   if (document.has("segments")) {
     assembly.segments = segments(document.at("segments"));
+  }
+  if (document.has("wall")) {
+    assembly.wall = document.at("wall").number();
   }
   if (document.has("comment")) {
     (void)document.at("comment").text();

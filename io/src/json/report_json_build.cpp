@@ -94,6 +94,12 @@ std::string to_json(const BuildReport& report) {
                     {"parts", parts},
                     {"output", json::json_value(report.output)},
                     {"gaps", json::json_value(report.gaps)}};
+  if (report.volumes) {
+    all["region"] = name(report.region);
+    all["volumes"] = {{"outer", report.volumes->outer},
+                      {"metal", report.volumes->metal},
+                      {"fluid", report.volumes->fluid}};
+  }
   if (report.graph) {
     all["graph"] = json::graph_json(*report.graph);
   }

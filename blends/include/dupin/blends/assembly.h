@@ -14,6 +14,8 @@ namespace dupin {
 struct Part {
   std::string name;
   PartShape shape;
+  /// Thickness inwards; 0: the part is solid; none: the assembly's. Only `build` hollows parts.
+  std::optional<double> wall = {};
 };
 
 /// A document: what the user says, before anything is computed.
@@ -23,6 +25,7 @@ struct Assembly {
   double tolerance = 0.05;  ///< largest distance between the smooth surface and its mesh
   std::optional<std::uint32_t> segments;  ///< around every ring; none: from the tolerance
   std::vector<Part> parts;
+  std::optional<double> wall = {};  ///< of every part that says none; none: parts are solid
 };
 
 /// A place in the document, for messages: "file.json#/tolerance", or the pointer alone if the

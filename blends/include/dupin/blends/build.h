@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dupin/blends/assembly.h"
@@ -16,6 +17,15 @@
 
 namespace dupin {
 
+/// What of an assembly with walls is built; the outer region is the other two together, exactly.
+enum class Region : std::uint8_t {
+  outer,  ///< what the outer surfaces bound, as if there were no walls
+  metal,  ///< the walls and the solid parts
+  fluid,  ///< what the walls enclose, up to the planes of the open ends
+};
+
+[[nodiscard]] std::string_view name(Region region);  ///< as its enumerator
+
 struct BuildOptions {
   std::optional<double> tolerance;        ///< instead of the document's, in its unit
   std::optional<std::uint32_t> segments;  ///< instead of the document's
@@ -26,6 +36,7 @@ struct BuildOptions {
   ContactPolicy contacts = ContactPolicy::report;
   std::optional<CrossCheckEngine> cross_check;  ///< to check the union of the pieces by
   Progress progress;                            ///< may be empty
+  std::optional<Region> region;  ///< none: metal of an assembly that has walls, else outer
 };
 
 /// What became of one part.
@@ -49,6 +60,11 @@ struct PartReport {
   double smallest_angle = 0;   ///< of its triangles, in radians
 };
 
+/// The volumes of the regions, the doubles nearest to the exact ones.
+struct RegionVolumes {
+  double outer = 0, metal = 0, fluid = 0;
+};
+
 /// A built assembly.
 struct Built {
   Solid solid;
@@ -60,14 +76,19 @@ struct Built {
                                   ///< cross each other
   double grid = 0;                ///< spacing of the lattice that the mesh points lie on
   std::optional<CrossCheck> cross_check;  ///< of `solid`, where it was asked for
+  Region region = Region::outer;          ///< the one that `solid` is
+  std::optional<RegionVolumes> volumes;   ///< of an assembly with walls
 };
 
 /// The whole line: resolve, certify, tessellate, weld, unite. The labels of the solid name the part
-/// of every triangle, or the cap or "part.start" of an end disc.
+/// of every triangle, or the cap or "part.start" of an end disc, and "part.bore" inside of a wall.
+/// Where there are walls, meshes keep to a quarter of the thinnest if that is less than the
+/// tolerance.
 ///
 /// Throws Error{irregular_surface} for a blend that folds, Error{self_intersecting} for a part that
-/// crosses itself, Error{limit_exceeded} for more triangles than `most_triangles`, and what
-/// `resolve`, `unite` throw; each names the part.
+/// crosses itself, Error{infeasible_blend} for a wall that leaves no bore or that a bore breaks
+/// through, Error{limit_exceeded} for more triangles than `most_triangles` (of the outer surfaces,
+/// or of the bores), and what `resolve`, `unite` throw; each names the part.
 [[nodiscard]] Built build(const Assembly& assembly, const BuildOptions& options = {});
 
 }  // namespace dupin

@@ -49,6 +49,7 @@ struct Fillet {
   std::array<std::array<bool, 2>, 2> buried{};
   /// A proved lower bound of how far the loops are from folding (least_regularity); none of a cope.
   std::optional<double> regularity;
+  double radius = 0;  ///< of the ball, as it was asked for
 
   [[nodiscard]] bool is_cope() const { return !regularity; }
 };

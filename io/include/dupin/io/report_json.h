@@ -123,7 +123,9 @@ struct BuildReport {
   double grid = 0;
   OutputReport output;
   GapSummary gaps;
-  std::optional<PipeNetwork> graph = {};  ///< that was built, without its assembly
+  Region region = Region::outer;
+  std::optional<RegionVolumes> volumes = {};  ///< of an assembly with walls
+  std::optional<PipeNetwork> graph = {};      ///< that was built, without its assembly
 
   /// Those of the gaps, of the output, and what of the graph was refused.
   [[nodiscard]] std::size_t findings() const;

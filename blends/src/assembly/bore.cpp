@@ -1,0 +1,345 @@
+#include "assembly/bore.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "assembly/fillet_part.h"
+#include "assembly/line_and_arc.h"
+#include "assembly/part_context.h"
+#include "dupin/blends/cyclide_tube.h"
+#include "dupin/blends/junction.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin::assembly {
+namespace {
+
+constexpr std::string_view kSuffix = ".bore";
+constexpr double kReach = 1.0 / 8;  // beyond an end, of the wall
+
+[[noreturn]] void refuse(const std::string& why) { throw Error(Errc::infeasible_blend, why); }
+
+double less_wall(double radius, double wall) {
+  if (!(radius > wall)) {
+    refuse("a wall of " + decimal(wall, kMessageDigits) +
+           " leaves no bore where the radius is only " + decimal(radius, kMessageDigits));
+  }
+  return radius - wall;
+}
+
+Ring narrowed(Ring ring, double wall) {
+  ring.radius = less_wall(ring.radius, wall);
+  if (ring.ellipse) {
+    ring.ellipse->across = less_wall(ring.ellipse->across, wall);
+  }
+  return ring;
+}
+
+// Of a cyclide's cone the parallel one, on which the ring moves along the axis.
+Ring parallel(Ring ring, double wall) {
+  const double stretch = std::hypot(1, ring.slope);
+  ring.center += wall * ring.slope / stretch * ring.normal;
+  ring.radius = less_wall(ring.radius, wall / stretch);
+  return ring;
+}
+
+struct NarrowedLaw {
+  double wall;
+  RadiusLaw operator()(const ConstantRadius& law) const {
+    return ConstantRadius{less_wall(law.radius, wall)};
+  }
+  // The cyclide law's values are less by the wall, or more: x - wall is above the root for the
+  // lessened radii wherever x is that for the radii.
+  template <class Law>
+  RadiusLaw operator()(const Law& law) const {
+    return Law{less_wall(law.start, wall), less_wall(law.end, wall)};
+  }
+  RadiusLaw operator()(BezierRadius law) const {
+    for (double& coefficient : law.coefficients) {
+      coefficient = less_wall(coefficient, wall);
+    }
+    return law;
+  }
+};
+
+RadiusLaw narrowed(const RadiusLaw& law, double wall) { return std::visit(NarrowedLaw{wall}, law); }
+
+struct NarrowedPiece {
+  double wall;
+
+  Piece operator()(const RingedSurface& tube) const {
+    return RingedSurface{narrowed(tube.start, wall), narrowed(tube.end, wall), tube.spine,
+                         narrowed(tube.radius, wall)};
+  }
+  Piece operator()(EllipticTube tube) const {
+    tube.start = narrowed(tube.start, wall);
+    tube.end = narrowed(tube.end, wall);
+    tube.first = narrowed(tube.first, wall);
+    tube.second = narrowed(tube.second, wall);
+    return tube;
+  }
+  Piece operator()(RationalRingedTube tube) const {
+    tube.start = narrowed(tube.start, wall);
+    tube.end = narrowed(tube.end, wall);
+    for (double& radius : tube.surface.radius) {
+      radius = less_wall(radius, wall);
+    }
+    return tube;
+  }
+  Piece operator()(const CyclidePiece& /*piece*/) const {
+    refuse("a bore through cyclide pieces and others in one part is not built");
+  }
+};
+
+struct NarrowedSurface {
+  double wall;
+
+  PartSurface operator()(const Sphere& sphere) const {
+    return Sphere{sphere.center, less_wall(sphere.radius, wall)};
+  }
+  PartSurface operator()(const Chain& chain) const {
+    if (!chain.pieces.empty() && cyclide_pieces(chain).size() == chain.pieces.size()) {
+      return inner_skin(hollow(chain, wall));
+    }
+    Chain result = chain;
+    for (Piece& piece : result.pieces) {
+      piece = std::visit(NarrowedPiece{wall}, piece);
+    }
+    return result;
+  }
+};
+
+// A bore with this ring at its end: where it is the ring of its own, bitwise, and where it is a
+// cyclide's neighbour.
+struct EndChange {
+  End end;
+  const Ring& ring;
+
+  Ring& stored(Piece& piece) const {
+    return std::visit([&](auto& p) -> Ring& { return end == End::start ? p.start : p.end; }, piece);
+  }
+  void operator()(Sphere& /*sphere*/) const {}
+  void operator()(Chain& chain) const {
+    Piece& piece = end == End::start ? chain.pieces.front() : chain.pieces.back();
+    Ring& own = stored(piece);
+    const bool moves = own.center != ring.center || own.radius != ring.radius;
+    own = ring;
+    if (!moves || std::holds_alternative<CyclidePiece>(piece)) {
+      return;
+    }
+    auto* tube = std::get_if<RingedSurface>(&piece);
+    if (tube == nullptr || !std::holds_alternative<LineSpine>(tube->spine)) {
+      refuse(
+          "its bore cannot follow that of the cyclide next to it, which ends in a cone; put a "
+          "straight pipe or cone between them");
+    }
+    if (!((tube->end.center - tube->start.center).dot(tube->end.normal) > 0)) {
+      refuse("it is too short for the bore of the cyclide next to it, which reaches through it");
+    }
+    tube->spine = LineSpine{tube->start.center, tube->end.center};
+    tube->radius = LinearRadius{tube->start.radius, tube->end.radius};
+  }
+};
+
+// Joins a straight pipe to an end of the bore.
+void lengthen(ResolvedAssembly& bore, const EndIndex& end, const std::vector<double>& walls) {
+  const ResolvedPart& part = bore.parts[end.part];
+  const Ring ring = *port_ring(part.shape, end.end);
+  const Vec3 to = ring.center + kReach * walls[part.index] * ring.normal;
+  ResolvedPart reach{part.name, part.kind, part.index, cylinder(flipped(ring), to), {}, {}};
+  reach.joined[0] = end;
+  reach.end_names.fill(part.name);
+  bore.parts[end.part].joined.at(at(end.end)) =
+      EndIndex{std::uint32_t(bore.parts.size()), End::start};
+  bore.parts.push_back(std::move(reach));
+}
+
+class Borer {
+ public:
+  Borer(const Assembly& assembly, const ResolvedAssembly& outer, const std::vector<double>& walls)
+      : assembly_(assembly), walls_(walls) {
+    std::vector<bool> is_hollow;
+    for (const double wall : walls) {
+      is_hollow.push_back(wall > 0);
+    }
+    bore_ = selected_parts(outer, is_hollow);
+    outer_ = bore_.resolved;
+  }
+
+  SelectedParts run() {
+    for (ResolvedPart& part : bore_.resolved.parts) {
+      within(part.index, [&] { narrow(part); });
+    }
+    for (ResolvedJunction& junction : bore_.resolved.junctions) {
+      within(junction.index, [&] { narrow(junction); });
+    }
+    for (std::uint32_t part = 0; part < outer_.parts.size(); ++part) {
+      within(outer_.parts[part].index, [&] { join_ends(part); });
+    }
+    for (ResolvedFillet& fillet : bore_.resolved.fillets) {
+      within(fillet.index, [&] { enlarge(fillet); });
+    }
+    for (const EndIndex& end : narrower_) {
+      lengthen(bore_.resolved, end, walls_);
+    }
+    return std::move(bore_);
+  }
+
+ private:
+  template <typename Work>
+  void within(std::uint32_t index, const Work& work) const {
+    with_part_context(assembly_, index, work);
+  }
+
+  void narrow(ResolvedPart& part) const {
+    part.name += kSuffix;
+    part.end_names.fill(part.name);
+    if (!part.ends_in_hub) {
+      part.shape = std::visit(NarrowedSurface{walls_[part.index]}, part.shape);
+    }
+  }
+
+  // The arms are parts, and end in the circles that the hub has, bitwise.
+  void narrow(ResolvedJunction& junction) {
+    const double wall = walls_[junction.index];
+    junction.name += kSuffix;
+    junction.shape.hub.radius = less_wall(junction.shape.hub.radius, wall);
+    for (std::size_t i = 0; i < junction.arms.size(); ++i) {
+      JunctionArm& arm = junction.shape.arms[i];
+      CyclideChain pieces;
+      if (arm.straight) {
+        pieces.pieces.push_back(*arm.straight);
+      }
+      pieces.pieces.push_back(arm.collar);
+      pieces = offset(pieces, -wall);
+      arm.end = parallel(arm.end, wall);
+      if (arm.straight) {
+        arm.straight = pieces.pieces.front();
+      }
+      arm.collar = pieces.pieces.back();
+      bore_.resolved.parts[junction.arms[i]].shape = tube(arm);
+    }
+    if (const std::string fault = unsoundness(junction.shape); !fault.empty()) {
+      refuse("its bore is no junction: " + fault);
+    }
+  }
+
+  [[nodiscard]] static bool ends_cone_of_cyclide(const ResolvedPart& part, End end) {
+    const auto* chain = std::get_if<Chain>(&part.shape);
+    if (chain == nullptr || chain->pieces.empty()) {
+      return false;
+    }
+    const Piece& piece = end == End::start ? chain->pieces.front() : chain->pieces.back();
+    return std::holds_alternative<CyclidePiece>(piece) && end_ring(piece, end).slope != 0;
+  }
+
+  // The ring of the bore's end: both neighbours find the same.
+  [[nodiscard]] Ring inner_ring(const ResolvedPart& part, End end) const {
+    const Ring& ring = *port_ring(part.shape, end);
+    const auto& joined = part.joined.at(at(end));
+    const bool of_cone = ends_cone_of_cyclide(part, end) ||
+                         (joined && ends_cone_of_cyclide(outer_.parts[joined->part], joined->end));
+    return of_cone ? parallel(ring, walls_[part.index]) : narrowed(ring, walls_[part.index]);
+  }
+
+  void join_ends(std::uint32_t index) {
+    const ResolvedPart& part = outer_.parts[index];
+    ResolvedPart& inner = bore_.resolved.parts[index];
+    for (const End end : {End::start, End::end}) {
+      if (port_ring(part.shape, end) == nullptr || (part.ends_in_hub && end == End::end)) {
+        continue;
+      }
+      std::visit(EndChange{end, inner_ring(part, end)}, inner.shape);
+      auto& joined = inner.joined.at(at(end));
+      if (!joined || walls_[outer_.parts[joined->part].index] == walls_[part.index]) {
+        continue;
+      }
+      if (walls_[outer_.parts[joined->part].index] < walls_[part.index]) {
+        narrower_.push_back({index, end});
+      }
+      joined.reset();
+    }
+  }
+
+  void enlarge(ResolvedFillet& fillet) const {
+    std::array<const PartSurface*, 2> pipes{};
+    std::array<std::string, 2> names;
+    double thicker = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const ResolvedPart& pipe = bore_.resolved.parts[fillet.between.at(i)];
+      pipes.at(i) = &pipe.shape;
+      names.at(i) = pipe.name;
+      thicker = std::max(thicker, walls_[pipe.index]);
+    }
+    fillet.name += kSuffix;
+    fillet.shape = fillet.shape.is_cope()
+                       ? cope_between(pipes, names)
+                       : fillet_between(pipes, names, fillet.shape.radius + thicker);
+  }
+
+  const Assembly& assembly_;
+  const std::vector<double>& walls_;
+  SelectedParts bore_;
+  ResolvedAssembly outer_;          // of the hollow parts
+  std::vector<EndIndex> narrower_;  // ends in the bore whose neighbours are wider
+};
+
+bool says_wall(const Assembly& assembly) {
+  return assembly.wall || std::ranges::any_of(assembly.parts, [](const Part& part) {
+           return part.wall.has_value();
+         });
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> walls_of(const Assembly& assembly, const ResolvedAssembly& outer,
+                                            std::optional<Region> asked) {
+  std::vector<double> result;
+  for (const Part& part : assembly.parts) {
+    result.push_back(part.wall.value_or(assembly.wall.value_or(0)));
+  }
+  bool has_hollow_chain = false;
+  for (const ResolvedPart& part : outer.parts) {
+    const auto* chain = std::get_if<Chain>(&part.shape);
+    if (chain != nullptr && chain->wall > 0) {
+      has_hollow_chain = true;
+      result[part.index] = assembly.parts[part.index].wall.value_or(chain->wall);
+    }
+  }
+  if (says_wall(assembly) || (asked && has_hollow_chain)) {
+    return result;
+  }
+  return std::nullopt;
+}
+
+ResolvedAssembly filled(ResolvedAssembly outer) {
+  for (ResolvedPart& part : outer.parts) {
+    if (auto* chain = std::get_if<Chain>(&part.shape)) {
+      chain->wall = 0;
+    }
+  }
+  return outer;
+}
+
+SelectedParts bore_of(const Assembly& assembly, const ResolvedAssembly& outer,
+                      const std::vector<double>& walls) {
+  return Borer(assembly, outer, walls).run();
+}
+
+void lengthen_out_of(SelectedParts& bore, const ResolvedAssembly& outer,
+                     const std::vector<double>& walls, const std::set<std::string>& end_names) {
+  for (std::uint32_t i = 0; i < outer.parts.size(); ++i) {
+    for (const End end : {End::start, End::end}) {
+      const ResolvedPart& part = outer.parts[i];
+      if (bore.position[i] && !part.joined.at(at(end)) && port_ring(part.shape, end) != nullptr &&
+          end_names.contains(part.end_names.at(at(end)))) {
+        lengthen(bore.resolved, {*bore.position[i], end}, walls);
+      }
+    }
+  }
+}
+
+}  // namespace dupin::assembly

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "assembly/selected_parts.h"
+#include "dupin/blends/build.h"
+#include "dupin/blends/resolve.h"
+
+namespace dupin::assembly {
+
+/// The thickness of the walls of all parts, by their places in Assembly::parts; 0 of a solid part.
+/// None of an assembly that has no walls: neither the document nor any part says one, nor is there
+/// a hollow chain where a region was asked for.
+[[nodiscard]] std::optional<std::vector<double>> walls_of(const Assembly& assembly,
+                                                          const ResolvedAssembly& outer,
+                                                          std::optional<Region> asked);
+
+/// The parts without their walls: hollow chains become solid ones.
+[[nodiscard]] ResolvedAssembly filled(ResolvedAssembly outer);
+
+/// What the walls of the hollow parts enclose, part by part, named "part.bore".
+///
+/// Of a ringed part the circles with radii less by the wall, in the same planes: parts that share a
+/// ring share the inner one. Of cyclides and hubs the parallel surface, which is the same where
+/// rings end cylinders; a straight neighbour follows where they end cones. Of fillets that of a
+/// ball larger by the wall. Where walls of neighbours differ, the narrower bore reaches a little
+/// into the wider one.
+///
+/// Throws Error{infeasible_blend} naming the part whose wall leaves no bore, or whose bore would
+/// fold or not meet its neighbour's.
+[[nodiscard]] SelectedParts bore_of(const Assembly& assembly, const ResolvedAssembly& outer,
+                                    const std::vector<double>& walls);
+
+/// Lets the bore reach out of the ends that have these names, by an eighth of the wall: there it
+/// cuts clean rims.
+void lengthen_out_of(SelectedParts& bore, const ResolvedAssembly& outer,
+                     const std::vector<double>& walls, const std::set<std::string>& end_names);
+
+}  // namespace dupin::assembly

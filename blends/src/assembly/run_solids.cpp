@@ -1,0 +1,247 @@
+#include "assembly/run_solids.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "assembly/cost_limit.h"
+#include "assembly/fillet_overlap.h"
+#include "assembly/filleted_runs.h"
+#include "assembly/joined_hubs.h"
+#include "assembly/part_context.h"
+#include "assembly/part_margins.h"
+#include "assembly/weld.h"
+#include "assembly/welded_runs.h"
+#include "dupin/blends/tessellate.h"
+#include "dupin/kernel/check.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin::assembly {
+namespace {
+
+class RunMesher {
+ public:
+  RunMesher(const Assembly& assembly, const ResolvedAssembly& resolved, double grid,
+            const BuildOptions& options)
+      : assembly_(assembly),
+        resolved_(resolved),
+        grid_(grid),
+        options_(options),
+        tubes_(resolved.parts.size()) {
+    result_.parts.resize(resolved.parts.size());
+  }
+
+  RunSolids run() {
+    const auto runs = welded_runs(resolved_);
+    refuse_too_costly(assembly_, resolved_, runs, grid_, options_.most_triangles);
+    for (const FilletedRuns& group : filleted_runs(resolved_, runs)) {
+      report("weld", double(group.runs.front()) / double(runs.size()));
+      if (group.fillets.empty() && group.junctions.empty()) {
+        const std::size_t run = group.runs.front();
+        append_solids(runs[run].parts, tessellated(runs[run], run));
+      } else {
+        append_filleted(runs, group);
+      }
+    }
+    result_.runs = runs.size();
+    return std::move(result_);
+  }
+
+ private:
+  void report(std::string_view stage, double fraction) const {
+    if (options_.progress && !options_.progress(stage, fraction)) {
+      throw Error(Errc::cancelled, "cancelled by the caller");
+    }
+  }
+
+  RingSampling tessellated(const WeldedRun& run, std::size_t position) {
+    const RingSampling chosen = run_sampling(assembly_, resolved_, run, position, grid_);
+    for (const auto index : run.parts) {
+      Tessellation result = assembly::tessellated(assembly_, resolved_.parts[index], chosen);
+      PartReport& entry = result_.parts[index];
+      entry.error_bound = result.error_bound;
+      entry.segments = chosen.segments;
+      entry.bands = result.bands;
+      entry.triangles = result.mesh.triangles.size();
+      entry.smallest_angle = smallest_angle(result.mesh);
+      tubes_[index] = std::move(result.mesh);
+    }
+    return chosen;
+  }
+
+  // The pieces of a chain with kneecaps overlap each other, and so do those of its inner skin.
+  [[nodiscard]] std::vector<Solid> solids_of(std::span<const std::uint32_t> parts,
+                                             const RingSampling& chosen) const {
+    TriMesh mesh = assembly::welded(resolved_, parts, tubes_, chosen);
+    const bool overlaps = std::any_of(parts.begin(), parts.end(), [&](std::uint32_t part) {
+      const auto* chain = std::get_if<Chain>(&resolved_.parts[part].shape);
+      return chain != nullptr && chain->joints == Joints::spherical;
+    });
+    if (!overlaps) {
+      return {Solid::from(mesh)};
+    }
+    std::vector<Solid> solids, cavities;
+    for (TriMesh& shell : connected_parts(mesh)) {
+      const bool is_cavity = check(shell, {.limit = 0, .self_intersections = false}).volume < 0;
+      if (is_cavity) {
+        std::ranges::for_each(shell.triangles, [](Triangle& t) { std::swap(t[1], t[2]); });
+      }
+      (is_cavity ? cavities : solids).push_back(Solid::from(shell));
+    }
+    return cavities.empty() ? solids : std::vector{subtract(unite(solids), cavities)};
+  }
+
+  // Parts of a run may cross, touch or cover each other. Such a run is halved, at a ring, until
+  // every piece is a solid; the discs of both halves there are the same and vanish in the union.
+  void append_solids(std::span<const std::uint32_t> parts, const RingSampling& chosen) {
+    try {
+      auto solids = solids_of(parts, chosen);
+      result_.solids.insert(result_.solids.end(), solids.begin(), solids.end());
+      return;
+    } catch (const Error& error) {
+      if (error.code() == Errc::limit_exceeded || error.code() == Errc::cancelled) {
+        throw;
+      }
+      if (parts.size() == 1) {
+        const ResolvedPart& part = resolved_.parts[parts.front()];
+        with_part_context(assembly_, part.index, [&] { refuse_mesh(part.shape, error); });
+      }
+    }
+    const auto half = parts.size() / 2;
+    append_solids(parts.first(half), chosen);
+    append_solids(parts.subspan(half), chosen);
+  }
+
+  // Pipes that end in fillets or hubs, with these: one solid, as nothing else closes them.
+  void append_filleted(const std::vector<WeldedRun>& runs, const FilletedRuns& group) {
+    std::map<std::uint32_t, RingSampling> sampling;  // by part
+    for (const std::size_t run : group.runs) {
+      const RingSampling chosen = tessellated(runs[run], run);
+      for (const auto part : runs[run].parts) {
+        sampling[part] = chosen;
+      }
+    }
+    std::vector<std::vector<surfaces::FilletMesh>> meshes(resolved_.fillets.size());
+    for (const std::size_t f : group.fillets) {
+      const ResolvedFillet& fillet = resolved_.fillets[f];
+      meshes[f] = fillet_meshes(assembly_, fillet,
+                                {sampling.at(fillet.between[0]), sampling.at(fillet.between[1])},
+                                options_.most_triangles);
+      report_fillet(fillet, meshes[f]);
+    }
+    std::map<std::uint32_t, std::size_t> fillet_on;
+    for (const std::size_t f : group.fillets) {
+      fillet_on.try_emplace(resolved_.fillets[f].between[0], f);
+      fillet_on.try_emplace(resolved_.fillets[f].between[1], f);
+    }
+    for (const auto& [part, f] : fillet_on) {
+      trim(resolved_.fillets[f], part, sampling, meshes);
+    }
+    std::vector<TriMesh> welded;
+    for (const std::size_t run : group.runs) {
+      const auto& parts = runs[run].parts;
+      welded.push_back(assembly::welded(resolved_, parts, tubes_, sampling.at(parts.front())));
+    }
+    const TriMesh joined =
+        joined_with_hubs(joined_by_fillets(resolved_, welded, group.fillets, meshes),
+                         hubs(group.junctions, sampling));
+    try {
+      result_.solids.push_back(Solid::from(joined));
+    } catch (const Error& error) {
+      const std::string why =
+          "with the pipes that it joins, it bounds no solid: " + error.message();
+      if (group.fillets.empty()) {
+        const ResolvedJunction& first = resolved_.junctions[group.junctions.front()];
+        throw Error(Errc::infeasible_blend, why, first.name,
+                    document_place(assembly_, first.index));
+      }
+      throw refusal(resolved_.fillets[group.fillets.front()], why);
+    }
+  }
+
+  std::vector<HubPatch> hubs(const std::vector<std::size_t>& junctions,
+                             const std::map<std::uint32_t, RingSampling>& sampling) {
+    std::vector<HubPatch> result;
+    for (const std::size_t j : junctions) {
+      const ResolvedJunction& junction = resolved_.junctions[j];
+      std::vector<RingSampling> samplings;
+      std::size_t on_circles = 0;
+      for (const auto arm : junction.arms) {
+        samplings.push_back(sampling.at(arm));
+        on_circles += samplings.back().segments;
+      }
+      Tessellation hub = hub_tessellation(assembly_, junction, samplings, options_.most_triangles);
+      report_hub(junction, hub);
+      hub.mesh.names = {junction.name};
+      result.push_back({std::move(hub.mesh), on_circles});
+    }
+    return result;
+  }
+
+  void report_hub(const ResolvedJunction& junction, const Tessellation& hub) {
+    PartReport entry;
+    entry.name = junction.name;
+    entry.kind = "junction";
+    entry.construction = description(junction.shape);
+    entry.error_bound = hub.error_bound;
+    entry.triangles = hub.mesh.triangles.size();
+    entry.smallest_angle = smallest_angle(hub.mesh);
+    result_.others.emplace_back(junction.index, std::move(entry));
+  }
+
+  void trim(const ResolvedFillet& fillet, std::uint32_t part,
+            const std::map<std::uint32_t, RingSampling>& sampling,
+            const std::vector<std::vector<surfaces::FilletMesh>>& meshes) {
+    try {
+      Tessellation face = trimmed(resolved_, part, sampling.at(part), meshes);
+      PartReport& entry = result_.parts[part];
+      entry.error_bound = face.error_bound;
+      entry.triangles = face.mesh.triangles.size();
+      entry.smallest_angle = smallest_angle(face.mesh);
+      tubes_[part] = std::move(face.mesh);
+    } catch (const Error& error) {
+      if (const auto overlap = fillet_overlap(assembly_, resolved_, part, sampling, meshes)) {
+        throw refusal(resolved_.fillets[overlap->fillet], overlap->why);
+      }
+      throw refusal(fillet, "on '" + resolved_.parts[part].name + "', " + error.message() +
+                                "; fillets must be apart from each other and from its ends");
+    }
+  }
+
+  [[nodiscard]] Error refusal(const ResolvedFillet& fillet, const std::string& why) const {
+    return Error(Errc::infeasible_blend, why, fillet.name, document_place(assembly_, fillet.index));
+  }
+
+  void report_fillet(const ResolvedFillet& fillet, const std::vector<surfaces::FilletMesh>& loops) {
+    PartReport entry;
+    entry.name = fillet.name;
+    entry.kind = kind(assembly_.parts[fillet.index].shape);
+    entry.margin_lower = fillet.shape.regularity;
+    entry.smallest_angle = std::numbers::pi;
+    for (const auto& loop : loops) {
+      entry.error_bound = std::max(entry.error_bound, loop.tessellation.error_bound);
+      entry.bands += loop.tessellation.bands;
+      entry.segments = std::max(entry.segments, loop.columns);
+      entry.triangles += loop.tessellation.mesh.triangles.size();
+      entry.smallest_angle = std::min(entry.smallest_angle, smallest_angle(loop.tessellation.mesh));
+    }
+    result_.others.emplace_back(fillet.index, std::move(entry));
+  }
+
+  const Assembly& assembly_;
+  const ResolvedAssembly& resolved_;
+  double grid_;
+  const BuildOptions& options_;
+  std::vector<TriMesh> tubes_;  // by part
+  RunSolids result_;
+};
+
+}  // namespace
+
+RunSolids solids_of_runs(const Assembly& assembly, const ResolvedAssembly& resolved, double grid,
+                         const BuildOptions& options) {
+  return RunMesher(assembly, resolved, grid, options).run();
+}
+
+}  // namespace dupin::assembly
