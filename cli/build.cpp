@@ -94,9 +94,10 @@ void print_build(std::ostream& out, const BuildReport& report) {
   }
   if (report.volumes) {
     print_row(out, "region", std::string(name(report.region)));
-    print_row(out, "volumes", "outer " + number(report.volumes->outer) + ", metal " +
-                                  number(report.volumes->metal) + ", fluid " +
-                                  number(report.volumes->fluid) + " " + unit + "3");
+    print_row(out, "volumes",
+              "outer " + number(report.volumes->outer) + ", metal " +
+                  number(report.volumes->metal) + ", fluid " + number(report.volumes->fluid) + " " +
+                  unit + "3");
   }
   print_row(out, "smallest margin", margin_text(report.parts));
   print_row(out, "mesh error", "at most " + number(error) + " " + unit);

@@ -17,7 +17,6 @@
 namespace dupin::assembly {
 namespace {
 
-constexpr std::string_view kSuffix = ".bore";
 constexpr double kReach = 1.0 / 8;  // beyond an end, of the wall
 
 [[noreturn]] void refuse(const std::string& why) { throw Error(Errc::infeasible_blend, why); }
@@ -144,12 +143,25 @@ struct EndChange {
   }
 };
 
-// Joins a straight pipe to an end of the bore.
-void lengthen(ResolvedAssembly& bore, const EndIndex& end, const std::vector<double>& walls) {
+// Goes on from an end of the bore until an eighth of the wall beyond the plane of its normal
+// through `level`: as a cone, if the end lies before it on one.
+void lengthen(ResolvedAssembly& bore, const EndIndex& end, const Vec3& level, double wall) {
   const ResolvedPart& part = bore.parts[end.part];
   const Ring ring = *port_ring(part.shape, end.end);
-  const Vec3 to = ring.center + kReach * walls[part.index] * ring.normal;
-  ResolvedPart reach{part.name, part.kind, part.index, cylinder(flipped(ring), to), {}, {}};
+  const double before = (level - ring.center).dot(ring.normal);
+  const double length = std::max(before, 0.0) + kReach * wall;
+  const double radius = before > 0 ? ring.radius + ring.slope * length : ring.radius;
+  if (!(radius > 0)) {
+    refuse("a wall of " + decimal(wall, kMessageDigits) + " leaves no bore at " +
+           to_string({part.name, end.end}));
+  }
+  ResolvedPart reach{
+      part.name,
+      part.kind,
+      part.index,
+      line(flipped(ring), ring.center + length * ring.normal, {radius, ring.ellipse}, false),
+      {},
+      {}};
   reach.joined[0] = end;
   reach.end_names.fill(part.name);
   bore.parts[end.part].joined.at(at(end.end)) =
@@ -183,7 +195,12 @@ class Borer {
       within(fillet.index, [&] { enlarge(fillet); });
     }
     for (const EndIndex& end : narrower_) {
-      lengthen(bore_.resolved, end, walls_);
+      const ResolvedPart& part = outer_.parts[end.part];
+      const EndIndex& other = *part.joined.at(at(end.end));
+      within(part.index, [&] {
+        lengthen(bore_.resolved, end, inner_ring(outer_.parts[other.part], other.end).center,
+                 walls_[part.index]);
+      });
     }
     return std::move(bore_);
   }
@@ -195,7 +212,7 @@ class Borer {
   }
 
   void narrow(ResolvedPart& part) const {
-    part.name += kSuffix;
+    part.name += kBoreSuffix;
     part.end_names.fill(part.name);
     if (!part.ends_in_hub) {
       part.shape = std::visit(NarrowedSurface{walls_[part.index]}, part.shape);
@@ -205,7 +222,7 @@ class Borer {
   // The arms are parts, and end in the circles that the hub has, bitwise.
   void narrow(ResolvedJunction& junction) {
     const double wall = walls_[junction.index];
-    junction.name += kSuffix;
+    junction.name += kBoreSuffix;
     junction.shape.hub.radius = less_wall(junction.shape.hub.radius, wall);
     for (std::size_t i = 0; i < junction.arms.size(); ++i) {
       JunctionArm& arm = junction.shape.arms[i];
@@ -274,7 +291,7 @@ class Borer {
       names.at(i) = pipe.name;
       thicker = std::max(thicker, walls_[pipe.index]);
     }
-    fillet.name += kSuffix;
+    fillet.name += kBoreSuffix;
     fillet.shape = fillet.shape.is_cope()
                        ? cope_between(pipes, names)
                        : fillet_between(pipes, names, fillet.shape.radius + thicker);
@@ -289,7 +306,7 @@ class Borer {
 
 bool says_wall(const Assembly& assembly) {
   return assembly.wall || std::ranges::any_of(assembly.parts, [](const Part& part) {
-           return part.wall.has_value();
+           return part.wall.value_or(0) > 0;
          });
 }
 
@@ -299,14 +316,15 @@ std::optional<std::vector<double>> walls_of(const Assembly& assembly, const Reso
                                             std::optional<Region> asked) {
   std::vector<double> result;
   for (const Part& part : assembly.parts) {
-    result.push_back(part.wall.value_or(assembly.wall.value_or(0)));
+    result.push_back(part.solid ? 0 : part.wall.value_or(assembly.wall.value_or(0)));
   }
   bool has_hollow_chain = false;
   for (const ResolvedPart& part : outer.parts) {
     const auto* chain = std::get_if<Chain>(&part.shape);
     if (chain != nullptr && chain->wall > 0) {
       has_hollow_chain = true;
-      result[part.index] = assembly.parts[part.index].wall.value_or(chain->wall);
+      const Part& said = assembly.parts[part.index];
+      result[part.index] = said.solid ? 0 : said.wall.value_or(chain->wall);
     }
   }
   if (says_wall(assembly) || (asked && has_hollow_chain)) {
@@ -329,14 +347,17 @@ SelectedParts bore_of(const Assembly& assembly, const ResolvedAssembly& outer,
   return Borer(assembly, outer, walls).run();
 }
 
-void lengthen_out_of(SelectedParts& bore, const ResolvedAssembly& outer,
+void lengthen_out_of(SelectedParts& bore, const Assembly& assembly, const ResolvedAssembly& outer,
                      const std::vector<double>& walls, const std::set<std::string>& end_names) {
   for (std::uint32_t i = 0; i < outer.parts.size(); ++i) {
     for (const End end : {End::start, End::end}) {
       const ResolvedPart& part = outer.parts[i];
-      if (bore.position[i] && !part.joined.at(at(end)) && port_ring(part.shape, end) != nullptr &&
-          end_names.contains(part.end_names.at(at(end)))) {
-        lengthen(bore.resolved, {*bore.position[i], end}, walls);
+      const Ring* ring = port_ring(part.shape, end);
+      if (bore.position[i] && ring != nullptr && !part.joined.at(at(end)) &&
+          !is_buried(outer, {i, end}) && end_names.contains(part.end_names.at(at(end)))) {
+        with_part_context(assembly, part.index, [&] {
+          lengthen(bore.resolved, {*bore.position[i], end}, ring->center, walls[part.index]);
+        });
       }
     }
   }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "assembly/selected_parts.h"
@@ -12,9 +13,11 @@
 
 namespace dupin::assembly {
 
-/// The thickness of the walls of all parts, by their places in Assembly::parts; 0 of a solid part.
-/// None of an assembly that has no walls: neither the document nor any part says one, nor is there
-/// a hollow chain where a region was asked for.
+constexpr std::string_view kBoreSuffix = ".bore";
+
+/// The thickness of the walls of all parts, by their places in Assembly::parts; 0 of a part without
+/// a bore. None of an assembly that has no walls: neither the document nor any part says one, nor
+/// is there a hollow chain where a region was asked for.
 [[nodiscard]] std::optional<std::vector<double>> walls_of(const Assembly& assembly,
                                                           const ResolvedAssembly& outer,
                                                           std::optional<Region> asked);
@@ -36,8 +39,8 @@ namespace dupin::assembly {
                                     const std::vector<double>& walls);
 
 /// Lets the bore reach out of the ends that have these names, by an eighth of the wall: there it
-/// cuts clean rims.
-void lengthen_out_of(SelectedParts& bore, const ResolvedAssembly& outer,
+/// cuts clean rims. Throws Error{infeasible_blend} where a cone closes before.
+void lengthen_out_of(SelectedParts& bore, const Assembly& assembly, const ResolvedAssembly& outer,
                      const std::vector<double>& walls, const std::set<std::string>& end_names);
 
 }  // namespace dupin::assembly

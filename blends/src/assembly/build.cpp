@@ -118,28 +118,28 @@ class Builder {
   }
 
   void build_hollow(const std::vector<double>& walls) {
-    std::vector<bool> is_solid;
     for (const double wall : walls) {
-      is_solid.push_back(wall == 0);
-      if (wall > 0) {
-        assembly_.tolerance = std::min(assembly_.tolerance, wall / 4);
-      }
+      assembly_.tolerance =
+          wall > 0 ? std::min(assembly_.tolerance, wall / 4) : assembly_.tolerance;
+    }
+    std::vector<bool> is_solid;
+    for (const Part& part : assembly_.parts) {
+      is_solid.push_back(part.solid);
     }
     resolved_ = assembly::filled(std::move(resolved_));
     assembly::SelectedParts bore = assembly::bore_of(assembly_, resolved_, walls);
-    const ResolvedAssembly inside =
-        assembly::selected_parts(resolved_, is_solid).resolved;  // and not hollow
+    const ResolvedAssembly solid_parts = assembly::selected_parts(resolved_, is_solid).resolved;
     built_.grid = assembly::lattice_spacing(assembly_, resolved_);
     if (!bore.resolved.parts.empty()) {
       built_.grid = std::min(built_.grid, assembly::lattice_spacing(assembly_, bore.resolved));
     }
     const Solid whole = outer();
-    assembly::lengthen_out_of(bore, resolved_, walls, exposed_names(whole));
-    const Solid filling = subtract(united(bore.resolved), {{united(inside)}});
+    assembly::lengthen_out_of(bore, assembly_, resolved_, walls, exposed_names(whole));
+    const Solid filling = subtract(united(bore.resolved), {{united(solid_parts)}});
     const std::array<Solid, 2> both{whole, filling};
     const BooleanOptions options{options_.contacts, options_.progress};
     const Solid metal = subtract(whole, {&filling, 1}, options), fluid = intersect(both, options);
-    refuse_broken_walls(fluid, walls);
+    refuse_broken_walls(fluid);
     built_.volumes = {whole.volume(), metal.volume(), fluid.volume()};
     built_.region = options_.region.value_or(Region::metal);
     built_.solid = built_.region == Region::outer   ? whole
@@ -166,27 +166,47 @@ class Builder {
     return result;
   }
 
-  // What bounds the fluid is a bore, an open end or a solid part; else a bore has broken through.
-  void refuse_broken_walls(const Solid& fluid, const std::vector<double>& walls) const {
-    std::map<std::string_view, std::uint32_t> hollow;
+  // What bounds the fluid is a bore, an open end or a solid part; else a bore reaches out.
+  void refuse_broken_walls(const Solid& fluid) const {
+    std::map<std::string_view, std::uint32_t> outside;
     const auto include = [&](const auto& named) {
-      if (walls[named.index] > 0) {
-        hollow.emplace(named.name, named.index);
+      if (!assembly_.parts[named.index].solid) {
+        outside.emplace(named.name, named.index);
       }
     };
     std::ranges::for_each(resolved_.parts, include);
     std::ranges::for_each(resolved_.fillets, include);
     std::ranges::for_each(resolved_.junctions, include);
     for (std::size_t i = 0; i < fluid.triangle_count(); ++i) {
-      const auto part = hollow.find(fluid.names()[fluid.labels()[i]]);
-      if (part != hollow.end()) {
+      const auto part = outside.find(fluid.names()[fluid.labels()[i]]);
+      if (part != outside.end()) {
         const Vec3& at = fluid.nearest_points()[fluid.triangles()[i][0]];
         throw Error(Errc::infeasible_blend,
-                    "its surface lies inside of a bore at " + decimal(at) +
-                        ": there is no wall; walls must be thinner, or parts further apart",
+                    "its surface lies inside of '" + bore_beside(fluid, fluid.labels()[i]) +
+                        "' at " + decimal(at) +
+                        ": there is no wall; it must be thinner, or one of the two without a bore "
+                        "(\"wall\": 0)",
                     std::string(part->first), document_place(assembly_, part->second));
       }
     }
+  }
+
+  [[nodiscard]] static std::string bore_beside(const Solid& fluid, std::uint32_t label) {
+    std::vector<bool> is_corner(fluid.point_count(), false);
+    const auto& triangles = fluid.triangles();
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      for (const std::uint32_t corner : triangles[i]) {
+        is_corner[corner] = is_corner[corner] || fluid.labels()[i] == label;
+      }
+    }
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const std::string& name = fluid.names()[fluid.labels()[i]];
+      if (name.ends_with(assembly::kBoreSuffix) &&
+          std::ranges::any_of(triangles[i], [&](auto corner) { return is_corner[corner]; })) {
+        return name;
+      }
+    }
+    return "a bore";
   }
 
   Assembly assembly_;

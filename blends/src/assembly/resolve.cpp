@@ -74,13 +74,13 @@ class Resolver {
     }
   }
 
-  // A document's wall is positive; a part's may be 0, which makes it solid.
+  // A document's wall is positive; a part's may be 0, which leaves it without a bore of its own.
   void check_walls() const {
     if (assembly_.wall && !(*assembly_.wall > 0 && std::isfinite(*assembly_.wall))) {
-      throw Error(Errc::invalid_argument,
-                  "the wall must be a positive number, not " +
-                      decimal(*assembly_.wall, kMessageDigits),
-                  {}, document_place(assembly_, "/wall"));
+      throw Error(
+          Errc::invalid_argument,
+          "the wall must be a positive number, not " + decimal(*assembly_.wall, kMessageDigits), {},
+          document_place(assembly_, "/wall"));
     }
     for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
       const Part& part = assembly_.parts[i];
@@ -90,11 +90,14 @@ class Resolver {
       };
       const assembly::PartKind& its_kind = part_kind(part.shape);
       if (part.wall && !(*part.wall >= 0 && std::isfinite(*part.wall))) {
-        throw fault("a part's wall must be positive, or 0 for a solid part, not " +
+        throw fault("a part's wall must be positive, or 0 for none, not " +
                     decimal(*part.wall, kMessageDigits));
       }
-      if (part.wall && !its_kind.is_part() && !its_kind.is_junction()) {
+      if ((part.wall || part.solid) && !its_kind.is_part() && !its_kind.is_junction()) {
         throw fault("a " + std::string(its_kind.key) + " has the wall of the parts it is at");
+      }
+      if (part.solid && part.wall.value_or(0) > 0) {
+        throw fault("a solid part has no wall");
       }
     }
   }

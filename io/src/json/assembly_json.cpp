@@ -28,7 +28,7 @@ constexpr std::array<PartKeyRow, sizeof...(Key)> rows(PartKeyTable<Key...> /*tab
 constexpr auto kRows = rows(PartKeys());
 
 Part part(const JsonNode& node) {
-  Keys known{"name", "comment", "wall"}, keys;
+  Keys known{"name", "comment", "wall", "solid"}, keys;
   for (const auto& row : kRows) {
     keys.push_back(row.key);
   }
@@ -40,6 +40,13 @@ Part part(const JsonNode& node) {
   }
   if (node.has("wall")) {
     result.wall = node.at("wall").number();
+  }
+  if (node.has("solid")) {
+    const JsonNode solid = node.at("solid");
+    if (!solid.value().is_boolean()) {
+      solid.fail("must be true or false");
+    }
+    result.solid = solid.value().get<bool>();
   }
   const auto count =
       std::count_if(keys.begin(), keys.end(), [&](auto key) { return node.has(key); });

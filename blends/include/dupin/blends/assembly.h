@@ -14,8 +14,10 @@ namespace dupin {
 struct Part {
   std::string name;
   PartShape shape;
-  /// Thickness inwards; 0: the part is solid; none: the assembly's. Only `build` hollows parts.
+  /// Thickness inwards; 0: the part has no bore, but those of others pass through it; none: the
+  /// assembly's. Only `build` hollows parts.
   std::optional<double> wall = {};
+  bool solid = false;  ///< without a bore, and those of others end at it
 };
 
 /// A document: what the user says, before anything is computed.

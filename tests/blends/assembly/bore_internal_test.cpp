@@ -1,0 +1,223 @@
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <set>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "assembly/bore.h"
+#include "blends/assembly/hollow_regions.h"
+#include "dupin/kernel/error.h"
+#include "support/named_parts.h"
+
+namespace dupin::assembly {
+namespace {
+
+using test::built;
+using test::fillet;
+using test::pipe;
+using test::Regions;
+using test::regions;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+
+constexpr double kPi = std::numbers::pi;
+
+Assembly walled(std::vector<Part> parts, double wall, double tolerance = 0.02) {
+  return {"", Unit::millimetre, tolerance, {}, std::move(parts), wall};
+}
+
+std::set<std::string> names(const Solid& solid) {
+  std::set<std::string> result;
+  for (const auto label : solid.labels()) {
+    result.insert(solid.names()[label]);
+  }
+  return result;
+}
+
+Part part(const std::string& name, PartShape shape, std::optional<double> wall = {},
+          bool solid = false) {
+  return {name, std::move(shape), wall, solid};
+}
+
+std::vector<Part> tee(double wall, double ball) {
+  return {pipe("run", {-40, 0, 0}, {40, 0, 0}, 10 - wall),
+          pipe("branch", {0, 0, 0}, {3, 6, 35}, 6 - wall), fillet("fillet", "run", "branch", ball)};
+}
+
+TEST(Bore, of_a_pipe_has_the_inner_cylinder_and_rims) {
+  const Regions made = regions(walled({pipe("a", {1, 2, 3}, {7, 11, 21}, 2)}, 0.25, 0.001));
+  const double length = 21, area = kPi * (4 - 1.75 * 1.75);
+  EXPECT_NEAR(made.metal.solid.volume(), area * length, 0.001 * 2 * kPi * 4 * length);
+  EXPECT_EQ(made.metal.solid.euler_number(), 0);
+  EXPECT_EQ(made.fluid.solid.euler_number(), 2);
+  EXPECT_EQ(names(made.metal.solid), (std::set<std::string>{"a", "a.bore", "a.start", "a.end"}));
+  EXPECT_EQ(names(made.fluid.solid), (std::set<std::string>{"a.bore", "a.start", "a.end"}));
+}
+
+TEST(Bore, of_a_filleted_tee_is_the_tee_of_the_inner_radii_and_a_larger_ball) {
+  const double wall = 1.5, tolerance = 0.005;
+  const Regions made = regions(walled(tee(0, 3), wall, tolerance));
+  EXPECT_EQ(made.metal.solid.euler_number(), -2);
+  EXPECT_EQ(made.fluid.solid.euler_number(), 2);
+  Assembly inner = walled(tee(wall, 3 + wall), 0, tolerance);
+  inner.wall.reset();
+  const Built by_itself = build(inner);
+  EXPECT_NEAR(made.fluid.solid.volume(), by_itself.solid.volume(),
+              2 * tolerance * by_itself.solid.area());
+  EXPECT_THAT(names(made.fluid.solid), IsSupersetOf({"run.bore", "branch.bore", "fillet.bore"}));
+}
+
+TEST(Bore, of_cones_and_cyclides_that_meet_in_sloped_rings_is_one) {
+  const Regions made =
+      regions(walled({part("cone", ConeBetween{{0, 0, -8}, {0, 0, 0}, 1, 2}),
+                      pipe("pipe", {12, 0, 14}, {20, 0, 14}, 1.5),
+                      part("blend", CyclideBlendBetween{{"cone", End::end}, {"pipe", End::start}})},
+                     0.3));
+  EXPECT_EQ(made.fluid.solid.components(), 1);
+  EXPECT_EQ(made.fluid.solid.euler_number(), 2);
+  EXPECT_EQ(made.metal.solid.euler_number(), 0);
+}
+
+TEST(Bore, narrows_where_walls_differ) {
+  const Regions made =
+      regions(walled({pipe("thin", {0, 0, 0}, {4, 2, 6}, 2),
+                      part("thick", PipeAlong{PortReference{"thin", End::end}, 9}, 0.75)},
+                     0.25, 0.002));
+  EXPECT_EQ(made.fluid.solid.components(), 1);
+  EXPECT_EQ(made.fluid.solid.euler_number(), 2);
+  EXPECT_NEAR(made.fluid.solid.volume(), kPi * (1.75 * 1.75 * std::sqrt(56.0) + 1.25 * 1.25 * 9),
+              0.5);
+}
+
+TEST(Bore, passes_through_parts_without_a_wall_and_ends_at_solid_ones) {
+  const auto line = [](bool is_solid) {
+    return walled({pipe("a", {0, 0, 0}, {20, 0, 0}, 2),
+                   part("disc", PipeBetween{{10, 0, 0}, {11, 0, 0}, 3},
+                        is_solid ? std::nullopt : std::optional(0.0), is_solid)},
+                  0.25);
+  };
+  const Regions through = regions(line(false)), plugged = regions(line(true));
+  EXPECT_EQ(through.fluid.solid.components(), 1);
+  EXPECT_EQ(plugged.fluid.solid.components(), 2);
+  EXPECT_THAT(names(plugged.fluid.solid), IsSupersetOf({"disc.start", "disc.end"}));
+  EXPECT_NEAR(through.fluid.solid.volume() - plugged.fluid.solid.volume(), kPi * 1.75 * 1.75, 0.2);
+}
+
+TEST(Bore, agrees_with_another_engine) {
+  BuildOptions options;
+  options.region = Region::metal;
+  options.segments = 12;
+  options.cross_check = CrossCheckEngine::nef;
+  if (!has_cross_check()) {
+    GTEST_SKIP() << "this build has no other engine";
+  }
+  const Built made = build(
+      walled({pipe("run", {-8, 0, 0}, {8, 0, 0}, 3), pipe("branch", {0, 0, 0}, {0, 1, 9}, 2)}, 0.5),
+      options);
+  ASSERT_TRUE(made.cross_check);
+  EXPECT_EQ(made.cross_check->verdict, CrossCheck::Verdict::agrees);
+  EXPECT_EQ(made.cross_check->volume, made.solid.exact_volume());
+}
+
+TEST(Bore, of_hollow_chains_is_what_their_walls_enclose) {
+  const auto arm = [](double own_wall, std::optional<double> said) {
+    Assembly assembly{"", Unit::millimetre, 0.02, {}, {}};
+    assembly.parts.push_back(
+        part("arm",
+             CyclideChainThrough{
+                 ChainFree{}, {{{0, 0, 0}, 1}, {{4, 0, 1}, 1.2}, {{8, 1, 0}, 0.9}}, {}, own_wall},
+             said));
+    return assembly;
+  };
+  const Regions made = regions(arm(0.1, {}));
+  EXPECT_EQ(made.metal.solid.exact_volume(),
+            built(arm(0, 0.1), Region::metal).solid.exact_volume());
+  EXPECT_EQ(made.metal.solid.euler_number(), 0);
+  // Without a region it is what it was: rims along the normals.
+  EXPECT_FALSE(built(arm(0.1, {}), {}).volumes);
+}
+
+TEST(Bore, of_random_bent_lines_and_their_branches_sums_up) {
+  std::mt19937_64 random(20261124);
+  const auto uniform = [&](double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(random);
+  };
+  for (int round = 0; round < 12; ++round) {
+    SCOPED_TRACE(round);
+    const double radius = uniform(0.5, 2), wall = radius * uniform(0.05, 0.4);
+    const Vec3 far(uniform(8, 20), uniform(-9, 9), uniform(-9, 9));
+    const Vec3 along = (far + Vec3(0, uniform(-4, 4), uniform(-4, 4))).normalized();
+    std::vector<Part> parts{
+        pipe("a", {-12, 0, 0}, {0, 0, 0}, radius),
+        pipe("b", far, far + 12 * along, radius * uniform(0.6, 1.4) + wall),
+        part("blend", CyclicBlendBetween{{"a", End::end}, {"b", End::start}, {}}),
+        pipe("branch", {-6, 0, 0}, {-6, uniform(-1, 1), 4 * radius + 3},
+             wall + uniform(0.2, 0.5) * radius)};
+    const Regions made = regions(walled(parts, wall, 0.02));
+    EXPECT_EQ(made.metal.solid.components(), 1);
+    EXPECT_EQ(made.fluid.solid.components(), 1);
+  }
+}
+
+struct Refused {
+  std::string name;
+  Assembly assembly;
+  Errc code;
+  std::string place, reason;
+};
+
+TEST(Bore, that_there_is_not_is_refused_with_the_reason) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Part> one{pipe("a", {0, 0, 0}, {9, 0, 0}, 2)};
+  Assembly no_wall = walled(one, 1);
+  no_wall.wall.reset();
+  std::vector<Refused> rows{
+      {"too thick", walled(one, 2), Errc::infeasible_blend, "/parts/0",
+       "a wall of 2 leaves no bore where the radius is only 2"},
+      {"not a number", walled(one, nan), Errc::invalid_argument, "/wall",
+       "positive number, not nan"},
+      {"negative", walled(one, -1), Errc::invalid_argument, "/wall", "positive number, not -1"},
+      {"none", no_wall, Errc::invalid_argument, "/wall",
+       "neither the document nor a part says how thick a wall is"},
+      {"of a part", walled({part("a", PipeBetween{{0, 0, 0}, {9, 0, 0}, 2}, nan)}, 1),
+       Errc::invalid_argument, "/parts/0/wall", "or 0 for none, not nan"},
+      {"of a cap", walled({one[0], part("c", CapAt{{"a", End::end}}, 1.0)}, 1),
+       Errc::invalid_argument, "/parts/1/wall", "a cap has the wall of the parts it is at"},
+      {"solid with wall", walled({part("a", one[0].shape, 1.0, true)}, 1), Errc::invalid_argument,
+       "/parts/0/wall", "a solid part has no wall"},
+      {"broken", walled({one[0], pipe("b", {4, 0, 1.2}, {4, 0, 9}, 1.95)}, 0.1),
+       Errc::infeasible_blend, "/parts/0", "its surface lies inside of 'b.bore' at"},
+  };
+  rows.back().assembly.parts[1] = pipe("b", {8.5, 0, 0}, {20, 0, 0}, 3);
+  for (const Refused& row : rows) {
+    SCOPED_TRACE(row.name);
+    try {
+      (void)built(row.assembly, Region::fluid);
+      ADD_FAILURE() << "was built";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), row.code);
+      EXPECT_THAT(error.where(), HasSubstr(row.place));
+      EXPECT_THAT(error.message(), HasSubstr(row.reason));
+    }
+  }
+}
+
+TEST(Walls, are_of_parts_before_they_are_of_the_document) {
+  Assembly assembly = walled(
+      {pipe("a", {0, 0, 0}, {9, 0, 0}, 2), part("b", PipeBetween{{20, 0, 0}, {30, 0, 0}, 2}, 0.5),
+       part("c", PipeBetween{{40, 0, 0}, {50, 0, 0}, 2}, {}, true)},
+      1);
+  const ResolvedAssembly resolved = resolve(assembly);
+  EXPECT_EQ(walls_of(assembly, resolved, {}), (std::vector<double>{1, 0.5, 0}));
+  assembly.wall.reset();
+  EXPECT_EQ(walls_of(assembly, resolved, {}), (std::vector<double>{0, 0.5, 0}));
+  assembly.parts[1].wall = 0;
+  EXPECT_EQ(walls_of(assembly, resolved, Region::metal), std::nullopt);
+}
+
+}  // namespace
+}  // namespace dupin::assembly
