@@ -1,3 +1,4 @@
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,50 @@ TEST_F(Build, reports_what_was_built) {
   EXPECT_THAT(result.out, HasSubstr("welded               2\n"));
   EXPECT_THAT(result.out, HasSubstr("open                 2\n"));
   EXPECT_THAT(result.out, HasSubstr("gaps                 0\n"));
+}
+
+TEST_F(Build, makes_the_regions_of_an_assembly_with_walls) {
+  std::map<std::string, double> volumes;
+  for (const std::string region : {"outer", "metal", "fluid"}) {
+    const auto report =
+        json({"build", example("hollow-tee.json"), "-o", region + ".off", "--region", region}, 0);
+    EXPECT_EQ(report.at("region"), region);
+    volumes[region] = report.at("output").at("check").at("volume");
+    EXPECT_NEAR(report.at("volumes").at(region), volumes[region], 1e-9 * volumes[region]);
+    EXPECT_EQ(report.at("output").at("check").at("components"), 1);
+  }
+  EXPECT_NEAR(volumes["outer"], volumes["metal"] + volumes["fluid"], 1e-9 * volumes["outer"]);
+  EXPECT_EQ(json({"build", example("hollow-tee.json"), "-o", "a.off"}, 0).at("region"), "metal");
+}
+
+TEST_F(Build, takes_a_wall_and_a_region_for_documents_and_graphs) {
+  const ProcessResult metal =
+      dupin({"build", example("reducer.json"), "-o", "a.stl", "--wall", "0.1mm"});
+  EXPECT_EQ(metal.exit_code, 0) << metal.err;
+  EXPECT_THAT(metal.out, testing::ContainsRegex("euler number         0\n"));
+  EXPECT_THAT(metal.out,
+              testing::ContainsRegex(
+                  "region               metal\n"
+                  "volumes              outer [0-9.]+, metal [0-9.]+, fluid [0-9.]+ mm"));
+  EXPECT_EQ(
+      json({"build", example("neuron.swc"), "-o", "b.stl", "--wall", "0.05", "--region", "fluid"},
+           0)
+          .at("region"),
+      "fluid");
+}
+
+TEST_F(Build, refuses_regions_that_there_are_not) {
+  const ProcessResult none =
+      dupin({"build", example("reducer.json"), "-o", "a.stl", "--region", "fluid"});
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_THAT(none.err, HasSubstr("/wall: there is no fluid region: neither the document nor a "
+                                  "part says how thick a wall is"));
+  EXPECT_EQ(dupin({"build", example("reducer.json"), "-o", "a.stl", "--region", "air"}).exit_code,
+            2);
+  const ProcessResult thick =
+      dupin({"build", example("reducer.json"), "-o", "a.stl", "--wall", "1in"});
+  EXPECT_EQ(thick.exit_code, 4);
+  EXPECT_THAT(thick.err, HasSubstr("leaves no bore where the radius is only"));
 }
 
 TEST_F(Build, json_agrees_with_the_file) {

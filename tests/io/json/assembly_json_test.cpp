@@ -53,7 +53,7 @@ const std::vector<Malformed>& unreadable() {
       {R"({"units": "mm", "parts": [1, {"a/b": {}, "a/b": 1}]})", "d.json#/parts/1/a~1b",
        "the key occurs twice"},
       {R"({"units": "mm", "tolerance": 1, "part": []})", "d.json#/part",
-       "unknown key; known here are units, tolerance, segments, comment, parts"},
+       "unknown key; known here are units, tolerance, segments, wall, comment, parts"},
       {R"({"units": "mile"})", "d.json#/units", "the unit must be mm, cm, m, in or ft, not 'mile'"},
       {R"({"units": 1})", "d.json#/units", "must be a string, not number"},
       {R"({"units": "mm"})", "d.json#", "the key 'tolerance' is missing"},
@@ -65,6 +65,12 @@ const std::vector<Malformed>& unreadable() {
        "must be a whole number, at least 3"},
       {R"({"units": "mm", "tolerance": 1, "segments": 1e99})", "d.json#/segments",
        "must be a whole number, at least 3"},
+      {R"({"units": "mm", "tolerance": 1, "wall": "thin"})", "d.json#/wall",
+       "must be a number, not string"},
+      {R"({"units": "mm", "tolerance": 1, "parts": [{"name": "a", "wall": []}]})",
+       "d.json#/parts/0/wall", "must be a number, not array"},
+      {R"({"units": "mm", "tolerance": 1, "parts": [{"name": "a", "solid": 1}]})",
+       "d.json#/parts/0/solid", "must be true or false"},
       {R"({"units": "mm", "tolerance": 1, "comment": []})", "d.json#/comment",
        "must be a string, not array"},
       {R"({"units": "mm", "tolerance": 1})", "d.json#", "the key 'parts' is missing"},
@@ -78,7 +84,7 @@ const std::vector<Malformed>& unreadable() {
       {document(R"({"name": "a", "cap": {"at": "b.end"}, "pipe": {}})"), "d.json#/parts/0",
        "a part must have exactly one of the keys " + all_keys()},
       {document(R"({"name": "a", "tee": {}})"), "d.json#/parts/0/tee",
-       "unknown key; known here are name, comment, " + all_keys()},
+       "unknown key; known here are name, comment, wall, solid, " + all_keys()},
       {document(R"({"name": "a", "pipe": {"from": "b", "length": 1}})"),
        "d.json#/parts/0/pipe/from", "must name a port as 'part.start' or 'part.end', not 'b'"},
       {document(R"({"name": "a", "pipe": {"from": ".end", "length": 1}})"),
@@ -129,6 +135,20 @@ const std::vector<Malformed>& senseless() {
        "'c': parts must not begin at each other in a circle: 'c' -> 'e' -> 'd' -> 'c'", kBad},
   };
   return rows;
+}
+
+TEST(AssemblyJson, reads_walls_of_the_document_and_of_parts) {
+  const Assembly assembly =
+      parse_assembly(R"({"units": "mm", "tolerance": 1, "wall": 0.5, "parts": [
+    {"name": "a", "wall": 0.25, "sphere": {"center": [0, 0, 0], "radius": 1}},
+    {"name": "b", "solid": true, "sphere": {"center": [9, 0, 0], "radius": 1}},
+    {"name": "c", "solid": false, "sphere": {"center": [9, 9, 0], "radius": 1}}]})");
+  EXPECT_EQ(assembly.wall, 0.5);
+  EXPECT_EQ(assembly.parts[0].wall, 0.25);
+  EXPECT_FALSE(assembly.parts[0].solid);
+  EXPECT_EQ(assembly.parts[1].wall, std::nullopt);
+  EXPECT_TRUE(assembly.parts[1].solid);
+  EXPECT_FALSE(assembly.parts[2].solid);
 }
 
 TEST(AssemblyJson, refuses_what_is_not_a_document) {

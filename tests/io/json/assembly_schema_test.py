@@ -62,6 +62,8 @@ ACCEPTED = [
     document({"name": "a", "cone": {"from": "b.end", "length": 1, "end_semi_axes": [2, 1], "axis": [0, 0, 1]}}),
     document({"name": "a", "elbow": {"from": [0, 0, 0], "direction": [1, 0, 0], "to": [1, 2, 3], "semi_axes": [2, 1], "axis": [0, 0, 1]}}),
     document({"name": "a", "ringed_blend": {"from": "b.end", "to": {"center": [0, 0, 0], "direction": [0, 0, 1], "radius": 1, "ruling": [0, 1, 1]}, "k": "auto"}}),
+    document({"name": "a", "wall": 0, "sphere": {"center": [0, 0, 0], "radius": 1}}),
+    document({"name": "a", "solid": True, "sphere": {"center": [0, 0, 0], "radius": 1}}),
     document({"name": "a", "comment": "", "elbow": {"from": "b.end", "to": [1, 2, 3]}}),
     document({"name": "a", "elbow": {"from": "b.end", "corner": [1, 2, 3], "to": [1, 2, 4]}}),
     document({"name": "a", "elbow": {"from": [0, 0, 0], "direction": [1, 0, 0], "radius": 1, "bend_radius": 3, "angle": 90, "toward": [0, 1, 0]}}),
@@ -82,7 +84,7 @@ def faults_of_keys(schema):
     """A part takes exactly one of the keys that there are, and each is defined."""
     part, keys = schema["definitions"]["part"], keys_of_parts()
     lists = {
-        "properties of a part": set(part["properties"]) - {"name", "comment"},
+        "properties of a part": set(part["properties"]) - {"name", "comment", "wall", "solid"},
         "choices of a part": {key for choice in part["oneOf"] for key in choice["required"]},
         "definitions": keys & set(schema["definitions"]),
     }

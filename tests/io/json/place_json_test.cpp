@@ -96,6 +96,7 @@ TEST(PlaceJson, knows_every_key_of_a_document) {
                                        "ends",
                                        "junction",
                                        "smoothness",
+                                       "solid",
                                        "end_semi_axes",
                                        "fillet",
                                        "from",
