@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 
@@ -13,6 +14,7 @@
 #include "dupin/blends/junction.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/gap.h"
 
 namespace dupin::assembly {
 namespace {
@@ -143,30 +145,30 @@ struct EndChange {
   }
 };
 
-// Goes on from an end of the bore until an eighth of the wall beyond the plane of its normal
-// through `level`: as a cone, if the end lies before it on one.
-void lengthen(ResolvedAssembly& bore, const EndIndex& end, const Vec3& level, double wall) {
+// Goes on from an end of the bore until so far beyond the plane of its normal through `level`: as a
+// cone, if the end lies before it on one.
+void lengthen(ResolvedAssembly& bore, const EndIndex& end, const Vec3& level, double reach) {
   const ResolvedPart& part = bore.parts[end.part];
   const Ring ring = *port_ring(part.shape, end.end);
   const double before = (level - ring.center).dot(ring.normal);
-  const double length = std::max(before, 0.0) + kReach * wall;
+  const double length = std::max(before, 0.0) + reach;
   const double radius = before > 0 ? ring.radius + ring.slope * length : ring.radius;
   if (!(radius > 0)) {
-    refuse("a wall of " + decimal(wall, kMessageDigits) + " leaves no bore at " +
-           to_string({part.name, end.end}));
+    refuse("the wall leaves no bore at its " + std::string(name(end.end)) +
+           ": the parallel cone closes before it");
   }
-  ResolvedPart reach{
+  ResolvedPart next{
       part.name,
       part.kind,
       part.index,
       line(flipped(ring), ring.center + length * ring.normal, {radius, ring.ellipse}, false),
       {},
       {}};
-  reach.joined[0] = end;
-  reach.end_names.fill(part.name);
+  next.joined[0] = end;
+  next.end_names.fill(part.name);
   bore.parts[end.part].joined.at(at(end.end)) =
       EndIndex{std::uint32_t(bore.parts.size()), End::start};
-  bore.parts.push_back(std::move(reach));
+  bore.parts.push_back(std::move(next));
 }
 
 class Borer {
@@ -199,7 +201,7 @@ class Borer {
       const EndIndex& other = *part.joined.at(at(end.end));
       within(part.index, [&] {
         lengthen(bore_.resolved, end, inner_ring(outer_.parts[other.part], other.end).center,
-                 walls_[part.index]);
+                 kReach * walls_[part.index]);
       });
     }
     return std::move(bore_);
@@ -213,7 +215,7 @@ class Borer {
 
   void narrow(ResolvedPart& part) const {
     part.name += kBoreSuffix;
-    part.end_names.fill(part.name);
+    part.end_names = {to_string({part.name, End::start}), to_string({part.name, End::end})};
     if (!part.ends_in_hub) {
       part.shape = std::visit(NarrowedSurface{walls_[part.index]}, part.shape);
     }
@@ -304,6 +306,18 @@ class Borer {
   std::vector<EndIndex> narrower_;  // ends in the bore whose neighbours are wider
 };
 
+// Half of the distance to an end that faces this one, so that no bore cuts the other's part.
+std::map<std::string, double> half_gaps(const ResolvedAssembly& outer, double connect) {
+  const std::vector<Port> all = ports(outer);
+  std::map<std::string, double> result;
+  for (const GapPair& pair : pair_ends(all, connect)) {
+    if (pair.second && pair.report.verdict == GapVerdict::gap) {
+      result[all[pair.first].name] = result[all[*pair.second].name] = pair.report.axial.lower / 2;
+    }
+  }
+  return result;
+}
+
 bool says_wall(const Assembly& assembly) {
   return assembly.wall || std::ranges::any_of(assembly.parts, [](const Part& part) {
            return part.wall.value_or(0) > 0;
@@ -347,16 +361,35 @@ SelectedParts bore_of(const Assembly& assembly, const ResolvedAssembly& outer,
   return Borer(assembly, outer, walls).run();
 }
 
+double lattice_for_gaps(double grid, const ResolvedAssembly& outer,
+                        const std::vector<double>& walls) {
+  double largest = 0;
+  for (const Port& port : ports(outer)) {
+    largest = std::max(largest, port.ring.center.cwiseAbs().maxCoeff() + largest_radius(port.ring));
+  }
+  for (const auto& [name, half] : half_gaps(outer, kReach * std::ranges::max(walls))) {
+    const double wanted = std::ldexp(1.0, std::ilogb(half) - 3);
+    if (half > 0 && largest < std::ldexp(wanted, 48)) {
+      grid = std::min(grid, wanted);
+    }
+  }
+  return grid;
+}
+
 void lengthen_out_of(SelectedParts& bore, const Assembly& assembly, const ResolvedAssembly& outer,
                      const std::vector<double>& walls, const std::set<std::string>& end_names) {
+  const std::map<std::string, double> room = half_gaps(outer, kReach * std::ranges::max(walls));
   for (std::uint32_t i = 0; i < outer.parts.size(); ++i) {
     for (const End end : {End::start, End::end}) {
       const ResolvedPart& part = outer.parts[i];
       const Ring* ring = port_ring(part.shape, end);
       if (bore.position[i] && ring != nullptr && !part.joined.at(at(end)) &&
           !is_buried(outer, {i, end}) && end_names.contains(part.end_names.at(at(end)))) {
+        const auto gap = room.find(to_string({part.name, end}));
+        const double reach = kReach * walls[part.index];
         with_part_context(assembly, part.index, [&] {
-          lengthen(bore.resolved, {*bore.position[i], end}, ring->center, walls[part.index]);
+          lengthen(bore.resolved, {*bore.position[i], end}, ring->center,
+                   gap == room.end() ? reach : std::min(reach, gap->second));
         });
       }
     }

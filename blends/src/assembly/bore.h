@@ -25,7 +25,8 @@ constexpr std::string_view kBoreSuffix = ".bore";
 /// The parts without their walls: hollow chains become solid ones.
 [[nodiscard]] ResolvedAssembly filled(ResolvedAssembly outer);
 
-/// What the walls of the hollow parts enclose, part by part, named "part.bore".
+/// What the walls of the hollow parts enclose, part by part, named "part.bore", its
+/// ends "part.bore.start" and "part.bore.end".
 ///
 /// Of a ringed part the circles with radii less by the wall, in the same planes: parts that share a
 /// ring share the inner one. Of cyclides and hubs the parallel surface, which is the same where
@@ -38,8 +39,14 @@ constexpr std::string_view kBoreSuffix = ".bore";
 [[nodiscard]] SelectedParts bore_of(const Assembly& assembly, const ResolvedAssembly& outer,
                                     const std::vector<double>& walls);
 
-/// Lets the bore reach out of the ends that have these names, by an eighth of the wall: there it
-/// cuts clean rims. Throws Error{infeasible_blend} where a cone closes before.
+/// A lattice no coarser than `grid`, and than a sixteenth of the gaps that bores reach into, where
+/// coordinates can be that fine.
+[[nodiscard]] double lattice_for_gaps(double grid, const ResolvedAssembly& outer,
+                                      const std::vector<double>& walls);
+
+/// Lets the bore reach out of the ends that have these names, by an eighth of the wall, or by half
+/// the gap to an end that they face: there it cuts clean rims. Throws Error{infeasible_blend} where
+/// a cone closes before.
 void lengthen_out_of(SelectedParts& bore, const Assembly& assembly, const ResolvedAssembly& outer,
                      const std::vector<double>& walls, const std::set<std::string>& end_names);
 

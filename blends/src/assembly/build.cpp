@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -118,10 +119,26 @@ class Builder {
   }
 
   void build_hollow(const std::vector<double>& walls) {
+    double thinnest = std::numeric_limits<double>::infinity();
     for (const double wall : walls) {
-      assembly_.tolerance =
-          wall > 0 ? std::min(assembly_.tolerance, wall / 4) : assembly_.tolerance;
+      thinnest = wall > 0 ? std::min(thinnest, wall) : thinnest;
     }
+    const bool is_finer = thinnest / 4 < assembly_.tolerance;
+    assembly_.tolerance = std::min(assembly_.tolerance, thinnest / 4);
+    try {
+      build_regions(walls);
+    } catch (const Error& error) {
+      if (error.code() != Errc::limit_exceeded || !is_finer) {
+        throw;
+      }
+      throw Error(error.code(),
+                  error.message() + "; here it is a quarter of the thinnest wall, which is " +
+                      decimal(thinnest, kMessageDigits),
+                  error.part(), error.where());
+    }
+  }
+
+  void build_regions(const std::vector<double>& walls) {
     std::vector<bool> is_solid;
     for (const Part& part : assembly_.parts) {
       is_solid.push_back(part.solid);
@@ -133,6 +150,7 @@ class Builder {
     if (!bore.resolved.parts.empty()) {
       built_.grid = std::min(built_.grid, assembly::lattice_spacing(assembly_, bore.resolved));
     }
+    built_.grid = assembly::lattice_for_gaps(built_.grid, resolved_, walls);
     const Solid whole = outer();
     assembly::lengthen_out_of(bore, assembly_, resolved_, walls, exposed_names(whole));
     const Solid filling = subtract(united(bore.resolved), {{united(solid_parts)}});
@@ -140,6 +158,7 @@ class Builder {
     const BooleanOptions options{options_.contacts, options_.progress};
     const Solid metal = subtract(whole, {&filling, 1}, options), fluid = intersect(both, options);
     refuse_broken_walls(fluid);
+    warn_of_blind_ends(fluid);
     built_.volumes = {whole.volume(), metal.volume(), fluid.volume()};
     built_.region = options_.region.value_or(Region::metal);
     built_.solid = built_.region == Region::outer   ? whole
@@ -187,6 +206,21 @@ class Builder {
                         ": there is no wall; it must be thinner, or one of the two without a bore "
                         "(\"wall\": 0)",
                     std::string(part->first), document_place(assembly_, part->second));
+      }
+    }
+  }
+
+  // An end of a bore that bounds the fluid, though no part goes on from it, lies inside of a wall.
+  void warn_of_blind_ends(const Solid& fluid) {
+    const std::set<std::string> names = exposed_names(fluid);
+    for (const ResolvedPart& part : resolved_.parts) {
+      for (const End end : {End::start, End::end}) {
+        const std::string bore = part.name + std::string(assembly::kBoreSuffix);
+        if (!part.joined.at(at(end)) && names.contains(to_string({bore, end}))) {
+          std::ranges::find(built_.parts, part.name, &PartReport::name)
+              ->warnings.push_back("its bore ends blind at its " + std::string(name(end)) +
+                                   ", which lies inside of a wall");
+        }
       }
     }
   }

@@ -141,6 +141,48 @@ TEST(Bore, of_hollow_chains_is_what_their_walls_enclose) {
   EXPECT_FALSE(built(arm(0.1, {}), {}).volumes);
 }
 
+TEST(Bore, keeps_out_of_a_part_that_its_end_faces) {
+  for (const double gap : {0.05, 1e-2, 1e-5, 1e-7}) {
+    for (const double far : {0.0, 238409.0}) {
+      SCOPED_TRACE(std::to_string(gap) + " at " + std::to_string(far));
+      const Vec3 at(far, far / 3, 0);
+      const Regions made =
+          regions(walled({pipe("a", at, at + Vec3(9, 0, 0), 1),
+                          pipe("b", at + Vec3(9 + gap, 0, 0), at + Vec3(19, 0, 0), 1.6)},
+                         0.5));
+      EXPECT_EQ(made.metal.solid.components(), 2);
+      EXPECT_EQ(made.metal.solid.euler_number(), 0);
+      EXPECT_EQ(made.fluid.solid.euler_number(), 4);
+    }
+  }
+}
+
+TEST(Bore, that_ends_blind_is_said) {
+  const auto nozzle = [](double from) {
+    return walled({part("ball", SphereAt{{0, 0, 0}, 3}), pipe("a", {from, 0, 0}, {9, 0, 0}, 1)},
+                  0.5);
+  };
+  const Built blind = built(nozzle(2.7), Region::fluid), open = built(nozzle(0), Region::fluid);
+  EXPECT_EQ(blind.solid.components(), 2);
+  EXPECT_THAT(
+      blind.parts[1].warnings,
+      testing::ElementsAre("its bore ends blind at its start, which lies inside of a wall"));
+  EXPECT_THAT(names(blind.solid), testing::Contains("a.bore.start"));
+  EXPECT_EQ(open.solid.components(), 1);
+  EXPECT_THAT(open.parts[1].warnings, testing::IsEmpty());
+}
+
+TEST(Bore, of_a_thin_wall_that_asks_for_too_much_says_so) {
+  try {
+    (void)built(walled({part("ball", SphereAt{{0, 0, 0}, 3})}, 1e-7), Region::metal);
+    ADD_FAILURE() << "was built";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::limit_exceeded);
+    EXPECT_THAT(error.message(),
+                HasSubstr("here it is a quarter of the thinnest wall, which is 1e-07"));
+  }
+}
+
 TEST(Bore, of_random_bent_lines_and_their_branches_sums_up) {
   std::mt19937_64 random(20261124);
   const auto uniform = [&](double from, double to) {
