@@ -175,10 +175,9 @@ class Borer {
  public:
   Borer(const Assembly& assembly, const ResolvedAssembly& outer, const std::vector<double>& walls)
       : assembly_(assembly), walls_(walls) {
-    std::vector<bool> is_hollow;
-    for (const double wall : walls) {
-      is_hollow.push_back(wall > 0);
-    }
+    std::vector<bool> is_hollow(walls.size());
+    std::transform(walls.begin(), walls.end(), is_hollow.begin(),
+                   [](double wall) { return wall > 0; });
     bore_ = selected_parts(outer, is_hollow);
     outer_ = bore_.resolved;
   }
@@ -328,10 +327,10 @@ bool says_wall(const Assembly& assembly) {
 
 std::optional<std::vector<double>> walls_of(const Assembly& assembly, const ResolvedAssembly& outer,
                                             std::optional<Region> asked) {
-  std::vector<double> result;
-  for (const Part& part : assembly.parts) {
-    result.push_back(part.solid ? 0 : part.wall.value_or(assembly.wall.value_or(0)));
-  }
+  std::vector<double> result(assembly.parts.size());
+  std::ranges::transform(assembly.parts, result.begin(), [&](const Part& part) {
+    return part.solid ? 0 : part.wall.value_or(assembly.wall.value_or(0));
+  });
   bool has_hollow_chain = false;
   for (const ResolvedPart& part : outer.parts) {
     const auto* chain = std::get_if<Chain>(&part.shape);

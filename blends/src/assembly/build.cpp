@@ -139,10 +139,9 @@ class Builder {
   }
 
   void build_regions(const std::vector<double>& walls) {
-    std::vector<bool> is_solid;
-    for (const Part& part : assembly_.parts) {
-      is_solid.push_back(part.solid);
-    }
+    std::vector<bool> is_solid(assembly_.parts.size());
+    std::transform(assembly_.parts.begin(), assembly_.parts.end(), is_solid.begin(),
+                   [](const Part& part) { return part.solid; });
     resolved_ = assembly::filled(std::move(resolved_));
     assembly::SelectedParts bore = assembly::bore_of(assembly_, resolved_, walls);
     const ResolvedAssembly solid_parts = assembly::selected_parts(resolved_, is_solid).resolved;
