@@ -16,6 +16,7 @@
 #include "progress_line.h"
 #include "report_text.h"
 #include "rounding_options.h"
+#include "source_text.h"
 
 namespace dupin::cli {
 namespace {
@@ -25,7 +26,7 @@ struct BuildArguments {
   OutputArguments output;
   std::uint32_t segments = 0;
   std::size_t most_triangles = kUsualTriangles;
-  GraphArguments graph;
+  SourceArguments source;
   RoundingArguments rounding;
 };
 
@@ -55,19 +56,6 @@ std::string margin_text(const std::vector<PartReport>& parts) {
   return tightest ? number(*tightest->margin_lower) + " (" + tightest->name + ")" : "none";
 }
 
-void print_graph(std::ostream& out, const PipeNetwork& graph) {
-  print_row(out, "graph",
-            counted(graph.nodes, "node") + ", " + counted(graph.edges, "edge") + ", " +
-                counted(graph.components, "component") + ", " + counted(graph.cycles, "cycle"));
-  print_row(out, "nodes became",
-            counted(graph.blends, "blend") + ", " + counted(graph.junctions, "junction") + ", " +
-                counted(graph.balls, "ball"));
-  for (const GraphNote& note : graph.notes) {
-    print_row(out, note.is_refusal ? "refused" : "note",
-              (note.line > 0 ? "line " + std::to_string(note.line) + ": " : "") + note.text);
-  }
-}
-
 void print_build(std::ostream& out, const BuildReport& report) {
   double error = 0;
   std::optional<double> tangency;
@@ -77,9 +65,7 @@ void print_build(std::ostream& out, const BuildReport& report) {
   }
   const std::string unit(symbol(report.gaps.unit));
   print_row(out, "parts", parts_text(report.parts));
-  if (report.graph) {
-    print_graph(out, *report.graph);
-  }
+  print_source(out, report);
   print_output(out, report.output, unit);
   for (const PartReport& part : report.parts) {
     if (!part.construction.empty()) {
@@ -131,7 +117,7 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
 
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
   const Destination to = destination(arguments.output);
-  Document document = read_document(arguments.file, arguments.graph);
+  Document document = read_document(arguments.file, arguments.source, arguments.wall);
   Assembly& assembly = document.assembly;
   if (!arguments.wall.empty()) {
     assembly.wall = length_in(assembly.unit, arguments.wall, 0);
@@ -141,6 +127,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   const RoundingOptions rounding = rounding_options(arguments.rounding, unit);
   BuildReport report;
   report.graph = document.network;
+  report.piping = std::move(document.piping);
   {
     ProgressLine line(common.quiet);
     options.progress = line.callback();
@@ -172,7 +159,8 @@ void add_build(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<BuildArguments>();
   command
       ->add_option("FILE", arguments->file,
-                   "assembly document, or graph (.swc, .graph); - for standard input")
+                   "assembly document, piping file (.pcf) or graph (.swc, .graph); - for\n"
+                   "standard input")
       ->type_name("")
       ->required();
   command->add_option("-o,--output", arguments->output.path, "mesh file; - for standard output")
@@ -182,10 +170,7 @@ void add_build(CLI::App& app, Action& action) {
   command->add_option("--segments", arguments->segments, "Fixed number of segments of every ring")
       ->type_name("NUMBER")
       ->check(CLI::Range(3, 65536));
-  command
-      ->add_option("--wall", arguments->wall,
-                   "Thickness of the walls, inwards, instead of the document's")
-      ->type_name("LENGTH");
+  add_wall_option(*command, arguments->wall);
   command
       ->add_option("--region", arguments->region,
                    "outer, metal or fluid; metal if not given, where there are walls")
@@ -193,14 +178,14 @@ void add_build(CLI::App& app, Action& action) {
       ->check(CLI::IsMember({"outer", "metal", "fluid"}));
   add_triangles_option(*command, arguments->most_triangles);
   add_connect_option(*command, arguments->connect);
-  add_graph_options(*command, arguments->graph);
+  add_source_options(*command, arguments->source);
   add_contacts_option(*command, arguments->contacts);
   add_cross_check_option(*command, arguments->cross_check);
   add_rounding_options(*command, arguments->rounding);
   command->footer(
       "Exit code 1: built and written, but ends that belong together do not meet, or a "
       "cross-check\n"
-      "disagrees, or something of a graph was left out.\n\n"
+      "disagrees, or something of a graph or piping file was left out.\n\n"
       "Examples:\n"
       "  dupin build examples/reducer.json -o reducer.stl\n"
       "  dupin build plant.json -o plant.off --tolerance 0.2mm --connect 1mm\n"

@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <iostream>
 #include <memory>
 
 #include <CLI/App.hpp>
 
 #include "commands.h"
+#include "document.h"
+#include "dupin/io/assembly_json.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/placement.h"
 #include "input.h"
@@ -11,6 +14,8 @@
 #include "mesh_to_mesh.h"
 #include "output.h"
 #include "placement_options.h"
+#include "report_text.h"
+#include "source_text.h"
 
 namespace dupin::cli {
 namespace {
@@ -24,7 +29,33 @@ bool fits(const TriMesh& mesh, Coordinates coordinates) {
 struct ConvertArguments {
   MeshToMesh files;
   PlacementArguments placement;
+  SourceArguments source;
+  std::string wall;
 };
+
+/// A graph or piping file as the document that it is made into.
+ExitCode write_document(const ConvertArguments& all, const CommonOptions& common) {
+  if (!all.placement.empty()) {
+    throw UsageError("--translate, --rotate and --scale are for meshes; convert to .json first");
+  }
+  Document document = read_document(all.files.input, all.source, all.wall);
+  if (!common.tolerance.empty()) {
+    document.assembly.tolerance = length_in(document.assembly.unit, common.tolerance, 0);
+  }
+  const std::string& path = all.files.output.path;
+  write_text(path, document_text(document.assembly));
+  BuildReport report;
+  report.graph = std::move(document.network);
+  report.piping = std::move(document.piping);
+  if (output_path(path) != "-" && common.json) {
+    std::cout << source_json(report) << '\n';
+  } else if (output_path(path) != "-" && !common.quiet) {
+    print_source(std::cout, report);
+    print_row(std::cout, "parts", std::to_string(document.assembly.parts.size()));
+    print_row(std::cout, "written", path);
+  }
+  return report.source_findings() == 0 ? ExitCode::ok : ExitCode::findings;
+}
 
 /// What is a solid is put elsewhere in exact coordinates and stays one; the points of other meshes
 /// are rounded each by itself.
@@ -50,6 +81,9 @@ OutputReport write_placed(const TriMesh& mesh, const Placement& placement, const
 
 ExitCode run_convert(const ConvertArguments& all, const CommonOptions& common) {
   const MeshToMesh& arguments = all.files;
+  if (is_source_file(arguments.input)) {
+    return write_document(all, common);
+  }
   refuse_tolerance("convert", common, "--rounding-tolerance");
   const Destination to = destination(arguments.output);
   const Input input = read_input(arguments.input);
@@ -74,16 +108,20 @@ ExitCode run_convert(const ConvertArguments& all, const CommonOptions& common) {
 }  // namespace
 
 void add_convert(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("convert", "Write a mesh in another format");
+  CLI::App* command = app.add_subcommand(
+      "convert", "Write a mesh in another format, or a graph or piping file as a document");
   const auto arguments = std::make_shared<ConvertArguments>();
-  add_mesh_to_mesh_options(*command, "mesh file", arguments->files);
+  add_mesh_to_mesh_options(*command, "mesh file, graph or piping file", arguments->files);
   add_placement_options(*command, arguments->placement);
+  add_source_options(*command, arguments->source);
+  add_wall_option(*command, arguments->wall);
   command->footer(
       "A solid whose coordinates the format cannot hold is rounded so that it stays one; any\n"
       "other mesh is written as it is. Moves, turns and changes of size are exact, and rounded "
       "once.\n\n"
       "Examples:\n"
       "  dupin convert part.off part.stl\n"
+      "  dupin convert line.pcf line.json --bridge 1mm\n"
       "  dupin convert valve.stl placed.stl --rotate 0,0,1,90 --translate 1.5m,0,-20mm\n"
       "  dupin convert - - --format off < part.stl > part.off");
   command->callback([arguments, command, &action] {

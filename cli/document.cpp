@@ -10,19 +10,66 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/graph_file.h"
+#include "dupin/io/pcf.h"
 #include "exit_code.h"
 #include "input.h"
 #include "length.h"
 
 namespace dupin::cli {
+namespace {
+
+// Ends of a piping file that are measured as a pair, in millimetres.
+constexpr double kConnectPiping = 1;
+
+BoreMeaning bore_meaning(const std::string& typed) {
+  return typed == "outside"   ? BoreMeaning::outside
+         : typed == "nominal" ? BoreMeaning::nominal
+                              : BoreMeaning::automatic;
+}
+
+}  // namespace
 
 Assembly read_document(const std::string& path) { return read_document(path, {}).assembly; }
 
-Document read_document(const std::string& path, const GraphArguments& arguments) {
+bool is_source_file(const std::string& path) { return is_graph_file(path) || is_pcf_file(path); }
+
+Document read_piping(const Input& input, const SourceArguments& arguments,
+                     const std::string& wall) {
+  if (!arguments.radius.empty()) {
+    throw UsageError("--radius is for graphs, files named .swc or .graph");
+  }
+  PipingOptions options;
+  options.snap = length_in(Unit::millimetre, arguments.snap, options.snap);
+  options.bridge = length_in(Unit::millimetre, arguments.bridge, 0);
+  options.keep_going = arguments.keep_going;
+  if (!wall.empty()) {
+    options.wall = length_in(Unit::millimetre, wall, 0);
+  }
+  PcfReport report;
+  report.snap = options.snap;
+  report.bridge = options.bridge;
+  report.is_strict = arguments.strict;
+  report.file = parse_pcf(input.bytes, input.name, bore_meaning(arguments.bore));
+  report.network = assembly_of(std::exchange(report.file.line, {}), options);
+  Assembly assembly = std::exchange(report.network.assembly, {});
+  return {std::move(assembly), {}, std::move(report)};
+}
+
+Document read_document(const std::string& path, const SourceArguments& arguments,
+                       const std::string& wall) {
   const Input input = read_input(path);
+  if (is_pcf_file(path)) {
+    return read_piping(input, arguments, wall);
+  }
+  if (!arguments.snap.empty() || !arguments.bridge.empty() || !arguments.bore.empty() ||
+      arguments.strict) {
+    throw UsageError("--snap, --bridge, --bore and --strict are for piping files, named .pcf");
+  }
   if (!is_graph_file(path)) {
     if (!arguments.radius.empty() || arguments.keep_going) {
-      throw UsageError("--radius and --keep-going are for graphs, files named .swc or .graph");
+      throw UsageError(
+          "--radius and --keep-going are for graphs, files named .swc or .graph, and --keep-going "
+          "for piping files, named .pcf");
     }
     return {parse_assembly(input.bytes, input.name)};
   }
@@ -31,23 +78,55 @@ Document read_document(const std::string& path, const GraphArguments& arguments)
   if (!arguments.radius.empty()) {
     options.radius = length_in(Unit::millimetre, arguments.radius, 0);
   }
-  std::vector<GraphNote> notes;
+  std::vector<SourceNote> notes;
   const PipeGraph graph =
       parse_graph_file(input.bytes, input.name, arguments.keep_going ? &notes : nullptr);
   PipeNetwork network = assembly_of(graph, options);
   network.notes.insert(network.notes.begin(), notes.begin(), notes.end());
-  std::ranges::stable_sort(network.notes, {}, &GraphNote::line);
+  std::ranges::stable_sort(network.notes, {}, &SourceNote::line);
   Assembly assembly = std::exchange(network.assembly, {});
   return {std::move(assembly), std::move(network)};
 }
 
-void add_graph_options(CLI::App& command, GraphArguments& arguments) {
+void add_bore_option(CLI::App& command, std::string& bore) {
+  command
+      .add_option("--bore", bore,
+                  "Whether a piping file's bores are outside diameters or nominal; found\n"
+                  "out for each if not given")
+      ->type_name("MEANING")
+      ->check(CLI::IsMember({"outside", "nominal"}));
+}
+
+void add_piping_options(CLI::App& command, SourceArguments& arguments) {
+  command
+      .add_option("--snap", arguments.snap,
+                  "Ends of a piping file up to this far apart are one point; 0.05 mm if\n"
+                  "not given")
+      ->type_name("LENGTH");
+  command
+      .add_option("--bridge", arguments.bridge,
+                  "Ends of a piping file up to this far apart are joined by a part of their\n"
+                  "own; none if not given")
+      ->type_name("LENGTH");
+  add_bore_option(command, arguments.bore);
+  command.add_flag("--strict", arguments.strict,
+                   "Lines of a piping file that are not understood count (exit code 1)");
+}
+
+void add_wall_option(CLI::App& command, std::string& wall) {
+  command.add_option("--wall", wall, "Thickness of the walls, inwards, instead of the document's")
+      ->type_name("LENGTH");
+}
+
+void add_source_options(CLI::App& command, SourceArguments& arguments) {
   command
       .add_option("--radius", arguments.radius,
                   "Of a graph's nodes that have none, or none that is positive")
       ->type_name("LENGTH");
   command.add_flag("--keep-going", arguments.keep_going,
-                   "Leave out what is refused of a graph, and say so (exit code 1)");
+                   "Leave out what is refused of a graph or piping file, and say so (exit\n"
+                   "code 1)");
+  add_piping_options(command, arguments);
 }
 
 void add_connect_option(CLI::App& command, std::string& connect) {
@@ -65,6 +144,15 @@ void add_triangles_option(CLI::App& command, std::size_t& most_triangles) {
                   "they are: 4 million if not given")
       ->type_name("NUMBER")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}));
+}
+
+GapSummary measure_piping(const Input& input, const std::string& bore, const std::string& connect) {
+  GapSummary summary;
+  summary.file = input.name;
+  summary.connect = length_in(Unit::millimetre, connect, kConnectPiping);
+  summary.ports = ports(parse_pcf(input.bytes, input.name, bore_meaning(bore)).line);
+  summary.pairs = pair_ends(summary.ports, summary.connect);
+  return summary;
 }
 
 GapSummary measure_document(const Assembly& assembly, const std::string& connect) {

@@ -7,6 +7,7 @@
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/pipe_graph.h"
 #include "dupin/io/report_json.h"
+#include "input.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
 class App;
@@ -17,29 +18,54 @@ namespace dupin::cli {
 /// An assembly from a file or, for "-", standard input.
 [[nodiscard]] Assembly read_document(const std::string& path);
 
-/// What is asked of graphs.
-struct GraphArguments {
-  std::string radius;  ///< of nodes without one, as typed; may be empty
-  bool keep_going = false;
+/// What is asked of graphs and piping files. Texts are as typed, and may be empty.
+struct SourceArguments {
+  std::string radius;        ///< of a graph's nodes without one
+  std::string snap, bridge;  ///< of a piping file's ends
+  std::string bore;          ///< what its bores mean
+  bool keep_going = false, strict = false;
 };
 
-/// An assembly, or a graph made into one, from a file or standard input.
+/// An assembly, or a graph or piping file made into one, from a file or standard input.
 struct Document {
   Assembly assembly;
   std::optional<PipeNetwork> network = {};  ///< of a graph, without the assembly
+  std::optional<PcfReport> piping = {};
 };
 
-/// The file is a graph if its extension says so.
-[[nodiscard]] Document read_document(const std::string& path, const GraphArguments& arguments);
+/// The file is a graph or a piping file if its extension says so. `wall` is that of a piping file's
+/// components, as typed.
+[[nodiscard]] Document read_document(const std::string& path, const SourceArguments& arguments,
+                                     const std::string& wall = {});
 
-/// Adds --radius and --keep-going.
-void add_graph_options(CLI::App& command, GraphArguments& arguments);
+/// Whether the file's extension says that it is a graph or a piping file.
+[[nodiscard]] bool is_source_file(const std::string& path);
+
+/// A piping file and what it is made into.
+[[nodiscard]] Document read_piping(const Input& input, const SourceArguments& arguments,
+                                   const std::string& wall = {});
+
+/// Adds --wall.
+void add_wall_option(CLI::App& command, std::string& wall);
+
+/// Adds --radius, --snap, --bridge, --bore, --keep-going and --strict.
+void add_source_options(CLI::App& command, SourceArguments& arguments);
+
+/// Adds those that piping files alone have.
+void add_piping_options(CLI::App& command, SourceArguments& arguments);
 
 /// Adds --connect.
 void add_connect_option(CLI::App& command, std::string& connect);
 
 /// Adds --triangles.
 void add_triangles_option(CLI::App& command, std::size_t& most_triangles);
+
+/// Adds --bore.
+void add_bore_option(CLI::App& command, std::string& bore);
+
+/// Pairs and measures the ends of a piping file's components as the file has them.
+[[nodiscard]] GapSummary measure_piping(const Input& input, const std::string& bore,
+                                        const std::string& connect);
 
 /// Pairs and measures all ends of the parts. `connect` is a length as typed; empty stands for the
 /// document's tolerance.

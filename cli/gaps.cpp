@@ -7,6 +7,7 @@
 #include "document.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/pcf.h"
 #include "gap_text.h"
 #include "input.h"
 #include "length.h"
@@ -20,7 +21,7 @@ constexpr double kConnectFraction = 1e-3;
 
 struct GapsArguments {
   std::vector<std::string> files;
-  std::string connect;
+  std::string connect, bore;
 };
 
 template <class Summary>
@@ -61,6 +62,10 @@ MeshGapSummary measure_meshes(const std::vector<Input>& inputs, const std::strin
 ExitCode run_gaps(const GapsArguments& arguments, const CommonOptions& common) {
   refuse_tolerance("gaps", common);
   const std::vector<Input> inputs = read_inputs(arguments.files);
+  if (inputs.size() == 1 && is_pcf_file(arguments.files.front())) {
+    return print_summary(measure_piping(inputs.front(), arguments.bore, arguments.connect), common,
+                         print_gaps);
+  }
   if (inputs.size() == 1 && inputs.front().is_document()) {
     const Assembly assembly = parse_assembly(inputs.front().bytes, inputs.front().name);
     return print_summary(measure_document(assembly, arguments.connect), common, print_gaps);
@@ -74,15 +79,19 @@ void add_gaps(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("gaps", "Measure, exactly, how ends or meshes miss each other");
   const auto arguments = std::make_shared<GapsArguments>();
-  command->add_option("FILE", arguments->files, "an assembly document, or one or two meshes")
+  command
+      ->add_option("FILE", arguments->files,
+                   "an assembly document or piping file (.pcf), or one or two meshes")
       ->type_name("")
       ->required()
       ->expected(1, 2);
   command
       ->add_option("--connect", arguments->connect,
                    "Ends or faces up to this far apart belong together; if not given, the\n"
-                   "document's tolerance, or 1/1000 of the diagonal of the meshes' box")
+                   "document's tolerance, 1 mm for a piping file, or 1/1000 of the diagonal of\n"
+                   "the meshes' box")
       ->type_name("LENGTH");
+  add_bore_option(*command, arguments->bore);
   command->footer(
       "Exit code 1 means that there are gaps.\n\n"
       "Examples:\n"

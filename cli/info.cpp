@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 
 #include "commands.h"
+#include "document.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/mesh_file.h"
 #include "input.h"
@@ -53,6 +54,10 @@ void print(const Subject& subject, const CommonOptions& common, void (*as_text)(
 ExitCode run_info(const std::string& file, const CommonOptions& common) {
   refuse_tolerance("info", common);
   const Input input = read_input(file);
+  if (is_source_file(file)) {
+    print(read_document(file), common, print_assembly);
+    return ExitCode::ok;
+  }
   if (input.is_document()) {
     print(parse_assembly(input.bytes, input.name), common, print_assembly);
     return ExitCode::ok;
@@ -68,7 +73,9 @@ ExitCode run_info(const std::string& file, const CommonOptions& common) {
 void add_info(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("info", "Say what a file holds");
   const auto file = std::make_shared<std::string>();
-  command->add_option("FILE", *file, "mesh file or assembly document; - for standard input")
+  command
+      ->add_option("FILE", *file,
+                   "mesh file, assembly document, graph or piping file; - for standard input")
       ->type_name("")
       ->required();
   command->footer("Examples:\n  dupin info part.stl\n  dupin info plant.json --json");

@@ -55,6 +55,7 @@ ARROWS = {
         "formats": ["files", "text"],
         "json": ["formats", "files", "text"],
         "graph": ["text"],
+        "pcf": ["text"],
     },
 }
 

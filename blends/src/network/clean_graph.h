@@ -17,7 +17,7 @@ struct Ball {
 struct CleanGraph {
   std::vector<Ball> nodes;
   std::vector<GraphEdge> edges;
-  std::vector<GraphNote> notes;
+  std::vector<SourceNote> notes;
 };
 
 /// Throws as assembly_of.

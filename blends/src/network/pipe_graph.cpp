@@ -66,7 +66,7 @@ class Network {
     }
     count();
     result_.notes = std::move(clean_.notes);
-    std::ranges::stable_sort(result_.notes, {}, &GraphNote::line);
+    std::ranges::stable_sort(result_.notes, {}, &SourceNote::line);
     return std::move(result_);
   }
 

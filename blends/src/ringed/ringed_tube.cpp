@@ -9,22 +9,32 @@ namespace dupin {
 
 RationalRingedTube oblique_tube(const Vec3& from, const Vec3& to, const Vec3& normal,
                                 double start_radius, double end_radius) {
-  if (!from.allFinite() || !to.allFinite() || !normal.allFinite() || !(normal.norm() > 0)) {
+  if (!from.allFinite() || !normal.allFinite() || !(normal.norm() > 0)) {
     throw Error(Errc::invalid_argument,
                 "an oblique part needs finite points and a normal that is not zero");
   }
-  const Vec3 unit = normal.normalized(), travel = to - from;
-  if (!(travel.dot(unit) > 0)) {
+  const Vec3 unit = normal.normalized();
+  const double slope = (end_radius - start_radius) / (to - from).dot(unit);
+  return oblique_tube(flipped(Ring{from, unit, start_radius, std::isfinite(slope) ? slope : 0}), to,
+                      end_radius);
+}
+
+RationalRingedTube oblique_tube(const Ring& start, const Vec3& to, double end_radius) {
+  validate(start);
+  if (!to.allFinite()) {
+    throw Error(Errc::invalid_argument, "an oblique part needs finite points");
+  }
+  const Ring first = flipped(start);
+  const Vec3 travel = to - first.center;
+  if (!(travel.dot(first.normal) > 0)) {
     throw Error(Errc::invalid_argument,
                 "the normal must be less than 90 degrees off the direction of travel");
   }
-  const double slope = (end_radius - start_radius) / travel.dot(unit);
-  const Ring start = flipped(Ring{from, unit, start_radius, slope});
-  const Ring end{to, unit, end_radius, slope};
-  validate(start);
+  const double slope = (end_radius - first.radius) / travel.dot(first.normal);
+  const Ring end{to, first.normal, end_radius, slope};
   validate(end);
-  const MovingRing motion{from,        unit, start_radius, travel, end_radius - start_radius,
-                          Vec3::Zero()};
+  const MovingRing motion{
+      first.center, first.normal, first.radius, travel, end_radius - first.radius, Vec3::Zero()};
   MovingRing last = motion;
   last.center = to;
   last.radius = end_radius;

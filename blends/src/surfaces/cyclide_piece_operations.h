@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "dupin/blends/nurbs_surface.h"
+#include "dupin/blends/nurbs.h"
 #include "dupin/blends/tessellation.h"
 #include "surfaces/piece_operations.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dupin/blends/nurbs_surface.h"
+#include "dupin/blends/nurbs.h"
 #include "dupin/blends/tessellation.h"
 #include "surfaces/piece_operations.h"
 

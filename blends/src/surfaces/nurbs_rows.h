@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "dupin/blends/elliptic_tube.h"
-#include "dupin/blends/nurbs_surface.h"
+#include "dupin/blends/nurbs.h"
 #include "dupin/blends/ringed_surface.h"
 
 namespace dupin::surfaces {

@@ -42,7 +42,7 @@ struct Link {
 
 class Faults {
  public:
-  Faults(const TextScanner& scanner, std::vector<GraphNote>* notes)
+  Faults(const TextScanner& scanner, std::vector<SourceNote>* notes)
       : scanner_(scanner), notes_(notes) {}
 
   void add(std::size_t position, std::size_t line, const std::string& text) const {
@@ -54,7 +54,7 @@ class Faults {
 
  private:
   const TextScanner& scanner_;
-  std::vector<GraphNote>* notes_;
+  std::vector<SourceNote>* notes_;
 };
 
 }  // namespace
@@ -65,7 +65,7 @@ bool is_graph_file(const std::filesystem::path& file) {
 }
 
 PipeGraph parse_swc(std::string_view text, const std::string& source,
-                    std::vector<GraphNote>* notes) {
+                    std::vector<SourceNote>* notes) {
   TextScanner scanner(text, source, '#');
   const Faults faults(scanner, notes);
   text::LineCounter lines(text);
@@ -105,7 +105,7 @@ PipeGraph parse_swc(std::string_view text, const std::string& source,
 }
 
 PipeGraph parse_graph(std::string_view text, const std::string& source,
-                      std::vector<GraphNote>* notes) {
+                      std::vector<SourceNote>* notes) {
   TextScanner scanner(text, source, '#');
   const Faults faults(scanner, notes);
   text::LineCounter lines(text);
@@ -144,7 +144,7 @@ PipeGraph parse_graph(std::string_view text, const std::string& source,
 }
 
 PipeGraph parse_graph_file(std::string_view text, const std::string& source,
-                           std::vector<GraphNote>* notes) {
+                           std::vector<SourceNote>* notes) {
   return extension_of(source) == ".swc" ? parse_swc(text, source, notes)
                                         : parse_graph(text, source, notes);
 }

@@ -18,5 +18,7 @@ using Json = nlohmann::ordered_json;
 
 /// Bytes that are no UTF-8 (file names may hold them) become U+FFFD.
 [[nodiscard]] std::string text(const Json& json);
+/// The same without line breaks.
+[[nodiscard]] std::string line_text(const Json& json);
 
 }  // namespace dupin::json

@@ -164,6 +164,10 @@ Json json_value(const OutputReport& report) {
   return object;
 }
 
+std::string line_text(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }

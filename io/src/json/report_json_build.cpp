@@ -28,16 +28,54 @@ Json part_json(const PartReport& part) {
           {"smallest_angle", part.smallest_angle}};
 }
 
-Json graph_json(const PipeNetwork& graph) {
+Json notes_json(const std::vector<SourceNote>& all) {
   Json notes = Json::array();
-  for (const GraphNote& note : graph.notes) {
+  for (const SourceNote& note : all) {
     notes.push_back({{"line", note.line > 0 ? Json(note.line) : Json(nullptr)},
                      {"text", note.text},
                      {"refused", note.is_refusal}});
   }
-  return {{"nodes", graph.nodes},   {"edges", graph.edges},   {"components", graph.components},
-          {"cycles", graph.cycles}, {"blends", graph.blends}, {"junctions", graph.junctions},
-          {"balls", graph.balls},   {"notes", notes}};
+  return notes;
+}
+
+Json piping_json(const PcfReport& piping) {
+  Json joints = Json::array();
+  for (const PipingJoint& joint : piping.network.joints) {
+    joints.push_back({{"components", joint.components},
+                      {"lines", joint.lines},
+                      {"state", name(joint.state)},
+                      {"distance", joint.distance},
+                      {"step", joint.step},
+                      {"kink", joint.kink},
+                      {"part", joint.part.empty() ? Json(nullptr) : Json(joint.part)}});
+  }
+  return {{"components", piping.network.components},
+          {"kinds", piping.file.kinds},
+          {"skipped", piping.file.skipped},
+          {"open_ends", piping.network.open_ends},
+          {"snap", piping.snap},
+          {"bridge", piping.bridge},
+          {"largest_move", piping.network.largest_move},
+          {"joints", joints},
+          {"bores", notes_json(piping.file.notes)},
+          {"not_understood", notes_json(piping.file.unknown)},
+          {"notes", notes_json(piping.network.notes)}};
+}
+
+Json graph_json(const PipeNetwork& graph) {
+  return {{"nodes", graph.nodes},           {"edges", graph.edges},
+          {"components", graph.components}, {"cycles", graph.cycles},
+          {"blends", graph.blends},         {"junctions", graph.junctions},
+          {"balls", graph.balls},           {"notes", notes_json(graph.notes)}};
+}
+
+void put_source(Json& all, const BuildReport& report) {
+  if (report.piping) {
+    all["piping"] = piping_json(*report.piping);
+  }
+  if (report.graph) {
+    all["graph"] = graph_json(*report.graph);
+  }
 }
 
 }  // namespace
@@ -100,16 +138,27 @@ std::string to_json(const BuildReport& report) {
                       {"metal", report.volumes->metal},
                       {"fluid", report.volumes->fluid}};
   }
-  if (report.graph) {
-    all["graph"] = json::graph_json(*report.graph);
-  }
+  json::put_source(all, report);
+  return json::text(all);
+}
+
+std::string source_json(const BuildReport& report) {
+  json::Json all = json::Json::object();
+  json::put_source(all, report);
   return json::text(all);
 }
 
 std::size_t BuildReport::findings() const {
-  std::size_t result = gaps.findings() + output.findings();
+  return gaps.findings() + output.findings() + source_findings();
+}
+
+std::size_t BuildReport::source_findings() const {
+  std::size_t result = 0;
+  if (piping) {
+    result += piping->findings();
+  }
   if (graph) {
-    result += std::size_t(std::ranges::count_if(graph->notes, &GraphNote::is_refusal));
+    result += std::size_t(std::ranges::count_if(graph->notes, &SourceNote::is_refusal));
   }
   return result;
 }

@@ -1,4 +1,4 @@
-#include "dupin/blends/nurbs_surface.h"
+#include "dupin/blends/nurbs.h"
 
 #include <cmath>
 

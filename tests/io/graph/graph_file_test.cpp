@@ -84,7 +84,7 @@ TEST(GraphFile, malformed_lines_are_refused_where_they_are) {
 }
 
 TEST(GraphFile, what_refers_to_nothing_is_left_out_if_asked_for) {
-  std::vector<GraphNote> notes;
+  std::vector<SourceNote> notes;
   const PipeGraph swc = parse_swc("1 1 0 0 0 1 -1\n1 1 1 0 0 1 -1\n2 1 2 0 0 1 9\n", "a", &notes);
   EXPECT_EQ(swc.nodes.size(), 2);
   EXPECT_TRUE(swc.edges.empty());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -28,6 +29,14 @@ struct Assembly {
   std::optional<std::uint32_t> segments;  ///< around every ring; none: from the tolerance
   std::vector<Part> parts;
   std::optional<double> wall = {};  ///< of every part that says none; none: parts are solid
+};
+
+/// What was done to something in a file, be it a graph or a piping line, that could not stay as it
+/// was.
+struct SourceNote {
+  std::size_t line = 0;  ///< of it; 0 if there is none
+  std::string text;      ///< "node 7: ..."
+  bool is_refusal = false;
 };
 
 /// A place in the document, for messages: "file.json#/tolerance", or the pointer alone if the

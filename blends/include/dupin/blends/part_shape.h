@@ -73,6 +73,13 @@ struct ObliqueBetween {
   double start_radius = 1, end_radius = 1;
 };
 
+/// Circles parallel to that of the port, from its centre to `to`.
+struct ObliqueTo {
+  PortReference from;
+  Vec3 to;
+  double end_radius = 1;
+};
+
 /// A pipe from port to port through points; see spline_pipe.h.
 struct SplineBetween {
   PortReference from, to;
@@ -121,7 +128,7 @@ struct CapAt {
 /// (docs/extending.md).
 using PartKeys = PartKeyTable<PartKey<"pipe", PipeBetween, PipeAlong, PipeTo>,       //
                               PartKey<"cone", ConeBetween, ConeAlong>,               //
-                              PartKey<"oblique", ObliqueBetween>,                    //
+                              PartKey<"oblique", ObliqueBetween, ObliqueTo>,         //
                               PartKey<"elbow", ElbowTurning, ElbowTo, ElbowCorner>,  //
                               PartKey<"sphere", SphereAt>,                           //
                               PartKey<"spline", SplineBetween, SplineRound>,         //

@@ -36,17 +36,10 @@ struct PipeGraphOptions {
   bool keep_going = false;  ///< nodes and edges that are refused are left out, and noted
 };
 
-/// What was done to a node or edge that could not stay as it was.
-struct GraphNote {
-  std::size_t line = 0;  ///< of the node or edge; 0 if there is none
-  std::string text;      ///< "node 7: ..."
-  bool is_refusal = false;
-};
-
 /// The assembly of a graph, and what became of the graph on the way.
 struct PipeNetwork {
   Assembly assembly;
-  std::vector<GraphNote> notes;      ///< by line
+  std::vector<SourceNote> notes;     ///< by line
   std::size_t nodes = 0, edges = 0;  ///< that are left after cleaning
   std::size_t components = 0;
   std::size_t cycles = 0;  ///< the first Betti number, edges - nodes + components

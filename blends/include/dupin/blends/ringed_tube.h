@@ -18,6 +18,9 @@ struct RationalRingedTube {
 [[nodiscard]] RationalRingedTube oblique_tube(const Vec3& from, const Vec3& to, const Vec3& normal,
                                               double start_radius, double end_radius);
 
+/// The same of circles parallel to `start`, whose normal points out of the tube.
+[[nodiscard]] RationalRingedTube oblique_tube(const Ring& start, const Vec3& to, double end_radius);
+
 /// How the tube's ring moves as it leaves the tube through that end, at unit speed.
 [[nodiscard]] MovingRing leaving(const RationalRingedTube& tube, End end);
 

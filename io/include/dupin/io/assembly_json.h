@@ -16,6 +16,10 @@ namespace dupin {
 /// Whether numbers are in range and ports exist is for `resolve` to say.
 [[nodiscard]] Assembly parse_assembly(std::string_view text, const std::string& source = {});
 
+/// The document that parse_assembly makes this of again, bit by bit, a part on each line. Comments
+/// are not kept, and neither is `source`.
+[[nodiscard]] std::string document_text(const Assembly& assembly);
+
 /// The document in a file. Throws as read_file and parse_assembly.
 [[nodiscard]] Assembly read_assembly(const std::filesystem::path& file);
 

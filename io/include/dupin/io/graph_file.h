@@ -18,16 +18,16 @@ namespace dupin {
 /// Throws Error{parse_failed} with "source:line" for what is no such line, ids that occur twice and
 /// parents that do not occur; with `notes`, the latter two are left out and noted instead.
 [[nodiscard]] PipeGraph parse_swc(std::string_view text, const std::string& source = {},
-                                  std::vector<GraphNote>* notes = nullptr);
+                                  std::vector<SourceNote>* notes = nullptr);
 
 /// Lines "n x y z [radius]" for nodes, numbered from 0, and "c i j" for edges, in any order.
 /// Throws Error{parse_failed} as above, for edges to nodes that do not occur; with `notes`, these
 /// are left out and noted instead.
 [[nodiscard]] PipeGraph parse_graph(std::string_view text, const std::string& source = {},
-                                    std::vector<GraphNote>* notes = nullptr);
+                                    std::vector<SourceNote>* notes = nullptr);
 
 /// Either, as the extension of `source` says.
 [[nodiscard]] PipeGraph parse_graph_file(std::string_view text, const std::string& source,
-                                         std::vector<GraphNote>* notes = nullptr);
+                                         std::vector<SourceNote>* notes = nullptr);
 
 }  // namespace dupin

@@ -12,6 +12,7 @@
 #include "dupin/blends/edit_chain.h"
 #include "dupin/blends/pipe_graph.h"
 #include "dupin/blends/unit.h"
+#include "dupin/io/pcf.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/cross_check.h"
 #include "dupin/kernel/error.h"
@@ -126,9 +127,11 @@ struct BuildReport {
   Region region = Region::outer;
   std::optional<RegionVolumes> volumes = {};  ///< of an assembly with walls
   std::optional<PipeNetwork> graph = {};      ///< that was built, without its assembly
+  std::optional<PcfReport> piping = {};
 
-  /// Those of the gaps, of the output, and what of the graph was refused.
+  /// Those of the gaps, of the output, of the piping, and what of the graph was refused.
   [[nodiscard]] std::size_t findings() const;
+  [[nodiscard]] std::size_t source_findings() const;  ///< of the graph or piping alone
 };
 
 /// A chain that was edited.
@@ -162,6 +165,8 @@ struct PlacedDocumentReport {
 [[nodiscard]] std::string to_json(const GapSummary& summary);
 [[nodiscard]] std::string to_json(const MeshGapSummary& summary);
 [[nodiscard]] std::string to_json(const BuildReport& report);
+/// What became of the graph or piping file alone.
+[[nodiscard]] std::string source_json(const BuildReport& report);
 [[nodiscard]] std::string to_json(const EditReport& report);
 [[nodiscard]] std::string to_json(const PlacedDocumentReport& report);
 /// `kind` is the error's name for programs, usually name(error.code()).

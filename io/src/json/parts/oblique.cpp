@@ -1,3 +1,5 @@
+#include <array>
+
 #include "json/parts/part_reader.h"
 #include "json/parts/part_values.h"
 
@@ -6,7 +8,12 @@ namespace dupin::json {
 template <>
 struct PartReader<"oblique"> {
   static PartShape read(const JsonNode& node) {
-    allow_only(node, {"from", "to", "normal", "radii"});
+    static const std::array<KeySet, 2> sets{
+        {{false, {"from", "to", "normal", "radii"}}, {true, {"from", "to", "end_radius"}}}};
+    if (matching_key_set(node, sets) == 1) {
+      return ObliqueTo{port(node.at("from")), vector(node.at("to")),
+                       node.at("end_radius").number()};
+    }
     const auto [start, end] = pair(node.at("radii"), "start, end");
     return ObliqueBetween{vector(node.at("from")), vector(node.at("to")), vector(node.at("normal")),
                           start, end};

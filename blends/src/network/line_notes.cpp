@@ -1,0 +1,23 @@
+#include "network/line_notes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "dupin/kernel/error.h"
+
+namespace dupin::network {
+
+void LineNotes::refuse(const PipingComponent& component, const std::string& text) {
+  if (!keep_going_) {
+    throw Error(Errc::invalid_argument, text + "; --keep-going leaves it out", component.name,
+                source_ + ":" + std::to_string(component.line));
+  }
+  notes_.push_back({component.line, component.name + ": left out, as " + text, true});
+}
+
+std::vector<SourceNote> LineNotes::take() && {
+  std::ranges::stable_sort(notes_, {}, &SourceNote::line);
+  return std::move(notes_);
+}
+
+}  // namespace dupin::network

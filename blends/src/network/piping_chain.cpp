@@ -1,0 +1,339 @@
+#include "network/piping_chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dupin::network {
+namespace {
+
+// Of a leg of a bend: the pipe that stands in for a neighbour that the bend does not have.
+constexpr double kStub = 0.1;
+
+Vec3 way(const PipingSpans& spans, const ChainElement& element) {
+  return end_of(spans, element).point - begin_of(spans, element).point;
+}
+
+bool is_leg(const PipingSpans& spans, const ChainElement& element) {
+  return spans.spans[element.span].role == SpanRole::bend_leg;
+}
+
+// Whether no end of the shorter stretch has to move by more than `snap` for both to have one axis.
+bool is_straight(const Vec3& a, const Vec3& b, double snap) {
+  const double lengths = a.norm() * b.norm();
+  return a.dot(b) > 0 && a.cross(b).norm() * std::min(a.norm(), b.norm()) <= 2 * snap * lengths;
+}
+
+// A chain before it has axes: what lies between its elements is nothing, or a seam.
+struct Links {
+  std::vector<ChainElement> elements;
+  std::vector<std::optional<Seam>> seams;  ///< one more than elements; none: they pass over
+  bool is_closed = false;
+};
+
+class ChainMaker {
+ public:
+  ChainMaker(PipingSpans& spans, double snap) : spans_(spans), snap_(snap) {}
+
+  Chain make(const std::vector<ChainElement>& elements, bool is_closed) {
+    links_ = {elements, {}, is_closed};
+    links_.seams.resize(elements.size() + 1);
+    for (std::size_t i = 0; i <= elements.size(); ++i) {
+      links_.seams[i] = first_seam(i);
+    }
+    find_offsets();
+    do {
+      replace_bends();
+    } while (split_crooked());
+    return with_axes();
+  }
+
+ private:
+  std::optional<Seam> first_seam(std::size_t i) const {
+    if (i == 0 || i == links_.elements.size()) {
+      return Seam{};
+    }
+    const ChainElement &before = links_.elements[i - 1], &after = links_.elements[i];
+    const auto& end = end_of(spans_, before);
+    if (is_leg(spans_, before) && spans_.spans[before.span].other_leg == after.span &&
+        !before.is_reversed && after.is_reversed) {
+      return Seam{SeamKind::corner, {}, {}};
+    }
+    if (spans_.pairs[*end.joint].distance > snap_) {
+      return Seam{SeamKind::bridge, end.joint, {}};
+    }
+    if (!is_straight(way(spans_, before), way(spans_, after), snap_)) {
+      return Seam{SeamKind::kink, end.joint, {}};
+    }
+    return std::nullopt;
+  }
+
+  // An eccentric part is a leg of its own where its neighbours go on beside its own axis, parallel
+  // to each other.
+  void find_offsets() {
+    for (std::size_t i = 0; i < links_.elements.size(); ++i) {
+      const ChainElement& element = links_.elements[i];
+      if (!spans_.spans[element.span].is_eccentric || !may_be_offset(i) || !may_be_offset(i + 1)) {
+        continue;
+      }
+      std::optional<Vec3> before, after;
+      if (i > 0) {
+        before = way(spans_, links_.elements[i - 1]);
+      }
+      if (i + 1 < links_.elements.size()) {
+        after = way(spans_, links_.elements[i + 1]);
+      }
+      const Vec3 own = way(spans_, element);
+      if ((!before && !after) || (before && after && !is_straight(*before, *after, snap_)) ||
+          is_straight(before ? *before : *after, own, snap_) ||
+          !((before ? *before : *after).dot(own) > 0)) {
+        continue;
+      }
+      for (const std::size_t k : {i, i + 1}) {
+        auto& seam = links_.seams[k];
+        if (!seam || seam->kind == SeamKind::kink) {
+          seam = Seam{SeamKind::offset, {}, {}};
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] bool may_be_offset(std::size_t i) const {
+    const auto& seam = links_.seams[i];
+    return !seam || seam->kind == SeamKind::kink || seam->kind == SeamKind::end;
+  }
+
+  // Bends that a neighbour does not meet as it should.
+  void replace_bends() {
+    for (std::size_t i = 0; i + 1 < links_.elements.size(); ++i) {
+      const auto &before = links_.seams[i], &corner = links_.seams[i + 1],
+                 &after = links_.seams[i + 2];
+      const auto is_off = [](const std::optional<Seam>& seam) {
+        return seam && (seam->kind == SeamKind::kink || seam->kind == SeamKind::bridge ||
+                        seam->kind == SeamKind::bend);
+      };
+      if (corner && corner->kind == SeamKind::corner && (is_off(before) || is_off(after))) {
+        replace_bend(i);
+      }
+    }
+  }
+
+  // The elements at i and i + 1 are its legs.
+  void replace_bend(std::size_t i) {
+    const ChainElement in = links_.elements[i], out = links_.elements[i + 1];
+    std::vector<ChainElement> stubs;
+    std::vector<std::optional<Seam>> seams;
+    const Seam bend{SeamKind::bend, {}, spans_.spans[in.span].component};
+    const auto is_offset = [](const std::optional<Seam>& seam) {
+      return seam && seam->kind == SeamKind::offset;
+    };
+    const bool has_before =
+        i > 0 && !is_leg(spans_, links_.elements[i - 1]) && !is_offset(links_.seams[i]);
+    if (!has_before) {
+      stubs.push_back(stub(in));
+      seams.push_back(links_.seams[i]);
+    }
+    seams.emplace_back(bend);
+    const bool has_after = i + 2 < links_.elements.size() &&
+                           !is_leg(spans_, links_.elements[i + 2]) &&
+                           !is_offset(links_.seams[i + 2]);
+    if (!has_after) {
+      stubs.push_back(stub(out));
+      seams.push_back(links_.seams[i + 2]);
+    }
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    links_.elements.erase(links_.elements.begin() + at, links_.elements.begin() + at + 2);
+    links_.elements.insert(links_.elements.begin() + at, stubs.begin(), stubs.end());
+    links_.seams.erase(links_.seams.begin() + at, links_.seams.begin() + at + 3);
+    links_.seams.insert(links_.seams.begin() + at, seams.begin(), seams.end());
+  }
+
+  // A short pipe from the bend's end along its leg, which keeps the leg's joint.
+  ChainElement stub(const ChainElement& leg) {
+    Span span = spans_.spans[leg.span];
+    span.name += leg.is_reversed ? "-stub2" : "-stub";
+    span.role = SpanRole::straight;
+    span.other_leg.reset();
+    span.ends[1] = {span.ends[0].point + kStub * (span.ends[1].point - span.ends[0].point), {}, {}};
+    spans_.spans.push_back(span);
+    return {spans_.spans.size() - 1, leg.is_reversed};
+  }
+
+  // The point of the seam before element i: in the middle where two ends meet.
+  [[nodiscard]] Vec3 node(std::size_t i, std::size_t begin, std::size_t end) const {
+    if (i == begin) {
+      return begin_of(spans_, links_.elements[i]).point;
+    }
+    if (i == end) {
+      return end_of(spans_, links_.elements[i - 1]).point;
+    }
+    return (end_of(spans_, links_.elements[i - 1]).point +
+            begin_of(spans_, links_.elements[i]).point) /
+           2;
+  }
+
+  [[nodiscard]] std::size_t leg_end(std::size_t begin) const {
+    std::size_t end = begin + 1;
+    while (!links_.seams[end]) {
+      ++end;
+    }
+    return end;
+  }
+
+  // A leg with a point off its axis is two.
+  bool split_crooked() {
+    bool is_split = false;
+    for (std::size_t begin = 0; begin < links_.elements.size();) {
+      const std::size_t end = leg_end(begin);
+      const Vec3 from = node(begin, begin, end), axis = node(end, begin, end) - from;
+      std::size_t worst = begin;
+      double furthest = snap_;
+      for (std::size_t i = begin + 1; i < end; ++i) {
+        const double aside = axis.cross(node(i, begin, end) - from).norm() / axis.norm();
+        if (!(aside <= furthest)) {
+          furthest = aside;
+          worst = i;
+        }
+      }
+      if (worst != begin) {
+        links_.seams[worst] =
+            Seam{SeamKind::kink, end_of(spans_, links_.elements[worst - 1]).joint, {}};
+        is_split = true;
+      } else {
+        begin = end;
+      }
+    }
+    return is_split;
+  }
+
+  [[nodiscard]] Chain with_axes() const {
+    Chain chain;
+    chain.seams.push_back(*links_.seams.front());
+    for (std::size_t begin = 0; begin < links_.elements.size();) {
+      const std::size_t end = leg_end(begin);
+      Leg leg;
+      leg.elements.assign(links_.elements.begin() + static_cast<std::ptrdiff_t>(begin),
+                          links_.elements.begin() + static_cast<std::ptrdiff_t>(end));
+      leg.origin = node(begin, begin, end);
+      leg.direction = (node(end, begin, end) - leg.origin).normalized();
+      const SeamKind before = chain.seams.back().kind, after = links_.seams[end]->kind;
+      leg.is_offset = end == begin + 1 &&
+                      (before == SeamKind::offset || after == SeamKind::offset) &&
+                      spans_.spans[leg.elements[0].span].is_eccentric;
+      if (!chain.legs.empty() && before == SeamKind::corner) {
+        const Leg& previous = chain.legs.back();  // whose axis may have been given to it
+        leg.origin = point_at(previous, previous.nodes.back());
+        leg.direction = (node(end, begin, end) - leg.origin).normalized();
+      } else if (!chain.legs.empty() && before == SeamKind::offset) {
+        leg.direction = chain.legs.back().direction;
+      } else if (leg.is_offset) {
+        leg.direction =
+            (node(leg_end(end), end, leg_end(end)) - node(end, end, leg_end(end))).normalized();
+      }
+      leg.nodes.reserve(end - begin + 1);
+      for (std::size_t i = begin; i <= end; ++i) {
+        leg.nodes.push_back((node(i, begin, end) - leg.origin).dot(leg.direction));
+      }
+      chain.legs.push_back(std::move(leg));
+      chain.seams.push_back(*links_.seams[end]);
+      begin = end;
+    }
+    if (links_.is_closed) {
+      chain.closing_joint = end_of(spans_, links_.elements.back()).joint;
+    }
+    return chain;
+  }
+
+  PipingSpans& spans_;
+  double snap_;
+  Links links_;
+};
+
+// Takes spans one by one along joints and corners.
+class Walk {
+ public:
+  explicit Walk(const PipingSpans& spans) : spans_(spans), is_taken_(spans.spans.size()) {}
+
+  // The chain that begins with this span; empty if it is taken already.
+  std::vector<ChainElement> from(std::size_t span, bool is_reversed) {
+    std::vector<ChainElement> elements;
+    std::optional<ChainElement> next = ChainElement{span, is_reversed};
+    while (next && !is_taken_[next->span]) {
+      is_taken_[next->span] = true;
+      elements.push_back(*next);
+      next = after(*next);
+    }
+    return elements;
+  }
+
+  // The closed chain that ends with this span.
+  std::vector<ChainElement> behind(std::size_t span) {
+    const auto next = after({span, false});
+    return from(next->span, next->is_reversed);
+  }
+
+  [[nodiscard]] bool is_taken(std::size_t span) const { return is_taken_[span]; }
+
+  // Whether nothing is joined to the span at this end.
+  [[nodiscard]] bool is_free(std::size_t span, std::size_t side) const {
+    return !after({span, side == 0});
+  }
+
+ private:
+  [[nodiscard]] std::optional<ChainElement> after(const ChainElement& element) const {
+    const Span& span = spans_.spans[element.span];
+    if (span.role == SpanRole::bend_leg && !element.is_reversed) {
+      return ChainElement{*span.other_leg, true};
+    }
+    const auto next = spans_.joined(end_of(spans_, element));
+    return next ? std::optional(ChainElement{(*next)[0], (*next)[1] == 1}) : std::nullopt;
+  }
+
+  const PipingSpans& spans_;
+  std::vector<bool> is_taken_;
+};
+
+}  // namespace
+
+Vec3 point_at(const Leg& leg, double level) { return leg.origin + level * leg.direction; }
+
+const SpanEnd& begin_of(const PipingSpans& spans, const ChainElement& element) {
+  return spans.spans[element.span].ends[element.is_reversed ? 1 : 0];
+}
+
+const SpanEnd& end_of(const PipingSpans& spans, const ChainElement& element) {
+  return spans.spans[element.span].ends[element.is_reversed ? 0 : 1];
+}
+
+std::vector<Chain> chains_of(PipingSpans& spans, double snap) {
+  Walk walk(spans);
+  ChainMaker maker(spans, snap);
+  std::vector<std::vector<ChainElement>> open, closed;
+  const std::size_t count = spans.spans.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+      if (walk.is_free(i, side)) {
+        open.push_back(walk.from(i, side == 1));
+      }
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (spans.spans[i].role == SpanRole::straight && !walk.is_taken(i)) {
+      closed.push_back(walk.behind(i));
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    closed.push_back(walk.from(i, false));  // of bends alone
+  }
+  std::vector<Chain> result;
+  for (const auto* group : {&open, &closed}) {
+    for (const auto& elements : *group) {
+      if (!elements.empty()) {
+        result.push_back(maker.make(elements, group == &closed));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace dupin::network

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "network/piping_spans.h"
+
+namespace dupin::network {
+
+/// A span in the direction of travel.
+struct ChainElement {
+  std::size_t span = 0;
+  bool is_reversed = false;
+};
+
+/// What lies between two legs, or at an end of a chain.
+enum class SeamKind {
+  end,     ///< nothing
+  corner,  ///< a bend that is tangent to both
+  kink,    ///< their directions differ: a blend, if one fits
+  bridge,  ///< their ends lie apart: the same
+  bend,    ///< a bend that is not tangent to both: a blend instead
+  offset,  ///< nothing: an eccentric part, which is a leg of its own, begins or ends
+};
+
+struct Seam {
+  SeamKind kind = SeamKind::end;
+  std::optional<std::size_t> joint = {};      ///< in PipingSpans::pairs, of a kink or bridge
+  std::optional<std::size_t> component = {};  ///< of a bend that a blend replaces
+};
+
+/// Spans on one axis, which pass over into each other.
+struct Leg {
+  std::vector<ChainElement> elements;
+  Vec3 origin, direction;
+  std::vector<double> nodes;  ///< along the axis: where elements begin, and where the last one ends
+  bool is_offset = false;     ///< an eccentric part
+};
+
+/// Legs in the order of travel, and the seams before, between and behind them.
+struct Chain {
+  std::vector<Leg> legs;
+  std::vector<Seam> seams;
+  /// A closed chain ends where it begins, at this joint.
+  std::optional<std::size_t> closing_joint = {};
+};
+
+[[nodiscard]] Vec3 point_at(const Leg& leg, double level);
+
+/// The element's end in, or against, the direction of travel.
+[[nodiscard]] const SpanEnd& begin_of(const PipingSpans& spans, const ChainElement& element);
+[[nodiscard]] const SpanEnd& end_of(const PipingSpans& spans, const ChainElement& element);
+
+/// All spans, each in one chain. Stubs are added to `spans` where a blend takes the place of a bend
+/// that has no straight neighbour. An axis leads from the first point of its leg to the last one,
+/// and has all between them within `snap`.
+[[nodiscard]] std::vector<Chain> chains_of(PipingSpans& spans, double snap);
+
+}  // namespace dupin::network

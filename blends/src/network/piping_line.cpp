@@ -1,0 +1,110 @@
+#include "dupin/blends/piping_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "dupin/kernel/error.h"
+#include "network/line_notes.h"
+#include "network/piping_chain.h"
+#include "network/piping_parts.h"
+#include "network/piping_reach.h"
+#include "network/piping_spans.h"
+
+namespace dupin {
+namespace {
+
+void check_option(double value, const std::string& what) {
+  if (!(std::isfinite(value) && value >= 0)) {
+    throw Error(Errc::invalid_argument, "must be a length of at least 0", {}, what);
+  }
+}
+
+std::vector<PipingJoint> joints_of(const PipingLine& line, const network::PipingSpans& spans) {
+  std::vector<PipingJoint> joints;
+  joints.reserve(spans.pairs.size());
+  for (const network::PortPair& pair : spans.pairs) {
+    const network::LinePort &a = spans.ports[pair.first], &b = spans.ports[pair.second];
+    PipingJoint joint;
+    joint.components = {line.components[a.component].name, line.components[b.component].name};
+    joint.lines = {a.line, b.line};
+    joint.distance = pair.distance;
+    joint.step = a.radius && b.radius ? std::abs(*a.radius - *b.radius) : 0;
+    joint.kink = network::kink(a, b);
+    joint.state = JointState::met;
+    joints.push_back(joint);
+  }
+  return joints;
+}
+
+std::size_t count_open(const network::PipingSpans& spans) {
+  std::size_t count = 0;
+  for (const network::Span& span : spans.spans) {
+    for (const network::SpanEnd& end : span.ends) {
+      count += end.port && !end.joint && !span.is_solid ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+std::string_view name(JointState state) {
+  switch (state) {
+    case JointState::met:
+      return "met";
+    case JointState::stepped:
+      return "stepped";
+    case JointState::blended:
+      return "blended";
+    case JointState::bridged:
+      return "bridged";
+    case JointState::apart:
+      break;
+  }
+  return "apart";
+}
+
+PipingNetwork assembly_of(const PipingLine& line, const PipingOptions& options) {
+  check_option(options.snap, "snap");
+  check_option(options.bridge, "bridge");
+  network::LineNotes notes(line.source, options.keep_going);
+  network::PipingSpans spans = spans_of(line, options, notes);
+  reach_runs(line, options, spans, notes);
+  PipingNetwork result;
+  result.joints = joints_of(line, spans);
+  result.open_ends = count_open(spans);
+  result.assembly.source = line.source;
+  result.assembly.tolerance = options.tolerance;
+  result.assembly.wall = options.wall;
+  const std::vector<network::Chain> chains = chains_of(spans, options.snap);
+  add_parts(line, options, spans, chains, result, notes);
+  result.notes = std::move(notes).take();
+  std::set<std::size_t> components;
+  for (const network::LinePort& port : spans.ports) {
+    components.insert(port.component);
+  }
+  result.components = components.size();
+  if (result.assembly.parts.empty()) {
+    throw Error(Errc::invalid_argument, "no component is left of which a part could be made", {},
+                line.source);
+  }
+  return result;
+}
+
+std::vector<Port> ports(const PipingLine& line) {
+  const std::vector<bool> all(line.components.size(), false);
+  std::vector<Port> result;
+  for (const network::LinePort& port : network::line_ports(line, all)) {
+    const PipingComponent& component = line.components[port.component];
+    if (port.outward && port.radius) {
+      result.push_back({component.name + "." + std::to_string(port.index + 1),
+                        {port.center, *port.outward, *port.radius},
+                        component.name});
+    }
+  }
+  return result;
+}
+
+}  // namespace dupin

@@ -1,0 +1,298 @@
+#include "network/piping_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "dupin/blends/cyclic_blend.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin::network {
+namespace {
+
+// Of a pipe, what a blend at one of its ends may take.
+constexpr double kRoom = 0.45;
+// How far a blend's ends are set back, by the radius, the kink and the gap; then in steps.
+constexpr double kSetbackOfRadius = 0.5, kSetbackOfKink = 3, kSetbackOfGap = 3;
+constexpr double kLargerSetbacks[] = {1, 1.6, 2.5, 4, 6.3};
+
+// Writes one chain's parts.
+class ChainParts {
+ public:
+  ChainParts(const PipingLine& line, const PipingOptions& options, const PipingSpans& spans,
+             const Chain& chain, PipingNetwork& network, LineNotes& notes)
+      : line_(line),
+        spans_(spans),
+        chain_(chain),
+        network_(network),
+        notes_(notes),
+        plan_(plan(line, options, spans, chain, network.joints, notes)) {}
+
+  void run(std::map<std::size_t, PortReference>& made) {
+    std::vector<std::optional<Part>> blends(chain_.seams.size());
+    for (std::size_t k = 1; k < chain_.legs.size(); ++k) {
+      const SeamKind kind = chain_.seams[k].kind;
+      if (kind == SeamKind::kink || kind == SeamKind::bridge || kind == SeamKind::bend) {
+        blends[k] = blend(k);
+      }
+    }
+    for (std::size_t k = 0; k < chain_.legs.size(); ++k) {
+      const SeamKind before = chain_.seams[k].kind;
+      if (before == SeamKind::corner && !plan_.arcs[k]->is_left_out) {
+        add_elbow(k);
+      } else if (before != SeamKind::offset) {
+        port_.reset();
+      }
+      for (std::size_t i = 0; i < plan_.stretches[k].size(); ++i) {
+        add_stretch(k, plan_.stretches[k][i]);
+      }
+    }
+    for (auto& part : blends) {
+      if (part) {
+        network_.assembly.parts.push_back(std::move(*part));
+      }
+    }
+    note_ends(made);
+    measure_moves();
+  }
+
+ private:
+  void add(std::string name, std::size_t component, PartShape shape, bool is_solid = false) {
+    if (!first_) {
+      first_ = PortReference{name, End::start};
+    }
+    port_ = PortReference{name, End::end};
+    Part part{std::move(name), std::move(shape)};
+    part.wall = line_.components[component].wall;
+    part.solid = is_solid;
+    network_.assembly.parts.push_back(std::move(part));
+  }
+
+  void add_stretch(std::size_t k, const Stretch& stretch) {
+    const Leg& leg = chain_.legs[k];
+    const bool is_cone = stretch.radii[0] != stretch.radii[1];
+    const Vec3 from = point_at(leg, stretch.levels[0]), to = point_at(leg, stretch.levels[1]);
+    // What was set back to make room for a blend begins anew.
+    const bool goes_on = port_.has_value();
+    PartShape shape;
+    if (is_last(k, stretch)) {
+      shape = CyclicBlendBetween{*port_, *first_, {}};
+    } else if (leg.is_offset) {
+      const Vec3 there = end_of(spans_, leg.elements[0]).point;
+      const Vec3 start = begin_of(spans_, leg.elements[0]).point;
+      shape = goes_on ? PartShape(ObliqueTo{*port_, there, stretch.radii[1]})
+                      : PartShape(ObliqueBetween{start, there, leg.direction, stretch.radii[0],
+                                                 stretch.radii[1]});
+    } else if (is_cone) {
+      shape = goes_on
+                  ? PartShape(ConeAlong{*port_, level_length(leg, to), stretch.radii[1], {}, {}})
+                  : PartShape(ConeBetween{from, to, stretch.radii[0], stretch.radii[1], {}, {}});
+    } else {
+      shape = goes_on ? PartShape(PipeTo{*port_, to})
+                      : PartShape(PipeBetween{from, to, stretch.radii[0], {}});
+    }
+    add(stretch.name, stretch.component, std::move(shape), stretch.is_solid);
+    here_ = leg.is_offset ? end_of(spans_, leg.elements[0]).point : to;
+    radius_ = stretch.radii[1];
+  }
+
+  // Whether it closes a chain.
+  [[nodiscard]] bool is_last(std::size_t k, const Stretch& stretch) const {
+    return chain_.closing_joint && k + 1 == chain_.legs.size() && port_ && first_ &&
+           &stretch == &plan_.stretches[k].back();
+  }
+
+  [[nodiscard]] double level_length(const Leg& leg, const Vec3& to) const {
+    return (to - here_).dot(leg.direction);
+  }
+
+  void add_elbow(std::size_t k) {
+    const Arc& arc = *plan_.arcs[k];
+    const Leg &in = chain_.legs[k - 1], &out = chain_.legs[k];
+    const Vec3 corner = point_at(in, in.nodes.back());
+    const double tangent = port_ ? (corner - here_).dot(in.direction) : arc.tangent;
+    const Vec3 to = corner + tangent * out.direction;
+    const std::string& name = line_.components[arc.component].name;
+    const bool closes = chain_.closing_joint && k + 1 == chain_.legs.size() &&
+                        plan_.stretches[k].empty() && port_ && first_;
+    if (closes) {
+      add(name, arc.component, CyclicBlendBetween{*port_, *first_, {}});
+    } else if (port_) {
+      if (radius_ != arc.radius) {
+        notes_.add(line_.components[arc.component],
+                   "continues with its neighbour's radius, as there is no room for a step");
+      }
+      add(name, arc.component, ElbowCorner{*port_, corner, to});
+    } else {
+      const Vec3 from = corner - tangent * in.direction;
+      add(name, arc.component, ElbowCorner{Place{from, corner - from, arc.radius, {}}, corner, to});
+      radius_ = arc.radius;
+    }
+    here_ = to;
+  }
+
+  // Between the last stretch of one leg and the first of the next, which it shortens; none if none
+  // fits.
+  std::optional<Part> blend(std::size_t k) {
+    const Seam& seam = chain_.seams[k];
+    auto &before = plan_.stretches[k - 1], &after = plan_.stretches[k];
+    if (!before.empty() && !after.empty()) {
+      const std::array<double, 2> levels{before.back().levels[1], after.front().levels[0]};
+      for (const auto& setbacks : setback_choices(k)) {
+        before.back().levels[1] = levels[0] - setbacks[0];
+        after.front().levels[0] = levels[1] + setbacks[1];
+        if (is_feasible(chain_.legs[k - 1], before.back(), chain_.legs[k], after.front())) {
+          return joined_by_blend(seam, before.back(), after.front());
+        }
+      }
+      before.back().levels[1] = levels[0];
+      after.front().levels[0] = levels[1];
+    }
+    if (seam.component) {
+      notes_.refuse(line_.components[*seam.component],
+                    "it is not tangent to its neighbours, and no blend fits between them");
+    } else if (seam.joint) {
+      network_.joints[*seam.joint].state = JointState::apart;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::vector<std::array<double, 2>> setback_choices(std::size_t k) const {
+    const Stretch &before = plan_.stretches[k - 1].back(), &after = plan_.stretches[k].front();
+    const Leg &in = chain_.legs[k - 1], &out = chain_.legs[k];
+    const double radius = std::max(before.radii[1], after.radii[0]);
+    const double gap = (point_at(out, after.levels[0]) - point_at(in, before.levels[1])).norm();
+    const double kink =
+        std::atan2(in.direction.cross(out.direction).norm(), in.direction.dot(out.direction));
+    const bool is_bend = chain_.seams[k].kind == SeamKind::bend;
+    const double least =
+        std::max({kSetbackOfRadius * radius, kSetbackOfKink * radius * std::tan(kink / 4),
+                  is_bend ? 0 : kSetbackOfGap * gap});
+    std::vector<std::array<double, 2>> result;
+    if (is_bend) {
+      result.push_back({0, 0});
+    }
+    for (const double factor : kLargerSetbacks) {
+      result.push_back({std::min(factor * least, kRoom * before.length()),
+                        std::min(factor * least, kRoom * after.length())});
+    }
+    return result;
+  }
+
+  [[nodiscard]] static bool is_feasible(const Leg& in, const Stretch& before, const Leg& out,
+                                        const Stretch& after) {
+    const auto slope = [](const Stretch& stretch) {
+      return (stretch.radii[1] - stretch.radii[0]) / stretch.length();
+    };
+    const Ring from{point_at(in, before.levels[1]), in.direction, before.radii[1], slope(before)};
+    const Ring to{point_at(out, after.levels[0]), Vec3::Zero() - out.direction, after.radii[0],
+                  -slope(after)};
+    try {
+      (void)choose_velocities(from, to);
+      return true;
+    } catch (const Error&) {
+      return false;
+    }
+  }
+
+  Part joined_by_blend(const Seam& seam, const Stretch& before, const Stretch& after) {
+    Part part{{}, CyclicBlendBetween{{before.name, End::end}, {after.name, End::start}, {}}};
+    if (seam.component) {
+      part.name = line_.components[*seam.component].name;
+      notes_.add(line_.components[*seam.component],
+                 "is not tangent to its neighbours; a blend between them takes its place");
+      part.wall = line_.components[*seam.component].wall;
+      return part;
+    }
+    PipingJoint& joint = network_.joints[*seam.joint];
+    joint.state = seam.kind == SeamKind::bridge ? JointState::bridged : JointState::blended;
+    part.name = std::string(seam.kind == SeamKind::bridge ? "bridge-" : "blend-") +
+                std::to_string(joint.lines[0]) + "-" + std::to_string(joint.lines[1]);
+    part.wall = line_.components[before.component].wall;
+    joint.part = part.name;
+    return part;
+  }
+
+  // Which ports of the file are the chain's ends.
+  void note_ends(std::map<std::size_t, PortReference>& made) const {
+    const auto &begin = begin_of(spans_, chain_.legs.front().elements.front()),
+               &end = end_of(spans_, chain_.legs.back().elements.back());
+    if (begin.port && first_) {
+      made[*begin.port] = *first_;
+    }
+    if (end.port && port_) {
+      made[*end.port] = *port_;
+    }
+  }
+
+  void measure_moves() {
+    for (const Leg& leg : chain_.legs) {
+      for (std::size_t i = 0; i < leg.elements.size() && !leg.is_offset; ++i) {
+        for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+          const SpanEnd& end =
+              side == 0 ? begin_of(spans_, leg.elements[i]) : end_of(spans_, leg.elements[i]);
+          network_.largest_move = std::max(network_.largest_move,
+                                           (point_at(leg, leg.nodes[i + side]) - end.point).norm());
+        }
+      }
+    }
+  }
+
+  const PipingLine& line_;
+  const PipingSpans& spans_;
+  const Chain& chain_;
+  PipingNetwork& network_;
+  LineNotes& notes_;
+  ChainPlan plan_;
+  std::optional<PortReference> port_, first_;  // where the next part goes on, and the chain's first
+  Vec3 here_ = Vec3::Zero();                   // of `port_`
+  double radius_ = 0;
+};
+
+// What a line ends with that has one point: a plate as thick as the wall where there is one, else
+// the end's name.
+void add_plates(const PipingLine& line, const PipingOptions& options, const PipingSpans& spans,
+                const std::map<std::size_t, PortReference>& made, PipingNetwork& network,
+                LineNotes& notes) {
+  for (const PortPair& pair : spans.pairs) {
+    for (const auto& [own, other] :
+         {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
+      const PipingComponent& component = line.components[spans.ports[own].component];
+      const auto at = made.find(other);
+      if (component.shape != PipingShape::closure || component.ports.size() != 1) {
+        continue;
+      }
+      if (at == made.end()) {
+        notes.refuse(component, "it closes no end of a pipe");
+        continue;
+      }
+      const PipingComponent& closed = line.components[spans.ports[other].component];
+      const auto wall = component.wall ? component.wall : closed.wall ? closed.wall : options.wall;
+      Part part{component.name, CapAt{at->second}};
+      if (wall && *wall > 0) {
+        part.shape = PipeAlong{at->second, *wall};
+        part.solid = true;
+      }
+      network.assembly.parts.push_back(std::move(part));
+    }
+  }
+}
+
+}  // namespace
+
+void add_parts(const PipingLine& line, const PipingOptions& options, const PipingSpans& spans,
+               const std::vector<Chain>& chains, PipingNetwork& network, LineNotes& notes) {
+  std::map<std::size_t, PortReference> made;
+  for (const Chain& chain : chains) {
+    ChainParts(line, options, spans, chain, network, notes).run(made);
+  }
+  for (const FittingBall& ball : spans.balls) {
+    Part part{ball.name, SphereAt{ball.center, ball.radius}};
+    part.wall = line.components[ball.component].wall;
+    network.assembly.parts.push_back(std::move(part));
+  }
+  add_plates(line, options, spans, made, network, notes);
+}
+
+}  // namespace dupin::network

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "network/piping_spans.h"
+
+namespace dupin::network {
+
+/// Lengthens pipes that end, joined to nothing, on or in the wall of another one until they reach
+/// its axis: branches that are welded on, and taps. Noted. O(k n) for k such ends and n spans.
+void reach_runs(const PipingLine& line, const PipingOptions& options, PipingSpans& spans,
+                LineNotes& notes);
+
+}  // namespace dupin::network

@@ -1,0 +1,368 @@
+#include "network/piping_spans.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "dupin/kernel/decimal.h"
+#include "network/piping_radii.h"
+
+namespace dupin::network {
+namespace {
+
+// Two arms of a fitting are its run if they are at most 60 degrees off a straight line and an arc
+// between them fits, whose radius is at least this many times the pipe's.
+constexpr double kRunCosine = 0.5, kArcOfRun = 1.2;
+// A run whose centre lies off it is still a line if its arms are at most 10 degrees off one.
+constexpr double kAlmostStraight = 0.985;
+// An arm's foot is where the run is if its centre is further off than this many radii of the run.
+constexpr double kBesideRun = 0.5;
+// Of an arm: how far from the ball's centre it begins, so that no two begin at the same place.
+constexpr double kInBall = 0.2;
+// A bend that turns by more than 175 degrees has no corner to speak of.
+constexpr double kTurnsBack = -0.996;
+// By the thickest arm that runs into it.
+constexpr double kBall = 1.05;
+// Of a leg of a bend, where a branch along it begins; and the cosine that says that it is along it.
+constexpr double kBranchOnLeg = 0.1, kAlongLeg = 0.9998;
+
+double turn_cosine(const PipingComponent& bend) {
+  const Vec3 in = *bend.center - bend.ports[0].center, out = bend.ports[1].center - *bend.center;
+  return in.dot(out) / (in.norm() * out.norm());
+}
+
+class Spans {
+ public:
+  Spans(const PipingLine& line, const PipingOptions& options, LineNotes& notes)
+      : line_(line), options_(options), notes_(notes), is_left_out_(line.components.size()) {}
+
+  PipingSpans run() {
+    for (std::size_t i = 0; i < line_.components.size(); ++i) {
+      is_left_out_[i] = is_empty(line_.components[i]);
+    }
+    pair_up();
+    refuse_without_radius();
+    first_port_.resize(line_.components.size(), 0);
+    for (std::size_t i = result_.ports.size(); i-- > 0;) {
+      first_port_[result_.ports[i].component] = i;
+    }
+    result_.span_of_port.resize(result_.ports.size());
+    partners_.resize(result_.ports.size());
+    for (const PortPair& pair : result_.pairs) {
+      partners_[pair.first] = pair.second;
+      partners_[pair.second] = pair.first;
+    }
+    for (std::size_t i = 0; i < line_.components.size(); ++i) {
+      if (!is_left_out_[i]) {
+        add(i);
+      }
+    }
+    link();
+    return std::move(result_);
+  }
+
+ private:
+  // Noted if it has no length, refused if it makes no sense.
+  bool is_empty(const PipingComponent& component) {
+    const auto& ports = component.ports;
+    const auto refused = [&](const std::string& why) {
+      notes_.refuse(component, why);
+      return true;
+    };
+    if (ports.empty()) {
+      return refused("it has no end in space");
+    }
+    if (component.shape == PipingShape::straight || component.shape == PipingShape::bend) {
+      if (ports.size() < 2) {
+        return refused("it has one end instead of two");
+      }
+      if ((ports[0].center - ports[1].center).norm() <= options_.snap) {
+        notes_.add(component, "has no length beyond the snap tolerance; its neighbours are joined");
+        return true;
+      }
+    }
+    if (!component.center &&
+        (component.shape == PipingShape::bend || component.shape == PipingShape::fitting)) {
+      return refused("it has no centre point");
+    }
+    if (is_turned(component) && turn_cosine(component) < kTurnsBack) {
+      return refused("it turns back upon itself");
+    }
+    return false;
+  }
+
+  // A bend whose corner lies off the straight line between its ends.
+  [[nodiscard]] bool is_turned(const PipingComponent& component) const {
+    if (component.shape != PipingShape::bend || !component.center) {
+      return false;
+    }
+    const Vec3 chord = component.ports[1].center - component.ports[0].center;
+    const Vec3 to_corner = *component.center - component.ports[0].center;
+    const bool has_legs = to_corner.norm() > options_.snap &&
+                          (*component.center - component.ports[1].center).norm() > options_.snap;
+    return has_legs && chord.cross(to_corner).norm() > options_.snap * chord.norm();
+  }
+
+  void pair_up() {
+    result_.ports = line_ports(line_, is_left_out_);
+    result_.pairs = paired(result_.ports, options_.snap, options_.bridge);
+  }
+
+  void refuse_without_radius() {
+    infer_radii(line_, result_.pairs, result_.ports, notes_);
+    bool is_any = false;
+    for (const LinePort& port : result_.ports) {
+      const PipingComponent& component = line_.components[port.component];
+      if (!port.radius && !is_left_out_[port.component] &&
+          !(component.shape == PipingShape::closure && component.ports.size() == 1)) {
+        notes_.refuse(component, "it has no bore, and nothing that it is joined to has one");
+        is_left_out_[port.component] = is_any = true;
+      }
+    }
+    if (is_any) {
+      std::vector<LinePort> kept;
+      kept.reserve(result_.ports.size());
+      std::ranges::copy_if(result_.ports, std::back_inserter(kept),
+                           [&](const LinePort& port) { return !is_left_out_[port.component]; });
+      result_.ports = std::move(kept);
+      result_.pairs = paired(result_.ports, options_.snap, options_.bridge);
+    }
+  }
+
+  // The position in `ports` of a component's end; none: it coincides with the fitting's centre.
+  [[nodiscard]] std::optional<std::size_t> port(std::size_t component, std::size_t index) const {
+    for (std::size_t i = first_port_[component];
+         i < result_.ports.size() && result_.ports[i].component == component; ++i) {
+      if (result_.ports[i].index == index) {
+        return i;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void add(std::size_t i) {
+    const PipingComponent& component = line_.components[i];
+    if (component.shape == PipingShape::fitting) {
+      add_fitting(i);
+    } else if (component.ports.size() >= 2) {
+      if (is_turned(component)) {
+        add_bend(component.name, i, {*port(i, 0), *port(i, 1)});
+      } else {
+        add_between(component.name, i, *port(i, 0), *port(i, 1));
+      }
+      for (std::size_t k = 2; k < component.ports.size(); ++k) {
+        if (const auto end = port(i, k)) {
+          add_arm(component.name + "-branch" + (k > 2 ? std::to_string(k - 1) : ""), i,
+                  branch_start(component, k), *end);
+        }
+      }
+    }
+  }
+
+  Span& add_span(const std::string& name, std::size_t component) {
+    Span span;
+    span.name = name;
+    span.component = component;
+    span.is_solid = line_.components[component].shape == PipingShape::closure;
+    span.is_eccentric = line_.components[component].is_eccentric;
+    result_.spans.push_back(span);
+    return result_.spans.back();
+  }
+
+  void set_end(Span& span, std::size_t end, std::size_t port) {
+    span.ends[end].point = result_.ports[port].center;
+    span.ends[end].port = port;
+    span.radii[end] = *result_.ports[port].radius;
+    result_.span_of_port[port] = std::array{result_.spans.size() - 1, end};
+  }
+
+  void add_between(const std::string& name, std::size_t component, std::size_t from,
+                   std::size_t to) {
+    Span& span = add_span(name, component);
+    set_end(span, 0, from);
+    set_end(span, 1, to);
+  }
+
+  // From inside of the fitting.
+  void add_arm(const std::string& name, std::size_t component, const Vec3& from, std::size_t to) {
+    Span& span = add_span(name, component);
+    set_end(span, 1, to);
+    span.ends[0].point = from;
+    span.radii[0] = span.radii[1];
+  }
+
+  // Both legs have the radius of the first end.
+  void add_bend(const std::string& name, std::size_t component,
+                const std::array<std::size_t, 2>& ends) {
+    const std::size_t first = result_.spans.size();
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+      Span& leg = add_span(name, component);
+      leg.role = SpanRole::bend_leg;
+      set_end(leg, 0, ends[k]);
+      leg.ends[1].point = *line_.components[component].center;
+      leg.other_leg = first + 1 - k;
+      leg.radii.fill(*result_.ports[ends[0]].radius);
+    }
+  }
+
+  // On a leg if the branch leads along it, else in the middle of the arc.
+  [[nodiscard]] static Vec3 branch_start(const PipingComponent& bend, std::size_t k) {
+    const Vec3 &to = bend.ports[k].center,
+               corner = bend.center.value_or((bend.ports[0].center + bend.ports[1].center) / 2);
+    Vec3 inward = Vec3::Zero();
+    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+      const Vec3 leg = corner - bend.ports[end].center, way = to - bend.ports[end].center;
+      if (leg.dot(way) > kAlongLeg * leg.norm() * way.norm()) {
+        return bend.ports[end].center + kBranchOnLeg * leg;
+      }
+      inward -= leg.normalized();
+    }
+    const double cosine = std::clamp(turn_cosine(bend), -1.0, 1.0);
+    const double half = std::acos(cosine) / 2, leg = (corner - bend.ports[0].center).norm();
+    const double bend_radius = leg / std::tan(half);
+    return corner + bend_radius * (1 / std::cos(half) - 1) * inward.normalized();
+  }
+
+  void add_fitting(std::size_t i) {
+    const PipingComponent& component = line_.components[i];
+    std::vector<std::size_t> arms;
+    arms.reserve(component.ports.size());
+    for (std::size_t k = 0; k < component.ports.size(); ++k) {
+      const auto end = port(i, k);
+      if (end && (result_.ports[*end].center - *component.center).norm() > options_.snap) {
+        arms.push_back(*end);
+      }
+    }
+    if (arms.size() < 2) {
+      if (!arms.empty()) {
+        add_arm(component.name, i, *component.center, arms[0]);
+      }
+      return;
+    }
+    const auto run = take_run(arms);
+    Vec3 center = *component.center;
+    if (run) {
+      add_run(component, i, *run);
+      const Vec3 beside = foot(*run, center);
+      const double radius = *result_.ports[(*run)[0]].radius;
+      center = (center - beside).norm() > kBesideRun * radius ? beside : center;
+      const auto cross = take_run(arms);
+      if (cross) {
+        add_between(component.name + "-branch", i, (*cross)[0], (*cross)[1]);
+      }
+      for (std::size_t k = 0; k < arms.size(); ++k) {
+        add_arm(component.name + "-branch" + (k == 0 && !cross ? "" : std::to_string(k + 2)), i,
+                center, arms[k]);
+      }
+      return;
+    }
+    double thickest = 0;
+    for (std::size_t k = 0; k < arms.size(); ++k) {
+      const LinePort& end = result_.ports[arms[k]];
+      thickest = std::max(thickest, *end.radius);
+      add_arm(component.name + "-arm" + std::to_string(k + 1), i,
+              center + kInBall * (end.center - center), arms[k]);
+    }
+    result_.balls.push_back({component.name, i, center, kBall * thickest});
+  }
+
+  // Takes out the two arms that lie on one line best, if they do or if an arc fits between them.
+  std::optional<std::array<std::size_t, 2>> take_run(std::vector<std::size_t>& arms) const {
+    std::optional<std::array<std::size_t, 2>> result;
+    double best = kRunCosine;
+    for (std::size_t k = 0; k < arms.size(); ++k) {
+      for (std::size_t l = k + 1; l < arms.size(); ++l) {
+        const double cosine = -result_.ports[arms[k]].outward->dot(*result_.ports[arms[l]].outward);
+        if (cosine > best && (is_straight_run({arms[k], arms[l]}) || has_arc(arms[k], arms[l]))) {
+          best = cosine;
+          result = {arms[k], arms[l]};
+        }
+      }
+    }
+    if (result) {
+      std::erase_if(arms,
+                    [&](std::size_t arm) { return arm == (*result)[0] || arm == (*result)[1]; });
+    }
+    return result;
+  }
+
+  // A line, though the centre may lie beside it, or an arc that is tangent to both arms where what
+  // is joined to them goes on along these.
+  void add_run(const PipingComponent& component, std::size_t i,
+               const std::array<std::size_t, 2>& run) {
+    if (is_straight_run(run)) {
+      add_between(component.name, i, run[0], run[1]);
+    } else {
+      add_bend(component.name, i, run);
+    }
+  }
+
+  [[nodiscard]] bool is_straight_run(const std::array<std::size_t, 2>& run) const {
+    const LinePort &a = result_.ports[run[0]], &b = result_.ports[run[1]];
+    const Vec3& center = *line_.components[a.component].center;
+    const Vec3 chord = b.center - a.center;
+    if (chord.cross(center - a.center).norm() <= options_.snap * chord.norm()) {
+      return true;
+    }
+    for (const std::size_t port : run) {
+      const auto& partner = partners_[port];
+      const LinePort& own = result_.ports[port];
+      const Vec3 along = (port == run[0] ? -1 : 1) * chord.normalized();
+      if (partner && result_.ports[*partner].outward &&
+          result_.ports[*partner].outward->cross(along).norm() >
+              result_.ports[*partner].outward->cross(*own.outward).norm()) {
+        return false;
+      }
+    }
+    return -a.outward->dot(*b.outward) > kAlmostStraight;
+  }
+
+  [[nodiscard]] bool has_arc(std::size_t from, std::size_t to) const {
+    const LinePort &a = result_.ports[from], &b = result_.ports[to];
+    const Vec3& center = *line_.components[a.component].center;
+    const double leg = std::min((a.center - center).norm(), (b.center - center).norm());
+    const double half =
+        std::atan2(a.outward->cross(*b.outward).norm(), -a.outward->dot(*b.outward)) / 2;
+    return leg > kArcOfRun * *a.radius * std::tan(half) && *a.radius == *b.radius;
+  }
+
+  // Of the point, on the line between two ends.
+  [[nodiscard]] Vec3 foot(const std::array<std::size_t, 2>& run, const Vec3& point) const {
+    const Vec3 &start = result_.ports[run[0]].center, way = result_.ports[run[1]].center - start;
+    return start + std::clamp((point - start).dot(way) / way.squaredNorm(), 0.0, 1.0) * way;
+  }
+
+  void link() {
+    for (std::size_t k = 0; k < result_.pairs.size(); ++k) {
+      for (const std::size_t port : {result_.pairs[k].first, result_.pairs[k].second}) {
+        if (const auto& place = result_.span_of_port[port]) {
+          result_.spans[(*place)[0]].ends[(*place)[1]].joint = k;
+        }
+      }
+    }
+  }
+
+  const PipingLine& line_;
+  const PipingOptions& options_;
+  LineNotes& notes_;
+  std::vector<bool> is_left_out_;
+  std::vector<std::size_t> first_port_;
+  std::vector<std::optional<std::size_t>> partners_;  // of ports
+  PipingSpans result_;
+};
+
+}  // namespace
+
+std::optional<std::array<std::size_t, 2>> PipingSpans::joined(const SpanEnd& end) const {
+  if (!end.joint) {
+    return std::nullopt;
+  }
+  const PortPair& pair = pairs[*end.joint];
+  return span_of_port[pair.first == *end.port ? pair.second : pair.first];
+}
+
+PipingSpans spans_of(const PipingLine& line, const PipingOptions& options, LineNotes& notes) {
+  return Spans(line, options, notes).run();
+}
+
+}  // namespace dupin::network

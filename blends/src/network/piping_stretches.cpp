@@ -1,0 +1,211 @@
+#include "network/piping_stretches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "dupin/kernel/decimal.h"
+
+namespace dupin::network {
+namespace {
+
+// A bend whose radius asks for this much less than its legs has straight pieces.
+constexpr double kShorterArc = 0.99;
+// Of the larger radius, the least length of a cone between two; and of the pipe it is made in, the
+// most.
+constexpr double kStepLength = 0.25, kStepOfPipe = 0.5;
+// A bend's centre line keeps at least this many radii off its axis.
+constexpr double kLeastBend = 1.0001;
+
+class Planner {
+ public:
+  Planner(const PipingLine& line, const PipingOptions& options, const PipingSpans& spans,
+          const Chain& chain, std::vector<PipingJoint>& joints, LineNotes& notes)
+      : line_(line),
+        options_(options),
+        spans_(spans),
+        chain_(chain),
+        joints_(joints),
+        notes_(notes) {}
+
+  ChainPlan run() {
+    result_.arcs.resize(chain_.seams.size());
+    for (std::size_t k = 1; k < chain_.legs.size(); ++k) {
+      if (chain_.seams[k].kind == SeamKind::corner) {
+        result_.arcs[k] = arc(chain_.legs[k - 1], chain_.legs[k]);
+      }
+    }
+    result_.stretches.resize(chain_.legs.size());
+    for (std::size_t k = 0; k < chain_.legs.size(); ++k) {
+      cut(k);
+      step_between(k);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] const Span& span(const ChainElement& element) const {
+    return spans_.spans[element.span];
+  }
+
+  [[nodiscard]] double radius(const ChainElement& element, std::size_t side) const {
+    return span(element).radii[element.is_reversed ? 1 - side : side];
+  }
+
+  Arc arc(const Leg& in, const Leg& out) {
+    const Span& leg = span(in.elements.back());
+    const PipingComponent& bend = line_.components[leg.component];
+    const double first = in.nodes.back() - in.nodes[in.nodes.size() - 2], second = out.nodes[1];
+    const double half =
+        std::atan2(in.direction.cross(out.direction).norm(), in.direction.dot(out.direction)) / 2;
+    Arc result{leg.component, std::min(first, second), leg.radii[0], false};
+    if (std::abs(first - second) <= 2 * options_.snap) {
+      result.tangent = (first + second) / 2;
+    }
+    if (bend.bend_radius && *bend.bend_radius * std::tan(half) < kShorterArc * result.tangent) {
+      result.tangent = *bend.bend_radius * std::tan(half);
+    }
+    const double bend_radius = result.tangent / std::tan(half);
+    if (!(bend_radius > kLeastBend * result.radius)) {
+      notes_.refuse(bend, "its bend radius of " + decimal(bend_radius, kMessageDigits) +
+                              " is not larger than its pipe's radius of " +
+                              decimal(result.radius, kMessageDigits));
+      result.is_left_out = true;
+    }
+    return result;
+  }
+
+  void cut(std::size_t k) {
+    const Leg& leg = chain_.legs[k];
+    std::vector<double> levels = leg.nodes;
+    auto& stretches = result_.stretches[k];
+    const std::size_t last = leg.elements.size() - 1;
+    // A leg may consist of both bends' legs alone, so both limits may concern one element each.
+    const double begin = result_.arcs[k] ? result_.arcs[k]->tangent : levels.front();
+    const double end =
+        result_.arcs[k + 1] ? levels.back() - result_.arcs[k + 1]->tangent : levels.back();
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      const bool is_first = i == 0 || (i == 1 && result_.arcs[k]);
+      const bool is_last =
+          i == levels.size() - 1 || (i == levels.size() - 2 && result_.arcs[k + 1]);
+      if (is_first && levels[i] - begin <= options_.snap) {
+        levels[i] = begin;
+      } else if (is_last && end - levels[i] <= options_.snap) {
+        levels[i] = end;
+      }
+    }
+    double here = begin;
+    for (std::size_t i = 0; i <= last; ++i) {
+      const ChainElement& element = leg.elements[i];
+      const Span& own = span(element);
+      const double to = i == last ? end : std::min(levels[i + 1], end);
+      if (to - here <= options_.snap) {
+        if (own.role == SpanRole::straight) {
+          notes_.add(line_.components[own.component],
+                     own.name + " is shorter than the snap tolerance between its neighbours");
+        }
+        continue;
+      }
+      Stretch stretch{own.name, own.component, {here, to}, {}, own.is_solid, {}};
+      stretch.radii = {radius(element, 0), radius(element, 1)};
+      if (own.role == SpanRole::bend_leg) {
+        stretch.name += element.is_reversed ? "-leg2" : "-leg";
+      }
+      if (i > 0) {
+        stretch.joint_before = begin_of(spans_, element).joint;
+      }
+      stretches.push_back(stretch);
+      here = to;
+    }
+  }
+
+  // Where radii differ, in the larger pipe if it is straight, else in the other one.
+  void step_between(std::size_t k) {
+    auto& stretches = result_.stretches[k];
+    std::vector<Stretch> result;
+    result.reserve(2 * stretches.size() + 1);
+    const auto& before = result_.arcs[k];
+    const auto& after = result_.arcs[k + 1];
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      Stretch own = stretches[i];
+      if (i > 0) {
+        const double previous = result.back().radii[1];
+        if (previous != own.radii[0]) {
+          const bool in_previous = previous > own.radii[0];
+          Stretch step =
+              in_previous ? cut_end(result.back(), own.radii[0]) : cut_begin(own, previous);
+          name_step(step, own.joint_before);
+          own.joint_before.reset();
+          result.push_back(step);
+        }
+      } else if (before && before->radius != own.radii[0]) {
+        Stretch step = cut_begin(own, before->radius);
+        name_step(step, begin_joint(k));
+        result.push_back(step);
+      }
+      result.push_back(own);
+    }
+    if (after && !result.empty() && result.back().radii[1] != after->radius) {
+      Stretch step = cut_end(result.back(), after->radius);
+      name_step(step, begin_of(spans_, chain_.legs[k].elements.back()).joint);
+      result.push_back(step);
+    }
+    stretches = std::move(result);
+  }
+
+  // Of a leg that begins with a bend's.
+  [[nodiscard]] std::optional<std::size_t> begin_joint(std::size_t k) const {
+    return end_of(spans_, chain_.legs[k].elements.front()).joint;
+  }
+
+  void name_step(Stretch& step, std::optional<std::size_t> joint) {
+    step.is_solid = false;
+    step.joint_before.reset();
+    if (!joint) {
+      step.name += "-step";
+      return;
+    }
+    step.name = "step-" + std::to_string(joints_[*joint].lines[0]) + "-" +
+                std::to_string(joints_[*joint].lines[1]);
+    joints_[*joint].state = JointState::stepped;
+    joints_[*joint].part = step.name;
+  }
+
+  [[nodiscard]] static double step_length(const Stretch& in, double from, double to) {
+    return std::min(std::max(std::abs(from - to), kStepLength * std::max(from, to)),
+                    kStepOfPipe * in.length());
+  }
+
+  // The cone to `radius` that takes the stretch's last piece.
+  static Stretch cut_end(Stretch& from, double radius) {
+    Stretch step = from;
+    step.levels[0] = from.levels[1] -= step_length(from, from.radii[1], radius);
+    step.radii = {from.radii[1], radius};
+    return step;
+  }
+
+  // The cone from `radius` that takes its first one.
+  static Stretch cut_begin(Stretch& from, double radius) {
+    Stretch step = from;
+    step.levels[1] = from.levels[0] += step_length(from, radius, from.radii[0]);
+    step.radii = {radius, from.radii[0]};
+    return step;
+  }
+
+  const PipingLine& line_;
+  const PipingOptions& options_;
+  const PipingSpans& spans_;
+  const Chain& chain_;
+  std::vector<PipingJoint>& joints_;
+  LineNotes& notes_;
+  ChainPlan result_;
+};
+
+}  // namespace
+
+ChainPlan plan(const PipingLine& line, const PipingOptions& options, const PipingSpans& spans,
+               const Chain& chain, std::vector<PipingJoint>& joints, LineNotes& notes) {
+  return Planner(line, options, spans, chain, joints, notes).run();
+}
+
+}  // namespace dupin::network

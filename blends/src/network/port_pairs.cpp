@@ -1,0 +1,130 @@
+#include "network/port_pairs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <tuple>
+
+namespace dupin::network {
+namespace {
+
+// Ends whose directions are less than 60 degrees apart look the same way.
+constexpr double kSameWay = 0.5;
+// How finely directions are told apart when the best partner is looked for.
+constexpr double kFacingSteps = 16;
+
+using Cell = std::array<std::int64_t, 3>;
+
+struct Candidate {
+  bool is_bridge;
+  int facing;  ///< 0 is best
+  bool is_step;
+  double distance;
+  std::size_t first, second;
+  [[nodiscard]] auto key() const {
+    return std::tuple(is_bridge, facing, is_step, distance, first, second);
+  }
+};
+
+std::optional<Vec3> direction(const Vec3& from, const Vec3& to) {
+  const Vec3 way = to - from;
+  const double length = way.norm();
+  return length > 0 ? std::optional<Vec3>(way / length) : std::nullopt;
+}
+
+std::optional<Vec3> outward(const PipingComponent& component, std::size_t index) {
+  const Vec3& here = component.ports[index].center;
+  if (component.center && component.shape != PipingShape::straight) {
+    return direction(*component.center, here);
+  }
+  if (component.ports.size() == 2) {
+    return direction(component.ports[1 - index].center, here);
+  }
+  return std::nullopt;
+}
+
+std::optional<Candidate> candidate(const std::vector<LinePort>& ports, std::size_t i, std::size_t j,
+                                   double snap, double reach) {
+  const LinePort &a = ports[std::min(i, j)], &b = ports[std::max(i, j)];
+  const double distance = (a.center - b.center).norm();
+  const double cosine = a.outward && b.outward ? a.outward->dot(*b.outward) : -1;
+  if (a.component == b.component || !(distance <= reach) || cosine > kSameWay) {
+    return std::nullopt;
+  }
+  return Candidate{distance > snap,
+                   static_cast<int>(std::lround((1 + cosine) * kFacingSteps)),
+                   a.radius && b.radius && *a.radius != *b.radius,
+                   distance,
+                   std::min(i, j),
+                   std::max(i, j)};
+}
+
+std::vector<Candidate> candidates(const std::vector<LinePort>& ports, double snap, double reach) {
+  const double size = reach > 0 ? reach : 1;
+  std::map<Cell, std::vector<std::size_t>> cells;
+  std::vector<Candidate> result;
+  for (std::size_t i = 0; i < ports.size(); ++i) {
+    Cell own;
+    for (int axis = 0; axis < 3; ++axis) {
+      own[static_cast<std::size_t>(axis)] =
+          static_cast<std::int64_t>(std::floor(ports[i].center[axis] / size));
+    }
+    for (std::int64_t step = 0; step < 27; ++step) {
+      const Cell cell{own[0] + step % 3 - 1, own[1] + step / 3 % 3 - 1, own[2] + step / 9 - 1};
+      const auto found = cells.find(cell);
+      if (found == cells.end()) {
+        continue;
+      }
+      for (const std::size_t j : found->second) {
+        if (const auto pair = candidate(ports, i, j, snap, reach)) {
+          result.push_back(*pair);
+        }
+      }
+    }
+    cells[own].push_back(i);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<LinePort> line_ports(const PipingLine& line, const std::vector<bool>& is_left_out) {
+  std::vector<LinePort> result;
+  for (std::size_t i = 0; i < line.components.size(); ++i) {
+    const PipingComponent& component = line.components[i];
+    for (std::size_t k = 0; k < component.ports.size() && !is_left_out[i]; ++k) {
+      const PipingPort& port = component.ports[k];
+      const std::optional<Vec3> direction = outward(component, k);
+      if (direction || component.shape != PipingShape::fitting) {
+        result.push_back({i, k, port.center, direction, port.radius, port.line});
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<PortPair> paired(const std::vector<LinePort>& ports, double snap, double bridge) {
+  std::vector<Candidate> all = candidates(ports, snap, std::max(snap, bridge));
+  std::ranges::sort(all, {}, &Candidate::key);
+  std::vector<bool> is_taken(ports.size(), false);
+  std::vector<PortPair> result;
+  for (const Candidate& pair : all) {
+    if (!is_taken[pair.first] && !is_taken[pair.second]) {
+      is_taken[pair.first] = is_taken[pair.second] = true;
+      result.push_back({pair.first, pair.second, pair.distance});
+    }
+  }
+  std::ranges::sort(result, {}, &PortPair::first);
+  return result;
+}
+
+double kink(const LinePort& a, const LinePort& b) {
+  if (!a.outward || !b.outward) {
+    return 0;
+  }
+  return std::atan2(a.outward->cross(*b.outward).norm(), -a.outward->dot(*b.outward));
+}
+
+}  // namespace dupin::network

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <iosfwd>
+
+#include "dupin/io/report_json.h"
+
+namespace dupin::cli {
+
+/// What became of the graph or piping file that was built, if it was one.
+void print_source(std::ostream& out, const BuildReport& report);
+
+}  // namespace dupin::cli

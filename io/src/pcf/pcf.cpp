@@ -1,0 +1,381 @@
+#include "dupin/io/pcf.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
+#include "pcf/bores.h"
+#include "pcf/nominal_pipe.h"
+#include "pcf/records.h"
+#include "text/lower_case.h"
+#include "text/text_scanner.h"
+
+namespace dupin {
+namespace {
+
+using pcf::Attribute;
+using pcf::BoreUnit;
+using pcf::HeadKind;
+using pcf::Record;
+using text::TextScanner;
+
+// Beyond a hundred kilometres, and pipes thicker than a hundred metres, are no plant.
+constexpr double kLargestCoordinate = 1e8, kLargestBore = 1e5;
+constexpr double kInch = 25.4;
+
+// Attributes that say nothing of the solid, by how they begin.
+constexpr std::array kKnown = std::to_array<std::string_view>({"SKEY",
+                                                               "ATTRIBUTE",
+                                                               "COMPONENT-ATTRIBUTE",
+                                                               "ITEM-",
+                                                               "MATERIAL-",
+                                                               "ANGLE",
+                                                               "WEIGHT",
+                                                               "FABRICATION-",
+                                                               "UCI",
+                                                               "UNIQUE-",
+                                                               "COMPONENT-IDENTIFIER",
+                                                               "MASTER-COMPONENT-IDENTIFIER",
+                                                               "PIPELINE-",
+                                                               "PIPING-SPEC",
+                                                               "SPINDLE-",
+                                                               "FLAT-DIRECTION",
+                                                               "INSULATION",
+                                                               "TRACING",
+                                                               "CATEGORY",
+                                                               "STATUS",
+                                                               "TAG",
+                                                               "NAME",
+                                                               "DIRECTION",
+                                                               "SUPPORT-",
+                                                               "MESSAGE-",
+                                                               "TEXT",
+                                                               "CONTINUATION",
+                                                               "BOLT-",
+                                                               "REPEAT-",
+                                                               "SPOOL-",
+                                                               "REVISION",
+                                                               "END-CONNECTION",
+                                                               "CO-ORDS",
+                                                               "TAP-CONNECTION",
+                                                               "CUT-PIECE",
+                                                               "QUANTITY",
+                                                               "BRANCH-",
+                                                               "PIPE-",
+                                                               "WELD-",
+                                                               "GASKET-",
+                                                               "FLOW",
+                                                               "LENGTH",
+                                                               "DESCRIPTION",
+                                                               "PROJECT-",
+                                                               "AREA",
+                                                               "DATE",
+                                                               "ORIGINAL-",
+                                                               "R2_",
+                                                               "COLLAR-",
+                                                               "DIMENSION",
+                                                               "DRAWING-",
+                                                               "MISC-",
+                                                               "SPEC",
+                                                               "CLASS",
+                                                               "COMPONENT-",
+                                                               "HEAT-",
+                                                               "SHOP",
+                                                               "CONNECTION-",
+                                                               "REFERENCE",
+                                                               "OPERATION",
+                                                               "START-",
+                                                               "STOP-",
+                                                               "ELEVATION",
+                                                               "PCF_",
+                                                               "PSI_",
+                                                               "SIZE",
+                                                               "ITEM",
+                                                               "LOCATION"});
+
+enum class Family { straight, bend, fitting, closure, any };
+
+Family family_of(std::string_view kind) {
+  if (kind.starts_with("ELBOW") || kind.starts_with("BEND")) {
+    return Family::bend;
+  }
+  if (kind == "CAP" || kind == "FLANGE-BLIND" || kind == "BLIND-FLANGE" || kind == "PLUG") {
+    return Family::closure;
+  }
+  for (const std::string_view fitting : {"TEE", "OLET", "CROSS", "Y-PIECE"}) {
+    if (kind.starts_with(fitting)) {
+      return Family::fitting;
+    }
+  }
+  for (const std::string_view straight : {"PIPE", "REDUCER", "FLANGE", "GASKET", "COUPLING"}) {
+    if (kind.starts_with(straight)) {
+      return Family::straight;
+    }
+  }
+  return Family::any;
+}
+
+class PcfReader {
+ public:
+  PcfReader(std::string_view text, const std::string& source, BoreMeaning bores)
+      : scanner_(text, source), source_(source), bores_(bores), records_(pcf::records(text)) {
+    file_.line.source = source;
+  }
+
+  PcfFile run() {
+    read_units();
+    for (const Record& record : records_) {
+      switch (pcf::head_kind(record.head.keyword)) {
+        case HeadKind::component:
+          add(record);
+          break;
+        case HeadKind::skipped:
+          ++file_.skipped[record.head.keyword];
+          break;
+        case HeadKind::setting:
+          break;
+        case HeadKind::unknown:
+          note_unknown(record.head);
+          break;
+      }
+    }
+    list_unknown();
+    if (file_.line.components.empty()) {
+      throw Error(Errc::parse_failed, "there is no piping component in it, such as PIPE or ELBOW",
+                  {}, source_);
+    }
+    pcf::give_meaning(file_, bore_unit_, bore_millimetres_, bores_);
+    for (std::size_t i = 0; i < file_.line.components.size(); ++i) {
+      if (own_radii_[i]) {
+        for (PipingPort& port : file_.line.components[i].ports) {
+          port.radius = own_radii_[i];
+        }
+      }
+    }
+    return std::move(file_);
+  }
+
+ private:
+  void read_units() {
+    const Attribute *lengths = nullptr, *bores = nullptr;
+    for (const Record& record : records_) {
+      if (record.head.keyword == "UNITS-CO-ORDS") {
+        lengths = &record.head;
+      } else if (record.head.keyword == "UNITS-BORE") {
+        bores = &record.head;
+      }
+    }
+    const auto unit = [&](const Attribute* attribute, const std::string& keyword) {
+      if (attribute == nullptr) {
+        throw Error(Errc::parse_failed, "the line " + keyword + " is missing; it says MM or INCH",
+                    {}, source_);
+      }
+      const std::string word = text::lower_case(std::string(attribute->text));
+      if (word == "mm") {
+        return 1.0;
+      }
+      if (word == "inch" || word == "inches") {
+        return kInch;
+      }
+      scanner_.fail_at(attribute->position,
+                       "found " + text::quoted(attribute->text) + ", expected the unit MM or INCH");
+    };
+    millimetres_ = unit(lengths, "UNITS-CO-ORDS");
+    bore_millimetres_ = unit(bores, "UNITS-BORE");
+    bore_unit_ = bore_millimetres_ == 1 ? BoreUnit::millimetre : BoreUnit::inch;
+  }
+
+  // A number, which is in a unit of so many millimetres.
+  double number(const std::string& expected, double largest, double millimetres) {
+    scanner_.skip_blanks();
+    const std::size_t position = scanner_.position();
+    const double value = scanner_.number(expected);
+    if (!(std::abs(value) * millimetres <= largest)) {
+      scanner_.fail_at(position, "found " + decimal(value, kMessageDigits) + ", expected " +
+                                     expected + " of at most " +
+                                     decimal(largest / millimetres, kMessageDigits));
+    }
+    return value + 0.0;  // -0 is 0
+  }
+
+  double positive(const Attribute& attribute, const std::string& expected, double millimetres) {
+    scanner_.move_to(attribute.position);
+    const double value = number(expected, kLargestBore, millimetres);
+    if (!(value >= 0)) {
+      scanner_.fail_at(attribute.position, "found " + decimal(value, kMessageDigits) +
+                                               ", expected " + expected + " that is not negative");
+    }
+    return value;
+  }
+
+  Vec3 point(const Attribute& attribute) {
+    scanner_.move_to(attribute.position);
+    Vec3 result;
+    for (double& x : result) {
+      x = number("a coordinate", kLargestCoordinate, millimetres_) * millimetres_;
+    }
+    return result;
+  }
+
+  // The radius in the file's unit of bores stays with the port until all bores are known.
+  PipingPort port(const Attribute& attribute) {
+    PipingPort result{point(attribute), {}, attribute.line};
+    const std::string_view next = scanner_.peek();
+    const bool is_code =
+        !next.empty() && ((next[0] >= 'A' && next[0] <= 'Z') || (next[0] >= 'a' && next[0] <= 'z'));
+    if (!next.empty() && !is_code) {
+      const std::size_t position = scanner_.position();
+      const double bore = number("a bore", kLargestBore, bore_millimetres_);
+      if (!(bore >= 0)) {
+        scanner_.fail_at(position, "found the bore " + decimal(bore, kMessageDigits) +
+                                       ", expected one that is not negative");
+      }
+      if (bore > 0) {
+        result.radius = bore / 2;
+      }
+    }
+    return result;
+  }
+
+  void add(const Record& record) {
+    PipingComponent component;
+    component.kind = record.head.keyword;
+    component.line = record.head.line;
+    component.name = text::lower_case(component.kind) + "-" + std::to_string(component.line);
+    component.is_eccentric =
+        component.kind.starts_with("REDUCER") || component.kind == "FLANGE-REDUCING-ECCENTRIC";
+    std::optional<double> radius;
+    std::vector<PipingPort> branches;
+    for (const Attribute& attribute : record.attributes) {
+      const std::string& keyword = attribute.keyword;
+      if (keyword == "END-POINT") {
+        component.ports.push_back(port(attribute));
+      } else if (keyword.starts_with("BRANCH") && keyword.ends_with("-POINT")) {
+        branches.push_back(port(attribute));
+      } else if (keyword == "CENTRE-POINT") {
+        component.center = point(attribute);
+      } else if (keyword == "BEND-RADIUS") {
+        component.bend_radius = positive(attribute, "a bend radius", millimetres_) * millimetres_;
+      } else if (keyword == "R2_OUTER_DIAM" || keyword == "OUTSIDE-DIAMETER") {
+        const double diameter = positive(attribute, "an outside diameter", bore_millimetres_);
+        radius = diameter > 0 ? std::optional(diameter / 2 * bore_millimetres_) : std::nullopt;
+      } else if (keyword == "R2_WALL_THK" || keyword == "WALL-THICKNESS") {
+        const double wall = positive(attribute, "a wall thickness", bore_millimetres_);
+        component.wall = wall > 0 ? std::optional(wall * bore_millimetres_) : std::nullopt;
+      } else if (!is_known(keyword)) {
+        note_unknown(attribute);
+      }
+    }
+    if (component.bend_radius && !(*component.bend_radius > 0)) {
+      component.bend_radius.reset();
+    }
+    component.ports.insert(component.ports.end(), branches.begin(), branches.end());
+    give_shape(component);
+    if (!repeats(component)) {
+      ++file_.kinds[component.kind];
+      file_.line.components.push_back(std::move(component));
+      own_radii_.push_back(radius);
+    }
+  }
+
+  static bool is_known(const std::string& keyword) {
+    return std::ranges::any_of(kKnown,
+                               [&](std::string_view known) { return keyword.starts_with(known); });
+  }
+
+  static void give_shape(PipingComponent& component) {
+    const Family family = family_of(component.kind);
+    const std::size_t ports = component.ports.size();
+    switch (family) {
+      case Family::straight:
+        component.shape = PipingShape::straight;
+        break;
+      case Family::bend:
+        component.shape = PipingShape::bend;
+        break;
+      case Family::fitting:
+        component.shape = PipingShape::fitting;
+        break;
+      case Family::closure:
+        component.shape = PipingShape::closure;
+        break;
+      case Family::any:
+        component.shape = ports == 1                        ? PipingShape::closure
+                          : ports == 2 && !component.center ? PipingShape::straight
+                                                            : PipingShape::fitting;
+        break;
+    }
+    if (component.shape == PipingShape::fitting && !component.center && ports >= 2) {
+      component.center = (component.ports[0].center + component.ports[1].center) / 2;
+    }
+  }
+
+  // The same kind between the same points.
+  bool repeats(const PipingComponent& component) {
+    std::vector<double> numbers;
+    numbers.reserve(3 * component.ports.size());
+    for (const PipingPort& port : component.ports) {
+      numbers.insert(numbers.end(), port.center.begin(), port.center.end());
+    }
+    const auto [found, is_new] =
+        places_.try_emplace({component.kind, std::move(numbers)}, component.line);
+    if (!is_new && !component.ports.empty()) {
+      file_.notes.push_back({component.line, component.name + " repeats the one at line " +
+                                                 std::to_string(found->second) +
+                                                 " and is left out"});
+      return true;
+    }
+    return false;
+  }
+
+  // Each keyword once, where it occurs first.
+  void note_unknown(const Attribute& attribute) {
+    auto& [line, count] = unknown_[attribute.keyword];
+    line = count++ == 0 ? attribute.line : line;
+  }
+
+  void list_unknown() {
+    for (const auto& [keyword, found] : unknown_) {
+      const auto& [line, count] = found;
+      file_.unknown.push_back(
+          {line, text::quoted(keyword) + " is not understood" +
+                     (count > 1 ? ", here and on " + std::to_string(count - 1) +
+                                      (count > 2 ? " other lines" : " other line")
+                                : "")});
+    }
+    std::ranges::stable_sort(file_.unknown, {}, &SourceNote::line);
+  }
+
+  TextScanner scanner_;
+  std::string source_;
+  BoreMeaning bores_;
+  std::vector<Record> records_;
+  PcfFile file_;
+  std::vector<std::optional<double>> own_radii_;
+  std::map<std::pair<std::string, std::vector<double>>, std::size_t> places_;
+  std::map<std::string, std::pair<std::size_t, std::size_t>> unknown_;  // line, count
+  double millimetres_ = 1, bore_millimetres_ = 1;
+  BoreUnit bore_unit_ = BoreUnit::millimetre;
+};
+
+}  // namespace
+
+std::size_t PcfReport::findings() const {
+  return std::size_t(std::ranges::count_if(network.notes, &SourceNote::is_refusal)) +
+         std::size_t(std::ranges::count(network.joints, JointState::apart, &PipingJoint::state)) +
+         (is_strict ? file.unknown.size() : 0);
+}
+
+bool is_pcf_file(const std::filesystem::path& file) {
+  return text::lower_case(file.extension().string()) == ".pcf";
+}
+
+PcfFile parse_pcf(std::string_view text, const std::string& source, BoreMeaning bores) {
+  return PcfReader(text, source, bores).run();
+}
+
+}  // namespace dupin

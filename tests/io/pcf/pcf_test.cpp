@@ -1,0 +1,186 @@
+#include "dupin/io/pcf.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/error.h"
+#include "support/malformed.h"
+
+namespace dupin::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string kUnits = "UNITS-BORE MM\nUNITS-CO-ORDS MM\n";
+
+// A pipe of this bore along x from line 3 on.
+std::string pipe(const std::string& bore) {
+  return kUnits + "PIPE\n    END-POINT 0 0 0 " + bore + "\n    END-POINT 100 0 0 " + bore + "\n";
+}
+
+double radius(const PcfFile& file) { return *file.line.components[0].ports[0].radius; }
+
+TEST(Pcf, reads_components_with_their_places) {
+  const PcfFile file = parse_pcf(
+      kUnits +
+          "ELBOW\n    END-POINT 1 2 3 100\n    END-POINT 4 5 6 100\n    CENTRE-POINT 7 8 -0\n"
+          "    BEND-RADIUS 152.4\nTEE\n    END-POINT 0 0 0 100\n    END-POINT 9 0 0 100\n"
+          "    CENTRE-POINT 4 0 0\n    BRANCH1-POINT 4 3 0 50\n    R2_WALL_THK 3.6\n",
+      "a.pcf");
+  ASSERT_EQ(file.line.components.size(), 2);
+  const PipingComponent &elbow = file.line.components[0], &tee = file.line.components[1];
+  EXPECT_EQ(elbow.name, "elbow-3");
+  EXPECT_EQ(elbow.shape, PipingShape::bend);
+  EXPECT_EQ(elbow.ports[1].center, Vec3(4, 5, 6));
+  EXPECT_EQ(elbow.ports[1].line, 5);
+  EXPECT_EQ(*elbow.center, Vec3(7, 8, 0));
+  EXPECT_FALSE(std::signbit(elbow.center->z()));
+  EXPECT_EQ(elbow.bend_radius, 152.4);
+  EXPECT_EQ(tee.shape, PipingShape::fitting);
+  ASSERT_EQ(tee.ports.size(), 3);
+  EXPECT_EQ(tee.ports[2].center, Vec3(4, 3, 0));
+  EXPECT_EQ(tee.ports[2].radius, 60.3 / 2);
+  EXPECT_EQ(tee.wall, 3.6);
+  EXPECT_EQ(file.kinds.at("TEE"), 1);
+}
+
+TEST(Pcf, takes_bores_for_what_they_are) {
+  EXPECT_EQ(radius(parse_pcf(pipe("100"))), 114.3 / 2);        // DN
+  EXPECT_EQ(radius(parse_pcf(pipe("203.2"))), 219.1 / 2);      // NPS in millimetres
+  EXPECT_EQ(radius(parse_pcf(pipe("168.3"))), 168.3 / 2);      // an outside diameter
+  EXPECT_EQ(radius(parse_pcf(pipe("102.375"))), 102.375 / 2);  // none of them
+  EXPECT_EQ(radius(parse_pcf(pipe("100"), {}, BoreMeaning::outside)), 50);
+  EXPECT_EQ(radius(parse_pcf(pipe("88.9"), {}, BoreMeaning::nominal)), 101.6 / 2);
+  EXPECT_THAT(parse_pcf(pipe("100")).notes.at(0).text,
+              "bore 100: outside diameter 114.3 mm (NPS 4, DN 100, ASME B36.10M)");
+  EXPECT_TRUE(parse_pcf(pipe("168.3")).notes.empty());
+}
+
+// 88.9 mm is the outside diameter of DN 80, and the name of NPS 3 1/2 in millimetres.
+TEST(Pcf, takes_doubtful_bores_as_most_of_the_file) {
+  const std::string doubtful = pipe("88.9");
+  EXPECT_EQ(radius(parse_pcf(doubtful)), 88.9 / 2);
+  EXPECT_EQ(
+      radius(parse_pcf(doubtful + "PIPE\n  END-POINT 0 9 0 168.3\n  END-POINT 1 9 0 168.3\n")),
+      88.9 / 2);
+  EXPECT_EQ(
+      radius(parse_pcf(doubtful + "PIPE\n  END-POINT 0 9 0 152.4\n  END-POINT 1 9 0 152.4\n")),
+      101.6 / 2);
+}
+
+TEST(Pcf, reads_inches_and_mixtures) {
+  const std::string body = "PIPE\n END-POINT 0 0 0 4\n END-POINT 10 0 0 4\n    R2_OUTER_DIAM 0\n";
+  const PcfFile inches = parse_pcf("UNITS-BORE INCH\nUNITS-CO-ORDS INCH\n" + body);
+  EXPECT_EQ(radius(inches), 114.3 / 2);
+  EXPECT_EQ(inches.line.components[0].ports[1].center, Vec3(254, 0, 0));
+  const PcfFile mixed = parse_pcf("UNITS-BORE INCH\nUNITS-CO-ORDS MM\n" + body);
+  EXPECT_EQ(mixed.line.components[0].ports[1].center, Vec3(10, 0, 0));
+  EXPECT_EQ(radius(parse_pcf("UNITS-BORE INCH\nUNITS-CO-ORDS MM\nPIPE\n END-POINT 0 0 0 4.5\n"
+                             " END-POINT 1 0 0 4.5\n")),
+            4.5 * 25.4 / 2);
+}
+
+TEST(Pcf, takes_a_diameter_of_its_own_before_the_bore) {
+  EXPECT_EQ(radius(parse_pcf(pipe("100") + "    R2_OUTER_DIAM 108\n")), 54);
+}
+
+TEST(Pcf, takes_ends_without_a_bore) {
+  const PcfFile file = parse_pcf(kUnits +
+                                 "PIPE\n    END-POINT 0 0 0\n    END-POINT 1 0 0 BW\nPIPE\n"
+                                 "    END-POINT 5 0 0 0\n    END-POINT 6 0 0 50 PL\n");
+  EXPECT_FALSE(file.line.components[0].ports[0].radius);
+  EXPECT_FALSE(file.line.components[0].ports[1].radius);
+  EXPECT_FALSE(file.line.components[1].ports[0].radius);
+  EXPECT_EQ(file.line.components[1].ports[1].radius, 60.3 / 2);
+}
+
+TEST(Pcf, gives_families_their_shapes) {
+  const auto shape = [](const std::string& kind, const std::string& rest) {
+    return parse_pcf(kUnits + kind + "\n    END-POINT 0 0 0 100\n" + rest).line.components[0].shape;
+  };
+  const std::string second = "    END-POINT 9 0 0 100\n", center = "    CENTRE-POINT 9 0 9\n";
+  EXPECT_EQ(shape("VALVE", second), PipingShape::straight);
+  EXPECT_EQ(shape("VALVE-ANGLE", second + center), PipingShape::fitting);
+  EXPECT_EQ(shape("INSTRUMENT", second), PipingShape::straight);
+  EXPECT_EQ(shape("INSTRUMENT-DIAL", ""), PipingShape::closure);
+  EXPECT_EQ(shape("CAP", second), PipingShape::closure);
+  EXPECT_EQ(shape("FLANGE-BLIND", second), PipingShape::closure);
+  EXPECT_EQ(shape("FLANGE", second), PipingShape::straight);
+  EXPECT_EQ(shape("BEND", second + center), PipingShape::bend);
+  EXPECT_EQ(shape("CROSS", second + center), PipingShape::fitting);
+  EXPECT_EQ(shape("GASKET", second), PipingShape::straight);
+}
+
+TEST(Pcf, lists_what_it_does_not_understand_and_counts_what_it_skips) {
+  const PcfFile file = parse_pcf(pipe("100") +
+                                 "    FROBNICATE 1\n    FROBNICATE 2\nHYPERSPACE-DUCT\n"
+                                 "    END-POINT 0 0 0 1\nSUPPORT\n    CO-ORDS 1 2 3\nSUPPORT\n"
+                                 "MESSAGE-SQUARE\nany \xE9 words\n");
+  ASSERT_EQ(file.unknown.size(), 2);
+  EXPECT_EQ(file.unknown[0].line, 6);
+  EXPECT_THAT(file.unknown[0].text, HasSubstr("FROBNICATE"));
+  EXPECT_THAT(file.unknown[0].text, HasSubstr("1 other line"));
+  EXPECT_EQ(file.unknown[1].line, 8);
+  EXPECT_EQ(file.skipped.at("SUPPORT"), 2);
+  EXPECT_EQ(file.skipped.at("MESSAGE-SQUARE"), 1);
+}
+
+TEST(Pcf, leaves_out_what_is_there_twice) {
+  const std::string twice =
+      pipe("100") + "PIPE\n    END-POINT 0 0 0 100\n    END-POINT 100 0 0 100\n";
+  const PcfFile file = parse_pcf(twice);
+  EXPECT_EQ(file.line.components.size(), 1);
+  EXPECT_EQ(file.notes.at(0).line, 6);
+  EXPECT_THAT(file.notes.at(0).text, HasSubstr("repeats the one at line 3"));
+}
+
+TEST(Pcf, refuses_what_is_malformed) {
+  const std::string pipe_head = kUnits + "PIPE\n";
+  expect_refused(
+      [](const std::string& bytes, const std::string& file) { return parse_pcf(bytes, file); },
+      "a.pcf",
+      {
+          {"", "a.pcf: the line UNITS-CO-ORDS is missing; it says MM or INCH"},
+          {"UNITS-CO-ORDS MM\nPIPE\n", "a.pcf: the line UNITS-BORE is missing; it says MM or INCH"},
+          {"UNITS-CO-ORDS FURLONG\n", "a.pcf:1: found 'FURLONG', expected the unit MM or INCH"},
+          {kUnits, "a.pcf: there is no piping component in it, such as PIPE or ELBOW"},
+          {pipe_head + "    END-POINT 1 x 3 100\n", "a.pcf:4: found 'x', expected a coordinate"},
+          {pipe_head + "    END-POINT 1 2\n",
+           "a.pcf:4: found the end of the line, expected a coordinate"},
+          {pipe_head + "    END-POINT 1 nan 3 100\n",
+           "a.pcf:4: found 'nan', expected a coordinate that is finite"},
+          {pipe_head + "    END-POINT 1e9 2 3 100\n",
+           "a.pcf:4: found 1e+09, expected a coordinate of at most 1e+08"},
+          {pipe_head + "    END-POINT 1 2 3 1,5\n", "a.pcf:4: found '1,5', expected a bore"},
+          {pipe_head + "    END-POINT 1 2 3 -5\n",
+           "a.pcf:4: found the bore -5, expected one that is not negative"},
+          {pipe_head + "    END-POINT 1 2 3 1e7\n",
+           "a.pcf:4: found 1e+07, expected a bore of at most 100000"},
+          {kUnits + "BEND\n    BEND-RADIUS -1\n",
+           "a.pcf:4: found -1, expected a bend radius that is not negative"},
+      });
+}
+
+TEST(Pcf, is_told_by_its_extension) {
+  EXPECT_TRUE(is_pcf_file("a/b.PCF"));
+  EXPECT_FALSE(is_pcf_file("a.pcf.json"));
+}
+
+TEST(Pcf, counts_findings) {
+  PcfReport report;
+  EXPECT_EQ(report.findings(), 0);
+  report.file.unknown.push_back({3, "x", false});
+  EXPECT_EQ(report.findings(), 0);
+  report.is_strict = true;
+  EXPECT_EQ(report.findings(), 1);
+  report.network.notes = {{1, "a", true}, {2, "b", false}};
+  report.network.joints.resize(2);
+  report.network.joints[0].state = JointState::met;
+  EXPECT_EQ(report.findings(), 3);
+}
+
+}  // namespace
+}  // namespace dupin::test
