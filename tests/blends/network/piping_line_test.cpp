@@ -101,8 +101,7 @@ TEST(PipingLine, joins_what_meets_in_any_order_and_direction) {
   EXPECT_EQ(kind(part(network, "c1").shape), "elbow");
   // A cylinder of 800 mm and a quarter of a torus of radius 300.
   const double area = 50 * 50 * std::numbers::pi;
-  EXPECT_NEAR(solid(network).volume(), area * (800 + 300 * std::numbers::pi / 2),
-              .03 * area * 800);
+  EXPECT_NEAR(solid(network).volume(), area * (800 + 300 * std::numbers::pi / 2), .03 * area * 800);
 }
 
 TEST(PipingLine, snaps_ends_that_miss_each_other_to_one_axis) {

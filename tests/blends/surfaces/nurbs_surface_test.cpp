@@ -1,8 +1,8 @@
-#include "dupin/blends/nurbs.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "dupin/blends/nurbs.h"
 
 namespace dupin {
 namespace {
