@@ -1,0 +1,117 @@
+#include <fstream>
+#include <map>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/tool.h"
+
+namespace dupin::test {
+namespace {
+
+using testing::HasSubstr;
+
+using Pcf = Tool;
+
+const std::string kHead = "UNITS-BORE MM\nUNITS-CO-ORDS MM\n";
+
+std::string pipe(double from, double to, double aside = 0) {
+  const auto point = [&](double x) {
+    return "    END-POINT " + std::to_string(x) + " " + std::to_string(aside) + " 0 168.3\n";
+  };
+  return "PIPE\n" + point(from) + point(to);
+}
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+TEST_F(Pcf, lines_become_one_solid_and_say_how) {
+  const ProcessResult result = dupin({"build", example("line.pcf"), "-o", "a.stl"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const char* row : {"met                  12 joints\n", "open ends            3\n",
+                          "moved                at most 0.00304",
+                          "bore                 line 30: bore 80: outside diameter 88.9 mm (NPS 3, "
+                          "DN 80, ASME B36.10M)\n",
+                          "components           1\n", "euler number         2\n",
+                          "self-intersections   0\n", "gaps                 0\n"}) {
+    EXPECT_THAT(result.out, HasSubstr(row));
+  }
+}
+
+TEST_F(Pcf, regions_of_lines_add_up) {
+  std::map<std::string, double> volumes;
+  for (const std::string region : {"outer", "metal", "fluid"}) {
+    const auto report = json({"build", example("line.pcf"), "-o", "a.off", "--wall", "3mm",
+                              "--region", region, "--tolerance", "0.5mm"},
+                             0);
+    volumes[region] = report.at("output").at("check").at("volume");
+    EXPECT_EQ(report.at("output").at("check").at("components"), 1) << region;
+  }
+  EXPECT_NEAR(volumes["outer"], volumes["metal"] + volumes["fluid"], 1e-9 * volumes["outer"]);
+}
+
+TEST_F(Pcf, lines_are_written_as_documents_that_build_the_same) {
+  EXPECT_EQ(dupin({"convert", example("line.pcf"), "line.json"}).exit_code, 0);
+  EXPECT_EQ(dupin({"build", "line.json", "-o", "a.off"}).exit_code, 0);
+  EXPECT_EQ(dupin({"build", example("line.pcf"), "-o", "b.off"}).exit_code, 0);
+  EXPECT_EQ(shell("cmp a.off b.off").exit_code, 0);
+  EXPECT_THAT(dupin({"convert", example("line.pcf"), "-"}).out, HasSubstr("\"parts\": ["));
+  EXPECT_EQ(dupin({"convert", example("line.pcf"), "l.json", "--scale", "2"}).exit_code, 2);
+}
+
+TEST_F(Pcf, misfits_are_found_bridged_and_reported) {
+  write(folder_.path() / "a.pcf", kHead + pipe(0, 1000) + pipe(1000.25, 2000));
+  const auto gaps = json({"gaps", "a.pcf"}, 1);
+  EXPECT_EQ(gaps.at("findings"), 1);
+  EXPECT_EQ(json({"build", "a.pcf", "-o", "a.stl"}, 0).at("output").at("check").at("components"),
+            2);
+  const auto report = json({"build", "a.pcf", "-o", "a.stl", "--bridge", "0.5mm"}, 0);
+  EXPECT_EQ(report.at("output").at("check").at("components"), 1);
+  const auto& joint = report.at("piping").at("joints").at(0);
+  EXPECT_EQ(joint.at("state"), "bridged");
+  EXPECT_NEAR(joint.at("distance"), .25, 1e-9);
+  EXPECT_EQ(joint.at("lines"), (nlohmann::json{5, 7}));
+  EXPECT_EQ(joint.at("part"), "bridge-5-7");
+}
+
+TEST_F(Pcf, what_is_not_understood_counts_if_asked_to) {
+  write(folder_.path() / "a.pcf", kHead + pipe(0, 1000) + "    WOBBLE 7\n");
+  const ProcessResult lax = dupin({"build", "a.pcf", "-o", "a.stl"});
+  EXPECT_EQ(lax.exit_code, 0);
+  EXPECT_THAT(lax.out, HasSubstr("warning              line 6: 'WOBBLE' is not understood\n"));
+  EXPECT_EQ(dupin({"build", "a.pcf", "-o", "a.stl", "--strict"}).exit_code, 1);
+}
+
+TEST_F(Pcf, what_cannot_be_built_is_refused_or_left_out) {
+  write(folder_.path() / "a.pcf", kHead + pipe(0, 1000) + "PIPE\n    END-POINT 0 500 0 100\n");
+  const ProcessResult refused = dupin({"build", "a.pcf", "-o", "a.stl"});
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("a.pcf:6: 'pipe-6': it has one end instead of two"));
+  const ProcessResult rest = dupin({"build", "a.pcf", "-o", "a.stl", "--keep-going"});
+  EXPECT_EQ(rest.exit_code, 1);
+  EXPECT_THAT(rest.out, HasSubstr("refused              line 6: pipe-6: left out"));
+  EXPECT_EQ(dupin({"check", "a.stl"}).exit_code, 0);
+}
+
+TEST_F(Pcf, malformed_lines_are_named) {
+  write(folder_.path() / "a.pcf", kHead + "PIPE\n    END-POINT 0 zero 0 100\n");
+  const ProcessResult result = dupin({"build", "a.pcf", "-o", "a.stl"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("a.pcf:4: found 'zero', expected a coordinate"));
+}
+
+TEST_F(Pcf, options_of_piping_files_are_for_them) {
+  EXPECT_EQ(dupin({"build", example("reducer.json"), "-o", "a.stl", "--bridge", "1mm"}).exit_code,
+            2);
+  EXPECT_EQ(dupin({"build", example("line.pcf"), "-o", "a.stl", "--radius", "1mm"}).exit_code, 2);
+}
+
+TEST_F(Pcf, lines_can_be_looked_at) {
+  EXPECT_THAT(dupin({"info", example("line.pcf")}).out, HasSubstr("  elbow-14: elbow\n"));
+  EXPECT_EQ(dupin({"nurbs", example("line.pcf"), "-o", "a.json"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace dupin::test
