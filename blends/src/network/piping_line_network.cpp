@@ -1,10 +1,9 @@
-#include "dupin/blends/piping_line.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
 
+#include "dupin/blends/piping_line.h"
 #include "dupin/kernel/error.h"
 #include "network/line_notes.h"
 #include "network/piping_chain.h"

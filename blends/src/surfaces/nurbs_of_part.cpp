@@ -1,9 +1,8 @@
-#include "dupin/blends/nurbs.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "dupin/blends/cyclide_tube.h"
+#include "dupin/blends/nurbs.h"
 #include "surfaces/nurbs_rows.h"
 #include "surfaces/surface_piece.h"
 
