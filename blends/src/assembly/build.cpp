@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -28,6 +29,9 @@ Assembly with_options(Assembly assembly, const BuildOptions& options) {
   }
   return assembly;
 }
+
+// Of its area: an end of a bore of which less is closed is open.
+constexpr double kBlindShare = 0.5;
 
 class Builder {
  public:
@@ -184,6 +188,24 @@ class Builder {
     return result;
   }
 
+  // Of each label's triangles.
+  [[nodiscard]] static std::map<std::string, double> exposed_areas(const Solid& solid) {
+    std::vector<double> of_label(solid.names().size(), 0);
+    const auto& points = solid.nearest_points();
+    for (std::size_t i = 0; i < solid.triangle_count(); ++i) {
+      const auto& [a, b, c] = solid.triangles()[i];
+      of_label[solid.labels()[i]] +=
+          (points[b] - points[a]).cross(points[c] - points[a]).norm() / 2;
+    }
+    std::map<std::string, double> result;
+    for (std::size_t label = 0; label < of_label.size(); ++label) {
+      if (of_label[label] > 0) {
+        result[solid.names()[label]] += of_label[label];
+      }
+    }
+    return result;
+  }
+
   // What bounds the fluid is a bore, an open end or a solid part; else a bore reaches out.
   void refuse_broken_walls(const Solid& fluid) const {
     std::map<std::string_view, std::uint32_t> outside;
@@ -210,18 +232,27 @@ class Builder {
   }
 
   // An end of a bore that bounds the fluid, though no part goes on from it, lies inside of a wall.
+  // Of an end in a bore as wide as its own, a sliver does, too.
   void warn_of_blind_ends(const Solid& fluid) {
-    const std::set<std::string> names = exposed_names(fluid);
+    const std::map<std::string, double> areas = exposed_areas(fluid);
     for (const ResolvedPart& part : resolved_.parts) {
       for (const End end : {End::start, End::end}) {
         const std::string bore = part.name + std::string(assembly::kBoreSuffix);
-        if (!part.joined.at(at(end)) && names.contains(to_string({bore, end}))) {
+        const auto exposed = areas.find(to_string({bore, end}));
+        if (!part.joined.at(at(end)) && exposed != areas.end() &&
+            exposed->second > kBlindShare * bore_area(part, end)) {
           std::ranges::find(built_.parts, part.name, &PartReport::name)
               ->warnings.push_back("its bore ends blind at its " + std::string(name(end)) +
                                    ", which lies inside of a wall");
         }
       }
     }
+  }
+
+  [[nodiscard]] double bore_area(const ResolvedPart& part, End end) const {
+    const Ring* ring = port_ring(part.shape, end);
+    const double wall = assembly_.parts[part.index].wall.value_or(assembly_.wall.value_or(0));
+    return ring == nullptr ? 0 : std::numbers::pi * (ring->radius - wall) * (across(*ring) - wall);
   }
 
   [[nodiscard]] static std::string bore_beside(const Solid& fluid, std::uint32_t label) {

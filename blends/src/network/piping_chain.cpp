@@ -60,10 +60,10 @@ class ChainMaker {
       return Seam{SeamKind::corner, {}, {}};
     }
     if (spans_.pairs[*end.joint].distance > snap_) {
-      return Seam{SeamKind::bridge, end.joint, {}};
+      return Seam{SeamKind::bridge, {end.joint}, {}};
     }
     if (!is_straight(way(spans_, before), way(spans_, after), snap_)) {
-      return Seam{SeamKind::kink, end.joint, {}};
+      return Seam{SeamKind::kink, {end.joint}, {}};
     }
     return std::nullopt;
   }
@@ -123,20 +123,25 @@ class ChainMaker {
     const ChainElement in = links_.elements[i], out = links_.elements[i + 1];
     std::vector<ChainElement> stubs;
     std::vector<std::optional<Seam>> seams;
-    const Seam bend{SeamKind::bend, {}, spans_.spans[in.span].component};
+    Seam bend{SeamKind::bend, {}, spans_.spans[in.span].component};
     const auto is_offset = [](const std::optional<Seam>& seam) {
       return seam && seam->kind == SeamKind::offset;
     };
     const bool has_before =
         i > 0 && !is_leg(spans_, links_.elements[i - 1]) && !is_offset(links_.seams[i]);
-    if (!has_before) {
-      stubs.push_back(stub(in));
-      seams.push_back(links_.seams[i]);
-    }
-    seams.emplace_back(bend);
     const bool has_after = i + 2 < links_.elements.size() &&
                            !is_leg(spans_, links_.elements[i + 2]) &&
                            !is_offset(links_.seams[i + 2]);
+    if (!has_before) {
+      stubs.push_back(stub(in));
+      seams.push_back(links_.seams[i]);
+    } else {
+      bend.joints[0] = begin_of(spans_, in).joint;
+    }
+    if (has_after) {
+      bend.joints[1] = end_of(spans_, out).joint;
+    }
+    seams.emplace_back(bend);
     if (!has_after) {
       stubs.push_back(stub(out));
       seams.push_back(links_.seams[i + 2]);
@@ -197,7 +202,7 @@ class ChainMaker {
       }
       if (worst != begin) {
         links_.seams[worst] =
-            Seam{SeamKind::kink, end_of(spans_, links_.elements[worst - 1]).joint, {}};
+            Seam{SeamKind::kink, {end_of(spans_, links_.elements[worst - 1]).joint}, {}};
         is_split = true;
       } else {
         begin = end;

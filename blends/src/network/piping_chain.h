@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "network/piping_spans.h"
@@ -24,7 +26,8 @@ enum class SeamKind {
 
 struct Seam {
   SeamKind kind = SeamKind::end;
-  std::optional<std::size_t> joint = {};      ///< in PipingSpans::pairs, of a kink or bridge
+  /// In PipingSpans::pairs: that of a kink or bridge, or those at the ends of a bend.
+  std::array<std::optional<std::size_t>, 2> joints = {};
   std::optional<std::size_t> component = {};  ///< of a bend that a blend replaces
 };
 

@@ -27,6 +27,7 @@ class ChainParts {
         chain_(chain),
         network_(network),
         notes_(notes),
+        snap_(options.snap),
         plan_(plan(line, options, spans, chain, network.joints, notes)) {}
 
   void run(std::map<std::size_t, PortReference>& made) {
@@ -152,8 +153,11 @@ class ChainParts {
     if (seam.component) {
       notes_.refuse(line_.components[*seam.component],
                     "it is not tangent to its neighbours, and no blend fits between them");
-    } else if (seam.joint) {
-      network_.joints[*seam.joint].state = JointState::apart;
+    }
+    for (const auto& joint : seam.joints) {
+      if (joint) {
+        network_.joints[*joint].state = JointState::apart;
+      }
     }
     return std::nullopt;
   }
@@ -203,14 +207,19 @@ class ChainParts {
       notes_.add(line_.components[*seam.component],
                  "is not tangent to its neighbours; a blend between them takes its place");
       part.wall = line_.components[*seam.component].wall;
-      return part;
+    } else {
+      const PipingJoint& joint = network_.joints[*seam.joints[0]];
+      part.name = std::string(seam.kind == SeamKind::bridge ? "bridge-" : "blend-") +
+                  std::to_string(joint.lines[0]) + "-" + std::to_string(joint.lines[1]);
+      part.wall = line_.components[before.component].wall;
     }
-    PipingJoint& joint = network_.joints[*seam.joint];
-    joint.state = seam.kind == SeamKind::bridge ? JointState::bridged : JointState::blended;
-    part.name = std::string(seam.kind == SeamKind::bridge ? "bridge-" : "blend-") +
-                std::to_string(joint.lines[0]) + "-" + std::to_string(joint.lines[1]);
-    part.wall = line_.components[before.component].wall;
-    joint.part = part.name;
+    for (const auto& position : seam.joints) {
+      if (position) {
+        PipingJoint& joint = network_.joints[*position];
+        joint.state = joint.distance > snap_ ? JointState::bridged : JointState::blended;
+        joint.part = part.name;
+      }
+    }
     return part;
   }
 
@@ -244,6 +253,7 @@ class ChainParts {
   const Chain& chain_;
   PipingNetwork& network_;
   LineNotes& notes_;
+  double snap_;
   ChainPlan plan_;
   std::optional<PortReference> port_, first_;  // where the next part goes on, and the chain's first
   Vec3 here_ = Vec3::Zero();                   // of `port_`

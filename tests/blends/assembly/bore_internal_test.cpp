@@ -172,6 +172,18 @@ TEST(Bore, that_ends_blind_is_said) {
   EXPECT_THAT(open.parts[1].warnings, testing::IsEmpty());
 }
 
+// Of a branch as thick as the run, which begins on the run's axis, slivers lie in the run's wall.
+TEST(Bore, that_begins_in_one_as_wide_is_open) {
+  for (const double turn : {0.0, 0.3, 1.0}) {
+    const Vec3 way(std::cos(turn) * 9, std::sin(turn) * 9, 0);
+    const Built tee = built(
+        walled({pipe("run", {0, 0, -9}, {0, 0, 9}, 1), pipe("branch", {0, 0, 0}, way, 1)}, 0.2),
+        Region::fluid);
+    EXPECT_EQ(tee.solid.components(), 1);
+    EXPECT_THAT(tee.parts[1].warnings, testing::IsEmpty()) << turn;
+  }
+}
+
 TEST(Bore, of_a_thin_wall_that_asks_for_too_much_says_so) {
   try {
     (void)built(walled({part("ball", SphereAt{{0, 0, 0}, 3})}, 1e-7), Region::metal);
