@@ -139,16 +139,16 @@ class ChainParts {
     const Seam& seam = chain_.seams[k];
     auto &before = plan_.stretches[k - 1], &after = plan_.stretches[k];
     if (!before.empty() && !after.empty()) {
-      const std::array<double, 2> levels{before.back().levels[1], after.front().levels[0]};
+      const Stretch last = before.back(), first = after.front();
       for (const auto& setbacks : setback_choices(k)) {
-        before.back().levels[1] = levels[0] - setbacks[0];
-        after.front().levels[0] = levels[1] + setbacks[1];
+        before.back() = shortened(last, 1, setbacks[0]);
+        after.front() = shortened(first, 0, setbacks[1]);
         if (is_feasible(chain_.legs[k - 1], before.back(), chain_.legs[k], after.front())) {
           return joined_by_blend(seam, before.back(), after.front());
         }
       }
-      before.back().levels[1] = levels[0];
-      after.front().levels[0] = levels[1];
+      before.back() = last;
+      after.front() = first;
     }
     if (seam.component) {
       notes_.refuse(line_.components[*seam.component],
@@ -160,6 +160,14 @@ class ChainParts {
       }
     }
     return std::nullopt;
+  }
+
+  // The stretch without the last piece of it at that end; a cone keeps its slope.
+  [[nodiscard]] static Stretch shortened(Stretch stretch, std::size_t end, double by) {
+    const double share = by / stretch.length();
+    stretch.radii[end] += share * (stretch.radii[1 - end] - stretch.radii[end]);
+    stretch.levels[end] += end == 0 ? by : -by;
+    return stretch;
   }
 
   [[nodiscard]] std::vector<std::array<double, 2>> setback_choices(std::size_t k) const {
@@ -192,6 +200,10 @@ class ChainParts {
     const Ring from{point_at(in, before.levels[1]), in.direction, before.radii[1], slope(before)};
     const Ring to{point_at(out, after.levels[0]), Vec3::Zero() - out.direction, after.radii[0],
                   -slope(after)};
+    const Vec3 chord = to.center - from.center;
+    if (!(chord.dot(from.normal) > 0 && chord.dot(to.normal) < 0)) {
+      return false;  // the ends lie behind each other
+    }
     try {
       (void)choose_velocities(from, to);
       return true;

@@ -72,7 +72,11 @@ class Spans {
     if (ports.empty()) {
       return refused("it has no end in space");
     }
-    if (component.shape == PipingShape::straight || component.shape == PipingShape::bend) {
+    const bool is_bend = component.shape == PipingShape::bend;
+    if (!is_bend && component.shape != PipingShape::fitting && ports.size() > 2) {
+      return refused("it has " + std::to_string(ports.size()) + " ends instead of two");
+    }
+    if (component.shape == PipingShape::straight || is_bend) {
       if (ports.size() < 2) {
         return refused("it has one end instead of two");
       }
@@ -220,7 +224,8 @@ class Spans {
     const double cosine = std::clamp(turn_cosine(bend), -1.0, 1.0);
     const double half = std::acos(cosine) / 2, leg = (corner - bend.ports[0].center).norm();
     const double bend_radius = leg / std::tan(half);
-    return corner + bend_radius * (1 / std::cos(half) - 1) * inward.normalized();
+    const Vec3 middle = corner + bend_radius * (1 / std::cos(half) - 1) * inward.normalized();
+    return middle.allFinite() ? middle : corner;  // of one that does not turn
   }
 
   void add_fitting(std::size_t i) {

@@ -26,6 +26,8 @@ using text::TextScanner;
 // Beyond a hundred kilometres, and pipes thicker than a hundred metres, are no plant.
 constexpr double kLargestCoordinate = 1e8, kLargestBore = 1e5;
 constexpr double kInch = 25.4;
+// In millimetres: thinner than a hair.
+constexpr double kLeastBore = 0.01;
 
 // Attributes that say nothing of the solid, by how they begin.
 constexpr std::array kKnown = std::to_array<std::string_view>({"SKEY",
@@ -230,9 +232,10 @@ class PcfReader {
     if (!next.empty() && !is_code) {
       const std::size_t position = scanner_.position();
       const double bore = number("a bore", kLargestBore, bore_millimetres_);
-      if (!(bore >= 0)) {
+      if (!(bore == 0 || bore * bore_millimetres_ >= kLeastBore)) {
         scanner_.fail_at(position, "found the bore " + decimal(bore, kMessageDigits) +
-                                       ", expected one that is not negative");
+                                       ", expected 0 for none, or at least " +
+                                       decimal(kLeastBore / bore_millimetres_, kMessageDigits));
       }
       if (bore > 0) {
         result.radius = bore / 2;

@@ -244,6 +244,26 @@ TEST(PipingLine, blends_bends_that_do_not_fit_without_pipes_beside_them) {
   (void)solid(network);
 }
 
+TEST(PipingLine, begins_the_branch_of_a_bend_that_does_not_turn_at_its_corner) {
+  Line line;
+  line.bend({0, 0, 0}, {500, 0, 0}, {1000, 0, 0}).last().ports.push_back({{500, 0, 300}, 20, 13});
+  const PipingNetwork network = line.made();
+  EXPECT_EQ(std::get<PipeBetween>(part(network, "c0-branch").shape).from, Vec3(500, 0, 0));
+  (void)solid(network);
+}
+
+TEST(PipingLine, blends_cones_that_meet_pipes_at_a_kink_on_both_sides) {
+  Line line;
+  line.pipe({0, 0, 0}, {1000, 0, 0}).pipe({1000, 0, 0}, {1400, 100, 0});
+  line.last().ports[1].radius = 30;
+  line.pipe({1400, 100, 0}, {2000, 100, 0}, 30);
+  const PipingNetwork network = line.made();
+  for (const PipingJoint& joint : network.joints) {
+    EXPECT_EQ(joint.state, JointState::blended);
+  }
+  (void)solid(network);
+}
+
 TEST(PipingLine, refuses_bends_sharper_than_their_pipe) {
   Line line;
   line.pipe({-900, 0, 0}, {-40, 0, 0})
@@ -413,6 +433,8 @@ TEST(PipingLine, refuses_what_is_no_component) {
               HasSubstr("a.pcf:10: 'c0': it has no end"));
   EXPECT_THAT(what(Line().add(PipingShape::straight, {{0, 0, 0}})),
               HasSubstr("one end instead of two"));
+  EXPECT_THAT(what(Line().add(PipingShape::straight, {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}})),
+              HasSubstr("3 ends instead of two"));
   EXPECT_THAT(what(Line().add(PipingShape::bend, {{0, 0, 0}, {1, 1, 0}})),
               HasSubstr("no centre point"));
   EXPECT_THAT(what(Line().bend({-300, 1, 0}, {0, 0, 0}, {-300, -1, 0})), HasSubstr("turns back"));

@@ -156,7 +156,7 @@ TEST(Pcf, refuses_what_is_malformed) {
            "a.pcf:4: found 1e+09, expected a coordinate of at most 1e+08"},
           {pipe_head + "    END-POINT 1 2 3 1,5\n", "a.pcf:4: found '1,5', expected a bore"},
           {pipe_head + "    END-POINT 1 2 3 -5\n",
-           "a.pcf:4: found the bore -5, expected one that is not negative"},
+           "a.pcf:4: found the bore -5, expected 0 for none, or at least 0.01"},
           {pipe_head + "    END-POINT 1 2 3 1e7\n",
            "a.pcf:4: found 1e+07, expected a bore of at most 100000"},
           {kUnits + "BEND\n    BEND-RADIUS -1\n",
