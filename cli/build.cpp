@@ -127,11 +127,11 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   const RoundingOptions rounding = rounding_options(arguments.rounding, unit);
   BuildReport report;
   report.graph = document.network;
-  report.piping = std::move(document.piping);
   {
     ProgressLine line(common.quiet);
     options.progress = line.callback();
-    Built built = build(assembly, options);
+    Built built = build_document(document, options);
+    report.piping = std::move(document.piping);
     report.gaps = {assembly.source, assembly.unit, options.connect, std::move(built.ports),
                    std::move(built.gaps)};
     report.output = write_solid(built.solid, to, rounding, {unit, {}},

@@ -42,6 +42,10 @@ Document read_piping(const Input& input, const SourceArguments& arguments,
   options.snap = length_in(Unit::millimetre, arguments.snap, options.snap);
   options.bridge = length_in(Unit::millimetre, arguments.bridge, 0);
   options.keep_going = arguments.keep_going;
+  if (!arguments.fillet.empty()) {
+    options.fillet =
+        arguments.fillet == "auto" ? 0 : length_in(Unit::millimetre, arguments.fillet, 0);
+  }
   if (!wall.empty()) {
     options.wall = length_in(Unit::millimetre, wall, 0);
   }
@@ -50,9 +54,21 @@ Document read_piping(const Input& input, const SourceArguments& arguments,
   report.bridge = options.bridge;
   report.is_strict = arguments.strict;
   report.file = parse_pcf(input.bytes, input.name, bore_meaning(arguments.bore));
-  report.network = assembly_of(std::exchange(report.file.line, {}), options);
+  PipingLine line = std::exchange(report.file.line, {});
+  report.network = assembly_of(line, options);
   Assembly assembly = std::exchange(report.network.assembly, {});
-  return {std::move(assembly), {}, std::move(report)};
+  return {std::move(assembly), {}, std::move(report), std::move(line), std::move(options)};
+}
+
+Built build_document(Document& document, const BuildOptions& options) {
+  if (!document.piping) {
+    return build(document.assembly, options);
+  }
+  PipingNetwork& network = document.piping->network;
+  network.assembly = std::exchange(document.assembly, {});
+  Built built = build(document.line, document.piping_options, network, options);
+  document.assembly = std::exchange(network.assembly, {});
+  return built;
 }
 
 Document read_document(const std::string& path, const SourceArguments& arguments,
@@ -62,8 +78,9 @@ Document read_document(const std::string& path, const SourceArguments& arguments
     return read_piping(input, arguments, wall);
   }
   if (!arguments.snap.empty() || !arguments.bridge.empty() || !arguments.bore.empty() ||
-      arguments.strict) {
-    throw UsageError("--snap, --bridge, --bore and --strict are for piping files, named .pcf");
+      !arguments.fillet.empty() || arguments.strict) {
+    throw UsageError(
+        "--snap, --bridge, --bore, --fillet and --strict are for piping files, named .pcf");
   }
   if (!is_graph_file(path)) {
     if (!arguments.radius.empty() || arguments.keep_going) {
@@ -109,6 +126,11 @@ void add_piping_options(CLI::App& command, SourceArguments& arguments) {
                   "own; none if not given")
       ->type_name("LENGTH");
   add_bore_option(command, arguments.bore);
+  command
+      .add_option("--fillet", arguments.fillet,
+                  "Radius of the ball of fillets at a piping file's tees; auto: a quarter\n"
+                  "of the branch's radius, or the most that fits")
+      ->type_name("LENGTH|auto");
   command.add_flag("--strict", arguments.strict,
                    "Lines of a piping file that are not understood count (exit code 1)");
 }

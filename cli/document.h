@@ -5,7 +5,9 @@
 #include <string>
 
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/build.h"
 #include "dupin/blends/pipe_graph.h"
+#include "dupin/blends/piping_line.h"
 #include "dupin/io/report_json.h"
 #include "input.h"
 
@@ -23,6 +25,7 @@ struct SourceArguments {
   std::string radius;        ///< of a graph's nodes without one
   std::string snap, bridge;  ///< of a piping file's ends
   std::string bore;          ///< what its bores mean
+  std::string fillet;        ///< of its tees, a length or "auto"
   bool keep_going = false, strict = false;
 };
 
@@ -31,6 +34,8 @@ struct Document {
   Assembly assembly;
   std::optional<PipeNetwork> network = {};  ///< of a graph, without the assembly
   std::optional<PcfReport> piping = {};
+  PipingLine line = {};  ///< of a piping file, and what it was made into an assembly with
+  PipingOptions piping_options = {};
 };
 
 /// The file is a graph or a piping file if its extension says so. `wall` is that of a piping file's
@@ -44,6 +49,10 @@ struct Document {
 /// A piping file and what it is made into.
 [[nodiscard]] Document read_piping(const Input& input, const SourceArguments& arguments,
                                    const std::string& wall = {});
+
+/// Builds the assembly, where told to keep going without components of a piping file whose parts
+/// are refused.
+[[nodiscard]] Built build_document(Document& document, const BuildOptions& options);
 
 /// Adds --wall.
 void add_wall_option(CLI::App& command, std::string& wall);

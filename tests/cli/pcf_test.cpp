@@ -102,6 +102,20 @@ TEST_F(Pcf, malformed_lines_are_named) {
   EXPECT_THAT(result.err, HasSubstr("a.pcf:4: found 'zero', expected a coordinate"));
 }
 
+TEST_F(Pcf, tees_get_fillets) {
+  const auto plain = json({"build", example("line.pcf"), "-o", "a.off"}, 0),
+             filleted = json({"build", example("line.pcf"), "-o", "a.off", "--fillet", "auto"}, 0);
+  EXPECT_GT(filleted.at("output").at("check").at("volume"),
+            plain.at("output").at("check").at("volume"));
+  EXPECT_EQ(filleted.at("output").at("check").at("euler_number"), 2);
+  EXPECT_THAT(dupin({"build", example("line.pcf"), "-o", "a.stl", "--fillet", "10mm"}).out,
+              HasSubstr("tee-26-branch-fillet has a ball of radius 10\n"));
+  const ProcessResult refused =
+      dupin({"build", example("line.pcf"), "-o", "a.stl", "--fillet", "1m"});
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("line.pcf:26: 'tee-26': tee-26-branch-fillet does not fit"));
+}
+
 TEST_F(Pcf, options_of_piping_files_are_for_them) {
   EXPECT_EQ(dupin({"build", example("reducer.json"), "-o", "a.stl", "--bridge", "1mm"}).exit_code,
             2);

@@ -116,6 +116,41 @@ std::vector<FilletedRuns> filleted_runs(const ResolvedAssembly& assembly,
   return result;
 }
 
+std::vector<JoinedCore> joined_cores(const ResolvedAssembly& assembly, const FilletedRuns& group) {
+  std::map<std::uint32_t, std::uint32_t> leader;  // by part; cores are called after their first
+  const auto join = [&](std::uint32_t part, std::uint32_t other) {
+    const std::uint32_t a = leader.try_emplace(part, part).first->second,
+                        b = leader.try_emplace(other, other).first->second;
+    for (auto& [member, own] : leader) {
+      own = own == std::max(a, b) ? std::min(a, b) : own;
+    }
+  };
+  for (const std::size_t f : group.fillets) {
+    join(assembly.fillets[f].between[0], assembly.fillets[f].between[1]);
+  }
+  for (const std::size_t j : group.junctions) {
+    for (const std::uint32_t arm : assembly.junctions[j].arms) {
+      join(assembly.junctions[j].arms.front(), arm);
+    }
+  }
+  std::map<std::uint32_t, JoinedCore> cores;
+  for (const auto& [part, first] : leader) {
+    cores[first].parts.push_back(part);
+  }
+  for (const std::size_t f : group.fillets) {
+    cores[leader.at(assembly.fillets[f].between[0])].fillets.push_back(f);
+  }
+  for (const std::size_t j : group.junctions) {
+    cores[leader.at(assembly.junctions[j].arms.front())].junctions.push_back(j);
+  }
+  std::vector<JoinedCore> result;
+  result.reserve(cores.size());
+  for (auto& [first, core] : cores) {
+    result.push_back(std::move(core));
+  }
+  return result;
+}
+
 std::vector<FilletMesh> fillet_meshes(const Assembly& assembly, const ResolvedFillet& fillet,
                                       const std::array<RingSampling, 2>& samplings,
                                       std::size_t most_triangles) {

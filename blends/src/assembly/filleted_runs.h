@@ -22,6 +22,16 @@ struct FilletedRuns {
 [[nodiscard]] std::vector<FilletedRuns> filleted_runs(const ResolvedAssembly& assembly,
                                                       std::span<const WeldedRun> runs);
 
+/// Parts that fillets and junctions join, without the rest of their runs.
+struct JoinedCore {
+  std::vector<std::uint32_t> parts;
+  std::vector<std::size_t> fillets, junctions;
+};
+
+/// Those of a group, in the order of their first parts.
+[[nodiscard]] std::vector<JoinedCore> joined_cores(const ResolvedAssembly& assembly,
+                                                   const FilletedRuns& group);
+
 /// A fillet's loops as triangles, within the assembly's tolerance; the samplings are those of the
 /// runs of its pipes. Throws Error{limit_exceeded} for more triangles than that.
 [[nodiscard]] std::vector<surfaces::FilletMesh> fillet_meshes(

@@ -113,7 +113,9 @@ class RunMesher {
     append_solids(parts.subspan(half), chosen);
   }
 
-  // Pipes that end in fillets or hubs, with these: one solid, as nothing else closes them.
+  // Pipes that end in fillets or hubs, with these: one solid, as nothing else closes them. Where
+  // their runs cross elsewhere, only the parts that fillets and hubs join stay one; the discs
+  // between them and the rest vanish in the union.
   void append_filleted(const std::vector<WeldedRun>& runs, const FilletedRuns& group) {
     std::map<std::uint32_t, RingSampling> sampling;  // by part
     for (const std::size_t run : group.runs) {
@@ -138,31 +140,100 @@ class RunMesher {
     for (const auto& [part, f] : fillet_on) {
       trim(resolved_.fillets[f], part, sampling, meshes);
     }
-    std::vector<TriMesh> welded;
-    for (const std::size_t run : group.runs) {
-      const auto& parts = runs[run].parts;
-      welded.push_back(assembly::welded(resolved_, parts, tubes_, sampling.at(parts.front())));
-    }
-    const TriMesh joined =
-        joined_with_hubs(joined_by_fillets(resolved_, welded, group.fillets, meshes),
-                         hubs(group.junctions, sampling));
+    const JoinedMesher mesher{sampling, meshes, hubs(group.junctions, sampling)};
     try {
-      result_.solids.push_back(Solid::from(joined));
-    } catch (const Error& error) {
-      const std::string why =
-          "with the pipes that it joins, it bounds no solid: " + error.message();
-      if (group.fillets.empty()) {
-        const ResolvedJunction& first = resolved_.junctions[group.junctions.front()];
-        throw Error(Errc::infeasible_blend, why, first.name,
-                    document_place(assembly_, first.index));
+      std::vector<std::vector<std::uint32_t>> whole;
+      whole.reserve(group.runs.size());
+      for (const std::size_t run : group.runs) {
+        whole.push_back(runs[run].parts);
       }
-      throw refusal(resolved_.fillets[group.fillets.front()], why);
+      result_.solids.push_back(joined(mesher, whole, group.fillets, group.junctions));
+    } catch (const Error& error) {
+      const auto cores = joined_cores(resolved_, group);
+      const bool are_cores_alone = std::ranges::all_of(
+          group.runs, [&](std::size_t run) { return runs[run].parts.size() == 1; });
+      if (error.code() != Errc::infeasible_blend || are_cores_alone) {
+        throw;
+      }
+      for (const JoinedCore& core : cores) {
+        std::vector<std::vector<std::uint32_t>> alone;
+        alone.reserve(core.parts.size());
+        for (const std::uint32_t part : core.parts) {
+          alone.push_back({part});
+        }
+        result_.solids.push_back(joined(mesher, alone, core.fillets, core.junctions));
+      }
+      append_beside_cores(runs, group, cores, sampling);
     }
   }
 
-  std::vector<HubPatch> hubs(const std::vector<std::size_t>& junctions,
-                             const std::map<std::uint32_t, RingSampling>& sampling) {
-    std::vector<HubPatch> result;
+  // What joins parts in a group.
+  struct JoinedMesher {
+    const std::map<std::uint32_t, RingSampling>& sampling;  // by part
+    const std::vector<std::vector<surfaces::FilletMesh>>& meshes;
+    std::map<std::size_t, HubPatch> hubs;
+  };
+
+  [[nodiscard]] Solid joined(const JoinedMesher& mesher,
+                             const std::vector<std::vector<std::uint32_t>>& runs,
+                             const std::vector<std::size_t>& fillets,
+                             const std::vector<std::size_t>& junctions) const {
+    std::vector<TriMesh> welded;
+    welded.reserve(runs.size());
+    for (const auto& parts : runs) {
+      welded.push_back(
+          assembly::welded(resolved_, parts, tubes_, mesher.sampling.at(parts.front())));
+    }
+    std::vector<HubPatch> patches;
+    patches.reserve(junctions.size());
+    for (const std::size_t junction : junctions) {
+      patches.push_back(mesher.hubs.at(junction));
+    }
+    const TriMesh mesh =
+        joined_with_hubs(joined_by_fillets(resolved_, welded, fillets, mesher.meshes), patches);
+    try {
+      return Solid::from(mesh);
+    } catch (const Error& error) {
+      const std::string why =
+          "with the pipes that it joins, it bounds no solid: " + error.message();
+      if (fillets.empty()) {
+        const ResolvedJunction& first = resolved_.junctions[junctions.front()];
+        throw Error(Errc::infeasible_blend, why, first.name,
+                    document_place(assembly_, first.index));
+      }
+      throw refusal(resolved_.fillets[fillets.front()], why);
+    }
+  }
+
+  // The parts of the group's runs that no fillet or junction joins, run by run from one that is
+  // joined to the next.
+  void append_beside_cores(const std::vector<WeldedRun>& runs, const FilletedRuns& group,
+                           const std::vector<JoinedCore>& cores,
+                           const std::map<std::uint32_t, RingSampling>& sampling) {
+    std::vector<bool> is_core(resolved_.parts.size(), false);
+    for (const JoinedCore& core : cores) {
+      for (const std::uint32_t part : core.parts) {
+        is_core[part] = true;
+      }
+    }
+    for (const std::size_t run : group.runs) {
+      const std::span<const std::uint32_t> parts = runs[run].parts;
+      for (std::size_t begin = 0; begin < parts.size();) {
+        std::size_t end = begin;
+        while (end < parts.size() && !is_core[parts[end]]) {
+          ++end;
+        }
+        if (end > begin) {
+          append_solids(parts.subspan(begin, end - begin), sampling.at(parts[begin]));
+        }
+        begin = end + 1;
+      }
+    }
+  }
+
+  std::map<std::size_t, HubPatch> hubs(const std::vector<std::size_t>& junctions,
+                                       const std::map<std::uint32_t, RingSampling>& sampling) {
+    std::map<std::size_t, HubPatch> result;
     for (const std::size_t j : junctions) {
       const ResolvedJunction& junction = resolved_.junctions[j];
       std::vector<RingSampling> samplings;
@@ -174,7 +245,7 @@ class RunMesher {
       Tessellation hub = hub_tessellation(assembly_, junction, samplings, options_.most_triangles);
       report_hub(junction, hub);
       hub.mesh.names = {junction.name};
-      result.push_back({std::move(hub.mesh), on_circles});
+      result.emplace(j, HubPatch{std::move(hub.mesh), on_circles});
     }
     return result;
   }

@@ -68,6 +68,7 @@ std::string_view name(JointState state) {
 PipingNetwork assembly_of(const PipingLine& line, const PipingOptions& options) {
   check_option(options.snap, "snap");
   check_option(options.bridge, "bridge");
+  check_option(options.fillet.value_or(0), "fillet");
   network::LineNotes notes(line.source, options.keep_going);
   network::PipingSpans spans = spans_of(line, options, notes);
   reach_runs(line, options, spans, notes);

@@ -7,6 +7,7 @@
 
 #include "dupin/blends/cyclic_blend.h"
 #include "dupin/kernel/error.h"
+#include "network/piping_fillets.h"
 
 namespace dupin::network {
 namespace {
@@ -16,6 +17,11 @@ constexpr double kRoom = 0.45;
 // How far a blend's ends are set back, by the radius, the kink and the gap; then in steps.
 constexpr double kSetbackOfRadius = 0.5, kSetbackOfKink = 3, kSetbackOfGap = 3;
 constexpr double kLargerSetbacks[] = {1, 1.6, 2.5, 4, 6.3};
+
+void put(PipingNetwork& network, Part part, const PipingComponent& origin) {
+  network.assembly.parts.push_back(std::move(part));
+  network.origins.push_back(origin.name);
+}
 
 // Writes one chain's parts.
 class ChainParts {
@@ -30,14 +36,21 @@ class ChainParts {
         snap_(options.snap),
         plan_(plan(line, options, spans, chain, network.joints, notes)) {}
 
-  void run(std::map<std::size_t, PortReference>& made) {
-    std::vector<std::optional<Part>> blends(chain_.seams.size());
+  // Makes room for them.
+  void make_blends() {
     for (std::size_t k = 1; k < chain_.legs.size(); ++k) {
       const SeamKind kind = chain_.seams[k].kind;
       if (kind == SeamKind::kink || kind == SeamKind::bridge || kind == SeamKind::bend) {
-        blends[k] = blend(k);
+        if (auto made = blend(k)) {
+          blends_.push_back(std::move(*made));
+        }
       }
     }
+  }
+
+  [[nodiscard]] PlannedChain planned() { return {&chain_, &plan_}; }
+
+  void write(std::map<std::size_t, PortReference>& made) {
     for (std::size_t k = 0; k < chain_.legs.size(); ++k) {
       const SeamKind before = chain_.seams[k].kind;
       if (before == SeamKind::corner && !plan_.arcs[k]->is_left_out) {
@@ -49,10 +62,8 @@ class ChainParts {
         add_stretch(k, plan_.stretches[k][i]);
       }
     }
-    for (auto& part : blends) {
-      if (part) {
-        network_.assembly.parts.push_back(std::move(*part));
-      }
+    for (auto& [part, component] : blends_) {
+      put(network_, std::move(part), line_.components[component]);
     }
     note_ends(made);
     measure_moves();
@@ -67,7 +78,7 @@ class ChainParts {
     Part part{std::move(name), std::move(shape)};
     part.wall = line_.components[component].wall;
     part.solid = is_solid;
-    network_.assembly.parts.push_back(std::move(part));
+    put(network_, std::move(part), line_.components[component]);
   }
 
   void add_stretch(std::size_t k, const Stretch& stretch) {
@@ -133,9 +144,9 @@ class ChainParts {
     here_ = to;
   }
 
-  // Between the last stretch of one leg and the first of the next, which it shortens; none if none
-  // fits.
-  std::optional<Part> blend(std::size_t k) {
+  // Between the last stretch of one leg and the first of the next, which it shortens, and the
+  // component that it stands for; none if none fits.
+  std::optional<std::pair<Part, std::size_t>> blend(std::size_t k) {
     const Seam& seam = chain_.seams[k];
     auto &before = plan_.stretches[k - 1], &after = plan_.stretches[k];
     if (!before.empty() && !after.empty()) {
@@ -144,7 +155,8 @@ class ChainParts {
         before.back() = shortened(last, 1, setbacks[0]);
         after.front() = shortened(first, 0, setbacks[1]);
         if (is_feasible(chain_.legs[k - 1], before.back(), chain_.legs[k], after.front())) {
-          return joined_by_blend(seam, before.back(), after.front());
+          return std::pair(joined_by_blend(seam, before.back(), after.front()),
+                           seam.component.value_or(before.back().component));
         }
       }
       before.back() = last;
@@ -267,6 +279,7 @@ class ChainParts {
   LineNotes& notes_;
   double snap_;
   ChainPlan plan_;
+  std::vector<std::pair<Part, std::size_t>> blends_;  // with the component that they stand for
   std::optional<PortReference> port_, first_;  // where the next part goes on, and the chain's first
   Vec3 here_ = Vec3::Zero();                   // of `port_`
   double radius_ = 0;
@@ -296,7 +309,7 @@ void add_plates(const PipingLine& line, const PipingOptions& options, const Pipi
         part.shape = PipeAlong{at->second, *wall};
         part.solid = true;
       }
-      network.assembly.parts.push_back(std::move(part));
+      put(network, std::move(part), component);
     }
   }
 }
@@ -306,13 +319,29 @@ void add_plates(const PipingLine& line, const PipingOptions& options, const Pipi
 void add_parts(const PipingLine& line, const PipingOptions& options, const PipingSpans& spans,
                const std::vector<Chain>& chains, PipingNetwork& network, LineNotes& notes) {
   std::map<std::size_t, PortReference> made;
+  std::vector<ChainParts> parts;
+  parts.reserve(chains.size());
   for (const Chain& chain : chains) {
-    ChainParts(line, options, spans, chain, network, notes).run(made);
+    parts.emplace_back(line, options, spans, chain, network, notes);
+    parts.back().make_blends();
+  }
+  std::vector<PlannedChain> planned;
+  planned.reserve(parts.size());
+  for (ChainParts& chain : parts) {
+    planned.push_back(chain.planned());
+  }
+  auto made_fillets = fillets(line, options, spans, planned, notes);
+  for (ChainParts& chain : parts) {
+    chain.write(made);
   }
   for (const FittingBall& ball : spans.balls) {
     Part part{ball.name, SphereAt{ball.center, ball.radius}};
     part.wall = line.components[ball.component].wall;
-    network.assembly.parts.push_back(std::move(part));
+    put(network, std::move(part), line.components[ball.component]);
+  }
+  for (auto& [part, component] : made_fillets) {
+    put(network, std::move(part), line.components[component]);
+    network.origins.back() = network.assembly.parts.back().name;  // alone, if it is refused
   }
   add_plates(line, options, spans, made, network, notes);
 }

@@ -69,6 +69,9 @@ class Spans {
       notes_.refuse(component, why);
       return true;
     };
+    if (const auto found = options_.refused.find(component.name); found != options_.refused.end()) {
+      return refused(found->second);
+    }
     if (ports.empty()) {
       return refused("it has no end in space");
     }
@@ -247,7 +250,9 @@ class Spans {
     const auto run = take_run(arms);
     Vec3 center = *component.center;
     if (run) {
+      const std::size_t own = result_.spans.size();
       add_run(component, i, *run);
+      const std::size_t first = result_.spans.size();
       const Vec3 beside = foot(*run, center);
       const double radius = *result_.ports[(*run)[0]].radius;
       center = (center - beside).norm() > kBesideRun * radius ? beside : center;
@@ -258,6 +263,9 @@ class Spans {
       for (std::size_t k = 0; k < arms.size(); ++k) {
         add_arm(component.name + "-branch" + (k == 0 && !cross ? "" : std::to_string(k + 2)), i,
                 center, arms[k]);
+      }
+      for (std::size_t k = first; k < result_.spans.size() && first == own + 1; ++k) {
+        result_.branches.push_back({own, k});  // the arc of a run that turns has none
       }
       return;
     }

@@ -43,12 +43,18 @@ struct FittingBall {
   double radius = 0;
 };
 
+/// A straight run of a fitting and what branches off it, or crosses it.
+struct FittingBranch {
+  std::size_t run = 0, branch = 0;  ///< in PipingSpans::spans
+};
+
 /// A line taken apart, and how its stretches belong together.
 struct PipingSpans {
   std::vector<LinePort> ports;
   std::vector<PortPair> pairs;
   std::vector<Span> spans;
   std::vector<FittingBall> balls;
+  std::vector<FittingBranch> branches;
   /// For each port, the span and its end that it is; none: of a plate, or of what was left out.
   std::vector<std::optional<std::array<std::size_t, 2>>> span_of_port;
 

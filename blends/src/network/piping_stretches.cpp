@@ -106,10 +106,11 @@ class Planner {
         }
         continue;
       }
-      Stretch stretch{own.name, own.component, {here, to}, {}, own.is_solid, {}};
+      Stretch stretch{own.name, own.component, {here, to}, {}, own.is_solid, element.span, {}};
       stretch.radii = {radius(element, 0), radius(element, 1)};
       if (own.role == SpanRole::bend_leg) {
         stretch.name += element.is_reversed ? "-leg2" : "-leg";
+        stretch.span.reset();
       }
       if (i > 0) {
         stretch.joint_before = begin_of(spans_, element).joint;
@@ -160,6 +161,7 @@ class Planner {
 
   void name_step(Stretch& step, std::optional<std::size_t> joint) {
     step.is_solid = false;
+    step.span.reset();
     step.joint_before.reset();
     if (!joint) {
       step.name += "-step";

@@ -15,6 +15,7 @@ struct Stretch {
   std::size_t component = 0;
   std::array<double, 2> levels{}, radii{};
   bool is_solid = false;
+  std::optional<std::size_t> span = {};  ///< that it is; none: a step, or a piece of a bend
   /// The joint that it begins at; none: an end, a bend, or inside of its component.
   std::optional<std::size_t> joint_before = {};
   [[nodiscard]] double length() const { return levels[1] - levels[0]; }

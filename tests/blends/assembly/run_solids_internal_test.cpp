@@ -1,7 +1,11 @@
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "assembly/run_solids.h"
 #include "assembly/welded_runs.h"
+#include "dupin/blends/build.h"
+#include "dupin/kernel/boolean.h"
 #include "support/named_parts.h"
 
 namespace dupin::assembly {
@@ -32,6 +36,38 @@ TEST(RunSolids, are_one_for_each_run_and_one_for_what_a_fillet_joins) {
   ASSERT_EQ(made.others.size(), 1);
   EXPECT_EQ(made.others[0].first, 2);
   EXPECT_EQ(made.others[0].second.name, "f");
+}
+
+// The branch leads back through the run, where no fillet joins them.
+TEST(RunSolids, of_filleted_runs_that_cross_elsewhere_are_what_the_fillet_joins_and_the_rest) {
+  const Assembly assembly{"",
+                          Unit::millimetre,
+                          0.005,
+                          {},
+                          {pipe("run", {-20, 0, 0}, {20, 0, 0}, 4),
+                           {"rest", PipeAlong{PortReference{"run", End::end}, 40}},
+                           pipe("branch", {0, 0, 0}, {0, 0, 20}, 2),
+                           {"turn", ElbowTurning{PortReference{"branch", End::end}, 20,
+                                                 std::numbers::pi, Vec3::UnitX()}},
+                           {"back", PipeAlong{PortReference{"turn", End::end}, 40}},
+                           fillet("f", "run", "branch", 1)}};
+  const ResolvedAssembly resolved = resolve(assembly);
+  const RunSolids made =
+      solids_of_runs(assembly, resolved, lattice_spacing(assembly, resolved), {});
+  ASSERT_EQ(made.solids.size(), 3);
+  const Solid whole = unite(made.solids);
+  EXPECT_EQ(whole.components(), 1);
+  EXPECT_EQ(whole.euler_number(), 0);  // a loop
+  // The same without the fillet is less by what the fillet adds alone.
+  Assembly plain = assembly;
+  plain.parts.pop_back();
+  Assembly tee = assembly;
+  tee.parts = {assembly.parts[0], assembly.parts[2], assembly.parts[5]};
+  Assembly plain_tee = tee;
+  plain_tee.parts.pop_back();
+  const auto volume = [](const Assembly& of) { return build(of).solid.volume(); };
+  EXPECT_NEAR(whole.volume() - volume(plain), volume(tee) - volume(plain_tee), 0.5);
+  EXPECT_GT(volume(tee) - volume(plain_tee), 2);
 }
 
 TEST(RunSolids, of_a_run_that_crosses_itself_are_its_pieces) {

@@ -406,6 +406,22 @@ TEST(PipingLine, lengthens_branches_that_end_on_a_wall) {
   (void)solid(network);
 }
 
+TEST(PipingLine, is_built_without_what_build_refuses_if_told_to_keep_going) {
+  Line line;
+  line.pipe({0, 0, 0}, {1000, 0, 0}).pipe({1000, 0, 0}, {1500, 0, 0}).last().wall = 70;
+  line.pipe({1500, 0, 0}, {2000, 0, 0});
+  PipingOptions options{.wall = 5};
+  PipingNetwork network = line.made(options);
+  EXPECT_EQ(network.origins, (std::vector<std::string>{"c0", "c1", "c2"}));
+  EXPECT_THROW((void)build(line.line(), options, network), Error);
+  options.keep_going = true;
+  const Built built = build(line.line(), options, network);
+  EXPECT_EQ(built.solid.components(), 2);
+  EXPECT_EQ(network.assembly.parts.size(), 2);
+  EXPECT_THAT(notes(network), HasSubstr("20: c1: left out, as a wall of 70 leaves no bore"));
+  EXPECT_TRUE(network.notes.at(0).is_refusal);
+}
+
 TEST(PipingLine, closes_loops) {
   Line line;
   line.bend({-300, 0, 0}, {0, 0, 0}, {0, 300, 0}).pipe({0, 300, 0}, {0, 700, 0});

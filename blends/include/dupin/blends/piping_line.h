@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/build.h"
 #include "dupin/kernel/gap.h"
 #include "dupin/kernel/vec.h"
 
@@ -53,7 +55,10 @@ struct PipingOptions {
   double bridge = 0;                ///< ends up to this far apart are joined by a part of their own
   double tolerance = 0.05;          ///< the assembly's
   std::optional<double> wall = {};  ///< of all components that say none
+  /// Of the ball of fillets between runs and branches; 0: chosen for each; none: no fillets.
+  std::optional<double> fillet = {};
   bool keep_going = false;          ///< components that are refused are left out, and noted
+  std::map<std::string, std::string> refused = {};  ///< components by name, with the reason
 };
 
 /// What was made of two ends that belong together.
@@ -81,10 +86,11 @@ struct PipingJoint {
 /// The assembly of a piping line, and what became of the line on the way.
 struct PipingNetwork {
   Assembly assembly;
-  std::vector<PipingJoint> joints;  ///< in the order of the file
-  std::vector<SourceNote> notes;    ///< by line
-  std::size_t components = 0;       ///< that became parts
-  std::size_t open_ends = 0;        ///< ports that nothing belongs to
+  std::vector<std::string> origins;  ///< of each part, the component's name
+  std::vector<PipingJoint> joints;   ///< in the order of the file
+  std::vector<SourceNote> notes;     ///< by line
+  std::size_t components = 0;        ///< that became parts
+  std::size_t open_ends = 0;         ///< ports that nothing belongs to
   /// How far a point of the file lies from where its part's ring is, at most.
   double largest_move = 0;
 };
@@ -98,6 +104,12 @@ struct PipingNetwork {
 /// left, and for options that are negative or not finite. O(n log n) unless many ends crowd in one
 /// place.
 [[nodiscard]] PipingNetwork assembly_of(const PipingLine& line, const PipingOptions& options = {});
+
+/// Builds `network`, which assembly_of has made of the line with these options. Told to keep going,
+/// leaves out the component of a part that `build` refuses, makes the network anew and builds
+/// again, fifty times at most. Throws as `build`.
+[[nodiscard]] Built build(const PipingLine& line, const PipingOptions& options,
+                          PipingNetwork& network, const BuildOptions& build_options = {});
 
 /// The components' ends as the file has them, to be paired and measured; those without a direction
 /// or a radius are left out.

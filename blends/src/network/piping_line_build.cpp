@@ -1,0 +1,49 @@
+#include <algorithm>
+#include <utility>
+
+#include "assembly/bore.h"
+#include "dupin/blends/piping_line.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin {
+namespace {
+
+constexpr int kMostRounds = 50;
+
+// The component of the part that was refused; none if leaving it out would not help.
+std::optional<std::string> refused_component(const PipingNetwork& network, const Error& error) {
+  const bool is_of_part =
+      error.code() == Errc::irregular_surface || error.code() == Errc::infeasible_blend ||
+      error.code() == Errc::self_intersecting || error.code() == Errc::invalid_argument;
+  std::string name = error.part();
+  if (name.ends_with(assembly::kBoreSuffix)) {
+    name.resize(name.size() - assembly::kBoreSuffix.size());
+  }
+  const auto part = std::ranges::find(network.assembly.parts, name, &Part::name);
+  if (!is_of_part || part == network.assembly.parts.end()) {
+    return std::nullopt;
+  }
+  return network.origins[std::size_t(part - network.assembly.parts.begin())];
+}
+
+}  // namespace
+
+Built build(const PipingLine& line, const PipingOptions& options, PipingNetwork& network,
+            const BuildOptions& build_options) {
+  PipingOptions fewer = options;
+  for (int round = 0;; ++round) {
+    try {
+      return build(network.assembly, build_options);
+    } catch (const Error& error) {
+      const auto component = refused_component(network, error);
+      const bool is_chosen = options.fillet == 0 && component && component->ends_with("-fillet");
+      if ((!options.keep_going && !is_chosen) || !component || round == kMostRounds ||
+          !fewer.refused.emplace(*component, error.message()).second) {
+        throw;
+      }
+    }
+    network = assembly_of(line, fewer);
+  }
+}
+
+}  // namespace dupin
