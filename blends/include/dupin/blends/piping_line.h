@@ -57,7 +57,7 @@ struct PipingOptions {
   std::optional<double> wall = {};  ///< of all components that say none
   /// Of the ball of fillets between runs and branches; 0: chosen for each; none: no fillets.
   std::optional<double> fillet = {};
-  bool keep_going = false;          ///< components that are refused are left out, and noted
+  bool keep_going = false;  ///< components that are refused are left out, and noted
   std::map<std::string, std::string> refused = {};  ///< components by name, with the reason
 };
 
