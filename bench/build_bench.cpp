@@ -1,4 +1,5 @@
-// How long does it take from document to solid: examples, and runs with more and more fillets?
+// How long does it take from document to solid: examples, runs with more and more fillets, larger
+// and larger graphs, more and more piping lines?
 
 #include <cmath>
 #include <cstdlib>
@@ -9,7 +10,10 @@
 
 #include "dupin/blends/build.h"
 #include "dupin/blends/pipe_graph.h"
+#include "dupin/blends/piping_line.h"
 #include "dupin/io/assembly_json.h"
+#include "dupin/io/atomic_file.h"
+#include "dupin/io/pcf.h"
 #include "measured.h"
 
 namespace dupin {
@@ -89,6 +93,42 @@ void graph_bench(benchmark::State& state) {
   state.SetComplexityN(state.range(0));
 }
 
+// The example's line so many times side by side.
+PipingLine lines(std::size_t count) {
+  const std::filesystem::path file =
+      std::filesystem::path(DUPIN_SOURCE_DIR) / "examples" / "line.pcf";
+  const PipingLine one = parse_pcf(read_file(file), file.string()).line;
+  PipingLine result{one.source, {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 aside(5000 * double(i % 8), 0, 5000 * std::floor(double(i) / 8));
+    for (PipingComponent component : one.components) {
+      component.name += "-" + std::to_string(i);
+      for (PipingPort& port : component.ports) {
+        port.center += aside;
+      }
+      if (component.center) {
+        *component.center += aside;
+      }
+      result.components.push_back(std::move(component));
+    }
+  }
+  return result;
+}
+
+void piping_bench(benchmark::State& state) {
+  const PipingLine line = lines(std::size_t(state.range(0)));
+  Built built;
+  for ([[maybe_unused]] const auto iteration : state) {
+    built = build(assembly_of(line).assembly, {.tolerance = 0.1, .most_triangles = 20'000'000});
+    benchmark::DoNotOptimize(built);
+  }
+  bench::require(built.solid.components() == std::size_t(state.range(0)), "a piece for each line");
+  bench::report(state, built.solid.triangle_count());
+  state.counters["components/s"] = benchmark::Counter(
+      double(line.components.size()), benchmark::Counter::kIsIterationInvariantRate);
+  state.SetComplexityN(state.range(0));
+}
+
 }  // namespace
 }  // namespace dupin
 
@@ -114,6 +154,11 @@ int main(int argc, char** argv) {
   benchmark::RegisterBenchmark("graphs", dupin::graph_bench)
       ->RangeMultiplier(5)
       ->Range(100, 2500)
+      ->Complexity()
+      ->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("piping", dupin::piping_bench)
+      ->RangeMultiplier(4)
+      ->Range(1, 64)
       ->Complexity()
       ->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);

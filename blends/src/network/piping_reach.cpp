@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "dupin/kernel/decimal.h"
 
@@ -29,10 +31,55 @@ std::optional<double> reach(const Vec3& end, const Vec3& outward, const Span& ru
   return (level * cosine - offset.dot(outward)) / (1 - cosine * cosine);
 }
 
+// Spans by where they are along x, to find those near a point.
+class SpanIndex {
+ public:
+  SpanIndex(const std::vector<Span>& spans, double snap) {
+    entries_.reserve(spans.size());
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+      const Span& span = spans[i];
+      const double around = std::max(span.radii[0], span.radii[1]) + snap;
+      const auto [low, high] = std::minmax(span.ends[0].point.x(), span.ends[1].point.x());
+      entries_.push_back({low - around, high + around, i});
+    }
+    std::ranges::sort(entries_, {}, &Entry::low);
+    highest_.reserve(entries_.size());
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const Entry& entry : entries_) {
+      highest = std::max(highest, entry.high);
+      highest_.push_back(highest);
+    }
+  }
+
+  /// Those that may hold the point, in their order.
+  [[nodiscard]] std::vector<std::size_t> near(const Vec3& point) const {
+    std::vector<std::size_t> result;
+    auto i = std::size_t(std::ranges::upper_bound(entries_, point.x(), {}, &Entry::low) -
+                         entries_.begin());
+    while (i > 0 && highest_[i - 1] >= point.x()) {
+      --i;
+      if (entries_[i].high >= point.x()) {
+        result.push_back(entries_[i].span);
+      }
+    }
+    std::ranges::sort(result);
+    return result;
+  }
+
+ private:
+  struct Entry {
+    double low, high;
+    std::size_t span;
+  };
+  std::vector<Entry> entries_;
+  std::vector<double> highest_;  // of the entries up to each
+};
+
 }  // namespace
 
 void reach_runs(const PipingLine& line, const PipingOptions& options, PipingSpans& spans,
                 LineNotes& notes) {
+  const SpanIndex index(spans.spans, options.snap);
   for (std::size_t i = 0; i < spans.spans.size(); ++i) {
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       Span& span = spans.spans[i];
@@ -41,7 +88,8 @@ void reach_runs(const PipingLine& line, const PipingOptions& options, PipingSpan
         continue;
       }
       const Vec3 outward = (end.point - span.ends[1 - side].point) / span.length();
-      for (const Span& run : spans.spans) {
+      for (const std::size_t near : index.near(end.point)) {
+        const Span& run = spans.spans[near];
         if (run.component == span.component) {
           continue;
         }

@@ -7,6 +7,9 @@
 #include <map>
 #include <tuple>
 
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
+
 namespace dupin::network {
 namespace {
 
@@ -14,6 +17,9 @@ namespace {
 constexpr double kSameWay = 0.5;
 // How finely directions are told apart when the best partner is looked for.
 constexpr double kFacingSteps = 16;
+
+// A plant has about one for each end.
+constexpr std::size_t kMostCandidates = 2'000'000;
 
 using Cell = std::array<std::int64_t, 3>;
 
@@ -65,6 +71,7 @@ std::vector<Candidate> candidates(const std::vector<LinePort>& ports, double sna
   const double size = reach > 0 ? reach : 1;
   std::map<Cell, std::vector<std::size_t>> cells;
   std::vector<Candidate> result;
+  std::size_t count = 0;
   for (std::size_t i = 0; i < ports.size(); ++i) {
     Cell own;
     for (int axis = 0; axis < 3; ++axis) {
@@ -80,6 +87,12 @@ std::vector<Candidate> candidates(const std::vector<LinePort>& ports, double sna
       for (const std::size_t j : found->second) {
         if (const auto pair = candidate(ports, i, j, snap, reach)) {
           result.push_back(*pair);
+        }
+        if (++count > kMostCandidates) {
+          throw Error(Errc::limit_exceeded,
+                      "more than " + std::to_string(kMostCandidates) +
+                          " pairs of ends lie within " + decimal(reach, kMessageDigits) +
+                          " of each other, as at line " + std::to_string(ports[i].line));
         }
       }
     }

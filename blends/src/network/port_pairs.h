@@ -29,7 +29,8 @@ struct PortPair {
 
 /// Each end at most once, none with one of its own component, none with one that looks the same
 /// way: first those within `snap`, then those within `bridge`; of several, those that face each
-/// other best, then equal radii, then the nearest. By `first`.
+/// other best, then equal radii, then the nearest. By `first`. O(n log n): throws
+/// Error{limit_exceeded} where more than two million pairs lie that near.
 [[nodiscard]] std::vector<PortPair> paired(const std::vector<LinePort>& ports, double snap,
                                            double bridge);
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/error.h"
 #include "network/port_pairs.h"
 
 namespace dupin::network {
@@ -70,6 +71,22 @@ TEST(PortPairs, prefer_equal_radii) {
 TEST(PortPairs, never_join_ends_that_look_the_same_way_or_of_one_component) {
   EXPECT_TRUE(pairs_of({pipe({0, 0, 0}, {10, 0, 0}), pipe({0, 0, 1}, {10, 0, 0})}, .1).empty());
   EXPECT_TRUE(pairs_of({pipe({0, 0, 0}, {.05, 0, 0})}, .1).empty());
+}
+
+TEST(PortPairs, are_not_sought_without_end_among_ends_that_crowd) {
+  std::vector<PipingComponent> star;
+  for (int i = 0; i < 2100; ++i) {
+    const double angle = .5 * std::numbers::pi * i;
+    star.push_back(pipe({0, 0, 0}, {9 * std::cos(angle) + i, 9 * std::sin(angle), 1. * i}));
+  }
+  try {
+    (void)pairs_of(star, .1);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::limit_exceeded);
+    EXPECT_STREQ(error.what(),
+                 "more than 2000000 pairs of ends lie within 0.1 of each other, as at line 1");
+  }
 }
 
 TEST(PortPairs, know_the_kink) {
