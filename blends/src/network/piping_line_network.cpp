@@ -8,6 +8,7 @@
 #include "network/line_notes.h"
 #include "network/piping_chain.h"
 #include "network/piping_parts.h"
+#include "network/piping_radii.h"
 #include "network/piping_reach.h"
 #include "network/piping_spans.h"
 
@@ -65,11 +66,16 @@ std::string_view name(JointState state) {
   return "apart";
 }
 
-PipingNetwork assembly_of(const PipingLine& line, const PipingOptions& options) {
+PipingNetwork assembly_of(const PipingLine& given, const PipingOptions& options) {
   check_option(options.snap, "snap");
   check_option(options.bridge, "bridge");
   check_option(options.fillet.value_or(0), "fillet");
-  network::LineNotes notes(line.source, options.keep_going);
+  network::LineNotes notes(given.source, options.keep_going);
+  PipingLine line = given;
+  if (!options.wall) {
+    const auto ends = network::line_ports(line, std::vector<bool>(line.components.size(), false));
+    network::infer_walls(network::paired(ends, options.snap, options.bridge), ends, line, notes);
+  }
   network::PipingSpans spans = spans_of(line, options, notes);
   reach_runs(line, options, spans, notes);
   PipingNetwork result;

@@ -82,6 +82,41 @@ class Radii {
 
 }  // namespace
 
+void infer_walls(const std::vector<PortPair>& pairs, const std::vector<LinePort>& ports,
+                 PipingLine& line, LineNotes& notes) {
+  std::vector<std::vector<std::size_t>> joined(line.components.size());
+  for (const PortPair& pair : pairs) {
+    const std::size_t a = ports[pair.first].component, b = ports[pair.second].component;
+    joined[a].push_back(b);
+    joined[b].push_back(a);
+  }
+  std::vector<std::size_t> known;  // in the order in which walls spread: the nearest first
+  known.reserve(line.components.size());
+  for (std::size_t i = 0; i < line.components.size(); ++i) {
+    if (line.components[i].wall) {
+      known.push_back(i);
+    }
+  }
+  const std::size_t own = known.size();
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    for (const std::size_t other : joined[known[k]]) {
+      if (!line.components[other].wall) {
+        line.components[other].wall = line.components[known[k]].wall;
+        known.push_back(other);
+      }
+    }
+  }
+  if (known.size() > own) {
+    notes.add(
+        line.components[*std::min_element(known.begin() + std::ptrdiff_t(own), known.end())],
+        "has no wall of its own" +
+            (known.size() > own + 1 ? ", as " + std::to_string(known.size() - own - 1) +
+                                          " other component" + (known.size() > own + 2 ? "s" : "")
+                                    : std::string()) +
+            "; those of their neighbours are taken");
+  }
+}
+
 void infer_radii(const PipingLine& line, const std::vector<PortPair>& pairs,
                  std::vector<LinePort>& ports, LineNotes& notes) {
   std::vector<bool> was_known(ports.size());

@@ -12,4 +12,9 @@ namespace dupin::network {
 void infer_radii(const PipingLine& line, const std::vector<PortPair>& pairs,
                  std::vector<LinePort>& ports, LineNotes& notes);
 
+/// Where some components have walls, gives those without the wall of what they are joined to, be it
+/// over others, and notes how many. `pairs` are of `ports`.
+void infer_walls(const std::vector<PortPair>& pairs, const std::vector<LinePort>& ports,
+                 PipingLine& line, LineNotes& notes);
+
 }  // namespace dupin::network

@@ -397,6 +397,20 @@ TEST(PipingLine, takes_radii_from_neighbours) {
   EXPECT_EQ(alone.made({.keep_going = true}).assembly.parts.size(), 1);
 }
 
+TEST(PipingLine, takes_walls_from_neighbours_where_some_have_walls) {
+  Line line;
+  line.pipe({0, 0, 0}, {500, 0, 0}).pipe({500, 0, 0}, {600, 0, 0}).last().wall = 4;
+  line.pipe({600, 0, 0}, {700, 0, 0}).pipe({0, 900, 0}, {500, 900, 0});
+  const PipingNetwork network = line.made();
+  EXPECT_EQ(part(network, "c0").wall, 4);
+  EXPECT_EQ(part(network, "c2").wall, 4);
+  EXPECT_FALSE(part(network, "c3").wall);  // joined to nothing
+  EXPECT_THAT(notes(network), HasSubstr("10: c0: has no wall of its own, as 1 other component; "
+                                        "those of their neighbours are taken"));
+  EXPECT_EQ(part(line.made({.wall = 3}), "c1").wall, 4);
+  EXPECT_FALSE(part(line.made({.wall = 3}), "c0").wall);  // the assembly's
+}
+
 TEST(PipingLine, lengthens_branches_that_end_on_a_wall) {
   Line line;
   line.pipe({0, 0, 0}, {1000, 0, 0}).pipe({500, 0, 50}, {500, 0, 300}, 20);

@@ -164,6 +164,20 @@ TEST(Pcf, refuses_what_is_malformed) {
       });
 }
 
+TEST(Pcf, takes_a_hundred_thousand_lines) {
+  std::string text = kUnits;
+  for (int i = 0; i < 25000; ++i) {
+    const std::string y = std::to_string(500 * (i % 250));
+    const auto point = [&](int x) {
+      return "    END-POINT " + std::to_string(x) + " " + y + " 0 100\n";
+    };
+    text += "PIPE\n" + point(1000 * (i / 250)) + point(1000 * (i / 250) + 1000) + "    SKEY PIPW\n";
+  }
+  const PcfFile file = parse_pcf(text);
+  EXPECT_EQ(file.line.components.size(), 25000);
+  EXPECT_EQ(assembly_of(file.line).joints.size(), 25000 - 250);
+}
+
 TEST(Pcf, is_told_by_its_extension) {
   EXPECT_TRUE(is_pcf_file("a/b.PCF"));
   EXPECT_FALSE(is_pcf_file("a.pcf.json"));

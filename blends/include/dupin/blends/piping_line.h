@@ -38,7 +38,7 @@ struct PipingComponent {
   std::vector<PipingPort> ports;
   std::optional<Vec3> center = {};
   std::optional<double> bend_radius = {};
-  std::optional<double> wall = {};  ///< none: the line's
+  std::optional<double> wall = {};  ///< none: the line's, or that of its neighbours
   /// Of parts without one: a straight one's ends may lie off each other's axes (parallel circles).
   bool is_eccentric = false;
 };
