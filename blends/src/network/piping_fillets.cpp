@@ -157,7 +157,8 @@ std::vector<std::pair<Part, std::size_t>> fillets(const PipingLine& line,
     if (!fits && is_chosen) {
       notes.add(component, "has no fillet: " + why);
     } else if (!fits) {
-      notes.refuse(component, name + " does not fit: " + why);
+      why.insert(0, name + " does not fit: ");
+      notes.refuse(component, why);
     }
   }
   return result;
