@@ -278,6 +278,12 @@ class PcfReader {
     }
     component.ports.insert(component.ports.end(), branches.begin(), branches.end());
     give_shape(component);
+    if (component.ports.empty() && family_of(component.kind) == Family::any) {
+      ++file_.skipped[component.kind];  // a balloon, or another drawing of an instrument
+      file_.unknown.push_back(
+          {component.line, component.name + " has no end in space; nothing is made of it"});
+      return;
+    }
     if (!repeats(component)) {
       ++file_.kinds[component.kind];
       file_.line.components.push_back(std::move(component));
@@ -294,8 +300,9 @@ class PcfReader {
     const Family family = family_of(component.kind);
     const std::size_t ports = component.ports.size();
     switch (family) {
-      case Family::straight:
-        component.shape = PipingShape::straight;
+      case Family::straight:  // half couplings and reducers with a branch have a centre
+        component.shape =
+            component.center && ports != 2 ? PipingShape::fitting : PipingShape::straight;
         break;
       case Family::bend:
         component.shape = PipingShape::bend;

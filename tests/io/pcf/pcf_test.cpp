@@ -114,6 +114,25 @@ TEST(Pcf, gives_families_their_shapes) {
   EXPECT_EQ(shape("GASKET", second), PipingShape::straight);
 }
 
+TEST(Pcf, takes_half_couplings_and_teed_reducers_for_fittings) {
+  const auto shape = [](const std::string& text) {
+    return parse_pcf(kUnits + text).line.components[0].shape;
+  };
+  EXPECT_EQ(shape("COUPLING\n    CENTRE-POINT 0 0 0\n    BRANCH1-POINT 0 0 80 25\n"),
+            PipingShape::fitting);
+  EXPECT_EQ(shape("REDUCER-CONCENTRIC-TEED\n    END-POINT 0 0 0 100\n    END-POINT 90 0 0 80\n"
+                  "    CENTRE-POINT 45 0 0\n    BRANCH1-POINT 45 0 80 25\n"),
+            PipingShape::fitting);
+}
+
+TEST(Pcf, makes_nothing_of_instruments_that_are_only_drawn) {
+  const PcfFile file = parse_pcf(pipe("100") + "INSTRUMENT-BALLOON\n    CO-ORDS 1 2 3\n");
+  EXPECT_EQ(file.line.components.size(), 1);
+  EXPECT_EQ(file.skipped.at("INSTRUMENT-BALLOON"), 1);
+  EXPECT_THAT(file.unknown.at(0).text,
+              HasSubstr("instrument-balloon-6 has no end in space; nothing is made of it"));
+}
+
 TEST(Pcf, lists_what_it_does_not_understand_and_counts_what_it_skips) {
   const PcfFile file = parse_pcf(pipe("100") +
                                  "    FROBNICATE 1\n    FROBNICATE 2\nHYPERSPACE-DUCT\n"
