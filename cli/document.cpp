@@ -27,12 +27,6 @@ BoreMeaning bore_meaning(const std::string& typed) {
                               : BoreMeaning::automatic;
 }
 
-}  // namespace
-
-Assembly read_document(const std::string& path) { return read_document(path, {}).assembly; }
-
-bool is_source_file(const std::string& path) { return is_graph_file(path) || is_pcf_file(path); }
-
 Document read_piping(const Input& input, const SourceArguments& arguments,
                      const std::string& wall) {
   if (!arguments.radius.empty()) {
@@ -59,6 +53,33 @@ Document read_piping(const Input& input, const SourceArguments& arguments,
   Assembly assembly = std::exchange(report.network.assembly, {});
   return {std::move(assembly), {}, std::move(report), std::move(line), std::move(options)};
 }
+
+void add_piping_options(CLI::App& command, SourceArguments& arguments) {
+  command
+      .add_option("--snap", arguments.snap,
+                  "Ends of a piping file up to this far apart are one point; 0.05 mm if\n"
+                  "not given")
+      ->type_name("LENGTH");
+  command
+      .add_option("--bridge", arguments.bridge,
+                  "Ends of a piping file up to this far apart are joined by a part of their\n"
+                  "own; none if not given")
+      ->type_name("LENGTH");
+  add_bore_option(command, arguments.bore);
+  command
+      .add_option("--fillet", arguments.fillet,
+                  "Radius of the ball of fillets at a piping file's tees; auto: a quarter\n"
+                  "of the branch's radius, or the most that fits")
+      ->type_name("LENGTH|auto");
+  command.add_flag("--strict", arguments.strict,
+                   "Lines of a piping file that are not understood count (exit code 1)");
+}
+
+}  // namespace
+
+Assembly read_document(const std::string& path) { return read_document(path, {}).assembly; }
+
+bool is_source_file(const std::string& path) { return is_graph_file(path) || is_pcf_file(path); }
 
 Built build_document(Document& document, const BuildOptions& options) {
   if (!document.piping) {
@@ -112,27 +133,6 @@ void add_bore_option(CLI::App& command, std::string& bore) {
                   "out for each if not given")
       ->type_name("MEANING")
       ->check(CLI::IsMember({"outside", "nominal"}));
-}
-
-void add_piping_options(CLI::App& command, SourceArguments& arguments) {
-  command
-      .add_option("--snap", arguments.snap,
-                  "Ends of a piping file up to this far apart are one point; 0.05 mm if\n"
-                  "not given")
-      ->type_name("LENGTH");
-  command
-      .add_option("--bridge", arguments.bridge,
-                  "Ends of a piping file up to this far apart are joined by a part of their\n"
-                  "own; none if not given")
-      ->type_name("LENGTH");
-  add_bore_option(command, arguments.bore);
-  command
-      .add_option("--fillet", arguments.fillet,
-                  "Radius of the ball of fillets at a piping file's tees; auto: a quarter\n"
-                  "of the branch's radius, or the most that fits")
-      ->type_name("LENGTH|auto");
-  command.add_flag("--strict", arguments.strict,
-                   "Lines of a piping file that are not understood count (exit code 1)");
 }
 
 void add_wall_option(CLI::App& command, std::string& wall) {

@@ -46,10 +46,6 @@ struct Document {
 /// Whether the file's extension says that it is a graph or a piping file.
 [[nodiscard]] bool is_source_file(const std::string& path);
 
-/// A piping file and what it is made into.
-[[nodiscard]] Document read_piping(const Input& input, const SourceArguments& arguments,
-                                   const std::string& wall = {});
-
 /// Builds the assembly, where told to keep going without components of a piping file whose parts
 /// are refused.
 [[nodiscard]] Built build_document(Document& document, const BuildOptions& options);
@@ -57,11 +53,8 @@ struct Document {
 /// Adds --wall.
 void add_wall_option(CLI::App& command, std::string& wall);
 
-/// Adds --radius, --snap, --bridge, --bore, --keep-going and --strict.
+/// Adds --radius, --keep-going, --snap, --bridge, --bore, --fillet and --strict.
 void add_source_options(CLI::App& command, SourceArguments& arguments);
-
-/// Adds those that piping files alone have.
-void add_piping_options(CLI::App& command, SourceArguments& arguments);
 
 /// Adds --connect.
 void add_connect_option(CLI::App& command, std::string& connect);

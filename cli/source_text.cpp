@@ -9,6 +9,13 @@
 namespace dupin::cli {
 namespace {
 
+void print_notes(std::ostream& out, const char* row, const std::vector<SourceNote>& notes) {
+  for (const SourceNote& note : notes) {
+    print_row(out, note.is_refusal ? "refused" : row,
+              (note.line > 0 ? "line " + std::to_string(note.line) + ": " : "") + note.text);
+  }
+}
+
 void print_graph(std::ostream& out, const PipeNetwork& graph) {
   print_row(out, "graph",
             counted(graph.nodes, "node") + ", " + counted(graph.edges, "edge") + ", " +
@@ -16,13 +23,10 @@ void print_graph(std::ostream& out, const PipeNetwork& graph) {
   print_row(out, "nodes became",
             counted(graph.blends, "blend") + ", " + counted(graph.junctions, "junction") + ", " +
                 counted(graph.balls, "ball"));
-  for (const SourceNote& note : graph.notes) {
-    print_row(out, note.is_refusal ? "refused" : "note",
-              (note.line > 0 ? "line " + std::to_string(note.line) + ": " : "") + note.text);
-  }
+  print_notes(out, "note", graph.notes);
 }
 
-// How many joints have it, and the largest of `size`.
+// How many joints have it, and which if something was done to them.
 void print_joints(std::ostream& out, const PcfReport& piping, JointState state) {
   const auto& joints = piping.network.joints;
   const auto count =
@@ -56,15 +60,9 @@ void print_piping(std::ostream& out, const PcfReport& piping) {
     print_joints(out, piping, state);
   }
   print_row(out, "moved", "at most " + number(piping.network.largest_move) + " mm");
-  const auto print_notes = [&](const char* row, const std::vector<SourceNote>& notes) {
-    for (const SourceNote& note : notes) {
-      print_row(out, note.is_refusal ? "refused" : row,
-                "line " + std::to_string(note.line) + ": " + note.text);
-    }
-  };
-  print_notes("bore", piping.file.notes);
-  print_notes("note", piping.network.notes);
-  print_notes("warning", piping.file.unknown);
+  print_notes(out, "bore", piping.file.notes);
+  print_notes(out, "note", piping.network.notes);
+  print_notes(out, "warning", piping.file.unknown);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <set>
 
 #include "assembly/part_context.h"
 #include "numbers/point_order.h"
@@ -77,10 +78,9 @@ TriMesh labelled(const std::string& name, const std::vector<FilletMesh>& loops) 
   return result;
 }
 
-}  // namespace
-
-std::vector<FilletedRuns> filleted_runs(const ResolvedAssembly& assembly,
-                                        std::span<const WeldedRun> runs) {
+// What `among` names, sorted into groups by what joins runs.
+std::vector<FilletedRuns> grouped(const ResolvedAssembly& assembly, std::span<const WeldedRun> runs,
+                                  const FilletedRuns& among) {
   std::vector<std::size_t> run_of(assembly.parts.size()), group_of(runs.size());
   for (std::size_t r = 0; r < runs.size(); ++r) {
     for (const std::uint32_t part : runs[r].parts) {
@@ -93,61 +93,59 @@ std::vector<FilletedRuns> filleted_runs(const ResolvedAssembly& assembly,
     const std::size_t a = group_of[run_of[part]], b = group_of[run_of[other]];
     std::ranges::replace(group_of, std::max(a, b), std::min(a, b));
   };
-  for (const ResolvedFillet& fillet : assembly.fillets) {
-    join(fillet.between[0], fillet.between[1]);
-  }
-  for (const ResolvedJunction& junction : assembly.junctions) {
-    for (const std::uint32_t arm : junction.arms) {
-      join(junction.arms.front(), arm);
-    }
-  }
-  std::vector<FilletedRuns> by_first(runs.size()), result;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    by_first[group_of[r]].runs.push_back(r);
-  }
-  for (std::size_t f = 0; f < assembly.fillets.size(); ++f) {
-    by_first[group_of[run_of[assembly.fillets[f].between[0]]]].fillets.push_back(f);
-  }
-  for (std::size_t j = 0; j < assembly.junctions.size(); ++j) {
-    by_first[group_of[run_of[assembly.junctions[j].arms.front()]]].junctions.push_back(j);
-  }
-  std::ranges::copy_if(by_first, std::back_inserter(result),
-                       [](const FilletedRuns& group) { return !group.runs.empty(); });
-  return result;
-}
-
-std::vector<JoinedCore> joined_cores(const ResolvedAssembly& assembly, const FilletedRuns& group) {
-  std::map<std::uint32_t, std::uint32_t> leader;  // by part; cores are called after their first
-  const auto join = [&](std::uint32_t part, std::uint32_t other) {
-    const std::uint32_t a = leader.try_emplace(part, part).first->second,
-                        b = leader.try_emplace(other, other).first->second;
-    for (auto& [member, own] : leader) {
-      own = own == std::max(a, b) ? std::min(a, b) : own;
-    }
-  };
-  for (const std::size_t f : group.fillets) {
+  for (const std::size_t f : among.fillets) {
     join(assembly.fillets[f].between[0], assembly.fillets[f].between[1]);
   }
-  for (const std::size_t j : group.junctions) {
+  for (const std::size_t j : among.junctions) {
     for (const std::uint32_t arm : assembly.junctions[j].arms) {
       join(assembly.junctions[j].arms.front(), arm);
     }
   }
-  std::map<std::uint32_t, JoinedCore> cores;
-  for (const auto& [part, first] : leader) {
-    cores[first].parts.push_back(part);
+  std::vector<FilletedRuns> by_first(runs.size());
+  for (const std::size_t r : among.runs) {
+    by_first[group_of[r]].runs.push_back(r);
   }
+  for (const std::size_t f : among.fillets) {
+    by_first[group_of[run_of[assembly.fillets[f].between[0]]]].fillets.push_back(f);
+  }
+  for (const std::size_t j : among.junctions) {
+    by_first[group_of[run_of[assembly.junctions[j].arms.front()]]].junctions.push_back(j);
+  }
+  std::erase_if(by_first, [](const FilletedRuns& group) { return group.runs.empty(); });
+  return by_first;
+}
+
+}  // namespace
+
+std::vector<FilletedRuns> filleted_runs(const ResolvedAssembly& assembly,
+                                        std::span<const WeldedRun> runs) {
+  FilletedRuns all;
+  all.runs.resize(runs.size());
+  all.fillets.resize(assembly.fillets.size());
+  all.junctions.resize(assembly.junctions.size());
+  for (auto* positions : {&all.runs, &all.fillets, &all.junctions}) {
+    std::iota(positions->begin(), positions->end(), std::size_t{0});
+  }
+  return grouped(assembly, runs, all);
+}
+
+JoinedCores joined_cores(const ResolvedAssembly& assembly, const FilletedRuns& group) {
+  std::set<std::uint32_t> parts;
   for (const std::size_t f : group.fillets) {
-    cores[leader.at(assembly.fillets[f].between[0])].fillets.push_back(f);
+    parts.insert(assembly.fillets[f].between.begin(), assembly.fillets[f].between.end());
   }
   for (const std::size_t j : group.junctions) {
-    cores[leader.at(assembly.junctions[j].arms.front())].junctions.push_back(j);
+    parts.insert(assembly.junctions[j].arms.begin(), assembly.junctions[j].arms.end());
   }
-  std::vector<JoinedCore> result;
-  result.reserve(cores.size());
-  for (auto& [first, core] : cores) {
-    result.push_back(std::move(core));
+  JoinedCores result;
+  result.parts.reserve(parts.size());
+  for (const std::uint32_t part : parts) {
+    result.parts.push_back({{part}});
   }
+  FilletedRuns cores = group;
+  cores.runs.resize(parts.size());
+  std::iota(cores.runs.begin(), cores.runs.end(), std::size_t{0});
+  result.groups = grouped(assembly, result.parts, cores);
   return result;
 }
 

@@ -22,15 +22,15 @@ struct FilletedRuns {
 [[nodiscard]] std::vector<FilletedRuns> filleted_runs(const ResolvedAssembly& assembly,
                                                       std::span<const WeldedRun> runs);
 
-/// Parts that fillets and junctions join, without the rest of their runs.
-struct JoinedCore {
-  std::vector<std::uint32_t> parts;
-  std::vector<std::size_t> fillets, junctions;
+/// Parts that fillets and junctions join, as runs of one part each without the rest of theirs, and
+/// the groups of these.
+struct JoinedCores {
+  std::vector<WeldedRun> parts;
+  std::vector<FilletedRuns> groups;
 };
 
-/// Those of a group, in the order of their first parts.
-[[nodiscard]] std::vector<JoinedCore> joined_cores(const ResolvedAssembly& assembly,
-                                                   const FilletedRuns& group);
+/// Those of a group, in the order of their parts.
+[[nodiscard]] JoinedCores joined_cores(const ResolvedAssembly& assembly, const FilletedRuns& group);
 
 /// A fillet's loops as triangles, within the assembly's tolerance; the samplings are those of the
 /// runs of its pipes. Throws Error{limit_exceeded} for more triangles than that.

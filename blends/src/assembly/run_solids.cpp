@@ -142,26 +142,16 @@ class RunMesher {
     }
     const JoinedMesher mesher{sampling, meshes, hubs(group.junctions, sampling)};
     try {
-      std::vector<std::vector<std::uint32_t>> whole;
-      whole.reserve(group.runs.size());
-      for (const std::size_t run : group.runs) {
-        whole.push_back(runs[run].parts);
-      }
-      result_.solids.push_back(joined(mesher, whole, group.fillets, group.junctions));
+      result_.solids.push_back(joined(mesher, runs, group));
     } catch (const Error& error) {
-      const auto cores = joined_cores(resolved_, group);
       const bool are_cores_alone = std::ranges::all_of(
           group.runs, [&](std::size_t run) { return runs[run].parts.size() == 1; });
       if (error.code() != Errc::infeasible_blend || are_cores_alone) {
         throw;
       }
-      for (const JoinedCore& core : cores) {
-        std::vector<std::vector<std::uint32_t>> alone;
-        alone.reserve(core.parts.size());
-        for (const std::uint32_t part : core.parts) {
-          alone.push_back({part});
-        }
-        result_.solids.push_back(joined(mesher, alone, core.fillets, core.junctions));
+      const JoinedCores cores = joined_cores(resolved_, group);
+      for (const FilletedRuns& core : cores.groups) {
+        result_.solids.push_back(joined(mesher, cores.parts, core));
       }
       append_beside_cores(runs, group, cores, sampling);
     }
@@ -174,47 +164,44 @@ class RunMesher {
     std::map<std::size_t, HubPatch> hubs;
   };
 
-  [[nodiscard]] Solid joined(const JoinedMesher& mesher,
-                             const std::vector<std::vector<std::uint32_t>>& runs,
-                             const std::vector<std::size_t>& fillets,
-                             const std::vector<std::size_t>& junctions) const {
+  [[nodiscard]] Solid joined(const JoinedMesher& mesher, const std::vector<WeldedRun>& runs,
+                             const FilletedRuns& group) const {
     std::vector<TriMesh> welded;
-    welded.reserve(runs.size());
-    for (const auto& parts : runs) {
+    welded.reserve(group.runs.size());
+    for (const std::size_t run : group.runs) {
+      const auto& parts = runs[run].parts;
       welded.push_back(
           assembly::welded(resolved_, parts, tubes_, mesher.sampling.at(parts.front())));
     }
     std::vector<HubPatch> patches;
-    patches.reserve(junctions.size());
-    for (const std::size_t junction : junctions) {
+    patches.reserve(group.junctions.size());
+    for (const std::size_t junction : group.junctions) {
       patches.push_back(mesher.hubs.at(junction));
     }
-    const TriMesh mesh =
-        joined_with_hubs(joined_by_fillets(resolved_, welded, fillets, mesher.meshes), patches);
+    const TriMesh mesh = joined_with_hubs(
+        joined_by_fillets(resolved_, welded, group.fillets, mesher.meshes), patches);
     try {
       return Solid::from(mesh);
     } catch (const Error& error) {
       const std::string why =
           "with the pipes that it joins, it bounds no solid: " + error.message();
-      if (fillets.empty()) {
-        const ResolvedJunction& first = resolved_.junctions[junctions.front()];
+      if (group.fillets.empty()) {
+        const ResolvedJunction& first = resolved_.junctions[group.junctions.front()];
         throw Error(Errc::infeasible_blend, why, first.name,
                     document_place(assembly_, first.index));
       }
-      throw refusal(resolved_.fillets[fillets.front()], why);
+      throw refusal(resolved_.fillets[group.fillets.front()], why);
     }
   }
 
   // The parts of the group's runs that no fillet or junction joins, run by run from one that is
   // joined to the next.
   void append_beside_cores(const std::vector<WeldedRun>& runs, const FilletedRuns& group,
-                           const std::vector<JoinedCore>& cores,
+                           const JoinedCores& cores,
                            const std::map<std::uint32_t, RingSampling>& sampling) {
     std::vector<bool> is_core(resolved_.parts.size(), false);
-    for (const JoinedCore& core : cores) {
-      for (const std::uint32_t part : core.parts) {
-        is_core[part] = true;
-      }
+    for (const WeldedRun& core : cores.parts) {
+      is_core[core.parts.front()] = true;
     }
     for (const std::size_t run : group.runs) {
       const std::span<const std::uint32_t> parts = runs[run].parts;

@@ -11,6 +11,7 @@
 #include "dupin/blends/cyclide_chain.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "numbers/angle.h"
 
 namespace dupin {
 namespace {
@@ -38,10 +39,6 @@ double overlap(double a, double b, double c) {
                       (std::sin(x) * std::sin(y)));
   };
   return 2 * (pi - angle(c, a, b) - std::cos(a) * angle(b, c, a) - std::cos(b) * angle(a, c, b));
-}
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 }  // namespace
@@ -75,7 +72,7 @@ SphericalJoint spherical_joint(const PeArc& before, const PeArc& after) {
   }
   const PeVector &arriving = before.end_tangent(), &leaving = after.start_tangent();
   SphericalJoint knee{before.end(), std::atan2(1, arriving.r), std::atan2(1, -leaving.r),
-                      angle_between(-arriving.m, leaving.m)};
+                      numbers::angle_between(-arriving.m, leaving.m)};
   const double common = overlap(knee.before, knee.after, knee.between);
   const double square = knee.sphere.r * knee.sphere.r;
   knee.overlap_area = square * common;

@@ -11,6 +11,7 @@
 #include "dupin/kernel/error.h"
 #include "junction/collar.h"
 #include "junction/separation.h"
+#include "numbers/angle.h"
 
 namespace dupin::junction {
 namespace {
@@ -60,7 +61,7 @@ JunctionSearch too_near(std::vector<double> setbacks) {
 // Angle between two ends, seen from the centre.
 double angle_between(const Approach& one, const Approach& other, const Vec3& center) {
   const Vec3 a = one.end.center - center, b = other.end.center - center;
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  return numbers::angle_between(a, b);
 }
 
 // That two ends want the same place on the hub.

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "cyclide/exact_pe.h"
+#include "numbers/angle.h"
 #include "numbers/exact_vec3.h"
 
 namespace dupin::junction {
@@ -181,10 +182,6 @@ Vec3 cap_axis(const PeArc& collar) { return -collar.end_tangent().m.normalized()
 
 double angle_of(const PeArc& collar) { return std::atan2(1, collar.end_tangent().r); }
 
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 template <class Number>
 bool goes_forward(const PeArc& collar) {
   return ArcNumbers<Number>(collar).along > 0;
@@ -214,7 +211,7 @@ bool caps_are_disjoint(const PeArc& a, const PeArc& b, Arithmetic arithmetic) {
 }
 
 double cap_gap(const PeArc& a, const PeArc& b) {
-  return angle_between(cap_axis(a), cap_axis(b)) - angle_of(a) - angle_of(b);
+  return numbers::angle_between(cap_axis(a), cap_axis(b)) - angle_of(a) - angle_of(b);
 }
 
 bool arms_are_apart(const JunctionArm& a, const JunctionArm& b, Arithmetic arithmetic) {

@@ -109,8 +109,7 @@ class ChainMaker {
       const auto &before = links_.seams[i], &corner = links_.seams[i + 1],
                  &after = links_.seams[i + 2];
       const auto is_off = [](const std::optional<Seam>& seam) {
-        return seam && (seam->kind == SeamKind::kink || seam->kind == SeamKind::bridge ||
-                        seam->kind == SeamKind::bend);
+        return seam && is_blended(seam->kind);
       };
       if (corner && corner->kind == SeamKind::corner && (is_off(before) || is_off(after))) {
         replace_bend(i);
@@ -243,9 +242,7 @@ class ChainMaker {
       chain.seams.push_back(*links_.seams[end]);
       begin = end;
     }
-    if (links_.is_closed) {
-      chain.closing_joint = end_of(spans_, links_.elements.back()).joint;
-    }
+    chain.is_closed = links_.is_closed;
     return chain;
   }
 
@@ -299,6 +296,10 @@ class Walk {
 };
 
 }  // namespace
+
+bool is_blended(SeamKind kind) {
+  return kind == SeamKind::kink || kind == SeamKind::bridge || kind == SeamKind::bend;
+}
 
 Vec3 point_at(const Leg& leg, double level) { return leg.origin + level * leg.direction; }
 

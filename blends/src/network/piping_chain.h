@@ -24,6 +24,9 @@ enum class SeamKind {
   offset,  ///< nothing: an eccentric part, which is a leg of its own, begins or ends
 };
 
+/// Whether a blend, if one fits, lies between the legs.
+[[nodiscard]] bool is_blended(SeamKind kind);
+
 struct Seam {
   SeamKind kind = SeamKind::end;
   /// In PipingSpans::pairs: that of a kink or bridge, or those at the ends of a bend.
@@ -43,8 +46,7 @@ struct Leg {
 struct Chain {
   std::vector<Leg> legs;
   std::vector<Seam> seams;
-  /// A closed chain ends where it begins, at this joint.
-  std::optional<std::size_t> closing_joint = {};
+  bool is_closed = false;  ///< ends where it begins
 };
 
 [[nodiscard]] Vec3 point_at(const Leg& leg, double level);

@@ -86,14 +86,10 @@ void make_room(const Site& site, const Site& other, double ball) {
   widen(site, *center - half, *center + half);
 }
 
-Part part_of(const Site& site) {
-  const Stretch& stretch = site.stretch();
-  const Vec3 from = point_at(*site.leg, stretch.levels[0]),
-             to = point_at(*site.leg, stretch.levels[1]);
-  if (stretch.radii[0] == stretch.radii[1]) {
-    return {stretch.name, PipeBetween{from, to, stretch.radii[0], {}}};
-  }
-  return {stretch.name, ConeBetween{from, to, stretch.radii[0], stretch.radii[1], {}, {}}};
+Part part_of(const PipingLine& line, const Site& site) {
+  Part part{site.stretch().name, shape_of(*site.leg, site.stretch())};
+  part.wall = line.components[site.stretch().component].wall;
+  return part;
 }
 
 // Why there is none; empty if the fitting with it alone, in a coarse mesh, is a solid with its
@@ -103,9 +99,7 @@ std::string fault(const PipingLine& line, const PipingOptions& options, const Si
   Assembly assembly;
   assembly.tolerance = std::max(options.tolerance, kCoarse * branch.radius());
   assembly.wall = options.wall;
-  assembly.parts = {part_of(run), part_of(branch), fillet};
-  assembly.parts[0].wall = line.components[run.stretch().component].wall;
-  assembly.parts[1].wall = line.components[branch.stretch().component].wall;
+  assembly.parts = {part_of(line, run), part_of(line, branch), fillet};
   try {
     (void)build(assembly);
     return {};

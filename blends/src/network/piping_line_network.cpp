@@ -72,7 +72,9 @@ PipingNetwork assembly_of(const PipingLine& given, const PipingOptions& options)
   check_option(options.fillet.value_or(0), "fillet");
   network::LineNotes notes(given.source, options.keep_going);
   PipingLine line = given;
-  if (!options.wall) {
+  if (!options.wall && std::ranges::any_of(line.components, [](const PipingComponent& component) {
+        return component.wall.has_value();
+      })) {
     const auto ends = network::line_ports(line, std::vector<bool>(line.components.size(), false));
     network::infer_walls(network::paired(ends, options.snap, options.bridge), ends, line, notes);
   }

@@ -8,6 +8,7 @@
 #include "dupin/blends/cyclic_blend.h"
 #include "dupin/kernel/error.h"
 #include "network/piping_fillets.h"
+#include "numbers/angle.h"
 
 namespace dupin::network {
 namespace {
@@ -39,8 +40,7 @@ class ChainParts {
   // Makes room for them.
   void make_blends() {
     for (std::size_t k = 1; k < chain_.legs.size(); ++k) {
-      const SeamKind kind = chain_.seams[k].kind;
-      if (kind == SeamKind::kink || kind == SeamKind::bridge || kind == SeamKind::bend) {
+      if (is_blended(chain_.seams[k].kind)) {
         if (auto made = blend(k)) {
           blends_.push_back(std::move(*made));
         }
@@ -83,12 +83,10 @@ class ChainParts {
 
   void add_stretch(std::size_t k, const Stretch& stretch) {
     const Leg& leg = chain_.legs[k];
-    const bool is_cone = stretch.radii[0] != stretch.radii[1];
-    const Vec3 from = point_at(leg, stretch.levels[0]), to = point_at(leg, stretch.levels[1]);
-    // What was set back to make room for a blend begins anew.
+    const Vec3 to = point_at(leg, stretch.levels[1]);
     const bool goes_on = port_.has_value();
     PartShape shape;
-    if (is_last(k, stretch)) {
+    if (closes_chain(k) && &stretch == &plan_.stretches[k].back()) {
       shape = CyclicBlendBetween{*port_, *first_, {}};
     } else if (leg.is_offset) {
       const Vec3 there = end_of(spans_, leg.elements[0]).point;
@@ -96,27 +94,22 @@ class ChainParts {
       shape = goes_on ? PartShape(ObliqueTo{*port_, there, stretch.radii[1]})
                       : PartShape(ObliqueBetween{start, there, leg.direction, stretch.radii[0],
                                                  stretch.radii[1]});
-    } else if (is_cone) {
-      shape = goes_on
-                  ? PartShape(ConeAlong{*port_, level_length(leg, to), stretch.radii[1], {}, {}})
-                  : PartShape(ConeBetween{from, to, stretch.radii[0], stretch.radii[1], {}, {}});
+    } else if (!goes_on) {
+      shape = shape_of(leg, stretch);
+    } else if (stretch.radii[0] != stretch.radii[1]) {
+      const double length = (to - here_).dot(leg.direction);
+      shape = ConeAlong{*port_, length, stretch.radii[1], {}, {}};
     } else {
-      shape = goes_on ? PartShape(PipeTo{*port_, to})
-                      : PartShape(PipeBetween{from, to, stretch.radii[0], {}});
+      shape = PipeTo{*port_, to};
     }
     add(stretch.name, stretch.component, std::move(shape), stretch.is_solid);
     here_ = leg.is_offset ? end_of(spans_, leg.elements[0]).point : to;
     radius_ = stretch.radii[1];
   }
 
-  // Whether it closes a chain.
-  [[nodiscard]] bool is_last(std::size_t k, const Stretch& stretch) const {
-    return chain_.closing_joint && k + 1 == chain_.legs.size() && port_ && first_ &&
-           &stretch == &plan_.stretches[k].back();
-  }
-
-  [[nodiscard]] double level_length(const Leg& leg, const Vec3& to) const {
-    return (to - here_).dot(leg.direction);
+  // Whether the last part of this leg closes a chain.
+  [[nodiscard]] bool closes_chain(std::size_t k) const {
+    return chain_.is_closed && k + 1 == chain_.legs.size() && port_ && first_;
   }
 
   void add_elbow(std::size_t k) {
@@ -126,9 +119,7 @@ class ChainParts {
     const double tangent = port_ ? (corner - here_).dot(in.direction) : arc.tangent;
     const Vec3 to = corner + tangent * out.direction;
     const std::string& name = line_.components[arc.component].name;
-    const bool closes = chain_.closing_joint && k + 1 == chain_.legs.size() &&
-                        plan_.stretches[k].empty() && port_ && first_;
-    if (closes) {
+    if (closes_chain(k) && plan_.stretches[k].empty()) {
       add(name, arc.component, CyclicBlendBetween{*port_, *first_, {}});
     } else if (port_) {
       if (radius_ != arc.radius) {
@@ -187,8 +178,7 @@ class ChainParts {
     const Leg &in = chain_.legs[k - 1], &out = chain_.legs[k];
     const double radius = std::max(before.radii[1], after.radii[0]);
     const double gap = (point_at(out, after.levels[0]) - point_at(in, before.levels[1])).norm();
-    const double kink =
-        std::atan2(in.direction.cross(out.direction).norm(), in.direction.dot(out.direction));
+    const double kink = numbers::angle_between(in.direction, out.direction);
     const bool is_bend = chain_.seams[k].kind == SeamKind::bend;
     const double least =
         std::max({kSetbackOfRadius * radius, kSetbackOfKink * radius * std::tan(kink / 4),

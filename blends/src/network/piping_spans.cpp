@@ -127,11 +127,8 @@ class Spans {
       }
     }
     if (is_any) {
-      std::vector<LinePort> kept;
-      kept.reserve(result_.ports.size());
-      std::ranges::copy_if(result_.ports, std::back_inserter(kept),
-                           [&](const LinePort& port) { return !is_left_out_[port.component]; });
-      result_.ports = std::move(kept);
+      std::erase_if(result_.ports,
+                    [&](const LinePort& port) { return is_left_out_[port.component]; });
       result_.pairs = paired(result_.ports, options_.snap, options_.bridge);
     }
   }
@@ -334,8 +331,7 @@ class Spans {
     const LinePort &a = result_.ports[from], &b = result_.ports[to];
     const Vec3& center = *line_.components[a.component].center;
     const double leg = std::min((a.center - center).norm(), (b.center - center).norm());
-    const double half =
-        std::atan2(a.outward->cross(*b.outward).norm(), -a.outward->dot(*b.outward)) / 2;
+    const double half = kink(a, b) / 2;
     return leg > kArcOfRun * *a.radius * std::tan(half) && *a.radius == *b.radius;
   }
 

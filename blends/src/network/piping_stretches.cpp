@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dupin/kernel/decimal.h"
+#include "numbers/angle.h"
 
 namespace dupin::network {
 namespace {
@@ -56,8 +57,7 @@ class Planner {
     const Span& leg = span(in.elements.back());
     const PipingComponent& bend = line_.components[leg.component];
     const double first = in.nodes.back() - in.nodes[in.nodes.size() - 2], second = out.nodes[1];
-    const double half =
-        std::atan2(in.direction.cross(out.direction).norm(), in.direction.dot(out.direction)) / 2;
+    const double half = numbers::angle_between(in.direction, out.direction) / 2;
     Arc result{leg.component, std::min(first, second), leg.radii[0], false};
     if (std::abs(first - second) <= 2 * options_.snap) {
       result.tangent = (first + second) / 2;
@@ -136,7 +136,6 @@ class Planner {
           Stretch step =
               in_previous ? cut_end(result.back(), own.radii[0]) : cut_begin(own, previous);
           name_step(step, own.joint_before);
-          own.joint_before.reset();
           result.push_back(step);
         }
       } else if (before && before->radius != own.radii[0]) {
@@ -162,7 +161,6 @@ class Planner {
   void name_step(Stretch& step, std::optional<std::size_t> joint) {
     step.is_solid = false;
     step.span.reset();
-    step.joint_before.reset();
     if (!joint) {
       step.name += "-step";
       return;
@@ -204,6 +202,14 @@ class Planner {
 };
 
 }  // namespace
+
+PartShape shape_of(const Leg& leg, const Stretch& stretch) {
+  const Vec3 from = point_at(leg, stretch.levels[0]), to = point_at(leg, stretch.levels[1]);
+  if (stretch.radii[0] == stretch.radii[1]) {
+    return PipeBetween{from, to, stretch.radii[0], {}};
+  }
+  return ConeBetween{from, to, stretch.radii[0], stretch.radii[1], {}, {}};
+}
 
 ChainPlan plan(const PipingLine& line, const PipingOptions& options, const PipingSpans& spans,
                const Chain& chain, std::vector<PipingJoint>& joints, LineNotes& notes) {

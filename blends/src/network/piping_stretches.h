@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dupin/blends/part_shape.h"
 #include "network/piping_chain.h"
 
 namespace dupin::network {
@@ -34,6 +35,9 @@ struct ChainPlan {
   std::vector<std::vector<Stretch>> stretches;  ///< of each leg
   std::vector<std::optional<Arc>> arcs;         ///< at each seam
 };
+
+/// The stretch as a part that begins nowhere but at its own place.
+[[nodiscard]] PartShape shape_of(const Leg& leg, const Stretch& stretch);
 
 /// Cuts legs into stretches, without those shorter than `snap`: bends take a tangent as long as
 /// their legs, or as their bend radius says where that leaves straight pieces. Cones are put where

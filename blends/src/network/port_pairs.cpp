@@ -9,6 +9,7 @@
 
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "numbers/angle.h"
 
 namespace dupin::network {
 namespace {
@@ -51,9 +52,9 @@ std::optional<Vec3> outward(const PipingComponent& component, std::size_t index)
   return std::nullopt;
 }
 
-std::optional<Candidate> candidate(const std::vector<LinePort>& ports, std::size_t i, std::size_t j,
-                                   double snap, double reach) {
-  const LinePort &a = ports[std::min(i, j)], &b = ports[std::max(i, j)];
+std::optional<Candidate> candidate(const std::vector<LinePort>& ports, std::size_t first,
+                                   std::size_t second, double snap, double reach) {
+  const LinePort &a = ports[first], &b = ports[second];
   const double distance = (a.center - b.center).norm();
   const double cosine = a.outward && b.outward ? a.outward->dot(*b.outward) : -1;
   if (a.component == b.component || !(distance <= reach) || cosine > kSameWay) {
@@ -63,8 +64,8 @@ std::optional<Candidate> candidate(const std::vector<LinePort>& ports, std::size
                    static_cast<int>(std::lround((1 + cosine) * kFacingSteps)),
                    a.radius && b.radius && *a.radius != *b.radius,
                    distance,
-                   std::min(i, j),
-                   std::max(i, j)};
+                   first,
+                   second};
 }
 
 std::vector<Candidate> candidates(const std::vector<LinePort>& ports, double snap, double reach) {
@@ -85,7 +86,7 @@ std::vector<Candidate> candidates(const std::vector<LinePort>& ports, double sna
         continue;
       }
       for (const std::size_t j : found->second) {
-        if (const auto pair = candidate(ports, i, j, snap, reach)) {
+        if (const auto pair = candidate(ports, j, i, snap, reach)) {
           result.push_back(*pair);
         }
         if (++count > kMostCandidates) {
@@ -137,7 +138,7 @@ double kink(const LinePort& a, const LinePort& b) {
   if (!a.outward || !b.outward) {
     return 0;
   }
-  return std::atan2(a.outward->cross(*b.outward).norm(), -a.outward->dot(*b.outward));
+  return numbers::angle_between(*a.outward, -*b.outward);
 }
 
 }  // namespace dupin::network

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "text/line_counter.h"
+#include "text/text_scanner.h"
 
 namespace dupin::pcf {
 namespace {
@@ -98,7 +99,6 @@ constexpr std::array kSkipped = std::to_array<std::string_view>({"SUPPORT",
                                                                  "MESSAGE",
                                                                  "MATERIALS",
                                                                  "MATERIAL",
-                                                                 "MATERIAL-LIST",
                                                                  "ITEM-CODE",
                                                                  "END-CONNECTION",
                                                                  "END-POSITION",
@@ -119,24 +119,14 @@ constexpr std::array kSkipped = std::to_array<std::string_view>({"SUPPORT",
                                                                  "CONNECTION-REFERENCE",
                                                                  "MISCELLANEOUS-REFERENCE"});
 
+constexpr std::string_view kBlanks = " \t\v\f";
+
 bool is_of(std::span<const std::string_view> families, std::string_view keyword) {
   return std::ranges::any_of(families, [&](std::string_view family) {
     return keyword.starts_with(family) &&
            (keyword.size() == family.size() || keyword[family.size()] == '-' ||
             (keyword[family.size()] >= '0' && keyword[family.size()] <= '9'));
   });
-}
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && is_blank(text.back())) {
-    text.remove_suffix(1);
-  }
-  return text;
 }
 
 std::string keyword_of(std::string_view token) {
@@ -178,32 +168,25 @@ HeadKind head_kind(std::string_view keyword) {
 
 std::vector<Record> records(std::string_view text) {
   std::vector<Record> result;
-  std::size_t position = text.starts_with("\xEF\xBB\xBF") ? 3 : 0, line = 0;
-  while (position < text.size()) {
-    ++line;
-    const std::size_t end = std::min(text.find_first_of("\r\n", position), text.size());
-    const std::string_view whole = text.substr(position, end - position);
-    const std::string_view content = trimmed(whole);
-    if (!content.empty()) {
-      const std::string_view token = content.substr(0, content.find_first_of(" \t\v\f"));
-      Attribute own{keyword_of(token), line, 0, trimmed(content.substr(token.size()))};
-      own.position = static_cast<std::size_t>(token.data() - text.data()) + token.size();
-      const HeadKind kind = head_kind(own.keyword);
-      const bool is_indented = is_blank(whole.front());
-      // An indented line begins a record if it cannot be anything else.
-      const bool is_head =
-          std::ranges::count(kPlain, own.keyword) > 0 || own.keyword.starts_with("UNITS-");
-      const bool is_attribute =
-          !result.empty() &&
-          (is_indented ? !is_head : kind == HeadKind::unknown && takes_any_line(result.back()));
-      if (is_attribute) {
-        result.back().attributes.push_back(std::move(own));
-      } else {
-        result.push_back({std::move(own), {}});
-      }
+  text::TextScanner scanner(text, {});
+  text::LineCounter lines(text);
+  while (!scanner.at_end()) {
+    const std::size_t begin = scanner.position();
+    Attribute own{keyword_of(scanner.token()), lines.at(begin), scanner.position(), {}};
+    own.text = scanner.rest_of_line();
+    const HeadKind kind = head_kind(own.keyword);
+    const bool is_indented = begin > 0 && kBlanks.find(text[begin - 1]) != std::string_view::npos;
+    // An indented line begins a record if it cannot be anything else.
+    const bool is_head =
+        std::ranges::count(kPlain, own.keyword) > 0 || own.keyword.starts_with("UNITS-");
+    const bool is_attribute =
+        !result.empty() &&
+        (is_indented ? !is_head : kind == HeadKind::unknown && takes_any_line(result.back()));
+    if (is_attribute) {
+      result.back().attributes.push_back(std::move(own));
+    } else {
+      result.push_back({std::move(own), {}});
     }
-    const bool is_pair = end + 1 < text.size() && text[end] == '\r' && text[end + 1] == '\n';
-    position = end + (is_pair ? 2 : 1);
   }
   return result;
 }

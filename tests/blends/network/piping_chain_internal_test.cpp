@@ -86,7 +86,7 @@ TEST(PipingChain, closes) {
                   component(PipingShape::bend, {{0, 100, 0}, {100, 200, 0}}, Vec3(0, 200, 0)),
                   component(PipingShape::bend, {{100, 200, 0}, {200, 100, 0}}, Vec3(200, 200, 0)),
                   component(PipingShape::bend, {{200, 100, 0}, {100, 0, 0}}, Vec3(200, 0, 0))});
-  EXPECT_TRUE(chain.closing_joint);
+  EXPECT_TRUE(chain.is_closed);
   EXPECT_EQ(chain.legs.size(), 5);
 }
 

@@ -39,7 +39,7 @@ struct PipingComponent {
   std::optional<Vec3> center = {};
   std::optional<double> bend_radius = {};
   std::optional<double> wall = {};  ///< none: the line's, or that of its neighbours
-  /// Of parts without one: a straight one's ends may lie off each other's axes (parallel circles).
+  /// A straight component's ends may lie off each other's axes: between parallel circles.
   bool is_eccentric = false;
 };
 
@@ -64,7 +64,7 @@ struct PipingOptions {
 /// What was made of two ends that belong together.
 enum class JointState {
   met,      ///< they share a ring
-  stepped,  ///< a cone between their radii was made in the longer pipe
+  stepped,  ///< a cone between their radii was made in the thicker pipe
   blended,  ///< their directions differ: a blend was made between them
   bridged,  ///< they lie further apart than `snap`: a part of its own was made between them
   apart,    ///< nothing was made: both end here
