@@ -89,8 +89,9 @@ ExitCode run_convert(const ConvertArguments& all, const CommonOptions& common) {
   const Input input = read_input(arguments.input);
   const MeshHeader header{input.unit(), {}};
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit);
-  const bool unchanged =
-      rounding.output_grid == 0 && rounding.origin.choice == Origin::Choice::keep;
+  // What is not rounded need not be proved a solid, unless that is asked for.
+  const bool unchanged = rounding.output_grid == 0 &&
+                         rounding.origin.choice == Origin::Choice::keep && to.patches.empty();
   const TriMesh mesh = read_mesh(input.bytes, input.name);
   if (!all.placement.empty()) {
     const Placement where = placement(all.placement, unit_of_mesh(header.unit));

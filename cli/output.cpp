@@ -8,6 +8,7 @@
 #include <CLI/App.hpp>
 
 #include "dupin/io/atomic_file.h"
+#include "dupin/io/patches_json.h"
 #include "exit_code.h"
 #include "report_text.h"
 
@@ -158,6 +159,11 @@ void add_output_options(CLI::App& command, OutputArguments& arguments) {
           ->type_name("HOW")
           ->check(CLI::IsMember({name(Verification::compare), name(Verification::full)}));
   command
+      .add_option("--patches", arguments.patches,
+                  "JSON file that lists the solid's patches by name (area, centroid, normal)\n"
+                  "and a point proved inside of each component, for mesh generators")
+      ->type_name("FILE");
+  command
       .add_flag("--no-verify", arguments.no_verify, "Write without reading the file back at all")
       ->excludes(verify);
 }
@@ -165,20 +171,24 @@ void add_output_options(CLI::App& command, OutputArguments& arguments) {
 std::string output_path(const std::string& typed) { return names_stdout(typed) ? "-" : typed; }
 
 Destination destination(const OutputArguments& arguments) {
-  const auto& [typed, format, chosen_verification, no_verify] = arguments;
+  const auto& [typed, format, chosen_verification, patches, no_verify] = arguments;
   const Verification verification = no_verify ? Verification::none
                                     : chosen_verification == name(Verification::full)
                                         ? Verification::full
                                         : Verification::compare;
   const std::string path = output_path(typed);
+  if (names_stdout(patches) || (!patches.empty() && patches == path)) {
+    throw UsageError("--patches takes a file of its own, not " +
+                     (patches == path ? "that of the mesh" : std::string("standard output")));
+  }
   if (const MeshFormat* const chosen = find_mesh_format(format)) {
-    return {path, *chosen, verification};
+    return {path, *chosen, verification, patches};
   }
   if (path == "-") {
     throw UsageError("standard output needs --format");
   }
   try {
-    return {path, format_of(path), verification};
+    return {path, format_of(path), verification, patches};
   } catch (const Error& error) {
     throw UsageError(error.what() + std::string("; or say --format"));
   }
@@ -207,10 +217,18 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
   report.rounding = rounded.report();
   report.verification = to.verification;
   report.check = writing([&] { return write_as_chosen(rounded, to, header, progress); });
+  if (!to.patches.empty()) {
+    tell(progress, "patches");
+    write_text(to.patches, patches_json(rounded, report.file, header) + "\n");
+  }
   return report;
 }
 
 OutputReport write_plain(const TriMesh& mesh, const Destination& to, const MeshHeader& header) {
+  if (!to.patches.empty()) {
+    throw Error(Errc::invalid_argument, "--patches lists those of solids, and this mesh is none",
+                {}, shown(to));
+  }
   OutputReport report;
   report.file = shown(to);
   report.format = to.format.name;

@@ -24,6 +24,7 @@ struct Destination {
   std::string path;
   MeshFormat format = kOff;
   Verification verification = Verification::compare;
+  std::string patches = {};  ///< the file beside it that lists its patches; empty: none
 
   [[nodiscard]] bool is_stdout() const { return path == "-"; }
 };
@@ -33,7 +34,7 @@ struct Destination {
 
 /// What the commands that write a mesh are told of where it goes.
 struct OutputArguments {
-  std::string path, format, verification;
+  std::string path, format, verification, patches;
   bool no_verify = false;
 };
 
@@ -49,9 +50,10 @@ void add_output_options(CLI::App& command, OutputArguments& arguments);
 
 /// Settles contacts as chosen, rounds once to what the format holds, reads the bytes back and
 /// verifies them as chosen, and only then lets the file take its place; says so in the
-/// header if the origin is moved. Tells the stages "settle" (if there are contacts), "round",
-/// "write" and "verify". Throws Error{unroundable}, Error{contact} for contacts in a format whose
-/// readers weld vertices, OutputError.
+/// header if the origin is moved. Then writes the list of patches, if there is to be one. Tells the
+/// stages "settle" (if there are contacts), "round", "write" and "verify". Throws
+/// Error{unroundable}, Error{contact} for contacts in a format whose readers weld vertices,
+/// OutputError.
 [[nodiscard]] OutputReport write_solid(const Solid& solid, const Destination& to,
                                        const RoundingOptions& rounding, MeshHeader header,
                                        const ContactChoice& contacts = {},
@@ -59,7 +61,7 @@ void add_output_options(CLI::App& command, OutputArguments& arguments);
 
 /// Writes any mesh with every coordinate rounded to the nearest that the format holds, and says
 /// what came of it. Of such a mesh nothing is proved: whatever is read back is checked in full.
-/// Throws OutputError.
+/// Throws Error{invalid_argument} where its patches are to be listed, and OutputError.
 [[nodiscard]] OutputReport write_plain(const TriMesh& mesh, const Destination& to,
                                        const MeshHeader& header = {});
 

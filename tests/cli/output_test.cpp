@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -179,6 +180,39 @@ TEST_F(Output, the_same_input_gives_the_same_bytes) {
   EXPECT_EQ(dupin({"build", example("reducer.json"), "-o", "a.stl", "-q"}).exit_code, 0);
   EXPECT_EQ(dupin({"build", example("reducer.json"), "-o", "b.stl", "-q"}).exit_code, 0);
   EXPECT_EQ(folder_.read("a.stl"), folder_.read("b.stl"));
+}
+
+TEST_F(Output, lists_patches_beside_the_mesh) {
+  write_mesh(folder_.path() / "a.ply", labelled(box({0, 0, 0}, {2, 2, 2}), "a"));
+  write_mesh(folder_.path() / "b.ply", labelled(box({1, 1, 1}, {3, 3, 3}), "b"));
+  const ProcessResult result =
+      dupin({"union", "a.ply", "b.ply", "-o", "ab.off", "--patches", "ab.json", "-q"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const auto listed = nlohmann::json::parse(folder_.read("ab.json"));
+  EXPECT_EQ(listed.at("file"), "ab.off");
+  EXPECT_EQ(listed.at("area"), check(read_mesh(folder_.read("ab.off"), "ab.off")).area);
+  ASSERT_EQ(listed.at("patches").size(), 2);
+  EXPECT_EQ(listed.at("patches").at(0).at("area"), 21);
+  EXPECT_EQ(listed.at("components").size(), 1);
+}
+
+TEST_F(Output, lists_patches_of_solids_in_files_of_their_own_alone) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  TriMesh open = box({0, 0, 0}, {2, 2, 2});
+  open.triangles.pop_back();
+  put("open.off", open);
+  const auto result = [&](const std::string& in, const std::string& patches) {
+    return dupin({"convert", in, "out.ply", "--patches", patches});
+  };
+  EXPECT_EQ(result("a.off", "a.json").exit_code, 0);
+  EXPECT_EQ(result("a.off", "-").exit_code, 2);
+  EXPECT_EQ(result("a.off", "out.ply").exit_code, 2);
+  EXPECT_EQ(result("a.off", "none/a.json").exit_code, 5);
+  std::filesystem::remove(folder_.path() / "out.ply");
+  const ProcessResult refused = result("open.off", "open.json");
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("--patches lists those of solids"));
+  EXPECT_THAT(folder_.files(), ElementsAre("a.json", "a.off", "open.off"));
 }
 
 }  // namespace

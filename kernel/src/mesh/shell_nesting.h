@@ -20,7 +20,6 @@ class ShellNest {
   [[nodiscard]] bool encloses(std::size_t outer, std::size_t inner) const;
 
  private:
-  [[nodiscard]] Eigen::AlignedBox3d bounds_of(std::uint32_t face) const;
   [[nodiscard]] std::uint32_t test_face(std::size_t shell) const;
 
   MeshView mesh_;

@@ -1,0 +1,50 @@
+#include "dupin/kernel/patch.h"
+
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/solid.h"
+#include "support/shapes.h"
+
+namespace dupin {
+namespace {
+
+TEST(Patches, measure_the_sides_of_a_box) {
+  TriMesh box = test::box({1, 2, 3}, {3, 6, 10});
+  box.names = {"unused", "top", "rest"};
+  box.labels.reserve(box.triangles.size());
+  for (const auto& [a, b, c] : box.triangles) {
+    const bool is_top =
+        box.points[a].z() == 10 && box.points[b].z() == 10 && box.points[c].z() == 10;
+    box.labels.push_back(is_top ? 1 : 2);
+  }
+  const auto patches = patches_of(box);
+  ASSERT_EQ(patches.size(), 2);  // none of a name that no triangle has
+  EXPECT_EQ(patches[0].name, "top");
+  EXPECT_EQ(patches[0].triangles, 2);
+  EXPECT_DOUBLE_EQ(patches[0].area, 8);
+  EXPECT_TRUE(patches[0].centroid.isApprox(Vec3(2, 4, 10), 1e-15));
+  EXPECT_TRUE(patches[0].vector_area.isApprox(Vec3(0, 0, 8), 1e-15));
+  EXPECT_EQ(patches[1].name, "rest");
+  EXPECT_DOUBLE_EQ(patches[1].area, 2 * (2 * 7 + 4 * 7) + 8);
+  EXPECT_TRUE(patches[1].vector_area.isApprox(Vec3(0, 0, -8), 1e-15));
+}
+
+TEST(Patches, without_labels_are_one) {
+  const auto patches = patches_of(test::tube(2, 0, 5, 64));
+  ASSERT_EQ(patches.size(), 1);
+  EXPECT_EQ(patches[0].name, "");
+  EXPECT_LT(patches[0].vector_area.norm(), 1e-13 * patches[0].area);
+}
+
+TEST(Patches, have_the_area_of_the_solid_together) {
+  const TriMesh mesh = test::joined({test::labelled(test::tube(1, 0, 9, 100), "a"),
+                                     test::labelled(test::tube(2, 20, 29, 100), "b")});
+  const auto patches = patches_of(mesh);
+  ASSERT_EQ(patches.size(), 2);
+  EXPECT_NEAR(patches[0].area + patches[1].area, Solid::from(mesh).area(), 1e-12 * patches[1].area);
+}
+
+}  // namespace
+}  // namespace dupin
