@@ -11,6 +11,7 @@ import json
 import math
 import pathlib
 import random
+import struct
 import subprocess
 import sys
 import tempfile
@@ -212,6 +213,41 @@ def build(tool, folder, file, *options):
     return json.loads(done.stdout), done.returncode
 
 
+def is_inside(point, triangles):
+    """By the crossings of the ray that goes up from the point."""
+    x, y, z = point
+    crossings = 0
+    for t in triangles:
+        if max(t[2], t[5], t[8]) < z or min(t[0], t[3], t[6]) > x or max(t[0], t[3], t[6]) < x or \
+                min(t[1], t[4], t[7]) > y or max(t[1], t[4], t[7]) < y:
+            continue
+        sides = [(t[i + 3] - t[i]) * (y - t[i + 1]) - (t[i + 4] - t[i + 1]) * (x - t[i])
+                 for i in (0, 3)] + [(t[0] - t[6]) * (y - t[7]) - (t[1] - t[7]) * (x - t[6])]
+        total = sum(sides)
+        if total and (min(sides) >= 0 or max(sides) <= 0):
+            height = (sides[1] * t[2] + sides[2] * t[5] + sides[0] * t[8]) / total
+            crossings += height > z
+    return crossings % 2 == 1
+
+
+def test_patches(folder, region, output, open_ends):
+    """What the list of patches says, against the report and the file itself."""
+    listed = json.loads((folder / (region + ".json")).read_text())
+    area = sum(patch["area"] for patch in listed["patches"])
+    assert abs(area - output["check"]["area"]) < 1e-9 * area, (area, output["check"]["area"])
+    assert len(listed["components"]) == output["check"]["components"]
+    ends = [patch for patch in listed["patches"] if ".bore" not in patch["name"] and "." in patch["name"]]
+    if region == "fluid":
+        assert len(ends) == open_ends, (sorted(end["name"] for end in ends), open_ends)
+    for end in ends:
+        assert abs(math.hypot(*end["vector_area"]) - end["area"]) < 1e-3 * end["area"], end
+    data = (folder / (region + ".stl")).read_bytes()[84:]
+    triangles = [numbers[3:12] for numbers in struct.iter_unpack("<12fH", data)]
+    for component in listed["components"]:
+        assert component["clearance"] > WALL / 10, component
+        assert is_inside(component["inside"], triangles), component
+
+
 def test_plant(tool, folder, seed, components):
     """All regions of one plant."""
     plant = Plant(seed, components)
@@ -220,7 +256,7 @@ def test_plant(tool, folder, seed, components):
     FILLETS[:] = ["--fillet", "auto"] if seed % 2 else []
     for region in ("outer", "metal", "fluid"):
         report, code = build(tool, folder, "a.pcf", "-o", region + ".stl", "--wall",
-                             "%gmm" % WALL, "--region", region)
+                             "%gmm" % WALL, "--region", region, "--patches", region + ".json")
         check, piping = report["output"]["check"], report["piping"]
         apart = [joint for joint in piping["joints"] if joint["state"] == "apart"]
         assert code == 0 and not apart, (region, apart, [g for g in report["gaps"]["pairs"] if
@@ -232,6 +268,7 @@ def test_plant(tool, folder, seed, components):
             assert len(bridged) == plant.misfits, (len(bridged), plant.misfits)
             assert piping["components"] == plant.components - plant.zero
             assert piping["largest_move"] <= SNAP
+        test_patches(folder, region, report["output"], piping["open_ends"])
         volumes[region] = check["volume"]
     assert abs(volumes["outer"] - volumes["metal"] - volumes["fluid"]) < 1e-6 * volumes["outer"]
     print("seed %d: %d components, %d lines, %d misfits, %.6g mm3" %

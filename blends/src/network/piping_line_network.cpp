@@ -42,7 +42,7 @@ std::size_t count_open(const network::PipingSpans& spans) {
   std::size_t count = 0;
   for (const network::Span& span : spans.spans) {
     for (const network::SpanEnd& end : span.ends) {
-      count += end.port && !end.joint && !span.is_solid ? 1 : 0;
+      count += end.port && !end.joint && !end.is_in_run && !span.is_solid ? 1 : 0;
     }
   }
   return count;

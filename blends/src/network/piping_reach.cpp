@@ -94,7 +94,11 @@ void reach_runs(const PipingLine& line, const PipingOptions& options, PipingSpan
           continue;
         }
         const auto further = reach(end.point, outward, run, options.snap);
-        if (further && *further > 0) {
+        if (!further) {
+          continue;
+        }
+        end.is_in_run = true;
+        if (*further > 0) {
           end.point += *further * outward;
           notes.add(line.components[span.component],
                     "ends in the wall of " + run.name + "; continued by " +

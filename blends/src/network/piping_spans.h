@@ -20,6 +20,7 @@ struct SpanEnd {
   Vec3 point = Vec3::Zero();
   std::optional<std::size_t> port = {};   ///< in PipingSpans::ports; none: inside of a fitting
   std::optional<std::size_t> joint = {};  ///< in PipingSpans::pairs
+  bool is_in_run = false;                 ///< in that of another component, to be reached
 };
 
 /// A straight stretch of a component: itself, an arm of it, or a leg of a bend.

@@ -417,6 +417,7 @@ TEST(PipingLine, lengthens_branches_that_end_on_a_wall) {
   const PipingNetwork network = line.made();
   EXPECT_THAT(notes(network),
               HasSubstr("20: c1: ends in the wall of c0; continued by 50 to its axis"));
+  EXPECT_EQ(network.open_ends, 3);  // not the one in the wall
   (void)solid(network);
 }
 

@@ -90,7 +90,7 @@ struct PipingNetwork {
   std::vector<PipingJoint> joints;   ///< in the order of the file
   std::vector<SourceNote> notes;     ///< by line
   std::size_t components = 0;        ///< that became parts
-  std::size_t open_ends = 0;         ///< ports that nothing belongs to
+  std::size_t open_ends = 0;         ///< ports that nothing belongs to, and that end in no run
   /// How far a point of the file lies from where its part's ring is, at most.
   double largest_move = 0;
 };
