@@ -48,6 +48,12 @@ Document read_piping(const Input& input, const SourceArguments& arguments,
   report.bridge = options.bridge;
   report.is_strict = arguments.strict;
   report.file = parse_pcf(input.bytes, input.name, bore_meaning(arguments.bore));
+  if (!arguments.schedule.empty()) {
+    if (!wall.empty()) {
+      throw UsageError("--schedule and --wall both say how thick walls are; give one of them");
+    }
+    give_walls(report.file, arguments.schedule);
+  }
   PipingLine line = std::exchange(report.file.line, {});
   report.network = assembly_of(line, options);
   Assembly assembly = std::exchange(report.network.assembly, {});
@@ -66,6 +72,11 @@ void add_piping_options(CLI::App& command, SourceArguments& arguments) {
                   "own; none if not given")
       ->type_name("LENGTH");
   add_bore_option(command, arguments.bore);
+  command
+      .add_option("--schedule", arguments.schedule,
+                  "Walls of a piping file's components that say none, by ASME B36.10M:\n"
+                  "40, STD, ...")
+      ->type_name("NAME");
   command
       .add_option("--fillet", arguments.fillet,
                   "Radius of the ball of fillets at a piping file's tees; auto: a quarter\n"
@@ -99,9 +110,10 @@ Document read_document(const std::string& path, const SourceArguments& arguments
     return read_piping(input, arguments, wall);
   }
   if (!arguments.snap.empty() || !arguments.bridge.empty() || !arguments.bore.empty() ||
-      !arguments.fillet.empty() || arguments.strict) {
+      !arguments.schedule.empty() || !arguments.fillet.empty() || arguments.strict) {
     throw UsageError(
-        "--snap, --bridge, --bore, --fillet and --strict are for piping files, named .pcf");
+        "--snap, --bridge, --bore, --schedule, --fillet and --strict are for piping files, named "
+        ".pcf");
   }
   if (!is_graph_file(path)) {
     if (!arguments.radius.empty() || arguments.keep_going) {

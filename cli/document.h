@@ -25,6 +25,7 @@ struct SourceArguments {
   std::string radius;        ///< of a graph's nodes without one
   std::string snap, bridge;  ///< of a piping file's ends
   std::string bore;          ///< what its bores mean
+  std::string schedule;      ///< of its walls
   std::string fillet;        ///< of its tees, a length or "auto"
   bool keep_going = false, strict = false;
 };
@@ -53,7 +54,8 @@ struct Document {
 /// Adds --wall.
 void add_wall_option(CLI::App& command, std::string& wall);
 
-/// Adds --radius, --keep-going, --snap, --bridge, --bore, --fillet and --strict.
+/// Adds --radius, --keep-going, --snap, --bridge, --bore, --schedule, --fillet and
+/// --strict.
 void add_source_options(CLI::App& command, SourceArguments& arguments);
 
 /// Adds --connect.

@@ -1,6 +1,9 @@
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,6 +53,33 @@ TEST_F(Pcf, regions_of_lines_add_up) {
     EXPECT_EQ(report.at("output").at("check").at("components"), 1) << region;
   }
   EXPECT_NEAR(volumes["outer"], volumes["metal"] + volumes["fluid"], 1e-9 * volumes["outer"]);
+}
+
+TEST_F(Pcf, walls_are_those_of_a_schedule) {
+  const auto volumes = json({"build", example("line.pcf"), "-o", "a.off", "--schedule", "40",
+                             "--tolerance", "0.5mm"},
+                            0)
+                           .at("volumes");
+  write(folder_.path() / "one.pcf", kHead + pipe(0, 1000));
+  const auto one =
+      json({"build", "one.pcf", "-o", "a.off", "--schedule", "std", "--tolerance", "0.01mm"}, 0)
+          .at("volumes");
+  const double metal = std::numbers::pi * (168.3 - 7.11) * 7.11 * 1000;  // DN 150, both sides' area
+  const double area = 2 * std::numbers::pi * (168.3 - 7.11) * 1000;
+  EXPECT_NEAR(one.at("metal"), metal, 0.01 * area);
+  EXPECT_GT(volumes.at("metal"), 0.1 * volumes.at("outer").get<double>());
+  for (const auto& [options, code, text] :
+       {std::tuple(std::vector<std::string>{"--schedule", "41"}, 3,
+                   "there is no schedule '41', but 5"),
+        std::tuple(std::vector<std::string>{"--schedule", "100"}, 3, "made in schedule 100"),
+        std::tuple(std::vector<std::string>{"--schedule", "40", "--wall", "3mm"}, 2,
+                   "one of them")}) {
+    std::vector<std::string> arguments{"build", "one.pcf", "-o", "b.off"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProcessResult refused = dupin(arguments);
+    EXPECT_EQ(refused.exit_code, code);
+    EXPECT_THAT(refused.err, HasSubstr(text));
+  }
 }
 
 TEST_F(Pcf, lines_are_written_as_documents_that_build_the_same) {

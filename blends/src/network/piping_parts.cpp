@@ -76,8 +76,10 @@ class ChainParts {
     }
     port_ = PortReference{name, End::end};
     Part part{std::move(name), std::move(shape)};
-    part.wall = line_.components[component].wall;
     part.solid = is_solid;
+    if (!is_solid) {  // of a solid one it says how thick the pipe beside it is
+      part.wall = line_.components[component].wall;
+    }
     put(network_, std::move(part), line_.components[component]);
   }
 

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
+#include "pcf/wall_schedule.h"
 
 namespace dupin::pcf {
 namespace {
@@ -82,3 +85,39 @@ void give_meaning(PcfFile& file, BoreUnit unit, double millimetres, BoreMeaning 
 }
 
 }  // namespace dupin::pcf
+
+namespace dupin {
+
+void give_walls(PcfFile& file, const std::string& schedule) {
+  const auto refuse = [&](const std::string& why) {
+    throw Error(Errc::invalid_argument, why, {}, file.line.source);
+  };
+  if (!pcf::is_schedule(schedule)) {
+    refuse("there is no schedule '" + schedule + "', but " + pcf::schedule_names());
+  }
+  std::set<double> noted;
+  bool is_any = false;
+  for (PipingComponent& component : file.line.components) {
+    double diameter = 0;
+    for (const PipingPort& port : component.ports) {
+      diameter = std::max(diameter, 2 * port.radius.value_or(0));
+    }
+    if (component.wall || diameter == 0) {
+      continue;
+    }
+    const pcf::NominalPipe* const pipe = pcf::of_outside(diameter);
+    component.wall = pipe == nullptr ? std::nullopt : pcf::wall_of(*pipe, schedule);
+    is_any = is_any || component.wall;
+    if (!component.wall && noted.insert(diameter).second) {
+      file.notes.push_back(
+          {component.line, "outside diameter " + decimal(diameter, kMessageDigits) +
+                               " mm is not made in schedule " + schedule + " of ASME B36.10M"});
+    }
+  }
+  if (!is_any) {
+    refuse("no component without a wall of its own is of a size that is made in schedule " +
+           schedule + " of ASME B36.10M");
+  }
+}
+
+}  // namespace dupin

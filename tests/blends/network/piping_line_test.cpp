@@ -411,6 +411,21 @@ TEST(PipingLine, takes_walls_from_neighbours_where_some_have_walls) {
   EXPECT_FALSE(part(line.made({.wall = 3}), "c0").wall);  // the assembly's
 }
 
+TEST(PipingLine, has_closures_solid_whatever_wall_they_say_or_take) {
+  Line line;
+  line.pipe({0, 0, 0}, {500, 0, 0}).last().wall = 4;
+  line.add(PipingShape::closure, {{500, 0, 0}, {540, 0, 0}}).last().wall = 4;
+  line.add(PipingShape::closure, {{0, 0, 0}, {-40, 0, 0}});
+  const PipingNetwork network = line.made();
+  for (const char* name : {"c1", "c2"}) {
+    EXPECT_TRUE(part(network, name).solid);
+    EXPECT_FALSE(part(network, name).wall);
+  }
+  const Solid around = build(network.assembly, {.tolerance = .5}).solid;
+  EXPECT_EQ(around.components(), 1);
+  EXPECT_EQ(around.euler_number(), 4);  // two spheres, one around the void
+}
+
 TEST(PipingLine, lengthens_branches_that_end_on_a_wall) {
   Line line;
   line.pipe({0, 0, 0}, {1000, 0, 0}).pipe({500, 0, 50}, {500, 0, 300}, 20);

@@ -215,5 +215,25 @@ TEST(Pcf, counts_findings) {
   EXPECT_EQ(report.findings(), 3);
 }
 
+TEST(Pcf, takes_walls_of_a_schedule_where_the_file_says_none) {
+  PcfFile file = parse_pcf(kUnits +
+                           "PIPE\n END-POINT 0 0 0 100\n END-POINT 9 0 0 100\n"
+                           "PIPE\n END-POINT 9 0 0 100\n END-POINT 19 0 0 100\n R2_WALL_THK 3\n"
+                           "REDUCER-CONCENTRIC\n END-POINT 19 0 0 100\n END-POINT 30 0 0 150\n"
+                           "PIPE\n END-POINT 30 0 0 77\n END-POINT 40 0 0 77\n");
+  const std::size_t before = file.notes.size();
+  give_walls(file, "40");
+  EXPECT_EQ(file.line.components[0].wall, 6.02);
+  EXPECT_EQ(file.line.components[1].wall, 3);
+  EXPECT_EQ(file.line.components[2].wall, 7.11);  // of its thicker end
+  EXPECT_FALSE(file.line.components[3].wall);
+  ASSERT_EQ(file.notes.size(), before + 1);
+  EXPECT_EQ(file.notes.back().text,
+            "outside diameter 77 mm is not made in schedule 40 of ASME B36.10M");
+  PcfFile odd = parse_pcf(kUnits + "PIPE\n END-POINT 0 0 0 77\n END-POINT 9 0 0 77\n");
+  EXPECT_THROW(give_walls(odd, "40"), Error);
+  EXPECT_THROW(give_walls(file, "forty"), Error);
+}
+
 }  // namespace
 }  // namespace dupin::test

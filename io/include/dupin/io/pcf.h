@@ -50,4 +50,10 @@ struct PcfReport {
 [[nodiscard]] PcfFile parse_pcf(std::string_view text, const std::string& source = {},
                                 BoreMeaning bores = BoreMeaning::automatic);
 
+/// Gives each component that has no wall the one of its thickest end in a schedule of ASME B36.10M,
+/// "40" or "STD", and notes sizes that are not made so, which keep none. Throws
+/// Error{invalid_argument} for other schedules, and if no component has a size that is made in it.
+/// O(n).
+void give_walls(PcfFile& file, const std::string& schedule);
+
 }  // namespace dupin
