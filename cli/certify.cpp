@@ -9,7 +9,7 @@
 
 #include "commands.h"
 #include "document.h"
-#include "dupin/blends/verify_certificate.h"
+#include "dupin/blends/certificate.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"

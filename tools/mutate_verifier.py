@@ -131,7 +131,7 @@ KNOWN = {
     ("mesh_claim.cpp", "return sagitta.rounded_outward().upper <= allowed;", " < "): SLACK,
     ("mesh_claim.cpp", "return sagitta.rounded_outward().upper <= allowed;", ".lower"): ROUNDING,
     ("mesh_claim.cpp", "std::min(1., plane.rounded_outward().lower)", ".upper"): ROUNDING,
-    ("verify_certificate.cpp", "for (std::uint32_t i = 0; i < parts", " <= "):
+    ("certificate_verify.cpp", "for (std::uint32_t i = 0; i < parts", " <= "):
         "behind the last part there are no pairs",
 }
 

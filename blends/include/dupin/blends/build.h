@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/part_measures.h"
 #include "dupin/blends/tessellation.h"
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/cross_check.h"
@@ -90,5 +92,33 @@ struct Built {
 /// through, Error{limit_exceeded} for more triangles than `most_triangles` (of the outer surfaces,
 /// or of the bores), and what `resolve`, `unite` throw; each names the part.
 [[nodiscard]] Built build(const Assembly& assembly, const BuildOptions& options = {});
+
+/// The diameters of an end, outside: of a circle the same twice, else along and across the axis.
+using EndSize = std::array<double, 2>;
+
+/// One part of an assembly, a junction with its arms being one. Lengths are in the assembly's unit.
+struct BillRow {
+  std::string name, kind;
+  std::uint32_t index = 0;       ///< in Assembly::parts
+  std::vector<EndSize> sizes;    ///< of start and end, or of a junction's ends; of a ball its own
+  double wall = 0;               ///< 0: solid
+  std::optional<double> length;  ///< of the axis, from end to end
+  std::optional<double> bend_radius, bend_angle;  ///< of an arc; the angle in radians
+  std::optional<double> area;                     ///< of the outer surface, without end discs
+  std::optional<SolidMoments> outer;         ///< what the outer surface and the end discs bound
+  std::optional<SolidMoments> metal, fluid;  ///< its wall, and what this encloses
+  std::vector<std::string> remarks;          ///< what is missing and why, what is not trimmed
+};
+
+/// What an assembly's parts measure, each by itself: what lies in two of them counts in both.
+struct BillOfMaterials {
+  std::string source;
+  Unit unit = Unit::millimetre;
+  std::vector<BillRow> rows;
+};
+
+/// In document order, without caps. Throws as `build` does before it makes a mesh, and as
+/// `measures`.
+[[nodiscard]] BillOfMaterials bill_of_materials(const Assembly& assembly);
 
 }  // namespace dupin

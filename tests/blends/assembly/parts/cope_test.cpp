@@ -7,7 +7,7 @@
 
 #include "dupin/blends/build.h"
 #include "dupin/blends/certify.h"
-#include "dupin/blends/verify_certificate.h"
+#include "dupin/blends/certificate.h"
 #include "dupin/kernel/error.h"
 #include "support/named_parts.h"
 

@@ -1,4 +1,4 @@
-#include "dupin/blends/verify_certificate.h"
+#include "dupin/blends/certificate.h"
 
 #include <algorithm>
 #include <set>
