@@ -127,7 +127,7 @@ Value converged(const Function& f, const Distance& distance) {
   };
   Value last = integral(1);
   for (int panels = 2;; panels *= 2) {
-    const Value next = integral(panels);
+    Value next = integral(panels);
     const double change = distance(last, next);
     if (change <= kWanted || (panels == kMostPanels && change <= kEnough)) {
       return next;
@@ -184,15 +184,16 @@ SolidMoments cut_ball(const Sphere& ball, const std::vector<CutPlane>& cuts) {
   const double r = ball.radius, r2 = r * r;
   SolidMoments result{4 * kPi / 3 * r2 * r, ball.center,
                       4 * kPi / 15 * r2 * r2 * r * Eigen::Matrix3d::Identity()};
-  for (const auto& [direction, h] : cuts) {
+  for (const CutPlane& cut : cuts) {
+    const double h = cut.height;
     const auto power = [&](int n) { return (std::pow(r, n) - std::pow(h, n)) / n; };
     const double volume = kPi * (r2 * power(1) - power(3));
     const double first = kPi * (r2 * power(2) - power(4));
     const double along = kPi * (r2 * power(3) - power(5));
     const double across = kPi / 4 * (r2 * r2 * power(1) - 2 * r2 * power(3) + power(5));
     const double mean = volume > 0 ? first / volume : 0;
-    const Eigen::Matrix3d axis = direction * direction.transpose();
-    result = result - SolidMoments{volume, ball.center + mean * direction,
+    const Eigen::Matrix3d axis = cut.direction * cut.direction.transpose();
+    result = result - SolidMoments{volume, ball.center + mean * cut.direction,
                                    across * (Eigen::Matrix3d::Identity() - axis) +
                                        (along - volume * mean * mean) * axis};
   }

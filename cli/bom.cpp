@@ -1,0 +1,234 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <numbers>
+
+#include <CLI/App.hpp>
+
+#include "commands.h"
+#include "document.h"
+#include "dupin/io/bill_report.h"
+#include "dupin/kernel/decimal.h"
+#include "length.h"
+#include "report_text.h"
+#include "source_text.h"
+
+namespace dupin::cli {
+namespace {
+
+struct BomArguments {
+  std::string file, wall;
+  SourceArguments source;
+  double density = 0;  // 0: not given
+  bool csv = false;
+};
+
+using Cells = std::vector<std::string>;
+
+std::string digits(double value) { return decimal(value, kMessageDigits); }
+
+std::string digits(const std::optional<double>& value) { return value ? digits(*value) : "-"; }
+
+std::string volume(const std::optional<SolidMoments>& solid) {
+  return solid ? digits(solid->volume) : "-";
+}
+
+std::string bend(const std::optional<double>& radius, const std::optional<double>& degrees) {
+  return radius && degrees ? std::string("R ")
+                                 .append(digits(*radius))
+                                 .append(", ")
+                                 .append(digits(*degrees).append(" deg"))
+                           : "-";
+}
+
+std::optional<double> in_degrees(const std::optional<double>& radians) {
+  return radians ? std::optional(*radians * 180 / std::numbers::pi) : std::nullopt;
+}
+
+// Columns as wide as their widest cell, two spaces apart.
+void print_table(const std::vector<Cells>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const Cells& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths[i] = std::max(widths[i], row[i].size());
+    }
+  }
+  for (const Cells& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      line.append(row[i]).append(i + 1 < row.size() ? widths[i] + 2 - row[i].size() : 0, ' ');
+    }
+    std::cout << line << '\n';
+  }
+}
+
+void print_parts(const BillReport& report) {
+  const bool has_mass = report.density.has_value();
+  Cells head{"part", "kind", "size", "wall", "length", "bend", "area", "metal", "fluid"};
+  if (has_mass) {
+    head.emplace_back("mass");
+  }
+  std::vector<Cells> rows{std::move(head)};
+  rows.reserve(report.bill.rows.size() + 1);
+  for (const BillRow& row : report.bill.rows) {
+    Cells cells{row.name,
+                row.kind,
+                row.sizes.empty() ? "-" : size_text(row.sizes, report.bill.unit),
+                row.wall > 0 ? digits(row.wall) : "-",
+                digits(row.length),
+                bend(row.bend_radius, in_degrees(row.bend_angle)),
+                digits(row.area),
+                volume(row.metal),
+                volume(row.fluid)};
+    if (has_mass) {
+      cells.push_back(digits(row.metal ? mass(report, row.metal->volume) : std::nullopt));
+    }
+    rows.push_back(std::move(cells));
+  }
+  print_table(rows);
+}
+
+void print_take_off(const BillReport& report) {
+  std::vector<Cells> rows{{"count", "component", "kind", "size", "wall", "bend", "length"}};
+  const std::vector<TakeOff> all = take_off(report);
+  rows.reserve(all.size() + 1);
+  for (const TakeOff& entry : all) {
+    rows.push_back(
+        {std::to_string(entry.count), entry.component.empty() ? "-" : entry.component, entry.kind,
+         entry.size.empty() ? "-" : entry.size, entry.wall > 0 ? digits(entry.wall) : "-",
+         bend(entry.bend_radius, entry.bend_angle), entry.length > 0 ? digits(entry.length) : "-"});
+  }
+  print_table(rows);
+}
+
+void print_sum(const BillReport& report) {
+  const BillTotals sum = totals(report.bill);
+  const std::string unit(symbol(report.bill.unit));
+  print_row(std::cout, "sum of areas", number(sum.area) + " " + unit + "2");
+  print_row(std::cout, "sum of metal", number(sum.metal.volume) + " " + unit + "3");
+  if (const auto kilograms = mass(report, sum.metal.volume)) {
+    print_row(std::cout, "sum of masses", number(*kilograms) + " kg");
+  }
+  if (sum.fluid.volume > 0) {
+    print_row(std::cout, "sum of fluid", number(sum.fluid.volume) + " " + unit + "3");
+  }
+  if (sum.metal.volume > 0) {
+    print_row(std::cout, "centre of gravity", place_text(sum.metal.centroid));
+  }
+  if (sum.without_volume > 0) {
+    print_row(std::cout, "not in the sums", counted(sum.without_volume, "row"));
+  }
+  std::cout << "What lies in two parts counts twice in the sums.\n";
+}
+
+void print_bill(const BillReport& report) {
+  print_row(std::cout, "file", report.bill.source);
+  print_row(std::cout, "unit", symbol(report.bill.unit));
+  std::cout << '\n';
+  print_parts(report);
+  for (const BillRow& row : report.bill.rows) {
+    for (const std::string& remark : row.remarks) {
+      std::cout << "  " << row.name << ": " << remark << '\n';
+    }
+  }
+  std::cout << '\n';
+  print_take_off(report);
+  std::cout << '\n';
+  print_sum(report);
+}
+
+// The component that each part was made of.
+std::vector<BillOrigin> origins(const Document& document) {
+  std::map<std::string, const PipingComponent*> components;
+  for (const PipingComponent& component : document.line.components) {
+    components.emplace(component.name, &component);
+  }
+  std::vector<BillOrigin> result;
+  if (document.piping) {
+    const std::vector<std::string>& names = document.piping->network.origins;
+    result.reserve(names.size());
+    for (const std::string& name : names) {
+      const auto found = components.find(name);
+      result.push_back(found == components.end()
+                           ? BillOrigin{name, {}, 0}
+                           : BillOrigin{name, found->second->kind, found->second->line});
+    }
+  }
+  return result;
+}
+
+ExitCode run_bom(const BomArguments& arguments, const CommonOptions& common) {
+  refuse_tolerance("bom", common);
+  if (arguments.csv && common.json) {
+    throw UsageError("--csv and --json exclude each other");
+  }
+  Document document = read_document(arguments.file, arguments.source, arguments.wall);
+  if (!arguments.wall.empty()) {
+    document.assembly.wall = length_in(document.assembly.unit, arguments.wall, 0);
+  }
+  BillReport report{bill_of_materials(document.assembly), {}, origins(document)};
+  if (arguments.density > 0) {
+    report.density = arguments.density;
+  }
+  report.source.graph = std::move(document.network);
+  report.source.piping = std::move(document.piping);
+  if (common.json) {
+    std::cout << to_json(report) << '\n';
+  } else if (arguments.csv) {
+    std::cout << to_csv(report);
+  } else if (!common.quiet) {
+    print_bill(report);
+  }
+  if (!common.json && !common.quiet) {
+    print_source(std::cerr, report.source);
+  }
+  return report.source.source_findings() == 0 ? ExitCode::ok : ExitCode::findings;
+}
+
+// A positive number; what the parser itself lets pass includes infinity.
+std::string density_fault(const std::string& typed) {
+  try {
+    std::size_t read = 0;
+    const double value = std::stod(typed, &read);
+    return read == typed.size() && std::isfinite(value) && value > 0
+               ? ""
+               : "must be a positive number, in kg/m3";
+  } catch (const std::exception&) {
+    return "must be a positive number, in kg/m3";
+  }
+}
+
+}  // namespace
+
+void add_bom(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("bom", "List what the parts measure: lengths, areas, volumes, masses");
+  const auto arguments = std::make_shared<BomArguments>();
+  command
+      ->add_option("FILE", arguments->file,
+                   "assembly document, graph or piping file; - for standard input")
+      ->type_name("")
+      ->required();
+  command
+      ->add_option("--density", arguments->density,
+                   "Of the metal, in kg/m3; no masses if not given")
+      ->type_name("NUMBER")
+      ->check(density_fault);
+  command->add_flag("--csv", arguments->csv, "Write a table as comma-separated values (RFC 4180)");
+  add_wall_option(*command, arguments->wall);
+  add_source_options(*command, arguments->source);
+  command->footer(
+      "Everything is of the smooth surfaces, to 1e-9 at least, and not of a mesh.\n\n"
+      "Examples:\n"
+      "  dupin bom plant.json --density 7850\n"
+      "  dupin bom line.pcf --wall 3.6mm --csv > line.csv");
+  command->callback([arguments, &action] {
+    action = [arguments](const CommonOptions& common) { return run_bom(*arguments, common); };
+  });
+}
+
+}  // namespace dupin::cli

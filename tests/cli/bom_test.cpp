@@ -1,0 +1,82 @@
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/tool.h"
+
+namespace dupin::test {
+namespace {
+
+using std::numbers::pi;
+using testing::HasSubstr;
+
+using Bom = Tool;
+
+TEST_F(Bom, of_a_document_is_what_its_formulas_say) {
+  const auto bill = json({"bom", example("reducer.json"), "--density", "7850"}, 0);
+  const auto& inlet = bill.at("parts").at(0);
+  EXPECT_EQ(inlet.at("name"), "inlet");
+  EXPECT_NEAR(inlet.at("metal").at("volume").get<double>(), 10 * pi, 1e-11);
+  EXPECT_NEAR(inlet.at("metal").at("mass").get<double>(), 10 * pi * 7850e-9, 1e-15);
+  EXPECT_NEAR(inlet.at("area").get<double>(), 20 * pi, 1e-11);
+  EXPECT_EQ(bill.at("density"), 7850);
+}
+
+TEST_F(Bom, of_a_line_names_components_and_takes_off_pipe_by_the_metre) {
+  const auto bill = json({"bom", example("line.pcf"), "--wall", "3mm"}, 0);
+  bool has_elbow = false, has_pipe = false;
+  for (const auto& entry : bill.at("take_off")) {
+    has_elbow |= entry.at("component_kind") == "ELBOW" && entry.at("size") == "DN100" &&
+                 entry.at("bend_degrees") == 90 && entry.at("count") == 1;
+    has_pipe |= entry.at("component_kind") == "PIPE" && entry.at("size") == "DN100" &&
+                entry.at("count") == 2;
+  }
+  EXPECT_TRUE(has_elbow);
+  EXPECT_TRUE(has_pipe);
+  EXPECT_TRUE(bill.contains("piping"));
+  for (const auto& part : bill.at("parts")) {
+    EXPECT_GT(part.at("line"), 0);
+    EXPECT_GT(part.at("metal").at("volume"), 0);
+  }
+}
+
+TEST_F(Bom, of_a_graph_has_a_row_for_each_junction) {
+  const auto bill = json({"bom", example("frame.graph"), "--radius", "2"}, 0);
+  int junctions = 0;
+  for (const auto& part : bill.at("parts")) {
+    junctions += part.at("kind") == "junction" ? 1 : 0;
+  }
+  EXPECT_EQ(junctions, 3);
+  EXPECT_TRUE(bill.contains("graph"));
+}
+
+TEST_F(Bom, as_csv_and_text_leaves_standard_output_to_results) {
+  const auto csv = dupin({"bom", example("line.pcf"), "--csv"});
+  EXPECT_EQ(csv.exit_code, 0);
+  EXPECT_TRUE(csv.out.starts_with("\"name\",\"kind\","));
+  EXPECT_TRUE(csv.out.ends_with("\r\n"));
+  EXPECT_THAT(csv.err, HasSubstr("components"));
+  EXPECT_EQ(dupin({"bom", example("line.pcf"), "--csv", "-q"}).err, "");
+  EXPECT_EQ(dupin({"bom", example("line.pcf"), "--csv"}).out, csv.out);
+  EXPECT_THAT(dupin({"bom", example("line.pcf")}).out, HasSubstr("R 152.4, 90 deg"));
+}
+
+TEST_F(Bom, refuses_what_makes_no_sense) {
+  for (const char* density : {"0", "-1", "nan", "inf", "1e999", "heavy", "7850kg"}) {
+    EXPECT_EQ(dupin({"bom", example("reducer.json"), "--density", density}).exit_code, 2)
+        << density;
+  }
+  EXPECT_EQ(dupin({"bom", example("reducer.json"), "--csv", "--json"}).exit_code, 2);
+  EXPECT_EQ(dupin({"bom", example("reducer.json"), "--tolerance", "1"}).exit_code, 2);
+  EXPECT_EQ(dupin({"bom", "missing.json"}).exit_code, 3);
+  const auto folded = dupin({"bom", example("tight.json")});
+  EXPECT_EQ(folded.exit_code, 4);
+  EXPECT_EQ(folded.out, "");
+  EXPECT_THAT(folded.err, HasSubstr("the blend folds there"));
+}
+
+}  // namespace
+}  // namespace dupin::test
