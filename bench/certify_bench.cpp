@@ -6,8 +6,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "dupin/blends/certify.h"
 #include "dupin/blends/certificate.h"
+#include "dupin/blends/certify.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/certificate_json.h"
 #include "measured.h"

@@ -14,6 +14,7 @@
 #include "dupin/io/bill_report.h"
 #include "dupin/kernel/decimal.h"
 #include "length.h"
+#include "progress_line.h"
 #include "report_text.h"
 #include "source_text.h"
 
@@ -24,7 +25,7 @@ struct BomArguments {
   std::string file, wall;
   SourceArguments source;
   double density = 0;  // 0: not given
-  bool csv = false;
+  bool csv = false, mesh = false;
 };
 
 using Cells = std::vector<std::string>;
@@ -123,6 +124,13 @@ void print_sum(const BillReport& report) {
     print_row(std::cout, "not in the sums", counted(sum.without_volume, "row"));
   }
   std::cout << "What lies in two parts counts twice in the sums.\n";
+  if (report.mesh) {
+    const auto& [outer, metal, fluid] = report.mesh->volumes;
+    print_row(std::cout, "mesh of the union",
+              "outer " + number(outer) + ", metal " + number(metal) + ", fluid " + number(fluid) +
+                  " " + unit + "3, at a tolerance of " + number(report.mesh->tolerance) + " " +
+                  unit);
+  }
 }
 
 void print_bill(const BillReport& report) {
@@ -161,16 +169,36 @@ std::vector<BillOrigin> origins(const Document& document) {
   return result;
 }
 
-ExitCode run_bom(const BomArguments& arguments, const CommonOptions& common) {
-  refuse_tolerance("bom", common);
-  if (arguments.csv && common.json) {
-    throw UsageError("--csv and --json exclude each other");
+void refuse_contradictions(const BomArguments& arguments, const CommonOptions& common) {
+  if (!arguments.mesh) {
+    refuse_tolerance("bom", common, "--mesh --tolerance");
   }
+  if (arguments.csv && (common.json || arguments.mesh)) {
+    throw UsageError("--csv excludes --json and --mesh");
+  }
+}
+
+MeshVolumes mesh_volumes(Document& document, const CommonOptions& common) {
+  const double tolerance =
+      length_in(document.assembly.unit, common.tolerance, document.assembly.tolerance);
+  BuildOptions options;
+  options.tolerance = tolerance;
+  ProgressLine line(common.quiet);
+  options.progress = line.callback();
+  const Built built = build_document(document, options);
+  const double whole = built.solid.volume();
+  return {tolerance, built.volumes.value_or(RegionVolumes{whole, whole, 0})};
+}
+
+ExitCode run_bom(const BomArguments& arguments, const CommonOptions& common) {
+  refuse_contradictions(arguments, common);
   Document document = read_document(arguments.file, arguments.source, arguments.wall);
   if (!arguments.wall.empty()) {
     document.assembly.wall = length_in(document.assembly.unit, arguments.wall, 0);
   }
-  BillReport report{bill_of_materials(document.assembly), {}, origins(document)};
+  // Told to keep going, a build leaves out parts that the bill then does not have either.
+  const auto mesh = arguments.mesh ? std::optional(mesh_volumes(document, common)) : std::nullopt;
+  BillReport report{bill_of_materials(document.assembly), {}, origins(document), mesh};
   if (arguments.density > 0) {
     report.density = arguments.density;
   }
@@ -219,6 +247,9 @@ void add_bom(CLI::App& app, Action& action) {
       ->type_name("NUMBER")
       ->check(density_fault);
   command->add_flag("--csv", arguments->csv, "Write a table as comma-separated values (RFC 4180)");
+  command->add_flag("--mesh", arguments->mesh,
+                    "Build the mesh, too, within --tolerance or the document's, and say the\n"
+                    "volumes of the union, in which nothing counts twice");
   add_wall_option(*command, arguments->wall);
   add_source_options(*command, arguments->source);
   command->footer(

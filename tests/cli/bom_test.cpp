@@ -43,6 +43,24 @@ TEST_F(Bom, of_a_line_names_components_and_takes_off_pipe_by_the_metre) {
   }
 }
 
+// A branch that begins on the axis of its run: what lies in both counts once in the mesh alone.
+TEST_F(Bom, with_a_mesh_says_what_counts_twice) {
+  folder_.write("tee.json", R"({"units": "mm", "tolerance": 0.01, "parts": [
+    {"name": "run", "pipe": {"from": [-10, 0, 0], "to": [10, 0, 0], "radius": 2}},
+    {"name": "branch", "pipe": {"from": [0, 0, 0], "to": [0, 0, 8], "radius": 2}}]})");
+  const auto bill = json({"bom", "tee.json", "--mesh"}, 0);
+  const double sum = bill.at("sum").at("metal").at("volume"),
+               mesh = bill.at("mesh").at("volumes").at("metal");
+  // Half of two equal cylinders' common part, 16 r^3 / 3.
+  EXPECT_NEAR(sum - mesh, 64. / 3, 0.01 * bill.at("sum").at("area").get<double>());
+  EXPECT_EQ(bill.at("mesh").at("tolerance"), 0.01);
+  const auto finer = json({"bom", "tee.json", "--mesh", "--tolerance", "0.002"}, 0);
+  EXPECT_LT(std::abs(sum - finer.at("mesh").at("volumes").at("metal").get<double>() - 64. / 3),
+            std::abs(sum - mesh - 64. / 3) / 3);
+  EXPECT_THAT(dupin({"bom", "tee.json", "--mesh"}).out, HasSubstr("mesh of the union    outer "));
+  EXPECT_EQ(dupin({"bom", "tee.json", "--mesh", "--csv"}).exit_code, 2);
+}
+
 TEST_F(Bom, of_a_graph_has_a_row_for_each_junction) {
   const auto bill = json({"bom", example("frame.graph"), "--radius", "2"}, 0);
   int junctions = 0;

@@ -1,10 +1,9 @@
-#include "dupin/blends/certificate.h"
-
 #include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "dupin/blends/certificate.h"
 #include "dupin/kernel/error.h"
 #include "verification/admitted.h"
 #include "verification/claims.h"

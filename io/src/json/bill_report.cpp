@@ -175,6 +175,11 @@ std::string to_json(const BillReport& report) {
              {"fluid", json::fluid_json(sum.fluid)},
              {"without_area", sum.without_area},
              {"without_volume", sum.without_volume}}}};
+  if (report.mesh) {
+    const auto& [outer, metal, fluid] = report.mesh->volumes;
+    all["mesh"] = {{"tolerance", report.mesh->tolerance},
+                   {"volumes", {{"outer", outer}, {"metal", metal}, {"fluid", fluid}}}};
+  }
   all.update(Json::parse(source_json(report.source)));
   return json::text(all);
 }

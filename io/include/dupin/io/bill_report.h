@@ -17,11 +17,18 @@ struct BillOrigin {
   std::size_t line = 0;   ///< 0 if there is none
 };
 
+/// Of the union that is built, in which nothing counts twice.
+struct MeshVolumes {
+  double tolerance = 0;  ///< of the mesh, as it was asked for
+  RegionVolumes volumes;
+};
+
 /// A bill of materials with what is asked for besides.
 struct BillReport {
   BillOfMaterials bill;
   std::optional<double> density = {};    ///< in kg/m3; none: no masses
   std::vector<BillOrigin> origins = {};  ///< by BillRow::index; empty if there are none
+  std::optional<MeshVolumes> mesh = {};  ///< where it was asked for
   BuildReport source = {};               ///< what became of the graph or piping file, nothing else
 };
 
