@@ -9,6 +9,7 @@
 #include <benchmark/benchmark.h>
 
 #include "dupin/blends/build.h"
+#include "dupin/blends/drawing.h"
 #include "dupin/blends/pipe_graph.h"
 #include "dupin/blends/piping_line.h"
 #include "dupin/io/assembly_json.h"
@@ -129,6 +130,20 @@ void piping_bench(benchmark::State& state) {
   state.SetComplexityN(state.range(0));
 }
 
+// Of the same lines, seen from aside: drawn, not built.
+void drawing_bench(benchmark::State& state) {
+  const Assembly assembly = assembly_of(lines(std::size_t(state.range(0)))).assembly;
+  const Built built = build(assembly, {.tolerance = 0.1, .most_triangles = 20'000'000});
+  Drawing drawing;
+  for ([[maybe_unused]] const auto iteration : state) {
+    drawing = draw(assembly, built, {view_along({-1, 1, -1}), true});
+    benchmark::DoNotOptimize(drawing);
+  }
+  bench::require(!drawing.lines.empty(), "lines");
+  bench::report(state, built.solid.triangle_count());
+  state.SetComplexityN(state.range(0));
+}
+
 }  // namespace
 }  // namespace dupin
 
@@ -157,6 +172,11 @@ int main(int argc, char** argv) {
       ->Complexity()
       ->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark("piping", dupin::piping_bench)
+      ->RangeMultiplier(4)
+      ->Range(1, 64)
+      ->Complexity()
+      ->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("drawing", dupin::drawing_bench)
       ->RangeMultiplier(4)
       ->Range(1, 64)
       ->Complexity()

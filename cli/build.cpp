@@ -107,11 +107,7 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
   options.contacts =
       contact_choice(arguments.contacts, std::string(symbol(assembly.unit))).policy();
   options.cross_check = cross_check_engine(arguments.cross_check);
-  for (const Region region : {Region::outer, Region::metal, Region::fluid}) {
-    if (arguments.region == name(region)) {
-      options.region = region;
-    }
-  }
+  options.region = region_named(arguments.region);
   return options;
 }
 
@@ -171,11 +167,7 @@ void add_build(CLI::App& app, Action& action) {
       ->type_name("NUMBER")
       ->check(CLI::Range(3, 65536));
   add_wall_option(*command, arguments->wall);
-  command
-      ->add_option("--region", arguments->region,
-                   "outer, metal or fluid; metal if not given, where there are walls")
-      ->type_name("REGION")
-      ->check(CLI::IsMember({"outer", "metal", "fluid"}));
+  add_region_option(*command, arguments->region);
   add_triangles_option(*command, arguments->most_triangles);
   add_connect_option(*command, arguments->connect);
   add_source_options(*command, arguments->source);

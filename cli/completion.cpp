@@ -54,7 +54,7 @@ _dupin() {
     --cross-check) COMPREPLY=($(compgen -W "nef corefinement" -- "$word")); return ;;
     --origin) COMPREPLY=($(compgen -W "keep auto" -- "$word")); return ;;
     --tolerance|--rounding-tolerance|--connect|--grid|--move|--twist|--margin|\
-    --translate|--rotate|--scale) return ;;
+    --translate|--rotate|--scale|--direction|--up) return ;;
   esac
   case $command in
     "") words=")" +

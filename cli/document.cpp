@@ -152,6 +152,23 @@ void add_wall_option(CLI::App& command, std::string& wall) {
       ->type_name("LENGTH");
 }
 
+void add_region_option(CLI::App& command, std::string& region) {
+  command
+      .add_option("--region", region,
+                  "outer, metal or fluid; metal if not given, where there are walls")
+      ->type_name("REGION")
+      ->check(CLI::IsMember({"outer", "metal", "fluid"}));
+}
+
+std::optional<Region> region_named(const std::string& name) {
+  for (const Region region : {Region::outer, Region::metal, Region::fluid}) {
+    if (name == dupin::name(region)) {
+      return region;
+    }
+  }
+  return std::nullopt;
+}
+
 void add_source_options(CLI::App& command, SourceArguments& arguments) {
   command
       .add_option("--radius", arguments.radius,

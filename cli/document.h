@@ -54,6 +54,12 @@ struct Document {
 /// Adds --wall.
 void add_wall_option(CLI::App& command, std::string& wall);
 
+/// Adds --region.
+void add_region_option(CLI::App& command, std::string& region);
+
+/// The region of that name; none for an empty one.
+[[nodiscard]] std::optional<Region> region_named(const std::string& name);
+
 /// Adds --radius, --keep-going, --snap, --bridge, --bore, --schedule, --fillet and
 /// --strict.
 void add_source_options(CLI::App& command, SourceArguments& arguments);

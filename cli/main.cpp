@@ -108,6 +108,7 @@ int run(std::span<char*> arguments) {
   add_nurbs(app, action);
   add_edit(app, action);
   add_info(app, action);
+  add_draw(app, action);
   add_bom(app, action);
   add_completion(app, action);
 

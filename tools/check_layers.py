@@ -31,6 +31,7 @@ ARROWS = {
         "healing": ["booleans", "arrangement", "checking", "mesh", "predicates", "support"],
         "rounding": ["healing", "arrangement", "checking", "mesh", "boxes", "predicates", "exact", "support"],
         "gaps": ["mesh", "boxes", "predicates", "exact", "support"],
+        "views": ["mesh", "boxes", "support"],
         "cross_check": ["booleans", "checking", "mesh", "exact", "support"],
     },
     "blends": {
@@ -44,6 +45,7 @@ ARROWS = {
         "surfaces": ["tessellation", "canal", "cyclide", "ringed", "curves", "numbers"],
         "assembly": ["surfaces", "junction", "tessellation", "canal", "cyclide", "ringed", "curves",
                      "numbers"],
+        "drawing": ["assembly", "surfaces", "canal", "cyclide", "ringed", "curves", "numbers"],
         "network": ["assembly", "junction", "cyclide", "ringed", "numbers"],
         "verification": ["ringed", "canal", "numbers"],
         "certification": ["verification", "assembly", "canal", "surfaces", "tessellation", "cyclide",

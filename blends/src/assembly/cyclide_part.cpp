@@ -5,7 +5,6 @@
 #include <string>
 
 #include "dupin/blends/cyclide_tube.h"
-#include "dupin/blends/kneecap.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 

@@ -9,7 +9,6 @@
 
 #include "dupin/blends/build.h"
 #include "dupin/blends/cyclide_tube.h"
-#include "dupin/blends/kneecap.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"

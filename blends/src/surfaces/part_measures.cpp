@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "dupin/blends/kneecap.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "surfaces/piece_measures.h"
 
 namespace dupin {

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "dupin/blends/kneecap.h"
+#include "dupin/blends/cyclide_tube.h"
 
 namespace dupin::tessellation {
 namespace {

@@ -13,6 +13,7 @@
 #include "formats/three_mf_model.h"
 #include "text/label_colour.h"
 #include "text/mesh_text.h"
+#include "text/xml_text.h"
 
 // Written with libzip and read with libzip and expat, not with lib3mf: its version 1.8 prints
 // coordinates with six decimals and gives every object a new random UUID.
@@ -53,26 +54,6 @@ std::string_view unit_name(std::string_view unit) {
               "3MF has no unit '" + std::string(unit) + "'; it has um, mm, cm, m, in and ft");
 }
 
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char c : text::clean_line(text)) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += c;
-    }
-  }
-  return safe;
-}
-
 void append_attribute(std::string& text, std::string_view name, auto value) {
   text += name;
   append_decimal(text, value);
@@ -82,7 +63,7 @@ void append_attribute(std::string& text, std::string_view name, auto value) {
 void append_materials(std::string& text, const TriMesh& mesh) {
   text += "<basematerials id=\"2\">\n";
   for (std::size_t label = 0; label < mesh.names.size(); ++label) {
-    text += "<base name=\"" + escaped(mesh.names[label]) + "\" displaycolor=\"" +
+    text += "<base name=\"" + text::xml_escaped(mesh.names[label]) + "\" displaycolor=\"" +
             text::colour_code(text::label_colour(label)) + "\"/>\n";
   }
   text += "</basematerials>\n";
@@ -123,7 +104,7 @@ std::string model_text(const TriMesh& mesh, const MeshHeader& header) {
       "\" xml:lang=\"en-US\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
       "<metadata name=\"Application\">dupin</metadata>\n";
   if (!header.note.empty()) {
-    text += "<metadata name=\"Description\">" + escaped(header.note) + "</metadata>\n";
+    text += "<metadata name=\"Description\">" + text::xml_escaped(header.note) + "</metadata>\n";
   }
   text += "<resources>\n";
   if (!mesh.labels.empty()) {

@@ -11,7 +11,7 @@
 
 #include "dupin/blends/build.h"
 #include "dupin/blends/cyclide_form.h"
-#include "dupin/blends/kneecap.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/check.h"

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/blends/cyclide_form.h"
-#include "dupin/blends/kneecap.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "blends/tubes.h"
-#include "dupin/blends/kneecap.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/tessellate.h"
 #include "support/cyclide_cases.h"
 #include "surfaces/mesh_cost.h"

@@ -9,7 +9,7 @@
 
 #include "dupin/blends/cyclide_chain.h"
 #include "dupin/blends/cyclide_form.h"
-#include "dupin/blends/kneecap.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/ringed_blend.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"

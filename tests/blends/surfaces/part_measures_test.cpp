@@ -10,7 +10,6 @@
 #include "blends/ringed/ringed_blends.h"
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/elliptic_tube.h"
-#include "dupin/blends/kneecap.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/blends/tessellate.h"
 #include "dupin/io/assembly_json.h"

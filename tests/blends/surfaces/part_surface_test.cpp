@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "dupin/blends/cyclide_tube.h"
-#include "dupin/blends/kneecap.h"
 #include "dupin/blends/spline_pipe.h"
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/error.h"

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "dupin/blends/kneecap.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "support/cyclide_cases.h"
 #include "tessellation/kneecap_joint.h"
 

@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "dupin/blends/kneecap.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/check.h"
 #include "support/cyclide_cases.h"
 #include "tessellation/kneecap_mesh.h"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "blends/verification/solids_internal.h"
-#include "dupin/blends/ringed_tube.h"
+#include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
 #include "verification/admitted.h"

@@ -92,7 +92,7 @@ struct ChainDirection {
 struct ChainFree {};
 
 /// How the pieces of a chain meet: in one circle, tangent to each other; or each passing through
-/// its own three spheres, with parts of the common spheres between them, see kneecap.h.
+/// its own three spheres, with parts of the common spheres between them, see cyclide_tube.h.
 enum class ChainJoints { smooth, kneecaps };
 
 /// A chain of cyclide pieces [SD94], see cyclide_chain.h.

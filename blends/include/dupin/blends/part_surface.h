@@ -8,8 +8,8 @@
 #include "dupin/blends/cyclide_piece.h"
 #include "dupin/blends/elliptic_tube.h"
 #include "dupin/blends/end.h"
+#include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/blends/ringed_surface.h"
-#include "dupin/blends/ringed_tube.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin {
@@ -26,7 +26,7 @@ struct Sphere {
 /// How the pieces of a chain meet.
 enum class Joints {
   smooth,     ///< in one ring, which is the end of one piece and, flipped, the start of the next
-  spherical,  ///< in a sphere that both touch: cyclide pieces only, see kneecap.h
+  spherical,  ///< in a sphere that both touch: cyclide pieces only, see cyclide_tube.h
 };
 
 /// Pieces one after the other, piece i being that of the parameters [i, i + 1]. Nearly every part

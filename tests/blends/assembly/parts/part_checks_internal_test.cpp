@@ -5,7 +5,7 @@
 
 #include "assembly/parts/part_checks.h"
 #include "blends/assembly/part_fixture_internal.h"
-#include "dupin/blends/ringed_tube.h"
+#include "dupin/blends/rational_ringed_surface.h"
 
 namespace dupin::assembly {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "assembly/parts/start_ring.h"
 #include "blends/assembly/part_fixture_internal.h"
-#include "dupin/blends/ringed_tube.h"
+#include "dupin/blends/rational_ringed_surface.h"
 
 namespace dupin::assembly {
 namespace {

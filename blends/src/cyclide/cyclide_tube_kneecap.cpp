@@ -1,4 +1,4 @@
-#include "dupin/blends/kneecap.h"
+#include "dupin/blends/cyclide_tube.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "dupin/blends/ringed_tube.h"
+#include "dupin/blends/rational_ringed_surface.h"
 
 #include <cmath>
 #include <limits>

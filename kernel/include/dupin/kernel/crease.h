@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "dupin/kernel/mesh.h"
+
+namespace dupin {
+
+/// An edge of a mesh in which the surface turns.
+struct Crease {
+  std::array<std::uint32_t, 2> points{};
+  std::array<std::uint32_t, 2> triangles{};  ///< at the edge; the lowest two where there are more
+  Vec3 outward = Vec3::UnitZ();              ///< unit, between the triangles' normals
+};
+
+/// The edges whose triangles' normals enclose more than `angle`, in radians, and carry labels for
+/// which `divides` holds, asked with the lower one first; edges of the same label, and all of a
+/// mesh that is not labelled, never count. Edges of four triangles and more do if two labels of
+/// theirs divide. In the order of their points. O(n log n).
+[[nodiscard]] std::vector<Crease> creases_between_labels(
+    const TriMesh& mesh, double angle,
+    const std::function<bool(std::uint32_t, std::uint32_t)>& divides);
+
+}  // namespace dupin

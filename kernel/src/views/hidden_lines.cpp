@@ -1,0 +1,173 @@
+#include "dupin/kernel/hidden_lines.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "boxes/box_quantizer.h"
+#include "boxes/box_tree.h"
+
+namespace dupin {
+
+// All in the view's coordinates.
+struct HiddenLines::Scene {
+  View view;
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+  boxes::BoxQuantizer quantizer;
+  boxes::BoxTree tree;
+};
+
+namespace {
+
+boxes::BoxTree tree_of(const boxes::BoxQuantizer& quantizer, const std::vector<Vec3>& points,
+                       const std::vector<Triangle>& triangles) {
+  std::vector<boxes::Box> all;
+  all.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) {
+    all.push_back(quantizer.around(quantizer.map(points[a], points[b], points[c])));
+  }
+  return boxes::BoxTree(std::span<const boxes::Box>(all));
+}
+
+double turn(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+// Keeps of [from, to] where a linear function is positive that is `at_start` at 0, `at_end` at 1.
+void clip(double at_start, double at_end, Stretch& kept) {
+  if (at_start <= 0 && at_end <= 0) {
+    kept.to = kept.from;
+  } else if (at_start < 0) {
+    kept.from = std::max(kept.from, at_start / (at_start - at_end));
+  } else if (at_end < 0) {
+    kept.to = std::min(kept.to, at_start / (at_start - at_end));
+  }
+}
+
+// The fractions of p to q that are behind the triangle, and whether its front is seen.
+struct Covered {
+  Stretch stretch;
+  bool by_front;
+};
+
+std::optional<Covered> covered(const Vec3& p, const Vec3& q, Vec3 a, Vec3 b, const Vec3& c) {
+  const double size = turn(a, b, c);
+  if (size == 0) {
+    return std::nullopt;  // seen from the side
+  }
+  if (size < 0) {
+    std::swap(a, b);
+  }
+  Stretch kept{0, 1};
+  clip(turn(a, b, p), turn(a, b, q), kept);
+  clip(turn(b, c, p), turn(b, c, q), kept);
+  clip(turn(c, a, p), turn(c, a, q), kept);
+  const Vec3 normal = (b - a).cross(c - a);  // towards the viewer
+  clip(normal.dot(a - p), normal.dot(a - q), kept);
+  return kept.from < kept.to ? std::optional(Covered{kept, size > 0}) : std::nullopt;
+}
+
+// Where the fronts and backs before the line change in number.
+struct Step {
+  double at;
+  int triangles, winding;
+};
+
+// Stretches along a polyline, by their lengths.
+class Joiner {
+ public:
+  Joiner(std::span<const Vec3> polyline, double least) : least_(least) {
+    lengths_.reserve(polyline.size());
+    lengths_.push_back(0);
+    for (std::size_t i = 1; i < polyline.size(); ++i) {
+      lengths_.push_back(lengths_.back() + (polyline[i] - polyline[i - 1]).norm());
+    }
+  }
+
+  // Where the sum of the steps is not zero. What rounding makes goes first: else much of it, near
+  // each other, would become a stretch.
+  [[nodiscard]] std::vector<Stretch> where(std::span<const Step> steps, int Step::*count) const {
+    constexpr double kRounding = 1e-9;  // of the whole length
+    std::vector<Stretch> all;
+    int sum = 0;
+    for (const Step& step : steps) {
+      const bool was = sum != 0;
+      sum += step.*count;
+      if (!was && sum != 0) {
+        all.push_back({step.at, step.at});
+      } else if (was && sum == 0) {
+        all.back().to = step.at;
+      }
+    }
+    return cleaned(cleaned(all, kRounding * lengths_.back()), least_);
+  }
+
+ private:
+  // Without gaps, and then without stretches, shorter than `least`.
+  [[nodiscard]] std::vector<Stretch> cleaned(const std::vector<Stretch>& all, double least) const {
+    std::vector<Stretch> result;
+    for (const Stretch& one : all) {
+      const double before = result.empty() ? 0 : result.back().to;
+      const bool is_near = length(before, one.from) <= least;
+      if (result.empty() || !is_near) {
+        result.push_back({is_near ? before : one.from, one.to});
+      } else {
+        result.back().to = one.to;
+      }
+    }
+    const auto last = static_cast<double>(lengths_.size() - 1);
+    if (!result.empty() && length(result.back().to, last) <= least) {
+      result.back().to = last;
+    }
+    std::erase_if(result, [&](const Stretch& one) { return length(one.from, one.to) < least; });
+    return result;
+  }
+  [[nodiscard]] double length(double from, double to) const { return at(to) - at(from); }
+  [[nodiscard]] double at(double parameter) const {
+    const std::size_t i = std::min(std::size_t(parameter), lengths_.size() - 2);
+    return lengths_[i] + (parameter - double(i)) * (lengths_[i + 1] - lengths_[i]);
+  }
+
+  double least_;
+  std::vector<double> lengths_;
+};
+
+}  // namespace
+
+HiddenLines::HiddenLines(const TriMesh& mesh, const View& view) {
+  std::vector<Vec3> points(mesh.points.size());
+  std::ranges::transform(mesh.points, points.begin(), view);
+  const boxes::BoxQuantizer quantizer{std::span<const Vec3>(points)};
+  boxes::BoxTree tree = tree_of(quantizer, points, mesh.triangles);
+  scene_ = std::make_unique<const Scene>(
+      Scene{view, std::move(points), mesh.triangles, quantizer, std::move(tree)});
+}
+
+HiddenLines::~HiddenLines() = default;
+
+SeenLine HiddenLines::seen(std::span<const Vec3> polyline, double least) const {
+  if (polyline.size() < 2) {
+    return {};
+  }
+  std::vector<Step> steps;
+  for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
+    const Vec3 p = scene_->view(polyline[i]), q = scene_->view(polyline[i + 1]);
+    boxes::Box box = scene_->quantizer.around(scene_->quantizer.map(p, q, q));
+    box.high[2] = std::numeric_limits<float>::infinity();
+    scene_->tree.visit(box, [&](std::uint32_t item) {
+      const auto& [a, b, c] = scene_->triangles[item];
+      const auto& points = scene_->points;
+      if (const auto found = covered(p, q, points[a], points[b], points[c])) {
+        const int turns = found->by_front ? 1 : -1;
+        steps.push_back({double(i) + found->stretch.from, 1, turns});
+        steps.push_back({double(i) + found->stretch.to, -1, -turns});
+      }
+    });
+  }
+  std::ranges::stable_sort(steps, {}, &Step::at);
+  const Joiner joiner(polyline, least);
+  return {joiner.where(steps, &Step::triangles), joiner.where(steps, &Step::winding)};
+}
+
+}  // namespace dupin
