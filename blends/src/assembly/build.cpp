@@ -33,13 +33,22 @@ Assembly with_options(Assembly assembly, const BuildOptions& options) {
 // Of its area: an end of a bore of which less is closed is open.
 constexpr double kBlindShare = 0.5;
 
+ResolvedAssembly resolved(const Assembly& assembly, const Progress& progress) {
+  tell(progress, "resolve");
+  return resolve(assembly);
+}
+
 class Builder {
  public:
   Builder(Assembly assembly, const BuildOptions& options)
-      : assembly_(std::move(assembly)), options_(options), resolved_(resolve(assembly_)) {}
+      : assembly_(std::move(assembly)),
+        options_(options),
+        resolved_(resolved(assembly_, options.progress)) {}
 
   Built run() {
+    const auto count = static_cast<double>(resolved_.parts.size());
     for (const auto& part : resolved_.parts) {
+      tell(options_.progress, "certify", double(built_.parts.size()) / count);
       built_.parts.push_back(
           assembly::with_part_context(assembly_, part.index, [&] { return certified(part); }));
     }

@@ -36,7 +36,7 @@ class RunMesher {
     const auto runs = welded_runs(resolved_);
     refuse_too_costly(assembly_, resolved_, runs, grid_, options_.most_triangles);
     for (const FilletedRuns& group : filleted_runs(resolved_, runs)) {
-      report("weld", double(group.runs.front()) / double(runs.size()));
+      tell(options_.progress, "mesh", double(group.runs.front()) / double(runs.size()));
       if (group.fillets.empty() && group.junctions.empty()) {
         const std::size_t run = group.runs.front();
         append_solids(runs[run].parts, tessellated(runs[run], run));
@@ -49,12 +49,6 @@ class RunMesher {
   }
 
  private:
-  void report(std::string_view stage, double fraction) const {
-    if (options_.progress && !options_.progress(stage, fraction)) {
-      throw Error(Errc::cancelled, "cancelled by the caller");
-    }
-  }
-
   RingSampling tessellated(const WeldedRun& run, std::size_t position) {
     const RingSampling chosen = run_sampling(assembly_, resolved_, run, position, grid_);
     for (const auto index : run.parts) {

@@ -134,7 +134,7 @@ class Drawer {
     for (std::size_t i = 0; i < all.size(); ++i) {
       append(std::move(found[i]), of_part[*all[i].first]);
     }
-    add(std::move(of_part), LineKind::contour);
+    add(of_part, LineKind::contour);
   }
 
   void add_edges() {
@@ -152,7 +152,7 @@ class Drawer {
       const std::uint32_t label = std::min(mesh_.labels[first], mesh_.labels[second]);
       append(std::move(found[i]), of_part[mesh_.names[label]]);
     }
-    add(std::move(of_part), LineKind::edge);
+    add(of_part, LineKind::edge);
   }
 
   // An edge between two backs is hidden, however little of the solid is before it.
@@ -180,10 +180,10 @@ class Drawer {
     std::ranges::move(from.hidden, std::back_inserter(to.hidden));
   }
 
-  void add(std::map<std::string, Lines> of_part, LineKind kind) {
-    for (auto& [part, lines] : of_part) {
+  void add(const std::map<std::string, Lines>& of_part, LineKind kind) {
+    for (const auto& [part, lines] : of_part) {
       for (const bool hidden : {false, true}) {
-        for (const Line& line : drawing::linked(std::move(hidden ? lines.hidden : lines.seen))) {
+        for (const Line& line : drawing::linked(hidden ? lines.hidden : lines.seen)) {
           add(line, part, kind, hidden);
         }
       }

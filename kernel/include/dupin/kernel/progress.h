@@ -13,9 +13,10 @@ namespace dupin {
 /// thread that started the operation.
 using Progress = std::function<bool(std::string_view stage, double fraction)>;
 
-/// Tells, if there is anyone to be told, that a stage begins. Throws Error{cancelled}.
-inline void tell(const Progress& progress, std::string_view stage) {
-  if (progress && !progress(stage, 0)) {
+/// Tells, if there is anyone to be told, that a stage begins, or how much of it is done. Throws
+/// Error{cancelled}.
+inline void tell(const Progress& progress, std::string_view stage, double fraction = 0) {
+  if (progress && !progress(stage, fraction)) {
     throw Error(Errc::cancelled, "cancelled at the stage '" + std::string(stage) + "'");
   }
 }
