@@ -586,30 +586,6 @@ TEST(Build, obeys_its_options) {
   }
 }
 
-TEST(Build, tells_its_stages_and_stops_at_any) {
-  const Assembly header = example("header.json");
-  std::vector<std::string> stages;
-  (void)build(header, {.progress = [&](std::string_view stage, double fraction) {
-                EXPECT_TRUE(fraction >= 0 && fraction <= 1) << stage;
-                if (std::ranges::find(stages, stage) == stages.end()) {
-                  stages.emplace_back(stage);
-                }
-                return true;
-              }});
-  ASSERT_GT(stages.size(), 3);
-  EXPECT_EQ((std::vector(stages.begin(), stages.begin() + 3)),
-            (std::vector<std::string>{"resolve", "certify", "mesh"}));
-  for (const std::string& stop : stages) {
-    try {
-      (void)build(header,
-                  {.progress = [&](std::string_view stage, double) { return stage != stop; }});
-      FAIL() << stop;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), Errc::cancelled) << stop;
-    }
-  }
-}
-
 TEST(Build, gives_the_same_bytes_twice) {
   const Assembly header = example("header.json");
   const TriMesh once = to_mesh(build(header).solid).mesh(),
