@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "dupin/blends/certificate.h"
 #include "dupin/blends/certify.h"
 #include "dupin/blends/tessellate.h"
-#include "dupin/blends/certificate.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
 #include "support/single_piece.h"

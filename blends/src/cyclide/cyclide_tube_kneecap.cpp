@@ -1,5 +1,3 @@
-#include "dupin/blends/cyclide_tube.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "dupin/blends/cyclide_chain.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "numbers/angle.h"

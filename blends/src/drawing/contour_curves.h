@@ -15,7 +15,7 @@ struct PartContours {
 
 /// Of one surface; `towards` is a unit vector. See dupin::contours.
 [[nodiscard]] std::vector<ZeroLine> contours_of(const PartSurface& surface, const Vec3& towards,
-                                                  double tolerance);
+                                                double tolerance);
 
 /// Of all parts, fillets and hubs, by name. Bores have their outward
 /// normals where the metal is not.

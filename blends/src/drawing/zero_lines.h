@@ -21,6 +21,6 @@ using ZeroLine = std::vector<ZeroPoint>;
 /// they are. Loops within one cell are not found. Where the normals of a whole region are at right
 /// angles, as of a cylinder seen along its axis, nothing is.
 [[nodiscard]] std::vector<ZeroLine> zero_lines(const Sheet& sheet, const Vec3& direction,
-                                                 double tolerance);
+                                               double tolerance);
 
 }  // namespace dupin::drawing

@@ -1,7 +1,6 @@
-#include "dupin/blends/rational_ringed_surface.h"
-
 #include <cmath>
 
+#include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/blends/ringed_blend.h"
 #include "dupin/kernel/error.h"
 

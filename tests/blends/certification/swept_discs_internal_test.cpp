@@ -6,8 +6,8 @@
 
 #include "blends/certification/disc_samples.h"
 #include "certification/swept_discs.h"
-#include "dupin/blends/elliptic_tube.h"
 #include "dupin/blends/cyclide_tube.h"
+#include "dupin/blends/elliptic_tube.h"
 
 namespace dupin::certification {
 namespace {

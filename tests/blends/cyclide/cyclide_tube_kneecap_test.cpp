@@ -1,5 +1,3 @@
-#include "dupin/blends/cyclide_tube.h"
-
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -8,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/blends/cyclide_form.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
 

@@ -1,5 +1,3 @@
-#include "dupin/blends/rational_ringed_surface.h"
-
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -7,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {

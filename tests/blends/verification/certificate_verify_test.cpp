@@ -1,5 +1,3 @@
-#include "dupin/blends/certificate.h"
-
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -9,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
 
+#include "dupin/blends/certificate.h"
 #include "dupin/blends/certify.h"
 #include "dupin/kernel/error.h"
 

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "blends/verification/solids_internal.h"
-#include "dupin/blends/ringed_blend.h"
 #include "dupin/blends/rational_ringed_surface.h"
+#include "dupin/blends/ringed_blend.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
 #include "support/paper_surfaces.h"

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "dupin/blends/certify.h"
 #include "dupin/blends/certificate.h"
+#include "dupin/blends/certify.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/certificate_json.h"
 #include "dupin/kernel/error.h"

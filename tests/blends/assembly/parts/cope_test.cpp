@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "dupin/blends/build.h"
-#include "dupin/blends/certify.h"
 #include "dupin/blends/certificate.h"
+#include "dupin/blends/certify.h"
 #include "dupin/kernel/error.h"
 #include "support/named_parts.h"
 
