@@ -46,6 +46,7 @@ ARROWS = {
         "assembly": ["surfaces", "junction", "tessellation", "canal", "cyclide", "ringed", "curves",
                      "numbers"],
         "drawing": ["assembly", "surfaces", "canal", "cyclide", "ringed", "curves", "numbers"],
+        "fitting": ["cyclide", "ringed", "numbers"],
         "network": ["assembly", "junction", "cyclide", "ringed", "numbers"],
         "verification": ["ringed", "canal", "numbers"],
         "certification": ["verification", "assembly", "canal", "surfaces", "tessellation", "cyclide",

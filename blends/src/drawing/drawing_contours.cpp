@@ -1,8 +1,7 @@
-#include "dupin/blends/contour.h"
-
 #include <cmath>
 
 #include "drawing/contour_curves.h"
+#include "dupin/blends/drawing.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/view.h"
 

@@ -1,5 +1,3 @@
-#include "dupin/blends/contour.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 
 #include "blends/tubes.h"
 #include "dupin/blends/cyclide_piece.h"
+#include "dupin/blends/drawing.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {
