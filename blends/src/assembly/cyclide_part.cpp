@@ -22,7 +22,7 @@ class ChainPart {
   }
 
   [[noreturn]] void fail(Errc code, const std::string& key, const std::string& message) const {
-    const auto& [assembly, index, ring, motion] = context_;
+    const auto& [assembly, index, ring, motion, surface] = context_;
     throw Error(code, message, assembly.parts.at(index).name, document_place(assembly, index, key));
   }
 

@@ -25,6 +25,8 @@ struct PartContext {
   std::function<const Ring&(const PortReference&)> ring;
   /// How that ring moves out of that part, at unit speed.
   std::function<MovingRing(const PortReference&)> motion;
+  /// The surface of another part, which the shape's kind must say that it needs.
+  std::function<const PartSurface&(const std::string&)> surface = {};
 };
 
 /// What `work` returns; an Error that names no part yet gets this part's name and place in the

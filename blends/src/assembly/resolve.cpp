@@ -32,6 +32,7 @@ class Resolver {
       for (const auto& reference : references(assembly_.parts[i].shape)) {
         join(i, reference);
       }
+      check_needs(i);
       take_ends(i);
     }
     for (const auto part : in_order_of_need()) {
@@ -132,6 +133,37 @@ class Resolver {
     return found->second;
   }
 
+  void check_needs(std::uint32_t part) const {
+    const PartShape& shape = assembly_.parts[part].shape;
+    for (const assembly::Need& need : part_kind(shape).needs(shape)) {
+      const auto found = index_.find(need.part);
+      if (found == index_.end()) {
+        fail(part, need.key, "there is no part named '" + need.part + "'");
+      }
+      const assembly::PartKind& its_kind = part_kind(assembly_.parts[found->second].shape);
+      if (!its_kind.is_part()) {
+        fail(part, need.key,
+             "'" + need.part + "' is a " + std::string(its_kind.key) +
+                 ", which is no solid of its own");
+      }
+      for (const Reference& reference : references(shape)) {
+        if (reference.port.part == need.part) {
+          fail(part, need.key, "'" + need.part + "' is where it begins or ends");
+        }
+      }
+    }
+  }
+
+  // The parts that one comes after, and under which keys they are named.
+  [[nodiscard]] std::vector<assembly::Need> needs(std::uint32_t part) const {
+    const PartShape& shape = assembly_.parts[part].shape;
+    std::vector<assembly::Need> result = part_kind(shape).needs(shape);
+    for (const Reference& reference : references(shape)) {
+      result.push_back({reference.port.part, reference.key});
+    }
+    return result;
+  }
+
   void take(std::uint32_t part, std::string_view key, EndIndex end, const std::string& by) {
     std::string& taken_by = ends_[end.part].at(at(end.end)).taken_by;
     if (!taken_by.empty()) {
@@ -175,12 +207,12 @@ class Resolver {
     std::vector<std::vector<std::uint32_t>> dependants(assembly_.parts.size());
     std::deque<std::uint32_t> ready;
     for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
-      const auto needs = references(assembly_.parts[i].shape);
-      missing[i] = needs.size();
-      for (const auto& need : needs) {
-        dependants[index_.at(need.port.part)].push_back(i);
+      const auto all = needs(i);
+      missing[i] = all.size();
+      for (const auto& need : all) {
+        dependants[index_.at(need.part)].push_back(i);
       }
-      if (needs.empty()) {
+      if (all.empty()) {
         ready.push_back(i);
       }
     }
@@ -204,11 +236,10 @@ class Resolver {
   [[noreturn]] void refuse_circle(const std::vector<std::size_t>& missing) const {
     // From any unresolved part, unresolved needs lead into a circle.
     const auto unresolved_need = [&](std::uint32_t part) {
-      const auto needs = references(assembly_.parts[part].shape);
-      const auto need = std::find_if(needs.begin(), needs.end(), [&](const Reference& reference) {
-        return missing[index_.at(reference.port.part)] > 0;
-      });
-      return std::pair{index_.at(need->port.part), need->key};
+      const auto all = needs(part);
+      const auto need = std::ranges::find_if(
+          all, [&](const assembly::Need& one) { return missing[index_.at(one.part)] > 0; });
+      return std::pair{index_.at(need->part), need->key};
     };
     auto part = std::uint32_t(
         std::find_if(missing.begin(), missing.end(), [](auto count) { return count > 0; }) -
@@ -238,9 +269,10 @@ class Resolver {
   }
 
   [[nodiscard]] assembly::PartContext context(std::uint32_t part) const {
-    return {assembly_, part,
-            [this](const PortReference& port) -> const Ring& { return ring_at(port); },
-            [this](const PortReference& port) { return motion_at(port); }};
+    return {
+        assembly_, part, [this](const PortReference& port) -> const Ring& { return ring_at(port); },
+        [this](const PortReference& port) { return motion_at(port); },
+        [this](const std::string& name) -> const PartSurface& { return shapes_[index_.at(name)]; }};
   }
 
   [[nodiscard]] const Ring& ring_at(const PortReference& port) const {

@@ -158,9 +158,35 @@ Json waypoints(const std::vector<Waypoint>& through) {
   return json;
 }
 
+Json obstacle(const Obstacle& solid) {
+  if (solid.edges.empty()) {
+    return {{"ball", {{"center", vector(solid.corner)}, {"radius", solid.radius}}}};
+  }
+  if (solid.edges.size() == 1) {
+    return {{"capsule",
+             {{"from", vector(solid.corner)},
+              {"to", vector(solid.corner + solid.edges[0])},
+              {"radius", solid.radius}}}};
+  }
+  Json neighbours = Json::array();
+  for (const Vec3& edge : solid.edges) {
+    neighbours.push_back({{"point", vector(solid.corner + edge)}});
+  }
+  return {{"box", {{"corner", vector(solid.corner)}, {"neighbours", neighbours}}}};
+}
+
 Json written(const SplineBetween& spline) {
   Json json = between(spline.from, spline.to);
   json["through"] = waypoints(spline.through);
+  if (spline.avoid) {
+    json["avoid"] = Json::array();
+    for (const auto& one : spline.avoid->obstacles) {
+      const auto* part = std::get_if<std::string>(&one);
+      json["avoid"].push_back(part != nullptr ? Json{{"part", *part}}
+                                              : obstacle(std::get<Obstacle>(one)));
+    }
+    json["clearance"] = spline.avoid->clearance;
+  }
   return json;
 }
 

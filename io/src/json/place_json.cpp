@@ -31,7 +31,7 @@ struct Row {
 
 /// All keys of a document whose numbers change. A key means the same in all parts; a number where a
 /// point could be ("sphere" of a tangent) is none.
-constexpr std::array<Row, 31> kRows{{
+constexpr std::array<Row, 32> kRows{{
     {"tolerance", Meaning::length},
     {"from", Meaning::point},
     {"to", Meaning::point},
@@ -56,6 +56,7 @@ constexpr std::array<Row, 31> kRows{{
     {"k", Meaning::length},
     {"l", Meaning::length},
     {"wall", Meaning::length},
+    {"clearance", Meaning::length},
     {"spheres", Meaning::sphere},
     {"tangent", Meaning::tangent},
     {"angle", Meaning::other},

@@ -80,10 +80,26 @@ struct ObliqueTo {
   double end_radius = 1;
 };
 
-/// A pipe from port to port through points; see spline_pipe.h.
+/// A solid in the way: all points within `radius` of a parallelepiped with this corner and up to
+/// three edges from it. A ball has none, a capsule one, a box three.
+struct Obstacle {
+  Vec3 corner;
+  std::vector<Vec3> edges;
+  double radius = 0;
+};
+
+/// What a pipe keeps away from, how far at least: solids, and other parts by their names.
+struct Avoidance {
+  std::vector<std::variant<Obstacle, std::string>> obstacles;
+  double clearance = 0;
+};
+
+/// A pipe from port to port through points; see spline_pipe.h. One that avoids something goes
+/// through as many points more as that takes.
 struct SplineBetween {
   PortReference from, to;
   std::vector<Waypoint> through;
+  std::optional<Avoidance> avoid = {};
 };
 
 /// A closed pipe through points.

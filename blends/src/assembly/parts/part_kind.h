@@ -22,6 +22,12 @@ struct Reference {
 
 using References = std::vector<Reference>;
 
+/// Another part whose surface a shape needs, under which key.
+struct Need {
+  std::string part;
+  std::string_view key;
+};
+
 /// The straight tubes that a fillet is between, by the names it gives under a key.
 struct FilletPipes {
   std::string_view key;
@@ -50,6 +56,8 @@ struct PartKind {
   FilletPipes (*pipes)(const PartShape&) = nullptr;
   Fillet (*fillet)(const PartContext&, const PartShape&,
                    const std::array<const PartSurface*, 2>& pipes) = nullptr;
+  /// The other parts whose surfaces decide about this one, without being joined to it.
+  std::vector<Need> (*needs)(const PartShape&) = nullptr;
   /// Of a junction, none of other kinds: the ports that it joins, and its geometry.
   References (*ends)(const PartShape&) = nullptr;
   Junction (*junction)(const PartContext&, const PartShape&) = nullptr;

@@ -18,8 +18,9 @@ namespace dupin::assembly {
 ///     template const PartKind& part_kind<"sphere">();
 ///
 /// A fillet has, instead of a geometry, `pipes(shape)` and `fillet(context, shape, surfaces)`.
-/// What it need not say: `kIsTangent` and `kNamesEnd` (false; a kind that names an end has no
-/// geometry), `portless(shape)` (it has ports), `notes(shape, surface)` (none).
+/// What it need not say: `needs(shape)` (no other parts' surfaces), `kIsTangent` and `kNamesEnd`
+/// (false; a kind that names an end has no geometry), `portless(shape)` (it has ports),
+/// `notes(shape, surface)` (none).
 template <KeyName key>
 struct PartRules;
 
@@ -143,7 +144,20 @@ Junction junction_by_rules(const PartContext& context, const PartShape& shape) {
 }
 
 template <KeyName key>
+std::vector<Need> needs_by_rules(const PartShape& shape) {
+  return of_shape<key, std::vector<Need>>(
+      shape, []([[maybe_unused]] const auto& given) -> std::vector<Need> {
+        if constexpr (requires { PartRules<key>::needs(given); }) {
+          return PartRules<key>::needs(given);
+        } else {
+          return {};
+        }
+      });
+}
+
+template <KeyName key>
 constexpr PartKind with_fillet(PartKind kind) {
+  kind.needs = needs_by_rules<key>;
   if constexpr (requires { PartRules<key>::pipes; }) {
     kind.pipes = pipes_by_rules<key>;
     kind.fillet = fillet_by_rules<key>;

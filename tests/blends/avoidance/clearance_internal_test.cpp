@@ -1,0 +1,62 @@
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "avoidance/clearance.h"
+#include "blends/tubes.h"
+
+namespace dupin::avoidance {
+namespace {
+
+const std::vector<RingedSurface> kPipe{test::cylinder({0, 0, 0}, {10, 0, 0}, 1),
+                                       test::cylinder({10, 0, 0}, {20, 0, 0}, 1)};
+
+TEST(Clearance, is_proved_up_to_the_very_distance) {
+  const std::vector<NamedObstacle> ball{{"ball", {{12, 0, 5}, {}, 2}}};
+  for (const double wanted : {0., 1., 1.9, 1.9999, 1.99999999}) {
+    const Clearance found = prove_clearance(kPipe, ball, wanted);
+    EXPECT_FALSE(found.spot) << wanted;
+    EXPECT_GE(found.least, wanted);
+    EXPECT_LE(found.least, 2);
+  }
+  const Clearance refuted = prove_clearance(kPipe, ball, 2.000001);
+  ASSERT_TRUE(refuted.spot);
+  EXPECT_EQ(refuted.spot->piece, 1);
+  EXPECT_NEAR(refuted.spot->distance, 2, 1e-3);
+  EXPECT_NEAR(refuted.spot->place[2], 1, 1e-3);
+}
+
+TEST(Clearance, is_nobodys_where_there_is_no_obstacle) {
+  const Clearance found = prove_clearance(kPipe, {}, 5);
+  EXPECT_FALSE(found.spot);
+  EXPECT_EQ(found.least, std::numeric_limits<double>::infinity());
+}
+
+TEST(Clearance, is_refuted_inside) {
+  for (const Obstacle& around :
+       {Obstacle{{5, 0, 0}, {}, 50},
+        Obstacle{{-50, -50, -50}, {{99, 0, 0}, {0, 99, 0}, {0, 0, 99}}, 0}}) {
+    EXPECT_TRUE(prove_clearance(kPipe, std::vector<NamedObstacle>{{"", around}}, 0).spot);
+  }
+}
+
+TEST(Clearance, is_never_proved_of_what_is_no_number) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<NamedObstacle> bad{{"", {{nan, 0, 0}, {}, 1}}},
+      worse{{"", {{0, 99, 0}, {}, nan}}};
+  EXPECT_TRUE(prove_clearance(kPipe, bad, 0).spot);
+  EXPECT_TRUE(prove_clearance(kPipe, worse, 0).spot);
+  const std::vector<NamedObstacle> far{{"", {{0, 99, 0}, {}, 1}}};
+  EXPECT_TRUE(prove_clearance(kPipe, far, nan).spot);
+}
+
+TEST(Clearance, names_the_tightest_of_all) {
+  const std::vector<NamedObstacle> two{{"far", {{3, 0, 5}, {}, 3.5}},
+                                       {"near", {{17, 0, 5}, {}, 3.9}}};
+  const Clearance found = prove_clearance(kPipe, two, 1);
+  ASSERT_TRUE(found.spot);
+  EXPECT_EQ(two[found.spot->obstacle].name, "near");
+}
+
+}  // namespace
+}  // namespace dupin::avoidance
