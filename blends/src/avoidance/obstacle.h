@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "dupin/blends/part_shape.h"
 #include "dupin/blends/part_surface.h"
+#include "dupin/blends/spline_pipe.h"
 #include "surfaces/piece_discs.h"
 
 // This folder: pipes that go round obstacles ([mathematics A8]). Obstacles are convex (obstacle.h),

@@ -80,14 +80,6 @@ struct ObliqueTo {
   double end_radius = 1;
 };
 
-/// A solid in the way: all points within `radius` of a parallelepiped with this corner and up to
-/// three edges from it. A ball has none, a capsule one, a box three.
-struct Obstacle {
-  Vec3 corner;
-  std::vector<Vec3> edges;
-  double radius = 0;
-};
-
 /// What a pipe keeps away from, how far at least: solids, and other parts by their names.
 struct Avoidance {
   std::vector<std::variant<Obstacle, std::string>> obstacles;

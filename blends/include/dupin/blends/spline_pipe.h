@@ -12,6 +12,14 @@ struct Waypoint {
   double radius = 1;
 };
 
+/// A solid in the way: all points within `radius` of a parallelepiped with this corner and up to
+/// three edges from it. A ball has none, a capsule one, a box three.
+struct Obstacle {
+  Vec3 corner;
+  std::vector<Vec3> edges;
+  double radius = 0;
+};
+
 struct SplinePipeOptions {
   double margin = 0.05;  ///< least acceptable min(1 - kappa R) of every piece, in [0, 1)
 };

@@ -52,10 +52,11 @@ TEST(SplineKey, reads_what_it_avoids) {
 TEST(SplineKey, says_what_is_wrong_with_what_it_avoids) {
   constexpr Errc kBad = Errc::invalid_argument;
   const auto avoiding = [](const std::string& avoid, const std::string& clearance = "1") {
-    return pipe_and(R"({"name": "c", "spline": {"from": "a.end", "to": "b.start", "clearance": )" +
+    return pipe_and(R"({"name": "b", "pipe": {"from": [20, 0, 0], "to": [29, 0, 0], "radius": 1}},
+        {"name": "c", "spline": {"from": "a.end", "to": "b.start", "clearance": )" +
                     clearance + R"(, "avoid": )" + avoid + "}}");
   };
-  const std::string at = "d.json#/parts/1/spline";
+  const std::string at = "d.json#/parts/2/spline";
   const Malformed rows[] = {
       {avoiding("[{}]"), at + "/avoid/0", "must have one of ball, capsule, box and part"},
       {avoiding(R"([{"part": "x", "ball": {}}])"), at + "/avoid/0",
@@ -73,7 +74,7 @@ TEST(SplineKey, says_what_is_wrong_with_what_it_avoids) {
        "'c': parts must not begin at each other in a circle: 'c' -> 'c'", kBad},
       {pipe_and(R"({"name": "c", "spline": {"from": "a.end", "to": "b.start", "through": [],
           "clearance": 1}})"),
-       at + "/clearance", "is from what 'avoid' lists, which is missing"},
+       "d.json#/parts/1/spline/clearance", "is from what 'avoid' lists, which is missing"},
       {document(R"({"name": "a", "spline": {"through": [], "closed": true, "avoid": []}})"),
        "d.json#/parts/0/spline/avoid",
        "is for pipes between two ports; a closed pipe goes through its points"},
