@@ -69,6 +69,7 @@ ACCEPTED = [
     document({"name": "a", "elbow": {"from": [0, 0, 0], "direction": [1, 0, 0], "radius": 1, "bend_radius": 3, "angle": 90, "toward": [0, 1, 0]}}),
     document({"name": "a", "cone": {"from": [0, 0, 0], "direction": [0, 1, 0], "length": 3, "radii": [1, 2]}}),
     document({"name": "a", "cap": {"at": "b.start"}}),
+    document({"name": "a", "cyclic_blend": {"from": "b.end", "to": "c.start", "k": 1, "l": "auto"}}),
     document({"name": "a", "cyclic_blend": {"from": "b.end", "to": "c.start", "radius_law": "R1", "k": 1, "l": "auto", "continuity": "G2"}}),
 ]
 

@@ -8,11 +8,13 @@ struct PartReader<"cyclic_blend"> {
   static PartShape read(const JsonNode& node) {
     allow_only(node, {"from", "to", "radius_law", "k", "l", "continuity"});
     CyclicBlendBetween blend{port(node.at("from")), port(node.at("to")), {}};
-    const JsonNode law = node.at("radius_law");
-    if (law.text() != "R1" && law.text() != "R2") {
-      law.fail("must be \"R1\" or \"R2\", not \"" + law.text() + "\"");
+    if (node.has("radius_law")) {
+      const JsonNode law = node.at("radius_law");
+      if (law.text() != "R1" && law.text() != "R2") {
+        law.fail("must be \"R1\" or \"R2\", not \"" + law.text() + "\"");
+      }
+      blend.options.radius_law = law.text() == "R1" ? BlendLaw::r1 : BlendLaw::r2;
     }
-    blend.options.radius_law = law.text() == "R1" ? BlendLaw::r1 : BlendLaw::r2;
     if (node.has("continuity")) {
       const JsonNode continuity = node.at("continuity");
       if (continuity.text() != "G1" && continuity.text() != "G2") {

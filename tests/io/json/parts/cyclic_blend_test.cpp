@@ -23,6 +23,13 @@ TEST(CyclicBlendKey, reads_its_options) {
   EXPECT_FALSE(blend.options.l);
 }
 
+TEST(CyclicBlendKey, takes_the_radius_law_r1_if_none_is_given) {
+  const auto blend = read_last<CyclicBlendBetween>(pipe_and(
+      R"({"name": "c", "cyclic_blend": {"from": "a.end", "to": "b.start", "k": 8, "l": "auto", "continuity": "G2"}})"));
+  EXPECT_EQ(blend.options.radius_law, BlendLaw::r1);
+  EXPECT_EQ(blend.options.continuity, Continuity::g2);
+}
+
 TEST(CyclicBlendKey, says_what_is_wrong_with_it) {
   constexpr Errc kBad = Errc::invalid_argument;
   const Malformed rows[] = {
