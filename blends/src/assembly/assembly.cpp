@@ -7,7 +7,9 @@ std::string to_string(const PortReference& port) {
 }
 
 std::string document_place(const Assembly& assembly, std::uint32_t part, std::string_view key) {
-  std::string place = document_place(assembly, "/parts/" + std::to_string(part));
+  const bool has_own = part < assembly.parts.size() && !assembly.parts[part].pointer.empty();
+  std::string place = document_place(
+      assembly, has_own ? assembly.parts[part].pointer : "/parts/" + std::to_string(part));
   if (!key.empty()) {
     place += "/" + std::string(kind(assembly.parts.at(part).shape)) + "/" + std::string(key);
   }

@@ -114,7 +114,9 @@ class Resolver {
       }
       const auto [entry, is_new] = index_.try_emplace(name, i);
       if (!is_new) {
-        throw fault("the name is already taken by /parts/" + std::to_string(entry->second));
+        const std::string& pointer = assembly_.parts[entry->second].pointer;
+        throw fault("the name is already taken by " +
+                    (pointer.empty() ? "/parts/" + std::to_string(entry->second) : pointer));
       }
     }
   }

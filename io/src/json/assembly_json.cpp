@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dupin/io/atomic_file.h"
+#include "json/expansion.h"
 #include "json/json_document.h"
 #include "json/parts/part_values.h"
 #include "json/parts/read_part.h"
@@ -80,30 +81,41 @@ Unit unit(const JsonNode& node) {
   }
 }
 
+void read_head(const JsonNode& document, json::Values& values, Assembly& assembly) {
+  const auto read = [&](std::string_view key, const auto& take) {
+    const json::Json value = values.replaced(document.at(key));
+    take(document.with(value, key));
+  };
+  read("tolerance", [&](const JsonNode& node) { assembly.tolerance = node.number(); });
+  if (document.has("segments")) {
+    read("segments", [&](const JsonNode& node) { assembly.segments = segments(node); });
+  }
+  if (document.has("wall")) {
+    read("wall", [&](const JsonNode& node) { assembly.wall = node.number(); });
+  }
+  if (document.has("comment")) {
+    (void)document.at("comment").text();
+  }
+}
+
 }  // namespace
 
 Assembly parse_assembly(std::string_view text, const std::string& source) {
   const json::Json json = json::parse_json(text, source);
   const JsonNode document(json, source, "");
-  json::allow_only(document, {"units", "tolerance", "segments", "wall", "comment", "parts"});
+  json::allow_only(document,
+                   {"units", "tolerance", "segments", "wall", "comment", "values", "parts"});
   Assembly assembly;
   assembly.source = source;
   assembly.unit = unit(document.at("units"));
-  assembly.tolerance = document.at("tolerance").number();
-  if (document.has("segments")) {
-    assembly.segments = segments(document.at("segments"));
-  }
-  if (document.has("wall")) {
-    assembly.wall = document.at("wall").number();
-  }
-  if (document.has("comment")) {
-    (void)document.at("comment").text();
-  }
-  const JsonNode parts = document.at("parts");
-  const std::size_t count = parts.require_array();
-  for (std::size_t i = 0; i < count; ++i) {
-    assembly.parts.push_back(part(parts.at(i)));
-  }
+  json::Values values(document, assembly.unit);
+  read_head(document, values, assembly);
+  json::expand(document, source, assembly.unit, values,
+               [&](const JsonNode& node, const std::string& pointer) {
+                 const std::string own = document_place({}, std::uint32_t(assembly.parts.size()));
+                 assembly.parts.push_back(part(node));
+                 assembly.parts.back().pointer = pointer == own ? "" : pointer;
+               });
   return assembly;
 }
 

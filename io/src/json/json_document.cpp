@@ -149,6 +149,10 @@ JsonNode JsonNode::at(std::size_t index) const {
   return {value_->at(index), *source_, pointer_ + "/" + std::to_string(index)};
 }
 
+JsonNode JsonNode::with(const Json& value, std::string_view key) const {
+  return {value, *source_, pointer_ + "/" + escaped(key)};
+}
+
 void JsonNode::require_object() const {
   if (!value_->is_object()) {
     fail(std::string("must be an object, not ") + value_->type_name());

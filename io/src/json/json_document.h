@@ -38,6 +38,9 @@ class JsonNode {
   [[nodiscard]] JsonNode at(std::string_view key) const;
   [[nodiscard]] JsonNode at(std::size_t index) const;
 
+  /// Another value in the place of a key's.
+  [[nodiscard]] JsonNode with(const Json& value, std::string_view key) const;
+
   /// Each throws if this is something else.
   void require_object() const;
   [[nodiscard]] std::size_t require_array() const;  ///< its size

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dupin/io/assembly_json.h"
+#include "json/expansion.h"
 #include "json/json_document.h"
 
 namespace dupin {
@@ -241,7 +242,11 @@ class Rewriter {
 
 PlacedDocument placed_document(std::string_view text, const std::string& source,
                                const Placement& placement) {
-  (void)parse_assembly(text, source);
+  const Assembly assembly = parse_assembly(text, source);
+  if (json::is_abbreviated(Json::parse(text))) {  // an expression cannot say the nearest double
+    const std::string in_full = document_text(assembly);
+    return Rewriter(in_full, placement).rewritten();
+  }
   return Rewriter(text, placement).rewritten();
 }
 

@@ -53,7 +53,7 @@ const std::vector<Malformed>& unreadable() {
       {R"({"units": "mm", "parts": [1, {"a/b": {}, "a/b": 1}]})", "d.json#/parts/1/a~1b",
        "the key occurs twice"},
       {R"({"units": "mm", "tolerance": 1, "part": []})", "d.json#/part",
-       "unknown key; known here are units, tolerance, segments, wall, comment, parts"},
+       "unknown key; known here are units, tolerance, segments, wall, comment, values, parts"},
       {R"({"units": "mile"})", "d.json#/units", "the unit must be mm, cm, m, in or ft, not 'mile'"},
       {R"({"units": 1})", "d.json#/units", "must be a string, not number"},
       {R"({"units": "mm"})", "d.json#", "the key 'tolerance' is missing"},

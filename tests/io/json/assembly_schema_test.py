@@ -16,6 +16,16 @@ def document(part):
 
 
 REFUSED = [
+    {"units": "mm", "tolerance": 1, "values": {"m": 1}, "parts": [PIPE]},
+    {"units": "mm", "tolerance": 1, "values": {"a": None}, "parts": [PIPE]},
+    {"units": "mm", "tolerance": 1, "values": {"a": [[1]]}, "parts": [PIPE]},
+    document({**PIPE, "for": {"i": 0}}),
+    document({**PIPE, "for": {"i": 1e9}}),
+    document({**PIPE, "for": {}}),
+    document({"parts": [PIPE]}),
+    document({"for": {"i": 1}, "name": "a", "parts": [PIPE]}),
+    document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "size": "DN100", "radius": 1}}),
+    document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "radius": 1, "schedule": 40}}),
     [],
     {},
     {"units": "mile", "tolerance": 1, "parts": [PIPE]},
@@ -55,6 +65,11 @@ REFUSED = [
 ]
 
 ACCEPTED = [
+    {"units": "mm", "tolerance": "=1/20", "values": {"a": "DN100", "b": 2, "c": ["=b", 3]}, "parts": [PIPE]},
+    document({**PIPE, "for": {"i": 3, "j": [1, "x"], "k": "=n"}}),
+    document({"for": {"i": 3}, "parts": [PIPE, {"for": {"j": 2}, "parts": [PIPE]}]}),
+    document({"name": "a", "pipe": {"from": "=here", "to": [0, "=b", 1], "size": "NPS 4", "schedule": "XS"}}),
+    document({"name": "a", "elbow": {"from": [0, 0, 0], "direction": [1, 0, 0], "to": [1, 2, 3], "size": "DN100"}}),
     document({"name": "a", "cyclide_blend": {"from": "b.end", "to": "c.start"}}),
     document({"name": "a", "cyclide_chain": {"joints": "kneecaps", "wall": 0.1, "spheres": [[0, 0, 0, 1], [1, 0, 0, 1], [2, 0, 0, 1]]}}),
     document({"name": "a", "cyclide_chain": {"joints": "kneecaps", "from": "b.end", "spheres": [[0, 0, 0, 1], [1, 0, 0, 1]]}}),
@@ -85,7 +100,7 @@ def faults_of_keys(schema):
     """A part takes exactly one of the keys that there are, and each is defined."""
     part, keys = schema["definitions"]["part"], keys_of_parts()
     lists = {
-        "properties of a part": set(part["properties"]) - {"name", "comment", "wall", "solid"},
+        "properties of a part": set(part["properties"]) - {"name", "comment", "wall", "solid", "for"},
         "choices of a part": {key for choice in part["oneOf"] for key in choice["required"]},
         "definitions": keys & set(schema["definitions"]),
     }

@@ -101,6 +101,7 @@ TEST(PlaceJson, knows_every_key_of_a_document) {
                                        "end_semi_axes",
                                        "ends",
                                        "fillet",
+                                       "for",
                                        "from",
                                        "joints",
                                        "junction",
@@ -123,8 +124,10 @@ TEST(PlaceJson, knows_every_key_of_a_document) {
                                        "reach",
                                        "ringed_blend",
                                        "ruling",
+                                       "schedule",
                                        "segments",
                                        "semi_axes",
+                                       "size",
                                        "slope",
                                        "smoothness",
                                        "solid",
@@ -139,6 +142,7 @@ TEST(PlaceJson, knows_every_key_of_a_document) {
                                        "toward",
                                        "two_cone_blend",
                                        "units",
+                                       "values",
                                        "w",
                                        "wall"};
   std::set<std::string> found;

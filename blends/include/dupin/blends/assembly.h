@@ -19,6 +19,8 @@ struct Part {
   /// assembly's. Only `build` hollows parts.
   std::optional<double> wall = {};
   bool solid = false;  ///< without a bore, and those of others end at it
+  /// Where the document says it, if not at /parts/INDEX: several parts may come from one place.
+  std::string pointer = {};
 };
 
 /// A document: what the user says, before anything is computed.

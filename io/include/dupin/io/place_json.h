@@ -19,7 +19,8 @@ struct PlacedDocument {
 /// tolerance changed in size. Each number is the double nearest to the exact one, in the shortest
 /// decimals; every other character, and every number that does not change, stays as it was. Ports,
 /// names, angles, slopes and weights do not change. Numbers that are equal stay equal, so that ends
-/// which meet still do. Throws as parse_assembly.
+/// which meet still do. A document with values, copies, sizes or expressions comes out as
+/// document_text writes it. Throws as parse_assembly.
 [[nodiscard]] PlacedDocument placed_document(std::string_view text, const std::string& source,
                                              const Placement& placement);
 

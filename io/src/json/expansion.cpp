@@ -1,0 +1,260 @@
+#include "json/expansion.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "json/expression.h"
+#include "json/nominal_size.h"
+#include "json/parts/part_values.h"
+
+namespace dupin::json {
+namespace {
+
+constexpr std::size_t kLongestChain = 64;      // of names that need each other
+constexpr std::size_t kMostWork = 50'000'000;  // values and bytes of all copies
+
+}  // namespace
+
+Values::Values(const JsonNode& document, Unit unit) : document_(document), unit_(unit) {
+  if (!document.has("values")) {
+    return;
+  }
+  const JsonNode values = document.at("values");
+  values.require_object();
+  for (const auto& [name, definition] : values.value().items()) {
+    if (!is_value_name(name)) {
+      values.at(name).fail(
+          "a value's name has letters, digits and _, begins with no digit and is no unit");
+    }
+  }
+  for (const auto& [name, definition] : values.value().items()) {
+    (void)value(values, name);
+  }
+}
+
+Json Values::value(const JsonNode& user, std::string_view name) {
+  if (const auto variable = variables_.find(name); variable != variables_.end()) {
+    return variable->second;
+  }
+  if (const auto known = known_.find(name); known != known_.end()) {
+    return known->second;
+  }
+  if (!document_.has("values") || !document_.at("values").has(name)) {
+    user.fail("there is no value named '" + std::string(name) + "'");
+  }
+  const JsonNode definition = document_.at("values").at(name);
+  pending_.emplace_back(name);
+  const auto first = std::ranges::find(pending_, name);
+  if (first + 1 != pending_.end()) {
+    std::string circle;
+    for (auto at = first; at != pending_.end(); ++at) {
+      circle.append(circle.empty() ? "'" : " -> '").append(*at).append("'");
+    }
+    user.fail("values must not need each other in a circle: " + circle);
+  }
+  if (pending_.size() > kLongestChain) {
+    user.fail("more than " + std::to_string(kLongestChain) + " values need each other in a row");
+  }
+  Json result = defined(definition);
+  pending_.pop_back();
+  return known_.emplace(name, std::move(result)).first->second;
+}
+
+Json Values::defined(const JsonNode& definition) {
+  if (!definition.value().is_array()) {
+    return element(definition);
+  }
+  Json list = Json::array();
+  const std::size_t size = definition.require_array();
+  for (std::size_t i = 0; i < size; ++i) {
+    list.push_back(element(definition.at(i)));
+    if (list.back().is_array()) {
+      definition.at(i).fail("a list holds numbers and texts, not lists");
+    }
+  }
+  return list;
+}
+
+Json Values::element(const JsonNode& definition) {
+  if (definition.value().is_number()) {
+    return definition.value();
+  }
+  if (!definition.value().is_string()) {
+    definition.fail(std::string("must be a number, a text or a list of these, not ") +
+                    definition.value().type_name());
+  }
+  const std::string text = definition.text();
+  if (is_expression(text)) {
+    return evaluated(definition, unit_,
+                     [&](std::string_view name) { return value(definition, name); });
+  }
+  const auto length = quantity(text, unit_);
+  return length ? number_value(*length) : definition.value();
+}
+
+void Values::count(const JsonNode& node, std::size_t amount) {
+  work_ += amount;
+  if (work_ > kMostWork) {
+    node.fail("the copies of this document become too large");
+  }
+}
+
+Json Values::replaced(const JsonNode& node, std::string_view without) {
+  const Json& value = node.value();
+  count(node, 1);
+  if (value.is_array()) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      list.push_back(replaced(node.at(i)));
+    }
+    return list;
+  }
+  if (value.is_object()) {
+    Json object = Json::object();
+    for (const auto& [key, below] : value.items()) {
+      if (key == without) {
+        continue;
+      }
+      count(node, key.size());
+      // Keys of an object differ: they need not be looked for.
+      object.get_ref<Json::object_t&>().Container::emplace_back(
+          key, key == "comment" ? below : replaced(node.at(key)));
+    }
+    return object;
+  }
+  if (!value.is_string()) {
+    return value;
+  }
+  const std::string text = node.text();
+  count(node, text.size());
+  const auto lookup = [&](std::string_view name) { return this->value(node, name); };
+  if (is_expression(text)) {
+    Json result = evaluated(node, unit_, lookup);
+    count(node, result.is_array() ? result.size() : 1);
+    return result;
+  }
+  return variables_.empty() ? value : Json(with_braces_replaced(node, unit_, lookup));
+}
+
+/// Goes over the entries of "parts".
+class Expansion {
+ public:
+  Expansion(const std::string& source, Unit unit, Values& values, const PartSink& sink)
+      : source_(source), unit_(unit), values_(values), sink_(sink) {}
+
+  void entries(const JsonNode& parts, const std::string& pointer) {
+    const std::size_t count = parts.require_array();
+    for (std::size_t i = 0; i < count; ++i) {
+      entry(parts.at(i), pointer + "/" + std::to_string(i));
+    }
+  }
+
+ private:
+  void entry(const JsonNode& node, const std::string& pointer) {
+    if (!node.has("for")) {
+      part(node, pointer);
+      return;
+    }
+    if (node.has("parts")) {
+      allow_only(node, {"for", "comment", "parts"});
+    }
+    const JsonNode loops = node.at("for");
+    loops.require_object();
+    if (loops.value().empty()) {
+      loops.fail(R"(must name a variable and say how often, like {"i": 40})");
+    }
+    std::vector<std::string> names;
+    for (const auto& [name, range] : loops.value().items()) {
+      const JsonNode loop = loops.at(name);
+      if (!is_value_name(name)) {
+        loop.fail(
+            "a variable's name has letters, digits and _, begins with no digit and is no unit");
+      }
+      if (values_.known_.contains(name) || values_.variables_.contains(name)) {
+        loop.fail("there is a value named '" + name + "' already");
+      }
+      names.push_back(name);
+    }
+    copies(node, pointer, names, 0);
+  }
+
+  void copies(const JsonNode& node, const std::string& pointer,
+              const std::vector<std::string>& names, std::size_t depth) {
+    if (depth == names.size()) {
+      node.has("parts") ? entries(node.at("parts"), pointer + "/parts") : part(node, pointer);
+      return;
+    }
+    const JsonNode loop = node.at("for").at(names[depth]);
+    const Json range = values_.replaced(loop);
+    const bool is_count = range.is_number();
+    const bool is_right = range.is_array() || (is_count && range.is_number_unsigned());
+    const std::size_t size = !is_right ? 0 : is_count ? range.get<std::size_t>() : range.size();
+    if (size == 0 || size > kMostParts) {
+      loop.fail("must be a whole number from 1 to " + std::to_string(kMostParts) +
+                " or a list of as many values");
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      const Json& value = is_count ? range : range[i];
+      if (!is_count && !value.is_number() && !value.is_string()) {
+        loop.at(i).fail("must be a number or a text");
+      }
+      values_.count(loop, 1);
+      values_.variables_[names[depth]] = is_count ? Json(std::uint64_t(i)) : value;
+      copies(node, pointer, names, depth + 1);
+    }
+    values_.variables_.erase(names[depth]);
+  }
+
+  void part(const JsonNode& node, const std::string& pointer) {
+    node.require_object();
+    if (++made_ > kMostParts) {
+      node.fail("the document makes more than " + std::to_string(kMostParts) + " parts");
+    }
+    std::string name;
+    try {
+      if (!values_.variables_.empty()) {
+        const Json own = values_.replaced(node.at("name"));
+        name = own.is_string() ? own.get<std::string>() : "";
+      }
+      Json expanded = values_.replaced(node, "for");
+      give_section(expanded, JsonNode(expanded, source_, pointer), unit_);
+      sink_(JsonNode(expanded, source_, pointer), pointer);
+    } catch (const Error& error) {
+      if (name.empty()) {
+        throw;
+      }
+      throw error.in_part(name);
+    }
+  }
+
+  const std::string& source_;
+  Unit unit_;
+  Values& values_;
+  const PartSink& sink_;
+  std::size_t made_ = 0;
+};
+
+void expand(const JsonNode& document, const std::string& source, Unit unit, Values& values,
+            const PartSink& sink) {
+  Expansion(source, unit, values, sink).entries(document.at("parts"), "/parts");
+}
+
+bool is_abbreviated(const Json& document) {
+  if (document.is_string()) {
+    return is_expression(document.get_ref<const std::string&>());
+  }
+  if (!document.is_structured()) {
+    return false;
+  }
+  for (const auto& [key, value] : document.items()) {
+    const bool is_own_key = document.is_object() &&
+                            (key == "values" || key == "for" || key == "size" || key == "schedule");
+    if (is_own_key || (key != "comment" && is_abbreviated(value))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace dupin::json

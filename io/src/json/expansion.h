@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dupin/blends/unit.h"
+#include "json/json_document.h"
+
+namespace dupin::json {
+
+/// The named values of a document and, within a "for", its variables (docs/assembly_format.md).
+class Values {
+ public:
+  /// All that stand under "values" of `document`. Throws for names and values of the wrong form,
+  /// unknown names and circles.
+  Values(const JsonNode& document, Unit unit);
+
+  /// A copy with every expression and, in copies, everything in braces replaced by its value. What
+  /// is called "comment" stays as it is; the node's own key `without` is left out.
+  [[nodiscard]] Json replaced(const JsonNode& node, std::string_view without = {});
+
+ private:
+  friend class Expansion;
+
+  [[nodiscard]] Json value(const JsonNode& user, std::string_view name);
+  [[nodiscard]] Json defined(const JsonNode& definition);
+  [[nodiscard]] Json element(const JsonNode& definition);
+  void count(const JsonNode& node, std::size_t amount);
+
+  JsonNode document_;
+  Unit unit_;
+  std::map<std::string, Json, std::less<>> known_;
+  std::map<std::string, Json, std::less<>> variables_;
+  std::vector<std::string> pending_;  ///< that are being evaluated
+  std::size_t work_ = 0;              ///< values and bytes of texts that were made
+};
+
+/// A part as it is to be read: `node` has no values, copies or sizes, and its pointer is that of
+/// the entry in the document that it comes from.
+using PartSink = std::function<void(const JsonNode& node, const std::string& pointer)>;
+
+/// Hands the parts of a document to `sink`, copies one after the other, the last variable of a
+/// "for" fastest. Faults in a copy name it. Throws, besides what `sink` throws, for faults of form,
+/// and where a document makes more parts than kMostParts or more text than any machine needs.
+void expand(const JsonNode& document, const std::string& source, Unit unit, Values& values,
+            const PartSink& sink);
+
+/// Whether a document says something otherwise than part by part in numbers.
+[[nodiscard]] bool is_abbreviated(const Json& document);
+
+inline constexpr std::size_t kMostParts = 100'000;
+
+}  // namespace dupin::json

@@ -1,0 +1,69 @@
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/io/assembly_json.h"
+#include "io/json/document_fault.h"
+#include "json/nominal_size.h"
+
+namespace dupin {
+namespace {
+
+using test::document;
+using test::read_last;
+
+std::string pipe(const std::string& section, const std::string& more = {}) {
+  return document(R"({"name": "a", )" + more + R"("pipe": {"from": [0, 0, 0], "to": [9, 0, 0], )" +
+                  section + "}}");
+}
+
+std::string message_of(const std::string& text) {
+  try {
+    (void)parse_assembly(text, "d.json");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+// ASME B36.10M, table 1.
+TEST(NominalSize, gives_radius_and_wall) {
+  EXPECT_EQ(read_last<PipeBetween>(pipe(R"("size": "DN100")")).radius, 114.3 / 2);
+  EXPECT_EQ(read_last<PipeBetween>(pipe(R"("size": "NPS 4")")).radius, 114.3 / 2);
+  EXPECT_EQ(parse_assembly(pipe(R"("size": "DN100", "schedule": 40)")).parts[0].wall, 6.02);
+  EXPECT_EQ(parse_assembly(pipe(R"("size": "NPS4", "schedule": "xs")")).parts[0].wall, 8.56);
+  EXPECT_EQ(parse_assembly(pipe(R"("size": "DN100")")).parts[0].wall, std::nullopt);
+}
+
+TEST(NominalSize, is_of_elbows_too_and_in_the_documents_unit) {
+  const Assembly assembly = parse_assembly(
+      R"({"units": "in", "tolerance": 0.1, "parts": [{"name": "e", "elbow": {"from": [0, 0, 0],
+          "direction": [1, 0, 0], "to": [9, 9, 0], "size": "NPS 4", "schedule": "40"}}]})");
+  EXPECT_DOUBLE_EQ(std::get<Place>(std::get<ElbowTo>(assembly.parts[0].shape).from).radius, 2.25);
+  EXPECT_DOUBLE_EQ(*assembly.parts[0].wall, 6.02 / 25.4);
+}
+
+TEST(NominalSize, says_what_there_is) {
+  EXPECT_THAT(message_of(pipe(R"("size": "DN101")")),
+              testing::StartsWith("d.json#/parts/0/pipe/size: 'DN101' is no size of ASME B36.10M: "
+                                  "DN6, DN8, DN10, "));
+  EXPECT_THAT(message_of(pipe(R"("size": "4")")), testing::HasSubstr("is no size"));
+  EXPECT_EQ(message_of(pipe(R"("size": 100)")),
+            "d.json#/parts/0/pipe/size: must be a string, not number");
+  EXPECT_EQ(
+      message_of(pipe(R"("size": "DN100", "schedule": 20)")),
+      "d.json#/parts/0/pipe/schedule: DN100 is not made in schedule '20' of ASME B36.10M, but "
+      "5, 10, 30, STD, 40, XS, 80, 120, 160, XXS");
+  EXPECT_THAT(message_of(pipe(R"("size": "DN100", "schedule": true)")),
+              testing::HasSubstr("must be a string, not boolean"));
+  EXPECT_THAT(message_of(pipe(R"("size": "DN100", "radius": 3)")),
+              testing::HasSubstr("give either a size or a radius"));
+  EXPECT_THAT(message_of(pipe(R"("size": "DN100", "schedule": 40)", R"("wall": 2, )")),
+              testing::HasSubstr("give either a schedule or a wall"));
+  EXPECT_THAT(message_of(pipe(R"("radius": 3, "schedule": 40)")),
+              testing::HasSubstr("the key 'size' is missing"));
+}
+
+}  // namespace
+}  // namespace dupin
