@@ -214,8 +214,7 @@ Json evaluated(const JsonNode& node, Unit unit, const Lookup& lookup) {
 }
 
 std::string with_braces_replaced(const JsonNode& node, Unit unit, const Lookup& lookup) {
-  std::string result;
-  const std::string text = node.text();
+  std::string text = node.text(), result;
   if (text.find('{') == std::string::npos) {
     return text;
   }
