@@ -13,8 +13,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dupin/blends/certify.h"
 #include "dupin/blends/certificate.h"
+#include "dupin/blends/certify.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/certificate_json.h"
 #include "dupin/kernel/error.h"

@@ -1,3 +1,5 @@
+#include "dupin/blends/certificate.h"
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -13,7 +15,6 @@
 
 #include "dupin/blends/certify.h"
 #include "dupin/blends/resolve.h"
-#include "dupin/blends/certificate.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
