@@ -70,7 +70,7 @@ class Fitter {
   }
 
   [[nodiscard]] TrackedCircle found(const TravelRing& guess, const Vec3& along) {
-    const TrackedCircle circle = fitting::circle_near(surface_, guess, along);
+    TrackedCircle circle = fitting::circle_near(surface_, guess, along);
     if (!(circle.defect <= tolerance_)) {
       refuse("the surface is not ringed: the best circle is " +
                  decimal(circle.defect, kMessageDigits) + " off it, and the tolerance is " +
