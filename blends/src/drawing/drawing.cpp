@@ -40,25 +40,26 @@ class Drawer {
       : options_(options),
         mesh_(mesh_of(built.solid)),
         hidden_lines_(mesh_, options.view),
-        outer_(assembly::filled(resolve(assembly))) {
+        outer_(resolve(assembly)),
+        is_fluid_(built.region == Region::fluid) {
     result_ = {assembly.source, assembly.unit, options.view, 0, {}};
     for (const PartReport& part : built.parts) {
       result_.error = std::max(result_.error, part.error_bound);
     }
-    if (built.region != Region::outer) {
-      const auto walls = assembly::walls_of(assembly, outer_, built.region);
+    const auto walls = built.region == Region::outer
+                           ? std::nullopt
+                           : assembly::walls_of(assembly, outer_, built.region);
+    outer_ = assembly::filled(std::move(outer_));
+    if (walls) {
       bore_ = assembly::bore_of(assembly, outer_, *walls).resolved;
     }
-    is_outer_seen_ = built.region != Region::fluid;
-    is_bore_outside_ = built.region == Region::fluid;
   }
 
   Drawing run() {
-    if (is_outer_seen_) {
+    if (!is_fluid_) {
       add_contours(drawing::contours_of(outer_, options_.view.towards, result_.error, false));
     }
-    add_contours(
-        drawing::contours_of(bore_, options_.view.towards, result_.error, !is_bore_outside_));
+    add_contours(drawing::contours_of(bore_, options_.view.towards, result_.error, !is_fluid_));
     add_edges();
     return std::move(result_);
   }
@@ -206,7 +207,7 @@ class Drawer {
   TriMesh mesh_;
   HiddenLines hidden_lines_;
   ResolvedAssembly outer_, bore_;
-  bool is_outer_seen_ = true, is_bore_outside_ = false;
+  bool is_fluid_;
   Drawing result_;
 };
 

@@ -129,7 +129,16 @@ TEST(Drawing, of_a_wall_shows_the_bore_through_its_end) {
   expect_near(lengths(fluid, "pipe.bore", LineKind::contour), {50, 50}, 0.1);
 }
 
-// Seen from the other side, a solid's outline is its mirror image: the bounds say so.
+// The chain's own wall, which the document does not state.
+TEST(Drawing, of_a_hollow_chain_shows_its_bore) {
+  const Drawing metal =
+      drawing(example("jet-engine"), view_along({-1, 1, -1}), true, {.region = Region::metal});
+  EXPECT_TRUE(std::ranges::any_of(metal.lines, [](const DrawnLine& line) {
+    return line.part.ends_with(".bore") && line.kind == LineKind::contour;
+  }));
+}
+
+// The lines' bounds are those of the solid's points.
 TEST(Drawing, of_the_examples_is_as_wide_as_they_are) {
   for (const char* name : {"tee", "equal-tee", "header", "junction", "skew-cross", "crane-hook",
                            "hollow-tee", "ucct-arm", "two-cones", "cope"}) {
