@@ -55,9 +55,10 @@ ARROWS = {
     },
     "io": {
         "text": [],
+        "drawings": ["text"],
         "files": ["text"],
         "formats": ["files", "text"],
-        "json": ["formats", "files", "pcf", "text"],
+        "json": ["drawings", "formats", "files", "pcf", "text"],
         "graph": ["text"],
         "pcf": ["text"],
     },
