@@ -193,9 +193,6 @@ MeshVolumes mesh_volumes(Document& document, const CommonOptions& common) {
 ExitCode run_bom(const BomArguments& arguments, const CommonOptions& common) {
   refuse_contradictions(arguments, common);
   Document document = read_document(arguments.file, arguments.source, arguments.wall);
-  if (!arguments.wall.empty()) {
-    document.assembly.wall = length_in(document.assembly.unit, arguments.wall, 0);
-  }
   // Told to keep going, a build leaves out parts that the bill then does not have either.
   const auto mesh = arguments.mesh ? std::optional(mesh_volumes(document, common)) : std::nullopt;
   BillReport report{bill_of_materials(document.assembly), {}, origins(document), mesh};

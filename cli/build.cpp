@@ -115,9 +115,6 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   const Destination to = destination(arguments.output);
   Document document = read_document(arguments.file, arguments.source, arguments.wall);
   Assembly& assembly = document.assembly;
-  if (!arguments.wall.empty()) {
-    assembly.wall = length_in(assembly.unit, arguments.wall, 0);
-  }
   BuildOptions options = build_options(assembly, arguments, common);
   const std::string unit(symbol(assembly.unit));
   const RoundingOptions rounding = rounding_options(arguments.rounding, unit);

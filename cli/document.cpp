@@ -86,25 +86,9 @@ void add_piping_options(CLI::App& command, SourceArguments& arguments) {
                    "Lines of a piping file that are not understood count (exit code 1)");
 }
 
-}  // namespace
-
-Assembly read_document(const std::string& path) { return read_document(path, {}).assembly; }
-
-bool is_source_file(const std::string& path) { return is_graph_file(path) || is_pcf_file(path); }
-
-Built build_document(Document& document, const BuildOptions& options) {
-  if (!document.piping) {
-    return build(document.assembly, options);
-  }
-  PipingNetwork& network = document.piping->network;
-  network.assembly = std::exchange(document.assembly, {});
-  Built built = build(document.line, document.piping_options, network, options);
-  document.assembly = std::exchange(network.assembly, {});
-  return built;
-}
-
-Document read_document(const std::string& path, const SourceArguments& arguments,
-                       const std::string& wall) {
+// Without the wall, but of a piping file.
+Document document_of(const std::string& path, const SourceArguments& arguments,
+                     const std::string& wall) {
   const Input input = read_input(path);
   if (is_pcf_file(path)) {
     return read_piping(input, arguments, wall);
@@ -136,6 +120,32 @@ Document read_document(const std::string& path, const SourceArguments& arguments
   std::ranges::stable_sort(network.notes, {}, &SourceNote::line);
   Assembly assembly = std::exchange(network.assembly, {});
   return {std::move(assembly), std::move(network)};
+}
+
+}  // namespace
+
+Assembly read_document(const std::string& path) { return read_document(path, {}).assembly; }
+
+bool is_source_file(const std::string& path) { return is_graph_file(path) || is_pcf_file(path); }
+
+Built build_document(Document& document, const BuildOptions& options) {
+  if (!document.piping) {
+    return build(document.assembly, options);
+  }
+  PipingNetwork& network = document.piping->network;
+  network.assembly = std::exchange(document.assembly, {});
+  Built built = build(document.line, document.piping_options, network, options);
+  document.assembly = std::exchange(network.assembly, {});
+  return built;
+}
+
+Document read_document(const std::string& path, const SourceArguments& arguments,
+                       const std::string& wall) {
+  Document document = document_of(path, arguments, wall);
+  if (!wall.empty()) {
+    document.assembly.wall = length_in(document.assembly.unit, wall, 0);
+  }
+  return document;
 }
 
 void add_bore_option(CLI::App& command, std::string& bore) {

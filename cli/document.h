@@ -39,8 +39,8 @@ struct Document {
   PipingOptions piping_options = {};
 };
 
-/// The file is a graph or a piping file if its extension says so. `wall` is that of a piping file's
-/// components, as typed.
+/// The file is a graph or a piping file if its extension says so. `wall`, as typed, is
+/// instead of the document's.
 [[nodiscard]] Document read_document(const std::string& path, const SourceArguments& arguments,
                                      const std::string& wall = {});
 

@@ -68,9 +68,6 @@ std::pair<DrawingOptions, std::optional<DrawingScale>> typed(const DrawArguments
 ExitCode run_draw(const DrawArguments& arguments, const CommonOptions& common) {
   const auto [options, typed_scale] = typed(arguments);
   Document document = read_document(arguments.file, arguments.source, arguments.wall);
-  if (!arguments.wall.empty()) {
-    document.assembly.wall = length_in(document.assembly.unit, arguments.wall, 0);
-  }
   BuildReport report;
   report.graph = document.network;
   Drawing drawing;

@@ -65,5 +65,13 @@ TEST_F(MeshCommands, convert_writes_what_is_no_solid_as_it_is) {
   EXPECT_EQ(report.at("rounding").at("moved_points"), 8);
 }
 
+// Said beside a graph, too, and not dropped.
+TEST_F(MeshCommands, writes_the_wall_of_a_graph) {
+  const ProcessResult result =
+      dupin({"convert", example("neuron.swc"), "neuron.json", "--wall", "0.1"});
+  EXPECT_LE(result.exit_code, 1) << result.err;
+  EXPECT_EQ(nlohmann::json::parse(folder_.read("neuron.json")).at("wall"), 0.1);
+}
+
 }  // namespace
 }  // namespace dupin::test

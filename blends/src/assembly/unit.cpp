@@ -1,5 +1,6 @@
 #include "dupin/blends/unit.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -30,11 +31,14 @@ std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"
 
 std::string_view symbol(Unit unit) { return row(unit).symbol; }
 
+std::optional<Unit> unit_called(std::string_view symbol) {
+  const auto* const found = std::ranges::find(kUnits, symbol, &UnitRow::symbol);
+  return found == kUnits.end() ? std::nullopt : std::optional(found->unit);
+}
+
 Unit unit_from(std::string_view symbol) {
-  for (const auto& known : kUnits) {
-    if (known.symbol == symbol) {
-      return known.unit;
-    }
+  if (const auto unit = unit_called(symbol)) {
+    return *unit;
   }
   throw Error(Errc::invalid_argument,
               "the unit must be mm, cm, m, in or ft, not " + quoted(symbol));

@@ -37,8 +37,8 @@ class Prover {
     ++looked_at_;
     const double middle = (t.from + t.to) / 2;
     const SpinePoint spine = evaluate(pipe_[piece_].spine, middle);
-    const Disc disc{spine.position, spine.first.normalized(),
-                    evaluate(pipe_[piece_].radius, middle).value};
+    const TravelRing disc{spine.position, spine.first.normalized(),
+                          evaluate(pipe_[piece_].radius, middle).value};
     const surfaces::DiscHull hull = discs_.hull(t);
     std::vector<std::size_t> left;
     for (const std::size_t i : near) {

@@ -3,22 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <Eigen/Geometry>
 
 #include "numbers/interval.h"
+#include "ringed/nearest_in_disc.h"
 #include "surfaces/surface_piece.h"
 
 namespace dupin::avoidance {
 namespace {
 
 using numbers::Interval;
-
-Vec3 middle(const numbers::IntervalVec& v) {
-  return {std::midpoint(v[0].lower, v[0].upper), std::midpoint(v[1].lower, v[1].upper),
-          std::midpoint(v[2].lower, v[2].upper)};
-}
 
 // The capsule about the segment from the first control point to the last that holds all discs.
 Obstacle capsule_about(const surfaces::DiscHull& hull) {
@@ -38,13 +33,6 @@ Obstacle capsule_about(const surfaces::DiscHull& hull) {
   }
   result.radius = (farthest + hull.radius).upper;
   return result;
-}
-
-Vec3 nearest_disc_point(const Disc& disc, const Vec3& point) {
-  const Vec3 off = point - disc.center;
-  const Vec3 flat = off - off.dot(disc.normal) * disc.normal;
-  const double length = flat.norm();
-  return disc.center + (length > disc.radius ? disc.radius / length : 1.0) * flat;
 }
 
 }  // namespace
@@ -93,11 +81,11 @@ Vec3 nearest_core_point(const Obstacle& obstacle, const Vec3& point) {
 }
 
 // Alternating projections between two convex sets.
-Approach approach(const Disc& disc, const Obstacle& obstacle) {
+Approach approach(const TravelRing& disc, const Obstacle& obstacle) {
   constexpr int kSteps = 40;
   Vec3 on_disc = disc.center, on_core = nearest_core_point(obstacle, on_disc);
   for (int i = 0; i < kSteps; ++i) {
-    const Vec3 next = nearest_disc_point(disc, on_core);
+    const Vec3 next = ringed::nearest_in_disc(disc, on_core);
     const bool is_done = next == on_disc;
     on_disc = next;
     on_core = nearest_core_point(obstacle, on_disc);

@@ -26,19 +26,13 @@ struct NamedObstacle {
 /// The point of the obstacle's parallelepiped nearest to `point`, nearly.
 [[nodiscard]] Vec3 nearest_core_point(const Obstacle& obstacle, const Vec3& point);
 
-/// A disc that stands still.
-struct Disc {
-  Vec3 center = Vec3::Zero(), normal = Vec3::UnitZ();
-  double radius = 1;
-};
-
-/// How near a disc and an obstacle come, nearly: negative by at most the obstacle's radius where
-/// they meet. `direction` is from the disc to the obstacle.
+/// How near the disc in a circle and an obstacle come, nearly: negative by at most the obstacle's
+/// radius where they meet. `direction` is from the disc to the obstacle.
 struct Approach {
   double distance = 0;
   Vec3 place = Vec3::Zero(), direction = Vec3::Zero();
 };
-[[nodiscard]] Approach approach(const Disc& disc, const Obstacle& obstacle);
+[[nodiscard]] Approach approach(const TravelRing& disc, const Obstacle& obstacle);
 
 /// A proved lower bound of the distance between all discs and the obstacle, from a plane across any
 /// direction that is not zero: the obstacle's least less the discs' largest extent along it.

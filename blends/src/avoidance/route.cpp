@@ -60,9 +60,9 @@ class Router {
     Trial result{std::move(through), std::move(pipe), {}, 0, trials_++};
     result.proved = prove_clearance(result.pipe, obstacles_, clearance_);
     // How long the way is, how often it bends, and how much of it is still to be mended.
-    result.cost = length(result.through) / size_ +
-                  0.2 * double(result.through.size() - given_.size()) +
-                  (result.proved.spot ? 1 + missing(*result.proved.spot) / size_ : 0);
+    result.cost =
+        length(result.through) / size_ + 0.2 * double(result.through.size() - given_.size()) +
+        (result.proved.spot ? 1 + (clearance_ - result.proved.spot->distance) / size_ : 0);
     return result;
   }
 
@@ -78,8 +78,6 @@ class Router {
       return std::nullopt;
     }
   }
-
-  [[nodiscard]] double missing(const TightSpot& spot) const { return clearance_ - spot.distance; }
 
   [[nodiscard]] double length(const std::vector<Waypoint>& through) const {
     double sum = 0;
@@ -139,7 +137,7 @@ class Router {
                     "of its own in \"through\"");
   }
 
-  // Ways with one point more, or with the nearest added one moved, off the tightest spot.
+  // Ways with one point more, off the tightest spot.
   [[nodiscard]] std::vector<std::vector<Waypoint>> children(const Trial& parent) const {
     const TightSpot& spot = *parent.proved.spot;
     const RingedSurface& piece = parent.pipe[spot.piece];
@@ -176,7 +174,7 @@ class Router {
     return result;
   }
 
-  // How far to go until the obstacle is `wanted` away, and stays so.
+  // How far to go until the obstacle is `wanted` away.
   [[nodiscard]] double way_out(const Obstacle& obstacle, const Vec3& place, const Vec3& direction,
                                double wanted) const {
     const auto is_out = [&](double s) {

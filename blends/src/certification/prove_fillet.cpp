@@ -62,10 +62,6 @@ bool append_cells(const CanalFillet& loop, double margin, double longest,
          append_cells(loop, margin, longest, {middle, t.to}, cells);
 }
 
-double middle(const numbers::Interval& x) { return std::midpoint(x.lower, x.upper); }
-
-Vec3 middle(const numbers::IntervalVec& v) { return {middle(v[0]), middle(v[1]), middle(v[2])}; }
-
 const Vec3& furthest(const std::vector<Vec3>& points, const Vec3& d) {
   return *std::ranges::max_element(points, {}, [&](const Vec3& p) { return p.dot(d); });
 }

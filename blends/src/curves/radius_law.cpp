@@ -71,6 +71,10 @@ RadiusValue evaluate(const RadiusLaw& law, double t) {
   return std::visit([t](const auto& l) { return at(l, t); }, law);
 }
 
+bool is_linear(const RadiusLaw& law) {
+  return std::holds_alternative<ConstantRadius>(law) || std::holds_alternative<LinearRadius>(law);
+}
+
 double largest_radius(const RadiusLaw& law) { return extremes(law).second; }
 
 double smallest_radius(const RadiusLaw& law) { return extremes(law).first; }

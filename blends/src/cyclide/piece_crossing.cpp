@@ -5,6 +5,7 @@
 
 #include "cyclide/arc_bounds.h"
 #include "dupin/blends/cyclide_form.h"
+#include "ringed/nearest_in_disc.h"
 
 namespace dupin::cyclide {
 namespace {
@@ -35,13 +36,6 @@ Discs discs_beyond(const Ring& ring, bool is_before) {
   return discs;
 }
 
-Vec3 nearest(const Ring& disc, const Vec3& point) {
-  const Vec3 chord = point - disc.center;
-  const Vec3 aside = chord - chord.dot(disc.normal) * disc.normal;
-  const double length = aside.norm();
-  return disc.center + (length > disc.radius ? disc.radius / length : 1) * aside;
-}
-
 // Whether a disc of `others` reaches between two of `discs`, with its point nearest to the first.
 bool reaches_into(const Discs& discs, const Discs& others) {
   constexpr double kDeep = 1.0 / 16;
@@ -54,7 +48,7 @@ bool reaches_into(const Discs& discs, const Discs& others) {
       if ((other.center - disc.center).squaredNorm() > apart * apart) {
         continue;
       }
-      const Vec3 point = nearest(other, disc.center), chord = point - disc.center;
+      const Vec3 point = ringed::nearest_in_disc(other, disc.center), chord = point - disc.center;
       const double ahead = chord.dot(disc.normal);
       const double aside = (chord - ahead * disc.normal).norm();
       if (ahead > depth && (point - next.center).dot(next.normal) < -depth &&

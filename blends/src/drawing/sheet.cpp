@@ -15,8 +15,7 @@ constexpr std::uint32_t kAround = 32, kAlong = 32;
 SheetPoint of_surface(const SurfacePoint& point) { return {point.position, point.normal}; }
 
 bool is_ruled(const Spine& spine, const RadiusLaw& law) {
-  return std::holds_alternative<LineSpine>(spine) &&
-         (std::holds_alternative<ConstantRadius>(law) || std::holds_alternative<LinearRadius>(law));
+  return std::holds_alternative<LineSpine>(spine) && is_linear(law);
 }
 
 struct SheetOf {
@@ -37,10 +36,7 @@ struct SheetOf {
             is_straight ? 1 : kAlong, kAround};
   }
   Sheet operator()(const CyclidePiece& piece) const {
-    return {[arc = arc_of(piece)](double t, double v) {
-              const ArcPoint point = point_at(arc, t, kTurn * v);
-              return SheetPoint{point.position, point.normal};
-            },
+    return {[arc = arc_of(piece)](double t, double v) { return point_at(arc, t, kTurn * v); },
             kAlong, kAround};
   }
   Sheet operator()(const RationalRingedTube& tube) const {
@@ -52,11 +48,13 @@ struct SheetOf {
 
 }  // namespace
 
+Sheet sheet_of(const Piece& piece) { return std::visit(SheetOf{}, piece); }
+
 std::vector<Sheet> sheets_of(const Chain& chain) {
   std::vector<Sheet> result;
   result.reserve(chain.pieces.size());
   for (const Piece& piece : chain.pieces) {
-    result.push_back(std::visit(SheetOf{}, piece));
+    result.push_back(sheet_of(piece));
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dupin/blends/part_surface.h"
+#include "dupin/blends/pe_arc.h"
 #include "dupin/blends/resolve.h"
 
 // This folder: what an assembly looks like from afar. The smooth surfaces, as sheets over
@@ -14,10 +15,8 @@
 
 namespace dupin::drawing {
 
-/// Normals are unit vectors, outward.
-struct SheetPoint {
-  Vec3 position, normal;
-};
+/// A point and its outward unit normal.
+using SheetPoint = ArcPoint;
 
 /// A regular piece of a surface over t and v in [0, 1].
 struct Sheet {
@@ -26,7 +25,10 @@ struct Sheet {
   bool closed = true;                   ///< v = 1 is v = 0
 };
 
-/// One for each piece; none for balls. The sheets refer to the chain.
+/// Refers to the piece.
+[[nodiscard]] Sheet sheet_of(const Piece& piece);
+
+/// One for each piece. The sheets refer to the chain.
 [[nodiscard]] std::vector<Sheet> sheets_of(const Chain& chain);
 
 /// The loops between the pipes, seen from outside of the solid. The sheets refer to the fillet.

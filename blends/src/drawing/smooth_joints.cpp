@@ -16,7 +16,7 @@ namespace {
 class EndRow {
  public:
   EndRow(const Chain& chain, End end)
-      : sheet_(end == End::start ? sheets_of(chain).front() : sheets_of(chain).back()),
+      : sheet_(sheet_of(end == End::start ? chain.pieces.front() : chain.pieces.back())),
         t_(end == End::start ? 0 : 1),
         center_((at(0).position + at(0.5).position) / 2) {
     axes_.col(0) = at(0).position - center_;

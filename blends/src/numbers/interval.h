@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 #include <gmpxx.h>
 
@@ -154,6 +155,10 @@ inline Interval sqrt(const Interval& a) {
 using IntervalVec = std::array<Interval, 3>;
 
 inline IntervalVec interval_vec(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+inline double middle(const Interval& a) { return std::midpoint(a.lower, a.upper); }
+
+inline Vec3 middle(const IntervalVec& v) { return {middle(v[0]), middle(v[1]), middle(v[2])}; }
 
 inline IntervalVec operator+(const IntervalVec& a, const IntervalVec& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};

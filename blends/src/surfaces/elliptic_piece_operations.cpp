@@ -25,9 +25,6 @@ double largest_radius(const EllipticTube& tube) {
 // A cylinder, or a cone of similar ellipses, whose end polygons begin at the same parameter: all
 // its quadrilaterals are plane.
 bool is_straight(const EllipticTube& tube) {
-  const auto is_linear = [](const RadiusLaw& law) {
-    return std::holds_alternative<ConstantRadius>(law) || std::holds_alternative<LinearRadius>(law);
-  };
   const Ring &a = tube.start, &b = tube.end;
   return std::holds_alternative<LineSpine>(tube.spine) && is_linear(tube.first) &&
          is_linear(tube.second) && b.normal == flipped(a).normal && a.ellipse && b.ellipse &&

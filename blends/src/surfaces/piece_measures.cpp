@@ -30,10 +30,6 @@ Section circle(const Vec3& center, double radius, const Vec3& velocity, const Ve
   return {center, radius * first, radius * normal.cross(first), velocity, normal, turning};
 }
 
-double middle(const numbers::Interval& x) { return (x.lower + x.upper) / 2; }
-
-Vec3 middle(const numbers::IntervalVec& v) { return {middle(v[0]), middle(v[1]), middle(v[2])}; }
-
 // How the unit tangent of a spine turns.
 Vec3 turning(const SpinePoint& y, const Vec3& tangent) {
   return (y.second - y.second.dot(tangent) * tangent) / y.first.norm();

@@ -24,9 +24,7 @@ constexpr std::uint32_t kCells = 1024;
 // A cylinder or cone whose end polygons are parallel and start at the same angle: its
 // quadrilaterals are plane, and every plane across the axis cuts chords from circles.
 bool is_straight(const RingedSurface& surface) {
-  return std::holds_alternative<LineSpine>(surface.spine) &&
-         (std::holds_alternative<ConstantRadius>(surface.radius) ||
-          std::holds_alternative<LinearRadius>(surface.radius)) &&
+  return std::holds_alternative<LineSpine>(surface.spine) && is_linear(surface.radius) &&
          surface.end.normal == flipped(surface.start).normal;
 }
 
@@ -182,9 +180,8 @@ std::optional<double> curvature(const RingedSurface& tube, End end) {
   try {
     const double bound = curvature_jump_bound(tube, end);
     const double radius = evaluate(tube.radius, end == End::end ? 1 : 0).value;
-    const bool is_straight = std::holds_alternative<LineSpine>(tube.spine) &&
-                             (std::holds_alternative<ConstantRadius>(tube.radius) ||
-                              std::holds_alternative<LinearRadius>(tube.radius));
+    const bool is_straight =
+        std::holds_alternative<LineSpine>(tube.spine) && is_linear(tube.radius);
     return is_straight ? 0 : bound * (1 + 0x1p-20) + 0x1p-40 / radius;
   } catch (const Error&) {
     return std::nullopt;

@@ -1,7 +1,6 @@
 #include "json/expression.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -15,16 +14,9 @@ namespace dupin::json {
 namespace {
 
 constexpr int kDeepest = 32;  // parentheses and signs
-constexpr std::array kUnits{Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch,
-                            Unit::foot};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-
-std::optional<Unit> unit_called(std::string_view name) {
-  const auto* const found = std::ranges::find(kUnits, name, [](Unit unit) { return symbol(unit); });
-  return found == kUnits.end() ? std::nullopt : std::optional(*found);
-}
 
 /// Reads one expression, which ends at the end of the text or at `closing`.
 class Parser {

@@ -46,21 +46,6 @@ std::string all_sizes() {
   return names;
 }
 
-// The schedules in which a size is made.
-std::string schedules_of(const pcf::NominalPipe& pipe) {
-  const std::string known = pcf::schedule_names();
-  std::string names;
-  for (std::size_t begin = 0; begin < known.size();) {
-    const std::size_t end = std::min(known.find(", ", begin), known.size());
-    const std::string name = known.substr(begin, end - begin);
-    if (pcf::wall_of(pipe, name)) {
-      names.append(names.empty() ? "" : ", ").append(name);
-    }
-    begin = end + 2;
-  }
-  return names;
-}
-
 std::string schedule_name(const JsonNode& node) {
   return node.value().is_number() ? decimal(node.number()) : node.text();
 }
@@ -73,7 +58,7 @@ void give_wall(Json& part, const JsonNode& node, const JsonNode& schedule,
   const std::string name = schedule_name(schedule);
   const auto wall = pcf::wall_of(pipe, name);
   if (!wall) {
-    const std::string made = schedules_of(pipe);
+    const std::string made = pcf::schedule_names(pipe);
     schedule.fail("DN" + decimal(pipe.nominal) + " is not made in schedule '" + name +
                   "' of ASME B36.10M, but " + (made.empty() ? "in none that is listed" : made));
   }

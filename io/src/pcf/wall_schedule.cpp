@@ -58,14 +58,25 @@ std::size_t position(std::string_view name) {
   return static_cast<std::size_t>(found - kSchedules.begin());
 }
 
+template <class Chosen>
+std::string joined(const Chosen& is_chosen) {
+  std::string names;
+  for (const std::string_view name : kSchedules) {
+    if (is_chosen(name)) {
+      names.append(names.empty() ? "" : ", ").append(name);
+    }
+  }
+  return names;
+}
+
 }  // namespace
 
 std::string schedule_names() {
-  std::string names;
-  for (const std::string_view name : kSchedules) {
-    names.append(names.empty() ? "" : ", ").append(name);
-  }
-  return names;
+  return joined([](std::string_view) { return true; });
+}
+
+std::string schedule_names(const NominalPipe& pipe) {
+  return joined([&](std::string_view name) { return wall_of(pipe, name).has_value(); });
 }
 
 bool is_schedule(std::string_view name) { return position(name) < kSchedules.size(); }

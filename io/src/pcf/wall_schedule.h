@@ -11,6 +11,9 @@ namespace dupin::pcf {
 /// "5, 10, 20, ..., STD, XS, XXS": the schedules of ASME B36.10M.
 [[nodiscard]] std::string schedule_names();
 
+/// The same of those in which pipes of this size are made.
+[[nodiscard]] std::string schedule_names(const NominalPipe& pipe);
+
 /// Whether it is one of them, in any case.
 [[nodiscard]] bool is_schedule(std::string_view name);
 

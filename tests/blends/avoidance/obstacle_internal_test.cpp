@@ -26,7 +26,7 @@ TEST(Obstacle, has_nearest_points) {
 
 // [mathematics A8]: closed forms of discs and balls.
 TEST(Obstacle, is_approached_by_discs) {
-  const Disc disc{{0, 0, 5}, Vec3::UnitZ(), 2};
+  const TravelRing disc{{0, 0, 5}, Vec3::UnitZ(), 2};
   EXPECT_NEAR(approach(disc, kBall).distance, 4, 1e-14);
   EXPECT_NEAR(approach({{5, 0, 3}, Vec3::UnitZ(), 1}, kBall).distance, 5 - 1, 1e-12);  // 4, 0, 3
   EXPECT_NEAR(approach(disc, kCapsule).distance, 4, 1e-14);
@@ -48,7 +48,7 @@ TEST(Obstacle, is_separated_by_no_more_than_it_is_apart) {
                                          : std::vector<Vec3>{point(), point(), point()},
                             i % 2 == 0 ? 0.5 : 0.0};
     const RingedSurface tube = test::cylinder(point(), point() + Vec3(0, 0, 0.1), 0.7);
-    const Disc disc{(tube.start.center + tube.end.center) / 2, tube.end.normal, 0.7};
+    const TravelRing disc{(tube.start.center + tube.end.center) / 2, tube.end.normal, 0.7};
     const Approach found = approach(disc, obstacle);
     const double bound =
         separation(surfaces::discs(tube).hull({0.49, 0.51}), obstacle, found.direction);

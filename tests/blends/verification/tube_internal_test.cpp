@@ -30,11 +30,6 @@ std::vector<RingedSurface> surfaces() {
           {{}, {}, rational, CubicRadius{.5, .25}}};
 }
 
-Vec3 middle(const IntervalVec& v) {
-  const auto m = [](const Interval& a) { return (a.lower + a.upper) / 2; };
-  return {m(v[0]), m(v[1]), m(v[2])};
-}
-
 TEST(Tube, discs_reach_no_further_than_the_bound_says) {
   std::mt19937_64 random(12);
   std::normal_distribution<double> gauss;

@@ -48,6 +48,9 @@ struct RadiusValue {
 /// Exactly the end radii at t == 0 and t == 1.
 [[nodiscard]] RadiusValue evaluate(const RadiusLaw& law, double t);
 
+/// Whether it is a ConstantRadius or a LinearRadius.
+[[nodiscard]] bool is_linear(const RadiusLaw& law);
+
 /// An upper bound of the radii on [0, 1]; attained by all laws but BezierRadius.
 [[nodiscard]] double largest_radius(const RadiusLaw& law);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 namespace dupin {
@@ -10,7 +11,10 @@ enum class Unit { millimetre, centimetre, metre, inch, foot };
 /// "mm", "cm", "m", "in" or "ft".
 [[nodiscard]] std::string_view symbol(Unit unit);
 
-/// The unit with this symbol. Throws Error{invalid_argument} naming the known ones.
+/// The unit with this symbol; none if there is none.
+[[nodiscard]] std::optional<Unit> unit_called(std::string_view symbol);
+
+/// The same. Throws Error{invalid_argument} naming the known ones.
 [[nodiscard]] Unit unit_from(std::string_view symbol);
 
 /// Millimetres in one unit; exact in decimal (an inch is 25.4 mm).

@@ -52,12 +52,12 @@ struct PartKind {
   PartSurface (*geometry)(const PartContext&, const PartShape&);
   /// What is to be said of a shape that turned out to be this surface.
   PartNotes (*notes)(const PartShape&, const PartSurface&);
+  /// The other parts whose surfaces decide about this one, without being joined to it.
+  std::vector<Need> (*needs)(const PartShape&);
   /// Of a fillet, none of other kinds: it is no part of its own, but trims these.
   FilletPipes (*pipes)(const PartShape&) = nullptr;
   Fillet (*fillet)(const PartContext&, const PartShape&,
                    const std::array<const PartSurface*, 2>& pipes) = nullptr;
-  /// The other parts whose surfaces decide about this one, without being joined to it.
-  std::vector<Need> (*needs)(const PartShape&) = nullptr;
   /// Of a junction, none of other kinds: the ports that it joins, and its geometry.
   References (*ends)(const PartShape&) = nullptr;
   Junction (*junction)(const PartContext&, const PartShape&) = nullptr;

@@ -157,7 +157,6 @@ std::vector<Need> needs_by_rules(const PartShape& shape) {
 
 template <KeyName key>
 constexpr PartKind with_fillet(PartKind kind) {
-  kind.needs = needs_by_rules<key>;
   if constexpr (requires { PartRules<key>::pipes; }) {
     kind.pipes = pipes_by_rules<key>;
     kind.fillet = fillet_by_rules<key>;
@@ -173,9 +172,9 @@ template <KeyName key>
 const PartKind& part_kind() {
   static_assert(PartKeys::kHas<key>, "the table of keys, PartKeys, lacks this one");
   using Rules = PartRules<key>;
-  static constexpr PartKind kKind =
-      with_fillet<key>({key.view(), IsTangent<Rules>, NamesEnd<Rules>, references_by_rules<key>,
-                        portless_by_rules<key>, geometry_by_rules<key>, notes_by_rules<key>});
+  static constexpr PartKind kKind = with_fillet<key>(
+      {key.view(), IsTangent<Rules>, NamesEnd<Rules>, references_by_rules<key>,
+       portless_by_rules<key>, geometry_by_rules<key>, notes_by_rules<key>, needs_by_rules<key>});
   return kKind;
 }
 
