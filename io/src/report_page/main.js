@@ -1,0 +1,235 @@
+"use strict";
+// Puts the page together.
+
+class Page {
+  constructor(data, geometry) {
+    this.data = data;
+    document.getElementById("title").textContent = data.title;
+    document.getElementById("summary").textContent = data.summary;
+    this.tables = new Tables(data, row => this.go(row));
+    const stage = document.getElementById("stage");
+    this.mesh = new Mesh(data.mesh, geometry);
+    try {
+      this.view = new View(stage, this.mesh, data.labels.length);
+    } catch (error) {
+      const failure = document.getElementById("failure");
+      failure.textContent = "There is no picture, as this browser has no WebGL (" + error.message + "). The tables are complete.";
+      failure.hidden = false;
+      return;
+    }
+    this.overlay = new Overlay(this.view, data.unit);
+    this.tree = new Tree(data, this.view, part => this.chose(part));
+    this.makePlaces();
+    this.controls = new Controls(this.view, {
+      click: (x, y) => this.click(x, y),
+      hover: (x, y) => this.hoverSoon(x, y),
+      leave: () => this.leave(),
+      doubleClick: (x, y) => this.doubleClick(x, y),
+    });
+    this.connectTools();
+    window.addEventListener("keydown", event => this.key(event));
+  }
+
+  local(point) { return point.map((x, k) => x - this.mesh.center[k]); }
+
+  makePlaces() {
+    for (const section of this.data.sections) {
+      for (const row of section.rows) {
+        if (row.place && row.place.marked) {
+          this.overlay.places.push({at: this.local(row.place.at), isFinding: Boolean(row.finding), row});
+        }
+      }
+    }
+  }
+
+  go(row) {
+    if (!this.view) {
+      return;
+    }
+    this.overlay.places = this.overlay.places.filter(place => !place.isPassing);
+    this.overlay.places.forEach(place => place.isChosen = place.row === row);
+    if (row.part !== undefined) {
+      this.tree.choose(this.tree.parts[row.part]);
+    }
+    if (!row.place) {
+      this.showPart(this.tree.parts[row.part]);
+      return;
+    }
+    const at = this.local(row.place.at);
+    if (!this.overlay.places.some(place => place.row === row)) {
+      this.overlay.places.push({at, isFinding: Boolean(row.finding), isChosen: true, isPassing: true, row});
+    }
+    this.view.setMarkLines((row.place.lines || []).map(line => line.map(point => this.local(point))));
+    this.view.fly({target: at, height: row.place.size > 0 ? Math.max(3.2 * row.place.size, this.mesh.size * 1e-4) : 0.15 * this.mesh.size});
+  }
+
+  showPart(part) {
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    const isOfPart = new Set(part.labels);
+    for (let i = 0; i < this.mesh.triangles.length; ++i) {
+      if (isOfPart.has(this.mesh.labels[(i - i % 3) / 3])) {
+        for (let k = 0; k < 3; ++k) {
+          const x = this.mesh.points[3 * this.mesh.triangles[i] + k];
+          low[k] = Math.min(low[k], x);
+          high[k] = Math.max(high[k], x);
+        }
+      }
+    }
+    if (low[0] <= high[0]) {
+      const pose = this.view.poseOf(low, high);
+      this.view.setMarkLines([]);
+      this.view.fly({...pose, height: 1.4 * pose.height});
+    }
+  }
+
+  chose(part) {
+    document.getElementById("status").textContent = part ? part.name + (part.kind ? ", " + part.kind : "") : "";
+  }
+
+  click(x, y) {
+    const place = this.overlay.placeAt(x, y);
+    if (this.isMeasuring) {
+      const point = this.snapped(x, y);
+      if (point) {
+        this.overlay.measured = this.overlay.measured.length === 2 ? [point] : [...this.overlay.measured, point];
+        this.view.request();
+      }
+    } else if (place) {
+      this.tables.goTo(place.row);
+    } else {
+      const hit = this.view.hit(x, y);
+      this.tree.choose(hit ? this.tree.partOfLabel[this.mesh.labels[hit.triangle]] : null);
+    }
+  }
+
+  doubleClick(x, y) {
+    const hit = this.isMeasuring ? null : this.view.hit(x, y);
+    if (hit) {
+      this.view.fly({target: hit.point});
+    }
+  }
+
+  // A corner of the triangle, if it is near.
+  snapped(x, y) {
+    const hit = this.view.hit(x, y);
+    if (!hit) {
+      return null;
+    }
+    const corners = [0, 1, 2].map(i => {
+      const p = 3 * this.mesh.triangles[3 * hit.triangle + i];
+      return [...this.mesh.points.slice(p, p + 3)];
+    });
+    const near = corners.map(corner => {
+      const [px, py] = this.view.project(corner);
+      return {corner, way: Math.hypot(px - x, py - y)};
+    }).sort((a, b) => a.way - b.way)[0];
+    return near.way < 8 ? near.corner : hit.point;
+  }
+
+  // Once a frame is enough.
+  hoverSoon(x, y) {
+    const isWaiting = Boolean(this.hovering);
+    this.hovering = [x, y];
+    if (!isWaiting) {
+      requestAnimationFrame(() => {
+        if (this.hovering) {
+          this.hover(...this.hovering);
+          this.hovering = null;
+        }
+      });
+    }
+  }
+
+  hover(x, y) {
+    const place = this.overlay.placeAt(x, y), hit = place ? null : this.view.hit(x, y);
+    const tip = document.getElementById("tip");
+    const label = hit ? this.mesh.labels[hit.triangle] : undefined;
+    const part = hit ? this.tree.partOfLabel[label] : null;
+    this.tree.hover(part);
+    tip.hidden = !hit && !place;
+    if (place) {
+      tip.textContent = place.row.cells.filter(Boolean).join("\n");
+    } else if (hit) {
+      const at = hit.point.map((c, k) => numberText(c + this.mesh.center[k])).join(", ");
+      const patch = this.data.labels[label];
+      tip.textContent = [part.name + (part.kind ? ", " + part.kind : ""), ...(patch !== part.name ? [patch] : []), at].join("\n");
+    }
+    tip.style.left = Math.max(4, Math.min(x + 14, this.view.width - tip.offsetWidth - 4)) + "px";
+    tip.style.top = Math.max(4, Math.min(y + 14, this.view.height - tip.offsetHeight - 4)) + "px";
+  }
+
+  leave() {
+    this.hovering = null;
+    document.getElementById("tip").hidden = true;
+    this.tree.hover(null);
+  }
+
+  connectTools() {
+    const toggle = (id, change) => {
+      const button = document.getElementById(id);
+      button.onclick = () => {
+        const isOn = button.getAttribute("aria-pressed") !== "true";
+        button.setAttribute("aria-pressed", String(isOn));
+        change(isOn);
+      };
+    };
+    document.querySelectorAll("[data-view]").forEach(button => button.onclick = () => this.view.flyToFit(button.dataset.view));
+    document.getElementById("fit").onclick = () => this.view.flyToFit();
+    toggle("perspective", isOn => this.view.setPerspective(isOn));
+    toggle("edges", isOn => this.view.setSharpEdges(isOn));
+    toggle("wireframe", isOn => this.view.setWireframe(isOn));
+    toggle("measure", isOn => {
+      this.isMeasuring = isOn;
+      this.overlay.measured = [];
+      this.view.stage.classList.toggle("measuring", isOn);
+      document.getElementById("status").textContent = isOn ? "Click two points" : "";
+      this.view.request();
+    });
+    toggle("section", isOn => {
+      document.getElementById("cut").hidden = !isOn;
+      this.cut();
+    });
+    const [axis, place, flip] = ["cut-axis", "cut-place", "cut-flip"].map(id => document.getElementById(id));
+    // Across y, as one looks from the front and cuts towards oneself.
+    axis.value = "1";
+    this.isFlipped = true;
+    axis.onchange = () => this.cut();
+    place.oninput = () => this.cut();
+    flip.onclick = () => {
+      this.isFlipped = !this.isFlipped;
+      this.cut();
+    };
+  }
+
+  cut() {
+    if (document.getElementById("cut").hidden) {
+      this.view.setSection(null);
+      return;
+    }
+    const axis = Number(document.getElementById("cut-axis").value), share = document.getElementById("cut-place").value / 1000;
+    const {low, high, center} = this.mesh, place = low[axis] + share * (high[axis] - low[axis]);
+    const {area, length} = this.view.setSection({axis, place, flipped: this.isFlipped});
+    const unit = this.data.unit ? " " + this.data.unit : "";
+    document.getElementById("cut-text").textContent = "xyz"[axis] + " = " + numberText(place + center[axis]) + unit +
+      ", area " + numberText(area) + (unit ? unit + "\u00b2" : "") + ", outline " + numberText(length) + unit;
+  }
+
+  key(event) {
+    if (/^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName) || event.ctrlKey || event.metaKey || event.altKey) {
+      return;
+    }
+    const buttons = {f: "#fit", p: "#perspective", e: "#edges", w: "#wireframe", m: "#measure", s: "#section",
+      "0": "[data-view=iso]", "1": "[data-view=front]", "2": "[data-view=right]", "3": "[data-view=top]"};
+    const selector = buttons[event.key.toLowerCase()];
+    if (selector) {
+      document.querySelector(selector).click();
+    } else if (event.key === "Escape") {
+      this.overlay.measured = [];
+      this.view.setMarkLines([]);
+      this.tree.choose(null);
+    }
+  }
+}
+
+const element = id => document.getElementById(id).textContent;
+window.dupinPage = new Page(JSON.parse(element("data")), element("geometry"));

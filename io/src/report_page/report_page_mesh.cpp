@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <utility>
+
+#include "dupin/io/report_page.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/patch.h"
+#include "dupin/kernel/wall_thickness.h"
+#include "report_page/page_parts.h"
+#include "report_page/page_sections.h"
+
+namespace dupin {
+namespace {
+
+using report_page::counted;
+using report_page::measure;
+
+constexpr double kPlaceShare = 0.02;
+constexpr std::size_t kWallsShown = 100;
+
+PageSection overview(const MeshSummary& summary) {
+  PageSection section{"Overview", "", {"", ""}};
+  const Report& check = summary.check;
+  const std::string& unit = summary.unit;
+  const auto add = [&section](const std::string& what, const std::string& value,
+                              bool is_finding = false) {
+    section.rows.push_back({{what, value}, is_finding});
+  };
+  add("file", summary.file);
+  add("triangles", std::to_string(check.triangles));
+  add("points", std::to_string(check.points));
+  add("solid", check.is_solid() ? "yes: closed, manifold, free of self-intersection" : "no",
+      !check.is_solid());
+  add("components", std::to_string(check.components));
+  if (check.closed()) {
+    add("genus", std::to_string(check.genus));
+    add("volume", measure(check.volume, unit, 3));
+  }
+  add("area", measure(check.area, unit, 2));
+  add("unit", unit.empty() ? "the file says none" : unit);
+  return section;
+}
+
+PageSection patch_section(const ReportPage& page) {
+  PageSection section{"Patches", "", {"patch", "triangles", "area"}};
+  section.is_counted = true;
+  for (const Patch& patch : patches_of(page.mesh)) {
+    PageRow row{{patch.name.empty() ? "(no name)" : patch.name, std::to_string(patch.triangles),
+                 measure(patch.area, page.unit, 2)}};
+    const auto label = std::ranges::find(page.mesh.names, patch.name);
+    for (std::uint32_t i = 0; i < page.parts.size(); ++i) {
+      const auto& labels = page.parts[i].labels;
+      if (std::ranges::find(labels, std::uint32_t(label - page.mesh.names.begin())) !=
+          labels.end()) {
+        row.part = i;
+      }
+    }
+    section.rows.push_back(std::move(row));
+  }
+  return section;
+}
+
+PageSection wall_section(const ReportPage& page) {
+  PageSection section{"Walls",
+                      "The thinnest place that was found behind each patch, along the normals.",
+                      {"patch", "thickness", "at"}};
+  std::vector<WallPlace> walls = thinnest_walls(page.mesh);
+  std::ranges::stable_sort(walls, {}, &WallPlace::thickness);
+  walls.resize(std::min(walls.size(), kWallsShown));
+  for (const WallPlace& wall : walls) {
+    const Vec3 middle = (wall.from + wall.to) / 2;
+    section.rows.push_back({{page.mesh.names.empty() ? "the whole" : page.mesh.names.at(wall.label),
+                             measure(wall.thickness, page.unit), decimal(middle)},
+                            false,
+                            PagePlace{middle, 8 * wall.thickness, {{wall.from, wall.to}}}});
+  }
+  return section;
+}
+
+// Names up to their first dots, where several have one in common.
+std::vector<PagePart> parts_of_names(const std::vector<std::string>& names) {
+  std::vector<PagePart> parts;
+  for (const std::string& name : names) {
+    if (const std::string part = name.substr(0, name.find('.'));
+        std::ranges::none_of(parts, [&](const PagePart& known) { return known.name == part; })) {
+      parts.push_back({part, ""});
+    }
+  }
+  return parts;
+}
+
+}  // namespace
+
+ReportPage report_page(const MeshSummary& summary) {
+  ReportPage page;
+  page.title = summary.file;
+  page.unit = summary.unit;
+  page.mesh = summary.mesh;
+  page.parts = report_page::page_parts(page.mesh, parts_of_names(page.mesh.names));
+  page.summary = counted(page.mesh.triangles.size(), "triangle") +
+                 (summary.check.is_solid() ? ", a solid" : ", no solid");
+  const auto box = bounding_box(page.mesh);
+  const double size = box.isEmpty() ? 1 : kPlaceShare * box.diagonal().norm();
+  page.sections.push_back(overview(summary));
+  if (PageSection faults = report_page::fault_section(summary, size); !faults.rows.empty()) {
+    page.sections.push_back(std::move(faults));
+  }
+  page.sections.push_back(patch_section(page));
+  if (summary.check.is_solid()) {
+    page.sections.push_back(wall_section(page));
+  }
+  return page;
+}
+
+}  // namespace dupin

@@ -1,0 +1,412 @@
+"use strict";
+// The picture: camera, surfaces, lines, section. Nothing here knows the tables.
+
+const kSurfaceVertex = `
+  attribute float label;
+  uniform sampler2D looks;
+  uniform vec2 looksSize;
+  uniform vec4 plane;
+  varying vec3 way;
+  varying vec3 colour;
+  varying float above;
+  void main() {
+    vec4 look = texture2D(looks, (vec2(mod(label, looksSize.x), floor(label / looksSize.x)) + 0.5) / looksSize);
+    colour = look.rgb;
+    above = dot(plane.xyz, position) - plane.w;
+    way = normalMatrix * normal;
+    gl_Position = look.a < 0.5 ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  }`;
+
+const kSurfaceFragment = `
+  varying vec3 way;
+  varying vec3 colour;
+  varying float above;
+  void main() {
+    if (above > 0.0) discard;
+    vec3 n = normalize(way);
+    vec3 base = colour;
+    if (!gl_FrontFacing) {
+      n = -n;
+      base = mix(colour, vec3(0.45, 0.42, 0.40), 0.6);
+    }
+    float key = max(dot(n, normalize(vec3(-0.45, 0.65, 0.75))), 0.0);
+    float fill = max(dot(n, normalize(vec3(0.8, -0.1, 0.5))), 0.0);
+    float sky = 0.5 + 0.5 * n.y;
+    float shine = pow(max(dot(n, normalize(vec3(-0.25, 0.38, 1.0))), 0.0), 40.0);
+    gl_FragColor = vec4(base * (0.34 + 0.2 * sky + 0.5 * key + 0.14 * fill) + 0.14 * shine, 1.0);
+  }`;
+
+const kLineVertex = `
+  attribute float label;
+  uniform sampler2D looks;
+  uniform vec2 looksSize;
+  uniform vec4 plane;
+  varying float above;
+  void main() {
+    vec4 look = texture2D(looks, (vec2(mod(label, looksSize.x), floor(label / looksSize.x)) + 0.5) / looksSize);
+    above = dot(plane.xyz, position) - plane.w;
+    gl_Position = look.a < 0.5 ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  }`;
+
+const kLineFragment = `
+  uniform vec4 ink;
+  varying float above;
+  void main() {
+    if (above > 0.0) discard;
+    gl_FragColor = ink;
+  }`;
+
+const kCapVertex = `void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`;
+
+// Hatched as in a drawing.
+const kCapFragment = `
+  uniform float unit;
+  void main() {
+    float across = mod(gl_FragCoord.x + gl_FragCoord.y, 10.0 * unit);
+    gl_FragColor = vec4(across < 1.3 * unit ? vec3(0.52, 0.43, 0.33) : vec3(0.95, 0.91, 0.84), 1.0);
+  }`;
+
+const kViews = {
+  iso: [-Math.PI / 4, Math.atan(Math.SQRT1_2)],
+  front: [-Math.PI / 2, 0],
+  right: [0, 0],
+  top: [-Math.PI / 2, Math.PI / 2],
+};
+const kFieldOfView = 0.6;
+const kNoPlane = [0, 0, 0, 1];
+
+class View {
+  constructor(stage, mesh, labelCount) {
+    this.stage = stage;
+    this.canvas = stage.querySelector("#picture");
+    this.mesh = mesh;
+    this.pose = {target: [0, 0, 0], azimuth: kViews.iso[0], elevation: kViews.iso[1], height: mesh.size};
+    this.marks = [];
+    this.painters = [];
+    this.isPerspective = false;
+    this.section = null;
+    this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, antialias: true, alpha: true, preserveDrawingBuffer: true});
+    this.renderer.setClearColor(0, 0);
+    this.orthographic = new THREE.OrthographicCamera(-1, 1, 1, -1, 0, 1);
+    this.perspective = new THREE.PerspectiveCamera(kFieldOfView * 180 / Math.PI, 1, 0.1, 1);
+    this.makeScene(labelCount);
+    new ResizeObserver(() => this.resize()).observe(stage);
+    this.resize();
+    this.fit();
+  }
+
+  makeScene(labelCount) {
+    const width = 256, height = Math.max(1, Math.ceil(labelCount / width));
+    this.looks = new Uint8Array(4 * width * height).fill(255);
+    this.texture = new THREE.DataTexture(this.looks, width, height, THREE.RGBAFormat);
+    this.plane = {value: new THREE.Vector4(...kNoPlane)};
+    this.shared = {looks: {value: this.texture}, looksSize: {value: new THREE.Vector2(width, height)}, plane: this.plane};
+    this.scene = new THREE.Scene();
+    const shaded = this.mesh.shaded();
+    this.shadedIndex = shaded.index;
+    this.surfaceGeometry = new THREE.BufferGeometry();
+    this.surfaceGeometry.setAttribute("position", new THREE.BufferAttribute(shaded.position, 3));
+    this.surfaceGeometry.setAttribute("normal", new THREE.BufferAttribute(shaded.normal, 3));
+    this.surfaceGeometry.setAttribute("label", new THREE.BufferAttribute(shaded.label, 1));
+    this.surfaceGeometry.setIndex(new THREE.BufferAttribute(shaded.index, 1));
+    this.add(new THREE.Mesh(this.surfaceGeometry, new THREE.ShaderMaterial({
+      uniforms: this.shared, vertexShader: kSurfaceVertex, fragmentShader: kSurfaceFragment,
+      side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1})), 0);
+    const sharp = this.mesh.sharpEdges();
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(sharp.position, 3));
+    geometry.setAttribute("label", new THREE.BufferAttribute(sharp.label, 1));
+    this.sharpEdges = this.add(new THREE.LineSegments(geometry, this.lineMaterial([0.13, 0.17, 0.22, 1])), 3);
+    this.makeCap();
+    this.markLines = this.add(new THREE.LineSegments(new THREE.BufferGeometry(),
+      new THREE.LineBasicMaterial({color: 0xd32f2f, depthTest: false, transparent: true})), 5);
+    this.markLines.visible = false;
+  }
+
+  // Of one thing after the other, nothing culled: everything is in view most of the time.
+  add(object, order) {
+    object.renderOrder = order;
+    object.frustumCulled = false;
+    this.scene.add(object);
+    return object;
+  }
+
+  lineMaterial(ink) {
+    return new THREE.ShaderMaterial({uniforms: {...this.shared, ink: {value: new THREE.Vector4(...ink)}},
+      vertexShader: kLineVertex, fragmentShader: kLineFragment});
+  }
+
+  // What the plane cuts is filled by parity: triangles from one point of the plane to every segment.
+  makeCap() {
+    const material = extra => new THREE.ShaderMaterial({uniforms: {unit: {value: 1}}, vertexShader: kCapVertex,
+      fragmentShader: kCapFragment, side: THREE.DoubleSide, stencilWrite: true, ...extra});
+    this.capParity = this.add(new THREE.Mesh(new THREE.BufferGeometry(), material({colorWrite: false, depthWrite: false,
+      depthTest: false, stencilFunc: THREE.AlwaysStencilFunc, stencilZPass: THREE.InvertStencilOp})), 1);
+    this.cap = this.add(new THREE.Mesh(new THREE.BufferGeometry(), material({stencilFunc: THREE.NotEqualStencilFunc,
+      stencilRef: 0, stencilFuncMask: 1, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1})), 2);
+    this.capLines = this.add(new THREE.LineSegments(new THREE.BufferGeometry(),
+      new THREE.LineBasicMaterial({color: 0x3b2f24})), 4);
+    this.capObjects = [this.capParity, this.cap, this.capLines];
+    this.capObjects.forEach(object => object.visible = false);
+  }
+
+  // null, or {axis, place, flipped}; gives back what the cut measures, {area, length}.
+  setSection(section) {
+    this.section = section;
+    this.plane.value.set(...kNoPlane);
+    this.capObjects.forEach(object => object.visible = section !== null);
+    this.request();
+    if (section === null) {
+      return null;
+    }
+    const {axis, place, flipped} = section, sign = flipped ? -1 : 1;
+    const normal = [0, 1, 2].map(k => k === axis ? sign : 0);
+    this.plane.value.set(...normal, sign * place);
+    const segments = this.mesh.cut(axis, place);
+    this.fillCap(segments, axis, place);
+    return this.measureCut(segments, axis);
+  }
+
+  fillCap(segments, axis, place) {
+    const anchor = [0, 1, 2].map(k => k === axis ? place : this.mesh.low[k]);
+    const fans = new Float32Array(segments.length / 6 * 9);
+    for (let i = 0, k = 0; i < segments.length; i += 6, k += 9) {
+      fans.set(anchor, k);
+      fans.set(segments.subarray(i, i + 6), k + 3);
+    }
+    const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+    const quad = [];
+    for (const [s, t] of [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]]) {
+      const corner = anchor.slice();
+      corner[u] = s ? this.mesh.high[u] : this.mesh.low[u];
+      corner[v] = t ? this.mesh.high[v] : this.mesh.low[v];
+      quad.push(...corner);
+    }
+    [fans, new Float32Array(quad), segments].forEach((positions, i) => {
+      this.capObjects[i].geometry.dispose();
+      this.capObjects[i].geometry = new THREE.BufferGeometry();
+      this.capObjects[i].geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
+    });
+  }
+
+  measureCut(segments, axis) {
+    const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+    let area = 0, length = 0;
+    for (let i = 0; i < segments.length; i += 6) {
+      area += segments[i + u] * segments[i + 3 + v] - segments[i + v] * segments[i + 3 + u];
+      length += Math.hypot(segments[i + 3 + u] - segments[i + u], segments[i + 3 + v] - segments[i + v]);
+    }
+    return {area: Math.abs(area) / 2, length};
+  }
+
+  setLook(label, [red, green, blue], isShown) {
+    this.looks.set([red, green, blue, isShown ? 255 : 0], 4 * label);
+    this.texture.needsUpdate = true;
+    this.request();
+  }
+
+  isShown(label) { return this.looks[4 * label + 3] > 0; }
+
+  setWireframe(isOn) {
+    if (isOn && !this.wireframe) {
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute("position", this.surfaceGeometry.getAttribute("position"));
+      geometry.setAttribute("label", this.surfaceGeometry.getAttribute("label"));
+      geometry.setIndex(new THREE.BufferAttribute(this.mesh.edges(this.shadedIndex), 1));
+      const material = this.lineMaterial([0.1, 0.14, 0.2, 0.35]);
+      material.transparent = true;
+      this.wireframe = this.add(new THREE.LineSegments(geometry, material), 3);
+    }
+    if (this.wireframe) {
+      this.wireframe.visible = isOn;
+    }
+    this.request();
+  }
+
+  setSharpEdges(isOn) {
+    this.sharpEdges.visible = isOn;
+    this.request();
+  }
+
+  setPerspective(isOn) {
+    this.isPerspective = isOn;
+    this.request();
+  }
+
+  // Polylines that are drawn over everything.
+  setMarkLines(lines) {
+    const positions = [];
+    for (const line of lines) {
+      for (let i = 1; i < line.length; ++i) {
+        positions.push(...line[i - 1], ...line[i]);
+      }
+    }
+    this.markLines.visible = positions.length > 0;
+    this.markLines.geometry.dispose();
+    this.markLines.geometry = new THREE.BufferGeometry();
+    this.markLines.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(positions), 3));
+    this.request();
+  }
+
+  resize() {
+    const width = Math.max(1, this.stage.clientWidth), height = Math.max(1, this.stage.clientHeight);
+    this.width = width;
+    this.height = height;
+    this.renderer.setPixelRatio(window.devicePixelRatio || 1);
+    this.renderer.setSize(width, height, false);
+    this.cap.material.uniforms.unit.value = window.devicePixelRatio || 1;
+    this.request();
+  }
+
+  // The directions of the picture: to the right, upwards, towards the viewer.
+  frame() {
+    const {azimuth, elevation} = this.pose;
+    const [ca, sa, ce, se] = [Math.cos(azimuth), Math.sin(azimuth), Math.cos(elevation), Math.sin(elevation)];
+    return {right: [-sa, ca, 0], up: [-se * ca, -se * sa, ce], towards: [ce * ca, ce * sa, se]};
+  }
+
+  distance() {
+    return this.isPerspective ? this.pose.height / 2 / Math.tan(kFieldOfView / 2) : 2 * this.mesh.size;
+  }
+
+  place() {
+    const {right, up, towards} = this.frame(), {target, height} = this.pose, distance = this.distance();
+    const camera = this.isPerspective ? this.perspective : this.orthographic;
+    const aspect = this.width / this.height;
+    const middle = [0, 1, 2].map(k => (this.mesh.low[k] + this.mesh.high[k]) / 2);
+    const reach = 0.51 * this.mesh.size + Math.hypot(...target.map((x, k) => x - middle[k]));
+    camera.far = distance + reach;
+    if (this.isPerspective) {
+      camera.near = Math.max(distance - reach, distance / 200);
+      camera.aspect = aspect;
+    } else {
+      camera.near = distance - reach;
+      Object.assign(camera, {left: -height * aspect / 2, right: height * aspect / 2, top: height / 2, bottom: -height / 2});
+    }
+    camera.updateProjectionMatrix();
+    camera.matrix.makeBasis(new THREE.Vector3(...right), new THREE.Vector3(...up), new THREE.Vector3(...towards));
+    camera.matrix.setPosition(...target.map((x, k) => x + distance * towards[k]));
+    camera.matrixAutoUpdate = false;
+    camera.updateMatrixWorld(true);
+    this.camera = camera;
+  }
+
+  request() {
+    if (!this.requested) {
+      this.requested = true;
+      requestAnimationFrame(now => {
+        this.requested = false;
+        this.step(now);
+        this.place();
+        this.renderer.render(this.scene, this.camera);
+        this.painters.forEach(paint => paint());
+      });
+    }
+  }
+
+  step(now) {
+    const flight = this.flight;
+    if (!flight) {
+      return;
+    }
+    flight.begin = flight.begin === undefined ? now : flight.begin;
+    const share = Math.min(1, (now - flight.begin) / flight.duration);
+    const s = share * share * (3 - 2 * share), mix = (a, b) => a + s * (b - a);
+    this.pose = {
+      target: flight.from.target.map((x, k) => mix(x, flight.to.target[k])),
+      azimuth: mix(flight.from.azimuth, flight.to.azimuth),
+      elevation: mix(flight.from.elevation, flight.to.elevation),
+      height: Math.exp(mix(Math.log(flight.from.height), Math.log(flight.to.height))),
+    };
+    if (share < 1) {
+      this.request();
+    } else {
+      this.pose = flight.to;
+      this.flight = null;
+    }
+  }
+
+  fly(pose) {
+    const to = {...this.pose, ...pose};
+    const turn = (to.azimuth - this.pose.azimuth) / (2 * Math.PI);
+    const from = {...this.pose, azimuth: this.pose.azimuth + 2 * Math.PI * Math.round(turn)};
+    const isCalm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.flight = {from, to, duration: isCalm ? 1 : 450};
+    this.request();
+  }
+
+  // The pose that shows a box from where one looks already.
+  poseOf(low, high) {
+    const {right, up} = this.frame();
+    const half = low.map((x, k) => (high[k] - x) / 2);
+    const extent = axis => 2 * axis.reduce((sum, x, k) => sum + Math.abs(x) * half[k], 0);
+    const height = 1.18 * Math.max(extent(up), extent(right) * this.height / this.width) || this.mesh.size;
+    return {target: low.map((x, k) => (x + high[k]) / 2), height};
+  }
+
+  fit() { this.pose = {...this.pose, ...this.poseOf(this.mesh.low, this.mesh.high)}; this.request(); }
+
+  flyToFit(name) {
+    const before = this.pose;
+    if (name) {
+      this.pose = {...before, azimuth: kViews[name][0], elevation: kViews[name][1]};
+    }
+    const to = {...this.pose, ...this.poseOf(this.mesh.low, this.mesh.high)};
+    this.pose = before;
+    this.fly(to);
+  }
+
+  // Of a point of the stage, in pixels: where a ray of sight begins and where it goes.
+  ray(x, y) {
+    const {right, up, towards} = this.frame(), {target, height} = this.pose, distance = this.distance();
+    const s = (x - this.width / 2) / this.height * height, t = (this.height / 2 - y) / this.height * height;
+    const seen = target.map((c, k) => c + s * right[k] + t * up[k]);
+    const from = (this.isPerspective ? target : seen).map((c, k) => c + distance * towards[k]);
+    const direction = this.isPerspective ? seen.map((c, k) => c - from[k]) : towards.map(c => -c);
+    const length = Math.hypot(...direction);
+    return {from, direction: direction.map(c => c / length)};
+  }
+
+  // Pixels of the stage.
+  project(point) {
+    const {right, up, towards} = this.frame(), {target, height} = this.pose;
+    const [s, t, u] = [right, up, towards].map(axis => axis.reduce((sum, a, k) => sum + a * (point[k] - target[k]), 0));
+    const scale = this.height / height * (this.isPerspective ? this.distance() / Math.max(1e-9, this.distance() - u) : 1);
+    return [this.width / 2 + s * scale, this.height / 2 - t * scale];
+  }
+
+  isCutAway(point) {
+    const plane = this.plane.value;
+    return plane.x * point[0] + plane.y * point[1] + plane.z * point[2] - plane.w > 0;
+  }
+
+  hit(x, y) {
+    const {from, direction} = this.ray(x, y);
+    return this.mesh.hit(from, direction, (f, point) => this.isShown(this.mesh.labels[f]) && !this.isCutAway(point));
+  }
+
+  turn(dx, dy) {
+    const elevation = this.pose.elevation + dy * 0.008;
+    this.flight = null;
+    this.pose = {...this.pose, azimuth: this.pose.azimuth - dx * 0.008,
+      elevation: Math.max(-Math.PI / 2, Math.min(Math.PI / 2, elevation))};
+    this.request();
+  }
+
+  shift(dx, dy) {
+    const {right, up} = this.frame(), scale = this.pose.height / this.height;
+    this.flight = null;
+    this.pose = {...this.pose, target: this.pose.target.map((x, k) => x - dx * scale * right[k] + dy * scale * up[k])};
+    this.request();
+  }
+
+  // What is under the pointer stays there.
+  zoom(factor, x, y) {
+    const height = Math.max(this.mesh.size * 1e-5, Math.min(this.mesh.size * 20, this.pose.height * factor));
+    const {right, up} = this.frame(), lost = (this.pose.height - height) / this.height;
+    const s = (x - this.width / 2) * lost, t = (this.height / 2 - y) * lost;
+    this.flight = null;
+    this.pose = {...this.pose, height, target: this.pose.target.map((c, k) => c + s * right[k] + t * up[k])};
+    this.request();
+  }
+}
