@@ -14,6 +14,7 @@
 #include "length.h"
 #include "output.h"
 #include "progress_line.h"
+#include "report_page_file.h"
 #include "report_text.h"
 #include "rounding_options.h"
 #include "source_text.h"
@@ -22,7 +23,7 @@ namespace dupin::cli {
 namespace {
 
 struct BuildArguments {
-  std::string file, connect, contacts, cross_check, wall, region;
+  std::string file, connect, contacts, cross_check, wall, region, page;
   OutputArguments output;
   std::uint32_t segments = 0;
   std::size_t most_triangles = kUsualTriangles;
@@ -113,12 +114,16 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
 
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
   const Destination to = destination(arguments.output);
+  if (!arguments.page.empty()) {
+    require_page_file(arguments.page, to.path);
+  }
   Document document = read_document(arguments.file, arguments.source, arguments.wall);
   Assembly& assembly = document.assembly;
   BuildOptions options = build_options(assembly, arguments, common);
   const std::string unit(symbol(assembly.unit));
   const RoundingOptions rounding = rounding_options(arguments.rounding, unit);
   BuildReport report;
+  TriMesh written;
   report.graph = document.network;
   {
     ProgressLine line(common.quiet);
@@ -127,8 +132,9 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     report.piping = std::move(document.piping);
     report.gaps = {assembly.source, assembly.unit, options.connect, std::move(built.ports),
                    std::move(built.gaps)};
-    report.output = write_solid(built.solid, to, rounding, {unit, {}},
-                                contact_choice(arguments.contacts, unit));
+    report.output =
+        write_solid(built.solid, to, rounding, {unit, {}}, contact_choice(arguments.contacts, unit),
+                    {}, arguments.page.empty() ? nullptr : &written);
     report.output.cross_check = std::move(built.cross_check);
     report.parts = std::move(built.parts);
     report.runs = built.runs;
@@ -136,11 +142,18 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     report.grid = built.grid;
     report.region = built.region;
     report.volumes = built.volumes;
+    if (!arguments.page.empty()) {
+      tell(options.progress, "report");
+      write_page(arguments.page, document, report, std::move(written));
+    }
   }
   if (common.json) {
     report_stream(to) << to_json(report) << '\n';
   } else if (!common.quiet) {
     print_build(report_stream(to), report);
+    if (!arguments.page.empty()) {
+      print_row(report_stream(to), "report", arguments.page);
+    }
   }
   return report.findings() == 0 ? ExitCode::ok : ExitCode::findings;
 }
@@ -160,6 +173,11 @@ void add_build(CLI::App& app, Action& action) {
       ->type_name("OUT")
       ->required();
   add_output_options(*command, arguments->output);
+  command
+      ->add_option("--report", arguments->page,
+                   "HTML file beside it: the solid in 3D, and where its gaps, contacts and\n"
+                   "margins are; see the command report")
+      ->type_name("FILE");
   command->add_option("--segments", arguments->segments, "Fixed number of segments of every ring")
       ->type_name("NUMBER")
       ->check(CLI::Range(3, 65536));

@@ -36,6 +36,7 @@ void add_edit(CLI::App& app, Action& action);
 void add_nurbs(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_draw(CLI::App& app, Action& action);
+void add_report(CLI::App& app, Action& action);
 void add_bom(CLI::App& app, Action& action);
 void add_completion(CLI::App& app, Action& action);
 

@@ -113,13 +113,15 @@ Document document_of(const std::string& path, const SourceArguments& arguments,
     options.radius = length_in(Unit::millimetre, arguments.radius, 0);
   }
   std::vector<SourceNote> notes;
-  const PipeGraph graph =
+  PipeGraph graph =
       parse_graph_file(input.bytes, input.name, arguments.keep_going ? &notes : nullptr);
   PipeNetwork network = assembly_of(graph, options);
   network.notes.insert(network.notes.begin(), notes.begin(), notes.end());
   std::ranges::stable_sort(network.notes, {}, &SourceNote::line);
   Assembly assembly = std::exchange(network.assembly, {});
-  return {std::move(assembly), std::move(network)};
+  Document document{std::move(assembly), std::move(network)};
+  document.graph = std::move(graph);
+  return document;
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ struct Document {
   std::optional<PcfReport> piping = {};
   PipingLine line = {};  ///< of a piping file, and what it was made into an assembly with
   PipingOptions piping_options = {};
+  PipeGraph graph = {};  ///< as it was read
 };
 
 /// The file is a graph or a piping file if its extension says so. `wall`, as typed, is

@@ -109,6 +109,7 @@ int run(std::span<char*> arguments) {
   add_edit(app, action);
   add_info(app, action);
   add_draw(app, action);
+  add_report(app, action);
   add_bom(app, action);
   add_completion(app, action);
 

@@ -195,8 +195,8 @@ Destination destination(const OutputArguments& arguments) {
 }
 
 OutputReport write_solid(const Solid& solid, const Destination& to, const RoundingOptions& rounding,
-                         MeshHeader header, const ContactChoice& contacts,
-                         const Progress& progress) {
+                         MeshHeader header, const ContactChoice& contacts, const Progress& progress,
+                         TriMesh* written) {
   OutputReport report;
   if (!solid.contacts().empty()) {
     tell(progress, "settle");
@@ -221,7 +221,18 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
     tell(progress, "patches");
     write_text(to.patches, patches_json(rounded, report.file, header) + "\n");
   }
+  if (written != nullptr) {
+    *written = in_own_place(rounded);
+  }
   return report;
+}
+
+TriMesh in_own_place(const Rounded& rounded) {
+  TriMesh mesh = rounded.mesh();
+  for (Vec3& point : mesh.points) {
+    point += rounded.report().origin;
+  }
+  return mesh;
 }
 
 OutputReport write_plain(const TriMesh& mesh, const Destination& to, const MeshHeader& header) {

@@ -51,13 +51,16 @@ void add_output_options(CLI::App& command, OutputArguments& arguments);
 /// Settles contacts as chosen, rounds once to what the format holds, reads the bytes back and
 /// verifies them as chosen, and only then lets the file take its place; says so in the
 /// header if the origin is moved. Then writes the list of patches, if there is to be one. Tells the
-/// stages "settle" (if there are contacts), "round", "write" and "verify". Throws
-/// Error{unroundable}, Error{contact} for contacts in a format whose readers weld vertices,
-/// OutputError.
+/// stages "settle" (if there are contacts), "round", "write" and "verify". `written`, if given,
+/// gets the mesh that was written, in the solid's coordinates. Throws Error{unroundable},
+/// Error{contact} for contacts in a format whose readers weld vertices, OutputError.
 [[nodiscard]] OutputReport write_solid(const Solid& solid, const Destination& to,
                                        const RoundingOptions& rounding, MeshHeader header,
                                        const ContactChoice& contacts = {},
-                                       const Progress& progress = {});
+                                       const Progress& progress = {}, TriMesh* written = nullptr);
+
+/// The mesh where the solid is that was rounded, whatever origin was subtracted.
+[[nodiscard]] TriMesh in_own_place(const Rounded& rounded);
 
 /// Writes any mesh with every coordinate rounded to the nearest that the format holds, and says
 /// what came of it. Of such a mesh nothing is proved: whatever is read back is checked in full.

@@ -199,6 +199,31 @@ class Mesh {
     return {position: new Float32Array(position), label: new Float32Array(label)};
   }
 
+  // An index of fewer triangles: all points of a patch in one of `cells` to the size are one.
+  coarse(geometry, cells) {
+    const position = geometry.getAttribute("position").array, label = geometry.getAttribute("label").array;
+    const index = geometry.getIndex().array, first = new Map(), same = new Uint32Array(label.length);
+    for (let v = 0; v < label.length; ++v) {
+      const [x, y, z] = [0, 1, 2].map(k => Math.floor((position[3 * v + k] - this.low[k]) / this.size * cells));
+      const key = ((label[v] * (cells + 1) + x) * (cells + 1) + y) * (cells + 1) + z;
+      const known = first.get(key);
+      same[v] = known === undefined ? v : known;
+      if (known === undefined) {
+        first.set(key, v);
+      }
+    }
+    const kept = new Uint32Array(index.length);
+    let count = 0;
+    for (let i = 0; i < index.length; i += 3) {
+      const a = same[index[i]], b = same[index[i + 1]], c = same[index[i + 2]];
+      if (a !== b && b !== c && c !== a) {
+        kept.set([a, b, c], count);
+        count += 3;
+      }
+    }
+    return kept.slice(0, count);
+  }
+
   // Every edge once, as an index into points of `shaded`.
   edges(shadedIndex) {
     const edges = new Uint32Array(2 * this.triangles.length);

@@ -64,21 +64,16 @@ class Page {
   }
 
   showPart(part) {
-    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-    const isOfPart = new Set(part.labels);
-    for (let i = 0; i < this.mesh.triangles.length; ++i) {
-      if (isOfPart.has(this.mesh.labels[(i - i % 3) / 3])) {
-        for (let k = 0; k < 3; ++k) {
-          const x = this.mesh.points[3 * this.mesh.triangles[i] + k];
-          low[k] = Math.min(low[k], x);
-          high[k] = Math.max(high[k], x);
-        }
+    const isOfPart = new Set(part.labels), isCorner = new Uint8Array(this.mesh.pointCount);
+    for (let f = 0; f < this.mesh.triangleCount; ++f) {
+      if (isOfPart.has(this.mesh.labels[f])) {
+        [0, 1, 2].forEach(i => isCorner[this.mesh.triangles[3 * f + i]] = 1);
       }
     }
-    if (low[0] <= high[0]) {
-      const pose = this.view.poseOf(low, high);
+    if (isCorner.includes(1)) {
+      const pose = this.view.poseOf(point => isCorner[point] === 1);
       this.view.setMarkLines([]);
-      this.view.fly({...pose, height: 1.4 * pose.height});
+      this.view.fly({...pose, height: 1.3 * pose.height});
     }
   }
 
@@ -187,18 +182,25 @@ class Page {
     });
     toggle("section", isOn => {
       document.getElementById("cut").hidden = !isOn;
+      this.openTowardsViewer();
       this.cut();
     });
     const [axis, place, flip] = ["cut-axis", "cut-place", "cut-flip"].map(id => document.getElementById(id));
-    // Across y, as one looks from the front and cuts towards oneself.
     axis.value = "1";
-    this.isFlipped = true;
-    axis.onchange = () => this.cut();
+    axis.onchange = () => {
+      this.openTowardsViewer();
+      this.cut();
+    };
     place.oninput = () => this.cut();
     flip.onclick = () => {
       this.isFlipped = !this.isFlipped;
       this.cut();
     };
+  }
+
+  // What is nearer to the viewer is cut away.
+  openTowardsViewer() {
+    this.isFlipped = this.view.frame().towards[Number(document.getElementById("cut-axis").value)] < 0;
   }
 
   cut() {

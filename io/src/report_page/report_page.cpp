@@ -168,4 +168,9 @@ std::string report_page_html(const ReportPage& page) {
                                 {"script", code_text(files.script)}});
 }
 
+std::string page_report_json(const std::string& file, std::size_t findings) {
+  return Json{{"file", file}, {"findings", findings}}.dump(2, ' ', false,
+                                                           Json::error_handler_t::replace);
+}
+
 }  // namespace dupin

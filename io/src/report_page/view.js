@@ -29,11 +29,11 @@ const kSurfaceFragment = `
       n = -n;
       base = mix(colour, vec3(0.45, 0.42, 0.40), 0.6);
     }
-    float key = max(dot(n, normalize(vec3(-0.45, 0.65, 0.75))), 0.0);
-    float fill = max(dot(n, normalize(vec3(0.8, -0.1, 0.5))), 0.0);
+    float key = max(dot(n, normalize(vec3(-0.4, 0.45, 0.85))), 0.0);
+    float fill = max(dot(n, normalize(vec3(0.8, -0.35, 0.6))), 0.0);
     float sky = 0.5 + 0.5 * n.y;
     float shine = pow(max(dot(n, normalize(vec3(-0.25, 0.38, 1.0))), 0.0), 40.0);
-    gl_FragColor = vec4(base * (0.34 + 0.2 * sky + 0.5 * key + 0.14 * fill) + 0.14 * shine, 1.0);
+    gl_FragColor = vec4(base * (0.4 + 0.16 * sky + 0.42 * key + 0.16 * fill) + 0.12 * shine, 1.0);
   }`;
 
 const kLineVertex = `
@@ -74,6 +74,8 @@ const kViews = {
 };
 const kFieldOfView = 0.6;
 const kNoPlane = [0, 0, 0, 1];
+const kRest = 250, kSlowFrame = 70;  // milliseconds
+const kMany = 100000;  // triangles
 
 class View {
   constructor(stage, mesh, labelCount) {
@@ -85,7 +87,7 @@ class View {
     this.painters = [];
     this.isPerspective = false;
     this.section = null;
-    this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, antialias: true, alpha: true, preserveDrawingBuffer: true});
+    this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, antialias: true, alpha: true});
     this.renderer.setClearColor(0, 0);
     this.orthographic = new THREE.OrthographicCamera(-1, 1, 1, -1, 0, 1);
     this.perspective = new THREE.PerspectiveCamera(kFieldOfView * 180 / Math.PI, 1, 0.1, 1);
@@ -109,7 +111,7 @@ class View {
     this.surfaceGeometry.setAttribute("normal", new THREE.BufferAttribute(shaded.normal, 3));
     this.surfaceGeometry.setAttribute("label", new THREE.BufferAttribute(shaded.label, 1));
     this.surfaceGeometry.setIndex(new THREE.BufferAttribute(shaded.index, 1));
-    this.add(new THREE.Mesh(this.surfaceGeometry, new THREE.ShaderMaterial({
+    this.surface = this.add(new THREE.Mesh(this.surfaceGeometry, new THREE.ShaderMaterial({
       uniforms: this.shared, vertexShader: kSurfaceVertex, fragmentShader: kSurfaceFragment,
       side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1})), 0);
     const sharp = this.mesh.sharpEdges();
@@ -297,11 +299,39 @@ class View {
       requestAnimationFrame(now => {
         this.requested = false;
         this.step(now);
+        this.chooseDetail(now);
         this.place();
         this.renderer.render(this.scene, this.camera);
         this.painters.forEach(paint => paint());
       });
     }
+  }
+
+  // While the picture moves, and frames take long, fewer triangles do.
+  moved() {
+    this.isMoving = true;
+    clearTimeout(this.resting);
+    this.resting = setTimeout(() => this.request(), kRest);
+    this.request();
+  }
+
+  chooseDetail(now) {
+    const isMoving = this.isMoving;
+    this.isMoving = false;
+    if (isMoving && this.wasMoving && now - this.lastFrame > kSlowFrame) {
+      this.slowFrames = (this.slowFrames || 0) + 1;
+    }
+    this.wasMoving = isMoving;
+    this.lastFrame = now;
+    const isCoarse = isMoving && this.slowFrames >= 2 && this.mesh.triangleCount > kMany;
+    if (isCoarse && !this.coarseGeometry) {
+      this.coarseGeometry = new THREE.BufferGeometry();
+      for (const name of ["position", "normal", "label"]) {
+        this.coarseGeometry.setAttribute(name, this.surfaceGeometry.getAttribute(name));
+      }
+      this.coarseGeometry.setIndex(new THREE.BufferAttribute(this.mesh.coarse(this.surfaceGeometry, 140), 1));
+    }
+    this.surface.geometry = isCoarse ? this.coarseGeometry : this.surfaceGeometry;
   }
 
   step(now) {
@@ -319,7 +349,7 @@ class View {
       height: Math.exp(mix(Math.log(flight.from.height), Math.log(flight.to.height))),
     };
     if (share < 1) {
-      this.request();
+      this.moved();
     } else {
       this.pose = flight.to;
       this.flight = null;
@@ -335,23 +365,35 @@ class View {
     this.request();
   }
 
-  // The pose that shows a box from where one looks already.
-  poseOf(low, high) {
-    const {right, up} = this.frame();
-    const half = low.map((x, k) => (high[k] - x) / 2);
-    const extent = axis => 2 * axis.reduce((sum, x, k) => sum + Math.abs(x) * half[k], 0);
-    const height = 1.18 * Math.max(extent(up), extent(right) * this.height / this.width) || this.mesh.size;
-    return {target: low.map((x, k) => (x + high[k]) / 2), height};
+  // The pose that shows points, of which accepts(index) says that they count, from where one looks already.
+  poseOf(accepts) {
+    const {right, up, towards} = this.frame(), axes = [right, up, towards], p = this.mesh.points;
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    for (let i = 0; i < this.mesh.pointCount; ++i) {
+      if (accepts(i)) {
+        for (let k = 0; k < 3; ++k) {
+          const at = axes[k][0] * p[3 * i] + axes[k][1] * p[3 * i + 1] + axes[k][2] * p[3 * i + 2];
+          low[k] = Math.min(low[k], at);
+          high[k] = Math.max(high[k], at);
+        }
+      }
+    }
+    if (!(low[0] <= high[0])) {
+      return {target: [0, 0, 0], height: this.mesh.size};
+    }
+    const middle = low.map((x, k) => (x + high[k]) / 2);
+    const height = 1.25 * Math.max(high[1] - low[1], (high[0] - low[0]) * this.height / this.width) || this.mesh.size;
+    return {target: [0, 1, 2].map(k => axes.reduce((sum, axis, i) => sum + axis[k] * middle[i], 0)), height};
   }
 
-  fit() { this.pose = {...this.pose, ...this.poseOf(this.mesh.low, this.mesh.high)}; this.request(); }
+  fit() { this.pose = {...this.pose, ...this.poseOf(() => true)}; this.request(); }
 
   flyToFit(name) {
     const before = this.pose;
     if (name) {
       this.pose = {...before, azimuth: kViews[name][0], elevation: kViews[name][1]};
     }
-    const to = {...this.pose, ...this.poseOf(this.mesh.low, this.mesh.high)};
+    const to = {...this.pose, ...this.poseOf(() => true)};
     this.pose = before;
     this.fly(to);
   }
@@ -390,14 +432,14 @@ class View {
     this.flight = null;
     this.pose = {...this.pose, azimuth: this.pose.azimuth - dx * 0.008,
       elevation: Math.max(-Math.PI / 2, Math.min(Math.PI / 2, elevation))};
-    this.request();
+    this.moved();
   }
 
   shift(dx, dy) {
     const {right, up} = this.frame(), scale = this.pose.height / this.height;
     this.flight = null;
     this.pose = {...this.pose, target: this.pose.target.map((x, k) => x - dx * scale * right[k] + dy * scale * up[k])};
-    this.request();
+    this.moved();
   }
 
   // What is under the pointer stays there.
@@ -407,6 +449,6 @@ class View {
     const s = (x - this.width / 2) * lost, t = (this.height / 2 - y) * lost;
     this.flight = null;
     this.pose = {...this.pose, height, target: this.pose.target.map((c, k) => c + s * right[k] + t * up[k])};
-    this.request();
+    this.moved();
   }
 }

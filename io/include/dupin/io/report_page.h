@@ -79,4 +79,7 @@ struct BuiltDocument {
 /// part's.
 [[nodiscard]] std::string report_page_html(const ReportPage& page);
 
+/// What the command that wrote it says: {file, findings}.
+[[nodiscard]] std::string page_report_json(const std::string& file, std::size_t findings);
+
 }  // namespace dupin
