@@ -60,6 +60,13 @@ void XMLCALL on_end(void* user, const char* name) {
   });
 }
 
+void XMLCALL on_text(void* user, const char* text, int size) {
+  guarded(user, [&](const XmlEvents& events) {
+    events.text(std::string_view(text, static_cast<std::size_t>(size)));
+    return true;
+  });
+}
+
 void XMLCALL on_doctype(void* user, const char*, const char*, const char*, int) {
   guarded(user, [](const XmlEvents&) -> bool {
     throw Error(Errc::parse_failed, "found a document type declaration, expected none");
@@ -85,6 +92,9 @@ void read_xml(std::string_view text, const std::string& place, const XmlEvents& 
   State state{parser.get(), &events, {}};
   XML_SetUserData(parser.get(), &state);
   XML_SetElementHandler(parser.get(), on_begin, on_end);
+  if (events.text) {
+    XML_SetCharacterDataHandler(parser.get(), on_text);
+  }
   XML_SetStartDoctypeDeclHandler(parser.get(), on_doctype);
   constexpr std::size_t kChunk = std::size_t{1} << 20;  // XML_Parse counts in int
   XML_Status status = XML_STATUS_OK;

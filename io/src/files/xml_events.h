@@ -29,6 +29,8 @@ struct XmlEvents {
   /// Names come without their namespace. False ends the reading.
   std::function<bool(std::string_view element, const XmlAttributes& attributes)> begin;
   std::function<void(std::string_view element)> end;
+  /// What stands between tags, in as many pieces as it comes. May be empty.
+  std::function<void(std::string_view text)> text = {};
 };
 
 /// Runs through an XML text. An Error thrown by an event without a place, and every fault of the

@@ -7,11 +7,13 @@
 
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/glb.h"
+#include "dupin/io/msh.h"
 #include "dupin/io/obj.h"
 #include "dupin/io/off.h"
 #include "dupin/io/ply.h"
 #include "dupin/io/stl.h"
 #include "dupin/io/three_mf.h"
+#include "dupin/io/vtp.h"
 #include "dupin/kernel/error.h"
 #include "text/lower_case.h"
 #include "text/text_scanner.h"
@@ -56,8 +58,8 @@ const MeshFormat* find_by_content(std::string_view bytes, std::string_view file)
 }  // namespace
 
 std::span<const MeshFormat> mesh_formats() {
-  static const std::array formats = {kOff,       kStlAscii, kStlBinary, kPlyAscii,
-                                     kPlyBinary, kObj,      kThreeMf,   kGlb};
+  static const std::array formats = {kOff, kStlAscii, kStlBinary, kPlyAscii, kPlyBinary,
+                                     kObj, kThreeMf,  kGlb,       kVtp,      kMshSurface};
   return formats;
 }
 

@@ -29,7 +29,4 @@ struct PackedMesh {
 /// Points that no triangle uses are left out. O(n).
 [[nodiscard]] PackedMesh packed(const TriMesh& mesh);
 
-/// By RFC 4648, padded.
-[[nodiscard]] std::string base64(const std::string& bytes);
-
 }  // namespace dupin::report_page

@@ -8,6 +8,7 @@
 #include "dupin/kernel/error.h"
 #include "report_page/packed_mesh.h"
 #include "report_page/page_files.h"
+#include "text/base64.h"
 #include "text/mesh_text.h"
 
 namespace dupin {
@@ -163,7 +164,7 @@ std::string report_page_html(const ReportPage& page) {
                                 {"version", std::string(files.version)},
                                 {"licence", html_text(files.library_licence)},
                                 {"data", script_text(data)},
-                                {"geometry", report_page::base64(mesh.bytes)},
+                                {"geometry", text::base64(mesh.bytes)},
                                 {"library", code_text(files.library)},
                                 {"script", code_text(files.script)}});
 }

@@ -1,0 +1,362 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "dupin/io/vtp.h"
+#include "dupin/kernel/error.h"
+#include "files/xml_events.h"
+#include "text/base64.h"
+#include "text/little_endian.h"
+#include "text/mesh_text.h"
+#include "text/polygon.h"
+#include "text/text_scanner.h"
+
+namespace dupin {
+namespace {
+
+// The place is added where the XML is read.
+[[noreturn]] void fail(const std::string& message) { throw Error(Errc::parse_failed, message); }
+
+constexpr std::string_view kBlanks = " \t\r\n";
+
+/// Calls visit(token) for what stands between blanks.
+template <class Visit>
+void for_each_token(std::string_view text, const Visit& visit) {
+  for (std::size_t begin; (begin = text.find_first_not_of(kBlanks)) != std::string_view::npos;) {
+    text.remove_prefix(begin);
+    const std::string_view token = text.substr(0, text.find_first_of(kBlanks));
+    visit(token);
+    text.remove_prefix(token.size());
+  }
+}
+
+/// An array of a file: what its element says, and the text in it.
+struct DataArray {
+  std::string name, type, format;
+  std::string text;
+};
+
+template <class Number>
+std::vector<Number> from_text(const DataArray& array) {
+  std::vector<Number> numbers;
+  for_each_token(array.text, [&](std::string_view token) {
+    Number number{};
+    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), number);
+    if (error != std::errc() || end != token.data() + token.size()) {
+      fail("found " + text::quoted(token) + " in the array " + text::quoted(array.name) +
+           ", expected a number");
+    }
+    numbers.push_back(number);
+  });
+  return numbers;
+}
+
+template <class Number, class Stored>
+std::vector<Number> converted(std::string_view bytes, const DataArray& array) {
+  if (bytes.size() % sizeof(Stored) != 0) {
+    fail("found " + std::to_string(bytes.size()) + " bytes in the array " +
+         text::quoted(array.name) + ", expected a multiple of " + std::to_string(sizeof(Stored)));
+  }
+  std::vector<Number> numbers(bytes.size() / sizeof(Stored));
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto stored = text::load<Stored>(bytes, i * sizeof(Stored));
+    if constexpr (std::is_integral_v<Number> && std::is_floating_point_v<Stored>) {
+      fail("found the type " + array.type + " of the array " + text::quoted(array.name) +
+           ", expected integers");
+    } else {
+      numbers[i] = static_cast<Number>(stored);
+    }
+  }
+  return numbers;
+}
+
+class VtpReader {
+ public:
+  VtpReader(std::string_view bytes, std::string_view file, bool only_unit)
+      : file_(file), only_unit_(only_unit) {
+    files::read_xml(bytes, std::string(file),
+                    {[this](std::string_view element, const files::XmlAttributes& attributes) {
+                       begin(element, attributes);
+                       return !(only_unit_ && element == "Piece");
+                     },
+                     [this](std::string_view element) { end(element); },
+                     [this](std::string_view text) {
+                       if (array_ && nested_ == 0) {
+                         array_->text += text;
+                       }
+                     }});
+    if (!has_data_ && !only_unit_) {
+      throw Error(Errc::parse_failed, "found no polygonal data, expected an element PolyData", {},
+                  std::string(file_));
+    }
+  }
+
+  TriMesh mesh() && {
+    if (has_labels_) {
+      for (std::uint32_t& label : mesh_.labels) {
+        label =
+            labels_.label(label < names_.size() ? names_[label] : "label " + std::to_string(label));
+      }
+      std::move(labels_).name_labels(mesh_);
+    }
+    return std::move(mesh_);
+  }
+
+  [[nodiscard]] const std::string& unit() const { return unit_; }
+
+ private:
+  struct Piece {
+    std::size_t points = 0, before = 0, polygons = 0;  ///< before: cells that are no polygons
+    std::vector<double> coordinates;
+    std::vector<std::int64_t> corners, offsets, labels;
+  };
+
+  static std::string text_of(const files::XmlAttributes& attributes, std::string_view name,
+                             std::string_view otherwise = {}) {
+    return std::string(attributes.find(name).value_or(otherwise));
+  }
+
+  static std::size_t count(const files::XmlAttributes& attributes, std::string_view name) {
+    const std::string_view text = attributes.find(name).value_or("0");
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) {
+      fail("found " + text::quoted(text) + " as " + std::string(name) +
+           ", expected an integer from 0 to 4294967295");
+    }
+    return value;
+  }
+
+  void begin(std::string_view element, const files::XmlAttributes& attributes) {
+    if (array_) {
+      ++nested_;  // what is known of an array besides
+    } else if (element == "VTKFile") {
+      begin_file(attributes);
+    } else if (element == "PolyData") {
+      has_data_ = true;
+    } else if (element == "Piece") {
+      piece_ = Piece{count(attributes, "NumberOfPoints"),
+                     count(attributes, "NumberOfVerts") + count(attributes, "NumberOfLines"),
+                     count(attributes, "NumberOfPolys")};
+      if (count(attributes, "NumberOfStrips") > 0) {
+        fail("found triangle strips, expected polygons");
+      }
+    } else if (element == "DataArray" || element == "Array") {
+      array_ = DataArray{text_of(attributes, "Name"), text_of(attributes, "type"),
+                         text_of(attributes, "format", "ascii")};
+    } else if (element == "AppendedData") {
+      fail(
+          "found appended data, expected them inside of the elements: save with the data mode "
+          "ascii or binary");
+    } else {
+      section_ = element;
+    }
+  }
+
+  void begin_file(const files::XmlAttributes& attributes) {
+    if (const std::string type = text_of(attributes, "type"); type != "PolyData") {
+      fail("found a VTK file of type " + text::quoted(type) + ", expected PolyData, a surface");
+    }
+    if (text_of(attributes, "byte_order", "LittleEndian") != "LittleEndian") {
+      fail("found the byte order " + text::quoted(text_of(attributes, "byte_order")) +
+           ", expected LittleEndian");
+    }
+    is_compressed_ = !text_of(attributes, "compressor").empty();
+    header_size_ = text_of(attributes, "header_type", "UInt32") == "UInt64" ? 8 : 4;
+  }
+
+  void end(std::string_view element) {
+    if (nested_ > 0) {
+      --nested_;
+    } else if ((element == "DataArray" || element == "Array") && array_) {
+      take(*std::exchange(array_, std::nullopt));
+    } else if (element == "Piece" && piece_) {
+      append(*std::exchange(piece_, std::nullopt));
+    }
+  }
+
+  void take(const DataArray& array) {
+    if (section_ == "FieldData") {
+      take_field(array);
+    } else if (!piece_) {
+      return;
+    } else if (section_ == "Points") {
+      piece_->coordinates = numbers<double>(array);
+    } else if (section_ == "Polys" && array.name == "connectivity") {
+      piece_->corners = numbers<std::int64_t>(array);
+    } else if (section_ == "Polys" && array.name == "offsets") {
+      piece_->offsets = numbers<std::int64_t>(array);
+    } else if (section_ == "CellData" && array.name == "label") {
+      piece_->labels = numbers<std::int64_t>(array);
+    }
+  }
+
+  void take_field(const DataArray& array) {
+    if (array.type != "String" || (array.name != "label_names" && array.name != "unit")) {
+      return;
+    }
+    std::vector<std::string> strings(1);
+    for (const std::int64_t byte : numbers<std::int64_t>(array)) {
+      if (byte < 0 || byte > 255) {
+        fail("found " + std::to_string(byte) + " in a text, expected a byte");
+      }
+      if (byte == 0) {
+        strings.emplace_back();
+      } else {
+        strings.back() += static_cast<char>(byte);
+      }
+    }
+    strings.pop_back();
+    for (std::string& string : strings) {
+      string = text::clean_line(string);
+    }
+    if (array.name == "unit") {
+      unit_ = strings.empty() ? "" : strings.front();
+    } else {
+      names_ = std::move(strings);
+    }
+  }
+
+  template <class Number>
+  std::vector<Number> numbers(const DataArray& array) const {
+    if (array.format == "ascii") {
+      return from_text<Number>(array);
+    }
+    if (array.format != "binary" || is_compressed_) {
+      fail("found the array " + text::quoted(array.name) +
+           (array.format == "binary" ? std::string(" compressed")
+                                     : " in the format " + text::quoted(array.format)) +
+           ", expected it inside of its element and not compressed: save with the data mode ascii "
+           "or binary, without a compressor");
+    }
+    const std::string bytes = decoded(array);
+    const std::pair<std::string_view, std::vector<Number> (*)(std::string_view, const DataArray&)>
+        types[] = {{"Float32", converted<Number, float>},
+                   {"Float64", converted<Number, double>},
+                   {"Int8", converted<Number, std::int8_t>},
+                   {"UInt8", converted<Number, std::uint8_t>},
+                   {"Int16", converted<Number, std::int16_t>},
+                   {"UInt16", converted<Number, std::uint16_t>},
+                   {"Int32", converted<Number, std::int32_t>},
+                   {"UInt32", converted<Number, std::uint32_t>},
+                   {"Int64", converted<Number, std::int64_t>},
+                   {"UInt64", converted<Number, std::uint64_t>}};
+    for (const auto& [type, convert] : types) {
+      if (type == array.type) {
+        return convert(bytes, array);
+      }
+    }
+    fail("found the type " + text::quoted(array.type) + " of the array " +
+         text::quoted(array.name) + ", expected a number's, such as Float64");
+  }
+
+  // The size of what follows, then that; both in one text of base64.
+  std::string decoded(const DataArray& array) const {
+    std::string text = array.text;
+    std::erase_if(text, [](char c) { return kBlanks.find(c) != std::string_view::npos; });
+    auto bytes = text::from_base64(text);
+    if (!bytes || bytes->size() < header_size_) {
+      fail("found no base64 in the array " + text::quoted(array.name) +
+           ", expected a size and its bytes");
+    }
+    const std::uint64_t size = header_size_ == 8 ? text::load<std::uint64_t>(*bytes, 0)
+                                                 : text::load<std::uint32_t>(*bytes, 0);
+    if (size != bytes->size() - header_size_) {
+      fail("found " + std::to_string(bytes->size() - header_size_) + " bytes in the array " +
+           text::quoted(array.name) + ", expected the " + std::to_string(size) + " that it says");
+    }
+    bytes->erase(0, header_size_);
+    return std::move(*bytes);
+  }
+
+  void append(const Piece& piece) {
+    if (piece.coordinates.size() != 3 * piece.points) {
+      fail("found " + std::to_string(piece.coordinates.size()) +
+           " coordinates, expected 3 for each of " + std::to_string(piece.points) + " points");
+    }
+    if (piece.offsets.size() != piece.polygons) {
+      fail("found " + std::to_string(piece.offsets.size()) + " offsets, expected one for each of " +
+           std::to_string(piece.polygons) + " polygons");
+    }
+    if (!piece.labels.empty() && piece.labels.size() != piece.before + piece.polygons) {
+      fail("found " + std::to_string(piece.labels.size()) + " labels, expected one for each of " +
+           std::to_string(piece.before + piece.polygons) + " cells");
+    }
+    has_labels_ = has_labels_ || !piece.labels.empty();
+    const auto first = static_cast<std::uint32_t>(mesh_.points.size());
+    for (std::size_t i = 0; i < piece.coordinates.size(); i += 3) {
+      const Vec3 point(piece.coordinates[i], piece.coordinates[i + 1], piece.coordinates[i + 2]);
+      if (!point.allFinite()) {
+        fail("found point " + std::to_string(i / 3) + " not finite, expected finite coordinates");
+      }
+      mesh_.points.emplace_back(point.array() + 0.0);  // -0 becomes 0
+    }
+    append_polygons(piece, first);
+    if (has_labels_) {
+      mesh_.labels.resize(mesh_.triangles.size(), 0);
+    }
+  }
+
+  void append_polygons(const Piece& piece, std::uint32_t first) {
+    std::vector<std::uint32_t> corners;
+    std::int64_t begin = 0;
+    for (std::size_t i = 0; i < piece.offsets.size(); ++i) {
+      const std::int64_t end = piece.offsets[i];
+      if (end < begin + 3 || end > static_cast<std::int64_t>(piece.corners.size())) {
+        fail("found the offset " + std::to_string(end) + " behind " + std::to_string(begin) +
+             ", expected a polygon of 3 corners or more, of " +
+             std::to_string(piece.corners.size()));
+      }
+      corners.clear();
+      for (; begin < end; ++begin) {
+        const std::int64_t corner = piece.corners[static_cast<std::size_t>(begin)];
+        if (corner < 0 || corner >= static_cast<std::int64_t>(piece.points)) {
+          fail("found the corner " + std::to_string(corner) + ", expected one of " +
+               std::to_string(piece.points) + " points");
+        }
+        corners.push_back(first + static_cast<std::uint32_t>(corner));
+      }
+      text::triangulate(corners, mesh_.points, mesh_.triangles);
+      if (!piece.labels.empty()) {
+        mesh_.labels.resize(mesh_.triangles.size(), label(piece.labels[piece.before + i]));
+      }
+    }
+  }
+
+  static std::uint32_t label(std::int64_t label) {
+    if (label < 0 || label > std::int64_t{0xFFFFFFFF}) {
+      fail("found the label " + std::to_string(label) +
+           ", expected an integer from 0 to 4294967295");
+    }
+    return static_cast<std::uint32_t>(label);
+  }
+
+  std::string_view file_;
+  bool only_unit_ = false, has_data_ = false, is_compressed_ = false, has_labels_ = false;
+  std::size_t header_size_ = 4, nested_ = 0;
+  std::string section_, unit_;
+  std::optional<DataArray> array_;
+  std::optional<Piece> piece_;
+  std::vector<std::string> names_;
+  text::LabelBuilder labels_;
+  TriMesh mesh_;
+};
+
+}  // namespace
+
+TriMesh read_vtp(std::string_view bytes, std::string_view file) {
+  return VtpReader(bytes, file, false).mesh();
+}
+
+std::string unit_of_vtp(std::string_view bytes, std::string_view file) {
+  return VtpReader(bytes, file, true).unit();
+}
+
+}  // namespace dupin
