@@ -1,6 +1,7 @@
 #include "dupin/blends/build.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -112,6 +113,18 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
   return options;
 }
 
+// What the file says of the solid: where it is from, and what colours were asked for.
+MeshHeader header_of(const Assembly& assembly) {
+  MeshHeader header{std::string(symbol(assembly.unit)), {}};
+  header.name = std::filesystem::path(assembly.source).stem().string();
+  for (const Part& part : assembly.parts) {
+    if (!part.colour.empty()) {
+      header.colours.emplace(part.name, part.colour);
+    }
+  }
+  return header;
+}
+
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
   const Destination to = destination(arguments.output);
   if (!arguments.page.empty()) {
@@ -132,9 +145,9 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     report.piping = std::move(document.piping);
     report.gaps = {assembly.source, assembly.unit, options.connect, std::move(built.ports),
                    std::move(built.gaps)};
-    report.output =
-        write_solid(built.solid, to, rounding, {unit, {}}, contact_choice(arguments.contacts, unit),
-                    {}, arguments.page.empty() ? nullptr : &written);
+    report.output = write_solid(built.solid, to, rounding, header_of(assembly),
+                                contact_choice(arguments.contacts, unit), {},
+                                arguments.page.empty() ? nullptr : &written);
     report.output.cross_check = std::move(built.cross_check);
     report.parts = std::move(built.parts);
     report.runs = built.runs;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -45,8 +46,12 @@ class GlbReader {
   TriMesh read() && {
     require_known_extensions();
     const std::vector<formats::MeshInstance> shown = formats::shown_meshes(document_);
-    for (const formats::MeshInstance& instance : shown) {
-      append(instance, shown.size() > 1);
+    if (formats::is_ours(document_) && shown.size() > 1) {
+      append_together(shown);
+    } else {
+      for (const formats::MeshInstance& instance : shown) {
+        append(instance, shown.size() > 1);
+      }
     }
     if (mesh_.triangles.empty() && !shown.empty()) {
       fail("/meshes", "found meshes without triangles, expected some");
@@ -79,27 +84,49 @@ class GlbReader {
   }
 
   void append(const formats::MeshInstance& instance, bool has_others) {
-    const Geometry& geometry = this->geometry(instance.mesh);
+    append(geometry(instance.mesh), instance.transform, has_others ? instance.name : std::string(),
+           "/meshes/" + std::to_string(instance.mesh));
+  }
+
+  void append(const Geometry& geometry, const formats::Transform& transform,
+              const std::string& other_name, const std::string& place) {
     unfolded_ += geometry.points.size() + geometry.triangles.size();
     if (unfolded_ > formats::kLargestUnfolding) {
       throw Error(Errc::limit_exceeded, "the nodes show more than " +
                                             std::to_string(formats::kLargestUnfolding) +
                                             " points and triangles");
     }
-    if (!formats::append_placed(geometry.points, geometry.triangles, instance.transform, mesh_)) {
-      fail("/meshes/" + std::to_string(instance.mesh),
+    if (!formats::append_placed(geometry.points, geometry.triangles, transform, mesh_)) {
+      fail(place,
            "found a transformation beyond the range of doubles, expected finite coordinates");
     }
     const std::size_t before = mesh_.triangles.size() - geometry.triangles.size();
     for (std::size_t i = 0; i < geometry.ends.size(); ++i) {
-      std::string name = geometry.materials[i];
-      if (name.empty() && has_others) {
-        name = instance.name;
-      }
+      const std::string& name = geometry.materials[i].empty() ? other_name : geometry.materials[i];
       named_ = named_ || !name.empty();
       mesh_.labels.resize(before + geometry.ends[i],
                           labels_.label(name.empty() ? "default" : name));
     }
+  }
+
+  /// The meshes of our own parts share their points, and their patches are in the order in which
+  /// their indices are stored.
+  void append_together(const std::vector<formats::MeshInstance>& shown) {
+    std::vector<std::pair<std::size_t, std::pair<const Json*, std::string>>> patches;
+    for (const formats::MeshInstance& instance : shown) {
+      const auto [primitives, place] = primitives_of(instance.mesh);
+      for (std::size_t i = 0; i < primitives->size(); ++i) {
+        const std::string at = place + "/" + std::to_string(i);
+        patches.emplace_back(document_.unsigned_member((*primitives)[i], at, "indices"),
+                             std::pair(&(*primitives)[i], at));
+      }
+    }
+    std::ranges::stable_sort(patches, {}, [](const auto& patch) { return patch.first; });
+    Geometry geometry;
+    for (const auto& [indices, patch] : patches) {
+      read_primitive(*patch.first, patch.second, geometry);
+    }
+    append(geometry, {}, {}, "/meshes");
   }
 
   /// A mesh is read when it is first met.
@@ -109,18 +136,23 @@ class GlbReader {
     if (!fresh) {
       return geometry;
     }
+    const auto [primitives, place] = primitives_of(index);
+    first_points_.clear();
+    for (std::size_t i = 0; i < primitives->size(); ++i) {
+      read_primitive((*primitives)[i], place + "/" + std::to_string(i), geometry);
+    }
+    points_ += geometry.points.size();
+    triangles_ += geometry.triangles.size();
+    return geometry;
+  }
+
+  std::pair<const Json*, std::string> primitives_of(std::size_t index) const {
     const auto [mesh, place] = document_.entry(index, "meshes");
     const Json& primitives = document_.member(*mesh, place, "primitives");
     if (!primitives.is_array()) {
       fail(place + "/primitives", "found no array, expected one");
     }
-    first_points_.clear();
-    for (std::size_t i = 0; i < primitives.size(); ++i) {
-      read_primitive(primitives[i], place + "/primitives/" + std::to_string(i), geometry);
-    }
-    points_ += geometry.points.size();
-    triangles_ += geometry.triangles.size();
-    return geometry;
+    return {&primitives, place + "/primitives"};
   }
 
   Accessor accessor(std::size_t index, const std::string& type, std::size_t components) const {

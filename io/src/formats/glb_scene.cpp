@@ -119,9 +119,7 @@ class Walk {
       : document_(document), seen_(document.count("nodes"), false) {}
 
   std::vector<MeshInstance> meshes(const std::vector<std::size_t>& roots) && {
-    const bool is_ours = document_.json().contains("asset") &&
-                         document_.name(document_.json()["asset"], "generator") == "dupin" &&
-                         seen_.size() == 1;
+    const bool is_ours = formats::is_ours(document_);
     push(roots, {});
     while (!open_.empty()) {
       const auto [index, parent] = open_.back();
@@ -167,6 +165,23 @@ class Walk {
 };
 
 }  // namespace
+
+bool is_ours(const GlbDocument& document) {
+  if (!document.json().contains("asset") ||
+      document.name(document.json()["asset"], "generator") != "dupin" ||
+      document.count("nodes") == 0) {
+    return false;
+  }
+  const Json& nodes = document.json()["nodes"];
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    for (const char* const key : {"matrix", "rotation", "scale", "translation", "children"}) {
+      if (nodes[i].is_object() && nodes[i].contains(key)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
 
 std::vector<MeshInstance> shown_meshes(const GlbDocument& document) {
   std::vector<MeshInstance> meshes;

@@ -16,9 +16,12 @@ struct MeshInstance {
   Transform transform;   ///< to the scene's coordinates
 };
 
+/// Whether our writer made the document: one root node, which alone turns and scales.
+[[nodiscard]] bool is_ours(const GlbDocument& document);
+
 /// All meshes that the document's scene shows, node by node in the order of the file. Without a
 /// scene, those of all nodes that are no other's child; without nodes, every mesh, as it is. The
-/// turn and scale of the one node that our writer makes are left out.
+/// turn and scale of the root node that our writer makes are left out.
 ///
 /// Throws Error{parse_failed} with the place where nodes are no forest, a transformation is none,
 /// or no mesh is shown: but for what our writer makes of a mesh without triangles.

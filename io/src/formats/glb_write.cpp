@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,7 +51,7 @@ struct Content {
   std::string bytes;
   Json views = Json::array();
   Json accessors = Json::array();
-  Json primitives = Json::array();
+  std::vector<std::pair<std::size_t, Json>> primitives;  // by label
   Json materials = Json::array();
 
   /// The view of the bytes appended since `begin`.
@@ -83,7 +84,8 @@ void add_points(Content& content, const std::vector<Vec3>& points) {
 }
 
 void add_primitive(Content& content, const TriMesh& mesh,
-                   const std::vector<std::uint32_t>& triangles, std::size_t label) {
+                   const std::vector<std::uint32_t>& triangles, std::size_t label,
+                   const std::vector<text::Colour>& colours) {
   const std::size_t begin = content.bytes.size();
   for (const std::uint32_t triangle : triangles) {
     text::store(content.bytes, mesh.triangles[triangle]);
@@ -97,7 +99,7 @@ void add_primitive(Content& content, const TriMesh& mesh,
                     {"indices", content.accessors.size() - 1},
                     {"mode", formats::kGltfTriangles}};
   if (!mesh.labels.empty()) {
-    const text::Colour colour = text::label_colour(label);
+    const text::Colour& colour = colours[label];
     primitive["material"] = content.materials.size();
     content.materials.push_back(
         {{"name", text::clean_line(mesh.names[label])},
@@ -106,10 +108,37 @@ void add_primitive(Content& content, const TriMesh& mesh,
            {"metallicFactor", 0},
            {"roughnessFactor", 0.6}}}});
   }
-  content.primitives.push_back(std::move(primitive));
+  content.primitives.emplace_back(label, std::move(primitive));
 }
 
-Json document(Content& content, const MeshHeader& header) {
+/// A node for each part with a mesh of its patches, below the one that turns and scales; they share
+/// one accessor of points. Meshes without labels are the node's own.
+void add_nodes(Json& json, Json root, const TriMesh& mesh, Content& content) {
+  Json meshes = Json::array(), nodes = Json::array();
+  std::map<std::string, std::size_t> known;
+  for (auto& [label, primitive] : content.primitives) {
+    const std::string part = mesh.labels.empty()
+                                 ? root["name"].get<std::string>()
+                                 : text::clean_line(text::part_of_label(mesh.names[label]));
+    const auto [place, is_new] = known.try_emplace(part, meshes.size());
+    if (is_new) {
+      meshes.push_back({{"name", part}, {"primitives", Json::array()}});
+      nodes.push_back({{"name", part}, {"mesh", place->second}});
+      root["children"].push_back(nodes.size());
+    }
+    meshes[place->second]["primitives"].push_back(std::move(primitive));
+  }
+  if (mesh.labels.empty()) {
+    root.erase("children");
+    root["mesh"] = 0;
+    nodes.clear();
+  }
+  nodes.insert(nodes.begin(), std::move(root));
+  json["nodes"] = std::move(nodes);
+  json["meshes"] = std::move(meshes);
+}
+
+Json document(Content& content, const TriMesh& mesh, const MeshHeader& header) {
   Json json = {{"asset", {{"version", "2.0"}, {"generator", "dupin"}}}, {"scene", 0}};
   if (!header.unit.empty() || !header.note.empty()) {
     json["asset"]["extras"] = {{"unit", header.unit}, {"note", text::clean_line(header.note)}};
@@ -119,14 +148,14 @@ Json document(Content& content, const MeshHeader& header) {
     return json;
   }
   // A quarter turn about x: z, upward here, becomes glTF's y.
-  Json node = {{"mesh", 0}, {"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}};
+  Json root = {{"name", header.name.empty() ? "solid" : text::clean_line(header.name)},
+               {"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}};
   if (!header.unit.empty()) {
     const double scale = metres(header.unit);
-    node["scale"] = {scale, scale, scale};
+    root["scale"] = {scale, scale, scale};
   }
   json["scenes"] = Json::array({Json{{"nodes", Json::array({0})}}});
-  json["nodes"] = Json::array({std::move(node)});
-  json["meshes"] = Json::array({Json{{"primitives", std::move(content.primitives)}}});
+  add_nodes(json, std::move(root), mesh, content);
   if (!content.materials.empty()) {
     json["materials"] = std::move(content.materials);
   }
@@ -149,13 +178,14 @@ std::string glb_bytes(const TriMesh& mesh, const MeshHeader& header) {
   if (!mesh.triangles.empty()) {
     add_points(content, points);
     const auto groups = text::triangles_by_label(mesh);
+    const std::vector<text::Colour> colours = text::label_colours(mesh.names, header.colours);
     for (std::size_t label = 0; label < groups.size(); ++label) {
       if (!groups[label].empty()) {
-        add_primitive(content, mesh, groups[label], label);
+        add_primitive(content, mesh, groups[label], label, colours);
       }
     }
   }
-  std::string json = document(content, header).dump();
+  std::string json = document(content, mesh, header).dump();
   pad(json, ' ');
   const bool has_bytes = !content.bytes.empty();
   const std::size_t total = formats::kGlbHeader + formats::kGlbChunkHeader + json.size() +

@@ -13,6 +13,7 @@
 #include "dupin/kernel/error.h"
 #include "formats/ply_header.h"
 #include "formats/ply_numbers.h"
+#include "text/label_colour.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
 #include "text/polygon.h"
@@ -223,8 +224,18 @@ std::string header_text(const TriMesh& mesh, const MeshHeader& header, std::stri
           "\nproperty list uchar int vertex_indices\n";
   if (!mesh.labels.empty()) {
     text += "property int label\n";
+    if (!header.colours.empty()) {
+      text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    }
   }
   return text + "end_header\n";
+}
+
+/// Of every label; empty where faces have no colours.
+std::vector<text::Colour> face_colours(const TriMesh& mesh, const MeshHeader& header) {
+  return mesh.labels.empty() || header.colours.empty()
+             ? std::vector<text::Colour>()
+             : text::label_colours(mesh.names, header.colours);
 }
 
 /// The reader tells the encodings apart.
@@ -244,6 +255,7 @@ TriMesh read_ply(std::string_view bytes, std::string_view file) {
 
 std::string ply_ascii_text(const TriMesh& mesh, const MeshHeader& header) {
   const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
+  const std::vector<text::Colour> colours = face_colours(mesh, header);
   std::string text = header_text(mesh, header, "ascii");
   text.reserve(text.size() + points.size() * 60 + mesh.triangles.size() * 32);
   for (const Vec3& point : points) {
@@ -260,6 +272,12 @@ std::string ply_ascii_text(const TriMesh& mesh, const MeshHeader& header) {
       text += ' ';
       append_decimal(text, mesh.labels[i]);
     }
+    if (!colours.empty()) {
+      for (const std::uint8_t channel : colours[mesh.labels[i]]) {
+        text += ' ';
+        append_decimal(text, std::uint32_t{channel});
+      }
+    }
     text += '\n';
   }
   return text;
@@ -267,6 +285,7 @@ std::string ply_ascii_text(const TriMesh& mesh, const MeshHeader& header) {
 
 std::string ply_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
   const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
+  const std::vector<text::Colour> colours = face_colours(mesh, header);
   std::string bytes = header_text(mesh, header, "binary_little_endian");
   bytes.reserve(bytes.size() + points.size() * 24 + mesh.triangles.size() * 17);
   for (const Vec3& point : points) {
@@ -279,6 +298,9 @@ std::string ply_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
     text::store(bytes, mesh.triangles[i]);
     if (!mesh.labels.empty()) {
       text::store(bytes, mesh.labels[i]);
+    }
+    if (!colours.empty()) {
+      text::store(bytes, colours[mesh.labels[i]]);
     }
   }
   return bytes;

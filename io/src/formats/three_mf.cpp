@@ -60,21 +60,24 @@ void append_attribute(std::string& text, std::string_view name, auto value) {
   text += '"';
 }
 
-void append_materials(std::string& text, const TriMesh& mesh) {
+void append_materials(std::string& text, const TriMesh& mesh, const MeshHeader& header) {
+  const std::vector<text::Colour> colours = text::label_colours(mesh.names, header.colours);
   text += "<basematerials id=\"2\">\n";
   for (std::size_t label = 0; label < mesh.names.size(); ++label) {
     text += "<base name=\"" + text::xml_escaped(mesh.names[label]) + "\" displaycolor=\"" +
-            text::colour_code(text::label_colour(label)) + "\"/>\n";
+            text::colour_code(colours[label]) + "\"/>\n";
   }
   text += "</basematerials>\n";
 }
 
-void append_object(std::string& text, const TriMesh& mesh) {
+void append_object(std::string& text, const TriMesh& mesh, const std::string& name) {
   const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
   text.reserve(text.size() + points.size() * 80 + mesh.triangles.size() * 64);
   text += "<object id=\"1\" type=\"model\"";
   if (mesh.triangles.empty()) {
     text += " name=\"" + std::string(formats::kEmptySet) + '"';
+  } else if (!name.empty()) {
+    text += " name=\"" + text::xml_escaped(name) + '"';
   }
   text += mesh.labels.empty() ? ">" : " pid=\"2\" pindex=\"0\">";
   text += "\n<mesh>\n<vertices>\n";
@@ -108,9 +111,9 @@ std::string model_text(const TriMesh& mesh, const MeshHeader& header) {
   }
   text += "<resources>\n";
   if (!mesh.labels.empty()) {
-    append_materials(text, mesh);
+    append_materials(text, mesh, header);
   }
-  append_object(text, mesh);
+  append_object(text, mesh, header.name);
   return text + "</resources>\n<build>\n<item objectid=\"1\"/>\n</build>\n</model>\n";
 }
 

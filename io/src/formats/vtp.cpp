@@ -9,6 +9,7 @@
 
 #include "dupin/kernel/error.h"
 #include "text/base64.h"
+#include "text/label_colour.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
 
@@ -22,7 +23,9 @@ void append_array(std::string& text, std::string_view attributes, const std::str
   text::store(all, std::uint64_t{bytes.size()});
   all += bytes;
   text += "<DataArray type=\"";
-  text += std::is_same_v<Number, double> ? "Float64" : "Int32";
+  text += std::is_same_v<Number, double>         ? "Float64"
+          : std::is_same_v<Number, std::uint8_t> ? "UInt8"
+                                                 : "Int32";
   text += "\" " + std::string(attributes) + " format=\"binary\">" + text::base64(all) +
           "</DataArray>\n";
 }
@@ -75,15 +78,21 @@ void append_field_data(std::string& text, const TriMesh& mesh, const MeshHeader&
   text += "</FieldData>\n";
 }
 
-void append_cell_data(std::string& text, const TriMesh& mesh, const Parts& parts) {
-  std::string labels, of_parts;
+void append_cell_data(std::string& text, const TriMesh& mesh, const MeshHeader& header,
+                      const Parts& parts) {
+  const std::vector<text::Colour> of_label = text::label_colours(mesh.names, header.colours);
+  std::string labels, of_parts, colours;
   for (const std::uint32_t label : mesh.labels) {
     text::store(labels, label);
     text::store(of_parts, parts.of_label[label]);
+    text::store(colours, of_label[label]);
   }
   text += "<CellData Scalars=\"label\">\n";
   append_array<std::int32_t>(text, "Name=\"label\"", labels);
   append_array<std::int32_t>(text, "Name=\"part\"", of_parts);
+  if (!header.colours.empty()) {
+    append_array<std::uint8_t>(text, "Name=\"colour\" NumberOfComponents=\"3\"", colours);
+  }
   text += "</CellData>\n";
 }
 
@@ -122,7 +131,7 @@ std::string vtp_text(const TriMesh& mesh, const MeshHeader& header) {
           "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
           std::to_string(mesh.triangles.size()) + "\">\n";
   if (!mesh.labels.empty()) {
-    append_cell_data(text, mesh, parts);
+    append_cell_data(text, mesh, header, parts);
   }
   text += "<Points>\n";
   append_array<double>(text, "Name=\"Points\" NumberOfComponents=\"3\"", coordinates);

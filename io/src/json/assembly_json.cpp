@@ -9,6 +9,7 @@
 #include "json/json_document.h"
 #include "json/parts/part_values.h"
 #include "json/parts/read_part.h"
+#include "text/label_colour.h"
 
 namespace dupin {
 namespace {
@@ -29,7 +30,7 @@ constexpr std::array<PartKeyRow, sizeof...(Key)> rows(PartKeyTable<Key...> /*tab
 constexpr auto kRows = rows(PartKeys());
 
 Part part(const JsonNode& node) {
-  Keys known{"name", "comment", "wall", "solid"}, keys;
+  Keys known{"name", "comment", "wall", "solid", "colour"}, keys;
   for (const auto& row : kRows) {
     keys.push_back(row.key);
   }
@@ -48,6 +49,13 @@ Part part(const JsonNode& node) {
       solid.fail("must be true or false");
     }
     result.solid = solid.value().get<bool>();
+  }
+  if (node.has("colour")) {
+    const JsonNode colour = node.at("colour");
+    result.colour = colour.text();
+    if (!text::colour_of_code(result.colour)) {
+      colour.fail("must be a colour such as \"#3a7bd5\", red, green and blue in hexadecimal");
+    }
   }
   const auto count =
       std::count_if(keys.begin(), keys.end(), [&](auto key) { return node.has(key); });

@@ -315,6 +315,9 @@ Json written(const Part& part) {
   if (part.wall) {
     json["wall"] = *part.wall;
   }
+  if (!part.colour.empty()) {
+    json["colour"] = part.colour;
+  }
   if (part.solid) {
     json["solid"] = true;
   }

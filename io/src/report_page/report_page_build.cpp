@@ -33,8 +33,10 @@ class BuiltPage {
       named_.push_back(std::move(named));
     }
     for (const Part& part : built_.assembly.parts) {
-      if (std::ranges::none_of(report_.parts,
-                               [&](const PartReport& p) { return p.name == part.name; })) {
+      const auto named = std::ranges::find(named_, part.name, &PagePart::name);
+      if (named != named_.end()) {
+        named->colour = part.colour;
+      } else {
         others_.emplace(part.name, kind(part.shape));
       }
     }

@@ -4,7 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace dupin::text {
 
@@ -34,6 +38,56 @@ inline std::string colour_code(const Colour& colour) {
     code += kDigits[channel & 15];
   }
   return code;
+}
+
+/// The colour that "#rrggbb" says, digits in any case; none for other texts.
+inline std::optional<Colour> colour_of_code(std::string_view code) {
+  if (code.size() != 7 || code[0] != '#') {
+    return std::nullopt;
+  }
+  Colour colour{};
+  for (std::size_t i = 1; i < code.size(); ++i) {
+    const char c = code[i];
+    const int digit = c >= '0' && c <= '9'   ? c - '0'
+                      : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                      : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                             : -1;
+    if (digit < 0) {
+      return std::nullopt;
+    }
+    std::uint8_t& channel = colour.at((i - 1) / 2);
+    channel = static_cast<std::uint8_t>(channel * 16 + digit);
+  }
+  return colour;
+}
+
+/// What a label's name begins with, up to its first dot: the part that it is of.
+inline std::string_view part_of_label(std::string_view label) {
+  return label.substr(0, label.find('.'));
+}
+
+/// Of every label: what `chosen` says of its name, or of what this begins with up to some dot, or
+/// else label_colour of its part, parts being counted in the order of their first labels.
+inline std::vector<Colour> label_colours(const std::vector<std::string>& names,
+                                         const std::map<std::string, std::string>& chosen) {
+  std::map<std::string_view, std::size_t> parts;
+  std::vector<Colour> colours;
+  for (const std::string& name : names) {
+    const auto part = parts.try_emplace(part_of_label(name), parts.size()).first;
+    std::optional<Colour> colour;
+    for (std::string_view stem = name; !colour && !chosen.empty();) {
+      if (const auto found = chosen.find(std::string(stem)); found != chosen.end()) {
+        colour = colour_of_code(found->second);
+      }
+      const std::size_t dot = stem.rfind('.');
+      if (dot == std::string_view::npos) {
+        break;
+      }
+      stem = stem.substr(0, dot);
+    }
+    colours.push_back(colour.value_or(label_colour(part->second)));
+  }
+  return colours;
 }
 
 }  // namespace dupin::text

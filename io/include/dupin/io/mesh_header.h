@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 
 namespace dupin {
@@ -8,6 +9,10 @@ namespace dupin {
 struct MeshHeader {
   std::string unit;  ///< of the coordinates: "mm", "cm", "m", "in", "ft", or empty when unknown
   std::string note;  ///< free text of one line, e.g. where the origin lies
+  std::string name = {};  ///< of the solid, where the format has objects; may be empty
+  /// "#rrggbb" of labels; a name also stands for those that begin with it and a dot. Formats that
+  /// have colours take them, and choose those of other labels.
+  std::map<std::string, std::string> colours = {};
 };
 
 }  // namespace dupin
