@@ -28,5 +28,23 @@ TEST(LabelColour, is_written_in_hexadecimal) {
   EXPECT_EQ(colour_code(label_colour(0)).size(), 7U);
 }
 
+TEST(LabelColour, is_read_in_hexadecimal) {
+  EXPECT_EQ(colour_of_code("#000aFF"), (Colour{0, 10, 255}));
+  for (const char* const text : {"", "#000aF", "000aFF0", "#000aFG", "#000aFF0", "#+00aFF"}) {
+    EXPECT_FALSE(colour_of_code(text)) << text;
+  }
+}
+
+TEST(LabelColour, of_a_part_is_that_of_its_patches_unless_they_have_their_own) {
+  const auto colours =
+      label_colours({"run", "tee", "run.start", "tee.bore.end", "tee.end"},
+                    {{"tee", "#010203"}, {"tee.bore", "#040506"}, {"x", "#ffffff"}});
+  EXPECT_EQ(colours[0], label_colour(0));
+  EXPECT_EQ(colours[2], label_colour(0));
+  EXPECT_EQ(colours[1], (Colour{1, 2, 3}));
+  EXPECT_EQ(colours[3], (Colour{4, 5, 6}));
+  EXPECT_EQ(colours[4], (Colour{1, 2, 3}));
+}
+
 }  // namespace
 }  // namespace dupin::text

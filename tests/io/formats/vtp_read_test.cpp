@@ -1,0 +1,124 @@
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/io/vtp.h"
+#include "dupin/kernel/error.h"
+#include "support/sample_meshes.h"
+
+namespace dupin {
+namespace {
+
+std::string file(const std::string& data, const std::string& more = "byte_order=\"LittleEndian\"") {
+  return "<VTKFile type=\"PolyData\" version=\"0.1\" " + more + "><PolyData>" + data +
+         "</PolyData></VTKFile>";
+}
+
+std::string piece(const std::string& counts, const std::string& data) {
+  return "<Piece " + counts + ">" + data + "</Piece>";
+}
+
+const std::string kPoints =
+    "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">\n0 0 0  1 0 "
+    "0\n0 "
+    "1 0 0 0 1</DataArray></Points>";
+
+std::string polygons(const std::string& corners, const std::string& offsets) {
+  return "<Polys><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">" + corners +
+         "<InformationKey name=\"x\"><Value>7 8</Value></InformationKey></DataArray>"
+         "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">" +
+         offsets + "</DataArray></Polys>";
+}
+
+TEST(VtpRead, takes_text_pieces_polygons_and_what_others_put_beside_them) {
+  const std::string one =
+      piece("NumberOfPoints=\"4\" NumberOfPolys=\"4\"",
+            "<PointData/>" + kPoints + polygons("0 2 1 0 1 3 0 3 2 1 2 3", "3 6 9 12"));
+  EXPECT_TRUE(test::identical(read_vtp(file(one), "x"), test::tetrahedron()));
+  EXPECT_EQ(read_vtp(file(one + one), "x").points.size(), 8);
+  const std::string square = piece(
+      "NumberOfPoints=\"4\" NumberOfPolys=\"1\" NumberOfLines=\"1\"",
+      "<CellData><DataArray type=\"Int8\" Name=\"label\" format=\"ascii\">9 "
+      "1</DataArray></CellData>" +
+          kPoints +
+          "<Lines><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1</DataArray>"
+          "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">2</DataArray></Lines>" +
+          polygons("0 1 2 3", "4"));
+  const TriMesh mesh = read_vtp(file(square), "x");
+  EXPECT_EQ(mesh.triangles.size(), 2);
+  EXPECT_EQ(mesh.names, std::vector<std::string>{"label 1"});
+}
+
+TEST(VtpRead, takes_binary_data_with_short_headers) {
+  // 0 2 1, behind a size of 12 in four bytes.
+  const std::string corners = "DAAAAAAAAAACAAAAAQAAAA==";
+  const std::string data = piece(
+      "NumberOfPoints=\"4\" NumberOfPolys=\"1\"",
+      kPoints + "<Polys><DataArray type=\"Int32\" Name=\"connectivity\" format=\"binary\">\n" +
+          corners +
+          "\n</DataArray><DataArray type=\"Int32\" Name=\"offsets\" "
+          "format=\"ascii\">3</DataArray></Polys>");
+  EXPECT_EQ(read_vtp(file(data), "x").triangles, (std::vector<Triangle>{{0, 2, 1}}));
+}
+
+TEST(VtpRead, refuses_what_it_does_not_know_with_its_line) {
+  const std::string counts = "NumberOfPoints=\"4\" NumberOfPolys=\"1\"";
+  const std::vector<std::pair<std::string, std::string>> table = {
+      {"<VTKFile type=\"UnstructuredGrid\"/>", "x:1: found a VTK file of type 'UnstructuredGrid'"},
+      {"<VTKFile type=\"PolyData\"/>", "expected an element PolyData"},
+      {file("", "byte_order=\"BigEndian\""), "expected LittleEndian"},
+      {file("<AppendedData encoding=\"raw\">"), "found appended data"},
+      {file(piece("NumberOfPoints=\"-4\"", "")), "found '-4' as NumberOfPoints"},
+      {file(piece("NumberOfPoints=\"0\" NumberOfStrips=\"1\"", "")), "found triangle strips"},
+      {file(piece(counts, kPoints)), "found 0 offsets, expected one for each of 1 polygons"},
+      {file(piece(counts, polygons("0 1 2", "3"))), "found 0 coordinates"},
+      {file(piece(counts, kPoints + polygons("0 1 2", "2"))), "found the offset 2 behind 0"},
+      {file(piece(counts, kPoints + polygons("0 1 2", "4"))), "found the offset 4 behind 0"},
+      {file(piece(counts, kPoints + polygons("0 1 4", "3"))), "found the corner 4"},
+      {file(piece(counts, kPoints + polygons("0 1 x", "3"))),
+       "found 'x' in the array 'connectivity'"},
+      {file(piece(counts, kPoints + polygons("0 1 2", "3") +
+                              "<CellData><DataArray Name=\"label\" "
+                              "type=\"Int8\">1 2</DataArray></CellData>")),
+       "found 2 labels, expected one for each of 1 cells"},
+      {file(piece(counts,
+                  "<Points><DataArray type=\"Float64\" format=\"binary\">!!</DataArray></Points>")),
+       "found no base64"},
+      {file(piece(
+           counts,
+           "<Points><DataArray type=\"Float64\" format=\"binary\">CAAAAAAA</DataArray></Points>")),
+       "found 2 bytes in the array '', expected the 8 that it says"},
+      {file(piece(
+           counts,
+           "<Points><DataArray type=\"Float64\" format=\"binary\">AgAAAAAA</DataArray></Points>")),
+       "expected a multiple of 8"},
+      {file(piece(
+           counts,
+           "<Points><DataArray type=\"bit\" format=\"binary\">AAAAAA==</DataArray></Points>")),
+       "found the type 'bit'"},
+      {file(piece(
+           counts,
+           "<Points><DataArray type=\"Float64\" format=\"appended\" offset=\"0\"/></Points>")),
+       "in the format 'appended'"},
+      {file(piece(counts,
+                  "<Points><DataArray type=\"Float64\" "
+                  "format=\"binary\">AAAAAA==</DataArray></Points>"),
+            "compressor=\"vtkZLibDataCompressor\""),
+       "compressed"},
+      {"<VTKFile", "found faulty XML"}};
+  for (const auto& [text, what] : table) {
+    try {
+      (void)read_vtp(text, "x");
+      ADD_FAILURE() << "accepted, expected: " << what;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::parse_failed) << error.what();
+      EXPECT_THAT(error.what(), testing::HasSubstr(what));
+      EXPECT_THAT(error.what(), testing::StartsWith("x"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dupin

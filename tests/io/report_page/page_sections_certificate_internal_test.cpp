@@ -1,0 +1,48 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "report_page/page_sections.h"
+
+namespace dupin::report_page {
+namespace {
+
+Certificate of_two_parts() {
+  Certificate certificate;
+  certificate.parts = {{"a", "pipe", Chain(), {}}, {"b", "pipe", Chain(), {}}};
+  PartClaims good;
+  good.regular = RegularClaim{Verdict::proved, 0.5, {}, {}};
+  good.embedded = EmbeddedClaim{Verdict::proved, {}, {}};
+  good.mesh = MeshClaim{8, 0, {}, 0.01};
+  PartClaims bad = good;
+  bad.embedded = EmbeddedClaim{Verdict::refuted, {}, Overlap{{1, 2, 3}, {}, {}}};
+  bad.mesh.reset();
+  certificate.claims = {good, bad};
+  return certificate;
+}
+
+TEST(CertificateSection, has_what_is_not_proved_first_and_where_it_fails) {
+  const PageSection section = certificate_section(of_two_parts());
+  ASSERT_EQ(section.rows.size(), 6);
+  EXPECT_EQ(section.rows[0].cells,
+            (std::vector<std::string>{"refuted", "embedded", "b", "it crosses itself"}));
+  EXPECT_EQ(section.rows[0].place->at, Vec3(1, 2, 3));
+  EXPECT_EQ(section.rows[1].cells[0], "undecided");
+  EXPECT_EQ(section.rows[1].cells[1], "mesh error");
+  EXPECT_EQ(section.rows[2].cells[3], "above 0.5");
+  EXPECT_THAT(section.note, testing::HasSubstr("embedded: 1 proved, 1 refuted, 0 undecided"));
+}
+
+TEST(CertificateSection, leaves_out_pairs_that_are_far_apart) {
+  Certificate certificate = of_two_parts();
+  for (int i = 300; i > 0; --i) {
+    certificate.clearances.push_back({0, 1, Verdict::proved, double(i), {}, {}});
+  }
+  const PageSection section = certificate_section(certificate);
+  EXPECT_EQ(section.rows.size(), 106);
+  EXPECT_EQ(section.rows.back().cells[3], "at least 100 mm");
+  EXPECT_THAT(section.note, testing::HasSubstr("200 pairs further apart"));
+  EXPECT_THAT(section.note, testing::HasSubstr("clearance: 300 proved"));
+}
+
+}  // namespace
+}  // namespace dupin::report_page
