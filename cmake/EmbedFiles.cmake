@@ -29,7 +29,7 @@ function(text_of paths result)
   set(${result} "${pieces}" PARENT_SCOPE)
 endfunction()
 
-set(source "// Made by cmake/EmbedFiles.cmake.\n#include \"report_page/page_files.h\"\n\nnamespace dupin::report_page {\n
+set(source "// Made by cmake/EmbedFiles.cmake.\n#include \"pages/page_files.h\"\n\nnamespace dupin::pages {\n
 PageFiles page_files() {\n  PageFiles files;\n  files.version = \"${VERSION}\";\n")
 foreach(entry IN ITEMS PAGE:page STYLE:style SCRIPT:script LIBRARY:library LICENCE:library_licence)
   string(REPLACE ":" ";" entry "${entry}")
@@ -38,5 +38,5 @@ foreach(entry IN ITEMS PAGE:page STYLE:style SCRIPT:script LIBRARY:library LICEN
   text_of("${${variable}}" pieces)
   string(APPEND source "  files.${member} =\n${pieces};\n")
 endforeach()
-string(APPEND source "  return files;\n}\n\n}  // namespace dupin::report_page\n")
+string(APPEND source "  return files;\n}\n\n}  // namespace dupin::pages\n")
 file(WRITE "${OUTPUT}" "${source}")

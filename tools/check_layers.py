@@ -61,7 +61,7 @@ ARROWS = {
         "json": ["drawings", "formats", "files", "pcf", "text"],
         "graph": ["text"],
         "pcf": ["text"],
-        "report_page": ["json", "pcf", "text"],
+        "pages": ["json", "pcf", "text"],
     },
 }
 

@@ -3,7 +3,7 @@
 
 #include "cli/tool.h"
 #include "dupin/io/report_page.h"
-#include "io/report_page/page_data.h"
+#include "io/pages/page_data.h"
 
 namespace dupin::test {
 namespace {

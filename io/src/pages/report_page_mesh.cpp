@@ -5,14 +5,14 @@
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/patch.h"
 #include "dupin/kernel/wall_thickness.h"
-#include "report_page/page_parts.h"
-#include "report_page/page_sections.h"
+#include "pages/page_parts.h"
+#include "pages/page_sections.h"
 
 namespace dupin {
 namespace {
 
-using report_page::counted;
-using report_page::measure;
+using pages::counted;
+using pages::measure;
 
 constexpr double kPlaceShare = 0.02;
 constexpr std::size_t kWallsShown = 100;
@@ -95,13 +95,13 @@ ReportPage report_page(const MeshSummary& summary) {
   page.title = summary.file;
   page.unit = summary.unit;
   page.mesh = summary.mesh;
-  page.parts = report_page::page_parts(page.mesh, parts_of_names(page.mesh.names));
+  page.parts = pages::page_parts(page.mesh, parts_of_names(page.mesh.names));
   page.summary = counted(page.mesh.triangles.size(), "triangle") +
                  (summary.check.is_solid() ? ", a solid" : ", no solid");
   const auto box = bounding_box(page.mesh);
   const double size = box.isEmpty() ? 1 : kPlaceShare * box.diagonal().norm();
   page.sections.push_back(overview(summary));
-  if (PageSection faults = report_page::fault_section(summary, size); !faults.rows.empty()) {
+  if (PageSection faults = pages::fault_section(summary, size); !faults.rows.empty()) {
     page.sections.push_back(std::move(faults));
   }
   page.sections.push_back(patch_section(page));

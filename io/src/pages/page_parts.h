@@ -6,7 +6,7 @@
 
 #include "dupin/io/report_page.h"
 
-namespace dupin::report_page {
+namespace dupin::pages {
 
 /// A part for each of the names, with the labels of the mesh that are its own or begin with it and
 /// a dot ("tee.start", "tee.bore"), each label going to the longest such name; then a part for each
@@ -14,4 +14,4 @@ namespace dupin::report_page {
 [[nodiscard]] std::vector<PagePart> page_parts(const TriMesh& mesh,
                                                const std::vector<PagePart>& named);
 
-}  // namespace dupin::report_page
+}  // namespace dupin::pages

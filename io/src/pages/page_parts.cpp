@@ -1,10 +1,10 @@
-#include "report_page/page_parts.h"
+#include "pages/page_parts.h"
 
 #include <algorithm>
 #include <map>
 #include <string_view>
 
-namespace dupin::report_page {
+namespace dupin::pages {
 
 std::vector<PagePart> page_parts(const TriMesh& mesh, const std::vector<PagePart>& named) {
   std::vector<PagePart> parts = named;
@@ -37,4 +37,4 @@ std::vector<PagePart> page_parts(const TriMesh& mesh, const std::vector<PagePart
   return parts;
 }
 
-}  // namespace dupin::report_page
+}  // namespace dupin::pages

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <map>
 
-#include "report_page/page_sections.h"
+#include "pages/page_sections.h"
 
-namespace dupin::report_page {
+namespace dupin::pages {
 namespace {
 
 constexpr std::size_t kNearestShown = 100;
@@ -133,4 +133,4 @@ PageSection certificate_section(const Certificate& certificate) {
   return Claims(certificate).section();
 }
 
-}  // namespace dupin::report_page
+}  // namespace dupin::pages

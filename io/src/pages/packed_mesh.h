@@ -9,7 +9,7 @@
 
 #include "dupin/kernel/mesh.h"
 
-namespace dupin::report_page {
+namespace dupin::pages {
 
 /// A mesh for a page: few bytes, looked at and not computed with.
 struct PackedMesh {
@@ -29,4 +29,4 @@ struct PackedMesh {
 /// Points that no triangle uses are left out. O(n).
 [[nodiscard]] PackedMesh packed(const TriMesh& mesh);
 
-}  // namespace dupin::report_page
+}  // namespace dupin::pages

@@ -5,7 +5,7 @@
 
 #include "dupin/io/report_page.h"
 
-namespace dupin::report_page {
+namespace dupin::pages {
 
 /// "1 point", "2 points".
 [[nodiscard]] std::string counted(std::size_t count, const std::string& noun);
@@ -41,4 +41,4 @@ namespace dupin::report_page {
 /// Claims by their verdict, and every one that is not proved; of others the nearest hundred.
 [[nodiscard]] PageSection certificate_section(const Certificate& certificate);
 
-}  // namespace dupin::report_page
+}  // namespace dupin::pages

@@ -1,4 +1,4 @@
-#include "report_page/packed_mesh.h"
+#include "pages/packed_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "text/mesh_text.h"
 
-namespace dupin::report_page {
+namespace dupin::pages {
 namespace {
 
 // Steps to a box: as many as binary32 tells apart on both sides of its middle.
@@ -89,4 +89,4 @@ PackedMesh packed(const TriMesh& mesh) {
   return result;
 }
 
-}  // namespace dupin::report_page
+}  // namespace dupin::pages

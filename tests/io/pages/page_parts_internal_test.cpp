@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "report_page/page_parts.h"
+#include "pages/page_parts.h"
 #include "support/shapes.h"
 
-namespace dupin::report_page {
+namespace dupin::pages {
 namespace {
 
 TEST(PageParts, own_the_labels_that_begin_with_their_name) {
@@ -29,4 +29,4 @@ TEST(PageParts, of_a_mesh_without_names_are_one) {
 }
 
 }  // namespace
-}  // namespace dupin::report_page
+}  // namespace dupin::pages

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "report_page/packed_mesh.h"
+#include "pages/packed_mesh.h"
 #include "support/sample_meshes.h"
 #include "support/shapes.h"
 
-namespace dupin::report_page {
+namespace dupin::pages {
 namespace {
 
 // The reader of the page (geometry.js), written anew.
@@ -64,7 +64,7 @@ TriMesh unpacked(const PackedMesh& packed) {
 TEST(PackedMesh, holds_every_triangle_within_a_step) {
   for (const double far : {0.0, 1e6}) {
     const TriMesh mesh = test::moved(test::tube(3, -7, 11, 50), {far, -far, far / 3});
-    const PackedMesh packed = report_page::packed(mesh);
+    const PackedMesh packed = pages::packed(mesh);
     const TriMesh read = unpacked(packed);
     ASSERT_EQ(read.triangles.size(), mesh.triangles.size());
     EXPECT_LE(packed.step, 18.0 / (1 << 21));
@@ -84,21 +84,21 @@ TEST(PackedMesh, sorts_triangles_by_label_and_drops_unused_points) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     mesh.labels.push_back(i % 2 == 0 ? 2 : 1);
   }
-  const PackedMesh packed = report_page::packed(mesh);
+  const PackedMesh packed = pages::packed(mesh);
   EXPECT_EQ(packed.points, 8);
   EXPECT_EQ(packed.runs, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{1, 6}, {2, 6}}));
   EXPECT_EQ(unpacked(packed).labels.size(), 12);
 }
 
 TEST(PackedMesh, of_nothing_is_nothing) {
-  const PackedMesh packed = report_page::packed({});
+  const PackedMesh packed = pages::packed({});
   EXPECT_EQ(packed.points + packed.triangles + packed.bytes.size() + packed.runs.size(), 0);
 }
 
 TEST(PackedMesh, takes_few_bytes) {
   const TriMesh mesh = test::tube(3, -7, 11, 4000);
-  EXPECT_LT(report_page::packed(mesh).bytes.size(), mesh.triangles.size() * 12);
+  EXPECT_LT(pages::packed(mesh).bytes.size(), mesh.triangles.size() * 12);
 }
 
 }  // namespace
-}  // namespace dupin::report_page
+}  // namespace dupin::pages

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dupin/kernel/error.h"
-#include "io/report_page/page_data.h"
+#include "io/pages/page_data.h"
 #include "support/shapes.h"
 
 namespace dupin {

@@ -1,10 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "report_page/page_sections.h"
+#include "pages/page_sections.h"
 #include "support/shapes.h"
 
-namespace dupin::report_page {
+namespace dupin::pages {
 namespace {
 
 TEST(PageSections, numbers_have_units) {
@@ -112,4 +112,4 @@ TEST(PageSections, faults_are_described) {
 }
 
 }  // namespace
-}  // namespace dupin::report_page
+}  // namespace dupin::pages

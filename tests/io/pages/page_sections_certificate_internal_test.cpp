@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "report_page/page_sections.h"
+#include "pages/page_sections.h"
 
-namespace dupin::report_page {
+namespace dupin::pages {
 namespace {
 
 Certificate of_two_parts() {
@@ -45,4 +45,4 @@ TEST(CertificateSection, leaves_out_pairs_that_are_far_apart) {
 }
 
 }  // namespace
-}  // namespace dupin::report_page
+}  // namespace dupin::pages

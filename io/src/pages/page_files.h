@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace dupin::report_page {
+namespace dupin::pages {
 
 /// The files that a page is put together of, as they are in this folder, made into text by
 /// cmake/EmbedFiles.cmake; the viewer library as it is installed.
@@ -14,4 +14,4 @@ struct PageFiles {
 
 [[nodiscard]] PageFiles page_files();
 
-}  // namespace dupin::report_page
+}  // namespace dupin::pages

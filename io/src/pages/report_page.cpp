@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "dupin/kernel/error.h"
-#include "report_page/packed_mesh.h"
-#include "report_page/page_files.h"
+#include "pages/packed_mesh.h"
+#include "pages/page_files.h"
 #include "text/base64.h"
 #include "text/mesh_text.h"
 
@@ -66,7 +66,7 @@ Json part_json(const PagePart& part) {
   return json;
 }
 
-Json page_json(const ReportPage& page, const report_page::PackedMesh& mesh) {
+Json page_json(const ReportPage& page, const pages::PackedMesh& mesh) {
   Json parts = Json::array(), sections = Json::array();
   std::ranges::transform(page.parts, std::back_inserter(parts), part_json);
   std::ranges::transform(page.sections, std::back_inserter(sections), section_json);
@@ -144,10 +144,10 @@ std::string filled_in(std::string_view page,
 
 }  // namespace
 
-bool has_page_viewer() { return !report_page::page_files().library.empty(); }
+bool has_page_viewer() { return !pages::page_files().library.empty(); }
 
 std::string report_page_html(const ReportPage& page) {
-  const report_page::PageFiles files = report_page::page_files();
+  const pages::PageFiles files = pages::page_files();
   if (files.library.empty()) {
     throw Error(Errc::invalid_argument,
                 "this build makes no report pages: three.js was not there when it was made "
@@ -156,7 +156,7 @@ std::string report_page_html(const ReportPage& page) {
   check_labels(page);
   // Refuses what has no picture: points that are not finite, indices out of range.
   (void)text::writable_points(page.mesh, Coordinates::binary64);
-  const report_page::PackedMesh mesh = report_page::packed(page.mesh);
+  const pages::PackedMesh mesh = pages::packed(page.mesh);
   const std::string data =
       page_json(page, mesh).dump(-1, ' ', false, Json::error_handler_t::replace);
   return filled_in(files.page, {{"title", html_text(text::clean_line(page.title))},

@@ -1,4 +1,4 @@
-#include "report_page/page_sections.h"
+#include "pages/page_sections.h"
 
 #include <algorithm>
 #include <map>
@@ -6,7 +6,7 @@
 
 #include "dupin/kernel/decimal.h"
 
-namespace dupin::report_page {
+namespace dupin::pages {
 namespace {
 
 constexpr std::size_t kMostWelded = 1000;
@@ -296,4 +296,4 @@ PageSection fault_section(const MeshSummary& summary, double size) {
   return section;
 }
 
-}  // namespace dupin::report_page
+}  // namespace dupin::pages

@@ -6,14 +6,14 @@
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/wall_thickness.h"
-#include "report_page/page_parts.h"
-#include "report_page/page_sections.h"
+#include "pages/page_parts.h"
+#include "pages/page_sections.h"
 
 namespace dupin {
 namespace {
 
-using report_page::counted;
-using report_page::measure;
+using pages::counted;
+using pages::measure;
 
 // Of the mesh's diagonal: what is looked at around a place that has no size.
 constexpr double kPlaceShare = 0.02;
@@ -43,7 +43,7 @@ class BuiltPage {
   }
 
   ReportPage page() && {
-    page_.parts = report_page::page_parts(page_.mesh, named_);
+    page_.parts = pages::page_parts(page_.mesh, named_);
     for (std::size_t i = named_.size(); i < page_.parts.size(); ++i) {
       const auto other = others_.find(page_.parts[i].name);
       page_.parts[i].kind = other == others_.end() ? "" : other->second;
@@ -54,20 +54,20 @@ class BuiltPage {
     const double size = kPlaceShare * diagonal();
     std::vector<PageSection> sections;
     sections.push_back(parts_section());
-    sections.push_back(report_page::gap_section(report_.gaps));
-    add_if_any(sections, report_page::note_section(report_, built_.line, built_.graph));
+    sections.push_back(pages::gap_section(report_.gaps));
+    add_if_any(sections, pages::note_section(report_, built_.line, built_.graph));
     if (report_.piping) {
-      add_if_any(sections, report_page::joint_section(*report_.piping, built_.line));
+      add_if_any(sections, pages::joint_section(*report_.piping, built_.line));
     }
-    add_if_any(sections, report_page::contact_section(report_.output.contacts, size));
+    add_if_any(sections, pages::contact_section(report_.output.contacts, size));
     add_if_any(sections, margin_section());
     if (report_.volumes && report_.region == Region::metal) {
       add_if_any(sections, wall_section());
     }
-    add_if_any(sections, report_page::rounding_section(report_.output.rounding, unit_, size));
+    add_if_any(sections, pages::rounding_section(report_.output.rounding, unit_, size));
     sections.push_back(volume_section());
     if (built_.certificate != nullptr) {
-      sections.push_back(report_page::certificate_section(*built_.certificate));
+      sections.push_back(pages::certificate_section(*built_.certificate));
     }
     sections.insert(sections.begin(), overview());
     page_.sections = std::move(sections);
