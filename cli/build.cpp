@@ -114,14 +114,10 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
 }
 
 // What the file says of the solid: where it is from, and what colours were asked for.
-MeshHeader header_of(const Assembly& assembly) {
-  MeshHeader header{std::string(symbol(assembly.unit)), {}};
-  header.name = std::filesystem::path(assembly.source).stem().string();
-  for (const Part& part : assembly.parts) {
-    if (!part.colour.empty()) {
-      header.colours.emplace(part.name, part.colour);
-    }
-  }
+MeshHeader header_of(const Document& document) {
+  MeshHeader header{std::string(symbol(document.assembly.unit)), {}};
+  header.name = std::filesystem::path(document.assembly.source).stem().string();
+  header.colours = document.colours;
   return header;
 }
 
@@ -145,7 +141,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     report.piping = std::move(document.piping);
     report.gaps = {assembly.source, assembly.unit, options.connect, std::move(built.ports),
                    std::move(built.gaps)};
-    report.output = write_solid(built.solid, to, rounding, header_of(assembly),
+    report.output = write_solid(built.solid, to, rounding, header_of(document),
                                 contact_choice(arguments.contacts, unit), {},
                                 arguments.page.empty() ? nullptr : &written);
     report.output.cross_check = std::move(built.cross_check);

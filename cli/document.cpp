@@ -105,7 +105,9 @@ Document document_of(const std::string& path, const SourceArguments& arguments,
           "--radius and --keep-going are for graphs, files named .swc or .graph, and --keep-going "
           "for piping files, named .pcf");
     }
-    return {parse_assembly(input.bytes, input.name)};
+    Document document{parse_assembly(input.bytes, input.name)};
+    document.colours = part_colours(input.bytes, input.name);
+    return document;
   }
   PipeGraphOptions options;
   options.keep_going = arguments.keep_going;

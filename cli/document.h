@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -37,7 +38,8 @@ struct Document {
   std::optional<PcfReport> piping = {};
   PipingLine line = {};  ///< of a piping file, and what it was made into an assembly with
   PipingOptions piping_options = {};
-  PipeGraph graph = {};  ///< as it was read
+  PipeGraph graph = {};                             ///< as it was read
+  std::map<std::string, std::string> colours = {};  ///< of parts, as the document has them
 };
 
 /// The file is a graph or a piping file if its extension says so. `wall`, as typed, is

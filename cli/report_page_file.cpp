@@ -26,6 +26,7 @@ void write_page(const std::string& path, const Document& document, const BuildRe
   built.line = document.line.components.empty() ? nullptr : &document.line;
   built.graph = document.graph.nodes.empty() ? nullptr : &document.graph;
   built.certificate = certificate;
+  built.colours = document.colours;
   write_text(path, report_page_html(report_page(built, std::move(mesh))));
 }
 

@@ -52,8 +52,7 @@ Part part(const JsonNode& node) {
   }
   if (node.has("colour")) {
     const JsonNode colour = node.at("colour");
-    result.colour = colour.text();
-    if (!text::colour_of_code(result.colour)) {
+    if (!text::colour_of_code(colour.text())) {
       colour.fail("must be a colour such as \"#3a7bd5\", red, green and blue in hexadecimal");
     }
   }
@@ -125,6 +124,21 @@ Assembly parse_assembly(std::string_view text, const std::string& source) {
                  assembly.parts.back().pointer = pointer == own ? "" : pointer;
                });
   return assembly;
+}
+
+std::map<std::string, std::string> part_colours(std::string_view text, const std::string& source) {
+  const json::Json json = json::parse_json(text, source);
+  const JsonNode document(json, source, "");
+  const Unit unit_of_document = unit(document.at("units"));
+  json::Values values(document, unit_of_document);
+  std::map<std::string, std::string> colours;
+  json::expand(document, source, unit_of_document, values,
+               [&](const JsonNode& node, const std::string& /*pointer*/) {
+                 if (node.has("colour")) {
+                   colours.emplace(node.at("name").text(), node.at("colour").text());
+                 }
+               });
+  return colours;
 }
 
 Assembly read_assembly(const std::filesystem::path& file) {

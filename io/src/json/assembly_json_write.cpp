@@ -315,9 +315,6 @@ Json written(const Part& part) {
   if (part.wall) {
     json["wall"] = *part.wall;
   }
-  if (!part.colour.empty()) {
-    json["colour"] = part.colour;
-  }
   if (part.solid) {
     json["solid"] = true;
   }

@@ -2,6 +2,7 @@
 #include <map>
 #include <utility>
 
+#include "dupin/blends/certify.h"
 #include "dupin/io/report_page.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -32,13 +33,13 @@ class BuiltPage {
       }
       named_.push_back(std::move(named));
     }
-    for (const Part& part : built_.assembly.parts) {
-      const auto named = std::ranges::find(named_, part.name, &PagePart::name);
-      if (named != named_.end()) {
-        named->colour = part.colour;
-      } else {
-        others_.emplace(part.name, kind(part.shape));
+    for (PagePart& part : named_) {
+      if (const auto colour = built.colours.find(part.name); colour != built.colours.end()) {
+        part.colour = colour->second;
       }
+    }
+    for (const Part& part : built_.assembly.parts) {
+      others_.emplace(part.name, kind(part.shape));
     }
   }
 

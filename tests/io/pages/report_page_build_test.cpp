@@ -80,10 +80,18 @@ TEST(ReportPageBuild, has_every_label_in_one_part) {
   for (std::uint32_t i = 0; i < labels.size(); ++i) {
     EXPECT_EQ(labels[i], i);
   }
-  EXPECT_EQ(page.parts[0].colour, "#cc3311");
-  EXPECT_EQ(page.parts[1].colour, "");
+  EXPECT_EQ(page.parts[0].colour, "");
   EXPECT_EQ(page.parts.back().name, "lid");
   EXPECT_EQ(page.parts.back().kind, "cap");
+}
+
+TEST(ReportPageBuild, parts_have_the_colours_of_the_document) {
+  const Case c = built(kApart);
+  BuiltDocument document{c.assembly, c.report};
+  document.colours = {{"run", "#cc3311"}};
+  const ReportPage page = report_page(document, c.mesh);
+  EXPECT_EQ(page.parts[0].colour, "#cc3311");
+  EXPECT_EQ(page.parts[1].colour, "");
 }
 
 TEST(ReportPageBuild, leads_to_the_tightest_place_and_the_thinnest_wall) {

@@ -21,7 +21,6 @@ struct Part {
   bool solid = false;  ///< without a bore, and those of others end at it
   /// Where the document says it, if not at /parts/INDEX: several parts may come from one place.
   std::string pointer = {};
-  std::string colour = {};  ///< "#rrggbb"; empty: where colours are shown, they are chosen
 };
 
 /// A document: what the user says, before anything is computed.

@@ -93,19 +93,6 @@ struct Built {
 /// or of the bores), and what `resolve`, `unite` throw; each names the part.
 [[nodiscard]] Built build(const Assembly& assembly, const BuildOptions& options = {});
 
-/// Where a part comes nearest to folding.
-struct MarginPlace {
-  std::string part;
-  double parameter = 0;        ///< i + t on the i-th piece of the part
-  Vec3 center = Vec3::Zero();  ///< of its disc there
-  double radius = 0;           ///< about that of the disc
-};
-
-/// Of each part but spheres and the arms of junctions, in document order: the middle of the 32nd
-/// of a piece on which the bound of min(1 - kappa R) is least. For looking: the margins that are
-/// certified are those of PartReport. Throws as `resolve`.
-[[nodiscard]] std::vector<MarginPlace> margin_places(const Assembly& assembly);
-
 /// The diameters of an end, outside: of a circle the same twice, else along and across the axis.
 using EndSize = std::array<double, 2>;
 

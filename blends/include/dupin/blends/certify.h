@@ -3,10 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/certificate.h"
 #include "dupin/blends/tessellation.h"
+#include "dupin/kernel/vec.h"
 
 namespace dupin {
 
@@ -26,5 +29,18 @@ struct CertifyOptions {
 /// arithmetic; what it cannot is undecided. Throws as `resolve` and `tessellate` do, and
 /// Error{invalid_argument} for a margin outside [0, 1).
 [[nodiscard]] Certificate certify(const Assembly& assembly, const CertifyOptions& options = {});
+
+/// Where a part comes nearest to folding.
+struct MarginPlace {
+  std::string part;
+  double parameter = 0;        ///< i + t on the i-th piece of the part
+  Vec3 center = Vec3::Zero();  ///< of its disc there
+  double radius = 0;           ///< about that of the disc
+};
+
+/// Of each part but spheres and the arms of junctions, in document order: the middle of the 32nd
+/// of a piece on which the bound of min(1 - kappa R) is least. For looking: the margins that are
+/// certified are those of PartReport. Throws as `resolve`.
+[[nodiscard]] std::vector<MarginPlace> margin_places(const Assembly& assembly);
 
 }  // namespace dupin

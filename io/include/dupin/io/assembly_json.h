@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -16,8 +17,13 @@ namespace dupin {
 /// Whether numbers are in range and ports exist is for `resolve` to say.
 [[nodiscard]] Assembly parse_assembly(std::string_view text, const std::string& source = {});
 
+/// The colours of parts, "#rrggbb" by their names: how a part is shown is no matter of its
+/// geometry. Throws as parse_assembly, which has checked them.
+[[nodiscard]] std::map<std::string, std::string> part_colours(std::string_view text,
+                                                              const std::string& source = {});
+
 /// The document that parse_assembly makes this of again, bit by bit, a part on each line. Comments
-/// are not kept, and neither is `source`.
+/// and colours are not kept, and neither is `source`.
 [[nodiscard]] std::string document_text(const Assembly& assembly);
 
 /// The document in a file. Throws as read_file and parse_assembly.

@@ -2,7 +2,7 @@
 #include <limits>
 #include <optional>
 
-#include "dupin/blends/build.h"
+#include "dupin/blends/certify.h"
 #include "dupin/blends/resolve.h"
 #include "surfaces/surface_piece.h"
 

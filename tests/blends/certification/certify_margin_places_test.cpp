@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dupin/blends/build.h"
+#include "dupin/blends/certify.h"
 #include "dupin/io/assembly_json.h"
 
 namespace dupin {
