@@ -56,6 +56,10 @@ class MshReader {
     if (!has_elements) {
       scanner_.fail("the section $Elements");
     }
+    if (mesh_.triangles.empty() && !mesh_.points.empty()) {
+      scanner_.fail("triangles or quadrangles of the " + std::to_string(mesh_.points.size()) +
+                    " nodes");
+    }
     if (has_labels_) {
       std::move(labels_).name_labels(mesh_);
     } else {

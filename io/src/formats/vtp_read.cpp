@@ -99,6 +99,12 @@ class VtpReader {
   }
 
   TriMesh mesh() && {
+    if (mesh_.triangles.empty() && !mesh_.points.empty()) {
+      throw Error(Errc::parse_failed,
+                  "found " + std::to_string(mesh_.points.size()) +
+                      " points and no polygon, expected polygons",
+                  {}, std::string(file_));
+    }
     if (has_labels_) {
       for (std::uint32_t& label : mesh_.labels) {
         label =

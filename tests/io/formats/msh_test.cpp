@@ -58,6 +58,8 @@ TEST(Msh, is_refused_with_its_line) {
        {"$MeshFormat\n2.2 1 8\n",
         "x.msh:2: found '1', expected 0, for text (in gmsh: without -bin, or Mesh.Binary = 0)"},
        {kHead + kNodes, "x.msh:11: found the end of the file, expected the section $Elements"},
+       {kHead + kNodes + "$Elements\n1\n1 15 2 0 1 1\n$EndElements\n",
+        "x.msh:15: found the end of the file, expected triangles or quadrangles of the 4 nodes"},
        {kHead + "Nodes\n", "x.msh:4: found 'Nodes', expected a section, such as $Nodes"},
        {kHead + "$Other\n1\n", "x.msh:6: found the end of the file, expected $EndOther"},
        {none + "1 4 2 1 1 1 2 7 4\n",

@@ -107,6 +107,7 @@ TEST(VtpRead, refuses_what_it_does_not_know_with_its_line) {
                   "format=\"binary\">AAAAAA==</DataArray></Points>"),
             "compressor=\"vtkZLibDataCompressor\""),
        "compressed"},
+      {file(piece("NumberOfPoints=\"4\"", kPoints)), "found 4 points and no polygon"},
       {"<VTKFile", "found faulty XML"}};
   for (const auto& [text, what] : table) {
     try {
