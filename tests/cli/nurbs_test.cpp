@@ -19,6 +19,15 @@ TEST_F(Nurbs, are_exact_or_within_the_tolerance) {
   EXPECT_LE(report.at("parts")[2].at("error_bound"), 0.001);
 }
 
+TEST_F(Nurbs, of_spines_that_turn_back_are_within_the_tolerance) {
+  for (const char* const name : {"u-bend.json", "u-bend-cyclide.json", "two-cones.json"}) {
+    const auto report = json({"nurbs", example(name), "-o", "a.json", "--tolerance", "0.01mm"}, 0);
+    for (const auto& part : report.at("parts")) {
+      EXPECT_LE(part.at("error_bound"), 0.01) << name;
+    }
+  }
+}
+
 TEST_F(Nurbs, go_to_standard_output_alone) {
   const std::string nozzle = example("oblique-nozzle.json");
   ASSERT_EQ(dupin({"nurbs", nozzle, "-o", "a.json", "-q"}).exit_code, 0);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include <Eigen/Geometry>
@@ -170,12 +171,26 @@ NurbsForm lofted(const Tube& tube, double tolerance) {
   constexpr int kMost = 4096;
   (void)tessellation::allowed_error(
       tolerance, tessellation::point_error(tube, 0));  // or no number of cubics is enough
+  std::optional<Error> undecided;
   for (int pieces = 2; pieces <= kMost; pieces += (pieces + 1) / 2) {
     std::vector<NurbsRow> rows;
-    const double error = Loft<Tube>(tube, pieces).measure(rows);
-    if (error <= tolerance) {
-      return {{nurbs_through(rows, 3)}, error};
+    try {
+      undecided.reset();
+      const double error = Loft<Tube>(tube, pieces).measure(rows);
+      if (error <= tolerance) {
+        return {{nurbs_through(rows, 3)}, error};
+      }
+    } catch (const Error& error) {
+      // Over a long stretch intervals do not tell that the spine goes on; over shorter ones they
+      // do.
+      if (error.code() != Errc::irregular_surface) {
+        throw;
+      }
+      undecided = error;
     }
+  }
+  if (undecided) {
+    throw *undecided;
   }
   throw Error(Errc::limit_exceeded, "a tolerance of " + decimal(tolerance, kMessageDigits) +
                                         " asks for more than " + std::to_string(kMost) +

@@ -146,8 +146,14 @@ TEST(Nurbs, of_a_ringed_blend_has_its_rings) {
 
 // Certified: points of the loft are no further from the circle of some parameter than stated.
 TEST(Nurbs, of_other_blends_keeps_the_bound_it_states) {
-  for (const RadiusLaw& law : {RadiusLaw(CubicRadius{1, 2}), RadiusLaw(CyclideRadius{1, 2})}) {
-    const RingedSurface surface = test::figure6(law);
+  // Turns back, so that intervals of its velocity over half of it contain zero (examples/u-bend).
+  const RingedSurface u_bend{
+      Ring{Vec3(0, 0, 0), -Vec3::UnitX(), 2}, Ring{Vec3(0, 15.1327459504216, 0), -Vec3::UnitX(), 4},
+      HermiteSpine{Vec3(0, 0, 0), Vec3(0, 15.1327459504216, 0), Vec3(30, 0, 0), Vec3(-30, 0, 0)},
+      CubicRadius{2, 4}};
+  for (const RingedSurface& surface :
+       {test::figure6(CubicRadius{1, 2}), test::figure6(CyclideRadius{1, 2}), u_bend}) {
+    const RadiusLaw& law = surface.radius;
     for (const double tolerance : {1e-2, 1e-4}) {
       const NurbsForm form = nurbs(surface, tolerance);
       EXPECT_GT(form.error_bound, 0);
