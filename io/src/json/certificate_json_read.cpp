@@ -234,8 +234,15 @@ Certificate parse_certificate(std::string_view text, const std::string& source) 
         root.at("fillet_claims"),
         [](const JsonNode& node) { return list<LoopClaims>(node, loop_claims); });
   }
+  if (root.has("apart")) {
+    result.apart = root.at("apart").number();
+    if (!(result.apart > 0)) {
+      root.at("apart").fail("must be positive");
+    }
+  }
   result.clearances = list<ClearanceClaim>(
       root.at("clearances"), [=](const JsonNode& node) { return clearance(node, parts); });
+  root.require_no_more_than(json::parse_json(certificate_json(result), source));
   return result;
 }
 

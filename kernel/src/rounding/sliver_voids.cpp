@@ -103,7 +103,7 @@ SliverVoids::SliverVoids(const mesh::ExactMesh& mesh,
                          std::span<const std::uint32_t> representatives, double widest)
     : mesh_(mesh), merged_(merged(mesh, representatives)), edges_(merged_, mesh.points.size()) {
   const auto crowded = support::indices_where(
-      edges_.size(), [&](std::uint32_t i) { return edges_[i].half_edges.size() > 2; });
+      edges_.size(), [&](std::uint32_t i) { return edges_.half_edges(i).size() > 2; });
   std::vector<std::vector<std::uint32_t>> around(crowded.size());
   support::for_each_in_parallel(crowded.size(), [&](std::size_t i) {
     around[i] = mesh::sorted_around(mesh::MeshView(mesh_), edges_, edges_[crowded[i]]);
@@ -139,13 +139,15 @@ void SliverVoids::pair_around(const std::vector<std::uint32_t>& around,
 std::vector<std::uint32_t> SliverVoids::partners(const std::vector<std::uint8_t>& gone,
                                                  Side side) const {
   std::vector<std::uint32_t> partners(3 * merged_.size());
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const auto half_edges = edges_[i].half_edges;
-    if (half_edges.size() == 2) {
-      partners[half_edges[0]] = half_edges[1];
-      partners[half_edges[1]] = half_edges[0];
+  support::for_each_block(edges_.size(), [&](const support::Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const auto half_edges = edges_.half_edges(i);
+      if (half_edges.size() == 2) {
+        partners[half_edges[0]] = half_edges[1];
+        partners[half_edges[1]] = half_edges[0];
+      }
     }
-  }
+  });
   for (const auto& [edge, around] : around_) {
     pair_around(around, gone, side, partners);
   }
@@ -155,9 +157,13 @@ std::vector<std::uint32_t> SliverVoids::partners(const std::vector<std::uint8_t>
 mesh::Shells SliverVoids::find_cells() const {
   const auto across = partners(std::vector<std::uint8_t>(merged_.size(), 0), Side::free);
   support::DisjointSets sets(merged_.size());
-  for (std::uint32_t h = 0; h < across.size(); ++h) {
-    sets.unite(h / 3, across[h] / 3);
-  }
+  support::for_each_block(merged_.size(), [&](const support::Block& block) {
+    for (auto face = static_cast<std::uint32_t>(block.begin); face < block.end; ++face) {
+      for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) {
+        sets.unite(face, across[h] / 3);
+      }
+    }
+  });
   return mesh::grouped(sets.representatives());
 }
 
