@@ -180,20 +180,4 @@ std::string JsonNode::text() const {
   return value_->get<std::string>();
 }
 
-void JsonNode::require_no_more_than(const Json& understood) const {
-  if (value_->is_object()) {
-    for (const auto& [key, value] : value_->items()) {
-      if (!understood.is_object() || !understood.contains(key)) {
-        at(key).fail("unknown key: nothing here is left unchecked");
-      }
-      at(key).require_no_more_than(understood.at(key));
-    }
-  }
-  for (std::size_t i = 0; value_->is_array() && i < value_->size(); ++i) {
-    if ((*value_)[i].is_structured()) {
-      at(i).require_no_more_than(understood.at(i));
-    }
-  }
-}
-
 }  // namespace dupin::json

@@ -47,10 +47,6 @@ class JsonNode {
   [[nodiscard]] double number() const;
   [[nodiscard]] std::string text() const;
 
-  /// Throws at the first key, in any depth, that the same value as it was understood has not. For
-  /// what is read on trust: it holds whatever the readers of its parts have asked for.
-  void require_no_more_than(const Json& understood) const;
-
  private:
   const Json* value_;
   const std::string* source_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <numeric>
+#include <vector>
 
 #include "support/blocks.h"
 #include "support/disjoint_sets.h"
@@ -12,9 +13,24 @@ namespace dupin::mesh {
 
 namespace {
 
-/// The higher end of a half-edge, then its number: the order around its lower end.
-std::uint64_t key_of(std::uint32_t high, std::uint32_t half_edge) {
-  return std::uint64_t(high) << 32 | half_edge;
+/// Sorts half-edges of one lower end by their higher ends, then by number, and appends where, of
+/// all half-edges, those of each edge start; the first is at `from`.
+void sort_around(std::span<std::uint32_t> half_edges, const EdgeTable& edges, std::uint32_t from,
+                 std::vector<std::uint32_t>& starts) {
+  constexpr std::size_t kUsual = 64;
+  std::array<std::uint64_t, kUsual> few;
+  std::vector<std::uint64_t> many(half_edges.size() > kUsual ? half_edges.size() : 0);
+  const std::span<std::uint64_t> keys(many.empty() ? few.data() : many.data(), half_edges.size());
+  std::ranges::transform(half_edges, keys.begin(), [&](std::uint32_t h) {
+    return std::uint64_t(std::max(edges.origin(h), edges.target(h))) << 32 | h;
+  });
+  std::ranges::sort(keys);
+  for (std::uint32_t i = 0; i < keys.size(); ++i) {
+    half_edges[i] = static_cast<std::uint32_t>(keys[i]);
+    if (i == 0 || keys[i] >> 32 != keys[i - 1] >> 32) {
+      starts.push_back(from + i);
+    }
+  }
 }
 
 }  // namespace
@@ -43,33 +59,15 @@ EdgeTable::EdgeTable(std::span<const Triangle> triangles, std::size_t point_coun
   // Now where those of the next point begin.
   starts_ = support::collect_in_order<std::uint32_t>(
       point_count, [&](std::size_t point, std::vector<std::uint32_t>& starts) {
-        sort_at(point == 0 ? 0 : begin[point - 1], begin[point], starts);
+        const std::uint32_t from = point == 0 ? 0 : begin[point - 1];
+        sort_around(std::span(half_edges_).subspan(from, begin[point] - from), *this, from, starts);
       });
   starts_.push_back(static_cast<std::uint32_t>(half_edges_.size()));
 }
 
-/// Sorts the half-edges of one lower end, and appends where its edges start.
-void EdgeTable::sort_at(std::uint32_t from, std::uint32_t to, std::vector<std::uint32_t>& starts) {
-  constexpr std::size_t kUsual = 64;
-  std::array<std::uint64_t, kUsual> few;
-  std::vector<std::uint64_t> many(to - from > kUsual ? to - from : 0);
-  const std::span<std::uint64_t> keys(many.empty() ? few.data() : many.data(), to - from);
-  for (std::uint32_t i = from; i < to; ++i) {
-    const std::uint32_t h = half_edges_[i];
-    keys[i - from] = key_of(std::max(origin(h), target(h)), h);
-  }
-  std::sort(keys.begin(), keys.end());
-  for (std::uint32_t i = from; i < to; ++i) {
-    const std::uint64_t key = keys[i - from];
-    half_edges_[i] = static_cast<std::uint32_t>(key);
-    if (i == from || key >> 32 != keys[i - from - 1] >> 32) {
-      starts.push_back(i);
-    }
-  }
-}
-
 Edge EdgeTable::operator[](std::size_t edge) const {
-  const std::span<const std::uint32_t> along = half_edges(edge);
+  const std::span<const std::uint32_t> along =
+      std::span(half_edges_).subspan(starts_[edge], starts_[edge + 1] - starts_[edge]);
   const std::uint32_t a = origin(along[0]), b = target(along[0]);
   return {std::min(a, b), std::max(a, b), along};
 }

@@ -27,10 +27,6 @@ class EdgeTable {
 
   [[nodiscard]] std::size_t size() const { return starts_.size() - 1; }
   [[nodiscard]] Edge operator[](std::size_t edge) const;
-  /// Those of an edge, without looking for its ends.
-  [[nodiscard]] std::span<const std::uint32_t> half_edges(std::size_t edge) const {
-    return std::span(half_edges_).subspan(starts_[edge], starts_[edge + 1] - starts_[edge]);
-  }
   [[nodiscard]] std::uint32_t origin(std::uint32_t half_edge) const {
     return triangles_[half_edge / 3][half_edge % 3];
   }
@@ -39,8 +35,6 @@ class EdgeTable {
   }
 
  private:
-  void sort_at(std::uint32_t from, std::uint32_t to, std::vector<std::uint32_t>& starts);
-
   std::span<const Triangle> triangles_;
   std::vector<std::uint32_t> half_edges_;  // by edge
   std::vector<std::uint32_t> starts_;      // of each edge in half_edges_, and the end

@@ -103,7 +103,7 @@ SliverVoids::SliverVoids(const mesh::ExactMesh& mesh,
                          std::span<const std::uint32_t> representatives, double widest)
     : mesh_(mesh), merged_(merged(mesh, representatives)), edges_(merged_, mesh.points.size()) {
   const auto crowded = support::indices_where(
-      edges_.size(), [&](std::uint32_t i) { return edges_.half_edges(i).size() > 2; });
+      edges_.size(), [&](std::uint32_t i) { return edges_[i].half_edges.size() > 2; });
   std::vector<std::vector<std::uint32_t>> around(crowded.size());
   support::for_each_in_parallel(crowded.size(), [&](std::size_t i) {
     around[i] = mesh::sorted_around(mesh::MeshView(mesh_), edges_, edges_[crowded[i]]);
@@ -141,7 +141,7 @@ std::vector<std::uint32_t> SliverVoids::partners(const std::vector<std::uint8_t>
   std::vector<std::uint32_t> partners(3 * merged_.size());
   support::for_each_block(edges_.size(), [&](const support::Block& block) {
     for (std::size_t i = block.begin; i < block.end; ++i) {
-      const auto half_edges = edges_.half_edges(i);
+      const auto half_edges = edges_[i].half_edges;
       if (half_edges.size() == 2) {
         partners[half_edges[0]] = half_edges[1];
         partners[half_edges[1]] = half_edges[0];

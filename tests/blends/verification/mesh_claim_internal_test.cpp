@@ -123,8 +123,8 @@ TEST(MeshClaim, of_a_cyclide_is_that_of_the_torus_it_is) {
   EXPECT_LE(least, 3 * measured(4, pi / 2, 1, 32, 16));
 }
 
-// A disc as the evaluators of the surfaces say it is, the rate of the length that bands are measured
-// by, and how the frame turns, where it does.
+// A disc as the evaluators of the surfaces say it is, the rate of the length that bands are
+// measured by, and how the frame turns, where it does.
 struct Moving {
   Vec3 center, normal;
   double radius = 0, pace = 1;
@@ -166,20 +166,21 @@ double expected_bound(const Surface& at, std::uint32_t segments, int bands, doub
       if (at(t).spin) {
         const double spin = at(t).spin->norm();
         const double change = rate<Vec3>([&](double x) { return *at(x).spin; }, t).norm();
-        along = std::max(along, c2.norm() + r2 + 2 * slope * spin + radius * (change + spin * spin));
+        along =
+            std::max(along, c2.norm() + r2 + 2 * slope * spin + radius * (change + spin * spin));
         mixed = std::max(mixed, slope + radius * spin);
         continue;
       }
-      along = std::max(along, std::hypot(std::abs(c2.dot(n)) + 2 * slope * turn +
-                                             radius * n2.cross(n).norm(),
-                                         c2.cross(n).norm() + r2 + radius * turn * turn));
+      along = std::max(
+          along, std::hypot(std::abs(c2.dot(n)) + 2 * slope * turn + radius * n2.cross(n).norm(),
+                            c2.cross(n).norm() + r2 + radius * turn * turn));
       mixed = std::max(mixed, std::hypot(slope, radius * turn));
       turning = std::max(turning, turn);
     }
-    const double du = 2 * pi / segments + pi / segments / sharing +
-                      .27 * std::pow(length * turning, 2) / 16;
-    worst = std::max(worst, (length * length * along + 2 * length * du * mixed + du * du * around) /
-                                8);
+    const double du =
+        2 * pi / segments + pi / segments / sharing + .27 * std::pow(length * turning, 2) / 16;
+    worst =
+        std::max(worst, (length * length * along + 2 * length * du * mixed + du * du * around) / 8);
   }
   return worst;
 }
@@ -217,10 +218,8 @@ TEST(MeshClaim, is_made_of_the_largest_values_on_each_band) {
   RingedSurface straight = test::cylinder({0, 0, 0}, {0, 8, 0}, 1), bent = test::elbow(5, .9, 1);
   straight.radius = CubicRadius{1, 2.5};
   bent.radius = CubicRadius{1, 1.6};
-  const RingedSurface free{{},
-                           {},
-                           HermiteSpine{{0, 0, 0}, {6, 3, 1}, {9, 0, 0}, {2, 7, -3}},
-                           CyclideRadius{.5, .9}};
+  const RingedSurface free{
+      {}, {}, HermiteSpine{{0, 0, 0}, {6, 3, 1}, {9, 0, 0}, {2, 7, -3}}, CyclideRadius{.5, .9}};
   const PeArc arc = PeArc::from(test::sphere(4, 0, 0, .7), test::direction(Vec3(.1, 1, .2), .2),
                                 test::sphere(.5, 5, .4, 1.6));
   const RationalRingedSurface spinning =

@@ -61,23 +61,6 @@ TEST(JsonDocument, without_a_source_the_pointer_stands_alone) {
             "/a: must be an object, not number");
 }
 
-TEST(JsonDocument, more_than_was_understood_is_refused_with_its_place) {
-  const std::string source = "d";
-  const Json understood = parse_json(R"({"a": [1, {"b": [[{}]]}], "c": {"d": null}})", source);
-  const auto refusal = [&](const std::string& text) {
-    const Json json = parse_json(text, source);
-    return message_of([&] { JsonNode(json, source, "").require_no_more_than(understood); });
-  };
-  EXPECT_EQ(refusal(R"({"c": {"d": 7}, "a": [2, {"b": [[{}]]}]})"), "no error")
-      << "other numbers, another order";
-  EXPECT_EQ(refusal(R"({"a": [1, {}]})"), "no error") << "less";
-  EXPECT_THAT(refusal(R"({"a": [1], "e": 0})"), testing::StartsWith("d#/e: unknown key"));
-  EXPECT_THAT(refusal(R"({"a": [1, {"b": [[{"~": 1}]]}]})"),
-              testing::StartsWith("d#/a/1/b/0/0/~0: unknown key"));
-  EXPECT_THAT(refusal(R"({"c": {"d": {"d": null}}})"),
-              testing::StartsWith("d#/c/d/d: unknown key"));
-}
-
 TEST(JsonDocument, that_is_deep_or_has_too_many_keys_is_refused_with_its_place) {
   const std::string deep(100'000, '[');
   EXPECT_THAT(message_of([&] { (void)parse_json("{\n\"a\": " + deep, "d").size(); }),
