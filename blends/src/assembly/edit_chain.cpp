@@ -7,9 +7,6 @@
 
 #include <Eigen/Geometry>
 
-#include "assembly/bore.h"
-#include "assembly/run_solids.h"
-#include "assembly/welded_runs.h"
 #include "dupin/blends/build.h"
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/resolve.h"
@@ -226,12 +223,8 @@ void check_edit(const Assembly& edited, std::uint32_t part, double margin, bool 
       }
     }
   }
-  const BuildOptions options;
-  if (build_all && assembly::walls_of(edited, resolved, options.region)) {
+  if (build_all) {
     (void)build(edited);
-  } else if (build_all) {  // to unite what are solids is never refused
-    (void)assembly::solids_of_runs(edited, resolved, assembly::lattice_spacing(edited, resolved),
-                                   options);
   }
 }
 

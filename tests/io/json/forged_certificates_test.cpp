@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -44,19 +45,22 @@ std::string resealed(Json json) {
   return text + "  \"sha256\": \"" + sha256(text) + "\"\n}\n";
 }
 
-void expect_no_key_goes_unread(const Certificate& honest) {
+// In objects of kinds that have not been looked at.
+void expect_no_key_goes_unread(const Certificate& honest, std::set<std::string>& seen) {
   const Json json = Json::parse(certificate_json(honest));
   ASSERT_NO_THROW(verify(parse_certificate(resealed(json)))) << "in another layout";
   std::map<std::string, Pointer> objects;
   collect_objects(json, Pointer(), "", objects);
   for (const auto& [kind, at] : objects) {
-    for (const char* const key : {"remark", "proved", "distance"}) {
-      Json forged = json;
-      if (at.empty() || !forged[at].contains(key)) {
-        forged[at][key] = 1000;
-      } else {
+    if (!seen.insert(kind).second) {
+      continue;
+    }
+    for (const char* const key : {"remark", "distance"}) {
+      if (json[at].contains(key)) {
         continue;
       }
+      Json forged = json;
+      forged[at][key] = 1000;
       try {
         static_cast<void>(parse_certificate(resealed(forged), "forged.json"));
         ADD_FAILURE() << "believed: " << kind << "/" << key;
@@ -72,11 +76,12 @@ void expect_no_key_goes_unread(const Certificate& honest) {
 // The one of a seed has all claims that there are, and a part without any.
 TEST(ForgedCertificates, have_no_key_that_goes_unread) {
   std::mt19937_64 random(15);
-  expect_no_key_goes_unread(test::truth(random).honest);
+  std::set<std::string> seen;
+  expect_no_key_goes_unread(test::truth(random).honest, seen);
   for (const char* const name : {"cone-to-pipe.json", "crane-hook.json", "oval-duct.json",
                                  "ucct-arm.json", "ringed-canal.json"}) {
     const std::filesystem::path path = std::filesystem::path(DUPIN_SOURCE_DIR) / "examples" / name;
-    expect_no_key_goes_unread(certify(read_assembly(path)));
+    expect_no_key_goes_unread(certify(read_assembly(path)), seen);
   }
 }
 
