@@ -117,6 +117,9 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
         out, "smallest clearance",
         "at least " + number(nearest->distance) + unit + " (" + named(certificate, *nearest) + ")");
   }
+  if (certificate.apart > 0) {
+    print_row(out, "all other clearances", "at least " + number(certificate.apart) + unit);
+  }
   print_row(out, "overlapping pairs", std::to_string(overlaps));
   print_row(out, "not proved", std::to_string(certificate.findings()));
   print_findings(out, certificate);

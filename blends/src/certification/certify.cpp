@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -53,9 +52,21 @@ CertifiedInputs inputs_of(const ResolvedAssembly& resolved) {
 // So much a pair of parts that are far from each other costs, whatever else the work goes to.
 constexpr std::uint64_t kWorkOfPair = 8;
 
-std::uint64_t work_for(std::uint64_t parts, const CertifyOptions& options) {
-  const std::uint64_t pairs = kWorkOfPair * (parts * (parts + 1) / 2);
-  return options.work + std::min(pairs, std::numeric_limits<std::uint64_t>::max() - options.work);
+// Of so many parts each pair has a claim of its own if nothing else is asked for.
+constexpr std::size_t kFewParts = 64;
+
+double default_distance(const Assembly& assembly, std::size_t parts) {
+  return parts <= kFewParts ? 0 : 2 * assembly.tolerance;
+}
+
+std::vector<verification::PartPair> all_pairs(std::uint32_t parts) {
+  std::vector<verification::PartPair> pairs;
+  for (std::uint32_t i = 0; i < parts; ++i) {
+    for (std::uint32_t j = i + 1; j < parts; ++j) {
+      pairs.push_back({i, j});
+    }
+  }
+  return pairs;
 }
 
 // The largest angle about a ring's axis that a triangle spans.
@@ -77,10 +88,7 @@ double widest_turn(const TriMesh& mesh, const Ring& ring) {
 class Certifier {
  public:
   Certifier(const Assembly& assembly, const CertifyOptions& options)
-      : assembly_(assembly),
-        options_(options),
-        resolved_(resolve(assembly)),
-        work_(work_for(resolved_.parts.size(), options)) {}
+      : assembly_(assembly), options_(options), resolved_(resolve(assembly)), work_(options.work) {}
 
   Certificate run() {
     refuse_junctions(assembly_, resolved_, "certificates");
@@ -194,13 +202,21 @@ class Certifier {
   }
 
   void append_clearances() {
-    for (std::uint32_t i = 0; i < sweeps_.size(); ++i) {
-      for (std::uint32_t j = i + 1; j < sweeps_.size(); ++j) {
-        ClearanceClaim claim = clearance(i, j);
-        claim.first = i;
-        claim.second = j;
-        result_.clearances.push_back(checker_.agreed(std::move(claim), result_.parts));
-      }
+    result_.apart = options_.apart.value_or(default_distance(assembly_, sweeps_.size()));
+    std::optional<std::vector<verification::PartPair>> pairs;
+    if (result_.apart > 0) {
+      pairs = checker_.pairs_nearer_than(result_.apart);
+    }
+    if (!pairs) {
+      result_.apart = 0;
+      pairs = all_pairs(std::uint32_t(sweeps_.size()));
+    }
+    work_.allow(kWorkOfPair * pairs->size());
+    for (const auto& [first, second] : *pairs) {
+      ClearanceClaim claim = clearance(first, second);
+      claim.first = first;
+      claim.second = second;
+      result_.clearances.push_back(checker_.agreed(std::move(claim), result_.parts));
     }
   }
 
@@ -259,6 +275,11 @@ Certificate certify(const Assembly& assembly, const CertifyOptions& options) {
     throw Error(Errc::invalid_argument,
                 "the margin to prove must be at least 0 and less than 1, not " +
                     decimal(*options.margin, kMessageDigits));
+  }
+  if (options.apart && !(*options.apart >= 0 && std::isfinite(*options.apart))) {
+    throw Error(Errc::invalid_argument,
+                "the distance of pairs without a claim must be finite and not negative, not " +
+                    decimal(*options.apart, kMessageDigits));
   }
   return Certifier(assembly, options).run();
 }

@@ -129,6 +129,16 @@ std::optional<MeshClaim> CheckedClaims::agreed(MeshClaim claim, std::uint32_t pa
   return std::nullopt;
 }
 
+std::optional<std::vector<verification::PartPair>> CheckedClaims::pairs_nearer_than(
+    double distance) {
+  std::vector<verification::PartPair> pairs;
+  const bool is_told = holds(verification::work_for_boxes(solids_.size()), [&] {
+    pairs = verification::pairs_nearer_than(distance, solids_);
+    return true;
+  });
+  return is_told ? std::optional(std::move(pairs)) : std::nullopt;
+}
+
 ClearanceClaim CheckedClaims::agreed(ClearanceClaim claim,
                                      const std::vector<CertifiedPart>& parts) {
   if (claim.verdict == Verdict::undecided) {

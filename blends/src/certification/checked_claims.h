@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "verification/claims.h"
+#include "verification/near_parts.h"
 #include "verification/work.h"
 
 namespace dupin::certification {
@@ -27,6 +28,11 @@ class CheckedClaims {
   /// Error{limit_exceeded} if there is no work left to tell.
   [[nodiscard]] TangencyClaim agreed(TangencyClaim claim, std::size_t piece, End end,
                                      double tolerance);
+
+  /// The pairs of parts that need a claim of their own where all others are claimed to be so far
+  /// from each other; none: to tell takes too much work.
+  [[nodiscard]] std::optional<std::vector<verification::PartPair>> pairs_nearer_than(
+      double distance);
 
   /// None: undecided.
   [[nodiscard]] std::optional<MeshClaim> agreed(MeshClaim claim, std::uint32_t part);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 namespace dupin::certification {
 
@@ -11,6 +12,9 @@ class SearchWork {
  public:
   explicit SearchWork(std::uint64_t units) : left_(units) {}
 
+  void allow(std::uint64_t units) {
+    left_ += std::min(units, std::numeric_limits<std::uint64_t>::max() - left_);
+  }
   void spend(std::uint64_t units) { left_ -= std::min(left_, units); }
   [[nodiscard]] bool is_used_up() const { return left_ == 0; }
 

@@ -7,6 +7,7 @@
 #include "dupin/kernel/error.h"
 #include "verification/admitted.h"
 #include "verification/claims.h"
+#include "verification/near_parts.h"
 #include "verification/work.h"
 
 namespace dupin::verification {
@@ -147,6 +148,7 @@ void verify_fillets(const std::vector<Solid>& solids, const Certificate& certifi
 void verify_inputs(const Certificate& certificate) {
   require(is_name(certificate.document), "", "document");
   require(is_bound(certificate.tolerance), "", "tolerance");
+  require(is_bound(certificate.apart), "", "apart");
   std::set<std::string> names;
   for (const CertifiedPart& part : certificate.parts) {
     require(is_name(part.name) && is_name(part.kind) && names.insert(part.name).second, "",
@@ -171,6 +173,42 @@ bool follows_or_is_silent(const std::vector<Solid>& solids, const Certificate& c
                        joints(solids, certificate.parts, claim.first, claim.second), claim);
 }
 
+void verify_clearance(const std::vector<Solid>& solids, const Certificate& certificate,
+                      const PartPair& pair, const ClearanceClaim* claim) {
+  require(claim != nullptr && PartPair{claim->first, claim->second} == pair &&
+              follows_or_is_silent(solids, certificate, *claim),
+          certificate.parts[pair[0]].name, "clearance of " + certificate.parts[pair[1]].name);
+}
+
+void verify_all_pairs(const std::vector<Solid>& solids, const Certificate& certificate) {
+  const auto& claims = certificate.clearances;
+  std::size_t next = 0;
+  for (std::uint32_t i = 0; i < solids.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < solids.size(); ++j, ++next) {
+      verify_clearance(solids, certificate, {i, j}, next < claims.size() ? &claims[next] : nullptr);
+    }
+  }
+  require(next == claims.size(), "", "clearance");
+}
+
+// Those that have a claim, in order and each once; none is missing that may be closer than is
+// claimed of the others.
+void verify_near_pairs(const std::vector<Solid>& solids, const Certificate& certificate) {
+  const auto near = pairs_nearer_than(certificate.apart, solids);
+  auto missing = near.begin();
+  PartPair before{0, 0};
+  for (const ClearanceClaim& claim : certificate.clearances) {
+    const PartPair pair{claim.first, claim.second};
+    require(before < pair && pair[0] < pair[1] && pair[1] < solids.size(), "", "clearance");
+    verify_clearance(solids, certificate, pair, &claim);
+    missing += missing != near.end() && *missing == pair ? 1 : 0;
+    before = pair;
+  }
+  if (missing != near.end()) {
+    verify_clearance(solids, certificate, *missing, nullptr);
+  }
+}
+
 }  // namespace
 }  // namespace dupin::verification
 
@@ -188,16 +226,11 @@ void verify(const Certificate& certificate) {
                               certificate.tolerance);
   }
   verification::verify_fillets(solids, certificate);
-  auto claim = certificate.clearances.begin();
-  for (std::uint32_t i = 0; i < parts.size(); ++i) {
-    for (std::uint32_t j = i + 1; j < parts.size(); ++j, ++claim) {
-      verification::require(claim != certificate.clearances.end() && claim->first == i &&
-                                claim->second == j &&
-                                verification::follows_or_is_silent(solids, certificate, *claim),
-                            parts[i].name, "clearance of " + parts[j].name);
-    }
+  if (certificate.apart == 0) {
+    verification::verify_all_pairs(solids, certificate);
+  } else {
+    verification::verify_near_pairs(solids, certificate);
   }
-  verification::require(claim == certificate.clearances.end(), "", "clearance");
 }
 
 }  // namespace dupin

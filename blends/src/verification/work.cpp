@@ -43,6 +43,11 @@ std::uint64_t work_for_arcs(const RegularClaim& claim) {
   return CertificateLimits::kWorkPerNumber * kNumbersOfLeaf * claim.leaves.size();
 }
 
+std::uint64_t work_for_boxes(std::size_t parts) {
+  constexpr std::uint64_t kNumbersOfBox = 6;
+  return CertificateLimits::kWorkPerNumber * kNumbersOfBox * parts;
+}
+
 std::uint64_t work_for(const CertifiedPart& part, const PartClaims& claims) {
   constexpr std::uint64_t kNumbersOfPiece = 32;  // two rings, a spine and a radius; four bounds
   const auto* chain = std::get_if<Chain>(&part.shape);
@@ -68,6 +73,7 @@ std::uint64_t work_for(const Certificate& certificate) {
                (claims[k].mesh ? work_for(*claims[k].mesh) : 0);
     }
   }
+  units += certificate.apart > 0 ? work_for_boxes(certificate.parts.size()) : 0;
   for (const ClearanceClaim& claim : certificate.clearances) {
     units += work_for(claim.leaves);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,8 @@ class WorkLimit {
 /// The numbers of a loop of a fillet, and the leaves of a claim that it is regular.
 [[nodiscard]] std::uint64_t work_for_loop();
 [[nodiscard]] std::uint64_t work_for_arcs(const RegularClaim& claim);
+/// The boxes of parts of which some have no claim about their clearance.
+[[nodiscard]] std::uint64_t work_for_boxes(std::size_t parts);
 [[nodiscard]] std::uint64_t work_for(const CertifiedPart& part, const PartClaims& claims);
 
 /// Throws Error{limit_exceeded} where the limit does not allow it; without a limit all is allowed.

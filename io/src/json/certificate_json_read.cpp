@@ -202,6 +202,24 @@ ClearanceClaim clearance(const JsonNode& node, std::uint32_t parts) {
           overlap(node.at("overlap"))};
 }
 
+// Throws at the first key, in any depth, that the value as it was understood, which is as it would
+// be written, has not: whatever the readers above ask for, nothing else is left to be believed.
+void require_no_more_than(const json::Json& understood, const JsonNode& read) {
+  if (read.value().is_object()) {
+    for (const auto& [key, value] : read.value().items()) {
+      if (!understood.is_object() || !understood.contains(key)) {
+        read.at(key).fail("unknown key: a certificate has none that is not checked");
+      }
+      require_no_more_than(understood.at(key), read.at(key));
+    }
+  }
+  for (std::size_t i = 0; read.value().is_array() && i < read.value().size(); ++i) {
+    if (read.value()[i].is_structured()) {
+      require_no_more_than(understood.at(i), read.at(i));
+    }
+  }
+}
+
 }  // namespace
 
 Certificate parse_certificate(std::string_view text, const std::string& source) {
@@ -234,8 +252,15 @@ Certificate parse_certificate(std::string_view text, const std::string& source) 
         root.at("fillet_claims"),
         [](const JsonNode& node) { return list<LoopClaims>(node, loop_claims); });
   }
+  if (root.has("apart")) {
+    result.apart = root.at("apart").number();
+    if (!(result.apart > 0)) {
+      root.at("apart").fail("must be positive");
+    }
+  }
   result.clearances = list<ClearanceClaim>(
       root.at("clearances"), [=](const JsonNode& node) { return clearance(node, parts); });
+  require_no_more_than(json::parse_json(certificate_json(result), source), root);
   return result;
 }
 

@@ -176,15 +176,17 @@ std::string json::inputs_text(const Certificate& certificate) {
 
 std::string certificate_json(const Certificate& certificate) {
   const std::string inputs = json::inputs_text(certificate);
-  return json::sealed("{\n  \"format\": " + json_text(json::kCertificateFormat) +
-                      ",\n  \"document\": " + json_text(certificate.document) +
-                      ",\n  \"document_sha256\": " + json_text(certificate.document_sha256) +
-                      ",\n" + inputs + ",\n  \"inputs_sha256\": " + json_text(sha256(inputs)) +
-                      ",\n  \"claims\": " + lines(certificate.claims) +
-                      (certificate.fillets.empty()
-                           ? ""
-                           : ",\n  \"fillet_claims\": " + lines(certificate.fillet_claims)) +
-                      ",\n  \"clearances\": " + lines(certificate.clearances) + ",\n");
+  return json::sealed(
+      "{\n  \"format\": " + json_text(json::kCertificateFormat) +
+      ",\n  \"document\": " + json_text(certificate.document) +
+      ",\n  \"document_sha256\": " + json_text(certificate.document_sha256) + ",\n" + inputs +
+      ",\n  \"inputs_sha256\": " + json_text(sha256(inputs)) +
+      ",\n  \"claims\": " + lines(certificate.claims) +
+      (certificate.fillets.empty()
+           ? ""
+           : ",\n  \"fillet_claims\": " + lines(certificate.fillet_claims)) +
+      (certificate.apart > 0 ? ",\n  \"apart\": " + Json(certificate.apart).dump() : "") +
+      ",\n  \"clearances\": " + lines(certificate.clearances) + ",\n");
 }
 
 std::string certificate_summary_json(const Certificate& certificate) {
@@ -229,6 +231,7 @@ std::string certificate_summary_json(const Certificate& certificate) {
                      {"findings", certificate.findings()},
                      {"parts", parts},
                      {"fillets", fillets},
+                     {"apart", certificate.apart},
                      {"clearances", clearances}});
 }
 

@@ -33,5 +33,37 @@ TEST(Certificate, holds_whatever_work_its_searches_may_take) {
   }
 }
 
+// Stacks of pipes, 10 from each other along both axes.
+Assembly field_of_pipes(int side) {
+  Assembly assembly{"field.json", Unit::millimetre, 0.05, {}, {}};
+  for (int i = 0; i < side * side; ++i) {
+    const Vec3 foot(10 * (i / side), 10 * (i % side), 0);
+    assembly.parts.push_back(
+        {"pipe " + std::to_string(i), PipeBetween{foot, foot + Vec3(0, 0, 30), 1}});
+  }
+  return assembly;
+}
+
+TEST(Certificate, of_many_parts_has_claims_of_neighbours_only) {
+  Assembly assembly = field_of_pipes(9);
+  assembly.parts.push_back({"near", PipeBetween{{2.05, 0, 0}, {2.05, 0, 9}, 1}});
+  assembly.parts.push_back({"across", PipeBetween{{10, 35, 5}, {20, 35, 5}, 1}});
+  const Certificate found = certify(assembly);
+  EXPECT_EQ(found.apart, 0.1) << "twice the tolerance";
+  EXPECT_EQ(found.findings(), 0U);
+  ASSERT_EQ(found.clearances.size(), 1U);
+  EXPECT_EQ(found.parts[found.clearances[0].second].name, "near");
+  EXPECT_GE(found.clearances[0].distance, .9 * .05);
+  EXPECT_NO_THROW(verify(found));
+  const Certificate wider = certify(assembly, {.apart = 7.9}),
+                    all = certify(assembly, {.apart = 0});
+  EXPECT_GT(wider.clearances.size(), 4U);
+  EXPECT_EQ(all.clearances.size(), 83U * 82 / 2);
+  EXPECT_NO_THROW(verify(wider));
+  EXPECT_NO_THROW(verify(all));
+  EXPECT_THROW(static_cast<void>(certify(assembly, {.apart = -1})), Error);
+  EXPECT_EQ(certify(field_of_pipes(8)).apart, 0) << "all pairs of 64";
+}
+
 }  // namespace
 }  // namespace dupin

@@ -2,6 +2,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -109,6 +110,76 @@ TEST(VerifyCertificate, of_a_shape_without_proofs_takes_no_clearance) {
       lie.clearances[0].leaves = {{{0, 0}, {0, 1}, Vec3(0, 1, 0)}, {{0, 1}, {0, 0}, {}}};
       EXPECT_THROW(verify(lie), Error) << is_first << joined;
     }
+  }
+}
+
+// Balls in a row, 3 from centre to centre: neighbours are 1 from each other, the next ones 4.
+Certificate row_of_balls(std::uint32_t count, double apart) {
+  Certificate c;
+  c.apart = apart;
+  c.claims.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    c.parts.emplace_back();
+    c.parts.back().name = std::to_string(i);
+    c.parts.back().shape = Sphere{Vec3(3 * i, 0, 0), 1};
+    if (i > 0) {
+      c.clearances.push_back(
+          {i - 1, i, Verdict::proved, .5, {{{0, 1}, {0, 1}, Vec3(1, 0, 0)}}, {}});
+    }
+  }
+  return c;
+}
+
+TEST(VerifyCertificate, believes_that_parts_are_apart_whose_boxes_are) {
+  EXPECT_NO_THROW(verify(row_of_balls(40, 2)));
+  EXPECT_NO_THROW(verify(row_of_balls(40, 4 * (1 - 0x1p-40))));
+  EXPECT_NO_THROW(verify(row_of_balls(40, .9))) << "more claims than are needed";
+  Certificate c = row_of_balls(40, .9);
+  c.clearances.clear();
+  EXPECT_NO_THROW(verify(c));
+}
+
+TEST(VerifyCertificate, believes_of_no_two_parts_that_they_are_apart_unless_their_boxes_are) {
+  using Tell = std::function<void(Certificate&)>;
+  const std::vector<std::pair<std::string, Tell>> lies = {
+      {"further than they are", [](Certificate& c) { c.apart = 4 * (1 + 0x1p-40); }},
+      {"as if all pairs were there", [](Certificate& c) { c.apart = 0; }},
+      {"nowhere near", [](Certificate& c) { c.apart = -1; }},
+      {"no number", [](Certificate& c) { c.apart = std::nan(""); }},
+      {"beyond all", [](Certificate& c) { c.apart = 1e300; }},
+      {"a pair is missing", [](Certificate& c) { c.clearances.erase(c.clearances.begin() + 7); }},
+      {"the first is missing", [](Certificate& c) { c.clearances.erase(c.clearances.begin()); }},
+      {"the last is missing", [](Certificate& c) { c.clearances.pop_back(); }},
+      {"another one in its place",
+       [](Certificate& c) {
+         c.clearances[7].second = 9;
+         c.clearances[7].distance = .5;
+       }},
+      {"two in another order", [](Certificate& c) { std::swap(c.clearances[3], c.clearances[4]); }},
+      {"one twice",
+       [](Certificate& c) { c.clearances.insert(c.clearances.begin(), c.clearances[0]); }},
+      {"one with itself", [](Certificate& c) { c.clearances.back() = {39, 39, {}, 0, {}, {}}; }},
+      {"one against the order of parts",
+       [](Certificate& c) { std::swap(c.clearances[3].first, c.clearances[3].second); }},
+      {"one with what is no part",
+       [](Certificate& c) {
+         c.clearances.push_back({39, 40, Verdict::undecided, 0, {}, {}});
+       }},
+      {"a distance that nothing proves", [](Certificate& c) { c.clearances[3].distance = 1.5; }},
+      {"a part of which nothing is known", [](Certificate& c) {
+         Chain unknown;
+         unknown.joints = Joints::spherical;
+         c.parts[20].shape = unknown;
+         c.claims[20] = {RegularClaim{}, EmbeddedClaim{}, {}, {}};
+         for (const std::size_t i : {19U, 20U}) {
+           auto& claim = c.clearances[i];
+           claim = {claim.first, claim.second, Verdict::undecided, 0, {}, {}};
+         }
+       }}};
+  for (const auto& [about, tell] : lies) {
+    Certificate c = row_of_balls(40, 2);
+    tell(c);
+    EXPECT_THROW(verify(c), Error) << about;
   }
 }
 

@@ -295,6 +295,17 @@ TEST(Certificate, tells_overlap_from_clearance_for_pipes_that_cross) {
   EXPECT_GE(apart[1].distance, 0.9 * 3);
 }
 
+TEST(Certificate, keeps_how_far_parts_without_a_claim_are_apart) {
+  const Certificate certificate = certify(example("header.json"), {.apart = .25});
+  const std::string text = certificate_json(certificate);
+  const Certificate read = parse_certificate(text);
+  EXPECT_EQ(read.apart, .25);
+  EXPECT_EQ(read.clearances.size(), certificate.clearances.size());
+  EXPECT_NO_THROW(verify(read));
+  EXPECT_EQ(certificate_json(read), text);
+  EXPECT_EQ(certificate_json(reducer()).find("\"apart\""), std::string::npos);
+}
+
 TEST(Certificate, leaves_what_its_limit_forbids_undecided) {
   const Certificate certificate = certify(example("reducer.json"), {.boxes = 2});
   EXPECT_EQ(certificate.claims[kBlend].embedded->verdict, Verdict::undecided);

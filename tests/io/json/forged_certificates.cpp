@@ -328,6 +328,13 @@ const std::vector<Forgery>& forgeries() {
          claim.verdict = Verdict::proved;
          claim.distance = between(random, 200, 1000);  // further than the pipe is
        }},
+      {"parts that are apart without a claim of their own",
+       [](Certificate& c, const Truth&, Random& random) {
+         c.apart = std::max(std::abs(hostile(random)), between(random, 1, 3));
+         std::erase_if(c.clearances, [&](const ClearanceClaim& claim) {
+           return c.parts[claim.first].name == "a" && c.parts[claim.second].name == "b";
+         });
+       }},
       {"crossing pipes that are joined",
        [](Certificate& c, const Truth&, Random& random) {
          const End ends[] = {End::start, End::end};

@@ -1,9 +1,110 @@
 #include "io/json/forged_certificates.h"
 
+#include <filesystem>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "dupin/blends/certify.h"
+#include "dupin/io/assembly_json.h"
+#include "dupin/io/certificate_json.h"
+#include "dupin/io/sha256.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin {
 namespace {
+
+using Json = nlohmann::ordered_json;
+using Pointer = Json::json_pointer;
+
+// The objects of a value, by what leads to them, whichever elements of arrays these are.
+void collect_objects(const Json& value, const Pointer& at, const std::string& kind,
+                     std::map<std::string, Pointer>& found) {
+  if (value.is_object()) {
+    found.emplace(kind, at);
+    for (const auto& [key, below] : value.items()) {
+      collect_objects(below, at / key, kind + "/" + key, found);
+    }
+  }
+  for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) {
+    collect_objects(value[i], at / i, kind + "/*", found);
+  }
+}
+
+std::string resealed(Json json) {
+  json.erase("sha256");
+  std::string text = json.dump(1);
+  text.resize(text.rfind('\n'));
+  text += ",\n";
+  return text + "  \"sha256\": \"" + sha256(text) + "\"\n}\n";
+}
+
+// In objects of kinds that have not been looked at.
+void expect_no_key_goes_unread(const Certificate& honest, std::set<std::string>& seen) {
+  const Json json = Json::parse(certificate_json(honest));
+  ASSERT_NO_THROW(verify(parse_certificate(resealed(json)))) << "in another layout";
+  std::map<std::string, Pointer> objects;
+  collect_objects(json, Pointer(), "", objects);
+  for (const auto& [kind, at] : objects) {
+    if (!seen.insert(kind).second) {
+      continue;
+    }
+    for (const char* const key : {"remark", "distance"}) {
+      if (json[at].contains(key)) {
+        continue;
+      }
+      Json forged = json;
+      forged[at][key] = 1000;
+      try {
+        static_cast<void>(parse_certificate(resealed(forged), "forged.json"));
+        ADD_FAILURE() << "believed: " << kind << "/" << key;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Errc::parse_failed);
+        EXPECT_THAT(error.what(),
+                    testing::StartsWith("forged.json#" + (at / key).to_string() + ": unknown key"));
+      }
+    }
+  }
+}
+
+// The one of a seed has all claims that there are, and a part without any.
+TEST(ForgedCertificates, have_no_key_that_goes_unread) {
+  std::mt19937_64 random(15);
+  std::set<std::string> seen;
+  expect_no_key_goes_unread(test::truth(random).honest, seen);
+  for (const char* const name : {"cone-to-pipe.json", "crane-hook.json", "oval-duct.json",
+                                 "ucct-arm.json", "ringed-canal.json"}) {
+    const std::filesystem::path path = std::filesystem::path(DUPIN_SOURCE_DIR) / "examples" / name;
+    expect_no_key_goes_unread(certify(read_assembly(path)), seen);
+  }
+}
+
+// Of two shapes, or two ways of a ball, one would be looked at and the other be believed.
+TEST(ForgedCertificates, have_no_second_shape) {
+  std::mt19937_64 random(15);
+  const Json honest = Json::parse(certificate_json(test::truth(random).honest));
+  Json ball = honest, loop = honest;
+  ASSERT_TRUE(ball["parts"][2].contains("sphere"));
+  ball["parts"][2]["pieces"] = honest["parts"][0]["pieces"];
+  ASSERT_TRUE(loop["fillets"][0]["loops"][0].contains("rolling_through"));
+  loop["fillets"][0]["loops"][0]["rolling_partly"] = Json::object();
+  for (const auto& [forged, place] :
+       {std::pair(ball, "/parts/2/pieces"), std::pair(loop, "/fillets/0/loops/0/rolling_partly")}) {
+    try {
+      static_cast<void>(parse_certificate(resealed(forged), "forged.json"));
+      ADD_FAILURE() << "believed: " << place;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(),
+                  testing::StartsWith("forged.json#" + std::string(place) + ": unknown key"));
+    }
+  }
+}
 
 TEST(ForgedCertificates, are_forged_in_many_ways) { EXPECT_GE(test::forgeries().size(), 20U); }
 

@@ -142,7 +142,9 @@ struct Certificate {
   std::vector<CertifiedFillet> fillets;
   std::vector<PartClaims> claims;                      ///< one per part
   std::vector<std::vector<LoopClaims>> fillet_claims;  ///< one per loop of every fillet
-  std::vector<ClearanceClaim> clearances;
+  /// No two parts without a clearance claim of their own are closer; 0: all have one.
+  double apart = 0;
+  std::vector<ClearanceClaim> clearances;  ///< ascending by their parts
 
   /// Claims that are refuted or undecided, missing ones included.
   [[nodiscard]] std::size_t findings() const;

@@ -21,13 +21,17 @@ struct CertifyOptions {
   /// That all searches together may take, in units of a few microseconds; far pairs of parts are
   /// not counted. When it is used up, what is not found at the first look is undecided.
   std::uint64_t work = 1 << 20;
+  /// Pairs of parts that are certain to be at least so far from each other have one claim for all;
+  /// 0: none of them, all have a claim of their own. None: 0 for up to 64 parts, else twice the
+  /// tolerance, so that the meshes of those pairs cannot cross either.
+  std::optional<double> apart = {};
   /// What the parts' meshes may have together, as in BuildOptions.
   std::size_t most_triangles = kUsualTriangles;
 };
 
 /// Proves what it can about the smooth parts and their meshes, in exact rational or outward rounded
 /// arithmetic; what it cannot is undecided. Throws as `resolve` and `tessellate` do, and
-/// Error{invalid_argument} for a margin outside [0, 1).
+/// Error{invalid_argument} for a margin outside [0, 1) or a negative distance.
 [[nodiscard]] Certificate certify(const Assembly& assembly, const CertifyOptions& options = {});
 
 /// Where a part comes nearest to folding.

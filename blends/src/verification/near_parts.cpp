@@ -1,0 +1,158 @@
+#include "verification/near_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+#include "verification/work.h"
+
+namespace dupin::verification {
+namespace {
+
+using Box = std::array<Interval, 3>;  // of the coordinates
+using Parts = std::vector<std::uint32_t>;
+
+Box everywhere() { return {Interval::whole(), Interval::whole(), Interval::whole()}; }
+
+Box joined(const Box& a, const Box& b) {
+  return {hull(a[0], b[0]), hull(a[1], b[1]), hull(a[2], b[2])};
+}
+
+Box box_of(const Solid& solid) {
+  constexpr double kStretches = 4;  // of a piece
+  std::vector<Box> boxes;
+  for (double t = 0; t < kStretches * solid.length(); ++t) {
+    const auto discs = solid.discs({t / kStretches, (t + 1) / kStretches});
+    if (!discs) {
+      return everywhere();
+    }
+    const double radius = discs->radius.magnitude();
+    for (const IntervalVec& center : discs->centers) {
+      Box& box = boxes.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        box.at(k) = center.at(k) + Interval(-radius, radius);
+      }
+    }
+  }
+  return boxes.empty() ? everywhere()
+                       : std::accumulate(boxes.begin() + 1, boxes.end(), boxes.front(), joined);
+}
+
+bool are_near(const Box& a, const Box& b, double distance) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Interval between = b.at(k) - a.at(k);
+    if (between.lower >= distance || between.upper <= -distance) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// What has no middle may be anywhere in an order.
+double rank(const Interval& x) {
+  return std::isfinite(x.lower) && std::isfinite(x.upper) ? std::midpoint(x.lower, x.upper) : 0;
+}
+
+class NearPairs {
+ public:
+  NearPairs(std::vector<Box> boxes, double distance)
+      : boxes_(std::move(boxes)), distance_(distance) {}
+
+  std::vector<PartPair> found() {
+    Parts all(boxes_.size());
+    std::iota(all.begin(), all.end(), 0U);
+    look_among(std::move(all));
+    std::sort(pairs_.begin(), pairs_.end());
+    return std::move(pairs_);
+  }
+
+ private:
+  static constexpr std::size_t kFew = 8;
+
+  [[nodiscard]] Box around(const Parts& parts) const {
+    Box result = boxes_[parts.front()];
+    for (const std::uint32_t part : parts) {
+      result = joined(result, boxes_[part]);
+    }
+    return result;
+  }
+
+  // Those that may have a partner within a box.
+  [[nodiscard]] Parts near(const Parts& parts, const Box& box) const {
+    spend(1 + parts.size() / kFew);
+    Parts result;
+    std::copy_if(parts.begin(), parts.end(), std::back_inserter(result),
+                 [&](std::uint32_t part) { return are_near(boxes_[part], box, distance_); });
+    return result;
+  }
+
+  [[nodiscard]] std::pair<Parts, Parts> halves(Parts parts) const {
+    const Box all = around(parts);
+    const auto width = [&](std::size_t k) { return (Interval(all.at(k).upper) - all.at(k)).upper; };
+    std::size_t axis = width(0) >= width(1) ? 0 : 1;
+    axis = width(axis) >= width(2) ? axis : 2;
+    const auto half = parts.begin() + std::ptrdiff_t(parts.size() / 2);
+    std::nth_element(parts.begin(), half, parts.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return rank(boxes_[a].at(axis)) < rank(boxes_[b].at(axis));
+    });
+    return {Parts(parts.begin(), half), Parts(half, parts.end())};
+  }
+
+  void look_at(std::uint32_t a, std::uint32_t b) {
+    if (are_near(boxes_[a], boxes_[b], distance_)) {
+      pairs_.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+
+  void look_among(Parts parts) {
+    if (parts.size() > kFew) {
+      auto [low, high] = halves(std::move(parts));
+      look_between(low, high);
+      look_among(std::move(low));
+      look_among(std::move(high));
+      return;
+    }
+    spend(1);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        look_at(parts[i], parts[k]);
+      }
+    }
+  }
+
+  void look_between(const Parts& first, const Parts& second) {
+    const Parts a = near(first, around(second));
+    const Parts b = a.empty() ? Parts() : near(second, around(a));
+    if (std::min(a.size(), b.size()) > kFew) {
+      const bool splits_first = a.size() >= b.size();
+      const auto [low, high] = halves(splits_first ? a : b);
+      look_between(low, splits_first ? b : a);
+      look_between(high, splits_first ? b : a);
+      return;
+    }
+    spend(1 + std::max(a.size(), b.size()));
+    for (const std::uint32_t one : a) {
+      for (const std::uint32_t other : b) {
+        look_at(one, other);
+      }
+    }
+  }
+
+  std::vector<Box> boxes_;
+  double distance_;
+  std::vector<PartPair> pairs_;
+};
+
+}  // namespace
+
+std::vector<PartPair> pairs_nearer_than(double distance, const std::vector<Solid>& solids) {
+  std::vector<Box> boxes;
+  boxes.reserve(solids.size());
+  std::transform(solids.begin(), solids.end(), std::back_inserter(boxes), box_of);
+  return NearPairs(std::move(boxes), distance).found();
+}
+
+}  // namespace dupin::verification

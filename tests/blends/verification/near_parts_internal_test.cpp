@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "blends/verification/solids_internal.h"
+#include "dupin/kernel/error.h"
+#include "verification/near_parts.h"
+#include "verification/work.h"
+
+namespace dupin::verification {
+namespace {
+
+using test::ball;
+
+std::vector<PartPair> all_pairs(std::uint32_t count) {
+  std::vector<PartPair> pairs;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::uint32_t k = i + 1; k < count; ++k) {
+      pairs.push_back({i, k});
+    }
+  }
+  return pairs;
+}
+
+Solid unknown() {
+  CertifiedPart part;
+  Chain chain;
+  chain.joints = Joints::spherical;
+  part.shape = chain;
+  return Solid(part);
+}
+
+// Cubes about the balls, told by doubles, whose errors the gaps are far from.
+TEST(NearParts, are_those_whose_boxes_are_near) {
+  std::mt19937_64 random(3);
+  for (const std::size_t count : {0U, 1U, 2U, 9U, 60U, 700U}) {
+    for (const double flat : {1.0, 0.0}) {  // in space, or on a plane
+      std::uniform_real_distribution<double> place(-40, 40), size(.1, 3);
+      std::vector<Sphere> spheres;
+      std::vector<Solid> solids;
+      for (std::size_t i = 0; i < count; ++i) {
+        spheres.push_back({Vec3(place(random), place(random), flat * place(random)), size(random)});
+        solids.push_back(ball(spheres.back().center, spheres.back().radius));
+      }
+      const double distance = size(random);
+      std::vector<PartPair> expected;
+      for (const auto& [i, k] : all_pairs(std::uint32_t(count))) {
+        const Vec3 gap = (spheres[i].center - spheres[k].center).cwiseAbs();
+        if (gap.maxCoeff() < spheres[i].radius + spheres[k].radius + distance) {
+          expected.push_back({i, k});
+        }
+      }
+      EXPECT_EQ(pairs_nearer_than(distance, solids), expected) << count;
+    }
+  }
+}
+
+TEST(NearParts, may_be_exactly_so_far) {
+  const std::vector<Solid> solids = {ball({0, 0, 0}, 1), ball({6, 0, 0}, 1)};
+  EXPECT_EQ(pairs_nearer_than(4 * (1 - 0x1p-50), solids).size(), 0U);
+  EXPECT_EQ(pairs_nearer_than(4 * (1 + 0x1p-50), solids).size(), 1U);
+  EXPECT_EQ(pairs_nearer_than(4 * (1 + 0x1p-50), {solids[1], solids[0]}).size(), 1U);
+}
+
+TEST(NearParts, are_all_with_what_nothing_is_known_of) {
+  std::vector<Solid> solids;
+  for (int i = 0; i < 30; ++i) {
+    solids.push_back(i == 17 ? unknown() : ball(Vec3(9 * i, 0, 0), 1));
+  }
+  const auto pairs = pairs_nearer_than(1, solids);
+  EXPECT_EQ(pairs.size(), 29U);
+  EXPECT_TRUE(
+      std::ranges::all_of(pairs, [](const PartPair& p) { return p[0] == 17 || p[1] == 17; }));
+}
+
+// Along every axis and in every piece: the other one is at a place that only that stretch reaches.
+TEST(NearParts, have_boxes_about_all_their_discs) {
+  const Solid bent = test::solid(test::elbow(10, 3, 1)),
+              chain = test::solid(test::cylinder({0, 0, 0}, {9, 0, 0}, 1),
+                                  test::cylinder({9, 0, 0}, {9, 9, 0}, 2));
+  const auto is_near = [](const Solid& solid, const Vec3& place) {
+    return !pairs_nearer_than(1e-9, {solid, ball(place, 1e-9)}).empty();
+  };
+  for (const double angle : {0.0, .7, 1.4, 2.2, 3.0}) {
+    EXPECT_TRUE(is_near(bent, 10.9 * Vec3(std::cos(angle), std::sin(angle), 0))) << angle;
+    EXPECT_TRUE(is_near(bent, Vec3(10 * std::cos(angle), 10 * std::sin(angle), .99))) << angle;
+    EXPECT_TRUE(is_near(bent, Vec3(10 * std::cos(angle), 10 * std::sin(angle), -.99))) << angle;
+  }
+  EXPECT_FALSE(is_near(bent, Vec3(0, 0, 1.1)));
+  EXPECT_FALSE(is_near(bent, Vec3(0, 12, 0)));
+  EXPECT_FALSE(is_near(bent, Vec3(0, -2.5, 0)));
+  EXPECT_TRUE(is_near(chain, Vec3(.1, .9, 0)));
+  EXPECT_TRUE(is_near(chain, Vec3(9, 8.9, 1.9)));
+  EXPECT_TRUE(is_near(chain, Vec3(7.1, 8.9, 0)));
+  EXPECT_FALSE(is_near(chain, Vec3(4, 0, 2.1)));
+}
+
+TEST(NearParts, of_a_scattered_lot_take_little_work) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> place(0, 1000);
+  std::vector<Solid> solids;
+  for (int i = 0; i < 20'000; ++i) {
+    solids.push_back(ball(Vec3(place(random), place(random), place(random)), 1));
+  }
+  const WorkLimit limit(work_for_boxes(solids.size()));
+  EXPECT_NO_THROW(static_cast<void>(pairs_nearer_than(1, solids)));
+  const WorkLimit small(1000);
+  EXPECT_THROW(static_cast<void>(pairs_nearer_than(1, solids)), Error);
+}
+
+}  // namespace
+}  // namespace dupin::verification
