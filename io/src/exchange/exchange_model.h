@@ -104,7 +104,8 @@ struct Model {
 struct WrittenSolid {
   std::string name;
   double volume = 0, area = 0;
-  std::size_t faces = 0;
+  std::size_t faces = 0, shells = 0;
+  std::int64_t euler_number = 0;  ///< of all its shells
 };
 
 /// What was written, as it was read back.

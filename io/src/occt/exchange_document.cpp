@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include <APIHeaderSection_MakeHeader.hxx>
@@ -21,9 +22,18 @@
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <STEPConstruct.hxx>
+#include <STEPConstruct_Styles.hxx>
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <StepVisual_Colour.hxx>
+#include <StepVisual_MechanicalDesignGeometricPresentationRepresentation.hxx>
+#include <StepVisual_PresentationStyleAssignment.hxx>
+#include <StepVisual_StyledItem.hxx>
+#include <Transfer_FinderProcess.hxx>
+#include <XSControl_TransferWriter.hxx>
 #include <StepRepr_NextAssemblyUsageOccurrence.hxx>
 #include <TCollection_ExtendedString.hxx>
 #include <TCollection_HAsciiString.hxx>
@@ -31,10 +41,11 @@
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <XCAFApp_Application.hxx>
-#include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_WorkSession.hxx>
@@ -51,7 +62,9 @@ using exchange::Written;
 // Files do not say when they were written: the same model is the same bytes.
 constexpr const char* kTimeStamp = "1970-01-01T00:00:00";
 
-TCollection_ExtendedString wide(const std::string& text) { return {text.c_str(), Standard_True}; }
+TCollection_ExtendedString token(const std::string& name) {
+  return {text::step_token(name).c_str(), Standard_True};
+}
 
 std::string narrow(const TCollection_ExtendedString& text) {
   std::string bytes(std::size_t(text.LengthOfCString()) + 1, '\0');
@@ -82,9 +95,6 @@ class Document {
   [[nodiscard]] Handle(XCAFDoc_ShapeTool) shapes() const {
     return XCAFDoc_DocumentTool::ShapeTool(document_->Main());
   }
-  [[nodiscard]] Handle(XCAFDoc_ColorTool) colours() const {
-    return XCAFDoc_DocumentTool::ColorTool(document_->Main());
-  }
 
  private:
   Handle(XCAFApp_Application) application_;
@@ -96,19 +106,29 @@ Quantity_Color colour(const exchange::Label& label) {
   return {red / 255., green / 255., blue / 255., Quantity_TOC_sRGB};
 }
 
-void add_solid(const Document& document, const TDF_Label& at, const TopoDS_Shape& solid,
-               const Model& model, const FaceLabels& labels) {
+// The names and colours of a solid's faces. The library's own writer puts styles in the order of
+// addresses.
+void style_faces(const Handle(XSControl_WorkSession) & session, const TopoDS_Shape& solid,
+                 const Model& model, const FaceLabels& labels) {
+  const Handle(Transfer_FinderProcess) finder = session->TransferWriter()->FinderProcess();
+  STEPConstruct_Styles styles(session);
+  std::map<std::uint32_t, Handle(StepVisual_PresentationStyleAssignment)> assignments;
   for (TopExp_Explorer face(solid, TopAbs_FACE); face.More(); face.Next()) {
     const std::uint32_t* label = labels.Seek(face.Current());
-    if (label == nullptr) {
+    const auto item = STEPConstruct::FindEntity(finder, face.Current());
+    if (label == nullptr || item.IsNull()) {
       continue;
     }
-    const TDF_Label part = document.shapes()->AddSubShape(at, face.Current());
-    if (!part.IsNull()) {
-      TDataStd_Name::Set(part, wide(model.labels[*label].name));
-      document.colours()->SetColor(part, colour(model.labels[*label]), XCAFDoc_ColorSurf);
+    item->SetName(new TCollection_HAsciiString(text::step_token(model.labels[*label].name).c_str()));
+    auto& assignment = assignments[*label];
+    if (assignment.IsNull()) {
+      assignment = styles.MakeColorPSA(
+          item, STEPConstruct_Styles::EncodeColor(colour(model.labels[*label])), nullptr, nullptr, 0);
     }
+    styles.AddStyle(item, assignment, nullptr);
   }
+  Handle(StepVisual_MechanicalDesignGeometricPresentationRepresentation) representation;
+  (void)styles.CreateMDGPR(styles.FindContext(solid), representation);
 }
 
 // The library counts occurrences over all files of a process.
@@ -134,18 +154,20 @@ void say_who_wrote(const Handle(StepData_StepModel) & model) {
   header.SetAuthorisation(text(""));
 }
 
-std::string transferred(const Document& document, const std::string& name) {
+template <class Styling>
+std::string transferred(const Document& document, const std::string& name,
+                        const Styling& put_styles) {
   STEPCAFControl_Writer writer;
   Interface_Static::SetCVal("write.step.schema", "AP214IS");
   Interface_Static::SetCVal("write.step.unit", "MM");
   Interface_Static::SetCVal("write.step.product.name", "dupin");
   Interface_Static::SetIVal("write.surfacecurve.mode", 0);
-  Interface_Static::SetIVal("write.stepcaf.subshapes.name", 1);
-  writer.SetColorMode(Standard_True);
+  writer.SetColorMode(Standard_False);
   writer.SetNameMode(Standard_True);
   if (!writer.Transfer(document.get(), STEPControl_AsIs)) {
     throw Refusal("OpenCASCADE does not make STEP of it", name);
   }
+  put_styles(writer.ChangeWriter().WS());
   const Handle(StepData_StepModel) model = writer.ChangeWriter().Model();
   number_occurrences(model);
   say_who_wrote(model);
@@ -155,7 +177,7 @@ std::string transferred(const Document& document, const std::string& name) {
   if (!text.Print(out)) {
     throw Refusal("OpenCASCADE does not write it", name);
   }
-  return text::step_escaped(out.str());
+  return text::with_step_strings(out.str());
 }
 
 std::string iges_text(const Document& document, const std::string& name) {
@@ -190,8 +212,20 @@ exchange::WrittenSolid measured(const TopoDS_Shape& solid) {
   BRepGProp::SurfaceProperties(solid, area);
   result.volume = volume.Mass();
   result.area = area.Mass();
-  for (TopExp_Explorer face(solid, TopAbs_FACE); face.More(); face.Next()) {
-    ++result.faces;
+  TopTools_IndexedMapOfShape vertices, edges, faces, shells;
+  TopExp::MapShapes(solid, TopAbs_VERTEX, vertices);
+  TopExp::MapShapes(solid, TopAbs_EDGE, edges);
+  TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  TopExp::MapShapes(solid, TopAbs_SHELL, shells);
+  result.faces = std::size_t(faces.Extent());
+  result.shells = std::size_t(shells.Extent());
+  // A face with some loops is a disc with holes; what stands for a pole is no edge.
+  result.euler_number = vertices.Extent();
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    result.euler_number -= BRep_Tool::Degenerated(TopoDS::Edge(edges(i))) ? 0 : 1;
+  }
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    result.euler_number += 2 - faces(i).NbChildren();
   }
   return result;
 }
@@ -265,23 +299,24 @@ std::string step_text(const Model& model, const std::vector<NamedSolid>& solids,
                       const FaceLabels& labels) {
   const Document document;
   const Handle(XCAFDoc_ShapeTool) shapes = document.shapes();
-  if (solids.size() == 1) {
-    const TDF_Label only = shapes->AddShape(solids.front().solid, Standard_False);
-    TDataStd_Name::Set(only, wide(solids.front().name));
-    add_solid(document, only, solids.front().solid, model, labels);
-    return transferred(document, model.name);
+  const TDF_Label root = solids.size() == 1 ? TDF_Label() : shapes->NewShape();
+  if (!root.IsNull()) {
+    TDataStd_Name::Set(root, token(model.name));
   }
-  const TDF_Label root = shapes->NewShape();
-  TDataStd_Name::Set(root, wide(model.name));
   for (const NamedSolid& solid : solids) {
     const TDF_Label here = shapes->AddShape(solid.solid, Standard_False);
-    TDataStd_Name::Set(here, wide(solid.name));
-    add_solid(document, here, solid.solid, model, labels);
-    const TDF_Label component = shapes->AddComponent(root, here, TopLoc_Location());
-    TDataStd_Name::Set(component, wide(solid.name));
+    TDataStd_Name::Set(here, token(solid.name));
+    if (!root.IsNull()) {
+      const TDF_Label component = shapes->AddComponent(root, here, TopLoc_Location());
+      TDataStd_Name::Set(component, token(solid.name));
+    }
   }
   shapes->UpdateAssemblies();
-  return transferred(document, model.name);
+  return transferred(document, model.name, [&](const Handle(XSControl_WorkSession) & session) {
+    for (const NamedSolid& solid : solids) {
+      style_faces(session, solid.solid, model, labels);
+    }
+  });
 }
 
 Written read_back(std::string bytes) {
@@ -314,9 +349,11 @@ std::string surfaces_text(const std::string& name,
       throw Refusal("OpenCASCADE makes no face of its surface", surface.name);
     }
     const TDF_Label label = shapes->AddShape(face.Shape(), Standard_False);
-    TDataStd_Name::Set(label, wide(surface.name));
+    TDataStd_Name::Set(label, iges ? TCollection_ExtendedString(
+                                         text::ascii_only(surface.name).c_str())
+                                   : token(surface.name));
   }
-  return iges ? iges_text(document, name) : transferred(document, name);
+  return iges ? iges_text(document, name) : transferred(document, name, [](const auto&) {});
 }
 
 }  // namespace dupin::occt

@@ -51,33 +51,60 @@ inline std::string printable(std::string_view name) {
   return result;
 }
 
-/// A STEP file (ISO 10303-21) whose strings hold UTF-8, with these characters written as the
-/// standard asks for: \X2\ and four hexadecimal digits each (of UTF-16), \X0\ behind them.
-inline std::string step_escaped(std::string_view file) {
+// ISO 10303-21 writes characters that are not ASCII as \X2\ and four hexadecimal digits of UTF-16.
+// What breaks lines in between knows nothing of that, nor of doubled quotes; so names take a detour.
+
+/// The name as one line of printable ASCII without quotes and backslashes: these and all else are
+/// "~" and four hexadecimal digits of UTF-16, "~".
+inline std::string step_token(std::string_view name) {
   std::string result;
-  result.reserve(file.size());
-  bool is_open = false;
-  while (!file.empty()) {
-    const auto [value, length] = code_point(file);
-    const bool is_plain = value < 0x80;
-    if (is_open == is_plain) {
-      result += is_plain ? "\\X0\\" : "\\X2\\";
-      is_open = !is_plain;
-    }
-    const auto put = [&](std::uint32_t unit) {
-      char digits[5];
-      (void)std::snprintf(digits, sizeof digits, "%04X", unit);
-      result += digits;
-    };
-    if (is_plain) {
-      result += file.front();
+  const auto put = [&](std::uint32_t unit) {
+    char digits[7];
+    (void)std::snprintf(digits, sizeof digits, "~%04X~", unit);
+    result += digits;
+  };
+  for (std::string rest = printable(name); !rest.empty();) {
+    const auto [value, length] = code_point(rest);
+    if (value < 0x80 && value != '~' && value != '\'' && value != '\\') {
+      result += char(value);
     } else if (value < 0x10000) {
       put(value);
     } else {
       put(0xD800 + ((value - 0x10000) >> 10));
       put(0xDC00 + ((value - 0x10000) & 0x3FF));
     }
-    file.remove_prefix(length);
+    rest.erase(0, length);
+  }
+  return result;
+}
+
+/// A file in which names are tokens, which may be broken by ends of lines, with the standard's
+/// strings in their place.
+inline std::string with_step_strings(std::string_view file) {
+  std::string result, digits;
+  result.reserve(file.size());
+  bool is_token = false;
+  for (const char c : file) {
+    if (c == '~') {
+      result += is_token ? digits + "\\X0\\" : "\\X2\\";
+      digits.clear();
+      is_token = !is_token;
+    } else if (is_token) {
+      digits += c == '\n' ? "" : std::string(1, c);
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+/// The same name in ASCII, for formats that know nothing else.
+inline std::string ascii_only(std::string_view name) {
+  std::string result;
+  for (std::string rest = printable(name); !rest.empty();) {
+    const auto [value, length] = code_point(rest);
+    result += value < 0x80 ? char(value) : '_';
+    rest.erase(0, length);
   }
   return result;
 }
