@@ -76,6 +76,7 @@ LIBRARIES = {
     "nlohmann/": ["io/src/", "tests/"],
     "expat.h": ["io/src/"],
     "zip.h": ["io/src/"],
+    "cairo": ["io/src/drawings/"],
     "CLI/": ["cli/"],
     # OpenCASCADE's headers have no folder of their own.
     **{name: ["io/src/occt/", "tests/io/occt/"] for name in (

@@ -124,12 +124,12 @@ struct BuildReport {
   std::size_t runs = 0, pieces = 0;
   double grid = 0;
   OutputReport output;  ///< of a STEP file its name and format alone
-  std::optional<ExchangeReport> exchange = {};  ///< of a STEP file
   GapSummary gaps;
   Region region = Region::outer;
   std::optional<RegionVolumes> volumes = {};  ///< of an assembly with walls
   std::optional<PipeNetwork> graph = {};      ///< that was built, without its assembly
   std::optional<PcfReport> piping = {};
+  std::optional<ExchangeReport> exchange = {};  ///< of a STEP file
 
   /// Those of the gaps, of the output, of the piping, and what of the graph was refused.
   [[nodiscard]] std::size_t findings() const;
