@@ -25,13 +25,16 @@ std::string model_name(const Assembly& assembly) {
   return stem.empty() || stem == "-" ? "assembly" : stem;
 }
 
+// Meshes are coarser by this than NURBS have to be: cubics come near at little cost.
+constexpr double kLoftedPart = 10;
+
 struct Made {
   Model model;
   SurfaceCount count;
 };
 
 Made model_of(const Assembly& assembly, const Built& built, const ExchangeOptions& options) {
-  const double tolerance = options.tolerance.value_or(assembly.tolerance);
+  const double tolerance = options.tolerance.value_or(assembly.tolerance) / kLoftedPart;
   const SmoothRegion region = smooth_region(assembly, built);
   Made made;
   Labels labels;

@@ -23,7 +23,8 @@ enum class ExchangeSolids {
 [[nodiscard]] std::string_view name(ExchangeSolids solids);
 
 struct ExchangeOptions {
-  /// Of surfaces that are not rational, in the assembly's unit; none: the assembly's tolerance.
+  /// In the assembly's unit; none: the assembly's tolerance. Surfaces that are not rational are
+  /// within a tenth of it.
   std::optional<double> tolerance;
   ExchangeSolids solids = ExchangeSolids::united;
 };
@@ -62,7 +63,7 @@ struct ExchangeFile {
 /// `built`, which `build` made of the assembly, as STEP (AP214) in millimetres: a boundary of
 /// planes, cylinders, cones, spheres, tori and NURBS whose neighbours share edges and vertices;
 /// products and faces with names, faces with colours. Surfaces are exact up to rounding where they
-/// are rational, else within the tolerance, as proved.
+/// are rational, else within a tenth of the tolerance, as proved.
 ///
 /// What is written has been read back: every solid is closed and valid (BRepCheck). Where they are
 /// united, solids, shells and the Euler number are those of the exact solid, and so is the volume,
