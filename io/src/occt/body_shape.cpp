@@ -183,7 +183,7 @@ class BodyShape {
     builder.MakeSolid(solid);
     builder.Add(solid, shell);
     GProp_GProps properties;
-    BRepGProp::VolumeProperties(solid, properties);
+    (void)BRepGProp::VolumeProperties(solid, properties, 1e-3);
     if (properties.Mass() < 0) {
       builder.MakeSolid(solid);
       builder.Add(solid, shell.Reversed());

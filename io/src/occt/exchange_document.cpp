@@ -59,6 +59,9 @@ namespace {
 using exchange::Model;
 using exchange::Written;
 
+// Relative, of volumes and areas. Without it, quadrature takes no notice of knots.
+constexpr double kIntegral = 1e-7;
+
 // Files do not say when they were written: the same model is the same bytes.
 constexpr const char* kTimeStamp = "1970-01-01T00:00:00";
 
@@ -208,8 +211,8 @@ std::string iges_text(const Document& document, const std::string& name) {
 exchange::WrittenSolid measured(const TopoDS_Shape& solid) {
   exchange::WrittenSolid result;
   GProp_GProps volume, area;
-  BRepGProp::VolumeProperties(solid, volume);
-  BRepGProp::SurfaceProperties(solid, area);
+  (void)BRepGProp::VolumeProperties(solid, volume, kIntegral);
+  (void)BRepGProp::SurfaceProperties(solid, area, kIntegral);
   result.volume = volume.Mass();
   result.area = area.Mass();
   TopTools_IndexedMapOfShape vertices, edges, faces, shells;
@@ -283,7 +286,7 @@ std::vector<TopoDS_Shape> checked_solids(const TopoDS_Shape& shape, const std::s
       }
     }
     GProp_GProps volume;
-    BRepGProp::VolumeProperties(solid.Current(), volume);
+    (void)BRepGProp::VolumeProperties(solid.Current(), volume, kIntegral);
     if (!(volume.Mass() > 0) || !std::isfinite(volume.Mass())) {
       throw Refusal("what OpenCASCADE makes of it is inside out", at);
     }
