@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "dupin/blends/cyclide_form.h"
 #include "dupin/blends/nurbs.h"
@@ -19,68 +20,112 @@ bool is_right(const Ring& start, const Ring& end) {
          (axis + start.normal).norm() < kRounding;
 }
 
-// The surface as it is in the piece's list of patches: rows along, each of columns around.
-NurbsSurface joined(const std::vector<BiquadraticPatch>& patches) {
-  using Point = std::array<double, 4>;
-  const auto point = [](const BiquadraticPatch& patch, std::size_t i, std::size_t j) {
-    const Vec3& p = patch.points.at(i).at(j);
-    return Point{p.x(), p.y(), p.z(), patch.weights.at(i).at(j)};
-  };
-  const auto place = [](const Point& p) { return Vec3(p[0] / p[3], p[1] / p[3], p[2] / p[3]); };
-  const double size = place(point(patches.front(), 0, 0)).norm() +
-                      (place(point(patches.front(), 0, 0)) - place(point(patches.front(), 0, 2))).norm();
-  const auto same = [&](const Point& a, const Point& b) {
-    return (place(a) - place(b)).norm() < 1e-7 * size;
-  };
-  // A row closes where a column ends in the row's first.
-  std::size_t columns = 1;
-  while (columns < patches.size() &&
-         !same(point(patches[columns - 1], 0, 2), point(patches.front(), 0, 0))) {
-    ++columns;
+using Point = std::array<double, 4>;
+
+Vec3 place(const Point& p) { return Vec3(p[0] / p[3], p[1] / p[3], p[2] / p[3]); }
+
+std::vector<double> knots_of(std::size_t pieces) {
+  std::vector<double> all{0};
+  for (std::size_t i = 0; i <= pieces; ++i) {
+    all.insert(all.end(), 2, double(i) / double(pieces));
   }
-  if (patches.size() % columns != 0) {
-    throw Error(Errc::boolean_failed, "its patches make no rows");
-  }
-  const std::size_t rows = patches.size() / columns;
-  NurbsSurface result{2, 2, {}, {}, {}};
-  const auto knots = [](std::size_t pieces) {
-    std::vector<double> all{0};
-    for (std::size_t i = 0; i <= pieces; ++i) {
-      all.insert(all.end(), 2, double(i) / double(pieces));
+  all.push_back(1);
+  return all;
+}
+
+// A net of patches that lie beside each other in rows along, each of columns around.
+class PatchNet {
+ public:
+  explicit PatchNet(const std::vector<BiquadraticPatch>& patches) : patches_(patches) {
+    const Vec3 first = place(point(0, 0, 0));
+    size_ = first.norm() + (first - place(point(0, 0, 2))).norm();
+    // A row closes where a column ends in the row's first.
+    while (columns_ < patches.size() && !is_same(point(columns_ - 1, 0, 2), point(0, 0, 0))) {
+      ++columns_;
     }
-    all.push_back(1);
-    return all;
-  };
-  result.knots_along = knots(rows);
-  result.knots_around = knots(columns);
-  result.net.assign(2 * rows + 1, std::vector<Point>(2 * columns + 1));
-  for (std::size_t r = 0; r < rows; ++r) {
-    for (std::size_t c = 0; c < columns; ++c) {
-      const BiquadraticPatch& patch = patches[r * columns + c];
-      // Homogeneous points are those of the neighbours up to a factor.
-      const Point first = point(patch, 0, 0);
-      const double factor = c > 0   ? result.net[2 * r][2 * c][3] / first[3]
-                            : r > 0 ? result.net[2 * r][0][3] / first[3]
-                                    : 1;
-      for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-          Point own = point(patch, i, j);
-          std::ranges::for_each(own, [&](double& x) { x *= factor; });
-          Point& at = result.net[2 * r + i][2 * c + j];
-          const bool is_known = (i == 0 && r > 0) || (j == 0 && c > 0);
-          if (is_known && (!same(at, own) || std::abs(at[3] / own[3] - 1) > 1e-7)) {
-            throw Error(Errc::boolean_failed, "its patches have parameters of their own");
-          }
-          at = is_known ? at : own;
+    if (patches.size() % columns_ != 0) {
+      refuse();
+    }
+    rows_ = patches.size() / columns_;
+  }
+
+  NurbsSurface joined() {
+    net_.assign(2 * rows_ + 1, std::vector<Point>(2 * columns_ + 1));
+    for (std::size_t r = 0; r < rows_; ++r) {
+      for (std::size_t c = 0; c < columns_; ++c) {
+        add(r, c);
+      }
+    }
+    // The last column is the first one again, up to a factor.
+    for (auto& row : net_) {
+      const double factor = row.back()[3] / row.front()[3];
+      require(row.front(), row.back(), net_.front().back()[3] / net_.front().front()[3]);
+      for (std::size_t k = 0; k < 4; ++k) {
+        row.back().at(k) = factor * row.front().at(k);
+      }
+    }
+    return {2, 2, knots_of(rows_), knots_of(columns_), std::move(net_)};
+  }
+
+ private:
+  static constexpr double kSame = 1e-9;
+
+  [[noreturn]] static void refuse() {
+    throw Error(Errc::boolean_failed, "the patches of its surface make no net, which STEP asks for");
+  }
+
+  [[nodiscard]] Point point(std::size_t patch, std::size_t i, std::size_t j) const {
+    const Vec3& p = patches_[patch].points.at(i).at(j);
+    return {p.x(), p.y(), p.z(), patches_[patch].weights.at(i).at(j)};
+  }
+
+  [[nodiscard]] bool is_same(const Point& a, const Point& b) const {
+    return (place(a) - place(b)).norm() < kSame * size_;
+  }
+
+  void require(const Point& a, const Point& b, double factor) const {
+    if (!is_same(a, b) || std::abs(factor * a[3] / b[3] - 1) > kSame) {
+      refuse();
+    }
+  }
+
+  // Points of the patch times f p^i q^j are the same surface by other parameters: such that the
+  // neighbours' borders are met as they are.
+  void add(std::size_t r, std::size_t c) {
+    std::array<std::array<Point, 3>, 3> own;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        own.at(i).at(j) = point(r * columns_ + c, i, j);
+      }
+    }
+    const auto known = [&](std::size_t i, std::size_t j) -> Point& {
+      return net_[2 * r + i][2 * c + j];
+    };
+    const auto ratio = [&](std::size_t i, std::size_t j) {
+      return known(i, j)[3] / own.at(i).at(j)[3];
+    };
+    const double f = r > 0 || c > 0 ? ratio(0, 0) : 1;
+    const double p = c > 0 ? std::sqrt(ratio(2, 0) / f) : 1;
+    const double q = r > 0 ? std::sqrt(ratio(0, 2) / f) : 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        Point& here = own.at(i).at(j);
+        const double factor = f * std::pow(p, double(i)) * std::pow(q, double(j));
+        std::ranges::for_each(here, [&](double& x) { x *= factor; });
+        if ((i == 0 && r > 0) || (j == 0 && c > 0)) {
+          require(known(i, j), here, 1);
+        } else {
+          known(i, j) = here;
         }
       }
     }
   }
-  for (auto& row : result.net) {
-    row.back() = row.front();
-  }
-  return result;
-}
+
+  const std::vector<BiquadraticPatch>& patches_;
+  double size_ = 1;
+  std::size_t rows_ = 1, columns_ = 1;
+  std::vector<std::vector<Point>> net_;
+};
 
 struct SurfaceOf {
   double tolerance;
@@ -126,8 +171,7 @@ struct SurfaceOf {
         std::abs(piece.start.slope) < kRounding) {
       return exact(torus(piece, form));
     }
-    NurbsSurface surface = joined(patches(arc));
-    return exact(std::move(surface));
+    return exact(PatchNet(patches(arc)).joined());
   }
 
  private:
@@ -142,7 +186,7 @@ struct SurfaceOf {
     const Vec3 from = piece.start.center - form.origin, to = piece.end.center - form.origin;
     const Vec3 axis = from.cross(Vec3(-piece.start.normal)).normalized();
     const double angle = std::atan2(axis.dot(from.cross(to)), from.dot(to));
-    return {form.origin, axis, angle > 0 ? angle : angle + 2 * 3.14159265358979323846};
+    return {form.origin, axis, angle > 0 ? angle : angle + 2 * std::numbers::pi};
   }
 
   PieceSurface other(const Piece& piece) const {
