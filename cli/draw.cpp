@@ -91,10 +91,8 @@ Vec3 direction_of(const DrawArguments& arguments) {
   if (!arguments.direction.empty()) {
     return vector_of(arguments.direction);
   }
-  const std::array<std::pair<std::string_view, Vec3>, 4> named{{{"iso", {-1, 1, -1}},
-                                                                {"top", {0, 0, -1}},
-                                                                {"front", {0, 1, 0}},
-                                                                {"side", {-1, 0, 0}}}};
+  const std::array<std::pair<std::string_view, Vec3>, 4> named{
+      {{"iso", {-1, 1, -1}}, {"top", {0, 0, -1}}, {"front", {0, 1, 0}}, {"side", {-1, 0, 0}}}};
   const std::string typed = arguments.view.empty() ? "iso" : arguments.view;
   for (const auto& [view, direction] : named) {
     if (typed == view) {
@@ -111,7 +109,8 @@ Vec3 direction_of(const DrawArguments& arguments) {
     }
   }
   if (from.size() != 3 || std::ranges::count(typed, ',') != 2) {
-    throw UsageError("--view " + typed + " is none: it is iso, top, front or side, or from where one "
+    throw UsageError("--view " + typed +
+                     " is none: it is iso, top, front or side, or from where one "
                      "looks, such as 1,-1,1");
   }
   return -vector_of(from);
@@ -175,7 +174,9 @@ void add_draw(CLI::App& app, Action& action) {
                    "assembly document, graph or piping file; - for standard input")
       ->type_name("")
       ->required();
-  command->add_option("-o,--output", arguments->output, "SVG, PDF (.pdf) or PNG (.png) file; - for standard output, as SVG")
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "SVG, PDF (.pdf) or PNG (.png) file; - for standard output, as SVG")
       ->type_name("OUT")
       ->required();
   command

@@ -32,8 +32,8 @@ void add_solids_option(CLI::App& command, std::string& solids) {
                   "cross each other; runs of parts that share rings; or parts, each by\n"
                   "itself")
       ->type_name("WHAT")
-      ->check(CLI::IsMember({name(ExchangeSolids::united), name(ExchangeSolids::runs),
-                             name(ExchangeSolids::parts)}));
+      ->check(CLI::IsMember(
+          {name(ExchangeSolids::united), name(ExchangeSolids::runs), name(ExchangeSolids::parts)}));
 }
 
 ExchangeSolids exchange_solids(const OutputArguments& arguments, const std::string& solids) {
@@ -52,14 +52,14 @@ void write_exchange(ExchangeFile& file, const std::string& path) {
 
 void print_exchange(std::ostream& out, const ExchangeReport& report, const std::string& unit) {
   print_row(out, "written", report.file + ", " + report.format);
-  print_row(out, "solids", std::to_string(report.solids.size()) + ", " +
-                               counted(report.faces, "face"));
-  print_row(out, "surfaces",
-            std::to_string(report.exact_surfaces) + " exact" +
-                (report.lofted_surfaces > 0
-                     ? ", " + std::to_string(report.lofted_surfaces) + " within " +
-                           number(report.error_bound) + " " + unit
-                     : ""));
+  print_row(out, "solids",
+            std::to_string(report.solids.size()) + ", " + counted(report.faces, "face"));
+  print_row(
+      out, "surfaces",
+      std::to_string(report.exact_surfaces) + " exact" +
+          (report.lofted_surfaces > 0 ? ", " + std::to_string(report.lofted_surfaces) + " within " +
+                                            number(report.error_bound) + " " + unit
+                                      : ""));
   print_row(out, "edges", "within " + number(report.edge_tolerance) + " " + unit);
   print_row(out, "volume", number(report.volume) + " " + unit + "3");
   if (report.expected_volume) {

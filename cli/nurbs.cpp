@@ -8,9 +8,9 @@
 
 #include "commands.h"
 #include "document.h"
-#include "exchange_options.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/io/nurbs_json.h"
+#include "exchange_options.h"
 #include "exit_code.h"
 #include "length.h"
 #include "output.h"
@@ -93,7 +93,9 @@ void add_nurbs(CLI::App& app, Action& action) {
   command->add_option("FILE", arguments->file, "assembly document; - for standard input")
       ->type_name("")
       ->required();
-  command->add_option("-o,--output", arguments->output, "JSON, STEP (.step) or IGES (.iges) file; - for standard output")
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "JSON, STEP (.step) or IGES (.iges) file; - for standard output")
       ->type_name("OUT")
       ->required();
   command->footer(

@@ -38,8 +38,11 @@ TEST_F(Draw, takes_piping_files_with_walls) {
 }
 
 TEST_F(Draw, takes_views_by_name_and_by_place) {
-  for (const auto& [view, direction] : std::vector<std::pair<std::string, std::vector<int>>>{
-           {"top", {0, 0, -1}}, {"front", {0, 1, 0}}, {"side", {-1, 0, 0}}, {"0,-2,0", {0, 1, 0}}}) {
+  for (const auto& [view, direction] :
+       std::vector<std::pair<std::string, std::vector<int>>>{{"top", {0, 0, -1}},
+                                                             {"front", {0, 1, 0}},
+                                                             {"side", {-1, 0, 0}},
+                                                             {"0,-2,0", {0, 1, 0}}}) {
     const auto report = json({"draw", example("tee.json"), "-o", "a.svg", "--view", view, "--axes",
                               "--names", "--dimensions"},
                              0);

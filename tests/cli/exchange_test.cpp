@@ -1,10 +1,11 @@
+#include "dupin/io/exchange.h"
+
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cli/tool.h"
-#include "dupin/io/exchange.h"
 
 namespace dupin::test {
 namespace {
@@ -41,9 +42,15 @@ TEST_F(Exchange, writes_a_solid_that_agrees_with_the_exact_one) {
 
 // One of each kind: what crosses, what is joined by a hub, what is rounded off, cut and hollow.
 TEST_F(Exchange, of_every_kind_of_part_is_valid) {
-  for (const auto& [name, solids] : std::vector<std::pair<std::string, std::size_t>>{
-           {"cope", 1}, {"junction", 1}, {"tee", 1}, {"hollow-tee", 1}, {"jet-engine", 1},
-           {"crane-hook", 1}, {"oval-duct", 1}, {"cyclide-blends", 4}}) {
+  for (const auto& [name, solids] :
+       std::vector<std::pair<std::string, std::size_t>>{{"cope", 1},
+                                                        {"junction", 1},
+                                                        {"tee", 1},
+                                                        {"hollow-tee", 1},
+                                                        {"jet-engine", 1},
+                                                        {"crane-hook", 1},
+                                                        {"oval-duct", 1},
+                                                        {"cyclide-blends", 4}}) {
     const auto report = json({"build", example(name + ".json"), "-o", name + ".step"}, 0);
     EXPECT_EQ(report.at("output").at("solids").size(), solids) << name;
   }

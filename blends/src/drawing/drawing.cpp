@@ -203,7 +203,8 @@ class Drawer {
   // An axis that is seen from its end is the cross of its circle.
   void add_center(const drawing::PartAxis& axis) {
     std::vector<Eigen::Vector2d> line(axis.line.size());
-    std::ranges::transform(axis.line, line.begin(), [&](const Vec3& point) { return in_picture(point); });
+    std::ranges::transform(axis.line, line.begin(),
+                           [&](const Vec3& point) { return in_picture(point); });
     if (axis.line.size() > 1 && drawing::length(line) > drawing::length(axis.line) / 1000) {
       result_.lines.push_back(
           {axis.part, LineKind::center, false, drawing::simplified(line, result_.error)});

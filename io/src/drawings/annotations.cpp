@@ -73,8 +73,7 @@ class NotePlacer {
         const Vector2d away(std::cos(angle), std::sin(angle));
         const Vector2d near = anchor + radius * away;
         // The corner, or side's middle, that is nearest to the anchor.
-        const Vector2d middle =
-            near + Vector2d(away[0] * size[0] / 2, away[1] * size[1] / 2);
+        const Vector2d middle = near + Vector2d(away[0] * size[0] / 2, away[1] * size[1] / 2);
         const Box box(middle - size / 2, middle + size / 2);
         if (const double cost = cost_of(box, anchor) + radius; cost < least) {
           least = cost;
@@ -166,9 +165,10 @@ std::string length_text(const Drawing& drawing, double length) {
   const double step = least > 0 ? std::pow(10.0, std::ceil(std::log10(least))) : 1e-6;
   const double digits = std::max(0.0, -std::log10(step));
   const double power = std::pow(10.0, std::round(digits));
-  const double rounded = step >= 1 ? step * std::round(length / step)
-                                   : std::round(length * power) / power;
-  const std::string unit = drawing.unit == Unit::millimetre ? "" : " " + std::string(symbol(drawing.unit));
+  const double rounded =
+      step >= 1 ? step * std::round(length / step) : std::round(length * power) / power;
+  const std::string unit =
+      drawing.unit == Unit::millimetre ? "" : " " + std::string(symbol(drawing.unit));
   return decimal(rounded) + unit;
 }
 

@@ -124,8 +124,7 @@ std::string drawing_png(const Drawing& drawing, const DrawingScale& scale,
                 "the picture would have more than 100 million pixels; take fewer dots per inch, or "
                 "a smaller scale");
   }
-  const Surface surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, int(width), int(height)));
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, int(width), int(height)));
   const Context context(cairo_create(surface.get()));
   cairo_set_source_rgb(context.get(), 1, 1, 1);
   cairo_paint(context.get());

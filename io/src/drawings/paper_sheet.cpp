@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kAround = 5;   // millimetres of paper
-constexpr double kBeyond = 3;   // of axes, beyond what they are of
+constexpr double kAround = 5;  // millimetres of paper
+constexpr double kBeyond = 3;  // of axes, beyond what they are of
 
 Pen pen_of(const DrawnLine& line) {
   return line.kind == LineKind::center    ? Pen::center

@@ -57,7 +57,8 @@ Vec3 lit(const text::Colour& colour, const Vec3& normal) {
 class Rasteriser {
  public:
   Rasteriser(int width, int height)
-      : width_(width), height_(height),
+      : width_(width),
+        height_(height),
         nearest_(std::size_t(width) * std::size_t(height), -std::numeric_limits<float>::infinity()),
         colours_(nearest_.size(), 0) {}
 
@@ -80,10 +81,8 @@ class Rasteriser {
     for (int y = top; y <= bottom; ++y) {
       for (int x = left; x <= right; ++x) {
         const double px = x + 0.5, py = y + 0.5;
-        const double u =
-            ((px - a[0]) * (c[1] - a[1]) - (py - a[1]) * (c[0] - a[0])) / area;
-        const double v =
-            ((b[0] - a[0]) * (py - a[1]) - (b[1] - a[1]) * (px - a[0])) / area;
+        const double u = ((px - a[0]) * (c[1] - a[1]) - (py - a[1]) * (c[0] - a[0])) / area;
+        const double v = ((b[0] - a[0]) * (py - a[1]) - (b[1] - a[1]) * (px - a[0])) / area;
         if (u < 0 || v < 0 || u + v > 1) {
           continue;
         }
@@ -122,8 +121,8 @@ class Rasteriser {
     std::array<std::uint32_t, 4> sums{};
     for (int j = 0; j < kFine; ++j) {
       for (int i = 0; i < kFine; ++i) {
-        const std::uint32_t one = colours_[std::size_t(y * kFine + j) * std::size_t(width_) +
-                                           std::size_t(x * kFine + i)];
+        const std::uint32_t one =
+            colours_[std::size_t(y * kFine + j) * std::size_t(width_) + std::size_t(x * kFine + i)];
         for (std::size_t channel = 0; channel < 4; ++channel) {
           sums.at(channel) += one >> (8 * channel) & 0xFFU;
         }

@@ -17,8 +17,8 @@ struct Picture {
 
 /// The solid as a viewer sees it, on a sheet of `width` times `height` pixels: every label in a
 /// colour of its own, lit from the upper left, its triangles' normals averaged where they differ
-/// little. Of each pixel three by three points are looked at. O(triangles + what they cover). Always
-/// the same picture.
+/// little. Of each pixel three by three points are looked at. O(triangles + what they cover).
+/// Always the same picture.
 [[nodiscard]] Picture shaded(const Solid& solid, const View& view, const PaperSheet& sheet,
                              double pixels_per_millimetre);
 

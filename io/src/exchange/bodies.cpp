@@ -73,8 +73,9 @@ class BodyMaker {
   std::size_t ring_of(const EndIndex& end) {
     const auto key = [](const EndIndex& e) { return std::pair(e.part, at(e.end)); };
     const auto own = key(end);
-    const auto shared =
-        is_joined(end) ? std::min(own, key(*resolved_.parts[end.part].joined.at(at(end.end)))) : own;
+    const auto shared = is_joined(end)
+                            ? std::min(own, key(*resolved_.parts[end.part].joined.at(at(end.end))))
+                            : own;
     const auto [entry, is_new] = rings_.try_emplace(shared, body_.rings.size());
     if (is_new) {
       body_.rings.push_back(ring_curve(*port_ring(resolved_.parts[end.part].shape, end.end)));
@@ -97,9 +98,10 @@ class BodyMaker {
     }
     const auto& chain = std::get<Chain>(part.shape);
     if (chain.joints == Joints::spherical) {
-      throw Error(Errc::boolean_failed,
-                  "its pieces meet in kneecaps, which STEP does not get yet; \"joints\": \"smooth\" "
-                  "can be written, and a mesh of either");
+      throw Error(
+          Errc::boolean_failed,
+          "its pieces meet in kneecaps, which STEP does not get yet; \"joints\": \"smooth\" "
+          "can be written, and a mesh of either");
     }
     if (chain.wall > 0 && !chain.closed) {
       append_hollow(index, chain);
@@ -120,15 +122,16 @@ class BodyMaker {
   std::pair<std::size_t, std::size_t> append_pieces(const Chain& chain, std::uint32_t label,
                                                     std::optional<std::uint32_t> part,
                                                     bool is_inside_out) {
-    const std::size_t first = part ? ring_of({*part, End::start}) : new_ring(end_ring(chain, End::start));
+    const std::size_t first =
+        part ? ring_of({*part, End::start}) : new_ring(end_ring(chain, End::start));
     std::size_t last = first;
     for (std::size_t i = 0; i < chain.pieces.size(); ++i) {
       const bool is_last = i + 1 == chain.pieces.size();
       const std::size_t next = is_last && chain.closed ? first
                                : is_last && part       ? ring_of({*part, End::end})
-                                                       : new_ring(end_ring(chain.pieces[i], End::end));
-      body_.tubes.push_back({label, last, next,
-                             piece_surface(chain.pieces[i], tolerance_, count_), is_inside_out});
+                                                 : new_ring(end_ring(chain.pieces[i], End::end));
+      body_.tubes.push_back(
+          {label, last, next, piece_surface(chain.pieces[i], tolerance_, count_), is_inside_out});
       last = next;
     }
     return {first, last};
@@ -160,7 +163,8 @@ class BodyMaker {
   }
 
   void append_hub(const ResolvedJunction& junction) {
-    HubFace hub{labels_.label(junction.name), junction.shape.hub.center, junction.shape.hub.radius, {}};
+    HubFace hub{
+        labels_.label(junction.name), junction.shape.hub.center, junction.shape.hub.radius, {}};
     for (const std::uint32_t arm : junction.arms) {
       hub.rings.push_back(ring_of({arm, End::end}));
     }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "dupin/blends/smooth_region.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -49,8 +48,7 @@ Made model_of(const Assembly& assembly, const Built& built, const ExchangeOption
   model.is_united = options.solids == ExchangeSolids::united;
   model.whole = bodies(region.whole);
   if (region.region != Region::outer) {
-    model.operation =
-        region.region == Region::metal ? Operation::subtract : Operation::intersect;
+    model.operation = region.region == Region::metal ? Operation::subtract : Operation::intersect;
     model.tools = bodies(region.bore);
     model.kept = bodies(region.kept);
   }
@@ -70,9 +68,8 @@ Error refusal(const Assembly& assembly, const Written& written) {
       part == assembly.parts.end()
           ? std::string()
           : document_place(assembly, std::uint32_t(part - assembly.parts.begin()));
-  return Error(Errc::boolean_failed,
-               written.fault + std::string(kNothingWritten),
-               written.at, place);
+  return Error(Errc::boolean_failed, written.fault + std::string(kNothingWritten), written.at,
+               place);
 }
 
 double mesh_error(const Built& built) {
@@ -110,8 +107,7 @@ void compare(const Assembly& assembly, const Built& built, ExchangeReport& repor
   require("number of solids", report.solids.size(), exact.components(),
           report.solids.size() == exact.components());
   require("number of shells", shells, exact.shells(), shells == exact.shells());
-  require("Euler number", euler_number, exact.euler_number(),
-          euler_number == exact.euler_number());
+  require("Euler number", euler_number, exact.euler_number(), euler_number == exact.euler_number());
   require("volume", report.volume, exact.volume(),
           std::abs(report.volume - exact.volume()) <= report.volume_bound);
 }

@@ -15,7 +15,8 @@
 #include "dupin/kernel/vec.h"
 
 // What the exchange formats' library is told of an assembly, and what it says of the file: plain
-// values, so that it can be a module that is loaded only where it is needed. Lengths in millimetres.
+// values, so that it can be a module that is loaded only where it is needed. Lengths in
+// millimetres.
 
 namespace dupin::exchange {
 
@@ -114,8 +115,8 @@ struct Written {
   std::vector<WrittenSolid> solids;
   std::map<std::string, std::size_t> faces;  ///< how many are of a name
   double tolerance = 0;                      ///< the largest of an edge or vertex
-  std::string fault;     ///< why nothing was written; empty otherwise
-  std::string at;        ///< the body or fillet at fault
+  std::string fault;                         ///< why nothing was written; empty otherwise
+  std::string at;                            ///< the body or fillet at fault
 };
 
 /// A surface with a name, in millimetres.

@@ -71,7 +71,8 @@ class PatchNet {
   static constexpr double kSame = 1e-9;
 
   [[noreturn]] static void refuse() {
-    throw Error(Errc::boolean_failed, "the patches of its surface make no net, which STEP asks for");
+    throw Error(Errc::boolean_failed,
+                "the patches of its surface make no net, which STEP asks for");
   }
 
   [[nodiscard]] Point point(std::size_t patch, std::size_t i, std::size_t j) const {
@@ -146,12 +147,14 @@ struct SurfaceOf {
   PieceSurface operator()(const RationalRingedTube& tube) const {
     const bool is_straight =
         tube.surface.rotation.size() == 2 && tube.surface.rotation[0] == tube.surface.rotation[1];
-    const auto steps_evenly = [](const auto& points, const auto& size) {
-      return size(points[0] + points[2] - 2 * points[1]) < kRounding &&
-             size(points[1] + points[3] - 2 * points[2]) < kRounding;
+    const double rounding = kRounding * tube.start.radius;
+    const auto steps_evenly = [&](const auto& points, const auto& size) {
+      return size(points[0] + points[2] - 2 * points[1]) < rounding &&
+             size(points[1] + points[3] - 2 * points[2]) < rounding;
     };
     if (is_straight && is_right(tube.start, tube.end) &&
-        steps_evenly(tube.surface.radius, [](double x) { return std::abs(x); })) {
+        steps_evenly(tube.surface.radius, [](double x) { return std::abs(x); }) &&
+        steps_evenly(tube.surface.center, [](const Vec3& x) { return x.norm(); })) {
       return exact(CylinderOrCone{});
     }
     return other(tube);
@@ -167,7 +170,8 @@ struct SurfaceOf {
       return exact(CylinderOrCone{});
     }
     const double radius = piece.start.radius;
-    if (form.kind == CyclideKind::torus && std::abs(piece.end.radius - radius) < kRounding * radius &&
+    if (form.kind == CyclideKind::torus &&
+        std::abs(piece.end.radius - radius) < kRounding * radius &&
         std::abs(piece.start.slope) < kRounding) {
       return exact(torus(piece, form));
     }

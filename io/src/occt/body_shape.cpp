@@ -56,9 +56,9 @@ class BodyShape {
     }
     for (std::size_t i = 0; i < body_.tubes.size(); ++i) {
       const exchange::TubeFace& tube = body_.tubes[i];
-      faces_.push_back({is_flat(tube) ? flat_rim(tube)
-                                      : tube_face(tube, *surfaces_[i], rings_[tube.start],
-                                                  rings_[tube.end]),
+      faces_.push_back({is_flat(tube)
+                            ? flat_rim(tube)
+                            : tube_face(tube, *surfaces_[i], rings_[tube.start], rings_[tube.end]),
                         tube.label});
     }
     for (const exchange::DiscFace& disc : body_.discs) {
@@ -121,8 +121,7 @@ class BodyShape {
     // The ring's normal exactly, as both may differ by rounding.
     const bool along = outer.normal.dot(outward) > 0;
     builder.MakeFace(
-        face,
-        new Geom_Plane(pnt(outer.center), dir(along ? outer.normal : Vec3(-outer.normal))),
+        face, new Geom_Plane(pnt(outer.center), dir(along ? outer.normal : Vec3(-outer.normal))),
         Precision::Confusion());
     for (const RingEdges* ring : rings) {
       const bool is_outer = ring == rings.front();
@@ -153,9 +152,8 @@ class BodyShape {
       balls.Append(ball);
       for (const std::size_t ring : hub.rings) {
         const RingCurve& circle = body_.rings[ring];
-        const Vec3 out = circle.normal.dot(circle.center - hub.center) > 0
-                             ? circle.normal
-                             : Vec3(-circle.normal);
+        const Vec3 out = circle.normal.dot(circle.center - hub.center) > 0 ? circle.normal
+                                                                           : Vec3(-circle.normal);
         caps.Append(BRepPrimAPI_MakeCylinder(gp_Ax2(pnt(circle.center), dir(out), dir(circle.axis)),
                                              3 * hub.radius, 3 * hub.radius)
                         .Shape());

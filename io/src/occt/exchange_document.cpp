@@ -27,14 +27,12 @@
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
+#include <StepRepr_NextAssemblyUsageOccurrence.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepVisual_Colour.hxx>
 #include <StepVisual_MechanicalDesignGeometricPresentationRepresentation.hxx>
 #include <StepVisual_PresentationStyleAssignment.hxx>
 #include <StepVisual_StyledItem.hxx>
-#include <Transfer_FinderProcess.hxx>
-#include <XSControl_TransferWriter.hxx>
-#include <StepRepr_NextAssemblyUsageOccurrence.hxx>
 #include <TCollection_ExtendedString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDF_ChildIterator.hxx>
@@ -45,9 +43,11 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <Transfer_FinderProcess.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
 
 #include "occt/nurbs_geometry.h"
@@ -122,11 +122,13 @@ void style_faces(const Handle(XSControl_WorkSession) & session, const TopoDS_Sha
     if (label == nullptr || item.IsNull()) {
       continue;
     }
-    item->SetName(new TCollection_HAsciiString(text::step_token(model.labels[*label].name).c_str()));
+    item->SetName(
+        new TCollection_HAsciiString(text::step_token(model.labels[*label].name).c_str()));
     auto& assignment = assignments[*label];
     if (assignment.IsNull()) {
-      assignment = styles.MakeColorPSA(
-          item, STEPConstruct_Styles::EncodeColor(colour(model.labels[*label])), nullptr, nullptr, 0);
+      assignment =
+          styles.MakeColorPSA(item, STEPConstruct_Styles::EncodeColor(colour(model.labels[*label])),
+                              nullptr, nullptr, 0);
     }
     styles.AddStyle(item, assignment, nullptr);
   }
@@ -328,8 +330,7 @@ Written read_back(std::string bytes) {
   Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
   std::istringstream in(bytes);
   Handle(TDocStd_Document) into = document.get();
-  if (reader.ChangeReader().ReadStream("dupin", in) != IFSelect_RetDone ||
-      !reader.Transfer(into)) {
+  if (reader.ChangeReader().ReadStream("dupin", in) != IFSelect_RetDone || !reader.Transfer(into)) {
     throw Refusal("OpenCASCADE does not read back what it wrote", "");
   }
   Written result;
@@ -352,9 +353,9 @@ std::string surfaces_text(const std::string& name,
       throw Refusal("OpenCASCADE makes no face of its surface", surface.name);
     }
     const TDF_Label label = shapes->AddShape(face.Shape(), Standard_False);
-    TDataStd_Name::Set(label, iges ? TCollection_ExtendedString(
-                                         text::ascii_only(surface.name).c_str())
-                                   : token(surface.name));
+    TDataStd_Name::Set(label,
+                       iges ? TCollection_ExtendedString(text::ascii_only(surface.name).c_str())
+                            : token(surface.name));
   }
   return iges ? iges_text(document, name) : transferred(document, name, [](const auto&) {});
 }

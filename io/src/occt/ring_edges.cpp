@@ -72,8 +72,7 @@ void RingEdges::make() {
     arc.to = is_last ? angles_.front() + kTurn : angles_[i + 1];
     builder.MakeEdge(arc.edge, on, Precision::Confusion());
     builder.Add(arc.edge, TopoDS::Vertex(vertices_[i].Oriented(TopAbs_FORWARD)));
-    builder.Add(arc.edge,
-                TopoDS::Vertex(vertices_[is_last ? 0 : i + 1].Oriented(TopAbs_REVERSED)));
+    builder.Add(arc.edge, TopoDS::Vertex(vertices_[is_last ? 0 : i + 1].Oriented(TopAbs_REVERSED)));
     builder.Range(arc.edge, arc.from - shift(ring_), arc.to - shift(ring_));
     arcs_.push_back(arc);
   }
@@ -81,9 +80,9 @@ void RingEdges::make() {
 
 std::size_t RingEdges::arc_at(double angle) const {
   const double wrapped = in_turn(angle);
-  return std::size_t(std::ranges::min_element(
-                         angles_, {}, [&](double a) { return apart(a, wrapped); }) -
-                     angles_.begin());
+  return std::size_t(
+      std::ranges::min_element(angles_, {}, [&](double a) { return apart(a, wrapped); }) -
+      angles_.begin());
 }
 
 const TopoDS_Vertex& RingEdges::vertex_at(double angle) const { return vertices_[arc_at(angle)]; }

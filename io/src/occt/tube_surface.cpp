@@ -137,9 +137,8 @@ class Border {
       return boundary_by_angle(spline, along_, ring_.ring(), seam);
     }
     const double around = sense_ > 0 ? tube_.seam - seam : tube_.seam_again + seam;
-    return tube_.is_along_first
-               ? new Geom2d_Line(gp_Pnt2d(along_, around), gp_Dir2d(0, sense_))
-               : new Geom2d_Line(gp_Pnt2d(around, along_), gp_Dir2d(sense_, 0));
+    return tube_.is_along_first ? new Geom2d_Line(gp_Pnt2d(along_, around), gp_Dir2d(0, sense_))
+                                : new Geom2d_Line(gp_Pnt2d(around, along_), gp_Dir2d(sense_, 0));
   }
 
   const TubeSurface& tube_;

@@ -52,7 +52,8 @@ inline std::string printable(std::string_view name) {
 }
 
 // ISO 10303-21 writes characters that are not ASCII as \X2\ and four hexadecimal digits of UTF-16.
-// What breaks lines in between knows nothing of that, nor of doubled quotes; so names take a detour.
+// What breaks lines in between knows nothing of that, nor of doubled quotes; so names take a
+// detour.
 
 /// The name as one line of printable ASCII without quotes and backslashes: these and all else are
 /// "~" and four hexadecimal digits of UTF-16, "~".

@@ -1,6 +1,6 @@
-#include "drawing/center_lines.h"
-
 #include <gtest/gtest.h>
+
+#include "drawing/center_lines.h"
 
 namespace dupin::drawing {
 namespace {
@@ -15,16 +15,15 @@ ResolvedPart part(PartSurface shape) {
 TEST(CenterLines, run_along_spines) {
   ResolvedAssembly assembly;
   const double quarter = 2 * std::atan(1.0);
-  assembly.parts = {
-      part(Chain(RingedSurface{{{0, 0, 0}, -Vec3::UnitZ(), 1},
-                               {{0, 0, 5}, Vec3::UnitZ(), 1},
-                               LineSpine{{0, 0, 0}, {0, 0, 5}},
-                               ConstantRadius{1}})),
-      part(Chain(RingedSurface{{{0, 0, 5}, -Vec3::UnitZ(), 1},
-                               {{3, 0, 8}, Vec3::UnitX(), 1},
-                               ArcSpine{{3, 0, 5}, Vec3::UnitY(), {0, 0, 5}, quarter},
-                               ConstantRadius{1}})),
-      part(Sphere{{1, 2, 3}, 4})};
+  assembly.parts = {part(Chain(RingedSurface{{{0, 0, 0}, -Vec3::UnitZ(), 1},
+                                             {{0, 0, 5}, Vec3::UnitZ(), 1},
+                                             LineSpine{{0, 0, 0}, {0, 0, 5}},
+                                             ConstantRadius{1}})),
+                    part(Chain(RingedSurface{{{0, 0, 5}, -Vec3::UnitZ(), 1},
+                                             {{3, 0, 8}, Vec3::UnitX(), 1},
+                                             ArcSpine{{3, 0, 5}, Vec3::UnitY(), {0, 0, 5}, quarter},
+                                             ConstantRadius{1}})),
+                    part(Sphere{{1, 2, 3}, 4})};
   const auto axes = axes_of(assembly, 0.01);
   ASSERT_EQ(axes.size(), 3U);
   EXPECT_EQ(axes[0].line, (std::vector<Vec3>{{0, 0, 0}, {0, 0, 5}}));

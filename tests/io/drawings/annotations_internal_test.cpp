@@ -1,6 +1,6 @@
-#include "drawings/annotations.h"
-
 #include <gtest/gtest.h>
+
+#include "drawings/annotations.h"
 
 namespace dupin::drawings {
 namespace {

@@ -1,13 +1,14 @@
-#include "drawings/paper_sheet.h"
-
 #include <gtest/gtest.h>
+
+#include "drawings/paper_sheet.h"
 
 namespace dupin::drawings {
 namespace {
 
 Drawing drawing() {
   Drawing result{"a", Unit::millimetre, view_along(-Vec3::UnitZ()), 0.01, {}};
-  result.lines.push_back({"p", LineKind::contour, false, {{0, 0}, {40, 0}, {40, 20}, {0, 20}, {0, 0}}});
+  result.lines.push_back(
+      {"p", LineKind::contour, false, {{0, 0}, {40, 0}, {40, 20}, {0, 20}, {0, 0}}});
   result.lines.push_back({"p", LineKind::center, false, {{0, 10}, {20, 10}}});
   result.lines.push_back({"q", LineKind::center, false, {{20, 10}, {40, 10}}});
   result.parts.push_back({"p", {10, 10}, {20, 10}});

@@ -1,7 +1,6 @@
-#include "drawings/shading.h"
-
 #include <gtest/gtest.h>
 
+#include "drawings/shading.h"
 
 namespace dupin::drawings {
 namespace {

@@ -1,10 +1,9 @@
-#include "exchange/bodies.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "dupin/io/assembly_json.h"
 #include "dupin/kernel/error.h"
+#include "exchange/bodies.h"
 
 namespace dupin::exchange {
 namespace {
@@ -63,9 +62,8 @@ TEST(Bodies, of_a_junction_are_one_with_its_hub) {
 }
 
 TEST(Bodies, refuse_what_cannot_be_written_yet_by_name) {
-  for (const auto& [name, part] :
-       std::vector<std::pair<std::string, std::string>>{{"ucct-arm", "arm"},
-                                                        {"parallel-cone", "foot"}}) {
+  for (const auto& [name, part] : std::vector<std::pair<std::string, std::string>>{
+           {"ucct-arm", "arm"}, {"parallel-cone", "foot"}}) {
     try {
       (void)bodies(example(name), false);
       FAIL() << name;

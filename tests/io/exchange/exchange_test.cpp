@@ -22,8 +22,7 @@ TEST(Exchange, solids_of_parts_have_the_volumes_of_their_formulas) {
   }
   for (const char* name : {"reducer", "reducing-elbow", "oblique-nozzle"}) {
     const Assembly assembly = example(name);
-    const ExchangeFile file =
-        step_file(assembly, build(assembly), {1e-4, ExchangeSolids::parts});
+    const ExchangeFile file = step_file(assembly, build(assembly), {1e-4, ExchangeSolids::parts});
     const ResolvedAssembly resolved = resolve(assembly);
     ASSERT_EQ(file.report.solids.size(), resolved.parts.size());
     for (std::size_t i = 0; i < resolved.parts.size(); ++i) {

@@ -1,9 +1,8 @@
-#include "exchange/module_loader.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
+#include "exchange/module_loader.h"
 
 namespace dupin::exchange {
 namespace {

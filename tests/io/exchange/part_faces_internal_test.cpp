@@ -1,10 +1,9 @@
-#include "exchange/part_faces.h"
-
 #include <gtest/gtest.h>
 
 #include "dupin/blends/cyclide_form.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
+#include "exchange/part_faces.h"
 
 namespace dupin::exchange {
 namespace {

@@ -1,8 +1,7 @@
-#include "occt/body_booleans.h"
-
 #include <gtest/gtest.h>
 
-#include "io/occt/body_shapes.h"
+#include "io/occt/body_shapes_internal.h"
+#include "occt/body_booleans.h"
 
 namespace dupin::occt {
 namespace {

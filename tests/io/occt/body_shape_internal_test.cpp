@@ -1,8 +1,7 @@
-#include "occt/body_shape.h"
-
 #include <gtest/gtest.h>
 
-#include "io/occt/body_shapes.h"
+#include "io/occt/body_shapes_internal.h"
+#include "occt/body_shape.h"
 
 namespace dupin::occt {
 namespace {
@@ -16,8 +15,10 @@ TEST(BodyShape, of_a_run_is_valid_and_has_its_volume) {
 
 TEST(BodyShape, of_a_wall_has_flat_rims) {
   exchange::Body wall;
-  wall.rings = {{{0, 0, 0}, {0, 0, -1}, {1, 0, 0}, 2, 2}, {{0, 0, 5}, {0, 0, 1}, {1, 0, 0}, 2, 2},
-                {{0, 0, 0}, {0, 0, -1}, {1, 0, 0}, 1, 1}, {{0, 0, 5}, {0, 0, 1}, {1, 0, 0}, 1, 1}};
+  wall.rings = {{{0, 0, 0}, {0, 0, -1}, {1, 0, 0}, 2, 2},
+                {{0, 0, 5}, {0, 0, 1}, {1, 0, 0}, 2, 2},
+                {{0, 0, 0}, {0, 0, -1}, {1, 0, 0}, 1, 1},
+                {{0, 0, 5}, {0, 0, 1}, {1, 0, 0}, 1, 1}};
   wall.tubes = {{0, 0, 1, exchange::CylinderOrCone{}},
                 {0, 2, 3, exchange::CylinderOrCone{}, true},
                 {1, 0, 2, exchange::Rim{{0, 0, -1}}},
@@ -36,7 +37,8 @@ TEST(BodyShape, of_a_ball_and_of_a_hub) {
   // A hub of radius 2 whose one arm is a cylinder of radius 1.
   const double level = std::sqrt(3.0);
   exchange::Body arm;
-  arm.rings = {{{0, 0, level}, {0, 0, 1}, {1, 0, 0}, 1, 1}, {{0, 0, 6}, {0, 0, 1}, {1, 0, 0}, 1, 1}};
+  arm.rings = {{{0, 0, level}, {0, 0, 1}, {1, 0, 0}, 1, 1},
+               {{0, 0, 6}, {0, 0, 1}, {1, 0, 0}, 1, 1}};
   arm.tubes = {{0, 0, 1, exchange::CylinderOrCone{}}};
   arm.discs = {{1, 1, {0, 0, 1}}};
   arm.hubs = {{2, {0, 0, 0}, 2, {0}}};

@@ -1,11 +1,10 @@
-#include "occt/exchange_document.h"
-
 #include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <gtest/gtest.h>
 
-#include "io/occt/body_shapes.h"
+#include "io/occt/body_shapes_internal.h"
 #include "occt/body_shape.h"
+#include "occt/exchange_document.h"
 
 namespace dupin::occt {
 namespace {

@@ -1,10 +1,9 @@
-#include "occt/nurbs_geometry.h"
-
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "dupin/blends/nurbs.h"
+#include "occt/nurbs_geometry.h"
 
 namespace dupin::occt {
 namespace {

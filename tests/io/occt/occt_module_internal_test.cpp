@@ -1,9 +1,8 @@
-#include "occt/occt_module.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/occt/body_shapes.h"
+#include "io/occt/body_shapes_internal.h"
+#include "occt/occt_module.h"
 
 namespace dupin::occt {
 namespace {
@@ -52,7 +51,10 @@ TEST(OcctModule, says_what_is_wrong_and_throws_nothing) {
 }
 
 TEST(OcctModule, writes_surfaces_as_step_and_iges) {
-  const NurbsSurface flat{1, 1, {0, 0, 1, 1}, {0, 0, 1, 1},
+  const NurbsSurface flat{1,
+                          1,
+                          {0, 0, 1, 1},
+                          {0, 0, 1, 1},
                           {{{0, 0, 0, 1}, {1, 0, 0, 1}}, {{0, 1, 0, 1}, {1, 1, 0, 1}}}};
   const auto* const module = dupin_occt_module_1();
   const std::string step = module->write_surfaces("s", {{"flat \u65e5", flat}}, false).bytes;

@@ -1,9 +1,9 @@
-#include "occt/ring_edges.h"
-
 #include <numbers>
 
 #include <BRep_Tool.hxx>
 #include <gtest/gtest.h>
+
+#include "occt/ring_edges.h"
 
 namespace dupin::occt {
 namespace {

@@ -1,10 +1,9 @@
-#include "occt/tube_surface.h"
-
 #include <BRep_Tool.hxx>
 #include <gtest/gtest.h>
 
-#include "io/occt/body_shapes.h"
+#include "io/occt/body_shapes_internal.h"
 #include "occt/nurbs_geometry.h"
+#include "occt/tube_surface.h"
 
 namespace dupin::occt {
 namespace {

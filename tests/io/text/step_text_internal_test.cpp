@@ -1,6 +1,6 @@
-#include "text/step_text.h"
-
 #include <gtest/gtest.h>
+
+#include "text/step_text.h"
 
 namespace dupin::text {
 namespace {

@@ -42,7 +42,8 @@ struct DrawingOptions {
 enum class LineKind {
   contour,  ///< of a smooth surface
   edge,     ///< where two surfaces meet and the solid turns
-  center,   ///< of circles: an axis, or the cross of one seen along it; through all that is before it
+  center,   ///< of circles: an axis, or the cross of one seen along it; through all that is before
+            ///< it
 };
 
 /// A line in the picture, x to the right and y upwards.

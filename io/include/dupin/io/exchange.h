@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dupin/blends/build.h"
-#include "dupin/io/nurbs_json.h"
+#include "dupin/io/named_nurbs.h"
 
 namespace dupin {
 
@@ -43,7 +43,7 @@ struct ExchangeReport {
   std::vector<ExchangedSolid> solids;
   std::size_t faces = 0;
   std::size_t exact_surfaces = 0, lofted_surfaces = 0;  ///< before they were trimmed
-  double error_bound = 0;     ///< of the lofted ones, proved
+  double error_bound = 0;                               ///< of the lofted ones, proved
   double edge_tolerance = 0;  ///< how far edges may be from the surfaces that meet there
   double volume = 0;          ///< of all solids
   /// What the volume was compared with, and by how much it may differ.

@@ -1,10 +1,9 @@
-#include "dupin/blends/smooth_region.h"
-
 #include <algorithm>
 #include <set>
 #include <string>
 
 #include "assembly/bore.h"
+#include "dupin/blends/build.h"
 
 namespace dupin {
 namespace {

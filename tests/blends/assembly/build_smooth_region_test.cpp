@@ -1,6 +1,6 @@
-#include "dupin/blends/smooth_region.h"
-
 #include <gtest/gtest.h>
+
+#include "dupin/blends/build.h"
 
 namespace dupin {
 namespace {
