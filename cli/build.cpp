@@ -11,6 +11,7 @@
 #include "commands.h"
 #include "cross_check_option.h"
 #include "document.h"
+#include "exchange_options.h"
 #include "gap_text.h"
 #include "length.h"
 #include "output.h"
@@ -24,7 +25,7 @@ namespace dupin::cli {
 namespace {
 
 struct BuildArguments {
-  std::string file, connect, contacts, cross_check, wall, region, page;
+  std::string file, connect, contacts, cross_check, wall, region, solids, page;
   OutputArguments output;
   std::uint32_t segments = 0;
   std::size_t most_triangles = kUsualTriangles;
@@ -68,7 +69,11 @@ void print_build(std::ostream& out, const BuildReport& report) {
   const std::string unit(symbol(report.gaps.unit));
   print_row(out, "parts", parts_text(report.parts));
   print_source(out, report);
-  print_output(out, report.output, unit);
+  if (report.exchange) {
+    print_exchange(out, *report.exchange, unit);
+  } else {
+    print_output(out, report.output, unit);
+  }
   for (const PartReport& part : report.parts) {
     if (!part.construction.empty()) {
       print_row(out, "construction", part.construction + " (" + part.name + ")");
@@ -121,16 +126,50 @@ MeshHeader header_of(const Document& document) {
   return header;
 }
 
-ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
-  const Destination to = destination(arguments.output);
-  if (!arguments.page.empty()) {
-    require_page_file(arguments.page, to.path);
+// The solid as a file, as the arguments say.
+void write_built(const Built& built, const Document& document, const BuildOptions& options,
+                 const BuildArguments& arguments, BuildReport& report) {
+  const std::string unit(symbol(document.assembly.unit));
+  if (is_step(arguments.output)) {
+    tell(options.progress, "STEP");
+    ExchangeFile file =
+        step_file(document.assembly, built,
+                  {options.tolerance, exchange_solids(arguments.output, arguments.solids)});
+    write_exchange(file, arguments.output.path);
+    report.exchange = std::move(file.report);
+    report.output.file = report.exchange->file;
+    report.output.format = report.exchange->format;
+    return;
   }
+  report.output = write_solid(built.solid, destination(arguments.output),
+                              rounding_options(arguments.rounding, unit), header_of(document),
+                              contact_choice(arguments.contacts, unit), {}, written);
+}
+
+// What is wrong with the arguments is said before anything is built.
+void check_destination(const BuildArguments& arguments) {
+  if (!arguments.page.empty()) {
+    require_page_file(arguments.page, arguments.output.path);
+  }
+  if (is_step(arguments.output)) {
+    (void)exchange_solids(arguments.output, arguments.solids);
+    if (!arguments.page.empty()) {
+      throw UsageError("--report shows a mesh that is written; the command report makes one");
+    }
+    return;
+  }
+  (void)destination(arguments.output);
+  if (!arguments.solids.empty()) {
+    throw UsageError("--solids is for STEP files");
+  }
+}
+
+ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
+  check_destination(arguments);
   Document document = read_document(arguments.file, arguments.source, arguments.wall);
   Assembly& assembly = document.assembly;
   BuildOptions options = build_options(assembly, arguments, common);
-  const std::string unit(symbol(assembly.unit));
-  const RoundingOptions rounding = rounding_options(arguments.rounding, unit);
+  (void)rounding_options(arguments.rounding, std::string(symbol(assembly.unit)));
   BuildReport report;
   TriMesh written;
   report.graph = document.network;
@@ -139,11 +178,10 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     options.progress = line.callback();
     Built built = build_document(document, options);
     report.piping = std::move(document.piping);
+    write_built(built, document, options, arguments, report,
+                arguments.page.empty() ? nullptr : &written);
     report.gaps = {assembly.source, assembly.unit, options.connect, std::move(built.ports),
                    std::move(built.gaps)};
-    report.output = write_solid(built.solid, to, rounding, header_of(document),
-                                contact_choice(arguments.contacts, unit), {},
-                                arguments.page.empty() ? nullptr : &written);
     report.output.cross_check = std::move(built.cross_check);
     report.parts = std::move(built.parts);
     report.runs = built.runs;
@@ -157,11 +195,11 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     }
   }
   if (common.json) {
-    report_stream(to) << to_json(report) << '\n';
+    report_stream(arguments.output.path) << to_json(report) << '\n';
   } else if (!common.quiet) {
-    print_build(report_stream(to), report);
+    print_build(report_stream(arguments.output.path), report);
     if (!arguments.page.empty()) {
-      print_row(report_stream(to), "report", arguments.page);
+      print_row(report_stream(arguments.output.path), "report", arguments.page);
     }
   }
   return report.findings() == 0 ? ExitCode::ok : ExitCode::findings;
@@ -178,10 +216,13 @@ void add_build(CLI::App& app, Action& action) {
                    "standard input")
       ->type_name("")
       ->required();
-  command->add_option("-o,--output", arguments->output.path, "mesh file; - for standard output")
+  command
+      ->add_option("-o,--output", arguments->output.path,
+                   "mesh or STEP file; - for standard output")
       ->type_name("OUT")
       ->required();
-  add_output_options(*command, arguments->output);
+  add_output_options(*command, arguments->output, {"step"});
+  add_solids_option(*command, arguments->solids);
   command
       ->add_option("--report", arguments->page,
                    "HTML file beside it: the solid in 3D, and where its gaps, contacts and\n"
@@ -205,6 +246,7 @@ void add_build(CLI::App& app, Action& action) {
       "Examples:\n"
       "  dupin build examples/reducer.json -o reducer.stl\n"
       "  dupin build plant.json -o plant.off --tolerance 0.2mm --connect 1mm\n"
+      "  dupin build plant.json -o plant.step\n"
       "  dupin build - -o - --format stl < plant.json > plant.stl");
   command->callback([arguments, &action] {
     action = [arguments](const CommonOptions& common) { return run_build(*arguments, common); };

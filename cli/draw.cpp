@@ -1,14 +1,19 @@
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 #include <CLI/App.hpp>
 
 #include "commands.h"
 #include "document.h"
 #include "dupin/blends/drawing.h"
+#include "dupin/io/drawing_page.h"
 #include "dupin/io/drawing_svg.h"
+#include "exchange_options.h"
 #include "length.h"
 #include "output.h"
 #include "progress_line.h"
@@ -19,25 +24,52 @@ namespace dupin::cli {
 namespace {
 
 struct DrawArguments {
-  std::string file, output, wall, region, scale;
-  std::vector<double> direction{-1, 1, -1}, up;
+  std::string file, output, wall, region, scale, view;
+  std::vector<double> direction, up;
   SourceArguments source;
-  bool hidden = false;
+  double dots_per_inch = 150;
+  bool hidden = false, center = false, shaded = false;
+  SheetOptions sheet;
 };
 
 void print_drawing(std::ostream& out, const Drawing& drawing, const DrawingScale& scale,
-                   const std::string& file) {
-  const Eigen::Vector2d size = size_on_paper(drawing, scale);
+                   const DrawArguments& arguments) {
+  const Eigen::Vector2d size = size_on_paper(drawing, scale, arguments.sheet);
   const auto hidden = std::size_t(std::ranges::count(drawing.lines, true, &DrawnLine::hidden));
+  const auto center =
+      std::size_t(std::ranges::count(drawing.lines, LineKind::center, &DrawnLine::kind));
   print_row(out, "lines",
-            std::to_string(drawing.lines.size() - hidden) + " visible" +
-                (hidden > 0 ? ", " + std::to_string(hidden) + " hidden" : ""));
+            std::to_string(drawing.lines.size() - hidden - center) + " visible" +
+                (hidden > 0 ? ", " + std::to_string(hidden) + " hidden" : "") +
+                (center > 0 ? ", " + std::to_string(center) + " of axes" : ""));
   print_row(out, "scale",
             to_string(scale) + ", on " + number(size[0]) + " x " + number(size[1]) + " mm");
   print_row(out, "looking along", place_text(-drawing.view.towards));
   print_row(out, "error",
             "at most " + number(drawing.error) + " " + std::string(symbol(drawing.unit)));
-  print_row(out, "written", file);
+  print_row(out, "written", arguments.output);
+}
+
+// What a file is written as.
+enum class Page { svg, pdf, png };
+
+Page page_of(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".pdf" ? Page::pdf : extension == ".png" ? Page::png : Page::svg;
+}
+
+std::string page(const Drawing& drawing, const Solid& solid, const DrawingScale& scale,
+                 const DrawArguments& arguments) {
+  switch (page_of(arguments.output)) {
+    case Page::svg:
+      return drawing_svg(drawing, scale, arguments.sheet);
+    case Page::pdf:
+      return drawing_pdf(drawing, scale, arguments.sheet);
+    case Page::png:
+      return drawing_png(drawing, scale, arguments.sheet,
+                         {arguments.dots_per_inch, arguments.shaded ? &solid : nullptr});
+  }
+  return {};
 }
 
 Vec3 vector_of(const std::vector<double>& numbers) {
@@ -54,11 +86,44 @@ BuildOptions build_options(const Assembly& assembly, const DrawArguments& argume
   return options;
 }
 
+// What is looked along, of a view by its name or of the place that one looks from.
+Vec3 direction_of(const DrawArguments& arguments) {
+  if (!arguments.direction.empty()) {
+    return vector_of(arguments.direction);
+  }
+  const std::array<std::pair<std::string_view, Vec3>, 4> named{
+      {{"iso", {-1, 1, -1}}, {"top", {0, 0, -1}}, {"front", {0, 1, 0}}, {"side", {-1, 0, 0}}}};
+  const std::string typed = arguments.view.empty() ? "iso" : arguments.view;
+  for (const auto& [view, direction] : named) {
+    if (typed == view) {
+      return direction;
+    }
+  }
+  std::vector<double> from;
+  std::istringstream in(typed);
+  for (std::string number; std::getline(in, number, ',');) {
+    double value = 0;
+    const auto [end, fault] = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (fault == std::errc() && end == number.data() + number.size()) {
+      from.push_back(value);
+    }
+  }
+  if (from.size() != 3 || std::ranges::count(typed, ',') != 2) {
+    throw UsageError("--view " + typed +
+                     " is none: it is iso, top, front or side, or from where one "
+                     "looks, such as 1,-1,1");
+  }
+  return -vector_of(from);
+}
+
 // How and how large, which say at once what is wrong with them.
 std::pair<DrawingOptions, std::optional<DrawingScale>> typed(const DrawArguments& arguments) {
+  if (arguments.shaded && page_of(arguments.output) != Page::png) {
+    throw UsageError("--shaded is for pictures: write a .png file");
+  }
   try {
     const auto up = arguments.up.empty() ? std::nullopt : std::optional(vector_of(arguments.up));
-    return {{view_along(vector_of(arguments.direction), up), arguments.hidden},
+    return {{view_along(direction_of(arguments), up), arguments.hidden, arguments.center},
             arguments.scale.empty() ? std::nullopt : std::optional(drawing_scale(arguments.scale))};
   } catch (const Error& error) {
     throw UsageError(error.message());
@@ -71,6 +136,7 @@ ExitCode run_draw(const DrawArguments& arguments, const CommonOptions& common) {
   BuildReport report;
   report.graph = document.network;
   Drawing drawing;
+  DrawingScale scale;
   {
     ProgressLine line(common.quiet);
     BuildOptions build = build_options(document.assembly, arguments, common);
@@ -78,16 +144,16 @@ ExitCode run_draw(const DrawArguments& arguments, const CommonOptions& common) {
     const Built built = build_document(document, build);
     tell(build.progress, "draw");
     drawing = draw(document.assembly, built, options);
+    scale = typed_scale.value_or(fitting_scale(drawing));
+    write_text(arguments.output, page(drawing, built.solid, scale, arguments));
   }
   report.piping = std::move(document.piping);
-  const DrawingScale scale = typed_scale.value_or(fitting_scale(drawing));
-  write_text(arguments.output, drawing_svg(drawing, scale));
   std::ostream& out = report_stream(arguments.output);
   if (common.json) {
-    out << drawing_report_json(drawing, scale, arguments.output) << '\n';
+    out << drawing_report_json(drawing, scale, arguments.output, arguments.sheet) << '\n';
   } else if (!common.quiet) {
     print_source(out, report);
-    print_drawing(out, drawing, scale, arguments.output);
+    print_drawing(out, drawing, scale, arguments);
   }
   return report.source_findings() == 0 ? ExitCode::ok : ExitCode::findings;
 }
@@ -101,18 +167,26 @@ void add_vector_option(CLI::App& command, const std::string& name, std::vector<d
 
 void add_draw(CLI::App& app, Action& action) {
   CLI::App* command =
-      app.add_subcommand("draw", "Draw the visible outline of an assembly to scale, as SVG");
+      app.add_subcommand("draw", "Draw the visible outline of an assembly to scale");
   const auto arguments = std::make_shared<DrawArguments>();
   command
       ->add_option("FILE", arguments->file,
                    "assembly document, graph or piping file; - for standard input")
       ->type_name("")
       ->required();
-  command->add_option("-o,--output", arguments->output, "SVG file; - for standard output")
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "SVG, PDF (.pdf) or PNG (.png) file; - for standard output, as SVG")
       ->type_name("OUT")
       ->required();
+  command
+      ->add_option("--view", arguments->view,
+                   "iso (the usual), top, front or side (from the right), or X,Y,Z from where\n"
+                   "one looks")
+      ->type_name("VIEW");
   add_vector_option(*command, "--direction", arguments->direction,
-                    "To look along; -1,1,-1 if not given, which is isometric");
+                    "To look along, instead of a view");
+  command->get_option("--direction")->excludes(command->get_option("--view"));
   add_vector_option(*command, "--up", arguments->up,
                     "What is upwards in the picture; z if not given, or y seen along z");
   command
@@ -120,6 +194,18 @@ void add_draw(CLI::App& app, Action& action) {
                    "Such as 1:50; if not given, the largest usual one that fits on A3")
       ->type_name("PAPER:REAL");
   command->add_flag("--hidden", arguments->hidden, "Draw hidden lines, too, dashed");
+  command->add_flag("--axes", arguments->center, "Draw the axes of the parts, dash-dotted");
+  command->add_flag("--names", arguments->sheet.names, "Write the parts' names beside them");
+  command->add_flag("--dimensions", arguments->sheet.dimensions,
+                    "Write the parts' diameters and, of a view along an axis, the overall\n"
+                    "width and height");
+  command->add_flag("--shaded", arguments->shaded,
+                    "Show the solid behind the lines of a PNG, in colours, with light and shade");
+  command
+      ->add_option("--dpi", arguments->dots_per_inch,
+                   "Pixels of a PNG for an inch of paper; 150 if not given")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1.0, 2400.0));
   add_wall_option(*command, arguments->wall);
   add_region_option(*command, arguments->region);
   add_source_options(*command, arguments->source);
@@ -128,7 +214,8 @@ void add_draw(CLI::App& app, Action& action) {
       "document's if not given).\n\n"
       "Examples:\n"
       "  dupin draw plant.json -o plant.svg\n"
-      "  dupin draw line.pcf -o plan.svg --direction 0,0,-1 --scale 1:100 --hidden");
+      "  dupin draw plant.json -o plant.png --shaded\n"
+      "  dupin draw line.pcf -o plan.pdf --view top --scale 1:100 --axes --dimensions");
   command->callback([arguments, &action] {
     action = [arguments](const CommonOptions& common) { return run_draw(*arguments, common); };
   });

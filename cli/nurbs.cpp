@@ -10,6 +10,7 @@
 #include "document.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/io/nurbs_json.h"
+#include "exchange_options.h"
 #include "exit_code.h"
 #include "length.h"
 #include "output.h"
@@ -37,6 +38,18 @@ std::vector<NamedNurbs> nurbs_of(const Assembly& assembly, double tolerance) {
   return result;
 }
 
+// What the extension asks for.
+std::string nurbs_file(const std::vector<NamedNurbs>& parts, Unit unit,
+                       const std::string& extension) {
+  if (extension == ".step" || extension == ".stp") {
+    return surfaces_step(parts, unit);
+  }
+  if (extension == ".iges" || extension == ".igs") {
+    return surfaces_iges(parts, unit);
+  }
+  return nurbs_json(parts, unit) + "\n";
+}
+
 void print_nurbs(std::ostream& out, const std::vector<NamedNurbs>& parts, const std::string& output,
                  Unit unit) {
   std::size_t surfaces = 0, points = 0, exact = 0;
@@ -60,7 +73,7 @@ ExitCode run_nurbs(const NurbsArguments& arguments, const CommonOptions& common)
   const Assembly assembly = read_document(arguments.file);
   const double tolerance = length_in(assembly.unit, common.tolerance, assembly.tolerance);
   const auto parts = nurbs_of(assembly, tolerance);
-  write_text(arguments.output, nurbs_json(parts, assembly.unit) + "\n");
+  write_text(arguments.output, nurbs_file(parts, assembly.unit, lower_extension(arguments.output)));
   if (output_path(arguments.output) == "-") {
     return ExitCode::ok;
   }
@@ -75,19 +88,22 @@ ExitCode run_nurbs(const NurbsArguments& arguments, const CommonOptions& common)
 }  // namespace
 
 void add_nurbs(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("nurbs", "Write the parts' surfaces as NURBS, in JSON");
+  CLI::App* command = app.add_subcommand("nurbs", "Write the parts' surfaces as NURBS");
   const auto arguments = std::make_shared<NurbsArguments>();
   command->add_option("FILE", arguments->file, "assembly document; - for standard input")
       ->type_name("")
       ->required();
-  command->add_option("-o,--output", arguments->output, "JSON file; - for standard output")
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "JSON, STEP (.step) or IGES (.iges) file; - for standard output")
       ->type_name("OUT")
       ->required();
   command->footer(
       "Rational surfaces are exact; others are within --tolerance (the document's if not given),\n"
       "as proven: 'error_bound' says how far.\n\n"
       "Examples:\n"
-      "  dupin nurbs examples/reducer.json -o reducer-nurbs.json --tolerance 0.001mm");
+      "  dupin nurbs examples/reducer.json -o reducer-nurbs.json --tolerance 0.001mm\n"
+      "  dupin nurbs examples/reducer.json -o reducer.iges");
   command->callback([arguments, &action] {
     action = [arguments](const CommonOptions& common) { return run_nurbs(*arguments, common); };
   });

@@ -140,16 +140,19 @@ std::vector<std::string> format_names() {
   return names;
 }
 
-void add_output_options(CLI::App& command, OutputArguments& arguments) {
+void add_output_options(CLI::App& command, OutputArguments& arguments,
+                        const std::vector<std::string>& others) {
+  std::vector<std::string> formats = format_names();
+  formats.insert(formats.end(), others.begin(), others.end());
   std::string help = "Instead of what the extension says; needed for standard output:\n";
   std::string_view separator;
-  for (const std::string& name : format_names()) {
+  for (const std::string& name : formats) {
     help += std::string(separator) + name;
     separator = ", ";
   }
   command.add_option("--format", arguments.format, help)
       ->type_name("NAME")
-      ->check(CLI::IsMember(format_names()));
+      ->check(CLI::IsMember(formats));
   auto* const verify =
       command
           .add_option("--verify", arguments.verification,

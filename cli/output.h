@@ -38,8 +38,10 @@ struct OutputArguments {
   bool no_verify = false;
 };
 
-/// Adds --format, --verify and --no-verify, shared by all commands that write a mesh.
-void add_output_options(CLI::App& command, OutputArguments& arguments);
+/// Adds --format, --verify and --no-verify, shared by all commands that write a mesh. `others` are
+/// formats that the command knows besides those of meshes.
+void add_output_options(CLI::App& command, OutputArguments& arguments,
+                        const std::vector<std::string>& others = {});
 
 /// A file's path as typed, or "-" under all names of standard output.
 [[nodiscard]] std::string output_path(const std::string& typed);

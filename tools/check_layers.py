@@ -56,9 +56,11 @@ ARROWS = {
     "io": {
         "text": [],
         "drawings": ["text"],
+        "exchange": ["text"],
+        "occt": ["exchange", "text"],
         "files": ["text"],
         "formats": ["files", "text"],
-        "json": ["drawings", "formats", "files", "pcf", "text"],
+        "json": ["drawings", "exchange", "formats", "files", "pcf", "text"],
         "graph": ["text"],
         "pcf": ["text"],
         "pages": ["json", "pcf", "text"],
@@ -75,7 +77,13 @@ LIBRARIES = {
     "nlohmann/": ["io/src/", "tests/"],
     "expat.h": ["io/src/"],
     "zip.h": ["io/src/"],
+    "cairo": ["io/src/drawings/"],
     "CLI/": ["cli/"],
+    # OpenCASCADE's headers have no folder of their own.
+    **{name: ["io/src/occt/", "tests/io/occt/"] for name in (
+        "APIHeaderSection", "BOPAlgo", "BRep", "Bnd_", "GProp", "Geom", "IGES", "Interface_", "Message", "NCollection",
+        "Precision.hxx", "Quantity_", "STEP", "Standard_", "StepData", "StepRepr", "StepVisual", "TCol", "TDF", "TDataStd",
+        "TDocStd", "TopExp", "TopTools", "TopoDS", "Transfer_", "XCAF", "XSControl", "gp_")},
 }
 MOST_LINES = [  # first match wins: (pattern, most lines)
     (re.compile(r"^(?!tests/).*\.h$"), 200),

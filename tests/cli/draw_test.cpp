@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/tool.h"
+#include "dupin/io/drawing_page.h"
 
 namespace dupin::test {
 namespace {
@@ -36,6 +37,37 @@ TEST_F(Draw, takes_piping_files_with_walls) {
   EXPECT_EQ(metal.at("direction").at(0), -1);
 }
 
+TEST_F(Draw, takes_views_by_name_and_by_place) {
+  for (const auto& [view, direction] :
+       std::vector<std::pair<std::string, std::vector<int>>>{{"top", {0, 0, -1}},
+                                                             {"front", {0, 1, 0}},
+                                                             {"side", {-1, 0, 0}},
+                                                             {"0,-2,0", {0, 1, 0}}}) {
+    const auto report = json({"draw", example("tee.json"), "-o", "a.svg", "--view", view, "--axes",
+                              "--names", "--dimensions"},
+                             0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(report.at("direction").at(i), direction.at(i)) << view;
+    }
+    EXPECT_GT(report.at("lines").at("center"), 0);
+    EXPECT_THAT(folder_.read("a.svg"), HasSubstr("</text>"));
+  }
+}
+
+TEST_F(Draw, writes_pages_and_pictures) {
+  if (!can_draw_pages()) {
+    GTEST_SKIP() << "built without cairo";
+  }
+  for (const auto& [file, begin] :
+       std::vector<std::pair<std::string, std::string>>{{"a.pdf", "%PDF"}, {"a.png", "\x89PNG"}}) {
+    (void)json({"draw", example("tee.json"), "-o", file, "--dpi", "30"}, 0);
+    EXPECT_THAT(folder_.read(file), testing::StartsWith(begin));
+  }
+  const std::string lines = folder_.read("a.png");
+  (void)json({"draw", example("tee.json"), "-o", "a.png", "--dpi", "30", "--shaded"}, 0);
+  EXPECT_NE(folder_.read("a.png"), lines);
+}
+
 TEST_F(Draw, refuses_bad_views_and_files) {
   const std::string tee = example("tee.json");
   for (const auto& [options, code, text] :
@@ -45,6 +77,11 @@ TEST_F(Draw, refuses_bad_views_and_files) {
            {{"--direction", "nan,0,1"}, 2, "finite"},
            {{"--direction", "0,0,1", "--up", "0,0,-3"}, 2, "upwards"},
            {{"--scale", "50"}, 2, "such as 1:50"},
+           {{"--view", "bottom"}, 2, "iso, top, front or side"},
+           {{"--view", "1,2"}, 2, "iso, top, front or side"},
+           {{"--view", "0,0,0"}, 2, "not zero"},
+           {{"--view", "top", "--direction", "0,0,1"}, 2, "--view"},
+           {{"--shaded"}, 2, ".png"},
            {{"--tolerance", "-1mm"}, 2, "positive"},
            {{"--region", "metal"}, 3, "no metal"},
            {{"--snap", "1mm"}, 2, "piping files"}}) {

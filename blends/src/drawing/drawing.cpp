@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "assembly/bore.h"
+#include "drawing/center_lines.h"
 #include "drawing/contour_curves.h"
 #include "drawing/linked_lines.h"
 #include "drawing/polyline.h"
@@ -61,6 +62,12 @@ class Drawer {
     }
     add_contours(drawing::contours_of(bore_, options_.view.towards, result_.error, !is_fluid_));
     add_edges();
+    for (const drawing::PartAxis& axis : drawing::axes_of(outer_, result_.error)) {
+      result_.parts.push_back(drawn_part(axis));
+      if (options_.center) {
+        add_center(axis);
+      }
+    }
     return std::move(result_);
   }
 
@@ -174,6 +181,40 @@ class Drawer {
     const Vec3 normal =
         (mesh_.points[b] - mesh_.points[a]).cross(mesh_.points[c] - mesh_.points[a]);
     return normal.dot(options_.view.towards) > 0;
+  }
+
+  [[nodiscard]] Eigen::Vector2d in_picture(const Vec3& point) const {
+    return options_.view(point).head<2>();
+  }
+
+  // At the middle of its axis' length.
+  [[nodiscard]] DrawnPart drawn_part(const drawing::PartAxis& axis) const {
+    double left = drawing::length(axis.line) / 2;
+    Vec3 at = axis.line.front();
+    for (std::size_t i = 1; i < axis.line.size() && left > 0; ++i) {
+      const Vec3 step = axis.line[i] - axis.line[i - 1];
+      const double share = step.norm() > 0 ? std::min(1.0, left / step.norm()) : 1;
+      at = axis.line[i - 1] + share * step;
+      left -= step.norm();
+    }
+    return {axis.part, in_picture(at), axis.diameters};
+  }
+
+  // An axis that is seen from its end is the cross of its circle.
+  void add_center(const drawing::PartAxis& axis) {
+    std::vector<Eigen::Vector2d> line(axis.line.size());
+    std::ranges::transform(axis.line, line.begin(),
+                           [&](const Vec3& point) { return in_picture(point); });
+    if (axis.line.size() > 1 && drawing::length(line) > drawing::length(axis.line) / 1000) {
+      result_.lines.push_back(
+          {axis.part, LineKind::center, false, drawing::simplified(line, result_.error)});
+      return;
+    }
+    const double reach = std::ranges::max(axis.diameters) / 2;
+    for (const Eigen::Vector2d& arm : {Eigen::Vector2d(reach, 0), Eigen::Vector2d(0, reach)}) {
+      result_.lines.push_back(
+          {axis.part, LineKind::center, false, {line.front() - arm, line.front() + arm}});
+    }
   }
 
   static void append(Lines from, Lines& to) {

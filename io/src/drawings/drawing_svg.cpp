@@ -9,18 +9,13 @@
 
 #include <Eigen/Geometry>
 
+#include "drawings/paper_sheet.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "text/xml_text.h"
 
 namespace dupin {
 namespace {
-
-constexpr double kAround = 5;  // millimetres of paper
-
-double paper_millimetres(const Drawing& drawing, const DrawingScale& scale) {
-  return millimetres(drawing.unit) * scale.paper / scale.real;
-}
 
 Eigen::AlignedBox2d bounds(const Drawing& drawing) {
   Eigen::AlignedBox2d box;
@@ -37,36 +32,28 @@ void append_paper(std::string& text, double value) {
   append_decimal(text, std::round(1000 * value) / 1000 + 0.0);
 }
 
-std::string_view style_class(const DrawnLine& line) {
-  return line.hidden ? "hidden" : line.kind == LineKind::contour ? "contour" : "edge";
+void append_path(std::string& text, const drawings::PaperLine& line) {
+  text += "<path class=\"";
+  text.append(name(line.pen)).append("\" d=\"M");
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    append_paper(text, line.points[i][0]);
+    text += ' ';
+    append_paper(text, line.points[i][1]);
+    text += i == 0 ? "L" : " ";
+  }
+  text.back() = line.is_closed ? 'Z' : '"';
+  text += line.is_closed ? "\"/>\n" : "/>\n";
 }
 
-// Puts points on paper, whose y axis points down.
-class Path {
- public:
-  Path(const Drawing& drawing, const DrawingScale& scale)
-      : factor_(paper_millimetres(drawing, scale)),
-        corner_(bounds(drawing).min()[0], bounds(drawing).max()[1]) {}
-
-  void append(std::string& text, const DrawnLine& line) const {
-    const bool is_closed = line.points.size() > 2 && line.points.front() == line.points.back();
-    text += "<path class=\"";
-    text.append(style_class(line)).append("\" d=\"M");
-    for (std::size_t i = 0; i + (is_closed ? 1 : 0) < line.points.size(); ++i) {
-      const Eigen::Vector2d from_corner = factor_ * (line.points[i] - corner_);
-      append_paper(text, from_corner[0] + kAround);
-      text += ' ';
-      append_paper(text, -from_corner[1] + kAround);
-      text += i == 0 ? "L" : " ";
-    }
-    text.back() = is_closed ? 'Z' : '"';
-    text += is_closed ? "\"/>\n" : "/>\n";
-  }
-
- private:
-  double factor_;
-  Eigen::Vector2d corner_;
-};
+void append_text(std::string& text, const drawings::PaperText& one) {
+  text += one.is_centered ? "<text class=\"centered\" " : "<text ";
+  text += one.is_upright ? "transform=\"translate(" : "x=\"";
+  append_paper(text, one.at[0]);
+  text += one.is_upright ? " " : "\" y=\"";
+  append_paper(text, one.at[1]);
+  text += one.is_upright ? ") rotate(-90)\">" : "\">";
+  text.append(text::xml_escaped(one.text)).append("</text>\n");
+}
 
 double positive(const std::string& text, std::string_view number) {
   double value = 0;
@@ -112,40 +99,46 @@ DrawingScale fitting_scale(const Drawing& drawing) {
   }
 }
 
-Eigen::Vector2d size_on_paper(const Drawing& drawing, const DrawingScale& scale) {
-  return bounds(drawing).sizes() * paper_millimetres(drawing, scale) +
-         Eigen::Vector2d::Constant(2 * kAround);
+Eigen::Vector2d size_on_paper(const Drawing& drawing, const DrawingScale& scale,
+                              const SheetOptions& options) {
+  return drawings::paper_sheet(drawing, scale, options).size;
 }
 
-std::string drawing_svg(const Drawing& drawing, const DrawingScale& scale) {
-  const Eigen::Vector2d size = size_on_paper(drawing, scale);
+std::string drawing_svg(const Drawing& drawing, const DrawingScale& scale,
+                        const SheetOptions& options) {
+  const drawings::PaperSheet sheet = drawings::paper_sheet(drawing, scale, options);
   std::string width, height;
-  append_paper(width, size[0]);
-  append_paper(height, size[1]);
+  append_paper(width, sheet.size[0]);
+  append_paper(height, sheet.size[1]);
   std::string text = R"(<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" version="1.1" width=")";
   text.append(width).append("mm\" height=\"").append(height).append("mm\" viewBox=\"0 0 ");
   text.append(width).append(" ").append(height).append("\">\n<title>");
-  text.append(text::xml_escaped(drawing.source)).append(" ").append(to_string(scale));
+  text.append(text::xml_escaped(sheet.title));
   text += R"(</title>
 <style>
 path { fill: none; stroke: #000; stroke-linecap: round; stroke-linejoin: round; }
 .contour, .edge { stroke-width: 0.35; }
 .hidden { stroke-width: 0.18; stroke-dasharray: 2 1; }
+.center { stroke-width: 0.18; stroke-dasharray: 6 1 0.5 1; stroke-linecap: butt; }
+.thin { stroke-width: 0.18; }
+.arrow { fill: #000; stroke: none; }
+text { font: 3.5px sans-serif; }
+.centered { text-anchor: middle; }
 </style>
 )";
   std::map<std::string_view, std::string> groups;
-  const Path path(drawing, scale);
-  for (const bool hidden : {true, false}) {  // visible lines lie over hidden ones
-    for (const DrawnLine& line : drawing.lines) {
-      if (line.hidden == hidden) {
-        path.append(groups[line.part], line);
-      }
-    }
+  std::string others;
+  for (const drawings::PaperLine& line : sheet.lines) {
+    append_path(line.part.empty() ? others : groups[line.part], line);
   }
   for (const auto& [part, paths] : groups) {
     text.append("<g>\n<title>").append(text::xml_escaped(part)).append("</title>\n");
     text.append(paths).append("</g>\n");
+  }
+  text += others;
+  for (const drawings::PaperText& one : sheet.texts) {
+    append_text(text, one);
   }
   return text + "</svg>\n";
 }

@@ -6,9 +6,9 @@
 namespace dupin {
 
 std::string drawing_report_json(const Drawing& drawing, const DrawingScale& scale,
-                                const std::string& file) {
+                                const std::string& file, const SheetOptions& options) {
   using json::Json;
-  const Eigen::Vector2d size = size_on_paper(drawing, scale);
+  const Eigen::Vector2d size = size_on_paper(drawing, scale, options);
   const auto count = [&](LineKind kind) {
     return std::ranges::count_if(
         drawing.lines, [&](const DrawnLine& line) { return line.kind == kind && !line.hidden; });
@@ -24,6 +24,7 @@ std::string drawing_report_json(const Drawing& drawing, const DrawingScale& scal
            {"lines",
             {{"contour", count(LineKind::contour)},
              {"edge", count(LineKind::edge)},
+             {"center", count(LineKind::center)},
              {"hidden", std::ranges::count(drawing.lines, true, &DrawnLine::hidden)}}}});
 }
 

@@ -69,6 +69,29 @@ Json graph_json(const PipeNetwork& graph) {
           {"balls", graph.balls},           {"notes", notes_json(graph.notes)}};
 }
 
+Json exchange_json(const ExchangeReport& exchange) {
+  Json solids = Json::array();
+  for (const ExchangedSolid& solid : exchange.solids) {
+    solids.push_back({{"name", solid.name},
+                      {"volume", solid.volume},
+                      {"area", solid.area},
+                      {"faces", solid.faces},
+                      {"shells", solid.shells},
+                      {"euler_number", solid.euler_number}});
+  }
+  return {{"file", exchange.file},
+          {"format", exchange.format},
+          {"solids", solids},
+          {"faces", exchange.faces},
+          {"exact_surfaces", exchange.exact_surfaces},
+          {"lofted_surfaces", exchange.lofted_surfaces},
+          {"error_bound", exchange.error_bound},
+          {"edge_tolerance", exchange.edge_tolerance},
+          {"volume", exchange.volume},
+          {"expected_volume", number_or_null(exchange.expected_volume)},
+          {"volume_bound", exchange.volume_bound}};
+}
+
 void put_source(Json& all, const BuildReport& report) {
   if (report.piping) {
     all["piping"] = piping_json(*report.piping);
@@ -130,7 +153,8 @@ std::string to_json(const BuildReport& report) {
                     {"pieces", report.pieces},
                     {"grid", report.grid},
                     {"parts", parts},
-                    {"output", json::json_value(report.output)},
+                    {"output", report.exchange ? json::exchange_json(*report.exchange)
+                                               : json::json_value(report.output)},
                     {"gaps", json::json_value(report.gaps)}};
   if (report.volumes) {
     all["region"] = name(report.region);

@@ -10,6 +10,7 @@
 
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/part_measures.h"
+#include "dupin/blends/resolve.h"
 #include "dupin/blends/tessellation.h"
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/cross_check.h"
@@ -92,6 +93,17 @@ struct Built {
 /// through, Error{limit_exceeded} for more triangles than `most_triangles` (of the outer surfaces,
 /// or of the bores), and what `resolve`, `unite` throw; each names the part.
 [[nodiscard]] Built build(const Assembly& assembly, const BuildOptions& options = {});
+
+/// What a built solid is a mesh of, in smooth surfaces: the whole; of the metal, the whole less the
+/// bore; of the fluid, what the whole and the bore have in common. `kept` is taken away from the
+/// bore before. Bores reach out of open ends, where they cut clean rims.
+struct SmoothRegion {
+  Region region = Region::outer;
+  ResolvedAssembly whole, bore, kept;
+};
+
+/// That of `built`, which `build` made of the assembly.
+[[nodiscard]] SmoothRegion smooth_region(const Assembly& assembly, const Built& built);
 
 /// The diameters of an end, outside: of a circle the same twice, else along and across the axis.
 using EndSize = std::array<double, 2>;

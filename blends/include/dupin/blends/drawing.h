@@ -36,11 +36,14 @@ using ContourCurve = std::vector<ContourPoint>;
 struct DrawingOptions {
   View view;
   bool hidden = false;  ///< whether lines are drawn that the solid hides
+  bool center = false;  ///< whether the axes of round parts are drawn
 };
 
 enum class LineKind {
   contour,  ///< of a smooth surface
   edge,     ///< where two surfaces meet and the solid turns
+  center,   ///< of circles: an axis, or the cross of one seen along it; through all that is before
+            ///< it
 };
 
 /// A line in the picture, x to the right and y upwards.
@@ -51,6 +54,13 @@ struct DrawnLine {
   std::vector<Eigen::Vector2d> points;  ///< in the assembly's unit
 };
 
+/// A part in the picture, for what is written beside it.
+struct DrawnPart {
+  std::string name;
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< the middle of its axis
+  std::vector<double> diameters;  ///< of its two ends, or of a ball; across ellipses' axes
+};
+
 /// A drawing of a solid as it is seen from afar.
 struct Drawing {
   std::string source;
@@ -59,6 +69,7 @@ struct Drawing {
   double error =
       0;  ///< how far lines may be from what they stand for, contours and the mesh's edges
   std::vector<DrawnLine> lines;
+  std::vector<DrawnPart> parts = {};  ///< in the order of the assembly
 };
 
 /// The visible outline of `built`, which `build` made of the assembly: contours of its smooth

@@ -11,6 +11,14 @@ struct DrawingScale {
   double paper = 1, real = 1;
 };
 
+/// What is written on the sheet besides the lines.
+struct SheetOptions {
+  bool names = false;  ///< of the parts, with leaders
+  /// The parts' diameters and, of a view along an axis, the overall width and height. To as many
+  /// digits as the drawing's error leaves, in millimetres or with the unit.
+  bool dimensions = false;
+};
+
 /// "1:50".
 [[nodiscard]] std::string to_string(const DrawingScale& scale);
 
@@ -24,17 +32,21 @@ struct DrawingScale {
 
 /// How large the drawing is on paper, in millimetres, with 5 mm around; {10, 10} of one without
 /// lines.
-[[nodiscard]] Eigen::Vector2d size_on_paper(const Drawing& drawing, const DrawingScale& scale);
+[[nodiscard]] Eigen::Vector2d size_on_paper(const Drawing& drawing, const DrawingScale& scale,
+                                            const SheetOptions& options = {});
 
 /// SVG 1.1 of that size, its user unit a millimetre on paper, numbers to a thousandth of one. Lines
-/// of a part are a group, whose title is the part's name; `class` is contour, edge or hidden.
-/// Visible lines are 0.35 mm wide, hidden ones 0.18 mm and dashed.
-[[nodiscard]] std::string drawing_svg(const Drawing& drawing, const DrawingScale& scale);
+/// of a part are a group, whose title is the part's name; `class` is contour, edge, hidden or
+/// center. Visible lines are 0.35 mm wide, others 0.18 mm; hidden ones are dashed, axes
+/// dash-dotted (ISO 128).
+[[nodiscard]] std::string drawing_svg(const Drawing& drawing, const DrawingScale& scale,
+                                      const SheetOptions& options = {});
 
 /// What was written to `file`: `{"file", "unit", "scale", "size": [width, height] in mm on paper,
-/// "direction", "up", "error", "lines": {"contour", "edge", "hidden"}}`, the latter numbers of
-/// lines.
+/// "direction", "up", "error", "lines": {"contour", "edge", "hidden", "center"}}`, the latter
+/// numbers of lines.
 [[nodiscard]] std::string drawing_report_json(const Drawing& drawing, const DrawingScale& scale,
-                                              const std::string& file);
+                                              const std::string& file,
+                                              const SheetOptions& options = {});
 
 }  // namespace dupin

@@ -3,17 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "dupin/blends/nurbs.h"
 #include "dupin/blends/unit.h"
+#include "dupin/io/named_nurbs.h"
 
 namespace dupin {
-
-/// A part's lateral surface.
-struct NamedNurbs {
-  std::string part;
-  std::string kind;
-  NurbsForm form;
-};
 
 /// `{"unit", "parts": [{"part", "kind", "error_bound", "surfaces": [{"degree": [along, around],
 /// "knots": [[...], [...]], "net": rows of [x w, y w, z w, w]}]}]}`, numbers as the shortest

@@ -12,6 +12,7 @@
 #include "dupin/blends/edit_chain.h"
 #include "dupin/blends/pipe_graph.h"
 #include "dupin/blends/unit.h"
+#include "dupin/io/exchange.h"
 #include "dupin/io/pcf.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/cross_check.h"
@@ -122,12 +123,13 @@ struct BuildReport {
   std::vector<PartReport> parts;
   std::size_t runs = 0, pieces = 0;
   double grid = 0;
-  OutputReport output;
+  OutputReport output;  ///< of a STEP file its name and format alone
   GapSummary gaps;
   Region region = Region::outer;
   std::optional<RegionVolumes> volumes = {};  ///< of an assembly with walls
   std::optional<PipeNetwork> graph = {};      ///< that was built, without its assembly
   std::optional<PcfReport> piping = {};
+  std::optional<ExchangeReport> exchange = {};  ///< of a STEP file
 
   /// Those of the gaps, of the output, of the piping, and what of the graph was refused.
   [[nodiscard]] std::size_t findings() const;

@@ -1,0 +1,41 @@
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "assembly/bore.h"
+#include "dupin/blends/build.h"
+
+namespace dupin {
+namespace {
+
+std::set<std::string> names_seen(const Solid& solid) {
+  std::set<std::string> result;
+  for (const std::uint32_t label : std::set(solid.labels().begin(), solid.labels().end())) {
+    result.insert(solid.names()[label]);
+  }
+  return result;
+}
+
+}  // namespace
+
+SmoothRegion smooth_region(const Assembly& assembly, const Built& built) {
+  SmoothRegion result{built.region, resolve(assembly), {}, {}};
+  if (!built.volumes) {
+    return result;
+  }
+  result.whole = assembly::filled(std::move(result.whole));
+  if (built.region == Region::outer) {
+    return result;
+  }
+  const auto walls = assembly::walls_of(assembly, resolve(assembly), built.region);
+  assembly::SelectedParts bore = assembly::bore_of(assembly, result.whole, walls.value());
+  assembly::lengthen_out_of(bore, assembly, result.whole, *walls, names_seen(built.solid));
+  result.bore = std::move(bore.resolved);
+  std::vector<bool> is_solid(assembly.parts.size());
+  std::transform(assembly.parts.begin(), assembly.parts.end(), is_solid.begin(),
+                 [](const Part& part) { return part.solid; });
+  result.kept = assembly::selected_parts(result.whole, is_solid).resolved;
+  return result;
+}
+
+}  // namespace dupin

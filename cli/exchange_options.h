@@ -1,0 +1,35 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "dupin/io/exchange.h"
+#include "output.h"
+
+namespace CLI {
+class App;
+}
+
+namespace dupin::cli {
+
+/// Whether a file that is to be written is STEP: by --format, or else by its extension, .step or
+/// .stp.
+[[nodiscard]] bool is_step(const OutputArguments& arguments);
+
+/// The extension of a path, in lower case.
+[[nodiscard]] std::string lower_extension(const std::string& path);
+
+/// Adds --solids.
+void add_solids_option(CLI::App& command, std::string& solids);
+
+/// What becomes a solid; united, if nothing is said. Throws UsageError for what only meshes have:
+/// a list of patches.
+[[nodiscard]] ExchangeSolids exchange_solids(const OutputArguments& arguments,
+                                             const std::string& solids);
+
+/// Writes the file in one step, and says in the report where. Throws OutputError.
+void write_exchange(ExchangeFile& file, const std::string& path);
+
+void print_exchange(std::ostream& out, const ExchangeReport& report, const std::string& unit);
+
+}  // namespace dupin::cli

@@ -1,0 +1,173 @@
+#include "dupin/io/drawing_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "drawings/paper_sheet.h"
+#include "drawings/shading.h"
+#include "dupin/kernel/error.h"
+
+#ifdef DUPIN_WITH_CAIRO
+#include <cairo-pdf.h>
+#include <cairo.h>
+#endif
+
+namespace dupin {
+
+#ifdef DUPIN_WITH_CAIRO
+namespace {
+
+using drawings::PaperSheet;
+using drawings::Pen;
+
+constexpr double kPointsPerMillimetre = 72 / 25.4, kMillimetresPerInch = 25.4;
+constexpr double kMostPixels = 1e8;
+
+struct Release {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, Release>;
+using Context = std::unique_ptr<cairo_t, Release>;
+
+cairo_status_t append_bytes(void* text, const unsigned char* bytes, unsigned int count) {
+  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+void check(cairo_status_t status) {
+  if (status != CAIRO_STATUS_SUCCESS) {
+    throw Error(Errc::internal, std::string("cairo fails: ") + cairo_status_to_string(status));
+  }
+}
+
+void draw_line(cairo_t* context, const drawings::PaperLine& line) {
+  for (const Eigen::Vector2d& point : line.points) {
+    cairo_line_to(context, point[0], point[1]);
+  }
+  if (line.is_closed) {
+    cairo_close_path(context);
+  }
+  if (line.pen == Pen::arrow) {
+    cairo_fill(context);
+    return;
+  }
+  const bool is_wide = line.pen == Pen::contour || line.pen == Pen::edge;
+  cairo_set_line_width(context, is_wide ? drawings::kWide : drawings::kNarrow);
+  const std::vector<double> dashes = drawings::dashes(line.pen);
+  cairo_set_dash(context, dashes.data(), int(dashes.size()), 0);
+  cairo_set_line_cap(context, line.pen == Pen::center ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
+  cairo_stroke(context);
+}
+
+void draw_text(cairo_t* context, const drawings::PaperText& text) {
+  cairo_save(context);
+  cairo_translate(context, text.at[0], text.at[1]);
+  if (text.is_upright) {
+    cairo_rotate(context, -std::acos(-1.0) / 2);
+  }
+  cairo_text_extents_t extents;
+  cairo_text_extents(context, text.text.c_str(), &extents);
+  cairo_move_to(context, text.is_centered ? -extents.x_advance / 2 : 0, 0);
+  cairo_show_text(context, text.text.c_str());
+  cairo_restore(context);
+}
+
+// In millimetres.
+void draw_sheet(cairo_t* context, const PaperSheet& sheet) {
+  cairo_set_source_rgb(context, 0, 0, 0);
+  cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+  cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(context, drawings::kFontSize);
+  for (const drawings::PaperLine& line : sheet.lines) {
+    draw_line(context, line);
+  }
+  for (const drawings::PaperText& text : sheet.texts) {
+    draw_text(context, text);
+  }
+  check(cairo_status(context));
+}
+
+}  // namespace
+
+bool can_draw_pages() { return true; }
+
+std::string drawing_pdf(const Drawing& drawing, const DrawingScale& scale,
+                        const SheetOptions& options) {
+  const PaperSheet sheet = drawings::paper_sheet(drawing, scale, options);
+  std::string bytes;
+  const Surface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes,
+                                                            sheet.size[0] * kPointsPerMillimetre,
+                                                            sheet.size[1] * kPointsPerMillimetre));
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, sheet.title.c_str());
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE,
+                                 "1970-01-01T00:00:00Z");
+  {
+    const Context context(cairo_create(surface.get()));
+    cairo_scale(context.get(), kPointsPerMillimetre, kPointsPerMillimetre);
+    draw_sheet(context.get(), sheet);
+  }
+  cairo_surface_finish(surface.get());
+  check(cairo_surface_status(surface.get()));
+  return bytes;
+}
+
+std::string drawing_png(const Drawing& drawing, const DrawingScale& scale,
+                        const SheetOptions& options, const PictureOptions& picture) {
+  const PaperSheet sheet = drawings::paper_sheet(drawing, scale, options);
+  const double per_millimetre = picture.dots_per_inch / kMillimetresPerInch;
+  const double width = std::ceil(sheet.size[0] * per_millimetre),
+               height = std::ceil(sheet.size[1] * per_millimetre);
+  if (!(width * height <= kMostPixels) || std::max(width, height) > 30000) {
+    throw Error(Errc::limit_exceeded,
+                "the picture would have more than 100 million pixels; take fewer dots per inch, or "
+                "a smaller scale");
+  }
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, int(width), int(height)));
+  const Context context(cairo_create(surface.get()));
+  cairo_set_source_rgb(context.get(), 1, 1, 1);
+  cairo_paint(context.get());
+  if (picture.shaded != nullptr) {
+    drawings::Picture shades =
+        drawings::shaded(*picture.shaded, drawing.view, sheet, per_millimetre);
+    const Surface image(cairo_image_surface_create_for_data(
+        reinterpret_cast<unsigned char*>(shades.pixels.data()), CAIRO_FORMAT_ARGB32, shades.width,
+        shades.height, 4 * shades.width));
+    cairo_set_source_surface(context.get(), image.get(), 0, 0);
+    cairo_paint(context.get());
+  }
+  cairo_scale(context.get(), per_millimetre, per_millimetre);
+  draw_sheet(context.get(), sheet);
+  std::string bytes;
+  check(cairo_surface_write_to_png_stream(surface.get(), append_bytes, &bytes));
+  return bytes;
+}
+
+#else
+
+namespace {
+
+[[noreturn]] void refuse() {
+  throw Error(Errc::invalid_argument,
+              "PDF and PNG need cairo, which this build of dupin has not got: build it where "
+              "libcairo2-dev is installed, or write .svg");
+}
+
+}  // namespace
+
+bool can_draw_pages() { return false; }
+
+std::string drawing_pdf(const Drawing& /*drawing*/, const DrawingScale& /*scale*/,
+                        const SheetOptions& /*options*/) {
+  refuse();
+}
+
+std::string drawing_png(const Drawing& /*drawing*/, const DrawingScale& /*scale*/,
+                        const SheetOptions& /*options*/, const PictureOptions& /*picture*/) {
+  refuse();
+}
+
+#endif
+
+}  // namespace dupin

@@ -1,0 +1,283 @@
+#include "exchange/bodies.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "dupin/blends/cyclide_tube.h"
+#include "dupin/kernel/error.h"
+#include "text/label_colour.h"
+
+namespace dupin::exchange {
+namespace {
+
+// Parts by the body that they belong to.
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : leader_(count) {
+    std::iota(leader_.begin(), leader_.end(), std::size_t{0});
+  }
+  [[nodiscard]] std::size_t leader(std::size_t i) const {
+    while (leader_[i] != i) {
+      i = leader_[i];
+    }
+    return i;
+  }
+  void join(std::size_t i, std::size_t j) {
+    const std::size_t a = leader(i), b = leader(j);
+    leader_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> leader_;
+};
+
+class BodyMaker {
+ public:
+  BodyMaker(const ResolvedAssembly& resolved, double tolerance, Labels& labels, SurfaceCount& count)
+      : resolved_(resolved), tolerance_(tolerance), labels_(labels), count_(count) {}
+
+  Body body(const std::vector<std::uint32_t>& parts) {
+    body_ = {};
+    rings_.clear();
+    is_member_.assign(resolved_.parts.size(), false);
+    for (const std::uint32_t part : parts) {
+      is_member_[part] = true;
+    }
+    const std::string &first = resolved_.parts[parts.front()].name,
+                      &last = resolved_.parts[parts.back()].name;
+    body_.name = parts.size() == 1 ? first : first + " to " + last;
+    for (const std::uint32_t part : parts) {
+      try {
+        append(part);
+      } catch (const Error& error) {
+        throw error.in_part(resolved_.parts[part].name);
+      }
+    }
+    for (const ResolvedJunction& junction : resolved_.junctions) {
+      if (is_member_[junction.arms.front()]) {
+        append_hub(junction);
+      }
+    }
+    return std::move(body_);
+  }
+
+ private:
+  [[nodiscard]] bool is_joined(const EndIndex& end) const {
+    const auto& other = resolved_.parts[end.part].joined.at(at(end.end));
+    return other && is_member_[other->part];
+  }
+
+  // Both ends at a shared ring have the same.
+  std::size_t ring_of(const EndIndex& end) {
+    const auto key = [](const EndIndex& e) { return std::pair(e.part, at(e.end)); };
+    const auto own = key(end);
+    const auto shared = is_joined(end)
+                            ? std::min(own, key(*resolved_.parts[end.part].joined.at(at(end.end))))
+                            : own;
+    const auto [entry, is_new] = rings_.try_emplace(shared, body_.rings.size());
+    if (is_new) {
+      body_.rings.push_back(ring_curve(*port_ring(resolved_.parts[end.part].shape, end.end)));
+    }
+    return entry->second;
+  }
+
+  std::size_t new_ring(const Ring& ring) {
+    body_.rings.push_back(ring_curve(ring));
+    return body_.rings.size() - 1;
+  }
+
+  void append(std::uint32_t index) {
+    const ResolvedPart& part = resolved_.parts[index];
+    const std::uint32_t label = labels_.label(part.name);
+    if (const auto* ball = std::get_if<Sphere>(&part.shape)) {
+      body_.hubs.push_back({label, ball->center, ball->radius, {}});
+      ++count_.exact;
+      return;
+    }
+    const auto& chain = std::get<Chain>(part.shape);
+    if (chain.joints == Joints::spherical) {
+      throw Error(
+          Errc::boolean_failed,
+          "its pieces meet in kneecaps, which STEP does not get yet; \"joints\": \"smooth\" "
+          "can be written, and a mesh of either");
+    }
+    if (chain.wall > 0 && !chain.closed) {
+      append_hollow(index, chain);
+      return;
+    }
+    const bool is_open = !chain.closed && port_ring(part.shape, End::start) != nullptr;
+    append_pieces(chain, label, is_open ? std::optional(index) : std::nullopt, false);
+    if (chain.wall > 0) {
+      append_pieces(inner_skin(chain), label, std::nullopt, true);
+    }
+    if (is_open) {
+      close(index, End::start);
+      close(index, End::end);
+    }
+  }
+
+  // Of a part whose ends others may share, or of none; returns the rings at both ends.
+  std::pair<std::size_t, std::size_t> append_pieces(const Chain& chain, std::uint32_t label,
+                                                    std::optional<std::uint32_t> part,
+                                                    bool is_inside_out) {
+    const std::size_t first =
+        part ? ring_of({*part, End::start}) : new_ring(end_ring(chain, End::start));
+    std::size_t last = first;
+    for (std::size_t i = 0; i < chain.pieces.size(); ++i) {
+      const bool is_last = i + 1 == chain.pieces.size();
+      const std::size_t next = is_last && chain.closed ? first
+                               : is_last && part       ? ring_of({*part, End::end})
+                                                 : new_ring(end_ring(chain.pieces[i], End::end));
+      body_.tubes.push_back(
+          {label, last, next, piece_surface(chain.pieces[i], tolerance_, count_), is_inside_out});
+      last = next;
+    }
+    return {first, last};
+  }
+
+  // Outside and inside, with conical rims.
+  void append_hollow(std::uint32_t index, const Chain& chain) {
+    const ResolvedPart& part = resolved_.parts[index];
+    const std::uint32_t label = labels_.label(part.name);
+    const auto outer = append_pieces(chain, label, std::nullopt, false);
+    const auto inner = append_pieces(inner_skin(chain), label, std::nullopt, true);
+    body_.tubes.push_back({labels_.label(part.end_names[0]), outer.first, inner.first,
+                           Rim{end_ring(chain, End::start).normal}});
+    body_.tubes.push_back({labels_.label(part.end_names[1]), outer.second, inner.second,
+                           Rim{end_ring(chain, End::end).normal}});
+    count_.exact += 2;
+  }
+
+  // Ends that are joined to a part of another body vanish in the union and need no name.
+  void close(std::uint32_t index, End end) {
+    const ResolvedPart& part = resolved_.parts[index];
+    if (is_joined({index, end}) || (part.ends_in_hub && end == End::end)) {
+      return;
+    }
+    const bool is_end = !part.joined.at(at(end)) && !is_buried(resolved_, {index, end});
+    body_.discs.push_back({labels_.label(is_end ? part.end_names.at(at(end)) : part.name),
+                           ring_of({index, end}), port_ring(part.shape, end)->normal});
+    ++count_.exact;
+  }
+
+  void append_hub(const ResolvedJunction& junction) {
+    HubFace hub{
+        labels_.label(junction.name), junction.shape.hub.center, junction.shape.hub.radius, {}};
+    for (const std::uint32_t arm : junction.arms) {
+      hub.rings.push_back(ring_of({arm, End::end}));
+    }
+    body_.hubs.push_back(std::move(hub));
+    ++count_.exact;
+  }
+
+  const ResolvedAssembly& resolved_;
+  double tolerance_;
+  Labels& labels_;
+  SurfaceCount& count_;
+  Body body_;
+  std::vector<bool> is_member_;
+  std::map<std::pair<std::uint32_t, std::size_t>, std::size_t> rings_;
+};
+
+// Rolls along all edges between the two, as the fillets of a document do.
+std::optional<RollingBall> rolling_ball(const Assembly& assembly, const ResolvedAssembly& resolved,
+                                        const ResolvedFillet& fillet, Labels& labels) {
+  if (fillet.shape.is_cope()) {
+    return std::nullopt;
+  }
+  for (const CanalFillet& loop : fillet.shape.loops) {
+    if (std::holds_alternative<RationalCrossing>(loop.motion) ||
+        std::holds_alternative<RationalParallel>(loop.motion)) {
+      throw Error(Errc::boolean_failed,
+                  "the radius of its ball changes on the way, which STEP does not get yet; it can "
+                  "be built as a mesh",
+                  fillet.name, document_place(assembly, fillet.index));
+    }
+  }
+  return RollingBall{fillet.name,
+                     labels.label(fillet.name),
+                     {labels.label(resolved.parts[fillet.between[0]].name),
+                      labels.label(resolved.parts[fillet.between[1]].name)},
+                     fillet.shape.radius};
+}
+
+}  // namespace
+
+std::uint32_t Labels::label(const std::string& name) {
+  const auto known = std::ranges::find(labels_, name, &Label::name);
+  const auto result = std::uint32_t(known - labels_.begin());
+  if (known == labels_.end()) {
+    labels_.push_back({name, text::label_colour(result)});
+  }
+  return result;
+}
+
+BodyUnion bodies_of(const Assembly& assembly, const ResolvedAssembly& resolved, double tolerance,
+                    bool is_by_part, Labels& labels, SurfaceCount& count) {
+  Groups groups(resolved.parts.size());
+  for (std::uint32_t i = 0; i < resolved.parts.size(); ++i) {
+    for (const auto& other : resolved.parts[i].joined) {
+      if (other && !is_by_part) {
+        groups.join(i, other->part);
+      }
+    }
+  }
+  for (const ResolvedJunction& junction : resolved.junctions) {
+    for (const std::uint32_t arm : junction.arms) {
+      groups.join(junction.arms.front(), arm);
+    }
+  }
+  std::map<std::size_t, std::vector<std::uint32_t>> members;
+  for (std::uint32_t i = 0; i < resolved.parts.size(); ++i) {
+    members[groups.leader(i)].push_back(i);
+  }
+  BodyUnion result;
+  BodyMaker maker(resolved, tolerance, labels, count);
+  for (const auto& [leader, parts] : members) {
+    result.bodies.push_back(maker.body(parts));
+  }
+  for (const ResolvedFillet& fillet : resolved.fillets) {
+    if (auto ball = rolling_ball(assembly, resolved, fillet, labels)) {
+      result.fillets.push_back(std::move(*ball));
+    }
+  }
+  return result;
+}
+
+void scale(NurbsSurface& surface, double factor) {
+  for (auto& row : surface.net) {
+    for (auto& point : row) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        point.at(i) *= factor;
+      }
+    }
+  }
+}
+
+void scale(BodyUnion& bodies, double factor) {
+  for (Body& body : bodies.bodies) {
+    for (RingCurve& ring : body.rings) {
+      ring.center *= factor;
+      ring.first *= factor;
+      ring.second *= factor;
+    }
+    for (TubeFace& tube : body.tubes) {
+      if (auto* nurbs = std::get_if<NurbsSurface>(&tube.surface)) {
+        scale(*nurbs, factor);
+      } else if (auto* torus = std::get_if<TorusArc>(&tube.surface)) {
+        torus->center *= factor;
+      }
+    }
+    for (HubFace& hub : body.hubs) {
+      hub.center *= factor;
+      hub.radius *= factor;
+    }
+  }
+  for (RollingBall& ball : bodies.fillets) {
+    ball.radius *= factor;
+  }
+}
+
+}  // namespace dupin::exchange

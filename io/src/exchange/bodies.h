@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dupin/blends/resolve.h"
+#include "dupin/io/exchange.h"
+#include "exchange/exchange_model.h"
+#include "exchange/part_faces.h"
+
+namespace dupin::exchange {
+
+/// Names of parts and ends, in the order of their first use.
+class Labels {
+ public:
+  [[nodiscard]] std::uint32_t label(const std::string& name);
+  [[nodiscard]] std::vector<Label> take() { return std::move(labels_); }
+
+ private:
+  std::vector<Label> labels_;
+};
+
+/// The parts as closed surfaces: those that share rings or a hub as one, or every part (with its
+/// hub) by itself. Throws Error{boolean_failed} naming a part that has surfaces that cannot be
+/// written yet.
+[[nodiscard]] BodyUnion bodies_of(const Assembly& assembly, const ResolvedAssembly& resolved,
+                                  double tolerance, bool is_by_part, Labels& labels,
+                                  SurfaceCount& count);
+
+/// All lengths times `factor`.
+void scale(BodyUnion& bodies, double factor);
+void scale(NurbsSurface& surface, double factor);
+
+}  // namespace dupin::exchange

@@ -1,0 +1,182 @@
+#include "dupin/io/exchange.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "dupin/kernel/check.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
+#include "exchange/bodies.h"
+#include "exchange/module_loader.h"
+
+namespace dupin {
+namespace exchange {
+namespace {
+
+constexpr std::string_view kNothingWritten =
+    "; no STEP file was written. --solids runs writes what shares rings each by itself, and every "
+    "mesh format has the union";
+
+std::string model_name(const Assembly& assembly) {
+  const std::string stem = std::filesystem::path(assembly.source).stem().string();
+  return stem.empty() || stem == "-" ? "assembly" : stem;
+}
+
+// Meshes are coarser by this than NURBS have to be: cubics come near at little cost.
+constexpr double kLoftedPart = 10;
+
+struct Made {
+  Model model;
+  SurfaceCount count;
+};
+
+Made model_of(const Assembly& assembly, const Built& built, const ExchangeOptions& options) {
+  const double tolerance = options.tolerance.value_or(assembly.tolerance) / kLoftedPart;
+  const SmoothRegion region = smooth_region(assembly, built);
+  Made made;
+  Labels labels;
+  const bool by_part = options.solids == ExchangeSolids::parts;
+  const auto bodies = [&](const ResolvedAssembly& parts) {
+    BodyUnion all = bodies_of(assembly, parts, tolerance, by_part, labels, made.count);
+    scale(all, millimetres(assembly.unit));
+    return all;
+  };
+  Model& model = made.model;
+  model.name = model_name(assembly);
+  model.is_united = options.solids == ExchangeSolids::united;
+  model.whole = bodies(region.whole);
+  if (region.region != Region::outer) {
+    model.operation = region.region == Region::metal ? Operation::subtract : Operation::intersect;
+    model.tools = bodies(region.bore);
+    model.kept = bodies(region.kept);
+  }
+  model.labels = labels.take();
+  if (!model.is_united && (model.operation != Operation::none || !model.whole.fillets.empty())) {
+    throw Error(Errc::boolean_failed,
+                "solids of runs or parts alone are written of assemblies without walls and "
+                "fillets; united they can be written");
+  }
+  return made;
+}
+
+// What a failure is about, if it names a part.
+Error refusal(const Assembly& assembly, const Written& written) {
+  const auto part = std::ranges::find(assembly.parts, written.at, &Part::name);
+  const std::string place =
+      part == assembly.parts.end()
+          ? std::string()
+          : document_place(assembly, std::uint32_t(part - assembly.parts.begin()));
+  return Error(Errc::boolean_failed, written.fault + std::string(kNothingWritten), written.at,
+               place);
+}
+
+double mesh_error(const Built& built) {
+  double error = 0;
+  for (const PartReport& part : built.parts) {
+    error = std::max(error, part.error_bound);
+  }
+  return error;
+}
+
+// The mesh and the file both keep to the smooth surface, so that what lies between them is no
+// thicker than both distances, over the larger of both areas.
+void compare(const Assembly& assembly, const Built& built, ExchangeReport& report) {
+  double area = 0;
+  std::size_t shells = 0;
+  std::int64_t euler_number = 0;
+  for (const ExchangedSolid& solid : report.solids) {
+    area += solid.area;
+    shells += solid.shells;
+    euler_number += solid.euler_number;
+  }
+  const double distance = mesh_error(built) + report.error_bound + report.edge_tolerance;
+  report.expected_volume = built.solid.volume();
+  report.volume_bound = distance * std::max(area, built.solid.area());
+  const auto require = [&](std::string_view what, auto found, auto exact, bool is_same) {
+    if (!is_same) {
+      throw Error(Errc::boolean_failed,
+                  "what OpenCASCADE unites has the " + std::string(what) + " " +
+                      decimal(double(found), kMessageDigits) + ", and the exact solid has " +
+                      decimal(double(exact), kMessageDigits) + std::string(kNothingWritten),
+                  {}, assembly.source);
+    }
+  };
+  const Solid& exact = built.solid;
+  require("number of solids", report.solids.size(), exact.components(),
+          report.solids.size() == exact.components());
+  require("number of shells", shells, exact.shells(), shells == exact.shells());
+  require("Euler number", euler_number, exact.euler_number(), euler_number == exact.euler_number());
+  require("volume", report.volume, exact.volume(),
+          std::abs(report.volume - exact.volume()) <= report.volume_bound);
+}
+
+ExchangeReport report_of(const Written& written, const SurfaceCount& count, double millimetre) {
+  ExchangeReport report;
+  report.format = "STEP AP214";
+  report.exact_surfaces = count.exact;
+  report.lofted_surfaces = count.lofted;
+  report.error_bound = count.error;
+  report.edge_tolerance = written.tolerance / millimetre;
+  for (const WrittenSolid& solid : written.solids) {
+    report.solids.push_back({solid.name, solid.volume / std::pow(millimetre, 3),
+                             solid.area / std::pow(millimetre, 2), solid.faces, solid.shells,
+                             solid.euler_number});
+    report.volume += report.solids.back().volume;
+    report.faces += solid.faces;
+  }
+  return report;
+}
+
+std::string surfaces_file(const std::vector<NamedNurbs>& parts, Unit unit, bool iges) {
+  std::vector<NamedSurface> all;
+  for (const NamedNurbs& part : parts) {
+    for (std::size_t i = 0; i < part.form.surfaces.size(); ++i) {
+      const std::string number = part.form.surfaces.size() > 1 ? "." + std::to_string(i + 1) : "";
+      all.push_back({part.part + number, part.form.surfaces[i]});
+      scale(all.back().surface, millimetres(unit));
+    }
+  }
+  const Written written = loaded_module().write_surfaces("surfaces", all, iges);
+  if (!written.fault.empty()) {
+    throw Error(Errc::boolean_failed, written.fault, written.at);
+  }
+  return written.bytes;
+}
+
+}  // namespace
+}  // namespace exchange
+
+std::string_view name(ExchangeSolids solids) {
+  constexpr std::array<std::string_view, 3> kNames{"united", "runs", "parts"};
+  return kNames.at(std::size_t(solids));
+}
+
+bool can_exchange() { return exchange::find_module() != nullptr; }
+
+ExchangeFile step_file(const Assembly& assembly, const Built& built,
+                       const ExchangeOptions& options) {
+  const exchange::Module& module = exchange::loaded_module();
+  const exchange::Made made = exchange::model_of(assembly, built, options);
+  exchange::Written written = module.write_solids(made.model);
+  if (!written.fault.empty()) {
+    throw exchange::refusal(assembly, written);
+  }
+  ExchangeFile file{std::move(written.bytes),
+                    exchange::report_of(written, made.count, millimetres(assembly.unit))};
+  if (options.solids == ExchangeSolids::united) {
+    exchange::compare(assembly, built, file.report);
+  }
+  return file;
+}
+
+std::string surfaces_step(const std::vector<NamedNurbs>& parts, Unit unit) {
+  return exchange::surfaces_file(parts, unit, false);
+}
+
+std::string surfaces_iges(const std::vector<NamedNurbs>& parts, Unit unit) {
+  return exchange::surfaces_file(parts, unit, true);
+}
+
+}  // namespace dupin

@@ -1,0 +1,216 @@
+#include "occt/body_booleans.h"
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+
+#include "occt/body_shape.h"
+
+namespace dupin::occt {
+namespace {
+
+// The labels of what an algorithm made of faces.
+template <class Algorithm>
+void inherit(Algorithm& made, const FaceLabels& before, FaceLabels& after) {
+  for (FaceLabels::Iterator face(before); face.More(); face.Next()) {
+    const TopTools_ListOfShape& now = made.Modified(face.Key());
+    if (now.IsEmpty() && !made.IsDeleted(face.Key())) {
+      after.Bind(face.Key(), face.Value());
+    }
+    for (const TopoDS_Shape& shape : now) {
+      after.Bind(shape, face.Value());
+    }
+  }
+}
+
+std::string errors_of(const BRepAlgoAPI_BooleanOperation& algorithm) {
+  std::ostringstream text;
+  algorithm.DumpErrors(text);
+  std::string all = text.str();
+  std::ranges::replace(all, '\n', ' ');
+  return all;
+}
+
+LabelledShape built(BRepAlgoAPI_BooleanOperation& operation,
+                    const std::vector<const LabelledShape*>& arguments,
+                    const std::vector<const LabelledShape*>& tools, const std::string& at) {
+  const auto shapes = [](const std::vector<const LabelledShape*>& all) {
+    TopTools_ListOfShape list;
+    for (const LabelledShape* one : all) {
+      list.Append(one->shape);
+    }
+    return list;
+  };
+  operation.SetArguments(shapes(arguments));
+  operation.SetTools(shapes(tools));
+  operation.SetRunParallel(Standard_False);
+  operation.SetNonDestructive(Standard_True);
+  operation.Build();
+  if (!operation.IsDone() || operation.HasErrors()) {
+    throw Refusal("OpenCASCADE does not find where it crosses others: " + errors_of(operation), at);
+  }
+  LabelledShape result;
+  result.shape = operation.Shape();
+  for (const auto* list : {&arguments, &tools}) {
+    for (const LabelledShape* one : *list) {
+      inherit(operation, one->labels, result.labels);
+    }
+  }
+  return result;
+}
+
+// Sets of bodies whose boxes overlap, in the order of their first.
+std::vector<std::vector<std::size_t>> groups(const std::vector<LabelledShape>& all) {
+  std::vector<Bnd_Box> boxes(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    BRepBndLib::Add(all[i].shape, boxes[i]);
+  }
+  std::vector<std::size_t> leader(all.size());
+  std::iota(leader.begin(), leader.end(), std::size_t{0});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (leader[i] != leader[j] && !boxes[i].IsOut(boxes[j])) {
+        const std::size_t from = std::max(leader[i], leader[j]);
+        const std::size_t to = std::min(leader[i], leader[j]);
+        std::ranges::replace(leader, from, to);
+      }
+    }
+  }
+  std::vector<std::vector<std::size_t>> result;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (leader[i] == i) {
+      auto& group = result.emplace_back();
+      for (std::size_t j = i; j < all.size(); ++j) {
+        if (leader[j] == i) {
+          group.push_back(j);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+LabelledShape fused(const std::vector<const LabelledShape*>& all, const std::string& at) {
+  if (all.size() == 1) {
+    return *all.front();
+  }
+  BRepAlgoAPI_Fuse fuse;
+  return built(fuse, {all.front()}, {all.begin() + 1, all.end()}, at);
+}
+
+void append(const LabelledShape& from, LabelledShape& to) {
+  const BRep_Builder builder;
+  if (to.shape.IsNull()) {
+    TopoDS_Compound compound;
+    builder.MakeCompound(compound);
+    to.shape = compound;
+  }
+  builder.Add(to.shape, from.shape);
+  for (FaceLabels::Iterator face(from.labels); face.More(); face.Next()) {
+    to.labels.Bind(face.Key(), face.Value());
+  }
+}
+
+// The edges in which faces of both labels meet.
+std::vector<TopoDS_Edge> edges_between(const LabelledShape& shape,
+                                       const std::array<std::uint32_t, 2>& labels) {
+  TopTools_IndexedDataMapOfShapeListOfShape faces;
+  TopExp::MapShapesAndAncestors(shape.shape, TopAbs_EDGE, TopAbs_FACE, faces);
+  std::vector<TopoDS_Edge> result;
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    std::array<bool, 2> seen{};
+    for (const TopoDS_Shape& face : faces(i)) {
+      const std::uint32_t* label = shape.labels.Seek(face);
+      for (std::size_t k = 0; k < 2; ++k) {
+        seen.at(k) = seen.at(k) || (label != nullptr && *label == labels.at(k));
+      }
+    }
+    if (seen[0] && seen[1]) {
+      result.push_back(TopoDS::Edge(faces.FindKey(i)));
+    }
+  }
+  return result;
+}
+
+LabelledShape filleted(const LabelledShape& shape, const exchange::RollingBall& ball) {
+  const auto refuse = [&](const std::string& why) -> Refusal {
+    return {"OpenCASCADE does not make its surface" + why, ball.name};
+  };
+  const auto edges = edges_between(shape, ball.between);
+  if (edges.empty()) {
+    throw refuse(": it finds no edge between the two");
+  }
+  try {
+    BRepFilletAPI_MakeFillet fillet(shape.shape);
+    for (const TopoDS_Edge& edge : edges) {
+      if (fillet.Contour(edge) == 0) {
+        fillet.Add(ball.radius, edge);
+      }
+    }
+    fillet.Build();
+    if (!fillet.IsDone()) {
+      throw refuse("");
+    }
+    LabelledShape result;
+    result.shape = fillet.Shape();
+    inherit(fillet, shape.labels, result.labels);
+    for (TopExp_Explorer face(result.shape, TopAbs_FACE); face.More(); face.Next()) {
+      if (!result.labels.IsBound(face.Current())) {
+        result.labels.Bind(face.Current(), ball.label);
+      }
+    }
+    return result;
+  } catch (const Standard_Failure& failure) {
+    throw refuse(": " + std::string(failure.GetMessageString()));
+  }
+}
+
+}  // namespace
+
+LabelledShape united(const exchange::BodyUnion& bodies) {
+  std::vector<LabelledShape> all;
+  all.reserve(bodies.bodies.size());
+  for (const exchange::Body& body : bodies.bodies) {
+    all.push_back(solid_of(body));
+  }
+  LabelledShape result;
+  for (const auto& group : groups(all)) {
+    std::vector<const LabelledShape*> members;
+    members.reserve(group.size());
+    for (const std::size_t body : group) {
+      members.push_back(&all[body]);
+    }
+    append(fused(members, bodies.bodies[group.front()].name), result);
+  }
+  for (const exchange::RollingBall& ball : bodies.fillets) {
+    result = filleted(result, ball);
+  }
+  return result;
+}
+
+LabelledShape combined(const LabelledShape& a, const LabelledShape& b,
+                       exchange::Operation operation) {
+  if (operation == exchange::Operation::subtract) {
+    BRepAlgoAPI_Cut cut;
+    return built(cut, {&a}, {&b}, "");
+  }
+  BRepAlgoAPI_Common common;
+  return built(common, {&a}, {&b}, "");
+}
+
+}  // namespace dupin::occt

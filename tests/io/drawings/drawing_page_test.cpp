@@ -1,0 +1,39 @@
+#include "dupin/io/drawing_page.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/error.h"
+
+namespace dupin {
+namespace {
+
+Drawing drawing() {
+  Drawing result{"a.json", Unit::millimetre, view_along(-Vec3::UnitZ()), 0.01, {}};
+  result.lines.push_back({"p", LineKind::contour, false, {{0, 0}, {40, 0}, {40, 20}}});
+  return result;
+}
+
+TEST(DrawingPage, is_pdf_and_png_of_the_same_bytes_every_time) {
+  if (!can_draw_pages()) {
+    EXPECT_THROW((void)drawing_pdf(drawing(), {1, 1}), Error);
+    return;
+  }
+  const std::string pdf = drawing_pdf(drawing(), {1, 1}), png = drawing_png(drawing(), {1, 1});
+  EXPECT_THAT(pdf, testing::StartsWith("%PDF-"));
+  EXPECT_THAT(png, testing::StartsWith("\x89PNG\r\n"));
+  EXPECT_EQ(pdf, drawing_pdf(drawing(), {1, 1}));
+  EXPECT_EQ(png, drawing_png(drawing(), {1, 1}));
+  // 50 mm at 254 dots per inch, in the header.
+  const std::string fine = drawing_png(drawing(), {1, 1}, {}, {254});
+  EXPECT_EQ(std::uint8_t(fine[18]) * 256 + std::uint8_t(fine[19]), 500);
+}
+
+TEST(DrawingPage, refuses_pictures_that_are_too_large) {
+  if (can_draw_pages()) {
+    EXPECT_THROW((void)drawing_png(drawing(), {1000, 1}), Error);
+  }
+}
+
+}  // namespace
+}  // namespace dupin

@@ -1,0 +1,86 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/io/assembly_json.h"
+#include "dupin/kernel/error.h"
+#include "exchange/bodies.h"
+
+namespace dupin::exchange {
+namespace {
+
+Assembly example(const std::string& name) {
+  return read_assembly(DUPIN_SOURCE_DIR "/examples/" + name + ".json");
+}
+
+struct Made {
+  BodyUnion bodies;
+  std::vector<Label> labels;
+  SurfaceCount count;
+};
+
+Made bodies(const Assembly& assembly, bool by_part) {
+  Made made;
+  Labels labels;
+  made.bodies = bodies_of(assembly, resolve(assembly), 0.01, by_part, labels, made.count);
+  made.labels = labels.take();
+  return made;
+}
+
+TEST(Bodies, of_a_run_share_the_rings_between_parts) {
+  const Made made = bodies(example("reducer"), false);
+  ASSERT_EQ(made.bodies.bodies.size(), 1U);
+  const Body& run = made.bodies.bodies.front();
+  EXPECT_EQ(run.tubes.size(), 3U);
+  EXPECT_EQ(run.rings.size(), 4U);
+  EXPECT_EQ(run.discs.size(), 2U);
+  EXPECT_EQ(made.count.exact, 4U);
+  EXPECT_EQ(made.count.lofted, 1U);
+  std::vector<std::string> names;
+  for (const Label& label : made.labels) {
+    names.push_back(label.name);
+  }
+  EXPECT_THAT(names, testing::UnorderedElementsAre("inlet", "outlet", "blend", "inlet.start",
+                                                   "outlet.end"));
+}
+
+TEST(Bodies, by_part_close_every_end) {
+  const Made made = bodies(example("reducer"), true);
+  ASSERT_EQ(made.bodies.bodies.size(), 3U);
+  for (const Body& body : made.bodies.bodies) {
+    EXPECT_EQ(body.tubes.size(), 1U);
+    EXPECT_EQ(body.discs.size(), 2U);
+  }
+  EXPECT_EQ(made.bodies.bodies[0].name, "inlet");
+}
+
+TEST(Bodies, of_a_junction_are_one_with_its_hub) {
+  const Made made = bodies(example("junction"), false);
+  ASSERT_EQ(made.bodies.bodies.size(), 1U);
+  ASSERT_EQ(made.bodies.bodies.front().hubs.size(), 1U);
+  EXPECT_EQ(made.bodies.bodies.front().hubs.front().rings.size(), 5U);
+  EXPECT_EQ(made.bodies.bodies.front().discs.size(), 5U);
+}
+
+TEST(Bodies, refuse_what_cannot_be_written_yet_by_name) {
+  for (const auto& [name, part] : std::vector<std::pair<std::string, std::string>>{
+           {"ucct-arm", "arm"}, {"parallel-cone", "foot"}}) {
+    try {
+      (void)bodies(example(name), false);
+      FAIL() << name;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.part(), part);
+      EXPECT_EQ(error.code(), Errc::boolean_failed);
+    }
+  }
+}
+
+TEST(Bodies, are_scaled_as_a_whole) {
+  BodyUnion all = bodies(example("reducer"), false).bodies;
+  const RingCurve before = all.bodies.front().rings.front();
+  scale(all, 25.4);
+  EXPECT_EQ(all.bodies.front().rings.front().first, 25.4 * before.first);
+  EXPECT_EQ(all.bodies.front().rings.front().center, 25.4 * before.center);
+}
+
+}  // namespace
+}  // namespace dupin::exchange
