@@ -3,6 +3,7 @@
 #include <string>
 
 #include "document.h"
+#include "dupin/blends/certificate.h"
 #include "dupin/io/report_json.h"
 #include "dupin/kernel/mesh.h"
 

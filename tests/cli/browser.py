@@ -100,9 +100,10 @@ class Browser:
             os.dup2(reader, 3)
             os.dup2(writer, 4)
 
+        self.log = open(f"{self.folder}/log", "wb")
         self.process = subprocess.Popen(
             [path, *OPTIONS, f"--user-data-dir={self.folder}/profile", f"--window-size={size[0]},{size[1]}", "about:blank"],
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=open(f"{self.folder}/log", "wb"),
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=self.log,
             close_fds=False, preexec_fn=connect, env={**os.environ, "HOME": self.folder})
         os.close(to_browser[0])
         os.close(from_browser[1])
@@ -126,6 +127,8 @@ class Browser:
         except (OSError, EOFError, subprocess.TimeoutExpired):
             self.process.kill()
             self.process.wait()
+        for file in (self.log, self.out, self.into):
+            file.close()
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def message(self):

@@ -109,9 +109,9 @@ class ReportPage(unittest.TestCase):
         text = self.browser.evaluate("document.getElementById('cut-text').textContent")
         self.assertRegex(text, r"^y = [0-9.\u2212e]+ mm, area \d+")
         self.browser.evaluate("(() => { const place = document.getElementById('cut-place'), axis = document.getElementById('cut-axis');"
-                              "axis.value = 0; axis.onchange(); place.value = 150; place.oninput(); })()")
+                              "axis.value = 0; axis.onchange(); place.value = 361; place.oninput(); })()")
         area = float(self.browser.evaluate("document.getElementById('cut-text').textContent").split("area ")[1].split(" ")[0])
-        self.assertAlmostEqual(area, 113.0, delta=16)  # x = 12.45: the run, and what of the branch is above it
+        self.assertAlmostEqual(area, 113.1, delta=2)  # x = 30: the run alone
 
     def test_two_clicks_measure(self):
         self.click("[data-view=front]")
@@ -125,7 +125,7 @@ class ReportPage(unittest.TestCase):
         self.assertAlmostEqual(abs(points[1][0] - points[0][0]), 30, delta=1)
 
     def test_the_pointer_names_part_and_patch(self):
-        x, y = self.project([15, 0, 30])
+        x, y = self.project([17.5, 0, 30])  # beside the mark of the open end
         self.browser.move(x, y)
         self.browser.wait_for("!document.getElementById('tip').hidden")
         tip = self.browser.evaluate("document.getElementById('tip').textContent")

@@ -24,11 +24,18 @@ std::vector<PagePart> page_parts(const TriMesh& mesh, const std::vector<PagePart
       label = label.substr(0, dot);
     }
   };
+  std::vector<bool> is_used(mesh.names.size(), false);
+  for (const std::uint32_t label : mesh.labels) {
+    is_used.at(label) = true;
+  }
   for (std::uint32_t label = 0; label < mesh.names.size(); ++label) {
-    if (const auto found = owner(mesh.names[label]); found != by_name.end()) {
+    const std::string& name = mesh.names[label];
+    if (const auto found = owner(name); found != by_name.end()) {
       parts[found->second].labels.push_back(label);
+    } else if (is_used[label] || parts.empty()) {
+      parts.push_back({name.empty() ? "(no name)" : name, "", "", {}, {label}});
     } else {
-      parts.push_back({mesh.names[label], "", "", {}, {label}});
+      parts.front().labels.push_back(label);  // of nothing, and nobody's
     }
   }
   if (mesh.names.empty()) {

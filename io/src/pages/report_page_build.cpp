@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -23,7 +24,9 @@ class BuiltPage {
  public:
   BuiltPage(const BuiltDocument& built, TriMesh mesh)
       : built_(built), report_(built.report), unit_(symbol(built.assembly.unit)) {
-    page_.title = built.assembly.source.empty() ? "assembly" : built.assembly.source;
+    page_.title = built.assembly.source.empty()
+                      ? "assembly"
+                      : std::filesystem::path(built.assembly.source).filename().string();
     page_.unit = unit_;
     page_.mesh = std::move(mesh);
     for (const PartReport& part : report_.parts) {

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <filesystem>
+#include <set>
 #include <utility>
 
 #include "dupin/io/report_page.h"
@@ -25,7 +27,7 @@ PageSection overview(const MeshSummary& summary) {
                               bool is_finding = false) {
     section.rows.push_back({{what, value}, is_finding});
   };
-  add("file", summary.file);
+  add("file", std::filesystem::path(summary.file).filename().string());
   add("triangles", std::to_string(check.triangles));
   add("points", std::to_string(check.points));
   add("solid", check.is_solid() ? "yes: closed, manifold, free of self-intersection" : "no",
@@ -79,9 +81,9 @@ PageSection wall_section(const ReportPage& page) {
 // Names up to their first dots, where several have one in common.
 std::vector<PagePart> parts_of_names(const std::vector<std::string>& names) {
   std::vector<PagePart> parts;
+  std::set<std::string> known;
   for (const std::string& name : names) {
-    if (const std::string part = name.substr(0, name.find('.'));
-        std::ranges::none_of(parts, [&](const PagePart& known) { return known.name == part; })) {
+    if (const std::string part = name.substr(0, name.find('.')); known.insert(part).second) {
       parts.push_back({part, ""});
     }
   }
@@ -92,7 +94,7 @@ std::vector<PagePart> parts_of_names(const std::vector<std::string>& names) {
 
 ReportPage report_page(const MeshSummary& summary) {
   ReportPage page;
-  page.title = summary.file;
+  page.title = std::filesystem::path(summary.file).filename().string();
   page.unit = summary.unit;
   page.mesh = summary.mesh;
   page.parts = pages::page_parts(page.mesh, parts_of_names(page.mesh.names));

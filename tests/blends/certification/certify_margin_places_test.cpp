@@ -8,7 +8,7 @@ namespace dupin {
 namespace {
 
 Assembly bend_and_pipe() {
-  return parse_assembly(R"({"parts": [
+  return parse_assembly(R"({"units": "mm", "tolerance": 0.1, "parts": [
       {"name": "run", "pipe": {"from": [0, 0, -5], "to": [0, 0, 0], "radius": 1}},
       {"name": "bend", "elbow": {"from": "run.end", "bend_radius": 3, "angle": 90, "toward": [1, 0, 0]}}]})");
 }
