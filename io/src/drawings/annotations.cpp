@@ -128,10 +128,13 @@ class NotePlacer {
   std::vector<Box> placed_;
 };
 
-Box bounds_of(const PaperSheet& sheet, bool with_axes) {
+bool is_outline(Pen pen) { return pen == Pen::contour || pen == Pen::edge || pen == Pen::hidden; }
+
+// Of the solid alone, or with all that is drawn beside it.
+Box bounds_of(const PaperSheet& sheet, bool with_others) {
   Box box;
   for (const PaperLine& line : sheet.lines) {
-    if (with_axes || line.pen != Pen::center) {
+    if (with_others || is_outline(line.pen)) {
       for (const Vector2d& point : line.points) {
         box.extend(point);
       }

@@ -127,11 +127,17 @@ class BodyMaker {
     std::size_t last = first;
     for (std::size_t i = 0; i < chain.pieces.size(); ++i) {
       const bool is_last = i + 1 == chain.pieces.size();
+      std::vector<PieceSurface> surfaces = piece_surfaces(chain.pieces[i], tolerance_, count_);
+      for (std::size_t k = 0; k + 1 < surfaces.size(); ++k) {
+        body_.rings.push_back(end_circle(std::get<NurbsSurface>(surfaces[k])));
+        const std::size_t between = body_.rings.size() - 1;
+        body_.tubes.push_back({label, last, between, std::move(surfaces[k]), is_inside_out});
+        last = between;
+      }
       const std::size_t next = is_last && chain.closed ? first
                                : is_last && part       ? ring_of({*part, End::end})
                                                  : new_ring(end_ring(chain.pieces[i], End::end));
-      body_.tubes.push_back(
-          {label, last, next, piece_surface(chain.pieces[i], tolerance_, count_), is_inside_out});
+      body_.tubes.push_back({label, last, next, std::move(surfaces.back()), is_inside_out});
       last = next;
     }
     return {first, last};

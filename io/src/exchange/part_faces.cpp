@@ -33,47 +33,30 @@ std::vector<double> knots_of(std::size_t pieces) {
   return all;
 }
 
-// A net of patches that lie beside each other in rows along, each of columns around.
-class PatchNet {
+// Patches in rows along, which close around: each row is a surface.
+class PatchRows {
  public:
-  explicit PatchNet(const std::vector<BiquadraticPatch>& patches) : patches_(patches) {
+  explicit PatchRows(const std::vector<BiquadraticPatch>& patches) : patches_(patches) {
     const Vec3 first = place(point(0, 0, 0));
     size_ = first.norm() + (first - place(point(0, 0, 2))).norm();
-    // A row closes where a column ends in the row's first.
-    while (columns_ < patches.size() && !is_same(point(columns_ - 1, 0, 2), point(0, 0, 0))) {
-      ++columns_;
-    }
-    if (patches.size() % columns_ != 0) {
-      refuse();
-    }
-    rows_ = patches.size() / columns_;
   }
 
-  NurbsSurface joined() {
-    net_.assign(2 * rows_ + 1, std::vector<Point>(2 * columns_ + 1));
-    for (std::size_t r = 0; r < rows_; ++r) {
-      for (std::size_t c = 0; c < columns_; ++c) {
-        add(r, c);
+  std::vector<NurbsSurface> surfaces() const {
+    std::vector<NurbsSurface> result;
+    for (std::size_t begin = 0; begin < patches_.size();) {
+      // Up to where a column ends in the row's first.
+      std::size_t end = begin + 1;
+      while (end < patches_.size() && !is_same(point(end - 1, 0, 2), point(begin, 0, 0))) {
+        ++end;
       }
+      result.push_back(row(begin, end));
+      begin = end;
     }
-    // The last column is the first one again, up to a factor.
-    for (auto& row : net_) {
-      const double factor = row.back()[3] / row.front()[3];
-      require(row.front(), row.back(), net_.front().back()[3] / net_.front().front()[3]);
-      for (std::size_t k = 0; k < 4; ++k) {
-        row.back().at(k) = factor * row.front().at(k);
-      }
-    }
-    return {2, 2, knots_of(rows_), knots_of(columns_), std::move(net_)};
+    return result;
   }
 
  private:
   static constexpr double kSame = 1e-9;
-
-  [[noreturn]] static void refuse() {
-    throw Error(Errc::boolean_failed,
-                "the patches of its surface make no net, which STEP asks for");
-  }
 
   [[nodiscard]] Point point(std::size_t patch, std::size_t i, std::size_t j) const {
     const Vec3& p = patches_[patch].points.at(i).at(j);
@@ -84,39 +67,44 @@ class PatchNet {
     return (place(a) - place(b)).norm() < kSame * size_;
   }
 
-  void require(const Point& a, const Point& b, double factor) const {
-    if (!is_same(a, b) || std::abs(factor * a[3] / b[3] - 1) > kSame) {
-      refuse();
+  void require(const Point& a, const Point& b) const {
+    if (!is_same(a, b) || std::abs(a[3] / b[3] - 1) > kSame) {
+      throw Error(Errc::boolean_failed,
+                  "the patches of its surface make no net, which STEP asks for");
     }
   }
 
-  // Points of the patch times f p^i q^j are the same surface by other parameters: such that the
-  // neighbours' borders are met as they are.
-  void add(std::size_t r, std::size_t c) {
-    std::array<std::array<Point, 3>, 3> own;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        own.at(i).at(j) = point(r * columns_ + c, i, j);
-      }
+  [[nodiscard]] NurbsSurface row(std::size_t begin, std::size_t end) const {
+    const std::size_t columns = end - begin;
+    std::vector<std::vector<Point>> net(3, std::vector<Point>(2 * columns + 1));
+    for (std::size_t c = 0; c < columns; ++c) {
+      add(begin + c, c, net);
     }
-    const auto known = [&](std::size_t i, std::size_t j) -> Point& {
-      return net_[2 * r + i][2 * c + j];
-    };
-    const auto ratio = [&](std::size_t i, std::size_t j) {
-      return known(i, j)[3] / own.at(i).at(j)[3];
-    };
-    const double f = r > 0 || c > 0 ? ratio(0, 0) : 1;
-    const double p = c > 0 ? std::sqrt(ratio(2, 0) / f) : 1;
-    const double q = r > 0 ? std::sqrt(ratio(0, 2) / f) : 1;
+    // The last column is the first one again, up to a factor.
+    const double factor = net.front().back()[3] / net.front().front()[3];
+    for (auto& points : net) {
+      Point closing = points.front();
+      std::ranges::for_each(closing, [&](double& x) { x *= factor; });
+      require(closing, points.back());
+      points.back() = closing;
+    }
+    return {2, 2, knots_of(1), knots_of(columns), std::move(net)};
+  }
+
+  // Points of the patch times f p^i are the same surface by another parameter along: such that the
+  // last one's border is met as it is.
+  void add(std::size_t patch, std::size_t column, std::vector<std::vector<Point>>& net) const {
+    const auto ratio = [&](std::size_t i) { return net[i][2 * column][3] / point(patch, i, 0)[3]; };
+    const double f = column > 0 ? ratio(0) : 1;
+    const double p = column > 0 ? std::sqrt(ratio(2) / f) : 1;
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
-        Point& here = own.at(i).at(j);
-        const double factor = f * std::pow(p, double(i)) * std::pow(q, double(j));
-        std::ranges::for_each(here, [&](double& x) { x *= factor; });
-        if ((i == 0 && r > 0) || (j == 0 && c > 0)) {
-          require(known(i, j), here, 1);
+        Point here = point(patch, i, j);
+        std::ranges::for_each(here, [&](double& x) { x *= f * std::pow(p, double(i)); });
+        if (j == 0 && column > 0) {
+          require(net[i][2 * column], here);
         } else {
-          known(i, j) = here;
+          net[i][2 * column + j] = here;
         }
       }
     }
@@ -124,15 +112,13 @@ class PatchNet {
 
   const std::vector<BiquadraticPatch>& patches_;
   double size_ = 1;
-  std::size_t rows_ = 1, columns_ = 1;
-  std::vector<std::vector<Point>> net_;
 };
 
 struct SurfaceOf {
   double tolerance;
   SurfaceCount& count;
 
-  PieceSurface operator()(const RingedSurface& tube) const {
+  std::vector<PieceSurface> operator()(const RingedSurface& tube) const {
     if (std::holds_alternative<LineSpine>(tube.spine) && is_linear(tube.radius) &&
         is_right(tube.start, tube.end)) {
       return exact(CylinderOrCone{});
@@ -144,7 +130,7 @@ struct SurfaceOf {
     return other(tube);
   }
 
-  PieceSurface operator()(const RationalRingedTube& tube) const {
+  std::vector<PieceSurface> operator()(const RationalRingedTube& tube) const {
     const bool is_straight =
         tube.surface.rotation.size() == 2 && tube.surface.rotation[0] == tube.surface.rotation[1];
     const double rounding = kRounding * tube.start.radius;
@@ -160,9 +146,9 @@ struct SurfaceOf {
     return other(tube);
   }
 
-  PieceSurface operator()(const EllipticTube& tube) const { return other(tube); }
+  std::vector<PieceSurface> operator()(const EllipticTube& tube) const { return other(tube); }
 
-  PieceSurface operator()(const CyclidePiece& piece) const {
+  std::vector<PieceSurface> operator()(const CyclidePiece& piece) const {
     const PeArc arc = arc_of(piece);
     const CanonicalCyclide form = canonical_form(arc);
     if ((form.kind == CyclideKind::cylinder || form.kind == CyclideKind::cone) &&
@@ -175,14 +161,20 @@ struct SurfaceOf {
         std::abs(piece.start.slope) < kRounding) {
       return exact(torus(piece, form));
     }
-    return exact(PatchNet(patches(arc)).joined());
+    const std::vector<BiquadraticPatch> all = patches(arc);
+    std::vector<PieceSurface> result;
+    for (NurbsSurface& row : PatchRows(all).surfaces()) {
+      result.emplace_back(std::move(row));
+      ++count.exact;
+    }
+    return result;
   }
 
  private:
   template <class Surface>
-  PieceSurface exact(Surface surface) const {
+  std::vector<PieceSurface> exact(Surface surface) const {
     ++count.exact;
-    return surface;
+    return {PieceSurface(std::move(surface))};
   }
 
   // The way that the piece travels, which leaves along the start's normal turned back.
@@ -193,21 +185,32 @@ struct SurfaceOf {
     return {form.origin, axis, angle > 0 ? angle : angle + 2 * std::numbers::pi};
   }
 
-  PieceSurface other(const Piece& piece) const {
+  std::vector<PieceSurface> other(const Piece& piece) const {
     NurbsForm form = nurbs(Chain(piece), tolerance);
     ++(form.error_bound == 0 ? count.exact : count.lofted);
     count.error = std::max(count.error, form.error_bound);
-    return std::move(form.surfaces.at(0));
+    return {PieceSurface(std::move(form.surfaces.at(0)))};
   }
 };
 
 }  // namespace
 
+RingCurve end_circle(const NurbsSurface& surface) {
+  const Vec3 a = evaluate(surface, 1, 0), b = evaluate(surface, 1, 1. / 3) - a,
+             c = evaluate(surface, 1, 2. / 3) - a;
+  const Vec3 normal = b.cross(c);
+  const Vec3 to_center = (b.squaredNorm() * c.cross(normal) - c.squaredNorm() * b.cross(normal)) /
+                         (2 * normal.squaredNorm());
+  return {a + to_center, normal.normalized(), -to_center.normalized(), to_center.norm(),
+          to_center.norm()};
+}
+
 RingCurve ring_curve(const Ring& ring) {
   return {ring.center, ring.normal, reference_axis(ring), ring.radius, across(ring)};
 }
 
-PieceSurface piece_surface(const Piece& piece, double tolerance, SurfaceCount& count) {
+std::vector<PieceSurface> piece_surfaces(const Piece& piece, double tolerance,
+                                         SurfaceCount& count) {
   return std::visit(SurfaceOf{tolerance, count}, piece);
 }
 

@@ -19,9 +19,14 @@ struct SurfaceCount {
 /// A face of a piece, whose rings are not yet in a list: those of the piece.
 using PieceSurface = decltype(TubeFace::surface);
 
-/// The surface of a piece: analytic where it is a cylinder, cone or torus of revolution about its
-/// axis, else one NURBS surface whose columns close around and whose rows run along. Throws
-/// Error{boolean_failed} where the patches of a piece make no such surface.
-[[nodiscard]] PieceSurface piece_surface(const Piece& piece, double tolerance, SurfaceCount& count);
+/// The surfaces of a piece, one after the other along it: analytic where it is a cylinder, cone or
+/// torus of revolution about its axis, else NURBS whose columns close around and whose rows run
+/// along. Several of cyclides, which meet in circles. Throws Error{boolean_failed} where patches of
+/// a piece make no such surface.
+[[nodiscard]] std::vector<PieceSurface> piece_surfaces(const Piece& piece, double tolerance,
+                                                       SurfaceCount& count);
+
+/// The circle in which a surface of circles ends.
+[[nodiscard]] RingCurve end_circle(const NurbsSurface& surface);
 
 }  // namespace dupin::exchange

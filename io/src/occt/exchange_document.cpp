@@ -132,8 +132,15 @@ void style_faces(const Handle(XSControl_WorkSession) & session, const TopoDS_Sha
     }
     styles.AddStyle(item, assignment, nullptr);
   }
+  if (styles.NbStyles() == 0) {
+    return;
+  }
   Handle(StepVisual_MechanicalDesignGeometricPresentationRepresentation) representation;
   (void)styles.CreateMDGPR(styles.FindContext(solid), representation);
+  if (representation.IsNull()) {
+    throw Refusal("OpenCASCADE does not colour it", model.name);
+  }
+  session->Model()->AddWithRefs(representation);
 }
 
 // The library counts occurrences over all files of a process.

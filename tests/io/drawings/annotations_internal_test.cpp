@@ -38,6 +38,8 @@ TEST(Annotations, extents_are_of_the_outline_in_views_along_an_axis) {
   Drawing box = drawing(0.01);
   PaperSheet sheet;
   sheet.lines.push_back({Pen::edge, "a", {{0, 0}, {30, -20}}});
+  sheet.lines.push_back({Pen::center, "a", {{-3, 0}, {33, 0}}});
+  sheet.lines.push_back({Pen::thin, {}, {{0, 0}, {0, 50}}});  // a note's
   add_extents(box, sheet);
   ASSERT_EQ(sheet.texts.size(), 2U);
   EXPECT_EQ(sheet.texts[0].text, "30");
