@@ -128,7 +128,7 @@ MeshHeader header_of(const Document& document) {
 
 // The solid as a file, as the arguments say.
 void write_built(const Built& built, const Document& document, const BuildOptions& options,
-                 const BuildArguments& arguments, BuildReport& report) {
+                 const BuildArguments& arguments, BuildReport& report, TriMesh* written) {
   const std::string unit(symbol(document.assembly.unit));
   if (is_step(arguments.output)) {
     tell(options.progress, "STEP");
