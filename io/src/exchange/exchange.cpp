@@ -15,9 +15,15 @@ namespace dupin {
 namespace exchange {
 namespace {
 
-constexpr std::string_view kNothingWritten =
-    "; no STEP file was written. --solids runs writes what shares rings each by itself, and every "
-    "mesh format has the union";
+constexpr std::string_view kNothingWritten = "; no STEP file was written. ";
+
+// What else there is.
+std::string_view advice(ExchangeSolids solids) {
+  return solids == ExchangeSolids::united
+             ? "--solids runs writes what shares rings each by itself, and every mesh format has "
+               "the union"
+             : "--solids united may do, and every mesh format has the union";
+}
 
 std::string model_name(const Assembly& assembly) {
   const std::string stem = std::filesystem::path(assembly.source).stem().string();
@@ -62,14 +68,15 @@ Made model_of(const Assembly& assembly, const Built& built, const ExchangeOption
 }
 
 // What a failure is about, if it names a part.
-Error refusal(const Assembly& assembly, const Written& written) {
+Error refusal(const Assembly& assembly, const Written& written, ExchangeSolids solids) {
   const auto part = std::ranges::find(assembly.parts, written.at, &Part::name);
   const std::string place =
       part == assembly.parts.end()
           ? std::string()
           : document_place(assembly, std::uint32_t(part - assembly.parts.begin()));
-  return Error(Errc::boolean_failed, written.fault + std::string(kNothingWritten), written.at,
-               place);
+  return Error(Errc::boolean_failed,
+               written.fault + std::string(kNothingWritten) + std::string(advice(solids)),
+               written.at, place);
 }
 
 double mesh_error(const Built& built) {
@@ -99,7 +106,8 @@ void compare(const Assembly& assembly, const Built& built, ExchangeReport& repor
       throw Error(Errc::boolean_failed,
                   "what OpenCASCADE unites has the " + std::string(what) + " " +
                       decimal(double(found), kMessageDigits) + ", and the exact solid has " +
-                      decimal(double(exact), kMessageDigits) + std::string(kNothingWritten),
+                      decimal(double(exact), kMessageDigits) + std::string(kNothingWritten) +
+                      std::string(advice(ExchangeSolids::united)),
                   {}, assembly.source);
     }
   };
@@ -161,7 +169,7 @@ ExchangeFile step_file(const Assembly& assembly, const Built& built,
   const exchange::Made made = exchange::model_of(assembly, built, options);
   exchange::Written written = module.write_solids(made.model);
   if (!written.fault.empty()) {
-    throw exchange::refusal(assembly, written);
+    throw exchange::refusal(assembly, written, options.solids);
   }
   ExchangeFile file{std::move(written.bytes),
                     exchange::report_of(written, made.count, millimetres(assembly.unit))};

@@ -23,6 +23,7 @@ REFUSED = [
     document({**PIPE, "for": {"i": 1e9}}),
     document({**PIPE, "for": {}}),
     document({"parts": [PIPE]}),
+    document({**PIPE, "colour": "red"}),
     document({"for": {"i": 1}, "name": "a", "parts": [PIPE]}),
     document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "size": "DN100", "radius": 1}}),
     document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "radius": 1, "schedule": 40}}),
@@ -100,7 +101,7 @@ def faults_of_keys(schema):
     """A part takes exactly one of the keys that there are, and each is defined."""
     part, keys = schema["definitions"]["part"], keys_of_parts()
     lists = {
-        "properties of a part": set(part["properties"]) - {"name", "comment", "wall", "solid", "for"},
+        "properties of a part": set(part["properties"]) - {"name", "comment", "wall", "solid", "for", "colour"},
         "choices of a part": {key for choice in part["oneOf"] for key in choice["required"]},
         "definitions": keys & set(schema["definitions"]),
     }

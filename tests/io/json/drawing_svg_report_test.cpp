@@ -14,7 +14,7 @@ TEST(DrawingSvgReport, counts_lines) {
   const auto report = nlohmann::json::parse(drawing_report_json(drawing, {1, 10}, "out.svg"));
   EXPECT_EQ(report, nlohmann::json::parse(R"({"file": "out.svg", "unit": "in", "scale": "1:10",
       "size": [12.54, 15.08], "direction": [0, 1, 0], "up": [0, 0, 1], "error": 0.5,
-      "lines": {"contour": 1, "edge": 1, "hidden": 1}})"));
+      "lines": {"center": 0, "contour": 1, "edge": 1, "hidden": 1}})"));
 }
 
 }  // namespace
