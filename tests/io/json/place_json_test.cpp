@@ -87,6 +87,7 @@ TEST(PlaceJson, knows_every_key_of_a_document) {
                                        "clearance",
                                        "closed",
                                        "comment",
+                                       "colour",
                                        "cone",
                                        "continuity",
                                        "cope",
