@@ -74,7 +74,7 @@ TEST_F(ToolExitCode, seventy_when_memory_runs_out) {
   GTEST_SKIP() << "the address sanitiser itself reserves terabytes";
 #endif
   put("a.off", tube(1, 0, 1, 20000));
-  EXPECT_EQ(shell("ulimit -v 30000; dupin check a.off").exit_code, 70);
+  EXPECT_EQ(shell("ulimit -v 50000; dupin check a.off").exit_code, 70);
 }
 
 }  // namespace
