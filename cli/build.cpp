@@ -22,7 +22,8 @@ namespace dupin::cli {
 namespace {
 
 struct BuildArguments {
-  std::string file, connect, contacts, cross_check, wall, region;
+  std::string file, connect, contacts, cross_check, region;
+  WallArguments walls;
   OutputArguments output;
   std::uint32_t segments = 0;
   std::size_t most_triangles = kUsualTriangles;
@@ -56,6 +57,21 @@ std::string margin_text(const std::vector<PartReport>& parts) {
   return tightest ? number(*tightest->margin_lower) + " (" + tightest->name + ")" : "none";
 }
 
+/// The part whose bore is proved to keep away least.
+std::string least_wall_text(const std::vector<PartReport>& parts, const std::string& unit) {
+  const PartReport* thinnest = nullptr;
+  std::size_t unproved = 0;
+  for (const PartReport& part : parts) {
+    if (part.least_wall && (!thinnest || *part.least_wall < *thinnest->least_wall)) {
+      thinnest = &part;
+    }
+    unproved += part.is_hollow && !part.least_wall ? 1 : 0;
+  }
+  return (thinnest ? number(*thinnest->least_wall) + " " + unit + " (" + thinnest->name + ")"
+                   : "none proved") +
+         (thinnest && unproved > 0 ? ", not proved of " + counted(unproved, "part") : "");
+}
+
 void print_build(std::ostream& out, const BuildReport& report) {
   double error = 0;
   std::optional<double> tangency;
@@ -85,6 +101,13 @@ void print_build(std::ostream& out, const BuildReport& report) {
                   number(report.volumes->metal) + ", fluid " + number(report.volumes->fluid) + " " +
                   unit + "3");
   }
+  if (report.insulation) {
+    print_row(out, "region",
+              "insulation of " + number(*report.insulation) + " " + unit + "3");
+  }
+  if (report.region == Region::metal || report.region == Region::fluid) {
+    print_row(out, "least wall", least_wall_text(report.parts, unit));
+  }
   print_row(out, "smallest margin", margin_text(report.parts));
   print_row(out, "mesh error", "at most " + number(error) + " " + unit);
   if (tangency) {
@@ -113,7 +136,7 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
 
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
   const Destination to = destination(arguments.output);
-  Document document = read_document(arguments.file, arguments.source, arguments.wall);
+  Document document = read_document(arguments.file, arguments.source, arguments.walls);
   Assembly& assembly = document.assembly;
   BuildOptions options = build_options(assembly, arguments, common);
   const std::string unit(symbol(assembly.unit));
@@ -136,6 +159,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     report.grid = built.grid;
     report.region = built.region;
     report.volumes = built.volumes;
+    report.insulation = built.insulation;
   }
   if (common.json) {
     report_stream(to) << to_json(report) << '\n';
@@ -163,8 +187,8 @@ void add_build(CLI::App& app, Action& action) {
   command->add_option("--segments", arguments->segments, "Fixed number of segments of every ring")
       ->type_name("NUMBER")
       ->check(CLI::Range(3, 65536));
-  add_wall_option(*command, arguments->wall);
-  add_region_option(*command, arguments->region);
+  add_wall_options(*command, arguments->walls);
+  add_region_option(*command, arguments->region, true);
   add_triangles_option(*command, arguments->most_triangles);
   add_connect_option(*command, arguments->connect);
   add_source_options(*command, arguments->source);

@@ -90,7 +90,7 @@ void add_piping_options(CLI::App& command, SourceArguments& arguments) {
 Document document_of(const std::string& path, const SourceArguments& arguments,
                      const std::string& wall) {
   const Input input = read_input(path);
-  if (is_pcf_file(path)) {
+  if (is_pcf_file(path) || (path == "-" && is_pcf_text(input.bytes))) {
     return read_piping(input, arguments, wall);
   }
   if (!arguments.snap.empty() || !arguments.bridge.empty() || !arguments.bore.empty() ||
@@ -140,10 +140,25 @@ Built build_document(Document& document, const BuildOptions& options) {
 }
 
 Document read_document(const std::string& path, const SourceArguments& arguments,
-                       const std::string& wall) {
-  Document document = document_of(path, arguments, wall);
-  if (!wall.empty()) {
-    document.assembly.wall = length_in(document.assembly.unit, wall, 0);
+                       const WallArguments& walls) {
+  Document document = document_of(path, arguments, walls.wall);
+  const auto apply = [&](Assembly& assembly) {
+    if (!walls.wall.empty()) {
+      assembly.wall = length_in(assembly.unit, walls.wall, 0);
+    }
+    if (!walls.insulation.empty()) {
+      assembly.insulation = length_in(assembly.unit, walls.insulation, 0);
+    }
+    for (const WallSide side : {WallSide::inwards, WallSide::outwards, WallSide::centred}) {
+      if (walls.side == name(side)) {
+        assembly.wall_side = side;
+      }
+    }
+  };
+  apply(document.assembly);
+  if (document.piping) {  // for networks that are made anew
+    document.piping_options.wall_side = document.assembly.wall_side;
+    document.piping_options.insulation = document.assembly.insulation;
   }
   return document;
 }
@@ -157,21 +172,36 @@ void add_bore_option(CLI::App& command, std::string& bore) {
       ->check(CLI::IsMember({"outside", "nominal"}));
 }
 
-void add_wall_option(CLI::App& command, std::string& wall) {
-  command.add_option("--wall", wall, "Thickness of the walls, inwards, instead of the document's")
+void add_wall_options(CLI::App& command, WallArguments& walls) {
+  command.add_option("--wall", walls.wall, "Thickness of the walls, instead of the document's")
+      ->type_name("LENGTH");
+  command
+      .add_option("--wall-side", walls.side,
+                  "Where walls are: inwards of the document's radii, which is usual, outwards,\n"
+                  "or centred")
+      ->type_name("SIDE")
+      ->check(CLI::IsMember({"inwards", "outwards", "centred"}));
+  command
+      .add_option("--insulation", walls.insulation,
+                  "Thickness of the insulation outside, instead of the document's")
       ->type_name("LENGTH");
 }
 
-void add_region_option(CLI::App& command, std::string& region) {
+void add_region_option(CLI::App& command, std::string& region, bool has_insulation) {
+  std::vector<std::string> names{"outer", "metal", "fluid"};
+  if (has_insulation) {
+    names.emplace_back("insulation");
+  }
   command
       .add_option("--region", region,
-                  "outer, metal or fluid; metal if not given, where there are walls")
+                  std::string("outer, metal") + (has_insulation ? ", fluid or insulation" : " or fluid") +
+                      "; metal if not given, where there are walls")
       ->type_name("REGION")
-      ->check(CLI::IsMember({"outer", "metal", "fluid"}));
+      ->check(CLI::IsMember(names));
 }
 
 std::optional<Region> region_named(const std::string& name) {
-  for (const Region region : {Region::outer, Region::metal, Region::fluid}) {
+  for (const Region region : {Region::outer, Region::metal, Region::fluid, Region::insulation}) {
     if (name == dupin::name(region)) {
       return region;
     }

@@ -30,6 +30,11 @@ struct SourceArguments {
   bool keep_going = false, strict = false;
 };
 
+/// What is asked of walls, instead of what the document says, as typed.
+struct WallArguments {
+  std::string wall, side, insulation;
+};
+
 /// An assembly, or a graph or piping file made into one, from a file or standard input.
 struct Document {
   Assembly assembly;
@@ -39,10 +44,10 @@ struct Document {
   PipingOptions piping_options = {};
 };
 
-/// The file is a graph or a piping file if its extension says so. `wall`, as typed, is
-/// instead of the document's.
+/// The file is a graph or a piping file if its extension says so; standard input is a piping file
+/// if it has a line of one.
 [[nodiscard]] Document read_document(const std::string& path, const SourceArguments& arguments,
-                                     const std::string& wall = {});
+                                     const WallArguments& walls = {});
 
 /// Whether the file's extension says that it is a graph or a piping file.
 [[nodiscard]] bool is_source_file(const std::string& path);
@@ -51,11 +56,11 @@ struct Document {
 /// are refused.
 [[nodiscard]] Built build_document(Document& document, const BuildOptions& options);
 
-/// Adds --wall.
-void add_wall_option(CLI::App& command, std::string& wall);
+/// Adds --wall, --wall-side and --insulation.
+void add_wall_options(CLI::App& command, WallArguments& walls);
 
-/// Adds --region.
-void add_region_option(CLI::App& command, std::string& region);
+/// Adds --region, whose insulation only a build makes.
+void add_region_option(CLI::App& command, std::string& region, bool has_insulation = false);
 
 /// The region of that name; none for an empty one.
 [[nodiscard]] std::optional<Region> region_named(const std::string& name);

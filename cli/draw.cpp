@@ -19,7 +19,8 @@ namespace dupin::cli {
 namespace {
 
 struct DrawArguments {
-  std::string file, output, wall, region, scale;
+  std::string file, output, region, scale;
+  WallArguments walls;
   std::vector<double> direction{-1, 1, -1}, up;
   SourceArguments source;
   bool hidden = false;
@@ -67,7 +68,7 @@ std::pair<DrawingOptions, std::optional<DrawingScale>> typed(const DrawArguments
 
 ExitCode run_draw(const DrawArguments& arguments, const CommonOptions& common) {
   const auto [options, typed_scale] = typed(arguments);
-  Document document = read_document(arguments.file, arguments.source, arguments.wall);
+  Document document = read_document(arguments.file, arguments.source, arguments.walls);
   BuildReport report;
   report.graph = document.network;
   Drawing drawing;
@@ -120,7 +121,7 @@ void add_draw(CLI::App& app, Action& action) {
                    "Such as 1:50; if not given, the largest usual one that fits on A3")
       ->type_name("PAPER:REAL");
   command->add_flag("--hidden", arguments->hidden, "Draw hidden lines, too, dashed");
-  add_wall_option(*command, arguments->wall);
+  add_wall_options(*command, arguments->walls);
   add_region_option(*command, arguments->region);
   add_source_options(*command, arguments->source);
   command->footer(

@@ -62,7 +62,9 @@ MeshGapSummary measure_meshes(const std::vector<Input>& inputs, const std::strin
 ExitCode run_gaps(const GapsArguments& arguments, const CommonOptions& common) {
   refuse_tolerance("gaps", common);
   const std::vector<Input> inputs = read_inputs(arguments.files);
-  if (inputs.size() == 1 && is_pcf_file(arguments.files.front())) {
+  if (inputs.size() == 1 &&
+      (is_pcf_file(arguments.files.front()) ||
+       (arguments.files.front() == "-" && is_pcf_text(inputs.front().bytes)))) {
     return print_summary(measure_piping(inputs.front(), arguments.bore, arguments.connect), common,
                          print_gaps);
   }

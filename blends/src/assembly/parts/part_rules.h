@@ -19,8 +19,10 @@ namespace dupin::assembly {
 ///
 /// A fillet has, instead of a geometry, `pipes(shape)` and `fillet(context, shape, surfaces)`.
 /// What it need not say: `needs(shape)` (no other parts' surfaces), `kIsTangent` and `kNamesEnd`
-/// (false; a kind that names an end has no geometry), `portless(shape)` (it has ports),
-/// `notes(shape, surface)` (none).
+/// (false; a kind that names an end has no geometry), `kClosedEnds` (none), `kIsPad` (false),
+/// `portless(shape)` (it has ports), `notes(shape, surface)` (none), `kHasBore` with
+/// `bore(shape, surface, wall)` and `least_wall(shape, surface, wall)` (the same rings, less by the
+/// wall).
 template <KeyName key>
 struct PartRules;
 
@@ -156,6 +158,33 @@ std::vector<Need> needs_by_rules(const PartShape& shape) {
 }
 
 template <KeyName key>
+PartSurface bore_by_rules(const PartShape& shape, const PartSurface& surface, double wall) {
+  return of_shape<key, PartSurface>(
+      shape, [&](const auto& given) { return PartRules<key>::bore(given, surface, wall); });
+}
+
+template <KeyName key>
+double least_wall_by_rules(const PartShape& shape, const PartSurface& surface, double wall) {
+  return of_shape<key, double>(
+      shape, [&](const auto& given) { return PartRules<key>::least_wall(given, surface, wall); });
+}
+
+template <KeyName key>
+constexpr PartKind with_walls(PartKind kind) {
+  if constexpr (requires { PartRules<key>::kClosedEnds; }) {
+    kind.closed_ends = PartRules<key>::kClosedEnds;
+  }
+  if constexpr (requires { PartRules<key>::kIsPad; }) {
+    kind.is_pad = PartRules<key>::kIsPad;
+  }
+  if constexpr (requires { PartRules<key>::kHasBore; }) {
+    kind.bore = bore_by_rules<key>;
+    kind.least_wall = least_wall_by_rules<key>;
+  }
+  return kind;
+}
+
+template <KeyName key>
 constexpr PartKind with_fillet(PartKind kind) {
   if constexpr (requires { PartRules<key>::pipes; }) {
     kind.pipes = pipes_by_rules<key>;
@@ -172,9 +201,9 @@ template <KeyName key>
 const PartKind& part_kind() {
   static_assert(PartKeys::kHas<key>, "the table of keys, PartKeys, lacks this one");
   using Rules = PartRules<key>;
-  static constexpr PartKind kKind = with_fillet<key>(
+  static constexpr PartKind kKind = with_walls<key>(with_fillet<key>(
       {key.view(), IsTangent<Rules>, NamesEnd<Rules>, references_by_rules<key>,
-       portless_by_rules<key>, geometry_by_rules<key>, notes_by_rules<key>, needs_by_rules<key>});
+       portless_by_rules<key>, geometry_by_rules<key>, notes_by_rules<key>, needs_by_rules<key>}));
   return kKind;
 }
 
