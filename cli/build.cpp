@@ -136,7 +136,9 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
 
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
   const Destination to = destination(arguments.output);
-  Document document = read_document(arguments.file, arguments.source, arguments.walls);
+  std::optional<ProgressLine> line(common.quiet);
+  Document document =
+      read_document(arguments.file, arguments.source, arguments.walls, line->callback());
   Assembly& assembly = document.assembly;
   BuildOptions options = build_options(assembly, arguments, common);
   const std::string unit(symbol(assembly.unit));
@@ -144,8 +146,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   BuildReport report;
   report.graph = document.network;
   {
-    ProgressLine line(common.quiet);
-    options.progress = line.callback();
+    options.progress = line->callback();
     Built built = build_document(document, options);
     report.piping = std::move(document.piping);
     report.gaps = {assembly.source, assembly.unit, options.connect, std::move(built.ports),
@@ -160,6 +161,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     report.region = built.region;
     report.volumes = built.volumes;
     report.insulation = built.insulation;
+    line.reset();
   }
   if (common.json) {
     report_stream(to) << to_json(report) << '\n';

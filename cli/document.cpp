@@ -27,8 +27,8 @@ BoreMeaning bore_meaning(const std::string& typed) {
                               : BoreMeaning::automatic;
 }
 
-Document read_piping(const Input& input, const SourceArguments& arguments,
-                     const std::string& wall) {
+Document read_piping(const Input& input, const SourceArguments& arguments, const std::string& wall,
+                     const Progress& progress) {
   if (!arguments.radius.empty()) {
     throw UsageError("--radius is for graphs, files named .swc or .graph");
   }
@@ -36,6 +36,7 @@ Document read_piping(const Input& input, const SourceArguments& arguments,
   options.snap = length_in(Unit::millimetre, arguments.snap, options.snap);
   options.bridge = length_in(Unit::millimetre, arguments.bridge, 0);
   options.keep_going = arguments.keep_going;
+  options.progress = progress;
   if (!arguments.fillet.empty()) {
     options.fillet =
         arguments.fillet == "auto" ? 0 : length_in(Unit::millimetre, arguments.fillet, 0);
@@ -88,10 +89,11 @@ void add_piping_options(CLI::App& command, SourceArguments& arguments) {
 
 // Without the wall, but of a piping file.
 Document document_of(const std::string& path, const SourceArguments& arguments,
-                     const std::string& wall) {
+                     const std::string& wall, const Progress& progress) {
   const Input input = read_input(path);
+  tell(progress, "read");
   if (is_pcf_file(path) || (path == "-" && is_pcf_text(input.bytes))) {
-    return read_piping(input, arguments, wall);
+    return read_piping(input, arguments, wall, progress);
   }
   if (!arguments.snap.empty() || !arguments.bridge.empty() || !arguments.bore.empty() ||
       !arguments.schedule.empty() || !arguments.fillet.empty() || arguments.strict) {
@@ -140,8 +142,8 @@ Built build_document(Document& document, const BuildOptions& options) {
 }
 
 Document read_document(const std::string& path, const SourceArguments& arguments,
-                       const WallArguments& walls) {
-  Document document = document_of(path, arguments, walls.wall);
+                       const WallArguments& walls, const Progress& progress) {
+  Document document = document_of(path, arguments, walls.wall, progress);
   const auto apply = [&](Assembly& assembly) {
     if (!walls.wall.empty()) {
       assembly.wall = length_in(assembly.unit, walls.wall, 0);

@@ -47,7 +47,8 @@ struct Document {
 /// The file is a graph or a piping file if its extension says so; standard input is a piping file
 /// if it has a line of one.
 [[nodiscard]] Document read_document(const std::string& path, const SourceArguments& arguments,
-                                     const WallArguments& walls = {});
+                                     const WallArguments& walls = {},
+                                     const Progress& progress = {});
 
 /// Whether the file's extension says that it is a graph or a piping file.
 [[nodiscard]] bool is_source_file(const std::string& path);

@@ -121,6 +121,8 @@ std::vector<std::pair<Part, std::size_t>> fillets(const PipingLine& line,
   }
   const auto sites = sites_of(spans, chains);
   for (const FittingBranch& fitting : spans.branches) {
+    tell(options.progress, "fillet",
+         double(&fitting - spans.branches.data()) / double(spans.branches.size()));
     const auto &run = sites[fitting.run], &branch = sites[fitting.branch];
     const PipingComponent& component = line.components[spans.spans[fitting.branch].component];
     if (!run || !branch) {

@@ -341,6 +341,7 @@ void add_parts(const PipingLine& line, const PipingOptions& options, const Pipin
   std::vector<ChainParts> parts;
   parts.reserve(chains.size());
   for (const Chain& chain : chains) {
+    tell(options.progress, "join", double(parts.size()) / double(chains.size()));
     parts.emplace_back(line, options, spans, chain, network, notes);
     parts.back().make_blends();
   }

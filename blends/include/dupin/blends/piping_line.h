@@ -11,6 +11,7 @@
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/build.h"
 #include "dupin/kernel/gap.h"
+#include "dupin/kernel/progress.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin {
@@ -61,6 +62,7 @@ struct PipingOptions {
   std::optional<double> fillet = {};
   bool keep_going = false;  ///< components that are refused are left out, and noted
   std::map<std::string, std::string> refused = {};  ///< components by name, with the reason
+  Progress progress = {};                           ///< may be empty
 };
 
 /// What was made of two ends that belong together.
