@@ -9,6 +9,7 @@
 #include "dupin/kernel/error.h"
 #include "network/piping_fillets.h"
 #include "numbers/angle.h"
+#include "ringed/arc_velocities.h"
 
 namespace dupin::network {
 namespace {
@@ -218,8 +219,10 @@ class ChainParts {
       return std::nullopt;  // the ends lie behind each other
     }
     try {
-      const auto arc = arc_velocities(from, to, {.margin = kEasyMargin});
-      const BlendChoice choice = arc ? *arc : choose_velocities(from, to, {.margin = kSafeMargin});
+      if (const auto arc = ringed::arc_velocities(from, to, kEasyMargin)) {
+        return arc;
+      }
+      const BlendChoice choice = choose_velocities(from, to, {.margin = kSafeMargin});
       return CyclicBlendOptions{.k = choice.k, .l = choice.l};
     } catch (const Error&) {
       return std::nullopt;

@@ -10,7 +10,6 @@
 #include "dupin/blends/regularity.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "numbers/angle.h"
 #include "numbers/quadrature.h"
 #include "ringed/blend_search.h"
 #include "ringed/blend_shape.h"
@@ -293,19 +292,6 @@ BlendChoice choose_velocities(const Ring& from, const Ring& to, const CyclicBlen
     return *choice;
   }
   refuse_infeasible(from, to, options);
-}
-
-std::optional<BlendChoice> arc_velocities(const Ring& from, const Ring& to,
-                                          const CyclicBlendOptions& options) {
-  validate(from, to, options);
-  const double distance = (to.center - from.center).norm();
-  const double quarter = numbers::angle_between(from.normal, Vec3::Zero() - to.normal) / 4;
-  const double speed = distance / (std::cos(quarter) * std::cos(quarter));
-  if (!is_valid(assembled(from, to, options, speed, speed), options.margin)) {
-    return std::nullopt;
-  }
-  const Spine spine = assembled(from, to, options, speed, speed).spine;
-  return BlendChoice{speed, speed, bending_energy(spine), options.margin, length(spine)};
 }
 
 BlendChoice widest_velocities(const Ring& from, const Ring& to, const CyclicBlendOptions& options) {

@@ -54,12 +54,6 @@ struct BlendChoice {
 [[nodiscard]] BlendChoice choose_velocities(const Ring& from, const Ring& to,
                                             const CyclicBlendOptions& options = {});
 
-/// The speeds of the cubic that is nearest to a circular arc through the ends where both lie on one,
-/// d / cos^2(angle / 4) at the distance d; none if they do not have the asked margin. A hundred
-/// times cheaper than the search for the least energy, and near it where ends face each other.
-[[nodiscard]] std::optional<BlendChoice> arc_velocities(const Ring& from, const Ring& to,
-                                                        const CyclicBlendOptions& options = {});
-
 /// Of the same speeds, those of the largest margin (options.margin has no influence).
 [[nodiscard]] BlendChoice widest_velocities(const Ring& from, const Ring& to,
                                             const CyclicBlendOptions& options = {});
