@@ -102,8 +102,7 @@ void print_build(std::ostream& out, const BuildReport& report) {
                   unit + "3");
   }
   if (report.insulation) {
-    print_row(out, "region",
-              "insulation of " + number(*report.insulation) + " " + unit + "3");
+    print_row(out, "region", "insulation of " + number(*report.insulation) + " " + unit + "3");
   }
   if (report.region == Region::metal || report.region == Region::fluid) {
     print_row(out, "least wall", least_wall_text(report.parts, unit));

@@ -83,8 +83,7 @@ OutputReport write_placed(const TriMesh& mesh, const Placement& placement, const
 ExitCode run_convert(const ConvertArguments& all, const CommonOptions& common) {
   const MeshToMesh& arguments = all.files;
   const bool is_document_asked =
-      arguments.input == "-" &&
-      std::filesystem::path(arguments.output.path).extension() == ".json";
+      arguments.input == "-" && std::filesystem::path(arguments.output.path).extension() == ".json";
   if (is_source_file(arguments.input) || is_document_asked) {
     return write_document(all, common);
   }

@@ -196,7 +196,8 @@ void add_region_option(CLI::App& command, std::string& region, bool has_insulati
   }
   command
       .add_option("--region", region,
-                  std::string("outer, metal") + (has_insulation ? ", fluid or insulation" : " or fluid") +
+                  std::string("outer, metal") +
+                      (has_insulation ? ", fluid or insulation" : " or fluid") +
                       "; metal if not given, where there are walls")
       ->type_name("REGION")
       ->check(CLI::IsMember(names));

@@ -183,8 +183,8 @@ TEST_F(Pcf, insulation_goes_round_lines) {
   EXPECT_EQ(report.at("region"), "insulation");
   EXPECT_GT(report.at("volumes").at("insulation"), 1e6);
   EXPECT_EQ(report.at("output").at("check").at("components"), 1);
-  EXPECT_EQ(dupin({"build", example("line.pcf"), "-o", "a.off", "--region", "insulation"}).exit_code,
-            3);
+  EXPECT_EQ(
+      dupin({"build", example("line.pcf"), "-o", "a.off", "--region", "insulation"}).exit_code, 3);
 }
 
 TEST_F(Pcf, lines_can_be_looked_at) {

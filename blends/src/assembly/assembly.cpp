@@ -19,8 +19,8 @@ std::string document_place(const Assembly& assembly, std::uint32_t part, std::st
       assembly, has_own ? assembly.parts[part].pointer : "/parts/" + std::to_string(part));
   if (!key.empty()) {
     const Part& own = assembly.parts.at(part);
-    place += "/" + (own.key.empty() ? std::string(kind(own.shape)) : own.key) + "/" +
-             std::string(key);
+    place +=
+        "/" + (own.key.empty() ? std::string(kind(own.shape)) : own.key) + "/" + std::string(key);
   }
   return place;
 }

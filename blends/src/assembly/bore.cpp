@@ -232,10 +232,8 @@ class Borer {
       part.end_names.at(at(end)) =
           part.is_closed.at(at(end)) ? part.name : to_string({part.name, end});
     }
-    if (const PartKind& kind = part_kind(assembly_.parts[part.index].shape);
-        kind.bore != nullptr) {
-      part.shape =
-          kind.bore(outer_shape(assembly_, part.index), part.shape, walls_[part.index]);
+    if (const PartKind& kind = part_kind(assembly_.parts[part.index].shape); kind.bore != nullptr) {
+      part.shape = kind.bore(outer_shape(assembly_, part.index), part.shape, walls_[part.index]);
     } else if (!part.ends_in_hub) {
       part.shape = std::visit(NarrowedSurface{walls_[part.index]}, part.shape);
     }
@@ -297,8 +295,7 @@ class Borer {
       if (!joined || walls_[outer_.parts[joined->part].index] == walls_[part.index]) {
         continue;
       }
-      if (walls_[part.index] > 0 &&
-          walls_[outer_.parts[joined->part].index] < walls_[part.index]) {
+      if (walls_[part.index] > 0 && walls_[outer_.parts[joined->part].index] < walls_[part.index]) {
         narrower_.push_back({index, end});
       }
       joined.reset();

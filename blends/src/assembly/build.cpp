@@ -19,7 +19,7 @@
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "dupin/kernel/patch.h"
+#include "dupin/kernel/renamed.h"
 #include "surfaces/least_wall.h"
 
 namespace dupin {

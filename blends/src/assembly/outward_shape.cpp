@@ -1,6 +1,7 @@
 #include "assembly/outward_shape.h"
 
-#include "assembly/parts/part_kind.h"
+#include <algorithm>
+#include <array>
 
 namespace dupin::assembly {
 namespace {
@@ -97,10 +98,11 @@ struct Outward {
 }  // namespace
 
 double outward_distance(const Assembly& assembly, const Part& part) {
+  // What has the wall of others, or none.
+  constexpr std::array<std::string_view, 4> kWithout{"fillet", "cope", "cap", "flange"};
   const WallSide side = part.wall_side.value_or(assembly.wall_side);
-  const PartKind& kind = part_kind(part.shape);
-  if (side == WallSide::inwards || part.solid || kind.is_pad ||
-      !(kind.is_part() || kind.is_junction())) {
+  if (side == WallSide::inwards || part.solid ||
+      std::ranges::find(kWithout, kind(part.shape)) != kWithout.end()) {
     return 0;
   }
   const double wall = part.wall.value_or(assembly.wall.value_or(0));

@@ -11,7 +11,8 @@ namespace dupin::assembly {
 [[nodiscard]] double outward_distance(const Assembly& assembly, const Part& part);
 
 /// The shape with all radii of its own larger by `distance`; those that it has from ports, balls of
-/// fillets and discs of flanges stay. Circles grow in their own planes, spheres about their centres.
+/// fillets and discs of flanges stay. Circles grow in their own planes, spheres about their
+/// centres.
 [[nodiscard]] PartShape outward_shape(const PartShape& shape, double distance);
 
 /// The part's shape with the radii of its outer surface.

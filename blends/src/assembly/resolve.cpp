@@ -89,10 +89,11 @@ class Resolver {
   // Radii that are not the outer surfaces' are one and the same to both sides of a ring only where
   // these are as far outside.
   void check_sides(std::uint32_t part, std::uint32_t other, std::string_view key) const {
-    if (outward_[part] != outward_[other]) {
+    if (outward_[part] != outward_[other] && !assembly_.parts[part].solid &&
+        !assembly_.parts[other].solid) {
       fail(part, key,
-           "it shares a ring with '" + assembly_.parts[other].name +
-               "', whose outer surface is " + decimal(outward_[other], kMessageDigits) +
+           "it shares a ring with '" + assembly_.parts[other].name + "', whose outer surface is " +
+               decimal(outward_[other], kMessageDigits) +
                " outside of the radii in the document, and its own " +
                decimal(outward_[part], kMessageDigits) +
                "; where radii are not outside ones, neighbours have the same wall");

@@ -235,9 +235,8 @@ class ChainParts {
     if (seam.component) {
       part.name = line_.components[*seam.component].name;
       notes_.add(line_.components[*seam.component],
-                 std::string(has_two_bores(*seam.component)
-                                 ? "has two bores"
-                                 : "is not tangent to its neighbours") +
+                 std::string(has_two_bores(*seam.component) ? "has two bores"
+                                                            : "is not tangent to its neighbours") +
                      "; a blend between them takes its place");
       part.wall = line_.components[*seam.component].wall;
     } else {
@@ -285,8 +284,8 @@ class ChainParts {
           const SpanEnd& end =
               side == 0 ? begin_of(spans_, leg.elements[i]) : end_of(spans_, leg.elements[i]);
           // Both ends of a gap along the axis stay where they are along it.
-          const double level = is_bridged(end) ? (end.point - leg.origin).dot(leg.direction)
-                                               : leg.nodes[i + side];
+          const double level =
+              is_bridged(end) ? (end.point - leg.origin).dot(leg.direction) : leg.nodes[i + side];
           network_.largest_move =
               std::max(network_.largest_move, (point_at(leg, level) - end.point).norm());
         }

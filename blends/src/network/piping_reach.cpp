@@ -98,8 +98,8 @@ void find_olets(const SpanIndex& index, const PipingLine& line, PipingSpans& spa
       const Span& run = spans.spans[near];
       const Vec3 &start = run.ends[0].point, way = run.ends[1].point - start;
       const double share = (from - start).dot(way) / way.squaredNorm();
-      if (run.component != branch.component && run.role == SpanRole::straight &&
-          share > 0 && share < 1 &&
+      if (run.component != branch.component && run.role == SpanRole::straight && share > 0 &&
+          share < 1 &&
           (from - start - share * way).norm() <= kOnAxis * std::min(run.radii[0], run.radii[1])) {
         spans.branches.push_back({near, i});
         break;

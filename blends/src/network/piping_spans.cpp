@@ -374,9 +374,9 @@ class Spans {
         !(std::abs(across.dot(way)) <= options_.snap * way.norm())) {
       return;
     }
-    const double length = std::min(std::max(std::abs(own.radii[0] - own.radii[1]),
-                                            kFlatReducer * own.radii[thick]),
-                                   pipe.length() / 2);
+    const double length =
+        std::min(std::max(std::abs(own.radii[0] - own.radii[1]), kFlatReducer * own.radii[thick]),
+                 pipe.length() / 2);
     const Vec3 back = length / way.norm() * way;
     end.point -= back;
     own.ends[thick].point -= back;

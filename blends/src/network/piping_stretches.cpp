@@ -188,8 +188,7 @@ class Planner {
     result.span.reset();
     result.is_behind_gap = false;
     PipingJoint& joint = joints_[*after.joint_before];
-    result.name =
-        "bridge-" + std::to_string(joint.lines[0]) + "-" + std::to_string(joint.lines[1]);
+    result.name = "bridge-" + std::to_string(joint.lines[0]) + "-" + std::to_string(joint.lines[1]);
     joint.state = JointState::bridged;
     joint.part = result.name;
     return result;

@@ -15,11 +15,11 @@ std::optional<CyclicBlendOptions> arc_velocities(const Ring& from, const Ring& t
   const HermiteSpine hermite{from.center, to.center, speed * from.normal, -speed * to.normal};
   const bool is_cylindric = from.slope == 0 && to.slope == 0;
   const Spine spine = is_cylindric ? Spine(hermite) : Spine(quintic_spine(hermite));
-  const RingedSurface blend{flipped(from), flipped(to), spine,
-                            blend_radius({from.radius, from.slope, to.radius, to.slope}, spine,
-                                         options)};
-  const bool is_regular = smallest_radius(blend.radius) > 0 &&
-                          prove_margin(blend, margin).verdict == Verdict::proved;
+  const RingedSurface blend{
+      flipped(from), flipped(to), spine,
+      blend_radius({from.radius, from.slope, to.radius, to.slope}, spine, options)};
+  const bool is_regular =
+      smallest_radius(blend.radius) > 0 && prove_margin(blend, margin).verdict == Verdict::proved;
   return is_regular ? std::optional(CyclicBlendOptions{.k = speed, .l = speed}) : std::nullopt;
 }
 

@@ -42,8 +42,7 @@ double ellipse_wall(const Interval& a, const Interval& b, double wall) {
     const Interval c = cell(i), s = Interval(1) - c;
     const Interval both =
         support(a, b, c, s) + support(a - Interval(wall), b - Interval(wall), c, s);
-    const Interval left =
-        Interval(wall) * (Interval(2) * (a * c + b * s) - Interval(wall)) / both;
+    const Interval left = Interval(wall) * (Interval(2) * (a * c + b * s) - Interval(wall)) / both;
     least = std::min(least, left.lower);
   }
   return least;
@@ -54,8 +53,7 @@ struct Widening {
 
   [[nodiscard]] double of(double wall) const {
     const Interval m = margin, s = slope;
-    return slope == 0 ? wall
-                      : (Interval(wall) * m / numbers::sqrt(square(m) + square(s))).lower;
+    return slope == 0 ? wall : (Interval(wall) * m / numbers::sqrt(square(m) + square(s))).lower;
   }
 };
 

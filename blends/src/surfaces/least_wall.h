@@ -7,8 +7,8 @@
 namespace dupin::surfaces {
 
 /// A proved lower bound of the distance between a surface and its bore, whose sections have radii
-/// less by the wall: of cyclides and balls the bore is parallel to them, and it is the wall. None of
-/// oblique pieces.
+/// less by the wall: of cyclides and balls the bore is parallel to them, and it is the wall. None
+/// of oblique pieces.
 ///
 /// A point of the bore is at least d inside of its section, d being the wall, or of ellipses what
 /// is left of it across (ellipse_wall). On a way out of the part, sections move by at least m ds,

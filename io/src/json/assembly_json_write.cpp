@@ -322,9 +322,7 @@ Json written(const FlangeAt& flange) {
 }
 
 Json written(const FlangeOfEnd& flange) {
-  return {{"at", to_string(flange.at)},
-          {"radius", flange.radius},
-          {"thickness", flange.thickness}};
+  return {{"at", to_string(flange.at)}, {"radius", flange.radius}, {"thickness", flange.thickness}};
 }
 
 Json written(const FlangeOn& flange) {

@@ -286,9 +286,9 @@ bool is_abbreviated(const Json& document) {
   }
   for (const auto& [key, value] : document.items()) {
     const bool is_own_key =
-        document.is_object() &&
-        (std::ranges::find(kShort, key) != kShort.end() || std::ranges::find(fitting_keys(), key) != fitting_keys().end() ||
-         (key == "parts" && !document.contains("units")));
+        document.is_object() && (std::ranges::find(kShort, key) != kShort.end() ||
+                                 std::ranges::find(fitting_keys(), key) != fitting_keys().end() ||
+                                 (key == "parts" && !document.contains("units")));
     if (is_own_key || (key != "comment" && is_abbreviated(value))) {
       return true;
     }

@@ -7,7 +7,7 @@ namespace dupin::json {
 
 /// Of a flange, in millimetres.
 struct FlangeSize {
-  double inches;             ///< NPS
+  double inches;              ///< NPS
   double outside, thickness;  ///< the diameter, and the least thickness of the flange
 };
 

@@ -43,12 +43,13 @@ TEST(Insulation, of_a_pipe_is_a_tube_around_it) {
 }
 
 TEST(Insulation, goes_round_bends_balls_and_fillets) {
-  std::vector<Part> parts = {pipe("run", {-20, 0, 0}, {20, 0, 0}, 3),
-                             pipe("branch", {0, 0, 0}, {0, 0, 15}, 2),
-                             fillet("throat", "run", "branch", 1),
-                             {"bend", ElbowTurning{PortReference{"run", End::end}, 6, 1.5, {0, 1, 0}}},
-                             {"ball", SphereAt{{-20, 0, 0}, 4}},
-                             {"head", EllipsoidalHead{PortReference{"branch", End::end}}}};
+  std::vector<Part> parts = {
+      pipe("run", {-20, 0, 0}, {20, 0, 0}, 3),
+      pipe("branch", {0, 0, 0}, {0, 0, 15}, 2),
+      fillet("throat", "run", "branch", 1),
+      {"bend", ElbowTurning{PortReference{"run", End::end}, 6, 1.5, {0, 1, 0}}},
+      {"ball", SphereAt{{-20, 0, 0}, 4}},
+      {"head", EllipsoidalHead{PortReference{"branch", End::end}}}};
   // Thinner than the fillet's ball, and thicker, where the edge is sharp.
   for (const double thickness : {0.5, 1.5}) {
     const Assembly assembly = insulated(parts, thickness);

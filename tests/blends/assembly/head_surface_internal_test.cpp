@@ -1,11 +1,10 @@
-#include "assembly/head_surface.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "assembly/head_surface.h"
 #include "dupin/blends/part_measures.h"
 #include "dupin/kernel/error.h"
 
@@ -70,7 +69,8 @@ TEST(HeadSurface, has_the_volume_of_its_form) {
   EXPECT_NEAR(volume(EllipsoidProfile{1}), ellipsoid, 1e-9 * ellipsoid);
   // Ball caps and tori by Pappus: of crown R, knuckle r and a = radius - r, the knuckle's part
   // between 0 and z1 = r sin p is pi (a^2 z1 + 2 a (half of a segment) + r^2 z1 - z1^3 / 3).
-  const double crown = 4, r = 0.4, a = 2 - r, sine = std::sqrt(1 - a * a / ((crown - r) * (crown - r)));
+  const double crown = 4, r = 0.4, a = 2 - r,
+               sine = std::sqrt(1 - a * a / ((crown - r) * (crown - r)));
   const double z1 = r * sine, angle = std::asin(sine);
   const double strip = (r * r * angle + z1 * std::sqrt(r * r - z1 * z1)) / 2;  // of cos over z
   const double knuckle = kPi * (a * a * z1 + 2 * a * strip + r * r * z1 - z1 * z1 * z1 / 3);
@@ -82,8 +82,10 @@ TEST(HeadSurface, of_a_bore_is_parallel_or_says_why_there_is_none) {
   const double wall = 0.25;
   const Ring& ring = *port_ring(inner_head(kStart, TorisphereProfile{4, 0.4}, wall), End::start);
   EXPECT_EQ(ring.radius, 1.75);
-  const double inner = port_ring(inner_head(kStart, TorisphereProfile{4, 0.4}, wall), End::end)->center.z(),
-               outer = port_ring(head_surface(kStart, TorisphereProfile{4, 0.4}), End::end)->center.z();
+  const double inner = port_ring(inner_head(kStart, TorisphereProfile{4, 0.4}, wall), End::end)
+                           ->center.z(),
+               outer =
+                   port_ring(head_surface(kStart, TorisphereProfile{4, 0.4}), End::end)->center.z();
   EXPECT_NEAR(outer - inner, wall, 1e-5);
   EXPECT_THROW((void)inner_head(kStart, TorisphereProfile{4, 0.2}, wall), Error);
   EXPECT_THROW((void)inner_head(kStart, EllipsoidProfile{0.2}, wall), Error);

@@ -1,7 +1,6 @@
-#include "assembly/outward_shape.h"
-
 #include <gtest/gtest.h>
 
+#include "assembly/outward_shape.h"
 #include "blends/assembly/hollow_regions.h"
 #include "dupin/kernel/error.h"
 #include "support/named_parts.h"
@@ -43,13 +42,13 @@ TEST(OutwardShape, makes_one_solid_of_radii_on_either_side) {
 }
 
 TEST(OutwardShape, grows_radii_and_nothing_else) {
-  const auto pipe = std::get<PipeBetween>(outward_shape(
-      PipeBetween{{0, 0, 0}, {1, 0, 0}, 2, SectionAxes{Vec3::UnitZ(), 1}}, 0.5));
+  const auto pipe = std::get<PipeBetween>(
+      outward_shape(PipeBetween{{0, 0, 0}, {1, 0, 0}, 2, SectionAxes{Vec3::UnitZ(), 1}}, 0.5));
   EXPECT_EQ(pipe.radius, 2.5);
   EXPECT_EQ(pipe.axes->across, 1.5);
   EXPECT_EQ(pipe.to, Vec3(1, 0, 0));
-  const auto head = std::get<TorisphericalHead>(outward_shape(
-      TorisphericalHead{PortReference{"a", End::end}, HeadForm::free, 4, 0.5}, 0.25));
+  const auto head = std::get<TorisphericalHead>(
+      outward_shape(TorisphericalHead{PortReference{"a", End::end}, HeadForm::free, 4, 0.5}, 0.25));
   EXPECT_EQ(head.crown, 4.25);
   EXPECT_EQ(head.knuckle, 0.75);
   EXPECT_EQ(std::get<FilletBetween>(outward_shape(FilletBetween{{"a", "b"}, 3}, 1)).radius, 3);

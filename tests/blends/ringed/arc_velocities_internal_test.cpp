@@ -1,8 +1,8 @@
-#include "ringed/arc_velocities.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "ringed/arc_velocities.h"
 
 namespace dupin::ringed {
 namespace {

@@ -1,5 +1,3 @@
-#include "surfaces/least_wall.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 #include "assembly/line_and_arc.h"
 #include "dupin/blends/cyclic_blend.h"
 #include "dupin/blends/rational_ringed_surface.h"
+#include "surfaces/least_wall.h"
 
 namespace dupin::surfaces {
 namespace {
@@ -31,8 +30,11 @@ double sampled(double a, double b, double wall) {
 }
 
 TEST(LeastWall, across_ellipses_is_a_tight_lower_bound) {
-  for (const auto& [a, b, wall] : {std::array{2.0, 1.0, 0.1}, {1.0, 2.0, 0.3}, {5.0, 1.0, 0.2},
-                                   {1.0, 1.0, 0.25}, {3.0, 2.9, 1.0}}) {
+  for (const auto& [a, b, wall] : {std::array{2.0, 1.0, 0.1},
+                                   {1.0, 2.0, 0.3},
+                                   {5.0, 1.0, 0.2},
+                                   {1.0, 1.0, 0.25},
+                                   {3.0, 2.9, 1.0}}) {
     const double bound = ellipse_wall(a, b, wall), true_wall = sampled(a, b, wall);
     EXPECT_LE(bound, true_wall) << a << ' ' << b;
     EXPECT_GT(bound, true_wall * 0.99) << a << ' ' << b;
@@ -45,9 +47,11 @@ TEST(LeastWall, across_ellipses_is_a_tight_lower_bound) {
 TEST(LeastWall, of_pipes_and_bends_is_the_wall_and_of_cones_its_cosine) {
   const Ring start{{0, 0, 0}, {0, 0, -1}, 2};
   EXPECT_NEAR(*least_wall(assembly::cylinder(start, {0, 0, 9}), 0.5), 0.5, 1e-13);
-  EXPECT_NEAR(*least_wall(assembly::line(start, {0, 0, 4}, {5, {}}, true), 0.5), 0.5 * 4 / 5, 1e-12);
-  EXPECT_NEAR(*least_wall(assembly::arc(start, {{3, 0, 3}, {1, 0, 0}, 2}, {1, 0, 0}, 3, kPi / 2), 0.5),
-              0.5, 1e-13);
+  EXPECT_NEAR(*least_wall(assembly::line(start, {0, 0, 4}, {5, {}}, true), 0.5), 0.5 * 4 / 5,
+              1e-12);
+  EXPECT_NEAR(
+      *least_wall(assembly::arc(start, {{3, 0, 3}, {1, 0, 0}, 2}, {1, 0, 0}, 3, kPi / 2), 0.5), 0.5,
+      1e-13);
   EXPECT_EQ(*least_wall(Sphere{{1, 2, 3}, 2}, 0.5), 0.5);
   EXPECT_FALSE(least_wall(oblique_tube({0, 0, 0}, {1, 0, 4}, {0, 0, 1}, 2, 2), 0.5));
 }
@@ -62,7 +66,8 @@ TEST(LeastWall, of_blends_holds_for_samples_of_both_surfaces) {
   const auto side = [&](double t, double sign, double inwards) {
     const SpinePoint y = evaluate(blend.spine, t);
     const Vec3 across(-y.first.y(), y.first.x(), 0);
-    return Vec3(y.position + sign * (evaluate(blend.radius, t).value - inwards) * across.normalized());
+    return Vec3(y.position +
+                sign * (evaluate(blend.radius, t).value - inwards) * across.normalized());
   };
   for (const double sign : {-1.0, 1.0}) {
     double least = std::numeric_limits<double>::infinity();

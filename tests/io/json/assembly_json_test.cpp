@@ -85,7 +85,8 @@ const std::vector<Malformed>& unreadable() {
       {document(R"({"name": "a", "cap": {"at": "b.end"}, "pipe": {}})"), "d.json#/parts/0",
        "a part must have exactly one of the keys " + all_keys()},
       {document(R"({"name": "a", "tee": {}})"), "d.json#/parts/0/tee",
-       "unknown key; known here are name, comment, wall, wall_side, insulation, solid, component, " +
+       "unknown key; known here are name, comment, wall, wall_side, insulation, solid, "
+       "component, " +
            all_keys()},
       {document(R"({"name": "a", "pipe": {"from": "b", "length": 1}})"),
        "d.json#/parts/0/pipe/from", "must name a port as 'part.start' or 'part.end', not 'b'"},

@@ -1,11 +1,10 @@
-#include "json/fittings.h"
-
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "dupin/blends/build.h"
 #include "io/json/document_fault.h"
+#include "json/fittings.h"
 
 namespace dupin {
 namespace {
@@ -74,9 +73,9 @@ TEST(Fittings, say_what_is_wrong_by_their_own_keys) {
   const Malformed rows[] = {
       {pipe_and(R"({"name": "t", "tee": {"from": "a.end", "length": 8}})"), "d.json#/parts/1/tee",
        "the key 'branch' is missing"},
-      {pipe_and(R"({"name": "t", "tee": {"from": "a.end", "radius": 1, "length": 8, "branch": {}}})"),
-       "d.json#/parts/1/tee/radius",
-       "unknown key; known here are from, length, branch, fillet"},
+      {pipe_and(
+           R"({"name": "t", "tee": {"from": "a.end", "radius": 1, "length": 8, "branch": {}}})"),
+       "d.json#/parts/1/tee/radius", "unknown key; known here are from, length, branch, fillet"},
       {pipe_and(
            R"({"name": "t", "tee": {"from": "a.end", "length": "8", "branch": {"direction": [0, 0, 1], "length": 1, "radius": 1}}})"),
        "d.json#/parts/1/tee/length", "must be a number, not string"},

@@ -1,6 +1,6 @@
-#include "json/flange_size.h"
-
 #include <gtest/gtest.h>
+
+#include "json/flange_size.h"
 
 namespace dupin::json {
 namespace {

@@ -212,8 +212,7 @@ TEST(Pcf, refuses_what_is_cut_off_when_it_is_made) {
 TEST(Pcf, reads_hundredths_and_sixteenths) {
   const std::string body =
       "PIPE\n    END-POINT 0 0 0 64\n    END-POINT 100000 0 0 64\n    R2_WALL_THK 4\n";
-  const PcfFile file =
-      parse_pcf("UNITS-BORE INCH-SIXTEENTH\nUNITS-CO-ORDS MM-HUNDREDTHS\n" + body);
+  const PcfFile file = parse_pcf("UNITS-BORE INCH-SIXTEENTH\nUNITS-CO-ORDS MM-HUNDREDTHS\n" + body);
   EXPECT_EQ(radius(file), 114.3 / 2);
   EXPECT_EQ(file.line.components[0].ports[1].center, Vec3(1000, 0, 0));
   EXPECT_EQ(file.line.components[0].wall, 0.25 * 25.4);

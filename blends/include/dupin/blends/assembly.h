@@ -40,8 +40,8 @@ struct Part {
   /// What the document calls it there, if not by the kind of its shape: "tee/branch".
   std::string key = {};
   Component component = {};
-  std::optional<WallSide> wall_side = {};   ///< none: the assembly's
-  std::optional<double> insulation = {};    ///< thickness on the outside; none: the assembly's
+  std::optional<WallSide> wall_side = {};  ///< none: the assembly's
+  std::optional<double> insulation = {};   ///< thickness on the outside; none: the assembly's
 };
 
 /// A document: what the user says, before anything is computed.

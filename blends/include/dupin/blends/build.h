@@ -21,9 +21,9 @@ namespace dupin {
 
 /// What of an assembly is built; the outer region is metal and fluid together, exactly.
 enum class Region : std::uint8_t {
-  outer,  ///< what the outer surfaces bound, as if there were no walls
-  metal,  ///< the walls and the solid parts
-  fluid,  ///< what the walls enclose, up to the planes of the open ends
+  outer,       ///< what the outer surfaces bound, as if there were no walls
+  metal,       ///< the walls and the solid parts
+  fluid,       ///< what the walls enclose, up to the planes of the open ends
   insulation,  ///< what lies around the outer region, up to the planes of the open ends
 };
 

@@ -134,24 +134,6 @@ struct SphereAt {
   double radius = 1;
 };
 
-/// A disc without a bore of its own, its middle at a point.
-struct FlangeAt {
-  Vec3 center, normal;
-  double radius = 1, thickness = 1;
-};
-
-/// The same about a port, its outer face level with the end; one that is solid lies before it.
-struct FlangeOfEnd {
-  PortReference at;
-  double radius = 1, thickness = 1;
-};
-
-/// The same about a straight part, its middle `at` along its axis from its start.
-struct FlangeOn {
-  std::string run;
-  double at = 0, radius = 1, thickness = 1;
-};
-
 /// Half an ellipsoid of revolution that closes a pipe.
 struct EllipsoidalHead {
   PartStart from;
@@ -178,21 +160,21 @@ struct CapAt {
 /// is in the file of its name in blends/src/assembly/parts, how it is read in io/src/json/parts
 /// (docs/extending.md).
 using PartKeys = PartKeyTable<PartKey<"pipe", PipeBetween, PipeAlong, PipeTo, PipeOn>,  //
-                              PartKey<"cone", ConeBetween, ConeAlong>,               //
-                              PartKey<"oblique", ObliqueBetween, ObliqueTo>,         //
-                              PartKey<"elbow", ElbowTurning, ElbowTo, ElbowCorner>,  //
-                              PartKey<"sphere", SphereAt>,                           //
-                              PartKey<"spline", SplineBetween, SplineRound>,         //
-                              PartKey<"cyclic_blend", CyclicBlendBetween>,           //
-                              PartKey<"two_cone_blend", TwoConeBlendBetween>,        //
-                              PartKey<"ringed_blend", RingedBlendBetween>,           //
-                              PartKey<"cyclide_blend", CyclideBlendBetween>,         //
-                              PartKey<"cyclide_chain", CyclideChainThrough>,         //
-                              PartKey<"fillet", FilletBetween>,                      //
-                              PartKey<"cope", CopeOfEnd>,                            //
-                              PartKey<"junction", JunctionOfPorts>,                  //
-                              PartKey<"flange", FlangeAt, FlangeOfEnd, FlangeOn>,    //
-                              PartKey<"head", EllipsoidalHead, TorisphericalHead>,   //
+                              PartKey<"cone", ConeBetween, ConeAlong>,                  //
+                              PartKey<"oblique", ObliqueBetween, ObliqueTo>,            //
+                              PartKey<"elbow", ElbowTurning, ElbowTo, ElbowCorner>,     //
+                              PartKey<"sphere", SphereAt>,                              //
+                              PartKey<"spline", SplineBetween, SplineRound>,            //
+                              PartKey<"cyclic_blend", CyclicBlendBetween>,              //
+                              PartKey<"two_cone_blend", TwoConeBlendBetween>,           //
+                              PartKey<"ringed_blend", RingedBlendBetween>,              //
+                              PartKey<"cyclide_blend", CyclideBlendBetween>,            //
+                              PartKey<"cyclide_chain", CyclideChainThrough>,            //
+                              PartKey<"fillet", FilletBetween>,                         //
+                              PartKey<"cope", CopeOfEnd>,                               //
+                              PartKey<"junction", JunctionOfPorts>,                     //
+                              PartKey<"flange", FlangeAt, FlangeOfEnd, FlangeOn>,       //
+                              PartKey<"head", EllipsoidalHead, TorisphericalHead>,      //
                               PartKey<"cap", CapAt>>;
 
 /// A variant of all their shapes.

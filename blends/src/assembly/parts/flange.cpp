@@ -46,9 +46,7 @@ struct PartRules<"flange"> {
       fail(context, "at", "'" + flange.at.part + "' has no ends");
     }
     const bool is_before = context.assembly.parts[context.index].solid;
-    return disc(context,
-                is_before ? ring->center
-                          : ring->center - flange.thickness * ring->normal,
+    return disc(context, is_before ? ring->center : ring->center - flange.thickness * ring->normal,
                 ring->normal, flange.radius, flange.thickness);
   }
 

@@ -66,8 +66,7 @@ struct PartRules<"head"> {
     const double radius = port_ring(surface, End::start)->radius;
     const HeadProfile own = profile(head, radius);
     const auto* ellipsoid = std::get_if<EllipsoidProfile>(&own);
-    return (ellipsoid == nullptr ? wall
-                                 : surfaces::ellipse_wall(radius, ellipsoid->depth, wall)) -
+    return (ellipsoid == nullptr ? wall : surfaces::ellipse_wall(radius, ellipsoid->depth, wall)) -
            2 * kHeadDeviation * radius;
   }
 

@@ -50,9 +50,9 @@ struct PartRules<"pipe"> {
 
   static PartSurface geometry(const PartContext& context, const PipeOn& pipe) {
     const RunAxis run = run_axis(context, pipe.run, "on");
-    const Ring start = origin(
-        context, Place{point_on_run(context, run, pipe.at), pipe.direction, pipe.radius, {}},
-        kSection);
+    const Ring start =
+        origin(context, Place{point_on_run(context, run, pipe.at), pipe.direction, pipe.radius, {}},
+               kSection);
     check_positive(context, pipe.length, "length");
     if (!(start.normal.cross(run.direction).norm() > kNoDirection)) {
       fail(context, "direction", "the direction must lead off the axis of '" + pipe.run + "'");

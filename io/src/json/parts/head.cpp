@@ -24,8 +24,8 @@ struct PartReader<"head"> {
     const std::string form = node.at("form").text();
     if (form == "ellipsoidal") {
       const PartStart from = start(node, {"depth"});
-      return EllipsoidalHead{from, node.has("depth") ? std::optional(node.at("depth").number())
-                                                     : std::nullopt};
+      return EllipsoidalHead{
+          from, node.has("depth") ? std::optional(node.at("depth").number()) : std::nullopt};
     }
     if (form == "torispherical") {
       const PartStart from = start(node, {"crown", "knuckle"});

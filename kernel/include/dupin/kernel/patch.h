@@ -1,12 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
-#include "dupin/kernel/solid.h"
 
 namespace dupin {
 
@@ -23,8 +21,5 @@ struct Patch {
 
 /// One for each label that triangles carry, in the order of the mesh's names. O(n).
 [[nodiscard]] std::vector<Patch> patches_of(const TriMesh& mesh);
-
-/// The solid with other names for its labels, by their own; labels of one name become one. O(n).
-[[nodiscard]] Solid renamed(const Solid& solid, const std::map<std::string, std::string>& names);
 
 }  // namespace dupin

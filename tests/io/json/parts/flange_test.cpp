@@ -69,11 +69,11 @@ TEST(FlangeKey, says_what_is_wrong_with_it) {
        "'f': must be a positive number between 1e-12 and 1e12, not -3", kBad},
       {pipe_and(R"({"name": "f", "flange": {"at": "b.end", "radius": 3, "thickness": 1}})"),
        "d.json#/parts/1/flange/at", "'f': there is no part named 'b'", kBad},
-      {pipe_and(
-           R"({"name": "f", "flange": {"on": "a", "at": 10, "radius": 3, "thickness": 1}})"),
+      {pipe_and(R"({"name": "f", "flange": {"on": "a", "at": 10, "radius": 3, "thickness": 1}})"),
        "d.json#/parts/1/flange/at",
        "'f': must be from 0 to the length of the part it is on, 9, not 10", kBad},
-      {pipe_and(R"({"name": "f", "wall": 1, "flange": {"at": "a.end", "radius": 3, "thickness": 1}})"),
+      {pipe_and(
+           R"({"name": "f", "wall": 1, "flange": {"at": "a.end", "radius": 3, "thickness": 1}})"),
        "d.json#/parts/1/wall",
        "'f': a flange has no bore of its own, but those of others pass through it", kBad},
       {pipe_and(R"({"name": "f", "flange": {"at": "a.end", "radius": 3, "thickness": 1}},

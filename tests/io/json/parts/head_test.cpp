@@ -16,8 +16,8 @@ using test::read_last;
 
 // How deep the head on a pipe of radius 1 is.
 double depth(const std::string& form) {
-  const auto resolved =
-      resolve(parse_assembly(pipe_and(R"({"name": "h", "head": {"from": "a.end", )" + form + "}}")));
+  const auto resolved = resolve(
+      parse_assembly(pipe_and(R"({"name": "h", "head": {"from": "a.end", )" + form + "}}")));
   return port_ring(resolved.parts[1].shape, End::end)->center.x() - 9;
 }
 
@@ -32,7 +32,8 @@ TEST(HeadKey, has_the_depth_of_its_form) {
 }
 
 TEST(HeadKey, is_closed_at_its_end) {
-  const std::string text = pipe_and(R"({"name": "h", "head": {"from": "a.end", "form": "kloepper"}})");
+  const std::string text =
+      pipe_and(R"({"name": "h", "head": {"from": "a.end", "form": "kloepper"}})");
   EXPECT_EQ(read_last<TorisphericalHead>(text).form, HeadForm::kloepper);
   const auto resolved = resolve(parse_assembly(text));
   EXPECT_EQ(ports(resolved).size(), 3) << "the pipe's two and the start";

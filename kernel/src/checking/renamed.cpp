@@ -1,7 +1,8 @@
+#include "dupin/kernel/renamed.h"
+
 #include <memory>
 #include <utility>
 
-#include "dupin/kernel/patch.h"
 #include "mesh/exact_mesh.h"
 
 namespace dupin {
