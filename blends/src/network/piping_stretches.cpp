@@ -15,6 +15,8 @@ constexpr double kShorterArc = 0.99;
 // Of the larger radius, the least length of a cone between two; and of the pipe it is made in, the
 // most.
 constexpr double kStepLength = 0.25, kStepOfPipe = 0.5;
+// Of a pipe, what a bridge at one of its ends may take.
+constexpr double kBridgeOfPipe = 0.45;
 // A bend's centre line keeps at least this many radii off its axis.
 constexpr double kLeastBend = 1.0001;
 
@@ -180,18 +182,27 @@ class Planner {
         from == to ? 0 : std::max(std::abs(from - to), kStepLength * std::max(from, to)) / 2;
     const double setback = overlap + std::max(step, options_.snap);
     Stretch result = before;
-    before.levels[1] -= std::min(setback, kStepOfPipe * before.length());
-    after.levels[0] += std::min(setback, kStepOfPipe * after.length());
+    set_back(before, 1, setback);
+    set_back(after, 0, setback);
     result.levels = {before.levels[1], after.levels[0]};
-    result.radii = {from, to};
+    result.radii = {before.radii[1], after.radii[0]};
     result.is_solid = false;
     result.span.reset();
     result.is_behind_gap = false;
     PipingJoint& joint = joints_[*after.joint_before];
-    result.name = "bridge-" + std::to_string(joint.lines[0]) + "-" + std::to_string(joint.lines[1]);
+    result.name =
+        "bridge-" + std::to_string(joint.lines[0]) + "-" + std::to_string(joint.lines[1]);
     joint.state = JointState::bridged;
     joint.part = result.name;
     return result;
+  }
+
+  // Takes that much of its end, at most a part of it; a cone keeps its slope.
+  static void set_back(Stretch& stretch, std::size_t end, double by) {
+    const double taken = std::min(by, kBridgeOfPipe * stretch.length());
+    stretch.radii[end] +=
+        taken / stretch.length() * (stretch.radii[1 - end] - stretch.radii[end]);
+    stretch.levels[end] += end == 0 ? taken : -taken;
   }
 
   // Of a leg that begins with a bend's.
