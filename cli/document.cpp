@@ -179,8 +179,8 @@ void add_wall_options(CLI::App& command, WallArguments& walls) {
       ->type_name("LENGTH");
   command
       .add_option("--wall-side", walls.side,
-                  "Where walls are: inwards of the document's radii, which is usual, outwards,\n"
-                  "or centred")
+                  "Where walls are, seen from the document's radii: inwards, if not given,\n"
+                  "outwards, or centred")
       ->type_name("SIDE")
       ->check(CLI::IsMember({"inwards", "outwards", "centred"}));
   command
