@@ -1,8 +1,13 @@
 #include "canal/rolling_ball.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <optional>
+#include <string>
 
 #include <Eigen/Geometry>
 
@@ -42,19 +47,17 @@ CrossedAxes crossed(const Ring& first, const Ring& second) {
   return axes;
 }
 
-/// Zero where it is zero within the rounding of numbers of size `scale`.
-double settled(double x, double scale) {
-  return std::abs(x) <= 16 * std::numeric_limits<double>::epsilon() * scale ? 0 : x;
-}
+/// Zero where it is zero within `limit`.
+double settled(double x, double limit) { return std::abs(x) <= limit ? 0 : x; }
 
 RollingThrough through(const Ring& thicker, const CrossedAxes& axes, double passing, double radius,
-                       double side) {
+                       double side, double touching) {
   RollingThrough motion{axes.origin,      axes.along,  axes.across, axes.up, axes.cosine, axes.sine,
                         passing + radius, axes.height, 0,           0,       side,        radius};
   const double difference = thicker.radius - passing;
-  const double scale = thicker.radius + axes.reach;
-  motion.below = settled(difference + axes.height, scale);
-  motion.above = settled(difference - axes.height, scale);
+  const double limit = touching * (thicker.radius + axes.reach);
+  motion.below = settled(difference + axes.height, limit);
+  motion.above = settled(difference - axes.height, limit);
   return motion;
 }
 
@@ -93,42 +96,77 @@ Ring parallel(Ring ring, double distance) {
   return ring;
 }
 
-/// Throws unless the balls touch the wanted nappes and their loop is closed and regular.
-void require_closed(const CanalFillet& fillet) {
+/// Why the balls do not touch the wanted nappes along a closed and regular loop, if they do not.
+std::optional<std::string> fault_of(const CanalFillet& fillet) {
   for (int k = 0; k < 128; ++k) {
     // Not numbers where the generator misses the other quadric.
     const MovingBall at = ball(fillet, 2 * std::numbers::pi * k / 128);
     if (!at.center.allFinite()) {
-      throw Error(Errc::irregular_surface,
-                  "neither quadric passes through the other: the ball closes no loop");
+      return "neither quadric passes through the other: the ball closes no loop";
     }
     const ContactArc arc = contact_arc(fillet.quadrics, at);
     for (std::size_t i = 0; i < 2; ++i) {
       const Ring& ring = fillet.quadrics[i];
       if (!(ring.radius + ring.slope * (arc.feet[i] - ring.center).dot(ring.normal) > 0)) {
-        throw Error(Errc::irregular_surface,
-                    "the ball runs beyond the apex of a cone before it has closed a loop");
+        return "the ball runs beyond the apex of a cone before it has closed a loop";
       }
     }
   }
+  return std::nullopt;
 }
 
-std::vector<CanalFillet> on_cones(const std::array<Ring, 2>& quadrics, double radius) {
-  const std::size_t one = canal::passed_through(canal::quadric_pair(quadrics));
+/// The loops of both sides, or those of them that are closed on the wanted nappes.
+std::vector<CanalFillet> on_generators(const std::array<Ring, 2>& quadrics, std::size_t one,
+                                       double radius, bool all) {
   const Ring first = parallel(quadrics[one], radius), second = parallel(quadrics[1 - one], radius);
   const CrossedAxes axes = crossed(first, second);
   std::vector<CanalFillet> fillets;
   for (const double side : {1.0, -1.0}) {
-    fillets.push_back({quadrics, RollingOnCones{first, second, second.normal.cross(axes.up),
-                                                axes.up, side, radius}});
-    require_closed(fillets.back());
+    CanalFillet fillet{quadrics, RollingOnCones{first, second, second.normal.cross(axes.up),
+                                                axes.up, side, radius}};
+    const auto fault = fault_of(fillet);
+    if (fault && all) {
+      throw Error(Errc::irregular_surface, *fault);
+    }
+    if (!fault) {
+      fillets.push_back(std::move(fillet));
+    }
   }
   return fillets;
 }
 
+std::vector<CanalFillet> on_cones(const std::array<Ring, 2>& quadrics, double radius) {
+  constexpr double kTouching = 1e-7;
+  const canal::QuadricPair pair = canal::quadric_pair(quadrics);
+  const double touch =
+      kTouching * (std::abs(pair.nearest[0].r) + std::abs(pair.nearest[1].r));
+  if (!(pair.squared_sine > 0)) {
+    for (const std::size_t one : {0U, 1U}) {
+      if (auto fillets = on_generators(quadrics, one, radius, false); !fillets.empty()) {
+        return fillets;
+      }
+    }
+    throw Error(Errc::irregular_surface,
+                "the ball closes no loop: the slopes are too large for the angle between the axes");
+  }
+  if (std::abs(pair.squared_distance) <= touch * touch) {
+    throw Error(Errc::irregular_surface,
+                "one quadric touches the other from inside, or nearly: their inscribed spheres "
+                "differ by " +
+                    decimal(std::abs(pair.apart.r), kMessageDigits) + " at a distance of " +
+                    decimal(pair.apart.m.norm(), kMessageDigits));
+  }
+  if (pair.squared_distance < 0) {
+    return on_generators(quadrics, pair.apart.r > 0 ? 0 : 1, radius, true);
+  }
+  throw Error(Errc::irregular_surface,
+              "neither quadric passes through the other: each leaves it partly");
+}
+
 }  // namespace
 
-std::vector<CanalFillet> rolling_ball_fillets(const std::array<Ring, 2>& quadrics, double radius) {
+std::vector<CanalFillet> rolling_ball_fillets(const std::array<Ring, 2>& quadrics, double radius,
+                                              double touching) {
   canal::require_quadrics(quadrics);
   if (radius != 0) {
     canal::require_positive(radius);
@@ -139,11 +177,11 @@ std::vector<CanalFillet> rolling_ball_fillets(const std::array<Ring, 2>& quadric
   const std::size_t thick = quadrics[0].radius < quadrics[1].radius ? 1 : 0;
   const Ring &thicker = quadrics[thick], &thinner = quadrics[1 - thick];
   const CrossedAxes axes = crossed(thicker, thinner);
-  const RollingThrough motion = through(thicker, axes, thinner.radius, radius, 1);
+  const RollingThrough motion = through(thicker, axes, thinner.radius, radius, 1, touching);
   if (motion.below < 0 || motion.above < 0) {
     return {{quadrics, partly(quadrics, radius)}};
   }
-  return {{quadrics, motion}, {quadrics, through(thicker, axes, thinner.radius, radius, -1)}};
+  return {{quadrics, motion}, {quadrics, through(thicker, axes, thinner.radius, radius, -1, touching)}};
 }
 
 }  // namespace dupin

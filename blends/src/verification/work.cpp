@@ -68,8 +68,10 @@ std::uint64_t work_for(const Certificate& certificate) {
                (claims[k].mesh ? work_for(*claims[k].mesh) : 0);
     }
   }
-  for (const ClearanceClaim& claim : certificate.clearances) {
-    units += work_for(claim.leaves);
+  for (const auto* clearances : {&certificate.clearances, &certificate.fillet_clearances}) {
+    for (const ClearanceClaim& claim : *clearances) {
+      units += work_for(claim.leaves);
+    }
   }
   return units;
 }

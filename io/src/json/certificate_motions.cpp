@@ -86,7 +86,10 @@ struct Writer {
 
   void operator()(const char* name, double x) const { object[name] = x; }
   void operator()(const char* name, const Vec3& v) const { object[name] = json_value(v); }
-  void operator()(const char* name, const std::array<double, 4>& x) const { object[name] = x; }
+  template <std::size_t count>
+  void operator()(const char* name, const std::array<double, count>& x) const {
+    object[name] = x;
+  }
   void operator()(const char* name, const PeVector& s) const { object[name] = sphere_value(s); }
   void operator()(const char* name, const Ring& ring) const { object[name] = ring_value(ring); }
 };
@@ -96,8 +99,9 @@ struct Reader {
 
   void operator()(const char* name, double& x) const { x = node.at(name).number(); }
   void operator()(const char* name, Vec3& v) const { v = vec3(node.at(name)); }
-  void operator()(const char* name, std::array<double, 4>& x) const {
-    x = numbers<4>(node.at(name));
+  template <std::size_t count>
+  void operator()(const char* name, std::array<double, count>& x) const {
+    x = numbers<count>(node.at(name));
   }
   void operator()(const char* name, PeVector& s) const { s = certificate_sphere(node.at(name)); }
   void operator()(const char* name, Ring& ring) const { ring = certificate_ring(node.at(name)); }

@@ -418,6 +418,19 @@ TEST(RollingBallFillets, OnConesTouchBoth) {
   }
 }
 
+// A pipe that turns less from a cone's axis than the cone opens leaves it at one place.
+TEST(RollingBallFillets, OnWideConesAreOneLoopRoundThePipe) {
+  const Ring cone{{0, 0, 0}, Vec3::UnitZ(), 4, -1};
+  for (const double tilt : {0.05, 0.3, 0.6}) {
+    const Ring pipe{{1, 0.2, 0}, Vec3(std::sin(tilt), 0, std::cos(tilt)), 0.7, 0};
+    for (const auto& pair : {std::array{cone, pipe}, std::array{pipe, cone}}) {
+      const auto fillets = rolling_ball_fillets(pair, 0.3);
+      ASSERT_EQ(fillets.size(), 1) << tilt;
+      EXPECT_LT(test::residual(fillets[0]), 1e-14) << tilt;
+    }
+  }
+}
+
 TEST(RollingBallFillets, OnConesOfNearlyNoSlopeAreThoseOnCylinders) {
   const std::array<Ring, 2> cylinders{cylinder(Vec3(0, 0, .25), Vec3::UnitX(), 2),
                                       cylinder(Vec3::Zero(), Vec3(.6, .8, 0), 1)};
@@ -457,6 +470,9 @@ TEST(RollingBallFillets, SayWhyThereAreNone) {
   Ring cone = cylinder(Vec3(0, 1, 0), Vec3::UnitY(), 1);
   cone.slope = -1.2;
   expect_refused({run, cone}, .2, Errc::irregular_surface, "apex");
+  cone = cylinder(Vec3(0, 0, 1), Vec3::UnitY(), 1 - 1e-12);
+  cone.slope = 1e-13;
+  expect_refused({run, cone}, .2, Errc::irregular_surface, "touches the other from inside");
   cone = cylinder(Vec3(0, 0, 1.5), Vec3::UnitY(), 1);
   cone.slope = .1;
   expect_refused({run, cone}, .2, Errc::irregular_surface, "partly");
