@@ -135,6 +135,125 @@ std::vector<CanalFillet> on_generators(const std::array<Ring, 2>& quadrics, std:
   return fillets;
 }
 
+using Polynomial = std::array<long double, 9>;  // from the constant on
+
+Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+  Polynomial result{};
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; i + j < a.size(); ++j) {
+      result[i + j] += a[i] * b[j];
+    }
+  }
+  return result;
+}
+
+Polynomial operator*(long double s, Polynomial a) {
+  std::ranges::for_each(a, [s](long double& x) { x *= s; });
+  return a;
+}
+
+Polynomial operator+(Polynomial a, const Polynomial& b) {
+  std::ranges::transform(a, b, a.begin(), std::plus());
+  return a;
+}
+
+using PolynomialVec = std::array<Polynomial, 3>;
+
+Polynomial product(const PolynomialVec& a, const PolynomialVec& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// A point of a generator, or its direction, by cos, times 1 + q^2 for q = width cos.
+PolynomialVec around(const RollingPartlyOnCones& motion, const Vec3& along, double size) {
+  const long double w = motion.width;
+  const Polynomial plus{1, 0, w * w}, minus{1, 0, -w * w}, twice{0, 2 * w};
+  PolynomialVec result;
+  for (int k = 0; k < 3; ++k) {
+    result.at(std::size_t(k)) = (size * motion.zero[k]) * minus +
+                                (size * motion.quarter[k]) * twice + along[k] * plus;
+  }
+  return result;
+}
+
+// Of the squared half of a generator's way through the first quadric, less what vanishes at its
+// ends: the discriminant divided by 1 - cos^2.
+std::array<double, 7> rest_of(const RollingPartlyOnCones& motion) {
+  const Ring &one = motion.first, &two = motion.second;
+  const PolynomialVec start = around(motion, two.center - one.center, two.radius),
+                      ahead = around(motion, two.normal, two.slope);
+  const Polynomial n[] = {{one.normal.x()}, {one.normal.y()}, {one.normal.z()}};
+  const PolynomialVec normal{n[0], n[1], n[2]};
+  const long double w = motion.width, slope = one.slope, radius = one.radius;
+  const Polynomial all{1, 0, w * w}, s0 = product(start, normal), s1 = product(ahead, normal);
+  const long double stretch = 1 + slope * slope, lever = radius * slope;
+  const Polynomial a = product(ahead, ahead) + -stretch * (s1 * s1);
+  const Polynomial b = product(start, ahead) + -stretch * (s0 * s1) + -lever * (s1 * all);
+  const Polynomial c = product(start, start) + -stretch * (s0 * s0) + -2 * lever * (s0 * all) +
+                       -(radius * radius) * (all * all);
+  const Polynomial discriminant = b * b + -1 * (a * c);
+  std::array<double, 7> rest{};
+  std::array<long double, 2> before{};
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const long double next = discriminant[i] + before[i % 2];
+    before[i % 2] = next;
+    rest[i] = double(next);
+  }
+  return rest;
+}
+
+// Positive where the generator at an angle meets the first quadric.
+double discriminant(const Ring& one, const Ring& two, const Vec3& direction) {
+  const Vec3 start = two.center - one.center + two.radius * direction,
+             ahead = two.normal + two.slope * direction;
+  const double s0 = start.dot(one.normal), s1 = ahead.dot(one.normal);
+  const double stretch = 1 + one.slope * one.slope, lever = one.radius * one.slope;
+  const double a = ahead.squaredNorm() - stretch * s1 * s1;
+  const double b = start.dot(ahead) - stretch * s0 * s1 - lever * s1;
+  const double c =
+      start.squaredNorm() - stretch * s0 * s0 - 2 * lever * s0 - one.radius * one.radius;
+  return b * b - a * c;
+}
+
+// None unless the generators of the second that meet the first are side by side.
+std::optional<RollingPartlyOnCones> partly_on(const Ring& first, const Ring& second,
+                                              double radius) {
+  constexpr int kAngles = 1024;
+  const Vec3 up = crossed(first, second).up, zero = second.normal.cross(up);
+  const auto is_met = [&](double angle) {
+    return discriminant(first, second, std::cos(angle) * zero + std::sin(angle) * up) > 0;
+  };
+  std::vector<double> begins, ends;
+  for (int i = 0; i < kAngles; ++i) {
+    double out = 2 * std::numbers::pi * i / kAngles, in = 2 * std::numbers::pi * (i + 1) / kAngles;
+    const bool begins_here = is_met(in);
+    if (is_met(out) == begins_here) {
+      continue;
+    }
+    if (!begins_here) {
+      std::swap(out, in);
+    }
+    for (int k = 0; k < 60; ++k) {
+      const double half = std::midpoint(out, in);
+      (is_met(half) ? in : out) = half;
+    }
+    (begins_here ? begins : ends).push_back(in);
+  }
+  if (begins.size() != 1 || ends.size() != 1) {
+    return std::nullopt;
+  }
+  const double end = ends.front() + (ends.front() < begins.front() ? 2 * std::numbers::pi : 0);
+  const double middle = std::midpoint(begins.front(), end);
+  RollingPartlyOnCones motion;
+  motion.first = first;
+  motion.second = second;
+  motion.zero = std::cos(middle) * zero + std::sin(middle) * up;
+  motion.quarter = std::cos(middle) * up - std::sin(middle) * zero;
+  motion.width = std::tan((end - begins.front()) / 4);
+  motion.radius = radius;
+  motion.rest = rest_of(motion);
+  return motion;
+}
+
 std::vector<CanalFillet> on_cones(const std::array<Ring, 2>& quadrics, double radius) {
   constexpr double kTouching = 1e-7;
   const canal::QuadricPair pair = canal::quadric_pair(quadrics);
@@ -159,8 +278,18 @@ std::vector<CanalFillet> on_cones(const std::array<Ring, 2>& quadrics, double ra
   if (pair.squared_distance < 0) {
     return on_generators(quadrics, pair.apart.r > 0 ? 0 : 1, radius, true);
   }
+  const std::array<Ring, 2> centers{parallel(quadrics[0], radius), parallel(quadrics[1], radius)};
+  for (const std::size_t one : {0U, 1U}) {
+    if (auto motion = partly_on(centers.at(one), centers.at(1 - one), radius)) {
+      CanalFillet fillet{quadrics, *motion};
+      if (const auto fault = fault_of(fillet)) {
+        throw Error(Errc::irregular_surface, *fault);
+      }
+      return {std::move(fillet)};
+    }
+  }
   throw Error(Errc::irregular_surface,
-              "neither quadric passes through the other: each leaves it partly");
+              "neither quadric passes through the other, nor does either close a loop beside it");
 }
 
 }  // namespace

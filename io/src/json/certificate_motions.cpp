@@ -54,6 +54,17 @@ void visit_numbers(Is<RollingOnCones> auto& m, const auto& visit) {
   visit("radius", m.radius);
 }
 
+constexpr const char* key(const RollingPartlyOnCones&) { return "rolling_partly_on_cones"; }
+void visit_numbers(Is<RollingPartlyOnCones> auto& m, const auto& visit) {
+  visit("first", m.first);
+  visit("second", m.second);
+  visit("zero", m.zero);
+  visit("quarter", m.quarter);
+  visit("width", m.width);
+  visit("rest", m.rest);
+  visit("radius", m.radius);
+}
+
 constexpr const char* key(const RationalCrossing&) { return "rational_crossing"; }
 void visit_numbers(Is<RationalCrossing> auto& m, const auto& visit) {
   visit("origin", m.origin);
@@ -134,8 +145,8 @@ Json motion_value(const CanalFillet& loop) {
 CanalFillet certificate_motion(const JsonNode& node) {
   CanalFillet loop;
   if (!reads<RollingThrough>(node, loop) && !reads<RollingPartly>(node, loop) &&
-      !reads<RollingOnCones>(node, loop) && !reads<RationalCrossing>(node, loop) &&
-      !reads<RationalParallel>(node, loop)) {
+      !reads<RollingOnCones>(node, loop) && !reads<RollingPartlyOnCones>(node, loop) &&
+      !reads<RationalCrossing>(node, loop) && !reads<RationalParallel>(node, loop)) {
     node.fail("must have the key of a motion");
   }
   return loop;

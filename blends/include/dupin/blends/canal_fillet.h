@@ -93,6 +93,15 @@ struct RollingOnCones {
   double radius = 1;
 };
 
+/// The same where neither passes through the other: generators of the second, those at the angles
+/// 2 atan(width cos), meet the first at (sin sqrt(rest[0] + rest[1] cos + ...) - b) / a.
+struct RollingPartlyOnCones {
+  Ring first, second;
+  Vec3 zero = Vec3::UnitX(), quarter = Vec3::UnitY();
+  std::array<double, 7> rest{1};  ///< of a polynomial that is positive between -1 and 1
+  double width = 1, radius = 1;
+};
+
 /// Balls of varying radius on two quadrics of which the second passes through the first, rational
 /// in the tangent of half the parameter: [KK00] as corrected in the mathematics B.5. The balls are
 /// the points of R^{3,1} (centre; -radius)
@@ -123,7 +132,8 @@ struct RationalParallel {
 /// Value type: what is stored defines the balls.
 struct CanalFillet {
   std::array<Ring, 2> quadrics;  ///< as they were given, in that order
-  std::variant<RollingThrough, RollingPartly, RollingOnCones, RationalCrossing, RationalParallel>
+  std::variant<RollingThrough, RollingPartly, RollingOnCones, RollingPartlyOnCones, RationalCrossing,
+               RationalParallel>
       motion;
 };
 
@@ -144,15 +154,14 @@ struct CanalFillet {
 /// (mathematics B.7). Two where one quadric passes through the other, or touches it from inside, or
 /// both are equally thick cylinders and meet: first the one on the side to which the ring normal of
 /// the quadric that passes points; of cylinders the thinner one passes, of equal ones the second.
-/// One where neither of two cylinders passes, or a cone opens wider than it turns from the other's
-/// axis. Gaps
+/// One where neither passes, or where a cone opens wider than it turns from the other's axis. Gaps
 /// up to `touching` of the size are none: the ball misses the cylinders by so much then. With the
 /// radius 0 the loops are the curves in which they cross.
 ///
 /// Throws Error{invalid_argument} for invalid or elliptic rings and radii that are negative;
 /// Error{irregular_surface} where the ball closes no such loop: the axes are parallel, the quadrics
-/// do not meet, or a cone and another quadric touch, or leave each other partly. A loop that folds
-/// is not refused: `prove_regular` tells.
+/// do not meet, or a cone and another quadric touch. A loop that folds is not refused:
+/// `prove_regular` tells.
 [[nodiscard]] std::vector<CanalFillet> rolling_ball_fillets(const std::array<Ring, 2>& quadrics,
                                                             double radius, double touching = 0x1p-48);
 
