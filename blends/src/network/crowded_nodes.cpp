@@ -19,13 +19,11 @@ namespace {
 
 // How many changes may build on each other.
 constexpr int kDepth = 3;
-// Edges that are contracted, by the sum of their balls' radii: those whose balls overlap, those
-// that lead to a bend, the others where nothing else helped.
+// Edges that are contracted, by the sum of their balls' radii: those whose balls overlap, those that
+// lead to a bend, the others where nothing else helped.
 constexpr double kOverlapping = 1, kLong = 4, kShort = 2;
 // Of the length of its shortest edge: how far a hub lies from the node that it is split off.
-constexpr std::array kHubDistances{0.35, 0.5, 0.65, 0.8, 0.2};
-// By the node's radius: larger hubs are split, if they can be.
-constexpr double kLargeHub = 4;
+constexpr std::array kHubDistances{0.35, 0.5, 0.65, 0.2};
 
 class Planner {
  public:
@@ -59,7 +57,6 @@ class Planner {
       return;
     }
     if (plan_.plan(node)) {
-      split_large(node);
       return;
     }
     const std::string why = plan_.why_not();
@@ -70,34 +67,10 @@ class Planner {
     make_ball(node, why);
   }
 
-  // Pipes that all but cover each other need a hub so large that it is better where they part.
-  void split_large(std::size_t node) {
-    if (!has_large_hub(node)) {
-      return;
-    }
-    const std::string why =
-        "it would need a hub of radius " + decimal(plan_.nodes()[node].hub, kMessageDigits);
-    const Mark before = mark();
-    save({node});
-    plan_.unplan(node);
-    refuses_large_ = true;
-    const bool is_split = split(node, why, kDepth);
-    refuses_large_ = false;
-    if (!is_split) {
-      take_back(before);
-    }
-  }
-
-  [[nodiscard]] bool has_large_hub(std::size_t node) const {
-    const PlannedNode& planned = plan_.nodes()[node];
-    return planned.kind == NodeKind::junction && planned.edges.size() > 2 &&
-           planned.hub > kLargeHub * planned.ball.radius;
-  }
-
   void make_ball(std::size_t node, const std::string& why) {
     plan_.plan_ball(node);
-    note(node,
-         "a ball of radius " + decimal(kBall * ball(node).radius, kMessageDigits) + ", as " + why);
+    note(node, "a ball of radius " + decimal(kBall * ball(node).radius, kMessageDigits) + ", as " +
+                   why);
   }
 
   // Whether there is something smooth for the node, if need be after so many more changes.
@@ -105,15 +78,10 @@ class Planner {
     if (refused_.contains("node " + ball(node).name)) {
       return false;
     }
-    std::string why = "its hub would be too large";
     if (plan_.plan(node)) {
-      if (!(refuses_large_ && has_large_hub(node))) {
-        return true;
-      }
-      plan_.unplan(node);
-    } else {
-      why = plan_.why_not();
+      return true;
     }
+    const std::string why = plan_.why_not();
     return depth > 0 && split(node, why, depth - 1);
   }
 
@@ -240,11 +208,11 @@ class Planner {
       plan_.lead_to(other, gone, kept);
     }
     plan_.remove_node(gone);
-    notes_.push_back(
-        {ball(gone).line, "edge " + name + ": of length " + decimal(length, kMessageDigits) +
-                              ", too short for what its nodes need, contracted: node " +
-                              ball(gone).name + " merged with node " + ball(kept).name + ", as " +
-                              why});
+    notes_.push_back({ball(gone).line, "edge " + name + ": of length " +
+                                           decimal(length, kMessageDigits) +
+                                           ", too short for what its nodes need, contracted: node " +
+                                           ball(gone).name + " merged with node " +
+                                           ball(kept).name + ", as " + why});
     return again;
   }
 
@@ -291,8 +259,7 @@ class Planner {
     const std::size_t most = is_first ? order.size() : std::min<std::size_t>(order.size(), 4);
     for (std::size_t count = 2; count < most; ++count) {
       const std::vector<std::size_t> some(order.begin(), order.begin() + std::ptrdiff_t(count));
-      for (const double distance :
-           std::span(kHubDistances).first(is_first ? kHubDistances.size() : 2)) {
+      for (const double distance : std::span(kHubDistances).first(is_first ? 4 : 2)) {
         if (split_off(node, some, distance, why, depth)) {
           return true;
         }
@@ -376,14 +343,15 @@ class Planner {
 
   [[nodiscard]] std::string name_of_hub(std::size_t node) const {
     const std::string base = ball(node).name.substr(0, ball(node).name.find('+'));
-    const auto others = std::ranges::count_if(
-        plan_.nodes().begin() + std::ptrdiff_t(given_), plan_.nodes().end(),
-        [&](const PlannedNode& one) { return one.ball.name.starts_with(base + "+"); });
+    const auto others =
+        std::ranges::count_if(plan_.nodes().begin() + std::ptrdiff_t(given_), plan_.nodes().end(),
+                              [&](const PlannedNode& one) {
+                                return one.ball.name.starts_with(base + "+");
+                              });
     return base + "+" + std::to_string(others + 1);
   }
 
-  [[nodiscard]] std::string split_text(std::size_t hub,
-                                       const std::vector<std::size_t>& some) const {
+  [[nodiscard]] std::string split_text(std::size_t hub, const std::vector<std::size_t>& some) const {
     std::string names;
     for (const std::size_t edge : some) {
       names += (names.empty() ? "" : ", ") + ball(plan_.other_end(edge, hub)).name;
@@ -394,8 +362,9 @@ class Planner {
   // Whether what leaves the one passes through nothing that leaves the other.
   [[nodiscard]] bool are_apart(std::size_t node, std::size_t hub) const {
     return std::ranges::none_of(plan_.nodes()[node].edges, [&](std::size_t one) {
-      return std::ranges::any_of(plan_.nodes()[hub].edges,
-                                 [&](std::size_t other) { return pass(plan_, one, other); });
+      return std::ranges::any_of(plan_.nodes()[hub].edges, [&](std::size_t other) {
+        return pass(plan_, one, other);
+      });
     });
   }
 
@@ -421,7 +390,6 @@ class Planner {
   const std::map<std::string, std::string>& refused_;
   std::vector<SourceNote>& notes_;
   std::size_t given_;
-  bool refuses_large_ = false;
   std::vector<GraphPlan::Snapshot> undo_;
 };
 

@@ -70,7 +70,6 @@ bool GraphPlan::plan(std::size_t node) {
   const std::vector<std::size_t>& edges = planned.edges;
   why_not_.clear();
   too_short_.clear();
-  planned.hub = 0;
   if (edges.size() < 2) {
     planned.kind = NodeKind::end;
   } else if (edges.size() == 2 && plan_blend(node)) {
@@ -195,10 +194,8 @@ bool GraphPlan::plan_junction(std::size_t node) {
     const double straight = straight_length(search.junction->arms[i]) / std::hypot(1, end.slope);
     nearer.push_back(back[i] - std::max(0.0, straight - end.radius / 16));
   }
-  nodes_[node].hub = search.junction->hub.radius;
-  if (const JunctionSearch again = searched(node, nearer); again.junction) {
+  if (searched(node, nearer).junction) {
     back = std::move(nearer);
-    nodes_[node].hub = again.junction->hub.radius;
   }
   for (std::size_t i = 0; i < edges.size(); ++i) {
     setback(edges[i], node) = back[i];
