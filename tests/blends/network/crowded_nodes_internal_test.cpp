@@ -1,10 +1,8 @@
-#include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "network/crowded_nodes.h"
-#include "network/passing_edges.h"
 
 namespace dupin::network {
 namespace {
@@ -41,37 +39,6 @@ std::size_t count(const GraphPlan& plan, NodeKind kind) {
 std::ptrdiff_t nodes_less_edges(const GraphPlan& plan) {
   return std::ptrdiff_t(plan.nodes().size() - count(plan, NodeKind::gone)) -
          std::ranges::count(plan.edges(), true, &PlannedEdge::is_left);
-}
-
-TEST(CrowdedNodes, edges_that_lie_close_together_get_a_hub_of_their_own) {
-  const CleanGraph graph = graph_of({{0, 0, 0}, {40, 3, 0}, {40, -3, 0}, {-30, 0, 20}},
-                                    {{0, 1}, {0, 2}, {0, 3}});
-  const auto [plan, notes] = planned(graph);
-  EXPECT_EQ(count(plan, NodeKind::ball), 0);
-  ASSERT_EQ(notes.size(), 1);
-  EXPECT_EQ(notes[0].line, 1);
-  EXPECT_THAT(notes[0].text,
-              HasSubstr("node 0: its edges to 1, 2 led to a hub of their own, 0+1, as "));
-  ASSERT_EQ(plan.nodes().size(), 5);
-  EXPECT_EQ(plan.nodes()[4].ball.name, "0+1");
-  EXPECT_EQ(plan.nodes()[4].kind, NodeKind::junction);
-  EXPECT_EQ(plan.nodes()[0].edges.size(), 2);
-  EXPECT_EQ(nodes_less_edges(plan), 1);
-  EXPECT_TRUE(passing_edges(plan).empty());
-}
-
-// Four that part from each other late, of which two pairs part even later.
-TEST(CrowdedNodes, bundles_become_chains_of_hubs) {
-  const CleanGraph graph = graph_of({{0, 0, 0}, {-40, 0, 0}, {60, 9, 3}, {60, 9, -3}, {60, -9, 3},
-                                     {60, -9, -3}},
-                                    {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}});
-  const auto [plan, notes] = planned(graph);
-  EXPECT_EQ(count(plan, NodeKind::ball), 0);
-  EXPECT_GT(count(plan, NodeKind::junction), 1);
-  EXPECT_EQ(nodes_less_edges(plan), 1);
-  for (const PlannedNode& node : plan.nodes()) {
-    EXPECT_LE(node.hub, 4 * node.ball.radius);
-  }
 }
 
 TEST(CrowdedNodes, edges_shorter_than_their_setbacks_are_contracted) {
