@@ -20,6 +20,7 @@ namespace {
 
 struct NurbsArguments {
   std::string file, output;
+  SourceArguments source;
 };
 
 std::vector<NamedNurbs> nurbs_of(const Assembly& assembly, double tolerance) {
@@ -57,7 +58,8 @@ void print_nurbs(std::ostream& out, const std::vector<NamedNurbs>& parts, const 
 }
 
 ExitCode run_nurbs(const NurbsArguments& arguments, const CommonOptions& common) {
-  const Assembly assembly = read_document(arguments.file);
+  const Document document = read_document(arguments.file, arguments.source);
+  const Assembly& assembly = document.assembly;
   const double tolerance = length_in(assembly.unit, common.tolerance, assembly.tolerance);
   const auto parts = nurbs_of(assembly, tolerance);
   write_text(arguments.output, nurbs_json(parts, assembly.unit) + "\n");
@@ -77,12 +79,13 @@ ExitCode run_nurbs(const NurbsArguments& arguments, const CommonOptions& common)
 void add_nurbs(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("nurbs", "Write the parts' surfaces as NURBS, in JSON");
   const auto arguments = std::make_shared<NurbsArguments>();
-  command->add_option("FILE", arguments->file, "assembly document; - for standard input")
+  command->add_option("FILE", arguments->file, "assembly document, graph or piping file; - for standard input")
       ->type_name("")
       ->required();
   command->add_option("-o,--output", arguments->output, "JSON file; - for standard output")
       ->type_name("OUT")
       ->required();
+  add_source_options(*command, arguments->source);
   command->footer(
       "Rational surfaces are exact; others are within --tolerance (the document's if not given),\n"
       "as proven: 'error_bound' says how far.\n\n"

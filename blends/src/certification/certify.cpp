@@ -12,10 +12,12 @@
 
 #include "assembly/cost_limit.h"
 #include "assembly/filleted_runs.h"
+#include "assembly/joined_hubs.h"
 #include "assembly/part_context.h"
 #include "assembly/welded_runs.h"
 #include "certification/checked_claims.h"
 #include "certification/prove_fillet.h"
+#include "certification/prove_hub.h"
 #include "certification/prove_regular.h"
 #include "certification/swept_disc_pairs.h"
 #include "dupin/kernel/decimal.h"
@@ -46,6 +48,10 @@ CertifiedInputs inputs_of(const ResolvedAssembly& resolved) {
       result.fillets.push_back(
           {fillet.name, fillet.between, fillet.shape.buried, fillet.shape.loops});
     }
+  }
+  for (const ResolvedJunction& junction : resolved.junctions) {
+    result.junctions.push_back({std::uint32_t(result.parts.size()), junction.arms});
+    result.parts.push_back({junction.name, "junction", junction.shape.hub, {}});
   }
   return result;
 }
@@ -83,13 +89,13 @@ class Certifier {
         work_(work_for(resolved_.parts.size(), options)) {}
 
   Certificate run() {
-    refuse_junctions(assembly_, resolved_, "certificates");
     result_.document = assembly_.source;
     result_.unit = assembly_.unit;
     result_.tolerance = assembly_.tolerance;
     CertifiedInputs inputs = inputs_of(resolved_);
     result_.parts = std::move(inputs.parts);
     result_.fillets = std::move(inputs.fillets);
+    result_.junctions = std::move(inputs.junctions);
     for (const CertifiedPart& part : result_.parts) {
       sweeps_.push_back(std::visit(
           [&](const auto& s) { return certification::SweptDiscs(s, &work_); }, part.shape));
@@ -147,6 +153,24 @@ class Certifier {
       }
     }
     append_fillets(samplings, grid);
+    append_hubs(samplings, grid);
+  }
+
+  void append_hubs(const std::vector<RingSampling>& samplings, double grid) {
+    for (std::size_t i = 0; i < resolved_.junctions.size(); ++i) {
+      const ResolvedJunction& junction = resolved_.junctions[i];
+      std::vector<RingSampling> of_arms;
+      std::uint32_t fewest = CertificateLimits::kSegments;
+      for (const std::uint32_t arm : junction.arms) {
+        of_arms.push_back(samplings[arm]);
+        fewest = std::min(fewest, samplings[arm].segments);
+      }
+      const Tessellation hub =
+          assembly::hub_tessellation(assembly_, junction, of_arms, options_.most_triangles);
+      result_.claims[result_.junctions[i].hub].mesh = checker_.agreed_of_hub(
+          certification::hub_mesh_claim(junction.shape.hub, hub.mesh, fewest, grid),
+          junction.shape.hub);
+    }
   }
 
   void append_mesh(std::uint32_t part, std::uint32_t segments, double grid, Tessellation mesh) {
@@ -194,8 +218,23 @@ class Certifier {
   }
 
   void append_clearances() {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> at_hubs;
+    for (const CertifiedJunction& junction : result_.junctions) {
+      for (const std::uint32_t arm : junction.arms) {
+        at_hubs.emplace(arm, junction.hub);
+      }
+    }
     for (std::uint32_t i = 0; i < sweeps_.size(); ++i) {
       for (std::uint32_t j = i + 1; j < sweeps_.size(); ++j) {
+        if (at_hubs.contains({i, j})) {
+          const auto& hub = std::get<Sphere>(result_.parts[j].shape);
+          ClearanceClaim claim =
+              certification::prove_at_hub(checker_.solid(i), hub, options_.boxes);
+          claim.first = i;
+          claim.second = j;
+          result_.clearances.push_back(checker_.agreed_at_hub(std::move(claim)));
+          continue;
+        }
         ClearanceClaim claim = clearance(i, j);
         claim.first = i;
         claim.second = j;
@@ -245,13 +284,14 @@ std::size_t Certificate::findings() const {
 }
 
 bool Certificate::joined(const ClearanceClaim& claim) const {
-  return !joints(parts[claim.first], claim.second).empty();
+  const bool at_hub = std::ranges::any_of(junctions, [&](const CertifiedJunction& junction) {
+    return junction.hub == claim.second && std::ranges::count(junction.arms, claim.first) > 0;
+  });
+  return at_hub || !joints(parts[claim.first], claim.second).empty();
 }
 
 CertifiedInputs certified_inputs(const Assembly& assembly) {
-  const ResolvedAssembly resolved = resolve(assembly);
-  refuse_junctions(assembly, resolved, "certificates");
-  return inputs_of(resolved);
+  return inputs_of(resolve(assembly));
 }
 
 Certificate certify(const Assembly& assembly, const CertifyOptions& options) {

@@ -59,8 +59,14 @@ void verify_joints(const Solid& solid, const std::string& name, const PartClaims
   }
 }
 
+// Hubs' meshes are none of latitudes and longitudes.
+bool mesh_follows(const Solid& solid, const MeshClaim& claim, bool is_hub) {
+  return is_hub ? solid.ball() != nullptr && follows_of_hub(*solid.ball(), claim)
+                : follows(solid, claim);
+}
+
 void verify_part(const Solid& solid, const std::string& name, const PartClaims& claims,
-                 double tolerance) {
+                 double tolerance, bool is_hub) {
   if (solid.ball() != nullptr) {
     require(!claims.regular && !claims.embedded && claims.tangency.empty(), name, "regular");
   } else if (solid.pieces().empty()) {
@@ -78,7 +84,7 @@ void verify_part(const Solid& solid, const std::string& name, const PartClaims& 
             name, "embedded");
     verify_joints(solid, name, claims, tolerance);
   }
-  require(!claims.mesh || follows(solid, *claims.mesh), name, "mesh");
+  require(!claims.mesh || mesh_follows(solid, *claims.mesh, is_hub), name, "mesh");
 }
 
 }  // namespace
@@ -163,10 +169,47 @@ void verify_inputs(const Certificate& certificate) {
   }
 }
 
+// Arms and their hubs, of which one comes after the other.
+using HubPairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+std::set<std::uint32_t> hubs_of(const Certificate& certificate) {
+  std::set<std::uint32_t> result;
+  for (const CertifiedJunction& junction : certificate.junctions) {
+    require(junction.hub < certificate.parts.size() && result.insert(junction.hub).second, "",
+            "junctions");
+  }
+  return result;
+}
+
+HubPairs verify_junctions(const std::vector<Solid>& solids, const Certificate& certificate) {
+  HubPairs result;
+  std::set<std::uint32_t> all_arms;
+  for (const auto& [hub, arms] : certificate.junctions) {
+    const std::string& name = certificate.parts[hub].name;
+    const Sphere* ball = solids[hub].ball();
+    require(ball != nullptr && arms.size() >= 2, name, "junction");
+    for (auto arm = arms.begin(); arm != arms.end(); ++arm) {
+      require(*arm < hub && is_arm(solids[*arm], *ball) && all_arms.insert(*arm).second, name,
+              "arms");
+      require(!certificate.parts[*arm].joined.at(at(End::end)), name, "arms");
+      require(std::all_of(arms.begin(), arm,
+                          [&](std::uint32_t other) {
+                            return caps_are_disjoint(solids[other], solids[*arm]);
+                          }),
+              name, "caps");
+      result.emplace(*arm, hub);
+    }
+  }
+  return result;
+}
+
 bool follows_or_is_silent(const std::vector<Solid>& solids, const Certificate& certificate,
-                          const ClearanceClaim& claim) {
-  return is_undecided(claim.verdict)
-             ? has_form(claim)
+                          const HubPairs& hub_pairs, const ClearanceClaim& claim) {
+  if (is_undecided(claim.verdict)) {
+    return has_form(claim);
+  }
+  return hub_pairs.contains({claim.first, claim.second})
+             ? follows_at_hub(solids[claim.first], *solids[claim.second].ball(), claim)
              : follows(solids[claim.first], solids[claim.second],
                        joints(solids, certificate.parts, claim.first, claim.second), claim);
 }
@@ -181,19 +224,22 @@ void verify(const Certificate& certificate) {
   const verification::WorkLimit limit(verification::work_for(certificate));
   verification::verify_inputs(certificate);
   verification::require(certificate.claims.size() == parts.size(), "", "parts");
+  const auto hubs = verification::hubs_of(certificate);
   std::vector<verification::Solid> solids;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
     solids.emplace_back(parts[i]);
     verification::verify_part(solids[i], parts[i].name, certificate.claims[i],
-                              certificate.tolerance);
+                              certificate.tolerance, hubs.contains(i));
   }
+  const auto hub_pairs = verification::verify_junctions(solids, certificate);
   verification::verify_fillets(solids, certificate);
   auto claim = certificate.clearances.begin();
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
     for (std::uint32_t j = i + 1; j < parts.size(); ++j, ++claim) {
       verification::require(claim != certificate.clearances.end() && claim->first == i &&
                                 claim->second == j &&
-                                verification::follows_or_is_silent(solids, certificate, *claim),
+                                verification::follows_or_is_silent(solids, certificate, hub_pairs,
+                                                                   *claim),
                             parts[i].name, "clearance of " + parts[j].name);
     }
   }

@@ -34,6 +34,7 @@ struct PipeGraphOptions {
   std::optional<double> radius = {};     ///< of nodes whose own is missing or not positive
   std::optional<double> tolerance = {};  ///< none: a 25th of the least radius
   bool keep_going = false;  ///< nodes and edges that are refused are left out, and noted
+  Unit unit = Unit::millimetre;  ///< of the graph's numbers and these
 };
 
 /// The assembly of a graph, and what became of the graph on the way.
