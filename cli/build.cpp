@@ -119,11 +119,11 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   const std::string unit(symbol(assembly.unit));
   const RoundingOptions rounding = rounding_options(arguments.rounding, unit);
   BuildReport report;
-  report.graph = document.network;
   {
     ProgressLine line(common.quiet);
     options.progress = line.callback();
     Built built = build_document(document, options);
+    report.graph = document.network;
     report.piping = std::move(document.piping);
     report.gaps = {assembly.source, assembly.unit, options.connect, std::move(built.ports),
                    std::move(built.gaps)};

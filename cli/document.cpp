@@ -57,7 +57,11 @@ Document read_piping(const Input& input, const SourceArguments& arguments,
   PipingLine line = std::exchange(report.file.line, {});
   report.network = assembly_of(line, options);
   Assembly assembly = std::exchange(report.network.assembly, {});
-  return {std::move(assembly), {}, std::move(report), std::move(line), std::move(options)};
+  Document document{std::move(assembly)};
+  document.piping = std::move(report);
+  document.line = std::move(line);
+  document.piping_options = std::move(options);
+  return document;
 }
 
 void add_piping_options(CLI::App& command, SourceArguments& arguments) {
@@ -113,13 +117,12 @@ Document document_of(const Input& input, const SourceArguments& arguments,
     options.radius = length_in(options.unit, arguments.radius, 0);
   }
   std::vector<SourceNote> notes;
-  const PipeGraph graph =
+  PipeGraph graph =
       parse_graph_file(input.bytes, input.name, arguments.keep_going ? &notes : nullptr);
+  graph.notes = std::move(notes);
   PipeNetwork network = assembly_of(graph, options);
-  network.notes.insert(network.notes.begin(), notes.begin(), notes.end());
-  std::ranges::stable_sort(network.notes, {}, &SourceNote::line);
-  Assembly assembly = std::exchange(network.assembly, {});
-  return {std::move(assembly), std::move(network)};
+  return {std::exchange(network.assembly, {}), std::move(network), std::move(graph),
+          std::move(options)};
 }
 
 }  // namespace
@@ -136,6 +139,14 @@ bool is_graph(const Input& input) {
 bool is_source(const Input& input) { return is_graph(input) || is_pcf_file(input.name); }
 
 Built build_document(Document& document, const BuildOptions& options) {
+  if (document.network) {
+    PipeNetwork network = std::move(*document.network);
+    network.assembly = std::exchange(document.assembly, {});
+    Built built = build(document.graph, document.graph_options, network, options);
+    document.assembly = std::exchange(network.assembly, {});
+    document.network = std::move(network);
+    return built;
+  }
   if (!document.piping) {
     return build(document.assembly, options);
   }

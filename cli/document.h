@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/build.h"
@@ -35,6 +36,8 @@ struct SourceArguments {
 struct Document {
   Assembly assembly;
   std::optional<PipeNetwork> network = {};  ///< of a graph, without the assembly
+  PipeGraph graph = {};                     ///< and what it was made into one with
+  PipeGraphOptions graph_options = {};
   std::optional<PcfReport> piping = {};
   PipingLine line = {};  ///< of a piping file, and what it was made into an assembly with
   PipingOptions piping_options = {};
@@ -51,8 +54,8 @@ struct Document {
 [[nodiscard]] bool is_source(const Input& input);
 [[nodiscard]] bool is_graph(const Input& input);
 
-/// Builds the assembly, where told to keep going without components of a piping file whose parts
-/// are refused.
+/// Builds the assembly, where told to keep going without components of a piping file, or nodes and
+/// edges of a graph, whose parts are refused.
 [[nodiscard]] Built build_document(Document& document, const BuildOptions& options);
 
 /// Adds --wall.

@@ -69,7 +69,6 @@ ExitCode run_draw(const DrawArguments& arguments, const CommonOptions& common) {
   const auto [options, typed_scale] = typed(arguments);
   Document document = read_document(arguments.file, arguments.source, arguments.wall);
   BuildReport report;
-  report.graph = document.network;
   Drawing drawing;
   {
     ProgressLine line(common.quiet);
@@ -79,6 +78,7 @@ ExitCode run_draw(const DrawArguments& arguments, const CommonOptions& common) {
     tell(build.progress, "draw");
     drawing = draw(document.assembly, built, options);
   }
+  report.graph = std::move(document.network);
   report.piping = std::move(document.piping);
   const DrawingScale scale = typed_scale.value_or(fitting_scale(drawing));
   write_text(arguments.output, drawing_svg(drawing, scale));

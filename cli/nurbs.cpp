@@ -27,13 +27,19 @@ std::vector<NamedNurbs> nurbs_of(const Assembly& assembly, double tolerance) {
   std::vector<NamedNurbs> result;
   const ResolvedAssembly resolved = resolve(assembly);
   refuse_fillets(assembly, resolved, "NURBS");
-  refuse_junctions(assembly, resolved, "NURBS");
   for (const ResolvedPart& part : resolved.parts) {
     try {
       result.push_back({part.name, part.kind, nurbs(part.shape, tolerance)});
     } catch (const Error& error) {
       throw error.in_part(part.name);
     }
+  }
+  for (const ResolvedJunction& junction : resolved.junctions) {
+    NurbsForm hub = nurbs(junction.shape.hub, tolerance);
+    for (const JunctionArm& arm : junction.shape.arms) {
+      hub.trims.push_back(nurbs(cap_circle(arm)));
+    }
+    result.push_back({junction.name, "junction", std::move(hub)});
   }
   return result;
 }

@@ -437,16 +437,6 @@ void refuse_fillets(const Assembly& assembly, const ResolvedAssembly& resolved,
   }
 }
 
-void refuse_junctions(const Assembly& assembly, const ResolvedAssembly& resolved,
-                      std::string_view what) {
-  for (const ResolvedJunction& junction : resolved.junctions) {
-    throw Error(Errc::invalid_argument,
-                "junctions have no " + std::string(what) +
-                    "; leave them out of the document, then its pipes have",
-                junction.name, document_place(assembly, junction.index));
-  }
-}
-
 std::vector<Port> ports(const ResolvedAssembly& assembly) {
   std::vector<Port> result;
   for (const auto& part : assembly.parts) {

@@ -23,8 +23,9 @@ constexpr std::array kHubDistances{0.35, 0.5, 0.65, 0.2};
 
 class Planner {
  public:
-  Planner(GraphPlan& plan, std::vector<SourceNote>& notes)
-      : plan_(plan), notes_(notes), given_(plan.nodes().size()) {}
+  Planner(GraphPlan& plan, const std::map<std::string, std::string>& refused,
+          std::vector<SourceNote>& notes)
+      : plan_(plan), refused_(refused), notes_(notes), given_(plan.nodes().size()) {}
 
   void run() {
     std::vector<std::size_t> order(given_);
@@ -45,6 +46,12 @@ class Planner {
   }
 
   void settle(std::size_t node) {
+    const auto refused = refused_.find("node " + ball(node).name);
+    if (refused != refused_.end() && degree(node) > 1) {
+      make_ball(node, refused->second);
+      notes_.back().is_refusal = true;
+      return;
+    }
     if (plan_.plan(node)) {
       return;
     }
@@ -53,6 +60,10 @@ class Planner {
         narrow(node, why) || contract(node, kShort, why, kDepth)) {
       return;
     }
+    make_ball(node, why);
+  }
+
+  void make_ball(std::size_t node, const std::string& why) {
     plan_.plan_ball(node);
     note(node, "a ball of radius " + decimal(kBall * ball(node).radius, kMessageDigits) + ", as " +
                    why);
@@ -60,6 +71,9 @@ class Planner {
 
   // Whether there is something smooth for the node, if need be after so many more changes.
   bool fits(std::size_t node, int depth) {
+    if (refused_.contains("node " + ball(node).name)) {
+      return false;
+    }
     if (plan_.plan(node)) {
       return true;
     }
@@ -323,6 +337,7 @@ class Planner {
   }
 
   GraphPlan& plan_;
+  const std::map<std::string, std::string>& refused_;
   std::vector<SourceNote>& notes_;
   std::size_t given_;
   std::vector<GraphPlan::Snapshot> undo_;
@@ -330,6 +345,9 @@ class Planner {
 
 }  // namespace
 
-void plan_all(GraphPlan& plan, std::vector<SourceNote>& notes) { Planner(plan, notes).run(); }
+void plan_all(GraphPlan& plan, const std::map<std::string, std::string>& refused,
+              std::vector<SourceNote>& notes) {
+  Planner(plan, refused, notes).run();
+}
 
 }  // namespace dupin::network

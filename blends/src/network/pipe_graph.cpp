@@ -120,6 +120,23 @@ class Network {
   PipeNetwork& result_;
 };
 
+void leave_out_refused(GraphPlan& plan, const std::map<std::string, std::string>& refused,
+                       std::vector<SourceNote>& notes) {
+  for (std::size_t i = 0; i < plan.edges().size() && !refused.empty(); ++i) {
+    const std::string name = "edge " + plan.edge_name(i);
+    if (const auto found = refused.find(name); found != refused.end()) {
+      notes.push_back(
+          {plan.edges()[i].ends.line, name + ": " + found->second + "; left out", true});
+      plan.remove_edge(i);
+    }
+  }
+  for (std::size_t node = 0; node < plan.nodes().size(); ++node) {
+    if (plan.nodes()[node].edges.empty()) {
+      plan.remove_node(node);
+    }
+  }
+}
+
 }  // namespace
 
 PipeNetwork assembly_of(const PipeGraph& graph, const PipeGraphOptions& options) {
@@ -134,9 +151,11 @@ PipeNetwork assembly_of(const PipeGraph& graph, const PipeGraphOptions& options)
   result.assembly.unit = options.unit;
   const auto least = std::ranges::min_element(clean.nodes, {}, &Ball::radius);
   result.assembly.tolerance = options.tolerance.value_or(least->radius / 25);
-  result.notes = std::move(clean.notes);
+  result.notes = graph.notes;
+  result.notes.insert(result.notes.end(), clean.notes.begin(), clean.notes.end());
   GraphPlan plan(clean);
-  network::plan_all(plan, result.notes);
+  leave_out_refused(plan, options.refused, result.notes);
+  network::plan_all(plan, options.refused, result.notes);
   Network(plan, result).run();
   std::ranges::stable_sort(result.notes, {}, &SourceNote::line);
   return result;

@@ -1,0 +1,113 @@
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "network/crowded_nodes.h"
+#include "network/passing_edges.h"
+
+namespace dupin::network {
+namespace {
+
+using testing::HasSubstr;
+
+CleanGraph graph_of(const std::vector<Vec3>& places, std::vector<GraphEdge> edges,
+                    double radius = 1) {
+  CleanGraph graph;
+  for (const Vec3& at : places) {
+    graph.nodes.push_back({std::to_string(graph.nodes.size()), at, radius,
+                           graph.nodes.size() + 1});
+  }
+  graph.edges = std::move(edges);
+  return graph;
+}
+
+struct Planned {
+  GraphPlan plan;
+  std::vector<SourceNote> notes;
+};
+
+Planned planned(const CleanGraph& graph, const std::map<std::string, std::string>& refused = {}) {
+  Planned result{GraphPlan(graph), {}};
+  plan_all(result.plan, refused, result.notes);
+  return result;
+}
+
+std::size_t count(const GraphPlan& plan, NodeKind kind) {
+  return std::size_t(std::ranges::count(plan.nodes(), kind, &PlannedNode::kind));
+}
+
+// Cycles and components do not change.
+std::ptrdiff_t nodes_less_edges(const GraphPlan& plan) {
+  return std::ptrdiff_t(plan.nodes().size() - count(plan, NodeKind::gone)) -
+         std::ranges::count(plan.edges(), true, &PlannedEdge::is_left);
+}
+
+TEST(CrowdedNodes, edges_that_lie_close_together_get_a_hub_of_their_own) {
+  const CleanGraph graph = graph_of({{0, 0, 0}, {40, 3, 0}, {40, -3, 0}, {-30, 0, 20}},
+                                    {{0, 1}, {0, 2}, {0, 3}});
+  const auto [plan, notes] = planned(graph);
+  EXPECT_EQ(count(plan, NodeKind::ball), 0);
+  ASSERT_EQ(notes.size(), 1);
+  EXPECT_EQ(notes[0].line, 1);
+  EXPECT_THAT(notes[0].text,
+              HasSubstr("node 0: its edges to 1, 2 led to a hub of their own, 0+1, as "));
+  ASSERT_EQ(plan.nodes().size(), 5);
+  EXPECT_EQ(plan.nodes()[4].ball.name, "0+1");
+  EXPECT_EQ(plan.nodes()[4].kind, NodeKind::junction);
+  EXPECT_EQ(plan.nodes()[0].edges.size(), 2);
+  EXPECT_EQ(nodes_less_edges(plan), 1);
+  EXPECT_TRUE(passing_edges(plan).empty());
+}
+
+// A bundle of nine, of which no hub has room for the caps.
+TEST(CrowdedNodes, bundles_become_chains_of_hubs) {
+  std::vector<Vec3> places{{0, 0, 0}, {0, 0, -60}};
+  std::vector<GraphEdge> edges{{0, 1}};
+  for (int i = 0; i < 8; ++i) {
+    const double angle = 0.25 * std::floor(i / 2.) * 3.14159;
+    edges.push_back({0, places.size()});
+    places.push_back({(i % 2 == 0 ? 14 : 30) * std::cos(angle) * (i / 2 % 2 == 0 ? 1 : -1),
+                      (i % 2 == 0 ? 14 : 30) * std::sin(angle), 80});
+  }
+  const auto [plan, notes] = planned(graph_of(places, edges));
+  EXPECT_EQ(count(plan, NodeKind::ball), 0) << notes.front().text;
+  EXPECT_GT(count(plan, NodeKind::junction), 1);
+  EXPECT_EQ(nodes_less_edges(plan), 1);
+}
+
+TEST(CrowdedNodes, edges_shorter_than_their_setbacks_are_contracted) {
+  const CleanGraph graph = graph_of({{0, 0, 0}, {1.2, 0, 0}, {-20, 12, 0}, {-20, -12, 0},
+                                     {20, 12, 0}, {20, -12, 0}},
+                                    {{0, 1}, {0, 2}, {0, 3}, {1, 4}, {1, 5}});
+  const auto [plan, notes] = planned(graph);
+  EXPECT_EQ(count(plan, NodeKind::junction), 1);
+  EXPECT_EQ(count(plan, NodeKind::gone), 1);
+  EXPECT_EQ(count(plan, NodeKind::ball), 0);
+  EXPECT_EQ(nodes_less_edges(plan), 1);
+  ASSERT_EQ(notes.size(), 1);
+  EXPECT_THAT(notes[0].text, HasSubstr("edge 0-1: of length 1.2, too short for what its nodes "
+                                       "need, contracted: node "));
+}
+
+// To contract one of its edges would close a hole.
+TEST(CrowdedNodes, triangles_are_not_contracted) {
+  const CleanGraph graph = graph_of({{0, 0, 0}, {1.5, 0, 0}, {0.7, 1.4, 0}, {-20, -10, 0}},
+                                    {{0, 1}, {1, 2}, {2, 0}, {0, 3}});
+  const auto [plan, notes] = planned(graph);
+  EXPECT_EQ(count(plan, NodeKind::gone), 0);
+  EXPECT_EQ(nodes_less_edges(plan), 0);
+}
+
+TEST(CrowdedNodes, refused_nodes_become_balls_and_say_so) {
+  const CleanGraph graph =
+      graph_of({{0, 0, 0}, {20, 0, 0}, {40, 20, 0}}, {{0, 1}, {1, 2}});
+  const auto [plan, notes] = planned(graph, {{"node 1", "it folds"}});
+  EXPECT_EQ(plan.nodes()[1].kind, NodeKind::ball);
+  ASSERT_EQ(notes.size(), 1);
+  EXPECT_TRUE(notes[0].is_refusal);
+  EXPECT_EQ(notes[0].text, "node 1: a ball of radius 1.1, as it folds");
+}
+
+}  // namespace
+}  // namespace dupin::network
