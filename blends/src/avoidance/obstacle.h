@@ -10,7 +10,8 @@
 
 // This folder: pipes that go round obstacles ([mathematics A8]). Obstacles are convex (obstacle.h),
 // how far a pipe's discs keep from them is proved in intervals by halving (clearance.h), and the
-// way is searched among way-points until a proof succeeds (route.h). What has no proof is no way.
+// way is searched among way-points until a proof succeeds (route.h), then among straight pipes and
+// elbows (polyline.h). What has no proof is no way.
 
 namespace dupin::avoidance {
 

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "avoidance/polyline.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
@@ -119,6 +120,11 @@ class Router {
       }
       if (found) {
         return *found;
+      }
+    }
+    if (given_.empty()) {
+      if (auto pipe = polyline_pipe(from_, to_, obstacles_, clearance_)) {
+        return tried({}, std::move(*pipe));
       }
     }
     refuse(*best.proved.spot);

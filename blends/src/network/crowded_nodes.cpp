@@ -1,10 +1,14 @@
 #include "network/crowded_nodes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
 #include <set>
+#include <span>
+
+#include <Eigen/Geometry>
 
 #include "dupin/kernel/decimal.h"
 #include "network/passing_edges.h"
@@ -15,9 +19,9 @@ namespace {
 
 // How many changes may build on each other.
 constexpr int kDepth = 3;
-// Edges that are contracted, by the sum of their balls' radii: those whose balls overlap at first,
-// the others where nothing else helped.
-constexpr double kOverlapping = 1, kShort = 2;
+// Edges that are contracted, by the sum of their balls' radii: those whose balls overlap, those that
+// lead to a bend, the others where nothing else helped.
+constexpr double kOverlapping = 1, kLong = 4, kShort = 2;
 // Of the length of its shortest edge: how far a hub lies from the node that it is split off.
 constexpr std::array kHubDistances{0.35, 0.5, 0.65, 0.2};
 
@@ -56,8 +60,8 @@ class Planner {
       return;
     }
     const std::string why = plan_.why_not();
-    if (contract(node, kOverlapping, why, kDepth) || split(node, why, kDepth) ||
-        narrow(node, why) || contract(node, kShort, why, kDepth)) {
+    if (contract(node, kOverlapping, why, kDepth) || stretch(node, why) ||
+        split(node, why, kDepth) || narrow(node, why) || contract(node, kShort, why, kDepth)) {
       return;
     }
     make_ball(node, why);
@@ -78,8 +82,7 @@ class Planner {
       return true;
     }
     const std::string why = plan_.why_not();
-    return depth > 0 &&
-           (contract(node, kOverlapping, why, depth - 1) || split(node, why, depth - 1));
+    return depth > 0 && split(node, why, depth - 1);
   }
 
   void note(std::size_t node, const std::string& text) {
@@ -154,6 +157,12 @@ class Planner {
     return result;
   }
 
+  // Whether the nodes have a neighbour in common, so that to merge them would close a hole.
+  [[nodiscard]] bool is_in_triangle(std::size_t node, std::size_t other) const {
+    const std::set<std::size_t> here = neighbours(node), there = neighbours(other);
+    return std::ranges::any_of(here, [&](std::size_t one) { return there.contains(one); });
+  }
+
   // A short edge vanishes, and the node of lower degree with it.
   bool contract(std::size_t node, double reach, const std::string& why, int depth) {
     for (const std::size_t edge : by_length(node)) {
@@ -161,11 +170,8 @@ class Planner {
       if (plan_.length(edge) > reach * (ball(node).radius + ball(other).radius)) {
         return false;
       }
-      const std::set<std::size_t> here = neighbours(node), there = neighbours(other);
-      const bool is_in_triangle =
-          std::ranges::any_of(here, [&](std::size_t one) { return there.contains(one); });
       const bool is_all = degree(node) == 1 && degree(other) == 1;
-      if (!is_in_triangle && !is_all &&
+      if (!is_in_triangle(node, other) && !is_all &&
           (degree(other) > degree(node) ? merge(node, other, edge, why, depth)
                                         : merge(other, node, edge, why, depth))) {
         return true;
@@ -177,6 +183,19 @@ class Planner {
   bool merge(std::size_t gone, std::size_t kept, std::size_t edge, const std::string& why,
              int depth) {
     const Mark before = mark();
+    const std::vector<std::size_t> again = merged(gone, kept, edge, why);
+    if (has_cones(kept) &&
+        (fits(kept, depth) || (depth > 0 && contract(kept, kOverlapping, why, depth - 1))) &&
+        plan_again(again)) {
+      return true;
+    }
+    take_back(before);
+    return false;
+  }
+
+  // Into the node that is kept; what has to be planned again but for it.
+  std::vector<std::size_t> merged(std::size_t gone, std::size_t kept, std::size_t edge,
+                                  const std::string& why) {
     const double length = plan_.length(edge);
     const std::string name = plan_.edge_name(edge);
     save({gone, kept});
@@ -194,8 +213,36 @@ class Planner {
                                            ", too short for what its nodes need, contracted: node " +
                                            ball(gone).name + " merged with node " +
                                            ball(kept).name + ", as " + why});
-    if (has_cones(kept) && fits(kept, depth) && plan_again(again)) {
-      return true;
+    return again;
+  }
+
+  // Edges that are too short go on to the next nodes but one, past bends, until none is.
+  bool stretch(std::size_t node, const std::string& why) {
+    constexpr int kMost = 24;
+    const Mark before = mark();
+    std::set<std::size_t> again;
+    for (int i = 0; i < kMost && has_cones(node); ++i) {
+      if (plan_.plan(node)) {
+        if (plan_again(std::vector(again.begin(), again.end()))) {
+          return true;
+        }
+        break;
+      }
+      const std::vector<std::size_t> edges = plan_.too_short();
+      const auto edge = std::ranges::find_if(edges, [&](std::size_t one) {
+        const std::size_t other = plan_.other_end(one, node);
+        return degree(other) == 2 &&
+               plan_.length(one) <= kLong * (ball(node).radius + ball(other).radius) &&
+               !is_in_triangle(node, other);
+      });
+      if (edge == edges.end()) {
+        break;
+      }
+      const std::size_t other = plan_.other_end(*edge, node);
+      for (const std::size_t one : merged(other, node, *edge, why)) {
+        again.insert(one);
+      }
+      again.erase(other);
     }
     take_back(before);
     return false;
@@ -207,9 +254,12 @@ class Planner {
       return false;
     }
     const std::vector<std::size_t> order = by_nearness(node);
-    for (std::size_t count = 2; count < order.size(); ++count) {
+    // What builds on other changes gets fewer trials, as these multiply.
+    const bool is_first = depth == kDepth;
+    const std::size_t most = is_first ? order.size() : std::min<std::size_t>(order.size(), 4);
+    for (std::size_t count = 2; count < most; ++count) {
       const std::vector<std::size_t> some(order.begin(), order.begin() + std::ptrdiff_t(count));
-      for (const double distance : kHubDistances) {
+      for (const double distance : std::span(kHubDistances).first(is_first ? 4 : 2)) {
         if (split_off(node, some, distance, why, depth)) {
           return true;
         }

@@ -69,6 +69,7 @@ bool GraphPlan::plan(std::size_t node) {
   PlannedNode& planned = nodes_[node];
   const std::vector<std::size_t>& edges = planned.edges;
   why_not_.clear();
+  too_short_.clear();
   if (edges.size() < 2) {
     planned.kind = NodeKind::end;
   } else if (edges.size() == 2 && plan_blend(node)) {
@@ -179,6 +180,11 @@ bool GraphPlan::plan_junction(std::size_t node) {
   JunctionSearch search = searched(node, back);
   if (!search.junction) {
     why_not_ = search.reason;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (!(back[i] > 0) || (!search.setbacks.empty() && search.setbacks[i] > 0)) {
+        too_short_.push_back(edges[i]);
+      }
+    }
     return false;
   }
   // Straight pieces are the edges' own, but for some that keeps the search from failing.

@@ -52,6 +52,8 @@ class GraphPlan {
   void plan_ball(std::size_t node);
   void unplan(std::size_t node);
   [[nodiscard]] const std::string& why_not() const { return why_not_; }
+  /// The edges that were too short for the junction that did not fit, as far as that is known.
+  [[nodiscard]] const std::vector<std::size_t>& too_short() const { return too_short_; }
 
   void set_radius(std::size_t node, double radius) { nodes_[node].ball.radius = radius; }
   void move(std::size_t node, const Vec3& center) { nodes_[node].ball.center = center; }
@@ -84,6 +86,7 @@ class GraphPlan {
   std::vector<PlannedNode> nodes_;
   std::vector<PlannedEdge> edges_;
   std::string why_not_;
+  std::vector<std::size_t> too_short_;
 };
 
 }  // namespace dupin::network
