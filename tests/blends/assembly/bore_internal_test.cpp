@@ -71,6 +71,37 @@ TEST(Bore, of_a_filleted_tee_is_the_tee_of_the_inner_radii_and_a_larger_ball) {
   EXPECT_THAT(names(made.fluid.solid), IsSupersetOf({"run.bore", "branch.bore", "fillet.bore"}));
 }
 
+// Offsets of cyclides are cyclides, and that of the hub is a sphere: volumes in closed form.
+TEST(Bore, of_a_junction_is_the_junction_of_the_inner_radii) {
+  const double wall = 0.4, tolerance = 0.004;
+  JunctionOfPorts hub;
+  hub.ends = {{"a", End::end}, {"b", End::end}, {"c", End::end}};
+  const Assembly assembly =
+      walled({pipe("a", {-20, 0, 0}, {-12, 0, 0}, 2), pipe("b", {20, 1, 0}, {12, 0.6, 0}, 1.5),
+              pipe("c", {0, 15, 20}, {0, 9, 12}, 1.8), part("hub", hub)},
+             wall, tolerance);
+  const Regions made = regions(assembly);
+  EXPECT_EQ(made.outer.solid.euler_number(), 2);
+  EXPECT_EQ(made.metal.solid.euler_number(), -2);
+  EXPECT_EQ(made.fluid.solid.euler_number(), 2);
+  const ResolvedAssembly resolved = resolve(assembly);
+  Junction inner = resolved.junctions.front().shape;
+  const auto thinner = [&](const PeArc& arc) {
+    const PeVector by{Vec3::Zero(), wall};
+    return PeArc::from(arc.start() - by, arc.start_tangent(), arc.end() - by);
+  };
+  inner.hub.radius -= wall;
+  for (JunctionArm& arm : inner.arms) {
+    arm.collar = thinner(arm.collar);
+    if (arm.straight) {
+      arm.straight = thinner(*arm.straight);
+    }
+  }
+  const double pipes = kPi * (1.6 * 1.6 * 8 + 1.1 * 1.1 * std::hypot(8, 0.4) + 1.4 * 1.4 * 10);
+  EXPECT_NEAR(made.fluid.solid.volume(), volume(inner) + pipes,
+              tolerance * made.fluid.solid.area());
+}
+
 TEST(Bore, of_cones_and_cyclides_that_meet_in_sloped_rings_is_one) {
   const Regions made =
       regions(walled({part("cone", ConeBetween{{0, 0, -8}, {0, 0, 0}, 1, 2}),
