@@ -32,7 +32,6 @@ class JsonNode {
   [[noreturn]] void fail(const std::string& message) const;
 
   [[nodiscard]] const Json& value() const { return *value_; }
-  [[nodiscard]] const std::string& source() const { return *source_; }
   [[nodiscard]] bool has(std::string_view key) const;
 
   /// The value of a key. Throws if this is not an object or has no such key.

@@ -1,4 +1,3 @@
-#include "json/parts/avoidance.h"
 #include "json/parts/part_reader.h"
 #include "json/parts/part_values.h"
 
@@ -7,7 +6,7 @@ namespace dupin::json {
 template <>
 struct PartReader<"cyclic_blend"> {
   static PartShape read(const JsonNode& node) {
-    allow_only(node, {"from", "to", "radius_law", "k", "l", "continuity", "avoid", "clearance"});
+    allow_only(node, {"from", "to", "radius_law", "k", "l", "continuity"});
     CyclicBlendBetween blend{port(node.at("from")), port(node.at("to")), {}};
     if (node.has("radius_law")) {
       const JsonNode law = node.at("radius_law");
@@ -25,7 +24,6 @@ struct PartReader<"cyclic_blend"> {
     }
     blend.options.k = number_or_auto(node.at("k"));
     blend.options.l = number_or_auto(node.at("l"));
-    blend.avoid = avoidance(node);
     return blend;
   }
 };
