@@ -23,7 +23,9 @@ constexpr int kDepth = 3;
 // lead to a bend, the others where nothing else helped.
 constexpr double kOverlapping = 1, kLong = 4, kShort = 2;
 // Of the length of its shortest edge: how far a hub lies from the node that it is split off.
-constexpr std::array kHubDistances{0.35, 0.5, 0.65, 0.2};
+constexpr std::array kHubDistances{0.35, 0.5, 0.65, 0.8, 0.2};
+// By the node's radius: larger hubs are split, if they can be.
+constexpr double kLargeHub = 4;
 
 class Planner {
  public:
@@ -57,6 +59,7 @@ class Planner {
       return;
     }
     if (plan_.plan(node)) {
+      split_large(node);
       return;
     }
     const std::string why = plan_.why_not();
@@ -65,6 +68,30 @@ class Planner {
       return;
     }
     make_ball(node, why);
+  }
+
+  // Pipes that all but cover each other need a hub so large that it is better where they part.
+  void split_large(std::size_t node) {
+    if (!has_large_hub(node)) {
+      return;
+    }
+    const std::string why =
+        "it would need a hub of radius " + decimal(plan_.nodes()[node].hub, kMessageDigits);
+    const Mark before = mark();
+    save({node});
+    plan_.unplan(node);
+    refuses_large_ = true;
+    const bool is_split = split(node, why, kDepth);
+    refuses_large_ = false;
+    if (!is_split) {
+      take_back(before);
+    }
+  }
+
+  [[nodiscard]] bool has_large_hub(std::size_t node) const {
+    const PlannedNode& planned = plan_.nodes()[node];
+    return planned.kind == NodeKind::junction && planned.edges.size() > 2 &&
+           planned.hub > kLargeHub * planned.ball.radius;
   }
 
   void make_ball(std::size_t node, const std::string& why) {
@@ -79,7 +106,7 @@ class Planner {
       return false;
     }
     if (plan_.plan(node)) {
-      return true;
+      return !(refuses_large_ && has_large_hub(node));
     }
     const std::string why = plan_.why_not();
     return depth > 0 && split(node, why, depth - 1);
@@ -259,7 +286,7 @@ class Planner {
     const std::size_t most = is_first ? order.size() : std::min<std::size_t>(order.size(), 4);
     for (std::size_t count = 2; count < most; ++count) {
       const std::vector<std::size_t> some(order.begin(), order.begin() + std::ptrdiff_t(count));
-      for (const double distance : std::span(kHubDistances).first(is_first ? 4 : 2)) {
+      for (const double distance : std::span(kHubDistances).first(is_first ? kHubDistances.size() : 2)) {
         if (split_off(node, some, distance, why, depth)) {
           return true;
         }
@@ -390,6 +417,7 @@ class Planner {
   const std::map<std::string, std::string>& refused_;
   std::vector<SourceNote>& notes_;
   std::size_t given_;
+  bool refuses_large_ = false;
   std::vector<GraphPlan::Snapshot> undo_;
 };
 

@@ -194,8 +194,10 @@ bool GraphPlan::plan_junction(std::size_t node) {
     const double straight = straight_length(search.junction->arms[i]) / std::hypot(1, end.slope);
     nearer.push_back(back[i] - std::max(0.0, straight - end.radius / 16));
   }
-  if (searched(node, nearer).junction) {
+  nodes_[node].hub = search.junction->hub.radius;
+  if (const JunctionSearch again = searched(node, nearer); again.junction) {
     back = std::move(nearer);
+    nodes_[node].hub = again.junction->hub.radius;
   }
   for (std::size_t i = 0; i < edges.size(); ++i) {
     setback(edges[i], node) = back[i];

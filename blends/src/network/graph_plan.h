@@ -23,6 +23,7 @@ struct PlannedNode {
   Ball ball;
   NodeKind kind = NodeKind::end;
   bool is_planned = false;
+  double hub = 0;  ///< of a junction, the hub's radius
   std::vector<std::size_t> edges = {};
 };
 

@@ -67,7 +67,7 @@ class Network {
   }
 
   void add_node(std::size_t node) {
-    const auto& [ball, kind, is_planned, edges] = plan_.nodes()[node];
+    const auto& [ball, kind, is_planned, hub, edges] = plan_.nodes()[node];
     const std::string name = "node " + ball.name;
     if (kind == NodeKind::ball) {
       ++result_.balls;

@@ -68,7 +68,7 @@ TEST(PipeGraph, cycles_are_handles) {
 }
 
 TEST(PipeGraph, balls_stand_where_nothing_smooth_fits) {
-  const PipeGraph graph = graph_of({{0, 0, 0}, {20, 0, 0}, {1, 1.5, 0}}, {{0, 1}, {1, 2}});
+  const PipeGraph graph = graph_of({{0, 0, 0}, {20, 0, 0}, {1, 0.4, 0}}, {{0, 1}, {1, 2}});
   const PipeNetwork network = assembly_of(graph, {.radius = 1});
   EXPECT_EQ(network.balls, 1);
   ASSERT_EQ(network.notes.size(), 1);
