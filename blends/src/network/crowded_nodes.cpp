@@ -105,10 +105,15 @@ class Planner {
     if (refused_.contains("node " + ball(node).name)) {
       return false;
     }
+    std::string why = "its hub would be too large";
     if (plan_.plan(node)) {
-      return !(refuses_large_ && has_large_hub(node));
+      if (!(refuses_large_ && has_large_hub(node))) {
+        return true;
+      }
+      plan_.unplan(node);
+    } else {
+      why = plan_.why_not();
     }
-    const std::string why = plan_.why_not();
     return depth > 0 && split(node, why, depth - 1);
   }
 

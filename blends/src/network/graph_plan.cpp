@@ -70,6 +70,7 @@ bool GraphPlan::plan(std::size_t node) {
   const std::vector<std::size_t>& edges = planned.edges;
   why_not_.clear();
   too_short_.clear();
+  planned.hub = 0;
   if (edges.size() < 2) {
     planned.kind = NodeKind::end;
   } else if (edges.size() == 2 && plan_blend(node)) {
