@@ -148,8 +148,7 @@ std::optional<MeshClaim> CheckedClaims::agreed_of_hub(MeshClaim claim, const Sph
 }
 
 ClearanceClaim CheckedClaims::agreed_at_hub(ClearanceClaim claim) {
-  if (claim.verdict == Verdict::proved &&
-      holds(verification::work_for(claim.leaves), [&] {
+  if (claim.verdict == Verdict::proved && holds(verification::work_for(claim.leaves), [&] {
         return verification::follows_at_hub(solids_[claim.first], *solids_[claim.second].ball(),
                                             claim);
       })) {

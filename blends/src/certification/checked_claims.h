@@ -20,9 +20,7 @@ class CheckedClaims {
   /// A loop of a fillet. What does not follow is undecided, but for the contact, which does.
   [[nodiscard]] LoopClaims agreed(const CanalFillet& loop, LoopClaims claims);
 
-  [[nodiscard]] const verification::Solid& solid(std::uint32_t part) const {
-    return solids_[part];
-  }
+  [[nodiscard]] const verification::Solid& solid(std::uint32_t part) const { return solids_[part]; }
 
   /// Of the mesh of a hub, for which a bound is found.
   [[nodiscard]] std::optional<MeshClaim> agreed_of_hub(MeshClaim claim, const Sphere& hub);

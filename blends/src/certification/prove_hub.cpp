@@ -63,8 +63,8 @@ MeshClaim hub_mesh_claim(const Sphere& hub, const TriMesh& mesh, std::uint32_t f
                          double grid) {
   double largest = 0;
   for (const Triangle& t : mesh.triangles) {
-    largest = std::max(largest, circumradius(mesh.points[t[0]], mesh.points[t[1]],
-                                             mesh.points[t[2]]));
+    largest =
+        std::max(largest, circumradius(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
   }
   const double sine = std::min(1.0, largest * (1 + 0x1p-20) / hub.radius);
   const double segments = std::floor(std::numbers::pi / std::asin(sine));

@@ -19,8 +19,8 @@ namespace {
 
 // How many changes may build on each other.
 constexpr int kDepth = 3;
-// Edges that are contracted, by the sum of their balls' radii: those whose balls overlap, those that
-// lead to a bend, the others where nothing else helped.
+// Edges that are contracted, by the sum of their balls' radii: those whose balls overlap, those
+// that lead to a bend, the others where nothing else helped.
 constexpr double kOverlapping = 1, kLong = 4, kShort = 2;
 // Of the length of its shortest edge: how far a hub lies from the node that it is split off.
 constexpr std::array kHubDistances{0.35, 0.5, 0.65, 0.8, 0.2};
@@ -96,8 +96,8 @@ class Planner {
 
   void make_ball(std::size_t node, const std::string& why) {
     plan_.plan_ball(node);
-    note(node, "a ball of radius " + decimal(kBall * ball(node).radius, kMessageDigits) + ", as " +
-                   why);
+    note(node,
+         "a ball of radius " + decimal(kBall * ball(node).radius, kMessageDigits) + ", as " + why);
   }
 
   // Whether there is something smooth for the node, if need be after so many more changes.
@@ -240,11 +240,11 @@ class Planner {
       plan_.lead_to(other, gone, kept);
     }
     plan_.remove_node(gone);
-    notes_.push_back({ball(gone).line, "edge " + name + ": of length " +
-                                           decimal(length, kMessageDigits) +
-                                           ", too short for what its nodes need, contracted: node " +
-                                           ball(gone).name + " merged with node " +
-                                           ball(kept).name + ", as " + why});
+    notes_.push_back(
+        {ball(gone).line, "edge " + name + ": of length " + decimal(length, kMessageDigits) +
+                              ", too short for what its nodes need, contracted: node " +
+                              ball(gone).name + " merged with node " + ball(kept).name + ", as " +
+                              why});
     return again;
   }
 
@@ -291,7 +291,8 @@ class Planner {
     const std::size_t most = is_first ? order.size() : std::min<std::size_t>(order.size(), 4);
     for (std::size_t count = 2; count < most; ++count) {
       const std::vector<std::size_t> some(order.begin(), order.begin() + std::ptrdiff_t(count));
-      for (const double distance : std::span(kHubDistances).first(is_first ? kHubDistances.size() : 2)) {
+      for (const double distance :
+           std::span(kHubDistances).first(is_first ? kHubDistances.size() : 2)) {
         if (split_off(node, some, distance, why, depth)) {
           return true;
         }
@@ -375,15 +376,14 @@ class Planner {
 
   [[nodiscard]] std::string name_of_hub(std::size_t node) const {
     const std::string base = ball(node).name.substr(0, ball(node).name.find('+'));
-    const auto others =
-        std::ranges::count_if(plan_.nodes().begin() + std::ptrdiff_t(given_), plan_.nodes().end(),
-                              [&](const PlannedNode& one) {
-                                return one.ball.name.starts_with(base + "+");
-                              });
+    const auto others = std::ranges::count_if(
+        plan_.nodes().begin() + std::ptrdiff_t(given_), plan_.nodes().end(),
+        [&](const PlannedNode& one) { return one.ball.name.starts_with(base + "+"); });
     return base + "+" + std::to_string(others + 1);
   }
 
-  [[nodiscard]] std::string split_text(std::size_t hub, const std::vector<std::size_t>& some) const {
+  [[nodiscard]] std::string split_text(std::size_t hub,
+                                       const std::vector<std::size_t>& some) const {
     std::string names;
     for (const std::size_t edge : some) {
       names += (names.empty() ? "" : ", ") + ball(plan_.other_end(edge, hub)).name;
@@ -394,9 +394,8 @@ class Planner {
   // Whether what leaves the one passes through nothing that leaves the other.
   [[nodiscard]] bool are_apart(std::size_t node, std::size_t hub) const {
     return std::ranges::none_of(plan_.nodes()[node].edges, [&](std::size_t one) {
-      return std::ranges::any_of(plan_.nodes()[hub].edges, [&](std::size_t other) {
-        return pass(plan_, one, other);
-      });
+      return std::ranges::any_of(plan_.nodes()[hub].edges,
+                                 [&](std::size_t other) { return pass(plan_, one, other); });
     });
   }
 

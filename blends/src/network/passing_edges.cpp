@@ -13,9 +13,7 @@ struct Span {
 
   [[nodiscard]] Vec3 at(double t) const { return from + t * along; }
   [[nodiscard]] double radius_at(double t) const { return radius + t * rise; }
-  [[nodiscard]] double low() const {
-    return std::min(from.x() - radius, at(1).x() - radius_at(1));
-  }
+  [[nodiscard]] double low() const { return std::min(from.x() - radius, at(1).x() - radius_at(1)); }
   [[nodiscard]] double high() const {
     return std::max(from.x() + radius, at(1).x() + radius_at(1));
   }
@@ -65,8 +63,8 @@ double distance(const Span& one, const Span& other) {
 }
 
 bool pass(const Span& one, const Span& other) {
-  const double thickest = std::max(one.radius, one.radius_at(1)) +
-                          std::max(other.radius, other.radius_at(1));
+  const double thickest =
+      std::max(one.radius, one.radius_at(1)) + std::max(other.radius, other.radius_at(1));
   if (distance(one, other) > thickest) {
     return false;
   }

@@ -71,8 +71,7 @@ class Network {
     const std::string name = "node " + ball.name;
     if (kind == NodeKind::ball) {
       ++result_.balls;
-      result_.assembly.parts.push_back(
-          {name, SphereAt{ball.center, network::kBall * ball.radius}});
+      result_.assembly.parts.push_back({name, SphereAt{ball.center, network::kBall * ball.radius}});
     } else if (kind == NodeKind::blend) {
       ++result_.blends;
       result_.assembly.parts.push_back(

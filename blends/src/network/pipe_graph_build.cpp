@@ -21,8 +21,7 @@ std::string refused_part(const PipeNetwork& network, const Error& error) {
     name.resize(name.size() - assembly::kBoreSuffix.size());
   }
   name = name.substr(0, name.find('.'));
-  const bool is_known =
-      std::ranges::count(network.assembly.parts, name, &Part::name) > 0;
+  const bool is_known = std::ranges::count(network.assembly.parts, name, &Part::name) > 0;
   return is_of_part && is_known ? name : std::string();
 }
 

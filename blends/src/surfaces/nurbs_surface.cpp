@@ -1,10 +1,9 @@
-#include "dupin/blends/nurbs.h"
-
 #include <numbers>
 
 #include <Eigen/Geometry>
 
 #include "dupin/blends/frame.h"
+#include "dupin/blends/nurbs.h"
 
 namespace dupin {
 namespace {
@@ -64,8 +63,8 @@ NurbsCurve nurbs(const Ring& ring) {
   NurbsCurve result{2, {0, 0, 0, .25, .25, .5, .5, .75, .75, 1, 1, 1}, {}};
   for (std::size_t i = 0; i < kSquare.size(); ++i) {
     const double weight = i % 2 == 0 ? 1 : std::numbers::sqrt2 / 2;
-    const Vec3 point = ring.center + kSquare.at(i)[0] * ring.radius * axis +
-                       kSquare.at(i)[1] * across * other;
+    const Vec3 point =
+        ring.center + kSquare.at(i)[0] * ring.radius * axis + kSquare.at(i)[1] * across * other;
     result.net.push_back({weight * point.x(), weight * point.y(), weight * point.z(), weight});
   }
   return result;

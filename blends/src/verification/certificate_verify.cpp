@@ -236,11 +236,10 @@ void verify(const Certificate& certificate) {
   auto claim = certificate.clearances.begin();
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
     for (std::uint32_t j = i + 1; j < parts.size(); ++j, ++claim) {
-      verification::require(claim != certificate.clearances.end() && claim->first == i &&
-                                claim->second == j &&
-                                verification::follows_or_is_silent(solids, certificate, hub_pairs,
-                                                                   *claim),
-                            parts[i].name, "clearance of " + parts[j].name);
+      verification::require(
+          claim != certificate.clearances.end() && claim->first == i && claim->second == j &&
+              verification::follows_or_is_silent(solids, certificate, hub_pairs, *claim),
+          parts[i].name, "clearance of " + parts[j].name);
     }
   }
   verification::require(claim == certificate.clearances.end(), "", "clearance");

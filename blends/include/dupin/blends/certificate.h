@@ -76,8 +76,9 @@ struct PartClaims {
 
 /// How far apart two parts are. Proved without an overlap: no two points of them are closer than
 /// `distance` > 0 or, for parts that are joined, they have nothing in common but the disc of the
-/// joint, or, for an arm and its hub, the arm's circles lie outside but for the last. With one: they overlap, which proves that parts that are not joined are connected anyhow,
-/// and refutes the claim for others.
+/// joint, or, for an arm and its hub, the arm's circles lie outside but for the last. With one:
+/// they overlap, which proves that parts that are not joined are connected anyhow, and refutes the
+/// claim for others.
 struct ClearanceClaim {
   std::uint32_t first = 0, second = 0;
   Verdict verdict = Verdict::undecided;

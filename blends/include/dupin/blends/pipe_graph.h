@@ -36,7 +36,7 @@ struct PipeGraph {
 struct PipeGraphOptions {
   std::optional<double> radius = {};     ///< of nodes whose own is missing or not positive
   std::optional<double> tolerance = {};  ///< none: a 25th of the least radius
-  bool keep_going = false;  ///< nodes and edges that are refused are left out, and noted
+  bool keep_going = false;       ///< nodes and edges that are refused are left out, and noted
   Unit unit = Unit::millimetre;  ///< of the graph's numbers and these
   /// Parts that a build refused, by their names, and why: such nodes become balls, such edges are
   /// left out.
