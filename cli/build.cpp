@@ -14,9 +14,11 @@
 #include "length.h"
 #include "output.h"
 #include "progress_line.h"
+#include "quality.h"
 #include "report_text.h"
 #include "rounding_options.h"
 #include "source_text.h"
+#include "volume_output.h"
 
 namespace dupin::cli {
 namespace {
@@ -28,6 +30,8 @@ struct BuildArguments {
   std::size_t most_triangles = kUsualTriangles;
   SourceArguments source;
   RoundingArguments rounding;
+  std::string quality;
+  QualityArguments shape;  // of triangles for a solver
 };
 
 /// "3 (2 pipe, 1 cyclic_blend)".
@@ -111,11 +115,26 @@ BuildOptions build_options(const Assembly& assembly, const BuildArguments& argum
   return options;
 }
 
+/// How triangles are to be made better; none if they stay as they are. Of the tolerance the parts'
+/// meshes take a quarter then, and what is made of them the rest.
+std::optional<RemeshOptions> shape_options(const BuildArguments& arguments,
+                                           const Assembly& assembly, BuildOptions& options) {
+  if (arguments.quality.empty() && !names_volume_mesh(arguments.output)) {
+    return std::nullopt;
+  }
+  const double tolerance = options.tolerance.value_or(assembly.tolerance);
+  options.tolerance = tolerance / 4;
+  return remesh_options(arguments.shape, tolerance - *options.tolerance,
+                        std::string(symbol(assembly.unit)));
+}
+
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
-  const Destination to = destination(arguments.output);
+  const bool fills = names_volume_mesh(arguments.output);
+  const Destination to = fills ? Destination{arguments.output.path} : destination(arguments.output);
   Document document = read_document(arguments.file, arguments.source, arguments.wall);
   Assembly& assembly = document.assembly;
   BuildOptions options = build_options(assembly, arguments, common);
+  const std::optional<RemeshOptions> shape = shape_options(arguments, assembly, options);
   const std::string unit(symbol(assembly.unit));
   const RoundingOptions rounding = rounding_options(arguments.rounding, unit);
   BuildReport report;
@@ -127,8 +146,19 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     report.piping = std::move(document.piping);
     report.gaps = {assembly.source, assembly.unit, options.connect, std::move(built.ports),
                    std::move(built.gaps)};
-    report.output = write_solid(built.solid, to, rounding, {unit, {}},
-                                contact_choice(arguments.contacts, unit));
+    Remeshed remeshed;
+    if (shape) {
+      tell(options.progress, "remesh");
+      remeshed = remesh(built.solid, *shape);
+      built.solid = remeshed.solid;
+    }
+    report.output = fills ? write_volume(built.solid, arguments.output, rounding,
+                                         std::string(name(built.region)), options.progress)
+                          : write_solid(built.solid, to, rounding, {unit, {}},
+                                        contact_choice(arguments.contacts, unit));
+    if (shape) {
+      report.output.remeshing = std::move(remeshed.report);
+    }
     report.output.cross_check = std::move(built.cross_check);
     report.parts = std::move(built.parts);
     report.runs = built.runs;
@@ -156,13 +186,23 @@ void add_build(CLI::App& app, Action& action) {
                    "standard input")
       ->type_name("")
       ->required();
-  command->add_option("-o,--output", arguments->output.path, "mesh file; - for standard output")
+  command
+      ->add_option("-o,--output", arguments->output.path,
+                   "mesh file; - for standard output. .msh and .vtu are filled with\n"
+                   "tetrahedra, by gmsh")
       ->type_name("OUT")
       ->required();
   add_output_options(*command, arguments->output);
   command->add_option("--segments", arguments->segments, "Fixed number of segments of every ring")
       ->type_name("NUMBER")
       ->check(CLI::Range(3, 65536));
+  command
+      ->add_option("--quality", arguments->quality,
+                   "cfd: well-shaped triangles for solvers and volume meshes, within the\n"
+                   "tolerance, patches' borders kept")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"cfd"}));
+  add_quality_options(*command, arguments->shape);
   add_wall_option(*command, arguments->wall);
   add_region_option(*command, arguments->region);
   add_triangles_option(*command, arguments->most_triangles);
@@ -178,6 +218,8 @@ void add_build(CLI::App& app, Action& action) {
       "Examples:\n"
       "  dupin build examples/reducer.json -o reducer.stl\n"
       "  dupin build plant.json -o plant.off --tolerance 0.2mm --connect 1mm\n"
+      "  dupin build plant.json -o plant.stl --quality cfd --largest-edge 20mm\n"
+      "  dupin build plant.json -o fluid.msh --region fluid\n"
       "  dupin build - -o - --format stl < plant.json > plant.stl");
   command->callback([arguments, &action] {
     action = [arguments](const CommonOptions& common) { return run_build(*arguments, common); };

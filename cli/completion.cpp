@@ -54,7 +54,8 @@ _dupin() {
     --cross-check) COMPREPLY=($(compgen -W "nef corefinement" -- "$word")); return ;;
     --origin) COMPREPLY=($(compgen -W "keep auto" -- "$word")); return ;;
     --tolerance|--rounding-tolerance|--connect|--grid|--move|--twist|--margin|\
-    --translate|--rotate|--scale|--direction|--up) return ;;
+    --translate|--rotate|--scale|--direction|--up|\
+    --largest-edge|--smallest-edge|--smallest-angle|--feature-angle) return ;;
   esac
   case $command in
     "") words=")" +

@@ -1,6 +1,7 @@
 #include "report_text.h"
 
 #include <algorithm>
+#include <numbers>
 #include <ostream>
 
 #include "dupin/kernel/decimal.h"
@@ -132,6 +133,33 @@ std::string cross_check_text(const CrossCheck& check) {
   return engine;
 }
 
+std::string degrees(double angle) { return decimal(angle * 180 / std::numbers::pi, 4) + " deg"; }
+
+void print_remeshing(std::ostream& out, const RemeshReport& report, std::string_view unit) {
+  print_row(out, "remeshed",
+            "within " + powered(report.deviation, unit, "") + ", edges from " +
+                number(report.shortest_edge) + " to " + powered(report.longest_edge, unit, ""));
+  print_row(out, "smallest angle", degrees(report.smallest_angle));
+  if (report.poor_triangles > 0) {
+    print_row(out, "below " + degrees(report.angle_bound),
+              counted(report.poor_triangles, "triangle") + ", " +
+                  std::to_string(report.confined_triangles) + " of them between sharp edges");
+    for (const PoorTriangle& poor : report.worst) {
+      print_row(out, "",
+                degrees(poor.angle) + " at " + place_text(poor.place) +
+                    (poor.is_confined ? ", between sharp edges" : ""));
+    }
+  }
+}
+
+void print_volume_mesh(std::ostream& out, const VolumeMeshReport& report) {
+  print_row(out, "tetrahedra",
+            std::to_string(report.tetrahedra) + " on " + counted(report.points, "point"));
+  print_row(out, "smallest dihedral",
+            degrees(report.smallest_dihedral_angle) + ", " +
+                std::to_string(report.flat_tetrahedra) + " below 5 deg");
+}
+
 }  // namespace
 
 std::string number(double value) { return decimal(value, 9); }
@@ -182,6 +210,12 @@ void print_output(std::ostream& out, const OutputReport& report, std::string_vie
               counted(report.simplification->removed_triangles, "triangle") +
                   " less, deviation at most " +
                   powered(report.simplification->deviation, unit, ""));
+  }
+  if (report.remeshing) {
+    print_remeshing(out, *report.remeshing, unit);
+  }
+  if (report.volume_mesh) {
+    print_volume_mesh(out, *report.volume_mesh);
   }
   if (report.placement) {
     print_row(out, "placed",

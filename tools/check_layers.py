@@ -31,6 +31,7 @@ ARROWS = {
         "healing": ["booleans", "arrangement", "checking", "mesh", "predicates", "support"],
         "rounding": ["healing", "arrangement", "checking", "mesh", "boxes", "predicates", "exact", "support"],
         "gaps": ["mesh", "boxes", "predicates", "exact", "support"],
+        "remeshing": ["rounding", "checking", "mesh", "boxes", "support"],
         "views": ["mesh", "boxes", "support"],
         "cross_check": ["booleans", "checking", "mesh", "exact", "support"],
     },
@@ -58,9 +59,10 @@ ARROWS = {
         "drawings": ["text"],
         "files": ["text"],
         "formats": ["files", "text"],
-        "json": ["drawings", "formats", "files", "pcf", "text"],
+        "json": ["drawings", "formats", "files", "pcf", "text", "volumes"],
         "graph": ["text"],
         "pcf": ["text"],
+        "volumes": [],
     },
 }
 
@@ -74,6 +76,7 @@ LIBRARIES = {
     "nlohmann/": ["io/src/", "tests/"],
     "expat.h": ["io/src/"],
     "zip.h": ["io/src/"],
+    "gmshc.h": ["io/src/volumes/"],
     "CLI/": ["cli/"],
 }
 MOST_LINES = [  # first match wins: (pattern, most lines)

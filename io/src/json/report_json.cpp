@@ -130,6 +130,30 @@ Json json_value(const Report& report) {
           {"shells", list(report.shells)}};
 }
 
+Json json_value(const PoorTriangle& poor) {
+  return {{"place", json_value(poor.place)}, {"angle", poor.angle}, {"confined", poor.is_confined}};
+}
+
+Json json_value(const RemeshReport& report) {
+  return {{"deviation", report.deviation},
+          {"angle_bound", report.angle_bound},
+          {"smallest_angle", report.smallest_angle},
+          {"shortest_edge", report.shortest_edge},
+          {"longest_edge", report.longest_edge},
+          {"poor_triangles", report.poor_triangles},
+          {"confined_triangles", report.confined_triangles},
+          {"worst", list(report.worst)}};
+}
+
+Json json_value(const VolumeMeshReport& report) {
+  return {{"points", report.points},
+          {"tetrahedra", report.tetrahedra},
+          {"triangles", report.triangles},
+          {"volume", report.volume},
+          {"smallest_dihedral_angle", report.smallest_dihedral_angle},
+          {"flat_tetrahedra", report.flat_tetrahedra}};
+}
+
 Json json_value(const OutputReport& report) {
   Json object{{"file", report.file},
               {"format", report.format},
@@ -143,6 +167,12 @@ Json json_value(const OutputReport& report) {
   if (report.simplification) {
     object["simplification"] = {{"removed_triangles", report.simplification->removed_triangles},
                                 {"deviation", report.simplification->deviation}};
+  }
+  if (report.remeshing) {
+    object["remeshing"] = json_value(*report.remeshing);
+  }
+  if (report.volume_mesh) {
+    object["volume_mesh"] = json_value(*report.volume_mesh);
   }
   if (report.settled) {
     object["settled"] = {{"policy", report.settled->policy},

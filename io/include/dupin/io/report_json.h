@@ -13,12 +13,14 @@
 #include "dupin/blends/pipe_graph.h"
 #include "dupin/blends/unit.h"
 #include "dupin/io/pcf.h"
+#include "dupin/io/volume_mesh.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/cross_check.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/gap.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/mesh_gap.h"
+#include "dupin/kernel/remesh.h"
 #include "dupin/kernel/repair.h"
 #include "dupin/kernel/rounding.h"
 #include "dupin/kernel/solid.h"
@@ -72,6 +74,8 @@ struct OutputReport {
   std::optional<Report> check;
   std::vector<Contact> contacts;  ///< where the solid touches itself
   std::optional<SimplificationReport> simplification = std::nullopt;
+  std::optional<RemeshReport> remeshing = std::nullopt;
+  std::optional<VolumeMeshReport> volume_mesh = std::nullopt;
   std::optional<ContactSettlement> settled = std::nullopt;
   std::vector<FileRepair> repairs = {};  ///< of operands that needed some
   std::optional<PlacementReport> placement = std::nullopt;
