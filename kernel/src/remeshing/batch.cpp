@@ -4,6 +4,7 @@
 
 #include "dupin/kernel/error.h"
 #include "support/blocks.h"
+#include "support/sequences.h"
 
 namespace dupin::remeshing {
 namespace {
@@ -21,42 +22,65 @@ bool Pass::is_refused(const Candidate& candidate) const {
 }
 
 /// Those that do not touch each other, the first ones first.
-std::vector<Candidate> Pass::chosen(const EditKind& kind) const {
-  std::vector<std::vector<Candidate>> parts(support::block_count(kind.places, 512));
+std::vector<Candidate> Pass::chosen(const EditKind& kind) {
+  const std::size_t all_places = kind.is_at_points ? mesh_.point_count() : mesh_.face_count();
+  const std::size_t count = places_ ? places_->size() : all_places;
+  struct Found {
+    Candidate candidate;
+    std::uint32_t place;
+  };
+  std::vector<std::vector<Found>> parts(support::block_count(count, 512));
   support::for_each_block(
-      kind.places,
+      count,
       [&](const support::Block& block) {
+        std::vector<Candidate> here;
         for (std::size_t i = block.begin; i < block.end; ++i) {
-          kind.collect(static_cast<std::uint32_t>(i), parts[block.number]);
+          const std::uint32_t place = places_ ? (*places_)[i] : static_cast<std::uint32_t>(i);
+          here.clear();
+          kind.collect(place, here);
+          for (const Candidate& candidate : here) {
+            if (!is_refused(candidate)) {
+              parts[block.number].push_back({candidate, place});
+            }
+          }
         }
-        std::erase_if(parts[block.number], [&](const Candidate& c) { return is_refused(c); });
       },
       512);
-  std::vector<Candidate> all = support::joined(std::move(parts));
-  std::vector<std::uint32_t> order(all.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) {
-    order[i] = i;
-  }
-  std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return all[i].priority; });
+  std::vector<Found> all = support::joined(std::move(parts));
+  std::ranges::stable_sort(all, {}, [](const Found& found) { return found.candidate.priority; });
   std::vector<std::uint8_t> point_marks(mesh_.point_count(), 0), face_marks(mesh_.face_count(), 0);
   std::vector<Candidate> taken;
-  for (const std::uint32_t i : order) {
-    Candidate& candidate = all[i];
-    const auto is_marked = [&](std::uint32_t v) { return point_marks[v] != 0; };
-    const auto is_edited = [&](std::uint32_t f) { return face_marks[f] != 0; };
-    if (std::ranges::any_of(candidate.needs, is_marked) ||
-        std::ranges::any_of(candidate.faces, is_edited)) {
+  blocked_.clear();
+  for (const auto& [candidate, place] : all) {
+    const Claim claim = kind.claim(candidate);
+    if (std::ranges::any_of(claim.needs, [&](std::uint32_t v) { return point_marks[v] != 0; }) ||
+        std::ranges::any_of(claim.faces, [&](std::uint32_t f) { return face_marks[f] != 0; })) {
+      blocked_.push_back(place);
       continue;
     }
-    for (const std::uint32_t v : candidate.marks) {
+    for (const std::uint32_t v : claim.marks) {
       point_marks[v] = 1;
     }
-    for (const std::uint32_t f : candidate.faces) {
+    for (const std::uint32_t f : claim.faces) {
       face_marks[f] = 1;
     }
-    taken.push_back(std::move(candidate));
+    taken.push_back(candidate);
   }
   return taken;
+}
+
+void Pass::look_again_at(const EditKind& kind, const std::vector<Applied>& applied) {
+  std::vector<std::uint32_t> places = std::move(blocked_);
+  for (std::size_t i = 0; !kind.is_at_points && i < applied.size(); ++i) {
+    for (const std::uint32_t f : applied[i].after) {
+      for (const std::uint32_t v : mesh_.face(f).corners) {
+        const auto around = mesh_.around(v);
+        places.insert(places.end(), around.begin(), around.end());
+      }
+    }
+  }
+  support::sort_unique(places);
+  places_ = std::move(places);
 }
 
 std::size_t Pass::round(const EditKind& kind) {
@@ -80,10 +104,12 @@ std::size_t Pass::round(const EditKind& kind) {
       refuse(candidates[i]);
     }
   }
-  return undo_faulty(std::move(applied), made);
+  const std::size_t left = undo_faulty(applied, made);
+  look_again_at(kind, applied);
+  return left;
 }
 
-std::size_t Pass::undo_faulty(std::vector<Applied> applied,
+std::size_t Pass::undo_faulty(const std::vector<Applied>& applied,
                               const std::vector<Candidate>& candidates) {
   std::vector<std::uint32_t> owner(mesh_.face_count(), support::kNone);
   std::vector<std::uint8_t> undone(applied.size(), 0);

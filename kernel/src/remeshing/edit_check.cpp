@@ -72,6 +72,18 @@ double EditCheck::longest_edge_ratio() const {
   return longest;
 }
 
+double EditCheck::longest_edge_ratio_before() const {
+  double longest = 0;
+  for (const std::uint32_t f : edit_.before) {
+    const Triangle& t = shop_.mesh.face(f).corners;
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+      longest = std::max(longest, shop_.mesh.length(a, b) / shop_.mesh.wanted_length(a, b));
+    }
+  }
+  return longest;
+}
+
 bool EditCheck::keeps_sides() const {
   const auto normal_of = [&](std::uint32_t region) {
     Vec3 sum = Vec3::Zero();

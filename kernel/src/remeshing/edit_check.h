@@ -32,7 +32,9 @@ class EditCheck {
   EditCheck(const Workshop& shop, const Edit& edit) : shop_(shop), edit_(edit) {}
 
   [[nodiscard]] double smallest_sine() const;
-  [[nodiscard]] double longest_edge_ratio() const;  ///< to the wanted length
+  /// The largest ratio of a new edge's length to the wanted one, and that of the edges before.
+  [[nodiscard]] double longest_edge_ratio() const;
+  [[nodiscard]] double longest_edge_ratio_before() const;
   /// Whether the new faces face the way that the old ones did, region by region.
   [[nodiscard]] bool keeps_sides() const;
   /// Whether points of the new faces are near the surface; a look, not a proof.

@@ -15,11 +15,11 @@ constexpr double kGoodSine = 0.5736;
 constexpr double kCurveShare = 0.8;
 constexpr int kRounds = 8;  // points next to each other do not move in one round
 
-Candidate move_candidate(const WorkingMesh& mesh, std::uint32_t v, double priority) {
-  Candidate candidate{priority, v, v, {}, {v}, mesh.neighbours(v)};
-  candidate.faces.assign(mesh.around(v).begin(), mesh.around(v).end());
-  candidate.marks.push_back(v);
-  return candidate;
+Claim move_claim(const WorkingMesh& mesh, std::uint32_t v) {
+  Claim claim{{}, {v}, mesh.neighbours(v)};
+  claim.faces.assign(mesh.around(v).begin(), mesh.around(v).end());
+  claim.marks.push_back(v);
+  return claim;
 }
 
 /// Moves of one point.
@@ -204,10 +204,11 @@ void relax_points(Workshop& shop) {
   std::vector<std::uint8_t> is_done(mesh.point_count(), 0);
   for (int i = 0; i < kRounds; ++i) {
     EditKind kind;
-    kind.places = mesh.point_count();
+    kind.is_at_points = true;
+    kind.claim = [&](const Candidate& at) { return move_claim(mesh, at.from); };
     kind.collect = [&](std::uint32_t v, std::vector<Candidate>& found) {
       if (mesh.is_used(v) && is_done[v] == 0 && mesh.point(v).freedom != Freedom::none) {
-        found.push_back(move_candidate(mesh, v, 0));
+        found.push_back({0, v, v});
       }
     };
     kind.build = [&](const Candidate& at) {
@@ -224,12 +225,13 @@ std::size_t widen_angles(Workshop& shop) {
   std::size_t moved = 0;
   for (int i = 0; i < kRounds; ++i) {
     EditKind kind;
-    kind.places = mesh.point_count();
+    kind.is_at_points = true;
+    kind.claim = [&](const Candidate& at) { return move_claim(mesh, at.from); };
     kind.collect = [&](std::uint32_t v, std::vector<Candidate>& found) {
       if (mesh.is_used(v) && mesh.point(v).freedom != Freedom::none) {
         const double sine = smallest_sine_around(mesh, v);
         if (sine < shop.least_sine) {
-          found.push_back(move_candidate(mesh, v, sine));
+          found.push_back({sine, v, v});
         }
       }
     };

@@ -24,7 +24,7 @@ using namespace remeshing;
 constexpr std::size_t kMostTriangles = 8'000'000;
 /// Sizes change by so much, at most, per length.
 constexpr double kGradation = 0.25;
-constexpr int kIterations = 4, kImprovements = 8, kRefinements = 8;
+constexpr int kLevels = 16, kIterations = 3, kImprovements = 8, kRefinements = 8;
 
 void check_options(const RemeshOptions& options) {
   const auto refuse = [](const std::string& what) { throw Error(Errc::invalid_argument, what); };
@@ -113,14 +113,15 @@ class Remeshing {
 
  private:
   void iterate() {
-    split_long_edges(shop_);
+    for (int i = 0; i < kLevels && (i == 0 || split_long_edges(shop_) > 0); ++i) {
+      collapse_short_edges(shop_);
+      flip_edges(shop_);
+    }
     if (mesh_.alive_count() > kMostTriangles) {
       throw Error(Errc::limit_exceeded,
                   "edges so short ask for more than 8 million triangles; allow a larger distance "
                   "or smallest edge");
     }
-    collapse_short_edges(shop_);
-    flip_edges(shop_);
     relax_points(shop_);
     flip_edges(shop_);
     mesh_.grade_sizes(kGradation);

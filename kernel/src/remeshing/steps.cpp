@@ -19,15 +19,18 @@ constexpr double kStretched = 2;
 /// The share of the distance that the edges of curves may take.
 constexpr double kCurveShare = 0.8;
 constexpr int kMostRounds = 40;
+/// Rounds end when they make fewer edits than one for so many triangles: later passes make the rest.
+constexpr std::size_t kFew = 400;
 
 template <class Kind>
 std::size_t run(Workshop& shop, const Kind& kind, int rounds = kMostRounds) {
+  const std::size_t least = shop.mesh.alive_count() / kFew;
   Pass pass(shop.mesh);
   std::size_t all = 0, made = 0;
   do {
     made = pass.round(kind());
     all += made;
-  } while (made > 0 && --rounds > 0);
+  } while (made > least && --rounds > 0);
   return all;
 }
 
@@ -220,44 +223,44 @@ std::optional<Edit> build_collapse(const Workshop& shop, std::uint32_t from, std
     return std::nullopt;
   }
   const EditCheck check(shop, *edit);
-  if (check.smallest_sine() < least_sine || check.longest_edge_ratio() > longest ||
+  if (check.smallest_sine() < least_sine || check.longest_edge_ratio() > std::max(longest, check.longest_edge_ratio_before()) ||
       !check.keeps_sides() || !check.stays_near()) {
     return std::nullopt;
   }
   return edit;
 }
 
-Candidate collapse_candidate(const WorkingMesh& mesh, std::uint32_t from, std::uint32_t to,
-                             double priority) {
-  Candidate candidate{priority, from, to, {}, mesh.neighbours(from), {}};
-  candidate.faces.assign(mesh.around(from).begin(), mesh.around(from).end());
-  candidate.needs.push_back(from);
-  candidate.marks = candidate.needs;
-  return candidate;
+Claim collapse_claim(const WorkingMesh& mesh, std::uint32_t from) {
+  Claim claim{{}, mesh.neighbours(from), {}};
+  claim.faces.assign(mesh.around(from).begin(), mesh.around(from).end());
+  claim.needs.push_back(from);
+  claim.marks = claim.needs;
+  return claim;
+}
+
+Claim edge_claim(const WorkingMesh& mesh, std::uint32_t a, std::uint32_t b) {
+  return {{mesh.side(a, b)->face, mesh.side(b, a)->face}, {}, {}};
 }
 
 // ---- flips
 
-struct Flip {
-  EdgeSides at;
-  double before, after;
-};
-
-std::optional<Flip> flip_of(const WorkingMesh& mesh, std::uint32_t f, int i) {
+/// By how much the flip of an edge, looked at from its lower end, makes the smallest sine smaller;
+/// none if it does not make it larger.
+std::optional<double> loss_by_flip(const WorkingMesh& mesh, std::uint32_t f, int i) {
   const Face& face = mesh.face(f);
   const std::uint32_t a = face.corners[i], b = face.corners[(i + 1) % 3];
   if (a > b || face.spans[i].is_sharp()) {
     return std::nullopt;
   }
   const EdgeSides at = sides_of(mesh, a, b);
-  const double before = std::min(smallest_sine(mesh, at.left), smallest_sine(mesh, at.right));
   const Vec3 &pa = mesh.place(a), &pb = mesh.place(b), &pc = mesh.place(at.c),
              &pd = mesh.place(at.d);
+  const double before = std::min(smallest_sine({pa, pb, pc}), smallest_sine({pb, pa, pd}));
   const double after = std::min(smallest_sine({pa, pd, pc}), smallest_sine({pd, pb, pc}));
-  if (at.c == at.d || !(after > before * 1.001) || mesh.side(at.c, at.d)) {
+  if (at.c == at.d || !(after > before * 1.001)) {
     return std::nullopt;
   }
-  return Flip{at, before, after};
+  return before - after;
 }
 
 std::optional<Edit> build_flip(const Workshop& shop, std::uint32_t a, std::uint32_t b) {
@@ -305,26 +308,25 @@ std::size_t split_long_edges(Workshop& shop) {
   const WorkingMesh& mesh = shop.mesh;
   return run(shop, [&] {
     EditKind kind;
-    kind.places = mesh.face_count();
     kind.collect = [&](std::uint32_t f, std::vector<Candidate>& found) {
       for (int i = 0; mesh.alive(f) && i < 3; ++i) {
         const std::uint32_t a = mesh.face(f).corners[i], b = mesh.face(f).corners[(i + 1) % 3];
         const double ratio = mesh.length(a, b) / mesh.wanted_length(a, b);
         if (a < b && ratio > kTooLong) {
-          found.push_back({-ratio, a, b, {f, mesh.side(b, a)->face}, {}, {}});
+          found.push_back({-ratio, a, b});
         }
       }
     };
+    kind.claim = [&](const Candidate& at) { return edge_claim(mesh, at.from, at.to); };
     kind.build = [&](const Candidate& at) { return build_split(shop, at.from, at.to); };
     return kind;
-  });
+  }, 2);
 }
 
 std::size_t collapse_short_edges(Workshop& shop) {
   const WorkingMesh& mesh = shop.mesh;
   return run(shop, [&] {
     EditKind kind;
-    kind.places = mesh.face_count();
     kind.collect = [&](std::uint32_t f, std::vector<Candidate>& found) {
       for (int i = 0; mesh.alive(f) && i < 3; ++i) {
         const std::uint32_t a = mesh.face(f).corners[i], b = mesh.face(f).corners[(i + 1) % 3];
@@ -334,13 +336,14 @@ std::size_t collapse_short_edges(Workshop& shop) {
                                   (mine == Freedom::curve && mesh.face(f).spans[i].is_sharp()))) {
           // The freer end goes.
           const double rank = mine > mesh.point(b).freedom ? 1 : 0;
-          found.push_back(collapse_candidate(mesh, a, b, ratio + rank));
+          found.push_back({ratio + rank, a, b});
         }
       }
     };
+    kind.claim = [&](const Candidate& at) { return collapse_claim(mesh, at.from); };
     kind.build = [&](const Candidate& at) {
       const double before = smallest_sine_around(mesh, at.from);
-      return build_collapse(shop, at.from, at.to, kTooLong, std::min(before, shop.least_sine));
+      return build_collapse(shop, at.from, at.to, kTooLong, std::min(0.3 * before, 0.1));
     };
     return kind;
   });
@@ -352,17 +355,18 @@ std::size_t flip_edges(Workshop& shop) {
       shop,
       [&] {
         EditKind kind;
-        kind.places = mesh.face_count();
-        kind.collect = [&](std::uint32_t f, std::vector<Candidate>& found) {
+            kind.collect = [&](std::uint32_t f, std::vector<Candidate>& found) {
           for (int i = 0; mesh.alive(f) && i < 3; ++i) {
-            if (const auto flip = flip_of(mesh, f, i)) {
-              const auto& [left, right, at_a, at_b, c, d] = flip->at;
-              const std::uint32_t a = mesh.face(f).corners[i],
-                                  b = mesh.face(f).corners[(i + 1) % 3];
-              const std::vector<std::uint32_t> corners = {a, b, c, d};
-              found.push_back({flip->before - flip->after, a, b, {left, right}, corners, corners});
+            if (const auto flip = loss_by_flip(mesh, f, i)) {
+              found.push_back({*flip, mesh.face(f).corners[i], mesh.face(f).corners[(i + 1) % 3]});
             }
           }
+        };
+        kind.claim = [&](const Candidate& at) {
+          Claim claim = edge_claim(mesh, at.from, at.to);
+          const EdgeSides sides = sides_of(mesh, at.from, at.to);
+          claim.needs = claim.marks = {at.from, at.to, sides.c, sides.d};
+          return claim;
         };
         kind.build = [&](const Candidate& at) { return build_flip(shop, at.from, at.to); };
         return kind;
@@ -374,7 +378,6 @@ std::size_t collapse_poor(Workshop& shop) {
   const WorkingMesh& mesh = shop.mesh;
   return run(shop, [&] {
     EditKind kind;
-    kind.places = mesh.face_count();
     kind.collect = [&](std::uint32_t f, std::vector<Candidate>& found) {
       if (!is_poor(shop, f)) {
         return;
@@ -382,10 +385,11 @@ std::size_t collapse_poor(Workshop& shop) {
       for (int i = 0; i < 3; ++i) {
         const std::uint32_t a = mesh.face(f).corners[i], b = mesh.face(f).corners[(i + 1) % 3];
         const double ratio = mesh.length(a, b) / mesh.wanted_length(a, b);
-        found.push_back(collapse_candidate(mesh, a, b, ratio));
-        found.push_back(collapse_candidate(mesh, b, a, ratio));
+        found.push_back({ratio, a, b});
+        found.push_back({ratio, b, a});
       }
     };
+    kind.claim = [&](const Candidate& at) { return collapse_claim(mesh, at.from); };
     kind.build = [&](const Candidate& at) {
       const double before = smallest_sine_around(mesh, at.from);
       return build_collapse(shop, at.from, at.to, kStretched,
@@ -401,8 +405,7 @@ std::size_t split_below_poor(Workshop& shop) {
       shop,
       [&] {
         EditKind kind;
-        kind.places = mesh.face_count();
-        kind.collect = [&](std::uint32_t f, std::vector<Candidate>& found) {
+            kind.collect = [&](std::uint32_t f, std::vector<Candidate>& found) {
           if (!is_poor(shop, f)) {
             return;
           }
@@ -410,9 +413,10 @@ std::size_t split_below_poor(Workshop& shop) {
           const int i = longest_edge(mesh, face);
           const std::uint32_t a = face.corners[i], b = face.corners[(i + 1) % 3];
           if (face.spans[i].is_sharp()) {
-            found.push_back({smallest_sine(mesh, f), a, b, {f, mesh.side(b, a)->face}, {}, {}});
+            found.push_back({smallest_sine(mesh, f), a, b});
           }
         };
+        kind.claim = [&](const Candidate& at) { return edge_claim(mesh, at.from, at.to); };
         kind.build = [&](const Candidate& at) -> std::optional<Edit> {
           const WorkingMesh::Side side = *mesh.side(at.from, at.to);
           const Face& face = mesh.face(side.face);

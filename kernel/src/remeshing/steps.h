@@ -9,7 +9,8 @@ namespace dupin::remeshing {
 /// Each makes edits of one kind until there are none left that help, or for some rounds, and says
 /// how many it has made.
 
-/// Halves edges that are much longer than wanted.
+/// Halves edges that are much longer than wanted, the longest ones. Not all at once: what is thin
+/// is to be made better before it is cut into what is thin as well.
 std::size_t split_long_edges(Workshop& shop);
 
 /// Collapses edges that are much shorter than wanted.

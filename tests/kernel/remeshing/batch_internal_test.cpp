@@ -13,17 +13,20 @@ using test::Bench;
 template <class Place>
 EditKind moves(const WorkingMesh& mesh, const Place& place) {
   EditKind kind;
-  kind.places = mesh.point_count();
+  kind.is_at_points = true;
   kind.collect = [&](std::uint32_t v, std::vector<Candidate>& found) {
-    Candidate candidate{double(v), v, v, {}, {v}, mesh.neighbours(v)};
-    candidate.faces.assign(mesh.around(v).begin(), mesh.around(v).end());
-    candidate.marks.push_back(v);
-    found.push_back(std::move(candidate));
+    found.push_back({double(v), v, v});
+  };
+  kind.claim = [&](const Candidate& at) {
+    Claim claim{{}, {at.from}, mesh.neighbours(at.from)};
+    claim.faces.assign(mesh.around(at.from).begin(), mesh.around(at.from).end());
+    claim.marks.push_back(at.from);
+    return claim;
   };
   kind.build = [&](const Candidate& at) -> std::optional<Edit> {
     Edit edit;
-    edit.before = at.faces;
-    for (const std::uint32_t f : at.faces) {
+    edit.before.assign(mesh.around(at.from).begin(), mesh.around(at.from).end());
+    for (const std::uint32_t f : edit.before) {
       edit.after.push_back(mesh.face(f));
     }
     edit.moved = {at.from, place(at.from)};

@@ -108,7 +108,7 @@ TEST(Remesh, of_a_tube_has_the_angle_asked_for) {
 TEST(Remesh, keeps_the_patches_of_a_union) {
   const Solid run = Solid::from(labelled(tube(10, 0, 60, 96), "run"));
   const Solid branch = Solid::from(labelled(moved(tube(4, 0, 60, 64), Vec3(3, 0, 30)), "branch"));
-  const Solid both = unite(std::vector{run, branch}).solid;
+  const Solid both = unite(std::vector{run, branch});
   Remeshed made;
   const TriMesh after = expect_remeshed(both, {.distance = 0.05}, made);
   std::map<std::string, double> areas;
@@ -127,7 +127,7 @@ TEST(Remesh, of_crossing_pipes_has_no_poor_triangles_but_between_sharp_edges) {
   for (const test::UnionKind kind : {test::UnionKind::equal, test::UnionKind::rotated}) {
     for (std::uint32_t seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE(std::string(test::name(kind)) + " " + std::to_string(seed));
-      const Solid both = unite(test::pipes(kind, 48, seed)).solid;
+      const Solid both = unite(test::pipes(kind, 48, seed));
       Remeshed made;
       expect_remeshed(both, {.distance = std::cbrt(both.volume()) / 500}, made);
       EXPECT_EQ(made.report.poor_triangles, made.report.confined_triangles);
@@ -142,7 +142,7 @@ TEST(Remesh, of_a_thin_plate_does_not_make_it_cross_itself) {
 }
 
 TEST(Remesh, is_the_same_on_any_number_of_threads) {
-  const Solid both = unite(test::pipes(test::UnionKind::rotated, 32, 4)).solid;
+  const Solid both = unite(test::pipes(test::UnionKind::rotated, 32, 4));
   const RemeshOptions options{.distance = 0.02};
   TriMesh alone;
   {
