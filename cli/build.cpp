@@ -63,8 +63,9 @@ std::string margin_text(const std::vector<PartReport>& parts) {
 void print_build(std::ostream& out, const BuildReport& report) {
   double error = 0;
   std::optional<double> tangency;
+  const double more = report.output.remeshing ? report.output.remeshing->deviation : 0;
   for (const PartReport& part : report.parts) {
-    error = std::max(error, part.error_bound);
+    error = std::max(error, part.error_bound + more);
     tangency = std::max({tangency, part.start_tangency, part.end_tangency});
   }
   const std::string unit(symbol(report.gaps.unit));

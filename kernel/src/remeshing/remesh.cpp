@@ -108,7 +108,7 @@ class Remeshing {
     std::ostringstream text;
     text << "the distance of " << options_.distance << " cannot be kept near " << fault_.x() << " "
          << fault_.y() << " " << fault_.z() << "; allow more, or a smaller smallest edge";
-    throw Error(Errc::infeasible_blend, text.str());
+    throw Error(Errc::unroundable, text.str());
   }
 
  private:

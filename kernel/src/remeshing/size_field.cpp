@@ -63,6 +63,9 @@ SizeField::SizeField(const TriMesh& mesh, const Features& features, const SizeLi
     const bool is_certain = n.norm() > longest * mesh.points[a].cwiseAbs().maxCoeff() * 0x1p-40;
     return is_certain ? Vec3(n.normalized()) : Vec3(Vec3::Zero());
   };
+  for (const std::uint32_t region : features.regions) {
+    is_bent_.resize(std::max<std::size_t>(is_bent_.size(), region + 1), 0);
+  }
   support::BulkVector<boxes::Box> boxes;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const mesh::Edge edge = edges[e];
@@ -75,6 +78,7 @@ SizeField::SizeField(const TriMesh& mesh, const Features& features, const SizeLi
     if (!m.isZero() && !n.isZero() && angle > kLeastBend) {
       const Vec3 &a = mesh.points[edge.low], &b = mesh.points[edge.high];
       bends_.push_back({a, b, angle, features.regions[f]});
+      is_bent_[features.regions[f]] = 1;
       boxes.push_back(around(a, b, 0));
     }
   }
@@ -119,7 +123,7 @@ double SizeField::length_for(double curvature, double angle) const {
 /// the area [Cohen-Steiner and Morvan, Restricted Delaunay Triangulations and Normal Cycle, 2003],
 /// whatever the triangles look like. The ball is as large as the edges that follow.
 double SizeField::by_bends(const Vec3& point, std::span<const std::uint32_t> regions) const {
-  if (!bend_tree_) {
+  if (std::ranges::none_of(regions, [&](std::uint32_t r) { return is_bent_[r] != 0; })) {
     return limits_.largest;
   }
   for (double radius = std::min(limits_.largest, 2 * limits_.distance);;
@@ -190,7 +194,8 @@ double SizeField::by_gaps(const Vec3& point, std::span<const std::uint32_t> regi
       const double distance = distance_to(point, curve.points[edge], curve.points[edge + 1], share);
       const double at =
           curve.lengths[edge] + share * (curve.lengths[edge + 1] - curve.lengths[edge]);
-      if (distance < gap && along(c, at) > kDetour * distance) {
+      // Nearer than the smallest edge is the place itself, or as good as none.
+      if (distance < gap && along(c, at) > kDetour * std::max(distance, limits_.smallest)) {
         gap = distance;
       }
     });

@@ -52,6 +52,7 @@ class SizeField {
   SizeLimits limits_;
   boxes::BoxQuantizer frame_;
   std::vector<Bend> bends_;
+  std::vector<std::uint8_t> is_bent_;  // per region, whether it has any
   std::vector<CurveEdge> curve_edges_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> curves_at_;  // corner and curve, ascending
   std::optional<boxes::BoxTree> bend_tree_, curve_tree_;

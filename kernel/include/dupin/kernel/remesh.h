@@ -58,9 +58,9 @@ struct Remeshed {
 /// of edits is checked by exact predicates, and what would make the surface touch or cross itself
 /// is undone. The distance is proved at the end, both ways: that to a triangle is convex, so its
 /// largest value over another one is taken in a corner. The same input gives the same mesh.
-/// Throws Error{invalid_argument} for options outside their range, Error{unroundable} as `to_mesh`,
-/// Error{limit_exceeded} where sizes ask for more than 8 million triangles, and
-/// Error{infeasible_blend}, never a worse mesh, where the distance cannot be kept.
+/// Throws Error{invalid_argument} for options outside their range, Error{limit_exceeded} where
+/// sizes ask for more than 8 million triangles, and Error{unroundable} as `to_mesh`, or, never
+/// giving a worse mesh, where the distance cannot be kept.
 [[nodiscard]] Remeshed remesh(const Solid& solid, const RemeshOptions& options);
 
 }  // namespace dupin
