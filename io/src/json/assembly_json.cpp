@@ -93,8 +93,10 @@ void read_head(const JsonNode& document, json::Values& values, Assembly& assembl
   if (document.has("wall")) {
     read("wall", [&](const JsonNode& node) { assembly.wall = node.number(); });
   }
-  if (document.has("comment")) {
-    (void)document.at("comment").text();
+  for (const std::string_view unread : {"$schema", "comment"}) {
+    if (document.has(unread)) {
+      (void)document.at(unread).text();
+    }
   }
 }
 
@@ -103,8 +105,8 @@ void read_head(const JsonNode& document, json::Values& values, Assembly& assembl
 Assembly parse_assembly(std::string_view text, const std::string& source) {
   const json::Json json = json::parse_json(text, source);
   const JsonNode document(json, source, "");
-  json::allow_only(document,
-                   {"units", "tolerance", "segments", "wall", "comment", "values", "parts"});
+  json::allow_only(document, {"$schema", "units", "tolerance", "segments", "wall", "comment",
+                              "values", "parts"});
   Assembly assembly;
   assembly.source = source;
   assembly.unit = unit(document.at("units"));
