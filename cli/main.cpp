@@ -111,6 +111,8 @@ int run(std::span<char*> arguments) {
   add_draw(app, action);
   add_bom(app, action);
   add_completion(app, action);
+  add_schema(app, action);
+  add_manual(app, action);
 
   try {
     app.parse(static_cast<int>(arguments.size()), arguments.data());
