@@ -38,6 +38,7 @@ void add_info(CLI::App& app, Action& action);
 void add_draw(CLI::App& app, Action& action);
 void add_bom(CLI::App& app, Action& action);
 void add_completion(CLI::App& app, Action& action);
+void add_watch(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);
 void add_manual(CLI::App& app, Action& action);
 

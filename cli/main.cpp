@@ -111,6 +111,7 @@ int run(std::span<char*> arguments) {
   add_draw(app, action);
   add_bom(app, action);
   add_completion(app, action);
+  add_watch(app, action);
   add_schema(app, action);
   add_manual(app, action);
 

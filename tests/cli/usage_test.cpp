@@ -21,7 +21,7 @@ const std::vector<std::string>& commands() {
   static const std::vector<std::string> names{
       "build",      "union", "intersect", "subtract", "boolean", "check",  "gaps",
       "info",       "edit",  "convert",   "simplify", "certify", "verify", "nurbs",
-      "completion", "draw",  "bom",       "repair",   "schema",  "manual"};
+      "completion", "draw",  "bom",       "repair",   "schema",  "manual", "watch"};
   return names;
 }
 
