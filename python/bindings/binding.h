@@ -36,7 +36,7 @@ template <class Number>
   py::array_t<Number> array = columns == 1 ? py::array_t<Number>({rows}, data, owner)
                                            : py::array_t<Number>({rows, columns}, data, owner);
   array.attr("flags").attr("writeable") = false;
-  return std::move(array);
+  return array;
 }
 
 /// Lets other threads run while a long operation does, and lets Ctrl-C and the caller's own

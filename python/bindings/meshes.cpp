@@ -53,7 +53,7 @@ std::vector<Vec3> points_of(const py::object& object) {
   std::vector<Vec3> points(array.size() / 3);
   if (!points.empty()) {
     const Points numbers = Points::ensure(array);  // itself, where its memory is ours
-    std::memcpy(points.data(), numbers.data(), points.size() * sizeof(Vec3));
+    std::memcpy(points.front().data(), numbers.data(), points.size() * sizeof(Vec3));
   }
   return points;
 }
