@@ -177,18 +177,9 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     ProgressLine line(common.quiet);
     options.progress = line.callback();
     Built built = build_document(document, options);
-    report.piping = std::move(document.piping);
     write_built(built, document, options, arguments, report,
                 arguments.page.empty() ? nullptr : &written);
-    report.gaps = {assembly.source, assembly.unit, options.connect, std::move(built.ports),
-                   std::move(built.gaps)};
-    report.output.cross_check = std::move(built.cross_check);
-    report.parts = std::move(built.parts);
-    report.runs = built.runs;
-    report.pieces = built.pieces;
-    report.grid = built.grid;
-    report.region = built.region;
-    report.volumes = built.volumes;
+    take(report, std::move(built), document, options.connect);
     if (!arguments.page.empty()) {
       tell(options.progress, "report");
       write_page(arguments.page, document, report, std::move(written));

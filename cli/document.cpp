@@ -143,6 +143,20 @@ Built build_document(Document& document, const BuildOptions& options) {
   return built;
 }
 
+void take(BuildReport& report, Built&& built, Document& document, double connect) {
+  const Assembly& assembly = document.assembly;
+  report.piping = std::move(document.piping);
+  report.gaps = {assembly.source, assembly.unit, connect, std::move(built.ports),
+                 std::move(built.gaps)};
+  report.output.cross_check = std::move(built.cross_check);
+  report.parts = std::move(built.parts);
+  report.runs = built.runs;
+  report.pieces = built.pieces;
+  report.grid = built.grid;
+  report.region = built.region;
+  report.volumes = built.volumes;
+}
+
 Document read_document(const std::string& path, const SourceArguments& arguments,
                        const std::string& wall) {
   Document document = document_of(path, arguments, wall);

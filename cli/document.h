@@ -54,6 +54,10 @@ struct Document {
 /// are refused.
 [[nodiscard]] Built build_document(Document& document, const BuildOptions& options);
 
+/// What reports say of a build, beside what became of its solid, which is taken elsewhere before.
+/// The document's notes on its piping go along.
+void take(BuildReport& report, Built&& built, Document& document, double connect);
+
 /// Adds --wall.
 void add_wall_option(CLI::App& command, std::string& wall);
 

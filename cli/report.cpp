@@ -115,17 +115,9 @@ ExitCode report_document(const ReportArguments& arguments, const std::string& pa
     ProgressLine line(common.quiet);
     options.progress = line.callback();
     Built built = build_document(document, options);
-    report.piping = std::move(document.piping);
-    report.gaps = {assembly.source, assembly.unit, options.connect, std::move(built.ports),
-                   std::move(built.gaps)};
-    report.parts = std::move(built.parts);
-    report.runs = built.runs;
-    report.pieces = built.pieces;
-    report.grid = built.grid;
-    report.region = built.region;
-    report.volumes = built.volumes;
     tell(options.progress, "round");
     TriMesh mesh = round(built.solid, report.output);
+    take(report, std::move(built), document, options.connect);
     tell(options.progress, "certify");
     certificate = certificate_of(arguments, assembly);
     tell(options.progress, "report");

@@ -23,11 +23,11 @@ SmoothRegion smooth_region(const Assembly& assembly, const Built& built) {
   if (!built.volumes) {
     return result;
   }
+  const auto walls = assembly::walls_of(assembly, result.whole, built.region);
   result.whole = assembly::filled(std::move(result.whole));
   if (built.region == Region::outer) {
     return result;
   }
-  const auto walls = assembly::walls_of(assembly, resolve(assembly), built.region);
   assembly::SelectedParts bore = assembly::bore_of(assembly, result.whole, walls.value());
   assembly::lengthen_out_of(bore, assembly, result.whole, *walls, names_seen(built.solid));
   result.bore = std::move(bore.resolved);
