@@ -28,7 +28,7 @@ struct CertifyArguments {
 };
 
 std::string named(const Certificate& certificate, const ClearanceClaim& claim) {
-  return certificate.parts[claim.first].name + " and " + certificate.parts[claim.second].name;
+  return certificate.surface_name(claim.first) + " and " + certificate.surface_name(claim.second);
 }
 
 /// Every claim that is not proved, on a line of its own.
@@ -64,12 +64,15 @@ void print_findings(std::ostream& out, const Certificate& certificate) {
           certificate.joined(claim) ? "nothing in common but the joint" : "clearance",
           claim.verdict);
   }
+  for (const ClearanceClaim& claim : certificate.fillet_clearances) {
+    print(named(certificate, claim), "clearance", claim.verdict);
+  }
 }
 
 void print_certificate(std::ostream& out, const Certificate& certificate) {
   const RegularClaim* tightest = nullptr;
   std::string tightest_name;
-  double error = 0, contact = 0;
+  double error = 0, contact = 0, deviation = 0;
   const auto include = [&](const RegularClaim& regular, const std::string& name) {
     if (regular.verdict == Verdict::proved &&
         (tightest == nullptr || regular.margin < tightest->margin)) {
@@ -88,15 +91,18 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
     for (const LoopClaims& claims : certificate.fillet_claims[i]) {
       error = std::max(error, claims.mesh ? claims.mesh->error_bound : 0);
       contact = std::max(contact, claims.contact.offset);
+      deviation = std::max(deviation, claims.contact.deviation);
       include(claims.regular, certificate.fillets[i].name);
     }
   }
   const ClearanceClaim* nearest = nullptr;
   std::size_t overlaps = 0;
-  for (const ClearanceClaim& claim : certificate.clearances) {
-    overlaps += claim.overlap ? 1 : 0;
-    if (claim.distance > 0 && (nearest == nullptr || claim.distance < nearest->distance)) {
-      nearest = &claim;
+  for (const auto* clearances : {&certificate.clearances, &certificate.fillet_clearances}) {
+    for (const ClearanceClaim& claim : *clearances) {
+      overlaps += claim.overlap ? 1 : 0;
+      if (claim.distance > 0 && (nearest == nullptr || claim.distance < nearest->distance)) {
+        nearest = &claim;
+      }
     }
   }
   const std::string unit = " " + std::string(symbol(certificate.unit));
@@ -110,7 +116,7 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
   }
   print_row(out, "mesh error", "at most " + number(error) + unit);
   if (!certificate.fillets.empty()) {
-    print_row(out, "fillets touch pipes", "within " + number(contact) + unit);
+    print_row(out, "fillets touch pipes", "within " + number(contact) + unit + ", tangent within " + number(deviation) + " rad");
   }
   if (nearest != nullptr) {
     print_row(

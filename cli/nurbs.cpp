@@ -23,10 +23,30 @@ struct NurbsArguments {
   std::string file, output;
 };
 
+// A cope has no surface of its own.
+void append_fillets(const ResolvedAssembly& resolved, double tolerance,
+                    std::vector<NamedNurbs>& result) {
+  for (const ResolvedFillet& fillet : resolved.fillets) {
+    if (fillet.shape.is_cope()) {
+      continue;
+    }
+    NurbsForm form;
+    for (const CanalFillet& loop : fillet.shape.loops) {
+      try {
+        const NurbsForm own = nurbs(loop, tolerance);
+        form.surfaces.insert(form.surfaces.end(), own.surfaces.begin(), own.surfaces.end());
+        form.error_bound = std::max(form.error_bound, own.error_bound);
+      } catch (const Error& error) {
+        throw error.in_part(fillet.name);
+      }
+    }
+    result.push_back({fillet.name, "fillet", std::move(form)});
+  }
+}
+
 std::vector<NamedNurbs> nurbs_of(const Assembly& assembly, double tolerance) {
   std::vector<NamedNurbs> result;
   const ResolvedAssembly resolved = resolve(assembly);
-  refuse_fillets(assembly, resolved, "NURBS");
   refuse_junctions(assembly, resolved, "NURBS");
   for (const ResolvedPart& part : resolved.parts) {
     try {
@@ -35,6 +55,7 @@ std::vector<NamedNurbs> nurbs_of(const Assembly& assembly, double tolerance) {
       throw error.in_part(part.name);
     }
   }
+  append_fillets(resolved, tolerance, result);
   return result;
 }
 
@@ -100,7 +121,7 @@ void add_nurbs(CLI::App& app, Action& action) {
       ->required();
   command->footer(
       "Rational surfaces are exact; others are within --tolerance (the document's if not given),\n"
-      "as proven: 'error_bound' says how far.\n\n"
+      "as proven: 'error_bound' says how far. Pipes with fillets or copes are not trimmed.\n\n"
       "Examples:\n"
       "  dupin nurbs examples/reducer.json -o reducer-nurbs.json --tolerance 0.001mm\n"
       "  dupin nurbs examples/reducer.json -o reducer.iges");

@@ -35,6 +35,9 @@ inline std::vector<NamedLoop> loops_of_all_kinds() {
   add("partly", rolling_ball_fillets(cylinders(0.5, 0.75, 45), 0.2));
   const Ring pipe{{0, 0, 0}, {1, 0, 0}, 4, 0}, cone{{1, 0, 0}, {0, 0, 1}, 2, 0.1};
   add("cone", rolling_ball_fillets({pipe, cone}, 0.5));
+  add("partly_cone", rolling_ball_fillets({Ring{{0, 0, 0}, {1, 0, 0}, 4, 0},
+                                           Ring{{1, 3.2, 0}, Vec3(0.2, 0, 1).normalized(), 2, 0.1}},
+                                          0.3));
   add("rational", {rational_fillet(cylinders(0.5, 0.1, 70), {0.4, 0.5, 0.45, 0.5}, 1)});
   add("parallel",
       rational_fillets(

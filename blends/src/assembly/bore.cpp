@@ -293,9 +293,42 @@ class Borer {
       thicker = std::max(thicker, walls_[pipe.index]);
     }
     fillet.name += kBoreSuffix;
-    fillet.shape = fillet.shape.is_cope()
-                       ? cope_between(pipes, names)
-                       : fillet_between(pipes, names, fillet.shape.radius + thicker);
+    if (fillet.shape.is_cope()) {
+      fillet.shape = cope_between(pipes, names);
+      return;
+    }
+    const double radius = fillet.shape.radius;
+    if (const auto fault = fillet_fault(pipes, names, radius + thicker)) {
+      refuse("inside, where the ball has a radius of " +
+             decimal(radius + thicker, kMessageDigits) + ", larger by the wall, " + *fault +
+             what_would_do(fillet, pipes, names, thicker));
+    }
+    fillet.shape = fillet_between(pipes, names, radius + thicker);
+  }
+
+  // The largest ball for these walls, and the thickest walls for this ball.
+  [[nodiscard]] std::string what_would_do(const ResolvedFillet& fillet,
+                                          const std::array<const PartSurface*, 2>& pipes,
+                                          const std::array<std::string, 2>& names,
+                                          double thicker) const {
+    const double radius = fillet.shape.radius;
+    const auto smaller = largest_radius_below(
+        radius, [&](double tried) { return !fillet_fault(pipes, names, tried + thicker); });
+    const auto thinner = largest_radius_below(thicker, [&](double tried) {
+      std::array<PartSurface, 2> bores;
+      for (std::size_t i = 0; i < 2; ++i) {
+        const ResolvedPart& pipe = outer_.parts[fillet.between.at(i)];
+        const double wall = walls_[pipe.index] * (tried / thicker);
+        bores.at(i) = std::visit(NarrowedSurface{wall}, pipe.shape);
+      }
+      return !fillet_fault({&bores[0], &bores[1]}, names, radius + tried);
+    });
+    if (!smaller && !thinner) {
+      return "; neither a smaller fillet nor a thinner wall would do";
+    }
+    return (smaller ? "; a fillet of radius " + decimal(*smaller, 2) : std::string("; ")) +
+           (smaller && thinner ? ", or " : "") +
+           (thinner ? "a wall of " + decimal(*thinner, 2) : std::string()) + " would do";
   }
 
   const Assembly& assembly_;

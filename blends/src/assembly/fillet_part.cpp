@@ -20,6 +20,8 @@ constexpr int kSamples = 256;  // of a loop
 // What rounding leaves of a touch, of a radius.
 constexpr double kTouching = 1e-9;
 constexpr double kRounding = 1e-13;  // of what is no touch
+// A smaller gap would have the ball turn within the rounding of where it is.
+constexpr double kTouchingPipes = 0x1p-33;
 
 const RingedSurface& straight_tube(const PartSurface& surface, const std::string& name) {
   const auto* chain = std::get_if<Chain>(&surface);
@@ -188,7 +190,8 @@ class Search {
       refuse("the axes are parallel: such pipes are not cut along each other");
     }
     auto loops =
-        parallel ? rational_fillets(quadrics, radius_) : rolling_ball_fillets(quadrics, radius_);
+        parallel ? rational_fillets(quadrics, radius_)
+                 : rolling_ball_fillets(quadrics, radius_, kTouchingPipes);
     for (CanalFillet& loop : loops) {
       loop.quadrics = {pipes_[0].ring(), pipes_[1].ring()};
     }
@@ -258,12 +261,12 @@ class Search {
   std::vector<std::array<Course, 2>> courses_;
 };
 
-bool is_feasible(const std::array<Pipe, 2>& pipes, double radius) {
+std::optional<std::string> fault_of(const std::array<Pipe, 2>& pipes, double radius) {
   try {
     (void)Search(pipes, radius).run();
-    return true;
-  } catch (const Error&) {
-    return false;
+    return std::nullopt;
+  } catch (const Error& error) {
+    return error.message();
   }
 }
 
@@ -295,12 +298,17 @@ Fillet fillet_between(const std::array<const PartSurface*, 2>& surfaces,
     return Search(pipes, radius).run();
   } catch (const Error& error) {
     const auto largest =
-        largest_radius_below(radius, [&](double tried) { return is_feasible(pipes, tried); });
+        largest_radius_below(radius, [&](double tried) { return !fault_of(pipes, tried); });
     throw Error(Errc::infeasible_blend,
                 error.message() + (largest ? "; the largest ball that fits has a radius of " +
                                                  decimal(*largest, 2)
                                            : std::string("; nor does a smaller ball fit")));
   }
+}
+
+std::optional<std::string> fillet_fault(const std::array<const PartSurface*, 2>& surfaces,
+                                        const std::array<std::string, 2>& names, double radius) {
+  return fault_of(pipes_of(surfaces, names), radius);
 }
 
 Fillet cope_between(const std::array<const PartSurface*, 2>& surfaces,

@@ -18,6 +18,11 @@ namespace dupin::assembly {
 [[nodiscard]] Fillet fillet_between(const std::array<const PartSurface*, 2>& pipes,
                                     const std::array<std::string, 2>& names, double radius);
 
+/// Why there is no such fillet; none where there is one. Throws for other surfaces as it does.
+[[nodiscard]] std::optional<std::string> fillet_fault(
+    const std::array<const PartSurface*, 2>& pipes, const std::array<std::string, 2>& names,
+    double radius);
+
 /// The largest radius that fits and is smaller than this one, which does not: to two digits,
 /// rounded down. None if not even a thousandth of it fits.
 [[nodiscard]] std::optional<double> largest_radius_below(double radius,

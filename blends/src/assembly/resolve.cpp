@@ -424,19 +424,6 @@ bool is_buried(const ResolvedAssembly& assembly, const EndIndex& end) {
   });
 }
 
-void refuse_fillets(const Assembly& assembly, const ResolvedAssembly& resolved,
-                    std::string_view what) {
-  for (const ResolvedFillet& fillet : resolved.fillets) {
-    if (fillet.shape.is_cope()) {
-      continue;
-    }
-    throw Error(Errc::invalid_argument,
-                "fillets have no " + std::string(what) +
-                    "; leave them out of the document, then its pipes have",
-                fillet.name, document_place(assembly, fillet.index));
-  }
-}
-
 void refuse_junctions(const Assembly& assembly, const ResolvedAssembly& resolved,
                       std::string_view what) {
   for (const ResolvedJunction& junction : resolved.junctions) {

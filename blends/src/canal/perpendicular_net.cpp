@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dupin/blends/canal_fillet.h"
+#include "dupin/blends/nurbs.h"
 #include "numbers/exact_vec3.h"
 #include "numbers/polynomial.h"
 

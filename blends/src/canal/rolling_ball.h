@@ -75,4 +75,34 @@ template <class T>
   return result;
 }
 
+template <class T>
+[[nodiscard]] BallJet<T> ball_jet(const RollingPartlyOnCones& motion, const Turn<T>& turn) {
+  // As for RollingOnCones, with the direction of the angle's double tangent times 1 + q^2.
+  const Ring &one = motion.first, &two = motion.second;
+  const Jet<T> q = motion.width * turn.cosine, all = Jet<T>(1) + square(q);
+  const Jet<T> zero = Jet<T>(1) - square(q), quarter = 2 * q;
+  const auto around = [&](const Vec3& along, double size) {
+    return combination<T>(Vec3::Zero(), {size * motion.zero, size * motion.quarter, along},
+                          {zero, quarter, all});
+  };
+  const JetVec<T> start = around(two.center - one.center, two.radius);
+  const JetVec<T> ahead = around(two.normal, two.slope);
+  const Jet<T> s0 = product<T>(start, one.normal), s1 = product<T>(ahead, one.normal);
+  const double stretch = 1 + one.slope * one.slope, lever = one.radius * one.slope;
+  const Jet<T> a = product<T>(ahead, ahead) - stretch * square(s1);
+  const Jet<T> b = product<T>(start, ahead) - stretch * (s0 * s1) - lever * (s1 * all);
+  Jet<T> rest(motion.rest.back());
+  for (std::size_t i = motion.rest.size() - 1; i-- > 0;) {
+    rest = rest * turn.cosine + Jet<T>(motion.rest[i]);
+  }
+  const Jet<T> t = (turn.sine * square_root(rest) - b) / a;
+  BallJet<T> result;
+  result.radius = motion.radius;
+  for (std::size_t k = 0; k < 3; ++k) {
+    result.center[k] =
+        Jet<T>(one.center[static_cast<int>(k)]) + (start[k] + t * ahead[k]) / all;
+  }
+  return result;
+}
+
 }  // namespace dupin::canal

@@ -15,6 +15,7 @@
 #include "assembly/welded_runs.h"
 #include "certification/checked_claims.h"
 #include "certification/prove_fillet.h"
+#include "certification/prove_loop_clearance.h"
 #include "certification/prove_regular.h"
 #include "certification/swept_disc_pairs.h"
 #include "dupin/kernel/decimal.h"
@@ -69,6 +70,9 @@ std::vector<verification::PartPair> all_pairs(std::uint32_t parts) {
   return pairs;
 }
 
+// Arcs are not divided further than the leaves of the claim that their loop is regular.
+constexpr std::size_t kBoxesOfLoop = 1 << 11;
+
 // The largest angle about a ring's axis that a triangle spans.
 double widest_turn(const TriMesh& mesh, const Ring& ring) {
   const auto arm = [&](std::uint32_t vertex) -> Vec3 {
@@ -107,6 +111,7 @@ class Certifier {
     }
     append_meshes();
     append_clearances();
+    append_fillet_clearances();
     return std::move(result_);
   }
 
@@ -220,6 +225,42 @@ class Certifier {
     }
   }
 
+  // Of every loop and every part but its pipes, then every later loop.
+  void append_fillet_clearances() {
+    const auto& loops = checker_.loops();
+    std::vector<certification::SweptDiscs> arcs;
+    std::vector<const CertifiedFillet*> fillet_of;
+    arcs.reserve(loops.size());
+    for (const auto& loop : loops) {
+      arcs.push_back(certification::swept_arcs(loop, &work_));
+    }
+    for (const CertifiedFillet& fillet : result_.fillets) {
+      fillet_of.insert(fillet_of.end(), fillet.loops.size(), &fillet);
+    }
+    const std::size_t boxes = std::min(options_.boxes, kBoxesOfLoop), parts = sweeps_.size();
+    work_.allow(kWorkOfPair * loops.size() * (parts + loops.size()));
+    for (std::size_t k = 0; k < loops.size(); ++k) {
+      for (std::size_t i = 0; i < parts; ++i) {
+        if (std::ranges::count(fillet_of[k]->between, i) == 0) {
+          append_fillet_clearance(
+              i, parts + k,
+              certification::prove_clearance(sweeps_[i], loops[k], arcs[k], boxes));
+        }
+      }
+      for (std::size_t j = k + 1; j < loops.size(); ++j) {
+        append_fillet_clearance(
+            parts + k, parts + j,
+            certification::prove_clearance(loops[k], arcs[k], loops[j], arcs[j], boxes));
+      }
+    }
+  }
+
+  void append_fillet_clearance(std::size_t first, std::size_t second, ClearanceClaim claim) {
+    claim.first = std::uint32_t(first);
+    claim.second = std::uint32_t(second);
+    result_.fillet_clearances.push_back(checker_.agreed(std::move(claim)));
+  }
+
   [[nodiscard]] ClearanceClaim clearance(std::uint32_t i, std::uint32_t j) const {
     const auto ends = joints(result_.parts[i], j);
     if (sweeps_[i].length() == 0 || sweeps_[j].length() == 0) {
@@ -254,10 +295,22 @@ std::size_t Certificate::findings() const {
       count += loop.mesh ? 0 : 1;
     }
   }
-  return count +
-         std::size_t(std::count_if(clearances.begin(), clearances.end(), [](const auto& claim) {
-           return claim.verdict != Verdict::proved;
-         }));
+  const auto is_open = [](const ClearanceClaim& claim) {
+    return claim.verdict != Verdict::proved;
+  };
+  return count + std::size_t(std::ranges::count_if(clearances, is_open) +
+                             std::ranges::count_if(fillet_clearances, is_open));
+}
+
+const std::string& Certificate::surface_name(std::uint32_t surface) const {
+  if (surface < parts.size()) {
+    return parts[surface].name;
+  }
+  std::size_t loop = surface - parts.size(), fillet = 0;
+  while (loop >= fillets.at(fillet).loops.size()) {
+    loop -= fillets[fillet++].loops.size();
+  }
+  return fillets[fillet].name;
 }
 
 bool Certificate::joined(const ClearanceClaim& claim) const {

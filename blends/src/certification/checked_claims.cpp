@@ -38,6 +38,7 @@ void CheckedClaims::read(const CertifiedPart& part) {
 
 LoopClaims CheckedClaims::agreed(const CanalFillet& loop, LoopClaims claims) {
   limit_.set_left(limit_.left() + verification::work_for_loop());
+  loops_.push_back({&loop, {}});
   std::optional<std::vector<verification::ArcCell>> cells;
   const auto lacks = [&](std::uint64_t allowance, const auto& check) {
     return !holds(allowance, check);
@@ -61,6 +62,7 @@ LoopClaims CheckedClaims::agreed(const CanalFillet& loop, LoopClaims claims) {
                            [&] { return verification::follows(*cells, *claims.mesh); })) {
     claims.mesh.reset();
   }
+  loops_.back().cells = std::move(*cells);
   return claims;
 }
 
@@ -145,12 +147,30 @@ ClearanceClaim CheckedClaims::agreed(ClearanceClaim claim,
     return claim;
   }
   const auto joints = verification::joints(solids_, parts, claim.first, claim.second);
+  return nearer(std::move(claim), [&](const ClearanceClaim& weaker) {
+    return verification::follows(solids_[weaker.first], solids_[weaker.second], joints, weaker);
+  });
+}
+
+ClearanceClaim CheckedClaims::agreed(ClearanceClaim claim) {
+  if (claim.verdict == Verdict::undecided) {
+    return claim;
+  }
+  return nearer(std::move(claim), [&](const ClearanceClaim& weaker) {
+    const auto& second = loops_[weaker.second - solids_.size()];
+    return weaker.first < solids_.size()
+               ? verification::follows(solids_[weaker.first], second, weaker)
+               : verification::follows(loops_[weaker.first - solids_.size()], second, weaker);
+  });
+}
+
+// With the largest of some shares of the distance that follows.
+template <class Follows>
+ClearanceClaim CheckedClaims::nearer(ClearanceClaim claim, const Follows& follows) {
   const double proven = claim.distance;
   for (const double share : {1.0, 1 - 0x1p-20, 0.5, 0x1p-10}) {
     claim.distance = proven * share;
-    if (holds(verification::work_for(claim.leaves), [&] {
-          return verification::follows(solids_[claim.first], solids_[claim.second], joints, claim);
-        })) {
+    if (holds(verification::work_for(claim.leaves), [&] { return follows(claim); })) {
       return claim;
     }
     if (proven == 0) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "verification/claims.h"
+#include "verification/loop_clearance.h"
 #include "verification/near_parts.h"
 #include "verification/work.h"
 
@@ -18,8 +19,10 @@ class CheckedClaims {
   /// The next part. Throws Error{invalid_argument} for one whose numbers no certificate holds.
   void read(const CertifiedPart& part);
 
-  /// A loop of a fillet. What does not follow is undecided, but for the contact, which does.
+  /// The next loop of a fillet, which outlives this. What does not follow is undecided, but for
+  /// the contact, which does.
   [[nodiscard]] LoopClaims agreed(const CanalFillet& loop, LoopClaims claims);
+  [[nodiscard]] const std::vector<verification::LoopArcs>& loops() const { return loops_; }
 
   // About the part that was read last.
   [[nodiscard]] RegularClaim agreed(RegularClaim claim);
@@ -38,8 +41,13 @@ class CheckedClaims {
   [[nodiscard]] std::optional<MeshClaim> agreed(MeshClaim claim, std::uint32_t part);
   [[nodiscard]] ClearanceClaim agreed(ClearanceClaim claim,
                                       const std::vector<CertifiedPart>& parts);
+  /// Of a part and a loop, or two loops: surfaces, parts first.
+  [[nodiscard]] ClearanceClaim agreed(ClearanceClaim claim);
 
  private:
+  template <class Follows>
+  ClearanceClaim nearer(ClearanceClaim claim, const Follows& follows);
+
   template <class Check>
   bool holds(std::uint64_t allowance, const Check& check);
 
@@ -47,6 +55,7 @@ class CheckedClaims {
   std::uint64_t refused_work_ = 0;
   bool lacks_work_ = false;  // it was work, not truth, that a claim lacked
   std::vector<verification::Solid> solids_;
+  std::vector<verification::LoopArcs> loops_;
   std::vector<std::string> names_;
 };
 

@@ -211,6 +211,21 @@ std::optional<Overlap> contact(const SweptDiscs& a, const SweptDiscs& b) {
   return std::nullopt;
 }
 
+std::optional<Overlap> overlap(const SweptDiscs& part, const std::vector<PlacedPoint>& points) {
+  if (!part.full() || part.is_out_of_work()) {
+    return std::nullopt;
+  }
+  const Crossings crossings(part);
+  for (const PlacedPoint& placed : points) {
+    for (const ParameterInterval& stretch : crossings.at(placed.point)) {
+      if (crosses(part, stretch, placed.point)) {
+        return Overlap{placed.point, stretch, {placed.parameter, placed.parameter}};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 // Points of either part, tried on the other.
 std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b) {
   auto result = overlap(a, b, false);

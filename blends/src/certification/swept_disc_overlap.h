@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "certification/swept_discs.h"
 
@@ -14,6 +15,16 @@ constexpr double kDiscSlack = 0x1p-40;
 
 /// A point inside discs of both parts, if one is found.
 [[nodiscard]] std::optional<Overlap> overlap(const SweptDiscs& first, const SweptDiscs& second);
+
+/// A point of something else, at a parameter of that.
+struct PlacedPoint {
+  Vec3 point;
+  double parameter = 0;
+};
+
+/// One of the points that is inside discs of the part, if there is one.
+[[nodiscard]] std::optional<Overlap> overlap(const SweptDiscs& part,
+                                             const std::vector<PlacedPoint>& points);
 
 /// The centre of an end ring of either part that lies in an end ring of the other, exactly.
 [[nodiscard]] std::optional<Overlap> contact(const SweptDiscs& first, const SweptDiscs& second);

@@ -32,6 +32,19 @@ SweptDiscs::SweptDiscs(const Chain& chain, SearchWork* work)
   }
 }
 
+SweptDiscs::SweptDiscs(std::size_t length,
+                       const std::function<DiscHull(const ParameterInterval&)>& hull,
+                       SearchWork* work)
+    : work_(work), full_(false) {
+  for (std::size_t i = 0; i < length; ++i) {
+    pieces_.push_back({[hull, i](const ParameterInterval& t) {
+                         return hull({t.from + double(i), t.to + double(i)});
+                       },
+                       [](const ParameterInterval&) { return std::optional<DiscPace>(); },
+                       [](const ParameterInterval&, double) { return false; }, false});
+  }
+}
+
 std::vector<ParameterInterval> SweptDiscs::stretches() const {
   std::vector<ParameterInterval> result;
   for (double t = 0; t < length(); ++t) {

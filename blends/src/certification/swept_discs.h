@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,10 @@ class SweptDiscs {
   /// What is asked of the discs is spent of `work`, if given; it outlives this.
   explicit SweptDiscs(const Sphere& sphere, SearchWork* work = nullptr);
   explicit SweptDiscs(const Chain& chain, SearchWork* work = nullptr);
+  /// Any hulls of stretches of [0, length]: what is in them is no part, and nothing is known of it
+  /// besides.
+  SweptDiscs(std::size_t length, const std::function<DiscHull(const ParameterInterval&)>& hull,
+             SearchWork* work = nullptr);
 
   [[nodiscard]] double length() const { return sphere_ ? 1 : double(pieces_.size()); }
   [[nodiscard]] bool closed() const { return closed_; }

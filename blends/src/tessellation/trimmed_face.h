@@ -18,12 +18,13 @@ struct TrimmedFace {
 };
 
 /// Its triangles, counter-clockwise from outside; corners are those of the rings' polygons, as far
-/// as they are kept, and of the curves, and no others: first the start's as
+/// as they are kept, and of the curves, and others on the face: first the start's as
 /// sample(flipped(start), sampling), last the end's as sample(end, sampling), bitwise.
 ///
-/// A constrained Delaunay triangulation in the plane of angle and height, which is so flat in
-/// height that corners next to each other by angle are joined. Every triangle is within R (1 -
-/// cos(angle / 2)) of the face, `angle` being what it spans about the axis: `error_bound`.
+/// Where there are curves, a constrained Delaunay triangulation of the unrolled face, with points
+/// so that no triangle is a sliver (`refined_region`); between them, bands of triangles from ring to
+/// ring that are at most 50 times as long as wide. Every triangle is within
+/// R (1 - cos(angle / 2)) of the face, `angle` being what it spans about the axis: `error_bound`.
 ///
 /// Throws Error{self_intersecting} where curves cross or pass a ring that is kept.
 [[nodiscard]] Tessellation trimmed_face(const TrimmedFace& face, const RingSampling& sampling);

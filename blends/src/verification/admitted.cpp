@@ -99,6 +99,13 @@ struct MotionReader {
     points({m.zero, m.quarter});
     numbers({m.side, m.radius});
   }
+  void operator()(const RollingPartlyOnCones& m) const {
+    needs.ring(m.first);
+    needs.ring(m.second);
+    points({m.zero, m.quarter});
+    numbers({m.width, m.radius});
+    std::for_each(m.rest.begin(), m.rest.end(), [this](double x) { needs.number(x); });
+  }
   void operator()(const RationalCrossing& m) const {
     spheres({m.origin, m.along, m.across, m.e3, m.e4});
     numbers({m.cosine, m.sine, m.distance, m.side});

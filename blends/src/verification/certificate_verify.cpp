@@ -7,6 +7,7 @@
 #include "dupin/kernel/error.h"
 #include "verification/admitted.h"
 #include "verification/claims.h"
+#include "verification/loop_clearance.h"
 #include "verification/near_parts.h"
 #include "verification/work.h"
 
@@ -112,7 +113,7 @@ namespace {
 bool is_same(const Ring& a, const Ring& b) { return are_flips(a, flipped(b)); }
 
 // The quadrics are those of the pipes, so that what touches these touches the pipes.
-void verify_loop(const std::vector<Solid>& solids, const CertifiedFillet& fillet,
+LoopArcs verify_loop(const std::vector<Solid>& solids, const CertifiedFillet& fillet,
                  const CanalFillet& loop, const LoopClaims& claims, double tolerance) {
   for (std::size_t side = 0; side < 2; ++side) {
     const Solid& pipe = solids[fillet.between.at(side)];
@@ -122,27 +123,32 @@ void verify_loop(const std::vector<Solid>& solids, const CertifiedFillet& fillet
   }
   require(follows(loop, claims.contact) && claims.contact.offset <= tolerance, fillet.name,
           "contact");
-  const auto cells = regular_cells(loop, claims.regular);
+  auto cells = regular_cells(loop, claims.regular);
   require(cells || (is_undecided(claims.regular.verdict) && has_form(claims.regular)), fillet.name,
           "regular");
   require(is_undecided(claims.embedded.verdict) ? has_form(claims.embedded)
                                                 : cells && follows(loop, *cells, claims.embedded),
           fillet.name, "embedded");
   require(!claims.mesh || (cells && follows(*cells, *claims.mesh)), fillet.name, "mesh");
+  return {&loop, cells ? std::move(*cells) : std::vector<ArcCell>()};
 }
 
-void verify_fillets(const std::vector<Solid>& solids, const Certificate& certificate) {
+// Of every fillet one by one.
+std::vector<std::vector<LoopArcs>> verify_fillets(const std::vector<Solid>& solids, const Certificate& certificate) {
   const auto& fillets = certificate.fillets;
   require(certificate.fillet_claims.size() == fillets.size(), "", "fillets");
+  std::vector<std::vector<LoopArcs>> result(fillets.size());
   for (std::size_t i = 0; i < fillets.size(); ++i) {
     const auto& claims = certificate.fillet_claims[i];
     const auto& loops = fillets[i].loops;
     require(!loops.empty() && loops.size() == claims.size(), fillets[i].name, "loops");
     admit(fillets[i]);
     for (std::size_t k = 0; k < loops.size(); ++k) {
-      verify_loop(solids, fillets[i], loops[k], claims[k], certificate.tolerance);
+      result[i].push_back(
+          verify_loop(solids, fillets[i], loops[k], claims[k], certificate.tolerance));
     }
   }
+  return result;
 }
 
 void verify_inputs(const Certificate& certificate) {
@@ -209,6 +215,44 @@ void verify_near_pairs(const std::vector<Solid>& solids, const Certificate& cert
   }
 }
 
+// Every loop and every part but its pipes, then every later loop.
+void verify_fillet_clearances(const std::vector<Solid>& solids,
+                              const std::vector<std::vector<LoopArcs>>& fillets,
+                              const Certificate& certificate) {
+  struct Loop {
+    const CertifiedFillet* fillet;
+    const LoopArcs* arcs;
+  };
+  std::vector<Loop> loops;
+  for (std::size_t i = 0; i < fillets.size(); ++i) {
+    for (const LoopArcs& arcs : fillets[i]) {
+      loops.push_back({&certificate.fillets[i], &arcs});
+    }
+  }
+  const auto& claims = certificate.fillet_clearances;
+  auto claim = claims.begin();
+  const auto next = [&](std::size_t first, std::size_t second, const Loop& loop,
+                        const auto& holds) {
+    require(claim != claims.end() && claim->first == first && claim->second == second &&
+                (is_undecided(claim->verdict) ? has_form(*claim) : holds()),
+            loop.fillet->name, "clearance");
+    ++claim;
+  };
+  const std::size_t parts = solids.size();
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    for (std::size_t i = 0; i < parts; ++i) {
+      if (std::ranges::count(loops[k].fillet->between, i) == 0) {
+        next(i, parts + k, loops[k], [&] { return follows(solids[i], *loops[k].arcs, *claim); });
+      }
+    }
+    for (std::size_t j = k + 1; j < loops.size(); ++j) {
+      next(parts + k, parts + j, loops[k],
+           [&] { return follows(*loops[k].arcs, *loops[j].arcs, *claim); });
+    }
+  }
+  require(claim == claims.end(), "", "clearance");
+}
+
 }  // namespace
 }  // namespace dupin::verification
 
@@ -225,12 +269,13 @@ void verify(const Certificate& certificate) {
     verification::verify_part(solids[i], parts[i].name, certificate.claims[i],
                               certificate.tolerance);
   }
-  verification::verify_fillets(solids, certificate);
+  const auto fillets = verification::verify_fillets(solids, certificate);
   if (certificate.apart == 0) {
     verification::verify_all_pairs(solids, certificate);
   } else {
     verification::verify_near_pairs(solids, certificate);
   }
+  verification::verify_fillet_clearances(solids, fillets, certificate);
 }
 
 }  // namespace dupin

@@ -22,6 +22,7 @@ struct ArcJets {
   std::array<JetVec<4>, 2> toward;
   std::array<Jet<3>, 2> spin, bending, passing;
   std::array<JetVec<4>, 4> corners;
+  JetVec<4> middle;
 };
 
 std::optional<ArcJets> arc_jets(const CanalFillet& loop, const TurnStretch& turn) {
@@ -62,6 +63,7 @@ std::optional<ArcJets> arc_jets(const CanalFillet& loop, const TurnStretch& turn
   }
   const JetVec<4> center_of_circle = center - jets.behind * jets.tangent;
   const JetVec<4> halfway = sum / sqrt(squared_sum);
+  jets.middle = center_of_circle + jets.radius * halfway;
   for (std::size_t i = 0; i < 2; ++i) {
     const JetVec<4>& end = jets.toward.at(i);
     const Jet<4> reach = jets.radius / (constant<4>(1) + dot(end, halfway));
@@ -189,6 +191,7 @@ std::optional<ContactArcs> contact_arcs(const CanalFillet& loop, const Parameter
   for (std::size_t i = 0; i < arcs.corners.size(); ++i) {
     arcs.corners.at(i) = over([i](const ArcJets& j) { return j.corners.at(i); });
   }
+  arcs.middle = over([](const ArcJets& j) { return j.middle; });
   arcs.cosine = over([](const ArcJets& j) { return j.cosine; });
   arcs.inverse_cosine = hull(1, sqrt(Interval(2) / (Interval(1) + arcs.cosine)));
   arcs.bending = between(arcs, bending, numbers::norm(arcs.turning).upper);

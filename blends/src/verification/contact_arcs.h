@@ -29,6 +29,7 @@ struct ContactArcs {
   /// Of quadrilaterals that hold the arcs: their ends, and where the tangents there meet the one
   /// halfway.
   std::array<IntervalVec, 4> corners;
+  IntervalVec middle;  ///< of the points halfway on the arcs
 };
 
 /// None where the numbers do not tell, or the balls have no such arcs.

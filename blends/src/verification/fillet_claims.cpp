@@ -29,6 +29,10 @@ ParameterInterval cell(const ParameterInterval& t, int i, int cells) {
 // The cells that a stretch meets.
 using Way = std::span<const ArcCell>;
 
+Interval spins(const ContactArcs& arcs) { return hull(arcs.spin[0], arcs.spin[1]); }
+
+}  // namespace
+
 Way cells_of(const std::vector<ArcCell>& cells, const ParameterInterval& t) {
   const auto first =
       std::ranges::upper_bound(cells, t.from, {}, [](const ArcCell& c) { return c.t.to; });
@@ -38,7 +42,25 @@ Way cells_of(const std::vector<ArcCell>& cells, const ParameterInterval& t) {
   return {first, last};
 }
 
-Interval spins(const ContactArcs& arcs) { return hull(arcs.spin[0], arcs.spin[1]); }
+bool moves_along(Way way, const IntervalVec& d) {
+  return std::ranges::all_of(way, [&](const ArcCell& cell) {
+    const ContactArcs& arcs = cell.arcs;
+    const Interval speed = arcs.passing * dot(arcs.tangent, d) - arcs.lag * dot(arcs.turning, d) +
+                           arcs.growth * along_arcs(arcs, d) +
+                           arcs.radius * spins(arcs) * along_arcs(arcs, cross(d, arcs.tangent));
+    return speed.lower > 0;
+  });
+}
+
+double furthest(Way way, const IntervalVec& d) {
+  double most = -kInfinity;
+  for (const ArcCell& cell : way) {
+    most = std::max(most, furthest(cell.arcs, d));
+  }
+  return most;
+}
+
+namespace {
 
 // All arcs of the ways, one after the other, are in front of the planes of those before them.
 bool advances(const std::array<Way, 2>& ways) {
@@ -59,17 +81,6 @@ bool advances(const std::array<Way, 2>& ways) {
              return (Interval(arcs.passing.lower) * cosine - sideways.upper * phi).lower > 0;
            });
          });
-}
-
-// All points of arcs move along d.
-bool moves_along(Way way, const IntervalVec& d) {
-  return std::ranges::all_of(way, [&](const ArcCell& cell) {
-    const ContactArcs& arcs = cell.arcs;
-    const Interval speed = arcs.passing * dot(arcs.tangent, d) - arcs.lag * dot(arcs.turning, d) +
-                           arcs.growth * along_arcs(arcs, d) +
-                           arcs.radius * spins(arcs) * along_arcs(arcs, cross(d, arcs.tangent));
-    return speed.lower > 0;
-  });
 }
 
 bool is_short_way(const CanalFillet& loop, const std::vector<ArcCell>& cells,
@@ -93,14 +104,6 @@ bool is_short_way(const CanalFillet& loop, const std::vector<ArcCell>& cells,
 bool is_at_corner(const CanalFillet& loop, const DiscPairs& leaf) {
   return (leaf.first.to == 1 && leaf.second.from == 1 && has_corner(loop, 1)) ||
          (leaf.first.from == 0 && leaf.second.to == kLength && has_corner(loop, 0));
-}
-
-double furthest(Way way, const IntervalVec& d) {
-  double most = -kInfinity;
-  for (const ArcCell& cell : way) {
-    most = std::max(most, furthest(cell.arcs, d));
-  }
-  return most;
 }
 
 bool are_apart(Way first, Way second, const IntervalVec& d) {

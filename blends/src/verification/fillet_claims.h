@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "dupin/blends/certificate.h"
@@ -34,6 +35,16 @@ struct ArcCell {
 /// Whether a claim that is proved follows. O((leaves + cells) log).
 [[nodiscard]] bool follows(const CanalFillet& loop, const std::vector<ArcCell>& cells,
                            const EmbeddedClaim& claim);
+
+/// The cells that a stretch meets.
+[[nodiscard]] std::span<const ArcCell> cells_of(const std::vector<ArcCell>& cells,
+                                                const ParameterInterval& t);
+
+/// An upper bound of x.d for the points of their arcs.
+[[nodiscard]] double furthest(std::span<const ArcCell> way, const IntervalVec& d);
+
+/// Whether all points of the arcs move along d.
+[[nodiscard]] bool moves_along(std::span<const ArcCell> way, const IntervalVec& d);
 
 /// Whether a leaf of such a claim holds. O(cells that it meets).
 [[nodiscard]] bool holds(const CanalFillet& loop, const std::vector<ArcCell>& cells,

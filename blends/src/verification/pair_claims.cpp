@@ -9,9 +9,7 @@
 #include "verification/covering.h"
 
 namespace dupin::verification {
-namespace {
 
-// The least upper bound that so many cells give of x.w on the stretch.
 double furthest(const Solid& solid, const ParameterInterval& t, const IntervalVec& w, int cells) {
   double result = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < cells; ++i) {
@@ -24,6 +22,8 @@ double furthest(const Solid& solid, const ParameterInterval& t, const IntervalVe
   }
   return result;
 }
+
+namespace {
 
 // Whether there is a slab of this width, and of any, between the discs.
 bool apart(const Solid& first, const Solid& second, const DiscPairs& leaf, double distance) {
@@ -135,26 +135,32 @@ bool lies_in(const Ring& ring, const Vec3& point) {
   return !ring.ellipse && height == 0 && squared <= mpq_class(ring.radius) * mpq_class(ring.radius);
 }
 
-// The plane of the discs passes the point within the stretch, which is nearer than the radius then.
-bool crosses(const Solid& solid, const ParameterInterval& t, const Vec3& point) {
-  if (!solid.pieces().empty() && !solid.closed() && t.from == t.to &&
-      (t.from == 0 || t.to == solid.length())) {
-    return lies_in(t.from == 0 ? solid.pieces().front().start : solid.pieces().back().end, point);
-  }
+}  // namespace
+
+bool crosses(const Solid& solid, const ParameterInterval& t, const numbers::IntervalVec& box) {
   const auto discs = solid.discs(t), first = solid.discs({t.from, t.from}),
              last = solid.discs({t.to, t.to});
   if (!(t.from < t.to) || !discs || !first || !last) {
     return false;
   }
-  const IntervalVec p = numbers::interval_vec(point);
   const bool passes =
       solid.ball() != nullptr ||
-      (numbers::dot(p - first->centers.front(), first->tangents.front()).lower > 0 &&
-       numbers::dot(p - last->centers.back(), last->tangents.back()).upper < 0);
+      (numbers::dot(box - first->centers.front(), first->tangents.front()).lower > 0 &&
+       numbers::dot(box - last->centers.back(), last->tangents.back()).upper < 0);
   return passes &&
          std::all_of(discs->centers.begin(), discs->centers.end(), [&](const IntervalVec& center) {
-           return numbers::norm(p - center).upper < discs->radius.lower;
+           return numbers::norm(box - center).upper < discs->radius.lower;
          });
+}
+
+namespace {
+
+bool crosses(const Solid& solid, const ParameterInterval& t, const Vec3& point) {
+  if (!solid.pieces().empty() && !solid.closed() && t.from == t.to &&
+      (t.from == 0 || t.to == solid.length())) {
+    return lies_in(t.from == 0 ? solid.pieces().front().start : solid.pieces().back().end, point);
+  }
+  return verification::crosses(solid, t, numbers::interval_vec(point));
 }
 
 bool follows(const Overlap& overlap, const Solid& first, const Solid& second) {
@@ -198,10 +204,14 @@ bool is_short_way(const Solid& first, const Solid& second, const std::vector<Joi
   });
 }
 
+}  // namespace
+
 bool has_leaf(const Solid& solid, const ParameterInterval& t) {
   return t.from < t.to && is_stretch(t, solid.length()) &&
          (solid.ball() != nullptr || solid.piece(t) != nullptr);
 }
+
+namespace {
 
 bool has_leaf(const Solid& first, const Solid& second, const DiscPairs& leaf) {
   return has_leaf(first, leaf.first) && has_leaf(second, leaf.second) &&

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "dupin/blends/certificate.h"
+#include "numbers/interval.h"
 #include "verification/solid.h"
 
 namespace dupin::verification {
@@ -16,6 +17,19 @@ struct JoinedEnds {
 /// where one is proved.
 [[nodiscard]] bool has_form(const EmbeddedClaim& claim);
 [[nodiscard]] bool has_form(const ClearanceClaim& claim);
+
+/// An upper bound of x.w for the points of the discs of a stretch, of so many cells; infinite where
+/// the numbers do not tell.
+[[nodiscard]] double furthest(const Solid& solid, const ParameterInterval& t,
+                              const numbers::IntervalVec& w, int cells);
+
+/// Whether all points of a box are inside: the discs' planes pass them within the stretch, and they
+/// are nearer than the radii then. The part is one that is full.
+[[nodiscard]] bool crosses(const Solid& solid, const ParameterInterval& t,
+                           const numbers::IntervalVec& box);
+
+/// Whether it is a stretch of one piece, or of a ball.
+[[nodiscard]] bool has_leaf(const Solid& solid, const ParameterInterval& t);
 
 /// Whether a claim that is proved or refuted follows from the part's numbers; `regular` is known to
 /// follow if it says that it is proved.

@@ -74,8 +74,10 @@ std::uint64_t work_for(const Certificate& certificate) {
     }
   }
   units += certificate.apart > 0 ? work_for_boxes(certificate.parts.size()) : 0;
-  for (const ClearanceClaim& claim : certificate.clearances) {
-    units += work_for(claim.leaves);
+  for (const auto* clearances : {&certificate.clearances, &certificate.fillet_clearances}) {
+    for (const ClearanceClaim& claim : *clearances) {
+      units += work_for(claim.leaves);
+    }
   }
   return units;
 }

@@ -189,13 +189,13 @@ LoopClaims loop_claims(const JsonNode& node) {
           mesh_claim(node)};
 }
 
-ClearanceClaim clearance(const JsonNode& node, std::uint32_t parts) {
-  const JsonNode pair = node.at("parts");
+ClearanceClaim clearance(const JsonNode& node, const char* between, std::uint32_t limit) {
+  const JsonNode pair = node.at(between);
   if (pair.require_array() != 2) {
-    pair.fail("must name two parts");
+    pair.fail("must name two " + std::string(between));
   }
-  return {count(pair.at(std::size_t(0)), parts),
-          count(pair.at(std::size_t(1)), parts),
+  return {count(pair.at(std::size_t(0)), limit),
+          count(pair.at(std::size_t(1)), limit),
           verdict(node.at("verdict")),
           node.at("distance").number(),
           list<DiscPairs>(node.at("leaves"), disc_pairs),
@@ -259,7 +259,16 @@ Certificate parse_certificate(std::string_view text, const std::string& source) 
     }
   }
   result.clearances = list<ClearanceClaim>(
-      root.at("clearances"), [=](const JsonNode& node) { return clearance(node, parts); });
+      root.at("clearances"), [=](const JsonNode& node) { return clearance(node, "parts", parts); });
+  if (root.has("fillet_clearances")) {
+    auto surfaces = parts;
+    for (const CertifiedFillet& fillet : result.fillets) {
+      surfaces += std::uint32_t(fillet.loops.size());
+    }
+    result.fillet_clearances = list<ClearanceClaim>(
+        root.at("fillet_clearances"),
+        [=](const JsonNode& node) { return clearance(node, "surfaces", surfaces); });
+  }
   require_no_more_than(json::parse_json(certificate_json(result), source), root);
   return result;
 }

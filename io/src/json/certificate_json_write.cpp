@@ -133,12 +133,29 @@ Json json_value(const PartClaims& claims) {
   return object;
 }
 
-Json json_value(const ClearanceClaim& claim) {
-  return {{"parts", {claim.first, claim.second}},
+Json json_value(const ClearanceClaim& claim, const char* between) {
+  return {{between, {claim.first, claim.second}},
           {"verdict", name(claim.verdict)},
           {"distance", claim.distance},
           {"leaves", json_value(claim.leaves)},
           {"overlap", json_value(claim.overlap)}};
+}
+
+Json json_value(const ClearanceClaim& claim) { return json_value(claim, "parts"); }
+
+// Of parts and loops.
+struct SurfacePair {
+  const ClearanceClaim* claim;
+};
+
+Json json_value(const SurfacePair& pair) { return json_value(*pair.claim, "surfaces"); }
+
+std::vector<SurfacePair> fillet_clearances(const Certificate& certificate) {
+  std::vector<SurfacePair> pairs;
+  for (const ClearanceClaim& claim : certificate.fillet_clearances) {
+    pairs.push_back({&claim});
+  }
+  return pairs;
 }
 
 // One line per element.
@@ -186,7 +203,11 @@ std::string certificate_json(const Certificate& certificate) {
            ? ""
            : ",\n  \"fillet_claims\": " + lines(certificate.fillet_claims)) +
       (certificate.apart > 0 ? ",\n  \"apart\": " + Json(certificate.apart).dump() : "") +
-      ",\n  \"clearances\": " + lines(certificate.clearances) + ",\n");
+      ",\n  \"clearances\": " + lines(certificate.clearances) +
+      (certificate.fillets.empty()
+           ? ""
+           : ",\n  \"fillet_clearances\": " + lines(fillet_clearances(certificate))) +
+      ",\n");
 }
 
 std::string certificate_summary_json(const Certificate& certificate) {
@@ -226,13 +247,24 @@ std::string certificate_summary_json(const Certificate& certificate) {
          {"overlap", claim.overlap.has_value()},
          {"distance", claim.distance}});
   }
+  Json fillet_clearances = Json::array();
+  for (const ClearanceClaim& claim : certificate.fillet_clearances) {
+    fillet_clearances.push_back({{"surfaces",
+                                  {certificate.surface_name(claim.first),
+                                   certificate.surface_name(claim.second)}},
+                                 {"verdict", name(claim.verdict)},
+                                 {"overlap", claim.overlap.has_value()},
+                                 {"distance", claim.distance}});
+  }
   return json::text({{"document", certificate.document},
                      {"unit", symbol(certificate.unit)},
                      {"findings", certificate.findings()},
                      {"parts", parts},
                      {"fillets", fillets},
                      {"apart", certificate.apart},
-                     {"clearances", clearances}});
+                     {"clearances", clearances},
+
+                     {"fillet_clearances", fillet_clearances}});
 }
 
 }  // namespace dupin

@@ -54,6 +54,17 @@ void visit_numbers(Is<RollingOnCones> auto& m, const auto& visit) {
   visit("radius", m.radius);
 }
 
+constexpr const char* key(const RollingPartlyOnCones&) { return "rolling_partly_on_cones"; }
+void visit_numbers(Is<RollingPartlyOnCones> auto& m, const auto& visit) {
+  visit("first", m.first);
+  visit("second", m.second);
+  visit("zero", m.zero);
+  visit("quarter", m.quarter);
+  visit("width", m.width);
+  visit("rest", m.rest);
+  visit("radius", m.radius);
+}
+
 constexpr const char* key(const RationalCrossing&) { return "rational_crossing"; }
 void visit_numbers(Is<RationalCrossing> auto& m, const auto& visit) {
   visit("origin", m.origin);
@@ -86,7 +97,10 @@ struct Writer {
 
   void operator()(const char* name, double x) const { object[name] = x; }
   void operator()(const char* name, const Vec3& v) const { object[name] = json_value(v); }
-  void operator()(const char* name, const std::array<double, 4>& x) const { object[name] = x; }
+  template <std::size_t count>
+  void operator()(const char* name, const std::array<double, count>& x) const {
+    object[name] = x;
+  }
   void operator()(const char* name, const PeVector& s) const { object[name] = sphere_value(s); }
   void operator()(const char* name, const Ring& ring) const { object[name] = ring_value(ring); }
 };
@@ -96,8 +110,9 @@ struct Reader {
 
   void operator()(const char* name, double& x) const { x = node.at(name).number(); }
   void operator()(const char* name, Vec3& v) const { v = vec3(node.at(name)); }
-  void operator()(const char* name, std::array<double, 4>& x) const {
-    x = numbers<4>(node.at(name));
+  template <std::size_t count>
+  void operator()(const char* name, std::array<double, count>& x) const {
+    x = numbers<count>(node.at(name));
   }
   void operator()(const char* name, PeVector& s) const { s = certificate_sphere(node.at(name)); }
   void operator()(const char* name, Ring& ring) const { ring = certificate_ring(node.at(name)); }
@@ -130,8 +145,8 @@ Json motion_value(const CanalFillet& loop) {
 CanalFillet certificate_motion(const JsonNode& node) {
   CanalFillet loop;
   if (!reads<RollingThrough>(node, loop) && !reads<RollingPartly>(node, loop) &&
-      !reads<RollingOnCones>(node, loop) && !reads<RationalCrossing>(node, loop) &&
-      !reads<RationalParallel>(node, loop)) {
+      !reads<RollingOnCones>(node, loop) && !reads<RollingPartlyOnCones>(node, loop) &&
+      !reads<RationalCrossing>(node, loop) && !reads<RationalParallel>(node, loop)) {
     node.fail("must have the key of a motion");
   }
   return loop;

@@ -71,6 +71,53 @@ TEST(Bore, of_a_filleted_tee_is_the_tee_of_the_inner_radii_and_a_larger_ball) {
   EXPECT_THAT(names(made.fluid.solid), IsSupersetOf({"run.bore", "branch.bore", "fillet.bore"}));
 }
 
+// Oblique, beside the axis, as thick as the run: from one call both sides, or what would do.
+TEST(Bore, of_tees_in_all_positions_is_a_larger_balls_or_says_what_would_do) {
+  int bores = 0, refusals = 0;
+  for (const double branch : {3.0, 6.0}) {
+    for (const double aside : {0.0, 1.5}) {
+      for (const double degrees : {90.0, 60.0, 45.0}) {
+        for (const double wall : {0.4, 1.2, 2.0}) {
+          const double angle = degrees * kPi / 180, radius = 0.4;
+          const Vec3 along(std::cos(angle), std::sin(angle), 0), at(0, 0, aside);
+          // Beside the axis one as thick leaves the run: it has to pass through then.
+          const bool passes = aside + branch > 6;
+          const auto document = [&](double thickness, double ball) {
+            return walled({pipe("run", {-40, 0, 0}, {40, 0, 0}, 6),
+                           pipe("branch", passes ? Vec3(at - 35 * along) : at, at + 35 * along,
+                                branch),
+                           fillet("fillet", "run", "branch", ball)},
+                          thickness);
+          };
+          SCOPED_TRACE(testing::Message() << branch << ' ' << aside << ' ' << degrees << ' ' << wall);
+          try {
+            const Regions made = regions(document(wall, radius));
+            EXPECT_THAT(names(made.fluid.solid),
+                        IsSupersetOf({"run.bore", "branch.bore", "fillet.bore"}));
+            EXPECT_THAT(names(made.metal.solid), IsSupersetOf({"fillet", "fillet.bore"}));
+            EXPECT_EQ(made.fluid.solid.components(), 1);
+            ++bores;
+          } catch (const Error& error) {
+            const std::string why = error.what();
+            EXPECT_THAT(why, HasSubstr("inside, where the ball has a radius of"));
+            const auto wall_at = why.find("a wall of "), ball_at = why.find("a fillet of radius ");
+            EXPECT_TRUE(wall_at != std::string::npos || ball_at != std::string::npos) << why;
+            if (wall_at != std::string::npos) {
+              (void)regions(document(std::stod(why.substr(wall_at + 10)), radius));
+            }
+            if (ball_at != std::string::npos) {
+              (void)regions(document(wall, std::stod(why.substr(ball_at + 19))));
+            }
+            ++refusals;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GE(bores, 30);
+  EXPECT_EQ(bores + refusals, 36);
+}
+
 TEST(Bore, of_cones_and_cyclides_that_meet_in_sloped_rings_is_one) {
   const Regions made =
       regions(walled({part("cone", ConeBetween{{0, 0, -8}, {0, 0, 0}, 1, 2}),

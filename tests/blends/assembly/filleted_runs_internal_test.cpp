@@ -48,6 +48,10 @@ struct Tee {
   }
 };
 
+CanalFillet loop_of(const Tee& tee) {
+  return resolve(tee.document(true)).fillets.front().shape.loops.front();
+}
+
 // Radius ratio, offset, angle and size of the ball as far as issues of fillets know them: general,
 // equal and touching pipes. Every one is a solid, larger than the sharp one, or folds.
 TEST(FilletedRuns, tees_of_all_kinds_are_solids_or_their_balls_fold) {
@@ -64,6 +68,12 @@ TEST(FilletedRuns, tees_of_all_kinds_are_solids_or_their_balls_fold) {
             EXPECT_GT(built.solid.exact_volume(), build(tee.document(false)).solid.exact_volume());
             EXPECT_EQ(built.solid.genus(), 0);
             EXPECT_EQ(built.solid.components(), 1U);
+            for (const PartReport& part : built.parts) {
+              EXPECT_LE(part.error_bound, 0.02) << part.name;
+              // No slivers; where the pipes touch, their faces end in sharp corners.
+              const bool is_sharp = part.kind == "fillet" || !corners(loop_of(tee)).empty();
+              EXPECT_GT(part.smallest_angle, (is_sharp ? 0.01 : 1) * kPi / 180) << part.name;
+            }
             ++solids;
           } catch (const Error& error) {
             EXPECT_EQ(error.code(), Errc::infeasible_blend);

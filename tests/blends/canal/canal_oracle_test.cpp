@@ -9,6 +9,7 @@
 #include "blends/canal/canal_tables.h"
 #include "blends/canal/residuals.h"
 #include "dupin/blends/canal_fillet.h"
+#include "dupin/blends/nurbs.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {

@@ -418,6 +418,70 @@ TEST(RollingBallFillets, OnConesTouchBoth) {
   }
 }
 
+// Neither passes through the other: one loop, round both.
+TEST(RollingBallFillets, OnConesThatCrossInPartTouchBoth) {
+  std::mt19937 random(25);
+  std::uniform_real_distribution<double> uniform;
+  int loops = 0;
+  for (int i = 0; i < 100; ++i) {
+    SCOPED_TRACE(i);
+    const test::Placement place = test::random_placement(random);
+    const double psi = .8 + (kPi - 1.6) * uniform(random);
+    const double aside = (i % 2 == 0 ? 1 : -1) * (2.2 + 1.6 * uniform(random));
+    const std::array<Ring, 2> quadrics{
+        place(Ring{Vec3(uniform(random), 0, aside), Vec3::UnitX(), 3,
+                   i % 3 == 0 ? 0 : .2 * uniform(random) - .1}),
+        place(Ring{Vec3::Zero(), Vec3(std::cos(psi), std::sin(psi), 0), 1.5,
+                   i % 3 == 1 ? 0 : .2 * uniform(random) - .1})};
+    for (const auto& pair : {quadrics, std::array{quadrics[1], quadrics[0]}}) {
+      const auto fillets = rolling_ball_fillets(pair, .3);
+      if (fillets.size() == 2) {
+        continue;  // it passes, with this slope
+      }
+      ASSERT_EQ(fillets.size(), 1);
+      ++loops;
+      EXPECT_LT(test::residual(fillets[0], 256), 1e-14);
+      EXPECT_TRUE(corners(fillets[0]).empty());
+      for (const double t : {0.0, .1, 1.2, 2.9, 3.1415926, 4.7}) {
+        EXPECT_LT(test::derivative_error(fillets[0], t, 1e-3), 1e-7) << t;
+      }
+    }
+  }
+  EXPECT_GT(loops, 150);
+}
+
+// The loop is the same whatever says it, up to how it is passed.
+TEST(RollingBallFillets, OnConesOfNearlyNoSlopeThatCrossInPartAreThoseOnCylinders) {
+  const std::array<Ring, 2> cylinders{cylinder(Vec3(0, 0, 1.5), Vec3::UnitX(), 2),
+                                      cylinder(Vec3::Zero(), Vec3(.6, .8, 0), 1)};
+  std::array<Ring, 2> cones = cylinders;
+  cones[1].slope = 1e-13;
+  const auto length = [](const CanalFillet& loop) {
+    double sum = 0;
+    for (int i = 0; i < 2000; ++i) {
+      sum += ball(loop, 2 * kPi * i / 2000).velocity.norm() * 2 * kPi / 2000;
+    }
+    return sum;
+  };
+  const auto expected = rolling_ball_fillets(cylinders, .3), found = rolling_ball_fillets(cones, .3);
+  ASSERT_EQ(expected.size(), 1);
+  ASSERT_EQ(found.size(), 1);
+  EXPECT_NEAR(length(found[0]), length(expected[0]), 1e-10);
+}
+
+// A pipe that turns less from a cone's axis than the cone opens leaves it at one place.
+TEST(RollingBallFillets, OnWideConesAreOneLoopRoundThePipe) {
+  const Ring cone{{0, 0, 0}, Vec3::UnitZ(), 4, -1};
+  for (const double tilt : {0.05, 0.3, 0.6}) {
+    const Ring pipe{{1, 0.2, 0}, Vec3(std::sin(tilt), 0, std::cos(tilt)), 0.7, 0};
+    for (const auto& pair : {std::array{cone, pipe}, std::array{pipe, cone}}) {
+      const auto fillets = rolling_ball_fillets(pair, 0.3);
+      ASSERT_EQ(fillets.size(), 1) << tilt;
+      EXPECT_LT(test::residual(fillets[0]), 1e-14) << tilt;
+    }
+  }
+}
+
 TEST(RollingBallFillets, OnConesOfNearlyNoSlopeAreThoseOnCylinders) {
   const std::array<Ring, 2> cylinders{cylinder(Vec3(0, 0, .25), Vec3::UnitX(), 2),
                                       cylinder(Vec3::Zero(), Vec3(.6, .8, 0), 1)};
@@ -457,9 +521,12 @@ TEST(RollingBallFillets, SayWhyThereAreNone) {
   Ring cone = cylinder(Vec3(0, 1, 0), Vec3::UnitY(), 1);
   cone.slope = -1.2;
   expect_refused({run, cone}, .2, Errc::irregular_surface, "apex");
-  cone = cylinder(Vec3(0, 0, 1.5), Vec3::UnitY(), 1);
+  cone = cylinder(Vec3(0, 0, 1), Vec3::UnitY(), 1 - 1e-12);
+  cone.slope = 1e-13;
+  expect_refused({run, cone}, .2, Errc::irregular_surface, "touches the other from inside");
+  cone = cylinder(Vec3(0, 0, 9), Vec3::UnitY(), 1);
   cone.slope = .1;
-  expect_refused({run, cone}, .2, Errc::irregular_surface, "partly");
+  expect_refused({run, cone}, .2, Errc::irregular_surface, "neither");
   expect_refused({run, branch}, -1, Errc::invalid_argument, "positive");
   expect_refused({run, branch}, std::nan(""), Errc::invalid_argument, "positive");
   Ring bad = branch;

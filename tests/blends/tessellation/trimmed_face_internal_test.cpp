@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "dupin/blends/tessellate.h"
 #include "dupin/kernel/error.h"
 #include "tessellation/trimmed_face.h"
 
@@ -95,7 +96,8 @@ TEST(TrimmedFace, has_a_hole_where_a_curve_is) {
     const Tessellation result = trimmed_face(face, sampling);
     expect_near(frustum, result);
     EXPECT_EQ(open_sides(result.mesh).size(), 48U + 48U + 50U + 71U);
-    EXPECT_EQ(result.mesh.points.size(), 48U + 48U + 50U + 71U);
+    EXPECT_GT(result.mesh.points.size(), 48U + 48U + 50U + 71U);
+    EXPECT_GT(smallest_angle(result.mesh), 5 * kPi / 180);
     EXPECT_LE(result.error_bound,
               1.01 * std::max(frustum.start, frustum.end) * (1 - std::cos(kPi / 48)))
         << "no triangle spans more than a segment";
@@ -147,7 +149,6 @@ TEST(TrimmedFace, keeps_curves_that_meet_in_a_corner) {
   face.curves = {frustum.hole(0, 2, 1, 1, 20), frustum.hole(2, 2, 1, 1, 20)};
   face.curves[1][10] = face.curves[0][0];  // both are at angle 1
   const Tessellation result = trimmed_face(face, {32});
-  EXPECT_EQ(result.mesh.points.size(), 32U + 32U + 39U);
   EXPECT_EQ(open_sides(result.mesh).size(), 32U + 32U + 40U);
 }
 

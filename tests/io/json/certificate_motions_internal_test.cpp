@@ -25,7 +25,7 @@ TEST(CertificateMotions, are_read_as_they_were_written) {
       EXPECT_EQ(ball(read, chi).radius, ball(loop, chi).radius) << name;
     }
   }
-  EXPECT_EQ(kinds.size(), 5U);
+  EXPECT_EQ(kinds.size(), 6U);
 }
 
 TEST(CertificateMotions, name_what_they_lack) {

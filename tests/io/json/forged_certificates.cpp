@@ -428,6 +428,45 @@ const std::vector<Forgery>& forgeries() {
            c.fillet_claims.pop_back();
          }
        }},
+      {"a fillet further from others than it is",
+       [](Certificate& c, const Truth&, Random& random) {
+         // At least nine tenths of what is true.
+         c.fillet_clearances[random() % c.fillet_clearances.size()].distance *=
+             between(random, 1.2, 3);
+       }},
+      {"a fillet apart from others for any reason",
+       [](Certificate& c, const Truth&, Random& random) {
+         ClearanceClaim& claim = c.fillet_clearances[random() % c.fillet_clearances.size()];
+         const auto length_of = [&](std::uint32_t surface) {
+           return surface < c.parts.size() ? length(c.parts[surface]) : 2;
+         };
+         claim.leaves = any_leaves(random, length_of(claim.first), length_of(claim.second), false);
+         claim.leaves.front().direction = any_direction(random);
+       }},
+      {"a point of a fillet in a part that is far from it",
+       [](Certificate& c, const Truth&, Random& random) {
+         ClearanceClaim& claim = *std::ranges::find_if(c.fillet_clearances, [&](const auto& each) {
+           return each.first == part(c, random() % 2 == 0 ? "ball" : "a");
+         });
+         const double t = std::ldexp(double(random() % 2000), -10);
+         claim.distance = 0;
+         claim.leaves.clear();
+         claim.overlap = Overlap{Vec3(3, 0, between(random, -.3, 6)),
+                                 {0.25, 0.875},
+                                 {t, random() % 2 == 0 ? t : t + 0x1p-9}};
+       }},
+      {"loops that are apart and have a corner in common",
+       [](Certificate& c, const Truth&, Random&) { c.fillet_clearances.back().distance = 0; }},
+      {"a fillet that is near to nothing",
+       [](Certificate& c, const Truth&, Random& random) {
+         auto& claims = c.fillet_clearances;
+         const auto at = claims.begin() + std::ptrdiff_t(random() % claims.size());
+         if (random() % 2 == 0) {
+           claims.erase(at);
+         } else {
+           std::swap(*at, *(at == claims.begin() ? at + 1 : at - 1));
+         }
+       }},
       {"a fillet that has the name of a part",
        [](Certificate& c, const Truth&, Random&) { c.fillets[0].name = "run"; }},
       {"the fillet of another document",

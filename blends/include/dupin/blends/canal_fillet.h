@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <variant>
 #include <vector>
 
@@ -94,6 +93,15 @@ struct RollingOnCones {
   double radius = 1;
 };
 
+/// The same where neither passes through the other: generators of the second, those at the angles
+/// 2 atan(width cos), meet the first at (sin sqrt(rest[0] + rest[1] cos + ...) - b) / a.
+struct RollingPartlyOnCones {
+  Ring first, second;
+  Vec3 zero = Vec3::UnitX(), quarter = Vec3::UnitY();
+  std::array<double, 7> rest{1};  ///< of a polynomial that is positive between -1 and 1
+  double width = 1, radius = 1;
+};
+
 /// Balls of varying radius on two quadrics of which the second passes through the first, rational
 /// in the tangent of half the parameter: [KK00] as corrected in the mathematics B.5. The balls are
 /// the points of R^{3,1} (centre; -radius)
@@ -117,15 +125,15 @@ struct RationalParallel {
   PeVector origin, ey, ez, nu1, nu2;
   double half_distance = 1;   ///< h
   double product = -2;        ///< <nu1, nu2> < -1
-  double far_squared = 0.5;   ///< a0^2 in (0, 1): sets the radius at 0
-  double near_squared = 0.5;  ///< b0^2 > 0: sets the radius at pi
+  double far_squared = 0.5, near_squared = 0.5;  ///< a0^2 in (0, 1), b0^2: set radii at 0 and pi
 };
 
 /// Balls that touch two cylinders or cones, one loop of them; the parameter has the period 2 pi.
 /// Value type: what is stored defines the balls.
 struct CanalFillet {
   std::array<Ring, 2> quadrics;  ///< as they were given, in that order
-  std::variant<RollingThrough, RollingPartly, RollingOnCones, RationalCrossing, RationalParallel>
+  std::variant<RollingThrough, RollingPartly, RollingOnCones, RollingPartlyOnCones, RationalCrossing,
+               RationalParallel>
       motion;
 };
 
@@ -146,15 +154,16 @@ struct CanalFillet {
 /// (mathematics B.7). Two where one quadric passes through the other, or touches it from inside, or
 /// both are equally thick cylinders and meet: first the one on the side to which the ring normal of
 /// the quadric that passes points; of cylinders the thinner one passes, of equal ones the second.
-/// One where neither of two cylinders passes through the other. They touch where they do within
-/// rounding. The radius 0 is that of a point, and its ways are the curves in which they cross.
+/// One where neither passes, or where a cone opens wider than it turns from the other's axis. Gaps
+/// up to `touching` of the size are none: the ball misses the cylinders by so much then. With the
+/// radius 0 the loops are the curves in which they cross.
 ///
 /// Throws Error{invalid_argument} for invalid or elliptic rings and radii that are negative;
 /// Error{irregular_surface} where the ball closes no such loop: the axes are parallel, the quadrics
-/// do not meet, or of a cone and another quadric neither passes through the other. A loop that
-/// folds is not refused: `prove_regular` tells.
+/// do not meet, or a cone and another quadric touch. A loop that folds is not refused:
+/// `prove_regular` tells.
 [[nodiscard]] std::vector<CanalFillet> rolling_ball_fillets(const std::array<Ring, 2>& quadrics,
-                                                            double radius);
+                                                            double radius, double touching = 0x1p-48);
 
 /// The rational fillet on one side (1: the one to which the ring normal of the quadric that passes
 /// points; -1) with these ball radii at the parameters 0, pi/2, pi and 3 pi/2, between two quadrics
@@ -172,15 +181,6 @@ struct CanalFillet {
 /// All of them with one radius at the four parameters: sides 1 and -1, or the one loop.
 [[nodiscard]] std::vector<CanalFillet> rational_fillets(const std::array<Ring, 2>& quadrics,
                                                         double radius);
-
-/// Homogeneous control points (x w, y w, z w, w) of a rational Bezier patch: three rows across the
-/// arcs, from the foot on the first quadric to that on the second, of degree 10 along the loop.
-using CanalNet = std::array<std::array<std::array<double, 4>, 11>, 3>;
-
-/// The fillet as four exact patches, up to the rounding of the control points, from -pi to pi in
-/// quarters (mathematics B.8): for rational fillets of constant size between two cylinders whose
-/// axes meet at right angles, within rounding. None for others.
-[[nodiscard]] std::optional<std::array<CanalNet, 4>> exact_nets(const CanalFillet& fillet);
 
 /// What was proved of a whole loop in interval arithmetic, of the stored numbers.
 struct CanalRegularity {

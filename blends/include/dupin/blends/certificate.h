@@ -145,6 +145,13 @@ struct Certificate {
   /// No two parts without a clearance claim of their own are closer; 0: all have one.
   double apart = 0;
   std::vector<ClearanceClaim> clearances;  ///< ascending by their parts
+  /// Of every loop and every part but the two that it joins, then of it and every later loop, loop
+  /// by loop: `first` and `second` are surfaces, which are numbered parts first, then loops in the
+  /// order of the fillets. Loops that meet in corners are claimed to have only these in common.
+  std::vector<ClearanceClaim> fillet_clearances;
+
+  /// The part's name, or that of the fillet that a loop belongs to.
+  [[nodiscard]] const std::string& surface_name(std::uint32_t surface) const;
 
   /// Claims that are refuted or undecided, missing ones included.
   [[nodiscard]] std::size_t findings() const;

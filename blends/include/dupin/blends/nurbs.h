@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "dupin/blends/canal_fillet.h"
 #include "dupin/blends/part_surface.h"
 #include "dupin/kernel/vec.h"
 
@@ -37,5 +39,22 @@ struct NurbsForm {
 /// there, refined until the bound, by interval arithmetic, is at most `tolerance`. Throws
 /// Error{limit_exceeded} if more than 4096 cubics are needed.
 [[nodiscard]] NurbsForm nurbs(const PartSurface& surface, double tolerance);
+
+/// Homogeneous control points (x w, y w, z w, w) of a rational Bezier patch: three rows across the
+/// arcs, from the foot on the first quadric to that on the second, of degree 10 along the loop.
+using CanalNet = std::array<std::array<std::array<double, 4>, 11>, 3>;
+
+/// The fillet as four exact patches, up to the rounding of the control points, from -pi to pi in
+/// quarters (mathematics B.8): for rational fillets of constant size between two cylinders whose
+/// axes meet at right angles, within rounding. None for others.
+[[nodiscard]] std::optional<std::array<CanalNet, 4>> exact_nets(const CanalFillet& fillet);
+
+/// A loop of a fillet: rows of control points along it, columns on its arcs from the first foot to
+/// the second. Rational fillets of constant size between cylinders at right angles are exact, in
+/// four quarters of bidegree (10, 2) (`exact_nets`). Others are arcs lofted by cubics with
+/// continuous tangents, halved until the bound, by fourth derivatives in intervals, is at most
+/// `tolerance`: one surface, or one from corner to corner. Throws Error{limit_exceeded} if more
+/// than 4096 cubics are needed.
+[[nodiscard]] NurbsForm nurbs(const CanalFillet& loop, double tolerance);
 
 }  // namespace dupin
