@@ -172,7 +172,6 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   (void)rounding_options(arguments.rounding, std::string(symbol(assembly.unit)));
   BuildReport report;
   TriMesh written;
-  report.graph = document.network;
   {
     ProgressLine line(common.quiet);
     options.progress = line.callback();

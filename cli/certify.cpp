@@ -10,7 +10,6 @@
 #include "commands.h"
 #include "document.h"
 #include "dupin/blends/certificate.h"
-#include "dupin/io/assembly_json.h"
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
 #include "input.h"
@@ -23,6 +22,7 @@ namespace {
 
 struct CertifyArguments {
   std::string file, output;
+  SourceArguments source;
   std::optional<double> margin;
   std::size_t most_triangles = kUsualTriangles;
 };
@@ -116,7 +116,9 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
   }
   print_row(out, "mesh error", "at most " + number(error) + unit);
   if (!certificate.fillets.empty()) {
-    print_row(out, "fillets touch pipes", "within " + number(contact) + unit + ", tangent within " + number(deviation) + " rad");
+    print_row(
+        out, "fillets touch pipes",
+        "within " + number(contact) + unit + ", tangent within " + number(deviation) + " rad");
   }
   if (nearest != nullptr) {
     print_row(
@@ -145,7 +147,7 @@ ExitCode verdict_on(const Certificate& certificate) {
 
 ExitCode run_certify(const CertifyArguments& arguments, const CommonOptions& common) {
   const Input input = read_input(arguments.file);
-  Assembly assembly = parse_assembly(input.bytes, input.name);
+  Assembly assembly = read_document(input, arguments.source).assembly;
   assembly.tolerance = length_in(assembly.unit, common.tolerance, assembly.tolerance);
   Certificate certificate =
       certify(assembly, {.margin = arguments.margin, .most_triangles = arguments.most_triangles});
@@ -155,14 +157,18 @@ ExitCode run_certify(const CertifyArguments& arguments, const CommonOptions& com
   return verdict_on(certificate);
 }
 
-ExitCode run_verify(const std::string& file, const std::string& document,
-                    const CommonOptions& common) {
+struct VerifyArguments {
+  std::string file, document;
+  SourceArguments source;
+};
+
+ExitCode run_verify(const VerifyArguments& arguments, const CommonOptions& common) {
   refuse_tolerance("verify", common);
-  const Input input = read_input(file);
+  const Input input = read_input(arguments.file);
   Certificate certificate = parse_certificate(input.bytes, input.name);
-  if (!document.empty()) {
-    const Input about = read_input(document);
-    require_about(certificate, about.bytes, about.name);
+  if (!arguments.document.empty()) {
+    const Input about = read_input(arguments.document);
+    require_about(certificate, about.bytes, read_document(about, arguments.source).assembly);
     certificate.document = about.name;
   }
   verify(certificate);
@@ -176,7 +182,9 @@ void add_certify(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("certify", "Prove that the smooth parts of an assembly are sound");
   const auto arguments = std::make_shared<CertifyArguments>();
-  command->add_option("FILE", arguments->file, "assembly document; - for standard input")
+  command
+      ->add_option("FILE", arguments->file,
+                   "assembly document, graph or piping file; - for standard input")
       ->type_name("")
       ->required();
   command->add_option("-o,--output", arguments->output, "certificate; - for standard output")
@@ -187,6 +195,7 @@ void add_certify(CLI::App& app, Action& action) {
                    "Prove 1 - kappa R > NUMBER, instead of nearly the largest that holds")
       ->type_name("NUMBER");
   add_triangles_option(*command, arguments->most_triangles);
+  add_source_options(*command, arguments->source);
   command->footer(
       "Exit code 1 means that a claim is refuted or undecided.\n\n"
       "Examples:\n"
@@ -200,21 +209,23 @@ void add_certify(CLI::App& app, Action& action) {
 void add_verify(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("verify", "Check every claim of a certificate again, independently");
-  const auto file = std::make_shared<std::string>(), document = std::make_shared<std::string>();
-  command->add_option("CERTIFICATE", *file, "what certify wrote; - for standard input")
+  const auto arguments = std::make_shared<VerifyArguments>();
+  command->add_option("CERTIFICATE", arguments->file, "what certify wrote; - for standard input")
       ->type_name("")
       ->required();
-  command->add_option("FILE", *document, "the document it must be about")->type_name("");
+  command
+      ->add_option("FILE", arguments->document,
+                   "the document, graph or piping file it must be about")
+      ->type_name("");
+  add_source_options(*command, arguments->source);
   command->footer(
       "Exit code 1 means that it holds, but a claim is refuted or undecided; 3 that it was "
       "changed\n"
       "or that a claim does not follow.\n\n"
       "Examples:\n"
       "  dupin verify reducer.cert.json examples/reducer.json");
-  command->callback([file, document, &action] {
-    action = [file, document](const CommonOptions& common) {
-      return run_verify(*file, *document, common);
-    };
+  command->callback([arguments, &action] {
+    action = [arguments](const CommonOptions& common) { return run_verify(*arguments, common); };
   });
 }
 

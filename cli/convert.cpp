@@ -34,11 +34,12 @@ struct ConvertArguments {
 };
 
 /// A graph or piping file as the document that it is made into.
-ExitCode write_document(const ConvertArguments& all, const CommonOptions& common) {
+ExitCode write_document(const Input& input, const ConvertArguments& all,
+                        const CommonOptions& common) {
   if (!all.placement.empty()) {
     throw UsageError("--translate, --rotate and --scale are for meshes; convert to .json first");
   }
-  Document document = read_document(all.files.input, all.source, all.wall);
+  Document document = read_document(input, all.source, all.wall);
   if (!common.tolerance.empty()) {
     document.assembly.tolerance = length_in(document.assembly.unit, common.tolerance, 0);
   }
@@ -81,12 +82,12 @@ OutputReport write_placed(const TriMesh& mesh, const Placement& placement, const
 
 ExitCode run_convert(const ConvertArguments& all, const CommonOptions& common) {
   const MeshToMesh& arguments = all.files;
-  if (is_source_file(arguments.input)) {
-    return write_document(all, common);
+  const Input input = read_input(arguments.input);
+  if (is_source(input)) {
+    return write_document(input, all, common);
   }
   refuse_tolerance("convert", common, "--rounding-tolerance");
   const Destination to = destination(arguments.output);
-  const Input input = read_input(arguments.input);
   const MeshHeader header{input.unit(), {}};
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit);
   // What is not rounded need not be proved a solid, unless that is asked for.

@@ -29,8 +29,8 @@ BoreMeaning bore_meaning(const std::string& typed) {
 
 Document read_piping(const Input& input, const SourceArguments& arguments,
                      const std::string& wall) {
-  if (!arguments.radius.empty()) {
-    throw UsageError("--radius is for graphs, files named .swc or .graph");
+  if (!arguments.radius.empty() || !arguments.unit.empty()) {
+    throw UsageError("--radius and --unit are for graphs, files named .swc or .graph");
   }
   PipingOptions options;
   options.snap = length_in(Unit::millimetre, arguments.snap, options.snap);
@@ -57,7 +57,11 @@ Document read_piping(const Input& input, const SourceArguments& arguments,
   PipingLine line = std::exchange(report.file.line, {});
   report.network = assembly_of(line, options);
   Assembly assembly = std::exchange(report.network.assembly, {});
-  return {std::move(assembly), {}, std::move(report), std::move(line), std::move(options)};
+  Document document{std::move(assembly)};
+  document.piping = std::move(report);
+  document.line = std::move(line);
+  document.piping_options = std::move(options);
+  return document;
 }
 
 void add_piping_options(CLI::App& command, SourceArguments& arguments) {
@@ -87,10 +91,9 @@ void add_piping_options(CLI::App& command, SourceArguments& arguments) {
 }
 
 // Without the wall, but of a piping file.
-Document document_of(const std::string& path, const SourceArguments& arguments,
+Document document_of(const Input& input, const SourceArguments& arguments,
                      const std::string& wall) {
-  const Input input = read_input(path);
-  if (is_pcf_file(path)) {
+  if (is_pcf_file(input.name)) {
     return read_piping(input, arguments, wall);
   }
   if (!arguments.snap.empty() || !arguments.bridge.empty() || !arguments.bore.empty() ||
@@ -99,11 +102,11 @@ Document document_of(const std::string& path, const SourceArguments& arguments,
         "--snap, --bridge, --bore, --schedule, --fillet and --strict are for piping files, named "
         ".pcf");
   }
-  if (!is_graph_file(path)) {
-    if (!arguments.radius.empty() || arguments.keep_going) {
+  if (!is_graph(input)) {
+    if (!arguments.radius.empty() || !arguments.unit.empty() || arguments.keep_going) {
       throw UsageError(
-          "--radius and --keep-going are for graphs, files named .swc or .graph, and --keep-going "
-          "for piping files, named .pcf");
+          "--radius, --unit and --keep-going are for graphs, files named .swc or .graph, and "
+          "--keep-going for piping files, named .pcf");
     }
     Document document{parse_assembly(input.bytes, input.name)};
     document.colours = part_colours(input.bytes, input.name);
@@ -111,28 +114,41 @@ Document document_of(const std::string& path, const SourceArguments& arguments,
   }
   PipeGraphOptions options;
   options.keep_going = arguments.keep_going;
+  options.unit = unit_called(arguments.unit).value_or(Unit::millimetre);
   if (!arguments.radius.empty()) {
-    options.radius = length_in(Unit::millimetre, arguments.radius, 0);
+    options.radius = length_in(options.unit, arguments.radius, 0);
   }
   std::vector<SourceNote> notes;
   PipeGraph graph =
       parse_graph_file(input.bytes, input.name, arguments.keep_going ? &notes : nullptr);
+  graph.notes = std::move(notes);
   PipeNetwork network = assembly_of(graph, options);
-  network.notes.insert(network.notes.begin(), notes.begin(), notes.end());
-  std::ranges::stable_sort(network.notes, {}, &SourceNote::line);
-  Assembly assembly = std::exchange(network.assembly, {});
-  Document document{std::move(assembly), std::move(network)};
-  document.graph = std::move(graph);
-  return document;
+  return {std::exchange(network.assembly, {}), std::move(network), std::move(graph),
+          std::move(options)};
 }
 
 }  // namespace
 
-Assembly read_document(const std::string& path) { return read_document(path, {}).assembly; }
+Assembly read_document(const std::string& path) {
+  return read_document(path, SourceArguments{}).assembly;
+}
 
-bool is_source_file(const std::string& path) { return is_graph_file(path) || is_pcf_file(path); }
+bool is_graph(const Input& input) {
+  const bool has_name = input.name != kStandardInput;
+  return is_graph_file(input.name) || (!has_name && is_graph_text(input.bytes));
+}
+
+bool is_source(const Input& input) { return is_graph(input) || is_pcf_file(input.name); }
 
 Built build_document(Document& document, const BuildOptions& options) {
+  if (document.network) {
+    PipeNetwork network = std::move(*document.network);
+    network.assembly = std::exchange(document.assembly, {});
+    Built built = build(document.graph, document.graph_options, network, options);
+    document.assembly = std::exchange(network.assembly, {});
+    document.network = std::move(network);
+    return built;
+  }
   if (!document.piping) {
     return build(document.assembly, options);
   }
@@ -145,6 +161,7 @@ Built build_document(Document& document, const BuildOptions& options) {
 
 void take(BuildReport& report, Built&& built, Document& document, double connect) {
   const Assembly& assembly = document.assembly;
+  report.graph = document.network;
   report.piping = std::move(document.piping);
   report.gaps = {assembly.source, assembly.unit, connect, std::move(built.ports),
                  std::move(built.gaps)};
@@ -159,7 +176,12 @@ void take(BuildReport& report, Built&& built, Document& document, double connect
 
 Document read_document(const std::string& path, const SourceArguments& arguments,
                        const std::string& wall) {
-  Document document = document_of(path, arguments, wall);
+  return read_document(read_input(path), arguments, wall);
+}
+
+Document read_document(const Input& input, const SourceArguments& arguments,
+                       const std::string& wall) {
+  Document document = document_of(input, arguments, wall);
   if (!wall.empty()) {
     document.assembly.wall = length_in(document.assembly.unit, wall, 0);
   }
@@ -197,7 +219,7 @@ std::optional<Region> region_named(const std::string& name) {
   return std::nullopt;
 }
 
-void add_source_options(CLI::App& command, SourceArguments& arguments) {
+void add_graph_options(CLI::App& command, SourceArguments& arguments) {
   command
       .add_option("--radius", arguments.radius,
                   "Of a graph's nodes that have none, or none that is positive")
@@ -205,6 +227,13 @@ void add_source_options(CLI::App& command, SourceArguments& arguments) {
   command.add_flag("--keep-going", arguments.keep_going,
                    "Leave out what is refused of a graph or piping file, and say so (exit\n"
                    "code 1)");
+  command.add_option("--unit", arguments.unit, "Of a graph's numbers; mm if not given")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember({"mm", "cm", "m", "in", "ft"}));
+}
+
+void add_source_options(CLI::App& command, SourceArguments& arguments) {
+  add_graph_options(command, arguments);
   add_piping_options(command, arguments);
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/build.h"
@@ -24,6 +25,7 @@ namespace dupin::cli {
 /// What is asked of graphs and piping files. Texts are as typed, and may be empty.
 struct SourceArguments {
   std::string radius;        ///< of a graph's nodes without one
+  std::string unit;          ///< of a graph
   std::string snap, bridge;  ///< of a piping file's ends
   std::string bore;          ///< what its bores mean
   std::string schedule;      ///< of its walls
@@ -35,23 +37,27 @@ struct SourceArguments {
 struct Document {
   Assembly assembly;
   std::optional<PipeNetwork> network = {};  ///< of a graph, without the assembly
+  PipeGraph graph = {};                     ///< and what it was made into one with
+  PipeGraphOptions graph_options = {};
   std::optional<PcfReport> piping = {};
   PipingLine line = {};  ///< of a piping file, and what it was made into an assembly with
   PipingOptions piping_options = {};
-  PipeGraph graph = {};                             ///< as it was read
   std::map<std::string, std::string> colours = {};  ///< of parts, as the document has them
 };
 
-/// The file is a graph or a piping file if its extension says so. `wall`, as typed, is
-/// instead of the document's.
+/// The file is a graph or a piping file if its extension says so, and a graph if what comes from
+/// standard input looks like one. `wall`, as typed, is instead of the document's.
 [[nodiscard]] Document read_document(const std::string& path, const SourceArguments& arguments,
                                      const std::string& wall = {});
+[[nodiscard]] Document read_document(const Input& input, const SourceArguments& arguments,
+                                     const std::string& wall = {});
 
-/// Whether the file's extension says that it is a graph or a piping file.
-[[nodiscard]] bool is_source_file(const std::string& path);
+/// Whether it is a graph or a piping file.
+[[nodiscard]] bool is_source(const Input& input);
+[[nodiscard]] bool is_graph(const Input& input);
 
-/// Builds the assembly, where told to keep going without components of a piping file whose parts
-/// are refused.
+/// Builds the assembly, where told to keep going without components of a piping file, or nodes and
+/// edges of a graph, whose parts are refused.
 [[nodiscard]] Built build_document(Document& document, const BuildOptions& options);
 
 /// What reports say of a build, beside what became of its solid, which is taken elsewhere before.
@@ -67,8 +73,10 @@ void add_region_option(CLI::App& command, std::string& region);
 /// The region of that name; none for an empty one.
 [[nodiscard]] std::optional<Region> region_named(const std::string& name);
 
-/// Adds --radius, --keep-going, --snap, --bridge, --bore, --schedule, --fillet and
-/// --strict.
+/// Adds --radius, --unit and --keep-going.
+void add_graph_options(CLI::App& command, SourceArguments& arguments);
+
+/// Adds these, --snap, --bridge, --bore, --schedule, --fillet and --strict.
 void add_source_options(CLI::App& command, SourceArguments& arguments);
 
 /// Adds --connect.

@@ -134,7 +134,6 @@ ExitCode run_draw(const DrawArguments& arguments, const CommonOptions& common) {
   const auto [options, typed_scale] = typed(arguments);
   Document document = read_document(arguments.file, arguments.source, arguments.wall);
   BuildReport report;
-  report.graph = document.network;
   Drawing drawing;
   DrawingScale scale;
   {
@@ -147,6 +146,7 @@ ExitCode run_draw(const DrawArguments& arguments, const CommonOptions& common) {
     scale = typed_scale.value_or(fitting_scale(drawing));
     write_text(arguments.output, page(drawing, built.solid, scale, arguments));
   }
+  report.graph = std::move(document.network);
   report.piping = std::move(document.piping);
   std::ostream& out = report_stream(arguments.output);
   if (common.json) {

@@ -5,7 +5,6 @@
 
 #include "commands.h"
 #include "document.h"
-#include "dupin/io/assembly_json.h"
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/pcf.h"
 #include "gap_text.h"
@@ -21,7 +20,8 @@ constexpr double kConnectFraction = 1e-3;
 
 struct GapsArguments {
   std::vector<std::string> files;
-  std::string connect, bore;
+  std::string connect;
+  SourceArguments source;
 };
 
 template <class Summary>
@@ -63,12 +63,13 @@ ExitCode run_gaps(const GapsArguments& arguments, const CommonOptions& common) {
   refuse_tolerance("gaps", common);
   const std::vector<Input> inputs = read_inputs(arguments.files);
   if (inputs.size() == 1 && is_pcf_file(arguments.files.front())) {
-    return print_summary(measure_piping(inputs.front(), arguments.bore, arguments.connect), common,
-                         print_gaps);
+    return print_summary(measure_piping(inputs.front(), arguments.source.bore, arguments.connect),
+                         common, print_gaps);
   }
-  if (inputs.size() == 1 && inputs.front().is_document()) {
-    const Assembly assembly = parse_assembly(inputs.front().bytes, inputs.front().name);
-    return print_summary(measure_document(assembly, arguments.connect), common, print_gaps);
+  if (inputs.size() == 1 && (inputs.front().is_document() || is_graph(inputs.front()))) {
+    const Document document = read_document(inputs.front(), arguments.source);
+    return print_summary(measure_document(document.assembly, arguments.connect), common,
+                         print_gaps);
   }
   return print_summary(measure_meshes(inputs, arguments.connect), common, print_mesh_gaps);
 }
@@ -81,7 +82,7 @@ void add_gaps(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<GapsArguments>();
   command
       ->add_option("FILE", arguments->files,
-                   "an assembly document or piping file (.pcf), or one or two meshes")
+                   "an assembly document, graph or piping file (.pcf), or one or two meshes")
       ->type_name("")
       ->required()
       ->expected(1, 2);
@@ -91,7 +92,8 @@ void add_gaps(CLI::App& app, Action& action) {
                    "document's tolerance, 1 mm for a piping file, or 1/1000 of the diagonal of\n"
                    "the meshes' box")
       ->type_name("LENGTH");
-  add_bore_option(*command, arguments->bore);
+  add_graph_options(*command, arguments->source);
+  add_bore_option(*command, arguments->source.bore);
   command->footer(
       "Exit code 1 means that there are gaps.\n\n"
       "Examples:\n"

@@ -5,11 +5,11 @@
 
 #include "commands.h"
 #include "document.h"
-#include "dupin/io/assembly_json.h"
 #include "dupin/io/mesh_file.h"
 #include "input.h"
 #include "length.h"
 #include "report_text.h"
+#include "source_text.h"
 
 namespace dupin::cli {
 namespace {
@@ -32,39 +32,46 @@ void print_summary(const MeshSummary& summary) {
   }
 }
 
-void print_assembly(const Assembly& assembly) {
+void print_document(const Document& document) {
+  const Assembly& assembly = document.assembly;
   print_row(std::cout, "file", assembly.source);
   print_row(std::cout, "unit", symbol(assembly.unit));
   print_row(std::cout, "tolerance", number(assembly.tolerance));
   print_row(std::cout, "parts", std::to_string(assembly.parts.size()));
+  BuildReport report;
+  report.graph = document.network;
+  report.piping = document.piping;
+  print_source(std::cout, report);
   for (const Part& part : assembly.parts) {
     std::cout << "  " << part.name << ": " << kind(part.shape) << '\n';
   }
 }
 
-template <class Subject>
-void print(const Subject& subject, const CommonOptions& common, void (*as_text)(const Subject&)) {
-  if (common.json) {
-    std::cout << to_json(subject) << '\n';
-  } else if (!common.quiet) {
-    as_text(subject);
-  }
-}
+struct InfoArguments {
+  std::string file;
+  SourceArguments source;
+};
 
-ExitCode run_info(const std::string& file, const CommonOptions& common) {
+ExitCode run_info(const InfoArguments& arguments, const CommonOptions& common) {
   refuse_tolerance("info", common);
-  const Input input = read_input(file);
-  if (is_source_file(file)) {
-    print(read_document(file), common, print_assembly);
-    return ExitCode::ok;
-  }
-  if (input.is_document()) {
-    print(parse_assembly(input.bytes, input.name), common, print_assembly);
+  const Input input = read_input(arguments.file);
+  if (is_source(input) || input.is_document()) {
+    const Document document = read_document(input, arguments.source);
+    if (common.json) {
+      std::cout << to_json(document.assembly) << '\n';
+    } else if (!common.quiet) {
+      print_document(document);
+    }
     return ExitCode::ok;
   }
   TriMesh mesh = read_mesh(input.bytes, input.name);
   const Report report = check(mesh, {.limit = 0, .self_intersections = false});
-  print(MeshSummary{input.name, input.unit(), std::move(mesh), report}, common, print_summary);
+  const MeshSummary summary{input.name, input.unit(), std::move(mesh), report};
+  if (common.json) {
+    std::cout << to_json(summary) << '\n';
+  } else if (!common.quiet) {
+    print_summary(summary);
+  }
   return ExitCode::ok;
 }
 
@@ -72,15 +79,16 @@ ExitCode run_info(const std::string& file, const CommonOptions& common) {
 
 void add_info(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("info", "Say what a file holds");
-  const auto file = std::make_shared<std::string>();
+  const auto arguments = std::make_shared<InfoArguments>();
   command
-      ->add_option("FILE", *file,
+      ->add_option("FILE", arguments->file,
                    "mesh file, assembly document, graph or piping file; - for standard input")
       ->type_name("")
       ->required();
+  add_source_options(*command, arguments->source);
   command->footer("Examples:\n  dupin info part.stl\n  dupin info plant.json --json");
-  command->callback([file, &action] {
-    action = [file](const CommonOptions& common) { return run_info(*file, common); };
+  command->callback([arguments, &action] {
+    action = [arguments](const CommonOptions& common) { return run_info(*arguments, common); };
   });
 }
 

@@ -32,7 +32,7 @@ Input read_input(const std::string& path) {
   if (path != "-") {
     return {read_file(path), path};
   }
-  Input input{{std::istreambuf_iterator<char>(std::cin), {}}, "standard input"};
+  Input input{{std::istreambuf_iterator<char>(std::cin), {}}, kStandardInput};
   if (std::cin.bad()) {
     throw Error(Errc::io_failed, "cannot be read", {}, input.name);
   }

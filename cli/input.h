@@ -9,6 +9,9 @@
 
 namespace dupin::cli {
 
+/// What messages call it.
+constexpr const char* kStandardInput = "standard input";
+
 /// A file's bytes and the name that messages give it; "-" reads standard input.
 struct Input {
   std::string bytes;

@@ -21,6 +21,7 @@ namespace {
 
 struct NurbsArguments {
   std::string file, output;
+  SourceArguments source;
 };
 
 // A cope has no surface of its own.
@@ -47,13 +48,19 @@ void append_fillets(const ResolvedAssembly& resolved, double tolerance,
 std::vector<NamedNurbs> nurbs_of(const Assembly& assembly, double tolerance) {
   std::vector<NamedNurbs> result;
   const ResolvedAssembly resolved = resolve(assembly);
-  refuse_junctions(assembly, resolved, "NURBS");
   for (const ResolvedPart& part : resolved.parts) {
     try {
       result.push_back({part.name, part.kind, nurbs(part.shape, tolerance)});
     } catch (const Error& error) {
       throw error.in_part(part.name);
     }
+  }
+  for (const ResolvedJunction& junction : resolved.junctions) {
+    NurbsForm hub = nurbs(junction.shape.hub, tolerance);
+    for (const JunctionArm& arm : junction.shape.arms) {
+      hub.trims.push_back(nurbs(cap_circle(arm)));
+    }
+    result.push_back({junction.name, "junction", std::move(hub)});
   }
   append_fillets(resolved, tolerance, result);
   return result;
@@ -91,7 +98,8 @@ void print_nurbs(std::ostream& out, const std::vector<NamedNurbs>& parts, const 
 }
 
 ExitCode run_nurbs(const NurbsArguments& arguments, const CommonOptions& common) {
-  const Assembly assembly = read_document(arguments.file);
+  const Document document = read_document(arguments.file, arguments.source);
+  const Assembly& assembly = document.assembly;
   const double tolerance = length_in(assembly.unit, common.tolerance, assembly.tolerance);
   const auto parts = nurbs_of(assembly, tolerance);
   write_text(arguments.output, nurbs_file(parts, assembly.unit, lower_extension(arguments.output)));
@@ -111,7 +119,9 @@ ExitCode run_nurbs(const NurbsArguments& arguments, const CommonOptions& common)
 void add_nurbs(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("nurbs", "Write the parts' surfaces as NURBS");
   const auto arguments = std::make_shared<NurbsArguments>();
-  command->add_option("FILE", arguments->file, "assembly document; - for standard input")
+  command
+      ->add_option("FILE", arguments->file,
+                   "assembly document, graph or piping file; - for standard input")
       ->type_name("")
       ->required();
   command
@@ -119,6 +129,7 @@ void add_nurbs(CLI::App& app, Action& action) {
                    "JSON, STEP (.step) or IGES (.iges) file; - for standard output")
       ->type_name("OUT")
       ->required();
+  add_source_options(*command, arguments->source);
   command->footer(
       "Rational surfaces are exact; others are within --tolerance (the document's if not given),\n"
       "as proven: 'error_bound' says how far. Pipes with fillets or copes are not trimmed.\n\n"

@@ -109,7 +109,6 @@ ExitCode report_document(const ReportArguments& arguments, const std::string& pa
   options.connect = length_in(assembly.unit, arguments.connect, assembly.tolerance);
   options.region = region_named(arguments.region);
   BuildReport report;
-  report.graph = document.network;
   std::optional<Certificate> certificate;
   {
     ProgressLine line(common.quiet);

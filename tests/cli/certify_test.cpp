@@ -24,6 +24,15 @@ TEST_F(Certify, proves_an_example_and_verify_agrees) {
   EXPECT_THAT(other.err, HasSubstr("the certificate is not about this document"));
 }
 
+// Of which every smooth node is proved, and that the certificate is about the file.
+TEST_F(Certify, proves_a_graph_that_is_read_alike) {
+  folder_.write("y.graph", "n 0 0 0\nn 20 0 0\nn 32 16 3\nn 32 -16 0\nc 0 1\nc 1 2\nc 1 3\n");
+  const auto proved = json({"certify", "y.graph", "--radius", "1", "-o", "y.cert.json"}, 0);
+  EXPECT_EQ(proved.at("findings"), 0);
+  EXPECT_EQ(json({"verify", "y.cert.json", "y.graph", "--radius", "1"}, 0), proved);
+  EXPECT_EQ(dupin({"verify", "y.cert.json", "y.graph", "--radius", "1.01"}).exit_code, 3);
+}
+
 TEST_F(Certify, takes_the_tolerance_of_the_command_line) {
   const std::string reducer = example("reducer.json");
   const auto bound_of = [&](const std::string& tolerance) {

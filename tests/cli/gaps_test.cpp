@@ -92,5 +92,12 @@ TEST_F(Gaps, documents_and_meshes_do_not_mix) {
   EXPECT_EQ(dupin({"gaps", "a.off", example("reducer.json")}).exit_code, 2);
 }
 
+TEST_F(Gaps, of_a_graph_are_none) {
+  const auto frame = json({"gaps", example("frame.graph"), "--radius", "2"}, 0);
+  EXPECT_EQ(frame.at("findings"), 0);
+  EXPECT_GT(frame.at("pairs").size(), 5);
+  EXPECT_EQ(dupin({"gaps", "-", "--radius", "1"}, "n 0 0 0\nn 9 0 0\nc 0 1\n").exit_code, 0);
+}
+
 }  // namespace
 }  // namespace dupin::test

@@ -38,5 +38,17 @@ TEST_F(MeshCommands, info_lists_the_parts_of_a_document) {
   EXPECT_EQ(info.at("parts").size(), 3);
 }
 
+TEST_F(MeshCommands, info_says_what_becomes_of_a_graph) {
+  const auto frame = json({"info", example("frame.graph"), "--radius", "2cm", "--unit", "cm"}, 0);
+  EXPECT_EQ(frame.at("unit"), "cm");
+  EXPECT_GT(frame.at("parts").size(), 5);
+  const ProcessResult text = dupin({"info", "-"}, "1 0 0 0 0 2 -1\n2 0 0 0 50 2 1\n");
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("2 nodes, 1 edge, 1 component, 0 cycles"));
+  EXPECT_THAT(text.out, HasSubstr("edge 1-2: pipe"));
+  EXPECT_EQ(dupin({"info", example("tee.json"), "--unit", "cm"}).exit_code, 2);
+  EXPECT_EQ(dupin({"info", example("frame.graph"), "--unit", "mile"}).exit_code, 2);
+}
+
 }  // namespace
 }  // namespace dupin::test

@@ -28,6 +28,18 @@ TEST_F(Nurbs, of_spines_that_turn_back_are_within_the_tolerance) {
   }
 }
 
+TEST_F(Nurbs, of_a_junction_are_exact_and_its_hub_is_trimmed) {
+  const auto report = json({"nurbs", example("junction.json"), "-o", "a.json"}, 0);
+  for (const auto& part : report.at("parts")) {
+    EXPECT_EQ(part.at("error_bound"), 0) << part;
+  }
+  const auto hub = nlohmann::json::parse(folder_.read("a.json")).at("parts").back();
+  EXPECT_EQ(hub.at("part"), "hub");
+  EXPECT_EQ(hub.at("trims").size(), 5);
+  EXPECT_EQ(hub.at("trims")[0].at("degree"), 2);
+  EXPECT_EQ(dupin({"nurbs", example("frame.graph"), "-o", "b.json", "--radius", "2"}).exit_code, 0);
+}
+
 TEST_F(Nurbs, go_to_standard_output_alone) {
   const std::string nozzle = example("oblique-nozzle.json");
   ASSERT_EQ(dupin({"nurbs", nozzle, "-o", "a.json", "-q"}).exit_code, 0);

@@ -424,16 +424,6 @@ bool is_buried(const ResolvedAssembly& assembly, const EndIndex& end) {
   });
 }
 
-void refuse_junctions(const Assembly& assembly, const ResolvedAssembly& resolved,
-                      std::string_view what) {
-  for (const ResolvedJunction& junction : resolved.junctions) {
-    throw Error(Errc::invalid_argument,
-                "junctions have no " + std::string(what) +
-                    "; leave them out of the document, then its pipes have",
-                junction.name, document_place(assembly, junction.index));
-  }
-}
-
 std::vector<Port> ports(const ResolvedAssembly& assembly) {
   std::vector<Port> result;
   for (const auto& part : assembly.parts) {

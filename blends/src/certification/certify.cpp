@@ -11,10 +11,12 @@
 
 #include "assembly/cost_limit.h"
 #include "assembly/filleted_runs.h"
+#include "assembly/joined_hubs.h"
 #include "assembly/part_context.h"
 #include "assembly/welded_runs.h"
 #include "certification/checked_claims.h"
 #include "certification/prove_fillet.h"
+#include "certification/prove_hub.h"
 #include "certification/prove_loop_clearance.h"
 #include "certification/prove_regular.h"
 #include "certification/swept_disc_pairs.h"
@@ -46,6 +48,10 @@ CertifiedInputs inputs_of(const ResolvedAssembly& resolved) {
       result.fillets.push_back(
           {fillet.name, fillet.between, fillet.shape.buried, fillet.shape.loops});
     }
+  }
+  for (const ResolvedJunction& junction : resolved.junctions) {
+    result.junctions.push_back({std::uint32_t(result.parts.size()), junction.arms});
+    result.parts.push_back({junction.name, "junction", junction.shape.hub, {}});
   }
   return result;
 }
@@ -95,13 +101,13 @@ class Certifier {
       : assembly_(assembly), options_(options), resolved_(resolve(assembly)), work_(options.work) {}
 
   Certificate run() {
-    refuse_junctions(assembly_, resolved_, "certificates");
     result_.document = assembly_.source;
     result_.unit = assembly_.unit;
     result_.tolerance = assembly_.tolerance;
     CertifiedInputs inputs = inputs_of(resolved_);
     result_.parts = std::move(inputs.parts);
     result_.fillets = std::move(inputs.fillets);
+    result_.junctions = std::move(inputs.junctions);
     for (const CertifiedPart& part : result_.parts) {
       sweeps_.push_back(std::visit(
           [&](const auto& s) { return certification::SweptDiscs(s, &work_); }, part.shape));
@@ -160,6 +166,24 @@ class Certifier {
       }
     }
     append_fillets(samplings, grid);
+    append_hubs(samplings, grid);
+  }
+
+  void append_hubs(const std::vector<RingSampling>& samplings, double grid) {
+    for (std::size_t i = 0; i < resolved_.junctions.size(); ++i) {
+      const ResolvedJunction& junction = resolved_.junctions[i];
+      std::vector<RingSampling> of_arms;
+      std::uint32_t fewest = CertificateLimits::kSegments;
+      for (const std::uint32_t arm : junction.arms) {
+        of_arms.push_back(samplings[arm]);
+        fewest = std::min(fewest, samplings[arm].segments);
+      }
+      const Tessellation hub =
+          assembly::hub_tessellation(assembly_, junction, of_arms, options_.most_triangles);
+      result_.claims[result_.junctions[i].hub].mesh = checker_.agreed_of_hub(
+          certification::hub_mesh_claim(junction.shape.hub, hub.mesh, fewest, grid),
+          junction.shape.hub);
+    }
   }
 
   void append_mesh(std::uint32_t part, std::uint32_t segments, double grid, Tessellation mesh) {
@@ -217,12 +241,30 @@ class Certifier {
       pairs = all_pairs(std::uint32_t(sweeps_.size()));
     }
     work_.allow(kWorkOfPair * pairs->size());
-    for (const auto& [first, second] : *pairs) {
-      ClearanceClaim claim = clearance(first, second);
+    const auto at_hubs = arms_and_hubs();
+    for (const verification::PartPair& pair : *pairs) {
+      const auto [first, second] = pair;
+      const bool is_at_hub = at_hubs.contains(pair);
+      ClearanceClaim claim =
+          is_at_hub ? certification::prove_at_hub(checker_.solid(first),
+                                                  std::get<Sphere>(result_.parts[second].shape),
+                                                  options_.boxes)
+                    : clearance(first, second);
       claim.first = first;
       claim.second = second;
-      result_.clearances.push_back(checker_.agreed(std::move(claim), result_.parts));
+      result_.clearances.push_back(is_at_hub ? checker_.agreed_at_hub(std::move(claim))
+                                             : checker_.agreed(std::move(claim), result_.parts));
     }
+  }
+
+  [[nodiscard]] std::set<verification::PartPair> arms_and_hubs() const {
+    std::set<verification::PartPair> result;
+    for (const CertifiedJunction& junction : result_.junctions) {
+      for (const std::uint32_t arm : junction.arms) {
+        result.insert({arm, junction.hub});
+      }
+    }
+    return result;
   }
 
   // Of every loop and every part but its pipes, then every later loop.
@@ -243,8 +285,7 @@ class Certifier {
       for (std::size_t i = 0; i < parts; ++i) {
         if (std::ranges::count(fillet_of[k]->between, i) == 0) {
           append_fillet_clearance(
-              i, parts + k,
-              certification::prove_clearance(sweeps_[i], loops[k], arcs[k], boxes));
+              i, parts + k, certification::prove_clearance(sweeps_[i], loops[k], arcs[k], boxes));
         }
       }
       for (std::size_t j = k + 1; j < loops.size(); ++j) {
@@ -295,9 +336,7 @@ std::size_t Certificate::findings() const {
       count += loop.mesh ? 0 : 1;
     }
   }
-  const auto is_open = [](const ClearanceClaim& claim) {
-    return claim.verdict != Verdict::proved;
-  };
+  const auto is_open = [](const ClearanceClaim& claim) { return claim.verdict != Verdict::proved; };
   return count + std::size_t(std::ranges::count_if(clearances, is_open) +
                              std::ranges::count_if(fillet_clearances, is_open));
 }
@@ -314,14 +353,13 @@ const std::string& Certificate::surface_name(std::uint32_t surface) const {
 }
 
 bool Certificate::joined(const ClearanceClaim& claim) const {
-  return !joints(parts[claim.first], claim.second).empty();
+  const bool at_hub = std::ranges::any_of(junctions, [&](const CertifiedJunction& junction) {
+    return junction.hub == claim.second && std::ranges::count(junction.arms, claim.first) > 0;
+  });
+  return at_hub || !joints(parts[claim.first], claim.second).empty();
 }
 
-CertifiedInputs certified_inputs(const Assembly& assembly) {
-  const ResolvedAssembly resolved = resolve(assembly);
-  refuse_junctions(assembly, resolved, "certificates");
-  return inputs_of(resolved);
-}
+CertifiedInputs certified_inputs(const Assembly& assembly) { return inputs_of(resolve(assembly)); }
 
 Certificate certify(const Assembly& assembly, const CertifyOptions& options) {
   if (options.margin && !(*options.margin >= 0 && *options.margin < 1)) {

@@ -1,5 +1,7 @@
 #include "certification/checked_claims.h"
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "dupin/kernel/error.h"
@@ -139,6 +141,32 @@ std::optional<std::vector<verification::PartPair>> CheckedClaims::pairs_nearer_t
     return true;
   });
   return is_told ? std::optional(std::move(pairs)) : std::nullopt;
+}
+
+std::optional<MeshClaim> CheckedClaims::agreed_of_hub(MeshClaim claim, const Sphere& hub) {
+  if (claim.segments < 3) {
+    return std::nullopt;
+  }
+  const double half = std::sin(std::numbers::pi / 2 / claim.segments);
+  const double proven = std::sqrt(5.0) * hub.radius * half * half;
+  for (double room = 0x1p-40; room < 2; room *= 16) {
+    claim.error_bound = proven * (1 + room) + claim.grid + room * hub.radius * 0x1p-10;
+    if (holds(verification::work_for(claim),
+              [&] { return verification::follows_of_hub(hub, claim); })) {
+      return claim;
+    }
+  }
+  return std::nullopt;
+}
+
+ClearanceClaim CheckedClaims::agreed_at_hub(ClearanceClaim claim) {
+  if (claim.verdict == Verdict::proved && holds(verification::work_for(claim.leaves), [&] {
+        return verification::follows_at_hub(solids_[claim.first], *solids_[claim.second].ball(),
+                                            claim);
+      })) {
+    return claim;
+  }
+  return {claim.first, claim.second, Verdict::undecided, 0, {}, {}};
 }
 
 ClearanceClaim CheckedClaims::agreed(ClearanceClaim claim,

@@ -24,6 +24,13 @@ class CheckedClaims {
   [[nodiscard]] LoopClaims agreed(const CanalFillet& loop, LoopClaims claims);
   [[nodiscard]] const std::vector<verification::LoopArcs>& loops() const { return loops_; }
 
+  [[nodiscard]] const verification::Solid& solid(std::uint32_t part) const { return solids_[part]; }
+
+  /// Of the mesh of a hub, for which a bound is found.
+  [[nodiscard]] std::optional<MeshClaim> agreed_of_hub(MeshClaim claim, const Sphere& hub);
+  /// Of an arm and its hub.
+  [[nodiscard]] ClearanceClaim agreed_at_hub(ClearanceClaim claim);
+
   // About the part that was read last.
   [[nodiscard]] RegularClaim agreed(RegularClaim claim);
   [[nodiscard]] EmbeddedClaim agreed(EmbeddedClaim claim, const RegularClaim& regular);

@@ -1,3 +1,8 @@
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "dupin/blends/frame.h"
 #include "dupin/blends/nurbs.h"
 
 namespace dupin {
@@ -38,6 +43,31 @@ Vec3 evaluate(const NurbsSurface& surface, double along, double around) {
   }
   const Eigen::Array4d point = de_boor(column, surface.knots_along, surface.degree_along, along);
   return Vec3(point[0], point[1], point[2]) / point[3];
+}
+
+Vec3 evaluate(const NurbsCurve& curve, double t) {
+  std::vector<Eigen::Array4d> points;
+  for (const auto& p : curve.net) {
+    points.emplace_back(p[0], p[1], p[2], p[3]);
+  }
+  const Eigen::Array4d point = de_boor(points, curve.knots, curve.degree, t);
+  return Vec3(point[0], point[1], point[2]) / point[3];
+}
+
+// Four quarters, each between two points and the corner of the square about them.
+NurbsCurve nurbs(const Ring& ring) {
+  constexpr std::array<std::array<int, 2>, 9> kSquare{
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}}};
+  const Vec3 axis = reference_axis(ring), other = ring.normal.cross(axis);
+  const double across = ring.ellipse ? ring.ellipse->across : ring.radius;
+  NurbsCurve result{2, {0, 0, 0, .25, .25, .5, .5, .75, .75, 1, 1, 1}, {}};
+  for (std::size_t i = 0; i < kSquare.size(); ++i) {
+    const double weight = i % 2 == 0 ? 1 : std::numbers::sqrt2 / 2;
+    const Vec3 point =
+        ring.center + kSquare.at(i)[0] * ring.radius * axis + kSquare.at(i)[1] * across * other;
+    result.net.push_back({weight * point.x(), weight * point.y(), weight * point.z(), weight});
+  }
+  return result;
 }
 
 }  // namespace dupin

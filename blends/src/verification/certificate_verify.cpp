@@ -61,8 +61,14 @@ void verify_joints(const Solid& solid, const std::string& name, const PartClaims
   }
 }
 
+// Hubs' meshes are none of latitudes and longitudes.
+bool mesh_follows(const Solid& solid, const MeshClaim& claim, bool is_hub) {
+  return is_hub ? solid.ball() != nullptr && follows_of_hub(*solid.ball(), claim)
+                : follows(solid, claim);
+}
+
 void verify_part(const Solid& solid, const std::string& name, const PartClaims& claims,
-                 double tolerance) {
+                 double tolerance, bool is_hub) {
   if (solid.ball() != nullptr) {
     require(!claims.regular && !claims.embedded && claims.tangency.empty(), name, "regular");
   } else if (solid.pieces().empty()) {
@@ -80,7 +86,7 @@ void verify_part(const Solid& solid, const std::string& name, const PartClaims& 
             name, "embedded");
     verify_joints(solid, name, claims, tolerance);
   }
-  require(!claims.mesh || follows(solid, *claims.mesh), name, "mesh");
+  require(!claims.mesh || mesh_follows(solid, *claims.mesh, is_hub), name, "mesh");
 }
 
 }  // namespace
@@ -114,7 +120,7 @@ bool is_same(const Ring& a, const Ring& b) { return are_flips(a, flipped(b)); }
 
 // The quadrics are those of the pipes, so that what touches these touches the pipes.
 LoopArcs verify_loop(const std::vector<Solid>& solids, const CertifiedFillet& fillet,
-                 const CanalFillet& loop, const LoopClaims& claims, double tolerance) {
+                     const CanalFillet& loop, const LoopClaims& claims, double tolerance) {
   for (std::size_t side = 0; side < 2; ++side) {
     const Solid& pipe = solids[fillet.between.at(side)];
     require(!pipe.pieces().empty() && is_same(loop.quadrics.at(side), end_ring(pipe, End::end)) &&
@@ -134,7 +140,8 @@ LoopArcs verify_loop(const std::vector<Solid>& solids, const CertifiedFillet& fi
 }
 
 // Of every fillet one by one.
-std::vector<std::vector<LoopArcs>> verify_fillets(const std::vector<Solid>& solids, const Certificate& certificate) {
+std::vector<std::vector<LoopArcs>> verify_fillets(const std::vector<Solid>& solids,
+                                                  const Certificate& certificate) {
   const auto& fillets = certificate.fillets;
   require(certificate.fillet_claims.size() == fillets.size(), "", "fillets");
   std::vector<std::vector<LoopArcs>> result(fillets.size());
@@ -171,27 +178,67 @@ void verify_inputs(const Certificate& certificate) {
   }
 }
 
+// Arms and their hubs, of which one comes after the other.
+using HubPairs = std::set<PartPair>;
+
+std::set<std::uint32_t> hubs_of(const Certificate& certificate) {
+  std::set<std::uint32_t> result;
+  for (const CertifiedJunction& junction : certificate.junctions) {
+    require(junction.hub < certificate.parts.size() && result.insert(junction.hub).second, "",
+            "junctions");
+  }
+  return result;
+}
+
+HubPairs verify_junctions(const std::vector<Solid>& solids, const Certificate& certificate) {
+  HubPairs result;
+  std::set<std::uint32_t> all_arms;
+  for (const auto& [hub, arms] : certificate.junctions) {
+    const std::string& name = certificate.parts[hub].name;
+    const Sphere* ball = solids[hub].ball();
+    require(ball != nullptr && arms.size() >= 2, name, "junction");
+    for (auto arm = arms.begin(); arm != arms.end(); ++arm) {
+      require(*arm < hub && is_arm(solids[*arm], *ball) && all_arms.insert(*arm).second, name,
+              "arms");
+      require(!certificate.parts[*arm].joined.at(at(End::end)), name, "arms");
+      require(std::all_of(arms.begin(), arm,
+                          [&](std::uint32_t other) {
+                            return caps_are_disjoint(solids[other], solids[*arm]);
+                          }),
+              name, "caps");
+      result.insert({*arm, hub});
+    }
+  }
+  return result;
+}
+
 bool follows_or_is_silent(const std::vector<Solid>& solids, const Certificate& certificate,
-                          const ClearanceClaim& claim) {
-  return is_undecided(claim.verdict)
-             ? has_form(claim)
+                          const HubPairs& hub_pairs, const ClearanceClaim& claim) {
+  if (is_undecided(claim.verdict)) {
+    return has_form(claim);
+  }
+  return hub_pairs.contains({claim.first, claim.second})
+             ? follows_at_hub(solids[claim.first], *solids[claim.second].ball(), claim)
              : follows(solids[claim.first], solids[claim.second],
                        joints(solids, certificate.parts, claim.first, claim.second), claim);
 }
 
 void verify_clearance(const std::vector<Solid>& solids, const Certificate& certificate,
-                      const PartPair& pair, const ClearanceClaim* claim) {
+                      const HubPairs& hub_pairs, const PartPair& pair,
+                      const ClearanceClaim* claim) {
   require(claim != nullptr && PartPair{claim->first, claim->second} == pair &&
-              follows_or_is_silent(solids, certificate, *claim),
+              follows_or_is_silent(solids, certificate, hub_pairs, *claim),
           certificate.parts[pair[0]].name, "clearance of " + certificate.parts[pair[1]].name);
 }
 
-void verify_all_pairs(const std::vector<Solid>& solids, const Certificate& certificate) {
+void verify_all_pairs(const std::vector<Solid>& solids, const Certificate& certificate,
+                      const HubPairs& hub_pairs) {
   const auto& claims = certificate.clearances;
   std::size_t next = 0;
   for (std::uint32_t i = 0; i < solids.size(); ++i) {
     for (std::uint32_t j = i + 1; j < solids.size(); ++j, ++next) {
-      verify_clearance(solids, certificate, {i, j}, next < claims.size() ? &claims[next] : nullptr);
+      verify_clearance(solids, certificate, hub_pairs, {i, j},
+                       next < claims.size() ? &claims[next] : nullptr);
     }
   }
   require(next == claims.size(), "", "clearance");
@@ -199,19 +246,20 @@ void verify_all_pairs(const std::vector<Solid>& solids, const Certificate& certi
 
 // Those that have a claim, in order and each once; none is missing that may be closer than is
 // claimed of the others.
-void verify_near_pairs(const std::vector<Solid>& solids, const Certificate& certificate) {
+void verify_near_pairs(const std::vector<Solid>& solids, const Certificate& certificate,
+                       const HubPairs& hub_pairs) {
   const auto near = pairs_nearer_than(certificate.apart, solids);
   auto missing = near.begin();
   PartPair before{0, 0};
   for (const ClearanceClaim& claim : certificate.clearances) {
     const PartPair pair{claim.first, claim.second};
     require(before < pair && pair[0] < pair[1] && pair[1] < solids.size(), "", "clearance");
-    verify_clearance(solids, certificate, pair, &claim);
+    verify_clearance(solids, certificate, hub_pairs, pair, &claim);
     missing += missing != near.end() && *missing == pair ? 1 : 0;
     before = pair;
   }
   if (missing != near.end()) {
-    verify_clearance(solids, certificate, *missing, nullptr);
+    verify_clearance(solids, certificate, hub_pairs, *missing, nullptr);
   }
 }
 
@@ -263,17 +311,19 @@ void verify(const Certificate& certificate) {
   const verification::WorkLimit limit(verification::work_for(certificate));
   verification::verify_inputs(certificate);
   verification::require(certificate.claims.size() == parts.size(), "", "parts");
+  const auto hubs = verification::hubs_of(certificate);
   std::vector<verification::Solid> solids;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
     solids.emplace_back(parts[i]);
     verification::verify_part(solids[i], parts[i].name, certificate.claims[i],
-                              certificate.tolerance);
+                              certificate.tolerance, hubs.contains(i));
   }
+  const auto hub_pairs = verification::verify_junctions(solids, certificate);
   const auto fillets = verification::verify_fillets(solids, certificate);
   if (certificate.apart == 0) {
-    verification::verify_all_pairs(solids, certificate);
+    verification::verify_all_pairs(solids, certificate, hub_pairs);
   } else {
-    verification::verify_near_pairs(solids, certificate);
+    verification::verify_near_pairs(solids, certificate, hub_pairs);
   }
   verification::verify_fillet_clearances(solids, fillets, certificate);
 }

@@ -11,6 +11,7 @@
 // 1 - kappa R > 0 is [MS06] eq. (11).
 
 #include "verification/fillet_claims.h"
+#include "verification/hub_claims.h"
 #include "verification/mesh_claim.h"
 #include "verification/pair_claims.h"
 #include "verification/regular_claim.h"

@@ -238,9 +238,7 @@ Motion motion(const Tube& tube) {
   };
 }
 
-// Of spheres (m; r): circles about c = m - r r' m' / |m'|^2 across m', of radius r sqrt(1 - r'^2 /
-// |m'|^2).
-Motion motion(const CyclidePiece& piece, double wall) {
+SphereMotion sphere_motion(const CyclidePiece& piece, double wall) {
   const auto exact = [](const PeVector& b) {
     return std::array<mpq_class, 4>{b.m.x(), b.m.y(), b.m.z(), b.r};
   };
@@ -260,16 +258,27 @@ Motion motion(const CyclidePiece& piece, double wall) {
                        weight[2] * last[k]};
     (k < 3 ? centers[k] : radius) = k < 3 ? about(p, weight, first[k]) : about(p, weight, wall);
   }
-  return [base = numbers::interval_vec(piece.first.m), m_times_w = EnclosedCurve<4>(centers),
-          r_times_w = Enclosed<4>(radius),
-          weight = Enclosed<4>(weight)](double from, double to) -> std::optional<MovingDisc> {
+  return [m_times_w = EnclosedCurve<4>(centers), r_times_w = Enclosed<4>(radius),
+          weight = Enclosed<4>(weight)](double from, double to) -> std::optional<MovingSphere> {
     spend(kDiscWork);
     const Jet<4> w = weight.over(from, to);
     if (!(w[0].lower > 0)) {
       return std::nullopt;
     }
-    const JetVec<4> m = m_times_w.over(from, to) / w;
-    const Jet<4> r = r_times_w.over(from, to) / w;
+    return MovingSphere{m_times_w.over(from, to) / w, r_times_w.over(from, to) / w};
+  };
+}
+
+// Of spheres (m; r): circles about c = m - r r' m' / |m'|^2 across m', of radius r sqrt(1 - r'^2 /
+// |m'|^2).
+Motion motion(const CyclidePiece& piece, double wall) {
+  return [base = numbers::interval_vec(piece.first.m), spheres = sphere_motion(piece, wall)](
+             double from, double to) -> std::optional<MovingDisc> {
+    const auto sphere = spheres(from, to);
+    if (!sphere) {
+      return std::nullopt;
+    }
+    const auto& [m, r] = *sphere;
     const JetVec<3> m1 = derivative(m);
     const Jet<3> r1 = derivative(r), speed = squared_norm(m1);
     Jet<3> slope = r1 * r1;

@@ -24,6 +24,19 @@ struct MovingDisc {
 /// that they move at all.
 using Motion = std::function<std::optional<MovingDisc>(double from, double to)>;
 
+/// The spheres of a piece of a cyclide over a stretch, with three derivatives: centres less that of
+/// the first, and radii.
+struct MovingSphere {
+  JetVec<4> center;
+  Jet<4> radius;
+};
+
+/// None where the numbers do not tell that there are spheres at all.
+using SphereMotion = std::function<std::optional<MovingSphere>(double from, double to)>;
+
+/// Of the outer skin, or of the parallel one at distance `wall` inside.
+[[nodiscard]] SphereMotion sphere_motion(const CyclidePiece& piece, double wall);
+
 [[nodiscard]] Motion motion(const Tube& tube);
 /// Of the outer skin, or of the parallel one at distance `wall` inside.
 [[nodiscard]] Motion motion(const CyclidePiece& piece, double wall);

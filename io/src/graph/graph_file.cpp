@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <iterator>
 #include <limits>
+#include <sstream>
 #include <unordered_map>
 
 #include "dupin/kernel/error.h"
@@ -14,6 +17,9 @@ namespace dupin {
 namespace {
 
 using text::TextScanner;
+
+// Of a text, in which a line is looked for that tells its format: comments come before it.
+constexpr std::size_t kFirstLines = 1 << 16;
 
 constexpr std::int64_t kLargestNumber = std::numeric_limits<std::int64_t>::max() / 16;
 
@@ -57,7 +63,39 @@ class Faults {
   std::vector<SourceNote>* notes_;
 };
 
+enum class GraphFormat : std::uint8_t { none, swc, graph };
+
+bool is_number(const std::string& word) {
+  char* end = nullptr;
+  std::strtod(word.c_str(), &end);
+  return end == word.c_str() + word.size();
+}
+
+// Of the first line that says something.
+GraphFormat format_of_text(std::string_view text) {
+  std::istringstream lines{std::string(text.substr(0, kFirstLines))};
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    const std::vector<std::string> all{std::istream_iterator<std::string>(words), {}};
+    if (all.empty()) {
+      continue;
+    }
+    const bool are_numbers = std::all_of(all.begin() + 1, all.end(), is_number);
+    if (!are_numbers) {
+      return GraphFormat::none;
+    }
+    return (all[0] == "n" && (all.size() == 4 || all.size() == 5)) ||
+                   (all[0] == "c" && all.size() == 3)
+               ? GraphFormat::graph
+           : all.size() == 7 && is_number(all[0]) ? GraphFormat::swc
+                                                  : GraphFormat::none;
+  }
+  return GraphFormat::none;
+}
+
 }  // namespace
+
+bool is_graph_text(std::string_view text) { return format_of_text(text) != GraphFormat::none; }
 
 bool is_graph_file(const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
@@ -145,8 +183,9 @@ PipeGraph parse_graph(std::string_view text, const std::string& source,
 
 PipeGraph parse_graph_file(std::string_view text, const std::string& source,
                            std::vector<SourceNote>* notes) {
-  return extension_of(source) == ".swc" ? parse_swc(text, source, notes)
-                                        : parse_graph(text, source, notes);
+  const bool is_swc = is_graph_file(source) ? extension_of(source) == ".swc"
+                                            : format_of_text(text) == GraphFormat::swc;
+  return is_swc ? parse_swc(text, source, notes) : parse_graph(text, source, notes);
 }
 
 }  // namespace dupin

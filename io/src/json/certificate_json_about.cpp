@@ -10,20 +10,39 @@
 
 namespace dupin {
 
+namespace {
+
+void require(bool holds, const std::string& source, const std::string& reason,
+             const std::string& part = {}) {
+  if (!holds) {
+    throw Error(Errc::invalid_argument, "the certificate is not about this document: " + reason,
+                part, source);
+  }
+}
+
 // The digest says that it may be about the document; who made the certificate wrote it, too.
+void require_digest(const Certificate& certificate, std::string_view document,
+                    const std::string& source) {
+  require(sha256(document) == certificate.document_sha256, source, "the digest is another's");
+}
+
+}  // namespace
+
 void require_about(const Certificate& certificate, std::string_view document,
                    const std::string& source) {
+  require_digest(certificate, document, source);
+  require_about(certificate, document, parse_assembly(document, source));
+}
+
+void require_about(const Certificate& certificate, std::string_view document,
+                   const Assembly& assembly) {
+  require_digest(certificate, document, assembly.source);
   const auto require = [&](bool holds, const std::string& reason, const std::string& part = {}) {
-    if (!holds) {
-      throw Error(Errc::invalid_argument, "the certificate is not about this document: " + reason,
-                  part, source);
-    }
+    dupin::require(holds, assembly.source, reason, part);
   };
-  require(sha256(document) == certificate.document_sha256, "the digest is another's");
-  const Assembly assembly = parse_assembly(document, source);
   require(certificate.unit == assembly.unit, "the unit is another");
   require(certificate.tolerance <= assembly.tolerance, "its tolerance is larger");
-  const auto [parts, fillets] = certified_inputs(assembly);
+  const auto [parts, fillets, junctions] = certified_inputs(assembly);
   require(certificate.parts.size() == parts.size(), "it has not as many parts");
   for (std::size_t i = 0; i < parts.size(); ++i) {
     require(json::input_text(certificate.parts[i]) == json::input_text(parts[i]),
@@ -33,6 +52,11 @@ void require_about(const Certificate& certificate, std::string_view document,
   for (std::size_t i = 0; i < fillets.size(); ++i) {
     require(json::input_text(certificate.fillets[i]) == json::input_text(fillets[i]),
             "the fillet is another", fillets[i].name);
+  }
+  require(certificate.junctions.size() == junctions.size(), "it has not as many junctions");
+  for (std::size_t i = 0; i < junctions.size(); ++i) {
+    require(json::input_text(certificate.junctions[i]) == json::input_text(junctions[i]),
+            "the junction is another", parts[junctions[i].hub].name);
   }
 }
 

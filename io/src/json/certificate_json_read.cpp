@@ -110,6 +110,12 @@ CertifiedFillet fillet(const JsonNode& node, const std::vector<CertifiedPart>& p
   return result;
 }
 
+CertifiedJunction junction(const JsonNode& node, std::uint32_t parts) {
+  return {
+      count(node.at("hub"), parts),
+      list<std::uint32_t>(node.at("arms"), [=](const JsonNode& arm) { return count(arm, parts); })};
+}
+
 Verdict verdict(const JsonNode& node) {
   const std::string text = node.text();
   for (const Verdict value : {Verdict::proved, Verdict::refuted, Verdict::undecided}) {
@@ -242,6 +248,10 @@ Certificate parse_certificate(std::string_view text, const std::string& source) 
   if (root.has("fillets")) {
     result.fillets = list<CertifiedFillet>(
         root.at("fillets"), [&](const JsonNode& node) { return fillet(node, result.parts); });
+  }
+  if (root.has("junctions")) {
+    result.junctions = list<CertifiedJunction>(
+        root.at("junctions"), [=](const JsonNode& node) { return junction(node, parts); });
   }
   if (root.at("inputs_sha256").text() != sha256(json::inputs_text(result))) {
     root.at("inputs_sha256").fail("does not belong to these inputs");

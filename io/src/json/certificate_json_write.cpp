@@ -51,6 +51,10 @@ Json json_value(const CertifiedFillet& fillet) {
           {"loops", loops}};
 }
 
+Json json_value(const CertifiedJunction& junction) {
+  return {{"hub", junction.hub}, {"arms", junction.arms}};
+}
+
 Json json_value(const std::vector<DiscPairs>& leaves) {
   Json list = Json::array();
   for (const DiscPairs& leaf : leaves) {
@@ -183,12 +187,18 @@ std::string json::input_text(const CertifiedFillet& fillet) {
   return dupin::json_value(fillet).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+std::string json::input_text(const CertifiedJunction& junction) {
+  return dupin::json_value(junction).dump();
+}
+
 std::string json::inputs_text(const Certificate& certificate) {
   const auto& fillets = certificate.fillets;
+  const auto& junctions = certificate.junctions;
   return "  \"units\": " + json_text(symbol(certificate.unit)) +
          ",\n  \"tolerance\": " + Json(certificate.tolerance).dump() +
          ",\n  \"parts\": " + lines(certificate.parts) +
-         (fillets.empty() ? "" : ",\n  \"fillets\": " + lines(fillets));
+         (fillets.empty() ? "" : ",\n  \"fillets\": " + lines(fillets)) +
+         (junctions.empty() ? "" : ",\n  \"junctions\": " + lines(junctions));
 }
 
 std::string certificate_json(const Certificate& certificate) {
@@ -249,12 +259,12 @@ std::string certificate_summary_json(const Certificate& certificate) {
   }
   Json fillet_clearances = Json::array();
   for (const ClearanceClaim& claim : certificate.fillet_clearances) {
-    fillet_clearances.push_back({{"surfaces",
-                                  {certificate.surface_name(claim.first),
-                                   certificate.surface_name(claim.second)}},
-                                 {"verdict", name(claim.verdict)},
-                                 {"overlap", claim.overlap.has_value()},
-                                 {"distance", claim.distance}});
+    fillet_clearances.push_back(
+        {{"surfaces",
+          {certificate.surface_name(claim.first), certificate.surface_name(claim.second)}},
+         {"verdict", name(claim.verdict)},
+         {"overlap", claim.overlap.has_value()},
+         {"distance", claim.distance}});
   }
   return json::text({{"document", certificate.document},
                      {"unit", symbol(certificate.unit)},

@@ -26,6 +26,10 @@ std::string nurbs_json(const std::vector<NamedNurbs>& parts, Unit unit) {
                       {"kind", kind},
                       {"error_bound", form.error_bound},
                       {"surfaces", surfaces}});
+    for (const NurbsCurve& curve : form.trims) {
+      values.back()["trims"].push_back(
+          {{"degree", curve.degree}, {"knots", curve.knots}, {"net", curve.net}});
+    }
   }
   return json::text({{"unit", symbol(unit)}, {"parts", values}});
 }

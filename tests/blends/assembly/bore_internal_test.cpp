@@ -83,13 +83,14 @@ TEST(Bore, of_tees_in_all_positions_is_a_larger_balls_or_says_what_would_do) {
           // Beside the axis one as thick leaves the run: it has to pass through then.
           const bool passes = aside + branch > 6;
           const auto document = [&](double thickness, double ball) {
-            return walled({pipe("run", {-40, 0, 0}, {40, 0, 0}, 6),
-                           pipe("branch", passes ? Vec3(at - 35 * along) : at, at + 35 * along,
-                                branch),
-                           fillet("fillet", "run", "branch", ball)},
-                          thickness);
+            return walled(
+                {pipe("run", {-40, 0, 0}, {40, 0, 0}, 6),
+                 pipe("branch", passes ? Vec3(at - 35 * along) : at, at + 35 * along, branch),
+                 fillet("fillet", "run", "branch", ball)},
+                thickness);
           };
-          SCOPED_TRACE(testing::Message() << branch << ' ' << aside << ' ' << degrees << ' ' << wall);
+          SCOPED_TRACE(testing::Message()
+                       << branch << ' ' << aside << ' ' << degrees << ' ' << wall);
           try {
             const Regions made = regions(document(wall, radius));
             EXPECT_THAT(names(made.fluid.solid),
@@ -116,6 +117,37 @@ TEST(Bore, of_tees_in_all_positions_is_a_larger_balls_or_says_what_would_do) {
   }
   EXPECT_GE(bores, 30);
   EXPECT_EQ(bores + refusals, 36);
+}
+
+// Offsets of cyclides are cyclides, and that of the hub is a sphere: volumes in closed form.
+TEST(Bore, of_a_junction_is_the_junction_of_the_inner_radii) {
+  const double wall = 0.4, tolerance = 0.004;
+  JunctionOfPorts hub;
+  hub.ends = {{"a", End::end}, {"b", End::end}, {"c", End::end}};
+  const Assembly assembly =
+      walled({pipe("a", {-20, 0, 0}, {-12, 0, 0}, 2), pipe("b", {20, 1, 0}, {12, 0.6, 0}, 1.5),
+              pipe("c", {0, 15, 20}, {0, 9, 12}, 1.8), part("hub", hub)},
+             wall, tolerance);
+  const Regions made = regions(assembly);
+  EXPECT_EQ(made.outer.solid.euler_number(), 2);
+  EXPECT_EQ(made.metal.solid.euler_number(), -2);
+  EXPECT_EQ(made.fluid.solid.euler_number(), 2);
+  const ResolvedAssembly resolved = resolve(assembly);
+  Junction inner = resolved.junctions.front().shape;
+  const auto thinner = [&](const PeArc& arc) {
+    const PeVector by{Vec3::Zero(), wall};
+    return PeArc::from(arc.start() - by, arc.start_tangent(), arc.end() - by);
+  };
+  inner.hub.radius -= wall;
+  for (JunctionArm& arm : inner.arms) {
+    arm.collar = thinner(arm.collar);
+    if (arm.straight) {
+      arm.straight = thinner(*arm.straight);
+    }
+  }
+  const double pipes = kPi * (1.6 * 1.6 * 8 + 1.1 * 1.1 * std::hypot(8, 0.4) + 1.4 * 1.4 * 10);
+  EXPECT_NEAR(made.fluid.solid.volume(), volume(inner) + pipes,
+              tolerance * made.fluid.solid.area());
 }
 
 TEST(Bore, of_cones_and_cyclides_that_meet_in_sloped_rings_is_one) {

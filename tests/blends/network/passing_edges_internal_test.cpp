@@ -7,19 +7,51 @@ namespace dupin::network {
 namespace {
 
 using testing::ElementsAre;
+using testing::IsEmpty;
+using Pair = std::array<std::size_t, 2>;
 
-TEST(PassingEdges, are_those_whose_capsules_meet_unless_they_share_a_node) {
+CleanGraph graph_of(const std::vector<std::pair<Vec3, double>>& balls,
+                    std::vector<GraphEdge> edges) {
   CleanGraph graph;
-  for (const Vec3& at : {Vec3(-5, 0, 0), Vec3(5, 0, 0), Vec3(0, -5, 1.5), Vec3(0, 5, 1.5),
-                         Vec3(0, -5, 9), Vec3(5, 9, 0)}) {
-    graph.nodes.push_back({"", at, 1, 0});
+  for (const auto& [center, radius] : balls) {
+    graph.nodes.push_back({std::to_string(graph.nodes.size()), center, radius, 0});
   }
-  graph.edges = {{0, 1}, {2, 3}, {2, 4}, {1, 5}};
-  EXPECT_THAT(passing_edges(graph), ElementsAre(true, true, false, false));
-  for (Ball& ball : graph.nodes) {
-    ball.radius = 0.7;
-  }
-  EXPECT_THAT(passing_edges(graph), ElementsAre(false, false, false, false));
+  graph.edges = std::move(edges);
+  return graph;
+}
+
+TEST(PassingEdges, are_those_whose_pipes_meet_unless_they_share_a_node) {
+  const auto with_radius = [](double r) {
+    return GraphPlan(graph_of({{{-5, 0, 0}, r},
+                               {{5, 0, 0}, r},
+                               {{0, -5, 1.5}, r},
+                               {{0, 5, 1.5}, r},
+                               {{0, -5, 9}, r},
+                               {{5, 9, 0}, r}},
+                              {{0, 1}, {2, 3}, {2, 4}, {1, 5}}));
+  };
+  EXPECT_THAT(passing_edges(with_radius(1)), ElementsAre(Pair{0, 1}));
+  EXPECT_TRUE(pass(with_radius(1), 1, 0));
+  EXPECT_THAT(passing_edges(with_radius(0.7)), IsEmpty());
+}
+
+// Capsules of the larger radius would meet.
+TEST(PassingEdges, are_told_by_the_radii_where_they_come_near) {
+  const auto beside = [](double height) {
+    return GraphPlan(graph_of(
+        {{{0, 0, 0}, 3}, {{20, 0, 0}, 0.5}, {{18, -9, height}, 0.5}, {{18, 9, height}, 0.5}},
+        {{0, 1}, {2, 3}}));
+  };
+  EXPECT_THAT(passing_edges(beside(1.5)), IsEmpty());
+  EXPECT_THAT(passing_edges(beside(1.2)), ElementsAre(Pair{0, 1}));
+}
+
+TEST(PassingEdges, end_where_they_are_cut_back) {
+  GraphPlan plan(
+      graph_of({{{0, 0, 0}, 1}, {{9, 0, 0}, 1}, {{18, 0, 0}, 1}, {{9, 2.5, 0}, 1}, {{9, 20, 0}, 1}},
+               {{0, 1}, {1, 2}, {3, 4}}));
+  ASSERT_TRUE(plan.plan(1));
+  EXPECT_THAT(passing_edges(plan), IsEmpty());
 }
 
 }  // namespace

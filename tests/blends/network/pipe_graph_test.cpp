@@ -68,7 +68,7 @@ TEST(PipeGraph, cycles_are_handles) {
 }
 
 TEST(PipeGraph, balls_stand_where_nothing_smooth_fits) {
-  const PipeGraph graph = graph_of({{0, 0, 0}, {20, 0, 0}, {1, 1.5, 0}}, {{0, 1}, {1, 2}});
+  const PipeGraph graph = graph_of({{0, 0, 0}, {20, 0, 0}, {1, 0.4, 0}}, {{0, 1}, {1, 2}});
   const PipeNetwork network = assembly_of(graph, {.radius = 1});
   EXPECT_EQ(network.balls, 1);
   ASSERT_EQ(network.notes.size(), 1);
@@ -77,14 +77,13 @@ TEST(PipeGraph, balls_stand_where_nothing_smooth_fits) {
   expect_solid(network, "hairpin");
 }
 
-TEST(PipeGraph, crowded_junctions_are_narrower) {
+TEST(PipeGraph, crowded_junctions_become_something_smooth) {
   const PipeGraph graph =
       graph_of({{0, 0, 0}, {4, 0, 0}, {2.6, 3.1, 0}, {-20, 0, 0}, {30, -10, 3}, {5, 30, 0}},
                {{0, 1}, {0, 2}, {0, 3}, {1, 4}, {2, 5}});
   const PipeNetwork network = assembly_of(graph, {.radius = 1});
-  EXPECT_EQ(network.junctions, 1);
-  ASSERT_FALSE(network.notes.empty());
-  EXPECT_THAT(network.notes.front().text, HasSubstr("node 0: its radius of 1 made 0.85"));
+  EXPECT_EQ(network.balls, 0);
+  EXPECT_FALSE(network.notes.empty());
   expect_solid(network, "crowded");
 }
 
@@ -92,11 +91,75 @@ TEST(PipeGraph, edges_that_pass_through_each_other_are_united) {
   const PipeGraph graph = graph_of({{-20, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}, {0, -20, 0}},
                                    {{0, 1}, {1, 2}, {2, 3}, {3, 4}});
   const PipeNetwork network = assembly_of(graph, {.radius = 1});
-  EXPECT_EQ(network.balls, 2);
+  EXPECT_EQ(network.balls, 0);
   EXPECT_EQ(network.cycles, 0);
+  ASSERT_EQ(network.notes.size(), 1);
+  EXPECT_EQ(network.notes[0].text,
+            "edge 3-4: passes through edge 0-1, to which it is not joined; united");
   const Built built = build(network.assembly);
   EXPECT_EQ(built.solid.components(), 1);
   EXPECT_EQ(built.solid.euler_number(), 0);
+}
+
+// Two long pipes through each other, with a junction in each: what joins them is cut apart.
+TEST(PipeGraph, junctions_beside_edges_that_pass_are_united_too) {
+  const PipeGraph graph = graph_of({{-20, 0, 0},
+                                    {0, 0, 0},
+                                    {20, 0, 0},
+                                    {0, 20, 0},
+                                    {10, -20, 0},
+                                    {10, 20, 0},
+                                    {10, 40, 0},
+                                    {30, 20, 0}},
+                                   {{0, 1}, {1, 2}, {1, 3}, {4, 5}, {5, 6}, {5, 7}});
+  const PipeNetwork network = assembly_of(graph, {.radius = 1});
+  EXPECT_EQ(network.junctions, 2);
+  EXPECT_EQ(network.components, 2);
+  const Built built = build(network.assembly);
+  EXPECT_EQ(built.solid.components(), 1);
+  EXPECT_EQ(built.solid.euler_number(), 2);
+}
+
+// A part that a build refuses is replaced, and what it was said with.
+TEST(PipeGraph, a_build_that_is_to_keep_going_replaces_what_is_refused) {
+  const PipeGraph graph =
+      graph_of({{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {40, 40, 10}}, {{0, 1}, {1, 2}, {2, 3}});
+  const PipeGraphOptions options{.radius = 1, .keep_going = true};
+  PipeNetwork network = assembly_of(graph, options);
+  ASSERT_EQ(network.blends, 2);
+  for (Part& part : network.assembly.parts) {
+    if (part.name == "node 1") {
+      part.shape = CyclicBlendBetween{
+          {"edge 0-1", End::end}, {"edge 1-2", End::start}, {BlendLaw::r1, 0.01, 99}};
+    }
+  }
+  EXPECT_THROW((void)build(network.assembly), Error);
+  const Built built = build(graph, options, network);
+  EXPECT_EQ(network.blends, 1);
+  EXPECT_EQ(network.balls, 1);
+  ASSERT_EQ(network.notes.size(), 1);
+  EXPECT_TRUE(network.notes[0].is_refusal);
+  EXPECT_THAT(network.notes[0].text, HasSubstr("node 1: a ball of radius 1.1, as "));
+  EXPECT_EQ(built.solid.euler_number(), 2);
+  PipeNetwork once = assembly_of(graph, {.radius = 1});
+  once.assembly.parts[0].shape = PipeBetween{{0, 0, 0}, {0, 0, 0}, 1};
+  EXPECT_THROW((void)build(graph, {.radius = 1}, once), Error);
+}
+
+TEST(PipeGraph, refused_edges_are_left_out) {
+  const PipeGraph graph = graph_of({{0, 0, 0}, {20, 0, 0}, {20, 20, 0}}, {{0, 1}, {1, 2}});
+  const PipeNetwork network =
+      assembly_of(graph, {.radius = 1, .refused = {{"edge 1-2", "it is bad"}}});
+  EXPECT_EQ(network.edges, 1);
+  EXPECT_EQ(network.nodes, 2);
+  ASSERT_EQ(network.notes.size(), 1);
+  EXPECT_EQ(network.notes[0].text, "edge 1-2: it is bad; left out");
+  EXPECT_TRUE(network.notes[0].is_refusal);
+}
+
+TEST(PipeGraph, has_the_unit_it_is_told) {
+  const PipeGraph graph = graph_of({{0, 0, 0}, {20, 0, 0}}, {{0, 1}});
+  EXPECT_EQ(assembly_of(graph, {.radius = 1, .unit = Unit::inch}).assembly.unit, Unit::inch);
 }
 
 TEST(PipeGraph, says_what_is_not_joined) {

@@ -30,6 +30,28 @@ TEST(NurbsSurface, of_a_cylinder_has_points_at_its_radius_and_height) {
   EXPECT_EQ(evaluate(surface, 1, 1), Vec3(0, 3, 5));
 }
 
+TEST(NurbsCurve, of_a_ring_goes_round_it) {
+  const Ring circle{{1, 2, 3}, Vec3(1, 2, 2) / 3, 5};
+  const NurbsCurve curve = nurbs(circle);
+  double turned = 0;
+  for (int i = 0; i <= 40; ++i) {
+    const Vec3 arm = evaluate(curve, i / 40.0) - circle.center;
+    EXPECT_NEAR(arm.norm(), 5, 1e-14);
+    EXPECT_NEAR(arm.dot(circle.normal), 0, 1e-14);
+    const Vec3 next = evaluate(curve, (i + 1) / 41.0) - circle.center;
+    turned += arm.cross(next).dot(circle.normal);
+  }
+  EXPECT_GT(turned, 0);
+  EXPECT_EQ(evaluate(curve, 0), evaluate(curve, 1));
+  Ring ellipse{{0, 0, 0}, Vec3::UnitZ(), 3};
+  ellipse.ellipse = Ellipse{Vec3::UnitY(), 1, 0};
+  const NurbsCurve oval = nurbs(ellipse);
+  for (int i = 0; i <= 40; ++i) {
+    const Vec3 p = evaluate(oval, i / 40.0);
+    EXPECT_NEAR(p.x() * p.x() + p.y() * p.y() / 9, 1, 1e-14);
+  }
+}
+
 // Cox and de Boor's recursion, term by term.
 double basis(const std::vector<double>& knots, std::size_t i, int degree, double t) {
   if (degree == 0) {

@@ -22,6 +22,21 @@ TEST(GraphFile, is_told_by_its_extension) {
   EXPECT_FALSE(is_graph_file("graph"));
 }
 
+TEST(GraphFile, is_told_by_its_first_line_where_it_has_no_name) {
+  EXPECT_TRUE(is_graph_text("# a tree\n\n 1 3 0 0 0 1.5 -1\n"));
+  EXPECT_TRUE(is_graph_text("n 0 0 0\n"));
+  EXPECT_TRUE(is_graph_text("n 0 0 0 2 # with a radius\n"));
+  EXPECT_TRUE(is_graph_text("c 0 1\nn 0 0 0\n"));
+  for (const std::string text :
+       {"", "# nothing", "{\"units\": \"mm\"}", "OFF\n8 6 12\n", "8 6 12\n", "n 0 0\n",
+        "nothing 1 2 3\n", "solid a\n", "v 0 0 0\n", "1 2 3 4 5 6 seven\n"}) {
+    EXPECT_FALSE(is_graph_text(text)) << text;
+  }
+  EXPECT_EQ(parse_graph_file("1 3 0 0 0 1.5 -1\n2 3 9 0 0 1 1\n", "standard input").edges.size(),
+            1);
+  EXPECT_EQ(parse_graph_file("n 0 0 0\nn 1 0 0\nc 0 1\n", "standard input").edges.size(), 1);
+}
+
 TEST(GraphFile, swc_gives_nodes_with_lines_and_edges_to_parents) {
   const PipeGraph graph = parse_swc(
       "# a neuron\n10 1 0 0 0 2.5 -1\r\n\n  7 3 1 2 3 0.5 11 # child first\n"

@@ -94,5 +94,23 @@ TEST(CertificateJsonAbout, has_the_fillets_of_its_document) {
   EXPECT_THROW(require_about(honest, document, "d.json"), Error);
 }
 
+TEST(CertificateJsonAbout, has_the_junctions_of_its_document) {
+  const std::string document = R"({"units": "mm", "tolerance": 0.1, "parts": [
+    {"name": "a", "pipe": {"from": [-9, 0, 0], "to": [-5, 0, 0], "radius": 1}},
+    {"name": "b", "pipe": {"from": [9, 0, 0], "to": [5, 0, 0], "radius": 1}},
+    {"name": "c", "pipe": {"from": [0, 9, 0], "to": [0, 5, 0], "radius": 1}},
+    {"name": "hub", "junction": {"ends": ["a.end", "b.end", "c.end"]}}]})";
+  Certificate honest = certify(parse_assembly(document, "d.json"));
+  honest.document_sha256 = sha256(document);
+  ASSERT_NO_THROW(require_about(honest, document, "d.json"));
+  ASSERT_NO_THROW(require_about(honest, document, parse_assembly(document, "d.json")));
+  Certificate c = honest;
+  std::swap(c.junctions[0].arms[0], c.junctions[0].arms[1]);
+  EXPECT_THROW(require_about(c, document, "d.json"), Error);
+  c = honest;
+  c.junctions.clear();
+  EXPECT_THROW(require_about(c, document, "d.json"), Error);
+}
+
 }  // namespace
 }  // namespace dupin

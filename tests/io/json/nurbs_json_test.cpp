@@ -34,6 +34,15 @@ TEST(NurbsJson, tells_degrees_knots_and_homogeneous_points) {
       "net": [[[0, 0, 0, 1], [0.1, 0, 0, 1]], [[0, 1, 0, 1], [1, 1, 0, 0.5]]]})"));
 }
 
+TEST(NurbsJson, has_trims_where_there_are_any) {
+  auto parts = bilinear_patch();
+  EXPECT_FALSE(json::parse(nurbs_json(parts, Unit::metre)).at("parts").at(0).contains("trims"));
+  parts[0].form.trims = {{1, {0, 0, 1, 1}, {{0, 0, 0, 1}, {1, 0, 0, 1}}}};
+  EXPECT_EQ(json::parse(nurbs_json(parts, Unit::metre)).at("parts").at(0).at("trims"),
+            json::parse(R"([{"degree": 1, "knots": [0, 0, 1, 1],
+      "net": [[0, 0, 0, 1], [1, 0, 0, 1]]}])"));
+}
+
 TEST(NurbsJson, the_report_counts_the_surfaces) {
   EXPECT_EQ(json::parse(nurbs_report_json(bilinear_patch(), "out.json")),
             json::parse(R"({"file": "out.json", "parts": [{"part": "inlet", "kind": "pipe",

@@ -76,8 +76,9 @@ struct PartClaims {
 
 /// How far apart two parts are. Proved without an overlap: no two points of them are closer than
 /// `distance` > 0 or, for parts that are joined, they have nothing in common but the disc of the
-/// joint. With one: they overlap, which proves that parts that are not joined are connected anyhow,
-/// and refutes the claim for others.
+/// joint, or, for an arm and its hub, the arm's circles lie outside but for the last. With one:
+/// they overlap, which proves that parts that are not joined are connected anyhow, and refutes the
+/// claim for others.
 struct ClearanceClaim {
   std::uint32_t first = 0, second = 0;
   Verdict verdict = Verdict::undecided;
@@ -94,6 +95,13 @@ struct CertifiedFillet {
   std::array<std::uint32_t, 2> between{};
   std::array<std::array<bool, 2>, 2> buried{};
   std::vector<CanalFillet> loops;
+};
+
+/// A junction as `resolve` made it: indices of parts. The hub is a ball in which all arms end,
+/// touching it along their last circles; its surface is what these leave of the ball's.
+struct CertifiedJunction {
+  std::uint32_t hub = 0;
+  std::vector<std::uint32_t> arms;
 };
 
 /// Upper bounds, all along both feet.
@@ -128,9 +136,10 @@ struct CertificateLimits {
 struct CertifiedInputs {
   std::vector<CertifiedPart> parts;
   std::vector<CertifiedFillet> fillets;
+  std::vector<CertifiedJunction> junctions;
 };
 
-/// Throws as `resolve`.
+/// Parts are those of `resolve`, then the hubs. Throws as `resolve`.
 [[nodiscard]] CertifiedInputs certified_inputs(const Assembly& assembly);
 
 /// Claims about an assembly, each with what is needed to check it again: see `verify`.
@@ -140,6 +149,7 @@ struct Certificate {
   double tolerance = 0;
   std::vector<CertifiedPart> parts;
   std::vector<CertifiedFillet> fillets;
+  std::vector<CertifiedJunction> junctions;
   std::vector<PartClaims> claims;                      ///< one per part
   std::vector<std::vector<LoopClaims>> fillet_claims;  ///< one per loop of every fillet
   /// No two parts without a clearance claim of their own are closer; 0: all have one.
@@ -156,7 +166,7 @@ struct Certificate {
   /// Claims that are refuted or undecided, missing ones included.
   [[nodiscard]] std::size_t findings() const;
 
-  /// Whether the two parts are joined at a port.
+  /// Whether the two parts are joined at a port, or an arm and its hub.
   [[nodiscard]] bool joined(const ClearanceClaim& claim) const;
 };
 

@@ -6,6 +6,7 @@
 
 #include "dupin/blends/canal_fillet.h"
 #include "dupin/blends/part_surface.h"
+#include "dupin/kernel/ring.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin {
@@ -21,12 +22,29 @@ struct NurbsSurface {
 /// Its point at parameters in [0, 1].
 [[nodiscard]] Vec3 evaluate(const NurbsSurface& surface, double along, double around);
 
+/// A closed NURBS curve.
+struct NurbsCurve {
+  int degree = 2;
+  std::vector<double> knots;               ///< as of a surface
+  std::vector<std::array<double, 4>> net;  ///< (x w, y w, z w, w), all w > 0
+};
+
+/// Its point at a parameter in [0, 1].
+[[nodiscard]] Vec3 evaluate(const NurbsCurve& curve, double t);
+
+/// A ring's circle or ellipse, counter-clockwise about its normal; exact up to the rounding of the
+/// control points.
+[[nodiscard]] NurbsCurve nurbs(const Ring& ring);
+
 /// The lateral surface of a part.
 struct NurbsForm {
   std::vector<NurbsSurface> surfaces;
   /// No point of the NURBS is further from the part's surface than this; 0: they are the same, up
   /// to the rounding of the control points.
   double error_bound = 0;
+  /// Where the part ends on the surfaces, if it is less than these: it lies to the left, seen from
+  /// outside.
+  std::vector<NurbsCurve> trims = {};
 };
 
 /// Exact, as the papers' surfaces are rational: cylinders, cones and elbows of any section,

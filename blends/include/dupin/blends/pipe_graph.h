@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/build.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin {
@@ -28,12 +30,17 @@ struct PipeGraph {
   std::string source;  ///< the file's name, for messages; may be empty
   std::vector<GraphNode> nodes;
   std::vector<GraphEdge> edges;
+  std::vector<SourceNote> notes = {};  ///< of what was left out when it was read
 };
 
 struct PipeGraphOptions {
   std::optional<double> radius = {};     ///< of nodes whose own is missing or not positive
   std::optional<double> tolerance = {};  ///< none: a 25th of the least radius
-  bool keep_going = false;  ///< nodes and edges that are refused are left out, and noted
+  bool keep_going = false;       ///< nodes and edges that are refused are left out, and noted
+  Unit unit = Unit::millimetre;  ///< of the graph's numbers and these
+  /// Parts that a build refused, by their names, and why: such nodes become balls, such edges are
+  /// left out.
+  std::map<std::string, std::string> refused = {};
 };
 
 /// The assembly of a graph, and what became of the graph on the way.
@@ -56,5 +63,11 @@ struct PipeNetwork {
 /// O(n log n + k) time for k pairs of edges whose boxes overlap along x, and a search for each
 /// node.
 [[nodiscard]] PipeNetwork assembly_of(const PipeGraph& graph, const PipeGraphOptions& options = {});
+
+/// Builds the network's assembly. Where told to keep going, a part that is refused is replaced as
+/// PipeGraphOptions::refused says, noted, and the rest is built; the network is then that one.
+/// Throws as `build` for what else is refused.
+[[nodiscard]] Built build(const PipeGraph& graph, const PipeGraphOptions& options,
+                          PipeNetwork& network, const BuildOptions& build_options = {});
 
 }  // namespace dupin

@@ -88,10 +88,6 @@ struct ResolvedAssembly {
 /// Whether the end vanishes: inside of a fillet's other pipe, or in a junction's hub. O(fillets).
 [[nodiscard]] bool is_buried(const ResolvedAssembly& assembly, const EndIndex& end);
 
-/// Throws Error{invalid_argument} if there is one: for what is not made of these.
-void refuse_junctions(const Assembly& assembly, const ResolvedAssembly& resolved,
-                      std::string_view what);
-
 /// All ports in document order, named "part.start" and "part.end", without those that are buried.
 [[nodiscard]] std::vector<Port> ports(const ResolvedAssembly& assembly);
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "dupin/blends/assembly.h"
 #include "dupin/blends/certificate.h"
 
 namespace dupin {
@@ -24,5 +25,9 @@ namespace dupin {
 /// than the document's. Throws as `parse_assembly` and `resolve` for a document that is none.
 void require_about(const Certificate& certificate, std::string_view document,
                    const std::string& source);
+
+/// The same of a file that was made into an assembly, as graphs are.
+void require_about(const Certificate& certificate, std::string_view document,
+                   const Assembly& assembly);
 
 }  // namespace dupin

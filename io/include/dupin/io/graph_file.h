@@ -12,6 +12,10 @@ namespace dupin {
 /// Whether the file's extension, in any case, is that of a graph: ".swc" or ".graph".
 [[nodiscard]] bool is_graph_file(const std::filesystem::path& file);
 
+/// Whether the text's first line that is not empty or a comment could be one of a graph: seven
+/// numbers, or "n" or "c" and numbers.
+[[nodiscard]] bool is_graph_text(std::string_view text);
+
 /// SWC morphology, as "id type x y z radius parent" lines; a parent of -1 is none. Comments begin
 /// with "#". `source` names the text in messages. Edges to parents come in the order of the lines.
 ///
@@ -26,7 +30,7 @@ namespace dupin {
 [[nodiscard]] PipeGraph parse_graph(std::string_view text, const std::string& source = {},
                                     std::vector<SourceNote>* notes = nullptr);
 
-/// Either, as the extension of `source` says.
+/// Either, as the extension of `source` says, or where it has none of these the first line.
 [[nodiscard]] PipeGraph parse_graph_file(std::string_view text, const std::string& source,
                                          std::vector<SourceNote>* notes = nullptr);
 
