@@ -3,7 +3,6 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <numbers>
 
@@ -22,7 +21,8 @@ namespace dupin::cli {
 namespace {
 
 struct BomArguments {
-  std::string file, wall;
+  std::string file;
+  WallArguments walls;
   SourceArguments source;
   double density = 0;  // 0: not given
   bool csv = false, mesh = false;
@@ -149,24 +149,16 @@ void print_bill(const BillReport& report) {
   print_sum(report);
 }
 
-// The component that each part was made of.
-std::vector<BillOrigin> origins(const Document& document) {
-  std::map<std::string, const PipingComponent*> components;
-  for (const PipingComponent& component : document.line.components) {
-    components.emplace(component.name, &component);
-  }
+// The component that each part is of.
+std::vector<BillOrigin> origins(const Assembly& assembly) {
   std::vector<BillOrigin> result;
-  if (document.piping) {
-    const std::vector<std::string>& names = document.piping->network.origins;
-    result.reserve(names.size());
-    for (const std::string& name : names) {
-      const auto found = components.find(name);
-      result.push_back(found == components.end()
-                           ? BillOrigin{name, {}, 0}
-                           : BillOrigin{name, found->second->kind, found->second->line});
-    }
+  result.reserve(assembly.parts.size());
+  bool is_any = false;
+  for (const Part& part : assembly.parts) {
+    result.push_back({part.component.name, part.component.kind, part.component.line});
+    is_any = is_any || !part.component.name.empty();
   }
-  return result;
+  return is_any ? result : std::vector<BillOrigin>();
 }
 
 void refuse_contradictions(const BomArguments& arguments, const CommonOptions& common) {
@@ -192,10 +184,10 @@ MeshVolumes mesh_volumes(Document& document, const CommonOptions& common) {
 
 ExitCode run_bom(const BomArguments& arguments, const CommonOptions& common) {
   refuse_contradictions(arguments, common);
-  Document document = read_document(arguments.file, arguments.source, arguments.wall);
+  Document document = read_document(arguments.file, arguments.source, arguments.walls);
   // Told to keep going, a build leaves out parts that the bill then does not have either.
   const auto mesh = arguments.mesh ? std::optional(mesh_volumes(document, common)) : std::nullopt;
-  BillReport report{bill_of_materials(document.assembly), {}, origins(document), mesh};
+  BillReport report{bill_of_materials(document.assembly), {}, origins(document.assembly), mesh};
   if (arguments.density > 0) {
     report.density = arguments.density;
   }
@@ -247,7 +239,7 @@ void add_bom(CLI::App& app, Action& action) {
   command->add_flag("--mesh", arguments->mesh,
                     "Build the mesh, too, within --tolerance or the document's, and say the\n"
                     "volumes of the union, in which nothing counts twice");
-  add_wall_option(*command, arguments->wall);
+  add_wall_options(*command, arguments->walls);
   add_source_options(*command, arguments->source);
   command->footer(
       "Everything is of the smooth surfaces, to 1e-9 at least, and not of a mesh.\n\n"

@@ -25,7 +25,8 @@ namespace dupin::cli {
 namespace {
 
 struct BuildArguments {
-  std::string file, connect, contacts, cross_check, wall, region, solids, page;
+  std::string file, connect, contacts, cross_check, region, solids, page;
+  WallArguments walls;
   OutputArguments output;
   std::uint32_t segments = 0;
   std::size_t most_triangles = kUsualTriangles;
@@ -57,6 +58,21 @@ std::string margin_text(const std::vector<PartReport>& parts) {
     }
   }
   return tightest ? number(*tightest->margin_lower) + " (" + tightest->name + ")" : "none";
+}
+
+/// The part whose bore is proved to keep away least.
+std::string least_wall_text(const std::vector<PartReport>& parts, const std::string& unit) {
+  const PartReport* thinnest = nullptr;
+  std::size_t unproved = 0;
+  for (const PartReport& part : parts) {
+    if (part.least_wall && (!thinnest || *part.least_wall < *thinnest->least_wall)) {
+      thinnest = &part;
+    }
+    unproved += part.is_hollow && !part.least_wall ? 1 : 0;
+  }
+  return (thinnest ? number(*thinnest->least_wall) + " " + unit + " (" + thinnest->name + ")"
+                   : "none proved") +
+         (thinnest && unproved > 0 ? ", not proved of " + counted(unproved, "part") : "");
 }
 
 void print_build(std::ostream& out, const BuildReport& report) {
@@ -91,6 +107,12 @@ void print_build(std::ostream& out, const BuildReport& report) {
               "outer " + number(report.volumes->outer) + ", metal " +
                   number(report.volumes->metal) + ", fluid " + number(report.volumes->fluid) + " " +
                   unit + "3");
+  }
+  if (report.insulation) {
+    print_row(out, "region", "insulation of " + number(*report.insulation) + " " + unit + "3");
+  }
+  if (report.region == Region::metal || report.region == Region::fluid) {
+    print_row(out, "least wall", least_wall_text(report.parts, unit));
   }
   print_row(out, "smallest margin", margin_text(report.parts));
   print_row(out, "mesh error", "at most " + number(error) + " " + unit);
@@ -166,15 +188,16 @@ void check_destination(const BuildArguments& arguments) {
 
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
   check_destination(arguments);
-  Document document = read_document(arguments.file, arguments.source, arguments.wall);
+  std::optional<ProgressLine> line(common.quiet);
+  Document document =
+      read_document(arguments.file, arguments.source, arguments.walls, line->callback());
   Assembly& assembly = document.assembly;
   BuildOptions options = build_options(assembly, arguments, common);
   (void)rounding_options(arguments.rounding, std::string(symbol(assembly.unit)));
   BuildReport report;
   TriMesh written;
   {
-    ProgressLine line(common.quiet);
-    options.progress = line.callback();
+    options.progress = line->callback();
     Built built = build_document(document, options);
     write_built(built, document, options, arguments, report,
                 arguments.page.empty() ? nullptr : &written);
@@ -183,6 +206,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
       tell(options.progress, "report");
       write_page(arguments.page, document, report, std::move(written));
     }
+    line.reset();
   }
   if (common.json) {
     report_stream(arguments.output.path) << to_json(report) << '\n';
@@ -221,8 +245,8 @@ void add_build(CLI::App& app, Action& action) {
   command->add_option("--segments", arguments->segments, "Fixed number of segments of every ring")
       ->type_name("NUMBER")
       ->check(CLI::Range(3, 65536));
-  add_wall_option(*command, arguments->wall);
-  add_region_option(*command, arguments->region);
+  add_wall_options(*command, arguments->walls);
+  add_region_option(*command, arguments->region, true);
   add_triangles_option(*command, arguments->most_triangles);
   add_connect_option(*command, arguments->connect);
   add_source_options(*command, arguments->source);

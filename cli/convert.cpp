@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -30,7 +31,7 @@ struct ConvertArguments {
   MeshToMesh files;
   PlacementArguments placement;
   SourceArguments source;
-  std::string wall;
+  WallArguments walls;
 };
 
 /// A graph or piping file as the document that it is made into.
@@ -39,7 +40,7 @@ ExitCode write_document(const Input& input, const ConvertArguments& all,
   if (!all.placement.empty()) {
     throw UsageError("--translate, --rotate and --scale are for meshes; convert to .json first");
   }
-  Document document = read_document(input, all.source, all.wall);
+  Document document = read_document(input, all.source, all.walls);
   if (!common.tolerance.empty()) {
     document.assembly.tolerance = length_in(document.assembly.unit, common.tolerance, 0);
   }
@@ -116,7 +117,7 @@ void add_convert(CLI::App& app, Action& action) {
   add_mesh_to_mesh_options(*command, "mesh file, graph or piping file", arguments->files);
   add_placement_options(*command, arguments->placement);
   add_source_options(*command, arguments->source);
-  add_wall_option(*command, arguments->wall);
+  add_wall_options(*command, arguments->walls);
   command->footer(
       "A solid whose coordinates the format cannot hold is rounded so that it stays one; any\n"
       "other mesh is written as it is. Moves, turns and changes of size are exact, and rounded "

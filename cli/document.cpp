@@ -27,8 +27,8 @@ BoreMeaning bore_meaning(const std::string& typed) {
                               : BoreMeaning::automatic;
 }
 
-Document read_piping(const Input& input, const SourceArguments& arguments,
-                     const std::string& wall) {
+Document read_piping(const Input& input, const SourceArguments& arguments, const std::string& wall,
+                     const Progress& progress) {
   if (!arguments.radius.empty() || !arguments.unit.empty()) {
     throw UsageError("--radius and --unit are for graphs, files named .swc or .graph");
   }
@@ -36,6 +36,7 @@ Document read_piping(const Input& input, const SourceArguments& arguments,
   options.snap = length_in(Unit::millimetre, arguments.snap, options.snap);
   options.bridge = length_in(Unit::millimetre, arguments.bridge, 0);
   options.keep_going = arguments.keep_going;
+  options.progress = progress;
   if (!arguments.fillet.empty()) {
     options.fillet =
         arguments.fillet == "auto" ? 0 : length_in(Unit::millimetre, arguments.fillet, 0);
@@ -91,10 +92,11 @@ void add_piping_options(CLI::App& command, SourceArguments& arguments) {
 }
 
 // Without the wall, but of a piping file.
-Document document_of(const Input& input, const SourceArguments& arguments,
-                     const std::string& wall) {
-  if (is_pcf_file(input.name)) {
-    return read_piping(input, arguments, wall);
+Document document_of(const Input& input, const SourceArguments& arguments, const std::string& wall,
+                     const Progress& progress) {
+  tell(progress, "read");
+  if (is_piping(input)) {
+    return read_piping(input, arguments, wall, progress);
   }
   if (!arguments.snap.empty() || !arguments.bridge.empty() || !arguments.bore.empty() ||
       !arguments.schedule.empty() || !arguments.fillet.empty() || arguments.strict) {
@@ -138,7 +140,11 @@ bool is_graph(const Input& input) {
   return is_graph_file(input.name) || (!has_name && is_graph_text(input.bytes));
 }
 
-bool is_source(const Input& input) { return is_graph(input) || is_pcf_file(input.name); }
+bool is_piping(const Input& input) {
+  return is_pcf_file(input.name) || (input.name == kStandardInput && is_pcf_text(input.bytes));
+}
+
+bool is_source(const Input& input) { return is_graph(input) || is_piping(input); }
 
 Built build_document(Document& document, const BuildOptions& options) {
   if (document.network) {
@@ -172,18 +178,34 @@ void take(BuildReport& report, Built&& built, Document& document, double connect
   report.grid = built.grid;
   report.region = built.region;
   report.volumes = built.volumes;
+  report.insulation = built.insulation;
 }
 
 Document read_document(const std::string& path, const SourceArguments& arguments,
-                       const std::string& wall) {
-  return read_document(read_input(path), arguments, wall);
+                       const WallArguments& walls, const Progress& progress) {
+  return read_document(read_input(path), arguments, walls, progress);
 }
 
 Document read_document(const Input& input, const SourceArguments& arguments,
-                       const std::string& wall) {
-  Document document = document_of(input, arguments, wall);
-  if (!wall.empty()) {
-    document.assembly.wall = length_in(document.assembly.unit, wall, 0);
+                       const WallArguments& walls, const Progress& progress) {
+  Document document = document_of(input, arguments, walls.wall, progress);
+  const auto apply = [&](Assembly& assembly) {
+    if (!walls.wall.empty()) {
+      assembly.wall = length_in(assembly.unit, walls.wall, 0);
+    }
+    if (!walls.insulation.empty()) {
+      assembly.insulation = length_in(assembly.unit, walls.insulation, 0);
+    }
+    for (const WallSide side : {WallSide::inwards, WallSide::outwards, WallSide::centred}) {
+      if (walls.side == name(side)) {
+        assembly.wall_side = side;
+      }
+    }
+  };
+  apply(document.assembly);
+  if (document.piping) {  // for networks that are made anew
+    document.piping_options.wall_side = document.assembly.wall_side;
+    document.piping_options.insulation = document.assembly.insulation;
   }
   return document;
 }
@@ -197,21 +219,37 @@ void add_bore_option(CLI::App& command, std::string& bore) {
       ->check(CLI::IsMember({"outside", "nominal"}));
 }
 
-void add_wall_option(CLI::App& command, std::string& wall) {
-  command.add_option("--wall", wall, "Thickness of the walls, inwards, instead of the document's")
+void add_wall_options(CLI::App& command, WallArguments& walls) {
+  command.add_option("--wall", walls.wall, "Thickness of the walls, instead of the document's")
+      ->type_name("LENGTH");
+  command
+      .add_option("--wall-side", walls.side,
+                  "Where walls are, seen from the document's radii: inwards, if not given,\n"
+                  "outwards, or centred")
+      ->type_name("SIDE")
+      ->check(CLI::IsMember({"inwards", "outwards", "centred"}));
+  command
+      .add_option("--insulation", walls.insulation,
+                  "Thickness of the insulation outside, instead of the document's")
       ->type_name("LENGTH");
 }
 
-void add_region_option(CLI::App& command, std::string& region) {
+void add_region_option(CLI::App& command, std::string& region, bool has_insulation) {
+  std::vector<std::string> names{"outer", "metal", "fluid"};
+  if (has_insulation) {
+    names.emplace_back("insulation");
+  }
   command
       .add_option("--region", region,
-                  "outer, metal or fluid; metal if not given, where there are walls")
+                  std::string("outer, metal") +
+                      (has_insulation ? ", fluid or insulation" : " or fluid") +
+                      "; metal if not given, where there are walls")
       ->type_name("REGION")
-      ->check(CLI::IsMember({"outer", "metal", "fluid"}));
+      ->check(CLI::IsMember(names));
 }
 
 std::optional<Region> region_named(const std::string& name) {
-  for (const Region region : {Region::outer, Region::metal, Region::fluid}) {
+  for (const Region region : {Region::outer, Region::metal, Region::fluid, Region::insulation}) {
     if (name == dupin::name(region)) {
       return region;
     }

@@ -33,6 +33,13 @@ struct SourceArguments {
   bool keep_going = false, strict = false;
 };
 
+/// What is asked of walls, instead of what the document says, as typed.
+struct WallArguments {
+  std::string wall, side, insulation;
+
+  [[nodiscard]] bool empty() const { return wall.empty() && side.empty() && insulation.empty(); }
+};
+
 /// An assembly, or a graph or piping file made into one, from a file or standard input.
 struct Document {
   Assembly assembly;
@@ -45,16 +52,19 @@ struct Document {
   std::map<std::string, std::string> colours = {};  ///< of parts, as the document has them
 };
 
-/// The file is a graph or a piping file if its extension says so, and a graph if what comes from
-/// standard input looks like one. `wall`, as typed, is instead of the document's.
+/// The file is a graph or a piping file if its extension says so; what comes from standard input is
+/// one if it looks like one.
 [[nodiscard]] Document read_document(const std::string& path, const SourceArguments& arguments,
-                                     const std::string& wall = {});
+                                     const WallArguments& walls = {},
+                                     const Progress& progress = {});
 [[nodiscard]] Document read_document(const Input& input, const SourceArguments& arguments,
-                                     const std::string& wall = {});
+                                     const WallArguments& walls = {},
+                                     const Progress& progress = {});
 
 /// Whether it is a graph or a piping file.
 [[nodiscard]] bool is_source(const Input& input);
 [[nodiscard]] bool is_graph(const Input& input);
+[[nodiscard]] bool is_piping(const Input& input);
 
 /// Builds the assembly, where told to keep going without components of a piping file, or nodes and
 /// edges of a graph, whose parts are refused.
@@ -64,11 +74,11 @@ struct Document {
 /// The document's notes on its piping go along.
 void take(BuildReport& report, Built&& built, Document& document, double connect);
 
-/// Adds --wall.
-void add_wall_option(CLI::App& command, std::string& wall);
+/// Adds --wall, --wall-side and --insulation.
+void add_wall_options(CLI::App& command, WallArguments& walls);
 
-/// Adds --region.
-void add_region_option(CLI::App& command, std::string& region);
+/// Adds --region, whose insulation only a build makes.
+void add_region_option(CLI::App& command, std::string& region, bool has_insulation = false);
 
 /// The region of that name; none for an empty one.
 [[nodiscard]] std::optional<Region> region_named(const std::string& name);

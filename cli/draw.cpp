@@ -24,7 +24,8 @@ namespace dupin::cli {
 namespace {
 
 struct DrawArguments {
-  std::string file, output, wall, region, scale, view;
+  std::string file, output, region, scale, view;
+  WallArguments walls;
   std::vector<double> direction, up;
   SourceArguments source;
   double dots_per_inch = 150;
@@ -132,7 +133,7 @@ std::pair<DrawingOptions, std::optional<DrawingScale>> typed(const DrawArguments
 
 ExitCode run_draw(const DrawArguments& arguments, const CommonOptions& common) {
   const auto [options, typed_scale] = typed(arguments);
-  Document document = read_document(arguments.file, arguments.source, arguments.wall);
+  Document document = read_document(arguments.file, arguments.source, arguments.walls);
   BuildReport report;
   Drawing drawing;
   DrawingScale scale;
@@ -206,7 +207,7 @@ void add_draw(CLI::App& app, Action& action) {
                    "Pixels of a PNG for an inch of paper; 150 if not given")
       ->type_name("NUMBER")
       ->check(CLI::Range(1.0, 2400.0));
-  add_wall_option(*command, arguments->wall);
+  add_wall_options(*command, arguments->walls);
   add_region_option(*command, arguments->region);
   add_source_options(*command, arguments->source);
   command->footer(

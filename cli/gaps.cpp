@@ -62,7 +62,7 @@ MeshGapSummary measure_meshes(const std::vector<Input>& inputs, const std::strin
 ExitCode run_gaps(const GapsArguments& arguments, const CommonOptions& common) {
   refuse_tolerance("gaps", common);
   const std::vector<Input> inputs = read_inputs(arguments.files);
-  if (inputs.size() == 1 && is_pcf_file(arguments.files.front())) {
+  if (inputs.size() == 1 && is_piping(inputs.front())) {
     return print_summary(measure_piping(inputs.front(), arguments.source.bore, arguments.connect),
                          common, print_gaps);
   }

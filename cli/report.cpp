@@ -26,7 +26,8 @@ namespace dupin::cli {
 namespace {
 
 struct ReportArguments {
-  std::string file, output, connect, wall, region, certificate;
+  std::string file, output, connect, region, certificate;
+  WallArguments walls;
   std::size_t most_triangles = kUsualTriangles;
   SourceArguments source;
   bool certify = false;
@@ -59,8 +60,8 @@ ExitCode report_mesh(const ReportArguments& arguments, const Input& input, const
                      const CommonOptions& common) {
   refuse_tolerance("report, of a mesh,", common);
   if (!arguments.certificate.empty() || arguments.certify || !arguments.connect.empty() ||
-      !arguments.wall.empty() || !arguments.region.empty()) {
-    throw UsageError("--certificate, --certify, --connect, --wall and --region are for documents");
+      !arguments.walls.empty() || !arguments.region.empty()) {
+    throw UsageError("--certificate, --certify, --connect, walls and --region are for documents");
   }
   MeshSummary summary{input.name, input.unit(), read_mesh(input.bytes, input.name), {}};
   summary.check = check(summary.mesh);
@@ -99,7 +100,7 @@ TriMesh round(const Solid& solid, OutputReport& report) {
 
 ExitCode report_document(const ReportArguments& arguments, const std::string& page,
                          const CommonOptions& common) {
-  Document document = read_document(arguments.file, arguments.source, arguments.wall);
+  Document document = read_document(arguments.file, arguments.source, arguments.walls);
   Assembly& assembly = document.assembly;
   if (!common.tolerance.empty()) {
     assembly.tolerance = length_in(assembly.unit, common.tolerance, 0);
@@ -165,8 +166,8 @@ void add_report(CLI::App& app, Action& action) {
       ->type_name("FILE");
   command->add_flag("--certify", arguments->certify,
                     "Certify the document now and show the claims");
-  add_wall_option(*command, arguments->wall);
-  add_region_option(*command, arguments->region);
+  add_wall_options(*command, arguments->walls);
+  add_region_option(*command, arguments->region, true);
   add_triangles_option(*command, arguments->most_triangles);
   add_connect_option(*command, arguments->connect);
   add_source_options(*command, arguments->source);

@@ -26,11 +26,17 @@ void print_graph(std::ostream& out, const PipeNetwork& graph) {
   print_notes(out, "note", graph.notes);
 }
 
+constexpr JointState kStates[] = {JointState::met, JointState::stepped, JointState::blended,
+                                  JointState::bridged, JointState::apart};
+
+std::size_t count_of(const PcfReport& piping, JointState state) {
+  return std::size_t(std::ranges::count(piping.network.joints, state, &PipingJoint::state));
+}
+
 // How many joints have it, and which if something was done to them.
 void print_joints(std::ostream& out, const PcfReport& piping, JointState state) {
   const auto& joints = piping.network.joints;
-  const auto count =
-      static_cast<std::size_t>(std::ranges::count(joints, state, &PipingJoint::state));
+  const std::size_t count = count_of(piping, state);
   if (count > 0) {
     print_row(out, std::string(name(state)), counted(count, "joint"));
   }
@@ -47,7 +53,24 @@ void print_joints(std::ostream& out, const PcfReport& piping, JointState state) 
   }
 }
 
+// What a person wants to know first.
+std::string summary(const PcfReport& piping) {
+  const auto refused =
+      std::ranges::count_if(piping.network.notes, [](const SourceNote& n) { return n.is_refusal; });
+  std::string text = counted(piping.network.components, "component") + ", " +
+                     counted(piping.network.origins.size(), "part") + ", " +
+                     counted(piping.network.open_ends, "open end") + "; joints:";
+  std::string_view separator = " ";
+  for (const JointState state : kStates) {
+    text += std::string(separator) + std::to_string(count_of(piping, state)) + " " +
+            std::string(name(state));
+    separator = ", ";
+  }
+  return text + "; " + std::to_string(refused) + " refused";
+}
+
 void print_piping(std::ostream& out, const PcfReport& piping) {
+  print_row(out, "summary", summary(piping));
   std::string kinds;
   for (const auto& [kind, count] : piping.file.kinds) {
     kinds += (kinds.empty() ? " (" : ", ") + std::to_string(count) + " " + kind;
@@ -55,8 +78,7 @@ void print_piping(std::ostream& out, const PcfReport& piping) {
   print_row(out, "components",
             std::to_string(piping.network.components) + kinds + (kinds.empty() ? "" : ")"));
   print_row(out, "open ends", std::to_string(piping.network.open_ends));
-  for (const JointState state : {JointState::met, JointState::stepped, JointState::blended,
-                                 JointState::bridged, JointState::apart}) {
+  for (const JointState state : kStates) {
     print_joints(out, piping, state);
   }
   print_row(out, "moved", "at most " + number(piping.network.largest_move) + " mm");

@@ -1,4 +1,6 @@
+#include <fstream>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -192,6 +194,42 @@ TEST_F(Build, malformed_documents_are_named_with_the_place) {
     EXPECT_THAT(result.err, MatchesRegex("[^\n]*\n"));
   }
   EXPECT_THAT(folder_.files(), ElementsAre("a.json"));
+}
+
+TEST_F(Build, states_the_least_wall_and_names_patches_anew) {
+  const ProcessResult vessel = dupin({"build", example("vessel.json"), "-o", "a.stl", "--region",
+                                      "fluid", "--tolerance", "1mm", "--patches", "p.json"});
+  EXPECT_EQ(vessel.exit_code, 0) << vessel.err;
+  EXPECT_THAT(vessel.out, HasSubstr("least wall           3.9"));
+  const auto patches = nlohmann::json::parse(std::ifstream(folder_.path() / "p.json"));
+  std::set<std::string> names;
+  for (const auto& patch : patches.at("patches")) {
+    names.insert(patch.at("name"));
+  }
+  for (const char* end : {"inflow", "outflow", "drain"}) {
+    EXPECT_EQ(names.count(end), 1) << end;
+  }
+  const auto report = json({"build", example("vessel.json"), "-o", "a.off", "--tolerance", "1mm",
+                            "--wall-side", "outwards"},
+                           0);
+  for (const auto& part : report.at("parts")) {
+    if (part.at("name") == "top") {
+      EXPECT_LT(part.at("least_wall"), 8);
+      EXPECT_GT(part.at("least_wall"), 0.94 * 8);
+    }
+    if (part.at("name") == "shell" || part.at("name") == "bottom") {
+      EXPECT_NEAR(part.at("least_wall"), 8, 1e-6);
+    }
+  }
+}
+
+TEST_F(Build, refuses_names_of_patches_that_are_none) {
+  std::ofstream(folder_.path() / "a.json")
+      << R"({"units": "mm", "tolerance": 1, "patches": {"a.top": "x"}, "parts": [
+          {"name": "a", "pipe": {"from": [0, 0, 0], "to": [9, 0, 0], "radius": 3}}]})";
+  const ProcessResult refused = dupin({"build", "a.json", "-o", "a.stl"});
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("a.json#/patches: there is no patch named 'a.top'"));
 }
 
 }  // namespace

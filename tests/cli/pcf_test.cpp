@@ -152,6 +152,41 @@ TEST_F(Pcf, options_of_piping_files_are_for_them) {
   EXPECT_EQ(dupin({"build", example("line.pcf"), "-o", "a.stl", "--radius", "1mm"}).exit_code, 2);
 }
 
+TEST_F(Pcf, lines_come_from_standard_input) {
+  EXPECT_EQ(shell("dupin build - -o a.off < examples/line.pcf").exit_code, 0);
+  EXPECT_EQ(dupin({"build", example("line.pcf"), "-o", "b.off"}).exit_code, 0);
+  EXPECT_EQ(shell("cmp a.off b.off").exit_code, 0);
+  EXPECT_EQ(shell("dupin convert - a.json < examples/line.pcf").exit_code, 0);
+  EXPECT_EQ(shell("dupin gaps - < examples/line.pcf").exit_code,
+            dupin({"gaps", example("line.pcf")}).exit_code);
+}
+
+TEST_F(Pcf, documents_keep_what_is_taken_off) {
+  EXPECT_EQ(dupin({"convert", example("line.pcf"), "line.json", "--wall", "3mm"}).exit_code, 0);
+  const auto of_line = json({"bom", example("line.pcf"), "--wall", "3mm"}, 0),
+             of_document = json({"bom", "line.json"}, 0);
+  EXPECT_EQ(of_line.at("take_off"), of_document.at("take_off"));
+  EXPECT_EQ(of_line.at("parts"), of_document.at("parts"));
+}
+
+TEST_F(Pcf, reports_begin_with_a_summary) {
+  write(folder_.path() / "a.pcf", kHead + pipe(0, 1000) + pipe(1000.25, 2000) + pipe(2000, 2500));
+  EXPECT_THAT(dupin({"build", "a.pcf", "-o", "a.stl", "--bridge", "0.5mm"}).out,
+              HasSubstr("summary              3 components, 4 parts, 2 open ends; joints: 1 met, 0 "
+                        "stepped, 0 blended, 1 bridged, 0 apart; 0 refused\n"));
+}
+
+TEST_F(Pcf, insulation_goes_round_lines) {
+  const auto report = json({"build", example("line.pcf"), "-o", "a.off", "--insulation", "30mm",
+                            "--region", "insulation", "--tolerance", "1mm"},
+                           0);
+  EXPECT_EQ(report.at("region"), "insulation");
+  EXPECT_GT(report.at("volumes").at("insulation"), 1e6);
+  EXPECT_EQ(report.at("output").at("check").at("components"), 1);
+  EXPECT_EQ(
+      dupin({"build", example("line.pcf"), "-o", "a.off", "--region", "insulation"}).exit_code, 3);
+}
+
 TEST_F(Pcf, lines_can_be_looked_at) {
   EXPECT_THAT(dupin({"info", example("line.pcf")}).out, HasSubstr("  elbow-14: elbow\n"));
   EXPECT_EQ(dupin({"nurbs", example("line.pcf"), "-o", "a.json"}).exit_code, 0);

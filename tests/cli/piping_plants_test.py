@@ -248,6 +248,33 @@ def test_patches(folder, region, output, open_ends):
         assert is_inside(component["inside"], triangles), component
 
 
+def test_joints(text, joints):
+    """Distances are those of the file's own points, and no misfit is missing."""
+    ends = {}
+    for number, line in enumerate(text, 1):
+        words = line.split()
+        if words and words[0] in ("END-POINT", "ENDPOINT", "BRANCH1-POINT", "BRANCH2-POINT"):
+            ends[number] = tuple(map(float, words[1:4]))
+    owner, component = {}, 0
+    for number, line in enumerate(text, 1):
+        component = number if line and "POINT" not in line and not line.startswith("    ") else component
+        owner[number] = component
+    for joint in joints:
+        a, b = joint["lines"]
+        assert abs(math.dist(ends[a], ends[b]) - joint["distance"]) < 1e-9, joint
+    cells = {}
+    for number, place in ends.items():
+        cells.setdefault(tuple(math.floor(x / BRIDGE) for x in place), []).append(number)
+    joined = {line for joint in joints for line in joint["lines"]}
+    for (i, j, k), numbers in cells.items():
+        near = [n for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)
+                for n in cells.get((i + x, j + y, k + z), [])]
+        for a in numbers:
+            for b in near:
+                if owner[a] != owner[b] and SNAP < math.dist(ends[a], ends[b]) <= BRIDGE:
+                    assert a in joined and b in joined, (a, b)
+
+
 def test_plant(tool, folder, seed, components):
     """All regions of one plant."""
     plant = Plant(seed, components)
@@ -268,6 +295,7 @@ def test_plant(tool, folder, seed, components):
             assert len(bridged) == plant.misfits, (len(bridged), plant.misfits)
             assert piping["components"] == plant.components - plant.zero
             assert piping["largest_move"] <= SNAP
+            test_joints(plant.text, piping["joints"])
         test_patches(folder, region, report["output"], piping["open_ends"])
         volumes[region] = check["volume"]
     assert abs(volumes["outer"] - volumes["metal"] - volumes["fluid"]) < 1e-6 * volumes["outer"]

@@ -1,9 +1,16 @@
 #include "dupin/blends/assembly.h"
 
+#include <array>
+
 namespace dupin {
 
 std::string to_string(const PortReference& port) {
   return port.part + "." + std::string(name(port.end));
+}
+
+std::string_view name(WallSide side) {
+  constexpr std::array<std::string_view, 3> kNames{"inwards", "outwards", "centred"};
+  return kNames.at(std::size_t(side));
 }
 
 std::string document_place(const Assembly& assembly, std::uint32_t part, std::string_view key) {
@@ -11,7 +18,9 @@ std::string document_place(const Assembly& assembly, std::uint32_t part, std::st
   std::string place = document_place(
       assembly, has_own ? assembly.parts[part].pointer : "/parts/" + std::to_string(part));
   if (!key.empty()) {
-    place += "/" + std::string(kind(assembly.parts.at(part).shape)) + "/" + std::string(key);
+    const Part& own = assembly.parts.at(part);
+    place +=
+        "/" + (own.key.empty() ? std::string(kind(own.shape)) : own.key) + "/" + std::string(key);
   }
   return place;
 }

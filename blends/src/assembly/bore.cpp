@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
 
 #include "assembly/fillet_part.h"
 #include "assembly/line_and_arc.h"
+#include "assembly/outward_shape.h"
 #include "assembly/part_context.h"
+#include "assembly/part_margins.h"
+#include "assembly/parts/part_kind.h"
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/junction.h"
 #include "dupin/kernel/decimal.h"
@@ -103,7 +107,12 @@ struct NarrowedSurface {
   }
   PartSurface operator()(const Chain& chain) const {
     if (!chain.pieces.empty() && cyclide_pieces(chain).size() == chain.pieces.size()) {
-      return inner_skin(hollow(chain, wall));
+      if (wall > 0) {
+        return inner_skin(hollow(chain, wall));
+      }
+      Chain skin = chain;
+      skin.wall = wall;
+      return inner_skin(skin);
     }
     Chain result = chain;
     for (Piece& piece : result.pieces) {
@@ -171,13 +180,15 @@ void lengthen(ResolvedAssembly& bore, const EndIndex& end, const Vec3& level, do
   bore.parts.push_back(std::move(next));
 }
 
+// Walls below 0 lead outwards.
 class Borer {
  public:
-  Borer(const Assembly& assembly, const ResolvedAssembly& outer, const std::vector<double>& walls)
-      : assembly_(assembly), walls_(walls) {
+  Borer(const Assembly& assembly, const ResolvedAssembly& outer, const std::vector<double>& walls,
+        std::string_view suffix)
+      : assembly_(assembly), walls_(walls), suffix_(suffix) {
     std::vector<bool> is_hollow(walls.size());
     std::transform(walls.begin(), walls.end(), is_hollow.begin(),
-                   [](double wall) { return wall > 0; });
+                   [](double wall) { return wall != 0; });
     bore_ = selected_parts(outer, is_hollow);
     outer_ = bore_.resolved;
   }
@@ -192,6 +203,9 @@ class Borer {
     for (std::uint32_t part = 0; part < outer_.parts.size(); ++part) {
       within(outer_.parts[part].index, [&] { join_ends(part); });
     }
+    std::erase_if(bore_.resolved.fillets, [&](const ResolvedFillet& fillet) {
+      return !fillet.shape.is_cope() && !(fillet.shape.radius + thicker_wall(fillet) > 0);
+    });
     for (ResolvedFillet& fillet : bore_.resolved.fillets) {
       within(fillet.index, [&] { enlarge(fillet); });
     }
@@ -213,9 +227,14 @@ class Borer {
   }
 
   void narrow(ResolvedPart& part) const {
-    part.name += kBoreSuffix;
-    part.end_names = {to_string({part.name, End::start}), to_string({part.name, End::end})};
-    if (!part.ends_in_hub) {
+    part.name += suffix_;
+    for (const End end : {End::start, End::end}) {
+      part.end_names.at(at(end)) =
+          part.is_closed.at(at(end)) ? part.name : to_string({part.name, end});
+    }
+    if (const PartKind& kind = part_kind(assembly_.parts[part.index].shape); kind.bore != nullptr) {
+      part.shape = kind.bore(outer_shape(assembly_, part.index), part.shape, walls_[part.index]);
+    } else if (!part.ends_in_hub) {
       part.shape = std::visit(NarrowedSurface{walls_[part.index]}, part.shape);
     }
   }
@@ -223,7 +242,7 @@ class Borer {
   // The arms are parts, and end in the circles that the hub has, bitwise.
   void narrow(ResolvedJunction& junction) {
     const double wall = walls_[junction.index];
-    junction.name += kBoreSuffix;
+    junction.name += suffix_;
     junction.shape.hub.radius = less_wall(junction.shape.hub.radius, wall);
     for (std::size_t i = 0; i < junction.arms.size(); ++i) {
       JunctionArm& arm = junction.shape.arms[i];
@@ -267,7 +286,8 @@ class Borer {
     const ResolvedPart& part = outer_.parts[index];
     ResolvedPart& inner = bore_.resolved.parts[index];
     for (const End end : {End::start, End::end}) {
-      if (port_ring(part.shape, end) == nullptr || (part.ends_in_hub && end == End::end)) {
+      if (port_ring(part.shape, end) == nullptr || (part.ends_in_hub && end == End::end) ||
+          part.is_closed.at(at(end))) {
         continue;
       }
       std::visit(EndChange{end, inner_ring(part, end)}, inner.shape);
@@ -275,7 +295,7 @@ class Borer {
       if (!joined || walls_[outer_.parts[joined->part].index] == walls_[part.index]) {
         continue;
       }
-      if (walls_[outer_.parts[joined->part].index] < walls_[part.index]) {
+      if (walls_[part.index] > 0 && walls_[outer_.parts[joined->part].index] < walls_[part.index]) {
         narrower_.push_back({index, end});
       }
       joined.reset();
@@ -285,23 +305,23 @@ class Borer {
   void enlarge(ResolvedFillet& fillet) const {
     std::array<const PartSurface*, 2> pipes{};
     std::array<std::string, 2> names;
-    double thicker = 0;
     for (std::size_t i = 0; i < 2; ++i) {
       const ResolvedPart& pipe = bore_.resolved.parts[fillet.between.at(i)];
       pipes.at(i) = &pipe.shape;
       names.at(i) = pipe.name;
-      thicker = std::max(thicker, walls_[pipe.index]);
     }
-    fillet.name += kBoreSuffix;
+    fillet.name += suffix_;
     if (fillet.shape.is_cope()) {
       fillet.shape = cope_between(pipes, names);
       return;
     }
-    const double radius = fillet.shape.radius;
+    const double radius = fillet.shape.radius, thicker = thicker_wall(fillet);
     if (const auto fault = fillet_fault(pipes, names, radius + thicker)) {
-      refuse("inside, where the ball has a radius of " +
-             decimal(radius + thicker, kMessageDigits) + ", larger by the wall, " + *fault +
-             what_would_do(fillet, pipes, names, thicker));
+      refuse((thicker > 0 ? "inside, where the ball has a radius of "
+                          : "outside, where the ball has a radius of ") +
+             decimal(radius + thicker, kMessageDigits) +
+             (thicker > 0 ? ", larger by the wall, " : ", smaller by what is about the pipe, ") +
+             *fault + what_would_do(fillet, pipes, names, thicker));
     }
     fillet.shape = fillet_between(pipes, names, radius + thicker);
   }
@@ -311,6 +331,9 @@ class Borer {
                                           const std::array<const PartSurface*, 2>& pipes,
                                           const std::array<std::string, 2>& names,
                                           double thicker) const {
+    if (thicker <= 0) {
+      return {};
+    }
     const double radius = fillet.shape.radius;
     const auto smaller = largest_radius_below(
         radius, [&](double tried) { return !fillet_fault(pipes, names, tried + thicker); });
@@ -331,8 +354,15 @@ class Borer {
            (thinner ? "a wall of " + decimal(*thinner, 2) : std::string()) + " would do";
   }
 
+  [[nodiscard]] double thicker_wall(const ResolvedFillet& fillet) const {
+    const double first = walls_[bore_.resolved.parts[fillet.between[0]].index],
+                 second = walls_[bore_.resolved.parts[fillet.between[1]].index];
+    return std::abs(first) > std::abs(second) ? first : second;
+  }
+
   const Assembly& assembly_;
   const std::vector<double>& walls_;
+  std::string_view suffix_;
   SelectedParts bore_;
   ResolvedAssembly outer_;          // of the hollow parts
   std::vector<EndIndex> narrower_;  // ends in the bore whose neighbours are wider
@@ -362,7 +392,8 @@ std::optional<std::vector<double>> walls_of(const Assembly& assembly, const Reso
                                             std::optional<Region> asked) {
   std::vector<double> result(assembly.parts.size());
   std::ranges::transform(assembly.parts, result.begin(), [&](const Part& part) {
-    return part.solid ? 0 : part.wall.value_or(assembly.wall.value_or(0));
+    const double usual = part_kind(part.shape).is_pad ? 0 : assembly.wall.value_or(0);
+    return part.solid ? 0 : part.wall.value_or(usual);
   });
   bool has_hollow_chain = false;
   for (const ResolvedPart& part : outer.parts) {
@@ -390,7 +421,37 @@ ResolvedAssembly filled(ResolvedAssembly outer) {
 
 SelectedParts bore_of(const Assembly& assembly, const ResolvedAssembly& outer,
                       const std::vector<double>& walls) {
-  return Borer(assembly, outer, walls).run();
+  return Borer(assembly, outer, walls, kBoreSuffix).run();
+}
+
+std::vector<double> insulation_of(const Assembly& assembly) {
+  std::vector<double> result;
+  result.reserve(assembly.parts.size());
+  for (const Part& part : assembly.parts) {
+    result.push_back(part.insulation.value_or(assembly.insulation.value_or(0)));
+  }
+  return std::ranges::any_of(result, [](double thickness) { return thickness > 0; })
+             ? result
+             : std::vector<double>();
+}
+
+SelectedParts insulated(const Assembly& assembly, const ResolvedAssembly& outer,
+                        const std::vector<double>& insulation) {
+  std::vector<double> outwards(insulation.size());
+  std::ranges::transform(insulation, outwards.begin(), std::negate());
+  SelectedParts result = Borer(assembly, outer, outwards, kInsulationSuffix).run();
+  for (const ResolvedPart& part : result.resolved.parts) {
+    with_part_context(assembly, part.index, [&] {
+      try {
+        (void)margins(part.shape, false);
+      } catch (const Error& error) {
+        throw Error(error.code(), "its insulation of " +
+                                      decimal(insulation[part.index], kMessageDigits) +
+                                      " is too thick for its bends: " + error.message());
+      }
+    });
+  }
+  return result;
 }
 
 double lattice_for_gaps(double grid, const ResolvedAssembly& outer,
@@ -416,7 +477,8 @@ void lengthen_out_of(SelectedParts& bore, const Assembly& assembly, const Resolv
       const ResolvedPart& part = outer.parts[i];
       const Ring* ring = port_ring(part.shape, end);
       if (bore.position[i] && ring != nullptr && !part.joined.at(at(end)) &&
-          !is_buried(outer, {i, end}) && end_names.contains(part.end_names.at(at(end)))) {
+          !is_buried(outer, {i, end}) && !part.is_closed.at(at(end)) &&
+          end_names.contains(part.end_names.at(at(end)))) {
         const auto gap = room.find(to_string({part.name, end}));
         const double reach = kReach * walls[part.index];
         with_part_context(assembly, part.index, [&] {

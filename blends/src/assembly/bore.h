@@ -13,7 +13,7 @@
 
 namespace dupin::assembly {
 
-constexpr std::string_view kBoreSuffix = ".bore";
+constexpr std::string_view kBoreSuffix = ".bore", kInsulationSuffix = ".insulation";
 
 /// The thickness of the walls of all parts, by their places in Assembly::parts; 0 of a part without
 /// a bore. None of an assembly that has no walls: neither the document nor any part says one, nor
@@ -38,6 +38,19 @@ constexpr std::string_view kBoreSuffix = ".bore";
 /// fold or not meet its neighbour's.
 [[nodiscard]] SelectedParts bore_of(const Assembly& assembly, const ResolvedAssembly& outer,
                                     const std::vector<double>& walls);
+
+/// How thick the insulation of all parts is, by their places in Assembly::parts. Empty if there is
+/// none.
+[[nodiscard]] std::vector<double> insulation_of(const Assembly& assembly);
+
+/// The parts that are insulated, with the outer surface of their insulation, named
+/// "part.insulation": what a bore is inwards, outwards. Of fillets, balls are smaller by the
+/// insulation; where that leaves none, the sharp edge.
+///
+/// Throws Error{irregular_surface} or Error{infeasible_blend} naming the part that is bent more
+/// tightly than its insulation can follow.
+[[nodiscard]] SelectedParts insulated(const Assembly& assembly, const ResolvedAssembly& outer,
+                                      const std::vector<double>& insulation);
 
 /// A lattice no coarser than `grid`, and than a sixteenth of the gaps that bores reach into, where
 /// coordinates can be that fine.

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "assembly/bore.h"
+#include "assembly/outward_shape.h"
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
 #include "assembly/parts/part_kind.h"
@@ -18,6 +19,8 @@
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/renamed.h"
+#include "surfaces/least_wall.h"
 
 namespace dupin {
 namespace {
@@ -54,7 +57,9 @@ class Builder {
     }
     built_.ports = ports(resolved_);
     built_.gaps = pair_ends(built_.ports, options_.connect);
-    if (const auto walls = assembly::walls_of(assembly_, resolved_, options_.region)) {
+    if (options_.region == Region::insulation) {
+      build_insulation();
+    } else if (const auto walls = assembly::walls_of(assembly_, resolved_, options_.region)) {
       build_hollow(*walls);
     } else if (options_.region.value_or(Region::outer) != Region::outer) {
       throw Error(Errc::invalid_argument,
@@ -65,10 +70,84 @@ class Builder {
       built_.grid = assembly::lattice_spacing(assembly_, resolved_);
       built_.solid = outer();
     }
+    rename_patches();
     return std::move(built_);
   }
 
  private:
+  void rename_patches() {
+    if (assembly_.patches.empty()) {
+      return;
+    }
+    const std::set<std::string> known = known_patches();
+    for (const auto& [name, other] : assembly_.patches) {
+      if (!known.contains(name)) {
+        throw Error(Errc::invalid_argument,
+                    "there is no patch named '" + name +
+                        "'; patches are called as parts, ends and bores are: part, part.start, "
+                        "part.bore",
+                    {}, document_place(assembly_, "/patches"));
+      }
+    }
+    built_.solid = renamed(built_.solid, assembly_.patches);
+  }
+
+  // Of any region.
+  [[nodiscard]] std::set<std::string> known_patches() const {
+    std::set<std::string> result(built_.solid.names().begin(), built_.solid.names().end());
+    const auto include = [&](const std::string& name) {
+      for (const std::string_view side :
+           {std::string_view(), assembly::kBoreSuffix, assembly::kInsulationSuffix}) {
+        const std::string own = name + std::string(side);
+        result.insert({own, own + ".start", own + ".end"});
+      }
+    };
+    for (const ResolvedPart& part : resolved_.parts) {
+      include(part.name);
+      result.insert(part.end_names.begin(), part.end_names.end());
+    }
+    std::ranges::for_each(resolved_.fillets, [&](const auto& named) { include(named.name); });
+    std::ranges::for_each(resolved_.junctions, [&](const auto& named) { include(named.name); });
+    return result;
+  }
+
+  void build_insulation() {
+    const std::vector<double> thickness = assembly::insulation_of(assembly_);
+    if (thickness.empty()) {
+      throw Error(Errc::invalid_argument,
+                  "there is no insulation region: neither the document nor a part says how thick "
+                  "insulation is",
+                  {}, document_place(assembly_, "/insulation"));
+    }
+    resolved_ = assembly::filled(std::move(resolved_));
+    const assembly::SelectedParts around = assembly::insulated(assembly_, resolved_, thickness);
+    built_.grid = std::min(assembly::lattice_spacing(assembly_, resolved_),
+                           assembly::lattice_spacing(assembly_, around.resolved));
+    const Solid whole = outer(), covered = united(around.resolved);
+    built_.solid = subtract(covered, {&whole, 1}, {options_.contacts, options_.progress});
+    built_.region = Region::insulation;
+    built_.insulation = built_.solid.volume();
+    cross_check(built_.solid, SetOperation::subtract, std::array{covered, whole});
+  }
+
+  // Of all parts, before they are filled.
+  void prove_walls(const std::vector<double>& walls) {
+    for (std::size_t i = 0; i < resolved_.parts.size(); ++i) {
+      const ResolvedPart& part = resolved_.parts[i];
+      const double wall = walls[part.index];
+      built_.parts[i].is_hollow = wall > 0;
+      if (wall > 0) {
+        const PartShape& shape = assembly_.parts[part.index].shape;
+        const assembly::PartKind& kind = assembly::part_kind(shape);
+        built_.parts[i].least_wall =
+            kind.least_wall != nullptr
+                ? std::optional(kind.least_wall(assembly::outer_shape(assembly_, part.index),
+                                                part.shape, wall))
+                : surfaces::least_wall(part.shape, wall);
+      }
+    }
+  }
+
   [[nodiscard]] PartReport certified(const ResolvedPart& part) const {
     PartReport result;
     result.name = part.name;
@@ -156,6 +235,7 @@ class Builder {
     std::transform(assembly_.parts.begin(), assembly_.parts.end(), is_solid.begin(),
                    [](const Part& part) { return part.solid; });
     resolved_ = assembly::filled(std::move(resolved_));
+    prove_walls(walls);
     assembly::SelectedParts bore = assembly::bore_of(assembly_, resolved_, walls);
     const ResolvedAssembly solid_parts = assembly::selected_parts(resolved_, is_solid).resolved;
     built_.grid = assembly::lattice_spacing(assembly_, resolved_);
@@ -291,7 +371,7 @@ class Builder {
 }  // namespace
 
 std::string_view name(Region region) {
-  constexpr std::array<std::string_view, 3> kNames{"outer", "metal", "fluid"};
+  constexpr std::array<std::string_view, 4> kNames{"outer", "metal", "fluid", "insulation"};
   return kNames.at(std::size_t(region));
 }
 

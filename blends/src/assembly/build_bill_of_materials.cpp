@@ -148,7 +148,8 @@ class Biller {
   [[nodiscard]] static bool ends_level(const ResolvedPart& outer, const ResolvedPart& bore) {
     return std::ranges::all_of(std::array{End::start, End::end}, [&](End end) {
       const Ring *ring = port_ring(outer.shape, end), *inner = port_ring(bore.shape, end);
-      return ring == nullptr || inner == nullptr || ring->center == inner->center;
+      return ring == nullptr || inner == nullptr || outer.is_closed.at(at(end)) ||
+             ring->center == inner->center;
     });
   }
 

@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 
+#include "assembly/outward_shape.h"
 #include "assembly/part_context.h"
 #include "assembly/parts/part_kind.h"
 #include "dupin/kernel/decimal.h"
@@ -28,6 +29,7 @@ class Resolver {
     check_header();
     check_names();
     check_walls();
+    take_shapes();
     for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
       for (const auto& reference : references(assembly_.parts[i].shape)) {
         join(i, reference);
@@ -75,8 +77,42 @@ class Resolver {
     }
   }
 
+  // As the outer surfaces have them.
+  void take_shapes() {
+    outer_shapes_.reserve(assembly_.parts.size());
+    for (const Part& part : assembly_.parts) {
+      outward_.push_back(assembly::outward_distance(assembly_, part));
+      outer_shapes_.push_back(assembly::outward_shape(part.shape, outward_.back()));
+    }
+  }
+
+  // Radii that are not the outer surfaces' are one and the same to both sides of a ring only where
+  // these are as far outside.
+  void check_sides(std::uint32_t part, std::uint32_t other, std::string_view key) const {
+    if (outward_[part] != outward_[other] && !assembly_.parts[part].solid &&
+        !assembly_.parts[other].solid) {
+      fail(part, key,
+           "it shares a ring with '" + assembly_.parts[other].name + "', whose outer surface is " +
+               decimal(outward_[other], kMessageDigits) +
+               " outside of the radii in the document, and its own " +
+               decimal(outward_[part], kMessageDigits) +
+               "; where radii are not outside ones, neighbours have the same wall");
+    }
+  }
+
+  void check_insulation(const std::optional<double>& thickness, const std::string& name,
+                        const std::string& place) const {
+    if (thickness && !(*thickness >= 0 && std::isfinite(*thickness))) {
+      throw Error(Errc::invalid_argument,
+                  "the insulation must be positive, or 0 for none, not " +
+                      decimal(*thickness, kMessageDigits),
+                  name, place);
+    }
+  }
+
   // A document's wall is positive; a part's may be 0, which leaves it without a bore of its own.
   void check_walls() const {
+    check_insulation(assembly_.insulation, {}, document_place(assembly_, "/insulation"));
     if (assembly_.wall && !(*assembly_.wall > 0 && std::isfinite(*assembly_.wall))) {
       throw Error(
           Errc::invalid_argument,
@@ -90,12 +126,17 @@ class Resolver {
                      document_place(assembly_, i) + "/wall");
       };
       const assembly::PartKind& its_kind = part_kind(part.shape);
+      check_insulation(part.insulation, part.name, document_place(assembly_, i) + "/insulation");
       if (part.wall && !(*part.wall >= 0 && std::isfinite(*part.wall))) {
         throw fault("a part's wall must be positive, or 0 for none, not " +
                     decimal(*part.wall, kMessageDigits));
       }
       if ((part.wall || part.solid) && !its_kind.is_part() && !its_kind.is_junction()) {
         throw fault("a " + std::string(its_kind.key) + " has the wall of the parts it is at");
+      }
+      if (its_kind.is_pad && part.wall.value_or(0) > 0) {
+        throw fault("a " + std::string(its_kind.key) +
+                    " has no bore of its own, but those of others pass through it");
       }
       if (part.solid && part.wall.value_or(0) > 0) {
         throw fault("a solid part has no wall");
@@ -131,6 +172,11 @@ class Resolver {
     if (!portless.empty()) {
       fail(part, reference.key,
            "'" + reference.port.part + "' is " + std::string(portless) + " and has no ports");
+    }
+    if (part_kind(shape).closed_ends.at(at(reference.port.end))) {
+      fail(part, reference.key,
+           "'" + reference.port.part + "' is closed: it has no " +
+               std::string(name(reference.port.end)));
     }
     return found->second;
   }
@@ -186,6 +232,7 @@ class Resolver {
       return;
     }
     const EndIndex own{part, reference.own_end};
+    check_sides(part, other.part, reference.key);
     take(part, reference.key, own, reference.port.part);
     other_end.joined = own;
     ends_[part].at(at(own.end)).joined = other;
@@ -198,8 +245,9 @@ class Resolver {
       return;
     }
     for (const Reference& reference : part_kind(shape).ends(shape)) {
-      take(part, reference.key, {referred(part, reference), reference.port.end},
-           assembly_.parts[part].name);
+      const std::uint32_t other = referred(part, reference);
+      check_sides(part, other, reference.key);
+      take(part, reference.key, {other, reference.port.end}, assembly_.parts[part].name);
     }
   }
 
@@ -265,7 +313,7 @@ class Resolver {
 
   [[nodiscard]] PartSurface geometry(std::uint32_t part) const {
     return assembly::with_part_context(assembly_, part, [&] {
-      const PartShape& shape = assembly_.parts[part].shape;
+      const PartShape& shape = outer_shapes_[part];
       return part_kind(shape).geometry(context(part), shape);
     });
   }
@@ -297,11 +345,15 @@ class Resolver {
       }
       ResolvedPart resolved{part.name, std::string(its_kind.key), i, shapes_[i], {},
                             {},        its_kind.is_tangent};
+      resolved.is_closed = its_kind.closed_ends;
       for (const auto end : {End::start, End::end}) {
         const EndState& state = ends_[i].at(at(end));
         resolved.joined.at(at(end)) = state.joined;
         resolved.end_names.at(at(end)) =
             state.cap.empty() ? to_string({part.name, end}) : state.cap;
+      }
+      if (its_kind.bore != nullptr && resolved.is_closed[1]) {
+        resolved.end_names[1] = part.name;  // a head's tip is a point of it
       }
       result.parts.push_back(std::move(resolved));
     }
@@ -326,7 +378,7 @@ class Resolver {
 
   void append_junction(std::uint32_t part, const std::vector<std::uint32_t>& position,
                        ResolvedAssembly& result) const {
-    const PartShape& shape = assembly_.parts[part].shape;
+    const PartShape& shape = outer_shapes_[part];
     const assembly::PartKind& kind = part_kind(shape);
     const std::string& name = assembly_.parts[part].name;
     ResolvedJunction junction{name, part, {}, {}};
@@ -408,6 +460,8 @@ class Resolver {
   std::map<std::string, std::uint32_t> index_;
   std::vector<std::array<EndState, 2>> ends_;
   std::vector<PartSurface> shapes_;
+  std::vector<PartShape> outer_shapes_;
+  std::vector<double> outward_;  // of the outer shapes, from the document's
 };
 
 }  // namespace
@@ -430,7 +484,7 @@ std::vector<Port> ports(const ResolvedAssembly& assembly) {
     for (const End end : {End::start, End::end}) {
       const Ring* ring = port_ring(part.shape, end);
       const EndIndex index{std::uint32_t(&part - assembly.parts.data()), end};
-      if (ring != nullptr && !is_buried(assembly, index)) {
+      if (ring != nullptr && !is_buried(assembly, index) && !part.is_closed.at(at(end))) {
         result.push_back({to_string({part.name, end}), *ring, part.name});
       }
     }

@@ -60,12 +60,31 @@ class ChainMaker {
       return Seam{SeamKind::corner, {}, {}};
     }
     if (spans_.pairs[*end.joint].distance > snap_) {
-      return Seam{SeamKind::bridge, {end.joint}, {}};
+      return is_along_axis(before, after) ? std::nullopt
+                                          : std::optional(Seam{SeamKind::bridge, {end.joint}, {}});
     }
     if (!is_straight(way(spans_, before), way(spans_, after), snap_)) {
       return Seam{SeamKind::kink, {end.joint}, {}};
     }
     return std::nullopt;
+  }
+
+  // Whether the ends lie apart along the axis that both straight parts have in common.
+  [[nodiscard]] bool is_along_axis(const ChainElement& before, const ChainElement& after) const {
+    const Vec3 own = way(spans_, before), next = way(spans_, after);
+    const Vec3 gap = begin_of(spans_, after).point - end_of(spans_, before).point;
+    const auto is_plain = [&](const ChainElement& element) {
+      return !is_leg(spans_, element) && !spans_.spans[element.span].is_eccentric &&
+             spans_.spans[element.span].length() > 2 * gap.norm();
+    };
+    return is_plain(before) && is_plain(after) && is_straight(own, next, snap_) &&
+           gap.cross(own).norm() <= snap_ * own.norm();
+  }
+
+  // A bend whose ends have different bores is no arc of one pipe.
+  [[nodiscard]] bool has_two_bores(std::size_t i) const {
+    return spans_.spans[links_.elements[i].span].radii[0] !=
+           spans_.spans[links_.elements[i + 1].span].radii[0];
   }
 
   // An eccentric part is a leg of its own where its neighbours go on beside its own axis, parallel
@@ -111,7 +130,8 @@ class ChainMaker {
       const auto is_off = [](const std::optional<Seam>& seam) {
         return seam && is_blended(seam->kind);
       };
-      if (corner && corner->kind == SeamKind::corner && (is_off(before) || is_off(after))) {
+      if (corner && corner->kind == SeamKind::corner &&
+          (is_off(before) || is_off(after) || has_two_bores(i))) {
         replace_bend(i);
       }
     }

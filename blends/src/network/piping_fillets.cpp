@@ -121,8 +121,10 @@ std::vector<std::pair<Part, std::size_t>> fillets(const PipingLine& line,
   }
   const auto sites = sites_of(spans, chains);
   for (const FittingBranch& fitting : spans.branches) {
+    tell(options.progress, "fillet",
+         double(&fitting - spans.branches.data()) / double(spans.branches.size()));
     const auto &run = sites[fitting.run], &branch = sites[fitting.branch];
-    const PipingComponent& component = line.components[spans.spans[fitting.run].component];
+    const PipingComponent& component = line.components[spans.spans[fitting.branch].component];
     if (!run || !branch) {
       continue;
     }
@@ -145,7 +147,7 @@ std::vector<std::pair<Part, std::size_t>> fillets(const PipingLine& line,
       fits = why.empty();
       if (fits) {
         notes.add(component, name + " has a ball of radius " + decimal(ball, kMessageDigits));
-        result.emplace_back(std::move(part), spans.spans[fitting.run].component);
+        result.emplace_back(std::move(part), spans.spans[fitting.branch].component);
       }
     }
     if (!fits && is_chosen) {

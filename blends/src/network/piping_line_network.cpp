@@ -86,6 +86,8 @@ PipingNetwork assembly_of(const PipingLine& given, const PipingOptions& options)
   result.assembly.source = line.source;
   result.assembly.tolerance = options.tolerance;
   result.assembly.wall = options.wall;
+  result.assembly.wall_side = options.wall_side;
+  result.assembly.insulation = options.insulation;
   const std::vector<network::Chain> chains = chains_of(spans, options.snap);
   add_parts(line, options, spans, chains, result, notes);
   result.notes = std::move(notes).take();

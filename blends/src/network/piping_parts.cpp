@@ -9,6 +9,7 @@
 #include "dupin/kernel/error.h"
 #include "network/piping_fillets.h"
 #include "numbers/angle.h"
+#include "ringed/arc_velocities.h"
 
 namespace dupin::network {
 namespace {
@@ -17,9 +18,13 @@ namespace {
 constexpr double kRoom = 0.45;
 // How far a blend's ends are set back, by the radius, the kink and the gap; then in steps.
 constexpr double kSetbackOfRadius = 0.5, kSetbackOfKink = 3, kSetbackOfGap = 3;
+// Where speeds of an arc leave this margin, no others are looked for; those that are found keep
+// their margin when the ends are rounded once more.
+constexpr double kEasyMargin = 0.3, kSafeMargin = 0.0501;
 constexpr double kLargerSetbacks[] = {1, 1.6, 2.5, 4, 6.3};
 
 void put(PipingNetwork& network, Part part, const PipingComponent& origin) {
+  part.component = {origin.name, origin.kind, origin.line};
   network.assembly.parts.push_back(std::move(part));
   network.origins.push_back(origin.name);
 }
@@ -147,8 +152,9 @@ class ChainParts {
       for (const auto& setbacks : setback_choices(k)) {
         before.back() = shortened(last, 1, setbacks[0]);
         after.front() = shortened(first, 0, setbacks[1]);
-        if (is_feasible(chain_.legs[k - 1], before.back(), chain_.legs[k], after.front())) {
-          return std::pair(joined_by_blend(seam, before.back(), after.front()),
+        if (const auto speeds =
+                speeds_of(chain_.legs[k - 1], before.back(), chain_.legs[k], after.front())) {
+          return std::pair(joined_by_blend(seam, before.back(), after.front(), *speeds),
                            seam.component.value_or(before.back().component));
         }
       }
@@ -196,8 +202,12 @@ class ChainParts {
     return result;
   }
 
-  [[nodiscard]] static bool is_feasible(const Leg& in, const Stretch& before, const Leg& out,
-                                        const Stretch& after) {
+  // Of the blend between both; none if none fits. The document keeps them, so that no build has to
+  // look for them again.
+  [[nodiscard]] static std::optional<CyclicBlendOptions> speeds_of(const Leg& in,
+                                                                   const Stretch& before,
+                                                                   const Leg& out,
+                                                                   const Stretch& after) {
     const auto slope = [](const Stretch& stretch) {
       return (stretch.radii[1] - stretch.radii[0]) / stretch.length();
     };
@@ -206,22 +216,28 @@ class ChainParts {
                   -slope(after)};
     const Vec3 chord = to.center - from.center;
     if (!(chord.dot(from.normal) > 0 && chord.dot(to.normal) < 0)) {
-      return false;  // the ends lie behind each other
+      return std::nullopt;  // the ends lie behind each other
     }
     try {
-      (void)choose_velocities(from, to);
-      return true;
+      if (const auto arc = ringed::arc_velocities(from, to, kEasyMargin)) {
+        return arc;
+      }
+      const BlendChoice choice = choose_velocities(from, to, {.margin = kSafeMargin});
+      return CyclicBlendOptions{.k = choice.k, .l = choice.l};
     } catch (const Error&) {
-      return false;
+      return std::nullopt;
     }
   }
 
-  Part joined_by_blend(const Seam& seam, const Stretch& before, const Stretch& after) {
-    Part part{{}, CyclicBlendBetween{{before.name, End::end}, {after.name, End::start}, {}}};
+  Part joined_by_blend(const Seam& seam, const Stretch& before, const Stretch& after,
+                       const CyclicBlendOptions& speeds) {
+    Part part{{}, CyclicBlendBetween{{before.name, End::end}, {after.name, End::start}, speeds}};
     if (seam.component) {
       part.name = line_.components[*seam.component].name;
       notes_.add(line_.components[*seam.component],
-                 "is not tangent to its neighbours; a blend between them takes its place");
+                 std::string(has_two_bores(*seam.component) ? "has two bores"
+                                                            : "is not tangent to its neighbours") +
+                     "; a blend between them takes its place");
       part.wall = line_.components[*seam.component].wall;
     } else {
       const PipingJoint& joint = network_.joints[*seam.joints[0]];
@@ -239,6 +255,12 @@ class ChainParts {
     return part;
   }
 
+  [[nodiscard]] bool has_two_bores(std::size_t component) const {
+    const auto& ports = line_.components[component].ports;
+    return ports.size() > 1 && ports[0].radius && ports[1].radius &&
+           *ports[0].radius != *ports[1].radius;
+  }
+
   // Which ports of the file are the chain's ends.
   void note_ends(std::map<std::size_t, PortReference>& made) const {
     const auto &begin = begin_of(spans_, chain_.legs.front().elements.front()),
@@ -251,14 +273,21 @@ class ChainParts {
     }
   }
 
+  [[nodiscard]] bool is_bridged(const SpanEnd& end) const {
+    return end.joint && spans_.pairs[*end.joint].distance > snap_;
+  }
+
   void measure_moves() {
     for (const Leg& leg : chain_.legs) {
       for (std::size_t i = 0; i < leg.elements.size() && !leg.is_offset; ++i) {
         for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
           const SpanEnd& end =
               side == 0 ? begin_of(spans_, leg.elements[i]) : end_of(spans_, leg.elements[i]);
-          network_.largest_move = std::max(network_.largest_move,
-                                           (point_at(leg, leg.nodes[i + side]) - end.point).norm());
+          // Both ends of a gap along the axis stay where they are along it.
+          const double level =
+              is_bridged(end) ? (end.point - leg.origin).dot(leg.direction) : leg.nodes[i + side];
+          network_.largest_move =
+              std::max(network_.largest_move, (point_at(leg, level) - end.point).norm());
         }
       }
     }
@@ -314,6 +343,7 @@ void add_parts(const PipingLine& line, const PipingOptions& options, const Pipin
   std::vector<ChainParts> parts;
   parts.reserve(chains.size());
   for (const Chain& chain : chains) {
+    tell(options.progress, "join", double(parts.size()) / double(chains.size()));
     parts.emplace_back(line, options, spans, chain, network, notes);
     parts.back().make_blends();
   }

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "dupin/kernel/decimal.h"
 
 namespace dupin::network {
@@ -77,9 +79,41 @@ class SpanIndex {
 
 }  // namespace
 
+namespace {
+
+// Where a run's axis passes, in radii of it, by the point that an olet's branch begins at.
+constexpr double kOnAxis = 0.5;
+
+// An olet, which is one arm from the axis of another component's pipe, is a branch of that.
+void find_olets(const SpanIndex& index, const PipingLine& line, PipingSpans& spans) {
+  for (std::size_t i = 0; i < spans.spans.size(); ++i) {
+    const Span& branch = spans.spans[i];
+    const PipingComponent& component = line.components[branch.component];
+    const Vec3& from = branch.ends[0].point;
+    if (component.shape != PipingShape::fitting || component.name != branch.name ||
+        branch.ends[0].port || branch.role != SpanRole::straight) {
+      continue;
+    }
+    for (const std::size_t near : index.near(from)) {
+      const Span& run = spans.spans[near];
+      const Vec3 &start = run.ends[0].point, way = run.ends[1].point - start;
+      const double share = (from - start).dot(way) / way.squaredNorm();
+      if (run.component != branch.component && run.role == SpanRole::straight && share > 0 &&
+          share < 1 &&
+          (from - start - share * way).norm() <= kOnAxis * std::min(run.radii[0], run.radii[1])) {
+        spans.branches.push_back({near, i});
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace
+
 void reach_runs(const PipingLine& line, const PipingOptions& options, PipingSpans& spans,
                 LineNotes& notes) {
   const SpanIndex index(spans.spans, options.snap);
+  find_olets(index, line, spans);
   for (std::size_t i = 0; i < spans.spans.size(); ++i) {
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       Span& span = spans.spans[i];
@@ -100,6 +134,9 @@ void reach_runs(const PipingLine& line, const PipingOptions& options, PipingSpan
         end.is_in_run = true;
         if (*further > 0) {
           end.point += *further * outward;
+          if (run.role == SpanRole::straight) {
+            spans.branches.push_back({near, i});
+          }
           notes.add(line.components[span.component],
                     "ends in the wall of " + run.name + "; continued by " +
                         decimal(*further, kMessageDigits) + " to its axis");

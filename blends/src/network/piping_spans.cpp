@@ -23,6 +23,8 @@ constexpr double kInBall = 0.2;
 constexpr double kTurnsBack = -0.996;
 // By the thickest arm that runs into it.
 constexpr double kBall = 1.05;
+// Of the thicker radius, the least length of an eccentric reducer that has none.
+constexpr double kFlatReducer = 0.25;
 // Of a leg of a bend, where a branch along it begins; and the cosine that says that it is along it.
 constexpr double kBranchOnLeg = 0.1, kAlongLeg = 0.9998;
 
@@ -58,6 +60,9 @@ class Spans {
       }
     }
     link();
+    for (std::size_t i = 0; i < result_.spans.size(); ++i) {
+      lengthen_flat_reducer(i);
+    }
     return std::move(result_);
   }
 
@@ -195,7 +200,7 @@ class Spans {
     span.radii[0] = span.radii[1];
   }
 
-  // Both legs have the radius of the first end.
+  // A leg has the radius of its end.
   void add_bend(const std::string& name, std::size_t component,
                 const std::array<std::size_t, 2>& ends) {
     const std::size_t first = result_.spans.size();
@@ -205,7 +210,7 @@ class Spans {
       set_end(leg, 0, ends[k]);
       leg.ends[1].point = *line_.components[component].center;
       leg.other_leg = first + 1 - k;
-      leg.radii.fill(*result_.ports[ends[0]].radius);
+      leg.radii.fill(*result_.ports[ends[k]].radius);
     }
   }
 
@@ -349,6 +354,35 @@ class Spans {
         }
       }
     }
+  }
+
+  // An eccentric reducer whose ends lie beside each other, in one plane, takes as much of its
+  // thicker neighbour as a step would.
+  void lengthen_flat_reducer(std::size_t i) {
+    Span& own = result_.spans[i];
+    const std::size_t thick = own.radii[0] > own.radii[1] ? 0 : 1;
+    const auto beside = result_.joined(own.ends[thick]);
+    if (!own.is_eccentric || own.radii[0] == own.radii[1] || !beside) {
+      return;
+    }
+    Span& pipe = result_.spans[(*beside)[0]];
+    SpanEnd& end = pipe.ends[(*beside)[1]];
+    const Vec3 way = end.point - pipe.ends[1 - (*beside)[1]].point;
+    const Vec3 across = own.ends[1].point - own.ends[0].point;
+    if (pipe.role != SpanRole::straight || pipe.is_solid || pipe.is_eccentric ||
+        !(pipe.length() > options_.snap) ||
+        !(std::abs(across.dot(way)) <= options_.snap * way.norm())) {
+      return;
+    }
+    const double length =
+        std::min(std::max(std::abs(own.radii[0] - own.radii[1]), kFlatReducer * own.radii[thick]),
+                 pipe.length() / 2);
+    const Vec3 back = length / way.norm() * way;
+    end.point -= back;
+    own.ends[thick].point -= back;
+    notes_.add(line_.components[own.component],
+               "has no length along its neighbours' axis; it takes " +
+                   decimal(length, kMessageDigits) + " of " + pipe.name);
   }
 
   const PipingLine& line_;

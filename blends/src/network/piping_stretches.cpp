@@ -15,6 +15,8 @@ constexpr double kShorterArc = 0.99;
 // Of the larger radius, the least length of a cone between two; and of the pipe it is made in, the
 // most.
 constexpr double kStepLength = 0.25, kStepOfPipe = 0.5;
+// Of a pipe, what a bridge at one of its ends may take.
+constexpr double kBridgeOfPipe = 0.45;
 // A bend's centre line keeps at least this many radii off its axis.
 constexpr double kLeastBend = 1.0001;
 
@@ -98,7 +100,8 @@ class Planner {
     for (std::size_t i = 0; i <= last; ++i) {
       const ChainElement& element = leg.elements[i];
       const Span& own = span(element);
-      const double to = i == last ? end : std::min(levels[i + 1], end);
+      const double to = i == last ? end : std::min(end_level(leg, i, levels[i + 1]), end);
+      here = i > 0 && is_gap_before(leg, i) ? level_of(leg, begin_of(spans_, element)) : here;
       if (to - here <= options_.snap) {
         if (own.role == SpanRole::straight) {
           notes_.add(line_.components[own.component],
@@ -114,10 +117,25 @@ class Planner {
       }
       if (i > 0) {
         stretch.joint_before = begin_of(spans_, element).joint;
+        stretch.is_behind_gap = is_gap_before(leg, i);
       }
       stretches.push_back(stretch);
       here = to;
     }
+  }
+
+  [[nodiscard]] static double level_of(const Leg& leg, const SpanEnd& end) {
+    return (end.point - leg.origin).dot(leg.direction);
+  }
+
+  [[nodiscard]] bool is_gap_before(const Leg& leg, std::size_t i) const {
+    const auto& joint = begin_of(spans_, leg.elements[i]).joint;
+    return joint && spans_.pairs[*joint].distance > options_.snap;
+  }
+
+  // Of an element that is not the last.
+  [[nodiscard]] double end_level(const Leg& leg, std::size_t i, double node) const {
+    return is_gap_before(leg, i + 1) ? level_of(leg, end_of(spans_, leg.elements[i])) : node;
   }
 
   // Where radii differ, in the larger pipe if it is straight, else in the other one.
@@ -131,7 +149,9 @@ class Planner {
       Stretch own = stretches[i];
       if (i > 0) {
         const double previous = result.back().radii[1];
-        if (previous != own.radii[0]) {
+        if (own.is_behind_gap) {
+          result.push_back(bridge(result.back(), own));
+        } else if (previous != own.radii[0]) {
           const bool in_previous = previous > own.radii[0];
           Stretch step =
               in_previous ? cut_end(result.back(), own.radii[0]) : cut_begin(own, previous);
@@ -151,6 +171,36 @@ class Planner {
       result.push_back(step);
     }
     stretches = std::move(result);
+  }
+
+  // A cylinder or cone that closes a gap along the axis: both sides are set back by as much as ends
+  // overlap, and by half of a step between their radii.
+  Stretch bridge(Stretch& before, Stretch& after) {
+    const double overlap = std::max(before.levels[1] - after.levels[0], 0.0);
+    const double from = before.radii[1], to = after.radii[0];
+    const double step =
+        from == to ? 0 : std::max(std::abs(from - to), kStepLength * std::max(from, to)) / 2;
+    const double setback = overlap + std::max(step, options_.snap);
+    Stretch result = before;
+    set_back(before, 1, setback);
+    set_back(after, 0, setback);
+    result.levels = {before.levels[1], after.levels[0]};
+    result.radii = {before.radii[1], after.radii[0]};
+    result.is_solid = false;
+    result.span.reset();
+    result.is_behind_gap = false;
+    PipingJoint& joint = joints_[*after.joint_before];
+    result.name = "bridge-" + std::to_string(joint.lines[0]) + "-" + std::to_string(joint.lines[1]);
+    joint.state = JointState::bridged;
+    joint.part = result.name;
+    return result;
+  }
+
+  // Takes that much of its end, at most a part of it; a cone keeps its slope.
+  static void set_back(Stretch& stretch, std::size_t end, double by) {
+    const double taken = std::min(by, kBridgeOfPipe * stretch.length());
+    stretch.radii[end] += taken / stretch.length() * (stretch.radii[1 - end] - stretch.radii[end]);
+    stretch.levels[end] += end == 0 ? taken : -taken;
   }
 
   // Of a leg that begins with a bend's.

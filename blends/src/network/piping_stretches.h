@@ -19,6 +19,7 @@ struct Stretch {
   std::optional<std::size_t> span = {};  ///< that it is; none: a step, or a piece of a bend
   /// The joint that it begins at; none: an end, a bend, or inside of its component.
   std::optional<std::size_t> joint_before = {};
+  bool is_behind_gap = false;  ///< a gap along the axis lies between it and the one before
   [[nodiscard]] double length() const { return levels[1] - levels[0]; }
 };
 

@@ -6,6 +6,7 @@
 
 #include "dupin/io/atomic_file.h"
 #include "json/expansion.h"
+#include "json/fittings.h"
 #include "json/json_document.h"
 #include "json/parts/part_values.h"
 #include "json/parts/read_part.h"
@@ -29,26 +30,65 @@ constexpr std::array<PartKeyRow, sizeof...(Key)> rows(PartKeyTable<Key...> /*tab
 
 constexpr auto kRows = rows(PartKeys());
 
-Part part(const JsonNode& node) {
-  Keys known{"name", "comment", "wall", "solid", "colour"}, keys;
-  for (const auto& row : kRows) {
-    keys.push_back(row.key);
+WallSide wall_side(const JsonNode& node) {
+  const std::string text = node.text();
+  for (const WallSide side : {WallSide::inwards, WallSide::outwards, WallSide::centred}) {
+    if (text == name(side)) {
+      return side;
+    }
   }
-  known.insert(known.end(), keys.begin(), keys.end());
-  json::allow_only(node, known);
-  Part result{node.at("name").text(), {}};
-  if (node.has("comment")) {
-    (void)node.at("comment").text();
+  node.fail("must be \"inwards\", \"outwards\" or \"centred\", not \"" + text + "\"");
+}
+
+Component component(const JsonNode& node) {
+  json::allow_only(node, {"name", "kind", "line"});
+  Component result{node.at("name").text(), node.at("kind").text()};
+  if (node.has("line")) {
+    const auto line = json::whole_number(node.at("line"));
+    if (!line) {
+      node.at("line").fail("must be a whole number");
+    }
+    result.line = *line;
   }
+  return result;
+}
+
+void read_wall(const JsonNode& node, Part& part) {
   if (node.has("wall")) {
-    result.wall = node.at("wall").number();
+    part.wall = node.at("wall").number();
+  }
+  if (node.has("wall_side")) {
+    part.wall_side = wall_side(node.at("wall_side"));
+  }
+  if (node.has("insulation")) {
+    part.insulation = node.at("insulation").number();
   }
   if (node.has("solid")) {
     const JsonNode solid = node.at("solid");
     if (!solid.value().is_boolean()) {
       solid.fail("must be true or false");
     }
-    result.solid = solid.value().get<bool>();
+    part.solid = solid.value().get<bool>();
+  }
+}
+
+Part part(const JsonNode& node) {
+  Keys known{"name", "comment", "wall", "wall_side", "insulation", "solid", "component", "colour"},
+      keys;
+  for (const auto& row : kRows) {
+    keys.push_back(row.key);
+  }
+  Keys all = keys;
+  all.insert(all.end(), json::fitting_keys().begin(), json::fitting_keys().end());
+  known.insert(known.end(), all.begin(), all.end());
+  json::allow_only(node, known);
+  Part result{node.at("name").text(), {}};
+  if (node.has("comment")) {
+    (void)node.at("comment").text();
+  }
+  read_wall(node, result);
+  if (node.has("component")) {
+    result.component = component(node.at("component"));
   }
   if (node.has("colour")) {
     const JsonNode colour = node.at("colour");
@@ -59,7 +99,7 @@ Part part(const JsonNode& node) {
   const auto count =
       std::count_if(keys.begin(), keys.end(), [&](auto key) { return node.has(key); });
   if (count != 1) {
-    node.fail("a part must have exactly one of the keys " + json::listed(keys));
+    node.fail("a part must have exactly one of the keys " + json::listed(all));
   }
   for (const auto& [key, read] : kRows) {
     if (node.has(key)) {
@@ -100,6 +140,23 @@ void read_head(const JsonNode& document, json::Values& values, Assembly& assembl
   if (document.has("wall")) {
     read("wall", [&](const JsonNode& node) { assembly.wall = node.number(); });
   }
+  if (document.has("wall_side")) {
+    assembly.wall_side = wall_side(document.at("wall_side"));
+  }
+  if (document.has("insulation")) {
+    read("insulation", [&](const JsonNode& node) { assembly.insulation = node.number(); });
+  }
+  if (document.has("patches")) {
+    const JsonNode patches = document.at("patches");
+    patches.require_object();
+    for (const auto& [name, other] : patches.value().items()) {
+      const std::string text = patches.at(name).text();
+      if (text.empty()) {
+        patches.at(name).fail("a patch needs a name");
+      }
+      assembly.patches[name] = text;
+    }
+  }
   if (document.has("comment")) {
     (void)document.at("comment").text();
   }
@@ -110,18 +167,19 @@ void read_head(const JsonNode& document, json::Values& values, Assembly& assembl
 Assembly parse_assembly(std::string_view text, const std::string& source) {
   const json::Json json = json::parse_json(text, source);
   const JsonNode document(json, source, "");
-  json::allow_only(document,
-                   {"units", "tolerance", "segments", "wall", "comment", "values", "parts"});
+  json::allow_only(document, {"units", "tolerance", "segments", "wall", "wall_side", "insulation",
+                              "patches", "comment", "values", "parts"});
   Assembly assembly;
   assembly.source = source;
   assembly.unit = unit(document.at("units"));
   json::Values values(document, assembly.unit);
   read_head(document, values, assembly);
   json::expand(document, source, assembly.unit, values,
-               [&](const JsonNode& node, const std::string& pointer) {
+               [&](const JsonNode& node, const std::string& pointer, const std::string& key) {
                  const std::string own = document_place({}, std::uint32_t(assembly.parts.size()));
                  assembly.parts.push_back(part(node));
                  assembly.parts.back().pointer = pointer == own ? "" : pointer;
+                 assembly.parts.back().key = key;
                });
   return assembly;
 }

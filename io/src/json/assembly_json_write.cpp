@@ -306,6 +306,53 @@ Json written(const JunctionOfPorts& junction) {
   return json;
 }
 
+Json written(const PipeOn& pipe) {
+  return {{"on", pipe.run},
+          {"at", pipe.at},
+          {"direction", vector(pipe.direction)},
+          {"length", pipe.length},
+          {"radius", pipe.radius}};
+}
+
+Json written(const FlangeAt& flange) {
+  return {{"center", vector(flange.center)},
+          {"normal", vector(flange.normal)},
+          {"radius", flange.radius},
+          {"thickness", flange.thickness}};
+}
+
+Json written(const FlangeOfEnd& flange) {
+  return {{"at", to_string(flange.at)}, {"radius", flange.radius}, {"thickness", flange.thickness}};
+}
+
+Json written(const FlangeOn& flange) {
+  return {{"on", flange.run},
+          {"at", flange.at},
+          {"radius", flange.radius},
+          {"thickness", flange.thickness}};
+}
+
+Json written(const EllipsoidalHead& head) {
+  Json json = begun(head.from);
+  json["form"] = "ellipsoidal";
+  if (head.depth) {
+    json["depth"] = *head.depth;
+  }
+  return json;
+}
+
+Json written(const TorisphericalHead& head) {
+  Json json = begun(head.from);
+  if (head.form != HeadForm::free) {
+    json["form"] = head.form == HeadForm::kloepper ? "kloepper" : "korbbogen";
+    return json;
+  }
+  json["form"] = "torispherical";
+  json["crown"] = head.crown;
+  json["knuckle"] = head.knuckle;
+  return json;
+}
+
 Json written(const CapAt& cap) { return {{"at", to_string(cap.at)}}; }
 
 Json written(const Part& part) {
@@ -315,8 +362,20 @@ Json written(const Part& part) {
   if (part.wall) {
     json["wall"] = *part.wall;
   }
+  if (part.wall_side) {
+    json["wall_side"] = name(*part.wall_side);
+  }
+  if (part.insulation) {
+    json["insulation"] = *part.insulation;
+  }
   if (part.solid) {
     json["solid"] = true;
+  }
+  if (!part.component.name.empty()) {
+    json["component"] = {{"name", part.component.name}, {"kind", part.component.kind}};
+    if (part.component.line > 0) {
+      json["component"]["line"] = part.component.line;
+    }
   }
   return json;
 }
@@ -330,6 +389,15 @@ std::string document_text(const Assembly& assembly) {
   }
   if (assembly.wall) {
     head["wall"] = *assembly.wall;
+  }
+  if (assembly.wall_side != WallSide::inwards) {
+    head["wall_side"] = name(assembly.wall_side);
+  }
+  if (assembly.insulation) {
+    head["insulation"] = *assembly.insulation;
+  }
+  if (!assembly.patches.empty()) {
+    head["patches"] = assembly.patches;
   }
   std::string text = "{\n";
   for (const auto& [key, value] : head.items()) {

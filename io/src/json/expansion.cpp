@@ -1,10 +1,12 @@
 #include "json/expansion.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
 #include "json/expression.h"
+#include "json/fittings.h"
 #include "json/nominal_size.h"
 #include "json/parts/part_values.h"
 
@@ -13,6 +15,11 @@ namespace {
 
 constexpr std::size_t kLongestChain = 64;      // of names that need each other
 constexpr std::size_t kMostWork = 50'000'000;  // values and bytes of all copies
+// What an entry with parts says of all of them.
+constexpr std::array<std::string_view, 3> kOfRuns{"wall", "wall_side", "insulation"};
+// What only readers of documents know, as it stands for something else.
+constexpr std::array<std::string_view, 7> kShort{
+    "values", "for", "size", "schedule", "class", "outside_diameter", "inside_diameter"};
 
 }  // namespace
 
@@ -152,13 +159,26 @@ class Expansion {
 
  private:
   void entry(const JsonNode& node, const std::string& pointer) {
-    if (!node.has("for")) {
-      part(node, pointer);
-      return;
-    }
     if (node.has("parts")) {
-      allow_only(node, {"for", "comment", "parts"});
+      Keys keys{"for", "comment", "parts"};
+      keys.insert(keys.end(), kOfRuns.begin(), kOfRuns.end());
+      allow_only(node, keys);
+      const Json outside = usual_;
+      for (const std::string_view key : kOfRuns) {
+        if (node.has(key)) {
+          usual_[std::string(key)] = values_.replaced(node.at(key));
+        }
+      }
+      node.has("for") ? looped(node, pointer) : entries(node.at("parts"), pointer + "/parts");
+      usual_ = outside;
+    } else if (node.has("for")) {
+      looped(node, pointer);
+    } else {
+      part(node, pointer);
     }
+  }
+
+  void looped(const JsonNode& node, const std::string& pointer) {
     const JsonNode loops = node.at("for");
     loops.require_object();
     if (loops.value().empty()) {
@@ -219,7 +239,16 @@ class Expansion {
       }
       Json expanded = values_.replaced(node, "for");
       give_section(expanded, JsonNode(expanded, source_, pointer), unit_);
-      sink_(JsonNode(expanded, source_, pointer), pointer);
+      if (has_wall(expanded)) {
+        for (const auto& [key, usual] : usual_.items()) {
+          if (!expanded.contains(key)) {
+            expanded[key] = usual;
+          }
+        }
+      }
+      for (const Member& member : members(JsonNode(expanded, source_, pointer))) {
+        sink_(JsonNode(member.part, source_, pointer), pointer, member.key);
+      }
     } catch (const Error& error) {
       if (name.empty()) {
         throw;
@@ -228,10 +257,18 @@ class Expansion {
     }
   }
 
+  // Not what has the wall of others, or none.
+  static bool has_wall(const Json& part) {
+    return !(part.contains("solid") && part["solid"] == Json(true)) &&
+           std::ranges::none_of(std::array{"fillet", "cope", "cap", "flange"},
+                                [&](const char* key) { return part.contains(key); });
+  }
+
   const std::string& source_;
   Unit unit_;
   Values& values_;
   const PartSink& sink_;
+  Json usual_ = Json::object();  ///< what entries around say of the walls of their parts
   std::size_t made_ = 0;
 };
 
@@ -248,8 +285,10 @@ bool is_abbreviated(const Json& document) {
     return false;
   }
   for (const auto& [key, value] : document.items()) {
-    const bool is_own_key = document.is_object() &&
-                            (key == "values" || key == "for" || key == "size" || key == "schedule");
+    const bool is_own_key =
+        document.is_object() && (std::ranges::find(kShort, key) != kShort.end() ||
+                                 std::ranges::find(fitting_keys(), key) != fitting_keys().end() ||
+                                 (key == "parts" && !document.contains("units")));
     if (is_own_key || (key != "comment" && is_abbreviated(value))) {
       return true;
     }

@@ -38,9 +38,11 @@ class Values {
   std::size_t work_ = 0;              ///< values and bytes of texts that were made
 };
 
-/// A part as it is to be read: `node` has no values, copies or sizes, and its pointer is that of
-/// the entry in the document that it comes from.
-using PartSink = std::function<void(const JsonNode& node, const std::string& pointer)>;
+/// A part as it is to be read: `node` has no values, copies or sizes and is no fitting; its pointer
+/// is that of the entry in the document that it comes from, where the document says it under `key`,
+/// if it is one of several.
+using PartSink =
+    std::function<void(const JsonNode& node, const std::string& pointer, const std::string& key)>;
 
 /// Hands the parts of a document to `sink`, copies one after the other, the last variable of a
 /// "for" fastest. Faults in a copy name it. Throws, besides what `sink` throws, for faults of form,

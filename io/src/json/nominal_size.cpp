@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dupin/kernel/decimal.h"
+#include "json/flange_size.h"
 #include "pcf/wall_schedule.h"
 
 namespace dupin::json {
@@ -72,29 +73,93 @@ std::optional<double> outside_diameter(std::string_view size, Unit unit) {
   return pipe == nullptr ? std::nullopt : std::optional(pipe->outside / millimetres(unit));
 }
 
+namespace {
+
+const pcf::NominalPipe& pipe_of(const JsonNode& size) {
+  const std::string name = size.text();
+  const pcf::NominalPipe* const pipe = nominal_pipe(name);
+  if (pipe == nullptr) {
+    size.fail("'" + name + "' is no size of ASME B36.10M: " + all_sizes());
+  }
+  return *pipe;
+}
+
+void refuse_beside(const JsonNode& shape, std::string_view key, std::string_view other) {
+  if (shape.has(other)) {
+    shape.at(key).fail("give either a " + std::string(key) + " or a " + std::string(other));
+  }
+}
+
+// The wall goes to what is thick: the part, or a branch of a tee.
+void give_radius(Json& own, const JsonNode& shape, Json& thick, const JsonNode& node, Unit unit) {
+  if (shape.has("size") || shape.has("schedule")) {
+    const pcf::NominalPipe& pipe = pipe_of(shape.at("size"));
+    refuse_beside(shape, "size", "radius");
+    refuse_beside(shape, "size", "outside_diameter");
+    own["radius"] = pipe.outside / 2 / millimetres(unit);
+    if (shape.has("schedule")) {
+      give_wall(thick, node, shape.at("schedule"), pipe, unit);
+    }
+  } else if (shape.has("outside_diameter") || shape.has("inside_diameter")) {
+    const double outside = shape.at("outside_diameter").number();
+    refuse_beside(shape, "outside_diameter", "radius");
+    own["radius"] = outside / 2;
+    if (shape.has("inside_diameter")) {
+      const JsonNode inside = shape.at("inside_diameter");
+      if (node.has("wall")) {
+        inside.fail("give either an inside_diameter or a wall");
+      }
+      if (!(inside.number() > 0 && inside.number() < outside)) {
+        inside.fail("must be positive and less than the outside_diameter");
+      }
+      thick["wall"] = (outside - inside.number()) / 2;
+    }
+  }
+  for (const char* key : {"size", "schedule", "outside_diameter", "inside_diameter"}) {
+    own.erase(key);
+  }
+}
+
+void give_flange(Json& own, const JsonNode& shape, Unit unit) {
+  if (!shape.has("size") && !shape.has("class")) {
+    return;
+  }
+  const pcf::NominalPipe& pipe = pipe_of(shape.at("size"));
+  const JsonNode pressure = shape.at("class");
+  const std::string name =
+      pressure.value().is_number() ? decimal(pressure.number()) : pressure.text();
+  const auto flange = flange_of(pipe.inches, name);
+  if (!flange) {
+    pressure.fail("there is no flange of NPS " + decimal(pipe.inches) + " in class " + name +
+                  " here, but of NPS 1/2 to 24 in classes 150 and 300 of ASME B16.5");
+  }
+  refuse_beside(shape, "size", "radius");
+  refuse_beside(shape, "size", "thickness");
+  own.erase("size");
+  own.erase("class");
+  own["radius"] = flange->outside / 2 / millimetres(unit);
+  own["thickness"] = flange->thickness / millimetres(unit);
+}
+
+}  // namespace
+
 void give_section(Json& part, const JsonNode& node, Unit unit) {
   node.require_object();
-  for (const std::string key : {"pipe", "elbow"}) {
-    if (!node.has(key) || !(node.at(key).has("size") || node.at(key).has("schedule"))) {
-      continue;
+  for (const std::string key : {"pipe", "elbow", "head", "tee", "valve"}) {
+    if (node.has(key) && node.at(key).value().is_object()) {
+      Json own = node.at(key).value();
+      give_radius(own, node.at(key), part, node, unit);
+      if (key == "tee" && own.contains("branch") && own["branch"].is_object()) {
+        const JsonNode branch = node.at(key).at("branch");
+        give_radius(own["branch"], branch, own["branch"], branch, unit);
+      }
+      part[key] = std::move(own);
     }
-    const JsonNode shape = node.at(key), size = shape.at("size");
-    const std::string name = size.text();
-    const pcf::NominalPipe* const pipe = nominal_pipe(name);
-    if (pipe == nullptr) {
-      size.fail("'" + name + "' is no size of ASME B36.10M: " + all_sizes());
-    }
-    if (shape.has("radius")) {
-      size.fail("give either a size or a radius");
-    }
-    Json own = shape.value();
-    own.erase("size");
-    own.erase("schedule");
-    own["radius"] = pipe->outside / 2 / millimetres(unit);
-    if (shape.has("schedule")) {
-      give_wall(part, node, shape.at("schedule"), *pipe, unit);
-    }
-    part[key] = std::move(own);
+  }
+  if (node.has("flange") && node.at("flange").value().is_object()) {
+    Json own = node.at("flange").value();
+    give_flange(own, node.at("flange"), unit);
+    part["flange"] = std::move(own);
   }
 }
 

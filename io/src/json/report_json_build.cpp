@@ -25,7 +25,8 @@ Json part_json(const PartReport& part) {
           {"segments", part.segments},
           {"bands", part.bands},
           {"triangles", part.triangles},
-          {"smallest_angle", part.smallest_angle}};
+          {"smallest_angle", part.smallest_angle},
+          {"least_wall", number_or_null(part.least_wall)}};
 }
 
 Json notes_json(const std::vector<SourceNote>& all) {
@@ -156,6 +157,10 @@ std::string to_json(const BuildReport& report) {
                     {"output", report.exchange ? json::exchange_json(*report.exchange)
                                                : json::json_value(report.output)},
                     {"gaps", json::json_value(report.gaps)}};
+  if (report.insulation) {
+    all["region"] = name(report.region);
+    all["volumes"] = {{"insulation", *report.insulation}};
+  }
   if (report.volumes) {
     all["region"] = name(report.region);
     all["volumes"] = {{"outer", report.volumes->outer},

@@ -25,7 +25,9 @@ using text::TextScanner;
 
 // Beyond a hundred kilometres, and pipes thicker than a hundred metres, are no plant.
 constexpr double kLargestCoordinate = 1e8, kLargestBore = 1e5;
-constexpr double kInch = 25.4;
+constexpr double kInch = 25.4, kHundredth = 0.01;
+constexpr std::array kUnits = std::to_array<std::pair<std::string_view, double>>(
+    {{"mm", 1}, {"inch", kInch}, {"mm-hundredth", kHundredth}, {"inch-sixteenth", kInch / 16}});
 // In millimetres: thinner than a hair.
 constexpr double kLeastBore = 0.01;
 
@@ -150,7 +152,7 @@ class PcfReader {
       throw Error(Errc::parse_failed, "there is no piping component in it, such as PIPE or ELBOW",
                   {}, source_);
     }
-    pcf::give_meaning(file_, bore_unit_, bore_millimetres_, bores_);
+    pcf::give_meaning(file_, bore_unit_, whole_bore_, bores_);
     for (std::size_t i = 0; i < file_.line.components.size(); ++i) {
       if (own_radii_[i]) {
         for (PipingPort& port : file_.line.components[i].ports) {
@@ -171,24 +173,30 @@ class PcfReader {
         bores = &record.head;
       }
     }
-    const auto unit = [&](const Attribute* attribute, const std::string& keyword) {
-      if (attribute == nullptr) {
-        throw Error(Errc::parse_failed, "the line " + keyword + " is missing; it says MM or INCH",
-                    {}, source_);
+    millimetres_ = millimetres(lengths, "UNITS-CO-ORDS");
+    bore_millimetres_ = millimetres(bores, "UNITS-BORE");
+    // Bores are names of sizes, in whole millimetres or inches.
+    bore_unit_ = bore_millimetres_ == 1 || bore_millimetres_ == kHundredth ? BoreUnit::millimetre
+                                                                           : BoreUnit::inch;
+    whole_bore_ = bore_unit_ == BoreUnit::millimetre ? 1 : kInch;
+  }
+
+  // Of the unit that a line states.
+  double millimetres(const Attribute* attribute, const std::string& keyword) const {
+    if (attribute == nullptr) {
+      throw Error(Errc::parse_failed, "the line " + keyword + " is missing; it says MM or INCH", {},
+                  source_);
+    }
+    std::string word = text::lower_case(std::string(attribute->text));
+    std::ranges::replace(word, '_', '-');
+    for (const auto& [name, size] : kUnits) {
+      if (word == name || word == std::string(name) + "s" || word == std::string(name) + "es") {
+        return size;
       }
-      const std::string word = text::lower_case(std::string(attribute->text));
-      if (word == "mm") {
-        return 1.0;
-      }
-      if (word == "inch" || word == "inches") {
-        return kInch;
-      }
-      scanner_.fail_at(attribute->position,
-                       "found " + text::quoted(attribute->text) + ", expected the unit MM or INCH");
-    };
-    millimetres_ = unit(lengths, "UNITS-CO-ORDS");
-    bore_millimetres_ = unit(bores, "UNITS-BORE");
-    bore_unit_ = bore_millimetres_ == 1 ? BoreUnit::millimetre : BoreUnit::inch;
+    }
+    scanner_.fail_at(attribute->position, "found " + text::quoted(attribute->text) +
+                                              ", expected the unit MM or INCH, or "
+                                              "MM-HUNDREDTH or INCH-SIXTEENTH of these");
   }
 
   // A number, which is in a unit of so many millimetres.
@@ -238,7 +246,7 @@ class PcfReader {
                                        decimal(kLeastBore / bore_millimetres_, kMessageDigits));
       }
       if (bore > 0) {
-        result.radius = bore / 2;
+        result.radius = bore * (bore_millimetres_ / whole_bore_) / 2;
       }
     }
     return result;
@@ -369,6 +377,7 @@ class PcfReader {
   std::map<std::pair<std::string, std::vector<double>>, std::size_t> places_;
   std::map<std::string, std::pair<std::size_t, std::size_t>> unknown_;  // line, count
   double millimetres_ = 1, bore_millimetres_ = 1;
+  double whole_bore_ = 1;  // of the unit that names of sizes are in
   BoreUnit bore_unit_ = BoreUnit::millimetre;
 };
 
@@ -382,6 +391,14 @@ std::size_t PcfReport::findings() const {
 
 bool is_pcf_file(const std::filesystem::path& file) {
   return text::lower_case(file.extension().string()) == ".pcf";
+}
+
+bool is_pcf_text(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] != '{' &&
+         std::ranges::any_of(pcf::records(text), [](const Record& record) {
+           return record.head.keyword.starts_with("UNITS-");
+         });
 }
 
 PcfFile parse_pcf(std::string_view text, const std::string& source, BoreMeaning bores) {

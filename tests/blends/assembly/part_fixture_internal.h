@@ -23,7 +23,8 @@ class LonePart {
         [this](const PortReference& port) -> const Ring& {
           return *port_ring(neighbours_.at(port.part), port.end);
         },
-        [this](const PortReference& port) { return leaving(neighbours_.at(port.part), port.end); }};
+        [this](const PortReference& port) { return leaving(neighbours_.at(port.part), port.end); },
+        [this](const std::string& name) -> const PartSurface& { return neighbours_.at(name); }};
   }
 
  private:

@@ -63,13 +63,16 @@ TEST(PipingChain, breaks_where_directions_differ_or_a_point_is_off_the_axis) {
   }
 }
 
-TEST(PipingChain, bridges_what_lies_apart) {
-  const PipingLine line = line_of({pipe({0, 0, 0}, {500, 0, 0}), pipe({501, 0, 0}, {900, 0, 0})});
+TEST(PipingChain, bridges_what_lies_apart_but_along_one_axis) {
+  const PipingLine line = line_of({pipe({0, 0, 0}, {500, 0, 0}), pipe({501, 1, 0}, {900, 1, 0})});
+  const PipingLine along = line_of({pipe({0, 0, 0}, {500, 0, 0}), pipe({501, 0, 0}, {900, 0, 0})});
   LineNotes notes("a.pcf", false);
   PipingSpans spans = spans_of(line, {.bridge = 2}, notes);
   const auto chains = chains_of(spans, .05);
   ASSERT_EQ(chains.size(), 1);
   EXPECT_EQ(chains[0].seams[1].kind, SeamKind::bridge);
+  PipingSpans one_axis = spans_of(along, {.bridge = 2}, notes);
+  EXPECT_EQ(chains_of(one_axis, .05).at(0).legs.size(), 1);
 }
 
 TEST(PipingChain, replaces_bends_that_do_not_fit) {

@@ -144,6 +144,8 @@ TEST(PipingLine, bridges_gaps_overlaps_and_other_radii_along_one_axis) {
       const PipingNetwork network = line.made({.bridge = 1});
       ASSERT_EQ(network.joints.size(), 1);
       EXPECT_EQ(network.joints[0].state, JointState::bridged) << at << radius;
+      EXPECT_EQ(kind(part(network, "bridge-12-21").shape), radius == 50 ? "pipe" : "cone");
+      EXPECT_EQ(network.largest_move, 0) << "both ends stay where they are along the axis";
       (void)solid(network);
     }
   }
@@ -361,6 +363,69 @@ TEST(PipingLine, keeps_eccentric_parts_flat) {
   first.pipe({600, 0, 20}, {1200, 0, 20}, 30);
   EXPECT_EQ(kind(part(first.made(), "c0").shape), "oblique");
   (void)solid(first.made());
+}
+
+TEST(PipingLine, gives_flat_eccentric_reducers_a_length) {
+  for (const bool is_turned : {false, true}) {
+    Line line;
+    line.pipe({0, 0, 0}, {500, 0, 0});
+    const Vec3 thick(500, 0, 0), thin(500, 0, 20);
+    line.add(PipingShape::straight, {is_turned ? thin : thick, is_turned ? thick : thin});
+    line.last().is_eccentric = true;
+    line.last().ports[is_turned ? 0 : 1].radius = 30;
+    line.pipe(thin, {1200, 0, 20}, 30);
+    const PipingNetwork network = line.made();
+    EXPECT_EQ(kind(part(network, "c1").shape), "oblique");
+    EXPECT_THAT(notes(network), HasSubstr("it takes 20 of c0"));
+    for (const PipingJoint& joint : network.joints) {
+      EXPECT_EQ(joint.state, JointState::met);
+    }
+    (void)solid(network);
+  }
+}
+
+TEST(PipingLine, blends_between_the_two_bores_of_a_bend) {
+  Line line;
+  line.pipe({-900, 0, 0}, {-300, 0, 0}).bend({-300, 0, 0}, {0, 0, 0}, {0, 300, 0});
+  line.last().ports[1].radius = 40;
+  line.pipe({0, 300, 0}, {0, 900, 0}, 40);
+  const PipingNetwork network = line.made();
+  EXPECT_EQ(kind(part(network, "c1").shape), "cyclic_blend");
+  EXPECT_THAT(notes(network), HasSubstr("c1 has two bores; a blend between them"));
+  (void)solid(network);
+}
+
+TEST(PipingLine, keeps_the_speeds_of_blends_so_that_none_is_looked_for_twice) {
+  Line line;
+  line.pipe({0, 0, 0}, {1000, 0, 0}).pipe({1000, 0, 0}, {1900, 300, 0});
+  const PipingNetwork network = line.made();
+  const auto& blend = std::get<CyclicBlendBetween>(part(network, network.joints[0].part).shape);
+  EXPECT_TRUE(blend.options.k);
+  EXPECT_TRUE(blend.options.l);
+  (void)solid(network);
+}
+
+TEST(PipingLine, rounds_olets_and_set_on_branches) {
+  Line line;
+  line.pipe({0, 0, 0}, {2000, 0, 0}).add(PipingShape::fitting, {{500, 0, 120}}, 25);
+  line.last().center = Vec3(500, 0, 0);
+  line.pipe({1500, 0, 50}, {1500, 0, 400}, 25);
+  const PipingNetwork network = line.made({.fillet = 6});
+  for (const char* name : {"c1-fillet", "c2-fillet"}) {
+    EXPECT_EQ(std::get<FilletBetween>(part(network, name).shape).radius, 6);
+  }
+  (void)solid(network);
+}
+
+TEST(PipingLine, knows_the_components_of_its_parts) {
+  Line line;
+  line.tee({0, 0, 0}, {300, 0, 0}, {600, 0, 0}, {300, 0, 200});
+  line.last().kind = "TEE";
+  for (const Part& part : line.made().assembly.parts) {
+    EXPECT_EQ(part.component.name, "c0");
+    EXPECT_EQ(part.component.kind, "TEE");
+    EXPECT_EQ(part.component.line, 10);
+  }
 }
 
 TEST(PipingLine, closes_ends) {

@@ -29,7 +29,7 @@ std::string all_keys() {
   for (const KeyName& key : PartKeys::kNames) {
     result += (result.empty() ? "" : ", ") + std::string(key.view());
   }
-  return result;
+  return result + ", tee, valve";
 }
 
 // What is not a document of this format, found by reading. Faults of a part stand in the test of
@@ -53,7 +53,8 @@ const std::vector<Malformed>& unreadable() {
       {R"({"units": "mm", "parts": [1, {"a/b": {}, "a/b": 1}]})", "d.json#/parts/1/a~1b",
        "the key occurs twice"},
       {R"({"units": "mm", "tolerance": 1, "part": []})", "d.json#/part",
-       "unknown key; known here are units, tolerance, segments, wall, comment, values, parts"},
+       "unknown key; known here are units, tolerance, segments, wall, wall_side, insulation, "
+       "patches, comment, values, parts"},
       {R"({"units": "mile"})", "d.json#/units", "the unit must be mm, cm, m, in or ft, not 'mile'"},
       {R"({"units": 1})", "d.json#/units", "must be a string, not number"},
       {R"({"units": "mm"})", "d.json#", "the key 'tolerance' is missing"},
@@ -84,7 +85,9 @@ const std::vector<Malformed>& unreadable() {
       {document(R"({"name": "a", "cap": {"at": "b.end"}, "pipe": {}})"), "d.json#/parts/0",
        "a part must have exactly one of the keys " + all_keys()},
       {document(R"({"name": "a", "tee": {}})"), "d.json#/parts/0/tee",
-       "unknown key; known here are name, comment, wall, solid, colour, " + all_keys()},
+       "unknown key; known here are name, comment, wall, wall_side, insulation, solid, "
+       "component, colour, " +
+           all_keys()},
       {document(R"({"name": "a", "pipe": {"from": "b", "length": 1}})"),
        "d.json#/parts/0/pipe/from", "must name a port as 'part.start' or 'part.end', not 'b'"},
       {document(R"({"name": "a", "pipe": {"from": ".end", "length": 1}})"),

@@ -22,7 +22,7 @@ REFUSED = [
     document({**PIPE, "for": {"i": 0}}),
     document({**PIPE, "for": {"i": 1e9}}),
     document({**PIPE, "for": {}}),
-    document({"parts": [PIPE]}),
+    document({"parts": [PIPE], "name": "a"}),
     document({**PIPE, "colour": "red"}),
     document({"for": {"i": 1}, "name": "a", "parts": [PIPE]}),
     document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "size": "DN100", "radius": 1}}),
@@ -63,6 +63,19 @@ REFUSED = [
     document({"name": "a", "ringed_blend": {"from": "b.end", "to": "c.start", "bidegree": [3, 2]}}),
     document({"name": "a", "ringed_blend": {"from": "b.end", "to": {"center": [0, 0, 0], "direction": [0, 0, 1], "radius": 1, "plate": "flat"}}}),
     document({"name": "a", "two_cone_blend": {"from": "b.end", "to": "c.start"}}),
+    document({"name": "a", "flange": {"at": "b.end", "radius": 1}}),
+    document({"name": "a", "flange": {"at": "b.end", "size": "DN100", "class": 600}}),
+    document({"name": "a", "head": {"from": "b.end"}}),
+    document({"name": "a", "head": {"from": "b.end", "form": "flat"}}),
+    document({"name": "a", "head": {"from": "b.end", "form": "torispherical"}}),
+    document({"name": "a", "head": {"from": "b.end", "form": "kloepper", "depth": 1}}),
+    document({"name": "a", "head": {"from": [0, 0, 0], "form": "kloepper"}}),
+    document({"name": "a", "tee": {"from": "b.end", "length": 2}}),
+    document({"name": "a", "tee": {"from": "b.end", "radius": 1, "length": 2, "branch": {"direction": [0, 0, 1], "length": 2, "radius": 1}}}),
+    document({"name": "a", "tee": {"from": "b.end", "length": 2, "branch": {"direction": [0, 0, 1], "length": 2}}}),
+    document({"name": "a", "valve": {"from": [0, 0, 0], "length": 2, "body": {"radius": 2, "length": 1}}}),
+    document({**PIPE, "wall_side": "inside"}),
+    document({**PIPE, "insulation": -1}),
 ]
 
 ACCEPTED = [
@@ -85,6 +98,19 @@ ACCEPTED = [
     document({"name": "a", "elbow": {"from": [0, 0, 0], "direction": [1, 0, 0], "radius": 1, "bend_radius": 3, "angle": 90, "toward": [0, 1, 0]}}),
     document({"name": "a", "cone": {"from": [0, 0, 0], "direction": [0, 1, 0], "length": 3, "radii": [1, 2]}}),
     document({"name": "a", "cap": {"at": "b.start"}}),
+    document({"wall": 3, "wall_side": "outwards", "insulation": 0, "parts": [PIPE]}),
+    {"units": "mm", "tolerance": 1, "wall": 3, "wall_side": "centred", "insulation": 50, "patches": {"a.start": "inlet"}, "parts": [PIPE]},
+    document({**PIPE, "component": {"name": "t", "kind": "TEE", "line": 7}}),
+    document({"name": "a", "pipe": {"on": "b", "at": 3, "direction": [0, 0, 1], "length": 2, "size": "DN50"}}),
+    document({"name": "a", "pipe": {"from": [0, 0, 0], "to": [9, 0, 0], "outside_diameter": 2, "inside_diameter": 1.5}}),
+    document({"name": "a", "flange": {"at": "b.end", "size": "DN100", "class": 150}}),
+    document({"name": "a", "flange": {"on": "b", "at": 0, "radius": 2, "thickness": 1}}),
+    document({"name": "a", "flange": {"center": [0, 0, 0], "normal": [0, 0, 1], "radius": 2, "thickness": 1}}),
+    document({"name": "a", "head": {"from": "b.end", "form": "ellipsoidal", "depth": 1}}),
+    document({"name": "a", "head": {"from": [0, 0, 0], "direction": [1, 0, 0], "size": "DN100", "form": "torispherical", "crown": 9, "knuckle": 2}}),
+    document({"name": "a", "head": {"from": "b.end", "form": "korbbogen"}}),
+    document({"name": "a", "tee": {"from": "b.end", "length": 2, "branch": {"direction": [0, 0, 1], "length": 2, "size": "DN50", "schedule": 40}, "fillet": 1}}),
+    document({"name": "a", "valve": {"from": [0, 0, 0], "direction": [1, 0, 0], "radius": 1, "length": 2, "body": {"radius": 2, "length": 1}, "stem": {"direction": [0, 0, 1], "length": 3, "radius": 0.3}}}),
     document({"name": "a", "cyclic_blend": {"from": "b.end", "to": "c.start", "k": 1, "l": "auto"}}),
     document({"name": "a", "cyclic_blend": {"from": "b.end", "to": "c.start", "radius_law": "R1", "k": 1, "l": "auto", "continuity": "G2"}}),
 ]
@@ -93,15 +119,21 @@ ACCEPTED = [
 KEYS = ROOT / "blends" / "include" / "dupin" / "blends" / "part_shape.h"
 
 
+FITTINGS = ROOT / "io" / "src" / "json" / "fittings.cpp"
+BESIDE = {"name", "comment", "wall", "wall_side", "insulation", "component", "solid", "for", "colour"}
+
+
 def keys_of_parts():
-    return set(re.findall(r'\bPartKey<"(\w+)"', KEYS.read_text()))
+    """Of one part, and of several together."""
+    fittings = re.search(r"kFittings\{(.*)\}", FITTINGS.read_text()).group(1)
+    return set(re.findall(r'\bPartKey<"(\w+)"', KEYS.read_text())) | set(re.findall(r'"(\w+)"', fittings))
 
 
 def faults_of_keys(schema):
     """A part takes exactly one of the keys that there are, and each is defined."""
     part, keys = schema["definitions"]["part"], keys_of_parts()
     lists = {
-        "properties of a part": set(part["properties"]) - {"name", "comment", "wall", "solid", "for", "colour"},
+        "properties of a part": set(part["properties"]) - BESIDE,
         "choices of a part": {key for choice in part["oneOf"] for key in choice["required"]},
         "definitions": keys & set(schema["definitions"]),
     }

@@ -164,7 +164,9 @@ TEST(Pcf, refuses_what_is_malformed) {
       {
           {"", "a.pcf: the line UNITS-CO-ORDS is missing; it says MM or INCH"},
           {"UNITS-CO-ORDS MM\nPIPE\n", "a.pcf: the line UNITS-BORE is missing; it says MM or INCH"},
-          {"UNITS-CO-ORDS FURLONG\n", "a.pcf:1: found 'FURLONG', expected the unit MM or INCH"},
+          {"UNITS-CO-ORDS FURLONG\n",
+           "a.pcf:1: found 'FURLONG', expected the unit MM or INCH, or MM-HUNDREDTH or "
+           "INCH-SIXTEENTH of these"},
           {kUnits, "a.pcf: there is no piping component in it, such as PIPE or ELBOW"},
           {pipe_head + "    END-POINT 1 x 3 100\n", "a.pcf:4: found 'x', expected a coordinate"},
           {pipe_head + "    END-POINT 1 2\n",
@@ -181,6 +183,51 @@ TEST(Pcf, refuses_what_is_malformed) {
           {kUnits + "BEND\n    BEND-RADIUS -1\n",
            "a.pcf:4: found -1, expected a bend radius that is not negative"},
       });
+}
+
+// What can be read, but no solid be made of.
+TEST(Pcf, refuses_what_is_cut_off_when_it_is_made) {
+  expect_refused(
+      [](const std::string& bytes, const std::string& file) {
+        return assembly_of(parse_pcf(bytes, file).line);
+      },
+      "a.pcf",
+      {
+          {kUnits + "PIPE", "a.pcf:3: 'pipe-3': it has no end in space"},
+          {kUnits + "PIPE\n    END-POINT 0 0 0 100\n    END-PO",
+           "a.pcf:3: 'pipe-3': it has one end instead of two"},
+          {kUnits + "ELBOW\n    END-POINT 0 0 0 100\n    END-POINT 9 9 0 100\n",
+           "a.pcf:3: 'elbow-3': it has no centre point"},
+          {kUnits + "PIPE\n    END-POINT 0 0 0\n    END-POINT 9 0 0\n",
+           "a.pcf:3: 'pipe-3': it has no bore, and nothing that it is joined to has one"},
+          {kUnits + "PIPE\n    END-POINT 0 0 0 100\n    END-POINT 0 0 0.01 100\n",
+           "a.pcf: no component is left of which a part could be made"},
+          {kUnits + "BEND\n    END-POINT 0 0 0 100\n    END-POINT 50 50 0 100\n"
+                    "    CENTRE-POINT 50 0 0\n",
+           "a.pcf:3: 'bend-3': its bend radius of 50 is not larger than its pipe's radius of "
+           "57.15"},
+      });
+}
+
+TEST(Pcf, reads_hundredths_and_sixteenths) {
+  const std::string body =
+      "PIPE\n    END-POINT 0 0 0 64\n    END-POINT 100000 0 0 64\n    R2_WALL_THK 4\n";
+  const PcfFile file = parse_pcf("UNITS-BORE INCH-SIXTEENTH\nUNITS-CO-ORDS MM-HUNDREDTHS\n" + body);
+  EXPECT_EQ(radius(file), 114.3 / 2);
+  EXPECT_EQ(file.line.components[0].ports[1].center, Vec3(1000, 0, 0));
+  EXPECT_EQ(file.line.components[0].wall, 0.25 * 25.4);
+  EXPECT_EQ(parse_pcf("UNITS-BORE INCH\nUNITS-CO-ORDS INCH-SIXTEENTH\n" + body)
+                .line.components[0]
+                .ports[1]
+                .center,
+            Vec3(100000 * 25.4 / 16, 0, 0));
+}
+
+TEST(Pcf, is_told_by_a_line_of_units) {
+  EXPECT_TRUE(is_pcf_text("ISOGEN-FILES x\n  units-bore MM\n"));
+  EXPECT_FALSE(is_pcf_text("{\"units\": \"UNITS-BORE\"}"));
+  EXPECT_FALSE(is_pcf_text("solid UNITS-BORE\n"));
+  EXPECT_FALSE(is_pcf_text(""));
 }
 
 TEST(Pcf, takes_a_hundred_thousand_lines) {

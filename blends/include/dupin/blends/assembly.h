@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,15 +13,35 @@
 
 namespace dupin {
 
+/// Which side of the surface that a document describes its wall is on.
+enum class WallSide : std::uint8_t {
+  inwards,   ///< radii are outside ones
+  outwards,  ///< inside ones
+  centred,   ///< in the middle
+};
+
+[[nodiscard]] std::string_view name(WallSide side);  ///< as its enumerator
+
+/// What several parts are together: a tee, a component of a piping file.
+struct Component {
+  std::string name, kind;  ///< none: a part that stands for itself
+  std::size_t line = 0;    ///< of a piping file
+};
+
 struct Part {
   std::string name;
   PartShape shape;
-  /// Thickness inwards; 0: the part has no bore, but those of others pass through it; none: the
+  /// Thickness of the wall; 0: the part has no bore, but those of others pass through it; none: the
   /// assembly's. Only `build` hollows parts.
   std::optional<double> wall = {};
   bool solid = false;  ///< without a bore, and those of others end at it
   /// Where the document says it, if not at /parts/INDEX: several parts may come from one place.
   std::string pointer = {};
+  /// What the document calls it there, if not by the kind of its shape: "tee/branch".
+  std::string key = {};
+  Component component = {};
+  std::optional<WallSide> wall_side = {};  ///< none: the assembly's
+  std::optional<double> insulation = {};   ///< thickness on the outside; none: the assembly's
 };
 
 /// A document: what the user says, before anything is computed.
@@ -31,6 +52,10 @@ struct Assembly {
   std::optional<std::uint32_t> segments;  ///< around every ring; none: from the tolerance
   std::vector<Part> parts;
   std::optional<double> wall = {};  ///< of every part that says none; none: parts are solid
+  WallSide wall_side = WallSide::inwards;
+  std::optional<double> insulation = {};  ///< of every part that says none
+  /// Other names for patches, by their own: "inlet" for "run.start".
+  std::map<std::string, std::string> patches = {};
 };
 
 /// What was done to something in a file, be it a graph or a piping line, that could not stay as it

@@ -119,6 +119,24 @@ struct CopeOfEnd {
   std::string to;
 };
 
+/// A disc without a bore of its own, its middle at a point.
+struct FlangeAt {
+  Vec3 center, normal;
+  double radius = 1, thickness = 1;
+};
+
+/// The same about a port, its outer face level with the end; one that is solid lies before it.
+struct FlangeOfEnd {
+  PortReference at;
+  double radius = 1, thickness = 1;
+};
+
+/// The same about a straight part, its middle `at` along its axis from its start.
+struct FlangeOn {
+  std::string run;
+  double at = 0, radius = 1, thickness = 1;
+};
+
 /// Any number of ports joined by a hub; see junction.h.
 struct JunctionOfPorts {
   std::vector<PortReference> ends;

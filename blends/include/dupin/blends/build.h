@@ -20,11 +20,12 @@
 
 namespace dupin {
 
-/// What of an assembly with walls is built; the outer region is the other two together, exactly.
+/// What of an assembly is built; the outer region is metal and fluid together, exactly.
 enum class Region : std::uint8_t {
-  outer,  ///< what the outer surfaces bound, as if there were no walls
-  metal,  ///< the walls and the solid parts
-  fluid,  ///< what the walls enclose, up to the planes of the open ends
+  outer,       ///< what the outer surfaces bound, as if there were no walls
+  metal,       ///< the walls and the solid parts
+  fluid,       ///< what the walls enclose, up to the planes of the open ends
+  insulation,  ///< what lies around the outer region, up to the planes of the open ends
 };
 
 [[nodiscard]] std::string_view name(Region region);  ///< as its enumerator
@@ -61,6 +62,10 @@ struct PartReport {
   std::uint32_t bands = 0;     ///< along
   std::size_t triangles = 0;   ///< of the part alone, without end discs
   double smallest_angle = 0;   ///< of its triangles, in radians
+  /// A proved lower bound of how far the bore's surface is from the outer one, which is at most the
+  /// wall; none of a part without a bore, and where none is proved.
+  std::optional<double> least_wall;
+  bool is_hollow = false;  ///< it has a bore
 };
 
 /// The volumes of the regions, the doubles nearest to the exact ones.
@@ -81,6 +86,7 @@ struct Built {
   std::optional<CrossCheck> cross_check;  ///< of `solid`, where it was asked for
   Region region = Region::outer;          ///< the one that `solid` is
   std::optional<RegionVolumes> volumes;   ///< of an assembly with walls
+  std::optional<double> insulation;       ///< its volume, if it was asked for
 };
 
 /// The whole line: resolve, certify, tessellate, weld, unite. The labels of the solid name the part

@@ -50,6 +50,14 @@ struct PipeTo {
   Vec3 to;
 };
 
+/// A cylinder that begins on the axis of a straight part, `at` along it from its start.
+struct PipeOn {
+  std::string run;
+  double at = 0;
+  Vec3 direction = Vec3::UnitZ();  ///< of any length but zero
+  double length = 1, radius = 1;
+};
+
 /// A frustum about the segment from -> to.
 struct ConeBetween {
   Vec3 from, to;
@@ -126,6 +134,23 @@ struct SphereAt {
   double radius = 1;
 };
 
+/// Half an ellipsoid of revolution that closes a pipe.
+struct EllipsoidalHead {
+  PartStart from;
+  std::optional<double> depth = {};  ///< none: half the radius, the standard 2:1
+};
+
+/// Of a torispherical head: the radii of DIN 28011 (the crown's is the outside diameter, the
+/// knuckle's a tenth of it), of DIN 28013 (0.8 and 0.154), or those given.
+enum class HeadForm { kloepper, korbbogen, free };
+
+/// A spherical crown and a knuckle, part of a torus, tangent to it and to the pipe.
+struct TorisphericalHead {
+  PartStart from;
+  HeadForm form = HeadForm::kloepper;
+  double crown = 0, knuckle = 0;  ///< radii of a free one
+};
+
 /// Closes and names a flat end. Ends that nothing is joined to are closed too, but nameless.
 struct CapAt {
   PortReference at;
@@ -134,20 +159,22 @@ struct CapAt {
 /// The one table of a document's keys, in the order in which messages list them. What a key means
 /// is in the file of its name in blends/src/assembly/parts, how it is read in io/src/json/parts
 /// (docs/extending.md).
-using PartKeys = PartKeyTable<PartKey<"pipe", PipeBetween, PipeAlong, PipeTo>,       //
-                              PartKey<"cone", ConeBetween, ConeAlong>,               //
-                              PartKey<"oblique", ObliqueBetween, ObliqueTo>,         //
-                              PartKey<"elbow", ElbowTurning, ElbowTo, ElbowCorner>,  //
-                              PartKey<"sphere", SphereAt>,                           //
-                              PartKey<"spline", SplineBetween, SplineRound>,         //
-                              PartKey<"cyclic_blend", CyclicBlendBetween>,           //
-                              PartKey<"two_cone_blend", TwoConeBlendBetween>,        //
-                              PartKey<"ringed_blend", RingedBlendBetween>,           //
-                              PartKey<"cyclide_blend", CyclideBlendBetween>,         //
-                              PartKey<"cyclide_chain", CyclideChainThrough>,         //
-                              PartKey<"fillet", FilletBetween>,                      //
-                              PartKey<"cope", CopeOfEnd>,                            //
-                              PartKey<"junction", JunctionOfPorts>,                  //
+using PartKeys = PartKeyTable<PartKey<"pipe", PipeBetween, PipeAlong, PipeTo, PipeOn>,  //
+                              PartKey<"cone", ConeBetween, ConeAlong>,                  //
+                              PartKey<"oblique", ObliqueBetween, ObliqueTo>,            //
+                              PartKey<"elbow", ElbowTurning, ElbowTo, ElbowCorner>,     //
+                              PartKey<"sphere", SphereAt>,                              //
+                              PartKey<"spline", SplineBetween, SplineRound>,            //
+                              PartKey<"cyclic_blend", CyclicBlendBetween>,              //
+                              PartKey<"two_cone_blend", TwoConeBlendBetween>,           //
+                              PartKey<"ringed_blend", RingedBlendBetween>,              //
+                              PartKey<"cyclide_blend", CyclideBlendBetween>,            //
+                              PartKey<"cyclide_chain", CyclideChainThrough>,            //
+                              PartKey<"fillet", FilletBetween>,                         //
+                              PartKey<"cope", CopeOfEnd>,                               //
+                              PartKey<"junction", JunctionOfPorts>,                     //
+                              PartKey<"flange", FlangeAt, FlangeOfEnd, FlangeOn>,       //
+                              PartKey<"head", EllipsoidalHead, TorisphericalHead>,      //
                               PartKey<"cap", CapAt>>;
 
 /// A variant of all their shapes.

@@ -11,6 +11,7 @@
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/build.h"
 #include "dupin/kernel/gap.h"
+#include "dupin/kernel/progress.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin {
@@ -55,10 +56,13 @@ struct PipingOptions {
   double bridge = 0;                ///< ends up to this far apart are joined by a part of their own
   double tolerance = 0.05;          ///< the assembly's
   std::optional<double> wall = {};  ///< of all components that say none
+  WallSide wall_side = WallSide::inwards;
+  std::optional<double> insulation = {};
   /// Of the ball of fillets between runs and branches; 0: chosen for each; none: no fillets.
   std::optional<double> fillet = {};
   bool keep_going = false;  ///< components that are refused are left out, and noted
   std::map<std::string, std::string> refused = {};  ///< components by name, with the reason
+  Progress progress = {};                           ///< may be empty
 };
 
 /// What was made of two ends that belong together.

@@ -34,6 +34,8 @@ struct ResolvedPart {
   std::array<std::string, 2> end_names;
   bool is_tangent = false;   ///< a transition between its neighbours, to be tangent to them
   bool ends_in_hub = false;  ///< an arm of a junction, which has no end there
+  /// Ends that are closed for good, and are no ports: a head's tip, both faces of a flange.
+  std::array<bool, 2> is_closed{};
 };
 
 /// What a ball leaves uncovered that rolls round the crossing of two straight pipes outside of

@@ -61,6 +61,14 @@ struct PartKind {
   /// Of a junction, none of other kinds: the ports that it joins, and its geometry.
   References (*ends)(const PartShape&) = nullptr;
   Junction (*junction)(const PartContext&, const PartShape&) = nullptr;
+  /// Which ends are closed for good: no ports, and no bore opens there.
+  std::array<bool, 2> closed_ends{};
+  /// Of a kind that has no bore of its own, whatever the document's wall.
+  bool is_pad = false;
+  /// What a wall leaves of the surface, of kinds that know it better than from its rings.
+  PartSurface (*bore)(const PartShape&, const PartSurface&, double wall) = nullptr;
+  /// And a proved lower bound of how far it is from the surface.
+  double (*least_wall)(const PartShape&, const PartSurface&, double wall) = nullptr;
 
   [[nodiscard]] bool is_junction() const { return junction != nullptr; }
   /// Whether it has a surface with ends.

@@ -1,82 +1,8 @@
 #pragma once
 
-#include <concepts>
-#include <variant>
-
-#include "assembly/parts/part_kind.h"
+#include "assembly/parts/part_rules_of_shape.h"
 
 namespace dupin::assembly {
-
-/// What a key means, for each of its shapes. The file of the key's name specialises it with static
-/// members and then instantiates part_kind for the key, which checks that nothing is missing:
-///
-///     template <>
-///     struct PartRules<"sphere"> {
-///       static References references(const SphereAt& sphere);
-///       static PartSurface geometry(const PartContext& context, const SphereAt& sphere);
-///     };
-///     template const PartKind& part_kind<"sphere">();
-///
-/// A fillet has, instead of a geometry, `pipes(shape)` and `fillet(context, shape, surfaces)`.
-/// What it need not say: `needs(shape)` (no other parts' surfaces), `kIsTangent` and `kNamesEnd`
-/// (false; a kind that names an end has no geometry), `portless(shape)` (it has ports),
-/// `notes(shape, surface)` (none).
-template <KeyName key>
-struct PartRules;
-
-template <class Rules>
-concept IsTangent = requires {
-  requires Rules::kIsTangent;
-};
-
-template <class Rules>
-concept NamesEnd = requires {
-  requires Rules::kNamesEnd;
-};
-
-template <class Rules, class Shape>
-concept IsFillet = requires(const PartContext& context, const Shape& shape,
-                            const std::array<const PartSurface*, 2>& surfaces) {
-  { Rules::pipes(shape) } -> std::same_as<FilletPipes>;
-  { Rules::fillet(context, shape, surfaces) } -> std::same_as<Fillet>;
-};
-
-template <class Rules, class Shape>
-concept IsJunction = requires(const PartContext& context, const Shape& shape) {
-  { Rules::ends(shape) } -> std::same_as<References>;
-  { Rules::junction(context, shape) } -> std::same_as<Junction>;
-};
-
-template <class Rules, class Shape>
-concept HasGeometry = requires(const PartContext& context, const Shape& shape) {
-  { Rules::geometry(context, shape) } -> std::convertible_to<PartSurface>;
-};
-
-template <class Rules, class Shape>
-concept HasReferences = requires(const Shape& shape) {
-  { Rules::references(shape) } -> std::same_as<References>;
-};
-
-template <class Rules, class Shape>
-concept RulesFor = HasReferences<Rules, Shape> &&
-    (NamesEnd<Rules> || IsFillet<Rules, Shape> || IsJunction<Rules, Shape> ||
-     HasGeometry<Rules, Shape>);
-
-/// What `work` returns of the shape, which is one of the key's.
-template <KeyName key, class Result, class Work>
-Result of_shape(const PartShape& shape, const Work& work) {
-  return std::visit(
-      [&]<class Shape>(const Shape& given) -> Result {
-        if constexpr (PartKeys::kNameOf<Shape> == key) {
-          static_assert(RulesFor<PartRules<key>, Shape>,
-                        "PartRules need references() and geometry() of every shape of their key");
-          return work(given);
-        } else {
-          throw std::bad_variant_access();
-        }
-      },
-      shape);
-}
 
 template <KeyName key>
 References references_by_rules(const PartShape& shape) {
@@ -156,6 +82,33 @@ std::vector<Need> needs_by_rules(const PartShape& shape) {
 }
 
 template <KeyName key>
+PartSurface bore_by_rules(const PartShape& shape, const PartSurface& surface, double wall) {
+  return of_shape<key, PartSurface>(
+      shape, [&](const auto& given) { return PartRules<key>::bore(given, surface, wall); });
+}
+
+template <KeyName key>
+double least_wall_by_rules(const PartShape& shape, const PartSurface& surface, double wall) {
+  return of_shape<key, double>(
+      shape, [&](const auto& given) { return PartRules<key>::least_wall(given, surface, wall); });
+}
+
+template <KeyName key>
+constexpr PartKind with_walls(PartKind kind) {
+  if constexpr (requires { PartRules<key>::kClosedEnds; }) {
+    kind.closed_ends = PartRules<key>::kClosedEnds;
+  }
+  if constexpr (requires { PartRules<key>::kIsPad; }) {
+    kind.is_pad = PartRules<key>::kIsPad;
+  }
+  if constexpr (requires { PartRules<key>::kHasBore; }) {
+    kind.bore = bore_by_rules<key>;
+    kind.least_wall = least_wall_by_rules<key>;
+  }
+  return kind;
+}
+
+template <KeyName key>
 constexpr PartKind with_fillet(PartKind kind) {
   if constexpr (requires { PartRules<key>::pipes; }) {
     kind.pipes = pipes_by_rules<key>;
@@ -172,9 +125,9 @@ template <KeyName key>
 const PartKind& part_kind() {
   static_assert(PartKeys::kHas<key>, "the table of keys, PartKeys, lacks this one");
   using Rules = PartRules<key>;
-  static constexpr PartKind kKind = with_fillet<key>(
+  static constexpr PartKind kKind = with_walls<key>(with_fillet<key>(
       {key.view(), IsTangent<Rules>, NamesEnd<Rules>, references_by_rules<key>,
-       portless_by_rules<key>, geometry_by_rules<key>, notes_by_rules<key>, needs_by_rules<key>});
+       portless_by_rules<key>, geometry_by_rules<key>, notes_by_rules<key>, needs_by_rules<key>}));
   return kKind;
 }
 

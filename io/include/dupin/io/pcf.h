@@ -42,6 +42,9 @@ struct PcfReport {
 /// Whether the file's extension, in any case, is ".pcf".
 [[nodiscard]] bool is_pcf_file(const std::filesystem::path& file);
 
+/// Whether the text has a line of units, as every piping file, and is no JSON. O(n).
+[[nodiscard]] bool is_pcf_text(std::string_view text);
+
 /// A Piping Component File of ISOGEN; docs/pcf.md says what is read of it and how. Lengths become
 /// millimetres. `source` names the text in messages.
 ///

@@ -127,6 +127,7 @@ struct BuildReport {
   GapSummary gaps;
   Region region = Region::outer;
   std::optional<RegionVolumes> volumes = {};  ///< of an assembly with walls
+  std::optional<double> insulation = {};      ///< volume, if that is the region
   std::optional<PipeNetwork> graph = {};      ///< that was built, without its assembly
   std::optional<PcfReport> piping = {};
   std::optional<ExchangeReport> exchange = {};  ///< of a STEP file

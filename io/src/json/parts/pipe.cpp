@@ -8,6 +8,12 @@ namespace dupin::json {
 template <>
 struct PartReader<"pipe"> {
   static PartShape read(const JsonNode& node) {
+    node.require_object();
+    if (node.has("on")) {
+      allow_only(node, {"on", "at", "direction", "length", "radius"});
+      return PipeOn{node.at("on").text(), node.at("at").number(), vector(node.at("direction")),
+                    node.at("length").number(), node.at("radius").number()};
+    }
     static const std::array<KeySet, 4> sets{{{false, {"from", "to", "radius"}},
                                              {false, {"from", "direction", "length", "radius"}},
                                              {true, {"from", "length"}},

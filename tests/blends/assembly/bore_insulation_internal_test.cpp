@@ -1,0 +1,90 @@
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "assembly/bore.h"
+#include "blends/assembly/hollow_regions.h"
+#include "dupin/kernel/boolean.h"
+#include "dupin/kernel/error.h"
+#include "support/named_parts.h"
+
+namespace dupin::assembly {
+namespace {
+
+using test::built;
+using test::fillet;
+using test::pipe;
+using testing::HasSubstr;
+
+constexpr double kPi = std::numbers::pi;
+
+Assembly insulated(std::vector<Part> parts, double thickness) {
+  Assembly assembly{"", Unit::millimetre, 0.01, {}, std::move(parts)};
+  assembly.insulation = thickness;
+  return assembly;
+}
+
+// Of the same assembly.
+void expect_around(const Assembly& assembly, const Solid& insulation) {
+  EXPECT_TRUE(check(to_mesh(insulation).mesh()).is_solid());
+  const Solid outer = built(assembly, Region::outer).solid;
+  EXPECT_TRUE(intersect(std::array{outer, insulation}).empty());
+}
+
+TEST(Insulation, of_a_pipe_is_a_tube_around_it) {
+  const Assembly assembly = insulated({pipe("a", {0, 0, 0}, {10, 0, 0}, 1)}, 0.5);
+  const Built made = built(assembly, Region::insulation);
+  EXPECT_NEAR(*made.insulation, kPi * (1.5 * 1.5 - 1) * 10, 0.5);
+  EXPECT_EQ(made.solid.euler_number(), 0);
+  EXPECT_EQ(made.region, Region::insulation);
+  EXPECT_FALSE(made.volumes) << "there is no wall";
+  expect_around(assembly, made.solid);
+}
+
+TEST(Insulation, goes_round_bends_balls_and_fillets) {
+  std::vector<Part> parts = {
+      pipe("run", {-20, 0, 0}, {20, 0, 0}, 3),
+      pipe("branch", {0, 0, 0}, {0, 0, 15}, 2),
+      fillet("throat", "run", "branch", 1),
+      {"bend", ElbowTurning{PortReference{"run", End::end}, 6, 1.5, {0, 1, 0}}},
+      {"ball", SphereAt{{-20, 0, 0}, 4}},
+      {"head", EllipsoidalHead{PortReference{"branch", End::end}}}};
+  // Thinner than the fillet's ball, and thicker, where the edge is sharp.
+  for (const double thickness : {0.5, 1.5}) {
+    const Assembly assembly = insulated(parts, thickness);
+    const Built made = built(assembly, Region::insulation);
+    EXPECT_EQ(made.solid.components(), 1);
+    expect_around(assembly, made.solid);
+  }
+}
+
+TEST(Insulation, is_of_the_parts_that_have_it) {
+  Assembly assembly = insulated({pipe("a", {0, 0, 0}, {10, 0, 0}, 1),
+                                 {"b", PipeAlong{PortReference{"a", End::end}, 10}, {}, false}},
+                                0.5);
+  assembly.parts[0].insulation = 0;
+  assembly.wall = 0.1;
+  const Built made = built(assembly, Region::insulation);
+  EXPECT_NEAR(*made.insulation, kPi * (1.5 * 1.5 - 1) * 10, 0.5);
+  assembly.parts[1].insulation = 0;
+  EXPECT_THROW((void)built(assembly, Region::insulation), Error);
+}
+
+TEST(Insulation, that_a_bend_cannot_follow_is_refused_by_its_name) {
+  const Assembly assembly =
+      insulated({pipe("a", {0, 0, 0}, {10, 0, 0}, 1),
+                 {"bend", ElbowTurning{PortReference{"a", End::end}, 1.5, 1.5, {0, 1, 0}}}},
+                0.75);
+  try {
+    (void)built(assembly, Region::insulation);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.part(), "bend");
+    EXPECT_EQ(error.code(), Errc::irregular_surface);
+    EXPECT_THAT(error.message(), HasSubstr("its insulation of 0.75 is too thick for its bends"));
+  }
+}
+
+}  // namespace
+}  // namespace dupin::assembly
