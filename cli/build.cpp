@@ -8,6 +8,8 @@
 
 #include <CLI/App.hpp>
 
+#include "batch.h"
+#include "build_arguments.h"
 #include "commands.h"
 #include "cross_check_option.h"
 #include "document.h"
@@ -23,16 +25,6 @@
 
 namespace dupin::cli {
 namespace {
-
-struct BuildArguments {
-  std::string file, connect, contacts, cross_check, region, solids, page;
-  WallArguments walls;
-  OutputArguments output;
-  std::uint32_t segments = 0;
-  std::size_t most_triangles = kUsualTriangles;
-  SourceArguments source;
-  RoundingArguments rounding;
-};
 
 /// "3 (2 pipe, 1 cyclic_blend)".
 std::string parts_text(const std::vector<PartReport>& parts) {
@@ -190,7 +182,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   check_destination(arguments);
   std::optional<ProgressLine> line(common.quiet);
   Document document =
-      read_document(arguments.file, arguments.source, arguments.walls, line->callback());
+      read_document(arguments.files.front(), arguments.source, arguments.walls, line->callback());
   Assembly& assembly = document.assembly;
   BuildOptions options = build_options(assembly, arguments, common);
   (void)rounding_options(arguments.rounding, std::string(symbol(assembly.unit)));
@@ -219,51 +211,93 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   return report.findings() == 0 ? ExitCode::ok : ExitCode::findings;
 }
 
+struct BatchArguments {
+  std::string folder;
+  std::size_t jobs = 1;
+};
+
+ExitCode run_build_or_batch(const CLI::App& command, const BuildArguments& arguments,
+                            const BatchArguments& batch, const CommonOptions& common) {
+  if (!batch.folder.empty()) {
+    if (!arguments.output.path.empty()) {
+      throw UsageError("--output and --out-dir both say where to; give one of them");
+    }
+    return run_batch(command, batch_items(arguments.files, batch.folder, arguments.output.format),
+                     batch.folder, batch.jobs, common);
+  }
+  if (arguments.files.size() > 1) {
+    throw UsageError("several documents need --out-dir");
+  }
+  if (arguments.output.path.empty()) {
+    throw UsageError("--output is required");
+  }
+  return run_build(arguments, common);
+}
+
 }  // namespace
+
+void add_build_options(CLI::App& command, BuildArguments& arguments) {
+  add_output_options(command, arguments.output, {"step"});
+  add_solids_option(command, arguments.solids);
+  command
+      .add_option("--report", arguments.page,
+                  "HTML file beside it: the solid in 3D, and where its gaps, contacts and\n"
+                  "margins are; see the command report")
+      ->type_name("FILE");
+  command.add_option("--segments", arguments.segments, "Fixed number of segments of every ring")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(3, 65536));
+  add_wall_options(command, arguments.walls);
+  add_region_option(command, arguments.region, true);
+  add_triangles_option(command, arguments.most_triangles);
+  add_connect_option(command, arguments.connect);
+  add_source_options(command, arguments.source);
+  add_contacts_option(command, arguments.contacts);
+  add_cross_check_option(command, arguments.cross_check);
+  add_rounding_options(command, arguments.rounding);
+}
 
 void add_build(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("build", "Make a watertight solid of an assembly");
   const auto arguments = std::make_shared<BuildArguments>();
+  const auto batch = std::make_shared<BatchArguments>();
   command
-      ->add_option("FILE", arguments->file,
+      ->add_option("FILE", arguments->files,
                    "assembly document, piping file (.pcf) or graph (.swc, .graph); - for\n"
-                   "standard input")
+                   "standard input; several with --out-dir")
       ->type_name("")
       ->required();
   command
       ->add_option("-o,--output", arguments->output.path,
                    "mesh or STEP file; - for standard output")
-      ->type_name("OUT")
-      ->required();
-  add_output_options(*command, arguments->output, {"step"});
-  add_solids_option(*command, arguments->solids);
+      ->type_name("OUT");
   command
-      ->add_option("--report", arguments->page,
-                   "HTML file beside it: the solid in 3D, and where its gaps, contacts and\n"
-                   "margins are; see the command report")
-      ->type_name("FILE");
-  command->add_option("--segments", arguments->segments, "Fixed number of segments of every ring")
+      ->add_option("--out-dir", batch->folder,
+                   "Folder for the meshes of any number of documents, each built by itself\n"
+                   "and named like it, as STL if --format is not given")
+      ->type_name("DIR");
+  command
+      ->add_option("-j,--jobs", batch->jobs,
+                   "Documents built at a time with --out-dir; 1 if not given")
       ->type_name("NUMBER")
-      ->check(CLI::Range(3, 65536));
-  add_wall_options(*command, arguments->walls);
-  add_region_option(*command, arguments->region, true);
-  add_triangles_option(*command, arguments->most_triangles);
-  add_connect_option(*command, arguments->connect);
-  add_source_options(*command, arguments->source);
-  add_contacts_option(*command, arguments->contacts);
-  add_cross_check_option(*command, arguments->cross_check);
-  add_rounding_options(*command, arguments->rounding);
+      ->check(CLI::Range(1, 1024));
+  add_build_options(*command, *arguments);
   command->footer(
       "Exit code 1: built and written, but ends that belong together do not meet, or a "
       "cross-check\n"
-      "disagrees, or something of a graph or piping file was left out.\n\n"
+      "disagrees, or something of a graph or piping file was left out; of several documents, any "
+      "of\n"
+      "this or a failure of one.\n\n"
       "Examples:\n"
       "  dupin build examples/reducer.json -o reducer.stl\n"
       "  dupin build plant.json -o plant.off --tolerance 0.2mm --connect 1mm\n"
       "  dupin build plant.json -o plant.step\n"
-      "  dupin build - -o - --format stl < plant.json > plant.stl");
-  command->callback([arguments, &action] {
-    action = [arguments](const CommonOptions& common) { return run_build(*arguments, common); };
+      "  dupin build - -o - --format stl < plant.json > plant.stl\n"
+      "  dupin build *.pcf --out-dir meshes -j 4");
+  command->callback([command, arguments, batch, &action] {
+    action = [command, arguments, batch](const CommonOptions& common) {
+      return run_build_or_batch(*command, *arguments, *batch, common);
+    };
   });
 }
 

@@ -39,5 +39,8 @@ void add_draw(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
 void add_bom(CLI::App& app, Action& action);
 void add_completion(CLI::App& app, Action& action);
+void add_watch(CLI::App& app, Action& action);
+void add_schema(CLI::App& app, Action& action);
+void add_manual(CLI::App& app, Action& action);
 
 }  // namespace dupin::cli

@@ -1,88 +1,30 @@
 #include <iostream>
+#include <memory>
 #include <string>
-#include <vector>
 
 #include <CLI/App.hpp>
 
 #include "commands.h"
-#include "output.h"
+#include "completion_scripts.h"
 
 namespace dupin::cli {
-namespace {
-
-/// All long and short option names of a command, separated by spaces.
-std::string option_words(const CLI::App& app) {
-  std::string words;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_snames()) {
-      words += "-" + name + " ";
-    }
-    for (const std::string& name : option->get_lnames()) {
-      words += "--" + name + " ";
-    }
-  }
-  return words;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) {
-    text += (text.empty() ? "" : " ") + word;
-  }
-  return text;
-}
-
-std::string completion_script(const CLI::App& app) {
-  std::string commands;
-  std::string cases;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    commands += command->get_name() + " ";
-    cases += "    " + command->get_name() + ") words=\"" + option_words(*command) +
-             option_words(app) + "\" ;;\n";
-  }
-  return R"(# bash completion for dupin: source <(dupin completion bash)
-_dupin() {
-  local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command="" words="" i
-  for ((i = 1; i < COMP_CWORD; i++)); do
-    case ${COMP_WORDS[i]} in -*) ;; *) command=${COMP_WORDS[i]}; break ;; esac
-  done
-  COMPREPLY=()
-  case $previous in
-    --format) COMPREPLY=($(compgen -W ")" +
-         joined(format_names()) + R"(" -- "$word")); return ;;
-    --contacts) COMPREPLY=($(compgen -W "report refuse separate= bridge=" -- "$word")); return ;;
-    --cross-check) COMPREPLY=($(compgen -W "nef corefinement" -- "$word")); return ;;
-    --origin) COMPREPLY=($(compgen -W "keep auto" -- "$word")); return ;;
-    --tolerance|--rounding-tolerance|--connect|--grid|--move|--twist|--margin|\
-    --translate|--rotate|--scale|--direction|--up) return ;;
-  esac
-  case $command in
-    "") words=")" +
-         commands + option_words(app) + R"(" ;;
-)" + cases +
-         R"(  esac
-  if [[ $command == completion && $word != -* ]]; then
-    COMPREPLY=($(compgen -W "bash" -- "$word"))
-  elif [[ -z $command || $word == -* ]]; then
-    COMPREPLY=($(compgen -W "$words" -- "$word"))
-  else
-    local IFS=$'\n'
-    COMPREPLY=($(compgen -f -- "$word"))
-  fi
-}
-complete -o filenames -F _dupin dupin
-)";
-}
-
-}  // namespace
 
 void add_completion(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("completion", "Print a completion script for the shell");
-  command->footer("Examples:\n  source <(dupin completion bash)");
-  command->add_option("SHELL", "bash")->required()->check(CLI::IsMember({"bash"}));
-  command->callback([&app, &action] {
-    action = [&app](const CommonOptions&) {
-      std::cout << completion_script(app);
+  command->footer(
+      "Examples:\n"
+      "  source <(dupin completion bash)\n"
+      "  dupin completion fish > ~/.config/fish/completions/dupin.fish");
+  const auto shell = std::make_shared<std::string>();
+  command->add_option("SHELL", *shell, "bash, zsh or fish")
+      ->type_name("")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  command->callback([&app, &action, shell] {
+    action = [&app, shell](const CommonOptions&) {
+      std::cout << (*shell == "bash"  ? bash_completion(app)
+                    : *shell == "zsh" ? zsh_completion(app)
+                                      : fish_completion(app));
       return ExitCode::ok;
     };
   });

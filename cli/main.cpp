@@ -112,6 +112,9 @@ int run(std::span<char*> arguments) {
   add_report(app, action);
   add_bom(app, action);
   add_completion(app, action);
+  add_watch(app, action);
+  add_schema(app, action);
+  add_manual(app, action);
 
   try {
     app.parse(static_cast<int>(arguments.size()), arguments.data());

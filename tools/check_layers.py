@@ -15,7 +15,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ROOMS = ["kernel", "blends", "io", "cli"]
-GUESTS = ["tests", "bench", "examples"]  # may use every public header
+GUESTS = ["tests", "bench", "examples", "python"]  # may use every public header
 
 # Folder by folder, what it may include besides itself and the public headers of the rooms before.
 ARROWS = {
@@ -84,6 +84,7 @@ LIBRARIES = {
         "APIHeaderSection", "BOPAlgo", "BRep", "Bnd_", "GProp", "Geom", "IGES", "Interface_", "Message", "NCollection",
         "Precision.hxx", "Quantity_", "STEP", "Standard_", "StepData", "StepRepr", "StepVisual", "TCol", "TDF", "TDataStd",
         "TDocStd", "TopExp", "TopTools", "TopoDS", "Transfer_", "XCAF", "XSControl", "gp_")},
+    "pybind11/": ["python/bindings/"],
 }
 MOST_LINES = [  # first match wins: (pattern, most lines)
     (re.compile(r"^(?!tests/).*\.h$"), 200),

@@ -98,6 +98,68 @@ TEST_F(Docs, examples_of_the_manual_print_what_it_says) {
   }
 }
 
+/// A block of commands and, where one follows it, the block of what they print.
+struct Script {
+  std::size_t line = 0;
+  std::string commands;
+  std::vector<std::string> output;
+  bool has_output = false;
+};
+
+/// The sh blocks of a document, each with the text block right after it.
+std::vector<Script> scripts(const std::string& document) {
+  std::ifstream stream(std::filesystem::path(DUPIN_SOURCE_DIR) / document);
+  std::vector<Script> found;
+  std::string block, line, before;
+  for (std::size_t number = 1; std::getline(stream, line); ++number) {
+    if (line.starts_with("```")) {
+      block = block.empty() ? line.substr(3) + " " : "";
+      if (block == "sh ") {
+        found.push_back({number, {}, {}});
+      } else if (block == "text " && before == "```" && !found.empty()) {
+        found.back().has_output = true;
+      }
+    } else if (block == "sh ") {
+      found.back().commands += line + "\n";
+    } else if (block == "text " && !found.empty()) {
+      found.back().output.push_back(line);
+    }
+    before = line;
+  }
+  return found;
+}
+
+TEST_F(Docs, steps_of_the_tutorial_work_and_print_what_it_says) {
+  const std::vector<Script> steps = scripts("docs/tutorial.md");
+  EXPECT_GE(steps.size(), 7);
+  for (const Script& step : steps) {
+    // The first one enters its own folder.
+    const std::string enter = step.line == steps.front().line ? "" : "cd build/tutorial\n";
+    const ProcessResult result = shell("{ set -e\n" + enter + step.commands + "} 2>&1");
+    EXPECT_EQ(result.exit_code, 0) << "docs/tutorial.md:" << step.line << "\n" << result.out;
+    EXPECT_TRUE(!step.has_output || fit(step.output, lines_of(result.out)))
+        << "docs/tutorial.md:" << step.line << " prints\n"
+        << result.out;
+  }
+}
+
+TEST_F(Docs, every_line_of_the_tool_in_the_readme_runs_from_a_fresh_checkout) {
+  std::vector<std::string> lines;
+  for (const Script& script : scripts("README.md")) {
+    if (script.commands.find("dupin build") != std::string::npos) {
+      lines = lines_of(script.commands);
+    }
+  }
+  EXPECT_GE(lines.size(), 15);
+  for (const std::string& line : lines) {
+    // What waits for Ctrl-C gets it.
+    const bool waits = line.starts_with("dupin watch");
+    const ProcessResult result =
+        shell(waits ? "timeout -s INT 5 " DUPIN_TOOL + line.substr(5) : line);
+    EXPECT_EQ(result.exit_code, waits ? 124 : 0) << line << "\n" << result.out << result.err;
+  }
+}
+
 TEST_F(Docs, patterns_fit_only_what_they_say) {
   EXPECT_TRUE(fit({"volume ... mm^3"}, {"volume 12 mm^3"}));
   EXPECT_FALSE(fit({"volume ... mm^3"}, {"volume 12 in^3"}));

@@ -19,9 +19,9 @@ using Usage = Tool;
 
 const std::vector<std::string>& commands() {
   static const std::vector<std::string> names{
-      "build",      "union", "intersect", "subtract", "boolean", "check",  "gaps",
-      "info",       "edit",  "convert",   "simplify", "certify", "verify", "nurbs",
-      "completion", "draw",  "bom",       "repair",   "report"};
+      "build", "union",   "intersect", "subtract", "boolean", "check", "gaps",       "info",
+      "edit",  "convert", "simplify",  "certify",  "verify",  "nurbs", "completion", "draw",
+      "bom",   "repair",  "schema",    "manual",   "watch",   "report"};
   return names;
 }
 

@@ -157,8 +157,10 @@ void read_head(const JsonNode& document, json::Values& values, Assembly& assembl
       assembly.patches[name] = text;
     }
   }
-  if (document.has("comment")) {
-    (void)document.at("comment").text();
+  for (const std::string_view unread : {"$schema", "comment"}) {
+    if (document.has(unread)) {
+      (void)document.at(unread).text();
+    }
   }
 }
 
@@ -167,8 +169,8 @@ void read_head(const JsonNode& document, json::Values& values, Assembly& assembl
 Assembly parse_assembly(std::string_view text, const std::string& source) {
   const json::Json json = json::parse_json(text, source);
   const JsonNode document(json, source, "");
-  json::allow_only(document, {"units", "tolerance", "segments", "wall", "wall_side", "insulation",
-                              "patches", "comment", "values", "parts"});
+  json::allow_only(document, {"$schema", "units", "tolerance", "segments", "wall", "wall_side",
+                              "insulation", "patches", "comment", "values", "parts"});
   Assembly assembly;
   assembly.source = source;
   assembly.unit = unit(document.at("units"));

@@ -93,6 +93,7 @@ ACCEPTED = [
     document({"name": "a", "ringed_blend": {"from": "b.end", "to": {"center": [0, 0, 0], "direction": [0, 0, 1], "radius": 1, "ruling": [0, 1, 1]}, "k": "auto"}}),
     document({"name": "a", "wall": 0, "sphere": {"center": [0, 0, 0], "radius": 1}}),
     document({"name": "a", "solid": True, "sphere": {"center": [0, 0, 0], "radius": 1}}),
+    {"$schema": "https://example.org/assembly.schema.json", **document(PIPE)},
     document({"name": "a", "comment": "", "elbow": {"from": "b.end", "to": [1, 2, 3]}}),
     document({"name": "a", "elbow": {"from": "b.end", "corner": [1, 2, 3], "to": [1, 2, 4]}}),
     document({"name": "a", "elbow": {"from": [0, 0, 0], "direction": [1, 0, 0], "radius": 1, "bend_radius": 3, "angle": 90, "toward": [0, 1, 0]}}),

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
+class App;
+}
+
+namespace dupin::cli {
+
+/// One document of many, and where its mesh goes.
+struct BatchItem {
+  std::string file, output;
+};
+
+/// Names of outputs are those of inputs with the format's extension. Throws UsageError for two that
+/// are the same, and for standard input.
+[[nodiscard]] std::vector<BatchItem> batch_items(const std::vector<std::string>& files,
+                                                 const std::string& folder,
+                                                 const std::string& format);
+
+/// The command line that does to one document what `command` was asked to do to many.
+[[nodiscard]] std::vector<std::string> arguments_for(const CLI::App& command, const BatchItem& item,
+                                                     const CommonOptions& common);
+
+/// Builds each document by a process of its own, at most `jobs` at a time, and reports them in
+/// their order, failures again at the end. Throws UsageError for options that name one file for
+/// all, and OutputError if the folder cannot be made.
+[[nodiscard]] ExitCode run_batch(const CLI::App& command, const std::vector<BatchItem>& items,
+                                 const std::string& folder, std::size_t jobs,
+                                 const CommonOptions& common);
+
+}  // namespace dupin::cli

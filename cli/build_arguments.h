@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "document.h"
+#include "dupin/blends/tessellation.h"
+#include "output.h"
+#include "rounding_options.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
+class App;
+}
+
+namespace dupin::cli {
+
+/// What `build` is told.
+struct BuildArguments {
+  std::vector<std::string> files;
+  std::string connect, contacts, cross_check, region, solids, page;
+  WallArguments walls;
+  OutputArguments output;
+  std::uint32_t segments = 0;
+  std::size_t most_triangles = kUsualTriangles;
+  SourceArguments source;
+  RoundingArguments rounding;
+};
+
+/// Adds all options that say how a document becomes a solid, but not which document and where to.
+void add_build_options(CLI::App& command, BuildArguments& arguments);
+
+}  // namespace dupin::cli

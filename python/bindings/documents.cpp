@@ -1,0 +1,242 @@
+#include <optional>
+#include <vector>
+
+#include <pybind11/stl.h>
+
+#include "binding.h"
+#include "dupin/blends/build.h"
+#include "dupin/blends/certify.h"
+#include "dupin/blends/nurbs.h"
+#include "dupin/blends/resolve.h"
+#include "dupin/io/assembly_json.h"
+#include "dupin/io/atomic_file.h"
+#include "dupin/io/bill_report.h"
+#include "dupin/io/certificate_json.h"
+#include "dupin/io/graph_file.h"
+#include "dupin/io/nurbs_json.h"
+#include "dupin/io/pcf.h"
+#include "dupin/io/report_json.h"
+#include "dupin/io/schema.h"
+#include "dupin/io/sha256.h"
+
+namespace dupin::python {
+namespace {
+
+Assembly assembly_of_text(const std::string& text, const std::string& source,
+                          std::optional<double> tolerance = {}) {
+  Assembly assembly = parse_assembly(text, source);
+  assembly.tolerance = tolerance.value_or(assembly.tolerance);
+  return assembly;
+}
+
+std::optional<Region> region_named(const std::optional<std::string>& text) {
+  if (!text) {
+    return std::nullopt;
+  }
+  for (const Region region : {Region::outer, Region::metal, Region::fluid}) {
+    if (*text == name(region)) {
+      return region;
+    }
+  }
+  throw Error(Errc::invalid_argument, "'" + *text + "' must be 'outer', 'metal' or 'fluid'", {},
+              "region");
+}
+
+std::optional<CrossCheckEngine> engine_named(const std::optional<std::string>& text) {
+  if (!text) {
+    return std::nullopt;
+  }
+  for (const CrossCheckEngine engine : {CrossCheckEngine::nef, CrossCheckEngine::corefinement}) {
+    if (*text == name(engine)) {
+      return engine;
+    }
+  }
+  throw Error(Errc::invalid_argument, "'" + *text + "' must be 'nef' or 'corefinement'", {},
+              "cross_check");
+}
+
+ContactPolicy contact_policy(const std::string& text) {
+  if (text != "report" && text != "refuse") {
+    throw Error(Errc::invalid_argument, "'" + text + "' must be 'report' or 'refuse'", {},
+                "contacts");
+  }
+  return text == "report" ? ContactPolicy::report : ContactPolicy::refuse;
+}
+
+/// The solid, and all that a report says but of its file.
+py::tuple built(const std::string& text, const std::string& source, std::optional<double> tolerance,
+                std::optional<std::uint32_t> segments, std::optional<double> connect,
+                std::size_t most_triangles, const std::string& contacts,
+                const std::optional<std::string>& cross_check,
+                const std::optional<std::string>& region, const py::object& progress) {
+  Interruptible work(progress);
+  BuildOptions options{.tolerance = tolerance,
+                       .segments = segments,
+                       .most_triangles = most_triangles,
+                       .contacts = contact_policy(contacts),
+                       .cross_check = engine_named(cross_check),
+                       .progress = work.progress(),
+                       .region = region_named(region)};
+  BuildReport report;
+  Solid solid = work.run([&] {
+    const Assembly assembly = assembly_of_text(text, source);
+    options.connect = connect.value_or(assembly.tolerance);
+    Built result = build(assembly, options);
+    report.gaps = {assembly.source, assembly.unit, options.connect, std::move(result.ports),
+                   std::move(result.gaps)};
+    report.output.contacts = result.solid.contacts();
+    report.output.cross_check = std::move(result.cross_check);
+    report.parts = std::move(result.parts);
+    report.runs = result.runs;
+    report.pieces = result.pieces;
+    report.grid = result.grid;
+    report.region = result.region;
+    report.volumes = result.volumes;
+    return std::move(result.solid);
+  });
+  return py::make_tuple(std::move(solid), to_json(report), report.gaps.findings());
+}
+
+std::string gaps(const std::string& text, const std::string& source,
+                 std::optional<double> connect) {
+  return unlocked([&] {
+    const Assembly assembly = assembly_of_text(text, source);
+    GapSummary summary;
+    summary.file = source;
+    summary.unit = assembly.unit;
+    summary.connect = connect.value_or(assembly.tolerance);
+    summary.ports = ports(resolve(assembly));
+    summary.pairs = pair_ends(summary.ports, summary.connect);
+    return to_json(summary);
+  });
+}
+
+std::string nurbs_of(const std::string& text, const std::string& source,
+                     std::optional<double> tolerance) {
+  return unlocked([&] {
+    const Assembly assembly = assembly_of_text(text, source);
+    const ResolvedAssembly resolved = resolve(assembly);
+    refuse_fillets(assembly, resolved, "NURBS");
+    refuse_junctions(assembly, resolved, "NURBS");
+    std::vector<NamedNurbs> parts;
+    for (const ResolvedPart& part : resolved.parts) {
+      try {
+        parts.push_back(
+            {part.name, part.kind, nurbs(part.shape, tolerance.value_or(assembly.tolerance))});
+      } catch (const Error& error) {
+        throw error.in_part(part.name);
+      }
+    }
+    return nurbs_json(parts, assembly.unit);
+  });
+}
+
+std::string bill_of(const std::string& text, const std::string& source,
+                    std::optional<double> density) {
+  return unlocked([&] {
+    BillReport report;
+    report.bill = bill_of_materials(assembly_of_text(text, source));
+    report.density = density;
+    return to_json(report);
+  });
+}
+
+/// The document of a piping file or a graph, with what became of it on the way.
+py::tuple converted(const std::string& path, std::optional<double> radius, bool keep_going,
+                    std::optional<double> snap, double bridge, std::optional<double> wall) {
+  std::vector<SourceNote> notes;
+  std::string text = unlocked([&] {
+    const std::string bytes = read_file(path);
+    if (is_pcf_file(path)) {
+      PcfFile file = parse_pcf(bytes, path);
+      PipingOptions options{.bridge = bridge, .wall = wall, .keep_going = keep_going};
+      options.snap = snap.value_or(options.snap);
+      PipingNetwork network = assembly_of(file.line, options);
+      notes = std::move(file.notes);
+      notes.insert(notes.end(), network.notes.begin(), network.notes.end());
+      return document_text(network.assembly);
+    }
+    PipeNetwork network = assembly_of(parse_graph_file(bytes, path, keep_going ? &notes : nullptr),
+                                      {.radius = radius, .keep_going = keep_going});
+    notes.insert(notes.end(), network.notes.begin(), network.notes.end());
+    network.assembly.wall = wall ? wall : network.assembly.wall;
+    return document_text(network.assembly);
+  });
+  py::list said;
+  for (const SourceNote& note : notes) {
+    said.append(py::make_tuple(note.line, note.text));
+  }
+  return py::make_tuple(std::move(text), said);
+}
+
+void bind_certificate(py::module_& module) {
+  py::class_<Certificate>(module, "Certificate",
+                          "Claims about the smooth parts of an assembly, with what is needed to "
+                          "check them again (docs/certificate_format.md).")
+      .def_property_readonly("findings", &Certificate::findings,
+                             "How many claims are refuted or undecided.")
+      .def_property_readonly("_summary", &certificate_summary_json)
+      .def("to_json", &certificate_json, py::call_guard<py::gil_scoped_release>(),
+           "The certificate as a JSON document, what `dupin certify` writes.")
+      .def(
+          "verify", [](const Certificate& self) { unlocked([&] { verify(self); }); },
+          "Checks every claim again, by other code than the prover's; raises InvalidArgument "
+          "naming the part and claim that does not follow.")
+      .def("_require_about",
+           [](const Certificate& self, const std::string& text, const std::string& source) {
+             unlocked([&] { require_about(self, text, source); });
+           });
+  module.def("certify", [](const std::string& text, const std::string& source,
+                           std::optional<double> margin, std::optional<double> tolerance,
+                           std::size_t most_triangles) {
+    return unlocked([&] {
+      Certificate certificate = certify(assembly_of_text(text, source, tolerance),
+                                        {.margin = margin, .most_triangles = most_triangles});
+      certificate.document_sha256 = sha256(text);
+      return certificate;
+    });
+  });
+  module.def("parse_certificate", [](const std::string& text, const std::string& source) {
+    return unlocked([&] { return parse_certificate(text, source); });
+  });
+}
+
+}  // namespace
+
+void bind_documents(py::module_& module) {
+  bind_certificate(module);
+  module.attr("usual_triangles") = kUsualTriangles;
+  module.attr("part_keys") = [] {
+    py::list keys;
+    for (const KeyName& key : PartKeys::kNames) {
+      keys.append(py::str(std::string(key.view())));
+    }
+    return py::tuple(keys);
+  }();
+  module.def("build", &built);
+  module.def("gaps", &gaps);
+  module.def("nurbs", &nurbs_of);
+  module.def("bill_of_materials", &bill_of);
+  module.def("converted", &converted);
+  module.def("schema", [](const std::string& kind) {
+    if (kind != "assembly" && kind != "certificate") {
+      throw Error(Errc::invalid_argument, "'" + kind + "' must be 'assembly' or 'certificate'", {},
+                  "kind");
+    }
+    return std::string(kind == "assembly" ? assembly_schema() : certificate_schema());
+  });
+  module.def("write_text", [](const std::string& path, const std::string& text) {
+    unlocked([&] { write_file(path, text); });
+  });
+  module.def("read_text", [](const std::string& path) {
+    return py::bytes(unlocked([&] { return read_file(path); }));
+  });
+  module.def("document_text", [](const std::string& text, const std::string& source) {
+    return unlocked([&] { return document_text(parse_assembly(text, source)); });
+  });
+  module.def("require_valid", [](const std::string& text, const std::string& source) {
+    unlocked([&] { (void)resolve(parse_assembly(text, source)); });
+  });
+}
+
+}  // namespace dupin::python

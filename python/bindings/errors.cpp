@@ -1,0 +1,37 @@
+#include "binding.h"
+#include "dupin/kernel/error.h"
+
+namespace dupin::python {
+namespace {
+
+void translate(const Error& error) {
+  const py::object make = py::module_::import("dupin.errors").attr("error_of");
+  const std::string_view code = name(error.code());
+  const py::object value = make(py::str(code.data(), code.size()), error.message(), error.part(),
+                                error.where(), std::string(error.what()));
+  PyErr_SetObject(py::type::of(value).ptr(), value.ptr());
+}
+
+}  // namespace
+
+void bind_errors(py::module_& module) {
+  py::list codes;
+  for (int code = 0; code <= static_cast<int>(Errc::internal); ++code) {
+    const std::string_view text = name(static_cast<Errc>(code));
+    codes.append(py::str(text.data(), text.size()));
+  }
+  module.attr("error_codes") = py::tuple(codes);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      std::rethrow_exception(std::move(thrown));
+    } catch (const Error& error) {
+      try {
+        translate(error);
+      } catch (py::error_already_set& failure) {
+        failure.restore();
+      }
+    }
+  });
+}
+
+}  // namespace dupin::python

@@ -1,0 +1,206 @@
+#include <cstring>
+#include <limits>
+#include <memory>
+
+#include <pybind11/stl.h>
+
+#include "binding.h"
+#include "dupin/io/atomic_file.h"
+#include "dupin/io/mesh_file.h"
+#include "dupin/io/report_json.h"
+#include "dupin/kernel/check.h"
+#include "dupin/kernel/mesh_gap.h"
+#include "dupin/kernel/repair.h"
+
+namespace dupin::python {
+namespace {
+
+using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+[[noreturn]] void refuse(const std::string& array, const std::string& what) {
+  throw Error(Errc::invalid_argument, what, {}, array);
+}
+
+std::string shape_text(const py::array& array) {
+  return py::str(array.attr("shape")).cast<std::string>();
+}
+
+py::array array_of(const py::object& object, const std::string& array, py::ssize_t columns,
+                   const char* kinds) {
+  py::array result = py::array::ensure(object);
+  if (!result) {
+    PyErr_Clear();
+    refuse(array, "must be an array of numbers");
+  }
+  const bool is_empty = result.size() == 0;
+  const bool has_shape =
+      columns == 1 ? result.ndim() == 1 : result.ndim() == 2 && result.shape(1) == columns;
+  if (!has_shape && !is_empty) {
+    refuse(array, "must have the shape " + std::string(columns == 1 ? "(n,)" : "(n, 3)") +
+                      ", not " + shape_text(result));
+  }
+  if (!is_empty && std::strchr(kinds, result.dtype().kind()) == nullptr) {
+    refuse(array, "must be " + std::string(std::strchr(kinds, 'f') != nullptr ? "real" : "whole") +
+                      " numbers, not " + py::str(result.dtype()).cast<std::string>());
+  }
+  return result;
+}
+
+std::vector<Vec3> points_of(const py::object& object) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  const py::array array = array_of(object, "points", 3, "fiub");
+  std::vector<Vec3> points(array.size() / 3);
+  if (!points.empty()) {
+    const Points numbers = Points::ensure(array);  // itself, where its memory is ours
+    std::memcpy(points.front().data(), numbers.data(), points.size() * sizeof(Vec3));
+  }
+  return points;
+}
+
+// Copies whole numbers below 2^32 to `out`.
+void copy_indices(const py::array& array, const std::string& what, std::uint32_t* out) {
+  if (py::isinstance<py::array_t<std::uint32_t>>(array) &&
+      (array.flags() & py::array::c_style) != 0) {
+    std::memcpy(out, array.data(), array.nbytes());
+    return;
+  }
+  const Indices numbers = Indices::ensure(array);
+  const std::int64_t* const data = numbers.data();
+  for (py::ssize_t i = 0; i < numbers.size(); ++i) {
+    if (data[i] < 0 || data[i] > std::numeric_limits<std::uint32_t>::max()) {
+      refuse(what, "must be from 0 to 4294967295, not " + std::to_string(data[i]));
+    }
+    out[i] = static_cast<std::uint32_t>(data[i]);
+  }
+}
+
+std::vector<Triangle> triangles_of(const py::object& object) {
+  static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
+  const py::array array = array_of(object, "triangles", 3, "iu");
+  std::vector<Triangle> triangles(array.size() / 3);
+  if (!triangles.empty()) {
+    copy_indices(array, "triangles", triangles.front().data());
+  }
+  return triangles;
+}
+
+std::vector<std::uint32_t> labels_of(const py::object& object) {
+  if (object.is_none()) {
+    return {};
+  }
+  const py::array array = array_of(object, "labels", 1, "iu");
+  std::vector<std::uint32_t> labels(array.size());
+  if (!labels.empty()) {
+    copy_indices(array, "labels", labels.data());
+  }
+  return labels;
+}
+
+using MeshPointer = std::shared_ptr<TriMesh>;
+
+std::string mesh_text(const TriMesh& mesh) {
+  return "Mesh(" + std::to_string(mesh.points.size()) + " points, " +
+         std::to_string(mesh.triangles.size()) + " triangles)";
+}
+
+void bind_mesh(py::module_& module) {
+  py::class_<TriMesh, MeshPointer>(module, "Mesh",
+                                   "Triangles as NumPy arrays, with no promise of any kind: see "
+                                   "`check` and `Solid`. Unpacks as `points, triangles = mesh`.")
+      .def(py::init([](const py::object& points, const py::object& triangles,
+                       const py::object& labels, std::vector<std::string> names) {
+             return std::make_shared<TriMesh>(mesh_of(points, triangles, labels, std::move(names)));
+           }),
+           py::arg("points"), py::arg("triangles"), py::arg("labels") = py::none(),
+           py::arg("names") = std::vector<std::string>(),
+           "Points (n, 3), corners (m, 3) counter-clockwise seen from outside, and for each "
+           "triangle an index into the names.")
+      .def_property_readonly(
+          "points",
+          [](const MeshPointer& self) {
+            return view(self->points.empty() ? nullptr : self->points.front().data(),
+                        py::ssize_t(self->points.size()), 3, py::cast(self));
+          },
+          "(n, 3) of float64: a view, not to be written.")
+      .def_property_readonly(
+          "triangles",
+          [](const MeshPointer& self) {
+            return view(self->triangles.empty() ? nullptr : self->triangles.front().data(),
+                        py::ssize_t(self->triangles.size()), 3, py::cast(self));
+          },
+          "(m, 3) of uint32: a view, not to be written.")
+      .def_property_readonly(
+          "labels",
+          [](const MeshPointer& self) -> py::object {
+            return self->labels.empty() ? py::object(py::none())
+                                        : view(self->labels.data(),
+                                               py::ssize_t(self->labels.size()), 1, py::cast(self));
+          },
+          "(m,) of uint32, indices into names; None if nothing is labelled.")
+      .def_property_readonly(
+          "names", [](const TriMesh& self) { return self.names; }, "What the labels stand for.")
+      .def("__iter__",
+           [](const py::object& self) {
+             return py::iter(py::make_tuple(self.attr("points"), self.attr("triangles")));
+           })
+      .def("__repr__", &mesh_text);
+}
+
+std::string written(const MeshPointer& mesh, const std::string& path, const std::string& format,
+                    const std::string& unit) {
+  return unlocked([&] {
+    const MeshFormat* const chosen = find_mesh_format(format);
+    if (!format.empty() && chosen == nullptr) {
+      throw Error(Errc::invalid_argument, "'" + format + "' is no format of meshes", {}, "format");
+    }
+    const MeshFormat& to = chosen != nullptr ? *chosen : format_of(path);
+    write_mesh(path, *mesh, to, {unit, {}});
+    return to_json(check(to.read(read_file(path), path)));
+  });
+}
+
+}  // namespace
+
+TriMesh mesh_of(const py::object& points, const py::object& triangles, const py::object& labels,
+                std::vector<std::string> names) {
+  TriMesh mesh{points_of(points), triangles_of(triangles), labels_of(labels), std::move(names)};
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      if (corner >= mesh.points.size()) {
+        refuse("triangles", "has the index " + std::to_string(corner) + ", but there are only " +
+                                std::to_string(mesh.points.size()) + " points");
+      }
+    }
+  }
+  return mesh;
+}
+
+void bind_meshes(py::module_& module) {
+  bind_mesh(module);
+  py::list formats;
+  for (const MeshFormat& format : mesh_formats()) {
+    formats.append(py::str(format.key.data(), format.key.size()));
+  }
+  module.attr("mesh_formats") = py::tuple(formats);
+  module.def("read_mesh", [](const std::string& path) {
+    return unlocked(
+        [&] { return std::make_shared<TriMesh>(read_mesh(std::filesystem::path(path))); });
+  });
+  module.def("mesh_unit", [](const std::string& path) {
+    return unlocked([&] { return mesh_unit(read_file(path), path); });
+  });
+  module.def("write_mesh", &written);
+  module.def("check", [](const MeshPointer& mesh, std::size_t limit, bool self_intersections) {
+    return unlocked([&] {
+      return to_json(check(*mesh, {.limit = limit, .self_intersections = self_intersections}));
+    });
+  });
+  module.def("mesh_gaps", [](const MeshPointer& a, const MeshPointer& b, double connect) {
+    return unlocked([&] {
+      return to_json(MeshGapSummary{{}, {}, connect, measure_gaps(*a, *b, {.connect = connect})});
+    });
+  });
+}
+
+}  // namespace dupin::python

@@ -1,0 +1,318 @@
+#include <memory>
+#include <optional>
+
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include "binding.h"
+#include "dupin/io/mesh_file.h"
+#include "dupin/io/report_json.h"
+#include "dupin/kernel/boolean.h"
+#include "dupin/kernel/boolean_expression.h"
+#include "dupin/kernel/contacts.h"
+#include "dupin/kernel/placement.h"
+#include "dupin/kernel/repair.h"
+#include "dupin/kernel/rounding.h"
+#include "dupin/kernel/simplify.h"
+
+namespace dupin::python {
+namespace {
+
+using MeshPointer = std::shared_ptr<TriMesh>;
+
+py::object fraction(const mpq_class& number) {
+  return py::module_::import("fractions").attr("Fraction")(number.get_str());
+}
+
+ContactPolicy contact_policy(const std::string& name) {
+  if (name != "report" && name != "refuse") {
+    throw Error(Errc::invalid_argument, "'" + name + "' must be 'report' or 'refuse'", {},
+                "contacts");
+  }
+  return name == "report" ? ContactPolicy::report : ContactPolicy::refuse;
+}
+
+py::dict contact(const Contact& contact) {
+  using namespace py::literals;
+  return py::dict("kind"_a = contact.kind == Contact::Kind::edge ? "edge" : "vertex",
+                  "from"_a = contact.from, "to"_a = contact.to, "names"_a = contact.names);
+}
+
+/// How coordinates are rounded, as Python gives it.
+struct Rounding {
+  double tolerance = 0, grid = 0;
+  std::optional<Vec3> origin;
+
+  [[nodiscard]] RoundingOptions options() const {
+    RoundingOptions options{.tolerance = tolerance, .output_grid = grid, .origin = {}};
+    if (origin) {
+      options.origin = {Origin::Choice::given, *origin};
+    }
+    return options;
+  }
+};
+
+std::string write_solid(const Solid& solid, const std::string& path, const std::string& format,
+                        const std::string& unit, const Rounding& rounding,
+                        const py::object& callback) {
+  Interruptible work(callback);
+  return work.run([&] {
+    const MeshFormat* const chosen = find_mesh_format(format);
+    if (!format.empty() && chosen == nullptr) {
+      throw Error(Errc::invalid_argument, "'" + format + "' is no format of meshes", {}, "format");
+    }
+    const MeshFormat& to = chosen != nullptr ? *chosen : format_of(path);
+    const Progress progress = work.progress();
+    tell(progress, "round");
+    const Rounded rounded = to_mesh(solid, to.coordinates, rounding.options());
+    OutputReport report;
+    report.file = path;
+    report.format = to.name;
+    report.rounding = rounded.report();
+    report.contacts = rounded.contacts();
+    report.verification = Verification::compare;
+    report.check = check(rounded);
+    write_verified(path, rounded, to, {unit, {}}, progress);
+    return to_json(report);
+  });
+}
+
+template <class Settle>
+Solid settled(const Solid& solid, double length, const Settle& settle) {
+  return unlocked([&] { return settle(solid, length, Progress()).solid; });
+}
+
+Solid moved(const Solid& solid, const Placement& placement) {
+  return unlocked([&] { return placed(solid, placement); });
+}
+
+template <class Class>
+void bind_measures(Class& solid) {
+  solid.def_property_readonly("volume", &Solid::volume, "The double nearest to exact_volume.")
+      .def_property_readonly(
+          "exact_volume", [](const Solid& self) { return fraction(self.exact_volume()); },
+          "As a fractions.Fraction, without any rounding.")
+      .def_property_readonly("area", &Solid::area, "Of the surface; relative error below 1e-12.")
+      .def_property_readonly("shells", &Solid::shells, "Connected pieces of the boundary.")
+      .def_property_readonly("components", &Solid::components, "Connected pieces of the set.")
+      .def_property_readonly("euler_number", &Solid::euler_number, "V - E + F of the boundary.")
+      .def_property_readonly("genus", &Solid::genus, "The sum over the shells.")
+      .def_property_readonly("is_empty", &Solid::empty, "Whether it is the empty set.")
+      .def_property_readonly(
+          "contacts",
+          [](const Solid& self) {
+            py::list list;
+            for (const Contact& place : self.contacts()) {
+              list.append(contact(place));
+            }
+            return list;
+          },
+          "Where it touches itself: dicts with kind, from, to, names.");
+}
+
+template <class Class>
+void bind_arrays(Class& solid) {
+  const auto rows = [](const auto& list) { return py::ssize_t(list.size()); };
+  solid
+      .def_property_readonly(
+          "points",
+          [rows](const py::object& self) {
+            const auto& points = self.cast<const Solid&>().nearest_points();
+            return view(points.empty() ? nullptr : points.front().data(), rows(points), 3, self);
+          },
+          "(n, 3) of float64, each coordinate the nearest double: for display and measuring. For "
+          "a mesh that is a solid with its own numbers use `mesh`.")
+      .def_property_readonly(
+          "triangles",
+          [rows](const py::object& self) {
+            const auto& triangles = self.cast<const Solid&>().triangles();
+            return view(triangles.empty() ? nullptr : triangles.front().data(), rows(triangles), 3,
+                        self);
+          },
+          "(m, 3) of uint32: a view, not to be written.")
+      .def_property_readonly(
+          "labels",
+          [rows](const py::object& self) -> py::object {
+            const auto& labels = self.cast<const Solid&>().labels();
+            return labels.empty() ? py::object(py::none())
+                                  : view(labels.data(), rows(labels), 1, self);
+          },
+          "(m,) of uint32, indices into names; None if nothing is labelled.")
+      .def_property_readonly(
+          "names", [](const Solid& self) { return self.names(); }, "What the labels stand for.")
+      .def_property_readonly(
+          "sources",
+          [rows](const py::object& self) {
+            static_assert(sizeof(Source) == 2 * sizeof(std::uint32_t));
+            const auto& sources = self.cast<const Solid&>().sources();
+            return view(sources.empty() ? nullptr : &sources.front().operand, rows(sources), 2,
+                        self);
+          },
+          "(m, 2) of uint32: which operand of the last operation each triangle comes from, and "
+          "which of its triangles.")
+      .def(
+          "exact_point",
+          [](const Solid& self, std::uint32_t index) {
+            const auto [x, y, z] = self.exact_point(index);
+            return py::make_tuple(fraction(x), fraction(y), fraction(z));
+          },
+          py::arg("index"), "The very coordinates of a point, as Fractions.");
+}
+
+template <class Class>
+void bind_operations(Class& solid) {
+  const auto combined = [](auto operation) {
+    return [operation](const Solid& a, const Solid& b) {
+      return unlocked([&] { return operation(a, b); });
+    };
+  };
+  const auto united = combined([](const Solid& a, const Solid& b) {
+    return unite(std::array{a, b});
+  });
+  solid.def("__add__", united, py::is_operator())
+      .def("__or__", united, py::is_operator())
+      .def("__sub__",
+           combined([](const Solid& a, const Solid& b) { return subtract(a, std::array{b}); }),
+           py::is_operator())
+      .def("__and__", combined([](const Solid& a, const Solid& b) {
+             return intersect(std::array{a, b});
+           }),
+           py::is_operator())
+      .def(
+          "translate",
+          [](const Solid& self, const Vec3& by) {
+            Placement placement;
+            placement.translate(by);
+            return moved(self, placement);
+          },
+          py::arg("by"), "The solid moved by a vector, exactly.")
+      .def(
+          "rotate",
+          [](const Solid& self, const Vec3& axis, double degrees, const Vec3& about) {
+            Placement placement;
+            placement.rotate(axis, degrees, about);
+            return moved(self, placement);
+          },
+          py::arg("axis"), py::arg("degrees"), py::arg("about") = Vec3(Vec3::Zero()),
+          "The solid turned about an axis; exactly for multiples of 90 degrees, else by an angle "
+          "that differs by less than 4e-15.")
+      .def(
+          "scale",
+          [](const Solid& self, double factor) {
+            Placement placement;
+            placement.scale(factor);
+            return moved(self, placement);
+          },
+          py::arg("factor"), "The solid scaled about the origin, exactly.")
+      .def(
+          "separate",
+          [](const Solid& self, double distance) {
+            return settled(self, distance, &dupin::separate);
+          },
+          py::arg("distance"), "Without the material around contacts: it no longer touches itself.")
+      .def(
+          "bridge",
+          [](const Solid& self, double radius) { return settled(self, radius, &dupin::bridge); },
+          py::arg("radius"), "With material added around contacts.")
+      .def(
+          "simplify",
+          [](const Solid& self, double tolerance) {
+            return unlocked(
+                [&] { return std::make_shared<TriMesh>(simplify(self, tolerance).mesh); });
+          },
+          py::arg("tolerance"),
+          "A Mesh with fewer triangles within a distance, still a solid, labels' borders kept.");
+}
+
+template <class Class>
+void bind_output(Class& solid) {
+  solid
+      .def(
+          "mesh",
+          [](const Solid& self, const std::string& coordinates, double tolerance, double grid,
+             const std::optional<Vec3>& origin) {
+            if (coordinates != "binary64" && coordinates != "binary32") {
+              throw Error(Errc::invalid_argument,
+                          "'" + coordinates + "' must be 'binary64' or 'binary32'", {},
+                          "coordinates");
+            }
+            return unlocked([&] {
+              Rounded rounded = to_mesh(
+                  self, coordinates == "binary64" ? Coordinates::binary64 : Coordinates::binary32,
+                  Rounding{tolerance, grid, origin}.options());
+              return std::make_shared<TriMesh>(std::move(rounded).mesh());
+            });
+          },
+          py::kw_only(), py::arg("coordinates") = "binary64", py::arg("tolerance") = 0.0,
+          py::arg("grid") = 0.0, py::arg("origin") = py::none(),
+          "Rounded once, to numbers with which it is proved to be a solid still: a Mesh.")
+      .def("_write", [](const Solid& self, const std::string& path, const std::string& format,
+                        const std::string& unit, double tolerance, double grid,
+                        const std::optional<Vec3>& origin, const py::object& progress) {
+        return write_solid(self, path, format, unit, {tolerance, grid, origin}, progress);
+      });
+}
+
+std::string solid_text(const Solid& solid) {
+  return "Solid(" + std::to_string(solid.triangle_count()) + " triangles, " +
+         std::to_string(solid.components()) + " components)";
+}
+
+void bind_combinations(py::module_& module) {
+  module.def("combine", [](const std::string& operation, const std::vector<Solid>& solids,
+                           const std::string& contacts, const py::object& progress) {
+    Interruptible work(progress);
+    const BooleanOptions options{contact_policy(contacts), work.progress()};
+    return work.run([&] {
+      if (operation == "union") {
+        return unite(solids, options);
+      }
+      if (operation == "intersection") {
+        return intersect(solids, options);
+      }
+      const std::span<const Solid> all(solids);
+      return subtract(all.front(), all.subspan(1), options);
+    });
+  });
+  module.def("expression_names",
+             [](const std::string& expression) { return Expression::parse(expression).names(); });
+  module.def(
+      "evaluate", [](const std::string& expression, const std::map<std::string, Solid>& operands,
+                     const std::string& contacts, const py::object& progress) {
+        Interruptible work(progress);
+        const BooleanOptions options{contact_policy(contacts), work.progress()};
+        return work.run([&] { return evaluate(Expression::parse(expression), operands, options); });
+      });
+  module.def("repair", [](const MeshPointer& mesh, const py::object& progress) {
+    Interruptible work(progress);
+    Repaired repaired = work.run([&] { return repair(*mesh, work.progress()); });
+    using namespace py::literals;
+    const RepairReport& report = repaired.report;
+    return py::make_tuple(repaired.solid, py::dict("merged_points"_a = report.merged_points,
+                                                   "degenerate_faces"_a = report.degenerate_faces,
+                                                   "duplicate_faces"_a = report.duplicate_faces,
+                                                   "turned_faces"_a = report.turned_faces,
+                                                   "united_overlaps"_a = report.united_overlaps));
+  });
+}
+
+}  // namespace
+
+void bind_solids(py::module_& module) {
+  py::class_<Solid> solid(
+      module, "Solid",
+      "A solid with exact coordinates: closed, 2-manifold, free of self-intersection. Immutable; "
+      "`a + b` unites, `a - b` subtracts, `a & b` intersects, all exactly.");
+  solid.def(py::init<>(), "The empty set.")
+      .def_static(
+          "_from",
+          [](const MeshPointer& mesh) { return unlocked([&] { return Solid::from(*mesh); }); })
+      .def("__repr__", &solid_text);
+  bind_measures(solid);
+  bind_arrays(solid);
+  bind_operations(solid);
+  bind_output(solid);
+  bind_combinations(module);
+}
+
+}  // namespace dupin::python

@@ -1,0 +1,113 @@
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/tool.h"
+
+namespace dupin::test {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class Batch : public Tool {
+ protected:
+  static std::string sphere(const std::string& radius) {
+    return R"({"units": "mm", "tolerance": 0.1, "parts": [{"name": "a", "sphere": {"center": [0, 0, 0], "radius": )" +
+           radius + "}}]}";
+  }
+  Batch() {
+    folder_.write("a.json", sphere("1"));
+    folder_.write("b.json", sphere("-1"));
+    folder_.write("c.json", sphere("2"));
+    folder_.write("gap.json",
+                  R"({"units": "mm", "tolerance": 0.1, "parts": [
+      {"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "radius": 1}},
+      {"name": "b", "pipe": {"from": [1.1, 0, 0], "to": [2, 0, 0], "radius": 1}}]})");
+  }
+  [[nodiscard]] std::vector<std::string> meshes() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / "out")) {
+      names.push_back(entry.path().filename().string());
+    }
+    std::ranges::sort(names);
+    return names;
+  }
+};
+
+TEST_F(Batch, builds_what_it_can_and_lists_failures_at_the_end) {
+  const ProcessResult result =
+      dupin({"build", "a.json", "b.json", "c.json", "none.json", "--out-dir", "out", "-j", "3"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.out.substr(0, result.out.find("dupin:")),
+            "built     a.json -> out/a.stl\n"
+            "failed    b.json\n"
+            "built     c.json -> out/c.stl\n"
+            "failed    none.json\n"
+            "4 documents: 2 built, 0 with findings, 2 failed\n");
+  EXPECT_THAT(result.out, AllOf(HasSubstr("dupin: b.json#/parts/0/sphere/radius"),
+                                HasSubstr("dupin: none.json: cannot read the file")));
+  EXPECT_THAT(meshes(), ElementsAre("a.stl", "c.stl"));
+}
+
+TEST_F(Batch, says_the_same_whatever_the_number_of_jobs) {
+  std::string said;
+  for (const char* const jobs : {"1", "2", "8"}) {
+    const ProcessResult result = dupin({"build", "c.json", "gap.json", "a.json", "--out-dir", "out",
+                                        "--connect", "0.5", "-j", jobs});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.out, HasSubstr("findings  gap.json -> out/gap.stl"));
+    EXPECT_EQ(said.empty() ? result.out : said, result.out);
+    said = result.out;
+  }
+}
+
+TEST_F(Batch, writes_what_single_builds_write) {
+  ASSERT_EQ(dupin({"build", "c.json", "a.json", "--out-dir", "out", "--format", "off",
+                   "--tolerance", "0.01", "-q"})
+                .exit_code,
+            0);
+  ASSERT_EQ(dupin({"build", "a.json", "-o", "a.off", "--tolerance", "0.01"}).exit_code, 0);
+  EXPECT_EQ(folder_.read("out/a.off"), folder_.read("a.off"));
+}
+
+TEST_F(Batch, reports_all_documents_as_one_object) {
+  const nlohmann::json report =
+      json({"build", "a.json", "b.json", "gap.json", "--out-dir", "out", "--connect", "0.5"}, 1);
+  ASSERT_EQ(report.at("documents").size(), 3);
+  EXPECT_EQ(report.at("documents")[0].at("report").at("output").at("file"), "out/a.stl");
+  EXPECT_EQ(report.at("documents")[1].at("failure").at("error").at("code"), "invalid_argument");
+  EXPECT_EQ(report.at("documents")[1].at("output"), nullptr);
+  EXPECT_EQ(report.at("documents")[2].at("exit"), 1);
+  EXPECT_EQ(report.at("built"), 1);
+  EXPECT_EQ(report.at("findings"), 1);
+  EXPECT_EQ(report.at("failed"), 1);
+}
+
+TEST_F(Batch, what_makes_no_sense_is_refused_before_anything_is_built) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> table{
+      {{"a.json", "c.json"}, "several documents need --out-dir"},
+      {{"a.json"}, "--output is required"},
+      {{"a.json", "--out-dir", "out", "-o", "a.stl"}, "--output and --out-dir"},
+      {{"a.json", "sub/a.json", "--out-dir", "out"}, "'a.json' and 'sub/a.json' would both become"},
+      {{"-", "--out-dir", "out"}, "standard input has no name"},
+      {{"a.json", "--out-dir", "out", "--patches", "p.json"}, "--patches names one file"},
+      {{"a.json", "--out-dir", "out", "-j", "0"}, "--jobs"},
+  };
+  for (const auto& [arguments, said] : table) {
+    std::vector<std::string> all{"build"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const ProcessResult result = dupin(all);
+    EXPECT_EQ(result.exit_code, 2) << said;
+    EXPECT_THAT(result.err, HasSubstr(said));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));
+  EXPECT_EQ(dupin({"build", "a.json", "--out-dir", "a.json/out"}).exit_code, 5);
+}
+
+}  // namespace
+}  // namespace dupin::test

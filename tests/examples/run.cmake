@@ -1,0 +1,13 @@
+# Runs a program in a folder of its own, with examples/ at hand, and compares what it prints with a file, if there is one.
+cmake_minimum_required(VERSION 3.25)
+file(REMOVE_RECURSE ${work})
+file(MAKE_DIRECTORY ${work})
+file(CREATE_LINK ${source}/examples ${work}/examples SYMBOLIC)
+execute_process(COMMAND ${program} WORKING_DIRECTORY ${work} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+message("${printed}")
+if(EXISTS ${expected})
+  file(READ ${expected} text)
+  if(NOT printed STREQUAL text)
+    message(FATAL_ERROR "it prints the above instead of\n${text}")
+  endif()
+endif()

@@ -1,0 +1,260 @@
+"""Documents: the builder, build, gaps, certificates, surfaces."""
+import inspect
+import json
+import os
+import pathlib
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import dupin
+from conftest import EXAMPLES, ROOT
+
+
+def reducer():
+    return (dupin.Assembly(units="mm", tolerance=0.05)
+            .pipe("inlet", from_=[-10, 0, 0], to=[0, 0, 0], radius=1)
+            .pipe("outlet", from_=[10, 4, 0], direction=[1, 2, 10], length=10, radius=2)
+            .cyclic_blend("blend", from_="inlet.end", to="outlet.start", radius_law="R1", k=10, l=20))
+
+
+def test_the_builder_writes_the_example():
+    assert reducer().to_dict() == json.loads((EXAMPLES / "reducer.json").read_text())
+
+
+def test_dicts_files_and_the_builder_build_the_same_solid():
+    ways = [reducer(), reducer().to_dict(), EXAMPLES / "reducer.json", str(EXAMPLES / "reducer.json"),
+            dupin.read_document(EXAMPLES / "reducer.json"), dupin.Assembly.from_json(reducer().to_json())]
+    volumes = {dupin.build(way, tolerance=0.5).solid.exact_volume for way in ways}
+    assert len(volumes) == 1
+
+
+def test_what_is_built_is_what_the_tool_builds(tmp_path):
+    tool = os.environ["DUPIN_TOOL"]
+    file = EXAMPLES / "reducer.json"
+    assert os.spawnv(os.P_WAIT, tool, [tool, "build", str(file), "-o", str(tmp_path / "tool.stl"), "-q"]) == 0
+    report = dupin.build(file).write(tmp_path / "python.stl")
+    assert (tmp_path / "python.stl").read_bytes() == (tmp_path / "tool.stl").read_bytes()
+    assert report["verification"] == "compare" and report["check"]["watertight"]
+
+
+def test_a_build_reports_its_parts_and_gaps():
+    built = dupin.build(reducer())
+    assert [part["name"] for part in built.parts] == ["inlet", "outlet", "blend"]
+    blend = built.parts[2]
+    assert 0 < blend["margin_lower"] <= blend["margin_upper"] and blend["error_bound"] <= 0.05
+    assert sorted(pair["verdict"] for pair in built.gaps) == ["open", "open", "welded", "welded"]
+    assert built.findings == 0 and built.unit == "mm" and built.volumes is None
+    assert set(built.solid.names) == {"inlet", "outlet", "blend", "inlet.start", "outlet.end"}
+    labels = built.solid.labels
+    assert len(labels) == len(built.solid.triangles) and labels.max() < len(built.solid.names)
+
+
+def test_regions_add_up_exactly():
+    document = dupin.Assembly(wall=1).pipe("run", from_=[0, 0, 0], to=[100, 0, 0], radius=10)
+    document.pipe("side", from_=[50, 0, 0], to=[50, 0, 40], radius=6)
+    volumes = {region: dupin.build(document, region=region, tolerance=0.5).solid.exact_volume
+               for region in ("outer", "metal", "fluid")}
+    assert volumes["outer"] == volumes["metal"] + volumes["fluid"]
+    assert dupin.build(document, tolerance=0.5).volumes["metal"] == pytest.approx(float(volumes["metal"]))
+
+
+def test_parts_are_named_by_numpy_values_and_copies():
+    document = dupin.Assembly(values={"pitch": np.float64(5)})
+    document.pipe("run", from_=np.zeros(3), to=np.array([50, 0, 0]), radius=np.int64(2))
+    document.pipe("n{i}", from_=["=(i + 1) * pitch", 0, 0], direction=(0, 0, 1), length=8, radius=1, for_={"i": 3})
+    assert len(dupin.build(document).parts) == 4
+
+
+def test_a_method_for_each_key_and_an_argument_for_each_word():
+    part = dupin.schema()["definitions"]["part"]["properties"]
+    assert set(dupin.part_keys) <= set(part)
+
+    def words(node):
+        if isinstance(node, dict):
+            for properties in ([node["properties"]] if "properties" in node and "definitions" not in node else []):
+                yield from properties
+            for below in node.get("oneOf", []):
+                yield from words(below)
+
+    for key in dupin.part_keys:
+        method = getattr(dupin.Assembly, key)
+        node = part[key]
+        if "$ref" in node:
+            node = dupin.schema()["definitions"][node["$ref"].rsplit("/", 1)[-1]]
+        taken = {name.rstrip("_") for name in inspect.signature(method).parameters}
+        assert set(words(node)) <= taken, key
+        assert key in method.__doc__ or len(method.__doc__) > 20
+
+
+@pytest.mark.parametrize("example", sorted(path.name for path in EXAMPLES.glob("*.json")))
+def test_examples_pass_through_the_builder(example):
+    document = dupin.read_document(EXAMPLES / example)
+    again = dupin.Assembly.from_json(document.to_json())
+    assert again == document and again.to_dict() == json.loads((EXAMPLES / example).read_text())
+
+
+ERRORS = [
+    (lambda: dupin.build(EXAMPLES / "tight.json"), "IrregularSurface", "irregular_surface", "blend", "tight.json#/parts/2"),
+    (lambda: dupin.build({"units": "mm", "tolerance": 1, "parts": [{"name": "a"}]}), "ParseFailed", "parse_failed", "",
+     "/parts/0"),
+    (lambda: dupin.build({"units": "mm", "tolerance": float("nan"), "parts": []}), "InvalidArgument",
+     "invalid_argument", "", "/tolerance"),
+    (lambda: dupin.Assembly().pipe("a", from_=[0, 0, 0], to=[0, 0, object()], radius=1), "InvalidArgument",
+     "invalid_argument", "", "/parts/0/pipe/to/2"),
+    (lambda: dupin.build(reducer().pipe("x", from_="inlet.end", length=1)), "InvalidArgument", "invalid_argument", "",
+     "/parts"),
+    (lambda: dupin.build(reducer(), region="inside"), "InvalidArgument", "invalid_argument", "", "region"),
+    (lambda: dupin.build(reducer(), most_triangles=10), "LimitExceeded", "limit_exceeded", "", ""),
+    (lambda: dupin.build("nothing.json"), "IoFailed", "io_failed", "", "nothing.json"),
+    (lambda: dupin.build(5), "InvalidArgument", "invalid_argument", "", ""),
+    (lambda: dupin.Assembly.from_json("{"), "ParseFailed", "parse_failed", "", "1:"),
+    (lambda: dupin.schema("x"), "InvalidArgument", "invalid_argument", "", "kind"),
+]
+
+
+@pytest.mark.parametrize("number", range(len(ERRORS)))
+def test_errors_say_code_part_and_place(number):
+    action, kind, code, part, where = ERRORS[number]
+    with pytest.raises(dupin.Error) as caught:
+        action()
+    error = caught.value
+    assert type(error).__name__ == kind and error.code == code, error
+    assert part in error.part and where in error.where, (error.part, error.where)
+    assert error.message in str(error)
+
+
+def test_every_code_has_a_class_and_errors_can_be_copied():
+    import copy
+    import pickle
+
+    for code in dupin.error_codes:
+        error = dupin.errors.error_of(code, "message", "part", "where", "text")
+        assert type(error) is not dupin.Error and error.code == code
+        for other in (copy.copy(error), pickle.loads(pickle.dumps(error))):
+            assert (type(other), str(other), other.part, other.where) == (type(error), "text", "part", "where")
+
+
+def test_gaps_are_measured_exactly():
+    report = dupin.gaps({"units": "mm", "tolerance": 0.01, "parts": [
+        {"name": "a", "pipe": {"from": [0, 0, 0], "to": [1, 0, 0], "radius": 1}},
+        {"name": "b", "pipe": {"from": [1.125, 0, 0], "to": [2, 0, 0], "radius": 1}}]}, connect=0.5)
+    assert report["findings"] == 1
+    pair = next(pair for pair in report["pairs"] if pair["verdict"] == "gap")
+    assert pair["axial"] == {"lower": 0.125, "upper": 0.125}
+
+
+def test_certificates_are_written_and_verified(tmp_path):
+    certificate = dupin.certify(EXAMPLES / "reducer.json")
+    assert certificate.findings == 0 and certificate.summary["findings"] == 0
+    file = tmp_path / "reducer.cert.json"
+    certificate.write(file)
+    assert dupin.verify(file, EXAMPLES / "reducer.json").findings == 0
+    certificate.verify()
+    with pytest.raises(dupin.errors.InvalidArgument):
+        dupin.verify(file, dupin.Assembly().sphere("a", center=[0, 0, 0], radius=1))
+    file.write_text(file.read_text().replace('"tolerance": 0.05', '"tolerance": 0.06'))
+    with pytest.raises(dupin.errors.ParseFailed):
+        dupin.verify(file)
+    assert dupin.certify(EXAMPLES / "reducer.json", margin=0.5).findings > 0
+
+
+def test_surfaces_and_bills():
+    surfaces = dupin.nurbs(EXAMPLES / "reducer.json")
+    assert [part["part"] for part in surfaces["parts"]] == ["inlet", "outlet", "blend"]
+    assert surfaces["parts"][0]["error_bound"] == 0
+    bill = dupin.bill_of_materials(EXAMPLES / "reducer.json", density=7850)
+    assert len(bill["parts"]) == 3 and bill["sum"]["metal"]["mass"] > 0
+
+
+def test_piping_files_and_graphs_become_documents():
+    line = dupin.read_document(EXAMPLES / "line.pcf")
+    assert len(line) > 3 and line.validate() is line
+    graph = dupin.read_document(EXAMPLES / "frame.graph", radius=2.0)
+    assert len(graph) > 3
+    with pytest.raises(dupin.errors.InvalidArgument):
+        dupin.build(EXAMPLES / "frame.graph")
+
+
+def test_the_schemas_are_those_of_the_sources():
+    for kind in ("assembly", "certificate"):
+        assert dupin.schema(kind) == json.loads((ROOT / "io" / f"{kind}.schema.json").read_text())
+
+
+def test_progress_is_told_and_can_cancel():
+    stages = []
+    dupin.build(reducer(), progress=lambda stage, fraction: stages.append((stage, fraction)))
+    assert {"resolve", "certify", "mesh"} <= {stage for stage, _ in stages}
+    assert all(0 <= fraction <= 1 for _, fraction in stages)
+    with pytest.raises(dupin.errors.Cancelled):
+        dupin.build(reducer(), progress=lambda stage, fraction: stage != "mesh")
+
+    def fails(stage, fraction):
+        raise KeyError(stage)
+
+    with pytest.raises(KeyError, match="resolve"):
+        dupin.build(reducer(), progress=fails)
+
+
+def test_other_threads_run_meanwhile():
+    """While one thread builds, another one counts: it would stand still without the lock."""
+    counted, done = [], threading.Event()
+
+    def count():
+        while not done.is_set():
+            counted.append(time.perf_counter())
+            time.sleep(0.001)
+
+    other = threading.Thread(target=count)
+    other.start()
+    begin = time.perf_counter()
+    dupin.build(reducer(), tolerance=0.0005)
+    end = time.perf_counter()
+    done.set()
+    other.join()
+    during = [moment for moment in counted if begin < moment < end]
+    assert end - begin > 0.02 and len(during) >= (end - begin) / 0.02
+
+
+def test_an_interrupt_ends_a_build():
+    timer = threading.Timer(0.1, lambda: os.kill(os.getpid(), signal.SIGINT))
+    timer.start()
+    begin = time.perf_counter()
+    with pytest.raises(KeyboardInterrupt):
+        while time.perf_counter() - begin < 20:
+            dupin.build(reducer(), tolerance=0.0005)
+    timer.join()
+
+
+def test_all_that_is_public_is_described():
+    for name in dupin.__all__:
+        value = getattr(dupin, name)
+        if callable(value) and name not in ("MeshLike", "SolidLike", "Document"):
+            assert value.__doc__, name
+    for kind in (dupin.Solid, dupin.Mesh, dupin.Certificate, dupin.Built, dupin.Assembly):
+        for name, member in vars(kind).items():
+            if not name.startswith("_"):
+                assert member.__doc__, f"{kind.__name__}.{name}"
+
+
+def test_the_stub_lists_what_the_module_has():
+    """The extension has no annotations of its own."""
+    import ast
+
+    stub = ast.parse((ROOT / "python" / "dupin" / "_core.pyi").read_text())
+    listed = set()
+    for node in stub.body:
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            listed.add(node.name)
+        if isinstance(node, ast.AnnAssign):
+            listed.add(node.target.id)
+        if isinstance(node, ast.ClassDef):
+            kind = getattr(dupin._core, node.name)
+            methods = {item.name for item in node.body if isinstance(item, ast.FunctionDef)}
+            public = {name for name in vars(kind) if not name.startswith("__")}
+            assert public == {name for name in methods if not name.startswith("__")}, node.name
+    assert listed == {name for name in dir(dupin._core) if not name.startswith("__")} | {"__version__"}
+    assert pathlib.Path(dupin.__file__).with_name("py.typed").exists()

@@ -1,0 +1,241 @@
+"""Meshes, solids and set operations on NumPy's arrays."""
+import gc
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import dupin
+
+
+def test_a_box_of_arrays_is_a_solid(box):
+    solid = dupin.as_solid(*box())
+    assert solid.volume == 1 and solid.exact_volume == Fraction(1) and solid.area == 6
+    assert (solid.components, solid.genus, solid.euler_number, solid.shells) == (1, 0, 2, 1)
+    assert not solid.is_empty and dupin.Solid().is_empty
+
+
+@pytest.mark.parametrize("points_kind", [np.float64, np.float32, np.int32, ">f8"])
+@pytest.mark.parametrize("triangles_kind", [np.uint32, np.int32, np.int64, np.uint64, np.uint8, ">i4"])
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_arrays_of_any_kind_are_the_same_mesh(box, points_kind, triangles_kind, order):
+    points, triangles = box((0, 0, 0), (2, 3, 4))
+    mesh = dupin.Mesh(np.array(points, points_kind, order=order), np.array(triangles, triangles_kind, order=order))
+    assert (mesh.points == points).all() and (mesh.triangles == triangles).all()
+
+
+def test_strided_arrays_and_lists_are_read(box):
+    points, triangles = box()
+    spread = np.zeros((len(points), 6))
+    spread[:, ::2] = points
+    assert (dupin.Mesh(spread[:, ::2], triangles.tolist()).points == points).all()
+
+
+def test_arrays_out_are_views_that_keep_their_owner_alive(box):
+    mesh = dupin.Mesh(*box())
+    points, again = mesh.points, mesh.points
+    assert points.base is mesh and np.shares_memory(points, again)
+    assert not points.flags.writeable
+    del mesh
+    gc.collect()
+    assert points.sum() == 12
+    triangles = dupin.as_solid(*box()).triangles
+    gc.collect()
+    assert triangles.max() == 7 and not triangles.flags.writeable
+
+
+def test_what_is_written_to_the_arrays_later_is_not_the_mesh(box):
+    points, triangles = box()
+    mesh = dupin.Mesh(points, triangles)
+    points[:] = 7
+    assert mesh.points.max() == 1
+
+
+BAD_ARRAYS = [
+    (dict(points=np.zeros((4, 2)), triangles=[[0, 1, 2]]), "points", "(4, 2)"),
+    (dict(points=np.zeros(12), triangles=[[0, 1, 2]]), "points", "(12,)"),
+    (dict(points=[["a", "b", "c"]], triangles=[[0, 0, 0]]), "points", "real numbers"),
+    (dict(points=np.zeros((4, 3), complex), triangles=[[0, 1, 2]]), "points", "complex"),
+    (dict(points=np.zeros((4, 3)), triangles=[[0, 1]]), "triangles", "(1, 2)"),
+    (dict(points=np.zeros((4, 3)), triangles=[[0.0, 1.0, 2.0]]), "triangles", "float64"),
+    (dict(points=np.zeros((4, 3)), triangles=[[0, 1, -1]]), "triangles", "-1"),
+    (dict(points=np.zeros((4, 3)), triangles=[[0, 1, 2 ** 32]]), "triangles", "4294967296"),
+    (dict(points=np.zeros((4, 3)), triangles=[[0, 1, 4]]), "triangles", "only 4 points"),
+    (dict(points=np.zeros((4, 3)), triangles=[[0, 1, 2]], labels=[[0]]), "labels", "(1, 1)"),
+    (dict(points=np.zeros((4, 3)), triangles=[[0, 1, 2]], labels=[0.5]), "labels", "whole"),
+]
+
+
+@pytest.mark.parametrize("arguments,where,said", BAD_ARRAYS)
+def test_bad_arrays_are_refused_by_name(arguments, where, said):
+    with pytest.raises(dupin.errors.InvalidArgument) as caught:
+        dupin.Mesh(**arguments)
+    assert caught.value.where == where and said in str(caught.value)
+
+
+def test_set_operations_are_exact(box):
+    a, b = dupin.as_solid(*box()), dupin.as_solid(*box((0.5, 0.5, 0.5), (2, 2, 2)))
+    assert (a + b).exact_volume == a.exact_volume + b.exact_volume - (a & b).exact_volume
+    assert (a | b).exact_volume == (a + b).exact_volume
+    assert (a - b).exact_volume == Fraction(7, 8) == dupin.subtract(a, b).exact_volume
+    assert dupin.intersection(a, b).exact_volume == Fraction(1, 8)
+    assert dupin.union(a, b).exact_volume == (a + b).exact_volume
+    assert dupin.union().is_empty
+    with pytest.raises(dupin.errors.InvalidArgument):
+        dupin.intersection()
+
+
+def test_expressions_take_arrays_files_and_solids(box, tmp_path):
+    file = tmp_path / "c.stl"
+    dupin.write_mesh(file, box((0.25, 0.25, -1), (0.75, 0.75, 2)))
+    a, b = box(), dupin.as_solid(*box((1, 0, 0), (2, 1, 1)))
+    result = dupin.boolean("(a + b) - c", a=a, b=b, c=str(file))
+    assert result.exact_volume == Fraction(2) - Fraction(1, 4) and result.genus == 1
+    assert set(result.sources[:, 0]) <= {0, 1, 2}
+    assert dupin.boolean('"x 1" & y', {"x 1": a, "y": a}).volume == 1
+
+
+def test_faults_of_expressions_and_operands_are_named(box):
+    with pytest.raises(dupin.errors.ParseFailed):
+        dupin.boolean("a +", a=box())
+    with pytest.raises(dupin.errors.InvalidArgument, match="b"):
+        dupin.boolean("a + b", a=box())
+    points, triangles = box()
+    with pytest.raises(dupin.errors.NotClosed) as caught:
+        dupin.boolean("a + b", a=box(), b=(points, triangles[1:]))
+    assert caught.value.part == "b"
+    with pytest.raises(dupin.errors.InvalidArgument, match="int is no mesh"):
+        dupin.union(1)
+    with pytest.raises(dupin.errors.InvalidArgument, match="'report' or 'refuse'"):
+        dupin.union(box(), contacts="perhaps")
+
+
+def test_contacts_are_reported_or_refused(box):
+    a, b = box(), box((1, 1, 0), (2, 2, 1))
+    united = dupin.union(a, b)
+    assert [contact["kind"] for contact in united.contacts] == ["edge"]
+    assert united.separate(0.1).contacts == [] and united.bridge(0.1).components == 1
+    with pytest.raises(dupin.errors.ContactRefused):
+        dupin.union(a, b, contacts="refuse")
+
+
+def test_places_are_exact(box):
+    solid = dupin.as_solid(*box())
+    moved = solid.rotate([0, 0, 1], 90).scale(2).translate([0.5, 0, 0])
+    assert moved.exact_volume == 8
+    assert (moved.points.min(0) == [-1.5, 0, 0]).all()
+    # Exactly a turn, whatever the angle: volumes stay.
+    assert solid.rotate([1, 2, 3], 17).exact_volume == 1
+    assert all(isinstance(x, Fraction) for x in moved.exact_point(0))
+    with pytest.raises(IndexError):
+        moved.exact_point(99)
+
+
+def test_check_counts_every_fault(box):
+    points, triangles = box()
+    assert dupin.check(points, triangles)["solid"]
+    report = dupin.check(points, triangles[1:])
+    assert not report["solid"] and report["counts"]["boundary_edge"] == 3
+    assert len(dupin.check(points, triangles[1:], limit=1)["findings"]) == 1
+    assert dupin.check((points, triangles[:, ::-1]))["counts"]["inside_out_component"] == 1
+
+
+def test_repair_says_what_it_did(box):
+    points, triangles = box()
+    doubled = (np.concatenate([points, points]), np.concatenate([triangles[:6], triangles[6:] + 8]))
+    solid, report = dupin.repair(doubled)
+    assert solid.volume == 1 and report["merged_points"] == 8
+    with pytest.raises(dupin.errors.NotClosed):
+        dupin.repair(points, triangles[1:])
+
+
+def test_rounding_gives_a_solid_of_its_own_numbers(box):
+    a = dupin.as_solid(*box()).rotate([1, 2, 3], 10)
+    b = dupin.as_solid(*box((0.3, 0.3, 0.3), (1.3, 1.3, 1.3)))
+    mesh = (a + b).mesh(coordinates="binary32")
+    assert (mesh.points == mesh.points.astype(np.float32)).all()
+    assert dupin.check(mesh)["solid"]
+    with pytest.raises(dupin.errors.InvalidArgument):
+        a.mesh(coordinates="binary16")
+
+
+def test_files_come_back_and_bad_ones_are_errors(box, tmp_path):
+    solid = dupin.as_solid(*box())
+    for key in dupin.mesh_formats:
+        file = tmp_path / f"box-{key}"
+        try:
+            report = solid.write(file, format=key, unit="mm")
+        except dupin.Error as error:  # a format that is only read, or only written
+            pytest.fail(f"{key}: {error}")
+        assert report["check"]["watertight"]
+    assert dupin.Solid.read(tmp_path / "box-off").volume == 1
+    with pytest.raises(dupin.errors.InvalidArgument):
+        solid.write(tmp_path / "box.txt")
+    with pytest.raises(dupin.errors.InvalidArgument, match="'x' is no format"):
+        solid.write(tmp_path / "box.stl", format="x")
+    with pytest.raises(OSError) as caught:
+        dupin.read_mesh(tmp_path / "nothing.stl")
+    assert caught.value.code == "io_failed"
+    (tmp_path / "bad.off").write_text("OFF\n1 1 0\n0 0\n")
+    with pytest.raises(dupin.errors.ParseFailed) as caught:
+        dupin.read_mesh(tmp_path / "bad.off")
+    assert "bad.off:" in caught.value.where
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
+        ["bad.off"] + [f"box-{key}" for key in dupin.mesh_formats])
+
+
+def test_simplify_keeps_a_solid(box):
+    a, b = dupin.as_solid(*box()), dupin.as_solid(*box((0.25, 0.25, 0.5), (0.75, 0.75, 1.5)))
+    united = dupin.union(a, b, box((0.5, 0, 0), (1, 1, 1)))
+    mesh = united.simplify(1e-6)
+    assert len(mesh.triangles) < len(united.triangles) and dupin.check(mesh)["solid"]
+
+
+def test_gaps_of_meshes(box):
+    report = dupin.mesh_gaps(box(), box((1.001, 0, 0), (2, 1, 1)), connect=0.01)
+    assert len(report["facing"]) == 1 and report["components"] == 2
+    points, triangles = box()
+    assert len(dupin.mesh_gaps((points, triangles[1:]))["boundary_a"]) == 1
+
+
+def test_meshes_of_other_libraries(box):
+    points, triangles = box()
+
+    class Trimesh:  # as trimesh has them
+        vertices, faces = points, triangles.astype(np.int64)
+
+    class Block:
+        type, data = "triangle", triangles
+
+    class Meshio:
+        cells = [Block]
+
+    Meshio.points = points
+
+    class PolyData:
+        faces = np.hstack([np.full((12, 1), 3), triangles]).ravel()
+
+    PolyData.points = points
+    for mesh in (Trimesh, Meshio, PolyData):
+        assert dupin.as_solid(mesh).volume == 1
+
+    class Quads(PolyData):
+        faces = np.array([4, 0, 1, 2, 3])
+
+    with pytest.raises(dupin.errors.InvalidArgument, match="must be triangles"):
+        dupin.as_mesh(Quads)
+
+
+@pytest.mark.parametrize("library", ["trimesh", "meshio", "pyvista"])
+def test_meshes_go_to_other_libraries_and_come_back(box, library):
+    pytest.importorskip(library)
+    solid = dupin.as_solid(*box())
+    other = getattr(solid, f"to_{library}")()
+    assert type(other).__module__.split(".")[0] == library
+    assert dupin.as_solid(other).volume == 1
+
+
+def test_a_library_that_is_not_there_is_named(box, monkeypatch):
+    monkeypatch.setitem(__import__("sys").modules, "trimesh", None)
+    with pytest.raises(ImportError, match="trimesh is not installed"):
+        dupin.as_mesh(box()).to_trimesh()
