@@ -192,12 +192,13 @@ std::map<std::string, std::string> part_colours(std::string_view text, const std
   const Unit unit_of_document = unit(document.at("units"));
   json::Values values(document, unit_of_document);
   std::map<std::string, std::string> colours;
-  json::expand(document, source, unit_of_document, values,
-               [&](const JsonNode& node, const std::string& /*pointer*/) {
-                 if (node.has("colour")) {
-                   colours.emplace(node.at("name").text(), node.at("colour").text());
-                 }
-               });
+  json::expand(
+      document, source, unit_of_document, values,
+      [&](const JsonNode& node, const std::string& /*pointer*/, const std::string& /*key*/) {
+        if (node.has("colour")) {
+          colours.emplace(node.at("name").text(), node.at("colour").text());
+        }
+      });
   return colours;
 }
 
