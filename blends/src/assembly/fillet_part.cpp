@@ -189,9 +189,8 @@ class Search {
     if (parallel && radius_ == 0) {
       refuse("the axes are parallel: such pipes are not cut along each other");
     }
-    auto loops =
-        parallel ? rational_fillets(quadrics, radius_)
-                 : rolling_ball_fillets(quadrics, radius_, kTouchingPipes);
+    auto loops = parallel ? rational_fillets(quadrics, radius_)
+                          : rolling_ball_fillets(quadrics, radius_, kTouchingPipes);
     for (CanalFillet& loop : loops) {
       loop.quadrics = {pipes_[0].ring(), pipes_[1].ring()};
     }

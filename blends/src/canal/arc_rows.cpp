@@ -42,8 +42,8 @@ Turn<Long> turn_of_series(const ParameterInterval& at, const ParameterInterval& 
              &q = over.half_sine.value;
   const auto jet = [](const Long& value) { return Jet<Long>(value, Long(0.0), Long(0.0)); };
   constexpr std::size_t n = kArcOrders + 1;
-  return {jet(wave<n>(c, -s, 1)),       jet(wave<n>(s, c, 1)), jet(wave<n>(p, -q, 0.5)),
-          jet(wave<n>(q, p, 0.5)),      beside.half_cosine_sign, beside.half_sine_sign};
+  return {jet(wave<n>(c, -s, 1)),  jet(wave<n>(s, c, 1)),   jet(wave<n>(p, -q, 0.5)),
+          jet(wave<n>(q, p, 0.5)), beside.half_cosine_sign, beside.half_sine_sign};
 }
 
 // The outward normal where the ball touches the quadric from outside.
@@ -60,8 +60,8 @@ Vec<ArcSeries> normal(const Ring& quadric, const Vec<ArcSeries>& center, const A
 ArcRows arc_rows(const CanalFillet& loop, const ParameterInterval& at,
                  const ParameterInterval& stretch) {
   const Turn<Long> over = turn_of_series(at, stretch);
-  const BallJet<Long> ball = std::visit(
-      [&](const auto& motion) { return ball_jet<Long>(motion, over); }, loop.motion);
+  const BallJet<Long> ball =
+      std::visit([&](const auto& motion) { return ball_jet<Long>(motion, over); }, loop.motion);
   Vec<ArcSeries> center, velocity;
   for (std::size_t k = 0; k < 3; ++k) {
     center[k] = shortened(ball.center[k].value);
@@ -74,8 +74,8 @@ ArcRows arc_rows(const CanalFillet& loop, const ParameterInterval& at,
   const ArcSeries reach = radius * sqrt((squared - square(growth)) / squared);
   Vec<Vec<ArcSeries>> toward;
   for (std::size_t i = 0; i < 2; ++i) {
-    const Vec<ArcSeries> to_foot = center - radius * normal(loop.quadrics.at(i), center, radius) -
-                                   middle;
+    const Vec<ArcSeries> to_foot =
+        center - radius * normal(loop.quadrics.at(i), center, radius) - middle;
     const Vec<ArcSeries> across = to_foot - (dot(to_foot, velocity) / squared) * velocity;
     toward.at(i) = (ArcSeries(1.0) / sqrt(dot(across, across))) * across;
   }

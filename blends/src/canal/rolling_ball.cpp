@@ -169,8 +169,8 @@ PolynomialVec around(const RollingPartlyOnCones& motion, const Vec3& along, doub
   const Polynomial plus{1, 0, w * w}, minus{1, 0, -w * w}, twice{0, 2 * w};
   PolynomialVec result;
   for (int k = 0; k < 3; ++k) {
-    result.at(std::size_t(k)) = (size * motion.zero[k]) * minus +
-                                (size * motion.quarter[k]) * twice + along[k] * plus;
+    result.at(std::size_t(k)) =
+        (size * motion.zero[k]) * minus + (size * motion.quarter[k]) * twice + along[k] * plus;
   }
   return result;
 }
@@ -257,8 +257,7 @@ std::optional<RollingPartlyOnCones> partly_on(const Ring& first, const Ring& sec
 std::vector<CanalFillet> on_cones(const std::array<Ring, 2>& quadrics, double radius) {
   constexpr double kTouching = 1e-7;
   const canal::QuadricPair pair = canal::quadric_pair(quadrics);
-  const double touch =
-      kTouching * (std::abs(pair.nearest[0].r) + std::abs(pair.nearest[1].r));
+  const double touch = kTouching * (std::abs(pair.nearest[0].r) + std::abs(pair.nearest[1].r));
   if (!(pair.squared_sine > 0)) {
     for (const std::size_t one : {0U, 1U}) {
       if (auto fillets = on_generators(quadrics, one, radius, false); !fillets.empty()) {
@@ -310,7 +309,8 @@ std::vector<CanalFillet> rolling_ball_fillets(const std::array<Ring, 2>& quadric
   if (motion.below < 0 || motion.above < 0) {
     return {{quadrics, partly(quadrics, radius)}};
   }
-  return {{quadrics, motion}, {quadrics, through(thicker, axes, thinner.radius, radius, -1, touching)}};
+  return {{quadrics, motion},
+          {quadrics, through(thicker, axes, thinner.radius, radius, -1, touching)}};
 }
 
 }  // namespace dupin

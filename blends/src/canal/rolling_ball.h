@@ -99,8 +99,7 @@ template <class T>
   BallJet<T> result;
   result.radius = motion.radius;
   for (std::size_t k = 0; k < 3; ++k) {
-    result.center[k] =
-        Jet<T>(one.center[static_cast<int>(k)]) + (start[k] + t * ahead[k]) / all;
+    result.center[k] = Jet<T>(one.center[static_cast<int>(k)]) + (start[k] + t * ahead[k]) / all;
   }
   return result;
 }

@@ -20,9 +20,8 @@ using verification::LoopArcs;
 DiscHull hull_of(const std::vector<ArcCell>& cells, const ParameterInterval& t) {
   DiscHull result;
   result.radius = 0;
-  for (auto cell = std::ranges::lower_bound(cells, t.from, {}, [](const ArcCell& c) {
-         return c.t.to;
-       });
+  for (auto cell =
+           std::ranges::lower_bound(cells, t.from, {}, [](const ArcCell& c) { return c.t.to; });
        cell != cells.end() && cell->t.from <= t.to; ++cell) {
     if (t.from < t.to && (cell->t.to == t.from || cell->t.from == t.to)) {
       continue;
@@ -99,8 +98,7 @@ class MeetingSearch {
     if (looked_at_++ > boxes_ || depth == 0 || first_sweep_.is_out_of_work()) {
       return false;
     }
-    pair.direction =
-        way_from_corner(second_, pair.second) - way_from_corner(first_, pair.first);
+    pair.direction = way_from_corner(second_, pair.second) - way_from_corner(first_, pair.first);
     if (pair.direction->norm() > 0 && verification::part_at_corner(first_, second_, pair)) {
       leaves_.push_back(pair);
       return true;

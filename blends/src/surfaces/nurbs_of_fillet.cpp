@@ -78,8 +78,8 @@ double cubic_error(const CanalFillet& loop, const RowAt& from, const RowAt& to,
   for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) {
     Interval squared = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      squared = squared +
-                square(Interval((enclosure(over, i, k, 0) - from.value[0].at(k)).magnitude()));
+      squared =
+          squared + square(Interval((enclosure(over, i, k, 0) - from.value[0].at(k)).magnitude()));
     }
     reach = std::max(reach.upper, sqrt(squared).upper);
   }
@@ -90,8 +90,8 @@ double cubic_error(const CanalFillet& loop, const RowAt& from, const RowAt& to,
                           std::ldexp(from.size + to.size, -47);
   const Interval ends = std::max(errors[0], errors[2]);
   const Interval inner = (Interval(errors[1]) + arc * weight_error) / Interval(2);
-  const Interval sum = (ends + inner) / ((Interval(1) + weight) / Interval(2)) +
-                       Interval(8) * rounding;
+  const Interval sum =
+      (ends + inner) / ((Interval(1) + weight) / Interval(2)) + Interval(8) * rounding;
   return weight > 0 ? sum.upper : std::numeric_limits<double>::infinity();
 }
 
@@ -130,8 +130,7 @@ class Lofted {
       const double third = (rows_[i + 1].parameter - rows_[i].parameter) / 3;
       append_row(rows_[i], third);
       append_row(rows_[i + 1], -third);
-      const double knot =
-          i + 2 < rows_.size() ? (rows_[i + 1].parameter - first) / length : 1.0;
+      const double knot = i + 2 < rows_.size() ? (rows_[i + 1].parameter - first) / length : 1.0;
       result.knots_along.insert(result.knots_along.end(), i + 2 < rows_.size() ? 2 : 4, knot);
     }
     append_row(rows_.back(), 0);
@@ -148,9 +147,9 @@ class Lofted {
     }
     const double half = std::midpoint(from.parameter, to.parameter);
     if (rows_.size() > kMostCubics || !(from.parameter < half && half < to.parameter)) {
-      throw Error(Errc::limit_exceeded,
-                  "a tolerance of " + decimal(tolerance_, kMessageDigits) + " takes more than " +
-                      std::to_string(kMostCubics) + " cubics along the fillet; use a larger one");
+      throw Error(Errc::limit_exceeded, "a tolerance of " + decimal(tolerance_, kMessageDigits) +
+                                            " takes more than " + std::to_string(kMostCubics) +
+                                            " cubics along the fillet; use a larger one");
     }
     const RowAt middle = row_at(loop_, half, quarter), first = from;
     divide(first, middle, quarter);

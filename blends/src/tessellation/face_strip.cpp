@@ -205,8 +205,8 @@ void append_band(const UnrolledCurve& lower, const UnrolledCurve& upper, double 
   const auto aside = [&](const Vec2& p) {
     return std::remainder(p.x() - lower.places.front().x(), around);
   };
-  const auto nearest = std::ranges::min_element(
-      upper.places, {}, [&](const Vec2& p) { return std::abs(aside(p)); });
+  const auto nearest =
+      std::ranges::min_element(upper.places, {}, [&](const Vec2& p) { return std::abs(aside(p)); });
   const auto first = std::size_t(nearest - upper.places.begin()), count = lower.corners.size();
   const bool leans_on = aside(*nearest) >= 0;
   for (std::size_t i = 0; i < count; ++i) {

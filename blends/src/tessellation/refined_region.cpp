@@ -200,8 +200,7 @@ class Refiner {
   void append_if_faulty(const Triangle& triangle, std::vector<Fault>& faults) const {
     const Vec2 &a = points_[triangle[0]], &b = points_[triangle[1]], &c = points_[triangle[2]];
     const Vec2 ab = b - a, ac = c - a;
-    const double shortest =
-        std::min({ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm()});
+    const double shortest = std::min({ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm()});
     const double doubled = cross(ab, ac);
     if (!(doubled > 0)) {
       return;
@@ -222,8 +221,8 @@ class Refiner {
   // Inside, and not so near a side that it makes a small angle with it.
   [[nodiscard]] bool is_free(const Vec2& p) const {
     const Vec2 reach = Vec2::Constant(0.3 * longest_);
-    return is_inside(p) &&
-           !sides_.any(p - reach, p + reach, [&](const Side& side) { return is_wide_from(side, p); });
+    return is_inside(p) && !sides_.any(p - reach, p + reach,
+                                       [&](const Side& side) { return is_wide_from(side, p); });
   }
 
   [[nodiscard]] bool is_inside(const Vec2& p) const {

@@ -76,7 +76,8 @@ class Trimmer {
     std::vector<UnrolledCurve> around, holes;
     for (std::size_t i = 0; i < polygons_.size(); ++i) {
       UnrolledCurve curve = unrolled(std::move(polygons_[i]), places_, chart_.around());
-      curve.is_ring = (face_.keeps_start && i == 0) || (face_.keeps_end && i + 1 == polygons_.size());
+      curve.is_ring =
+          (face_.keeps_start && i == 0) || (face_.keeps_end && i + 1 == polygons_.size());
       (curve.turns == 0 ? holes : around).push_back(std::move(curve));
     }
     std::ranges::stable_sort(around, {}, &UnrolledCurve::low);
@@ -162,8 +163,7 @@ class Trimmer {
     const double height = upper.low - lower.low, bands = std::ceil(height / kHighest);
     const UnrolledCurve* below = &lower;
     for (double i = 1; i <= bands; ++i) {
-      const UnrolledCurve& above =
-          i == bands ? upper : append_ring(lower.low + i / bands * height);
+      const UnrolledCurve& above = i == bands ? upper : append_ring(lower.low + i / bands * height);
       append_band(*below, above, chart_.around(), result_.mesh.triangles);
       below = &above;
     }

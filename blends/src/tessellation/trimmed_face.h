@@ -22,9 +22,9 @@ struct TrimmedFace {
 /// sample(flipped(start), sampling), last the end's as sample(end, sampling), bitwise.
 ///
 /// Where there are curves, a constrained Delaunay triangulation of the unrolled face, with points
-/// so that no triangle is a sliver (`refined_region`); between them, bands of triangles from ring to
-/// ring that are at most 50 times as long as wide. Every triangle is within
-/// R (1 - cos(angle / 2)) of the face, `angle` being what it spans about the axis: `error_bound`.
+/// so that no triangle is a sliver (`refined_region`); between them, bands of triangles from ring
+/// to ring that are at most 50 times as long as wide. Every triangle is within R (1 - cos(angle /
+/// 2)) of the face, `angle` being what it spans about the axis: `error_bound`.
 ///
 /// Throws Error{self_intersecting} where curves cross or pass a ring that is kept.
 [[nodiscard]] Tessellation trimmed_face(const TrimmedFace& face, const RingSampling& sampling);

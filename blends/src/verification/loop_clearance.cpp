@@ -79,8 +79,8 @@ bool follows(const Overlap& overlap, const Solid& part, const CanalFillet& loop)
                           hull(point[2], place[2])};
     return crosses(part, overlap.first, box);
   };
-  return arcs && (is_inside(arcs->corners[0]) || is_inside(arcs->corners[1]) ||
-                  is_inside(arcs->middle));
+  return arcs &&
+         (is_inside(arcs->corners[0]) || is_inside(arcs->corners[1]) || is_inside(arcs->middle));
 }
 
 bool follows(const Solid& part, const LoopArcs& loop, const ClearanceClaim& claim) {

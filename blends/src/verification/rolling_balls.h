@@ -81,13 +81,13 @@ class BallReader {
     return {fixed(one.center) + a + h * b, fixed(motion.radius)};
   }
 
-  // The same with the generators at q = tan(angle / 2) = width cos, times 1 + q^2, and with the root
-  // of the discriminant divided by 1 - cos^2: the stored polynomial.
+  // The same with the generators at q = tan(angle / 2) = width cos, times 1 + q^2, and with the
+  // root of the discriminant divided by 1 - cos^2: the stored polynomial.
   BallJets<count> operator()(const RollingPartlyOnCones& motion) const {
     const Ring &one = motion.first, &two = motion.second;
     const J q = motion.width * cosine_, q2 = square(q), all = fixed(1) + q2;
-    const JetVec<count> around = (fixed(1) - q2) * interval_vec(motion.zero) +
-                                 (2.0 * q) * interval_vec(motion.quarter);
+    const JetVec<count> around =
+        (fixed(1) - q2) * interval_vec(motion.zero) + (2.0 * q) * interval_vec(motion.quarter);
     const JetVec<count> a =
         all * (interval_vec(two.center) - interval_vec(one.center)) + two.radius * around;
     const JetVec<count> b = all * interval_vec(two.normal) + two.slope * around;
@@ -97,7 +97,8 @@ class BallReader {
     const J quadratic = squared_norm(b) - square(bn) - square(e1);
     const J half = dot(a, b) - an * bn - e0 * e1;
     J rest = fixed(0);
-    for (auto coefficient = motion.rest.rbegin(); coefficient != motion.rest.rend(); ++coefficient) {
+    for (auto coefficient = motion.rest.rbegin(); coefficient != motion.rest.rend();
+         ++coefficient) {
       rest = rest * cosine_ + fixed(*coefficient);
     }
     const J h = (sine_ * verification::sqrt(rest) - half) / quadratic;

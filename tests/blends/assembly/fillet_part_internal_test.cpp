@@ -47,9 +47,9 @@ TEST(FilletPart, has_the_loops_that_lie_on_both_pipes) {
 // A plant's numbers are rounded: pipes that miss a touch by little touch.
 TEST(FilletPart, takes_tiny_gaps_for_a_touch) {
   for (const double gap : {0.0, 1e-15, 1e-13, 1e-12, 1e-11, -1e-13, -1e-11}) {
-    const Built built = build(assembly({pipe("run", {-20, 0, 0}, {20, 0, 0}, 4),
-                                        pipe("b", {0, 0, 2 + gap}, {0, 12, 2 + gap}, 2),
-                                        fillet("f", "run", "b", 0.5)}));
+    const Built built = build(
+        assembly({pipe("run", {-20, 0, 0}, {20, 0, 0}, 4),
+                  pipe("b", {0, 0, 2 + gap}, {0, 12, 2 + gap}, 2), fillet("f", "run", "b", 0.5)}));
     EXPECT_EQ(built.solid.components(), 1U) << gap;
     EXPECT_EQ(built.solid.genus(), 0) << gap;
   }

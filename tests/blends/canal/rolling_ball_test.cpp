@@ -463,7 +463,8 @@ TEST(RollingBallFillets, OnConesOfNearlyNoSlopeThatCrossInPartAreThoseOnCylinder
     }
     return sum;
   };
-  const auto expected = rolling_ball_fillets(cylinders, .3), found = rolling_ball_fillets(cones, .3);
+  const auto expected = rolling_ball_fillets(cylinders, .3),
+             found = rolling_ball_fillets(cones, .3);
   ASSERT_EQ(expected.size(), 1);
   ASSERT_EQ(found.size(), 1);
   EXPECT_NEAR(length(found[0]), length(expected[0]), 1e-10);

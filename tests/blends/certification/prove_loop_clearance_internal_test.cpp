@@ -27,11 +27,13 @@ const ClearanceClaim& claim_of(const Certificate& certificate, const std::string
 
 // Every loop with every part but its pipes, and with every later loop.
 TEST(ProveLoopClearance, tells_what_touches_fillets) {
-  const Certificate certificate = certify(assembly({
-      pipe("run", {-20, 0, 0}, {20, 0, 0}, 4), pipe("branch", {-6, 0, 0}, {-6, 0, 12}, 2),
-      pipe("cross", {8, -12, 0}, {8, 12, 0}, 2.5), fillet("throat", "run", "branch", 1),
-      fillet("throats", "run", "cross", 0.5), {"flange", SphereAt{{-6, 0, 14}, 3}},
-      {"lug", SphereAt{{-3, 0, 4.5}, 0.8}}}));
+  const Certificate certificate = certify(assembly({pipe("run", {-20, 0, 0}, {20, 0, 0}, 4),
+                                                    pipe("branch", {-6, 0, 0}, {-6, 0, 12}, 2),
+                                                    pipe("cross", {8, -12, 0}, {8, 12, 0}, 2.5),
+                                                    fillet("throat", "run", "branch", 1),
+                                                    fillet("throats", "run", "cross", 0.5),
+                                                    {"flange", SphereAt{{-6, 0, 14}, 3}},
+                                                    {"lug", SphereAt{{-3, 0, 4.5}, 0.8}}}));
   verify(certificate);
   EXPECT_EQ(certificate.findings(), 0U);
   const std::size_t loops = 3, parts = 5;
@@ -39,7 +41,7 @@ TEST(ProveLoopClearance, tells_what_touches_fillets) {
   const ClearanceClaim& far = claim_of(certificate, "flange", "throat");
   EXPECT_FALSE(far.overlap);
   // From its lowest point to the highest of the fillet's feet, on the branch.
-  const double foot = std::sqrt(25.0 - 0) ;
+  const double foot = std::sqrt(25.0 - 0);
   EXPECT_GT(far.distance, 0.85 * (14 - 3 - foot));
   EXPECT_LT(far.distance, std::hypot(14 - foot, 2) - 3 + 1e-9);
   EXPECT_TRUE(claim_of(certificate, "lug", "throat").overlap);
@@ -49,9 +51,9 @@ TEST(ProveLoopClearance, tells_what_touches_fillets) {
 }
 
 TEST(ProveLoopClearance, knows_loops_that_meet_in_corners) {
-  const Certificate certificate =
-      certify(assembly({pipe("run", {-20, 0, 0}, {20, 0, 0}, 4),
-                        pipe("cross", {0, -20, 0}, {0, 20, 0}, 4), fillet("throats", "run", "cross", 1)}));
+  const Certificate certificate = certify(
+      assembly({pipe("run", {-20, 0, 0}, {20, 0, 0}, 4), pipe("cross", {0, -20, 0}, {0, 20, 0}, 4),
+                fillet("throats", "run", "cross", 1)}));
   verify(certificate);
   EXPECT_EQ(certificate.findings(), 0U);
   ASSERT_EQ(certificate.fillet_clearances.size(), 1U);

@@ -95,8 +95,9 @@ TEST(NurbsOfFillet, is_tangent_to_the_pipes) {
 }
 
 TEST(NurbsOfFillet, is_exact_where_the_fillet_is_rational) {
-  const auto loop = rational_fillet({Ring{{0, 0, 0}, {1, 0, 0}, 4, 0}, Ring{{0, 0, 0}, {0, 1, 0}, 2, 0}},
-                                    {1, 0.448979591836735, 1, 0.448979591836735}, 1);
+  const auto loop =
+      rational_fillet({Ring{{0, 0, 0}, {1, 0, 0}, 4, 0}, Ring{{0, 0, 0}, {0, 1, 0}, 2, 0}},
+                      {1, 0.448979591836735, 1, 0.448979591836735}, 1);
   const auto constant = [&] {
     CanalFillet result = loop;
     std::get<RationalCrossing>(result.motion).size = {0.3, 0, 0, 0};

@@ -65,9 +65,12 @@ TEST(FaceStrip, is_filled_around_its_holes) {
       }
     }
     EXPECT_NEAR(sum, 8 * kAround - 10 * 4 * std::sin(std::numbers::pi / 10), 1e-9);
-    EXPECT_EQ(std::ranges::count_if(sides, [&](const auto& s) {
-                return !sides.contains({s.second, s.first});
-              }), 24 + 24 + 20) << "the cut is closed";
+    EXPECT_EQ(std::ranges::count_if(sides,
+                                    [&](const auto& s) {
+                                      return !sides.contains({s.second, s.first});
+                                    }),
+              24 + 24 + 20)
+        << "the cut is closed";
   }
 }
 

@@ -58,7 +58,8 @@ double area(const Shape& shape) {
   for (const auto& polygon : shape.polygons) {
     double own = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Vec2 &a = shape.points[polygon[i]], &b = shape.points[polygon[(i + 1) % polygon.size()]];
+      const Vec2 &a = shape.points[polygon[i]],
+                 &b = shape.points[polygon[(i + 1) % polygon.size()]];
       own += (a.x() * b.y() - a.y() * b.x()) / 2;
     }
     sum += sum == 0 ? std::abs(own) : -std::abs(own);

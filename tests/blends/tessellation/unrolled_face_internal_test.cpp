@@ -11,7 +11,8 @@ namespace {
 // A cylinder, a cone, and one that is all but a cylinder; x counts segments.
 TEST(UnrolledFace, is_conformal_but_for_its_compression) {
   for (const double slope : {0.0, 0.4, -0.2, 1e-14}) {
-    const Ring start{{1, 2, 3}, {0, 0, -1}, 3, -slope}, end{{1, 2, 8}, {0, 0, 1}, 3 + 5 * slope, slope};
+    const Ring start{{1, 2, 3}, {0, 0, -1}, 3, -slope},
+        end{{1, 2, 8}, {0, 0, 1}, 3 + 5 * slope, slope};
     const UnrolledFace face(start, end, {48});
     EXPECT_EQ(face.around(), 48);
     for (const Vec2& place : {Vec2(0, 0.1), Vec2(-7, 2), Vec2(23.5, 1)}) {

@@ -79,9 +79,7 @@ TEST(LoopClearance, does_not_follow_when_changed) {
       {"a leaf less", [](auto& c) { c.leaves.pop_back(); }},
       {"no leaves", [](auto& c) { c.leaves.clear(); }},
       {"a leaf of nothing",
-       [](auto& c) {
-         c.leaves.front().second.to = c.leaves.front().second.from;
-       }},
+       [](auto& c) { c.leaves.front().second.to = c.leaves.front().second.from; }},
       {"a leaf beyond its end", [](auto& c) { c.leaves.back().second.to = 2.5; }},
       {"a direction turned round",
        [](auto& c) { c.leaves.front().direction = -*c.leaves.front().direction; }},
@@ -92,7 +90,9 @@ TEST(LoopClearance, does_not_follow_when_changed) {
       {"a negative distance", [](auto& c) { c.distance = -1; }},
       {"no number", [&](auto& c) { c.distance = kNaN; }},
       {"refuted", [](auto& c) { c.verdict = Verdict::refuted; }},
-      {"a point besides", [](auto& c) { c.overlap = Overlap{{20, 0, 0}, {0.25, 0.75}, {1, 1}}; }}};
+      {"a point besides", [](auto& c) {
+         c.overlap = Overlap{{20, 0, 0}, {0.25, 0.75}, {1, 1}};
+       }}};
   for (const auto& [what, change] : changes) {
     ClearanceClaim claim = honest;
     change(claim);
@@ -116,10 +116,14 @@ TEST(LoopClearance, of_what_overlaps_is_a_point_of_both) {
       for (const auto& change : std::vector<std::function<void(ClearanceClaim&)>>{
                [](auto& c) { c.overlap->point += Vec3(9, 0, 0); },
                [](auto& c) { c.overlap->second.to += 0.25; },
-               [](auto& c) { c.overlap->second = {3, 3}; },
+               [](auto& c) {
+                 c.overlap->second = {3, 3};
+               },
                [](auto& c) { c.distance = 1e-3; },
-               [](auto& c) { c.overlap->second = {std::fmod(c.overlap->second.from + 1, 2),
-                                                  std::fmod(c.overlap->second.from + 1, 2)}; },
+               [](auto& c) {
+                 c.overlap->second = {std::fmod(c.overlap->second.from + 1, 2),
+                                      std::fmod(c.overlap->second.from + 1, 2)};
+               },
                [](auto& c) { c.verdict = Verdict::refuted; }}) {
         ClearanceClaim lie = claim;
         change(lie);
@@ -134,8 +138,8 @@ TEST(LoopClearance, of_the_loops_of_a_fillet_is_a_distance_or_their_corners) {
   std::vector<test::NamedLoop> loops = test::loops_of_all_kinds();
   int meet = 0;
   for (std::size_t i = 0; i + 1 < loops.size(); ++i) {
-    const auto &[name, first] = loops[i];
-    const auto &[other, second] = loops[i + 1];
+    const auto& [name, first] = loops[i];
+    const auto& [other, second] = loops[i + 1];
     if (name.back() != '0' || other.back() != '1') {
       continue;
     }

@@ -123,8 +123,8 @@ struct RationalCrossing {
 /// y such that the products with nu1 and nu2 are h (u - v) and h (u + v).
 struct RationalParallel {
   PeVector origin, ey, ez, nu1, nu2;
-  double half_distance = 1;   ///< h
-  double product = -2;        ///< <nu1, nu2> < -1
+  double half_distance = 1;                      ///< h
+  double product = -2;                           ///< <nu1, nu2> < -1
   double far_squared = 0.5, near_squared = 0.5;  ///< a0^2 in (0, 1), b0^2: set radii at 0 and pi
 };
 
@@ -132,8 +132,8 @@ struct RationalParallel {
 /// Value type: what is stored defines the balls.
 struct CanalFillet {
   std::array<Ring, 2> quadrics;  ///< as they were given, in that order
-  std::variant<RollingThrough, RollingPartly, RollingOnCones, RollingPartlyOnCones, RationalCrossing,
-               RationalParallel>
+  std::variant<RollingThrough, RollingPartly, RollingOnCones, RollingPartlyOnCones,
+               RationalCrossing, RationalParallel>
       motion;
 };
 
@@ -163,7 +163,8 @@ struct CanalFillet {
 /// do not meet, or a cone and another quadric touch. A loop that folds is not refused:
 /// `prove_regular` tells.
 [[nodiscard]] std::vector<CanalFillet> rolling_ball_fillets(const std::array<Ring, 2>& quadrics,
-                                                            double radius, double touching = 0x1p-48);
+                                                            double radius,
+                                                            double touching = 0x1p-48);
 
 /// The rational fillet on one side (1: the one to which the ring normal of the quadric that passes
 /// points; -1) with these ball radii at the parameters 0, pi/2, pi and 3 pi/2, between two quadrics

@@ -1,8 +1,7 @@
-#include "dupin/blends/pipe_graph.h"
-
 #include <algorithm>
 #include <utility>
 
+#include "dupin/blends/pipe_graph.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "network/clean_graph.h"
