@@ -73,13 +73,12 @@ ExitCode report_mesh(const ReportArguments& arguments, const Input& input, const
   return tell_result(page, findings, common);
 }
 
-std::optional<Certificate> certificate_of(const ReportArguments& arguments,
+std::optional<Certificate> certificate_of(const ReportArguments& arguments, const Input& input,
                                           const Assembly& assembly) {
   if (!arguments.certificate.empty()) {
-    const Input input = read_input(arguments.certificate);
-    Certificate certificate = parse_certificate(input.bytes, input.name);
-    const Input about = read_input(arguments.file);
-    require_about(certificate, about.bytes, about.name);
+    const Input claims = read_input(arguments.certificate);
+    Certificate certificate = parse_certificate(claims.bytes, claims.name);
+    require_about(certificate, input.bytes, input.name);
     verify(certificate);
     return certificate;
   }
@@ -98,9 +97,9 @@ TriMesh round(const Solid& solid, OutputReport& report) {
   return in_own_place(rounded);
 }
 
-ExitCode report_document(const ReportArguments& arguments, const std::string& page,
-                         const CommonOptions& common) {
-  Document document = read_document(arguments.file, arguments.source, arguments.walls);
+ExitCode report_document(const ReportArguments& arguments, const Input& input,
+                         const std::string& page, const CommonOptions& common) {
+  Document document = read_document(input, arguments.source, arguments.walls);
   Assembly& assembly = document.assembly;
   if (!common.tolerance.empty()) {
     assembly.tolerance = length_in(assembly.unit, common.tolerance, 0);
@@ -119,7 +118,7 @@ ExitCode report_document(const ReportArguments& arguments, const std::string& pa
     TriMesh mesh = round(built.solid, report.output);
     take(report, std::move(built), document, options.connect);
     tell(options.progress, "certify");
-    certificate = certificate_of(arguments, assembly);
+    certificate = certificate_of(arguments, input, assembly);
     tell(options.progress, "report");
     write_page(page, document, report, std::move(mesh), certificate ? &*certificate : nullptr);
   }
@@ -132,18 +131,9 @@ ExitCode report_document(const ReportArguments& arguments, const std::string& pa
 ExitCode run_report(const ReportArguments& arguments, const CommonOptions& common) {
   const std::string page = page_path(arguments);
   require_page_file(page, {});
-  if (is_source_file(arguments.file)) {
-    return report_document(arguments, page, common);
-  }
-  // Standard input is read once.
   const Input input = read_input(arguments.file);
-  if (!input.is_document()) {
-    return report_mesh(arguments, input, page, common);
-  }
-  if (arguments.file == "-") {
-    throw UsageError("report takes documents from files only, and meshes also from standard input");
-  }
-  return report_document(arguments, page, common);
+  return is_source(input) || input.is_document() ? report_document(arguments, input, page, common)
+                                                 : report_mesh(arguments, input, page, common);
 }
 
 }  // namespace
