@@ -4,8 +4,9 @@ sources once, and lists the mutants that no test notices.
 
     tools/mutate_verifier.py BUILD [FILE[:LINE[-LINE]] ...]     e.g. build/dev regular_claim.cpp
 
-BUILD is a directory where ninja has built blends_verification_test; FILEs are sources of
-blends/src/verification, all of them if none is given. A mutant that does not compile, crashes the
+BUILD is a directory where ninja has built blends_verification_test; FILEs are sources or headers of
+blends/src/verification, all of them if none is given. Of a header, all sources of the checker and of
+the test that include it are compiled again. A mutant that does not compile, crashes the
 test or takes more than a minute counts as noticed. KNOWN lists survivors that are right as they
 are, with the reason; the exit code is 1 if there are others.
 """
@@ -159,6 +160,26 @@ def linking(build):
     return objects, libraries
 
 
+def output(entry):
+    """What a compiler's call writes, as ninja names it."""
+    words = entry["command"].split()
+    return words[words.index("-o") + 1]
+
+
+def users(build, header, entries):
+    """The sources of the checker and of the test whose objects depend on a header."""
+    deps = subprocess.run(["ninja", "-t", "deps"], cwd=build, capture_output=True, text=True, check=True).stdout
+    ours = linking(build)[0]
+    source_of = {output(e): f for f, e in entries.items() if f.startswith(str(SOURCES)) or output(e) in ours}
+    found = []
+    for block in deps.split("\n\n"):
+        target, _, rest = block.partition(":")
+        if target in source_of and SOURCES / header in {(build / line.strip()).resolve()
+                                                        for line in rest.split("\n")[1:]}:
+            found.append(source_of[target])
+    return found
+
+
 def prepare(build, folder, command):
     """What all mutants share: the headers compiled before, and libraries without debug symbols."""
     found = {i for p in SOURCES.glob("*.cpp")
@@ -207,41 +228,72 @@ def passes(program, name):
     return True
 
 
-def is_noticed(build, command, name, text, folder, files):
-    source, target, program = (folder / n for n in ("mutant.cpp", "mutant.o", "test"))
-    source.write_text(text)
-    if subprocess.run([*command, "-include", folder / "shared.h", "-c", source, "-o", target],
-                      cwd=build, capture_output=True).returncode:
-        return True
-    objects = [f for f in files if str(f).endswith(".o")]
-    subprocess.run(["c++", "-o", program, *objects, target, *files[len(objects):]],
-                   cwd=build, check=True)
-    return not passes(program, name)
+class Mutation:
+    """Compiles and runs what one file of the checker becomes."""
+
+    def __init__(self, build, folder, entries):
+        self.build, self.folder = build, folder
+        self.entries = entries
+        self.command = compiling(entries[str(SOURCES / "work.cpp")])
+        self.files = prepare(build, folder, self.command)
+        self.names = linking(build)[0]
+        self.overlay = folder / "overlay" / "verification"
+        self.overlay.mkdir(parents=True)
+
+    def compiled(self, sources, name, text):
+        """The objects by source; none if one does not compile."""
+        changed = self.overlay / name
+        changed.write_text(text)
+        objects = {}
+        for source in sources:
+            objects[source] = self.folder / f"{pathlib.Path(source).stem}.mutant.o"
+            given = changed if source == str(SOURCES / name) else source
+            run = subprocess.run([*compiling(self.entries[source])[:1], "-I", self.overlay.parent,
+                                  *compiling(self.entries[source])[1:], "-include", self.folder / "shared.h",
+                                  "-c", given, "-o", objects[source]], cwd=self.build, capture_output=True)
+            if run.returncode:
+                break
+        changed.unlink()
+        return None if run.returncode else objects
+
+    def is_noticed(self, name, text, sources):
+        objects = self.compiled(sources, name, text)
+        if objects is None:
+            return True
+        program = self.folder / "test"
+        tests = {output(self.entries[s]): objects[s] for s in objects}
+        own = [tests.pop(n, f) for n, f in zip(self.names, self.files)]
+        subprocess.run(["c++", "-o", program, *own, *tests.values(), *self.files[len(self.names):]],
+                       cwd=self.build, check=True)
+        return not passes(program, name)
+
+
+def known_reason(name, line, new):
+    return next((why for (f, where, what), why in KNOWN.items()
+                 if f == name and where in line and what == new), None)
 
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
-    names = sys.argv[2:] or sorted(p.name for p in SOURCES.glob("*.cpp"))
+    names = sys.argv[2:] or sorted(p.name for p in SOURCES.glob("*.*") if p.suffix in (".cpp", ".h"))
     entries = {e["file"]: e for e in json.loads((build / "compile_commands.json").read_text())}
     survivors, known, count = [], 0, 0
     with tempfile.TemporaryDirectory() as temporary:
-        folder = pathlib.Path(temporary)
-        command = compiling(entries[str(SOURCES / "work.cpp")])
-        files = prepare(build, folder, command)
+        mutation = Mutation(build, pathlib.Path(temporary), entries)
         for asked in names:
             name, _, only = asked.partition(":")
             first, _, last = only.partition("-")
             original = (SOURCES / name).read_text()
-            if is_noticed(build, command, name, original, folder, files):
+            sources = [str(SOURCES / name)] if name.endswith(".cpp") else users(build, name, entries)
+            if mutation.is_noticed(name, original, sources):
                 sys.exit(f"{name} fails its tests as it is")
             for number, line, new, text in mutants(original):
                 if only and not int(first) <= number <= int(last or first):
                     continue
                 count += 1
-                if is_noticed(build, command, name, text, folder, files):
+                if mutation.is_noticed(name, text, sources):
                     continue
-                reason = next((why for (f, where, what), why in KNOWN.items()
-                               if f == name and where in line and what == new), None)
+                reason = known_reason(name, line, new)
                 print(f"{name}:{number}: '{new.strip()}' in: {line}" +
                       (f"\n    known: {reason}" if reason else ""), flush=True)
                 if reason is None:

@@ -7,6 +7,9 @@
 
 #include <Eigen/Geometry>
 
+#include "assembly/bore.h"
+#include "assembly/run_solids.h"
+#include "assembly/welded_runs.h"
 #include "dupin/blends/build.h"
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/resolve.h"
@@ -223,8 +226,12 @@ void check_edit(const Assembly& edited, std::uint32_t part, double margin, bool 
       }
     }
   }
-  if (build_all) {
+  const BuildOptions options;
+  if (build_all && assembly::walls_of(edited, resolved, options.region)) {
     (void)build(edited);
+  } else if (build_all) {  // to unite what are solids is never refused
+    (void)assembly::solids_of_runs(edited, resolved, assembly::lattice_spacing(edited, resolved),
+                                   options);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "dupin/kernel/repair.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -33,6 +34,19 @@ void refuse_no_mesh(const TriMesh& mesh) {
                               std::all_of(mesh.labels.begin(), mesh.labels.end(), is_name));
   if (!is_mesh || !is_labelled) {
     (void)Solid::from(mesh);  // says what is wrong
+  }
+}
+
+// None if it is no solid as it is, whatever it lacks.
+std::optional<Solid> proved(const TriMesh& mesh) {
+  try {
+    return Solid::from(mesh);
+  } catch (const Error& error) {
+    if (error.code() == Errc::cancelled || error.code() == Errc::limit_exceeded ||
+        error.code() == Errc::internal) {
+      throw;
+    }
+    return std::nullopt;
   }
 }
 
@@ -91,8 +105,8 @@ void refuse_holes(const healing::PolygonSoup& soup) {
 
 Repaired repair(const TriMesh& mesh, const Progress& progress) {
   refuse_no_mesh(mesh);
-  if (check(mesh, {.limit = 1}).is_solid()) {
-    return {Solid::from(mesh), {}};
+  if (auto solid = proved(mesh)) {
+    return {std::move(*solid), {}};
   }
   RepairReport report;
   healing::MergedPoints merged = healing::merge_duplicate_points(mesh);

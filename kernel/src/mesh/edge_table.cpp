@@ -1,40 +1,68 @@
 #include "mesh/edge_table.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <numeric>
+#include <vector>
 
+#include "support/blocks.h"
 #include "support/disjoint_sets.h"
 
 namespace dupin::mesh {
 
-EdgeTable::EdgeTable(std::span<const Triangle> triangles, std::size_t point_count)
-    : triangles_(triangles), half_edges_(3 * triangles.size()) {
-  const auto low = [&](std::uint32_t h) { return std::min(origin(h), target(h)); };
-  const auto high = [&](std::uint32_t h) { return std::max(origin(h), target(h)); };
-  std::vector<std::uint32_t> begin(point_count + 1);
-  const auto count = static_cast<std::uint32_t>(half_edges_.size());
-  for (std::uint32_t h = 0; h < count; ++h) {
-    ++begin[low(h) + 1];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::uint32_t> end(begin.begin(), begin.end() - 1);
-  for (std::uint32_t h = 0; h < count; ++h) {
-    half_edges_[end[low(h)]++] = h;
-  }
-  starts_.reserve(half_edges_.size() / 2 + 1);
-  for (std::size_t point = 0; point < point_count; ++point) {
-    std::sort(half_edges_.begin() + begin[point], half_edges_.begin() + begin[point + 1],
-              [&](std::uint32_t g, std::uint32_t h) {
-                const std::uint32_t to_g = high(g), to_h = high(h);
-                return to_g != to_h ? to_g < to_h : g < h;
-              });
-    for (std::uint32_t i = begin[point]; i < begin[point + 1]; ++i) {
-      if (i == begin[point] || high(half_edges_[i]) != high(half_edges_[i - 1])) {
-        starts_.push_back(i);
-      }
+namespace {
+
+/// Sorts half-edges of one lower end by their higher ends, then by number, and appends where, of
+/// all half-edges, those of each edge start; the first is at `from`.
+void sort_around(std::span<std::uint32_t> half_edges, const EdgeTable& edges, std::uint32_t from,
+                 std::vector<std::uint32_t>& starts) {
+  constexpr std::size_t kUsual = 64;
+  std::array<std::uint64_t, kUsual> few;
+  std::vector<std::uint64_t> many(half_edges.size() > kUsual ? half_edges.size() : 0);
+  const std::span<std::uint64_t> keys(many.empty() ? few.data() : many.data(), half_edges.size());
+  std::ranges::transform(half_edges, keys.begin(), [&](std::uint32_t h) {
+    return std::uint64_t(std::max(edges.origin(h), edges.target(h))) << 32 | h;
+  });
+  std::ranges::sort(keys);
+  for (std::uint32_t i = 0; i < keys.size(); ++i) {
+    half_edges[i] = static_cast<std::uint32_t>(keys[i]);
+    if (i == 0 || keys[i] >> 32 != keys[i - 1] >> 32) {
+      starts.push_back(from + i);
     }
   }
-  starts_.push_back(count);
+}
+
+}  // namespace
+
+// Threads put half-edges to their lower ends in any order, which sorting takes back.
+EdgeTable::EdgeTable(std::span<const Triangle> triangles, std::size_t point_count)
+    : triangles_(triangles), half_edges_(3 * triangles.size()) {
+  std::vector<std::uint32_t> begin(point_count + 1);
+  const auto for_each_half_edge = [&](const auto& visit) {
+    support::for_each_block(triangles.size(), [&](const support::Block& block) {
+      for (std::size_t f = block.begin; f < block.end; ++f) {
+        const Triangle& t = triangles[f];
+        const auto h = static_cast<std::uint32_t>(3 * f);
+        visit(h, std::min(t[0], t[1]));
+        visit(h + 1, std::min(t[1], t[2]));
+        visit(h + 2, std::min(t[2], t[0]));
+      }
+    });
+  };
+  const auto next_at = [&](std::uint32_t point) {
+    return std::atomic_ref(begin[point]).fetch_add(1, std::memory_order_relaxed);
+  };
+  for_each_half_edge([&](std::uint32_t, std::uint32_t low) { next_at(low); });
+  std::exclusive_scan(begin.begin(), begin.end(), begin.begin(), 0U);
+  for_each_half_edge([&](std::uint32_t h, std::uint32_t low) { half_edges_[next_at(low)] = h; });
+  // Now where those of the next point begin.
+  starts_ = support::collect_in_order<std::uint32_t>(
+      point_count, [&](std::size_t point, std::vector<std::uint32_t>& starts) {
+        const std::uint32_t from = point == 0 ? 0 : begin[point - 1];
+        sort_around(std::span(half_edges_).subspan(from, begin[point] - from), *this, from, starts);
+      });
+  starts_.push_back(static_cast<std::uint32_t>(half_edges_.size()));
 }
 
 Edge EdgeTable::operator[](std::size_t edge) const {

@@ -139,13 +139,15 @@ void SliverVoids::pair_around(const std::vector<std::uint32_t>& around,
 std::vector<std::uint32_t> SliverVoids::partners(const std::vector<std::uint8_t>& gone,
                                                  Side side) const {
   std::vector<std::uint32_t> partners(3 * merged_.size());
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const auto half_edges = edges_[i].half_edges;
-    if (half_edges.size() == 2) {
-      partners[half_edges[0]] = half_edges[1];
-      partners[half_edges[1]] = half_edges[0];
+  support::for_each_block(edges_.size(), [&](const support::Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const auto half_edges = edges_[i].half_edges;
+      if (half_edges.size() == 2) {
+        partners[half_edges[0]] = half_edges[1];
+        partners[half_edges[1]] = half_edges[0];
+      }
     }
-  }
+  });
   for (const auto& [edge, around] : around_) {
     pair_around(around, gone, side, partners);
   }
@@ -155,9 +157,13 @@ std::vector<std::uint32_t> SliverVoids::partners(const std::vector<std::uint8_t>
 mesh::Shells SliverVoids::find_cells() const {
   const auto across = partners(std::vector<std::uint8_t>(merged_.size(), 0), Side::free);
   support::DisjointSets sets(merged_.size());
-  for (std::uint32_t h = 0; h < across.size(); ++h) {
-    sets.unite(h / 3, across[h] / 3);
-  }
+  support::for_each_block(merged_.size(), [&](const support::Block& block) {
+    for (auto face = static_cast<std::uint32_t>(block.begin); face < block.end; ++face) {
+      for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) {
+        sets.unite(face, across[h] / 3);
+      }
+    }
+  });
   return mesh::grouped(sets.representatives());
 }
 

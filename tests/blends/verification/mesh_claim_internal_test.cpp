@@ -1,11 +1,17 @@
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "blends/verification/solids_internal.h"
+#include "dupin/blends/ringed_blend.h"
 #include "support/cyclide_cases.h"
 #include "verification/mesh_claim.h"
 
@@ -115,6 +121,144 @@ TEST(MeshClaim, of_a_cyclide_is_that_of_the_torus_it_is) {
       least_bound(test::solid(test::cyclide_piece(arc)), claim(32, equal_knots(16), 0));
   EXPECT_GE(least, measured(4, pi / 2, 1, 32, 16));
   EXPECT_LE(least, 3 * measured(4, pi / 2, 1, 32, 16));
+}
+
+// A disc as the evaluators of the surfaces say it is, the rate of the length that bands are
+// measured by, and how the frame turns, where it does.
+struct Moving {
+  Vec3 center, normal;
+  double radius = 0, pace = 1;
+  std::optional<Vec3> spin = {};
+};
+
+using Surface = std::function<Moving(double)>;
+
+template <class Value>
+Value rate(const std::function<Value(double)>& f, double t) {
+  const double h = 1e-4, a = std::max(t - h, 0.), b = std::min(t + h, 1.);
+  return (f(b) - f(a)) / (b - a);
+}
+
+// The bound of docs/certificate_format.md, from differences at many places of every band.
+double expected_bound(const Surface& at, std::uint32_t segments, int bands, double sharing) {
+  constexpr int kPlaces = 200;
+  double worst = 0;
+  for (int band = 0; band < bands; ++band) {
+    double along = 0, mixed = 0, around = 0, turning = 0, length = 0;
+    for (int i = 0; i <= kPlaces; ++i) {
+      const double t = std::clamp((band + double(i) / kPlaces) / bands, 2e-4, 1 - 2e-4);
+      const auto per_length = [&](const auto& f) { return f / at(t).pace; };
+      const auto c1 = [&](double s) -> Vec3 {
+        return rate<Vec3>([&](double x) { return at(x).center; }, s) / at(s).pace;
+      };
+      const auto n1 = [&](double s) -> Vec3 {
+        return rate<Vec3>([&](double x) { return at(x).normal; }, s) / at(s).pace;
+      };
+      const auto r1 = [&](double s) {
+        return rate<double>([&](double x) { return at(x).radius; }, s) / at(s).pace;
+      };
+      const Vec3 n = at(t).normal, c2 = per_length(rate<Vec3>(c1, t)),
+                 n2 = per_length(rate<Vec3>(n1, t));
+      const double r2 = std::abs(per_length(rate<double>(r1, t))), slope = std::abs(r1(t));
+      const double radius = at(t).radius, turn = n1(t).norm();
+      around = std::max(around, radius);
+      length += at(t).pace / bands / (kPlaces + 1);
+      if (at(t).spin) {
+        const double spin = at(t).spin->norm();
+        const double change = rate<Vec3>([&](double x) { return *at(x).spin; }, t).norm();
+        along =
+            std::max(along, c2.norm() + r2 + 2 * slope * spin + radius * (change + spin * spin));
+        mixed = std::max(mixed, slope + radius * spin);
+        continue;
+      }
+      along = std::max(
+          along, std::hypot(std::abs(c2.dot(n)) + 2 * slope * turn + radius * n2.cross(n).norm(),
+                            c2.cross(n).norm() + r2 + radius * turn * turn));
+      mixed = std::max(mixed, std::hypot(slope, radius * turn));
+      turning = std::max(turning, turn);
+    }
+    const double du =
+        2 * pi / segments + pi / segments / sharing + .27 * std::pow(length * turning, 2) / 16;
+    worst =
+        std::max(worst, (length * length * along + 2 * length * du * mixed + du * du * around) / 8);
+  }
+  return worst;
+}
+
+Vec3 spin(const RationalRingedSurface& surface, double t) {
+  const auto blended = [](std::vector<Eigen::Vector4d> points, double s) {
+    for (; points.size() > 1; points.pop_back()) {
+      for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        points[i] = (1 - s) * points[i] + s * points[i + 1];
+      }
+    }
+    return points.front();
+  };
+  std::vector<Eigen::Vector4d> points, steps;
+  for (const auto& q : surface.rotation) {
+    points.emplace_back(q[0], q[1], q[2], q[3]);
+  }
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    steps.emplace_back(double(points.size() - 1) * (points[i + 1] - points[i]));
+  }
+  const Eigen::Vector4d a = blended(points, t), b = blended(steps, t);
+  const Vec3 v = a.tail<3>(), w = b.tail<3>();
+  return 2 * (a[0] * w - b[0] * v - w.cross(v)) / a.squaredNorm();
+}
+
+// Few bands, on which all that the bound is made of varies: where less than the largest values of a
+// band were taken, less would follow.
+TEST(MeshClaim, is_made_of_the_largest_values_on_each_band) {
+  const auto ringed = [](const RingedSurface& surface) -> Surface {
+    return [=](double t) -> Moving {
+      const SpinePoint y = evaluate(surface.spine, t);
+      return {y.position, y.first.normalized(), evaluate(surface.radius, t).value, y.first.norm()};
+    };
+  };
+  RingedSurface straight = test::cylinder({0, 0, 0}, {0, 8, 0}, 1), bent = test::elbow(5, .9, 1);
+  straight.radius = CubicRadius{1, 2.5};
+  bent.radius = CubicRadius{1, 1.6};
+  const RingedSurface free{
+      {}, {}, HermiteSpine{{0, 0, 0}, {6, 3, 1}, {9, 0, 0}, {2, 7, -3}}, CyclideRadius{.5, .9}};
+  const PeArc arc = PeArc::from(test::sphere(4, 0, 0, .7), test::direction(Vec3(.1, 1, .2), .2),
+                                test::sphere(.5, 5, .4, 1.6));
+  const RationalRingedSurface spinning =
+      ringed_blend(along_oblique_cone({Vec3(0, 0, 0), Vec3::UnitZ(), 1}, Vec3(.6, 0, -3), 1.2),
+                   along_canal({Vec3(4, 1, 4), Vec3::UnitX(), .8}, 0, 3));
+  struct Row {
+    std::string name;
+    Solid solid;
+    Surface surface;
+    int bands;
+  };
+  const std::vector<Row> table = {
+      {"straight", test::solid(straight), ringed(straight), 1},
+      {"straight", test::solid(straight), ringed(straight), 3},
+      {"bent", test::solid(bent), ringed(bent), 1},
+      {"free", test::solid(free), ringed(free), 5},
+      {"free", test::solid(free), ringed(free), 8},
+      {"cyclide", test::solid(test::cyclide_piece(arc)),
+       [=](double t) -> Moving {
+         const Ring ring = circle_at(arc, t);
+         const double m = rate<Vec3>([&](double x) { return sphere_at(arc, x).m; }, t).norm(),
+                      r = rate<double>([&](double x) { return sphere_at(arc, x).r; }, t);
+         return {ring.center, ring.normal, ring.radius, std::sqrt(m * m - r * r)};
+       },
+       4},
+      {"spinning", test::solid(spinning),
+       [=](double t) -> Moving {
+         const MovingRing ring = ring_at(spinning, t);
+         return {ring.center, ring.normal, ring.radius, 1, spin(spinning, t)};
+       },
+       2}};
+  for (const auto& [name, solid, surface, bands] : table) {
+    for (const std::uint32_t segments : {8U, 64U}) {
+      const double expected = expected_bound(surface, segments, bands, bands);
+      const double least = least_bound(solid, claim(segments, equal_knots(bands), 0));
+      EXPECT_GE(least, .995 * expected) << name << " " << bands << " " << segments;
+      EXPECT_LE(least, 1.03 * expected) << name << " " << bands << " " << segments;
+    }
+  }
 }
 
 TEST(MeshClaim, of_a_sphere_is_the_distance_of_its_nearest_facet) {

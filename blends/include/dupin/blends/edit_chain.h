@@ -54,8 +54,8 @@ struct TurnedPiece {
 constexpr double kEditMargin = 1.0 / 64;
 
 /// Throws Error{irregular_surface} unless the chain's margin is proved to be at least `margin`, and
-/// what `build` throws. With `build_all`, the whole document is built; without, resolved only,
-/// which is quick.
+/// what `build` throws. With `build_all`, all parts are meshed and proved to be solids, and, where
+/// there are walls, united; without, the document is resolved only, which is quick.
 void check_edit(const Assembly& edited, std::uint32_t part, double margin, bool build_all = true);
 
 }  // namespace dupin
