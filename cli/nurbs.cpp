@@ -1,5 +1,3 @@
-#include "dupin/blends/nurbs.h"
-
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -8,7 +6,6 @@
 
 #include "commands.h"
 #include "document.h"
-#include "dupin/blends/resolve.h"
 #include "dupin/io/nurbs_json.h"
 #include "exchange_options.h"
 #include "exit_code.h"
@@ -23,48 +20,6 @@ struct NurbsArguments {
   std::string file, output;
   SourceArguments source;
 };
-
-// A cope has no surface of its own.
-void append_fillets(const ResolvedAssembly& resolved, double tolerance,
-                    std::vector<NamedNurbs>& result) {
-  for (const ResolvedFillet& fillet : resolved.fillets) {
-    if (fillet.shape.is_cope()) {
-      continue;
-    }
-    NurbsForm form;
-    for (const CanalFillet& loop : fillet.shape.loops) {
-      try {
-        const NurbsForm own = nurbs(loop, tolerance);
-        form.surfaces.insert(form.surfaces.end(), own.surfaces.begin(), own.surfaces.end());
-        form.error_bound = std::max(form.error_bound, own.error_bound);
-      } catch (const Error& error) {
-        throw error.in_part(fillet.name);
-      }
-    }
-    result.push_back({fillet.name, "fillet", std::move(form)});
-  }
-}
-
-std::vector<NamedNurbs> nurbs_of(const Assembly& assembly, double tolerance) {
-  std::vector<NamedNurbs> result;
-  const ResolvedAssembly resolved = resolve(assembly);
-  for (const ResolvedPart& part : resolved.parts) {
-    try {
-      result.push_back({part.name, part.kind, nurbs(part.shape, tolerance)});
-    } catch (const Error& error) {
-      throw error.in_part(part.name);
-    }
-  }
-  for (const ResolvedJunction& junction : resolved.junctions) {
-    NurbsForm hub = nurbs(junction.shape.hub, tolerance);
-    for (const JunctionArm& arm : junction.shape.arms) {
-      hub.trims.push_back(nurbs(cap_circle(arm)));
-    }
-    result.push_back({junction.name, "junction", std::move(hub)});
-  }
-  append_fillets(resolved, tolerance, result);
-  return result;
-}
 
 // What the extension asks for.
 std::string nurbs_file(const std::vector<NamedNurbs>& parts, Unit unit,
@@ -101,7 +56,7 @@ ExitCode run_nurbs(const NurbsArguments& arguments, const CommonOptions& common)
   const Document document = read_document(arguments.file, arguments.source);
   const Assembly& assembly = document.assembly;
   const double tolerance = length_in(assembly.unit, common.tolerance, assembly.tolerance);
-  const auto parts = nurbs_of(assembly, tolerance);
+  const auto parts = named_nurbs(assembly, tolerance);
   write_text(arguments.output, nurbs_file(parts, assembly.unit, lower_extension(arguments.output)));
   if (output_path(arguments.output) == "-") {
     return ExitCode::ok;

@@ -6,7 +6,6 @@
 #include "binding.h"
 #include "dupin/blends/build.h"
 #include "dupin/blends/certify.h"
-#include "dupin/blends/nurbs.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/atomic_file.h"
@@ -115,19 +114,7 @@ std::string nurbs_of(const std::string& text, const std::string& source,
                      std::optional<double> tolerance) {
   return unlocked([&] {
     const Assembly assembly = assembly_of_text(text, source);
-    const ResolvedAssembly resolved = resolve(assembly);
-    refuse_fillets(assembly, resolved, "NURBS");
-    refuse_junctions(assembly, resolved, "NURBS");
-    std::vector<NamedNurbs> parts;
-    for (const ResolvedPart& part : resolved.parts) {
-      try {
-        parts.push_back(
-            {part.name, part.kind, nurbs(part.shape, tolerance.value_or(assembly.tolerance))});
-      } catch (const Error& error) {
-        throw error.in_part(part.name);
-      }
-    }
-    return nurbs_json(parts, assembly.unit);
+    return nurbs_json(named_nurbs(assembly, tolerance.value_or(assembly.tolerance)), assembly.unit);
   });
 }
 

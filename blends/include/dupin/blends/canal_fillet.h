@@ -128,8 +128,7 @@ struct RationalParallel {
   double far_squared = 0.5, near_squared = 0.5;  ///< a0^2 in (0, 1), b0^2: set radii at 0 and pi
 };
 
-/// Balls that touch two cylinders or cones, one loop of them; the parameter has the period 2 pi.
-/// Value type: what is stored defines the balls.
+/// Balls that touch two cylinders or cones, one loop of them, with the period 2 pi. Value type.
 struct CanalFillet {
   std::array<Ring, 2> quadrics;  ///< as they were given, in that order
   std::variant<RollingThrough, RollingPartly, RollingOnCones, RollingPartlyOnCones,
