@@ -2,28 +2,17 @@
 
 #include "canal/rational_fillet.h"
 #include "canal/rolling_ball.h"
-#include "numbers/mpfi_interval.h"
+#include "numbers/cosine_and_sine.h"
 
 namespace dupin {
 namespace canal {
-namespace {
 
 using numbers::Interval;
-using Number = numbers::MpfiInterval<64>;
-
-Interval rounded(const Number& x) {
-  const auto [lower, upper] = x.rounded_outward();
-  return {lower, upper};
-}
-
-}  // namespace
 
 Turn<Interval> turn(const ParameterInterval& at) {
-  const Number parameter = Number::between(at.from, numbers::next_above(at.to));
-  const Number two = Number(mpq_class(2));
-  const Number half = (parameter - Number::pi() / two) / two;
-  const Interval c = rounded(cosine(parameter)), s = rounded(sine(parameter));
-  const Interval p = rounded(cosine(half)), q = rounded(sine(half));
+  const Interval parameter(at.from, numbers::next_above(at.to));
+  const auto [c, s] = numbers::cosine_and_sine(parameter);
+  const auto [p, q] = numbers::cosine_and_sine_of_half_beyond_quarter(parameter);
   const Interval by_2 = 0.5, by_4 = 0.25;
   const auto middle = turn((at.from + at.to) / 2);
   return {Jet<Interval>(c, -s, -c),
