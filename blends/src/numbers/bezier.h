@@ -43,22 +43,33 @@ inline IntervalVec hull(const IntervalVec& a, const IntervalVec& b) {
   return {hull(a[0], b[0]), hull(a[1], b[1]), hull(a[2], b[2])};
 }
 
-/// Encloses the control points (numbers or vectors) of a Bezier polynomial on the part t of [0, 1]:
-/// its blossoms.
+/// One step of de Casteljau's scheme at t on the first `count` points: one less is left.
 template <class T>
-[[nodiscard]] std::vector<T> bezier_part(const std::vector<T>& points, const Interval& t) {
-  std::vector<T> part;
-  for (std::size_t times_upper = 0; times_upper < points.size(); ++times_upper) {
-    std::vector<T> row = points;
-    for (std::size_t r = 1; r < points.size(); ++r) {
-      const Interval at = r <= times_upper ? t.upper : t.lower;
-      for (std::size_t i = 0; i + r < points.size(); ++i) {
-        row[i] = (Interval(1) - at) * row[i] + at * row[i + 1];
-      }
-    }
-    part.push_back(row.front());
+void casteljau_step(std::vector<T>& points, std::size_t count, const Interval& t) {
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    points[i] = (Interval(1) - t) * points[i] + t * points[i + 1];
   }
-  return part;
+}
+
+/// Encloses the control points (numbers or vectors) of a Bezier polynomial on the part t of [0, 1],
+/// cut off at its lower end, then at its upper one. O(n^2).
+template <class T>
+[[nodiscard]] std::vector<T> bezier_part(std::vector<T> points, const Interval& t) {
+  const std::size_t count = points.size();
+  if (t.lower != 0) {  // what is left of each row is its last point
+    for (std::size_t left = count; left > 1; --left) {
+      casteljau_step(points, left, t.lower);
+    }
+  }
+  if (t.upper != 1) {
+    const Interval end = (Interval(t.upper) - t.lower) / (Interval(1) - t.lower);
+    std::vector<T> row = points;
+    for (std::size_t i = 0; i < count; ++i) {
+      points[i] = row.front();
+      casteljau_step(row, count - i, end);
+    }
+  }
+  return points;
 }
 
 /// Encloses a Bezier polynomial (of numbers or vectors) on t: the hull of its control points there.

@@ -114,5 +114,31 @@ TEST(Bezier, part_has_the_control_points_of_the_part) {
   }
 }
 
+TEST(Bezier, part_holds_the_blossoms_at_its_ends) {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (std::size_t size = 1; size <= 10; ++size) {
+    const std::vector<double> points = random_points(random, size);
+    const double a = unit(random);
+    for (const Interval& t :
+         {Interval(a, std::nextafter(a, 2.)), Interval(a / 2, a), Interval(0, a), Interval(a, 1),
+          Interval(0, 1), Interval(0, 0), Interval(1, 1), Interval(a, a), Interval(a, 1.25)}) {
+      const auto part = bezier_part(std::vector<Interval>(points.begin(), points.end()), t);
+      ASSERT_EQ(part.size(), size);
+      for (std::size_t uppers = 0; uppers < size; ++uppers) {
+        std::vector<mpq_class> row(points.begin(), points.end());
+        for (std::size_t r = 1; r < size; ++r) {
+          const mpq_class at = r <= uppers ? t.upper : t.lower;
+          for (std::size_t i = 0; i + r < size; ++i) {
+            row[i] = (1 - at) * row[i] + at * row[i + 1];
+          }
+        }
+        EXPECT_TRUE(holds(part[uppers], row.front())) << size << ' ' << t.lower << ' ' << t.upper;
+        EXPECT_LT(part[uppers].upper - part[uppers].lower, 1e-9) << size << ' ' << t.upper;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dupin::numbers
