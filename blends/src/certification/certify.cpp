@@ -133,9 +133,7 @@ class Certifier {
     }
     result.regular = checker_.agreed(certification::prove_regular(chain, options_.margin));
     if (result.regular->verdict == Verdict::proved) {
-      result.embedded = checker_.agreed(
-          certification::prove_embedded(sweep, result.regular->margin, options_.boxes),
-          *result.regular);
+      result.embedded = embedded(sweep, *result.regular);
     }
     for (std::size_t i = 0; i < chain.pieces.size(); ++i) {
       for (const auto end : {End::start, End::end}) {
@@ -146,6 +144,21 @@ class Certifier {
       }
     }
     return result;
+  }
+
+  // The checker's intervals are wider on long ways than the prover's.
+  [[nodiscard]] EmbeddedClaim embedded(const certification::SweptDiscs& sweep,
+                                       const RegularClaim& regular) {
+    constexpr double kShortestWay = 1.0 / 32;
+    for (double way = certification::kLongestWay;; way /= 4) {
+      EmbeddedClaim found =
+          certification::prove_embedded(sweep, regular.margin, options_.boxes, way);
+      const bool is_open = found.verdict == Verdict::undecided;
+      EmbeddedClaim agreed = checker_.agreed(std::move(found), regular);
+      if (is_open || agreed.verdict != Verdict::undecided || way <= kShortestWay) {
+        return agreed;
+      }
+    }
   }
 
   void append_meshes() {

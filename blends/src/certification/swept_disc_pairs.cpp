@@ -148,12 +148,10 @@ std::optional<std::vector<DiscPairs>> leaves_of(const SweptDiscs& first, const S
   return leaves;
 }
 
-// Ways that are longer are not looked at: some piece turns too much on them.
-constexpr double kLongestWay = 2;
-
 }  // namespace
 
-EmbeddedClaim prove_embedded(const SweptDiscs& sweep, double margin, std::size_t boxes) {
+EmbeddedClaim prove_embedded(const SweptDiscs& sweep, double margin, std::size_t boxes,
+                             double longest_way) {
   EmbeddedClaim claim;
   std::vector<Pair> stack;
   const auto pieces = sweep.stretches();
@@ -166,8 +164,8 @@ EmbeddedClaim prove_embedded(const SweptDiscs& sweep, double margin, std::size_t
     const ParameterInterval all{pair.first.from, pair.second.to};
     std::vector<DiscPace> way, around;
     return sweep.turns_little(all, margin) ||
-           (size(all) <= kLongestWay && sweep.append_way(all, way) && advances(way)) ||
-           (sweep.closed() && sweep.length() - pair.second.from + pair.first.to <= kLongestWay &&
+           (size(all) <= longest_way && sweep.append_way(all, way) && advances(way)) ||
+           (sweep.closed() && sweep.length() - pair.second.from + pair.first.to <= longest_way &&
             sweep.append_way({pair.second.from, sweep.length()}, around) &&
             sweep.append_way({0, pair.first.to}, around) && advances(around));
   };

@@ -9,6 +9,9 @@
 
 namespace dupin::certification {
 
+/// Of ways between discs that are looked at: on longer ones some piece turns too much.
+constexpr double kLongestWay = 2;
+
 /// A lower bound of the distance of two sets of discs, all of `first` being behind and all of
 /// `second` in front of a slab of that width across `direction`; not positive if none was found.
 struct Separation {
@@ -22,7 +25,7 @@ struct Separation {
 /// Proves or refutes that the discs at any two parameters are disjoint, given that they are locally
 /// with this margin.
 [[nodiscard]] EmbeddedClaim prove_embedded(const SweptDiscs& sweep, double margin,
-                                           std::size_t boxes);
+                                           std::size_t boxes, double longest_way = kLongestWay);
 
 /// The ends at which two parts are joined.
 struct JoinedEnds {

@@ -1,6 +1,7 @@
 #include "verification/hub_claims.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "verification/admitted.h"
 #include "verification/covering.h"
@@ -41,34 +42,46 @@ Wide squared_length(const EndTangent& t) {
   return square(t.a[0]) + square(t.a[1]) + square(t.a[2]);
 }
 
-// Of the points m + r u with u.m' = -r', the power with respect to the hub. Before the last circle
-// it is (1 - t)^2 times what Taylor's formula at t tells: |m'|^2 - r'^2 - r (u.m'' + r''), with
-// derivatives from between t and the end.
-bool is_outside(const SphereMotion& spheres, const ParameterInterval& t,
-                const IntervalVec& from_hub, double hub_radius, bool ends_in_hub) {
-  const auto sphere = spheres(t.from, t.to);
-  if (!sphere) {
-    return false;
+// The cones of directions u with u.m' = -r' along a stretch: u = sine along + cosine across.
+struct Directions {
+  IntervalVec along;
+  Interval sine, cosine;
+};
+
+std::optional<Directions> directions(const MovingSphere& sphere) {
+  const IntervalVec m1 = part(sphere.center, 1);
+  const Interval r1 = sphere.radius[1], speed = numbers::norm(m1);
+  if (!((square(speed) - square(r1)).lower > 0) || !(sphere.radius[0].lower > 0)) {
+    return std::nullopt;
   }
-  const IntervalVec m1 = part(sphere->center, 1);
-  const Interval r = sphere->radius[0], r1 = sphere->radius[1];
-  const Interval speed = numbers::norm(m1);
-  if (!((square(speed) - square(r1)).lower > 0) || !(r.lower > 0)) {
-    return false;
-  }
-  const Interval sine = -r1 / speed, cosine = sqrt(max(Interval(0), Interval(1) - square(sine)));
-  const IntervalVec along = (Interval(1) / speed) * m1;
-  if (ends_in_hub) {
-    const IntervalVec m2 = part(sphere->center, 2);
-    const Interval most =
-        sine * numbers::dot(along, m2) + cosine * numbers::norm(numbers::cross(along, m2));
-    return (square(speed) - square(r1) - r * (most + sphere->radius[2])).lower > 0;
-  }
-  const IntervalVec d = part(sphere->center, 0) + from_hub;
-  const Interval rho = r - Interval(hub_radius);
-  const Interval least =
-      sine * numbers::dot(along, d) - cosine * numbers::norm(numbers::cross(along, d));
-  return (square(numbers::norm(d)) - square(rho) + Interval(2) * r * (least + rho)).lower > 0;
+  const Interval sine = -r1 / speed;
+  return Directions{(Interval(1) / speed) * m1, sine,
+                    sqrt(max(Interval(0), Interval(1) - square(sine)))};
+}
+
+// What u.v may be, of `sign` across: from below with -1, from above with 1.
+Interval extreme(const Directions& u, const IntervalVec& v, double sign) {
+  return u.sine * numbers::dot(u.along, v) +
+         Interval(sign) * u.cosine * numbers::norm(numbers::cross(u.along, v));
+}
+
+// Of the points m + r u the power with respect to the hub.
+bool has_positive_power(const MovingSphere& sphere, const Directions& u,
+                        const IntervalVec& from_hub, double hub_radius) {
+  const IntervalVec d = part(sphere.center, 0) + from_hub;
+  const Interval r = sphere.radius[0], rho = r - Interval(hub_radius);
+  return (square(numbers::norm(d)) - square(rho) + Interval(2) * r * (extreme(u, d, -1) + rho))
+             .lower > 0;
+}
+
+// Before the end in the hub it is (1 - t)^2 times |e|^2 - s^2 + 2 r (u.e' + s'), (e; s) being what
+// the sphere is less the hub, divided by 1 - t: its product with (u; 1) is (1 - t) times that of
+// (e'; s'), as u.m' + r' = 0.
+bool comes_from_outside(const Interval& radius, const Directions& u, const MovingSphere& approach) {
+  const IntervalVec e = part(approach.center, 0), e1 = part(approach.center, 1);
+  return (square(numbers::norm(e)) - square(approach.radius[0]) +
+          Interval(2) * radius * (extreme(u, e1, -1) + approach.radius[1]))
+             .lower > 0;
 }
 
 }  // namespace
@@ -99,10 +112,19 @@ bool keeps_outside(const Solid& arm, const ParameterInterval& t, const Sphere& h
     return false;
   }
   const ParameterInterval within = within_piece(t);
-  const bool ends_in_hub = piece == &arm.pieces().back() && within.to == 1;
-  const IntervalVec from_hub =
-      numbers::interval_vec(shape->first.m) - numbers::interval_vec(hub.center);
-  return is_outside(sphere_motion(*shape, 0), within, from_hub, hub.radius, ends_in_hub);
+  const SphereMotion spheres = sphere_motion(*shape, 0);
+  const auto sphere = spheres(within.from, within.to);
+  const auto u = sphere ? directions(*sphere) : std::nullopt;
+  if (!u) {
+    return false;
+  }
+  if (piece == &arm.pieces().back()) {
+    const auto near = approach(*shape)(within.from, within.to);
+    return near && comes_from_outside(sphere->radius[0], *u, *near);
+  }
+  return has_positive_power(
+      *sphere, *u, numbers::interval_vec(shape->first.m) - numbers::interval_vec(hub.center),
+      hub.radius);
 }
 
 bool follows_at_hub(const Solid& arm, const Sphere& hub, const ClearanceClaim& claim) {

@@ -14,7 +14,8 @@ namespace {
 constexpr int kRefinements = 10;  // a band's bounds are taken over up to 2^10 cells
 
 // Upper bounds, over a stretch, of |x_tt|, |x_tu|, |x_uu| in a frame that does not spin, of |n'|,
-// and of the length by which t is measured here.
+// and of how long it is, as t is measured: as it is, or by the length of the way where that varies
+// less.
 struct Bounds {
   double along = 0, mixed = 0, around = 0, turning = 0;
   Interval length = 0;
@@ -38,24 +39,14 @@ void include_spinning(Bounds& bounds, const MovingDisc& disc) {
 // e' = -(e.n') n for the directions e from the centre c, hence
 //   x_tt = [c''.n - 2 R' e.n' - R e.n''] n + the rest of c'' + R'' e - R (e.n') n',
 //   x_tu = R' e_u - R (e_u.n') n.
-bool include(Bounds& bounds, const Motion& motion, double from, double to) {
-  const auto disc = motion(from, to);
-  if (!disc || !(disc->pace[0].lower > 0)) {
-    return false;
-  }
-  bounds.length = bounds.length + (Interval(to) - from) * disc->pace[0].upper;
-  if (disc->spin) {
-    include_spinning(bounds, *disc);
-    return true;
-  }
-  const Jet<2> pace{{disc->pace[0], disc->pace[1]}};
-  const Jet<1> value{{disc->pace[0]}};
-  const JetVec<2> c1 = derivative(disc->center) / pace, n1 = derivative(disc->normal) / pace;
-  const Jet<2> r1 = derivative(disc->radius) / pace;
-  const IntervalVec n = part(disc->normal, 0);
+void include_steady(Bounds& bounds, const MovingDisc& disc, const Jet<2>& pace) {
+  const Jet<1> value{{pace[0]}};
+  const JetVec<2> c1 = derivative(disc.center) / pace, n1 = derivative(disc.normal) / pace;
+  const Jet<2> r1 = derivative(disc.radius) / pace;
+  const IntervalVec n = part(disc.normal, 0);
   const IntervalVec c2 = part(derivative(c1) / value, 0), n2 = part(derivative(n1) / value, 0);
   const Interval turn = numbers::norm(part(n1, 0)).upper, slope = r1[0].magnitude();
-  const Interval radius = disc->radius[0].magnitude(),
+  const Interval radius = disc.radius[0].magnitude(),
                  bend = (derivative(r1) / value)[0].magnitude();
   const Interval lengthwise = Interval(numbers::dot(c2, n).magnitude()) +
                               Interval(2) * slope * turn +
@@ -65,30 +56,55 @@ bool include(Bounds& bounds, const Motion& motion, double from, double to) {
   bounds.mixed = std::max(bounds.mixed, numbers::sqrt(square(slope) + square(radius * turn)).upper);
   bounds.around = std::max(bounds.around, radius.upper);
   bounds.turning = std::max(bounds.turning, turn.upper);
+}
+
+enum class Measure { length, parameter };
+
+bool include(Bounds& bounds, const Motion& motion, Measure measure, double from, double to) {
+  const auto disc = motion(from, to);
+  if (!disc || !(disc->pace[0].lower > 0)) {
+    return false;
+  }
+  const bool is_by_length = measure == Measure::length;
+  const Interval pace = is_by_length ? disc->pace[0] : Interval(1);
+  bounds.length = bounds.length + (Interval(to) - from) * pace.upper;
+  if (disc->spin) {
+    include_spinning(bounds, *disc);
+  } else {
+    include_steady(bounds, *disc, {{pace, is_by_length ? disc->pace[1] : Interval(0)}});
+  }
   return true;
 }
 
 // The design of the bound is in docs/certificate_format.md: linear interpolation on right triangles
 // with legs dt and du, du widened by the frame's drift over a band and the tube's share of twist.
+bool band_follows(const Motion& motion, Measure measure, double from, double to, int cells,
+                  const Interval& around, double allowed) {
+  Bounds bounds;
+  for (int i = 0; i < cells; ++i) {
+    const double a = i == 0 ? from : std::lerp(from, to, double(i) / cells);
+    const double b = i + 1 == cells ? to : std::lerp(from, to, double(i + 1) / cells);
+    if (!include(bounds, motion, measure, a, b)) {
+      return false;
+    }
+  }
+  const Interval dt = bounds.length.upper, turn = dt * bounds.turning;
+  const Interval du = around + Interval(0.27) * square(turn) / 16;
+  const Interval error = (square(dt) * bounds.along + Interval(2) * dt * du * bounds.mixed +
+                          square(du) * bounds.around) /
+                         8;
+  return turn.upper <= 1 && error.upper <= allowed;
+}
+
 bool band_follows(const Motion& motion, double from, double to, std::uint32_t segments,
                   const Interval& twist, double allowed) {
   const Enclosure pi = Mpfi::pi().rounded_outward();
-  const Interval around = Interval(2) * Interval(pi.lower, pi.upper) / segments;
+  const Interval around = Interval(2) * Interval(pi.lower, pi.upper) / segments + twist;
   for (int cells = 1; cells <= 1 << kRefinements; cells *= 2) {
-    Bounds bounds;
-    bool moves = true;
-    for (int i = 0; i < cells && moves; ++i) {
-      const double a = i == 0 ? from : std::lerp(from, to, double(i) / cells);
-      const double b = i + 1 == cells ? to : std::lerp(from, to, double(i + 1) / cells);
-      moves = include(bounds, motion, a, b);
-    }
-    const Interval dt = bounds.length.upper, turn = dt * bounds.turning;
-    const Interval du = around + twist + Interval(0.27) * square(turn) / 16;
-    const Interval error = (square(dt) * bounds.along + Interval(2) * dt * du * bounds.mixed +
-                            square(du) * bounds.around) /
-                           8;
-    if (moves && turn.upper <= 1 && error.upper <= allowed) {
-      return true;
+    for (const Measure measure : {Measure::length, Measure::parameter}) {
+      if (band_follows(motion, measure, from, to, cells, around, allowed)) {
+        return true;
+      }
     }
   }
   return false;

@@ -238,11 +238,22 @@ Motion motion(const Tube& tube) {
   };
 }
 
-SphereMotion sphere_motion(const CyclidePiece& piece, double wall) {
-  const auto exact = [](const PeVector& b) {
-    return std::array<mpq_class, 4>{b.m.x(), b.m.y(), b.m.z(), b.r};
+namespace {
+
+using ExactPoint = std::array<mpq_class, 4>;
+
+// The arc's spheres are (first, middle, last) over weight, all in Bernstein form.
+struct ExactArc {
+  ExactPoint first, middle, last;  // the latter two times their weights
+  Polynomial weight;
+};
+
+ExactArc exact_arc(const CyclidePiece& piece) {
+  const auto exact = [](const PeVector& b) -> ExactPoint {
+    return {b.m.x(), b.m.y(), b.m.z(), b.r};
   };
-  const auto first = exact(piece.first), tangent = exact(piece.tangent), last = exact(piece.last);
+  const ExactPoint first = exact(piece.first), tangent = exact(piece.tangent),
+                   last = exact(piece.last);
   const mpq_class chord = piece.chord;
   mpq_class squared, along;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -250,14 +261,15 @@ SphereMotion sphere_motion(const CyclidePiece& piece, double wall) {
     squared += (k < 3 ? 1 : -1) * d * d;
     along += (k < 3 ? 1 : -1) * d * tangent[k];
   }
-  const Polynomial weight{1, along / chord, squared / chord / chord};
-  Curve centers;
-  Polynomial radius;
+  ExactArc arc{first, {}, {}, {1, along / chord, squared / chord / chord}};
   for (std::size_t k = 0; k < 4; ++k) {
-    const Polynomial p{first[k], (along * first[k] + squared / 2 * tangent[k]) / chord,
-                       weight[2] * last[k]};
-    (k < 3 ? centers[k] : radius) = k < 3 ? about(p, weight, first[k]) : about(p, weight, wall);
+    arc.middle[k] = (along * first[k] + squared / 2 * tangent[k]) / chord;
+    arc.last[k] = arc.weight[2] * last[k];
   }
+  return arc;
+}
+
+SphereMotion motion_of(const Curve& centers, const Polynomial& radius, const Polynomial& weight) {
   return [m_times_w = EnclosedCurve<4>(centers), r_times_w = Enclosed<4>(radius),
           weight = Enclosed<4>(weight)](double from, double to) -> std::optional<MovingSphere> {
     spend(kDiscWork);
@@ -267,6 +279,31 @@ SphereMotion sphere_motion(const CyclidePiece& piece, double wall) {
     }
     return MovingSphere{m_times_w.over(from, to) / w, r_times_w.over(from, to) / w};
   };
+}
+
+}  // namespace
+
+SphereMotion sphere_motion(const CyclidePiece& piece, double wall) {
+  const ExactArc arc = exact_arc(piece);
+  Curve centers;
+  Polynomial radius;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Polynomial p{arc.first[k], arc.middle[k], arc.last[k]};
+    (k < 3 ? centers[k] : radius) = about(p, arc.weight, k < 3 ? arc.first[k] : mpq_class(wall));
+  }
+  return motion_of(centers, radius, arc.weight);
+}
+
+SphereMotion approach(const CyclidePiece& piece) {
+  const ExactArc arc = exact_arc(piece);
+  Curve centers;
+  Polynomial radius;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const mpq_class last = arc.last[k] / arc.weight[2];
+    const Polynomial p{arc.first[k] - last, 2 * (arc.middle[k] - arc.weight[1] * last)};
+    (k < 3 ? centers[k] : radius) = p;
+  }
+  return motion_of(centers, radius, arc.weight);
 }
 
 // Of spheres (m; r): circles about c = m - r r' m' / |m'|^2 across m', of radius r sqrt(1 - r'^2 /

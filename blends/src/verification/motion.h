@@ -37,6 +37,9 @@ using SphereMotion = std::function<std::optional<MovingSphere>(double from, doub
 /// Of the outer skin, or of the parallel one at distance `wall` inside.
 [[nodiscard]] SphereMotion sphere_motion(const CyclidePiece& piece, double wall);
 
+/// What spheres (m; r) of the outer skin are less the last one, divided by 1 - t.
+[[nodiscard]] SphereMotion approach(const CyclidePiece& piece);
+
 [[nodiscard]] Motion motion(const Tube& tube);
 /// Of the outer skin, or of the parallel one at distance `wall` inside.
 [[nodiscard]] Motion motion(const CyclidePiece& piece, double wall);

@@ -20,7 +20,7 @@ std::uint64_t WorkLimit::left() const { return left_; }
 void WorkLimit::set_left(std::uint64_t units) { left_ = units; }
 
 std::uint64_t work_for(const std::vector<DiscPairs>& leaves) {
-  constexpr std::uint64_t kNumbers = 4;  // a direction is not asked for
+  constexpr std::uint64_t kNumbers = 6;  // of two stretches; arms at hubs take more looks
   return CertificateLimits::kWorkPerNumber * kNumbers * leaves.size();
 }
 
