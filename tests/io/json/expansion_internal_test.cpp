@@ -186,11 +186,11 @@ TEST(Expansion, is_certified_as_what_it_stands_for) {
   Certificate certificate = certify(parse_assembly(text));
   EXPECT_EQ(certificate.parts.size(), 3U);
   certificate.document_sha256 = sha256(text);
-  EXPECT_NO_THROW(require_about(certificate, text, {}));
+  EXPECT_NO_THROW(require_about(certificate, text, ""));
   const std::string other =
       document(std::string(kRow).replace(std::string(kRow).find("4 *"), 1, "5"));
   certificate.document_sha256 = sha256(other);
-  EXPECT_THROW(require_about(certificate, other, {}), Error);
+  EXPECT_THROW(require_about(certificate, other, ""), Error);
 }
 
 TEST(Expansion, lets_chains_beside_copies_be_edited) {
