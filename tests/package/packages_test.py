@@ -12,7 +12,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 NEEDS = {
     "dupin": {"libc6", "libgmp10", "libmpfr6", "libtbb12", "libexpat1"},
     "libdupin-dev": {"libeigen3-dev", "libgmp-dev", "libmpfr-dev", "libmpfi-dev", "libtbb-dev", "libexpat1-dev",
-                     "libzip-dev"},
+                     "libzip-dev", "libcairo2-dev"},
+    "dupin-exchange": {"libc6", "libocct-data-exchange-7.6"},
     "python3-dupin": {"python3", "python3-numpy", "libgmp10"},
 }
 HOLDS = {
@@ -21,6 +22,7 @@ HOLDS = {
               "usr/share/dupin/assembly.schema.json"],
     "libdupin-dev": ["usr/include/dupin/blends/build.h", "usr/lib/*/libdupin_kernel.a",
                      "usr/lib/*/cmake/dupin/dupinConfig.cmake", "usr/lib/*/pkgconfig/dupin.pc"],
+    "dupin-exchange": ["usr/lib/*/libdupin_occt.so"],
     "python3-dupin": ["usr/lib/python3/dist-packages/dupin/__init__.py", "usr/lib/python3/dist-packages/dupin/_core.pyi"],
 }
 
@@ -37,13 +39,15 @@ def fields(package):
 
 
 def use(root, version):
-    """The three packages at work, as far as that can be without being root's own system."""
+    """The packages at work, as far as that can be without being root's own system."""
     assert run(root / "usr/bin/dupin", "--version") == f"dupin {version}\n"
     run(root / "usr/bin/dupin", "build", ROOT / "examples/reducer.json", "-o", root / "tmp/reducer.stl", "-q")
     environment = {**os.environ, "PYTHONPATH": str(root / "usr/lib/python3/dist-packages"), "PYTHONDONTWRITEBYTECODE": "1"}
     run("/usr/bin/python3", "-c", f"import dupin; assert dupin.Solid.read('{root}/tmp/reducer.stl').genus == 0",
         env=environment)
     os.unlink(root / "tmp/reducer.stl")
+    run(root / "usr/bin/dupin", "build", ROOT / "examples/reducer.json", "-o", root / "tmp/reducer.step", "-q")
+    os.unlink(root / "tmp/reducer.step")
     path = next(root.glob("usr/lib/*/pkgconfig"))
     flags = run("pkg-config", "--cflags", "--libs", "dupin", env={**os.environ, "PKG_CONFIG_PATH": str(path)}).split()
     assert {"-ldupin_io", "-ldupin_kernel", "-lgmp", "-lzip", "-lexpat"} <= set(flags), flags
