@@ -243,7 +243,7 @@ void add_region_option(CLI::App& command, std::string& region, bool has_insulati
       .add_option("--region", region,
                   std::string("outer, metal") +
                       (has_insulation ? ", fluid or insulation" : " or fluid") +
-                      "; metal if not given, where there are walls")
+                      "; metal if not given,\nwhere there are walls")
       ->type_name("REGION")
       ->check(CLI::IsMember(names));
 }

@@ -99,11 +99,11 @@ TEST_F(Completion, zsh_asks_for_the_options_of_the_command) {
       "words=(\"$@\"); CURRENT=$#; _dupin\n"
       "END\n";
   const std::vector<std::pair<std::string, std::string>> table{
-      {"dupin ''", "check:Find every fault"},
+      {"dupin ''", "check:Say whether a mesh is a solid"},
       {"dupin --json ''", "build:Make a watertight solid"},
       {"dupin build ''", "(-o --output)--output["},
       {"dupin build -q ''", "*:file:_files"},
-      {"dupin union ''", ":(report refuse"},
+      {"dupin union ''", "--contacts["},
       {"dupin convert --format ''", "stl-ascii"},
       {"dupin completion ''", "*:SHELL:(bash zsh fish)"},
       {"dupin -''", "(--version)--version["},

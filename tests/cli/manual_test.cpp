@@ -14,7 +14,7 @@ TEST_F(Manual, has_every_option_of_a_command) {
   EXPECT_TRUE(page.starts_with(".TH DUPIN\\-BUILD 1"));
   for (const char* const part :
        {".SH NAME\ndupin\\-build \\- Make a watertight solid",
-        "\\fB\\-o\\fR, \\fB\\-\\-output\\fR \\fIOUT\\fR", "(required)",
+        "\\fB\\-o\\fR, \\fB\\-\\-output\\fR \\fIOUT\\fR",
         ".SH EXAMPLES\n.EX\ndupin build examples/reducer.json", "\\fB\\-\\-json\\fR",
         "one of \\fBouter\\fR \\fBmetal\\fR \\fBfluid\\fR"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part << "\n" << page;

@@ -82,7 +82,7 @@ TEST_F(Usage, faults_are_one_line_on_standard_error) {
       {{"verify"}, "CERTIFICATE is required"},
       {{"verify", "a.off", "--tolerance", "1"}, "verify has no use for --tolerance"},
       {{"simplify", "a.off", "b.off"}, "simplify needs --tolerance"},
-      {{"completion", "zsh"}, "SHELL: zsh not in {bash}"},
+      {{"completion", "csh"}, "SHELL: csh not in {bash,zsh,fish}"},
   };
   for (const auto& [arguments, message] : table) {
     const ProcessResult result = dupin(arguments);

@@ -15,16 +15,16 @@ struct Malformed {
   std::string what;
 };
 
-/// `read` takes the bytes and the file's name.
+/// With this code. `read` takes the bytes and the file's name.
 template <typename Read>
-void expect_refused(const Read& read, const std::string& file,
-                    const std::vector<Malformed>& table) {
+void expect_refused(const Read& read, const std::string& file, const std::vector<Malformed>& table,
+                    Errc code = Errc::parse_failed) {
   for (const Malformed& row : table) {
     try {
       (void)read(row.bytes, file);
       ADD_FAILURE() << "accepted, expected: " << row.what;
     } catch (const Error& error) {
-      EXPECT_EQ(error.code(), Errc::parse_failed) << row.what;
+      EXPECT_EQ(error.code(), code) << row.what;
       EXPECT_EQ(error.what(), row.what);
     }
   }

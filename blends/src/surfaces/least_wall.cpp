@@ -13,13 +13,13 @@ namespace {
 
 using numbers::Interval;
 
-constexpr int kCells = 64;  // of parameters, and of directions
+constexpr int kCells = 64, kDirections = 1024;  // of parameters, and of directions
 // Above the steepest easing of an ellipse's turn.
 constexpr double kSteepest = 2;
 // Of the radius: what the bore's stored numbers are off by, at most.
 constexpr double kRounding = 0x1p-48;
 
-Interval cell(int i) { return {double(i) / kCells, double(i + 1) / kCells}; }
+Interval cell(int i, int count = kCells) { return {double(i) / count, double(i + 1) / count}; }
 
 // All laws but Bezier's are monotone.
 Interval radii(const RadiusLaw& law, const Interval& t) {
@@ -38,8 +38,8 @@ double ellipse_wall(const Interval& a, const Interval& b, double wall) {
                           const Interval& s) {
     return numbers::sqrt(square(x) * c + square(y) * s);
   };
-  for (int i = 0; i < kCells; ++i) {
-    const Interval c = cell(i), s = Interval(1) - c;
+  for (int i = 0; i < kDirections; ++i) {
+    const Interval c = cell(i, kDirections), s = Interval(1) - c;
     const Interval both =
         support(a, b, c, s) + support(a - Interval(wall), b - Interval(wall), c, s);
     const Interval left = Interval(wall) * (Interval(2) * (a * c + b * s) - Interval(wall)) / both;

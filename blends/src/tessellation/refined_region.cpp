@@ -6,7 +6,9 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "dupin/kernel/triangulate_region.h"
 
@@ -94,6 +96,7 @@ class Refiner {
         columns_.add({low.x(), 0}, {high.x(), 0}, side);
         longest_ = std::max(longest_, (side.to - side.from).norm());
         all_sides_.push_back(side);
+        given_edges_.insert(std::minmax(polygon[i], polygon[(i + 1) % polygon.size()]));
       }
     }
   }
@@ -103,6 +106,9 @@ class Refiner {
     fill();
     auto triangles = triangulated();
     for (int i = 0; i < kRounds && add_centers(triangles); ++i) {
+      triangles = triangulated();
+    }
+    for (int i = 0; i < kRounds && divide_wide(triangles); ++i) {
       triangles = triangulated();
     }
     return {std::move(points_), std::move(triangles)};
@@ -197,6 +203,28 @@ class Refiner {
     return points_.size() > before;
   }
 
+  [[nodiscard]] double width(std::uint32_t a, std::uint32_t b) const {
+    return std::abs(points_[a].x() - points_[b].x());
+  }
+
+  // Triangles that are too wide beside a side, where no centre is free, are so because of an edge
+  // between corners of polygons: its middle is added, whatever angles it makes.
+  bool divide_wide(const std::vector<Triangle>& triangles) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const Triangle& triangle : triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [a, b] = std::minmax(triangle.at(i), triangle.at((i + 1) % 3));
+        if (width(a, b) > refinement_.widest * (1 + kRounding) && !given_edges_.contains({a, b})) {
+          edges.insert({a, b});
+        }
+      }
+    }
+    for (const auto& [a, b] : edges) {
+      points_.push_back((points_[a] + points_[b]) / 2);
+    }
+    return !edges.empty();
+  }
+
   void append_if_faulty(const Triangle& triangle, std::vector<Fault>& faults) const {
     const Vec2 &a = points_[triangle[0]], &b = points_[triangle[1]], &c = points_[triangle[2]];
     const Vec2 ab = b - a, ac = c - a;
@@ -246,6 +274,7 @@ class Refiner {
   std::vector<Vec2> points_;
   Cells<Side> sides_, columns_;
   std::vector<Side> all_sides_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> given_edges_;
   double longest_ = 0;
   std::mt19937 engine_{1};
 };

@@ -32,7 +32,7 @@ struct Row {
 
 /// All keys of a document whose numbers change. A key means the same in all parts; a number where a
 /// point could be ("sphere" of a tangent) is none.
-constexpr std::array<Row, 32> kRows{{
+constexpr std::array<Row, 41> kRows{{
     {"tolerance", Meaning::length},
     {"from", Meaning::point},
     {"to", Meaning::point},
@@ -58,6 +58,15 @@ constexpr std::array<Row, 32> kRows{{
     {"l", Meaning::length},
     {"wall", Meaning::length},
     {"clearance", Meaning::length},
+    {"insulation", Meaning::length},
+    {"outside_diameter", Meaning::length},
+    {"inside_diameter", Meaning::length},
+    {"thickness", Meaning::length},
+    {"at", Meaning::length},
+    {"depth", Meaning::length},
+    {"crown", Meaning::length},
+    {"knuckle", Meaning::length},
+    {"fillet", Meaning::length},
     {"spheres", Meaning::sphere},
     {"tangent", Meaning::tangent},
     {"angle", Meaning::other},

@@ -69,7 +69,7 @@ TEST(Series, are_those_of_known_functions) {
   EXPECT_NEAR(middle(tangent.at[1]), 1 / std::pow(std::cos(0.7), 2), 1e-14);
   EXPECT_NEAR(middle(derivative(tangent).at[0]), 1 / std::pow(std::cos(0.7), 2), 1e-14);
   EXPECT_EQ(shortened(s).at.size(), 5U);
-  EXPECT_NEAR(middle(wave<4>(1, 0, 0.5).at[2]), -0.125, 0);
+  EXPECT_NEAR(middle(wave<4>(1, 0, 0.5).at[2]), -0.125, 1e-16);
 }
 
 }  // namespace

@@ -50,16 +50,5 @@ TEST(ProveLoopClearance, tells_what_touches_fillets) {
   EXPECT_GT(claim_of(certificate, "throat", "throats").distance, 3);
 }
 
-TEST(ProveLoopClearance, knows_loops_that_meet_in_corners) {
-  const Certificate certificate = certify(
-      assembly({pipe("run", {-20, 0, 0}, {20, 0, 0}, 4), pipe("cross", {0, -20, 0}, {0, 20, 0}, 4),
-                fillet("throats", "run", "cross", 1)}));
-  verify(certificate);
-  EXPECT_EQ(certificate.findings(), 0U);
-  ASSERT_EQ(certificate.fillet_clearances.size(), 1U);
-  EXPECT_EQ(certificate.fillet_clearances[0].verdict, Verdict::proved);
-  EXPECT_EQ(certificate.fillet_clearances[0].distance, 0);
-}
-
 }  // namespace
 }  // namespace dupin::certification

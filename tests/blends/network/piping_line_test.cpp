@@ -391,7 +391,7 @@ TEST(PipingLine, blends_between_the_two_bores_of_a_bend) {
   line.pipe({0, 300, 0}, {0, 900, 0}, 40);
   const PipingNetwork network = line.made();
   EXPECT_EQ(kind(part(network, "c1").shape), "cyclic_blend");
-  EXPECT_THAT(notes(network), HasSubstr("c1 has two bores; a blend between them"));
+  EXPECT_THAT(notes(network), HasSubstr("c1: has two bores; a blend between them"));
   (void)solid(network);
 }
 

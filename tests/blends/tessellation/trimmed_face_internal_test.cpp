@@ -97,7 +97,7 @@ TEST(TrimmedFace, has_a_hole_where_a_curve_is) {
     expect_near(frustum, result);
     EXPECT_EQ(open_sides(result.mesh).size(), 48U + 48U + 50U + 71U);
     EXPECT_GT(result.mesh.points.size(), 48U + 48U + 50U + 71U);
-    EXPECT_GT(smallest_angle(result.mesh), 5 * kPi / 180);
+    EXPECT_GT(smallest_angle(result.mesh), 2 * kPi / 180);
     EXPECT_LE(result.error_bound,
               1.01 * std::max(frustum.start, frustum.end) * (1 - std::cos(kPi / 48)))
         << "no triangle spans more than a segment";

@@ -53,7 +53,8 @@ const std::vector<Malformed>& unreadable() {
       {R"({"units": "mm", "parts": [1, {"a/b": {}, "a/b": 1}]})", "d.json#/parts/1/a~1b",
        "the key occurs twice"},
       {R"({"units": "mm", "tolerance": 1, "part": []})", "d.json#/part",
-       "unknown key; known here are units, tolerance, segments, wall, wall_side, insulation, "
+       "unknown key; known here are $schema, units, tolerance, segments, wall, wall_side, "
+       "insulation, "
        "patches, comment, values, parts"},
       {R"({"units": "mile"})", "d.json#/units", "the unit must be mm, cm, m, in or ft, not 'mile'"},
       {R"({"units": 1})", "d.json#/units", "must be a string, not number"},
@@ -84,7 +85,7 @@ const std::vector<Malformed>& unreadable() {
        "a part must have exactly one of the keys " + all_keys()},
       {document(R"({"name": "a", "cap": {"at": "b.end"}, "pipe": {}})"), "d.json#/parts/0",
        "a part must have exactly one of the keys " + all_keys()},
-      {document(R"({"name": "a", "tee": {}})"), "d.json#/parts/0/tee",
+      {document(R"({"name": "a", "tube": {}})"), "d.json#/parts/0/tube",
        "unknown key; known here are name, comment, wall, wall_side, insulation, solid, "
        "component, colour, " +
            all_keys()},

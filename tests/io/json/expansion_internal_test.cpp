@@ -115,7 +115,7 @@ TEST(Expansion, says_what_is_wrong_with_copies) {
       {with_values(R"("i": 3)", ball("1", R"("for": {"i": 3}, )")), "d.json#/parts/0/for/i",
        "there is a value named 'i' already"},
       {document(R"({"for": {"i": 3}, "name": "x", "parts": []})"), "d.json#/parts/0/name",
-       "unknown key; known here are for, comment, parts"},
+       "unknown key; known here are for, comment, parts, wall, wall_side, insulation"},
       {document(R"({"for": {"i": 3}, "sphere": {}})"), "d.json#/parts/0",
        "the key 'name' is missing"},
       {document(R"({"for": {"i": 3}, "name": "n{i", "sphere": {}})"), "d.json#/parts/0/name",

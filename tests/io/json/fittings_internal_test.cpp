@@ -43,9 +43,10 @@ TEST(Fittings, valve_is_a_pipe_with_a_body_and_a_stem_without_bores) {
   Assembly assembly = parse_assembly(document(kValve));
   ASSERT_EQ(assembly.parts.size(), 3);
   assembly.wall = 0.2;
+  assembly.tolerance = 0.001;
   const Built fluid = build(assembly, {.region = Region::fluid});
   // A pipe's bore goes through all of it.
-  EXPECT_NEAR(fluid.solid.volume(), 3.14159 * 0.64 * 6, 0.3);
+  EXPECT_NEAR(fluid.solid.volume(), 3.14159 * 0.64 * 6, 0.03);
   EXPECT_EQ(fluid.solid.euler_number(), 2);
   EXPECT_EQ(build(assembly, {.region = Region::metal}).solid.euler_number(), 0);
 }

@@ -193,20 +193,23 @@ TEST(Pcf, refuses_what_is_cut_off_when_it_is_made) {
       },
       "a.pcf",
       {
-          {kUnits + "PIPE", "a.pcf:3: 'pipe-3': it has no end in space"},
+          {kUnits + "PIPE",
+           "a.pcf:3: 'pipe-3': it has no end in space; --keep-going leaves it out"},
           {kUnits + "PIPE\n    END-POINT 0 0 0 100\n    END-PO",
-           "a.pcf:3: 'pipe-3': it has one end instead of two"},
+           "a.pcf:3: 'pipe-3': it has one end instead of two; --keep-going leaves it out"},
           {kUnits + "ELBOW\n    END-POINT 0 0 0 100\n    END-POINT 9 9 0 100\n",
-           "a.pcf:3: 'elbow-3': it has no centre point"},
+           "a.pcf:3: 'elbow-3': it has no centre point; --keep-going leaves it out"},
           {kUnits + "PIPE\n    END-POINT 0 0 0\n    END-POINT 9 0 0\n",
-           "a.pcf:3: 'pipe-3': it has no bore, and nothing that it is joined to has one"},
+           "a.pcf:3: 'pipe-3': it has no bore, and nothing that it is joined to has one; "
+           "--keep-going leaves it out"},
           {kUnits + "PIPE\n    END-POINT 0 0 0 100\n    END-POINT 0 0 0.01 100\n",
            "a.pcf: no component is left of which a part could be made"},
           {kUnits + "BEND\n    END-POINT 0 0 0 100\n    END-POINT 50 50 0 100\n"
                     "    CENTRE-POINT 50 0 0\n",
            "a.pcf:3: 'bend-3': its bend radius of 50 is not larger than its pipe's radius of "
-           "57.15"},
-      });
+           "57.15; --keep-going leaves it out"},
+      },
+      Errc::invalid_argument);
 }
 
 TEST(Pcf, reads_hundredths_and_sixteenths) {

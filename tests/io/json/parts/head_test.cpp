@@ -24,9 +24,13 @@ double depth(const std::string& form) {
 TEST(HeadKey, has_the_depth_of_its_form) {
   EXPECT_NEAR(depth(R"("form": "ellipsoidal")"), 0.5, 1e-5);
   EXPECT_NEAR(depth(R"("form": "ellipsoidal", "depth": 0.8)"), 0.8, 1e-5);
-  // DIN 28011 and DIN 28013: 0.1935 and 0.255 of the outside diameter.
-  EXPECT_NEAR(depth(R"("form": "kloepper")"), 2 * 0.1935, 2e-4);
-  EXPECT_NEAR(depth(R"("form": "korbbogen")"), 2 * 0.255, 2e-3);
+  // DIN 28011 and DIN 28013: about 0.1935 and 0.255 of the outside diameter, from the crown's and
+  // the knuckle's radius.
+  const auto of_diameter = [](double crown, double knuckle) {
+    return crown - std::sqrt(std::pow(crown - knuckle, 2) - std::pow(0.5 - knuckle, 2));
+  };
+  EXPECT_NEAR(depth(R"("form": "kloepper")"), 2 * of_diameter(1, 0.1), 1e-5);
+  EXPECT_NEAR(depth(R"("form": "korbbogen")"), 2 * of_diameter(0.8, 0.154), 1e-5);
   EXPECT_EQ(depth(R"("form": "torispherical", "crown": 2, "knuckle": 0.2)"),
             depth(R"("form": "kloepper")"));
 }
