@@ -78,8 +78,9 @@ def described(schema, key, found):
 
 def keys_of(schema):
     """The keys that say what a part is, and those that may stand beside any of them, with their kinds."""
+    choices = schema["definitions"]["part"]["oneOf"]
     part = schema["definitions"]["part"]["properties"]
-    keys = [key for key in part if any(shapes(schema, part[key]))]
+    keys = [key for choice in choices for key in choice["required"]]
     beside = {word(key): kind_of(resolved(schema, part[key])) for key in part if key not in keys and key != "name"}
     return keys, beside
 
