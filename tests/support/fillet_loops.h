@@ -45,8 +45,8 @@ inline std::vector<NamedLoop> loops_of_all_kinds() {
   return result;
 }
 
-/// Without cones that are crossed in part: their fourth derivatives are enclosed too widely for
-/// NURBS and claims about meshes.
+/// Without cones that are crossed in part, which the checker's intervals do not tell to be regular,
+/// and NURBS take too many cubics for.
 inline std::vector<NamedLoop> loops_of_most_kinds() {
   std::vector<NamedLoop> result = loops_of_all_kinds();
   std::erase_if(result, [](const NamedLoop& loop) {

@@ -140,47 +140,56 @@ Value rate(const std::function<Value(double)>& f, double t) {
 }
 
 // The bound of docs/certificate_format.md, from differences at many places of every band.
-double expected_bound(const Surface& at, std::uint32_t segments, int bands, double sharing) {
+double band_bound(const Surface& at, std::uint32_t segments, int band, int bands, double sharing) {
   constexpr int kPlaces = 200;
+  double along = 0, mixed = 0, around = 0, turning = 0, length = 0;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const double t = std::clamp((band + double(i) / kPlaces) / bands, 2e-4, 1 - 2e-4);
+    const auto per_length = [&](const auto& f) { return f / at(t).pace; };
+    const auto c1 = [&](double s) -> Vec3 {
+      return rate<Vec3>([&](double x) { return at(x).center; }, s) / at(s).pace;
+    };
+    const auto n1 = [&](double s) -> Vec3 {
+      return rate<Vec3>([&](double x) { return at(x).normal; }, s) / at(s).pace;
+    };
+    const auto r1 = [&](double s) {
+      return rate<double>([&](double x) { return at(x).radius; }, s) / at(s).pace;
+    };
+    const Vec3 n = at(t).normal, c2 = per_length(rate<Vec3>(c1, t)),
+               n2 = per_length(rate<Vec3>(n1, t));
+    const double r2 = std::abs(per_length(rate<double>(r1, t))), slope = std::abs(r1(t));
+    const double radius = at(t).radius, turn = n1(t).norm();
+    around = std::max(around, radius);
+    length += at(t).pace / bands / (kPlaces + 1);
+    if (at(t).spin) {
+      const double spin = at(t).spin->norm();
+      const double change = rate<Vec3>([&](double x) { return *at(x).spin; }, t).norm();
+      along = std::max(along, c2.norm() + r2 + 2 * slope * spin + radius * (change + spin * spin));
+      mixed = std::max(mixed, slope + radius * spin);
+      continue;
+    }
+    along = std::max(
+        along, std::hypot(std::abs(c2.dot(n)) + 2 * slope * turn + radius * n2.cross(n).norm(),
+                          c2.cross(n).norm() + r2 + radius * turn * turn));
+    mixed = std::max(mixed, std::hypot(slope, radius * turn));
+    turning = std::max(turning, turn);
+  }
+  const double du =
+      2 * pi / segments + pi / segments / sharing + .27 * std::pow(length * turning, 2) / 16;
+  return (length * length * along + 2 * length * du * mixed + du * du * around) / 8;
+}
+
+// By the length of the way or by the parameter, whichever tells more of a band.
+double expected_bound(const Surface& surface, std::uint32_t segments, int bands, double sharing) {
+  const Surface by_parameter = [&](double t) {
+    Moving moving = surface(t);
+    moving.pace = 1;
+    return moving;
+  };
   double worst = 0;
   for (int band = 0; band < bands; ++band) {
-    double along = 0, mixed = 0, around = 0, turning = 0, length = 0;
-    for (int i = 0; i <= kPlaces; ++i) {
-      const double t = std::clamp((band + double(i) / kPlaces) / bands, 2e-4, 1 - 2e-4);
-      const auto per_length = [&](const auto& f) { return f / at(t).pace; };
-      const auto c1 = [&](double s) -> Vec3 {
-        return rate<Vec3>([&](double x) { return at(x).center; }, s) / at(s).pace;
-      };
-      const auto n1 = [&](double s) -> Vec3 {
-        return rate<Vec3>([&](double x) { return at(x).normal; }, s) / at(s).pace;
-      };
-      const auto r1 = [&](double s) {
-        return rate<double>([&](double x) { return at(x).radius; }, s) / at(s).pace;
-      };
-      const Vec3 n = at(t).normal, c2 = per_length(rate<Vec3>(c1, t)),
-                 n2 = per_length(rate<Vec3>(n1, t));
-      const double r2 = std::abs(per_length(rate<double>(r1, t))), slope = std::abs(r1(t));
-      const double radius = at(t).radius, turn = n1(t).norm();
-      around = std::max(around, radius);
-      length += at(t).pace / bands / (kPlaces + 1);
-      if (at(t).spin) {
-        const double spin = at(t).spin->norm();
-        const double change = rate<Vec3>([&](double x) { return *at(x).spin; }, t).norm();
-        along =
-            std::max(along, c2.norm() + r2 + 2 * slope * spin + radius * (change + spin * spin));
-        mixed = std::max(mixed, slope + radius * spin);
-        continue;
-      }
-      along = std::max(
-          along, std::hypot(std::abs(c2.dot(n)) + 2 * slope * turn + radius * n2.cross(n).norm(),
-                            c2.cross(n).norm() + r2 + radius * turn * turn));
-      mixed = std::max(mixed, std::hypot(slope, radius * turn));
-      turning = std::max(turning, turn);
-    }
-    const double du =
-        2 * pi / segments + pi / segments / sharing + .27 * std::pow(length * turning, 2) / 16;
-    worst =
-        std::max(worst, (length * length * along + 2 * length * du * mixed + du * du * around) / 8);
+    worst = std::max(worst, std::min(band_bound(surface, segments, band, bands, sharing),
+                                     band_bound(by_parameter, segments, band, bands, sharing)));
   }
   return worst;
 }

@@ -46,7 +46,7 @@ TEST(Work, that_a_certificate_allows_is_linear_in_its_numbers) {
   certificate.clearances.resize(2);
   certificate.clearances[1].leaves.resize(11);
   EXPECT_EQ(work_for(certificate), CertificateLimits::kWork + CertificateLimits::kWorkPerNumber *
-                                                                  (2 * 3 + 4 * 5 + 7 + 4 * 11));
+                                                                  (2 * 3 + 6 * 5 + 7 + 6 * 11));
 }
 
 // It is asked before anything is admitted.
