@@ -9,6 +9,7 @@
 
 #include "cli/tool.h"
 #include "dupin/kernel/cross_check.h"
+#include "support/source_folder.h"
 
 namespace dupin::test {
 namespace {
@@ -24,7 +25,7 @@ struct Example {
 
 /// The examples in a document's console blocks.
 std::vector<Example> examples(const std::string& document) {
-  std::ifstream stream(std::filesystem::path(DUPIN_SOURCE_DIR) / document);
+  std::ifstream stream(source_folder() / document);
   std::vector<Example> found;
   bool inside = false;
   std::string line;
@@ -108,7 +109,7 @@ struct Script {
 
 /// The sh blocks of a document, each with the text block right after it.
 std::vector<Script> scripts(const std::string& document) {
-  std::ifstream stream(std::filesystem::path(DUPIN_SOURCE_DIR) / document);
+  std::ifstream stream(source_folder() / document);
   std::vector<Script> found;
   std::string block, line, before;
   for (std::size_t number = 1; std::getline(stream, line); ++number) {
@@ -155,7 +156,7 @@ TEST_F(Docs, every_line_of_the_tool_in_the_readme_runs_from_a_fresh_checkout) {
     // What waits for Ctrl-C gets it.
     const bool waits = line.starts_with("dupin watch");
     const ProcessResult result =
-        shell(waits ? "timeout -s INT 5 " DUPIN_TOOL + line.substr(5) : line);
+        shell(waits ? "timeout -s INT 5 " + tool_path() + line.substr(5) : line);
     EXPECT_EQ(result.exit_code, waits ? 124 : 0) << line << "\n" << result.out << result.err;
   }
 }

@@ -79,7 +79,7 @@ TEST_F(Interrupt, signals_that_end_no_program_end_none) {
 }
 
 TEST_F(MeshCommands, an_interrupt_ends_at_once_and_leaves_no_file) {
-  const ProcessResult result = shell("timeout --preserve-status -s INT 0.5 " DUPIN_TOOL
+  const ProcessResult result = shell("timeout --preserve-status -s INT 0.5 " + tool_path() +
                                      " convert - out.off < <(sleep 20); echo $?; ls -A");
   EXPECT_EQ(result.out, "130\nexamples\n");
   EXPECT_EQ(result.err, "dupin: interrupted\n");
@@ -88,9 +88,10 @@ TEST_F(MeshCommands, an_interrupt_ends_at_once_and_leaves_no_file) {
 TEST_F(MeshCommands, an_interrupt_while_nobody_reads_what_is_written_leaves_no_file) {
   put("a.off", box({0, 0, 0}, {1, 1, 1}));
   for (const std::string name : {"HUP", "TERM", "XCPU"}) {
-    const ProcessResult result = shell(
-        "mkdir aside; mkfifo out.off; TMPDIR=$PWD/aside timeout --preserve-status -s " + name +
-        " 0.5 " DUPIN_TOOL " convert a.off out.off; echo $?; ls -A aside; rm -r aside out.off");
+    const ProcessResult result =
+        shell("mkdir aside; mkfifo out.off; TMPDIR=$PWD/aside timeout --preserve-status -s " +
+              name + " 0.5 " + tool_path() +
+              " convert a.off out.off; echo $?; ls -A aside; rm -r aside out.off");
     EXPECT_EQ(result.out, "130\n") << name;
   }
 }

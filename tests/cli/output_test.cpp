@@ -167,10 +167,10 @@ TEST_F(Output, standard_error_is_silent_where_it_is_no_terminal) {
 }
 
 TEST_F(Output, a_terminal_sees_progress_and_then_the_report_alone) {
-  const ProcessResult result = run_process(
-      {"script", "-qec",
-       std::string(DUPIN_TOOL) + " build " + example("reducer.json") + " -o a.stl", "/dev/null"},
-      folder_.path());
+  const ProcessResult result =
+      run_process({"script", "-qec",
+                   tool_path() + " build " + example("reducer.json") + " -o a.stl", "/dev/null"},
+                  folder_.path());
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.out, testing::ContainsRegex("[a-z]+ [0-9]+ %"));
   EXPECT_THAT(result.out, HasSubstr("\r\033[Kparts  "));

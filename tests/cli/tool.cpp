@@ -3,6 +3,7 @@
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/off.h"
 #include "support/shapes.h"
+#include "support/source_folder.h"
 
 namespace dupin::test {
 
@@ -12,7 +13,7 @@ ProcessResult Tool::dupin(std::vector<std::string> arguments, const std::string&
 }
 
 ProcessResult Tool::shell(const std::string& line) const {
-  const std::filesystem::path examples = std::filesystem::path(DUPIN_SOURCE_DIR) / "examples";
+  const std::filesystem::path examples = source_folder() / "examples";
   const std::string prelude = "dupin() { " + std::string(DUPIN_TOOL) +
                               " \"$@\"; }; [ -e examples ] || ln -s " + examples.string() +
                               " examples; ";
@@ -31,8 +32,10 @@ void Tool::put(const std::string& name, const TriMesh& mesh) const {
   folder_.write(name, mesh_bytes(mesh, kOff));
 }
 
+std::string tool_path() { return DUPIN_TOOL; }
+
 std::string example(const std::string& name) {
-  return std::string(DUPIN_SOURCE_DIR) + "/examples/" + name;
+  return (source_folder() / "examples" / name).string();
 }
 
 TriMesh open_box() {

@@ -27,6 +27,9 @@ class Tool : public testing::Test {
   TemporaryFolder folder_;
 };
 
+/// The path of the tool.
+[[nodiscard]] std::string tool_path();
+
 /// The path of a document in examples/.
 [[nodiscard]] std::string example(const std::string& name);
 

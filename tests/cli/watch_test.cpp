@@ -17,8 +17,7 @@ const std::string kPrelude =
 
 TEST_F(Watch, builds_again_when_the_document_changes_and_goes_on_after_errors) {
   const ProcessResult result = shell(
-      kPrelude +
-      "sphere 1; " DUPIN_TOOL
+      kPrelude + "sphere 1; " + tool_path() +
       " watch a.json -o a.off > out 2> err & pid=$!; "
       "until_ '[ -e a.off ]' || exit 10; cp a.off first; "
       "sphere -1; until_ 'grep -q radius err' || exit 11; cmp -s a.off first || exit 12; "

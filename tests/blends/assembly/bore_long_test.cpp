@@ -5,13 +5,13 @@
 
 #include "blends/assembly/hollow_regions.h"
 #include "dupin/io/assembly_json.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
 
 TEST(Bore, is_that_of_every_example_that_has_room_for_it) {
-  for (const auto& file :
-       std::filesystem::directory_iterator(std::filesystem::path(DUPIN_SOURCE_DIR) / "examples")) {
+  for (const auto& file : std::filesystem::directory_iterator(test::source_folder() / "examples")) {
     const std::string name = file.path().filename().string();
     // They fold; or a plate that a flare lies on would be hollow.
     if (file.path().extension() != ".json" || name == "tight.json" ||

@@ -7,12 +7,13 @@
 #include "dupin/blends/build.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/kernel/error.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
 
 TEST(BuildProgress, tells_its_stages_and_stops_at_any) {
-  const Assembly header = read_assembly(DUPIN_SOURCE_DIR "/examples/header.json");
+  const Assembly header = read_assembly(test::source_folder() / "examples/header.json");
   std::vector<std::string> stages;
   (void)build(header, {.progress = [&](std::string_view stage, double fraction) {
                 EXPECT_TRUE(fraction >= 0 && fraction <= 1) << stage;

@@ -18,6 +18,7 @@
 #include "dupin/kernel/rounding.h"
 #include "support/named_parts.h"
 #include "support/single_piece.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
@@ -27,7 +28,7 @@ using test::pipe;
 constexpr double kPi = std::numbers::pi;
 
 Assembly example(const std::string& name) {
-  return read_assembly(std::filesystem::path(DUPIN_SOURCE_DIR) / "examples" / name);
+  return read_assembly(test::source_folder() / "examples" / name);
 }
 
 PortReference start_of(const std::string& part) { return {part, End::start}; }
@@ -363,7 +364,7 @@ TEST(Build, makes_one_solid_of_the_plant_run) {
 
 TEST(Build, makes_a_solid_of_all_examples_but_the_tight_one) {
   std::size_t built = 0;
-  const auto folder = std::filesystem::path(DUPIN_SOURCE_DIR) / "examples";
+  const auto folder = test::source_folder() / "examples";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".json" && entry.path().filename() != "tight.json") {
       const Solid solid = build(read_assembly(entry.path())).solid;

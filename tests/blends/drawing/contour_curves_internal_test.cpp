@@ -4,6 +4,7 @@
 
 #include "drawing/contour_curves.h"
 #include "dupin/io/assembly_json.h"
+#include "support/source_folder.h"
 
 namespace dupin::drawing {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 const Vec3 kUp = Vec3::UnitZ();
 
 ResolvedAssembly example(const std::string& name) {
-  return resolve(read_assembly(DUPIN_SOURCE_DIR "/examples/" + name + ".json"));
+  return resolve(read_assembly(test::source_folder() / "examples" / (name + ".json")));
 }
 
 TEST(ContourCurves, are_of_parts_fillets_and_hubs) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/io/assembly_json.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
@@ -23,7 +24,7 @@ Assembly parts(const std::string& text) {
 }
 
 Assembly example(const std::string& name) {
-  return read_assembly(DUPIN_SOURCE_DIR "/examples/" + name + ".json");
+  return read_assembly(test::source_folder() / "examples" / (name + ".json"));
 }
 
 double length(const DrawnLine& line) {

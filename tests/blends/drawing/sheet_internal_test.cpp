@@ -5,12 +5,13 @@
 
 #include "drawing/sheet.h"
 #include "dupin/io/assembly_json.h"
+#include "support/source_folder.h"
 
 namespace dupin::drawing {
 namespace {
 
 ResolvedAssembly example(const std::string& name) {
-  return resolve(read_assembly(DUPIN_SOURCE_DIR "/examples/" + name + ".json"));
+  return resolve(read_assembly(test::source_folder() / "examples" / (name + ".json")));
 }
 
 // Normals by the differences of points, which know nothing of closed forms.

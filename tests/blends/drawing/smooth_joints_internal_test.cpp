@@ -2,6 +2,7 @@
 
 #include "drawing/smooth_joints.h"
 #include "dupin/io/assembly_json.h"
+#include "support/source_folder.h"
 
 namespace dupin::drawing {
 namespace {
@@ -29,8 +30,8 @@ TEST(SmoothJoints, are_those_of_elbows_and_no_cones) {
 
 TEST(SmoothJoints, are_those_of_fillets_and_hubs) {
   const auto example = [](const std::string& name) {
-    return smooth_joints(resolve(read_assembly(DUPIN_SOURCE_DIR "/examples/" + name + ".json")),
-                         1e-3);
+    return smooth_joints(
+        resolve(read_assembly(test::source_folder() / "examples" / (name + ".json"))), 1e-3);
   };
   EXPECT_GE(example("tee").size(), 2);
   EXPECT_GE(example("junction").size(), 3);

@@ -10,6 +10,7 @@
 #include "drawing/zero_lines.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
+#include "support/source_folder.h"
 
 namespace dupin::drawing {
 namespace {
@@ -81,7 +82,7 @@ TEST(ZeroLines, are_all_on_the_pieces_of_the_examples) {
   for (const char* name : {"reducer", "skew-pipes", "oblique-nozzle", "oval-duct", "u-bend-cyclide",
                            "cone-to-pipe", "ringed-canal", "way-points", "jet-engine"}) {
     const ResolvedAssembly resolved =
-        resolve(read_assembly(std::string(DUPIN_SOURCE_DIR "/examples/") + name + ".json"));
+        resolve(read_assembly(test::source_folder() / "examples" / (std::string(name) + ".json")));
     for (const ResolvedPart& part : resolved.parts) {
       const auto* chain = std::get_if<Chain>(&part.shape);
       for (const Sheet& sheet : chain == nullptr ? std::vector<Sheet>() : sheets_of(*chain)) {

@@ -11,6 +11,7 @@
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/rounding.h"
 #include "support/single_piece.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 Assembly example(const std::string& name) {
-  return read_assembly(std::filesystem::path(DUPIN_SOURCE_DIR) / "examples" / name);
+  return read_assembly(test::source_folder() / "examples" / name);
 }
 
 Assembly document(const std::string& parts) {

@@ -14,6 +14,7 @@
 #include "dupin/blends/tessellate.h"
 #include "dupin/io/assembly_json.h"
 #include "support/cyclide_cases.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
@@ -201,7 +202,7 @@ TEST(PartMeasures, are_the_limits_of_those_of_meshes) {
   for (const char* name : {"reducer", "oval-duct", "ringed-canal", "crane-hook-twisted", "u-bend",
                            "way-points", "two-cones", "cyclide-blends", "oblique-nozzle"}) {
     const Assembly assembly =
-        read_assembly(std::string(DUPIN_SOURCE_DIR "/examples/") + name + ".json");
+        read_assembly(test::source_folder() / "examples" / (std::string(name) + ".json"));
     for (const ResolvedPart& part : resolve(assembly).parts) {
       const auto* chain = std::get_if<Chain>(&part.shape);
       if (chain == nullptr || chain->wall > 0 || chain->joints != Joints::smooth) {

@@ -4,12 +4,13 @@
 #include "dupin/io/assembly_json.h"
 #include "dupin/kernel/error.h"
 #include "exchange/bodies.h"
+#include "support/source_folder.h"
 
 namespace dupin::exchange {
 namespace {
 
 Assembly example(const std::string& name) {
-  return read_assembly(DUPIN_SOURCE_DIR "/examples/" + name + ".json");
+  return read_assembly(test::source_folder() / "examples" / (name + ".json"));
 }
 
 struct Made {

@@ -9,12 +9,13 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/kernel/error.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
 
 Assembly example(const std::string& name) {
-  return read_assembly(DUPIN_SOURCE_DIR "/examples/" + name + ".json");
+  return read_assembly(test::source_folder() / "examples" / (name + ".json"));
 }
 
 TEST(Exchange, solids_of_parts_have_the_volumes_of_their_formulas) {

@@ -9,6 +9,7 @@
 
 #include "dupin/io/assembly_json.h"
 #include "dupin/kernel/error.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using testing::ElementsAre;
 
 std::vector<NamedNurbs> of_example(const std::string& name, double tolerance) {
-  return named_nurbs(read_assembly(DUPIN_SOURCE_DIR "/examples/" + name), tolerance);
+  return named_nurbs(read_assembly(test::source_folder() / "examples" / name), tolerance);
 }
 
 std::vector<std::string> kinds(const std::vector<NamedNurbs>& parts) {

@@ -4,12 +4,13 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 #include "exchange/part_faces.h"
+#include "support/source_folder.h"
 
 namespace dupin::exchange {
 namespace {
 
 std::string example(const std::string& name) {
-  return DUPIN_SOURCE_DIR "/examples/" + name + ".json";
+  return test::source_folder() / "examples" / (name + ".json");
 }
 
 std::vector<Piece> pieces_of(const std::string& name) {

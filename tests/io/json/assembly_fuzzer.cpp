@@ -12,10 +12,12 @@
 #include "dupin/io/assembly_json.h"
 #include "dupin/kernel/error.h"
 #include "support/fuzz_target.h"
+#include "support/source_folder.h"
 
 std::vector<std::string> dupin::test::fuzz_seeds() {
   std::vector<std::string> seeds;
-  for (const auto& entry : std::filesystem::directory_iterator(DUPIN_SOURCE_DIR "/examples")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(dupin::test::source_folder() / "examples")) {
     if (entry.path().extension() == ".json") {
       std::ifstream file(entry.path());
       seeds.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());

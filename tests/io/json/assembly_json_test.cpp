@@ -12,6 +12,7 @@
 #include "dupin/kernel/error.h"
 #include "io/json/document_fault.h"
 #include "support/single_piece.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
@@ -172,7 +173,7 @@ TEST(AssemblyJson, refuses_at_least_forty_kinds_of_documents) {
 }
 
 Assembly example(const std::string& name) {
-  return read_assembly(std::filesystem::path(DUPIN_SOURCE_DIR) / "examples" / name);
+  return read_assembly(test::source_folder() / "examples" / name);
 }
 
 TEST(AssemblyJson, reads_the_reducer) {

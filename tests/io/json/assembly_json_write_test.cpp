@@ -7,6 +7,7 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/atomic_file.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
@@ -24,7 +25,8 @@ void expect_same_again(const std::string& text) {
 // What a document says is what its parts are resolved to.
 TEST(DocumentText, gives_all_examples_back_bit_by_bit) {
   std::size_t count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(DUPIN_SOURCE_DIR "/examples")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(test::source_folder() / "examples")) {
     if (entry.path().extension() != ".json" || entry.path().stem() == "tight") {  // which folds
       continue;
     }

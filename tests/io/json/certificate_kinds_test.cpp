@@ -18,6 +18,7 @@
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/certificate_json.h"
 #include "dupin/kernel/error.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
@@ -27,8 +28,8 @@ const Certificate& certificate_of(const std::string& name) {
   const auto found = known.find(name);
   return found != known.end()
              ? found->second
-             : known[name] = certify(read_assembly(std::filesystem::path(DUPIN_SOURCE_DIR) /
-                                                   "examples" / (name + ".json")));
+             : known[name] =
+                   certify(read_assembly(test::source_folder() / "examples" / (name + ".json")));
 }
 
 std::size_t part(const Certificate& c, const std::string& name) {

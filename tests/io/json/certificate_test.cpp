@@ -19,12 +19,13 @@
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
 #include "dupin/kernel/error.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
 
 Assembly example(const std::string& name) {
-  return read_assembly(std::filesystem::path(DUPIN_SOURCE_DIR) / "examples" / name);
+  return read_assembly(test::source_folder() / "examples" / name);
 }
 
 const std::size_t kBlend = 2;  // of the reducer, Fig. 6 of [MS06]
@@ -125,7 +126,7 @@ const std::map<std::string, std::size_t> kUndecided = {{"jet-engine.json", 1},
 TEST(Certificate, of_every_example_is_proved_and_verified) {
   std::size_t count = 0;
   for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(DUPIN_SOURCE_DIR) / "examples")) {
+       std::filesystem::directory_iterator(test::source_folder() / "examples")) {
     const std::string name = entry.path().filename().string();
     if (entry.path().extension() != ".json") {
       continue;

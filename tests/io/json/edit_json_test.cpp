@@ -17,15 +17,14 @@
 #include "dupin/io/atomic_file.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
 
 using test::sphere;
 
-std::string hook() {
-  return read_file(std::filesystem::path(DUPIN_SOURCE_DIR) / "examples" / "crane-hook.json");
-}
+std::string hook() { return read_file(test::source_folder() / "examples" / "crane-hook.json"); }
 
 CyclideChain pieces(const std::string& text) {
   return {cyclide_pieces(resolve(parse_assembly(text)).parts.at(0).shape)};

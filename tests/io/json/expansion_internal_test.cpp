@@ -14,6 +14,7 @@
 #include "dupin/kernel/rounding.h"
 #include "io/json/document_fault.h"
 #include "json/expansion.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
@@ -161,7 +162,7 @@ TEST(Expansion, bounds_how_many_values_need_each_other) {
 
 // What is written is said part by part, and builds to the same bytes.
 TEST(Expansion, is_written_in_full_and_builds_the_same) {
-  const Assembly read = read_assembly(DUPIN_SOURCE_DIR "/examples/header_forty.json");
+  const Assembly read = read_assembly(test::source_folder() / "examples/header_forty.json");
   ASSERT_EQ(read.parts.size(), 81U);
   const std::string text = document_text(read);
   EXPECT_FALSE(json::is_abbreviated(json::parse_json(text, {})));

@@ -16,6 +16,7 @@
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
 #include "dupin/kernel/error.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
@@ -80,7 +81,7 @@ TEST(ForgedCertificates, have_no_key_that_goes_unread) {
   expect_no_key_goes_unread(test::truth(random).honest, seen);
   for (const char* const name : {"cone-to-pipe.json", "crane-hook.json", "oval-duct.json",
                                  "ucct-arm.json", "ringed-canal.json"}) {
-    const std::filesystem::path path = std::filesystem::path(DUPIN_SOURCE_DIR) / "examples" / name;
+    const std::filesystem::path path = test::source_folder() / "examples" / name;
     expect_no_key_goes_unread(certify(read_assembly(path)), seen);
   }
 }

@@ -11,6 +11,7 @@
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/atomic_file.h"
 #include "dupin/kernel/error.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const fs::path kSource = DUPIN_SOURCE_DIR;
+const fs::path kSource = test::source_folder();
 
 Placement scaling(double factor) {
   Placement placement;

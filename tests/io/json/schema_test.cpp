@@ -7,11 +7,12 @@
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/atomic_file.h"
 #include "dupin/kernel/error.h"
+#include "support/source_folder.h"
 
 namespace dupin {
 namespace {
 
-const std::filesystem::path kFolder = std::filesystem::path(DUPIN_SOURCE_DIR) / "io";
+const std::filesystem::path kFolder = test::source_folder() / "io";
 
 TEST(Schema, is_the_file_in_the_sources) {
   EXPECT_EQ(assembly_schema(), read_file(kFolder / "assembly.schema.json"));
