@@ -382,13 +382,28 @@ class Resolver {
     const assembly::PartKind& kind = part_kind(shape);
     const std::string& name = assembly_.parts[part].name;
     ResolvedJunction junction{name, part, {}, {}};
-    junction.shape = assembly::with_part_context(
+    const assembly::JunctionOfEnds made = assembly::with_part_context(
         assembly_, part, [&] { return kind.junction(context(part), shape); });
+    junction.shape = made.shape;
     const References ends = kind.ends(shape);
     for (std::size_t i = 0; i < ends.size(); ++i) {
-      const EndIndex neighbour{position[index_.at(ends[i].port.part)], ends[i].port.end};
-      const auto arm = std::uint32_t(result.parts.size());
+      EndIndex neighbour{position[index_.at(ends[i].port.part)], ends[i].port.end};
       const std::string arm_name = name + "." + std::to_string(i + 1);
+      if (made.transitions[i]) {
+        const auto transition = std::uint32_t(result.parts.size());
+        const std::string its_name = arm_name + ".transition";
+        result.parts.push_back({its_name,
+                                std::string(kind.key),
+                                part,
+                                *made.transitions[i],
+                                {neighbour, std::nullopt},
+                                {its_name + ".start", its_name + ".end"},
+                                true});
+        result.parts[neighbour.part].joined.at(at(neighbour.end)) =
+            EndIndex{transition, End::start};
+        neighbour = {transition, End::end};
+      }
+      const auto arm = std::uint32_t(result.parts.size());
       result.parts.push_back({arm_name,
                               std::string(kind.key),
                               part,

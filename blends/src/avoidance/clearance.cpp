@@ -1,62 +1,103 @@
 #include "avoidance/clearance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
+#include <variant>
 
 #include <Eigen/Geometry>
 
-#include "surfaces/ringed_piece_operations.h"
+#include "surfaces/surface_piece.h"
 
 namespace dupin::avoidance {
 namespace {
 
+double size_of(const Obstacle& shape) {
+  double squared = 0;
+  for (const Vec3& edge : shape.edges) {
+    squared += edge.squaredNorm();
+  }
+  return std::sqrt(squared);
+}
+
 class Prover {
  public:
-  Prover(std::span<const RingedSurface> pipe, std::span<const NamedObstacle> obstacles,
-         double wanted)
-      : pipe_(pipe), obstacles_(obstacles), wanted_(wanted) {}
+  Prover(std::span<const Piece> pipe, std::span<const NamedObstacle> obstacles, double wanted)
+      : pipe_(pipe), wanted_(wanted) {
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+      all_.push_back({i, &obstacles[i].shape, &obstacles[i].parts, !obstacles[i].parts.empty()});
+    }
+  }
 
   Clearance run() {
-    std::vector<std::size_t> all(obstacles_.size());
-    std::iota(all.begin(), all.end(), 0);
     for (std::size_t i = 0; i < pipe_.size(); ++i) {
       piece_ = i;
-      discs_ = surfaces::discs(pipe_[i]);
-      prove({0, 1}, all, 0);
+      discs_ = std::visit([](const auto& piece) { return surfaces::discs(piece); }, pipe_[i]);
+      prove({0, 1}, all_, 0);
     }
     return result_;
   }
 
  private:
+  // What is in the way, or a box that holds it.
+  struct Near {
+    std::size_t obstacle;
+    const Obstacle* shape;
+    const std::vector<ObstacleBox>* parts;
+    bool is_of_mesh;
+  };
+
+  // What encloses the disc in the middle, as if it were the disc itself.
+  [[nodiscard]] TravelRing disc_at(double t) const {
+    const surfaces::DiscHull hull = discs_.hull({t, t});
+    return {hull.middle(), hull.axis.normalized(), hull.radius.upper};
+  }
+
+  // Whether nothing of it can be a tighter spot than what was found. Where triangles are run into,
+  // one of them tells.
+  [[nodiscard]] bool is_settled(const Near& one, double bound) const {
+    if (!result_.spot) {
+      return false;
+    }
+    return bound >= result_.spot->distance || (one.is_of_mesh && result_.spot->distance <= 0);
+  }
+
   // Of the obstacles that larger stretches left. Where the disc in the middle is too near to one,
-  // the stretch is refuted, and no smaller one is looked at for its sake.
-  void prove(const ParameterInterval& t, const std::vector<std::size_t>& near, int depth) {
+  // the stretch is refuted, and no smaller one is looked at for its sake. Boxes are opened where
+  // they are near, and no smaller than the stretch: of a fine mesh little is looked at.
+  void prove(const ParameterInterval& t, std::vector<Near> near, int depth) {
     constexpr int kMostHalvings = 24;
     constexpr std::size_t kMost = 1 << 14;  // stretches: nothing is proved beyond
     ++looked_at_;
+    const bool is_last = depth == kMostHalvings || looked_at_ > kMost;
     const double middle = (t.from + t.to) / 2;
-    const SpinePoint spine = evaluate(pipe_[piece_].spine, middle);
-    const TravelRing disc{spine.position, spine.first.normalized(),
-                          evaluate(pipe_[piece_].radius, middle).value};
+    const TravelRing disc = disc_at(middle);
     const surfaces::DiscHull hull = discs_.hull(t);
-    std::vector<std::size_t> left;
-    for (const std::size_t i : near) {
-      const Obstacle& obstacle = obstacles_[i].shape;
-      const Approach found = approach(disc, obstacle);
-      const double bound = separation(hull, obstacle, found.direction);
+    std::vector<Near> left;
+    while (!near.empty()) {
+      const Near one = near.back();
+      near.pop_back();
+      const Approach found = approach(disc, *one.shape);
+      const double bound = separation(hull, *one.shape, found.direction);
       if (bound >= wanted_) {
         result_.least = std::min(result_.least, bound);
-      } else if (!(found.distance > wanted_) || depth == kMostHalvings || looked_at_ > kMost) {
-        note({piece_, i, middle, found.distance, found.place});
+      } else if (is_settled(one, bound)) {
+        continue;
+      } else if (!one.parts->empty() && (is_last || size_of(*one.shape) >= hull.extent())) {
+        for (const ObstacleBox& part : *one.parts) {
+          near.push_back({one.obstacle, &part.shape, &part.parts, true});
+        }
+      } else if (one.parts->empty() && (!(found.distance > wanted_) || is_last)) {
+        note({piece_, one.obstacle, middle, *one.shape, found.distance, found.place});
       } else {
-        left.push_back(i);
+        left.push_back(one);
       }
     }
     if (!left.empty()) {
       const auto [first, second] = surfaces::halves(t);
       prove(first, left, depth + 1);
-      prove(second, left, depth + 1);
+      prove(second, std::move(left), depth + 1);
     }
   }
 
@@ -66,8 +107,8 @@ class Prover {
     }
   }
 
-  std::span<const RingedSurface> pipe_;
-  std::span<const NamedObstacle> obstacles_;
+  std::span<const Piece> pipe_;
+  std::vector<Near> all_;
   double wanted_;
   std::size_t piece_ = 0, looked_at_ = 0;
   surfaces::PieceDiscs discs_;
@@ -76,8 +117,8 @@ class Prover {
 
 }  // namespace
 
-Clearance prove_clearance(std::span<const RingedSurface> pipe,
-                          std::span<const NamedObstacle> obstacles, double wanted) {
+Clearance prove_clearance(std::span<const Piece> pipe, std::span<const NamedObstacle> obstacles,
+                          double wanted) {
   return Prover(pipe, obstacles, wanted).run();
 }
 

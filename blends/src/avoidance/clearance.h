@@ -13,6 +13,7 @@ namespace dupin::avoidance {
 struct TightSpot {
   std::size_t piece = 0, obstacle = 0;
   double parameter = 0;  ///< of the piece
+  Obstacle shape;        ///< the obstacle's part that is nearest
   double distance = 0;   ///< there, nearly
   Vec3 place = Vec3::Zero();
 };
@@ -26,7 +27,7 @@ struct Clearance {
 /// That all discs keep at least `wanted` from all obstacles. Stretches are halved until planes
 /// between them and each obstacle prove it, in outward rounded arithmetic; the spot is the tightest
 /// of those that refute it. Least is infinite without obstacles.
-[[nodiscard]] Clearance prove_clearance(std::span<const RingedSurface> pipe,
+[[nodiscard]] Clearance prove_clearance(std::span<const Piece> pipe,
                                         std::span<const NamedObstacle> obstacles, double wanted);
 
 }  // namespace dupin::avoidance

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
+#include "dupin/kernel/error.h"
 #include "numbers/interval.h"
 #include "ringed/nearest_in_disc.h"
 #include "surfaces/surface_piece.h"
@@ -35,7 +37,118 @@ Obstacle capsule_about(const surfaces::DiscHull& hull) {
   return result;
 }
 
+// [Ericson, Real-time collision detection, 5.1.5]: by the regions of the triangle's corners and
+// sides.
+Vec3 nearest_in_triangle(const Vec3& a, const Vec3& ab, const Vec3& ac, const Vec3& p) {
+  const Vec3 ap = p - a, bp = ap - ab, cp = ap - ac;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp),
+               d6 = ac.dot(cp);
+  const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+  if (d1 <= 0 && d2 <= 0) {
+    return a;
+  }
+  if (d3 >= 0 && d4 <= d3) {
+    return a + ab;
+  }
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+    return a + d1 / (d1 - d3) * ab;
+  }
+  if (d6 >= 0 && d5 <= d6) {
+    return a + ac;
+  }
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
+    return a + d2 / (d2 - d6) * ac;
+  }
+  if (va <= 0 && d4 >= d3 && d5 >= d6) {
+    const double s = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return a + ab + s * (ac - ab);
+  }
+  const double sum = va + vb + vc;
+  return a + vb / sum * ab + vc / sum * ac;
+}
+
+Obstacle box_about(const Eigen::AlignedBox3d& bounds) {
+  const Vec3 size = bounds.sizes();
+  return {bounds.min(),
+          {size.x() * Vec3::UnitX(), size.y() * Vec3::UnitY(), size.z() * Vec3::UnitZ()},
+          0};
+}
+
+// Corners are exact, so that a box of sizes that are rounded up holds them.
+Eigen::AlignedBox3d widened(const Eigen::AlignedBox3d& bounds) {
+  const double most = bounds.min().cwiseAbs().cwiseMax(bounds.max().cwiseAbs()).maxCoeff();
+  const Vec3 more = Vec3::Constant(std::ldexp(most, -50));
+  return {Vec3(bounds.min() - more), Vec3(bounds.max() + more)};
+}
+
+struct BoundedTriangle {
+  Obstacle shape;
+  Eigen::AlignedBox3d bounds;
+};
+
+std::vector<ObstacleBox> boxes_of(std::span<BoundedTriangle> triangles) {
+  constexpr std::size_t kFew = 4;
+  std::vector<ObstacleBox> result;
+  if (triangles.size() <= kFew) {
+    for (const BoundedTriangle& t : triangles) {
+      result.push_back({t.shape});
+    }
+    return result;
+  }
+  Eigen::AlignedBox3d middles;
+  for (const BoundedTriangle& t : triangles) {
+    middles.extend(t.bounds.center());
+  }
+  int axis = 0;
+  middles.sizes().maxCoeff(&axis);
+  const std::size_t half = triangles.size() / 2;
+  std::nth_element(triangles.begin(), triangles.begin() + std::ptrdiff_t(half), triangles.end(),
+                   [=](const BoundedTriangle& a, const BoundedTriangle& b) {
+                     return a.bounds.center()[axis] < b.bounds.center()[axis];
+                   });
+  for (const auto part : {triangles.first(half), triangles.subspan(half)}) {
+    Eigen::AlignedBox3d bounds;
+    for (const BoundedTriangle& t : part) {
+      bounds.extend(t.bounds);
+    }
+    result.push_back({box_about(widened(bounds)), boxes_of(part)});
+  }
+  return result;
+}
+
 }  // namespace
+
+NamedObstacle obstacle_of(const std::string& name, const TriMesh& mesh) {
+  std::vector<BoundedTriangle> triangles;
+  Eigen::AlignedBox3d all;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+    Eigen::AlignedBox3d bounds(a);
+    bounds.extend(b).extend(c);
+    all.extend(bounds);
+    // Its edges are rounded.
+    const double most = bounds.min().cwiseAbs().cwiseMax(bounds.max().cwiseAbs()).maxCoeff();
+    triangles.push_back({{a, {b - a, c - a}, std::ldexp(most, -50), true}, bounds});
+  }
+  if (triangles.empty() || !all.min().allFinite() || !all.max().allFinite()) {
+    throw Error(Errc::invalid_argument,
+                triangles.empty() ? "the mesh has no triangles" : "the mesh is not finite");
+  }
+  return {name, box_about(widened(all)), boxes_of(triangles)};
+}
+
+// [Van Oosterom, Strackee 1983]: solid angles of triangles.
+double winding_number(const TriMesh& mesh, const Vec3& point) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 a = mesh.points[t[0]] - point, b = mesh.points[t[1]] - point,
+               c = mesh.points[t[2]] - point;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    sum +=
+        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return sum / (2 * std::numbers::pi);
+}
 
 std::vector<NamedObstacle> obstacles_of(const std::string& part, const PartSurface& surface) {
   if (const auto* ball = std::get_if<Sphere>(&surface)) {
@@ -60,6 +173,9 @@ std::vector<NamedObstacle> obstacles_of(const std::string& part, const PartSurfa
 
 // Coordinate descent on the edges' fractions, exact for right angles.
 Vec3 nearest_core_point(const Obstacle& obstacle, const Vec3& point) {
+  if (obstacle.is_triangle) {
+    return nearest_in_triangle(obstacle.corner, obstacle.edges[0], obstacle.edges[1], point);
+  }
   constexpr int kSweeps = 24;
   Vec3 result = obstacle.corner;
   std::vector<double> fractions(obstacle.edges.size(), 0);
@@ -104,9 +220,12 @@ double separation(const surfaces::DiscHull& discs, const Obstacle& obstacle,
   const Vec3 u = direction.normalized();
   const numbers::IntervalVec exact = numbers::interval_vec(u);
   Interval least = numbers::dot(exact, numbers::interval_vec(obstacle.corner));
+  Interval deepest = 0;
   for (const Vec3& edge : obstacle.edges) {
-    least = least + min(Interval(0), numbers::dot(exact, numbers::interval_vec(edge)));
+    const Interval fall = min(Interval(0), numbers::dot(exact, numbers::interval_vec(edge)));
+    deepest = obstacle.is_triangle ? min(deepest, fall) : deepest + fall;
   }
+  least = least + deepest;
   const Interval gap = least - Interval(surfaces::support(discs, u));
   return (gap / sqrt(numbers::dot(exact, exact)) - Interval(obstacle.radius)).lower;
 }

@@ -5,25 +5,42 @@
 
 #include "dupin/blends/part_surface.h"
 #include "dupin/blends/spline_pipe.h"
+#include "dupin/kernel/mesh.h"
 #include "surfaces/piece_discs.h"
 
 // This folder: pipes that go round obstacles ([mathematics A8]). Obstacles are convex (obstacle.h),
 // how far a pipe's discs keep from them is proved in intervals by halving (clearance.h), and the
-// way is searched among way-points until a proof succeeds (route.h). What has no proof is no way.
+// way is searched among way-points until a proof succeeds (route.h), then among straight pipes and
+// elbows (polyline.h). What has no proof is no way.
 
 namespace dupin::avoidance {
+
+/// An obstacle, or a box that holds others.
+struct ObstacleBox {
+  Obstacle shape;
+  std::vector<ObstacleBox> parts = {};  ///< none: the shape itself is the obstacle
+};
 
 struct NamedObstacle {
   std::string name;  ///< as messages call it
   Obstacle shape;
+  std::vector<ObstacleBox> parts = {};  ///< as of an ObstacleBox
 };
+
+/// The triangles of a mesh, in boxes of boxes along the axes. Throws Error{invalid_argument} for a
+/// mesh without triangles, or with coordinates that are not finite. O(n log n).
+[[nodiscard]] NamedObstacle obstacle_of(const std::string& name, const TriMesh& mesh);
+
+/// How often a closed mesh winds about a point that is not on it, nearly: a whole number, 0
+/// outside. O(n).
+[[nodiscard]] double winding_number(const TriMesh& mesh, const Vec3& point);
 
 /// A part as capsules around stretches of its axis: they contain it, and reach beyond its flat ends
 /// by up to its radius.
 [[nodiscard]] std::vector<NamedObstacle> obstacles_of(const std::string& part,
                                                       const PartSurface& surface);
 
-/// The point of the obstacle's parallelepiped nearest to `point`, nearly.
+/// The point of the obstacle's parallelepiped or triangle nearest to `point`, nearly.
 [[nodiscard]] Vec3 nearest_core_point(const Obstacle& obstacle, const Vec3& point);
 
 /// How near the disc in a circle and an obstacle come, nearly: negative by at most the obstacle's

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "avoidance/polyline.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 
@@ -58,7 +59,8 @@ class Router {
  private:
   [[nodiscard]] Trial tried(std::vector<Waypoint> through, std::vector<RingedSurface> pipe) {
     Trial result{std::move(through), std::move(pipe), {}, 0, trials_++};
-    result.proved = prove_clearance(result.pipe, obstacles_, clearance_);
+    result.proved = prove_clearance(std::vector<Piece>(result.pipe.begin(), result.pipe.end()),
+                                    obstacles_, clearance_);
     // How long the way is, how often it bends, and how much of it is still to be mended.
     result.cost =
         length(result.through) / size_ + 0.2 * double(result.through.size() - given_.size()) +
@@ -120,6 +122,11 @@ class Router {
         return *found;
       }
     }
+    if (given_.empty()) {
+      if (auto pipe = polyline_pipe(from_, to_, obstacles_, clearance_)) {
+        return tried({}, std::move(*pipe));
+      }
+    }
     refuse(*best.proved.spot);
   }
 
@@ -144,15 +151,21 @@ class Router {
     const SpinePoint spine = evaluate(piece.spine, spot.parameter);
     const double radius = evaluate(piece.radius, spot.parameter).value;
     const Vec3 tangent = spine.first.normalized();
-    const Obstacle& obstacle = obstacles_[spot.obstacle].shape;
+    const NamedObstacle& whole = obstacles_[spot.obstacle];
+    std::vector<const Obstacle*> shapes{&spot.shape};
+    if (!whole.parts.empty()) {
+      shapes.push_back(&whole.shape);
+    }
     std::vector<std::vector<Waypoint>> result;
-    for (const Vec3& direction : directions(obstacle, spine.position, tangent)) {
-      const double out = way_out(obstacle, spine.position, direction, radius + clearance_);
-      for (const double reach : kReaches) {
-        const Vec3 place = spine.position + reach * out * direction;
-        std::vector<Waypoint> through = parent.through;
-        through.insert(through.begin() + std::ptrdiff_t(spot.piece), {place, radius});
-        result.push_back(std::move(through));
+    for (const Obstacle* shape : shapes) {
+      for (const Vec3& direction : directions(*shape, spine.position, tangent)) {
+        const double out = way_out(*shape, spine.position, direction, radius + clearance_);
+        for (const double reach : kReaches) {
+          const Vec3 place = spine.position + reach * out * direction;
+          std::vector<Waypoint> through = parent.through;
+          through.insert(through.begin() + std::ptrdiff_t(spot.piece), {place, radius});
+          result.push_back(std::move(through));
+        }
       }
     }
     return result;

@@ -20,7 +20,8 @@ struct Route {
 /// and through as many points more as it takes to keep at least `clearance` from all obstacles.
 /// Points are added where the pipe comes nearest, off the obstacle in several directions, the most
 /// promising way first; what is found is pulled tight. Their radii are between the neighbours'.
-/// Deterministic.
+/// Where that fails and no points are given, straight pipes and elbows are tried (polyline.h),
+/// which have no such points. Deterministic.
 ///
 /// Throws Error{infeasible_blend} with the tightest spot of the best way if none is found, and what
 /// spline_pipe throws of the way that is given, if it is not regular.

@@ -175,18 +175,25 @@ Json obstacle(const Obstacle& solid) {
   return {{"box", {{"corner", vector(solid.corner)}, {"neighbours", neighbours}}}};
 }
 
+Json obstacle(const std::string& part) { return {{"part", part}}; }
+
+Json obstacle(const MeshObstacle& mesh) { return {{"mesh", mesh.file}}; }
+
+void put_avoidance(Json& json, const std::optional<Avoidance>& avoid) {
+  if (!avoid) {
+    return;
+  }
+  json["avoid"] = Json::array();
+  for (const auto& one : avoid->obstacles) {
+    json["avoid"].push_back(std::visit([](const auto& shape) { return obstacle(shape); }, one));
+  }
+  json["clearance"] = avoid->clearance;
+}
+
 Json written(const SplineBetween& spline) {
   Json json = between(spline.from, spline.to);
   json["through"] = waypoints(spline.through);
-  if (spline.avoid) {
-    json["avoid"] = Json::array();
-    for (const auto& one : spline.avoid->obstacles) {
-      const auto* part = std::get_if<std::string>(&one);
-      json["avoid"].push_back(part != nullptr ? Json{{"part", *part}}
-                                              : obstacle(std::get<Obstacle>(one)));
-    }
-    json["clearance"] = spline.avoid->clearance;
-  }
+  put_avoidance(json, spline.avoid);
   return json;
 }
 
@@ -202,6 +209,7 @@ Json written(const CyclicBlendBetween& blend) {
   if (blend.options.continuity == Continuity::g2) {
     json["continuity"] = "G2";
   }
+  put_avoidance(json, blend.avoid);
   return json;
 }
 
@@ -247,6 +255,7 @@ Json written(const RingedBlendBetween& blend) {
   if (blend.low_degree) {
     json["bidegree"] = {5, 2};
   }
+  put_avoidance(json, blend.avoid);
   return json;
 }
 

@@ -32,6 +32,8 @@ class JsonNode {
   [[noreturn]] void fail(const std::string& message) const;
 
   [[nodiscard]] const Json& value() const { return *value_; }
+  /// The name of the document.
+  [[nodiscard]] const std::string& source() const { return *source_; }
   [[nodiscard]] bool has(std::string_view key) const;
 
   /// The value of a key. Throws if this is not an object or has no such key.

@@ -3,13 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "avoidance/clearance.h"
+#include "blends/ringed/ringed_blends.h"
 #include "blends/tubes.h"
+#include "support/shapes.h"
 
 namespace dupin::avoidance {
 namespace {
 
-const std::vector<RingedSurface> kPipe{test::cylinder({0, 0, 0}, {10, 0, 0}, 1),
-                                       test::cylinder({10, 0, 0}, {20, 0, 0}, 1)};
+const std::vector<Piece> kPipe{test::cylinder({0, 0, 0}, {10, 0, 0}, 1),
+                               test::cylinder({10, 0, 0}, {20, 0, 0}, 1)};
 
 TEST(Clearance, is_proved_up_to_the_very_distance) {
   const std::vector<NamedObstacle> ball{{"ball", {{12, 0, 5}, {}, 2}}};
@@ -56,6 +58,44 @@ TEST(Clearance, names_the_tightest_of_all) {
   const Clearance found = prove_clearance(kPipe, two, 1);
   ASSERT_TRUE(found.spot);
   EXPECT_EQ(two[found.spot->obstacle].name, "near");
+}
+
+// [mathematics C10] R1: an oblique cone blends into a cylinder; distances with 13 digits.
+std::vector<Piece> oracle_blend() {
+  return {RationalRingedTube{
+      {{0, 0, 0}, -Vec3::UnitZ(), 1}, {{4, 1, 3.5}, Vec3::UnitX(), 0.8}, test::cone_to_cylinder()}};
+}
+
+TEST(Clearance, of_a_ringed_blend_is_the_oracles) {
+  struct Row {
+    Obstacle obstacle;
+    double distance, parameter;
+  };
+  const std::vector<Row> rows{
+      {{{3.5, .5, .2}, {}, 1}, 0.7974084047886, .5094050449},
+      {{{-2.5, -3, 1}, {{.3, 6, 2}}, .4}, 1.3326266990446, .2233656676},
+      {{{-1, -1, 4.6}, {{3, 0, 0}, {0, 3, 0}, {0, 0, .9}}, 0}, 0.8087988044306, .7040854566}};
+  for (const auto& [obstacle, distance, parameter] : rows) {
+    const std::vector<NamedObstacle> one{{"it", obstacle}};
+    const auto pipe = oracle_blend();
+    EXPECT_FALSE(prove_clearance(pipe, one, distance - 1e-6).spot) << distance;
+    const Clearance refuted = prove_clearance(pipe, one, distance + 1e-6);
+    ASSERT_TRUE(refuted.spot) << distance;
+    EXPECT_NEAR(refuted.spot->parameter, parameter, 0.3);
+  }
+  const std::vector<NamedObstacle> ball{{"ball", rows[0].obstacle}};
+  EXPECT_FALSE(prove_clearance(oracle_blend(), ball, 0.796).spot);
+  EXPECT_TRUE(prove_clearance(oracle_blend(), ball, 0.798).spot);
+}
+
+TEST(Clearance, of_meshes_is_that_of_their_triangles) {
+  const TriMesh cube = test::box({4, 2, -3}, {8, 5, 3});
+  const std::vector<NamedObstacle> mesh{obstacle_of("cube.off", cube)};
+  EXPECT_FALSE(prove_clearance(kPipe, mesh, 0.999999).spot);  // 2 - 1
+  const Clearance refuted = prove_clearance(kPipe, mesh, 1.000001);
+  ASSERT_TRUE(refuted.spot);
+  EXPECT_TRUE(refuted.spot->shape.is_triangle);
+  EXPECT_NEAR(refuted.spot->place.y(), 1, 1e-3);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 
 #include "avoidance/obstacle.h"
 #include "blends/tubes.h"
+#include "dupin/kernel/error.h"
+#include "support/shapes.h"
 #include "surfaces/surface_piece.h"
 
 namespace dupin::avoidance {
@@ -73,6 +75,63 @@ TEST(Obstacle, is_not_separated_by_no_direction) {
   EXPECT_EQ(separation(hull, kBall, {0, 0, 0}), -std::numeric_limits<double>::infinity());
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(separation(hull, kBall, {nan, 0, 0}) > -1e300);
+}
+
+// By points of the triangle, and the regions of its corners and sides.
+TEST(Obstacle, may_be_a_triangle) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> at(-3, 3), share(0, 1);
+  const auto point = [&] { return Vec3(at(random), at(random), at(random)); };
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 a = point(), b = point(), c = point(), p = point();
+    const Obstacle triangle{a, {b - a, c - a}, 0, true};
+    const Vec3 nearest = nearest_core_point(triangle, p);
+    const RingedSurface tube = test::cylinder(p, p + Vec3(0, 0, 0.1), 0.2);
+    const double bound = separation(surfaces::discs(tube).hull({0, 1}), triangle, nearest - p);
+    for (int k = 0; k < 50; ++k) {
+      double s = share(random), t = share(random);
+      if (s + t > 1) {
+        s = 1 - s, t = 1 - t;
+      }
+      const Vec3 inside = a + s * (b - a) + t * (c - a);
+      EXPECT_LE((nearest - p).norm(), (inside - p).norm() + 1e-12);
+      EXPECT_LE(bound, (inside - p).norm() - 0 + 1e-12);
+    }
+    EXPECT_NEAR((b - a).cross(c - a).normalized().dot(nearest - a), 0, 1e-12);
+  }
+}
+
+TEST(Obstacle, of_a_mesh_is_boxes_that_hold_its_triangles) {
+  const TriMesh mesh = test::tube(2, 0, 7, 40);
+  const NamedObstacle obstacle = obstacle_of("m", mesh);
+  std::size_t triangles = 0;
+  const auto walk = [&](const auto& self, const Obstacle& box,
+                        const std::vector<ObstacleBox>& parts) -> void {
+    for (const ObstacleBox& part : parts) {
+      if (part.parts.empty()) {
+        ++triangles;
+        EXPECT_TRUE(part.shape.is_triangle);
+      }
+      for (const Vec3& corner : {part.shape.corner, Vec3(part.shape.corner + part.shape.edges[0]),
+                                 Vec3(part.shape.corner + part.shape.edges[1])}) {
+        EXPECT_LT((nearest_core_point(box, corner) - corner).norm(), 1e-12);
+      }
+      self(self, part.shape, part.parts);
+    }
+  };
+  walk(walk, obstacle.shape, obstacle.parts);
+  EXPECT_EQ(triangles, mesh.triangles.size());
+  EXPECT_THROW((void)obstacle_of("m", TriMesh{}), Error);
+  TriMesh bad = mesh;
+  bad.points[3].x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW((void)obstacle_of("m", bad), Error);
+}
+
+TEST(Obstacle, winds_about_points_inside) {
+  const TriMesh mesh = test::box({0, 0, 0}, {2, 3, 4});
+  EXPECT_NEAR(winding_number(mesh, {1, 1, 1}), 1, 1e-12);
+  EXPECT_NEAR(winding_number(mesh, {1, 1, -0.1}), 0, 1e-12);
+  EXPECT_NEAR(winding_number(test::reversed(mesh), {1, 1, 1}), -1, 1e-12);
 }
 
 TEST(Obstacle, of_a_part_contains_it) {

@@ -11,6 +11,7 @@
 #include "dupin/blends/frame.h"
 #include "dupin/blends/regularity.h"
 #include "dupin/kernel/error.h"
+#include "support/shapes.h"
 
 namespace dupin::avoidance {
 namespace {
@@ -69,6 +70,14 @@ TEST(Route, goes_round_what_is_in_the_way) {
     EXPECT_FALSE(found.through.empty()) << i;
     expect_sound(found, scenes[i], 0.1);
   }
+}
+
+TEST(Route, goes_round_meshes) {
+  const std::vector<NamedObstacle> mesh{
+      obstacle_of("box.off", test::box({4, -1, -1}, {6, 1, 1.5}))};
+  const Route found = route(kFrom, {}, kTo, mesh, 0.1);
+  EXPECT_FALSE(found.through.empty());
+  expect_sound(found, {{"box", box({4, -1, -1}, {6, 1, 1.5})}}, 0.1);
 }
 
 TEST(Route, goes_through_what_it_is_told_to) {

@@ -4,13 +4,17 @@
 #include <set>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "dupin/blends/build.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/atomic_file.h"
+#include "dupin/io/mesh_file.h"
 #include "dupin/kernel/error.h"
+#include "support/scratch_directory.h"
+#include "support/shapes.h"
 #include "support/source_folder.h"
 
 namespace dupin {
@@ -239,6 +243,23 @@ TEST(PlaceJson, refuses_what_is_no_document_or_leaves_the_doubles) {
   const std::string text =
       document(R"({"name": "a", "sphere": {"center": [1e300, 0, 0], "radius": 1}})");
   EXPECT_THROW((void)placed_document(text, "d.json", scaling(1e10)), Error);
+}
+
+using PlaceJsonOfFiles = test::ScratchDirectory;
+
+TEST_F(PlaceJsonOfFiles, refuses_documents_that_avoid_a_file) {
+  write_mesh(path("crate.off"), test::box({-3, -4, -4}, {3, 4, 4}));
+  const std::string text = document(R"(
+    {"name": "a", "pipe": {"from": [-30, 0, 0], "to": [-20, 0, 0], "radius": 1}},
+    {"name": "b", "pipe": {"from": [20, 0, 0], "to": [30, 0, 0], "radius": 1}},
+    {"name": "c", "cyclic_blend": {"from": "a.end", "to": "b.start", "k": "auto", "l": "auto",
+      "avoid": [{"mesh": "crate.off"}], "clearance": 2}})");
+  try {
+    (void)placed_document(text, path("plant.json").string(), turning(90));
+    FAIL() << "a file would stay where it is";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("part 'c' avoids the mesh 'crate.off'"));
+  }
 }
 
 }  // namespace

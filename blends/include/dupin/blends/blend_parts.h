@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,6 +11,8 @@
 #include "dupin/blends/cyclide_chain.h"
 #include "dupin/blends/end.h"
 #include "dupin/blends/junction.h"
+#include "dupin/blends/spline_pipe.h"
+#include "dupin/kernel/mesh.h"
 #include "dupin/kernel/vec.h"
 
 namespace dupin {
@@ -23,11 +26,25 @@ struct PortReference {
 
 [[nodiscard]] std::string to_string(const PortReference& port);
 
+/// Triangles in the way, and the file that they came from, as the document names it.
+struct MeshObstacle {
+  std::string file;
+  std::shared_ptr<const TriMesh> mesh;
+};
+
+/// What a pipe keeps away from, how far at least: solids, other parts by their names, and meshes.
+struct Avoidance {
+  std::vector<std::variant<Obstacle, std::string, MeshObstacle>> obstacles;
+  double clearance = 0;
+};
+
 /// A cyclic blend [MS06] between two ports; see cyclic_blend.h. Between ellipses, or an ellipse and
-/// a circle, an elliptic tube.
+/// a circle, an elliptic tube. Where it would come too near to what it avoids, a spline pipe that
+/// does not.
 struct CyclicBlendBetween {
   PortReference from, to;
   CyclicBlendOptions options;
+  std::optional<Avoidance> avoid = {};
 };
 
 /// A tube between two ports on the spine that two cones have in common [BWL17]; see
@@ -73,6 +90,7 @@ struct RingedBlendBetween {
   RingedBlendEnd from, to;
   std::optional<double> k = {}, l = {};
   bool low_degree = false;  ///< (5, 2) instead of (9, 2), between canal surfaces only
+  std::optional<Avoidance> avoid = {};
 };
 
 /// One to three cyclide pieces between two ports, see cyclide_blend.h; where there are none, a

@@ -88,12 +88,6 @@ struct ObliqueTo {
   double end_radius = 1;
 };
 
-/// What a pipe keeps away from, how far at least: solids, and other parts by their names.
-struct Avoidance {
-  std::vector<std::variant<Obstacle, std::string>> obstacles;
-  double clearance = 0;
-};
-
 /// A pipe from port to port through points; see spline_pipe.h. One that avoids something goes
 /// through as many points more as that takes.
 struct SplineBetween {

@@ -64,8 +64,8 @@ struct ResolvedFillet {
   Fillet shape;
 };
 
-/// A junction with its geometry. Its arms are parts, called "name.1" and so on; it is what its hub
-/// has left.
+/// A junction with its geometry. Its arms are parts, called "name.1" and so on, and so are the
+/// transitions from elliptical and oblique ends, "name.1.transition"; it is what its hub has left.
 struct ResolvedJunction {
   std::string name;
   std::uint32_t index = 0;          ///< in Assembly::parts
@@ -74,7 +74,8 @@ struct ResolvedJunction {
 };
 
 struct ResolvedAssembly {
-  std::vector<ResolvedPart> parts;  ///< in document order, then the arms of junctions
+  std::vector<ResolvedPart>
+      parts;  ///< in document order, then the arms of junctions, each after its transition
   std::vector<ResolvedFillet> fillets;
   std::vector<ResolvedJunction> junctions;
 };

@@ -13,11 +13,13 @@ struct Waypoint {
 };
 
 /// A solid in the way: all points within `radius` of a parallelepiped with this corner and up to
-/// three edges from it. A ball has none, a capsule one, a box three.
+/// three edges from it. A ball has none, a capsule one, a box three; of a triangle, two edges are
+/// given.
 struct Obstacle {
   Vec3 corner;
   std::vector<Vec3> edges;
   double radius = 0;
+  bool is_triangle = false;
 };
 
 struct SplinePipeOptions {

@@ -1,8 +1,11 @@
 #include "dupin/blends/cyclic_blend.h"
 
+#include "assembly/parts/kept_clear.h"
 #include "assembly/parts/part_checks.h"
 #include "assembly/parts/part_rules.h"
+#include "avoidance/route.h"
 #include "dupin/blends/elliptic_tube.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin::assembly {
 
@@ -14,14 +17,38 @@ struct PartRules<"cyclic_blend"> {
     return between_ports(blend.from, blend.to);
   }
 
+  static std::vector<Need> needs(const CyclicBlendBetween& blend) { return needs_of(blend.avoid); }
+
   static PartSurface geometry(const PartContext& context, const CyclicBlendBetween& blend) {
     check_speeds(context, blend.options.k, blend.options.l);
     const Ring &from = right_end(context, blend.from, "from"),
                &to = right_end(context, blend.to, "to");
-    if (from.ellipse || to.ellipse) {
-      return elliptic_blend(from, to, blend.options);
+    const bool is_elliptic = from.ellipse || to.ellipse;
+    Chain chain = is_elliptic ? Chain(elliptic_blend(from, to, blend.options))
+                              : Chain(cyclic_blend(from, to, blend.options));
+    if (blend.avoid) {
+      const auto obstacles = obstacles_of(context, *blend.avoid, from.center);
+      try {
+        require_clear(chain, obstacles, blend.avoid->clearance);
+      } catch (const Error& error) {
+        if (is_elliptic || error.code() != Errc::infeasible_blend) {
+          throw;
+        }
+        return Chain(avoidance::route(from, {}, to, obstacles, blend.avoid->clearance).pipe);
+      }
     }
-    return cyclic_blend(from, to, blend.options);
+    return chain;
+  }
+
+  static PartNotes notes(const CyclicBlendBetween& blend, const PartSurface& surface) {
+    if (!blend.avoid) {
+      return {};
+    }
+    const std::size_t points = std::get<Chain>(surface).pieces.size() - 1;
+    return {(points == 0 ? "" : "a spline through " + std::to_string(points) + " points, ") +
+                clearance_note(*blend.avoid),
+            {},
+            {}};
   }
 };
 template const PartKind& part_kind<"cyclic_blend">();

@@ -43,18 +43,23 @@ void check_speeds(const PartContext& context, const std::optional<double>& k,
 
 // On a canal surface of slope q, d' across n is -q rho n' [BL15]. Rounding leaves some ulp of the
 // unit speed.
-const Ring& right_end(const PartContext& context, const PortReference& port, std::string_view key) {
+bool is_right(const PartContext& context, const PortReference& port) {
   const Ring& ring = context.ring(port);
   const MovingRing motion = context.motion(port);
   const double advance = motion.center_rate.dot(motion.normal);
   const Vec3 aside =
       motion.center_rate - advance * motion.normal + ring.slope * ring.radius * motion.normal_rate;
-  if (!(aside.norm() <= kNoDirection)) {
+  return aside.norm() <= kNoDirection;
+}
+
+const Ring& right_end(const PartContext& context, const PortReference& port, std::string_view key) {
+  if (!is_right(context, port)) {
     fail(context, key,
          "'" + to_string(port) +
-             "' ends an oblique cylinder or cone; only a ringed_blend goes on from there");
+             "' ends an oblique cylinder or cone; only a ringed_blend or a junction goes on from "
+             "there");
   }
-  return ring;
+  return context.ring(port);
 }
 
 }  // namespace dupin::assembly

@@ -32,6 +32,9 @@ void check_within_tolerance(const PartContext& context, double deviation, std::s
 void check_speeds(const PartContext& context, const std::optional<double>& k,
                   const std::optional<double>& l);
 
+/// Whether a port's part ends in a right cylinder or cone, or another canal surface of its slope.
+[[nodiscard]] bool is_right(const PartContext& context, const PortReference& port);
+
 /// The ring of a port whose part ends in a right cylinder or cone, or another canal surface of its
 /// slope; fails for oblique ones.
 [[nodiscard]] const Ring& right_end(const PartContext& context, const PortReference& port,

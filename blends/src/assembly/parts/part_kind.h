@@ -40,6 +40,13 @@ struct PartNotes {
   std::vector<std::string> rejected, warnings;
 };
 
+/// A junction, and for each of its ends that is no right circle what leads from there to one that
+/// is, where its arm begins.
+struct JunctionOfEnds {
+  Junction shape;
+  std::vector<std::optional<Chain>> transitions;
+};
+
 /// What a key of a document means. The functions take shapes of this key only.
 struct PartKind {
   std::string_view key;
@@ -60,7 +67,7 @@ struct PartKind {
                    const std::array<const PartSurface*, 2>& pipes) = nullptr;
   /// Of a junction, none of other kinds: the ports that it joins, and its geometry.
   References (*ends)(const PartShape&) = nullptr;
-  Junction (*junction)(const PartContext&, const PartShape&) = nullptr;
+  JunctionOfEnds (*junction)(const PartContext&, const PartShape&) = nullptr;
   /// Which ends are closed for good: no ports, and no bore opens there.
   std::array<bool, 2> closed_ends{};
   /// Of a kind that has no bore of its own, whatever the document's wall.

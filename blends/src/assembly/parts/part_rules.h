@@ -64,8 +64,8 @@ References ends_by_rules(const PartShape& shape) {
 }
 
 template <KeyName key>
-Junction junction_by_rules(const PartContext& context, const PartShape& shape) {
-  return of_shape<key, Junction>(
+JunctionOfEnds junction_by_rules(const PartContext& context, const PartShape& shape) {
+  return of_shape<key, JunctionOfEnds>(
       shape, [&](const auto& given) { return PartRules<key>::junction(context, given); });
 }
 

@@ -46,7 +46,7 @@ concept IsFillet = requires(const PartContext& context, const Shape& shape,
 template <class Rules, class Shape>
 concept IsJunction = requires(const PartContext& context, const Shape& shape) {
   { Rules::ends(shape) } -> std::same_as<References>;
-  { Rules::junction(context, shape) } -> std::same_as<Junction>;
+  { Rules::junction(context, shape) } -> std::same_as<JunctionOfEnds>;
 };
 
 template <class Rules, class Shape>

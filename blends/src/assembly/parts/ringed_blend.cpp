@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "assembly/parts/kept_clear.h"
 #include "assembly/parts/part_checks.h"
 #include "assembly/parts/part_rules.h"
 #include "dupin/kernel/decimal.h"
@@ -106,6 +107,17 @@ class RingedBlend {
     return canal_ringed_blend(canal(from, k), canal(to, l));
   }
 
+  // Throws unless it keeps clear of the obstacles.
+  [[nodiscard]] RationalRingedSurface clear(const BlendEnd& from, const BlendEnd& to,
+                                            const std::vector<avoidance::NamedObstacle>& obstacles,
+                                            const RationalRingedSurface& surface) const {
+    if (blend_.avoid) {
+      require_clear(Chain(RationalRingedTube{flipped(from.port), to.port, surface}), obstacles,
+                    blend_.avoid->clearance);
+    }
+    return surface;
+  }
+
   // The speeds nearest to the chord that work.
   [[nodiscard]] RationalRingedSurface surface(const BlendEnd& from, const BlendEnd& to,
                                               double chord) const {
@@ -128,17 +140,30 @@ class RingedBlend {
     }
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const Pair& a, const Pair& b) { return a.cost < b.cost; });
-    if (blend_.k && blend_.l) {
-      return trial(from, to, pairs.front().k, pairs.front().l);
+    std::vector<avoidance::NamedObstacle> obstacles;
+    if (blend_.avoid) {
+      obstacles = obstacles_of(context_, *blend_.avoid, from.port.center);
     }
+    if (blend_.k && blend_.l) {
+      return clear(from, to, obstacles, trial(from, to, pairs.front().k, pairs.front().l));
+    }
+    std::optional<Error> too_near;
     for (const auto& [k, l, cost] : pairs) {
       try {
-        return trial(from, to, k, l);
+        return clear(from, to, obstacles, trial(from, to, k, l));
       } catch (const Error& error) {
-        if (error.code() != Errc::irregular_surface) {
+        if (error.code() == Errc::infeasible_blend) {
+          too_near = too_near ? too_near : error;
+        } else if (error.code() != Errc::irregular_surface) {
           throw;
         }
       }
+    }
+    if (too_near) {
+      throw Error(Errc::infeasible_blend,
+                  "of all end speeds that were tried, the first with which it does not fold gives "
+                  "a blend that is too near to what it avoids: " +
+                      too_near->message() + "; ask for less clearance, or lead a spline round it");
     }
     throw Error(Errc::infeasible_blend,
                 "no end speeds between 0.3 and 2.5 times the distance of the ends, " +
@@ -166,6 +191,12 @@ struct PartRules<"ringed_blend"> {
       result.push_back({*port, "to", End::end});
     }
     return result;
+  }
+
+  static std::vector<Need> needs(const RingedBlendBetween& blend) { return needs_of(blend.avoid); }
+
+  static PartNotes notes(const RingedBlendBetween& blend, const PartSurface& /*surface*/) {
+    return blend.avoid ? PartNotes{clearance_note(*blend.avoid), {}, {}} : PartNotes{};
   }
 
   static PartSurface geometry(const PartContext& context, const RingedBlendBetween& blend) {

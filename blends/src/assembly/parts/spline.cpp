@@ -1,10 +1,10 @@
 #include <string>
 #include <vector>
 
+#include "assembly/parts/kept_clear.h"
 #include "assembly/parts/part_checks.h"
 #include "assembly/parts/part_rules.h"
 #include "avoidance/route.h"
-#include "dupin/kernel/decimal.h"
 
 namespace dupin::assembly {
 namespace {
@@ -17,46 +17,12 @@ void check_points(const PartContext& context, const std::vector<Waypoint>& throu
   }
 }
 
-std::string avoid_key(std::size_t i) { return "avoid/" + std::to_string(i); }
-
-void check_obstacle(const PartContext& context, const Obstacle& obstacle, const std::string& key) {
-  check_finite(context, obstacle.corner, key);
-  for (const Vec3& edge : obstacle.edges) {
-    check_finite(context, edge, key);
-  }
-  if (obstacle.edges.size() < 3) {
-    check_positive(context, obstacle.radius, key);
-  }
-}
-
-std::vector<avoidance::NamedObstacle> obstacles(const PartContext& context,
-                                                const Avoidance& avoid) {
-  std::vector<avoidance::NamedObstacle> result;
-  for (std::size_t i = 0; i < avoid.obstacles.size(); ++i) {
-    if (const auto* name = std::get_if<std::string>(&avoid.obstacles[i])) {
-      for (avoidance::NamedObstacle& stretch :
-           avoidance::obstacles_of(*name, context.surface(*name))) {
-        result.push_back(std::move(stretch));
-      }
-    } else {
-      const auto& solid = std::get<Obstacle>(avoid.obstacles[i]);
-      check_obstacle(context, solid, avoid_key(i));
-      result.push_back({avoid_key(i), solid});
-    }
-  }
-  return result;
-}
-
 std::vector<RingedSurface> avoiding(const PartContext& context, const SplineBetween& spline) {
-  const Avoidance& avoid = *spline.avoid;
-  if (!(avoid.clearance >= 0 && avoid.clearance <= kLargest)) {
-    fail(context, "clearance",
-         "the clearance must be a number that is not negative, not " +
-             decimal(avoid.clearance, kMessageDigits));
-  }
-  return avoidance::route(right_end(context, spline.from, "from"), spline.through,
-                          right_end(context, spline.to, "to"), obstacles(context, avoid),
-                          avoid.clearance)
+  const Ring &from = right_end(context, spline.from, "from"),
+             &to = right_end(context, spline.to, "to");
+  return avoidance::route(from, spline.through, to,
+                          obstacles_of(context, *spline.avoid, from.center),
+                          spline.avoid->clearance)
       .pipe;
 }
 
@@ -71,17 +37,7 @@ struct PartRules<"spline"> {
   }
   static References references(const SplineRound&) { return {}; }
 
-  static std::vector<Need> needs(const SplineBetween& spline) {
-    std::vector<Need> result;
-    if (spline.avoid) {
-      for (const auto& obstacle : spline.avoid->obstacles) {
-        if (const auto* name = std::get_if<std::string>(&obstacle)) {
-          result.push_back({*name, "avoid"});
-        }
-      }
-    }
-    return result;
-  }
+  static std::vector<Need> needs(const SplineBetween& spline) { return needs_of(spline.avoid); }
   static std::vector<Need> needs(const SplineRound&) { return {}; }
 
   static std::string_view portless(const SplineBetween&) { return {}; }
@@ -102,8 +58,7 @@ struct PartRules<"spline"> {
     }
     const std::size_t points = std::get<Chain>(surface).pieces.size() - 1;
     return {"a way through " + std::to_string(points) + (points == 1 ? " point" : " points") +
-                ", proved to keep " + decimal(spline.avoid->clearance, kMessageDigits) +
-                " from all that it avoids",
+                ", " + clearance_note(*spline.avoid),
             {},
             {}};
   }

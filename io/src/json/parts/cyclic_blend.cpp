@@ -1,3 +1,4 @@
+#include "json/parts/avoidance.h"
 #include "json/parts/part_reader.h"
 #include "json/parts/part_values.h"
 
@@ -6,7 +7,7 @@ namespace dupin::json {
 template <>
 struct PartReader<"cyclic_blend"> {
   static PartShape read(const JsonNode& node) {
-    allow_only(node, {"from", "to", "radius_law", "k", "l", "continuity"});
+    allow_only(node, {"from", "to", "radius_law", "k", "l", "continuity", "avoid", "clearance"});
     CyclicBlendBetween blend{port(node.at("from")), port(node.at("to")), {}};
     if (node.has("radius_law")) {
       const JsonNode law = node.at("radius_law");
@@ -24,6 +25,7 @@ struct PartReader<"cyclic_blend"> {
     }
     blend.options.k = number_or_auto(node.at("k"));
     blend.options.l = number_or_auto(node.at("l"));
+    blend.avoid = avoidance(node);
     return blend;
   }
 };

@@ -1,6 +1,7 @@
 #include <optional>
 #include <string>
 
+#include "json/parts/avoidance.h"
 #include "json/parts/part_reader.h"
 #include "json/parts/part_values.h"
 
@@ -57,7 +58,7 @@ std::optional<double> speed(const JsonNode& node, std::string_view key) {
 template <>
 struct PartReader<"ringed_blend"> {
   static PartShape read(const JsonNode& node) {
-    allow_only(node, {"from", "to", "k", "l", "bidegree"});
+    allow_only(node, {"from", "to", "k", "l", "bidegree", "avoid", "clearance"});
     RingedBlendBetween blend{ringed_end(node.at("from")), ringed_end(node.at("to")),
                              speed(node, "k"), speed(node, "l")};
     if (node.has("bidegree")) {
@@ -67,6 +68,7 @@ struct PartReader<"ringed_blend"> {
       }
       blend.low_degree = degree.value() == Json{5, 2};
     }
+    blend.avoid = avoidance(node);
     return blend;
   }
 };

@@ -102,6 +102,61 @@ TEST(JunctionKey, may_join_both_ends_of_one_way_round) {
   EXPECT_EQ(report.euler_number, 0) << "a ring with a branch";
 }
 
+// An elliptical end, and one of a cylinder along (1, 1, 0) whose circle lies across (0, 1, 0).
+constexpr const char* kOthers =
+    R"({"name": "a", "pipe": {"from": [30, 0, 0], "to": [20, 0, 0], "semi_axes": [2, 1], "axis": [0, 0, 1]}},
+       {"name": "b", "oblique": {"center": [4, 32, 0], "normal": [0, -1, 0], "radius": 1, "ruling": [-1, -6, 0], "length": 12}},
+       {"name": "c", "pipe": {"from": [-30, 0, 0], "to": [-20, 0, 0], "radius": 1}},
+       {"name": "hub", "junction": {"ends": ["a.end", "b.end", "c.end"]}})";
+
+TEST(JunctionKey, leads_from_ellipses_and_oblique_ends_to_circles) {
+  const Assembly assembly = parse_assembly(document(kOthers));
+  const auto resolved = resolve(assembly);
+  ASSERT_EQ(resolved.parts.size(), 8U);
+  for (const std::uint32_t i : {0U, 1U}) {
+    const std::uint32_t arm = resolved.junctions[0].arms[i];
+    EXPECT_EQ(resolved.parts[arm].name, "hub." + std::to_string(i + 1));
+    ASSERT_TRUE(resolved.parts[arm].joined[0].has_value());
+    const std::uint32_t transition = resolved.parts[arm].joined[0]->part;
+    const ResolvedPart& part = resolved.parts[transition];
+    EXPECT_EQ(part.name, "hub." + std::to_string(i + 1) + ".transition");
+    EXPECT_EQ(part.joined[1], (EndIndex{arm, End::start}));
+    EXPECT_EQ(part.joined[0], (EndIndex{i, End::end}));
+    EXPECT_EQ(resolved.parts[i].joined[1], (EndIndex{transition, End::start}));
+    EXPECT_EQ(*port_ring(part.shape, End::start),
+              flipped(*port_ring(resolved.parts[i].shape, End::end)));
+    EXPECT_EQ(*port_ring(part.shape, End::end),
+              flipped(*port_ring(resolved.parts[arm].shape, End::start)));
+    EXPECT_FALSE(port_ring(part.shape, End::end)->ellipse);
+  }
+  EXPECT_EQ(resolved.parts[resolved.junctions[0].arms[2]].joined[0], (EndIndex{2, End::end}));
+  const Built built = build(assembly);
+  EXPECT_EQ(built.pieces, 1U);
+  EXPECT_EQ(check(to_mesh(built.solid).mesh()).euler_number, 2);
+  for (const PartReport& part : built.parts) {
+    EXPECT_LE(part.error_bound, 0.05) << part.name;
+    EXPECT_LT(part.start_tangency.value_or(0), 1e-9) << part.name;
+    EXPECT_LT(part.end_tangency.value_or(0), 1e-9) << part.name;
+  }
+}
+
+TEST(JunctionKey, says_where_there_is_no_room_for_transitions) {
+  try {
+    (void)resolve(parse_assembly(document(
+        R"({"name": "a", "pipe": {"from": [9, 0, 0], "to": [2.5, 0, 0], "semi_axes": [2, 1], "axis": [0, 0, 1]}},
+           {"name": "b", "pipe": {"from": [-9, 0, 0], "to": [-2.5, 0, 0], "radius": 1}},
+           {"name": "c", "pipe": {"from": [0, 9, 0], "to": [0, 2.5, 0], "radius": 1}},
+           {"name": "hub", "junction": {"ends": ["a.end", "b.end", "c.end"]}})")));
+    FAIL() << "there is no room";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::infeasible_blend);
+    EXPECT_NE(error.message().find(
+                  "with transitions from its elliptical and oblique ends to circles: end "),
+              std::string::npos)
+        << error.message();
+  }
+}
+
 TEST(JunctionKey, says_what_is_wrong_with_it) {
   constexpr Errc kBad = Errc::invalid_argument;
   const Malformed rows[] = {

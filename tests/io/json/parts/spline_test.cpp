@@ -58,9 +58,9 @@ TEST(SplineKey, says_what_is_wrong_with_what_it_avoids) {
   };
   const std::string at = "d.json#/parts/2/spline";
   const Malformed rows[] = {
-      {avoiding("[{}]"), at + "/avoid/0", "must have one of ball, capsule, box and part"},
+      {avoiding("[{}]"), at + "/avoid/0", "must have one of ball, capsule, box, part and mesh"},
       {avoiding(R"([{"part": "x", "ball": {}}])"), at + "/avoid/0",
-       "must have one of ball, capsule, box and part"},
+       "must have one of ball, capsule, box, part and mesh"},
       {avoiding(R"([{"box": {"corner": [0, 0, 0], "neighbours": []}}])"),
        at + "/avoid/0/box/neighbours", "a box has three corners next to its first one"},
       {avoiding(R"([{"ball": {"center": [5, 5, 5], "radius": -1}}])"), at + "/avoid/0",

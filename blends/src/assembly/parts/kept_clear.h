@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assembly/parts/part_checks.h"
+#include "assembly/parts/part_kind.h"
+#include "avoidance/obstacle.h"
+#include "dupin/blends/part_shape.h"
+
+namespace dupin::assembly {
+
+/// What is listed under "avoid". Throws Error for numbers that are none, for the clearance too, and
+/// for meshes that hold the point.
+[[nodiscard]] std::vector<avoidance::NamedObstacle> obstacles_of(const PartContext& context,
+                                                                 const Avoidance& avoid,
+                                                                 const Vec3& point);
+
+/// The parts that are to be avoided.
+[[nodiscard]] std::vector<Need> needs_of(const std::optional<Avoidance>& avoid);
+
+/// Throws Error{infeasible_blend} with the tightest spot for a surface that is not proved to keep
+/// clear.
+void require_clear(const Chain& surface, const std::vector<avoidance::NamedObstacle>& obstacles,
+                   double clearance);
+
+/// ", proved to keep 5 from all that it avoids".
+[[nodiscard]] std::string clearance_note(const Avoidance& avoid);
+
+}  // namespace dupin::assembly
