@@ -105,7 +105,7 @@ TEST(JunctionKey, may_join_both_ends_of_one_way_round) {
 // An elliptical end, and one of a cylinder along (1, 1, 0) whose circle lies across (0, 1, 0).
 constexpr const char* kOthers =
     R"({"name": "a", "pipe": {"from": [30, 0, 0], "to": [20, 0, 0], "semi_axes": [2, 1], "axis": [0, 0, 1]}},
-       {"name": "b", "oblique": {"center": [4, 32, 0], "normal": [0, -1, 0], "radius": 1, "ruling": [-1, -6, 0], "length": 12}},
+       {"name": "b", "oblique": {"from": [6, 44, 0], "to": [4, 32, 0], "normal": [0, -1, 0], "radii": [1, 1]}},
        {"name": "c", "pipe": {"from": [-30, 0, 0], "to": [-20, 0, 0], "radius": 1}},
        {"name": "hub", "junction": {"ends": ["a.end", "b.end", "c.end"]}})";
 
