@@ -121,16 +121,18 @@ std::vector<ObstacleBox> boxes_of(std::span<BoundedTriangle> triangles) {
 NamedObstacle obstacle_of(const std::string& name, const TriMesh& mesh) {
   std::vector<BoundedTriangle> triangles;
   Eigen::AlignedBox3d all;
+  bool is_finite = true;
   for (const Triangle& t : mesh.triangles) {
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
     Eigen::AlignedBox3d bounds(a);
     bounds.extend(b).extend(c);
     all.extend(bounds);
+    is_finite = is_finite && a.allFinite() && b.allFinite() && c.allFinite();
     // Its edges are rounded.
     const double most = bounds.min().cwiseAbs().cwiseMax(bounds.max().cwiseAbs()).maxCoeff();
     triangles.push_back({{a, {b - a, c - a}, std::ldexp(most, -50), true}, bounds});
   }
-  if (triangles.empty() || !all.min().allFinite() || !all.max().allFinite()) {
+  if (triangles.empty() || !is_finite) {
     throw Error(Errc::invalid_argument,
                 triangles.empty() ? "the mesh has no triangles" : "the mesh is not finite");
   }
@@ -179,7 +181,9 @@ Vec3 nearest_core_point(const Obstacle& obstacle, const Vec3& point) {
   constexpr int kSweeps = 24;
   Vec3 result = obstacle.corner;
   std::vector<double> fractions(obstacle.edges.size(), 0);
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+  bool is_moved = true;
+  for (int sweep = 0; sweep < kSweeps && is_moved; ++sweep) {
+    is_moved = false;
     for (std::size_t i = 0; i < fractions.size(); ++i) {
       const Vec3& edge = obstacle.edges[i];
       const double squared = edge.squaredNorm();
@@ -187,10 +191,8 @@ Vec3 nearest_core_point(const Obstacle& obstacle, const Vec3& point) {
         const double before = fractions[i];
         fractions[i] = std::clamp(before + edge.dot(point - result) / squared, 0.0, 1.0);
         result += (fractions[i] - before) * edge;
+        is_moved = is_moved || fractions[i] != before;
       }
-    }
-    if (fractions.size() < 2) {
-      break;
     }
   }
   return result;

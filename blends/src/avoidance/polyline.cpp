@@ -17,6 +17,9 @@ namespace {
 // elbows that are tried.
 constexpr double kLead = 3;
 constexpr std::array kBends{3.0, 2.0, 1.5, 1.2};
+// Of an elbow's radius, what it cuts off at most from a corner that turns well: 1 / cos(48 degrees)
+// - 1.
+constexpr double kCut = 0.5;
 constexpr int kMostAlong = 40;  // points of the lattice along an axis
 
 // Of the obstacle, or what its boxes hold, to the point: whether it is less than that.
@@ -55,16 +58,16 @@ class Planner {
     first_ = from_.center + kLead * radius_ * from_.normal;
     last_ = to_.center + kLead * radius_ * to_.normal;
     lay_out();
-    const std::vector<Vec3> found = path();
-    if (found.empty()) {
-      return std::nullopt;
-    }
-    const std::vector<Vec3> corners = straightened(found);
     for (const double bend : kBends) {
-      if (auto pipe = rounded(corners, bend * radius_);
-          pipe &&
-          !prove_clearance(std::vector<Piece>(pipe->begin(), pipe->end()), obstacles_, clearance_)
-               .spot) {
+      margin_ = kCut * bend * radius_;
+      if (auto pipe = along(path(), bend)) {
+        return pipe;
+      }
+    }
+    margin_ = 0;  // where the corners happen to have room for their elbows
+    const std::vector<Vec3> way = path();
+    for (const double bend : kBends) {
+      if (auto pipe = along(way, bend)) {
         return pipe;
       }
     }
@@ -74,6 +77,30 @@ class Planner {
  private:
   using Cell = std::array<int, 3>;
 
+  // Straightened if that can be proved, or else as it is.
+  [[nodiscard]] std::optional<std::vector<RingedSurface>> along(const std::vector<Vec3>& path,
+                                                                double bend) const {
+    if (path.empty()) {
+      return std::nullopt;
+    }
+    std::vector<Vec3> whole{from_.center};
+    whole.insert(whole.end(), path.begin(), path.end());
+    whole.push_back(to_.center);
+    auto pipe = proved(straightened(path), bend);
+    return pipe ? pipe : proved(whole, bend);
+  }
+
+  [[nodiscard]] std::optional<std::vector<RingedSurface>> proved(const std::vector<Vec3>& corners,
+                                                                 double bend) const {
+    auto pipe = rounded(corners, bend * radius_);
+    if (pipe &&
+        prove_clearance(std::vector<Piece>(pipe->begin(), pipe->end()), obstacles_, clearance_)
+            .spot) {
+      return std::nullopt;
+    }
+    return pipe;
+  }
+
   void lay_out() {
     Eigen::AlignedBox3d box(first_);
     box.extend(last_);
@@ -81,11 +108,15 @@ class Planner {
       extend(box, obstacle.shape);
     }
     const double beyond = 2 * (radius_ + clearance_);
-    low_ = box.min() - Vec3::Constant(beyond);
-    const Vec3 size = box.sizes() + Vec3::Constant(2 * beyond);
-    step_ = std::max(radius_ + clearance_, size.maxCoeff() / kMostAlong);
+    box.extend(Vec3(box.min() - Vec3::Constant(beyond)));
+    box.extend(Vec3(box.max() + Vec3::Constant(beyond)));
+    // Each step has room for two of the least elbows, at right angles.
+    step_ = std::max(
+        {radius_ + clearance_, 2 * kBends.back() * radius_, box.sizes().maxCoeff() / kMostAlong});
     for (int k = 0; k < 3; ++k) {
-      counts_.at(std::size_t(k)) = int(std::ceil(size[k] / step_)) + 1;
+      const auto before = int(std::ceil((first_[k] - box.min()[k]) / step_));
+      start_.at(std::size_t(k)) = before;
+      counts_.at(std::size_t(k)) = before + int(std::ceil((box.max()[k] - first_[k]) / step_)) + 1;
     }
   }
 
@@ -107,7 +138,7 @@ class Planner {
   }
 
   [[nodiscard]] Vec3 place(const Cell& cell) const {
-    return low_ + step_ * Vec3(cell[0], cell[1], cell[2]);
+    return first_ + step_ * Vec3(cell[0] - start_[0], cell[1] - start_[1], cell[2] - start_[2]);
   }
 
   [[nodiscard]] std::size_t index(const Cell& cell) const {
@@ -118,7 +149,7 @@ class Planner {
 
   [[nodiscard]] bool is_free(const Vec3& point) const {
     return std::ranges::none_of(obstacles_, [&](const NamedObstacle& obstacle) {
-      return is_near(obstacle.shape, obstacle.parts, point, radius_ + clearance_);
+      return is_near(obstacle.shape, obstacle.parts, point, radius_ + margin_ + clearance_);
     });
   }
 
@@ -126,26 +157,22 @@ class Planner {
     if (!((b - a).norm() > 0)) {
       return true;
     }
-    const std::vector<Piece> pipe{straight(a, b, radius_, radius_)};
+    const std::vector<Piece> pipe{straight(a, b, radius_ + margin_, radius_ + margin_)};
     return !prove_clearance(pipe, obstacles_, clearance_).spot;
   }
 
-  [[nodiscard]] Cell nearest(const Vec3& point) const {
-    Cell result{};
-    for (int k = 0; k < 3; ++k) {
-      result.at(std::size_t(k)) = std::clamp(int(std::lround((point[k] - low_[k]) / step_)), 0,
-                                             counts_.at(std::size_t(k)) - 1);
-    }
-    return result;
-  }
-
-  // The free lattice points about a corner that can be reached from it.
-  [[nodiscard]] std::vector<Cell> around(const Vec3& corner) const {
+  // The free places about the last corner from which a leg leads to it that is not too short.
+  [[nodiscard]] std::vector<Cell> goals() const {
+    constexpr int kReach = 2, kSide = 2 * kReach + 1;
+    const Vec3 off = (last_ - first_) / step_;
     std::vector<Cell> result;
-    const Cell middle = nearest(corner);
-    for (int i = 0; i < 27; ++i) {
-      const Cell cell{middle[0] + i % 3 - 1, middle[1] + i / 3 % 3 - 1, middle[2] + i / 9 - 1};
-      if (is_inside(cell) && is_free(place(cell)) && is_clear(corner, place(cell))) {
+    for (int i = 0; i < kSide * kSide * kSide; ++i) {
+      const Cell cell{start_[0] + int(std::lround(off.x())) + i % kSide - kReach,
+                      start_[1] + int(std::lround(off.y())) + i / kSide % kSide - kReach,
+                      start_[2] + int(std::lround(off.z())) + i / (kSide * kSide) - kReach};
+      const Vec3 leg = last_ - place(cell);
+      if (is_inside(cell) && leg.norm() >= step_ && turns_well(leg, -to_.normal) &&
+          is_free(place(cell)) && is_clear(last_, place(cell))) {
         result.push_back(cell);
       }
     }
@@ -177,11 +204,16 @@ class Planner {
     std::vector<signed char> free(count, -1);  // not known yet
     std::priority_queue<Open> open;
     std::size_t number = 0;
-    for (const Cell& cell : around(first_)) {
-      best[index(cell)] = (place(cell) - first_).norm();
-      open.push({best[index(cell)] + (last_ - place(cell)).norm(), number++, cell});
+    if (!is_free(first_) || !is_free(last_)) {
+      return {};
     }
-    const std::vector<Cell> goals = around(last_);
+    if (turns_well(from_.normal, last_ - first_) && turns_well(last_ - first_, -to_.normal) &&
+        is_clear(first_, last_)) {
+      return {first_, last_};
+    }
+    best[index(start_)] = 0;
+    open.push({(last_ - first_).norm(), number++, start_});
+    const std::vector<Cell> ends = goals();
     while (!open.empty()) {
       const Cell cell = open.top().cell;
       const double cost = open.top().cost;
@@ -189,13 +221,17 @@ class Planner {
       if (cost > best[index(cell)] + (last_ - place(cell)).norm()) {
         continue;
       }
-      if (std::ranges::count(goals, cell) > 0) {
+      if (std::ranges::count(ends, cell) > 0 &&
+          turns_well(arrival(cell, came), last_ - place(cell))) {
         return traced(cell, came);
       }
       for (int step = 0; step < 6; ++step) {
         Cell next = cell;
         next.at(std::size_t(step / 2)) += step % 2 == 0 ? 1 : -1;
         if (!is_inside(next)) {
+          continue;
+        }
+        if (cell == start_ && !turns_well(from_.normal, place(next) - first_)) {
           continue;
         }
         const std::size_t at = index(next);
@@ -213,13 +249,18 @@ class Planner {
     return {};
   }
 
+  // The direction in which a place was reached.
+  [[nodiscard]] Vec3 arrival(const Cell& cell, const std::vector<int>& came) const {
+    const int step = came[index(cell)];
+    return step < 0 ? from_.normal : Vec3((step % 2 == 0 ? 1 : -1) * Vec3::Unit(step / 2));
+  }
+
   [[nodiscard]] std::vector<Vec3> traced(Cell cell, const std::vector<int>& came) const {
     std::vector<Vec3> result{last_, place(cell)};
     for (int step = came[index(cell)]; step >= 0; step = came[index(cell)]) {
       cell.at(std::size_t(step / 2)) -= step % 2 == 0 ? 1 : -1;
       result.push_back(place(cell));
     }
-    result.push_back(first_);
     std::ranges::reverse(result);
     return result;
   }
@@ -230,7 +271,9 @@ class Planner {
     std::vector<Vec3> result{from_.center, path.front()};
     for (std::size_t i = 0; i + 1 < path.size();) {
       std::size_t next = path.size() - 1;
-      while (next > i + 1 && !(is_clear(path[i], path[next]) && turns_well(result, path[next]))) {
+      while (next > i + 1 &&
+             !(is_clear(path[i], path[next]) &&
+               turns_well(result.back() - result[result.size() - 2], path[next] - result.back()))) {
         --next;
       }
       if ((path[next] - result.back()).norm() > 0) {
@@ -242,10 +285,9 @@ class Planner {
     return result;
   }
 
-  [[nodiscard]] static bool turns_well(const std::vector<Vec3>& way, const Vec3& next) {
-    const Vec3 before = (way.back() - way[way.size() - 2]).normalized(),
-               after = (next - way.back()).normalized();
-    return before.dot(after) > -0.1;
+  // By little more than a right angle.
+  [[nodiscard]] static bool turns_well(const Vec3& before, const Vec3& after) {
+    return before.normalized().dot(after.normalized()) > -0.1;
   }
 
   // Corners rounded by elbows of at most this radius that leave room for each other.
@@ -324,7 +366,9 @@ class Planner {
   const Ring &from_, &to_;
   std::span<const NamedObstacle> obstacles_;
   double clearance_, radius_, step_ = 1;
-  Vec3 first_, last_, low_;
+  double margin_ = 0;  // about the way, for its elbows
+  Vec3 first_, last_;
+  Cell start_{};  // that of first_
   std::array<int, 3> counts_{};
 };
 

@@ -1,3 +1,5 @@
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "avoidance/clearance.h"
@@ -66,6 +68,25 @@ TEST(Polyline, is_the_last_resort_of_a_route) {
 TEST(Polyline, is_none_where_there_is_no_way) {
   std::vector<NamedObstacle> cage{{"", box({3, -99, -99}, {4, 99, 99})}};
   EXPECT_FALSE(polyline_pipe(kFrom, kTo, cage, 0.2));
+}
+
+TEST(Polyline, is_sound_wherever_it_is_found) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> x(3, 17), y(-4, 4), size(1, 6);
+  int found = 0;
+  for (int scene = 0; scene < 20; ++scene) {
+    std::vector<NamedObstacle> boxes;
+    for (int i = 0; i < 6; ++i) {
+      const Vec3 low(x(random), y(random) - 3, y(random) - 3);
+      const Vec3 high = low + Vec3(size(random) / 4, size(random), size(random));
+      boxes.push_back({"", box(low, high)});
+    }
+    if (const auto pipe = polyline_pipe(kFrom, kTo, boxes, 0.3)) {
+      ++found;
+      expect_sound(*pipe, boxes, 0.3);
+    }
+  }
+  EXPECT_GE(found, 15);
 }
 
 }  // namespace

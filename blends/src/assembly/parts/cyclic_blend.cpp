@@ -41,14 +41,7 @@ struct PartRules<"cyclic_blend"> {
   }
 
   static PartNotes notes(const CyclicBlendBetween& blend, const PartSurface& surface) {
-    if (!blend.avoid) {
-      return {};
-    }
-    const std::size_t points = std::get<Chain>(surface).pieces.size() - 1;
-    return {(points == 0 ? "" : "a spline through " + std::to_string(points) + " points, ") +
-                clearance_note(*blend.avoid),
-            {},
-            {}};
+    return clearance_note(blend.avoid, surface);
   }
 };
 template const PartKind& part_kind<"cyclic_blend">();

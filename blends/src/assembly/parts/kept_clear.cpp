@@ -100,8 +100,16 @@ void require_clear(const Chain& surface, const std::vector<NamedObstacle>& obsta
           " at " + decimal(spot.place));
 }
 
-std::string clearance_note(const Avoidance& avoid) {
-  return "proved to keep " + decimal(avoid.clearance, kMessageDigits) + " from all that it avoids";
+PartNotes clearance_note(const std::optional<Avoidance>& avoid, const PartSurface& surface) {
+  if (!avoid) {
+    return {};
+  }
+  const std::size_t pieces = std::get<Chain>(surface).pieces.size();
+  return {(pieces == 1 ? "" : "a way of " + std::to_string(pieces) + " pieces, ") +
+              "proved to keep " + decimal(avoid->clearance, kMessageDigits) +
+              " from all that it avoids",
+          {},
+          {}};
 }
 
 }  // namespace dupin::assembly

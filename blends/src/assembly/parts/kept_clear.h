@@ -24,7 +24,8 @@ namespace dupin::assembly {
 void require_clear(const Chain& surface, const std::vector<avoidance::NamedObstacle>& obstacles,
                    double clearance);
 
-/// ", proved to keep 5 from all that it avoids".
-[[nodiscard]] std::string clearance_note(const Avoidance& avoid);
+/// "a way of 3 pieces, proved to keep 5 from all that it avoids"; nothing of what avoids nothing.
+[[nodiscard]] PartNotes clearance_note(const std::optional<Avoidance>& avoid,
+                                       const PartSurface& surface);
 
 }  // namespace dupin::assembly

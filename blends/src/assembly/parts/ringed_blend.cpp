@@ -195,8 +195,8 @@ struct PartRules<"ringed_blend"> {
 
   static std::vector<Need> needs(const RingedBlendBetween& blend) { return needs_of(blend.avoid); }
 
-  static PartNotes notes(const RingedBlendBetween& blend, const PartSurface& /*surface*/) {
-    return blend.avoid ? PartNotes{clearance_note(*blend.avoid), {}, {}} : PartNotes{};
+  static PartNotes notes(const RingedBlendBetween& blend, const PartSurface& surface) {
+    return clearance_note(blend.avoid, surface);
   }
 
   static PartSurface geometry(const PartContext& context, const RingedBlendBetween& blend) {

@@ -53,14 +53,7 @@ struct PartRules<"spline"> {
   }
 
   static PartNotes notes(const SplineBetween& spline, const PartSurface& surface) {
-    if (!spline.avoid) {
-      return {};
-    }
-    const std::size_t points = std::get<Chain>(surface).pieces.size() - 1;
-    return {"a way through " + std::to_string(points) + (points == 1 ? " point" : " points") +
-                ", " + clearance_note(*spline.avoid),
-            {},
-            {}};
+    return clearance_note(spline.avoid, surface);
   }
   static PartNotes notes(const SplineRound& /*spline*/, const PartSurface& /*surface*/) {
     return {};
