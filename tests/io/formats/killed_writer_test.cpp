@@ -34,14 +34,18 @@ TEST_F(KilledWriter, leaves_the_old_file_or_the_whole_new_one) {
   std::mt19937_64 random(50);
   std::size_t ones = 0;
   std::size_t left_aside = 0;
-  constexpr std::size_t kMoments = 50;
-  for (std::size_t moment = 0; moment < kMoments; ++moment) {
+  constexpr std::size_t kMoments = 50, kMostMoments = 1000;
+  std::size_t moment = 0;
+  // The moments hit what they aim at: both contents are seen, and files that are being written. A
+  // machine that has much else to do needs more of them, and longer ones.
+  const auto has_hit = [&] { return ones > 0 && ones < moment && left_aside > 10; };
+  for (; moment < kMoments || (moment < kMostMoments && !has_hit()); ++moment) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
       write_for_ever(path("x"), one, other);
     }
-    std::this_thread::sleep_for(std::chrono::microseconds(random() % 30000));
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % (600 * (kMoments + moment))));
     ASSERT_EQ(::kill(child, SIGKILL), 0);
     int status = 0;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
@@ -56,10 +60,7 @@ TEST_F(KilledWriter, leaves_the_old_file_or_the_whole_new_one) {
       }
     }
   }
-  // The moments hit what they aim at: both contents were seen, and files that were being written.
-  EXPECT_GT(ones, 0U);
-  EXPECT_LT(ones, kMoments);
-  EXPECT_GT(left_aside, 10U);
+  EXPECT_TRUE(has_hit()) << ones << " of " << moment << ", " << left_aside << " left aside";
 }
 
 }  // namespace
