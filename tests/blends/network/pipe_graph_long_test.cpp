@@ -30,9 +30,10 @@ class DirtyTree {
     std::vector<bool> is_in(kSide * kSide * kSide, false);
     is_in[0] = true;
     write(0, -1, 1.6);
+    std::size_t newest = 60;  // that may grow, all of them where these are all walled in
     while (order.size() < kNodes) {
       const std::size_t from =
-          order[order.size() - 1 - random_() % std::min<std::size_t>(order.size(), 60)];
+          order[order.size() - 1 - random_() % std::min(order.size(), newest++)];
       const std::array<std::size_t, 3> at{from % kSide, from / kSide % kSide, from / kSide / kSide};
       const std::size_t axis = random_() % 3, step = axis == 0   ? 1
                                                      : axis == 1 ? kSide
@@ -45,6 +46,7 @@ class DirtyTree {
       if (is_in[to]) {
         continue;
       }
+      newest = 60;
       is_in[to] = true;
       order.push_back(to);
       write(to, std::ptrdiff_t(from), uniform(0.5, 1.6));
