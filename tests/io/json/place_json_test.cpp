@@ -130,6 +130,7 @@ TEST(PlaceJson, knows_every_key_of_a_document) {
                                        "length",
                                        "line",
                                        "m",
+                                       "mesh",
                                        "name",
                                        "neighbours",
                                        "normal",

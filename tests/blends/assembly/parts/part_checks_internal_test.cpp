@@ -95,7 +95,8 @@ TEST(PartChecks, right_ends_are_those_whose_circles_do_not_move_aside) {
                 return right_end(part.context(), {"oblique", end}, "from");
               }),
               "pipe/from: 'oblique." + std::string(name(end)) +
-                  "' ends an oblique cylinder or cone; only a ringed_blend goes on from there");
+                  "' ends an oblique cylinder or cone; only a ringed_blend or a junction goes on "
+                  "from there");
   }
 }
 

@@ -51,7 +51,7 @@ TEST_F(AvoidanceOfFiles, meshes_are_found_beside_the_document) {
   EXPECT_EQ(mesh.file, "crate.off");
   EXPECT_EQ(mesh.mesh->triangles.size(), 12);
   EXPECT_GT(chain(resolve(assembly)).pieces.size(), 1);
-  EXPECT_THAT(document_text(assembly), HasSubstr(R"({"mesh": "crate.off"})"));
+  EXPECT_THAT(document_text(assembly), HasSubstr(R"({"mesh":"crate.off"})"));
   EXPECT_THAT(refusal(document(spline), path("sub/d.json").string()), HasSubstr("crate.off"));
   write_mesh(path("crate.off"), test::box({-50, -50, -50}, {50, 50, 50}));
   EXPECT_THAT(refusal(document(spline), place.string()),
