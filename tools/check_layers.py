@@ -31,6 +31,7 @@ ARROWS = {
         "healing": ["booleans", "arrangement", "checking", "mesh", "predicates", "support"],
         "rounding": ["healing", "arrangement", "checking", "mesh", "boxes", "predicates", "exact", "support"],
         "gaps": ["mesh", "boxes", "predicates", "exact", "support"],
+        "remeshing": ["rounding", "checking", "mesh", "boxes", "support"],
         "views": ["mesh", "boxes", "support"],
         "cross_check": ["booleans", "checking", "mesh", "exact", "support"],
     },
