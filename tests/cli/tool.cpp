@@ -8,15 +8,14 @@
 namespace dupin::test {
 
 ProcessResult Tool::dupin(std::vector<std::string> arguments, const std::string& input) const {
-  arguments.insert(arguments.begin(), DUPIN_TOOL);
+  arguments.insert(arguments.begin(), tool_path());
   return run_process(arguments, folder_.path(), input);
 }
 
 ProcessResult Tool::shell(const std::string& line) const {
   const std::filesystem::path examples = source_folder() / "examples";
-  const std::string prelude = "dupin() { " + std::string(DUPIN_TOOL) +
-                              " \"$@\"; }; [ -e examples ] || ln -s " + examples.string() +
-                              " examples; ";
+  const std::string prelude = "dupin() { " + tool_path() + " \"$@\"; }; [ -e examples ] || ln -s " +
+                              examples.string() + " examples; ";
   return run_process({"bash", "-c", prelude + line}, folder_.path());
 }
 

@@ -132,7 +132,7 @@ class RunMesher {
       fillet_on.try_emplace(resolved_.fillets[f].between[1], f);
     }
     for (const auto& [part, f] : fillet_on) {
-      trim(resolved_.fillets[f], part, sampling, meshes);
+      trim(f, part, sampling, meshes);
     }
     const JoinedMesher mesher{sampling, meshes, hubs(group.junctions, sampling)};
     try {
@@ -242,7 +242,7 @@ class RunMesher {
     result_.others.emplace_back(junction.index, std::move(entry));
   }
 
-  void trim(const ResolvedFillet& fillet, std::uint32_t part,
+  void trim(std::size_t f, std::uint32_t part,
             const std::map<std::uint32_t, RingSampling>& sampling,
             const std::vector<std::vector<surfaces::FilletMesh>>& meshes) {
     try {
@@ -256,8 +256,8 @@ class RunMesher {
       if (const auto overlap = fillet_overlap(assembly_, resolved_, part, sampling, meshes)) {
         throw refusal(resolved_.fillets[overlap->fillet], overlap->why);
       }
-      const auto near = nearness_of_loops(meshes[std::size_t(&fillet - resolved_.fillets.data())],
-                                          fillet.between[0] == part ? 0 : 1);
+      const ResolvedFillet& fillet = resolved_.fillets[f];
+      const auto near = nearness_of_loops(meshes[f], fillet.between[0] == part ? 0 : 1);
       throw refusal(fillet, "on '" + resolved_.parts[part].name + "', " + error.message() + "; " +
                                 near.value_or("fillets must be apart from each other and from "
                                               "its ends"));

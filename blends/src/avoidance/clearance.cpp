@@ -122,4 +122,9 @@ Clearance prove_clearance(std::span<const Piece> pipe, std::span<const NamedObst
   return Prover(pipe, obstacles, wanted).run();
 }
 
+Clearance prove_clearance(std::span<const RingedSurface> pipe,
+                          std::span<const NamedObstacle> obstacles, double wanted) {
+  return prove_clearance(std::vector<Piece>(pipe.begin(), pipe.end()), obstacles, wanted);
+}
+
 }  // namespace dupin::avoidance

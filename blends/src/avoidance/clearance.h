@@ -30,4 +30,7 @@ struct Clearance {
 [[nodiscard]] Clearance prove_clearance(std::span<const Piece> pipe,
                                         std::span<const NamedObstacle> obstacles, double wanted);
 
+[[nodiscard]] Clearance prove_clearance(std::span<const RingedSurface> pipe,
+                                        std::span<const NamedObstacle> obstacles, double wanted);
+
 }  // namespace dupin::avoidance

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -67,13 +66,6 @@ Vec3 nearest_in_triangle(const Vec3& a, const Vec3& ab, const Vec3& ac, const Ve
   return a + vb / sum * ab + vc / sum * ac;
 }
 
-Obstacle box_about(const Eigen::AlignedBox3d& bounds) {
-  const Vec3 size = bounds.sizes();
-  return {bounds.min(),
-          {size.x() * Vec3::UnitX(), size.y() * Vec3::UnitY(), size.z() * Vec3::UnitZ()},
-          0};
-}
-
 // Corners are exact, so that a box of sizes that are rounded up holds them.
 Eigen::AlignedBox3d widened(const Eigen::AlignedBox3d& bounds) {
   const double most = bounds.min().cwiseAbs().cwiseMax(bounds.max().cwiseAbs()).maxCoeff();
@@ -118,6 +110,13 @@ std::vector<ObstacleBox> boxes_of(std::span<BoundedTriangle> triangles) {
 
 }  // namespace
 
+Obstacle box_about(const Eigen::AlignedBox3d& bounds) {
+  const Vec3 size = bounds.sizes();
+  return {bounds.min(),
+          {size.x() * Vec3::UnitX(), size.y() * Vec3::UnitY(), size.z() * Vec3::UnitZ()},
+          0};
+}
+
 NamedObstacle obstacle_of(const std::string& name, const TriMesh& mesh) {
   std::vector<BoundedTriangle> triangles;
   Eigen::AlignedBox3d all;
@@ -137,19 +136,6 @@ NamedObstacle obstacle_of(const std::string& name, const TriMesh& mesh) {
                 triangles.empty() ? "the mesh has no triangles" : "the mesh is not finite");
   }
   return {name, box_about(widened(all)), boxes_of(triangles)};
-}
-
-// [Van Oosterom, Strackee 1983]: solid angles of triangles.
-double winding_number(const TriMesh& mesh, const Vec3& point) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 a = mesh.points[t[0]] - point, b = mesh.points[t[1]] - point,
-               c = mesh.points[t[2]] - point;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    sum +=
-        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return sum / (2 * std::numbers::pi);
 }
 
 std::vector<NamedObstacle> obstacles_of(const std::string& part, const PartSurface& surface) {

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "dupin/blends/part_surface.h"
 #include "dupin/blends/spline_pipe.h"
 #include "dupin/kernel/mesh.h"
@@ -27,13 +29,12 @@ struct NamedObstacle {
   std::vector<ObstacleBox> parts = {};  ///< as of an ObstacleBox
 };
 
+/// A box along the axes.
+[[nodiscard]] Obstacle box_about(const Eigen::AlignedBox3d& bounds);
+
 /// The triangles of a mesh, in boxes of boxes along the axes. Throws Error{invalid_argument} for a
 /// mesh without triangles, or with coordinates that are not finite. O(n log n).
 [[nodiscard]] NamedObstacle obstacle_of(const std::string& name, const TriMesh& mesh);
-
-/// How often a closed mesh winds about a point that is not on it, nearly: a whole number, 0
-/// outside. O(n).
-[[nodiscard]] double winding_number(const TriMesh& mesh, const Vec3& point);
 
 /// A part as capsules around stretches of its axis: they contain it, and reach beyond its flat ends
 /// by up to its radius.

@@ -93,9 +93,7 @@ class Planner {
   [[nodiscard]] std::optional<std::vector<RingedSurface>> proved(const std::vector<Vec3>& corners,
                                                                  double bend) const {
     auto pipe = rounded(corners, bend * radius_);
-    if (pipe &&
-        prove_clearance(std::vector<Piece>(pipe->begin(), pipe->end()), obstacles_, clearance_)
-            .spot) {
+    if (pipe && prove_clearance(*pipe, obstacles_, clearance_).spot) {
       return std::nullopt;
     }
     return pipe;
@@ -157,7 +155,7 @@ class Planner {
     if (!((b - a).norm() > 0)) {
       return true;
     }
-    const std::vector<Piece> pipe{straight(a, b, radius_ + margin_, radius_ + margin_)};
+    const std::vector<RingedSurface> pipe{straight(a, b, radius_ + margin_, radius_ + margin_)};
     return !prove_clearance(pipe, obstacles_, clearance_).spot;
   }
 

@@ -59,8 +59,7 @@ class Router {
  private:
   [[nodiscard]] Trial tried(std::vector<Waypoint> through, std::vector<RingedSurface> pipe) {
     Trial result{std::move(through), std::move(pipe), {}, 0, trials_++};
-    result.proved = prove_clearance(std::vector<Piece>(result.pipe.begin(), result.pipe.end()),
-                                    obstacles_, clearance_);
+    result.proved = prove_clearance(result.pipe, obstacles_, clearance_);
     // How long the way is, how often it bends, and how much of it is still to be mended.
     result.cost =
         length(result.through) / size_ + 0.2 * double(result.through.size() - given_.size()) +

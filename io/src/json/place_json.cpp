@@ -247,27 +247,28 @@ class Rewriter {
   PlacedDocument result_;
 };
 
-// A file stays as it is.
-struct MeshesAvoided {
-  const std::string& part;
-  void operator()(const std::optional<Avoidance>& avoid) const {
-    for (const auto& obstacle : avoid ? avoid->obstacles : decltype(avoid->obstacles){}) {
-      if (const auto* mesh = std::get_if<MeshObstacle>(&obstacle)) {
-        throw Error(Errc::invalid_argument, "part '" + part + "' avoids the mesh '" + mesh->file +
-                                                "', which would stay where it is: put the mesh in "
-                                                "its place by itself, and name that one");
-      }
-    }
+const Avoidance* avoidance_of(const auto& shape) {
+  if constexpr (requires { shape.avoid; }) {
+    return shape.avoid ? &*shape.avoid : nullptr;
+  } else {
+    return nullptr;
   }
-  template <typename Shape>
-  requires requires(const Shape& shape) { shape.avoid; }
-  void operator()(const Shape& shape) const { (*this)(shape.avoid); }
-  void operator()(const auto& /*shape*/) const {}
-};
+}
 
-void refuse_meshes(const Assembly& assembly) {
-  for (const Part& part : assembly.parts) {
-    std::visit(MeshesAvoided{part.name}, part.shape);
+// Files stay as they are.
+void refuse_meshes(const Part& part) {
+  const Avoidance* avoid =
+      std::visit([](const auto& shape) { return avoidance_of(shape); }, part.shape);
+  if (avoid == nullptr) {
+    return;
+  }
+  for (const auto& obstacle : avoid->obstacles) {
+    if (const auto* mesh = std::get_if<MeshObstacle>(&obstacle)) {
+      throw Error(Errc::invalid_argument, "part '" + part.name + "' avoids the mesh '" +
+                                              mesh->file +
+                                              "', which would stay where it is: put the mesh in "
+                                              "its place by itself, and name that one");
+    }
   }
 }
 
@@ -276,7 +277,7 @@ void refuse_meshes(const Assembly& assembly) {
 PlacedDocument placed_document(std::string_view text, const std::string& source,
                                const Placement& placement) {
   const Assembly assembly = parse_assembly(text, source);
-  refuse_meshes(assembly);
+  std::ranges::for_each(assembly.parts, refuse_meshes);
   if (json::is_abbreviated(Json::parse(text))) {  // an expression cannot say the nearest double
     const std::string in_full = document_text(assembly);
     return Rewriter(in_full, placement).rewritten();

@@ -127,13 +127,6 @@ TEST(Obstacle, of_a_mesh_is_boxes_that_hold_its_triangles) {
   EXPECT_THROW((void)obstacle_of("m", bad), Error);
 }
 
-TEST(Obstacle, winds_about_points_inside) {
-  const TriMesh mesh = test::box({0, 0, 0}, {2, 3, 4});
-  EXPECT_NEAR(winding_number(mesh, {1, 1, 1}), 1, 1e-12);
-  EXPECT_NEAR(winding_number(mesh, {1, 1, -0.1}), 0, 1e-12);
-  EXPECT_NEAR(winding_number(test::reversed(mesh), {1, 1, 1}), -1, 1e-12);
-}
-
 TEST(Obstacle, of_a_part_contains_it) {
   const RingedSurface bend = test::elbow(10, 2, 3);
   const auto stretches = obstacles_of("bend", Chain(bend));

@@ -12,10 +12,7 @@ namespace {
 
 const Ring kFrom{{0, 0, 0}, Vec3::UnitX(), 0.5}, kTo{{20, 0, 0}, -Vec3::UnitX(), 0.4};
 
-Obstacle box(const Vec3& low, const Vec3& high) {
-  const Vec3 size = high - low;
-  return {low, {size[0] * Vec3::UnitX(), size[1] * Vec3::UnitY(), size[2] * Vec3::UnitZ()}, 0};
-}
+Obstacle box(const Vec3& low, const Vec3& high) { return box_about({low, high}); }
 
 // Walls across, each with a gap at another side, and lids on top and below.
 std::vector<NamedObstacle> labyrinth() {
@@ -41,8 +38,7 @@ void expect_sound(const std::vector<RingedSurface>& pipe,
     EXPECT_LT((start.first.normalized() + pipe[i].start.normal).norm(), 1e-12) << i;
     EXPECT_LT((end.first.normalized() - pipe[i].end.normal).norm(), 1e-12) << i;
   }
-  EXPECT_FALSE(
-      prove_clearance(std::vector<Piece>(pipe.begin(), pipe.end()), obstacles, clearance).spot);
+  EXPECT_FALSE(prove_clearance(pipe, obstacles, clearance).spot);
 }
 
 TEST(Polyline, is_straight_where_nothing_is_in_the_way) {

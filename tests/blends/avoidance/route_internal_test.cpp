@@ -18,10 +18,7 @@ namespace {
 
 const Ring kFrom{{0, 0, 0}, Vec3::UnitX(), 0.5}, kTo{{10, 0, 0}, -Vec3::UnitX(), 0.4};
 
-Obstacle box(const Vec3& low, const Vec3& high) {
-  const Vec3 size = high - low;
-  return {low, {size[0] * Vec3::UnitX(), size[1] * Vec3::UnitY(), size[2] * Vec3::UnitZ()}, 0};
-}
+Obstacle box(const Vec3& low, const Vec3& high) { return box_about({low, high}); }
 
 // By points all over the pipe, which know nothing of discs and planes.
 double sampled_clearance(const Route& found, const std::vector<NamedObstacle>& obstacles) {

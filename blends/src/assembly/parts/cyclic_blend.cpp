@@ -5,7 +5,6 @@
 #include "assembly/parts/part_rules.h"
 #include "avoidance/route.h"
 #include "dupin/blends/elliptic_tube.h"
-#include "dupin/kernel/error.h"
 
 namespace dupin::assembly {
 
@@ -28,11 +27,9 @@ struct PartRules<"cyclic_blend"> {
                               : Chain(cyclic_blend(from, to, blend.options));
     if (blend.avoid) {
       const auto obstacles = obstacles_of(context, *blend.avoid, from.center);
-      try {
-        require_clear(chain, obstacles, blend.avoid->clearance);
-      } catch (const Error& error) {
-        if (is_elliptic || error.code() != Errc::infeasible_blend) {
-          throw;
+      if (const auto fault = nearness(chain, obstacles, blend.avoid->clearance)) {
+        if (is_elliptic) {
+          throw *fault;
         }
         return Chain(avoidance::route(from, {}, to, obstacles, blend.avoid->clearance).pipe);
       }

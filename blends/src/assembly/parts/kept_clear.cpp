@@ -1,12 +1,13 @@
 #include "assembly/parts/kept_clear.h"
 
-#include <cmath>
+#include <utility>
 #include <variant>
 
 #include "avoidance/clearance.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/winding_number.h"
 
 namespace dupin::assembly {
 namespace {
@@ -27,7 +28,7 @@ void check_obstacle(const PartContext& context, const Obstacle& obstacle, const 
 void refuse_inside(const PartContext& context, const MeshObstacle& obstacle, const Vec3& point,
                    const std::string& key) {
   const bool is_closed = check(*obstacle.mesh, {.limit = 0, .self_intersections = false}).closed();
-  if (is_closed && std::abs(avoidance::winding_number(*obstacle.mesh, point)) > 0.5) {
+  if (is_closed && winding_number(*obstacle.mesh, point) != 0) {
     fail(context, key,
          "'" + obstacle.file + "' is a closed surface that goes round " + decimal(point) +
              ", where the way begins; give one that it lies outside of");
@@ -84,14 +85,14 @@ std::vector<Need> needs_of(const std::optional<Avoidance>& avoid) {
   return result;
 }
 
-void require_clear(const Chain& surface, const std::vector<NamedObstacle>& obstacles,
-                   double clearance) {
+std::optional<Error> nearness(const Chain& surface, const std::vector<NamedObstacle>& obstacles,
+                              double clearance) {
   const auto proved = avoidance::prove_clearance(surface.pieces, obstacles, clearance);
   if (!proved.spot) {
-    return;
+    return std::nullopt;
   }
   const avoidance::TightSpot& spot = *proved.spot;
-  throw Error(
+  return Error(
       Errc::infeasible_blend,
       "it does not keep " + decimal(clearance, kMessageDigits) + " from '" +
           obstacles[spot.obstacle].name + "': it " +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "assembly/parts/part_kind.h"
 #include "avoidance/obstacle.h"
 #include "dupin/blends/part_shape.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin::assembly {
 
@@ -19,10 +21,10 @@ namespace dupin::assembly {
 /// The parts that are to be avoided.
 [[nodiscard]] std::vector<Need> needs_of(const std::optional<Avoidance>& avoid);
 
-/// Throws Error{infeasible_blend} with the tightest spot for a surface that is not proved to keep
-/// clear.
-void require_clear(const Chain& surface, const std::vector<avoidance::NamedObstacle>& obstacles,
-                   double clearance);
+/// Error{infeasible_blend} with the tightest spot of a surface that is not proved to keep clear.
+[[nodiscard]] std::optional<Error> nearness(const Chain& surface,
+                                            const std::vector<avoidance::NamedObstacle>& obstacles,
+                                            double clearance);
 
 /// "a way of 3 pieces, proved to keep 5 from all that it avoids"; nothing of what avoids nothing.
 [[nodiscard]] PartNotes clearance_note(const std::optional<Avoidance>& avoid,

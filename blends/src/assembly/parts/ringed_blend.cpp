@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "assembly/parts/kept_clear.h"
 #include "assembly/parts/part_checks.h"
@@ -107,15 +109,12 @@ class RingedBlend {
     return canal_ringed_blend(canal(from, k), canal(to, l));
   }
 
-  // Throws unless it keeps clear of the obstacles.
-  [[nodiscard]] RationalRingedSurface clear(const BlendEnd& from, const BlendEnd& to,
-                                            const std::vector<avoidance::NamedObstacle>& obstacles,
-                                            const RationalRingedSurface& surface) const {
-    if (blend_.avoid) {
-      require_clear(Chain(RationalRingedTube{flipped(from.port), to.port, surface}), obstacles,
-                    blend_.avoid->clearance);
-    }
-    return surface;
+  [[nodiscard]] std::optional<Error> fault(const BlendEnd& from, const BlendEnd& to,
+                                           const std::vector<avoidance::NamedObstacle>& obstacles,
+                                           const RationalRingedSurface& surface) const {
+    return blend_.avoid ? nearness(Chain(RationalRingedTube{flipped(from.port), to.port, surface}),
+                                   obstacles, blend_.avoid->clearance)
+                        : std::nullopt;
   }
 
   // The speeds nearest to the chord that work.
@@ -145,16 +144,23 @@ class RingedBlend {
       obstacles = obstacles_of(context_, *blend_.avoid, from.port.center);
     }
     if (blend_.k && blend_.l) {
-      return clear(from, to, obstacles, trial(from, to, pairs.front().k, pairs.front().l));
+      RationalRingedSurface only = trial(from, to, *blend_.k, *blend_.l);
+      if (const auto near = fault(from, to, obstacles, only)) {
+        throw *near;
+      }
+      return only;
     }
     std::optional<Error> too_near;
     for (const auto& [k, l, cost] : pairs) {
       try {
-        return clear(from, to, obstacles, trial(from, to, k, l));
+        RationalRingedSurface tried = trial(from, to, k, l);
+        const auto near = fault(from, to, obstacles, tried);
+        if (!near) {
+          return tried;
+        }
+        too_near = too_near ? too_near : near;
       } catch (const Error& error) {
-        if (error.code() == Errc::infeasible_blend) {
-          too_near = too_near ? too_near : error;
-        } else if (error.code() != Errc::irregular_surface) {
+        if (error.code() != Errc::irregular_surface) {
           throw;
         }
       }

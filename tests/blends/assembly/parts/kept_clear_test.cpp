@@ -3,42 +3,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dupin/blends/resolve.h"
-#include "dupin/io/assembly_json.h"
-#include "dupin/kernel/error.h"
+#include "io/json/facing_pipes.h"
 
 namespace dupin {
 namespace {
 
+using test::chain;
+using test::facing_pipes_and;
+using test::refusal;
 using testing::HasSubstr;
-
-// Two pipes that face each other, and what joins them.
-std::string document(const std::string& part) {
-  return R"({"units": "mm", "tolerance": 0.1, "parts": [
-    {"name": "a", "pipe": {"from": [-30, 0, 0], "to": [-20, 0, 0], "radius": 1}},
-    {"name": "b", "pipe": {"from": [20, 0, 0], "to": [30, 0, 0], "radius": 1}},
-    {"name": "c", )" +
-         part + "}]}";
-}
-
-const Chain& chain(const ResolvedAssembly& resolved) {
-  return std::get<Chain>(resolved.parts[2].shape);
-}
-
-std::string refusal(const std::string& text) {
-  try {
-    (void)resolve(parse_assembly(text));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "none";
-}
 
 TEST(KeptClear, a_cyclic_blend_that_comes_too_near_becomes_a_spline) {
   const auto blend = [](const std::string& radius) {
-    return document(R"("cyclic_blend": {"from": "a.end", "to": "b.start", "k": "auto", "l": "auto",
+    return facing_pipes_and(
+        R"("cyclic_blend": {"from": "a.end", "to": "b.start", "k": "auto", "l": "auto",
       "avoid": [{"ball": {"center": [0, 6, 0], "radius": )" +
-                    radius + R"(}}], "clearance": 1})");
+        radius + R"(}}], "clearance": 1})");
   };
   const Assembly far = parse_assembly(blend("2"));
   EXPECT_EQ(chain(resolve(far)).pieces.size(), 1);

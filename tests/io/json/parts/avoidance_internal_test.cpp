@@ -3,40 +3,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dupin/blends/resolve.h"
-#include "dupin/io/assembly_json.h"
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/mesh_file.h"
-#include "dupin/kernel/error.h"
+#include "io/json/facing_pipes.h"
 #include "support/scratch_directory.h"
 #include "support/shapes.h"
 
 namespace dupin {
 namespace {
 
+using test::chain;
+using test::facing_pipes_and;
+using test::refusal;
 using testing::HasSubstr;
-
-// Two pipes that face each other, and what joins them.
-std::string document(const std::string& part) {
-  return R"({"units": "mm", "tolerance": 0.1, "parts": [
-    {"name": "a", "pipe": {"from": [-30, 0, 0], "to": [-20, 0, 0], "radius": 1}},
-    {"name": "b", "pipe": {"from": [20, 0, 0], "to": [30, 0, 0], "radius": 1}},
-    {"name": "c", )" +
-         part + "}]}";
-}
-
-const Chain& chain(const ResolvedAssembly& resolved) {
-  return std::get<Chain>(resolved.parts[2].shape);
-}
-
-std::string refusal(const std::string& text, const std::string& source = {}) {
-  try {
-    (void)resolve(parse_assembly(text, source));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "none";
-}
 
 using AvoidanceOfFiles = test::ScratchDirectory;
 
@@ -45,16 +24,17 @@ TEST_F(AvoidanceOfFiles, meshes_are_found_beside_the_document) {
   write_mesh(path("crate.off"), test::box({-3, -4, -4}, {3, 4, 4}));
   const std::string spline =
       R"("spline": {"from": "a.end", "to": "b.start", "avoid": [{"mesh": "crate.off"}], "clearance": 2})";
-  const Assembly assembly = parse_assembly(document(spline), place.string());
+  const Assembly assembly = parse_assembly(facing_pipes_and(spline), place.string());
   const auto& avoid = *std::get<SplineBetween>(assembly.parts[2].shape).avoid;
   const auto& mesh = std::get<MeshObstacle>(avoid.obstacles[0]);
   EXPECT_EQ(mesh.file, "crate.off");
   EXPECT_EQ(mesh.mesh->triangles.size(), 12);
   EXPECT_GT(chain(resolve(assembly)).pieces.size(), 1);
   EXPECT_THAT(document_text(assembly), HasSubstr(R"({"mesh":"crate.off"})"));
-  EXPECT_THAT(refusal(document(spline), path("sub/d.json").string()), HasSubstr("crate.off"));
+  EXPECT_THAT(refusal(facing_pipes_and(spline), path("sub/d.json").string()),
+              HasSubstr("crate.off"));
   write_mesh(path("crate.off"), test::box({-50, -50, -50}, {50, 50, 50}));
-  EXPECT_THAT(refusal(document(spline), place.string()),
+  EXPECT_THAT(refusal(facing_pipes_and(spline), place.string()),
               HasSubstr("'crate.off' is a closed surface that goes round (-20, 0, 0)"));
 }
 

@@ -102,7 +102,7 @@ TEST(JunctionKey, may_join_both_ends_of_one_way_round) {
   EXPECT_EQ(report.euler_number, 0) << "a ring with a branch";
 }
 
-// An elliptical end, and one of a cylinder along (1, 1, 0) whose circle lies across (0, 1, 0).
+// An elliptical end, and one of a cylinder along (-1, -6, 0) whose circles lie across (0, 1, 0).
 constexpr const char* kOthers =
     R"({"name": "a", "pipe": {"from": [30, 0, 0], "to": [20, 0, 0], "semi_axes": [2, 1], "axis": [0, 0, 1]}},
        {"name": "b", "oblique": {"from": [6, 44, 0], "to": [4, 32, 0], "normal": [0, -1, 0], "radii": [1, 1]}},
