@@ -5,6 +5,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/App.hpp>
 
@@ -21,10 +24,13 @@
 #include "report_page_file.h"
 #include "report_text.h"
 #include "rounding_options.h"
+#include "solver_options.h"
 #include "source_text.h"
 
 namespace dupin::cli {
 namespace {
+
+constexpr const char* kForSolvers = "cfd";
 
 /// "3 (2 pipe, 1 cyclic_blend)".
 std::string parts_text(const std::vector<PartReport>& parts) {
@@ -155,9 +161,26 @@ void write_built(const Built& built, const Document& document, const BuildOption
     report.output.format = report.exchange->format;
     return;
   }
-  report.output = write_solid(built.solid, destination(arguments.output),
-                              rounding_options(arguments.rounding, unit), header_of(document),
-                              contact_choice(arguments.contacts, unit), {}, written);
+  const MeshHeader header = header_of(document);
+  const bool fills = is_volume(arguments.output);
+  RemeshOptions solver = solver_options(
+      arguments.solver, 2 * options.tolerance.value_or(document.assembly.tolerance), unit);
+  solver.progress = options.progress;
+  if (fills) {
+    report.output = write_volume(built.solid, solver, arguments.output, header);
+    return;
+  }
+  std::optional<SolverMeshReport> remeshed;
+  Solid solid = built.solid;
+  if (arguments.quality == kForSolvers) {
+    Remeshed made = remesh(solid, solver);
+    solid = std::move(made.solid);
+    remeshed = solver_report(std::move(made.report), solver);
+  }
+  report.output =
+      write_solid(solid, destination(arguments.output), rounding_options(arguments.rounding, unit),
+                  header, contact_choice(arguments.contacts, unit), {}, written);
+  report.output.solver_mesh = std::move(remeshed);
 }
 
 // What is wrong with the arguments is said before anything is built.
@@ -172,7 +195,14 @@ void check_destination(const BuildArguments& arguments) {
     }
     return;
   }
-  (void)destination(arguments.output);
+  if (is_volume(arguments.output)) {
+    check_volume_output(arguments.output);
+    if (!arguments.page.empty()) {
+      throw UsageError("--report shows a surface that is written; the command report makes one");
+    }
+  } else {
+    (void)destination(arguments.output);
+  }
   if (!arguments.solids.empty()) {
     throw UsageError("--solids is for STEP files");
   }
@@ -237,7 +267,22 @@ ExitCode run_build_or_batch(const CLI::App& command, const BuildArguments& argum
 }  // namespace
 
 void add_build_options(CLI::App& command, BuildArguments& arguments) {
-  add_output_options(command, arguments.output, {"step"});
+  std::vector<std::string> others = volume_format_names();
+  others.emplace_back("step");
+  add_output_options(command, arguments.output, others);
+  command
+      .add_option("--quality", arguments.quality,
+                  "What triangles are like: cad (the usual), those of the exact union, or cfd,\n"
+                  "well-shaped ones for solvers, within --distance; see the command remesh.\n"
+                  "Tetrahedra, .msh and .vtu, are always for solvers")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"cad", kForSolvers}));
+  add_solver_options(command, arguments.solver);
+  command
+      .add_option("--distance", arguments.solver.distance,
+                  "Largest distance between a mesh for solvers and the exact union; twice the\n"
+                  "tolerance if not given")
+      ->type_name("LENGTH");
   add_solids_option(command, arguments.solids);
   command
       .add_option("--report", arguments.page,
@@ -269,7 +314,7 @@ void add_build(CLI::App& app, Action& action) {
       ->required();
   command
       ->add_option("-o,--output", arguments->output.path,
-                   "mesh or STEP file; - for standard output")
+                   "mesh, tetrahedra (.msh, .vtu) or STEP file; - for standard output")
       ->type_name("OUT");
   command
       ->add_option("--out-dir", batch->folder,
@@ -292,6 +337,7 @@ void add_build(CLI::App& app, Action& action) {
       "  dupin build examples/reducer.json -o reducer.stl\n"
       "  dupin build plant.json -o plant.off --tolerance 0.2mm --connect 1mm\n"
       "  dupin build plant.json -o plant.step\n"
+      "  dupin build plant.json -o fluid.msh --region fluid --size 20mm\n"
       "  dupin build - -o - --format stl < plant.json > plant.stl\n"
       "  dupin build *.pcf --out-dir meshes -j 4");
   command->callback([command, arguments, batch, &action] {

@@ -9,6 +9,7 @@
 #include "dupin/blends/tessellation.h"
 #include "output.h"
 #include "rounding_options.h"
+#include "solver_options.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
 class App;
@@ -20,6 +21,8 @@ namespace dupin::cli {
 struct BuildArguments {
   std::vector<std::string> files;
   std::string connect, contacts, cross_check, region, solids, page;
+  std::string quality;
+  SolverArguments solver;
   WallArguments walls;
   OutputArguments output;
   std::uint32_t segments = 0;

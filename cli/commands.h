@@ -31,6 +31,7 @@ void add_certify(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
 void add_simplify(CLI::App& app, Action& action);
+void add_remesh(CLI::App& app, Action& action);
 void add_repair(CLI::App& app, Action& action);
 void add_edit(CLI::App& app, Action& action);
 void add_nurbs(CLI::App& app, Action& action);

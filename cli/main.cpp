@@ -21,10 +21,11 @@ namespace {
 void add_common_options(CLI::App& app, CommonOptions& common) {
   app.add_flag("--json", common.json, "Write the report, or the error, as JSON");
   app.add_flag("-q,--quiet", common.quiet, "Write no report and no progress");
-  app.add_option("--tolerance", common.tolerance,
-                 "Largest distance between a surface and what stands for it: the mesh\n"
-                 "(build, certify), the NURBS surface (nurbs), the mesh with fewer\n"
-                 "triangles (simplify). A length such as 0.05, 1mm or 0.5in")
+  app.add_option(
+         "--tolerance", common.tolerance,
+         "Largest distance between a surface and what stands for it: the mesh\n"
+         "(build, certify), the NURBS surface (nurbs), the mesh with fewer\n"
+         "triangles (simplify), a mesh for solvers (remesh). A length such as 0.05, 1mm or 0.5in")
       ->type_name("LENGTH");
   app.set_version_flag("--version", std::string("dupin ") + DUPIN_VERSION);
 }
@@ -105,6 +106,7 @@ int run(std::span<char*> arguments) {
   add_convert(app, action);
   add_repair(app, action);
   add_simplify(app, action);
+  add_remesh(app, action);
   add_nurbs(app, action);
   add_edit(app, action);
   add_info(app, action);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "output.h"
 #include "rounding_options.h"
@@ -14,8 +15,9 @@ struct MeshToMesh {
   RoundingArguments rounding;
 };
 
-/// Adds IN, OUT and the options of output and of rounding.
+/// Adds IN, OUT and the options of output (see add_output_options) and of rounding.
 void add_mesh_to_mesh_options(CLI::App& command, const std::string& input_kind,
-                              MeshToMesh& arguments);
+                              MeshToMesh& arguments,
+                              const std::vector<std::string>& other_formats = {});
 
 }  // namespace dupin::cli

@@ -1,6 +1,7 @@
 #include "report_text.h"
 
 #include <algorithm>
+#include <numbers>
 #include <ostream>
 
 #include "dupin/kernel/decimal.h"
@@ -117,6 +118,32 @@ std::string repair_text(const RepairReport& report) {
   return text.empty() ? "nothing to mend" : text;
 }
 
+std::string degrees(double radians) {
+  constexpr double kFull = 180;
+  return decimal(radians * kFull / std::numbers::pi, 3) + " degrees";
+}
+
+void print_solver_mesh(std::ostream& out, const SolverMeshReport& report, std::string_view unit) {
+  const RemeshReport& surface = report.surface;
+  print_row(out, "angles",
+            "at least " + degrees(surface.smallest_angle) +
+                (surface.poor_triangles == 0
+                     ? ""
+                     : ", " + counted(surface.poor_triangles, "triangle") + " below " +
+                           degrees(report.asked_angle) + ", the first at " +
+                           place_text(surface.worst.front().place)));
+  print_row(out, "edges",
+            "from " + powered(surface.shortest_edge, unit, "") + " to " +
+                powered(surface.longest_edge, unit, ""));
+  print_row(out, "deviation", "at most " + powered(surface.deviation, unit, ""));
+  if (report.volume) {
+    print_row(out, "tetrahedra",
+              std::to_string(report.volume->tetrahedra) + " of " +
+                  counted(report.volume->points, "point") + ", dihedral angles at least " +
+                  degrees(report.volume->smallest_dihedral_angle));
+  }
+}
+
 std::string cross_check_text(const CrossCheck& check) {
   std::string engine(name(check.engine));
   switch (check.verdict) {
@@ -182,6 +209,9 @@ void print_output(std::ostream& out, const OutputReport& report, std::string_vie
               counted(report.simplification->removed_triangles, "triangle") +
                   " less, deviation at most " +
                   powered(report.simplification->deviation, unit, ""));
+  }
+  if (report.solver_mesh) {
+    print_solver_mesh(out, *report.solver_mesh, unit);
   }
   if (report.placement) {
     print_row(out, "placed",

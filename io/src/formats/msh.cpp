@@ -1,224 +1,73 @@
 #include "dupin/io/msh.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <limits>
-#include <map>
-#include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "text/mesh_text.h"
-#include "text/polygon.h"
 #include "text/text_scanner.h"
 
 namespace dupin {
 namespace {
 
-constexpr std::int64_t kLargest = std::numeric_limits<std::int32_t>::max();
-
-// Element types: how many nodes they have, and what becomes of them.
-enum class Use { surface, left_out, refused };
-struct ElementType {
-  std::int64_t type;
-  std::size_t nodes;
-  Use use;
-};
-constexpr std::array kTypes = {ElementType{1, 2, Use::left_out}, ElementType{2, 3, Use::surface},
-                               ElementType{3, 4, Use::surface}, ElementType{8, 3, Use::left_out},
-                               ElementType{15, 1, Use::left_out}};
-
-class MshReader {
- public:
-  MshReader(std::string_view bytes, std::string_view file) : scanner_(bytes, file) {}
-
-  TriMesh read() && {
-    read_version();
-    bool has_elements = false;
-    while (!scanner_.at_end()) {
-      const std::string_view section = scanner_.token();
-      if (section == "$PhysicalNames") {
-        read_names();
-      } else if (section == "$Nodes") {
-        read_nodes();
-      } else if (section == "$Elements") {
-        read_elements();
-        has_elements = true;
-      } else if (section.starts_with('$')) {
-        skip(section);
-      } else {
-        scanner_.move_to(scanner_.position() - section.size());
-        scanner_.fail("a section, such as $Nodes");
-      }
-    }
-    if (!has_elements) {
-      scanner_.fail("the section $Elements");
-    }
-    if (mesh_.triangles.empty() && !mesh_.points.empty()) {
-      scanner_.fail("triangles or quadrangles of the " + std::to_string(mesh_.points.size()) +
-                    " nodes");
-    }
-    if (has_labels_) {
-      std::move(labels_).name_labels(mesh_);
-    } else {
-      mesh_.labels.clear();
-    }
-    return std::move(mesh_);
-  }
-
- private:
-  void expect(std::string_view line) {
-    scanner_.skip_space();
-    if (scanner_.peek() != line) {
-      scanner_.fail(line);
-    }
-    (void)scanner_.token();
-    scanner_.end_line("the end of the line behind " + std::string(line));
-  }
-
-  void read_version() {
-    scanner_.skip_space();
-    while (scanner_.peek() == "$Comments") {
-      skip(scanner_.token());
-      scanner_.skip_space();
-    }
-    expect("$MeshFormat");
-    scanner_.skip_space();
-    if (!scanner_.peek().starts_with("2")) {
-      scanner_.fail("MSH of version 2 (in gmsh: -format msh22, or Mesh.MshFileVersion = 2.2)");
-    }
-    (void)scanner_.token();
-    if (scanner_.peek() != "0") {
-      scanner_.fail("0, for text (in gmsh: without -bin, or Mesh.Binary = 0)");
-    }
-    (void)scanner_.rest_of_line();
-    expect("$EndMeshFormat");
-  }
-
-  void skip(std::string_view section) {
-    const std::string end = "$End" + std::string(section.substr(1));
-    do {
-      (void)scanner_.rest_of_line();
-      if (scanner_.at_end()) {
-        scanner_.fail(end);
-      }
-    } while (scanner_.peek() != end);
-    (void)scanner_.rest_of_line();
-  }
-
-  std::int64_t count(std::string_view what) {
-    scanner_.skip_space();
-    const std::int64_t result = scanner_.integer(0, kLargest, what);
-    scanner_.end_line("the end of the line behind a number of things");
-    return result;
-  }
-
-  void read_names() {
-    for (std::int64_t left = count("the number of physical names, an integer"); left > 0; --left) {
-      scanner_.skip_space();
-      const std::int64_t dimension = scanner_.integer(0, 3, "a dimension, an integer");
-      const std::int64_t tag = scanner_.integer(0, kLargest, "a physical group, an integer");
-      std::string_view name = scanner_.rest_of_line();
-      if (name.size() < 2 || name.front() != '"' || name.back() != '"') {
-        scanner_.fail_at(scanner_.position() - 1,
-                         "found " + text::quoted(name) + ", expected a name in quotes");
-      }
-      if (dimension == 2) {
-        names_[tag] = text::clean_line(name.substr(1, name.size() - 2));
-      }
-    }
-    expect("$EndPhysicalNames");
-  }
-
-  void read_nodes() {
-    for (std::int64_t left = count("the number of nodes, an integer"); left > 0; --left) {
-      scanner_.skip_space();
-      const std::size_t place = scanner_.position();
-      const std::int64_t tag = scanner_.integer(1, kLargest, "a node's number, an integer");
-      if (!nodes_.emplace(tag, static_cast<std::uint32_t>(mesh_.points.size())).second) {
-        scanner_.fail_at(place, "found node " + std::to_string(tag) + " twice, expected it once");
-      }
-      mesh_.points.push_back(scanner_.vector("a coordinate"));
-      scanner_.end_line("the end of the line behind a node");
-    }
-    expect("$EndNodes");
-  }
-
-  void read_elements() {
-    for (std::int64_t left = count("the number of elements, an integer"); left > 0; --left) {
-      scanner_.skip_space();
-      read_element();
-    }
-    expect("$EndElements");
-  }
-
-  void read_element() {
-    (void)scanner_.integer(0, kLargest, "an element's number, an integer");
-    const std::size_t place = scanner_.position();
-    const std::int64_t number = scanner_.integer(1, kLargest, "an element's type, an integer");
-    const auto* const type = std::ranges::find(kTypes, number, &ElementType::type);
-    if (type == kTypes.end()) {
-      scanner_.fail_at(place,
-                       "found an element of type " + std::to_string(number) +
-                           ", expected triangles (2) and quadrangles (3) of the first order");
-    }
-    std::int64_t physical = 0;
-    const std::int64_t tags = scanner_.integer(0, 100, "the number of tags, an integer");
-    for (std::int64_t i = 0; i < tags; ++i) {
-      const std::int64_t tag = scanner_.integer(-kLargest, kLargest, "a tag, an integer");
-      physical = i == 0 ? tag : physical;
-    }
-    if (type->use == Use::left_out) {
-      (void)scanner_.rest_of_line();
-      return;
-    }
-    corners_.clear();
-    for (std::size_t i = 0; i < type->nodes; ++i) {
-      corners_.push_back(node());
-    }
-    scanner_.end_line("the end of the line behind an element");
-    text::triangulate(corners_, mesh_.points, mesh_.triangles);
-    mesh_.labels.resize(mesh_.triangles.size(), label(physical));
-  }
-
-  std::uint32_t node() {
-    const std::size_t place = scanner_.position();
-    const auto known =
-        nodes_.find(scanner_.integer(1, kLargest, "the number of a node, an integer"));
-    if (known == nodes_.end()) {
-      scanner_.fail_at(place, "found a node that is not there, expected one of $Nodes");
-    }
-    return known->second;
-  }
-
-  std::uint32_t label(std::int64_t physical) {
-    has_labels_ = has_labels_ || physical != 0;
-    if (!last_label_ || last_label_->first != physical) {
-      const auto name = names_.find(physical);
-      last_label_ = {physical,
-                     labels_.label(name != names_.end() ? name->second
-                                   : physical == 0      ? "default"
-                                                        : "surface " + std::to_string(physical))};
-    }
-    return last_label_->second;
-  }
-
-  text::TextScanner scanner_;
-  TriMesh mesh_;
-  text::LabelBuilder labels_;
-  std::map<std::int64_t, std::string> names_;
-  std::unordered_map<std::int64_t, std::uint32_t> nodes_;
-  std::optional<std::pair<std::int64_t, std::uint32_t>> last_label_;
-  std::vector<std::uint32_t> corners_;
-  bool has_labels_ = false;
-};
+/// The physical group of tetrahedra: that after those of the labels.
+std::size_t volume_group(const TriMesh& surface) {
+  return (surface.labels.empty() ? 0 : surface.names.size()) + 1;
+}
 
 std::string quoted_name(const std::string& name) {
   std::string result = text::clean_line(name);
   std::ranges::replace(result, '"', '\'');  // there is no way to write it
   return '"' + result + '"';
+}
+
+/// Format, names and nodes.
+std::string text_before_elements(const TriMesh& mesh, const std::vector<Vec3>& inner_points,
+                                 const MeshHeader& header, bool has_volume) {
+  TriMesh nodes = mesh;
+  nodes.points.insert(nodes.points.end(), inner_points.begin(), inner_points.end());
+  const std::vector<Vec3> points = text::writable_points(nodes, Coordinates::binary64);
+  std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\n" +
+                     text::header_lines(header, "# ") + "$EndComments\n";
+  const std::size_t labels = mesh.labels.empty() ? 0 : mesh.names.size();
+  if (labels + (has_volume ? 1 : 0) > 0) {
+    text += "$PhysicalNames\n" + std::to_string(labels + (has_volume ? 1 : 0)) + '\n';
+    for (std::size_t i = 0; i < labels; ++i) {
+      text += "2 " + std::to_string(i + 1) + ' ' + quoted_name(mesh.names[i]) + '\n';
+    }
+    if (has_volume) {
+      text += "3 " + std::to_string(volume_group(mesh)) + ' ' +
+              quoted_name(header.name.empty() ? "volume" : header.name) + '\n';
+    }
+    text += "$EndPhysicalNames\n";
+  }
+  text += "$Nodes\n" + std::to_string(points.size()) + '\n';
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    append_decimal(text, i + 1);
+    text += ' ';
+    text::append_point(text, points[i]);
+    text += '\n';
+  }
+  return text + "$EndNodes\n";
+}
+
+template <class Corners>
+void append_corners(std::string& text, const Corners& corners) {
+  for (const std::uint32_t corner : corners) {
+    text += ' ';
+    append_decimal(text, corner + 1);
+  }
+  text += '\n';
+}
+
+void append_triangles(std::string& text, const TriMesh& mesh) {
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    append_decimal(text, i + 1);
+    const std::uint32_t physical = mesh.labels.empty() ? 0 : mesh.labels[i] + 1;
+    text += " 2 2 " + std::to_string(physical) + ' ' + std::to_string(std::max(1U, physical));
+    append_corners(text, mesh.triangles[i]);
+  }
 }
 
 Evidence recognise(std::string_view bytes) {
@@ -234,38 +83,24 @@ Evidence recognise(std::string_view bytes) {
 
 }  // namespace
 
-TriMesh read_msh(std::string_view bytes, std::string_view file) {
-  return MshReader(bytes, file).read();
+std::string msh_text(const TriMesh& mesh, const MeshHeader& header) {
+  std::string text = text_before_elements(mesh, {}, header, false);
+  text += "$Elements\n" + std::to_string(mesh.triangles.size()) + '\n';
+  append_triangles(text, mesh);
+  return text + "$EndElements\n";
 }
 
-std::string msh_text(const TriMesh& mesh, const MeshHeader& header) {
-  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
-  std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\n" +
-                     text::header_lines(header, "# ") + "$EndComments\n";
-  if (!mesh.labels.empty()) {
-    text += "$PhysicalNames\n" + std::to_string(mesh.names.size()) + '\n';
-    for (std::size_t i = 0; i < mesh.names.size(); ++i) {
-      text += "2 " + std::to_string(i + 1) + ' ' + quoted_name(mesh.names[i]) + '\n';
-    }
-    text += "$EndPhysicalNames\n";
-  }
-  text += "$Nodes\n" + std::to_string(points.size()) + '\n';
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    append_decimal(text, i + 1);
-    text += ' ';
-    text::append_point(text, points[i]);
-    text += '\n';
-  }
-  text += "$EndNodes\n$Elements\n" + std::to_string(mesh.triangles.size()) + '\n';
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    append_decimal(text, i + 1);
-    const std::uint32_t physical = mesh.labels.empty() ? 0 : mesh.labels[i] + 1;
-    text += " 2 2 " + std::to_string(physical) + ' ' + std::to_string(std::max(1U, physical));
-    for (const std::uint32_t corner : mesh.triangles[i]) {
-      text += ' ';
-      append_decimal(text, corner + 1);
-    }
-    text += '\n';
+std::string msh_volume_text(const VolumeMesh& mesh, const MeshHeader& header) {
+  const TriMesh& surface = mesh.surface;
+  std::string text = text_before_elements(surface, mesh.inner_points, header, true);
+  text += "$Elements\n" + std::to_string(surface.triangles.size() + mesh.tetrahedra.size()) + '\n';
+  append_triangles(text, surface);
+  auto element = static_cast<std::uint32_t>(surface.triangles.size());
+  const std::string group = std::to_string(volume_group(surface));
+  for (const Tetrahedron& tetrahedron : mesh.tetrahedra) {
+    append_decimal(text, ++element);
+    text += " 4 2 " + group + ' ' + group;
+    append_corners(text, tetrahedron);
   }
   return text + "$EndElements\n";
 }
@@ -278,5 +113,11 @@ constinit const MeshFormat kMshSurface = {.key = "msh-surface",
                                           .write = msh_text,
                                           .recognises = recognise,
                                           .unit = text::noted_unit};
+
+constinit const VolumeFormat kMshVolume = {.key = "msh",
+                                           .name = "gmsh volume",
+                                           .extension = ".msh",
+                                           .write = msh_volume_text,
+                                           .read = read_msh_volume};
 
 }  // namespace dupin

@@ -12,8 +12,7 @@
 #include "dupin/io/vtp.h"
 #include "dupin/kernel/error.h"
 #include "files/xml_events.h"
-#include "text/base64.h"
-#include "text/little_endian.h"
+#include "formats/vtk_arrays.h"
 #include "text/mesh_text.h"
 #include "text/polygon.h"
 #include "text/text_scanner.h"
@@ -23,59 +22,6 @@ namespace {
 
 // The place is added where the XML is read.
 [[noreturn]] void fail(const std::string& message) { throw Error(Errc::parse_failed, message); }
-
-constexpr std::string_view kBlanks = " \t\r\n";
-
-/// Calls visit(token) for what stands between blanks.
-template <class Visit>
-void for_each_token(std::string_view text, const Visit& visit) {
-  for (std::size_t begin; (begin = text.find_first_not_of(kBlanks)) != std::string_view::npos;) {
-    text.remove_prefix(begin);
-    const std::string_view token = text.substr(0, text.find_first_of(kBlanks));
-    visit(token);
-    text.remove_prefix(token.size());
-  }
-}
-
-/// An array of a file: what its element says, and the text in it.
-struct DataArray {
-  std::string name, type, format;
-  std::string text;
-};
-
-template <class Number>
-std::vector<Number> from_text(const DataArray& array) {
-  std::vector<Number> numbers;
-  for_each_token(array.text, [&](std::string_view token) {
-    Number number{};
-    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), number);
-    if (error != std::errc() || end != token.data() + token.size()) {
-      fail("found " + text::quoted(token) + " in the array " + text::quoted(array.name) +
-           ", expected a number");
-    }
-    numbers.push_back(number);
-  });
-  return numbers;
-}
-
-template <class Number, class Stored>
-std::vector<Number> converted(std::string_view bytes, const DataArray& array) {
-  if (bytes.size() % sizeof(Stored) != 0) {
-    fail("found " + std::to_string(bytes.size()) + " bytes in the array " +
-         text::quoted(array.name) + ", expected a multiple of " + std::to_string(sizeof(Stored)));
-  }
-  std::vector<Number> numbers(bytes.size() / sizeof(Stored));
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const auto stored = text::load<Stored>(bytes, i * sizeof(Stored));
-    if constexpr (std::is_integral_v<Number> && std::is_floating_point_v<Stored>) {
-      fail("found the type " + array.type + " of the array " + text::quoted(array.name) +
-           ", expected integers");
-    } else {
-      numbers[i] = static_cast<Number>(stored);
-    }
-  }
-  return numbers;
-}
 
 class VtpReader {
  public:
@@ -155,8 +101,8 @@ class VtpReader {
         fail("found triangle strips, expected polygons");
       }
     } else if (element == "DataArray" || element == "Array") {
-      array_ = DataArray{text_of(attributes, "Name"), text_of(attributes, "type"),
-                         text_of(attributes, "format", "ascii")};
+      array_ = formats::VtkArray{text_of(attributes, "Name"), text_of(attributes, "type"),
+                                 text_of(attributes, "format", "ascii")};
     } else if (element == "AppendedData") {
       fail(
           "found appended data, expected them inside of the elements: save with the data mode "
@@ -174,8 +120,8 @@ class VtpReader {
       fail("found the byte order " + text::quoted(text_of(attributes, "byte_order")) +
            ", expected LittleEndian");
     }
-    is_compressed_ = !text_of(attributes, "compressor").empty();
-    header_size_ = text_of(attributes, "header_type", "UInt32") == "UInt64" ? 8 : 4;
+    encoding_.is_compressed = !text_of(attributes, "compressor").empty();
+    encoding_.header_size = text_of(attributes, "header_type", "UInt32") == "UInt64" ? 8 : 4;
   }
 
   void end(std::string_view element) {
@@ -188,28 +134,28 @@ class VtpReader {
     }
   }
 
-  void take(const DataArray& array) {
+  void take(const formats::VtkArray& array) {
     if (section_ == "FieldData") {
       take_field(array);
     } else if (!piece_) {
       return;
     } else if (section_ == "Points") {
-      piece_->coordinates = numbers<double>(array);
+      piece_->coordinates = formats::vtk_numbers<double>(array, encoding_);
     } else if (section_ == "Polys" && array.name == "connectivity") {
-      piece_->corners = numbers<std::int64_t>(array);
+      piece_->corners = formats::vtk_numbers<std::int64_t>(array, encoding_);
     } else if (section_ == "Polys" && array.name == "offsets") {
-      piece_->offsets = numbers<std::int64_t>(array);
+      piece_->offsets = formats::vtk_numbers<std::int64_t>(array, encoding_);
     } else if (section_ == "CellData" && array.name == "label") {
-      piece_->labels = numbers<std::int64_t>(array);
+      piece_->labels = formats::vtk_numbers<std::int64_t>(array, encoding_);
     }
   }
 
-  void take_field(const DataArray& array) {
+  void take_field(const formats::VtkArray& array) {
     if (array.type != "String" || (array.name != "label_names" && array.name != "unit")) {
       return;
     }
     std::vector<std::string> strings(1);
-    for (const std::int64_t byte : numbers<std::int64_t>(array)) {
+    for (const std::int64_t byte : formats::vtk_numbers<std::int64_t>(array, encoding_)) {
       if (byte < 0 || byte > 255) {
         fail("found " + std::to_string(byte) + " in a text, expected a byte");
       }
@@ -228,58 +174,6 @@ class VtpReader {
     } else {
       names_ = std::move(strings);
     }
-  }
-
-  template <class Number>
-  std::vector<Number> numbers(const DataArray& array) const {
-    if (array.format == "ascii") {
-      return from_text<Number>(array);
-    }
-    if (array.format != "binary" || is_compressed_) {
-      fail("found the array " + text::quoted(array.name) +
-           (array.format == "binary" ? std::string(" compressed")
-                                     : " in the format " + text::quoted(array.format)) +
-           ", expected it inside of its element and not compressed: save with the data mode ascii "
-           "or binary, without a compressor");
-    }
-    const std::string bytes = decoded(array);
-    const std::pair<std::string_view, std::vector<Number> (*)(std::string_view, const DataArray&)>
-        types[] = {{"Float32", converted<Number, float>},
-                   {"Float64", converted<Number, double>},
-                   {"Int8", converted<Number, std::int8_t>},
-                   {"UInt8", converted<Number, std::uint8_t>},
-                   {"Int16", converted<Number, std::int16_t>},
-                   {"UInt16", converted<Number, std::uint16_t>},
-                   {"Int32", converted<Number, std::int32_t>},
-                   {"UInt32", converted<Number, std::uint32_t>},
-                   {"Int64", converted<Number, std::int64_t>},
-                   {"UInt64", converted<Number, std::uint64_t>}};
-    for (const auto& [type, convert] : types) {
-      if (type == array.type) {
-        return convert(bytes, array);
-      }
-    }
-    fail("found the type " + text::quoted(array.type) + " of the array " +
-         text::quoted(array.name) + ", expected a number's, such as Float64");
-  }
-
-  // The size of what follows, then that; both in one text of base64.
-  std::string decoded(const DataArray& array) const {
-    std::string text = array.text;
-    std::erase_if(text, [](char c) { return kBlanks.find(c) != std::string_view::npos; });
-    auto bytes = text::from_base64(text);
-    if (!bytes || bytes->size() < header_size_) {
-      fail("found no base64 in the array " + text::quoted(array.name) +
-           ", expected a size and its bytes");
-    }
-    const std::uint64_t size = header_size_ == 8 ? text::load<std::uint64_t>(*bytes, 0)
-                                                 : text::load<std::uint32_t>(*bytes, 0);
-    if (size != bytes->size() - header_size_) {
-      fail("found " + std::to_string(bytes->size() - header_size_) + " bytes in the array " +
-           text::quoted(array.name) + ", expected the " + std::to_string(size) + " that it says");
-    }
-    bytes->erase(0, header_size_);
-    return std::move(*bytes);
   }
 
   void append(const Piece& piece) {
@@ -345,10 +239,11 @@ class VtpReader {
   }
 
   std::string_view file_;
-  bool only_unit_ = false, has_data_ = false, is_compressed_ = false, has_labels_ = false;
-  std::size_t header_size_ = 4, nested_ = 0;
+  bool only_unit_ = false, has_data_ = false, has_labels_ = false;
+  std::size_t nested_ = 0;
+  formats::VtkEncoding encoding_;
   std::string section_, unit_;
-  std::optional<DataArray> array_;
+  std::optional<formats::VtkArray> array_;
   std::optional<Piece> piece_;
   std::vector<std::string> names_;
   text::LabelBuilder labels_;

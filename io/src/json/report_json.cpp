@@ -107,6 +107,27 @@ Json counts_json(const Report& report) {
   return counts;
 }
 
+Json json_value(const SolverMeshReport& report) {
+  Json poor = Json::array();
+  for (const PoorTriangle& triangle : report.surface.worst) {
+    poor.push_back({{"place", json_value(triangle.place)}, {"angle", triangle.angle}});
+  }
+  Json object{{"distance", report.asked_distance},
+              {"deviation", report.surface.deviation},
+              {"angle", report.asked_angle},
+              {"smallest_angle", report.surface.smallest_angle},
+              {"shortest_edge", report.surface.shortest_edge},
+              {"longest_edge", report.surface.longest_edge},
+              {"poor_triangles", report.surface.poor_triangles},
+              {"worst", poor}};
+  if (report.volume) {
+    object["volume"] = {{"points", report.volume->points},
+                        {"tetrahedra", report.volume->tetrahedra},
+                        {"smallest_dihedral_angle", report.volume->smallest_dihedral_angle}};
+  }
+  return object;
+}
+
 }  // namespace
 
 Json json_value(const PlacementReport& placement) {
@@ -143,6 +164,9 @@ Json json_value(const OutputReport& report) {
   if (report.simplification) {
     object["simplification"] = {{"removed_triangles", report.simplification->removed_triangles},
                                 {"deviation", report.simplification->deviation}};
+  }
+  if (report.solver_mesh) {
+    object["solver_mesh"] = json_value(*report.solver_mesh);
   }
   if (report.settled) {
     object["settled"] = {{"policy", report.settled->policy},

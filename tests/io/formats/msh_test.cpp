@@ -62,9 +62,11 @@ TEST(Msh, is_refused_with_its_line) {
         "x.msh:15: found the end of the file, expected triangles or quadrangles of the 4 nodes"},
        {kHead + "Nodes\n", "x.msh:4: found 'Nodes', expected a section, such as $Nodes"},
        {kHead + "$Other\n1\n", "x.msh:6: found the end of the file, expected $EndOther"},
-       {none + "1 4 2 1 1 1 2 7 4\n",
-        "x.msh:13: found an element of type 4, expected triangles (2) and quadrangles (3) of the "
-        "first order"},
+       {none + "1 5 2 1 1 1 2 7 4 1 2 7 4\n",
+        "x.msh:13: found an element of type 5, expected triangles (2), quadrangles (3) and "
+        "tetrahedra (4) of the first order"},
+       {none + "1 4 2 1 1 1 2 7 4\n$EndElements\n",
+        "x.msh:15: found the end of the file, expected triangles or quadrangles of the 4 nodes"},
        {none + "1 2 2 1 1 1 2 3\n",
         "x.msh:13: found a node that is not there, expected one of $Nodes"},
        {kHead + "$Nodes\n2\n1 0 0 0\n1 0 0 1\n", "x.msh:7: found node 1 twice, expected it once"},

@@ -20,6 +20,7 @@
 #include "dupin/kernel/gap.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/mesh_gap.h"
+#include "dupin/kernel/remesh.h"
 #include "dupin/kernel/repair.h"
 #include "dupin/kernel/rounding.h"
 #include "dupin/kernel/solid.h"
@@ -31,6 +32,17 @@ namespace dupin {
 struct SimplificationReport {
   std::size_t removed_triangles = 0;
   double deviation = 0;
+};
+
+/// What was made for solvers.
+struct SolverMeshReport {
+  RemeshReport surface;
+  double asked_angle = 0, asked_distance = 0;
+  struct Volume {
+    std::size_t points = 0, tetrahedra = 0;
+    double smallest_dihedral_angle = 0;  ///< in radians
+  };
+  std::optional<Volume> volume = std::nullopt;  ///< where tetrahedra were written
 };
 
 /// Contacts that were removed before, by taking material away ("separate") or adding it ("bridge").
@@ -73,6 +85,7 @@ struct OutputReport {
   std::optional<Report> check;
   std::vector<Contact> contacts;  ///< where the solid touches itself
   std::optional<SimplificationReport> simplification = std::nullopt;
+  std::optional<SolverMeshReport> solver_mesh = std::nullopt;
   std::optional<ContactSettlement> settled = std::nullopt;
   std::vector<FileRepair> repairs = {};  ///< of operands that needed some
   std::optional<PlacementReport> placement = std::nullopt;

@@ -1,0 +1,79 @@
+#include "dupin/kernel/remesh.h"
+
+#include <memory>
+#include <optional>
+
+#include <CLI/App.hpp>
+
+#include "commands.h"
+#include "exit_code.h"
+#include "input.h"
+#include "length.h"
+#include "mesh_to_mesh.h"
+#include "output.h"
+#include "progress_line.h"
+#include "solver_options.h"
+
+namespace dupin::cli {
+namespace {
+
+struct RemeshArguments {
+  MeshToMesh files;
+  SolverArguments solver;
+};
+
+ExitCode run_remesh(const RemeshArguments& arguments, const CommonOptions& common) {
+  const OutputArguments& output = arguments.files.output;
+  const bool fills = is_volume(output);
+  Destination to{output_path(output.path)};
+  if (fills) {
+    check_volume_output(output);
+  } else {
+    to = destination(output);
+  }
+  if (common.tolerance.empty()) {
+    throw UsageError("remesh needs --tolerance, the largest distance from the solid");
+  }
+  const Input input = read_input(arguments.files.input);
+  const MeshHeader header{input.unit(), {}};
+  const double distance = mesh_length(common.tolerance, 0, header.unit);
+  RemeshOptions options = solver_options(arguments.solver, distance, header.unit);
+  const RoundingOptions rounding = rounding_options(arguments.files.rounding, header.unit);
+  const Solid solid = solid_of(input);
+  std::optional<ProgressLine> line(common.quiet);
+  options.progress = line->callback();
+  OutputReport report;
+  if (fills) {
+    report = write_volume(solid, options, output, header);
+  } else {
+    Remeshed made = remesh(solid, options);
+    report = write_solid(made.solid, to, rounding, header, {}, options.progress);
+    report.solver_mesh = solver_report(std::move(made.report), options);
+  }
+  line.reset();
+  print_written(report, to, common);
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_remesh(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand(
+      "remesh", "Well-shaped triangles, or tetrahedra, within a distance of --tolerance");
+  const auto arguments = std::make_shared<RemeshArguments>();
+  add_mesh_to_mesh_options(*command, "solid", arguments->files, volume_format_names());
+  add_solver_options(*command, arguments->solver);
+  command->footer(
+      "What solvers take: sharp edges and borders between labels are kept, no point of either\n"
+      "surface is further from the other than the tolerance. OUT is a surface in any format of\n"
+      "meshes, or, as .msh (gmsh 2.2) or .vtu (VTK), tetrahedra, with the labels as physical\n"
+      "groups or cell data.\n\n"
+      "Examples:\n"
+      "  dupin remesh plant.off walls.stl --tolerance 0.5mm --size 20mm\n"
+      "  dupin remesh fluid.off fluid.msh --tolerance 0.5mm --size 20mm");
+  command->callback([arguments, &action] {
+    action = [arguments](const CommonOptions& common) { return run_remesh(*arguments, common); };
+  });
+}
+
+}  // namespace dupin::cli

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "dupin/kernel/mesh.h"
+#include "dupin/kernel/progress.h"
+#include "meshing/features.h"
+#include "meshing/tetrahedra.h"
+
+namespace dupin::meshing {
+
+/// A point of a region where its mesh begins.
+struct Seed {
+  Vec3 point = Vec3::Zero();
+  std::uint32_t region = 0;
+  bool is_needed = false;  ///< the region has no curve, which its mesh would begin at
+};
+
+/// What tetrahedra are to be like.
+struct Refinement {
+  std::function<double(const Vec3&)> edge_length;  ///< at most, along curves
+  double radius = 0;          ///< largest circumradius of a triangle, and of a tetrahedron
+  double distance = 0;        ///< from the middles of triangles to the surface
+  double smallest_angle = 0;  ///< of triangles, in radians, away from curves
+  bool fill = false;          ///< whether shapes and sizes of tetrahedra inside matter
+  std::size_t most_points = 0;
+  std::vector<Seed> seeds;
+};
+
+/// Delaunay tetrahedra of what a closed mesh bounds: those whose circumcentre is inside [Boissonnat
+/// and Oudot, Provably good sampling and meshing of surfaces, 2005], with balls along curves that
+/// protect them [Cheng, Dey and Ramos, Delaunay refinement for piecewise smooth complexes, 2007].
+/// By CGAL's Mesh_3, with exact predicates: tetrahedra do not overlap. The same input gives the
+/// same tetrahedra, or none where the generator gives up on its own. Throws Error{limit_exceeded}
+/// naming the place where points get too many, and Error{cancelled}.
+[[nodiscard]] Tetrahedra refine(const TriMesh& mesh, const Features& features,
+                                const Refinement& wanted, const Progress& progress);
+
+/// Whether the four points turn as those of a tetrahedron do, exactly.
+[[nodiscard]] bool is_positive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+}  // namespace dupin::meshing

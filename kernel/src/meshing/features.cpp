@@ -1,0 +1,354 @@
+#include "meshing/features.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "mesh/edge_table.h"
+#include "meshing/surface_distance.h"
+#include "support/none.h"
+
+namespace dupin::meshing {
+namespace {
+
+/// Curves that turn by more have a corner there.
+constexpr double kSharpTurn = 50 * std::numbers::pi / 180;
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+double longest_edge(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+}
+
+/// Gives triangles that are too thin the normal of the neighbour at their longest edge.
+void borrow_normals(const TriMesh& mesh, const mesh::EdgeTable& edges,
+                    const std::vector<std::uint32_t>& thin, std::vector<Vec3>& normals) {
+  std::vector<std::array<std::uint32_t, 3>> across(mesh.triangles.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto& sides = edges[e].half_edges;
+    across[sides[0] / 3][sides[0] % 3] = sides[1] / 3;
+    across[sides[1] / 3][sides[1] % 3] = sides[0] / 3;
+  }
+  for (bool found = true; found;) {
+    found = false;
+    for (const std::uint32_t f : thin) {
+      double longest = -1;
+      Vec3 normal = normals[f];
+      for (std::uint32_t k = 0; k < 3 && normals[f].isZero(); ++k) {
+        const Triangle& t = mesh.triangles[f];
+        const double length = (mesh.points[t[k]] - mesh.points[t[(k + 1) % 3]]).norm();
+        if (length > longest && !normals[across[f][k]].isZero()) {
+          longest = length;
+          normal = normals[across[f][k]];
+        }
+      }
+      found = found || (normals[f].isZero() && !normal.isZero());
+      normals[f] = normal;
+    }
+  }
+}
+
+std::vector<Vec3> normals_of(const TriMesh& mesh, const mesh::EdgeTable& edges) {
+  double largest = 0;
+  for (const Vec3& point : mesh.points) {
+    largest = std::max(largest, point.cwiseAbs().maxCoeff());
+  }
+  const double least_height = largest * 0x1p-40;
+  std::vector<Vec3> normals(mesh.triangles.size(), Vec3::Zero());
+  std::vector<std::uint32_t> thin;
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    const auto& [a, b, c] = mesh.triangles[f];
+    const Vec3 &p = mesh.points[a], &q = mesh.points[b], &r = mesh.points[c];
+    const Vec3 normal = (q - p).cross(r - p);
+    if (normal.norm() > least_height * longest_edge(p, q, r)) {
+      normals[f] = normal.normalized();
+    } else {
+      thin.push_back(f);
+    }
+  }
+  if (!thin.empty()) {
+    borrow_normals(mesh, edges, thin, normals);
+  }
+  return normals;
+}
+
+struct SharpEdge {
+  std::uint32_t edge, other_end;
+};
+
+class Finder {
+ public:
+  Finder(const TriMesh& mesh, double angle, double distance)
+      : mesh_(mesh),
+        length_(2 * distance),
+        edges_(mesh.triangles, mesh.points.size()),
+        at_(mesh.points.size()) {
+    features_.normals = normals_of(mesh, edges_);
+    find_sharp_edges(angle);
+    find_regions();
+    absorb_thin_regions(distance / 4);
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      if (is_sharp_[e] != 0) {
+        at_[edges_[e].low].push_back({e, edges_[e].high});
+        at_[edges_[e].high].push_back({e, edges_[e].low});
+      }
+    }
+    used_.assign(edges_.size(), 0);
+    is_end_.resize(mesh.points.size());
+    for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+      is_end_[v] = at_[v].size() != 2 && !at_[v].empty() ? 1 : 0;
+    }
+  }
+
+  Features run() {
+    const auto count = static_cast<std::uint32_t>(mesh_.points.size());
+    for (std::uint32_t v = 0; v < count; ++v) {
+      if (is_end_[v] != 0) {
+        chains_from(v);
+      }
+    }
+    for (std::uint32_t v = 0; v < count; ++v) {  // loops
+      if (!at_[v].empty() && is_end_[v] == 0 && used_[at_[v][0].edge] == 0) {
+        chains_from(v);
+      }
+    }
+    return std::move(features_);
+  }
+
+ private:
+  void find_sharp_edges(double angle) {
+    is_sharp_.assign(edges_.size(), 0);
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      const mesh::Edge edge = edges_[e];
+      const std::uint32_t f = edge.half_edges[0] / 3, g = edge.half_edges[1] / 3;
+      const bool is_border = !mesh_.labels.empty() && mesh_.labels[f] != mesh_.labels[g];
+      is_sharp_[e] =
+          is_border || angle_between(features_.normals[f], features_.normals[g]) > angle ? 1 : 0;
+    }
+  }
+
+  void find_regions() {
+    const std::size_t faces = mesh_.triangles.size();
+    std::vector<std::vector<std::uint32_t>> smooth(faces);
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      if (is_sharp_[e] == 0) {
+        const std::uint32_t f = edges_[e].half_edges[0] / 3, g = edges_[e].half_edges[1] / 3;
+        smooth[f].push_back(g);
+        smooth[g].push_back(f);
+      }
+    }
+    features_.regions.assign(faces, support::kNone);
+    std::vector<std::uint32_t> stack;
+    std::uint32_t region = 0;
+    for (std::uint32_t first = 0; first < faces; ++first) {
+      if (features_.regions[first] != support::kNone) {
+        continue;
+      }
+      stack.assign(1, first);
+      features_.regions[first] = region;
+      while (!stack.empty()) {
+        const std::uint32_t f = stack.back();
+        stack.pop_back();
+        for (const std::uint32_t g : smooth[f]) {
+          if (features_.regions[g] == support::kNone) {
+            features_.regions[g] = region;
+            stack.push_back(g);
+          }
+        }
+      }
+      ++region;
+    }
+  }
+
+  [[nodiscard]] std::array<std::uint32_t, 2> regions_at(std::uint32_t edge) const {
+    const auto& sides = edges_[edge].half_edges;
+    return {features_.regions[sides[0] / 3], features_.regions[sides[1] / 3]};
+  }
+
+  /// Of regions.
+  struct Extent {
+    double area = 0, border = 0;
+    /// Those beside it, and how much the surface turns to them.
+    std::map<std::uint32_t, double> neighbours;
+    std::vector<std::uint32_t> faces;  ///< of those that may be thin
+  };
+  [[nodiscard]] std::vector<Extent> extents(double distance) const {
+    std::vector<Extent> extents(
+        1 + static_cast<std::size_t>(*std::ranges::max_element(features_.regions)));
+    for (std::uint32_t f = 0; f < mesh_.triangles.size(); ++f) {
+      const auto& [a, b, c] = corners_of(f);
+      extents[features_.regions[f]].area += (b - a).cross(c - a).norm() / 2;
+    }
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      const auto [r, s] = regions_at(e);
+      if (r != s) {
+        const auto& sides = edges_[e].half_edges;
+        const double turn =
+            angle_between(features_.normals[sides[0] / 3], features_.normals[sides[1] / 3]);
+        for (const auto& [own, other] : {std::pair(r, s), std::pair(s, r)}) {
+          extents[own].border +=
+              (mesh_.points[edges_[e].low] - mesh_.points[edges_[e].high]).norm();
+          double& largest = extents[own].neighbours[other];
+          largest = std::max(largest, turn);
+        }
+      }
+    }
+    for (std::uint32_t f = 0; f < mesh_.triangles.size(); ++f) {
+      Extent& extent = extents[features_.regions[f]];
+      if (extent.area <= distance * extent.border) {  // else it is wider
+        extent.faces.push_back(f);
+      }
+    }
+    return extents;
+  }
+
+  void absorb_thin_regions(double distance) {
+    std::vector<Extent> extents = this->extents(distance);
+    std::vector<std::uint32_t> into(extents.size());
+    std::iota(into.begin(), into.end(), 0U);
+    const ReferenceSurface surface(mesh_.points, mesh_.triangles, features_.regions);
+    for (std::uint32_t region = 0; region < into.size(); ++region) {
+      for (const auto& [other, turn] : extents[region].neighbours) {
+        // Not part of one that is absorbed itself: it would be further from what is left.
+        if (extents[region].faces.empty() || into[other] != other || turn > std::numbers::pi / 2) {
+          continue;
+        }
+        double largest = 0;
+        const bool is_near = std::ranges::all_of(extents[region].faces, [&](std::uint32_t f) {
+          const auto bound = surface.bound(corners_of(f), other, distance);
+          largest = std::max(largest, bound.value_or(0));
+          return bound.has_value();
+        });
+        if (is_near) {
+          features_.absorbed = std::max(features_.absorbed, largest);
+          into[region] = other;
+          extents[other].faces.clear();  // it stays
+          break;
+        }
+      }
+    }
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      const auto [r, s] = regions_at(e);
+      if (into[r] == into[s] && (r != s || into[r] != r)) {
+        is_sharp_[e] = 0;
+      }
+    }
+    std::vector<std::uint32_t> numbers(into.size(), support::kNone);
+    std::uint32_t next = 0;
+    for (std::uint32_t& region : features_.regions) {
+      std::uint32_t& number = numbers[into[region]];
+      number = number == support::kNone ? next++ : number;
+      region = number;
+    }
+  }
+
+  [[nodiscard]] std::array<Vec3, 3> corners_of(std::uint32_t face) const {
+    const auto& [a, b, c] = mesh_.triangles[face];
+    return {mesh_.points[a], mesh_.points[b], mesh_.points[c]};
+  }
+
+  void chains_from(std::uint32_t corner) {
+    for (const SharpEdge& first : at_[corner]) {
+      if (used_[first.edge] != 0) {
+        continue;
+      }
+      std::vector<std::uint32_t> points = {corner};
+      for (SharpEdge step = first;;) {
+        used_[step.edge] = 1;
+        points.push_back(step.other_end);
+        const std::uint32_t here = step.other_end;
+        if (is_end_[here] != 0 || here == corner) {
+          break;
+        }
+        step = at_[here][0].edge == step.edge ? at_[here][1] : at_[here][0];
+      }
+      cut_at_turns(points, regions_at(first.edge));
+    }
+  }
+
+  /// How much the polyline turns at its point i, seen from some way off.
+  [[nodiscard]] double turn(const std::vector<std::uint32_t>& points, std::size_t i) const {
+    const Vec3& here = mesh_.points[points[i]];
+    std::size_t back = i - 1, ahead = i + 1;
+    while (back > 0 && (mesh_.points[points[back]] - here).norm() < length_) {
+      --back;
+    }
+    while (ahead + 1 < points.size() && (mesh_.points[points[ahead]] - here).norm() < length_) {
+      ++ahead;
+    }
+    return angle_between(here - mesh_.points[points[back]], mesh_.points[points[ahead]] - here);
+  }
+
+  /// Makes curves of a chain, which ends where it turns sharply, and begins anew.
+  void cut_at_turns(const std::vector<std::uint32_t>& points,
+                    const std::array<std::uint32_t, 2>& regions) {
+    std::size_t begin = 0;
+    std::vector<double> turns(points.size(), 0);
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      turns[i] = turn(points, i);
+    }
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      if (i + 1 == points.size() || (turns[i] > kSharpTurn && is_sharpest(points, turns, i))) {
+        const std::size_t middle = (begin + i) / 2;
+        if (points[begin] == points[i] && is_end_[points[i]] != 0) {
+          // Generators take what ends where it begins as a loop without a corner.
+          add_curve(points, begin, middle, regions);
+          begin = middle;
+        }
+        add_curve(points, begin, i, regions);
+        begin = i;
+      }
+    }
+  }
+
+  void add_curve(const std::vector<std::uint32_t>& points, std::size_t begin, std::size_t end,
+                 const std::array<std::uint32_t, 2>& regions) {
+    Curve curve{{}, regions};
+    for (std::size_t k = begin; k <= end; ++k) {
+      curve.points.push_back(mesh_.points[points[k]]);
+    }
+    features_.curves.push_back(std::move(curve));
+  }
+
+  [[nodiscard]] bool is_sharpest(const std::vector<std::uint32_t>& points,
+                                 const std::vector<double>& turns, std::size_t i) const {
+    const Vec3& here = mesh_.points[points[i]];
+    const auto near = [&](std::size_t k) {
+      return (mesh_.points[points[k]] - here).norm() < length_;
+    };
+    for (std::size_t k = i; k-- > 0 && near(k);) {
+      if (turns[k] >= turns[i]) {
+        return false;
+      }
+    }
+    for (std::size_t k = i + 1; k < points.size() && near(k); ++k) {
+      if (turns[k] > turns[i]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const TriMesh& mesh_;
+  double length_;
+  mesh::EdgeTable edges_;
+  std::vector<std::uint8_t> is_sharp_, used_;  // per edge
+  std::vector<std::uint8_t> is_end_;           // per point
+  std::vector<std::vector<SharpEdge>> at_;     // per point
+  Features features_;
+};
+
+}  // namespace
+
+Features find_features(const TriMesh& mesh, double angle, double distance) {
+  return Finder(mesh, angle, distance).run();
+}
+
+}  // namespace dupin::meshing

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "dupin/kernel/mesh.h"
+
+/// Meshes for solvers: triangles and tetrahedra of good shape in place of the long thin ones of an
+/// exact union. features.h says what stays, edge_lengths.h how long edges along it may be,
+/// delaunay_refinement.h makes the tetrahedra (CGAL's Mesh_3), angle_improvement.h moves points
+/// where triangles beside sharp edges are poor, surface_distance.h proves how far the surface is
+/// from the one given, and solver_mesh.h strings them together.
+namespace dupin::meshing {
+
+/// A polyline of sharp edges, from corner to corner or, if it ends where it begins, around.
+struct Curve {
+  std::vector<Vec3> points;
+  std::array<std::uint32_t, 2> regions{};  ///< on both sides, which may be the same
+};
+
+/// What a mesh of the same solid keeps.
+struct Features {
+  std::vector<Curve> curves;
+  std::vector<std::uint32_t> regions;  ///< per triangle: those that hang together smoothly
+  /// Per triangle, a unit vector. Triangles too thin for their rounded corners to tell have that of
+  /// the neighbour at their longest edge.
+  std::vector<Vec3> normals;
+  double absorbed = 0;  ///< no place of a thin region is further from what it became part of
+};
+
+/// Edges of a closed 2-manifold mesh in which the surface turns by more than `angle`, in radians,
+/// and those between labels. Curves are cut where they turn sharply, seen over twice `distance`.
+/// Regions all of which lie within a quarter of it of a neighbour, to which the surface turns by
+/// less than a right angle, become part of that one: slivers that exact unions leave, whose borders
+/// would ask for triangles of no size.
+[[nodiscard]] Features find_features(const TriMesh& mesh, double angle, double distance);
+
+}  // namespace dupin::meshing

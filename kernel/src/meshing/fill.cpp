@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/volume_mesh.h"
+#include "meshing/delaunay_refinement.h"
+#include "meshing/solver_mesh.h"
+#include "support/none.h"
+
+namespace dupin {
+namespace {
+
+/// A triangle beginning with its lowest corner, turned as it was.
+Triangle from_lowest(Triangle triangle) {
+  std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+  return triangle;
+}
+
+/// Throws unless all tetrahedra are positive, and their faces cancel but for the surface. As that
+/// is the boundary of a solid, each place in it is then in as many tetrahedra as the surface winds
+/// around it: one.
+void prove_tiling(const VolumeMesh& mesh) {
+  std::vector<Triangle> faces, turned;
+  for (const Tetrahedron& t : mesh.tetrahedra) {
+    if (!meshing::is_positive(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]),
+                              mesh.point(t[3]))) {
+      throw Error(Errc::internal, "internal error, please report it: a tetrahedron is turned over");
+    }
+    for (const Triangle& face : meshing::faces_of(t)) {
+      faces.push_back(from_lowest(face));
+      turned.push_back(from_lowest({face[0], face[2], face[1]}));
+    }
+  }
+  for (const Triangle& face : mesh.surface.triangles) {
+    turned.push_back(from_lowest(face));
+  }
+  for (const Triangle& face : mesh.surface.triangles) {
+    faces.push_back(from_lowest({face[0], face[2], face[1]}));
+  }
+  std::ranges::sort(faces);
+  std::ranges::sort(turned);
+  if (faces != turned) {
+    throw Error(Errc::internal, "internal error, please report it: tetrahedra do not fit together");
+  }
+}
+
+double smallest_dihedral_angle(const VolumeMesh& mesh) {
+  double least = std::numbers::pi;
+  for (const Tetrahedron& t : mesh.tetrahedra) {
+    std::array<Vec3, 4> normals;
+    std::ranges::transform(meshing::faces_of(t), normals.begin(), [&](const Triangle& face) {
+      const Vec3& a = mesh.point(face[0]);
+      return Vec3((mesh.point(face[1]) - a).cross(mesh.point(face[2]) - a));
+    });
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        const double sine = normals[i].cross(normals[k]).norm();
+        least = std::min(least, std::atan2(sine, -normals[i].dot(normals[k])));
+      }
+    }
+  }
+  return least;
+}
+
+/// The points of the surface first, in its order.
+VolumeMesh volume_mesh_of(const meshing::SolverMesh& made) {
+  VolumeMesh mesh;
+  mesh.surface.points = made.surface.nearest_points();
+  mesh.surface.triangles = made.surface.triangles();
+  mesh.surface.labels = made.surface.labels();
+  mesh.surface.names = made.surface.names();
+  const auto on_surface = static_cast<std::uint32_t>(mesh.surface.points.size());
+  std::vector<std::uint32_t> position = made.position;
+  for (std::size_t v = 0; v < position.size(); ++v) {
+    if (position[v] == support::kNone) {
+      position[v] = on_surface + static_cast<std::uint32_t>(mesh.inner_points.size());
+      mesh.inner_points.push_back(made.mesh.points[v]);
+    }
+  }
+  mesh.tetrahedra = made.mesh.tetrahedra;
+  for (Tetrahedron& tetrahedron : mesh.tetrahedra) {
+    for (std::uint32_t& v : tetrahedron) {
+      v = position[v];
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+Filled fill(const Solid& solid, const RemeshOptions& options) {
+  meshing::check_options(options);
+  if (solid.empty()) {
+    return {};
+  }
+  const meshing::SolverMesh made = meshing::make_solver_mesh(solid, options, true);
+  Filled filled{volume_mesh_of(made), made.report, 0};
+  prove_tiling(filled.mesh);
+  filled.smallest_dihedral_angle = smallest_dihedral_angle(filled.mesh);
+  return filled;
+}
+
+}  // namespace dupin

@@ -1,0 +1,18 @@
+#include "dupin/kernel/remesh.h"
+
+#include <utility>
+
+#include "meshing/solver_mesh.h"
+
+namespace dupin {
+
+Remeshed remesh(const Solid& solid, const RemeshOptions& options) {
+  meshing::check_options(options);
+  if (solid.empty()) {
+    return {};
+  }
+  meshing::SolverMesh made = meshing::make_solver_mesh(solid, options, false);
+  return {std::move(made.surface), std::move(made.report)};
+}
+
+}  // namespace dupin

@@ -1,0 +1,74 @@
+#include <numbers>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/tool.h"
+#include "support/shapes.h"
+
+namespace dupin::test {
+namespace {
+
+using MeshCommands = Tool;
+using testing::HasSubstr;
+
+TEST_F(MeshCommands, remesh_makes_well_shaped_triangles) {
+  put("a.off", tube(10, 0, 50, 128));
+  const auto report =
+      json({"remesh", "a.off", "b.stl", "--tolerance", "0.2mm", "--size", "8mm"}, 0);
+  const auto& mesh = report.at("solver_mesh");
+  EXPECT_EQ(mesh.at("poor_triangles"), 0);
+  EXPECT_GE(mesh.at("smallest_angle").get<double>(), 25 * std::numbers::pi / 180);
+  EXPECT_LE(mesh.at("deviation"), 0.2);
+  EXPECT_LE(mesh.at("longest_edge"), 8);
+  EXPECT_EQ(mesh.contains("volume"), false);
+  EXPECT_EQ(report.at("check").at("solid"), true);
+  EXPECT_EQ(json({"check", "b.stl"}, 0).at("solid"), true);
+}
+
+TEST_F(MeshCommands, remesh_fills_for_gmsh_and_vtk) {
+  put("a.off", labelled(tube(10, 0, 50, 64), "pipe"));
+  for (const std::string name : {"b.msh", "b.vtu"}) {
+    const auto report = json({"remesh", "a.off", name, "--tolerance", "0.5", "--size", "8"}, 0);
+    EXPECT_GT(report.at("solver_mesh").at("volume").at("tetrahedra"), 500);
+    EXPECT_EQ(report.at("verification"), "compare");
+  }
+  EXPECT_EQ(json({"check", "b.msh"}, 0).at("solid"), true);
+  const auto unread =
+      json({"remesh", "a.off", "c.xyz", "--format", "msh", "--no-verify", "--tolerance", "0.5"}, 0);
+  EXPECT_EQ(unread.at("verification"), "none");
+}
+
+TEST_F(MeshCommands, remesh_says_what_it_needs) {
+  put("a.off", tube(10, 0, 50, 64));
+  EXPECT_THAT(run({"remesh", "a.off", "b.off"}, 2).error, HasSubstr("remesh needs --tolerance"));
+  EXPECT_THAT(run({"remesh", "a.off", "b.off", "--tolerance", "1", "--angle", "40"}, 2).error,
+              HasSubstr("--angle"));
+  EXPECT_THAT(run({"remesh", "a.off", "b.off", "--tolerance", "1", "--size", "0"}, 2).error,
+              HasSubstr("--size must be a positive length"));
+  EXPECT_THAT(run({"remesh", "a.off", "b.msh", "--tolerance", "1", "--patches", "p.json"}, 2).error,
+              HasSubstr("--patches lists those of a surface"));
+}
+
+TEST_F(MeshCommands, build_makes_meshes_for_solvers) {
+  put("pipe.json",
+      R"({"units": "mm", "tolerance": 0.2, "parts": [
+          {"name": "run", "pipe": {"from": [0, 0, 0], "to": [0, 0, 60], "radius": 10}},
+          {"name": "branch", "pipe": {"from": [0, 0, 30], "to": [30, 0, 30], "radius": 5}}]})");
+  const auto cad = json({"build", "pipe.json", "-o", "a.stl"}, 0);
+  EXPECT_EQ(cad.at("output").contains("solver_mesh"), false);
+  const auto cfd =
+      json({"build", "pipe.json", "-o", "b.stl", "--quality", "cfd", "--size", "5mm"}, 0);
+  EXPECT_EQ(cfd.at("output").at("solver_mesh").at("poor_triangles"), 0);
+  EXPECT_LE(cfd.at("output").at("solver_mesh").at("longest_edge"), 5);
+  const auto filled = json({"build", "pipe.json", "-o", "c.msh", "--size", "5mm"}, 0);
+  EXPECT_GT(filled.at("output").at("solver_mesh").at("volume").at("tetrahedra"), 500);
+  const std::string text =
+      run({"build", "pipe.json", "-o", "c.vtu", "--distance", "1mm"}, 0).output;
+  EXPECT_THAT(text, HasSubstr("tetrahedra"));
+  EXPECT_THAT(text, HasSubstr("angles"));
+}
+
+}  // namespace
+}  // namespace dupin::test

@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "meshing/features.h"
+#include "support/shapes.h"
+
+namespace dupin::meshing {
+namespace {
+
+using dupin::test::box;
+using dupin::test::tube;
+
+TEST(Features, of_a_box_are_its_edges) {
+  const Features features = find_features(box(Vec3::Zero(), Vec3(1, 2, 3)), 0.7, 0.01);
+  EXPECT_EQ(features.curves.size(), 12U);
+  EXPECT_EQ(*std::ranges::max_element(features.regions), 5U);
+  for (const Curve& curve : features.curves) {
+    EXPECT_EQ(curve.points.size(), 2U);
+    EXPECT_NE(curve.regions[0], curve.regions[1]);
+  }
+}
+
+TEST(Features, of_a_tube_are_two_loops) {
+  const Features features = find_features(tube(1, 0, 4, 64), 0.7, 0.01);
+  ASSERT_EQ(features.curves.size(), 2U);
+  for (const Curve& curve : features.curves) {
+    ASSERT_EQ(curve.points.size(), 65U);
+    EXPECT_EQ(curve.points.front(), curve.points.back());
+    EXPECT_NE(curve.regions[0], curve.regions[1]);
+  }
+  EXPECT_EQ(*std::ranges::max_element(features.regions), 2U);
+}
+
+TEST(Features, are_borders_between_labels_too) {
+  TriMesh mesh = tube(1, 0, 4, 64);
+  EXPECT_TRUE(find_features(mesh, 3, 0.01).curves.empty());
+  mesh.names = {"wall", "end"};
+  for (const Triangle& t : mesh.triangles) {
+    const bool is_end = mesh.points[t[0]].z() == mesh.points[t[1]].z() &&
+                        mesh.points[t[0]].z() == mesh.points[t[2]].z();
+    mesh.labels.push_back(is_end ? 1 : 0);
+  }
+  EXPECT_EQ(find_features(mesh, 3, 0.01).curves.size(), 2U);
+}
+
+TEST(Features, have_corners_where_curves_turn_sharply) {
+  // The sides of a box in one label, its top and bottom in others: two borders of four edges.
+  TriMesh mesh = box(Vec3::Zero(), Vec3(1, 1, 1));
+  mesh.names = {"sides", "top", "bottom"};
+  for (const Triangle& t : mesh.triangles) {
+    const auto all_at = [&](double z) {
+      return std::ranges::all_of(t, [&](std::uint32_t v) { return mesh.points[v].z() == z; });
+    };
+    mesh.labels.push_back(all_at(1) ? 1 : all_at(0) ? 2 : 0);
+  }
+  const Features features = find_features(mesh, 3, 0.01);
+  std::size_t edges = 0;
+  for (const Curve& curve : features.curves) {
+    edges += curve.points.size() - 1;
+    for (std::size_t i = 1; i + 1 < curve.points.size(); ++i) {
+      ADD_FAILURE() << "a curve goes around a corner";
+    }
+  }
+  EXPECT_EQ(edges, 8U);
+}
+
+TEST(Features, normals_of_triangles_without_height_are_those_beside_them) {
+  // A point beside the diagonal of the bottom, as far as rounding puts it.
+  TriMesh mesh = box(Vec3::Zero(), Vec3(1, 1, 1));
+  const auto middle = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.emplace_back(0.5, 0.5 + 0x1p-53, 0);
+  const Triangle first = mesh.triangles[0];
+  mesh.triangles[0] = {first[0], first[1], middle};
+  mesh.triangles.push_back({first[1], first[2], middle});
+  mesh.triangles.push_back({first[2], first[0], middle});
+  const Features features = find_features(mesh, 0.7, 0.01);
+  for (const std::size_t f :
+       {std::size_t{0}, mesh.triangles.size() - 2, mesh.triangles.size() - 1}) {
+    EXPECT_NEAR(features.normals[f].dot(Vec3(0, 0, -1)), 1, 1e-9);
+  }
+  EXPECT_EQ(features.curves.size(), 12U);
+}
+
+TEST(Features, thin_regions_become_part_of_their_neighbours) {
+  // One narrow triangle of an end has a label of its own.
+  TriMesh mesh = tube(1, 0, 4, 32);
+  mesh.names = {"tube", "sliver"};
+  mesh.labels.assign(mesh.triangles.size(), 0);
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const auto& [a, b, c] = mesh.triangles[f];
+    const double area =
+        (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]).norm();
+    if (area < 0.1 && area > 0) {
+      mesh.labels[f] = 1;
+      break;
+    }
+  }
+  EXPECT_EQ(*std::ranges::max_element(find_features(mesh, 0.7, 1e-6).regions), 3U);
+  const Features coarse = find_features(mesh, 0.7, 1);
+  EXPECT_EQ(*std::ranges::max_element(coarse.regions), 2U);
+  EXPECT_GT(coarse.absorbed, 0);
+  EXPECT_LE(coarse.absorbed, 0.25);
+}
+
+}  // namespace
+}  // namespace dupin::meshing
