@@ -51,9 +51,6 @@ RemeshOptions solver_options(const SolverArguments& arguments, double distance,
   options.largest_edge = mesh_length(arguments.size, 0, unit);
   options.smallest_angle = arguments.angle * kDegree;
   options.feature_angle = arguments.sharp * kDegree;
-  if (!arguments.size.empty() && !(options.largest_edge > 0)) {
-    throw UsageError("--size must be a positive length");
-  }
   return options;
 }
 

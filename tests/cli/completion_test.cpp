@@ -35,7 +35,7 @@ TEST_F(Completion, offers_commands_options_values_and_files) {
       {{"dupin", "verify", "pl"}, "plant.json"},
       {{"dupin", "union", "--c"}, "--contacts --cross-check"},
       {{"dupin", "union", "--tim"}, "--timing"},
-      {{"dupin", "build", "--s"}, "--solids --segments --snap --schedule --strict"},
+      {{"dupin", "build", "--s"}, "--size --sharp --solids --segments --snap --schedule --strict"},
       {{"dupin", "check", "--q"}, "--quiet"},
       {{"dupin", "edit", "--rot"}, "--rotate"},
       {{"dupin", "convert", "--sc"}, "--scale --schedule"},

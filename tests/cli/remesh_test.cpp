@@ -1,5 +1,6 @@
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -42,18 +43,23 @@ TEST_F(MeshCommands, remesh_fills_for_gmsh_and_vtk) {
 
 TEST_F(MeshCommands, remesh_says_what_it_needs) {
   put("a.off", tube(10, 0, 50, 64));
-  EXPECT_THAT(run({"remesh", "a.off", "b.off"}, 2).error, HasSubstr("remesh needs --tolerance"));
-  EXPECT_THAT(run({"remesh", "a.off", "b.off", "--tolerance", "1", "--angle", "40"}, 2).error,
+  const auto refused = [this](const std::vector<std::string>& arguments) {
+    const ProcessResult result = dupin(arguments);
+    EXPECT_EQ(result.exit_code, 2);
+    return result.err;
+  };
+  EXPECT_THAT(refused({"remesh", "a.off", "b.off"}), HasSubstr("remesh needs --tolerance"));
+  EXPECT_THAT(refused({"remesh", "a.off", "b.off", "--tolerance", "1", "--angle", "40"}),
               HasSubstr("--angle"));
-  EXPECT_THAT(run({"remesh", "a.off", "b.off", "--tolerance", "1", "--size", "0"}, 2).error,
-              HasSubstr("--size must be a positive length"));
-  EXPECT_THAT(run({"remesh", "a.off", "b.msh", "--tolerance", "1", "--patches", "p.json"}, 2).error,
+  EXPECT_THAT(refused({"remesh", "a.off", "b.off", "--tolerance", "1", "--size", "0"}),
+              HasSubstr("a length must be positive"));
+  EXPECT_THAT(refused({"remesh", "a.off", "b.msh", "--tolerance", "1", "--patches", "p.json"}),
               HasSubstr("--patches lists those of a surface"));
 }
 
 TEST_F(MeshCommands, build_makes_meshes_for_solvers) {
-  put("pipe.json",
-      R"({"units": "mm", "tolerance": 0.2, "parts": [
+  folder_.write("pipe.json",
+                R"({"units": "mm", "tolerance": 0.2, "parts": [
           {"name": "run", "pipe": {"from": [0, 0, 0], "to": [0, 0, 60], "radius": 10}},
           {"name": "branch", "pipe": {"from": [0, 0, 30], "to": [30, 0, 30], "radius": 5}}]})");
   const auto cad = json({"build", "pipe.json", "-o", "a.stl"}, 0);
@@ -64,8 +70,7 @@ TEST_F(MeshCommands, build_makes_meshes_for_solvers) {
   EXPECT_LE(cfd.at("output").at("solver_mesh").at("longest_edge"), 5);
   const auto filled = json({"build", "pipe.json", "-o", "c.msh", "--size", "5mm"}, 0);
   EXPECT_GT(filled.at("output").at("solver_mesh").at("volume").at("tetrahedra"), 500);
-  const std::string text =
-      run({"build", "pipe.json", "-o", "c.vtu", "--distance", "1mm"}, 0).output;
+  const std::string text = dupin({"build", "pipe.json", "-o", "c.vtu", "--distance", "1mm"}).out;
   EXPECT_THAT(text, HasSubstr("tetrahedra"));
   EXPECT_THAT(text, HasSubstr("angles"));
 }

@@ -19,7 +19,6 @@ namespace dupin {
 namespace {
 
 constexpr std::int64_t kLargest = std::numeric_limits<std::int32_t>::max();
-constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
 
 // Element types: how many nodes they have, and what becomes of them.
 enum class Use { surface, solid, left_out };
@@ -51,29 +50,44 @@ class MshReader {
   }
 
  private:
-  /// The nodes of the surface first.
+  /// The nodes of the surface first, then those of tetrahedra alone, each in their order.
   VolumeMesh volume() {
     VolumeMesh result;
     result.tetrahedra = std::move(tetrahedra_);
-    std::vector<std::uint32_t> position(mesh_.points.size(), kNowhere);
-    std::vector<Vec3> nodes;
-    const auto place = [&](auto& corners) {
-      for (std::uint32_t& corner : corners) {
-        if (position[corner] == kNowhere) {
-          position[corner] = static_cast<std::uint32_t>(nodes.size());
-          nodes.push_back(mesh_.points[corner]);
-        }
-        corner = position[corner];
+    std::vector<Place> places(mesh_.points.size(), Place::nowhere);
+    for (const Tetrahedron& tetrahedron : result.tetrahedra) {
+      for (const std::uint32_t corner : tetrahedron) {
+        places[corner] = Place::inside;
       }
+    }
+    for (const Triangle& triangle : mesh_.triangles) {
+      for (const std::uint32_t corner : triangle) {
+        places[corner] = Place::surface;
+      }
+    }
+    std::vector<std::uint32_t> position(mesh_.points.size());
+    std::uint32_t next = 0;
+    for (const Place place : {Place::surface, Place::inside}) {
+      std::vector<Vec3>& points =
+          place == Place::surface ? result.surface.points : result.inner_points;
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        if (places[i] == place) {
+          position[i] = next++;
+          points.push_back(mesh_.points[i]);
+        }
+      }
+    }
+    const auto renumber = [&](auto& corners) {
+      std::ranges::transform(corners, corners.begin(),
+                             [&](std::uint32_t corner) { return position[corner]; });
     };
-    std::ranges::for_each(mesh_.triangles, place);
-    const auto on_surface = static_cast<std::ptrdiff_t>(nodes.size());
-    std::ranges::for_each(result.tetrahedra, place);
-    mesh_.points.assign(nodes.begin(), nodes.begin() + on_surface);
-    result.inner_points.assign(nodes.begin() + on_surface, nodes.end());
+    std::ranges::for_each(mesh_.triangles, renumber);
+    std::ranges::for_each(result.tetrahedra, renumber);
+    mesh_.points = std::move(result.surface.points);
     result.surface = std::move(mesh_);
     return result;
   }
+  enum class Place : std::uint8_t { nowhere, surface, inside };
 
   void read_sections() {
     read_version();

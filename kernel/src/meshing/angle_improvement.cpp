@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iterator>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,36 +52,35 @@ class Incidence {
   std::vector<std::uint32_t> starts_, items_;
 };
 
-class Improvement {
+/// What is about each point of a mesh, and how good it is.
+class Stars {
  public:
-  Improvement(Tetrahedra& mesh, const ReferenceSurface& surface, double wanted)
+  explicit Stars(Tetrahedra& mesh)
       : mesh_(mesh),
-        surface_(surface),
-        wanted_(wanted * kMore),
         triangles_(mesh.triangles, mesh.points.size()),
         tetrahedra_(mesh.tetrahedra, mesh.points.size()) {}
 
-  void run() {
-    for (int round = 0; round < kRounds; ++round) {
-      std::size_t moved = 0;
-      for (const std::uint32_t v : points_near_poor()) {
-        moved += improve(v) ? 1 : 0;
-      }
-      if (moved == 0) {
-        break;
-      }
-    }
-  }
-
- private:
   [[nodiscard]] double angle_of(std::uint32_t triangle) const {
     const auto& [a, b, c] = mesh_.triangles[triangle];
     return smallest_angle(mesh_.points[a], mesh_.points[b], mesh_.points[c]);
   }
-  [[nodiscard]] double angle_around(std::uint32_t point) const {
-    double least = wanted_;
+  [[nodiscard]] double dihedral_angle_of(std::uint32_t tetrahedron) const {
+    const auto& [a, b, c, d] = mesh_.tetrahedra[tetrahedron];
+    return smallest_dihedral_angle(
+        {mesh_.points[a], mesh_.points[b], mesh_.points[c], mesh_.points[d]});
+  }
+  /// The smallest about a point, or `enough`, if all are larger.
+  [[nodiscard]] double angle_around(std::uint32_t point, double enough) const {
+    double least = enough;
     for (const std::uint32_t f : triangles_.at(point)) {
       least = std::min(least, angle_of(f));
+    }
+    return least;
+  }
+  [[nodiscard]] double dihedral_angle_around(std::uint32_t point, double enough) const {
+    double least = enough;
+    for (const std::uint32_t t : tetrahedra_.at(point)) {
+      least = std::min(least, dihedral_angle_of(t));
     }
     return least;
   }
@@ -90,61 +90,65 @@ class Improvement {
       return is_positive(mesh_.points[a], mesh_.points[b], mesh_.points[c], mesh_.points[d]);
     });
   }
-
-  /// Those of triangles with an angle below the bound, and of their neighbours.
-  [[nodiscard]] std::vector<std::uint32_t> points_near_poor() const {
-    std::vector<std::uint32_t> points;
-    for (std::uint32_t f = 0; f < mesh_.triangles.size(); ++f) {
-      if (angle_of(f) >= wanted_) {
-        continue;
-      }
-      for (const std::uint32_t v : mesh_.triangles[f]) {
-        for (const std::uint32_t g : triangles_.at(v)) {
-          std::ranges::copy_if(mesh_.triangles[g], std::back_inserter(points),
-                               [&](std::uint32_t w) { return mesh_.may_move[w] != 0; });
-        }
+  /// The way to the furthest neighbour.
+  [[nodiscard]] double reach(std::uint32_t point) const {
+    double reach = 0;
+    for (const std::uint32_t t : tetrahedra_.at(point)) {
+      for (const std::uint32_t w : mesh_.tetrahedra[t]) {
+        reach = std::max(reach, (mesh_.points[w] - mesh_.points[point]).norm());
       }
     }
-    std::ranges::sort(points);
-    const auto same = std::ranges::unique(points);
-    points.erase(same.begin(), same.end());
-    return points;
+    return reach;
   }
-
-  /// Looks for a better place in eight directions, in steps that get shorter.
-  bool improve(std::uint32_t v) {
-    const std::span<const std::uint32_t> around = triangles_.at(v);
-    const Vec3 before = mesh_.points[v];
-    double best = angle_around(v), reach = 0;
-    if (best >= wanted_) {
-      return false;
-    }
+  /// Of the triangles about a point, as long as twice their area.
+  [[nodiscard]] Vec3 normal(std::uint32_t point) const {
     Vec3 normal = Vec3::Zero();
-    for (const std::uint32_t f : around) {
+    for (const std::uint32_t f : triangles_.at(point)) {
       const auto& [a, b, c] = mesh_.triangles[f];
       normal += (mesh_.points[b] - mesh_.points[a]).cross(mesh_.points[c] - mesh_.points[a]);
-      for (const std::uint32_t w : mesh_.triangles[f]) {
-        reach = std::max(reach, (mesh_.points[w] - before).norm());
-      }
     }
-    const Vec3 across = normal.unitOrthogonal(), along = normal.normalized().cross(across);
+    return normal;
+  }
+  [[nodiscard]] const Incidence<Triangle>& triangles() const { return triangles_; }
+
+ private:
+  Tetrahedra& mesh_;
+  Incidence<Triangle> triangles_;
+  Incidence<Tetrahedron> tetrahedra_;
+};
+
+/// Looks for better places of single points, by steps in some directions that get shorter.
+class Search {
+ public:
+  Search(Tetrahedra& mesh, const ReferenceSurface& surface, const Stars& stars,
+         const MoveLimits& limits)
+      : mesh_(mesh), surface_(surface), stars_(stars), limits_(limits) {}
+
+  /// Whether the point has moved. `quality(v)` is to become larger, `enough` at most; `is_allowed`
+  /// is asked for places where it does.
+  template <class Quality, class Allowed>
+  bool improve(std::uint32_t v, double enough, const Quality& quality, const Allowed& is_allowed) {
+    const Vec3 before = mesh_.points[v];
+    double best = quality(v);
+    if (best >= enough) {
+      return false;
+    }
+    const double reach = stars_.reach(v);
+    const std::vector<Vec3> directions = directions_of(v);
     Vec3 place = before;
-    constexpr int kDirections = 8;
-    for (double step = reach / 4; step > reach / 200 && best < wanted_;) {
+    for (double step = reach / 4; step > reach / 200 && best < enough;) {
       const Vec3 centre = place;
-      for (int k = 0; k < kDirections; ++k) {
-        const double turn = 2 * std::numbers::pi * k / kDirections;
-        const auto there =
-            surface_.nearest(centre + step * (std::cos(turn) * across + std::sin(turn) * along),
-                             mesh_.regions[around.front()], 2 * step);
-        if (!there || (there->point - before).norm() > reach) {
+      for (const Vec3& direction : directions) {
+        const auto there = moved(v, centre + step * direction, 2 * step);
+        if (!there || (*there - before).norm() > reach) {
           continue;
         }
-        mesh_.points[v] = there->point;
-        const double angle = angle_around(v);
-        if (angle > best + kGain && is_valid_around(v)) {
-          best = angle;
-          place = there->point;
+        mesh_.points[v] = *there;
+        if (const double now = quality(v);
+            now > best + kGain && stars_.reach(v) <= std::max(reach, limits_.longest_edge) &&
+            stays_near(v) && is_allowed(v) && stars_.is_valid_around(v)) {
+          best = now;
+          place = *there;
         }
       }
       step = place == centre ? step / 2 : step;
@@ -153,12 +157,99 @@ class Improvement {
     return place != before;
   }
 
+ private:
+  /// Unit vectors: eight along the surface, or 14 in space.
+  [[nodiscard]] std::vector<Vec3> directions_of(std::uint32_t v) const {
+    std::vector<Vec3> directions;
+    if (mesh_.freedoms[v] == Freedom::region) {
+      constexpr int kDirections = 8;
+      const Vec3 normal = stars_.normal(v), across = normal.unitOrthogonal(),
+                 along = normal.normalized().cross(across);
+      for (int k = 0; k < kDirections; ++k) {
+        const double turn = 2 * std::numbers::pi * k / kDirections;
+        directions.emplace_back(std::cos(turn) * across + std::sin(turn) * along);
+      }
+      return directions;
+    }
+    for (const double x : {-1.0, 0.0, 1.0}) {
+      for (const double y : {-1.0, 0.0, 1.0}) {
+        for (const double z : {-1.0, 0.0, 1.0}) {
+          const double sum = std::abs(x) + std::abs(y) + std::abs(z);
+          if (sum == 1 || sum == 3) {
+            directions.push_back(Vec3(x, y, z).normalized());
+          }
+        }
+      }
+    }
+    return directions;
+  }
+  /// A look, not a proof: whether middles of the triangles about a point, and of their edges, are
+  /// near the surface.
+  [[nodiscard]] bool stays_near(std::uint32_t v) const {
+    const auto is_near = [&](const Vec3& place, std::uint32_t region) {
+      return surface_.nearest(place, region, limits_.distance).has_value();
+    };
+    return std::ranges::all_of(stars_.triangles().at(v), [&](std::uint32_t f) {
+      const auto& [a, b, c] = mesh_.triangles[f];
+      const Vec3 &p = mesh_.points[a], &q = mesh_.points[b], &r = mesh_.points[c];
+      const std::uint32_t region = mesh_.regions[f];
+      return is_near((p + q + r) / 3, region) && is_near((p + q) / 2, region) &&
+             is_near((q + r) / 2, region) && is_near((r + p) / 2, region);
+    });
+  }
+  [[nodiscard]] std::optional<Vec3> moved(std::uint32_t v, const Vec3& to, double reach) const {
+    if (mesh_.freedoms[v] == Freedom::inside) {
+      return to;
+    }
+    const std::uint32_t face = stars_.triangles().at(v).front();
+    const auto there = surface_.nearest(to, mesh_.regions[face], reach);
+    return there ? std::optional(there->point) : std::nullopt;
+  }
+
   Tetrahedra& mesh_;
   const ReferenceSurface& surface_;
-  double wanted_;
-  Incidence<Triangle> triangles_;
-  Incidence<Tetrahedron> tetrahedra_;
+  const Stars& stars_;
+  const MoveLimits& limits_;
 };
+
+void sort_unique(std::vector<std::uint32_t>& numbers) {
+  std::ranges::sort(numbers);
+  const auto same = std::ranges::unique(numbers);
+  numbers.erase(same.begin(), same.end());
+}
+
+/// Points in regions of triangles with a smaller angle, and of their neighbours.
+std::vector<std::uint32_t> points_near_poor_triangles(const Tetrahedra& mesh, const Stars& stars,
+                                                      double wanted) {
+  std::vector<std::uint32_t> points;
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    if (stars.angle_of(f) >= wanted) {
+      continue;
+    }
+    for (const std::uint32_t v : mesh.triangles[f]) {
+      for (const std::uint32_t g : stars.triangles().at(v)) {
+        std::ranges::copy_if(mesh.triangles[g], std::back_inserter(points),
+                             [&](std::uint32_t w) { return mesh.freedoms[w] == Freedom::region; });
+      }
+    }
+  }
+  sort_unique(points);
+  return points;
+}
+
+/// Points of tetrahedra with a smaller dihedral angle that may move.
+std::vector<std::uint32_t> points_of_slivers(const Tetrahedra& mesh, const Stars& stars,
+                                             double wanted) {
+  std::vector<std::uint32_t> points;
+  for (std::uint32_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    if (stars.dihedral_angle_of(t) < wanted) {
+      std::ranges::copy_if(mesh.tetrahedra[t], std::back_inserter(points),
+                           [&](std::uint32_t v) { return mesh.freedoms[v] != Freedom::none; });
+    }
+  }
+  sort_unique(points);
+  return points;
+}
 
 }  // namespace
 
@@ -170,8 +261,62 @@ double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::min({at(a, b, c), at(b, c, a), at(c, a, b)});
 }
 
-void improve_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wanted) {
-  Improvement(mesh, surface, wanted).run();
+double smallest_dihedral_angle(const std::array<Vec3, 4>& corners) {
+  std::array<Vec3, 4> normals;
+  std::ranges::transform(faces_of({0, 1, 2, 3}), normals.begin(), [&](const Triangle& face) {
+    const Vec3& a = corners[face[0]];
+    return Vec3((corners[face[1]] - a).cross(corners[face[2]] - a));
+  });
+  double least = std::numbers::pi;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const double sine = normals[i].cross(normals[k]).norm();
+      least = std::min(least, std::atan2(sine, -normals[i].dot(normals[k])));
+    }
+  }
+  return least;
+}
+
+void improve_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wanted,
+                    const MoveLimits& limits) {
+  const Stars stars(mesh);
+  Search search(mesh, surface, stars, limits);
+  const double enough = wanted * kMore;
+  for (int round = 0; round < kRounds; ++round) {
+    std::size_t moved = 0;
+    for (const std::uint32_t v : points_near_poor_triangles(mesh, stars, enough)) {
+      moved += search.improve(
+                   v, enough, [&](std::uint32_t w) { return stars.angle_around(w, enough); },
+                   [](std::uint32_t) { return true; })
+                   ? 1
+                   : 0;
+    }
+    if (moved == 0) {
+      break;
+    }
+  }
+}
+
+void improve_dihedral_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wanted,
+                             double wanted_of_triangles, const MoveLimits& limits) {
+  const Stars stars(mesh);
+  Search search(mesh, surface, stars, limits);
+  const double enough = wanted * kMore;
+  for (int round = 0; round < kRounds; ++round) {
+    std::size_t moved = 0;
+    for (const std::uint32_t v : points_of_slivers(mesh, stars, wanted)) {
+      const double kept = stars.angle_around(v, wanted_of_triangles);
+      moved +=
+          search.improve(
+              v, enough, [&](std::uint32_t w) { return stars.dihedral_angle_around(w, enough); },
+              [&](std::uint32_t w) { return stars.angle_around(w, wanted_of_triangles) >= kept; })
+              ? 1
+              : 0;
+    }
+    if (moved == 0) {
+      break;
+    }
+  }
 }
 
 }  // namespace dupin::meshing

@@ -187,7 +187,9 @@ Tetrahedra tetrahedra_of(const Complex& complex) {
         numbers.emplace(vertex, static_cast<std::uint32_t>(result.points.size()));
     if (is_new) {
       result.points.push_back(vector_of(vertex->point().point()));
-      result.may_move.push_back(vertex->in_dimension() == 2 ? 1 : 0);
+      result.freedoms.push_back(vertex->in_dimension() == 2   ? Freedom::region
+                                : vertex->in_dimension() == 3 ? Freedom::inside
+                                                              : Freedom::none);
     }
     return at->second;
   };

@@ -11,6 +11,7 @@
 
 #include "mesh/edge_table.h"
 #include "meshing/surface_distance.h"
+#include "support/disjoint_sets.h"
 #include "support/none.h"
 
 namespace dupin::meshing {
@@ -119,6 +120,8 @@ class Finder {
         chains_from(v);
       }
     }
+    drop_short_curves(length_ / 512);
+    split_loops_at_corners();
     return std::move(features_);
   }
 
@@ -217,12 +220,13 @@ class Finder {
     for (std::uint32_t region = 0; region < into.size(); ++region) {
       for (const auto& [other, turn] : extents[region].neighbours) {
         // Not part of one that is absorbed itself: it would be further from what is left.
-        if (extents[region].faces.empty() || into[other] != other || turn > std::numbers::pi / 2) {
+        if (extents[region].faces.empty() || into[other] != other) {
           continue;
         }
+        const double allowed = turn > std::numbers::pi / 2 ? distance / 4 : distance;
         double largest = 0;
         const bool is_near = std::ranges::all_of(extents[region].faces, [&](std::uint32_t f) {
-          const auto bound = surface.bound(corners_of(f), other, distance);
+          const auto bound = surface.bound(corners_of(f), other, allowed);
           largest = std::max(largest, bound.value_or(0));
           return bound.has_value();
         });
@@ -296,26 +300,73 @@ class Finder {
     }
     for (std::size_t i = 1; i < points.size(); ++i) {
       if (i + 1 == points.size() || (turns[i] > kSharpTurn && is_sharpest(points, turns, i))) {
-        const std::size_t middle = (begin + i) / 2;
-        if (points[begin] == points[i] && is_end_[points[i]] != 0) {
-          // Generators take what ends where it begins as a loop without a corner.
-          add_curve(points, begin, middle, regions);
-          begin = middle;
+        Curve curve{{}, regions};
+        for (std::size_t k = begin; k <= i; ++k) {
+          curve.points.push_back(mesh_.points[points[k]]);
         }
-        add_curve(points, begin, i, regions);
+        features_.curves.push_back(std::move(curve));
         begin = i;
       }
     }
   }
 
-  void add_curve(const std::vector<std::uint32_t>& points, std::size_t begin, std::size_t end,
-                 const std::array<std::uint32_t, 2>& regions) {
-    Curve curve{{}, regions};
-    for (std::size_t k = begin; k <= end; ++k) {
-      curve.points.push_back(mesh_.points[points[k]]);
+  /// Curves shorter than `least` vanish, and their ends become one: unions have corners where two
+  /// points are apart by a rounding error.
+  void drop_short_curves(double least) {
+    std::map<Place, std::uint32_t> numbers;
+    std::vector<Vec3> places;
+    const auto number = [&](const Vec3& p) {
+      const auto [at, is_new] =
+          numbers.try_emplace(place_of(p), static_cast<std::uint32_t>(places.size()));
+      if (is_new) {
+        places.push_back(p);
+      }
+      return at->second;
+    };
+    for (const Curve& curve : features_.curves) {
+      (void)number(curve.points.front());
+      (void)number(curve.points.back());
     }
-    features_.curves.push_back(std::move(curve));
+    support::DisjointSets ends(places.size());
+    std::erase_if(features_.curves, [&](const Curve& curve) {
+      double length = 0;
+      for (std::size_t i = 1; i < curve.points.size(); ++i) {
+        length += (curve.points[i] - curve.points[i - 1]).norm();
+      }
+      if (length < least) {
+        ends.unite(number(curve.points.front()), number(curve.points.back()));
+      }
+      return length < least;
+    });
+    for (Curve& curve : features_.curves) {
+      for (Vec3* end : {&curve.points.front(), &curve.points.back()}) {
+        *end = places[ends.find(number(*end))];
+      }
+    }
   }
+
+  /// Generators take a curve that ends where it begins as a loop without a corner, where others
+  /// must not end.
+  void split_loops_at_corners() {
+    std::map<Place, int> ends;
+    for (const Curve& curve : features_.curves) {
+      ++ends[place_of(curve.points.front())];
+      ++ends[place_of(curve.points.back())];
+    }
+    const std::size_t count = features_.curves.size();
+    for (std::size_t c = 0; c < count; ++c) {
+      Curve& curve = features_.curves[c];
+      if (curve.points.front() == curve.points.back() && ends[place_of(curve.points.front())] > 2) {
+        const auto middle =
+            curve.points.begin() + static_cast<std::ptrdiff_t>(curve.points.size() / 2);
+        Curve second{{middle, curve.points.end()}, curve.regions};
+        curve.points.erase(middle + 1, curve.points.end());
+        features_.curves.push_back(std::move(second));
+      }
+    }
+  }
+  using Place = std::array<double, 3>;
+  [[nodiscard]] static Place place_of(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
   [[nodiscard]] bool is_sharpest(const std::vector<std::uint32_t>& points,
                                  const std::vector<double>& turns, std::size_t i) const {

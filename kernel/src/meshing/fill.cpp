@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/volume_mesh.h"
+#include "meshing/angle_improvement.h"
 #include "meshing/delaunay_refinement.h"
 #include "meshing/solver_mesh.h"
 #include "support/none.h"
@@ -50,24 +48,6 @@ void prove_tiling(const VolumeMesh& mesh) {
   }
 }
 
-double smallest_dihedral_angle(const VolumeMesh& mesh) {
-  double least = std::numbers::pi;
-  for (const Tetrahedron& t : mesh.tetrahedra) {
-    std::array<Vec3, 4> normals;
-    std::ranges::transform(meshing::faces_of(t), normals.begin(), [&](const Triangle& face) {
-      const Vec3& a = mesh.point(face[0]);
-      return Vec3((mesh.point(face[1]) - a).cross(mesh.point(face[2]) - a));
-    });
-    for (std::size_t i = 0; i < normals.size(); ++i) {
-      for (std::size_t k = 0; k < i; ++k) {
-        const double sine = normals[i].cross(normals[k]).norm();
-        least = std::min(least, std::atan2(sine, -normals[i].dot(normals[k])));
-      }
-    }
-  }
-  return least;
-}
-
 /// The points of the surface first, in its order.
 VolumeMesh volume_mesh_of(const meshing::SolverMesh& made) {
   VolumeMesh mesh;
@@ -102,7 +82,14 @@ Filled fill(const Solid& solid, const RemeshOptions& options) {
   const meshing::SolverMesh made = meshing::make_solver_mesh(solid, options, true);
   Filled filled{volume_mesh_of(made), made.report, 0};
   prove_tiling(filled.mesh);
-  filled.smallest_dihedral_angle = smallest_dihedral_angle(filled.mesh);
+  filled.smallest_dihedral_angle = std::numbers::pi;
+  for (const auto& [a, b, c, d] : filled.mesh.tetrahedra) {
+    const VolumeMesh& mesh = filled.mesh;
+    filled.smallest_dihedral_angle =
+        std::min(filled.smallest_dihedral_angle,
+                 meshing::smallest_dihedral_angle(
+                     {mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d)}));
+  }
   return filled;
 }
 

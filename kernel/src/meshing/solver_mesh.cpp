@@ -28,7 +28,11 @@
 namespace dupin::meshing {
 namespace {
 
+/// Triangles that are moved stay within so much of the distance at the places that are looked at.
+constexpr double kNear = 0.75;
 constexpr double kDegree = std::numbers::pi / 180;
+/// Of tetrahedra, wanted: solvers complain of less.
+constexpr double kDihedralAngle = 12 * kDegree;
 
 Eigen::AlignedBox3d box_of(const TriMesh& mesh) {
   Eigen::AlignedBox3d box;
@@ -80,22 +84,24 @@ class Maker {
   }
 
   SolverMesh run() {
-    for (double share = 0.5;; share /= 2) {
-      made_ = refined(share * (options_.distance - features_.absorbed));
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      made_ = refined(share_ * (options_.distance - features_.absorbed));
       tell(options_.progress, "improve");
-      improve_angles(made_, surface_, options_.smallest_angle);
+      const MoveLimits limits{largest_edge_, kNear * options_.distance};
+      improve_angles(made_, surface_, options_.smallest_angle, limits);
+      if (fill_) {
+        improve_dihedral_angles(made_, surface_, kDihedralAngle, options_.smallest_angle, limits);
+      }
       tell(options_.progress, "prove");
       if (std::optional<SolverMesh> proved = prove()) {
         return std::move(*proved);
       }
-      if (share < kLeastShare) {
-        throw Error(Errc::unroundable, fault_);
-      }
     }
+    throw Error(Errc::unroundable, fault_);
   }
 
  private:
-  static constexpr double kLeastShare = 0.1;
+  static constexpr int kAttempts = 4;
 
   [[nodiscard]] Tetrahedra refined(double distance) const {
     const EdgeLengths lengths(surface_, features_, distance, edge_share_ * largest_edge_ / 2);
@@ -181,8 +187,22 @@ class Maker {
     return {given_.points[a], given_.points[b], given_.points[c]};
   }
 
-  /// Nothing, with what is wrong noted, if a distance or the solid cannot be proved.
+  /// Nothing if a distance or the solid cannot be proved. What is wrong is noted then, and less
+  /// asked for.
   std::optional<SolverMesh> prove() {
+    std::optional<SolverMesh> result = prove_solid();
+    if (!result) {
+      share_ /= 2;
+    } else if (result->report.longest_edge > largest_edge_) {
+      // Beside curves the generator does not look at sizes.
+      edge_share_ *= 0.95 * largest_edge_ / result->report.longest_edge;
+      fault_ = "edges cannot be kept as short as " + std::to_string(largest_edge_) +
+               "; allow longer ones";
+      result.reset();
+    }
+    return result;
+  }
+  std::optional<SolverMesh> prove_solid() {
     if (made_.triangles.empty()) {
       fault_ = "no mesh of the solid comes of these lengths; allow shorter edges or less distance";
       return std::nullopt;
@@ -209,13 +229,6 @@ class Maker {
       return std::nullopt;
     }
     result.report = report_of(skin.mesh);
-    if (result.report.longest_edge > largest_edge_) {
-      // Beside curves the generator does not look at sizes.
-      edge_share_ *= 0.95 * largest_edge_ / result.report.longest_edge;
-      fault_ = "edges cannot be kept as short as " + std::to_string(largest_edge_) +
-               "; allow longer ones";
-      return std::nullopt;
-    }
     result.report.deviation = std::max(*there, *here) + slack_;
     result.mesh = std::move(made_);
     result.position = std::move(skin.position);
@@ -308,7 +321,8 @@ class Maker {
   Features features_;
   ReferenceSurface surface_;
   double largest_edge_ = 0, slack_ = 0;
-  double edge_share_ = 0.9;  // of the largest edge, that is asked for
+  // Of the distance and of the largest edge, that is asked for.
+  double share_ = 0.5, edge_share_ = 0.9;
   Tetrahedra made_;
   std::string fault_;  // of the last mesh that was not proved
 };

@@ -9,10 +9,13 @@
 
 namespace dupin::meshing {
 
+/// Where a point may move.
+enum class Freedom : std::uint8_t { none, region, inside };
+
 /// Tetrahedra, and the triangles that bound them, turned outward.
 struct Tetrahedra {
   std::vector<Vec3> points;
-  std::vector<std::uint8_t> may_move;  ///< per point: in a region, not on a curve nor inside
+  std::vector<Freedom> freedoms;  ///< per point
   std::vector<Tetrahedron> tetrahedra;
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> regions;  ///< per triangle

@@ -40,7 +40,7 @@ TEST(Fill, of_a_tee_is_the_solid_in_tetrahedra) {
   EXPECT_EQ(filled.report.poor_triangles, 0U);
   EXPECT_GE(test::smallest_angle(mesh.surface), 25 * kDegree);
   EXPECT_GT(mesh.inner_points.size(), 10U);
-  EXPECT_GT(filled.smallest_dihedral_angle, 2 * kDegree);
+  EXPECT_GT(filled.smallest_dihedral_angle, 4 * kDegree);
   EXPECT_LT(filled.smallest_dihedral_angle, 71 * kDegree);
   // Every point has a tetrahedron, and no edge is longer than allowed.
   std::vector<int> used(mesh.point_count(), 0);
