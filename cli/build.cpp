@@ -16,6 +16,7 @@
 #include "commands.h"
 #include "cross_check_option.h"
 #include "document.h"
+#include "dupin/kernel/remesh.h"
 #include "exchange_options.h"
 #include "gap_text.h"
 #include "length.h"

@@ -5,8 +5,8 @@
 #include "commands.h"
 #include "dupin/io/report_json.h"
 #include "dupin/kernel/progress.h"
-#include "dupin/kernel/remesh.h"
 #include "dupin/kernel/solid.h"
+#include "dupin/kernel/solver_mesh.h"
 #include "output.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name

@@ -30,6 +30,7 @@ ARROWS = {
         "booleans": ["arrangement", "boxes", "checking", "mesh", "support"],
         "healing": ["booleans", "arrangement", "checking", "mesh", "predicates", "support"],
         "rounding": ["healing", "arrangement", "checking", "mesh", "boxes", "predicates", "exact", "support"],
+        "meshing": ["rounding", "checking", "mesh", "boxes", "support"],
         "gaps": ["mesh", "boxes", "predicates", "exact", "support"],
         "views": ["mesh", "boxes", "support"],
         "cross_check": ["booleans", "checking", "mesh", "exact", "support"],

@@ -30,12 +30,12 @@ struct Refinement {
   std::vector<Seed> seeds;
 };
 
-/// Delaunay tetrahedra of what a closed mesh bounds: those whose circumcentre is inside [Boissonnat
-/// and Oudot, Provably good sampling and meshing of surfaces, 2005], with balls along curves that
-/// protect them [Cheng, Dey and Ramos, Delaunay refinement for piecewise smooth complexes, 2007].
-/// By CGAL's Mesh_3, with exact predicates: tetrahedra do not overlap. The same input gives the
-/// same tetrahedra, or none where the generator gives up on its own. Throws Error{limit_exceeded}
-/// naming the place where points get too many, and Error{cancelled}.
+/// Delaunay tetrahedra of what a closed mesh bounds: those whose circumcentre is inside [BO05],
+/// with balls along curves that protect them [Cheng, Dey and Ramos, Delaunay refinement for
+/// piecewise smooth complexes, 2007]. By CGAL's Mesh_3, with exact predicates: tetrahedra do not
+/// overlap. The same input gives the same tetrahedra, or none where the generator gives up on its
+/// own. Throws Error{limit_exceeded} naming the place where points get too many, and
+/// Error{cancelled}.
 [[nodiscard]] Tetrahedra refine(const TriMesh& mesh, const Features& features,
                                 const Refinement& wanted, const Progress& progress);
 

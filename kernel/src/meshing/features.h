@@ -10,7 +10,7 @@
 /// exact union. features.h says what stays, edge_lengths.h how long edges along it may be,
 /// delaunay_refinement.h makes the tetrahedra (CGAL's Mesh_3), angle_improvement.h moves points
 /// where triangles beside sharp edges are poor, surface_distance.h proves how far the surface is
-/// from the one given, and solver_mesh.h strings them together.
+/// from the one given, and solver_mesh_maker.h strings them together.
 namespace dupin::meshing {
 
 /// A polyline of sharp edges, from corner to corner or, if it ends where it begins, around.

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "meshing/solver_mesh.h"
+#include "meshing/solver_mesh_maker.h"
 
 namespace dupin {
 

@@ -9,6 +9,7 @@
 #include "dupin/io/msh.h"
 #include "dupin/io/vtu.h"
 #include "dupin/kernel/error.h"
+#include "io/formats/volume_sample.h"
 #include "support/sample_meshes.h"
 
 namespace dupin {
@@ -16,21 +17,12 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A tetrahedron in four, about a point inside.
-VolumeMesh sample() {
-  VolumeMesh mesh;
-  mesh.surface = test::labelled_tetrahedron();
-  mesh.inner_points.emplace_back(0.1, 1.0 / 3, 0.2);
-  for (const auto& [a, b, c] : mesh.surface.triangles) {
-    mesh.tetrahedra.push_back({4, a, b, c});
-  }
-  return mesh;
-}
+using test::volume_sample;
 
 TEST(VolumeFile, reads_back_what_it_writes) {
   for (const VolumeFormat& format : volume_formats()) {
     SCOPED_TRACE(format.key);
-    const VolumeMesh mesh = sample();
+    const VolumeMesh mesh = volume_sample();
     const std::string bytes = verified_volume_bytes(mesh, format, {"mm", "a note", "part"}, "x");
     EXPECT_EQ(bytes, format.write(mesh, {"mm", "a note", "part"}));
     const VolumeMesh read = format.read(bytes, "x");
@@ -46,7 +38,7 @@ TEST(VolumeFile, that_gives_back_another_mesh_is_refused) {
     VolumeFormat forged = honest;
     forged.write = write;
     try {
-      (void)verified_volume_bytes(sample(), forged, {}, "x");
+      (void)verified_volume_bytes(volume_sample(), forged, {}, "x");
       ADD_FAILURE() << honest.key;
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), Errc::unroundable);
@@ -80,17 +72,17 @@ TEST(VolumeFile, that_gives_back_another_mesh_is_refused) {
 }
 
 TEST(VolumeFile, of_gmsh_has_physical_groups) {
-  const std::string text = msh_volume_text(sample(), {"m", "", "tee"});
+  const std::string text = msh_volume_text(volume_sample(), {"m", "", "tee"});
   EXPECT_THAT(text,
               HasSubstr("$PhysicalNames\n3\n2 1 \"inlet\"\n2 2 \"the blend\"\n3 3 \"tee\"\n"));
   EXPECT_THAT(text, HasSubstr("$Elements\n8\n1 2 2 1 1 1 3 2\n"));
   EXPECT_THAT(text, HasSubstr("\n5 4 2 3 3 5 1 3 2\n"));
-  EXPECT_THAT(msh_volume_text(sample()), HasSubstr("3 3 \"volume\"\n"));
+  EXPECT_THAT(msh_volume_text(volume_sample()), HasSubstr("3 3 \"volume\"\n"));
 }
 
 TEST(VolumeFile, of_gmsh_is_read_as_its_surface) {
-  const TriMesh surface = read_mesh(msh_volume_text(sample()), "x.msh");
-  EXPECT_TRUE(test::identical(surface, sample().surface));
+  const TriMesh surface = read_mesh(msh_volume_text(volume_sample()), "x.msh");
+  EXPECT_TRUE(test::identical(surface, volume_sample().surface));
 }
 
 TEST(VolumeFile, of_gmsh_may_have_its_nodes_in_any_order) {
@@ -112,27 +104,6 @@ TEST(VolumeFile, of_gmsh_without_tetrahedra_is_refused) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Errc::parse_failed);
     EXPECT_THAT(error.what(), HasSubstr("expected tetrahedra"));
-  }
-}
-
-TEST(VolumeFile, of_vtk_has_triangles_and_tetrahedra_as_cells) {
-  const std::string text = vtu_text(sample());
-  EXPECT_THAT(text, HasSubstr("NumberOfPoints=\"5\" NumberOfCells=\"8\""));
-  EXPECT_THAT(text, HasSubstr("Name=\"label\""));
-}
-
-TEST(VolumeFile, of_vtk_that_is_broken_is_refused) {
-  std::string text = vtu_text(sample());
-  for (const std::string name : {"connectivity", "offsets", "Points"}) {
-    std::string broken = text;
-    const std::size_t at = broken.find("binary\">", broken.find("Name=\"" + name)) + 8;
-    broken.replace(at, 8, "AAAAAAAA");
-    try {
-      (void)read_vtu(broken, "x.vtu");
-      ADD_FAILURE() << name;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), Errc::parse_failed) << name;
-    }
   }
 }
 

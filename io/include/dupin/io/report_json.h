@@ -20,10 +20,10 @@
 #include "dupin/kernel/gap.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/mesh_gap.h"
-#include "dupin/kernel/remesh.h"
 #include "dupin/kernel/repair.h"
 #include "dupin/kernel/rounding.h"
 #include "dupin/kernel/solid.h"
+#include "dupin/kernel/solver_mesh.h"
 #include "dupin/kernel/stage_clock.h"
 
 namespace dupin {

@@ -1,18 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
-#include "dupin/kernel/remesh.h"
 #include "dupin/kernel/solid.h"
+#include "dupin/kernel/solver_mesh.h"
+#include "dupin/kernel/tetrahedron.h"
 
 namespace dupin {
-
-/// Four indices into the points of a mesh; the last three are seen counter-clockwise from the side
-/// away from the first, so that the volume is positive.
-using Tetrahedron = std::array<std::uint32_t, 4>;
 
 /// A solid cut into tetrahedra that share corners, edges and triangles, and nothing else.
 struct VolumeMesh {

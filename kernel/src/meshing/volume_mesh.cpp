@@ -1,3 +1,5 @@
+#include "dupin/kernel/volume_mesh.h"
+
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -5,10 +7,9 @@
 #include <vector>
 
 #include "dupin/kernel/error.h"
-#include "dupin/kernel/volume_mesh.h"
 #include "meshing/angle_improvement.h"
 #include "meshing/delaunay_refinement.h"
-#include "meshing/solver_mesh.h"
+#include "meshing/solver_mesh_maker.h"
 #include "support/none.h"
 
 namespace dupin {

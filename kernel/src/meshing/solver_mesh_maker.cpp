@@ -1,4 +1,4 @@
-#include "meshing/solver_mesh.h"
+#include "meshing/solver_mesh_maker.h"
 
 #include <algorithm>
 #include <array>
@@ -118,7 +118,7 @@ class Maker {
   }
 
   /// Three points of each region so near each other that they make a triangle of its mesh
-  /// [Boissonnat and Oudot, section 5: persistent facets], about the middle of a large triangle.
+  /// [BO05, persistent facets], about the middle of a large triangle.
   [[nodiscard]] std::vector<Seed> seeds(const EdgeLengths& lengths) const {
     const std::size_t count =
         1 + static_cast<std::size_t>(*std::ranges::max_element(features_.regions));

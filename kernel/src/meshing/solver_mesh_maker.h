@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "dupin/kernel/remesh.h"
 #include "dupin/kernel/solid.h"
+#include "dupin/kernel/solver_mesh.h"
 #include "meshing/tetrahedra.h"
 
 namespace dupin::meshing {

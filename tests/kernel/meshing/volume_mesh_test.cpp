@@ -1,3 +1,5 @@
+#include "dupin/kernel/volume_mesh.h"
+
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -6,7 +8,6 @@
 
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
-#include "dupin/kernel/volume_mesh.h"
 #include "kernel/meshing/solver_mesh_checks.h"
 #include "support/shapes.h"
 

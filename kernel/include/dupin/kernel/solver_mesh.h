@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "dupin/kernel/progress.h"
+#include "dupin/kernel/vec.h"
+
+namespace dupin {
+
+/// What a mesh for a solver has to be like. Lengths are in model units, angles in radians.
+struct RemeshOptions {
+  /// Largest distance from any point of either surface to the other; positive.
+  double distance = 0;
+  /// Edges are at most so long; 0 stands for a tenth of the diagonal of the box around the solid.
+  double largest_edge = 0;
+  /// Of triangles, as far as sharp edges allow; at most 30 degrees.
+  double smallest_angle = 25 * std::numbers::pi / 180;
+  /// Edges where the surface turns by more are sharp, and kept. So are borders between labels.
+  double feature_angle = 40 * std::numbers::pi / 180;
+  /// Of points; beyond, Error{limit_exceeded}.
+  std::size_t most_points = 4'000'000;
+  Progress progress;
+};
+
+/// A triangle with an angle below the bound.
+struct PoorTriangle {
+  Vec3 place = Vec3::Zero();  ///< its centroid
+  double angle = 0;           ///< its smallest, in radians
+};
+
+/// How well it went.
+struct RemeshReport {
+  /// A proved bound of the distance from every point of either surface to the other, region by
+  /// region, beyond that of rounding to doubles; at most the one allowed.
+  double deviation = 0;
+  double smallest_angle = 0, shortest_edge = 0, longest_edge = 0;
+  std::size_t poor_triangles = 0;   ///< below the angle that was asked for
+  std::vector<PoorTriangle> worst;  ///< up to 10 of them, the smallest angles first
+};
+
+}  // namespace dupin
