@@ -273,7 +273,7 @@ void add_build_options(CLI::App& command, BuildArguments& arguments) {
   add_output_options(command, arguments.output, others);
   command
       .add_option("--quality", arguments.quality,
-                  "What triangles are like: cad (the usual), those of the exact union, or cfd,\n"
+                  "Triangles like those of the exact union, cad (the usual), or cfd,\n"
                   "well-shaped ones for solvers, within --distance; see the command remesh.\n"
                   "Tetrahedra, .msh and .vtu, are always for solvers")
       ->type_name("KIND")

@@ -145,10 +145,9 @@ void add_output_options(CLI::App& command, OutputArguments& arguments,
   std::vector<std::string> formats = format_names();
   formats.insert(formats.end(), others.begin(), others.end());
   std::string help = "Instead of what the extension says; needed for standard output:\n";
-  std::string_view separator;
-  for (const std::string& name : formats) {
-    help += std::string(separator) + name;
-    separator = ", ";
+  constexpr std::size_t kPerLine = 10;
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    help += (i == 0 ? "" : i % kPerLine == 0 ? ",\n" : ", ") + formats[i];
   }
   command.add_option("--format", arguments.format, help)
       ->type_name("NAME")
