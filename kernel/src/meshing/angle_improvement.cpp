@@ -12,8 +12,6 @@
 
 #include <Eigen/Geometry>
 
-#include "meshing/delaunay_refinement.h"
-
 namespace dupin::meshing {
 namespace {
 

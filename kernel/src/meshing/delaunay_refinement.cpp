@@ -17,6 +17,7 @@
 #include <CGAL/make_mesh_3.h>
 
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/solver_mesh.h"
 
 namespace dupin::meshing {
 namespace {
@@ -228,8 +229,10 @@ Tetrahedra refine(const TriMesh& mesh, const Features& features, const Refinemen
   }
 }
 
-bool is_positive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  return CGAL::orientation(point_of(a), point_of(b), point_of(c), point_of(d)) == CGAL::POSITIVE;
-}
-
 }  // namespace dupin::meshing
+
+namespace dupin {
+
+bool has_mesh_generator() { return true; }
+
+}  // namespace dupin

@@ -39,7 +39,4 @@ struct Refinement {
 [[nodiscard]] Tetrahedra refine(const TriMesh& mesh, const Features& features,
                                 const Refinement& wanted, const Progress& progress);
 
-/// Whether the four points turn as those of a tetrahedron do, exactly.
-[[nodiscard]] bool is_positive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
-
 }  // namespace dupin::meshing

@@ -19,6 +19,9 @@ namespace {
 
 /// Curves that turn by more have a corner there.
 constexpr double kSharpTurn = 50 * std::numbers::pi / 180;
+/// A region to which the surface turns by more may lie back on its neighbour; steps turn by a right
+/// angle.
+constexpr double kFold = 120 * std::numbers::pi / 180;
 
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -213,28 +216,41 @@ class Finder {
   }
 
   void absorb_thin_regions(double distance) {
-    std::vector<Extent> extents = this->extents(distance);
+    const std::vector<Extent> extents = this->extents(distance);
     std::vector<std::uint32_t> into(extents.size());
     std::iota(into.begin(), into.end(), 0U);
     const ReferenceSurface surface(mesh_.points, mesh_.triangles, features_.regions);
-    for (std::uint32_t region = 0; region < into.size(); ++region) {
-      for (const auto& [other, turn] : extents[region].neighbours) {
-        // Not part of one that is absorbed itself: it would be further from what is left.
-        if (extents[region].faces.empty() || into[other] != other) {
+    const auto is_thin = [&](std::uint32_t region) { return !extents[region].faces.empty(); };
+    std::vector<std::uint8_t> stays(extents.size(), 0);
+    const auto absorb = [&](std::uint32_t region, bool by_thin_ones) {
+      for (const auto& [neighbour, turn] : extents[region].neighbours) {
+        // What is absorbed itself stands for what it became part of, and must be near that.
+        const std::uint32_t other = into[neighbour];
+        if (other == region || (is_thin(other) && !by_thin_ones)) {
           continue;
         }
-        const double allowed = turn > std::numbers::pi / 2 ? distance / 4 : distance;
+        const double allowed = turn > kFold ? distance / 4 : distance;
         double largest = 0;
-        const bool is_near = std::ranges::all_of(extents[region].faces, [&](std::uint32_t f) {
-          const auto bound = surface.bound(corners_of(f), other, allowed);
-          largest = std::max(largest, bound.value_or(0));
-          return bound.has_value();
-        });
-        if (is_near) {
+        if (std::ranges::all_of(extents[region].faces, [&](std::uint32_t f) {
+              const auto bound = surface.bound(corners_of(f), other, allowed);
+              largest = std::max(largest, bound.value_or(0));
+              return bound.has_value();
+            })) {
           features_.absorbed = std::max(features_.absorbed, largest);
           into[region] = other;
-          extents[other].faces.clear();  // it stays
-          break;
+          stays[other] = 1;
+          return true;
+        }
+      }
+      return false;
+    };
+    for (const bool by_thin_ones : {false, true}) {
+      for (bool found = true; found;) {
+        found = false;
+        for (std::uint32_t region = 0; region < into.size(); ++region) {
+          if (is_thin(region) && into[region] == region && stays[region] == 0) {
+            found = absorb(region, by_thin_ones) || found;
+          }
         }
       }
     }

@@ -31,9 +31,9 @@ struct Features {
 
 /// Edges of a closed 2-manifold mesh in which the surface turns by more than `angle`, in radians,
 /// and those between labels. Curves are cut where they turn sharply, seen over twice `distance`.
-/// Regions all of which lie within a quarter of it of a neighbour become part of that one, or,
-/// where the surface turns to it by more than a right angle, within a sixteenth: slivers that exact
-/// unions leave, whose borders would ask for triangles of no size.
+/// Regions all of which lie within a quarter of it of a neighbour, or of what that became part of,
+/// become part of it, or, where the surface folds back to it, if within a sixteenth: slivers and
+/// steps that exact unions leave, whose borders would ask for triangles of no size.
 [[nodiscard]] Features find_features(const TriMesh& mesh, double angle, double distance);
 
 }  // namespace dupin::meshing

@@ -30,6 +30,8 @@ namespace {
 
 /// Triangles that are moved stay within so much of the distance at the places that are looked at.
 constexpr double kNear = 0.75;
+/// Along a curve there is one ball for so many points, or they would be nowhere else.
+constexpr std::size_t kPointsPerBall = 10;
 constexpr double kDegree = std::numbers::pi / 180;
 /// Of tetrahedra, wanted: solvers complain of less.
 constexpr double kDihedralAngle = 12 * kDegree;
@@ -105,7 +107,7 @@ class Maker {
 
   [[nodiscard]] Tetrahedra refined(double distance) const {
     const EdgeLengths lengths(surface_, features_, distance, edge_share_ * largest_edge_ / 2);
-    lengths.require_room(options_.most_points);
+    lengths.require_room(std::max<std::size_t>(options_.most_points / kPointsPerBall, 1));
     Refinement wanted;
     wanted.edge_length = [&](const Vec3& point) { return lengths.at(point); };
     wanted.radius = edge_share_ * largest_edge_ / 2;

@@ -27,4 +27,7 @@ struct Tetrahedra {
           Triangle{t[0], t[2], t[1]}};
 }
 
+/// Whether the four points turn as those of a tetrahedron do, exactly.
+[[nodiscard]] bool is_positive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
 }  // namespace dupin::meshing

@@ -8,7 +8,6 @@
 
 #include "dupin/kernel/error.h"
 #include "meshing/angle_improvement.h"
-#include "meshing/delaunay_refinement.h"
 #include "meshing/solver_mesh_maker.h"
 #include "support/none.h"
 

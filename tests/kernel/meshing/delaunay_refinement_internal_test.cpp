@@ -85,12 +85,5 @@ TEST(DelaunayRefinement, begins_at_seeds_where_there_are_no_curves) {
   EXPECT_NEAR(volume(refine(mesh, none, wanted, {})), M_PI * 24, 0.2 * M_PI * 24);
 }
 
-TEST(DelaunayRefinement, orientation_is_exact) {
-  const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
-  EXPECT_TRUE(is_positive(a, b, c, Vec3(0.3, 0.3, 0x1p-1000)));
-  EXPECT_FALSE(is_positive(a, b, c, Vec3(0.3, 0.3, 0)));
-  EXPECT_FALSE(is_positive(a, b, c, Vec3(0.3, 0.3, -0x1p-1000)));
-}
-
 }  // namespace
 }  // namespace dupin::meshing

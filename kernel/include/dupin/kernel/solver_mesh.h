@@ -9,6 +9,10 @@
 
 namespace dupin {
 
+/// Whether this build makes such meshes. Needs packages of CGAL under the GPL, so it is an option
+/// of the build (DUPIN_MESHING); without, `remesh` and `fill` throw Error{invalid_argument}.
+[[nodiscard]] bool has_mesh_generator();
+
 /// What a mesh for a solver has to be like. Lengths are in model units, angles in radians.
 struct RemeshOptions {
   /// Largest distance from any point of either surface to the other; positive.
