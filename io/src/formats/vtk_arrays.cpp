@@ -24,7 +24,8 @@ constexpr std::string_view kBlanks = " \t\r\n";
 /// Calls visit(token) for what stands between blanks.
 template <class Visit>
 void for_each_token(std::string_view text, const Visit& visit) {
-  for (std::size_t begin = 0; (begin = text.find_first_not_of(kBlanks)) != std::string_view::npos;) {
+  for (std::size_t begin = 0;
+       (begin = text.find_first_not_of(kBlanks)) != std::string_view::npos;) {
     text.remove_prefix(begin);
     const std::string_view token = text.substr(0, text.find_first_of(kBlanks));
     visit(token);
