@@ -163,11 +163,10 @@ void write_built(const Built& built, const Document& document, const BuildOption
     return;
   }
   const MeshHeader header = header_of(document);
-  const bool fills = is_volume(arguments.output);
   RemeshOptions solver = solver_options(
       arguments.solver, 2 * options.tolerance.value_or(document.assembly.tolerance), unit);
   solver.progress = options.progress;
-  if (fills) {
+  if (is_volume(arguments.output)) {
     report.output = write_volume(built.solid, solver, arguments.output, header);
     return;
   }

@@ -7,7 +7,7 @@
 
 #include "dupin/io/volume_file.h"
 #include "dupin/kernel/check.h"
-#include "dupin/kernel/volume_mesh.h"
+#include "dupin/kernel/fill.h"
 #include "exchange_options.h"
 #include "exit_code.h"
 #include "length.h"

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/volume_points.h"
 #include "text/mesh_text.h"
 #include "text/text_scanner.h"
 
@@ -22,12 +23,9 @@ std::string quoted_name(const std::string& name) {
   return '"' + result + '"';
 }
 
-/// Format, names and nodes.
-std::string text_before_elements(const TriMesh& mesh, const std::vector<Vec3>& inner_points,
+/// Format, names and nodes: `points`, those of the mesh and, of a volume, others.
+std::string text_before_elements(const TriMesh& mesh, const std::vector<Vec3>& points,
                                  const MeshHeader& header, bool has_volume) {
-  TriMesh nodes = mesh;
-  nodes.points.insert(nodes.points.end(), inner_points.begin(), inner_points.end());
-  const std::vector<Vec3> points = text::writable_points(nodes, Coordinates::binary64);
   std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\n" +
                      text::header_lines(header, "# ") + "$EndComments\n";
   const std::size_t labels = mesh.labels.empty() ? 0 : mesh.names.size();
@@ -84,7 +82,8 @@ Evidence recognise(std::string_view bytes) {
 }  // namespace
 
 std::string msh_text(const TriMesh& mesh, const MeshHeader& header) {
-  std::string text = text_before_elements(mesh, {}, header, false);
+  std::string text =
+      text_before_elements(mesh, text::writable_points(mesh, Coordinates::binary64), header, false);
   text += "$Elements\n" + std::to_string(mesh.triangles.size()) + '\n';
   append_triangles(text, mesh);
   return text + "$EndElements\n";
@@ -92,7 +91,7 @@ std::string msh_text(const TriMesh& mesh, const MeshHeader& header) {
 
 std::string msh_volume_text(const VolumeMesh& mesh, const MeshHeader& header) {
   const TriMesh& surface = mesh.surface;
-  std::string text = text_before_elements(surface, mesh.inner_points, header, true);
+  std::string text = text_before_elements(surface, formats::writable_points(mesh), header, true);
   text += "$Elements\n" + std::to_string(surface.triangles.size() + mesh.tetrahedra.size()) + '\n';
   append_triangles(text, surface);
   auto element = static_cast<std::uint32_t>(surface.triangles.size());

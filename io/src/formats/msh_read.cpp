@@ -38,7 +38,8 @@ class MshReader {
   /// The surface; of a mesh with tetrahedra without the nodes inside.
   TriMesh read() && {
     read_sections();
-    return tetrahedra_.empty() ? std::move(mesh_) : std::move(volume().surface);
+    return tetrahedra_.empty() ? std::move(mesh_)
+                               : volume_mesh_of(std::move(mesh_), std::move(tetrahedra_)).surface;
   }
 
   VolumeMesh read_volume() && {
@@ -46,49 +47,10 @@ class MshReader {
     if (tetrahedra_.empty()) {
       scanner_.fail("tetrahedra");
     }
-    return volume();
+    return volume_mesh_of(std::move(mesh_), std::move(tetrahedra_));
   }
 
  private:
-  /// The nodes of the surface first, then those of tetrahedra alone, each in their order.
-  VolumeMesh volume() {
-    VolumeMesh result;
-    result.tetrahedra = std::move(tetrahedra_);
-    std::vector<Place> places(mesh_.points.size(), Place::nowhere);
-    for (const Tetrahedron& tetrahedron : result.tetrahedra) {
-      for (const std::uint32_t corner : tetrahedron) {
-        places[corner] = Place::inside;
-      }
-    }
-    for (const Triangle& triangle : mesh_.triangles) {
-      for (const std::uint32_t corner : triangle) {
-        places[corner] = Place::surface;
-      }
-    }
-    std::vector<std::uint32_t> position(mesh_.points.size());
-    std::uint32_t next = 0;
-    for (const Place place : {Place::surface, Place::inside}) {
-      std::vector<Vec3>& points =
-          place == Place::surface ? result.surface.points : result.inner_points;
-      for (std::size_t i = 0; i < places.size(); ++i) {
-        if (places[i] == place) {
-          position[i] = next++;
-          points.push_back(mesh_.points[i]);
-        }
-      }
-    }
-    const auto renumber = [&](auto& corners) {
-      std::ranges::transform(corners, corners.begin(),
-                             [&](std::uint32_t corner) { return position[corner]; });
-    };
-    std::ranges::for_each(mesh_.triangles, renumber);
-    std::ranges::for_each(result.tetrahedra, renumber);
-    mesh_.points = std::move(result.surface.points);
-    result.surface = std::move(mesh_);
-    return result;
-  }
-  enum class Place : std::uint8_t { nowhere, surface, inside };
-
   void read_sections() {
     read_version();
     bool has_elements = false;

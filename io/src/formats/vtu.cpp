@@ -10,9 +10,9 @@
 
 #include "dupin/kernel/error.h"
 #include "files/xml_events.h"
+#include "formats/volume_points.h"
 #include "formats/vtk_arrays.h"
 #include "text/little_endian.h"
-#include "text/mesh_text.h"
 
 namespace dupin {
 namespace {
@@ -103,9 +103,7 @@ class VtuReader {
 
 std::string vtu_text(const VolumeMesh& mesh, const MeshHeader& header) {
   const TriMesh& surface = mesh.surface;
-  TriMesh nodes = surface;
-  nodes.points.insert(nodes.points.end(), mesh.inner_points.begin(), mesh.inner_points.end());
-  const std::vector<Vec3> points = text::writable_points(nodes, Coordinates::binary64);
+  const std::vector<Vec3> points = formats::writable_points(mesh);
   const std::size_t cells = surface.triangles.size() + mesh.tetrahedra.size();
   if (3 * surface.triangles.size() + 4 * mesh.tetrahedra.size() >
       std::numeric_limits<std::int32_t>::max()) {

@@ -249,6 +249,20 @@ std::vector<std::uint32_t> points_of_slivers(const Tetrahedra& mesh, const Stars
   return points;
 }
 
+/// Improves the points that are asked for anew each round, until none moves any more.
+template <class Points, class Improve>
+void in_rounds(const Points& points, const Improve& improve) {
+  for (int round = 0; round < kRounds; ++round) {
+    bool moved = false;
+    for (const std::uint32_t v : points()) {
+      moved = improve(v) || moved;
+    }
+    if (!moved) {
+      break;
+    }
+  }
+}
+
 }  // namespace
 
 double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -280,19 +294,12 @@ void improve_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wa
   const Stars stars(mesh);
   Search search(mesh, surface, stars, limits);
   const double enough = wanted * kMore;
-  for (int round = 0; round < kRounds; ++round) {
-    std::size_t moved = 0;
-    for (const std::uint32_t v : points_near_poor_triangles(mesh, stars, enough)) {
-      moved += search.improve(
-                   v, enough, [&](std::uint32_t w) { return stars.angle_around(w, enough); },
-                   [](std::uint32_t) { return true; })
-                   ? 1
-                   : 0;
-    }
-    if (moved == 0) {
-      break;
-    }
-  }
+  in_rounds([&] { return points_near_poor_triangles(mesh, stars, enough); },
+            [&](std::uint32_t v) {
+              return search.improve(
+                  v, enough, [&](std::uint32_t w) { return stars.angle_around(w, enough); },
+                  [](std::uint32_t) { return true; });
+            });
 }
 
 void improve_dihedral_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wanted,
@@ -300,21 +307,14 @@ void improve_dihedral_angles(Tetrahedra& mesh, const ReferenceSurface& surface, 
   const Stars stars(mesh);
   Search search(mesh, surface, stars, limits);
   const double enough = wanted * kMore;
-  for (int round = 0; round < kRounds; ++round) {
-    std::size_t moved = 0;
-    for (const std::uint32_t v : points_of_slivers(mesh, stars, wanted)) {
-      const double kept = stars.angle_around(v, wanted_of_triangles);
-      moved +=
-          search.improve(
-              v, enough, [&](std::uint32_t w) { return stars.dihedral_angle_around(w, enough); },
-              [&](std::uint32_t w) { return stars.angle_around(w, wanted_of_triangles) >= kept; })
-              ? 1
-              : 0;
-    }
-    if (moved == 0) {
-      break;
-    }
-  }
+  in_rounds(
+      [&] { return points_of_slivers(mesh, stars, wanted); },
+      [&](std::uint32_t v) {
+        const double kept = stars.angle_around(v, wanted_of_triangles);
+        return search.improve(
+            v, enough, [&](std::uint32_t w) { return stars.dihedral_angle_around(w, enough); },
+            [&](std::uint32_t w) { return stars.angle_around(w, wanted_of_triangles) >= kept; });
+      });
 }
 
 }  // namespace dupin::meshing

@@ -3,6 +3,7 @@
 #include <array>
 #include <numbers>
 #include <sstream>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -57,21 +58,16 @@ Surface surface_of(const TriMesh& mesh, const Features& features) {
 struct Polyline {
   std::vector<Point> points;
   std::vector<int> regions;
+};
 
-  struct Points {
-    using key_type = const Polyline&;
-    using value_type = std::vector<Point>;
-    using reference = const value_type&;
-    using category = boost::readable_property_map_tag;
-    friend reference get(const Points&, const Polyline& line) { return line.points; }
-  };
-  struct Regions {
-    using key_type = const Polyline&;
-    using value_type = std::vector<int>;
-    using reference = const value_type&;
-    using category = boost::readable_property_map_tag;
-    friend reference get(const Regions&, const Polyline& line) { return line.regions; }
-  };
+/// A member of polylines as a property map of theirs.
+template <auto Member>
+struct Part {
+  using key_type = const Polyline&;
+  using reference = decltype(std::declval<key_type>().*Member);
+  using value_type = std::remove_cvref_t<reference>;
+  using category = boost::readable_property_map_tag;
+  friend reference get(const Part&, key_type line) { return line.*Member; }
 };
 
 std::vector<Polyline> polylines_of(const Features& features) {
@@ -220,8 +216,8 @@ Tetrahedra refine(const TriMesh& mesh, const Features& features, const Refinemen
   CGAL::Random random(0);
   Domain domain(surface_of(mesh, features), &random);
   const std::vector<Polyline> lines = polylines_of(features);
-  domain.add_features_and_incidences(lines.begin(), lines.end(), Polyline::Points(),
-                                     Polyline::Regions());
+  domain.add_features_and_incidences(lines.begin(), lines.end(), Part<&Polyline::points>(),
+                                     Part<&Polyline::regions>());
   try {
     return tetrahedra_of(generated(domain, wanted, progress));
   } catch (const CGAL::Failure_exception&) {

@@ -16,19 +16,23 @@
 namespace dupin::meshing {
 namespace {
 
-/// The largest angle between the direction nearest to a point and others of one group.
+/// Directions about a point, in groups.
 class Turns {
  public:
   void add(std::uint32_t group, const Vec3& direction, double distance) {
     groups_[group].push_back({direction, distance});
   }
-  [[nodiscard]] double largest() const {
+  /// The largest angle between the direction nearest to the point and others of one group, of those
+  /// within a distance.
+  [[nodiscard]] double largest(double within) const {
     double largest = 0;
     for (const auto& [group, items] : groups_) {
       const Item& nearest = *std::ranges::min_element(items, {}, &Item::distance);
       for (const Item& item : items) {
-        const Vec3 &a = nearest.direction, &b = item.direction;
-        largest = std::max(largest, std::atan2(a.cross(b).norm(), a.dot(b)));
+        if (item.distance <= within) {
+          const Vec3 &a = nearest.direction, &b = item.direction;
+          largest = std::max(largest, std::atan2(a.cross(b).norm(), a.dot(b)));
+        }
       }
     }
     return largest;
@@ -104,11 +108,17 @@ EdgeLengths::EdgeLengths(const ReferenceSurface& surface, const Features& featur
 
 double EdgeLengths::at(const Vec3& point) const {
   constexpr double kShrink = 0.8;
-  // A turn is at most pi, so the loop ends at a length of the distance.
   double length = std::min(largest_, room_about(point));
+  Turns of_regions, of_curves;
+  surface_.visit_near(point, length, [&](std::uint32_t f, const Vec3&, double distance) {
+    of_regions.add(surface_.region(f), features_.normals[f], distance);
+  });
+  curve_edges_.visit_near(point, length, [&](std::uint32_t e, const Vec3&, double distance) {
+    of_curves.add(curves_[e], points_[edges_[e][1]] - points_[edges_[e][0]], distance);
+  });
+  // A turn is at most pi, so the loop ends at a length of the distance.
   while (length > distance_ &&
-         length * std::max(turn_of_regions(point, length), turn_of_curves(point, length)) / 2 >
-             distance_) {
+         length * std::max(of_regions.largest(length), of_curves.largest(length)) / 2 > distance_) {
     length *= kShrink;
   }
   return length;
@@ -172,22 +182,6 @@ double EdgeLengths::room_about(const Vec3& point) const {
     }
   });
   return nearest / 2;
-}
-
-double EdgeLengths::turn_of_regions(const Vec3& point, double radius) const {
-  Turns turns;
-  surface_.visit_near(point, radius, [&](std::uint32_t f, const Vec3&, double distance) {
-    turns.add(surface_.region(f), features_.normals[f], distance);
-  });
-  return turns.largest();
-}
-
-double EdgeLengths::turn_of_curves(const Vec3& point, double radius) const {
-  Turns turns;
-  curve_edges_.visit_near(point, radius, [&](std::uint32_t e, const Vec3&, double distance) {
-    turns.add(curves_[e], points_[edges_[e][1]] - points_[edges_[e][0]], distance);
-  });
-  return turns.largest();
 }
 
 }  // namespace dupin::meshing

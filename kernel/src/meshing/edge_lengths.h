@@ -34,8 +34,6 @@ class EdgeLengths {
  private:
   [[nodiscard]] double gap_to_others(const Vec3& point, std::uint32_t curve, double reach) const;
   [[nodiscard]] double room_about(const Vec3& point) const;
-  [[nodiscard]] double turn_of_regions(const Vec3& point, double radius) const;
-  [[nodiscard]] double turn_of_curves(const Vec3& point, double radius) const;
 
   const ReferenceSurface& surface_;
   const Features& features_;

@@ -7,10 +7,6 @@
 namespace dupin {
 
 Remeshed remesh(const Solid& solid, const RemeshOptions& options) {
-  meshing::check_options(options);
-  if (solid.empty()) {
-    return {};
-  }
   meshing::SolverMesh made = meshing::make_solver_mesh(solid, options, false);
   return {std::move(made.surface), std::move(made.report)};
 }

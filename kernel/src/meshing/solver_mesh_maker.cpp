@@ -22,6 +22,7 @@
 #include "meshing/edge_lengths.h"
 #include "meshing/features.h"
 #include "meshing/surface_distance.h"
+#include "meshing/tetrahedra.h"
 #include "support/blocks.h"
 #include "support/none.h"
 
@@ -36,38 +37,31 @@ constexpr double kDegree = std::numbers::pi / 180;
 /// Of tetrahedra, wanted: solvers complain of less.
 constexpr double kDihedralAngle = 12 * kDegree;
 
+void check_options(const RemeshOptions& options) {
+  const auto refuse = [](const std::string& what) { throw Error(Errc::invalid_argument, what); };
+  if (!(options.distance > 0) || !std::isfinite(options.distance)) {
+    refuse("the distance of a mesh for solvers must be positive and finite");
+  }
+  if (!(options.largest_edge >= 0) || !std::isfinite(options.largest_edge)) {
+    refuse("the largest edge must be 0, for a choice, or positive and finite");
+  }
+  if (!(options.smallest_angle >= 0 && options.smallest_angle <= 30.001 * kDegree)) {
+    refuse("the smallest angle must be between 0 and 30 degrees");
+  }
+  if (!(options.feature_angle > 0 && options.feature_angle < std::numbers::pi)) {
+    refuse("the angle of sharp edges must be between 0 and 180 degrees");
+  }
+  if (options.most_points == 0) {
+    refuse("the largest number of points must be positive");
+  }
+}
+
 Eigen::AlignedBox3d box_of(const TriMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Vec3& point : mesh.points) {
     box.extend(point);
   }
   return box;
-}
-
-/// The triangles with the points that they have, and where these were.
-struct Skin {
-  TriMesh mesh;
-  std::vector<std::uint32_t> position;  ///< per point of the tetrahedra; kNone inside
-};
-
-Skin skin_of(const Tetrahedra& tetrahedra) {
-  Skin skin;
-  skin.position.assign(tetrahedra.points.size(), support::kNone);
-  for (const Triangle& triangle : tetrahedra.triangles) {
-    for (const std::uint32_t v : triangle) {
-      skin.position[v] = 0;
-    }
-  }
-  for (std::size_t v = 0; v < tetrahedra.points.size(); ++v) {
-    if (skin.position[v] != support::kNone) {
-      skin.position[v] = static_cast<std::uint32_t>(skin.mesh.points.size());
-      skin.mesh.points.push_back(tetrahedra.points[v]);
-    }
-  }
-  for (const auto& [a, b, c] : tetrahedra.triangles) {
-    skin.mesh.triangles.push_back({skin.position[a], skin.position[b], skin.position[c]});
-  }
-  return skin;
 }
 
 class Maker {
@@ -209,18 +203,20 @@ class Maker {
       fault_ = "no mesh of the solid comes of these lengths; allow shorter edges or less distance";
       return std::nullopt;
     }
-    Skin skin = skin_of(made_);
-    const ReferenceSurface back(skin.mesh.points, skin.mesh.triangles, made_.regions);
-    const std::optional<double> there = largest(surface_, skin.mesh, made_.regions);
+    VolumeMesh mesh = volume_mesh_of({std::move(made_.points), std::move(made_.triangles), {}, {}},
+                                     std::move(made_.tetrahedra));
+    TriMesh& skin = mesh.surface;
+    const ReferenceSurface back(skin.points, skin.triangles, made_.regions);
+    const std::optional<double> there = largest(surface_, skin, made_.regions);
     const std::optional<double> here =
         there ? largest(back, given_, features_.regions) : std::nullopt;
     if (!here) {
       return std::nullopt;
     }
-    label(skin.mesh);
+    label(skin);
     SolverMesh result;
     try {
-      result.surface = Solid::from(skin.mesh);
+      result.surface = Solid::from(skin);
     } catch (const Error& error) {
       fault_ = std::string("the mesh is no solid: ") + error.what();
       return std::nullopt;
@@ -230,10 +226,9 @@ class Maker {
       fault_ = "the mesh does not hang together as the solid does; allow less distance";
       return std::nullopt;
     }
-    result.report = report_of(skin.mesh);
+    result.report = report_of(skin);
     result.report.deviation = std::max(*there, *here) + slack_;
-    result.mesh = std::move(made_);
-    result.position = std::move(skin.position);
+    result.mesh = std::move(mesh);
     return result;
   }
 
@@ -331,26 +326,11 @@ class Maker {
 
 }  // namespace
 
-void check_options(const RemeshOptions& options) {
-  const auto refuse = [](const std::string& what) { throw Error(Errc::invalid_argument, what); };
-  if (!(options.distance > 0) || !std::isfinite(options.distance)) {
-    refuse("the distance of a mesh for solvers must be positive and finite");
-  }
-  if (!(options.largest_edge >= 0) || !std::isfinite(options.largest_edge)) {
-    refuse("the largest edge must be 0, for a choice, or positive and finite");
-  }
-  if (!(options.smallest_angle >= 0 && options.smallest_angle <= 30.001 * kDegree)) {
-    refuse("the smallest angle must be between 0 and 30 degrees");
-  }
-  if (!(options.feature_angle > 0 && options.feature_angle < std::numbers::pi)) {
-    refuse("the angle of sharp edges must be between 0 and 180 degrees");
-  }
-  if (options.most_points == 0) {
-    refuse("the largest number of points must be positive");
-  }
-}
-
 SolverMesh make_solver_mesh(const Solid& solid, const RemeshOptions& options, bool fill) {
+  check_options(options);
+  if (solid.empty()) {
+    return {};
+  }
   if (!solid.contacts().empty()) {
     const Vec3& place = solid.contacts().front().from;
     std::ostringstream text;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
-#include "dupin/kernel/tetrahedron.h"
+#include "dupin/kernel/volume_mesh.h"
 
 namespace dupin::meshing {
 

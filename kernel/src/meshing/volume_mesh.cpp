@@ -1,96 +1,48 @@
 #include "dupin/kernel/volume_mesh.h"
 
 #include <algorithm>
-#include <array>
-#include <numbers>
 #include <utility>
-#include <vector>
 
-#include "dupin/kernel/error.h"
-#include "meshing/angle_improvement.h"
-#include "meshing/solver_mesh_maker.h"
 #include "support/none.h"
 
 namespace dupin {
-namespace {
 
-/// A triangle beginning with its lowest corner, turned as it was.
-Triangle from_lowest(Triangle triangle) {
-  std::ranges::rotate(triangle, std::ranges::min_element(triangle));
-  return triangle;
-}
-
-/// Throws unless all tetrahedra are positive, and their faces cancel but for the surface. As that
-/// is the boundary of a solid, each place in it is then in as many tetrahedra as the surface winds
-/// around it: one.
-void prove_tiling(const VolumeMesh& mesh) {
-  std::vector<Triangle> faces, turned;
-  for (const Tetrahedron& t : mesh.tetrahedra) {
-    if (!meshing::is_positive(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]),
-                              mesh.point(t[3]))) {
-      throw Error(Errc::internal, "internal error, please report it: a tetrahedron is turned over");
-    }
-    for (const Triangle& face : meshing::faces_of(t)) {
-      faces.push_back(from_lowest(face));
-      turned.push_back(from_lowest({face[0], face[2], face[1]}));
+VolumeMesh volume_mesh_of(TriMesh surface, std::vector<Tetrahedron> tetrahedra) {
+  enum class Place : std::uint8_t { nowhere, on_surface, inside };
+  std::vector<Place> places(surface.points.size(), Place::nowhere);
+  for (const Tetrahedron& tetrahedron : tetrahedra) {
+    for (const std::uint32_t corner : tetrahedron) {
+      places[corner] = Place::inside;
     }
   }
-  for (const Triangle& face : mesh.surface.triangles) {
-    turned.push_back(from_lowest(face));
+  for (const Triangle& triangle : surface.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      places[corner] = Place::on_surface;
+    }
   }
-  for (const Triangle& face : mesh.surface.triangles) {
-    faces.push_back(from_lowest({face[0], face[2], face[1]}));
-  }
-  std::ranges::sort(faces);
-  std::ranges::sort(turned);
-  if (faces != turned) {
-    throw Error(Errc::internal, "internal error, please report it: tetrahedra do not fit together");
-  }
-}
-
-/// The points of the surface first, in its order.
-VolumeMesh volume_mesh_of(const meshing::SolverMesh& made) {
   VolumeMesh mesh;
-  mesh.surface.points = made.surface.nearest_points();
-  mesh.surface.triangles = made.surface.triangles();
-  mesh.surface.labels = made.surface.labels();
-  mesh.surface.names = made.surface.names();
-  const auto on_surface = static_cast<std::uint32_t>(mesh.surface.points.size());
-  std::vector<std::uint32_t> position = made.position;
-  for (std::size_t v = 0; v < position.size(); ++v) {
-    if (position[v] == support::kNone) {
-      position[v] = on_surface + static_cast<std::uint32_t>(mesh.inner_points.size());
-      mesh.inner_points.push_back(made.mesh.points[v]);
+  std::vector<std::uint32_t> position(places.size(), support::kNone);
+  std::uint32_t next = 0;
+  for (const Place place : {Place::on_surface, Place::inside}) {
+    std::vector<Vec3>& points =
+        place == Place::on_surface ? mesh.surface.points : mesh.inner_points;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (places[i] == place) {
+        position[i] = next++;
+        points.push_back(surface.points[i]);
+      }
     }
   }
-  mesh.tetrahedra = made.mesh.tetrahedra;
-  for (Tetrahedron& tetrahedron : mesh.tetrahedra) {
-    for (std::uint32_t& v : tetrahedron) {
-      v = position[v];
-    }
-  }
+  const auto renumber = [&](auto& corners) {
+    std::ranges::transform(corners, corners.begin(),
+                           [&](std::uint32_t corner) { return position[corner]; });
+  };
+  std::ranges::for_each(surface.triangles, renumber);
+  std::ranges::for_each(tetrahedra, renumber);
+  surface.points = std::move(mesh.surface.points);
+  mesh.surface = std::move(surface);
+  mesh.tetrahedra = std::move(tetrahedra);
   return mesh;
-}
-
-}  // namespace
-
-Filled fill(const Solid& solid, const RemeshOptions& options) {
-  meshing::check_options(options);
-  if (solid.empty()) {
-    return {};
-  }
-  const meshing::SolverMesh made = meshing::make_solver_mesh(solid, options, true);
-  Filled filled{volume_mesh_of(made), made.report, 0};
-  prove_tiling(filled.mesh);
-  filled.smallest_dihedral_angle = std::numbers::pi;
-  for (const auto& [a, b, c, d] : filled.mesh.tetrahedra) {
-    const VolumeMesh& mesh = filled.mesh;
-    filled.smallest_dihedral_angle =
-        std::min(filled.smallest_dihedral_angle,
-                 meshing::smallest_dihedral_angle(
-                     {mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d)}));
-  }
-  return filled;
 }
 
 }  // namespace dupin

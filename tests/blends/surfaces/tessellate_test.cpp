@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <random>
@@ -14,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
+#include "support/mesh_distance.h"
 
 namespace dupin {
 namespace {
@@ -46,25 +46,6 @@ RingedSurface straight(const Vec3& from, const Vec3& to, double start, double en
   return {{from, -along, start}, {to, along, end}, LineSpine{from, to}, LinearRadius{start, end}};
 }
 
-// Distance from p to the segment a b.
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-  return (p - (a + t * (b - a))).norm();
-}
-
-double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 normal = (b - a).cross(c - a).normalized();
-  const Vec3 foot = p - (p - a).dot(normal) * normal;
-  const auto inside = [&](const Vec3& x, const Vec3& y) {
-    return normal.dot((y - x).cross(foot - x)) >= 0;
-  };
-  if (inside(a, b) && inside(b, c) && inside(c, a)) {
-    return std::abs((p - a).dot(normal));
-  }
-  return std::min(
-      {distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
-}
-
 // The distance from points of the surface, on a fine lattice of parameters, to the mesh: brute
 // force over all triangles.
 double measured_deviation(const RingedSurface& surface, const TriMesh& mesh, int along,
@@ -74,12 +55,7 @@ double measured_deviation(const RingedSurface& surface, const TriMesh& mesh, int
   for (int i = 0; i <= along; ++i) {
     for (int k = 0; k < around; ++k) {
       const Vec3 p = evaluate(surface, frames, double(i) / along, 2 * kPi * k / around).position;
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const auto& [a, b, c] : mesh.triangles) {
-        nearest = std::min(nearest,
-                           distance_to_triangle(p, mesh.points[a], mesh.points[b], mesh.points[c]));
-      }
-      largest = std::max(largest, nearest);
+      largest = std::max(largest, test::distance_to(p, mesh));
     }
   }
   return largest;
@@ -294,7 +270,7 @@ TEST(Tessellation, of_a_sphere_is_closed_and_within_the_tolerance) {
       const auto& p = result.mesh.points;
       volume += p[a].cross(p[b]).dot(p[c]) / 6;
       // The point of a triangle nearest to the centre is the furthest from the sphere.
-      EXPECT_GE(distance_to_triangle(sphere.center, p[a], p[b], p[c]),
+      EXPECT_GE(test::distance_to_triangle(sphere.center, p[a], p[b], p[c]),
                 sphere.radius - result.error_bound);
     }
     EXPECT_NEAR(volume, 4 * kPi / 3 * 8, result.error_bound * 4 * kPi * 4);

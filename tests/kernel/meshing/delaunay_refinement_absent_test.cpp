@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/fill.h"
 #include "dupin/kernel/remesh.h"
-#include "dupin/kernel/volume_mesh.h"
 #include "support/shapes.h"
 
 namespace dupin {

@@ -14,6 +14,7 @@
 #include "dupin/kernel/patch.h"
 #include "dupin/kernel/rounding.h"
 #include "kernel/meshing/solver_mesh_checks.h"
+#include "support/mesh_distance.h"
 #include "support/pipe_unions.h"
 #include "support/shapes.h"
 

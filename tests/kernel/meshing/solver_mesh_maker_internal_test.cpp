@@ -7,7 +7,6 @@
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/error.h"
 #include "meshing/solver_mesh_maker.h"
-#include "support/none.h"
 #include "support/shapes.h"
 
 namespace dupin::meshing {
@@ -17,16 +16,9 @@ const Solid kTube = Solid::from(test::labelled(test::tube(5, 0, 20, 48), "tube")
 
 TEST(SolverMeshMaker, surface_is_that_of_the_tetrahedra) {
   const SolverMesh made = make_solver_mesh(kTube, {.distance = 0.1}, true);
-  ASSERT_EQ(made.position.size(), made.mesh.points.size());
-  std::size_t on_surface = 0;
-  for (std::size_t v = 0; v < made.position.size(); ++v) {
-    if (made.position[v] != support::kNone) {
-      ++on_surface;
-      EXPECT_EQ(made.surface.nearest_points().at(made.position[v]), made.mesh.points[v]);
-    }
-  }
-  EXPECT_EQ(on_surface, made.surface.point_count());
-  EXPECT_LT(on_surface, made.mesh.points.size());
+  EXPECT_EQ(made.surface.nearest_points(), made.mesh.surface.points);
+  EXPECT_EQ(made.surface.triangles(), made.mesh.surface.triangles);
+  EXPECT_LT(made.surface.point_count(), made.mesh.point_count());
   EXPECT_EQ(made.surface.names(), kTube.names());
   EXPECT_EQ(made.surface.labels().size(), made.surface.triangle_count());
 }

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "kernel/meshing/solver_mesh_checks.h"
 #include "meshing/surface_distance.h"
+#include "support/mesh_distance.h"
 #include "support/shapes.h"
 
 namespace dupin::meshing {

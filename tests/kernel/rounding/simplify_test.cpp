@@ -1,7 +1,6 @@
 #include "dupin/kernel/simplify.h"
 
 #include <cmath>
-#include <random>
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -9,49 +8,13 @@
 
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
+#include "support/mesh_distance.h"
 #include "support/shapes.h"
 
 namespace dupin {
 namespace {
 
-double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 normal = (b - a).cross(c - a).normalized();
-  const Vec3 corners[] = {a, b, c};
-  bool inside = true;
-  double nearest = INFINITY;
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 &q = corners[i], edge = corners[(i + 1) % 3] - q;
-    inside = inside && normal.dot(edge.cross(p - q)) >= 0;
-    const double t = std::clamp(edge.dot(p - q) / edge.squaredNorm(), 0.0, 1.0);
-    nearest = std::min(nearest, (q + t * edge - p).norm());
-  }
-  return inside ? std::abs(normal.dot(p - a)) : nearest;
-}
-
-double distance_to(const Vec3& p, const TriMesh& mesh) {
-  double nearest = INFINITY;
-  for (const Triangle& t : mesh.triangles) {
-    nearest = std::min(
-        nearest, distance_to_triangle(p, mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
-  }
-  return nearest;
-}
-
-/// The largest distance of seeded random points of one mesh from the other.
-double sampled_distance(const TriMesh& from, const TriMesh& to) {
-  std::mt19937 random(29);
-  std::uniform_real_distribution<double> unit(0, 1);
-  double largest = 0;
-  for (int i = 0; i < 400; ++i) {
-    const Triangle& t = from.triangles[random() % from.triangles.size()];
-    const double r = std::sqrt(unit(random)), s = unit(random);
-    largest = std::max(largest,
-                       distance_to((1 - r) * from.points[t[0]] + r * (1 - s) * from.points[t[1]] +
-                                       r * s * from.points[t[2]],
-                                   to));
-  }
-  return largest;
-}
+using test::sampled_distance;
 
 /// A tube in rings, tilted off the axes, the two halves labelled "low" and "high".
 TriMesh ringed_tube(std::uint32_t segments, std::uint32_t rings) {

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
-#include "dupin/kernel/solid.h"
-#include "dupin/kernel/solver_mesh.h"
-#include "dupin/kernel/tetrahedron.h"
 
 namespace dupin {
+
+/// Four indices into the points of a mesh; the last three are seen counter-clockwise from the side
+/// away from the first, so that the volume is positive.
+using Tetrahedron = std::array<std::uint32_t, 4>;
 
 /// A solid cut into tetrahedra that share corners, edges and triangles, and nothing else.
 struct VolumeMesh {
@@ -26,16 +29,8 @@ struct VolumeMesh {
   }
 };
 
-struct Filled {
-  VolumeMesh mesh;
-  RemeshReport report;
-  double smallest_dihedral_angle = 0;  ///< of the tetrahedra, in radians
-};
-
-/// A mesh of tetrahedra for what a solid encloses, for solvers: its surface is as `remesh` makes
-/// it, with the same options, report and errors; circumradii are at most half the longest edge
-/// allowed, and as far as the surface allows at most twice the shortest edge. By CGAL's Mesh_3,
-/// with exact predicates; all tetrahedra are looked at again, exactly.
-[[nodiscard]] Filled fill(const Solid& solid, const RemeshOptions& options);
+/// One of triangles and tetrahedra that share the points of `surface`: those of triangles come
+/// first, then those of tetrahedra alone, each in their order, and others are left out. O(n).
+[[nodiscard]] VolumeMesh volume_mesh_of(TriMesh surface, std::vector<Tetrahedron> tetrahedra);
 
 }  // namespace dupin
