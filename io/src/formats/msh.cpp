@@ -95,10 +95,11 @@ std::string msh_volume_text(const VolumeMesh& mesh, const MeshHeader& header) {
   text += "$Elements\n" + std::to_string(surface.triangles.size() + mesh.tetrahedra.size()) + '\n';
   append_triangles(text, surface);
   auto element = static_cast<std::uint32_t>(surface.triangles.size());
-  const std::string group = std::to_string(volume_group(surface));
+  const std::string number = std::to_string(volume_group(surface));
+  const std::string group = " 4 2 " + number + ' ' + number;
   for (const Tetrahedron& tetrahedron : mesh.tetrahedra) {
     append_decimal(text, ++element);
-    text += " 4 2 " + group + ' ' + group;
+    text += group;
     append_corners(text, tetrahedron);
   }
   return text + "$EndElements\n";

@@ -212,8 +212,7 @@ class Search {
 
 void sort_unique(std::vector<std::uint32_t>& numbers) {
   std::ranges::sort(numbers);
-  const auto same = std::ranges::unique(numbers);
-  numbers.erase(same.begin(), same.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 /// Points in regions of triangles with a smaller angle, and of their neighbours.

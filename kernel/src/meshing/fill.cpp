@@ -15,7 +15,7 @@ namespace {
 
 /// A triangle beginning with its lowest corner, turned as it was.
 Triangle from_lowest(Triangle triangle) {
-  std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+  std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
   return triangle;
 }
 
