@@ -27,6 +27,7 @@
 #include "rounding_options.h"
 #include "solver_options.h"
 #include "source_text.h"
+#include "tiled_build.h"
 
 namespace dupin::cli {
 namespace {
@@ -177,9 +178,12 @@ void write_built(const Built& built, const Document& document, const BuildOption
     solid = std::move(made.solid);
     remeshed = solver_report(std::move(made.report), solver);
   }
-  report.output =
-      write_solid(solid, destination(arguments.output), rounding_options(arguments.rounding, unit),
-                  header, contact_choice(arguments.contacts, unit), {}, written);
+  const Destination to = destination(arguments.output);
+  const RoundingOptions rounding = rounding_options(arguments.rounding, unit);
+  const ContactChoice contacts = contact_choice(arguments.contacts, unit);
+  report.output = built.districts.size() > 1 && !remeshed
+                      ? write_districts(built, to, rounding, header, contacts, written)
+                      : write_solid(solid, to, rounding, header, contacts, {}, written);
   report.output.solver_mesh = std::move(remeshed);
 }
 
@@ -208,21 +212,46 @@ void check_destination(const BuildArguments& arguments) {
   }
 }
 
+// The solid built and written, whole or in tiles.
+Built build_and_write(Document& document, const BuildOptions& options,
+                      const BuildArguments& arguments, BuildReport& report, TriMesh* written) {
+  if (is_tiled(arguments.tiles)) {
+    return build_in_tiles(document, options, arguments, header_of(document), report.output);
+  }
+  Built built = build_document(document, options);
+  write_built(built, document, options, arguments, report, written);
+  return built;
+}
+
+// Districts are to be rounded apart where a mesh of the exact union is written.
+void prepare_districts(const BuildArguments& arguments, const std::string& unit,
+                       BuildOptions& options) {
+  if (!is_step(arguments.output) && !is_volume(arguments.output) &&
+      arguments.quality != kForSolvers) {
+    set_district_margin(options, destination(arguments.output),
+                        rounding_options(arguments.rounding, unit),
+                        contact_choice(arguments.contacts, unit));
+  }
+}
+
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
   check_destination(arguments);
+  if (is_tiled(arguments.tiles)) {
+    check_tiled(arguments);
+  }
   std::optional<ProgressLine> line(common.quiet);
   Document document =
       read_document(arguments.files.front(), arguments.source, arguments.walls, line->callback());
   Assembly& assembly = document.assembly;
   BuildOptions options = build_options(assembly, arguments, common);
   (void)rounding_options(arguments.rounding, std::string(symbol(assembly.unit)));
+  prepare_districts(arguments, std::string(symbol(assembly.unit)), options);
   BuildReport report;
   TriMesh written;
   {
     options.progress = line->callback();
-    Built built = build_document(document, options);
-    write_built(built, document, options, arguments, report,
-                arguments.page.empty() ? nullptr : &written);
+    Built built = build_and_write(document, options, arguments, report,
+                                  arguments.page.empty() ? nullptr : &written);
     take(report, std::move(built), document, options.connect);
     if (!arguments.page.empty()) {
       tell(options.progress, "report");
@@ -300,6 +329,7 @@ void add_build_options(CLI::App& command, BuildArguments& arguments) {
   add_contacts_option(command, arguments.contacts);
   add_cross_check_option(command, arguments.cross_check);
   add_rounding_options(command, arguments.rounding);
+  add_tile_options(command, arguments.tiles);
 }
 
 void add_build(CLI::App& app, Action& action) {

@@ -17,6 +17,12 @@ class App;
 
 namespace dupin::cli {
 
+/// --tiles and --memory as typed.
+struct TileArguments {
+  std::size_t tiles = 0;
+  std::string memory;
+};
+
 /// What `build` is told.
 struct BuildArguments {
   std::vector<std::string> files;
@@ -29,6 +35,7 @@ struct BuildArguments {
   std::size_t most_triangles = kUsualTriangles;
   SourceArguments source;
   RoundingArguments rounding;
+  TileArguments tiles;
 };
 
 /// Adds all options that say how a document becomes a solid, but not which document and where to.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include <CLI/App.hpp>
 
@@ -51,8 +53,6 @@ Report write_checked_stdout(const TriMesh& mesh, const MeshFormat& format, const
 void write_bytes(const std::string& bytes, const Destination& to) {
   to.is_stdout() ? write_stdout(bytes) : write_file(to.path, bytes);
 }
-
-std::string shown(const Destination& to) { return to.is_stdout() ? "standard output" : to.path; }
 
 /// Returns the measures of a mesh that the file gives back as rounding has proved it.
 Report write_compared(const Rounded& rounded, const Destination& to, const MeshHeader& header,
@@ -123,14 +123,28 @@ void refuse_contacts(const std::vector<Contact>& contacts, const Destination& to
               {}, shown(to));
 }
 
-std::string origin_note(const Vec3& origin) {
+}  // namespace
+
+std::string shown(const Destination& to) { return to.is_stdout() ? "standard output" : to.path; }
+
+void add_settled(ContactSettlement settled, OutputReport& report) {
+  if (!report.settled) {
+    report.settled = std::move(settled);
+    return;
+  }
+  report.settled->length = std::max(report.settled->length, settled.length);
+  std::ranges::move(settled.contacts, std::back_inserter(report.settled->contacts));
+}
+
+void note_origin(const Vec3& origin, MeshHeader& header) {
+  if (origin == Vec3::Zero()) {
+    return;
+  }
   std::ostringstream note;
   note.precision(std::numeric_limits<double>::max_digits10);
   note << "origin at " << origin.x() << " " << origin.y() << " " << origin.z();
-  return note.str();
+  header.note += (header.note.empty() ? "" : "; ") + note.str();
 }
-
-}  // namespace
 
 std::vector<std::string> format_names() {
   std::vector<std::string> names;
@@ -196,24 +210,30 @@ Destination destination(const OutputArguments& arguments) {
   }
 }
 
-OutputReport write_solid(const Solid& solid, const Destination& to, const RoundingOptions& rounding,
-                         MeshHeader header, const ContactChoice& contacts, const Progress& progress,
-                         TriMesh* written) {
-  OutputReport report;
+Rounded settled_and_rounded(const Solid& solid, const Destination& to,
+                            const RoundingOptions& rounding, const ContactChoice& contacts,
+                            OutputReport& report, const Progress& progress) {
+  OutputReport own;
   if (!solid.contacts().empty()) {
     tell(progress, "settle");
   }
-  const Solid settled = settle(solid, contacts, report);
+  const Solid settled = settle(solid, contacts, own);
   tell(progress, "round");
   const bool parts = contacts.kind == ContactChoice::Kind::standard && to.format.merges_points &&
                      !settled.contacts().empty();
-  const Rounded rounded = parts ? rounded_apart(settled, to.format.coordinates, rounding, report)
-                                : to_mesh(settled, to.format.coordinates, rounding);
+  Rounded rounded = parts ? rounded_apart(settled, to.format.coordinates, rounding, own)
+                          : to_mesh(settled, to.format.coordinates, rounding);
   refuse_contacts(rounded.contacts(), to);
-  report.contacts = rounded.contacts();
-  if (rounded.report().origin != Vec3::Zero()) {
-    header.note += (header.note.empty() ? "" : "; ") + origin_note(rounded.report().origin);
+  if (own.settled) {
+    add_settled(*std::move(own.settled), report);
   }
+  return rounded;
+}
+
+OutputReport write_rounded(const Rounded& rounded, const Destination& to, MeshHeader header,
+                           OutputReport report, const Progress& progress, TriMesh* written) {
+  report.contacts = rounded.contacts();
+  note_origin(rounded.report().origin, header);
   report.file = shown(to);
   report.format = to.format.name;
   report.rounding = rounded.report();
@@ -227,6 +247,14 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
     *written = in_own_place(rounded);
   }
   return report;
+}
+
+OutputReport write_solid(const Solid& solid, const Destination& to, const RoundingOptions& rounding,
+                         MeshHeader header, const ContactChoice& contacts, const Progress& progress,
+                         TriMesh* written) {
+  OutputReport report;
+  const Rounded rounded = settled_and_rounded(solid, to, rounding, contacts, report, progress);
+  return write_rounded(rounded, to, std::move(header), std::move(report), progress, written);
 }
 
 TriMesh in_own_place(const Rounded& rounded) {

@@ -61,6 +61,27 @@ void add_output_options(CLI::App& command, OutputArguments& arguments,
                                        const ContactChoice& contacts = {},
                                        const Progress& progress = {}, TriMesh* written = nullptr);
 
+/// The first half of it, up to the one rounding. What it tells comes behind what the report says of
+/// other solids already.
+[[nodiscard]] Rounded settled_and_rounded(const Solid& solid, const Destination& to,
+                                          const RoundingOptions& rounding,
+                                          const ContactChoice& contacts, OutputReport& report,
+                                          const Progress& progress = {});
+
+/// The second half.
+[[nodiscard]] OutputReport write_rounded(const Rounded& rounded, const Destination& to,
+                                         MeshHeader header, OutputReport report,
+                                         const Progress& progress = {}, TriMesh* written = nullptr);
+
+/// Behind what was settled of other solids.
+void add_settled(ContactSettlement settled, OutputReport& report);
+
+/// "out.stl", or "standard output".
+[[nodiscard]] std::string shown(const Destination& to);
+
+/// The note that says where the origin is, behind what the header says already.
+void note_origin(const Vec3& origin, MeshHeader& header);
+
 /// The mesh where the solid is that was rounded, whatever origin was subtracted.
 [[nodiscard]] TriMesh in_own_place(const Rounded& rounded);
 

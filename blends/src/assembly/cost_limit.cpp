@@ -162,4 +162,9 @@ void refuse_too_costly(const Assembly& assembly, const ResolvedAssembly& resolve
       part.name, document_place(assembly, part.index));
 }
 
+double expected_triangles(const Assembly& assembly, const ResolvedAssembly& resolved,
+                          std::span<const WeldedRun> runs, double grid) {
+  return Estimator(resolved, runs, grid, {1, 1}).of(assembly).all.triangles;
+}
+
 }  // namespace dupin::assembly

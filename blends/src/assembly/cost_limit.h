@@ -17,4 +17,8 @@ constexpr double kPairsPerTriangle = 10;
 void refuse_too_costly(const Assembly& assembly, const ResolvedAssembly& resolved,
                        std::span<const WeldedRun> runs, double grid, std::size_t most);
 
+/// How many triangles the meshes of all parts together will have, roughly. As quick.
+[[nodiscard]] double expected_triangles(const Assembly& assembly, const ResolvedAssembly& resolved,
+                                        std::span<const WeldedRun> runs, double grid);
+
 }  // namespace dupin::assembly

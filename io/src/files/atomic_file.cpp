@@ -1,5 +1,6 @@
 #include "dupin/io/atomic_file.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <span>
@@ -277,7 +278,52 @@ bool AsideFile::holds(std::string_view bytes) const {
   }
 }
 
+bool AsideFile::holds_at(std::uint64_t at, std::string_view bytes) const {
+  const Descriptor file = opened(aside_);
+  if (::lseek(file.number(), static_cast<off_t>(at), SEEK_SET) < 0) {
+    fail("read the file", aside_, errno);
+  }
+  std::vector<char> piece(std::min(kPiece, bytes.size()));
+  while (!bytes.empty()) {
+    const std::size_t wanted = std::min(piece.size(), bytes.size());
+    const std::size_t size = read_some(file, std::span(piece).first(wanted), aside_);
+    if (size == 0 || !bytes.starts_with(std::string_view(piece.data(), size))) {
+      return false;
+    }
+    bytes.remove_prefix(size);
+  }
+  return true;
+}
+
+void AsideFile::append(std::string_view bytes) { write(O_APPEND, 0, bytes); }
+
+void AsideFile::replace(std::uint64_t at, std::string_view bytes) { write(0, at, bytes); }
+
+void AsideFile::write(int flags, std::uint64_t at, std::string_view bytes) {
+  Descriptor file(::open(aside_.c_str(), O_WRONLY | O_CLOEXEC | flags));
+  if (file.number() < 0 || ::lseek(file.number(), static_cast<off_t>(at), SEEK_SET) < 0) {
+    fail("write the file", target_, errno);
+  }
+  int reason = write_all(file.number(), bytes);
+  reason = reason != 0 ? reason : file.close();
+  if (reason != 0) {
+    fail("write the file", target_, reason);
+  }
+  is_synced_ = false;
+}
+
+void AsideFile::sync() {
+  const Descriptor file = opened(aside_);
+  if (::fsync(file.number()) != 0) {
+    fail("write the file", target_, errno);
+  }
+  is_synced_ = true;
+}
+
 void AsideFile::commit() {
+  if (!is_synced_) {
+    sync();
+  }
   if (!replaceable_) {
     const std::string bytes = read_file(aside_);
     Descriptor device(::open(target_.c_str(), O_WRONLY | O_CLOEXEC));

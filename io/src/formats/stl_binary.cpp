@@ -60,8 +60,11 @@ void require_finite(const Vec3& point, std::size_t place, std::string_view file)
   }
 }
 
-/// At most 80 bytes, cut between characters; must not begin with "solid".
-std::string header_of(const TriMesh& mesh, const MeshHeader& header) {
+}  // namespace
+
+// Cut between characters; must not begin with "solid".
+std::string formats::stl_binary_preamble(const std::string& name, const MeshHeader& header,
+                                         std::uint32_t triangles) {
   std::string text = "dupin binary STL";
   if (!header.unit.empty()) {
     text += "; unit: " + text::clean_line(header.unit);
@@ -69,8 +72,8 @@ std::string header_of(const TriMesh& mesh, const MeshHeader& header) {
   if (!header.note.empty()) {
     text += "; " + text::clean_line(header.note);
   }
-  if (mesh.names.size() == 1 && !mesh.labels.empty()) {
-    text += "; " + std::string(kNameMark) + text::clean_line(mesh.names.front());
+  if (!name.empty()) {
+    text += "; " + std::string(kNameMark) + text::clean_line(name);
   }
   std::size_t end = std::min(text.size(), kHeader);
   while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
@@ -78,10 +81,9 @@ std::string header_of(const TriMesh& mesh, const MeshHeader& header) {
   }
   text.resize(end);
   text.resize(kHeader, '\0');
+  text::store(text, triangles);
   return text;
 }
-
-}  // namespace
 
 bool has_size_of_binary_stl(std::string_view bytes) {
   return bytes.size() >= kPreamble &&
@@ -157,9 +159,11 @@ std::string stl_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
   if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
     throw Error(Errc::limit_exceeded, "binary STL holds at most 4294967295 triangles");
   }
-  std::string bytes = header_of(mesh, header);
+  const bool is_named = mesh.names.size() == 1 && !mesh.labels.empty();
+  std::string bytes =
+      formats::stl_binary_preamble(is_named ? mesh.names.front() : std::string(), header,
+                                   static_cast<std::uint32_t>(mesh.triangles.size()));
   bytes.reserve(kPreamble + mesh.triangles.size() * kFacet);
-  text::store(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const Triangle& triangle : mesh.triangles) {
     std::array<float, 12> numbers;
     Eigen::Map<Eigen::Matrix<float, 3, 4>> columns(numbers.data());

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <string_view>
 
+#include "dupin/io/mesh_header.h"
 #include "dupin/kernel/mesh.h"
 
 namespace dupin::formats {
@@ -10,5 +13,9 @@ namespace dupin::formats {
 /// same numbers. If the points of the mesh are in different places, `read_stl_binary` then joins
 /// the triangles as the mesh does; this comparison merges no points and takes a tenth of the time.
 [[nodiscard]] bool stl_binary_lists(const TriMesh& mesh, std::string_view bytes);
+
+/// The 84 bytes before the first facet. `name` is that of the only label, empty if there is none.
+[[nodiscard]] std::string stl_binary_preamble(const std::string& name, const MeshHeader& header,
+                                              std::uint32_t triangles);
 
 }  // namespace dupin::formats

@@ -22,17 +22,16 @@ void validate(const RoundingOptions& options) {
   }
 }
 
-Vec3 chosen_origin(const Origin& origin, std::span<const Vec3> points) {
-  if (origin.choice == Origin::Choice::keep || points.empty()) {
+Vec3 chosen_origin(const Origin& origin, const Eigen::AlignedBox3d& whole) {
+  if (origin.choice == Origin::Choice::keep || whole.isEmpty()) {
     return Vec3::Zero();
   }
   if (origin.choice == Origin::Choice::given) {
     return origin.place;
   }
-  const Eigen::AlignedBox3d all = boxes::bounds_of(points);
-  const double extent = (all.max() / 2 - all.min() / 2).maxCoeff();
+  const double extent = (whole.max() / 2 - whole.min() / 2).maxCoeff();
   const double step = extent > 0 ? std::exp2(std::ilogb(extent) - 3) : 0;
-  Vec3 place = all.min() / 2 + all.max() / 2;
+  Vec3 place = whole.min() / 2 + whole.max() / 2;
   for (double& coordinate : place) {
     coordinate = step > 0 ? std::nearbyint(coordinate / step) * step : coordinate;
   }

@@ -10,8 +10,9 @@ namespace dupin::rounding {
 /// Throws invalid_argument unless the options make sense.
 void validate(const RoundingOptions& options);
 
-/// The place that becomes (0, 0, 0): the origin for no points.
-[[nodiscard]] Vec3 chosen_origin(const Origin& origin, std::span<const Vec3> points);
+/// The place that becomes (0, 0, 0), `whole` being what boxes of all points are about: the origin
+/// for none.
+[[nodiscard]] Vec3 chosen_origin(const Origin& origin, const Eigen::AlignedBox3d& whole);
 
 /// There is no valid mesh on such coordinates within the tolerance, for what is at the place given;
 /// with the options that would help. `is_far`: the solid is smaller than its distance from the

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "dupin/blends/tessellation.h"
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/cross_check.h"
+#include "dupin/kernel/districts.h"
 #include "dupin/kernel/gap.h"
 #include "dupin/kernel/progress.h"
 #include "dupin/kernel/solid.h"
@@ -41,12 +43,16 @@ struct BuildOptions {
   std::optional<CrossCheckEngine> cross_check;  ///< to check the union of the pieces by
   Progress progress;                            ///< may be empty
   std::optional<Region> region;  ///< none: metal of an assembly that has walls, else outer
+  /// Boxes about parts are wider by so much, and by so much of the largest coordinate, where
+  /// districts are found: these can be rounded each by itself if no point moves further.
+  double margin = 0, relative_margin = 0;
 };
 
 /// What became of one part.
 struct PartReport {
   std::string name;
-  std::string kind;  ///< its key in a document: "pipe", "cyclic_blend", ...
+  std::uint32_t index = 0;  ///< in Assembly::parts
+  std::string kind;         ///< its key in a document: "pipe", "cyclic_blend", ...
   /// What a cyclide part turned out to be: "single", "double" or "triple" cyclide, "ringed" blend,
   /// or "6 pieces" of a chain. Empty for other parts.
   std::string construction;
@@ -87,6 +93,8 @@ struct Built {
   Region region = Region::outer;          ///< the one that `solid` is
   std::optional<RegionVolumes> volumes;   ///< of an assembly with walls
   std::optional<double> insulation;       ///< its volume, if it was asked for
+  std::vector<Solid> districts;           ///< what `solid` is joined from
+  std::vector<Boxes> boxes;               ///< about each
 };
 
 /// The whole line: resolve, certify, tessellate, weld, unite. The labels of the solid name the part
@@ -99,6 +107,37 @@ struct Built {
 /// through, Error{limit_exceeded} for more triangles than `most_triangles` (of the outer surfaces,
 /// or of the bores), and what `resolve`, `unite` throw; each names the part.
 [[nodiscard]] Built build(const Assembly& assembly, const BuildOptions& options = {});
+
+/// A build of one district after the other: of parts that have nothing to do with the others,
+/// because boxes about them do not touch (dupin/kernel/districts.h).
+class DistrictBuild {
+ public:
+  /// Resolves the assembly and finds its districts, at least one, in the order of their first
+  /// parts. O(n log n) and the pairs of boxes that touch. Throws what `build` throws before a mesh
+  /// is made.
+  explicit DistrictBuild(const Assembly& assembly, const BuildOptions& options = {});
+  ~DistrictBuild();
+  DistrictBuild(DistrictBuild&& other) noexcept;
+  DistrictBuild& operator=(DistrictBuild&& other) noexcept;
+
+  [[nodiscard]] std::size_t size() const;
+  /// About each district.
+  [[nodiscard]] std::vector<Boxes> boxes() const;
+  /// How many triangles its parts will have, roughly.
+  [[nodiscard]] double expected_triangles(std::size_t district) const;
+  /// What is made of one district, as if there were no others; without ports and gaps. Threads may
+  /// build several at a time.
+  [[nodiscard]] Built build(std::size_t district, const Progress& progress = {}) const;
+  /// What `build` gives for the assembly; districts are built side by side.
+  [[nodiscard]] Built build_all(const Progress& progress = {}) const;
+  /// The same, of what it gave for all districts in order, whose solids
+  /// may have been taken away.
+  [[nodiscard]] Built joined(std::vector<Built> districts) const;
+
+ private:
+  struct Plan;
+  std::unique_ptr<const Plan> plan_;
+};
 
 /// What a built solid is a mesh of, in smooth surfaces: the whole; of the metal, the whole less the
 /// bore; of the fluid, what the whole and the bore have in common. `kept` is taken away from the

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -20,6 +21,8 @@ namespace dupin {
 class AsideFile {
  public:
   AsideFile(const std::filesystem::path& target, std::string_view bytes);
+  /// Empty yet.
+  explicit AsideFile(const std::filesystem::path& target) : AsideFile(target, {}) {}
   ~AsideFile();
   AsideFile(const AsideFile&) = delete;
   AsideFile& operator=(const AsideFile&) = delete;
@@ -28,13 +31,23 @@ class AsideFile {
   [[nodiscard]] const std::filesystem::path& path() const { return aside_; }
   /// Reads the file from disk: whether it is there with these bytes and no others.
   [[nodiscard]] bool holds(std::string_view bytes) const;
+  /// The same of those from `at` on, whatever is behind them.
+  [[nodiscard]] bool holds_at(std::uint64_t at, std::string_view bytes) const;
+  /// Puts bytes behind those that are there.
+  void append(std::string_view bytes);
+  /// Puts bytes in the place of some that are there.
+  void replace(std::uint64_t at, std::string_view bytes);
   void commit();
 
  private:
+  void write(int flags, std::uint64_t at, std::string_view bytes);
+  void sync();
+
   std::filesystem::path target_;
   std::filesystem::path aside_;
   bool replaceable_ = true;  // target is a regular file or does not exist
   bool pending_ = false;     // the aside file exists and is ours to remove
+  bool is_synced_ = true;
 };
 
 /// For the handler of a signal that is to end the process, in whatever thread it runs: calls only

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/coordinates.h"
@@ -30,6 +34,9 @@ struct RoundingOptions {
   /// Rounds to multiples of this power of two where the target format can hold them; 0 for none.
   double output_grid = 0;
   Origin origin;
+  /// About a larger whole that the solid is a piece of: the automatic origin, and what the standard
+  /// tolerance is taken from, are the whole's. None: the solid is the whole.
+  std::optional<Eigen::AlignedBox3d> whole = std::nullopt;
 };
 
 /// A shell that rounding moves by more than it is thick. Its thickness is twice its volume over its
@@ -69,7 +76,14 @@ namespace rounding {
 class Rounding;
 }
 
-/// A mesh that represents a solid by exact tests on its own numbers. Only `to_mesh` makes one.
+class Rounded;
+/// Boxes along the axes, closed.
+using Boxes = std::vector<Eigen::AlignedBox3d>;
+/// See dupin/kernel/districts.h.
+[[nodiscard]] Rounded joined(std::span<const Rounded> all, std::span<const Boxes> boxes);
+
+/// A mesh that represents a solid by exact tests on its own numbers. Only `to_mesh` makes one, and
+/// `joined` of several.
 class Rounded {
  public:
   [[nodiscard]] const TriMesh& mesh() const& { return mesh_; }
@@ -83,6 +97,7 @@ class Rounded {
 
  private:
   friend class rounding::Rounding;
+  friend Rounded joined(std::span<const Rounded> all, std::span<const Boxes> boxes);
   Rounded() = default;
 
   TriMesh mesh_;

@@ -1,4 +1,4 @@
-#include "dupin/blends/build.h"
+#include "building/built_district.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,9 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <span>
 #include <string>
+#include <utility>
 
 #include "assembly/bore.h"
 #include "assembly/outward_shape.h"
@@ -15,38 +17,25 @@
 #include "assembly/parts/part_kind.h"
 #include "assembly/run_solids.h"
 #include "assembly/welded_runs.h"
-#include "dupin/blends/resolve.h"
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/renamed.h"
 #include "surfaces/least_wall.h"
 
-namespace dupin {
+namespace dupin::building {
 namespace {
-
-Assembly with_options(Assembly assembly, const BuildOptions& options) {
-  assembly.tolerance = options.tolerance.value_or(assembly.tolerance);
-  if (options.segments) {
-    assembly.segments = options.segments;
-  }
-  return assembly;
-}
 
 // Of its area: an end of a bore of which less is closed is open.
 constexpr double kBlindShare = 0.5;
 
-ResolvedAssembly resolved(const Assembly& assembly, const Progress& progress) {
-  tell(progress, "resolve");
-  return resolve(assembly);
-}
-
 class Builder {
  public:
-  Builder(Assembly assembly, const BuildOptions& options)
-      : assembly_(std::move(assembly)),
+  Builder(District district, const BuildOptions& options)
+      : assembly_(std::move(district.assembly)),
+        numbers_(std::move(district.parts)),
         options_(options),
-        resolved_(resolved(assembly_, options.progress)) {}
+        resolved_(std::move(district.resolved)) {}
 
   Built run() {
     const auto count = static_cast<double>(resolved_.parts.size());
@@ -55,77 +44,38 @@ class Builder {
       built_.parts.push_back(
           assembly::with_part_context(assembly_, part.index, [&] { return certified(part); }));
     }
-    built_.ports = ports(resolved_);
-    built_.gaps = pair_ends(built_.ports, options_.connect);
     if (options_.region == Region::insulation) {
       build_insulation();
     } else if (const auto walls = assembly::walls_of(assembly_, resolved_, options_.region)) {
       build_hollow(*walls);
-    } else if (options_.region.value_or(Region::outer) != Region::outer) {
-      throw Error(Errc::invalid_argument,
-                  "there is no " + std::string(name(*options_.region)) +
-                      " region: neither the document nor a part says how thick a wall is",
-                  {}, document_place(assembly_, "/wall"));
     } else {
       built_.grid = assembly::lattice_spacing(assembly_, resolved_);
       built_.solid = outer();
     }
-    rename_patches();
+    built_.solid = renamed_patches(built_.solid);
     return std::move(built_);
   }
 
  private:
-  void rename_patches() {
-    if (assembly_.patches.empty()) {
-      return;
-    }
-    const std::set<std::string> known = known_patches();
-    for (const auto& [name, other] : assembly_.patches) {
-      if (!known.contains(name)) {
-        throw Error(Errc::invalid_argument,
-                    "there is no patch named '" + name +
-                        "'; patches are called as parts, ends and bores are: part, part.start, "
-                        "part.bore",
-                    {}, document_place(assembly_, "/patches"));
-      }
-    }
-    built_.solid = renamed(built_.solid, assembly_.patches);
-  }
-
-  // Of any region.
-  [[nodiscard]] std::set<std::string> known_patches() const {
-    std::set<std::string> result(built_.solid.names().begin(), built_.solid.names().end());
-    const auto include = [&](const std::string& name) {
-      for (const std::string_view side :
-           {std::string_view(), assembly::kBoreSuffix, assembly::kInsulationSuffix}) {
-        const std::string own = name + std::string(side);
-        result.insert({own, own + ".start", own + ".end"});
-      }
-    };
-    for (const ResolvedPart& part : resolved_.parts) {
-      include(part.name);
-      result.insert(part.end_names.begin(), part.end_names.end());
-    }
-    std::ranges::for_each(resolved_.fillets, [&](const auto& named) { include(named.name); });
-    std::ranges::for_each(resolved_.junctions, [&](const auto& named) { include(named.name); });
-    return result;
+  [[nodiscard]] Solid renamed_patches(const Solid& solid) const {
+    return assembly_.patches.empty() ? solid : renamed(solid, assembly_.patches);
   }
 
   void build_insulation() {
     const std::vector<double> thickness = assembly::insulation_of(assembly_);
-    if (thickness.empty()) {
-      throw Error(Errc::invalid_argument,
-                  "there is no insulation region: neither the document nor a part says how thick "
-                  "insulation is",
-                  {}, document_place(assembly_, "/insulation"));
-    }
     resolved_ = assembly::filled(std::move(resolved_));
+    built_.region = Region::insulation;
+    built_.insulation = 0;
+    if (thickness.empty()) {
+      built_.grid = assembly::lattice_spacing(assembly_, resolved_);
+      (void)outer();
+      return;
+    }
     const assembly::SelectedParts around = assembly::insulated(assembly_, resolved_, thickness);
     built_.grid = std::min(assembly::lattice_spacing(assembly_, resolved_),
                            assembly::lattice_spacing(assembly_, around.resolved));
     const Solid whole = outer(), covered = united(around.resolved);
     built_.solid = subtract(covered, {&whole, 1}, {options_.contacts, options_.progress});
-    built_.region = Region::insulation;
     built_.insulation = built_.solid.volume();
     cross_check(built_.solid, SetOperation::subtract, std::array{covered, whole});
   }
@@ -206,6 +156,7 @@ class Builder {
     std::ranges::stable_sort(all, {}, [](const auto& entry) { return entry.first; });
     built_.parts.clear();
     for (auto& [index, entry] : all) {
+      entry.index = numbers_[index];
       built_.parts.push_back(std::move(entry));
     }
   }
@@ -363,6 +314,7 @@ class Builder {
   }
 
   Assembly assembly_;
+  std::vector<std::uint32_t> numbers_;  // of its parts, in the whole document
   const BuildOptions& options_;
   ResolvedAssembly resolved_;
   Built built_;
@@ -370,13 +322,8 @@ class Builder {
 
 }  // namespace
 
-std::string_view name(Region region) {
-  constexpr std::array<std::string_view, 4> kNames{"outer", "metal", "fluid", "insulation"};
-  return kNames.at(std::size_t(region));
+Built built_district(District district, const BuildOptions& options) {
+  return Builder(std::move(district), options).run();
 }
 
-Built build(const Assembly& assembly, const BuildOptions& options) {
-  return Builder(with_options(assembly, options), options).run();
-}
-
-}  // namespace dupin
+}  // namespace dupin::building

@@ -1,0 +1,291 @@
+#include "tiled_build.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "dupin/io/stl.h"
+#include "dupin/io/stl_stream.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/districts.h"
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
+#include "exit_code.h"
+#include "report_text.h"
+
+namespace dupin::cli {
+namespace {
+
+/// What a build needs for a triangle of its result, measured (docs/cli.md).
+constexpr double kBytesPerTriangle = 400;
+
+/// Of the standard tolerance of rounding, 1024 spacings of the numbers of a file at the largest
+/// coordinate, and half a spacing more.
+constexpr double kMostSpacings = 1025;
+
+std::uint64_t bytes_in(const std::string& text) {
+  constexpr std::array<std::pair<std::string_view, std::uint64_t>, 4> kUnits{
+      {{"kB", 1000}, {"MB", 1000'000}, {"GB", 1000'000'000}, {"TB", 1000'000'000'000}}};
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, fault] = std::from_chars(text.data(), end, number);
+  const auto* const unit =
+      std::ranges::find(kUnits, std::string_view(stop, end), [](const auto& u) { return u.first; });
+  constexpr double kMost = 1e15;
+  const double bytes = unit == kUnits.end() ? 0 : number * static_cast<double>(unit->second);
+  if (fault != std::errc() || !(bytes >= 1 && bytes <= kMost)) {
+    throw UsageError("--memory takes a size such as 500MB or 4GB, not '" + text + "'");
+  }
+  return static_cast<std::uint64_t>(bytes);
+}
+
+void append(std::vector<Contact> from, std::vector<Contact>& to) {
+  std::ranges::move(from, std::back_inserter(to));
+}
+
+void add(const Report& from, Report& to) {
+  const auto faces = static_cast<std::uint32_t>(to.triangles);
+  to.points += from.points;
+  to.triangles += from.triangles;
+  to.counts.resize(from.counts.size(), 0);
+  std::ranges::transform(from.counts, to.counts, to.counts.begin(), std::plus<>());
+  for (ShellReport shell : from.shells) {
+    shell.first_face += faces;
+    to.shells.push_back(shell);
+  }
+  to.components += from.components;
+  to.euler_number += from.euler_number;
+  to.genus += from.genus;
+  to.volume += from.volume;
+  to.area += from.area;
+}
+
+void add(const RoundingReport& from, RoundingReport& to) {
+  to.coordinates = from.coordinates;
+  to.origin = from.origin;
+  to.moved += from.moved;
+  to.largest_move = std::max(to.largest_move, from.largest_move);
+  to.repair_reach = std::max(to.repair_reach, from.repair_reach);
+  to.removed_triangles += from.removed_triangles;
+  to.removed_shells += from.removed_shells;
+  to.slit_width = std::max(to.slit_width, from.slit_width);
+  std::ranges::copy(from.filled_places, std::back_inserter(to.filled_places));
+  std::ranges::copy(from.snapped_places, std::back_inserter(to.snapped_places));
+  std::ranges::copy(from.thin_shells, std::back_inserter(to.thin_shells));
+}
+
+/// One district, built and rounded.
+struct Piece {
+  Built built;
+  OutputReport report;
+  std::optional<Rounded> rounded;
+};
+
+class TiledBuild {
+ public:
+  TiledBuild(const Document& document, const BuildOptions& options, const BuildArguments& arguments)
+      : plan_(document.assembly, options),
+        boxes_(plan_.boxes()),
+        to_(destination(arguments.output)),
+        contacts_(contact_choice(arguments.contacts, std::string(symbol(document.assembly.unit)))),
+        rounding_(
+            rounding_options(arguments.rounding, std::string(symbol(document.assembly.unit)))),
+        progress_(options.progress) {
+    rounding_.whole = bounds_of(boxes_);
+    if (!arguments.tiles.memory.empty()) {
+      divide_by_memory(bytes_in(arguments.tiles.memory), document.assembly);
+    } else {
+      divide_evenly(arguments.tiles.tiles);
+    }
+  }
+
+  Built run(MeshHeader header, OutputReport& report) {
+    StlStream stream(to_.path);
+    std::vector<Built> built;
+    std::size_t begin = 0;
+    for (const std::size_t end : ends_) {
+      tell(progress_, "build", double(begin) / double(plan_.size()));
+      std::vector<Piece> pieces(end - begin);
+      for_each_in_parallel(pieces.size(), [&](std::size_t i) { make(begin + i, pieces[i]); });
+      for (Piece& piece : pieces) {
+        stream.append(*piece.rounded);
+        take(piece, report);
+        built.push_back(std::move(piece.built));
+      }
+      begin = end;
+    }
+    note_origin(report.rounding.origin, header);
+    stream.commit(header);
+    report.file = to_.path;
+    report.format = to_.format.name;
+    report.verification = to_.verification;
+    return plan_.joined(std::move(built));
+  }
+
+ private:
+  void divide_evenly(std::size_t tiles) {
+    const std::size_t count = plan_.size(), all = std::clamp<std::size_t>(tiles, 1, count);
+    for (std::size_t i = 1; i <= all; ++i) {
+      ends_.push_back(count * i / all);
+    }
+  }
+
+  void divide_by_memory(std::uint64_t memory, const Assembly& assembly) {
+    const double most = static_cast<double>(memory) / kBytesPerTriangle;
+    double tile = 0;
+    for (std::size_t i = 0; i < plan_.size(); ++i) {
+      const double own = plan_.expected_triangles(i);
+      if (own > most) {
+        throw Error(Errc::limit_exceeded,
+                    "what hangs together at " + decimal(bounds_of({{boxes_[i]}}).center()) +
+                        " has about " + decimal(own, 2) + " triangles, which need " +
+                        decimal(own * kBytesPerTriangle / 1e9, 2) +
+                        " GB; give --memory more, or a coarser tolerance",
+                    {}, assembly.source);
+      }
+      if (tile + own > most) {
+        ends_.push_back(i);
+        tile = 0;
+      }
+      tile += own;
+    }
+    ends_.push_back(plan_.size());
+  }
+
+  void make(std::size_t district, Piece& piece) const {
+    piece.built = plan_.build(district);
+    piece.rounded = settled_and_rounded(piece.built.solid, to_, rounding_of_district(), contacts_,
+                                        piece.report);
+    piece.built.solid = Solid();
+    if (plan_.size() > 1 && !lies_in(*piece.rounded, boxes_[district])) {
+      throw Error(Errc::internal,
+                  "internal error, please report it: a district does not lie in its boxes", {},
+                  to_.path);
+    }
+    piece.report.check = check(*piece.rounded);
+  }
+
+  [[nodiscard]] RoundingOptions rounding_of_district() const {
+    RoundingOptions options = rounding_;
+    if (plan_.size() == 1) {
+      options.whole.reset();
+    }
+    return options;
+  }
+
+  static void take(Piece& piece, OutputReport& report) {
+    if (!report.check) {
+      report.check.emplace();
+    }
+    add(*piece.report.check, *report.check);
+    add(piece.rounded->report(), report.rounding);
+    append(piece.rounded->contacts(), report.contacts);
+    if (piece.report.settled) {
+      add_settled(*std::move(piece.report.settled), report);
+    }
+    piece.rounded.reset();
+  }
+
+  DistrictBuild plan_;
+  std::vector<Boxes> boxes_;
+  Destination to_;
+  ContactChoice contacts_;
+  RoundingOptions rounding_;
+  Progress progress_;
+  std::vector<std::size_t> ends_;  // of tiles, behind their last districts
+};
+
+}  // namespace
+
+void add_tile_options(CLI::App& command, TileArguments& arguments) {
+  auto* const tiles =
+      command
+          .add_option("--tiles", arguments.tiles,
+                      "Build in so many tiles, one after the other, each of parts that have\n"
+                      "nothing to do with the others, and append them to a binary STL: the same\n"
+                      "bytes in less memory")
+          ->type_name("NUMBER")
+          ->check(CLI::Range(1, 1000000));
+  command
+      .add_option("--memory", arguments.memory,
+                  "As many tiles as that takes, such as 4GB: for models larger than memory")
+      ->type_name("SIZE")
+      ->excludes(tiles);
+}
+
+bool is_tiled(const TileArguments& arguments) {
+  return arguments.tiles > 0 || !arguments.memory.empty();
+}
+
+void check_tiled(const BuildArguments& arguments) {
+  const Destination to = destination(arguments.output);
+  if (to.is_stdout() || !(to.format == kStlBinary)) {
+    throw UsageError("--tiles and --memory write binary STL files only");
+  }
+  if (!to.patches.empty() || !arguments.page.empty() || arguments.quality == "cfd") {
+    throw UsageError(
+        "--patches, --report and --quality cfd look at all of a solid at once, which "
+        "--tiles and --memory never have");
+  }
+  if (to.verification == Verification::full || to.verification == Verification::none) {
+    throw UsageError(
+        "with --tiles and --memory, files are compared as they are written; --verify "
+        "full is what the command check does");
+  }
+  if (arguments.source.keep_going) {
+    throw UsageError(
+        "--keep-going builds all of a document again where a part is refused, which "
+        "--tiles and --memory do not");
+  }
+  if (!arguments.tiles.memory.empty()) {
+    (void)bytes_in(arguments.tiles.memory);
+  }
+}
+
+void set_district_margin(BuildOptions& options, const Destination& to,
+                         const RoundingOptions& rounding, const ContactChoice& contacts) {
+  const double digits = to.format.coordinates == Coordinates::binary32 ? 23 : 52;
+  options.relative_margin =
+      rounding.tolerance > 0 ? std::exp2(-digits) : kMostSpacings * std::exp2(-digits);
+  options.margin = rounding.tolerance + kMostSpacings * rounding.output_grid + contacts.length;
+}
+
+OutputReport write_districts(const Built& built, const Destination& to,
+                             const RoundingOptions& rounding, MeshHeader header,
+                             const ContactChoice& contacts, TriMesh* written) {
+  OutputReport report;
+  RoundingOptions options = rounding;
+  options.whole = bounds_of(built.boxes);
+  std::vector<std::optional<Rounded>> rounded(built.districts.size());
+  std::vector<OutputReport> reports(built.districts.size());
+  for_each_in_parallel(rounded.size(), [&](std::size_t i) {
+    rounded[i] = settled_and_rounded(built.districts[i], to, options, contacts, reports[i]);
+  });
+  std::vector<Rounded> all;
+  for (std::size_t i = 0; i < rounded.size(); ++i) {
+    all.push_back(*std::move(rounded[i]));
+    if (reports[i].settled) {
+      add_settled(*std::move(reports[i].settled), report);
+    }
+  }
+  return write_rounded(joined(all, built.boxes), to, std::move(header), std::move(report), {},
+                       written);
+}
+
+Built build_in_tiles(const Document& document, const BuildOptions& options,
+                     const BuildArguments& arguments, const MeshHeader& header,
+                     OutputReport& report) {
+  return TiledBuild(document, options, arguments).run(header, report);
+}
+
+}  // namespace dupin::cli

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dupin/io/atomic_file.h"
+#include "dupin/io/mesh_header.h"
+#include "dupin/kernel/rounding.h"
+
+namespace dupin {
+
+/// A binary STL that is written one solid after the other, aside, in the memory that one of them
+/// needs. Its bytes are those that stl_binary_bytes() gives for all of them joined
+/// (dupin/kernel/districts.h). All functions throw what AsideFile does.
+class StlStream {
+ public:
+  explicit StlStream(const std::filesystem::path& path);
+
+  /// Behind those that are there. What the file gives back are the very numbers and neighbours that
+  /// rounding has proved, or Error{unroundable} is thrown, as by write_verified(). Throws
+  /// Error{limit_exceeded} for 2^32 triangles and more.
+  void append(const Rounded& solid);
+  /// The file takes its place.
+  void commit(const MeshHeader& header);
+
+  [[nodiscard]] std::uint64_t triangles() const { return triangles_; }
+
+ private:
+  void append_triangles(std::string_view bytes, std::uint64_t count);
+
+  std::string shown_;
+  AsideFile file_;
+  std::uint64_t triangles_ = 0;
+  std::vector<std::string> names_;  // of labels, at most two of them
+};
+
+}  // namespace dupin

@@ -1,0 +1,58 @@
+#include "dupin/io/stl_stream.h"
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+
+#include "dupin/io/mesh_file.h"
+#include "dupin/io/stl.h"
+#include "dupin/kernel/error.h"
+#include "formats/stl_binary.h"
+
+namespace dupin {
+namespace {
+
+constexpr std::size_t kPreamble = 84;  // before the first facet
+
+}  // namespace
+
+StlStream::StlStream(const std::filesystem::path& path) : shown_(path.string()), file_(path) {
+  file_.append(std::string(kPreamble, '\0'));
+}
+
+void StlStream::append(const Rounded& solid) {
+  const std::string bytes = verified_bytes(shown_, solid, kStlBinary);
+  append_triangles(std::string_view(bytes).substr(kPreamble), solid.mesh().triangles.size());
+  // The header has a name if there is one only.
+  for (const std::string& name : solid.mesh().names) {
+    if (names_.size() < 2 && !std::ranges::count(names_, name)) {
+      names_.push_back(name);
+    }
+  }
+}
+
+void StlStream::append_triangles(std::string_view bytes, std::uint64_t count) {
+  if (triangles_ + count > std::numeric_limits<std::uint32_t>::max()) {
+    throw Error(Errc::limit_exceeded, "binary STL holds at most 4294967295 triangles", {}, shown_);
+  }
+  const std::uint64_t facet = count == 0 ? 0 : bytes.size() / count;
+  const std::uint64_t at = kPreamble + triangles_ * facet;
+  file_.append(bytes);
+  if (!file_.holds_at(at, bytes)) {
+    throw Error(Errc::io_failed, "what was written is not what is read back", {}, shown_);
+  }
+  triangles_ += count;
+}
+
+void StlStream::commit(const MeshHeader& header) {
+  const std::string preamble =
+      formats::stl_binary_preamble(names_.size() == 1 ? names_.front() : std::string(), header,
+                                   static_cast<std::uint32_t>(triangles_));
+  file_.replace(0, preamble);
+  if (!file_.holds_at(0, preamble)) {
+    throw Error(Errc::io_failed, "what was written is not what is read back", {}, shown_);
+  }
+  file_.commit();
+}
+
+}  // namespace dupin

@@ -1,0 +1,446 @@
+#include "dupin/kernel/districts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+#include "dupin/kernel/error.h"
+#include "exact/exact_numbers.h"
+#include "mesh/exact_mesh.h"
+#include "mesh/point_winding.h"
+#include "support/none.h"
+
+namespace dupin {
+namespace {
+
+using TreePoint = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
+using TreeBox = boost::geometry::model::box<TreePoint>;
+using TreeEntry = std::pair<TreeBox, std::uint32_t>;
+using Tree = boost::geometry::index::rtree<TreeEntry, boost::geometry::index::rstar<16>>;
+
+TreePoint tree_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+TreeBox tree_box(const Eigen::AlignedBox3d& box) {
+  return {tree_point(box.min()), tree_point(box.max())};
+}
+
+Tree tree_of(std::span<const Eigen::AlignedBox3d> boxes) {
+  std::vector<TreeEntry> entries;
+  entries.reserve(boxes.size());
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    if (!boxes[i].isEmpty()) {
+      entries.emplace_back(tree_box(boxes[i]), i);
+    }
+  }
+  return Tree(entries);
+}
+
+/// A box that contains one triangle contains the next, most likely.
+class Containment {
+ public:
+  explicit Containment(std::span<const Eigen::AlignedBox3d> boxes)
+      : boxes_(boxes), tree_(tree_of(boxes)) {}
+
+  /// Whether one box has all three corners in its interior.
+  [[nodiscard]] bool contains(const std::array<Eigen::AlignedBox3d, 3>& corners) {
+    if (last_ < boxes_.size() && is_inside(corners, boxes_[last_])) {
+      return true;
+    }
+    std::vector<TreeEntry> around;
+    tree_.query(boost::geometry::index::intersects(tree_box(corners[0])),
+                std::back_inserter(around));
+    const auto found = std::ranges::find_if(
+        around, [&](const TreeEntry& entry) { return is_inside(corners, boxes_[entry.second]); });
+    last_ = found != around.end() ? found->second : last_;
+    return found != around.end();
+  }
+
+ private:
+  static bool is_inside(const std::array<Eigen::AlignedBox3d, 3>& corners,
+                        const Eigen::AlignedBox3d& box) {
+    return std::ranges::all_of(corners, [&](const Eigen::AlignedBox3d& corner) {
+      return (box.min().array() < corner.min().array()).all() &&
+             (corner.max().array() < box.max().array()).all();
+    });
+  }
+
+  std::span<const Eigen::AlignedBox3d> boxes_;
+  Tree tree_;
+  std::size_t last_ = support::kNone;
+};
+
+/// Where a point of a mesh is, exactly or within what doubles tell.
+template <class BoxOfPoint>
+bool lie_in(const std::vector<Triangle>& triangles, const Boxes& boxes,
+            const BoxOfPoint& box_of_point) {
+  Containment containment(boxes);
+  return std::ranges::all_of(triangles, [&](const Triangle& t) {
+    return containment.contains({box_of_point(t[0]), box_of_point(t[1]), box_of_point(t[2])});
+  });
+}
+
+const Eigen::AlignedBox3d* first_full(const Boxes& boxes) {
+  const auto found = std::ranges::find_if(boxes, [](const auto& box) { return !box.isEmpty(); });
+  return found == boxes.end() ? nullptr : &*found;
+}
+
+/// Whether boxes that touch none of the tree's may lie where these enclose a space: no way out
+/// along an axis.
+bool may_be_enclosed(const Tree& tree, const Vec3& place) {
+  for (int k = 0; k < 3; ++k) {
+    for (const double end :
+         {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()}) {
+      Eigen::AlignedBox3d way(place, place);
+      (end < 0 ? way.min() : way.max())[k] = end;
+      if (tree.qbegin(boost::geometry::index::intersects(tree_box(way))) == tree.qend()) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Surfaces lie in boxes, but does what they bound? Else a solid lies inside of another one, in a
+/// space that the boxes of this enclose. Within its boxes a surface may move without winding
+/// differently about a place outside of them: doubles will do.
+void require_outside(const mesh::MeshView& doubles, std::size_t number, const Vec3& origin,
+                     std::span<const Boxes> boxes) {
+  Eigen::AlignedBox3d all;
+  for (const Eigen::AlignedBox3d& box : boxes[number]) {
+    all.extend(box);
+  }
+  std::optional<Tree> tree;
+  for (std::size_t other = 0; other < boxes.size(); ++other) {
+    const Eigen::AlignedBox3d* const first = other == number ? nullptr : first_full(boxes[other]);
+    if (first == nullptr || !all.contains(*first)) {
+      continue;
+    }
+    tree = tree ? std::move(tree) : tree_of(boxes[number]);
+    if (!may_be_enclosed(*tree, first->center())) {
+      continue;
+    }
+    std::vector<std::uint32_t> faces(doubles.triangles.size());
+    std::iota(faces.begin(), faces.end(), 0);
+    const Vec3 place = first->center() - origin;
+    if (mesh::winding_number(doubles, faces,
+                             {exact::exact_vector(place), 1, Eigen::AlignedBox3d(place, place)}) !=
+        0) {
+      throw Error(Errc::invalid_argument, "boxes of the solid " + std::to_string(other) +
+                                              " lie inside of the solid " + std::to_string(number));
+    }
+  }
+}
+
+mesh::MeshView doubles_of(const Solid& solid) {
+  return {solid.nearest_points(), solid.triangles()};
+}
+mesh::MeshView doubles_of(const Rounded& rounded) {
+  return {rounded.mesh().points, rounded.mesh().triangles};
+}
+Vec3 origin_of(const Solid& /*solid*/) { return Vec3::Zero(); }
+Vec3 origin_of(const Rounded& rounded) { return rounded.report().origin; }
+
+void require_apart(std::span<const Boxes> boxes) {
+  Boxes all;
+  std::vector<std::size_t> owner;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    all.insert(all.end(), boxes[i].begin(), boxes[i].end());
+    owner.resize(all.size(), i);
+  }
+  std::vector<std::size_t> owner_of(all.size(), boxes.size());  // by district
+  const std::vector<std::uint32_t> districts = districts_of(all);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::size_t& known = owner_of[districts[i]];
+    known = known == boxes.size() ? owner[i] : known;
+    if (known != owner[i]) {
+      throw Error(Errc::invalid_argument, "boxes of the solids " + std::to_string(known) + " and " +
+                                              std::to_string(owner[i]) + " touch");
+    }
+  }
+}
+
+template <class Item>
+void require_in_boxes(std::span<const Item> items, std::span<const Boxes> boxes) {
+  if (items.size() != boxes.size()) {
+    throw Error(
+        Errc::invalid_argument,
+        std::to_string(items.size()) + " solids have the boxes of " + std::to_string(boxes.size()));
+  }
+  require_apart(boxes);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!lies_in(items[i], boxes[i])) {
+      throw Error(Errc::invalid_argument,
+                  "the solid " + std::to_string(i) + " does not lie in its boxes");
+    }
+    require_outside(doubles_of(items[i]), i, origin_of(items[i]), boxes);
+  }
+}
+
+/// Names that several meshes have, once.
+class Names {
+ public:
+  [[nodiscard]] std::uint32_t number(const std::string& name) {
+    const auto [entry, is_new] =
+        known_.try_emplace(name, static_cast<std::uint32_t>(names_.size()));
+    if (is_new) {
+      names_.push_back(name);
+    }
+    return entry->second;
+  }
+  /// Those of a mesh without labels are "".
+  void append_labels(const std::vector<std::uint32_t>& labels,
+                     const std::vector<std::string>& names, std::size_t triangles,
+                     std::vector<std::uint32_t>& all) {
+    std::vector<std::uint32_t> numbers;
+    for (const std::string& name : names) {
+      numbers.push_back(number(name));
+    }
+    if (labels.empty() && triangles > 0) {
+      all.insert(all.end(), triangles, number(""));
+    }
+    std::ranges::transform(labels, std::back_inserter(all),
+                           [&](std::uint32_t label) { return numbers[label]; });
+  }
+  [[nodiscard]] std::vector<std::string> take() { return std::move(names_); }
+
+ private:
+  std::map<std::string, std::uint32_t> known_;
+  std::vector<std::string> names_;
+};
+
+template <class Item>
+void append(const std::vector<Item>& from, std::vector<Item>& to) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+/// What of a mesh comes behind what others have brought.
+class Joiner {
+ public:
+  explicit Joiner(std::span<const Solid> solids) {
+    std::size_t points = 0, triangles = 0;
+    for (const Solid& solid : solids) {
+      doubles_ += solid.exact().double_count();
+      points += solid.point_count();
+      triangles += solid.triangle_count();
+      has_labels_ = has_labels_ || !solid.labels().empty();
+      has_planes_ = has_planes_ || !solid.exact().plane_of.empty();
+      has_classes_ = has_classes_ || !solid.exact().stable.of_triangle.empty();
+    }
+    if (points > support::kNone || triangles > support::kNone) {
+      throw Error(Errc::limit_exceeded, "a solid has less than 2^32 points and triangles");
+    }
+    mesh_.points.resize(points);
+    mesh_.implicit.reserve(points - doubles_);
+    mesh_.triangles.reserve(triangles);
+    mesh_.sources.reserve(triangles);
+  }
+
+  void add(const mesh::ExactMesh& from) {
+    const std::uint32_t count = from.double_count();
+    const auto second = static_cast<std::uint32_t>(doubles_ + mesh_.implicit.size());
+    std::copy_n(from.points.begin(), count, mesh_.points.begin() + first_);
+    std::copy(from.points.begin() + count, from.points.end(), mesh_.points.begin() + second);
+    append(from.implicit, mesh_.implicit);
+    const auto renumbered = [&](std::uint32_t point) {
+      return point < count ? first_ + point : second + (point - count);
+    };
+    for (const auto& [a, b, c] : from.triangles) {
+      mesh_.triangles.push_back({renumbered(a), renumbered(b), renumbered(c)});
+      mesh_.sources.push_back(
+          {operand_, static_cast<std::uint32_t>(mesh_.sources.size() - first_triangle_)});
+    }
+    if (has_labels_) {
+      names_.append_labels(from.labels, from.names, from.triangles.size(), mesh_.labels);
+    }
+    append(from.contacts, mesh_.contacts);
+    add_planes(from);
+    add_classes(from);
+    first_ += count;
+    first_triangle_ += from.triangles.size();
+    ++operand_;
+  }
+
+  [[nodiscard]] mesh::ExactMesh take() {
+    mesh_.names = names_.take();
+    return std::move(mesh_);
+  }
+
+ private:
+  void add_planes(const mesh::ExactMesh& from) {
+    if (!has_planes_) {
+      return;
+    }
+    const auto shift = static_cast<std::uint32_t>(mesh_.planes.size());
+    append(from.planes, mesh_.planes);
+    mesh_.plane_of.resize(first_triangle_, mesh::ExactMesh::kOwnPlane);
+    for (const std::uint32_t plane : from.plane_of) {
+      mesh_.plane_of.push_back(plane == mesh::ExactMesh::kOwnPlane ? plane : plane + shift);
+    }
+    mesh_.plane_of.resize(mesh_.triangles.size(), mesh::ExactMesh::kOwnPlane);
+  }
+
+  void add_classes(const mesh::ExactMesh& from) {
+    if (!has_classes_) {
+      return;
+    }
+    constexpr std::uint32_t kNone = mesh::StableFaceGroups::kNone;
+    const auto shift = static_cast<std::uint32_t>(mesh_.stable.classes.size());
+    append(from.stable.classes, mesh_.stable.classes);
+    mesh_.stable.of_triangle.resize(first_triangle_, kNone);
+    for (const std::uint32_t own : from.stable.of_triangle) {
+      mesh_.stable.of_triangle.push_back(own == kNone ? own : own + shift);
+    }
+    mesh_.stable.of_triangle.resize(mesh_.triangles.size(), kNone);
+  }
+
+  std::size_t doubles_ = 0, first_triangle_ = 0;
+  bool has_labels_ = false, has_planes_ = false, has_classes_ = false;
+  std::uint32_t operand_ = 0, first_ = 0;
+  Names names_;
+  mesh::ExactMesh mesh_;
+};
+
+void add_report(const RoundingReport& from, RoundingReport& to) {
+  to.moved += from.moved;
+  to.largest_move = std::max(to.largest_move, from.largest_move);
+  to.repair_reach = std::max(to.repair_reach, from.repair_reach);
+  to.removed_triangles += from.removed_triangles;
+  to.removed_shells += from.removed_shells;
+  append(from.filled_places, to.filled_places);
+  to.slit_width = std::max(to.slit_width, from.slit_width);
+  append(from.snapped_places, to.snapped_places);
+  append(from.thin_shells, to.thin_shells);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> boxes) {
+  const Tree tree = tree_of(boxes);
+  std::vector<std::uint32_t> district(boxes.size(), support::kNone), open;
+  std::uint32_t count = 0;
+  for (std::uint32_t first = 0; first < boxes.size(); ++first) {
+    if (district[first] != support::kNone) {
+      continue;
+    }
+    district[first] = count;
+    open.push_back(first);
+    while (!open.empty()) {
+      const Eigen::AlignedBox3d& box = boxes[open.back()];
+      open.pop_back();
+      if (box.isEmpty()) {
+        continue;
+      }
+      std::vector<TreeEntry> near;
+      const auto is_new = [&](const TreeEntry& e) { return district[e.second] == support::kNone; };
+      tree.query(boost::geometry::index::intersects(tree_box(box)) &&
+                     boost::geometry::index::satisfies(is_new),
+                 std::back_inserter(near));
+      for (const auto& [other, number] : near) {
+        district[number] = count;
+        open.push_back(number);
+      }
+    }
+    ++count;
+  }
+  return district;
+}
+
+Eigen::AlignedBox3d bounds_of(std::span<const Boxes> boxes) {
+  Eigen::AlignedBox3d bounds;
+  for (const Boxes& some : boxes) {
+    for (const Eigen::AlignedBox3d& box : some) {
+      bounds.extend(box);
+    }
+  }
+  return bounds;
+}
+
+bool lies_in(const Solid& solid, const Boxes& boxes) {
+  // A double between a place that is none and the next box side, which is one: comparing the
+  // nearest double strictly is comparing the place.
+  return lie_in(solid.triangles(), boxes, [&](std::uint32_t point) {
+    const Vec3& place = solid.nearest_points()[point];
+    return Eigen::AlignedBox3d(place, place);
+  });
+}
+
+bool lies_in(const Rounded& rounded, const Boxes& boxes) {
+  const Vec3& origin = rounded.report().origin;
+  return lie_in(rounded.mesh().triangles, boxes, [&](std::uint32_t point) {
+    const Vec3 place = rounded.mesh().points[point] + origin;
+    Eigen::AlignedBox3d around(place, place);
+    for (int k = 0; k < 3; ++k) {
+      if (origin[k] != 0) {
+        around.min()[k] = std::nextafter(place[k], -std::numeric_limits<double>::infinity());
+        around.max()[k] = std::nextafter(place[k], std::numeric_limits<double>::infinity());
+      }
+    }
+    return around;
+  });
+}
+
+Solid joined(std::span<const Solid> solids, std::span<const Boxes> boxes) {
+  require_in_boxes(solids, boxes);
+  Joiner joiner(solids);
+  for (const Solid& solid : solids) {
+    joiner.add(solid.exact());
+  }
+  return Solid(std::make_shared<const mesh::ExactMesh>(joiner.take()));
+}
+
+Rounded joined(std::span<const Rounded> all, std::span<const Boxes> boxes) {
+  require_in_boxes(all, boxes);
+  Rounded result;
+  bool has_labels = false;
+  std::size_t points = 0, triangles = 0;
+  for (const Rounded& part : all) {
+    has_labels = has_labels || !part.mesh_.labels.empty();
+    points += part.mesh_.points.size();
+    triangles += part.mesh_.triangles.size();
+    if (part.report_.origin != all[0].report_.origin ||
+        part.report_.coordinates != all[0].report_.coordinates) {
+      throw Error(Errc::invalid_argument, "rounded solids have several origins or coordinates");
+    }
+  }
+  if (points > support::kNone || triangles > support::kNone) {
+    throw Error(Errc::limit_exceeded, "a mesh has less than 2^32 points and triangles");
+  }
+  result.mesh_.points.reserve(points);
+  result.mesh_.triangles.reserve(triangles);
+  result.sources_.reserve(triangles);
+  Names names;
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    const TriMesh& mesh = all[i].mesh_;
+    const auto shift = static_cast<std::uint32_t>(result.mesh_.points.size());
+    append(mesh.points, result.mesh_.points);
+    for (const auto& [a, b, c] : mesh.triangles) {
+      result.mesh_.triangles.push_back({a + shift, b + shift, c + shift});
+    }
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      result.sources_.push_back({i, t});
+    }
+    if (has_labels) {
+      names.append_labels(mesh.labels, mesh.names, mesh.triangles.size(), result.mesh_.labels);
+    }
+    append(all[i].contacts_, result.contacts_);
+    add_report(all[i].report_, result.report_);
+  }
+  if (!all.empty()) {
+    result.report_.origin = all[0].report_.origin;
+    result.report_.coordinates = all[0].report_.coordinates;
+  }
+  result.mesh_.names = names.take();
+  return result;
+}
+
+}  // namespace dupin

@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/blends/build.h"
+#include "dupin/kernel/error.h"
+#include "support/named_parts.h"
+
+namespace dupin {
+namespace {
+
+using test::pipe;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// Crosses of two pipes, so many, each apart from the next.
+Assembly crosses(int count) {
+  Assembly assembly{"", Unit::millimetre, 0.02, {}, {}};
+  for (int i = 0; i < count; ++i) {
+    const double y = 10 * i;
+    assembly.parts.push_back(
+        pipe("run" + std::to_string(i), {-5, y, 0}, {5, y, 0}, 1 + .125 * (i % 3)));
+  }
+  for (int i = 0; i < count; ++i) {
+    const double y = 10 * i;
+    assembly.parts.push_back(pipe("branch" + std::to_string(i), {0, y, 0}, {0, y, 4}, .5));
+  }
+  return assembly;
+}
+
+TEST(BuildDistricts, each_is_built_as_if_there_were_no_others) {
+  const Built built = build(crosses(3));
+  ASSERT_EQ(built.districts.size(), 3);
+  EXPECT_EQ(built.solid.components(), 3);
+  mpq_class volume = 0;
+  for (const Solid& district : built.districts) {
+    volume += district.exact_volume();
+  }
+  EXPECT_EQ(built.solid.exact_volume(), volume);
+  const Built alone = build(crosses(1));
+  EXPECT_EQ(alone.solid.exact_volume(), built.districts[0].exact_volume());
+  EXPECT_EQ(alone.solid.triangles(), built.districts[0].triangles());
+}
+
+TEST(BuildDistricts, reports_are_in_document_order) {
+  const Built built = build(crosses(2));
+  std::vector<std::string> names;
+  for (const PartReport& part : built.parts) {
+    names.push_back(part.name);
+  }
+  EXPECT_THAT(names, ElementsAre("run0", "run1", "branch0", "branch1"));
+  EXPECT_EQ(built.parts[2].index, 2);
+  EXPECT_EQ(built.runs, 4);
+  EXPECT_EQ(built.ports.size(), 8);
+}
+
+TEST(BuildDistricts, regions_are_those_of_the_whole_document) {
+  Assembly assembly = crosses(2);
+  assembly.parts[1].wall = .25;
+  assembly.parts[3].wall = .25;
+  const Built metal = build(assembly);
+  EXPECT_EQ(metal.region, Region::metal);
+  ASSERT_TRUE(metal.volumes);
+  EXPECT_NEAR(metal.volumes->metal + metal.volumes->fluid, metal.volumes->outer, 1e-9);
+  EXPECT_EQ(metal.districts[0].exact_volume(),
+            build(crosses(1)).solid.exact_volume());  // without a wall, it is all metal
+  EXPECT_LT(metal.districts[1].volume(), .7 * metal.districts[0].volume());
+  const Built fluid = build(assembly, {.region = Region::fluid});
+  EXPECT_TRUE(fluid.districts[0].empty());
+  EXPECT_EQ(fluid.solid.exact_volume(), fluid.districts[1].exact_volume());
+  assembly.parts[0].insulation = 1;
+  const Built insulation = build(assembly, {.region = Region::insulation});
+  EXPECT_GT(insulation.districts[0].volume(), 0);
+  EXPECT_TRUE(insulation.districts[1].empty());
+}
+
+TEST(BuildDistricts, patches_are_known_in_all_of_them) {
+  Assembly assembly = crosses(2);
+  assembly.patches = {{"run1.start", "inlet"}};
+  const Built built = build(assembly);
+  EXPECT_EQ(std::ranges::count(built.solid.names(), "inlet"), 1);
+  assembly.patches = {{"run2.start", "inlet"}};
+  EXPECT_THROW((void)build(assembly), Error);
+}
+
+TEST(BuildDistricts, the_limit_is_that_of_all_triangles) {
+  const Built built = build(crosses(4));
+  std::size_t triangles = 0;
+  for (const PartReport& part : built.parts) {
+    triangles += part.triangles;
+  }
+  BuildOptions options;
+  options.most_triangles = triangles / 3;
+  try {
+    (void)build(crosses(4), options);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::limit_exceeded);
+  }
+  EXPECT_NO_THROW((void)build(crosses(1), options));
+}
+
+TEST(BuildDistricts, errors_name_the_place_in_the_whole_document) {
+  Assembly assembly = crosses(2);
+  assembly.source = "plant.json";
+  assembly.parts[3].wall = 2;
+  try {
+    (void)build(assembly);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.part(), "branch1");
+    EXPECT_THAT(error.where(), HasSubstr("plant.json#/parts/3"));
+  }
+}
+
+TEST(BuildDistricts, built_one_by_one_are_the_same) {
+  const Assembly assembly = crosses(5);
+  const DistrictBuild plan(assembly);
+  ASSERT_EQ(plan.size(), 5);
+  std::vector<Built> built;
+  double expected = 0;
+  for (std::size_t i = plan.size(); i-- > 0;) {
+    built.insert(built.begin(), plan.build(i));
+    expected += plan.expected_triangles(i);
+  }
+  const Built all = plan.joined(std::move(built)), whole = build(assembly);
+  EXPECT_EQ(all.solid.triangles(), whole.solid.triangles());
+  EXPECT_EQ(all.solid.nearest_points(), whole.solid.nearest_points());
+  std::size_t triangles = 0;
+  for (const PartReport& part : all.parts) {
+    triangles += part.triangles;
+  }
+  EXPECT_GT(expected, .5 * double(triangles));
+  EXPECT_LT(expected, 2 * double(triangles));
+}
+
+TEST(BuildDistricts, one_that_is_cancelled_is_not_built) {
+  BuildOptions options;
+  options.progress = [](std::string_view stage, double) { return stage != "build"; };
+  EXPECT_THROW((void)build(crosses(2), options), Error);
+}
+
+}  // namespace
+}  // namespace dupin
