@@ -46,7 +46,7 @@ using PartSink =
 
 /// Hands the parts of a document to `sink`, copies one after the other, the last variable of a
 /// "for" fastest. Faults in a copy name it. Throws, besides what `sink` throws, for faults of form,
-/// and where a document makes more parts than kMostParts or more text than any machine needs.
+/// and where copies make more parts than kMostParts or more text than any machine needs.
 void expand(const JsonNode& document, const std::string& source, Unit unit, Values& values,
             const PartSink& sink);
 

@@ -35,8 +35,7 @@ constexpr double kDefaultTolerance = 1024;  // steps
 /// So many faults are no accident of single points: open slits are looked for before repair.
 constexpr std::size_t kManyFaults = 256;
 
-/// Sliver voids and open slits are filled where they are narrower: what is wider, the format can
-/// tell.
+/// Sliver voids and open slits are filled where narrower: what is wider, the format can tell.
 constexpr double kWidestSlit = 64;  // steps
 
 /// So many triangles of which rounding leaves nothing, and such a part of all, are no accident
@@ -68,13 +67,6 @@ struct Past {
   [[nodiscard]] double filled() const { return std::max(void_width / 2, slit_reach); }
 };
 
-Vec3 origin_chosen(const RoundingOptions& options, const mesh::ExactMesh& exact) {
-  const bool is_asked = options.origin.choice == Origin::Choice::automatic && !options.whole;
-  return chosen_origin(options.origin, is_asked ? boxes::bounds_of(exact.points)
-                                                : options.whole.value_or(Eigen::AlignedBox3d(
-                                                      Vec3(Vec3::Zero()), Vec3(Vec3::Zero()))));
-}
-
 template <class Item>
 void copy(const std::vector<Item>& from, std::vector<Item>& to) {
   support::reserve_bulk(to, from.size());
@@ -93,19 +85,14 @@ class Rounding {
         coordinates_(coordinates),
         lattice_(coordinates, options.output_grid),
         origin_(past_.thickenings + past_.snaps > 0 ? Vec3(Vec3::Zero())
-                                                    : origin_chosen(options, exact)),
+                                                    : chosen_origin(options, exact.points)),
         rounded_(round_points(exact, lattice_, origin_)),
         representatives_(mesh::representatives_at_contacts(exact)) {
     if (!(rounded_.largest_on_lattice <= largest_number())) {
       throw Error(Errc::unroundable,
                   "coordinates exceed the range of binary32; use a format that holds doubles");
     }
-    if (options.whole) {
-      for (const Vec3& corner : {options.whole->min(), options.whole->max()}) {
-        rounded_.largest =
-            std::max(rounded_.largest, (corner - past_.origin - origin_).cwiseAbs().maxCoeff());
-      }
-    }
+    rounded_.largest = std::max(rounded_.largest, largest_of(options, past_.origin + origin_));
     step_ = lattice_.step(rounded_.largest);
     double_step_ = exact::FloatLattice(Coordinates::binary64).step(rounded_.largest);
     tolerance_ = options.tolerance > 0 ? options.tolerance : kDefaultTolerance * step_;

@@ -1,5 +1,6 @@
 #include "rounding/rounding_options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -22,13 +23,15 @@ void validate(const RoundingOptions& options) {
   }
 }
 
-Vec3 chosen_origin(const Origin& origin, const Eigen::AlignedBox3d& whole) {
-  if (origin.choice == Origin::Choice::keep || whole.isEmpty()) {
+Vec3 chosen_origin(const RoundingOptions& options, std::span<const Vec3> points) {
+  const Origin& origin = options.origin;
+  if (origin.choice == Origin::Choice::keep || (points.empty() && !options.whole)) {
     return Vec3::Zero();
   }
   if (origin.choice == Origin::Choice::given) {
     return origin.place;
   }
+  const Eigen::AlignedBox3d whole = options.whole ? *options.whole : boxes::bounds_of(points);
   const double extent = (whole.max() / 2 - whole.min() / 2).maxCoeff();
   const double step = extent > 0 ? std::exp2(std::ilogb(extent) - 3) : 0;
   Vec3 place = whole.min() / 2 + whole.max() / 2;
@@ -36,6 +39,12 @@ Vec3 chosen_origin(const Origin& origin, const Eigen::AlignedBox3d& whole) {
     coordinate = step > 0 ? std::nearbyint(coordinate / step) * step : coordinate;
   }
   return place;
+}
+
+double largest_of(const RoundingOptions& options, const Vec3& origin) {
+  return options.whole ? std::max((options.whole->min() - origin).cwiseAbs().maxCoeff(),
+                                  (options.whole->max() - origin).cwiseAbs().maxCoeff())
+                       : 0;
 }
 
 Error unroundable_error(const Vec3& at, double tolerance, Coordinates coordinates, bool is_far) {

@@ -31,16 +31,17 @@ Errc code_of(const std::function<void()>& action) {
 }
 
 TEST(Districts, are_boxes_that_touch) {
-  const std::vector<Box> boxes{cube(0, 0, 0, 1), cube(5, 0, 0, 1), cube(1, 1, 1, 1),
-                               cube(2.5, 0, 0, 1), Box(), cube(2, 2, 2, .75)};
+  const std::vector<Box> boxes{
+      cube(0, 0, 0, 1),  cube(5, 0, 0, 1), cube(1, 1, 1, 1), cube(2.5, 0, 0, 1), Box(),
+      cube(2, 2, 2, .75)};
   EXPECT_EQ(districts_of(boxes), (std::vector<std::uint32_t>{0, 1, 0, 2, 3, 0}));
   EXPECT_TRUE(districts_of({}).empty());
 }
 
 TEST(Districts, an_infinite_box_touches_all) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const std::vector<Box> boxes{cube(0, 0, 0, 1), cube(5, 0, 0, 1),
-                               {Vec3::Constant(-kInfinity), Vec3::Constant(kInfinity)}};
+  const std::vector<Box> boxes{
+      cube(0, 0, 0, 1), cube(5, 0, 0, 1), {Vec3::Constant(-kInfinity), Vec3::Constant(kInfinity)}};
   EXPECT_EQ(districts_of(boxes), (std::vector<std::uint32_t>{0, 0, 0}));
 }
 
@@ -86,8 +87,8 @@ TEST(Districts, joined_solids_are_their_union) {
   const std::vector<Solid> solids{Solid::from(labelled(box({0, 0, 0}, {1, 1, 1}), "a")), Solid(),
                                   Solid::from(box({5, 0, 0}, {6, 2, 1})),
                                   Solid::from(labelled(box({0, 5, 0}, {1, 6, 3}), "b"))};
-  const std::vector<Boxes> boxes{{cube(-.5, -.5, -.5, 2)}, {}, {cube(4.5, -.5, -.5, 3)},
-                                 {cube(-.5, 4.5, -.5, 4)}};
+  const std::vector<Boxes> boxes{
+      {cube(-.5, -.5, -.5, 2)}, {}, {cube(4.5, -.5, -.5, 3)}, {cube(-.5, 4.5, -.5, 4)}};
   const Solid all = joined(solids, boxes), united = unite(solids);
   EXPECT_EQ(all.exact_volume(), united.exact_volume());
   EXPECT_EQ(all.components(), 3);
@@ -99,8 +100,8 @@ TEST(Districts, joined_solids_are_their_union) {
 }
 
 TEST(Districts, joined_solids_keep_exact_points) {
-  const Solid cut = unite({{Solid::from(tetrahedron({0, 0, 0}, 3)),
-                            Solid::from(tetrahedron({1. / 3, .1, .1}, 3))}});
+  const Solid cut = unite(
+      {{Solid::from(tetrahedron({0, 0, 0}, 3)), Solid::from(tetrahedron({1. / 3, .1, .1}, 3))}});
   const Solid far = Solid::from(box({20, 0, 0}, {21, 1, 1}));
   const Boxes near{cube(-1, -1, -1, 6)}, about_far{cube(19, -1, -1, 3)};
   const Solid all = joined(std::vector{far, cut}, std::vector{about_far, near});
@@ -115,8 +116,7 @@ TEST(Districts, joined_solids_keep_exact_points) {
   EXPECT_GT(between, 0) << "all are doubles";
   // What is cut again is cut in the planes that it lies in.
   const Solid other = Solid::from(box({.5, -1, .5}, {1, 4, 1}));
-  EXPECT_EQ(subtract(all, {{other}}).exact_volume(),
-            subtract(cut, {{other}}).exact_volume() + 1);
+  EXPECT_EQ(subtract(all, {{other}}).exact_volume(), subtract(cut, {{other}}).exact_volume() + 1);
 }
 
 TEST(Districts, what_lies_elsewhere_is_not_joined) {
@@ -151,7 +151,9 @@ TEST(Districts, what_lies_inside_of_another_solid_is_not_joined) {
   const Solid inner = Solid::from(box({4, 4, 4}, {6, 6, 6}));
   const Solid full = Solid::from(box({0, 0, 0}, {10, 10, 10}));
   const Boxes about_inner{cube(3, 3, 3, 4)}, about_full = about_faces_of_cube(0, 10);
-  EXPECT_EQ(code_of([&] { (void)joined(std::vector{full, inner}, std::vector{about_full, about_inner}); }),
+  EXPECT_EQ(code_of([&] {
+              (void)joined(std::vector{full, inner}, std::vector{about_full, about_inner});
+            }),
             Errc::invalid_argument);
   // In a void of it, it may.
   const Solid hollow = subtract(full, {{Solid::from(box({2, 2, 2}, {8, 8, 8}))}});
@@ -159,8 +161,9 @@ TEST(Districts, what_lies_inside_of_another_solid_is_not_joined) {
   for (const Box& side : about_faces_of_cube(2, 8)) {
     about_hollow.push_back(side);
   }
-  EXPECT_EQ(joined(std::vector{hollow, inner}, std::vector{about_hollow, about_inner}).exact_volume(),
-            1000 - 216 + 8);
+  EXPECT_EQ(
+      joined(std::vector{hollow, inner}, std::vector{about_hollow, about_inner}).exact_volume(),
+      1000 - 216 + 8);
 }
 
 TEST(Districts, rounded_solids_are_joined_as_they_are) {
@@ -197,10 +200,11 @@ TEST(Districts, rounded_solids_with_several_origins_are_not_joined) {
   const std::vector<Rounded> rounded{to_mesh(first, Coordinates::binary32, own),
                                      to_mesh(second, Coordinates::binary32, own)};
   ASSERT_NE(rounded[0].report().origin, rounded[1].report().origin);
-  EXPECT_EQ(code_of([&] {
-              (void)joined(rounded, std::vector<Boxes>{{cube(-1, -1, -1, 3)}, {cube(49, -1, -1, 3)}});
-            }),
-            Errc::invalid_argument);
+  EXPECT_EQ(
+      code_of([&] {
+        (void)joined(rounded, std::vector<Boxes>{{cube(-1, -1, -1, 3)}, {cube(49, -1, -1, 3)}});
+      }),
+      Errc::invalid_argument);
 }
 
 TEST(Districts, rounding_reaches_as_far_as_in_the_whole) {

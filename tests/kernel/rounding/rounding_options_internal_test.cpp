@@ -36,7 +36,7 @@ TEST(ChosenOrigin, is_a_round_number_near_the_middle) {
     const Vec3 low(place(random), place(random), place(random));
     const Vec3 high = low + Vec3(size(random), size(random), size(random));
     const std::vector<Vec3> points = {low, high};
-    const Vec3 origin = chosen_origin({Origin::Choice::automatic, {}}, points);
+    const Vec3 origin = chosen_origin({.origin = {Origin::Choice::automatic, {}}}, points);
     const double extent = (high - low).maxCoeff() / 2;
     for (int k = 0; k < 3; ++k) {
       EXPECT_LE(std::abs(origin[k] - (low[k] + high[k]) / 2), extent / 8);
@@ -48,11 +48,22 @@ TEST(ChosenOrigin, is_a_round_number_near_the_middle) {
 TEST(ChosenOrigin, is_what_was_asked_for) {
   const std::vector<Vec3> points = {{5, 5, 5}, {7, 7, 7}};
   EXPECT_EQ(chosen_origin({}, points), Vec3(0, 0, 0));
-  EXPECT_EQ(chosen_origin({Origin::Choice::given, Vec3(1, 2, 3)}, points), Vec3(1, 2, 3));
-  EXPECT_EQ(chosen_origin({Origin::Choice::automatic, {}}, {}), Vec3(0, 0, 0));
-  EXPECT_EQ(chosen_origin({Origin::Choice::automatic, {}}, std::vector{Vec3(0.1, 0.2, 0.3)}),
-            Vec3(0.1, 0.2, 0.3))
+  EXPECT_EQ(chosen_origin({.origin = {Origin::Choice::given, Vec3(1, 2, 3)}}, points),
+            Vec3(1, 2, 3));
+  EXPECT_EQ(chosen_origin({.origin = {Origin::Choice::automatic, {}}}, {}), Vec3(0, 0, 0));
+  EXPECT_EQ(
+      chosen_origin({.origin = {Origin::Choice::automatic, {}}}, std::vector{Vec3(0.1, 0.2, 0.3)}),
+      Vec3(0.1, 0.2, 0.3))
       << "a single point";
+}
+
+TEST(ChosenOrigin, of_a_piece_is_that_of_the_whole) {
+  RoundingOptions options{.origin = {Origin::Choice::automatic, {}}};
+  options.whole = Eigen::AlignedBox3d(Vec3(0, 0, 0), Vec3(64, 32, 16));
+  EXPECT_EQ(chosen_origin(options, std::vector{Vec3(1, 2, 3)}), Vec3(32, 16, 8));
+  EXPECT_EQ(chosen_origin(options, {}), Vec3(32, 16, 8)) << "nothing of it is here";
+  EXPECT_EQ(largest_of(options, Vec3(1, 2, 3)), 63);
+  EXPECT_EQ(largest_of({}, Vec3(1, 2, 3)), 0);
 }
 
 TEST(UnroundableError, names_the_place_and_only_what_would_help) {

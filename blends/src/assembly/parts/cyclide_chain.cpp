@@ -1,7 +1,7 @@
 #include <string>
 #include <vector>
 
-#include "assembly/cyclide_part.h"
+#include "assembly/parts/cyclide_part.h"
 #include "assembly/parts/part_rules.h"
 
 namespace dupin::assembly {

@@ -1,4 +1,4 @@
-#include "assembly/head_surface.h"
+#include "assembly/parts/head_surface.h"
 #include "assembly/parts/part_checks.h"
 #include "assembly/parts/part_rules.h"
 #include "assembly/parts/start_ring.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "assembly/cyclide_part.h"
+#include "assembly/parts/cyclide_part.h"
 #include "blends/assembly/part_fixture_internal.h"
 #include "dupin/blends/cyclide_tube.h"
 #include "support/cyclide_cases.h"

@@ -1,10 +1,9 @@
-#include "building/built_district.h"
-
 #include <gtest/gtest.h>
 
+#include "assembly/built_district.h"
 #include "support/named_parts.h"
 
-namespace dupin::building {
+namespace dupin::assembly {
 namespace {
 
 using test::pipe;
@@ -33,4 +32,4 @@ TEST(BuiltDistrict, without_insulation_has_none_of_it) {
 }
 
 }  // namespace
-}  // namespace dupin::building
+}  // namespace dupin::assembly

@@ -1,4 +1,4 @@
-#include "building/built_district.h"
+#include "assembly/built_district.h"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@
 #include "dupin/kernel/renamed.h"
 #include "surfaces/least_wall.h"
 
-namespace dupin::building {
+namespace dupin::assembly {
 namespace {
 
 // Of its area: an end of a bore of which less is closed is open.
@@ -326,4 +326,4 @@ Built built_district(District district, const BuildOptions& options) {
   return Builder(std::move(district), options).run();
 }
 
-}  // namespace dupin::building
+}  // namespace dupin::assembly

@@ -1,5 +1,3 @@
-#include "dupin/blends/build.h"
-
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -8,10 +6,11 @@
 #include <utility>
 
 #include "assembly/bore.h"
+#include "assembly/built_district.h"
 #include "assembly/cost_limit.h"
+#include "assembly/district_plan.h"
 #include "assembly/welded_runs.h"
-#include "building/built_district.h"
-#include "building/district_plan.h"
+#include "dupin/blends/build.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 
@@ -136,14 +135,14 @@ struct DistrictBuild::Plan {
   Assembly assembly;
   BuildOptions options;
   ResolvedAssembly resolved;
-  std::vector<building::DistrictParts> districts;
+  std::vector<assembly::DistrictParts> districts;
 
   Plan(const Assembly& document, const BuildOptions& chosen)
       : assembly(with_options(document, chosen)),
         options(chosen),
         resolved(dupin::resolved(assembly, chosen.progress)) {
     assembly = with_regions(std::move(assembly), resolved, options.region);
-    districts = building::districts_of_parts(resolved, margin_of(assembly, options),
+    districts = assembly::districts_of_parts(resolved, margin_of(assembly, options),
                                              options.relative_margin);
     if (districts.empty()) {
       districts.emplace_back();
@@ -161,15 +160,15 @@ std::size_t DistrictBuild::size() const { return plan_->districts.size(); }
 
 std::vector<Boxes> DistrictBuild::boxes() const {
   std::vector<Boxes> result;
-  for (const building::DistrictParts& district : plan_->districts) {
+  for (const assembly::DistrictParts& district : plan_->districts) {
     result.push_back(district.boxes);
   }
   return result;
 }
 
 double DistrictBuild::expected_triangles(std::size_t district) const {
-  const building::District own =
-      building::district(plan_->assembly, plan_->resolved, plan_->districts.at(district));
+  const assembly::District own =
+      assembly::district(plan_->assembly, plan_->resolved, plan_->districts.at(district));
   return assembly::expected_triangles(own.assembly, own.resolved,
                                       assembly::welded_runs(own.resolved),
                                       assembly::lattice_spacing(own.assembly, own.resolved));
@@ -178,8 +177,8 @@ double DistrictBuild::expected_triangles(std::size_t district) const {
 Built DistrictBuild::build(std::size_t district, const Progress& progress) const {
   BuildOptions options = plan_->options;
   options.progress = progress;
-  return building::built_district(
-      building::district(plan_->assembly, plan_->resolved, plan_->districts.at(district)), options);
+  return assembly::built_district(
+      assembly::district(plan_->assembly, plan_->resolved, plan_->districts.at(district)), options);
 }
 
 Built DistrictBuild::joined(std::vector<Built> districts) const {
@@ -212,15 +211,6 @@ Built DistrictBuild::build_all(const Progress& progress) const {
                          [&](std::size_t i) { built[begin + i] = build(begin + i); });
   }
   return joined(std::move(built));
-}
-
-std::string_view name(Region region) {
-  constexpr std::array<std::string_view, 4> kNames{"outer", "metal", "fluid", "insulation"};
-  return kNames.at(std::size_t(region));
-}
-
-Built build(const Assembly& assembly, const BuildOptions& options) {
-  return DistrictBuild(assembly, options).build_all(options.progress);
 }
 
 }  // namespace dupin

@@ -1,12 +1,11 @@
-#include "building/district_plan.h"
-
 #include <gtest/gtest.h>
 
+#include "assembly/district_plan.h"
 #include "dupin/io/assembly_json.h"
 #include "support/named_parts.h"
 #include "support/source_folder.h"
 
-namespace dupin::building {
+namespace dupin::assembly {
 namespace {
 
 using test::pipe;
@@ -17,7 +16,8 @@ Assembly four_pipes() {
           Unit::millimetre,
           0.01,
           {},
-          {pipe("a", {0, 0, 0}, {10, 0, 0}, 1), pipe("c", {0, 4, 0}, {10, 4, 0}, 1),
+          {pipe("a", {0, 0, 0}, {10, 0, 0}, 1),
+           pipe("c", {0, 4, 0}, {10, 4, 0}, 1),
            {"b", PipeFrom{PortReference{"a", End::end}, 5}},
            pipe("d", {5, 4, -5}, {5, 4, 5}, .5)}};
 }
@@ -71,4 +71,4 @@ TEST(DistrictPlan, fillets_and_junctions_stay_with_their_parts) {
 }
 
 }  // namespace
-}  // namespace dupin::building
+}  // namespace dupin::assembly

@@ -1,4 +1,4 @@
-#include "assembly/head_surface.h"
+#include "assembly/parts/head_surface.h"
 
 #include <algorithm>
 #include <array>

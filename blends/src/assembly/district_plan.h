@@ -7,7 +7,7 @@
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/districts.h"
 
-namespace dupin::building {
+namespace dupin::assembly {
 
 /// Parts of an assembly that have nothing to do with the others, by their places in the resolved
 /// assembly, ascending, and boxes about all that is made of them.
@@ -34,4 +34,4 @@ struct District {
 [[nodiscard]] District district(const Assembly& assembly, const ResolvedAssembly& resolved,
                                 const DistrictParts& members);
 
-}  // namespace dupin::building
+}  // namespace dupin::assembly

@@ -1,4 +1,4 @@
-#include "assembly/cyclide_part.h"
+#include "assembly/parts/cyclide_part.h"
 
 #include <cmath>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "building/district_plan.h"
+#include "assembly/district_plan.h"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "building/part_box.h"
+#include "assembly/part_box.h"
 
-namespace dupin::building {
+namespace dupin::assembly {
 namespace {
 
 // Of parts, then of fillets, then of junctions.
@@ -146,4 +146,4 @@ District district(const Assembly& assembly, const ResolvedAssembly& resolved,
   return Selection(assembly, resolved, members).run();
 }
 
-}  // namespace dupin::building
+}  // namespace dupin::assembly

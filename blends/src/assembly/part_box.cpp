@@ -1,4 +1,4 @@
-#include "building/part_box.h"
+#include "assembly/part_box.h"
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,7 @@
 #include "numbers/interval.h"
 #include "surfaces/surface_piece.h"
 
-namespace dupin::building {
+namespace dupin::assembly {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -53,4 +53,4 @@ Eigen::AlignedBox3d part_box(const PartSurface& surface) {
   return std::visit([](const auto& shape) { return box_of(shape); }, surface);
 }
 
-}  // namespace dupin::building
+}  // namespace dupin::assembly

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "assembly/head_surface.h"
+#include "assembly/parts/head_surface.h"
 #include "dupin/blends/part_measures.h"
 #include "dupin/kernel/error.h"
 

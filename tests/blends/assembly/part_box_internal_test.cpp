@@ -1,14 +1,13 @@
-#include "building/part_box.h"
-
 #include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "assembly/part_box.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 
-namespace dupin::building {
+namespace dupin::assembly {
 namespace {
 
 // Of the document's only part.
@@ -25,8 +24,9 @@ void expect_near(const Eigen::AlignedBox3d& box, const Vec3& low, const Vec3& hi
 }
 
 TEST(PartBox, of_a_straight_pipe_is_tight) {
-  expect_near(box_of(R"({"name": "a", "pipe": {"from": [1, 2, 3], "to": [1, 2, 23], "radius": 5}})"),
-              {-4, -3, 3}, {6, 7, 23});
+  expect_near(
+      box_of(R"({"name": "a", "pipe": {"from": [1, 2, 3], "to": [1, 2, 23], "radius": 5}})"),
+      {-4, -3, 3}, {6, 7, 23});
 }
 
 TEST(PartBox, of_a_sphere_is_tight) {
@@ -39,4 +39,4 @@ TEST(PartBox, of_nothing_known_is_infinite) {
 }
 
 }  // namespace
-}  // namespace dupin::building
+}  // namespace dupin::assembly

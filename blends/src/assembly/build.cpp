@@ -1,0 +1,16 @@
+#include "dupin/blends/build.h"
+
+#include <array>
+
+namespace dupin {
+
+std::string_view name(Region region) {
+  constexpr std::array<std::string_view, 4> kNames{"outer", "metal", "fluid", "insulation"};
+  return kNames.at(std::size_t(region));
+}
+
+Built build(const Assembly& assembly, const BuildOptions& options) {
+  return DistrictBuild(assembly, options).build_all(options.progress);
+}
+
+}  // namespace dupin

@@ -1,0 +1,115 @@
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/tool.h"
+
+namespace dupin::test {
+namespace {
+
+using testing::HasSubstr;
+
+using TiledBuild = Tool;
+
+// Lines of pipes of two sizes with branches, each apart from the next, far from the origin.
+std::string plant(int lines) {
+  std::string text = R"({"units": "mm", "tolerance": 0.5, "parts": [)";
+  for (int i = 0; i < lines; ++i) {
+    const std::string n = std::to_string(i), y = std::to_string(1000 * i + 7 * (i % 3));
+    text += (i == 0 ? "" : ",");
+    text += R"({"name": "run)" + n + R"(", "pipe": {"from": [200000.1, )" + y +
+            R"(, 0.3], "to": [201000, )" + y + R"(, 20], "radius": 100}},)" +
+            R"({"name": "branch)" + n + R"(", "pipe": {"from": [200500, )" + y +
+            R"(, 10], "to": [200510, )" + y + R"(, 300], "radius": 100}})";
+  }
+  return text + "]}";
+}
+
+TEST_F(TiledBuild, gives_the_same_bytes_for_all_numbers_of_tiles) {
+  folder_.write("plant.json", plant(20));
+  for (const std::string region : {"outer", "metal", "fluid"}) {
+    const std::vector<std::string> common{"--region", region, "--wall", "8mm"};
+    const auto build = [&](std::vector<std::string> own) {
+      own.insert(own.begin(), {"build", "plant.json", "-o", "out.stl"});
+      own.insert(own.end(), common.begin(), common.end());
+      const auto report = json(own, 0);
+      EXPECT_EQ(report.at("check").at("solid"), true);
+      EXPECT_EQ(report.at("check").at("components"), 20);
+      return folder_.read("out.stl");
+    };
+    const std::string whole = build({});
+    EXPECT_GT(whole.size(), 50000);
+    for (const std::string tiles : {"1", "3", "8", "64"}) {
+      EXPECT_TRUE(build({"--tiles", tiles}) == whole) << region << " " << tiles;
+    }
+    EXPECT_TRUE(build({"--memory", "1MB"}) == whole) << region;
+    EXPECT_EQ(shell("taskset -c 0 dupin build plant.json -o out.stl --quiet --tiles 5 --wall 8mm "
+                    "--region " +
+                    region)
+                  .exit_code,
+              0);
+    EXPECT_TRUE(folder_.read("out.stl") == whole) << region << " on one core";
+  }
+  EXPECT_EQ(json({"check", "out.stl"}, 0).at("solid"), true);
+}
+
+TEST_F(TiledBuild, shares_the_automatic_origin) {
+  folder_.write("plant.json", plant(5));
+  const auto whole = json({"build", "plant.json", "-o", "a.stl", "--origin", "auto"}, 0);
+  const auto tiled =
+      json({"build", "plant.json", "-o", "b.stl", "--origin", "auto", "--tiles", "3"}, 0);
+  EXPECT_EQ(whole.at("rounding").at("origin"), tiled.at("rounding").at("origin"));
+  EXPECT_GT(whole.at("rounding").at("origin").at(0), 100000);
+  EXPECT_TRUE(folder_.read("a.stl") == folder_.read("b.stl"));
+}
+
+TEST_F(TiledBuild, of_what_hangs_together_is_that_of_the_whole) {
+  for (const std::string name : {"header.json", "tee.json", "vessel.json", "plant-run.json"}) {
+    const ProcessResult whole = dupin({"build", example(name), "-o", "a.stl", "--quiet"}),
+                        tiled = dupin(
+                            {"build", example(name), "-o", "b.stl", "--quiet", "--tiles", "8"});
+    EXPECT_EQ(whole.exit_code, tiled.exit_code) << name;
+    EXPECT_TRUE(folder_.read("a.stl") == folder_.read("b.stl")) << name;
+  }
+}
+
+TEST_F(TiledBuild, refuses_what_does_not_fit_into_memory) {
+  folder_.write("plant.json", plant(2));
+  const ProcessResult result = dupin({"build", "plant.json", "-o", "out.stl", "--memory", "100kB"});
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_THAT(result.err, HasSubstr("give --memory more"));
+  EXPECT_EQ(folder_.files(), std::vector<std::string>{"plant.json"});
+}
+
+TEST_F(TiledBuild, leaves_no_file_where_a_district_is_refused) {
+  folder_.write("plant.json", plant(3));
+  const ProcessResult result =
+      dupin({"build", "plant.json", "-o", "out.stl", "--tiles", "3", "--wall", "120mm"});
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_THAT(result.err, HasSubstr("run0"));
+  EXPECT_EQ(folder_.files(), std::vector<std::string>{"plant.json"});
+}
+
+TEST_F(TiledBuild, says_what_it_cannot_do) {
+  folder_.write("plant.json", plant(1));
+  const auto refused = [this](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"build", "plant.json"});
+    const ProcessResult result = dupin(arguments);
+    EXPECT_EQ(result.exit_code, 2);
+    return result.err;
+  };
+  EXPECT_THAT(refused({"-o", "a.off", "--tiles", "2"}), HasSubstr("binary STL files only"));
+  EXPECT_THAT(refused({"-o", "-", "--format", "stl", "--memory", "1GB"}),
+              HasSubstr("binary STL files only"));
+  EXPECT_THAT(refused({"-o", "a.stl", "--memory", "much"}), HasSubstr("500MB or 4GB"));
+  EXPECT_THAT(refused({"-o", "a.stl", "--memory", "-1GB"}), HasSubstr("500MB or 4GB"));
+  EXPECT_THAT(refused({"-o", "a.stl", "--memory", "1GB", "--tiles", "2"}), HasSubstr("exclude"));
+  EXPECT_THAT(refused({"-o", "a.stl", "--tiles", "2", "--patches", "p.json"}),
+              HasSubstr("--patches"));
+  EXPECT_THAT(refused({"-o", "a.stl", "--tiles", "2", "--verify", "full"}), HasSubstr("check"));
+}
+
+}  // namespace
+}  // namespace dupin::test
