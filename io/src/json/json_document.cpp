@@ -37,30 +37,41 @@ std::string after(std::string_view mark, const std::string& what) {
 
 constexpr std::size_t kMostKeys = 1024;  // of one object, where keys are looked up one by one
 
-// Follows the parser to find repeated keys, which a JSON value cannot hold.
-class RepeatedKeys {
+// Follows the parser to find repeated keys, which a JSON value cannot hold. What is malformed ends
+// the search: whoever makes the value says so. (The library's own parser with a callback looks at
+// all elements of an array again at the end of each.)
+class RepeatedKeys : public nlohmann::json_sax<Json> {
  public:
   explicit RepeatedKeys(const std::string& source) : source_(&source) {}
 
-  void operator()(nlohmann::detail::parse_event_t event, const Json& parsed) {
-    using Event = nlohmann::detail::parse_event_t;
-    switch (event) {
-      case Event::object_start:
-      case Event::array_start:
-        begin_value();
-        levels_.push_back({event == Event::array_start, 0, {}, {}});
-        break;
-      case Event::object_end:
-      case Event::array_end:
-        levels_.pop_back();
-        break;
-      case Event::key:
-        begin_key(parsed.get<std::string>());
-        break;
-      case Event::value:
-        begin_value();
-        break;
+  bool null() override { return begin_value(); }
+  bool boolean(bool /*value*/) override { return begin_value(); }
+  bool number_integer(std::int64_t /*value*/) override { return begin_value(); }
+  bool number_unsigned(std::uint64_t /*value*/) override { return begin_value(); }
+  bool number_float(double /*value*/, const std::string& /*text*/) override {
+    return begin_value();
+  }
+  bool string(std::string& /*value*/) override { return begin_value(); }
+  bool binary(Json::binary_t& /*value*/) override { return begin_value(); }
+  bool start_object(std::size_t /*size*/) override { return begin_level(false); }
+  bool start_array(std::size_t /*size*/) override { return begin_level(true); }
+  bool end_object() override { return end_level(); }
+  bool end_array() override { return end_level(); }
+  bool parse_error(std::size_t /*byte*/, const std::string& /*token*/,
+                   const nlohmann::detail::exception& /*reason*/) override {
+    return false;
+  }
+
+  bool key(std::string& name) override {
+    Level& level = levels_.back();
+    level.key = name;
+    if (!level.keys.insert(name).second) {
+      fail("the key occurs twice");
     }
+    if (level.keys.size() > kMostKeys) {
+      fail("the object has more than " + std::to_string(kMostKeys) + " keys");
+    }
+    return true;
   }
 
  private:
@@ -71,20 +82,22 @@ class RepeatedKeys {
     std::set<std::string> keys;
   };
 
-  void begin_value() {
+  bool begin_value() {
     if (!levels_.empty()) {
       ++levels_.back().count;
     }
+    return true;
   }
 
-  void begin_key(const std::string& key) {
-    levels_.back().key = key;
-    if (!levels_.back().keys.insert(key).second) {
-      fail("the key occurs twice");
-    }
-    if (levels_.back().keys.size() > kMostKeys) {
-      fail("the object has more than " + std::to_string(kMostKeys) + " keys");
-    }
+  bool begin_level(bool is_array) {
+    begin_value();
+    levels_.push_back({is_array, 0, {}, {}});
+    return true;
+  }
+
+  bool end_level() {
+    levels_.pop_back();
+    return true;
   }
 
   [[noreturn]] void fail(const std::string& message) const {
@@ -109,12 +122,9 @@ Json parse_json(std::string_view text, const std::string& source) {
         source + ":" + line_and_column(text, *bracket + 1));
   }
   RepeatedKeys repeated(source);
-  const auto watch = [&](int, nlohmann::detail::parse_event_t event, Json& parsed) {
-    repeated(event, parsed);
-    return true;
-  };
+  (void)Json::sax_parse(text.begin(), text.end(), &repeated);
   try {
-    return Json::parse(text.begin(), text.end(), watch);
+    return Json::parse(text.begin(), text.end());
   } catch (const Json::parse_error& error) {
     // "[json.exception.parse_error.101] parse error at line 1, column 2: reason"
     throw Error(Errc::parse_failed, after(": ", error.what()), {},

@@ -18,7 +18,7 @@ Assembly four_pipes() {
           {},
           {pipe("a", {0, 0, 0}, {10, 0, 0}, 1),
            pipe("c", {0, 4, 0}, {10, 4, 0}, 1),
-           {"b", PipeFrom{PortReference{"a", End::end}, 5}},
+           {"b", PipeAlong{PortReference{"a", End::end}, 5}},
            pipe("d", {5, 4, -5}, {5, 4, 5}, .5)}};
 }
 

@@ -170,5 +170,22 @@ TEST_F(AtomicFile, says_why_the_system_refused) {
             "/dev/full: cannot write the file: No space left on device");
 }
 
+TEST_F(AtomicFile, grows_and_changes_until_it_takes_its_place) {
+  write_file(path("a"), "old");
+  AsideFile file(path("a"));
+  file.append("0123");
+  file.append("4567");
+  EXPECT_TRUE(file.holds("01234567"));
+  file.replace(2, "xy");
+  EXPECT_TRUE(file.holds_at(1, "1xy4"));
+  EXPECT_TRUE(file.holds_at(6, "67"));
+  EXPECT_FALSE(file.holds_at(6, "68"));
+  EXPECT_FALSE(file.holds_at(6, "678")) << "it ends before";
+  EXPECT_TRUE(file.holds_at(8, ""));
+  EXPECT_EQ(read_file(path("a")), "old");
+  file.commit();
+  EXPECT_EQ(read_file(path("a")), "01xy4567");
+}
+
 }  // namespace
 }  // namespace dupin

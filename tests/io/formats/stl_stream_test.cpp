@@ -6,14 +6,17 @@
 
 #include <gtest/gtest.h>
 
+#include "dupin/io/atomic_file.h"
 #include "dupin/io/stl.h"
 #include "dupin/kernel/districts.h"
 #include "dupin/kernel/solid.h"
-#include "support/process.h"
+#include "support/scratch_directory.h"
 #include "support/shapes.h"
 
 namespace dupin::test {
 namespace {
+
+using StlStreams = ScratchDirectory;
 
 struct Pieces {
   std::vector<Rounded> rounded;
@@ -31,33 +34,31 @@ Pieces pieces(const std::vector<std::string>& names) {
   return result;
 }
 
-TEST(StlStream, gives_the_bytes_of_all_at_once) {
-  const TemporaryFolder folder;
+TEST_F(StlStreams, gives_the_bytes_of_all_at_once) {
   const MeshHeader header{"mm", "a note"};
   for (const std::vector<std::string>& names :
        {std::vector<std::string>{"a", "b", "c"}, {"a"}, {"a", "a"}, {}}) {
     const Pieces all = pieces(names);
-    const std::filesystem::path path = folder.path() / "out.stl";
-    StlStream stream(path);
+    const std::filesystem::path file = path("out.stl");
+    StlStream stream(file);
     for (const Rounded& piece : all.rounded) {
       stream.append(piece);
     }
     EXPECT_EQ(stream.triangles(), 4 * names.size());
-    EXPECT_FALSE(std::filesystem::exists(path));
+    EXPECT_FALSE(std::filesystem::exists(file));
     stream.commit(header);
-    EXPECT_EQ(read_file(path), stl_binary_bytes(joined(all.rounded, all.boxes).mesh(), header));
-    std::filesystem::remove(path);
+    EXPECT_EQ(read_file(file), stl_binary_bytes(joined(all.rounded, all.boxes).mesh(), header));
+    std::filesystem::remove(file);
   }
 }
 
-TEST(StlStream, leaves_nothing_behind_without_commit) {
-  const TemporaryFolder folder;
+TEST_F(StlStreams, leaves_nothing_behind_without_commit) {
   {
-    StlStream stream(folder.path() / "out.stl");
+    StlStream stream(path("out.stl"));
     stream.append(pieces({"a"}).rounded[0]);
-    EXPECT_FALSE(std::filesystem::is_empty(folder.path()));
+    EXPECT_FALSE(std::filesystem::is_empty(directory()));
   }
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  EXPECT_TRUE(std::filesystem::is_empty(directory()));
 }
 
 }  // namespace
