@@ -17,10 +17,10 @@ class App;
 
 namespace dupin::cli {
 
-/// --tiles and --memory as typed.
+/// --tiles, --memory and --cache as typed.
 struct TileArguments {
   std::size_t tiles = 0;
-  std::string memory;
+  std::string memory, cache;
 };
 
 /// What `build` is told.

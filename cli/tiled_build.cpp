@@ -7,13 +7,21 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <CLI/App.hpp>
 
+#include "district_cache.h"
+#include "district_result.h"
+#include "dupin/io/assembly_json.h"
+#include "dupin/io/mesh_file.h"
+#include "dupin/io/off.h"
+#include "dupin/io/sha256.h"
 #include "dupin/io/stl.h"
 #include "dupin/io/stl_stream.h"
 #include "dupin/kernel/decimal.h"
@@ -25,6 +33,9 @@
 
 namespace dupin::cli {
 namespace {
+
+/// So many districts in a tile, where neither tiles nor memory are given.
+constexpr std::size_t kAtOnce = 64;
 
 /// What a build needs for a triangle of its result, measured (docs/cli.md).
 constexpr double kBytesPerTriangle = 400;
@@ -84,12 +95,59 @@ void add(const RoundingReport& from, RoundingReport& to) {
   std::ranges::copy(from.thin_shells, std::back_inserter(to.thin_shells));
 }
 
-/// One district, built and rounded.
-struct Piece {
-  Built built;
-  OutputReport report;
-  std::optional<Rounded> rounded;
-};
+/// For districts: the whole's origin and, of its extent, the power of two that decides about
+/// rounding, so that a change elsewhere hardly ever is one here.
+RoundingOptions rounding_of_districts(RoundingOptions rounding, std::span<const Boxes> boxes) {
+  const Eigen::AlignedBox3d all = bounds_of(boxes);
+  if (boxes.size() < 2 || !all.min().allFinite() || !all.max().allFinite()) {
+    return rounding;
+  }
+  rounding.whole = all;
+  const Vec3 origin = to_mesh(Solid(), Coordinates::binary64, rounding).report().origin;
+  rounding.origin = {.choice = Origin::Choice::given, .place = origin};
+  const double largest = std::max((all.min() - origin).cwiseAbs().maxCoeff(),
+                                  (all.max() - origin).cwiseAbs().maxCoeff());
+  const Vec3 half = Vec3::Constant(std::exp2(std::ilogb(largest)));
+  rounding.whole = Eigen::AlignedBox3d(origin - half, origin + half);
+  return rounding;
+}
+
+/// All that decides about a district's facets, besides its document.
+std::string text_of(const BuildOptions& options, const ContactChoice& contacts,
+                    const RoundingOptions& rounding) {
+  std::string text = "dupin " DUPIN_VERSION;
+  const auto add = [&text](double number) { text += " " + decimal(number); };
+  add(options.region ? static_cast<double>(*options.region) : -1);
+  add(static_cast<double>(options.contacts));
+  add(static_cast<double>(contacts.kind));
+  add(contacts.length);
+  add(rounding.tolerance);
+  add(rounding.output_grid);
+  add(static_cast<double>(rounding.origin.choice));
+  const Eigen::AlignedBox3d whole =
+      rounding.whole.value_or(Eigen::AlignedBox3d(Vec3(Vec3::Zero()), Vec3(Vec3::Zero())));
+  for (const Vec3& place : {rounding.origin.place, Vec3(whole.min()), Vec3(whole.max())}) {
+    std::ranges::for_each(place, add);
+  }
+  return text + "\n";
+}
+
+/// Meshes in the way of parts are not in the document, but in files beside it.
+void append_meshes(const Assembly& assembly, std::string& text) {
+  for (const Part& part : assembly.parts) {
+    std::visit(
+        [&text](const auto& shape) {
+          if constexpr (requires { shape.avoid->obstacles; }) {
+            for (const auto& obstacle : shape.avoid.value_or(Avoidance{}).obstacles) {
+              if (const auto* given = std::get_if<MeshObstacle>(&obstacle)) {
+                text += "\n" + sha256(mesh_bytes(*given->mesh, kOff));
+              }
+            }
+          }
+        },
+        part.shape);
+  }
+}
 
 class TiledBuild {
  public:
@@ -101,11 +159,16 @@ class TiledBuild {
         rounding_(
             rounding_options(arguments.rounding, std::string(symbol(document.assembly.unit)))),
         progress_(options.progress) {
-    rounding_.whole = bounds_of(boxes_);
-    if (!arguments.tiles.memory.empty()) {
-      divide_by_memory(bytes_in(arguments.tiles.memory), document.assembly);
+    rounding_ = rounding_of_districts(rounding_, boxes_);
+    options_text_ = text_of(options, contacts_, rounding_);
+    if (!arguments.tiles.cache.empty()) {
+      cache_.emplace(arguments.tiles.cache);
+    }
+    const TileArguments& tiles = arguments.tiles;
+    if (!tiles.memory.empty()) {
+      divide_by_memory(bytes_in(tiles.memory), document.assembly);
     } else {
-      divide_evenly(arguments.tiles.tiles);
+      divide_evenly(tiles.tiles > 0 ? tiles.tiles : (plan_.size() + kAtOnce - 1) / kAtOnce);
     }
   }
 
@@ -113,14 +176,15 @@ class TiledBuild {
     StlStream stream(to_.path);
     std::vector<Built> built;
     std::size_t begin = 0;
+    report.check.emplace();
     for (const std::size_t end : ends_) {
       tell(progress_, "build", double(begin) / double(plan_.size()));
-      std::vector<Piece> pieces(end - begin);
-      for_each_in_parallel(pieces.size(), [&](std::size_t i) { make(begin + i, pieces[i]); });
-      for (Piece& piece : pieces) {
-        stream.append(*piece.rounded);
-        take(piece, report);
-        built.push_back(std::move(piece.built));
+      std::vector<DistrictResult> tile(end - begin);
+      for_each_in_parallel(tile.size(), [&](std::size_t i) { tile[i] = result(begin + i); });
+      for (DistrictResult& district : tile) {
+        stream.append(district.facets);
+        take(std::move(district.output), report);
+        built.push_back(std::move(district.built));
       }
       begin = end;
     }
@@ -162,38 +226,53 @@ class TiledBuild {
     ends_.push_back(plan_.size());
   }
 
-  void make(std::size_t district, Piece& piece) const {
-    piece.built = plan_.build(district);
-    piece.rounded = settled_and_rounded(piece.built.solid, to_, rounding_of_district(), contacts_,
-                                        piece.report);
-    piece.built.solid = Solid();
-    if (plan_.size() > 1 && !lies_in(*piece.rounded, boxes_[district])) {
+  // Made, or as it was kept.
+  [[nodiscard]] DistrictResult result(std::size_t district) const {
+    if (!cache_) {
+      return made(district);
+    }
+    const Assembly document = plan_.document(district);
+    std::string text = options_text_ + document_text(document);
+    append_meshes(document, text);
+    const std::string key = sha256(text);
+    const std::vector<std::uint32_t> parts = plan_.parts(district);
+    if (const auto bytes = cache_->find(key)) {
+      if (auto kept = result_of(*bytes, parts)) {
+        return *std::move(kept);
+      }
+    }
+    DistrictResult result = made(district);
+    if (const auto bytes = bytes_of(result, parts)) {
+      cache_->keep(key, *bytes);
+    }
+    return result;
+  }
+
+  [[nodiscard]] DistrictResult made(std::size_t district) const {
+    DistrictResult result;
+    result.built = plan_.build(district);
+    const Rounded rounded =
+        settled_and_rounded(result.built.solid, to_, rounding_, contacts_, result.output);
+    result.built.solid = Solid();
+    if (plan_.size() > 1 && !lies_in(rounded, boxes_[district])) {
       throw Error(Errc::internal,
                   "internal error, please report it: a district does not lie in its boxes", {},
                   to_.path);
     }
-    piece.report.check = check(*piece.rounded);
+    result.output.check = check(rounded);
+    result.output.rounding = rounded.report();
+    result.output.contacts = rounded.contacts();
+    result.facets = stl_facets(rounded, to_.path);
+    return result;
   }
 
-  [[nodiscard]] RoundingOptions rounding_of_district() const {
-    RoundingOptions options = rounding_;
-    if (plan_.size() == 1) {
-      options.whole.reset();
+  static void take(OutputReport&& district, OutputReport& report) {
+    add(*district.check, *report.check);
+    add(district.rounding, report.rounding);
+    append(std::move(district.contacts), report.contacts);
+    if (district.settled) {
+      add_settled(*std::move(district.settled), report);
     }
-    return options;
-  }
-
-  static void take(Piece& piece, OutputReport& report) {
-    if (!report.check) {
-      report.check.emplace();
-    }
-    add(*piece.report.check, *report.check);
-    add(piece.rounded->report(), report.rounding);
-    append(piece.rounded->contacts(), report.contacts);
-    if (piece.report.settled) {
-      add_settled(*std::move(piece.report.settled), report);
-    }
-    piece.rounded.reset();
   }
 
   DistrictBuild plan_;
@@ -202,6 +281,8 @@ class TiledBuild {
   ContactChoice contacts_;
   RoundingOptions rounding_;
   Progress progress_;
+  std::optional<DistrictCache> cache_;
+  std::string options_text_;
   std::vector<std::size_t> ends_;  // of tiles, behind their last districts
 };
 
@@ -221,16 +302,21 @@ void add_tile_options(CLI::App& command, TileArguments& arguments) {
                   "As many tiles as that takes, such as 4GB: for models larger than memory")
       ->type_name("SIZE")
       ->excludes(tiles);
+  command
+      .add_option("--cache", arguments.cache,
+                  "Folder that keeps what tiles are made of: a build that was killed goes on,\n"
+                  "and of an edited document only what changed is made again")
+      ->type_name("DIR");
 }
 
 bool is_tiled(const TileArguments& arguments) {
-  return arguments.tiles > 0 || !arguments.memory.empty();
+  return arguments.tiles > 0 || !arguments.memory.empty() || !arguments.cache.empty();
 }
 
 void check_tiled(const BuildArguments& arguments) {
   const Destination to = destination(arguments.output);
   if (to.is_stdout() || !(to.format == kStlBinary)) {
-    throw UsageError("--tiles and --memory write binary STL files only");
+    throw UsageError("--tiles, --memory and --cache write binary STL files only");
   }
   if (!to.patches.empty() || !arguments.page.empty() || arguments.quality == "cfd") {
     throw UsageError(
@@ -239,7 +325,7 @@ void check_tiled(const BuildArguments& arguments) {
   }
   if (to.verification == Verification::full || to.verification == Verification::none) {
     throw UsageError(
-        "with --tiles and --memory, files are compared as they are written; --verify "
+        "with --tiles, --memory and --cache, files are compared as they are written; --verify "
         "full is what the command check does");
   }
   if (arguments.source.keep_going) {
@@ -264,8 +350,7 @@ OutputReport write_districts(const Built& built, const Destination& to,
                              const RoundingOptions& rounding, MeshHeader header,
                              const ContactChoice& contacts, TriMesh* written) {
   OutputReport report;
-  RoundingOptions options = rounding;
-  options.whole = bounds_of(built.boxes);
+  const RoundingOptions options = rounding_of_districts(rounding, built.boxes);
   std::vector<std::optional<Rounded>> rounded(built.districts.size());
   std::vector<OutputReport> reports(built.districts.size());
   for_each_in_parallel(rounded.size(), [&](std::size_t i) {

@@ -14,7 +14,7 @@ class App;
 
 namespace dupin::cli {
 
-/// Adds --tiles and --memory.
+/// Adds --tiles, --memory and --cache.
 void add_tile_options(CLI::App& command, TileArguments& arguments);
 
 /// Whether the document is to be built tile by tile.

@@ -1,4 +1,7 @@
+#include <filesystem>
+#include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -35,8 +38,8 @@ TEST_F(TiledBuild, gives_the_same_bytes_for_all_numbers_of_tiles) {
       own.insert(own.begin(), {"build", "plant.json", "-o", "out.stl"});
       own.insert(own.end(), common.begin(), common.end());
       const auto report = json(own, 0);
-      EXPECT_EQ(report.at("check").at("solid"), true);
-      EXPECT_EQ(report.at("check").at("components"), 20);
+      EXPECT_EQ(report.at("output").at("check").at("solid"), true);
+      EXPECT_EQ(report.at("output").at("check").at("components"), 20);
       return folder_.read("out.stl");
     };
     const std::string whole = build({});
@@ -45,7 +48,7 @@ TEST_F(TiledBuild, gives_the_same_bytes_for_all_numbers_of_tiles) {
       EXPECT_TRUE(build({"--tiles", tiles}) == whole) << region << " " << tiles;
     }
     EXPECT_TRUE(build({"--memory", "1MB"}) == whole) << region;
-    EXPECT_EQ(shell("taskset -c 0 dupin build plant.json -o out.stl --quiet --tiles 5 --wall 8mm "
+    EXPECT_EQ(shell("taskset -cp 0 $BASHPID > /dev/null; dupin build plant.json -o out.stl --quiet --tiles 5 --wall 8mm "
                     "--region " +
                     region)
                   .exit_code,
@@ -60,8 +63,8 @@ TEST_F(TiledBuild, shares_the_automatic_origin) {
   const auto whole = json({"build", "plant.json", "-o", "a.stl", "--origin", "auto"}, 0);
   const auto tiled =
       json({"build", "plant.json", "-o", "b.stl", "--origin", "auto", "--tiles", "3"}, 0);
-  EXPECT_EQ(whole.at("rounding").at("origin"), tiled.at("rounding").at("origin"));
-  EXPECT_GT(whole.at("rounding").at("origin").at(0), 100000);
+  EXPECT_EQ(whole.at("output").at("rounding").at("origin"), tiled.at("output").at("rounding").at("origin"));
+  EXPECT_GT(whole.at("output").at("rounding").at("origin").at(0), 100000);
   EXPECT_TRUE(folder_.read("a.stl") == folder_.read("b.stl"));
 }
 
@@ -75,10 +78,88 @@ TEST_F(TiledBuild, of_what_hangs_together_is_that_of_the_whole) {
   }
 }
 
+TEST_F(TiledBuild, goes_on_with_what_is_kept) {
+  folder_.write("plant.json", plant(12));
+  folder_.write("edited.json", [] {
+    std::string text = plant(12);
+    const std::string from = R"({"name": "branch7")";
+    return text.replace(text.find(from), from.size(), R"({"wall": 5, "name": "branch7")");
+  }());
+  const auto build = [&](const std::string& document, bool with_cache) {
+    std::vector<std::string> arguments{"build", document, "-o", "out.stl", "--region", "fluid",
+                                       "--wall", "8mm"};
+    if (with_cache) {
+      arguments.insert(arguments.end(), {"--cache", "kept"});
+    }
+    const auto report = json(arguments, 0);
+    return std::pair(report, folder_.read("out.stl"));
+  };
+  const auto kept = [&] {
+    const auto folder = std::filesystem::directory_iterator(folder_.path() / "kept");
+    return std::distance(begin(folder), end(folder)) - 1;  // less the mark
+  };
+  const auto [plain, bytes] = build("plant.json", false);
+  for (int i = 0; i < 2; ++i) {
+    const auto [report, again] = build("plant.json", true);
+    EXPECT_TRUE(again == bytes);
+    EXPECT_EQ(kept(), 12);
+    EXPECT_EQ(report.at("parts"), plain.at("parts"));
+    EXPECT_EQ(report.at("output").at("rounding"), plain.at("output").at("rounding"));
+    EXPECT_EQ(report.at("output").at("check").at("triangles"),
+              plain.at("output").at("check").at("triangles"));
+    EXPECT_NEAR(report.at("output").at("check").at("volume").get<double>(),
+                plain.at("output").at("check").at("volume").get<double>(), 1);
+  }
+  const std::string edited = build("edited.json", false).second;
+  EXPECT_FALSE(edited == bytes);
+  EXPECT_TRUE(build("edited.json", true).second == edited);
+  EXPECT_EQ(kept(), 13) << "one district is another";
+  EXPECT_TRUE(build("plant.json", true).second == bytes);
+}
+
+TEST_F(TiledBuild, makes_again_what_is_damaged) {
+  folder_.write("plant.json", plant(3));
+  const std::vector<std::string> arguments{"build", "plant.json", "-o", "out.stl", "--cache", "kept",
+                                           "--quiet"};
+  ASSERT_EQ(dupin(arguments).exit_code, 0);
+  const std::string bytes = folder_.read("out.stl");
+  int number = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / "kept")) {
+    const std::string name = "kept/" + entry.path().filename().string();
+    std::string text = folder_.read(name);
+    switch (number++ % 3) {
+      case 0:
+        text.resize(text.size() / 2);
+        break;
+      case 1:
+        text[text.size() / 2] ^= 1;
+        break;
+      default:
+        text.clear();
+    }
+    folder_.write(name, text);
+  }
+  EXPECT_EQ(number, 4);
+  ASSERT_EQ(dupin(arguments).exit_code, 0);
+  EXPECT_TRUE(folder_.read("out.stl") == bytes);
+}
+
+TEST_F(TiledBuild, keeps_nothing_where_other_things_are) {
+  folder_.write("plant.json", plant(1));
+  const ProcessResult result =
+      dupin({"build", "plant.json", "-o", "out.stl", "--cache", folder_.path().string()});
+  EXPECT_EQ(result.exit_code, 5);
+  EXPECT_THAT(result.err, HasSubstr("has other things in it"));
+  EXPECT_EQ(folder_.files(), std::vector<std::string>{"plant.json"});
+  const ProcessResult file =
+      dupin({"build", "plant.json", "-o", "out.stl", "--cache", "plant.json/kept"});
+  EXPECT_EQ(file.exit_code, 5);
+}
+
 TEST_F(TiledBuild, refuses_what_does_not_fit_into_memory) {
   folder_.write("plant.json", plant(2));
-  const ProcessResult result = dupin({"build", "plant.json", "-o", "out.stl", "--memory", "100kB"});
-  EXPECT_EQ(result.exit_code, 4);
+  const ProcessResult result = dupin({"build", "plant.json", "-o", "out.stl", "--memory", "10kB"});
+  EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.err, HasSubstr("give --memory more"));
   EXPECT_EQ(folder_.files(), std::vector<std::string>{"plant.json"});
 }

@@ -136,11 +136,13 @@ struct DistrictBuild::Plan {
   BuildOptions options;
   ResolvedAssembly resolved;
   std::vector<assembly::DistrictParts> districts;
+  assembly::RelatedParts related;
 
   Plan(const Assembly& document, const BuildOptions& chosen)
       : assembly(with_options(document, chosen)),
         options(chosen),
-        resolved(dupin::resolved(assembly, chosen.progress)) {
+        resolved(dupin::resolved(assembly, chosen.progress)),
+        related(assembly) {
     assembly = with_regions(std::move(assembly), resolved, options.region);
     districts = assembly::districts_of_parts(resolved, margin_of(assembly, options),
                                              options.relative_margin);
@@ -164,6 +166,23 @@ std::vector<Boxes> DistrictBuild::boxes() const {
     result.push_back(district.boxes);
   }
   return result;
+}
+
+std::vector<std::uint32_t> DistrictBuild::parts(std::size_t district) const {
+  return assembly::document_parts(plan_->resolved, plan_->districts.at(district));
+}
+
+Assembly DistrictBuild::document(std::size_t district) const {
+  std::vector<std::uint32_t> parts = this->parts(district);
+  std::set<std::uint32_t> known(parts.begin(), parts.end());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (const std::uint32_t other : plan_->related.of(parts[i])) {
+      if (known.insert(other).second) {
+        parts.push_back(other);
+      }
+    }
+  }
+  return assembly::document_of(plan_->assembly, {known.begin(), known.end()});
 }
 
 double DistrictBuild::expected_triangles(std::size_t district) const {

@@ -6,9 +6,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "assembly/part_box.h"
+#include "assembly/parts/part_kind.h"
 
 namespace dupin::assembly {
 namespace {
@@ -43,23 +46,30 @@ std::map<std::uint32_t, std::uint32_t> places_of(const std::vector<std::uint32_t
   return places;
 }
 
+// Of parts that this one refers to.
+std::vector<std::string> names_in(const PartKind& kind, const PartShape& shape) {
+  std::vector<std::string> names;
+  for (References (*list)(const PartShape&) : {kind.references, kind.ends}) {
+    for (const Reference& reference : list != nullptr ? list(shape) : References{}) {
+      names.push_back(reference.port.part);
+    }
+  }
+  for (const Need& need : kind.needs(shape)) {
+    names.push_back(need.part);
+  }
+  if (kind.pipes != nullptr) {
+    const FilletPipes pipes = kind.pipes(shape);
+    names.insert(names.end(), pipes.names.begin(), pipes.names.end());
+  }
+  return names;
+}
+
 class Selection {
  public:
   Selection(const Assembly& assembly, const ResolvedAssembly& whole, const DistrictParts& members)
       : whole_(whole), members_(members) {
-    for (const auto part : members.parts) {
-      result_.parts.push_back(whole.parts[part].index);
-    }
-    for (const auto fillet : members.fillets) {
-      result_.parts.push_back(whole.fillets[fillet].index);
-    }
-    for (const auto junction : members.junctions) {
-      result_.parts.push_back(whole.junctions[junction].index);
-    }
-    std::ranges::sort(result_.parts);
-    result_.parts.erase(std::unique(result_.parts.begin(), result_.parts.end()),
-                        result_.parts.end());
-    take_document(assembly);
+    result_.parts = document_parts(whole, members);
+    result_.assembly = document_of(assembly, result_.parts);
   }
 
   District run() {
@@ -92,24 +102,6 @@ class Selection {
   }
 
  private:
-  void take_document(const Assembly& assembly) {
-    Assembly& own = result_.assembly;
-    own.source = assembly.source;
-    own.unit = assembly.unit;
-    own.tolerance = assembly.tolerance;
-    own.segments = assembly.segments;
-    own.wall = assembly.wall;
-    own.wall_side = assembly.wall_side;
-    own.insulation = assembly.insulation;
-    own.patches = assembly.patches;
-    for (const std::uint32_t index : result_.parts) {
-      own.parts.push_back(assembly.parts[index]);
-      if (own.parts.back().pointer.empty()) {
-        own.parts.back().pointer = "/parts/" + std::to_string(index);
-      }
-    }
-  }
-
   const ResolvedAssembly& whole_;
   const DistrictParts& members_;
   District result_;
@@ -139,6 +131,60 @@ std::vector<DistrictParts> districts_of_parts(const ResolvedAssembly& resolved, 
     }
   }
   return result;
+}
+
+std::vector<std::uint32_t> document_parts(const ResolvedAssembly& resolved,
+                                          const DistrictParts& members) {
+  std::vector<std::uint32_t> parts;
+  for (const auto part : members.parts) {
+    parts.push_back(resolved.parts[part].index);
+  }
+  for (const auto fillet : members.fillets) {
+    parts.push_back(resolved.fillets[fillet].index);
+  }
+  for (const auto junction : members.junctions) {
+    parts.push_back(resolved.junctions[junction].index);
+  }
+  std::ranges::sort(parts);
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  return parts;
+}
+
+Assembly document_of(const Assembly& assembly, const std::vector<std::uint32_t>& parts) {
+  Assembly own;
+  own.source = assembly.source;
+  own.unit = assembly.unit;
+  own.tolerance = assembly.tolerance;
+  own.segments = assembly.segments;
+  own.wall = assembly.wall;
+  own.wall_side = assembly.wall_side;
+  own.insulation = assembly.insulation;
+  own.patches = assembly.patches;
+  for (const std::uint32_t index : parts) {
+    own.parts.push_back(assembly.parts[index]);
+    if (own.parts.back().pointer.empty()) {
+      own.parts.back().pointer = "/parts/" + std::to_string(index);
+    }
+  }
+  return own;
+}
+
+RelatedParts::RelatedParts(const Assembly& assembly) : related_(assembly.parts.size()) {
+  std::unordered_map<std::string_view, std::uint32_t> place_of;
+  for (std::uint32_t i = 0; i < assembly.parts.size(); ++i) {
+    place_of.emplace(assembly.parts[i].name, i);
+  }
+  for (std::uint32_t i = 0; i < assembly.parts.size(); ++i) {
+    const PartShape& shape = assembly.parts[i].shape;
+    const PartKind& kind = part_kind(shape);
+    for (const std::string& name : names_in(kind, shape)) {
+      if (const auto place = place_of.find(name); place != place_of.end()) {
+        const auto [from, to] =
+            kind.names_end ? std::pair(place->second, i) : std::pair(i, place->second);
+        related_[from].push_back(to);
+      }
+    }
+  }
 }
 
 District district(const Assembly& assembly, const ResolvedAssembly& resolved,

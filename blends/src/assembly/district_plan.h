@@ -30,6 +30,30 @@ struct District {
   std::vector<std::uint32_t> parts;  ///< of its parts, the places in Assembly::parts of the whole
 };
 
+/// What its parts, fillets and junctions are made of: places in Assembly::parts, ascending. O(n log
+/// n) for n of them.
+[[nodiscard]] std::vector<std::uint32_t> document_parts(const ResolvedAssembly& resolved,
+                                                        const DistrictParts& members);
+
+/// The document with these of its parts alone, ascending, which keep their places for messages.
+[[nodiscard]] Assembly document_of(const Assembly& assembly,
+                                   const std::vector<std::uint32_t>& parts);
+
+/// Which parts others refer to, be it to begin at their ends, to join them, or to keep clear of
+/// them; and which only name an end of theirs.
+class RelatedParts {
+ public:
+  /// O(n log n).
+  explicit RelatedParts(const Assembly& assembly);
+  /// By their places in Assembly::parts.
+  [[nodiscard]] const std::vector<std::uint32_t>& of(std::uint32_t part) const {
+    return related_[part];
+  }
+
+ private:
+  std::vector<std::vector<std::uint32_t>> related_;
+};
+
 /// O(what it has).
 [[nodiscard]] District district(const Assembly& assembly, const ResolvedAssembly& resolved,
                                 const DistrictParts& members);

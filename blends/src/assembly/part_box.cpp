@@ -14,16 +14,29 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Eigen::AlignedBox3d everywhere() { return {Vec3::Constant(-kInfinity), Vec3::Constant(kInfinity)}; }
 
-Eigen::AlignedBox3d box_of(const Piece& piece) {
-  const surfaces::PieceDiscs discs =
-      std::visit([](const auto& one) { return surfaces::discs(one); }, piece);
-  const surfaces::DiscHull hull = discs.hull({0, 1});
+// Some hulls know nothing of long stretches.
+constexpr int kMostHalvings = 6;
+
+Eigen::AlignedBox3d box_of(const surfaces::PieceDiscs& discs, const ParameterInterval& stretch,
+                           int halvings) {
+  const surfaces::DiscHull hull = discs.hull(stretch);
   Eigen::AlignedBox3d box;
   for (int k = 0; k < 3; ++k) {
     box.max()[k] = surfaces::support(hull, Vec3::Unit(k));
     box.min()[k] = -surfaces::support(hull, -Vec3::Unit(k));
   }
-  return box.min().array().isNaN().any() || box.max().array().isNaN().any() ? everywhere() : box;
+  if (box.min().allFinite() && box.max().allFinite()) {
+    return box;
+  }
+  if (halvings == kMostHalvings) {
+    return everywhere();
+  }
+  const auto [first, second] = surfaces::halves(stretch);
+  return box_of(discs, first, halvings + 1).merged(box_of(discs, second, halvings + 1));
+}
+
+Eigen::AlignedBox3d box_of(const Piece& piece) {
+  return box_of(std::visit([](const auto& one) { return surfaces::discs(one); }, piece), {0, 1}, 0);
 }
 
 Eigen::AlignedBox3d box_of(const Sphere& sphere) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/stl.h"
@@ -12,7 +13,7 @@
 namespace dupin {
 namespace {
 
-constexpr std::size_t kPreamble = 84;  // before the first facet
+constexpr std::size_t kPreamble = 84, kFacet = 50;
 
 }  // namespace
 
@@ -20,28 +21,27 @@ StlStream::StlStream(const std::filesystem::path& path) : shown_(path.string()),
   file_.append(std::string(kPreamble, '\0'));
 }
 
-void StlStream::append(const Rounded& solid) {
-  const std::string bytes = verified_bytes(shown_, solid, kStlBinary);
-  append_triangles(std::string_view(bytes).substr(kPreamble), solid.mesh().triangles.size());
+StlFacets stl_facets(const Rounded& solid, std::string_view file) {
+  std::string bytes = verified_bytes(file, solid, kStlBinary);
+  bytes.erase(0, kPreamble);
+  return {std::move(bytes), solid.mesh().names};
+}
+
+void StlStream::append(const StlFacets& solid) {
+  if (triangles_ + solid.count() > std::numeric_limits<std::uint32_t>::max()) {
+    throw Error(Errc::limit_exceeded, "binary STL holds at most 4294967295 triangles", {}, shown_);
+  }
+  file_.append(solid.bytes);
+  if (!file_.holds_at(kPreamble + kFacet * triangles_, solid.bytes)) {
+    throw Error(Errc::io_failed, "what was written is not what is read back", {}, shown_);
+  }
+  triangles_ += solid.count();
   // The header has a name if there is one only.
-  for (const std::string& name : solid.mesh().names) {
+  for (const std::string& name : solid.names) {
     if (names_.size() < 2 && !std::ranges::count(names_, name)) {
       names_.push_back(name);
     }
   }
-}
-
-void StlStream::append_triangles(std::string_view bytes, std::uint64_t count) {
-  if (triangles_ + count > std::numeric_limits<std::uint32_t>::max()) {
-    throw Error(Errc::limit_exceeded, "binary STL holds at most 4294967295 triangles", {}, shown_);
-  }
-  const std::uint64_t facet = count == 0 ? 0 : bytes.size() / count;
-  const std::uint64_t at = kPreamble + triangles_ * facet;
-  file_.append(bytes);
-  if (!file_.holds_at(at, bytes)) {
-    throw Error(Errc::io_failed, "what was written is not what is read back", {}, shown_);
-  }
-  triangles_ += count;
 }
 
 void StlStream::commit(const MeshHeader& header) {

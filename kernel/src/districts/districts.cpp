@@ -29,7 +29,14 @@ using TreeBox = boost::geometry::model::box<TreePoint>;
 using TreeEntry = std::pair<TreeBox, std::uint32_t>;
 using Tree = boost::geometry::index::rtree<TreeEntry, boost::geometry::index::rstar<16>>;
 
-TreePoint tree_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+/// The tree takes finite coordinates whose sums are finite, too: what is beyond these touches all
+/// that is.
+constexpr double kFarthest = 1e300;
+
+TreePoint tree_point(const Vec3& p) {
+  return {std::clamp(p.x(), -kFarthest, kFarthest), std::clamp(p.y(), -kFarthest, kFarthest),
+          std::clamp(p.z(), -kFarthest, kFarthest)};
+}
 TreeBox tree_box(const Eigen::AlignedBox3d& box) {
   return {tree_point(box.min()), tree_point(box.max())};
 }

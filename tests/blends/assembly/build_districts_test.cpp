@@ -137,6 +137,33 @@ TEST(BuildDistricts, built_one_by_one_are_the_same) {
   EXPECT_LT(expected, 2 * double(triangles));
 }
 
+std::vector<std::string> names_of(const Assembly& assembly) {
+  std::vector<std::string> names;
+  for (const Part& part : assembly.parts) {
+    names.push_back(part.name);
+  }
+  return names;
+}
+
+TEST(BuildDistricts, the_document_of_one_has_all_that_decides_about_it) {
+  Assembly assembly = crosses(2);
+  assembly.parts.push_back({"inlet", CapAt{{"run1", End::start}}});
+  assembly.parts.push_back(pipe("a", {0, 0, 50}, {5, 0, 50}, 1));
+  assembly.parts.push_back(pipe("b", {20, 0, 50}, {25, 0, 50}, 1));
+  SplineBetween hose;
+  hose.from = {"a", End::end};
+  hose.to = {"b", End::start};
+  hose.avoid.emplace();
+  hose.avoid->obstacles.push_back(std::string("run1"));
+  assembly.parts.push_back({"hose", hose});
+  const DistrictBuild plan(assembly);
+  ASSERT_EQ(plan.size(), 3);
+  EXPECT_THAT(plan.parts(1), ElementsAre(1, 3));
+  EXPECT_THAT(names_of(plan.document(0)), ElementsAre("run0", "branch0"));
+  EXPECT_THAT(names_of(plan.document(1)), ElementsAre("run1", "branch1", "inlet"));
+  EXPECT_THAT(names_of(plan.document(2)), ElementsAre("run1", "inlet", "a", "b", "hose"));
+}
+
 TEST(BuildDistricts, one_that_is_cancelled_is_not_built) {
   BuildOptions options;
   options.progress = [](std::string_view stage, double) { return stage != "build"; };

@@ -42,7 +42,7 @@ TEST_F(StlStreams, gives_the_bytes_of_all_at_once) {
     const std::filesystem::path file = path("out.stl");
     StlStream stream(file);
     for (const Rounded& piece : all.rounded) {
-      stream.append(piece);
+      stream.append(stl_facets(piece, "out.stl"));
     }
     EXPECT_EQ(stream.triangles(), 4 * names.size());
     EXPECT_FALSE(std::filesystem::exists(file));
@@ -55,7 +55,7 @@ TEST_F(StlStreams, gives_the_bytes_of_all_at_once) {
 TEST_F(StlStreams, leaves_nothing_behind_without_commit) {
   {
     StlStream stream(path("out.stl"));
-    stream.append(pieces({"a"}).rounded[0]);
+    stream.append(stl_facets(pieces({"a"}).rounded[0], "out.stl"));
     EXPECT_FALSE(std::filesystem::is_empty(directory()));
   }
   EXPECT_TRUE(std::filesystem::is_empty(directory()));

@@ -74,7 +74,8 @@ struct PartReport {
   bool is_hollow = false;  ///< it has a bore
 };
 
-/// The volumes of the regions, the doubles nearest to the exact ones.
+/// The volumes of the regions: of a district the doubles nearest to the exact ones, of several
+/// their sums.
 struct RegionVolumes {
   double outer = 0, metal = 0, fluid = 0;
 };
@@ -123,6 +124,11 @@ class DistrictBuild {
   [[nodiscard]] std::size_t size() const;
   /// About each district.
   [[nodiscard]] std::vector<Boxes> boxes() const;
+  /// Its parts, by their places in Assembly::parts, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> parts(std::size_t district) const;
+  /// A document of all that decides about one district, but for the options: its parts, those that
+  /// they refer to, and names of their ends.
+  [[nodiscard]] Assembly document(std::size_t district) const;
   /// How many triangles its parts will have, roughly.
   [[nodiscard]] double expected_triangles(std::size_t district) const;
   /// What is made of one district, as if there were no others; without ports and gaps. Threads may

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dupin/io/atomic_file.h"
@@ -11,6 +12,18 @@
 
 namespace dupin {
 
+/// The facets of a solid as a binary STL has them: 50 bytes each.
+struct StlFacets {
+  std::string bytes;
+  std::vector<std::string> names;  ///< of labels
+
+  [[nodiscard]] std::uint64_t count() const { return bytes.size() / 50; }
+};
+
+/// Facets that give back the very numbers and neighbours that rounding has proved, or
+/// Error{unroundable} is thrown, as by write_verified(), naming `file`.
+[[nodiscard]] StlFacets stl_facets(const Rounded& solid, std::string_view file);
+
 /// A binary STL that is written one solid after the other, aside, in the memory that one of them
 /// needs. Its bytes are those that stl_binary_bytes() gives for all of them joined
 /// (dupin/kernel/districts.h). All functions throw what AsideFile does.
@@ -18,18 +31,15 @@ class StlStream {
  public:
   explicit StlStream(const std::filesystem::path& path);
 
-  /// Behind those that are there. What the file gives back are the very numbers and neighbours that
-  /// rounding has proved, or Error{unroundable} is thrown, as by write_verified(). Throws
-  /// Error{limit_exceeded} for 2^32 triangles and more.
-  void append(const Rounded& solid);
+  /// Behind those that are there, and read back. Throws Error{limit_exceeded} for 2^32 triangles
+  /// and more.
+  void append(const StlFacets& solid);
   /// The file takes its place.
   void commit(const MeshHeader& header);
 
   [[nodiscard]] std::uint64_t triangles() const { return triangles_; }
 
  private:
-  void append_triangles(std::string_view bytes, std::uint64_t count);
-
   std::string shown_;
   AsideFile file_;
   std::uint64_t triangles_ = 0;

@@ -1,0 +1,78 @@
+#include "district_cache.h"
+
+#include <atomic>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include <unistd.h>
+
+#include "dupin/io/atomic_file.h"
+#include "dupin/kernel/error.h"
+#include "exit_code.h"
+
+namespace dupin::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// In the folder, to tell that it is one of ours.
+constexpr std::string_view kMark = "dupin-cache";
+
+[[noreturn]] void fail(const std::string& what, const fs::path& path) {
+  throw OutputError(Error(Errc::io_failed, what, {}, path.string()));
+}
+
+}  // namespace
+
+DistrictCache::DistrictCache(fs::path folder) : folder_(std::move(folder)) {
+  std::error_code reason;
+  fs::create_directories(folder_, reason);
+  if (reason) {
+    fail("cannot make the folder for --cache: " + reason.message(), folder_);
+  }
+  const bool is_known = fs::exists(folder_ / kMark, reason);
+  if (!is_known && !fs::is_empty(folder_, reason)) {
+    fail(
+        "the folder for --cache has other things in it; give an empty one, or one that does not "
+        "exist yet",
+        folder_);
+  }
+  if (!is_known) {
+    keep(std::string(kMark), "Made by dupin build --cache. May be deleted whenever none runs.\n");
+  }
+}
+
+std::optional<std::string> DistrictCache::find(const std::string& key) const {
+  std::error_code reason;
+  if (!fs::exists(folder_ / key, reason)) {
+    return std::nullopt;
+  }
+  return read_file(folder_ / key);
+}
+
+void DistrictCache::keep(const std::string& key, std::string_view bytes) const {
+  static std::atomic<unsigned> files{0};
+  const fs::path aside =
+      folder_ / (key + "." + std::to_string(::getpid()) + "-" + std::to_string(files++) + ".part");
+  std::error_code reason;
+  {
+    std::ofstream file(aside, std::ios::binary);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file) {
+      reason = {errno, std::generic_category()};
+    }
+  }
+  if (!reason) {
+    fs::rename(aside, folder_ / key, reason);
+  }
+  if (reason) {
+    std::error_code ignored;
+    fs::remove(aside, ignored);
+    fail("cannot write to the folder for --cache: " + reason.message(), folder_);
+  }
+}
+
+}  // namespace dupin::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace dupin::cli {
+
+/// A folder of what districts came out as, each under the digest of all that decides about it: what
+/// was begun is gone on with, and what did not change is not made again. Files appear whole, but
+/// need not outlast a power cut; whoever reads them finds out.
+class DistrictCache {
+ public:
+  /// Opens the folder, or makes it. Throws OutputError for one with other things in it, and where
+  /// the system refuses.
+  explicit DistrictCache(std::filesystem::path folder);
+
+  /// The bytes kept under the key, if there are any.
+  [[nodiscard]] std::optional<std::string> find(const std::string& key) const;
+  /// Threads may keep several at a time. Throws OutputError, of a full disk for one.
+  void keep(const std::string& key, std::string_view bytes) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace dupin::cli

@@ -1,0 +1,210 @@
+#include "district_result.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <functional>
+#include <type_traits>
+#include <utility>
+
+namespace dupin::cli {
+namespace {
+
+/// Changes with whatever is kept.
+constexpr std::string_view kMark = "dupin district 1\n";
+
+class Writer {
+ public:
+  template <class... Fields>
+  void operator()(const Fields&... fields) {
+    (put(fields), ...);
+  }
+  [[nodiscard]] std::string& bytes() { return bytes_; }
+
+ private:
+  template <class Number>
+  requires std::is_trivially_copyable_v<Number>
+  void put(const Number& number) {
+    std::array<char, sizeof(Number)> raw{};
+    std::memcpy(raw.data(), &number, sizeof(Number));
+    bytes_.append(raw.data(), raw.size());
+  }
+  void put(const std::string& text) {
+    put(std::uint64_t{text.size()});
+    bytes_ += text;
+  }
+  void put(const Vec3& place) { (*this)(place.x(), place.y(), place.z()); }
+  template <class Item>
+  void put(const std::optional<Item>& item) {
+    put(std::uint8_t{item ? std::uint8_t{1} : std::uint8_t{0}});
+    if (item) {
+      put(*item);
+    }
+  }
+  template <class Item>
+  void put(const std::vector<Item>& items) {
+    put(std::uint64_t{items.size()});
+    for (const Item& item : items) {
+      put(item);
+    }
+  }
+  void put(const ThinShell& shell) { (*this)(shell.place, shell.thickness, shell.move); }
+  void put(const PartReport& part);
+  void put(const Report& report);
+  void put(const RoundingReport& report);
+
+  std::string bytes_;
+};
+
+/// Reads what Writer has written, in the same order; `is_good` turns false at the end of bytes.
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+
+  template <class... Fields>
+  void operator()(Fields&... fields) {
+    (get(fields), ...);
+  }
+  [[nodiscard]] bool is_good() const { return is_good_; }
+  [[nodiscard]] bool is_at_end() const { return is_good_ && bytes_.empty(); }
+
+ private:
+  [[nodiscard]] std::string_view take(std::uint64_t size) {
+    is_good_ = is_good_ && size <= bytes_.size();
+    const std::string_view taken = bytes_.substr(0, is_good_ ? size : 0);
+    bytes_.remove_prefix(taken.size());
+    return taken;
+  }
+  template <class Number>
+  requires std::is_trivially_copyable_v<Number>
+  void get(Number& number) {
+    const std::string_view raw = take(sizeof(Number));
+    if (is_good_) {
+      std::memcpy(&number, raw.data(), sizeof(Number));
+    }
+  }
+  void get(std::string& text) {
+    std::uint64_t size = 0;
+    get(size);
+    text = take(size);
+  }
+  void get(Vec3& place) { (*this)(place.x(), place.y(), place.z()); }
+  template <class Item>
+  void get(std::optional<Item>& item) {
+    std::uint8_t is_there = 0;
+    get(is_there);
+    item.reset();
+    if (is_there != 0) {
+      get(item.emplace());
+    }
+  }
+  template <class Item>
+  void get(std::vector<Item>& items) {
+    std::uint64_t size = 0;
+    get(size);
+    items.clear();
+    for (std::uint64_t i = 0; i < size && is_good_; ++i) {
+      get(items.emplace_back());
+    }
+  }
+  void get(ThinShell& shell) { (*this)(shell.place, shell.thickness, shell.move); }
+  void get(PartReport& part);
+  void get(Report& report);
+  void get(RoundingReport& report);
+
+  std::string_view bytes_;
+  bool is_good_ = true;
+};
+
+/// The fields that are kept, for reading and for writing.
+template <class Archive, class Part>
+void visit_part(Archive& archive, Part& part) {
+  archive(part.name, part.index, part.kind, part.construction, part.rejected, part.warnings,
+          part.margin_lower, part.margin_upper, part.start_tangency, part.end_tangency,
+          part.error_bound, part.segments, part.bands, part.triangles, part.smallest_angle,
+          part.least_wall, part.is_hollow);
+}
+
+template <class Archive, class Checked>
+void visit_check(Archive& archive, Checked& report) {
+  archive(report.points, report.triangles, report.counts, report.shells, report.components,
+          report.euler_number, report.genus, report.volume, report.area);
+}
+
+template <class Archive, class Rounding>
+void visit_rounding(Archive& archive, Rounding& report) {
+  archive(report.coordinates, report.origin, report.moved, report.largest_move, report.repair_reach,
+          report.removed_triangles, report.removed_shells, report.filled_places, report.slit_width,
+          report.snapped_places, report.thin_shells);
+}
+
+template <class Archive, class Result, class Checked>
+void visit_result(Archive& archive, Result& result, Checked& report) {
+  auto& built = result.built;
+  archive(built.parts, built.runs, built.pieces, built.grid, built.region, built.volumes,
+          built.insulation, report, result.output.rounding, result.facets.names,
+          result.facets.bytes);
+}
+
+void Writer::put(const PartReport& part) { visit_part(*this, part); }
+void Writer::put(const Report& report) { visit_check(*this, report); }
+void Writer::put(const RoundingReport& report) { visit_rounding(*this, report); }
+void Reader::get(PartReport& part) { visit_part(*this, part); }
+void Reader::get(Report& report) { visit_check(*this, report); }
+void Reader::get(RoundingReport& report) { visit_rounding(*this, report); }
+
+/// Against accidents, not against forgers: whoever can write here can write the result, too.
+std::uint64_t sum_of(std::string_view bytes) { return std::hash<std::string_view>{}(bytes); }
+
+}  // namespace
+
+std::optional<std::string> bytes_of(const DistrictResult& result,
+                                    const std::vector<std::uint32_t>& parts) {
+  const OutputReport& output = result.output;
+  if (!output.contacts.empty() || output.settled || result.built.cross_check || !output.check ||
+      !output.check->findings.empty()) {
+    return std::nullopt;
+  }
+  Writer body;
+  DistrictResult local = result;
+  for (PartReport& part : local.built.parts) {
+    const auto place = std::ranges::lower_bound(parts, part.index);
+    part.index = static_cast<std::uint32_t>(place - parts.begin());
+  }
+  visit_result(body, std::as_const(local), std::as_const(*output.check));
+  Writer all;
+  all.bytes() = kMark;
+  all(sum_of(body.bytes()));
+  return all.bytes() + body.bytes();
+}
+
+std::optional<DistrictResult> result_of(std::string_view bytes,
+                                        const std::vector<std::uint32_t>& parts) {
+  std::uint64_t sum = 0;
+  if (!bytes.starts_with(kMark) || bytes.size() < kMark.size() + sizeof(sum)) {
+    return std::nullopt;
+  }
+  bytes.remove_prefix(kMark.size());
+  std::memcpy(&sum, bytes.data(), sizeof(sum));
+  bytes.remove_prefix(sizeof(sum));
+  if (sum_of(bytes) != sum) {
+    return std::nullopt;
+  }
+  DistrictResult result;
+  Report report;
+  Reader reader(bytes);
+  visit_result(reader, result, report);
+  if (!reader.is_at_end()) {
+    return std::nullopt;
+  }
+  for (PartReport& part : result.built.parts) {
+    if (part.index >= parts.size()) {
+      return std::nullopt;
+    }
+    part.index = parts[part.index];
+  }
+  result.output.check = std::move(report);
+  return result;
+}
+
+}  // namespace dupin::cli

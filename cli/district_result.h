@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dupin/blends/build.h"
+#include "dupin/io/report_json.h"
+#include "dupin/io/stl_stream.h"
+
+namespace dupin::cli {
+
+/// What is made of one district: what became of its parts, and its facets.
+struct DistrictResult {
+  Built built;          ///< without its solid
+  OutputReport output;  ///< its check, rounding, contacts and what was settled
+  StlFacets facets;
+};
+
+/// It as bytes, to be kept. Parts are told by their places among `parts`, ascending, so that a
+/// document may count them otherwise later. None of a result that has something that is not kept:
+/// contacts, a cross-check.
+[[nodiscard]] std::optional<std::string> bytes_of(const DistrictResult& result,
+                                                  const std::vector<std::uint32_t>& parts);
+
+/// The result of these bytes; none if they are damaged, or of another kind.
+[[nodiscard]] std::optional<DistrictResult> result_of(std::string_view bytes,
+                                                      const std::vector<std::uint32_t>& parts);
+
+}  // namespace dupin::cli
