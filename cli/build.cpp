@@ -16,6 +16,7 @@
 #include "commands.h"
 #include "cross_check_option.h"
 #include "document.h"
+#include "dupin/blends/drawing.h"
 #include "dupin/kernel/remesh.h"
 #include "exchange_options.h"
 #include "gap_text.h"
@@ -177,9 +178,13 @@ void write_built(const Built& built, const Document& document, const BuildOption
     solid = std::move(made.solid);
     remeshed = solver_report(std::move(made.report), solver);
   }
+  const double distance = remeshed ? solver.distance : 0;
+  const NormalsOf normals = [&](const TriMesh& mesh, double moved) {
+    return smooth_normals(document.assembly, built, mesh, distance + moved);
+  };
   report.output =
       write_solid(solid, destination(arguments.output), rounding_options(arguments.rounding, unit),
-                  header, contact_choice(arguments.contacts, unit), {}, written);
+                  header, contact_choice(arguments.contacts, unit), {}, written, normals);
   report.output.solver_mesh = std::move(remeshed);
 }
 

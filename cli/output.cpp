@@ -198,7 +198,7 @@ Destination destination(const OutputArguments& arguments) {
 
 OutputReport write_solid(const Solid& solid, const Destination& to, const RoundingOptions& rounding,
                          MeshHeader header, const ContactChoice& contacts, const Progress& progress,
-                         TriMesh* written) {
+                         TriMesh* written, const NormalsOf& normals) {
   OutputReport report;
   if (!solid.contacts().empty()) {
     tell(progress, "settle");
@@ -213,6 +213,9 @@ OutputReport write_solid(const Solid& solid, const Destination& to, const Roundi
   report.contacts = rounded.contacts();
   if (rounded.report().origin != Vec3::Zero()) {
     header.note += (header.note.empty() ? "" : "; ") + origin_note(rounded.report().origin);
+  }
+  if (normals && to.format.has_normals) {
+    header.normals = normals(in_own_place(rounded), rounded.report().largest_move);
   }
   report.file = shown(to);
   report.format = to.format.name;
