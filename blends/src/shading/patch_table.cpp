@@ -20,12 +20,12 @@ class Filler {
       : assembly_(assembly), renamed_(renamed), table_(table), skins_(assembly.parts.size()) {}
 
   void run() {
-    for (std::size_t i = 0; i < assembly_.parts.size(); ++i) {
+    for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
       const ResolvedPart& part = assembly_.parts[i];
       if (const auto* ball = std::get_if<Sphere>(&part.shape)) {
         skins_[i].push_back({add(part.name, *ball)});
       } else {
-        add_chain(std::get<Chain>(part.shape), part, skins_[i]);
+        add_chain(std::get<Chain>(part.shape), i);
       }
     }
     for (std::size_t i = 0; i < assembly_.parts.size(); ++i) {
@@ -84,7 +84,13 @@ class Filler {
     }
   }
 
-  void add_chain(const Chain& chain, const ResolvedPart& part, std::vector<Numbers>& skins) {
+  void add_face(const Ring& ring, bool is_rim, const std::string& name) {
+    add(name, is_rim ? Patch(RimPatch{ring}) : Patch(FlatPatch{ring.center, ring.normal}));
+  }
+
+  void add_chain(const Chain& chain, std::uint32_t index) {
+    const ResolvedPart& part = assembly_.parts[index];
+    std::vector<Numbers>& skins = skins_[index];
     if (chain.pieces.empty()) {
       return;
     }
@@ -93,12 +99,8 @@ class Filler {
       skins.push_back(add_skin(inner_skin(chain), part.name));
     }
     for (const End end : {End::start, End::end}) {
-      const Ring& ring = end_ring(chain, end);
-      const std::string& name = part.end_names.at(at(end));
-      if (!chain.closed && !name.empty() && chain.wall > 0) {
-        add(name, RimPatch{ring});
-      } else if (!chain.closed && !name.empty()) {
-        add(name, FlatPatch{ring.center, ring.normal});
+      if (!chain.closed && !part.joined.at(at(end)) && !is_buried(assembly_, {index, end})) {
+        add_face(end_ring(chain, end), chain.wall > 0, part.end_names.at(at(end)));
       }
     }
   }

@@ -13,7 +13,7 @@ constexpr double kFinest = 0x1p-40;
 constexpr int kMostSteps = 100;
 // A place so far from where it was looked for, by the section's size, is looked for again.
 constexpr double kOff = 0x1p-30;
-constexpr int kMostMoves = 4;
+constexpr int kMostMoves = 8;
 
 }  // namespace
 
@@ -77,7 +77,7 @@ std::optional<Foot> SweptPatch::foot_in(const Vec3& place, const Found& found, V
   const Vec3 direction = (away - away.dot(at.normal) * at.normal).normalized();
   on = at.center + at.radius(direction) * direction;
   const Vec3 normal = family_.normal(found.t, direction);
-  if (!normal.allFinite() || !on.allFinite()) {
+  if (!(direction.squaredNorm() > 0) || !(normal.squaredNorm() > 0) || !on.allFinite()) {
     return std::nullopt;
   }
   return Foot{found.beyond ? (place - on).norm() : std::abs((place - on).dot(normal)), normal};
@@ -114,7 +114,6 @@ std::optional<Foot> SweptPatch::nearest_in_section(const Vec3& place, Vec3& on) 
 std::optional<Foot> SweptPatch::foot(const Vec3& place) const {
   Vec3 on = place;
   std::optional<Foot> foot = nearest_in_section(place, on);
-  Vec3 moved = place;
   for (int i = 0; foot && i < kMostMoves; ++i) {
     // What is left of the way from the foot, along the surface.
     const Vec3 way = place - on;
@@ -122,12 +121,10 @@ std::optional<Foot> SweptPatch::foot(const Vec3& place) const {
     if (along.norm() <= kOff * box_.diagonal().norm()) {
       break;
     }
-    moved = place - way.dot(foot->normal) * foot->normal;
-    const double distance = foot->distance;
-    foot = nearest_in_section(moved, on);
-    if (foot) {
-      foot->distance = std::max(distance, std::abs((place - on).dot(foot->normal)));
-    }
+    foot = nearest_in_section(place - way.dot(foot->normal) * foot->normal, on);
+  }
+  if (foot) {
+    foot->distance = (place - on).norm();
   }
   return foot;
 }

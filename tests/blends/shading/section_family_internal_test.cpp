@@ -1,9 +1,11 @@
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
 #include "shading/section_family.h"
 #include "support/fillet_loops.h"
