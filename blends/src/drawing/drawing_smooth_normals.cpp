@@ -7,6 +7,8 @@
 namespace dupin {
 namespace {
 
+constexpr double kMostErrors = 4;
+
 // Of everything that triangles of the region may belong to.
 shading::PatchTable patches_of(const Assembly& assembly, const Built& built) {
   shading::PatchTable result;
@@ -28,12 +30,14 @@ shading::PatchTable patches_of(const Assembly& assembly, const Built& built) {
 
 CornerNormals smooth_normals(const Assembly& assembly, const Built& built, const TriMesh& mesh,
                              double moved) {
-  double error = assembly.tolerance;
+  double error = 0;
   for (const PartReport& part : built.parts) {
     error = std::max(error, part.error_bound);
   }
-  return shading::vertex_normals(patches_of(assembly, built), mesh, 2 * error + moved,
-                                 kLeastNormalCosine);
+  // Of bores and insulation, no part's report tells.
+  const double largest = kMostErrors * std::max(error, assembly.tolerance);
+  return shading::vertex_normals(patches_of(assembly, built), mesh,
+                                 {2 * error + moved, largest + moved, kLeastNormalCosine});
 }
 
 }  // namespace dupin

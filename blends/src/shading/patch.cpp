@@ -38,6 +38,11 @@ std::optional<Foot> foot_on(const Patch& patch, const Vec3& place) {
   return std::visit(FootOn{place}, patch);
 }
 
+std::optional<Foot> rough_foot_on(const Patch& patch, const Vec3& place) {
+  const auto* swept = std::get_if<SweptPatch>(&patch);
+  return swept != nullptr ? swept->rough_foot(place) : foot_on(patch, place);
+}
+
 bool may_be_near(const Patch& patch, const Vec3& place, double reach) {
   const auto* swept = std::get_if<SweptPatch>(&patch);
   return swept == nullptr || swept->box().squaredExteriorDistance(place) <= reach * reach;

@@ -26,6 +26,9 @@ using Patch = std::variant<SweptPatch, Sphere, FlatPatch, RimPatch>;
 /// The foot of a place on the patch; none where it has no normal, as a ball at its centre.
 [[nodiscard]] std::optional<Foot> foot_on(const Patch& patch, const Vec3& place);
 
+/// Nearly the same, of a place nearly on it.
+[[nodiscard]] std::optional<Foot> rough_foot_on(const Patch& patch, const Vec3& place);
+
 /// Whether a place no further than `reach` from it may be there.
 [[nodiscard]] bool may_be_near(const Patch& patch, const Vec3& place, double reach);
 

@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace dupin::shading {
 namespace {
 
-// Parameters that differ by less are the same: normals turn by a few times this.
-constexpr double kFinest = 0x1p-40;
+// Steps that are shorter are the last ones: they come near their aim faster than linearly.
+constexpr double kFinest = 0x1p-30;
 constexpr int kMostSteps = 100;
-// A place so far from where it was looked for, by the section's size, is looked for again.
-constexpr double kOff = 0x1p-30;
+// A foot so far from the nearest point, by the section's size, is looked for again: there the
+// normal differs by as little, times the curvature.
+constexpr double kOff = 0x1p-22;
 constexpr int kMostMoves = 8;
 
 }  // namespace
@@ -44,14 +44,18 @@ double SweptPatch::ahead(const Vec3& place, double t) const {
 }
 
 // By false position with the Illinois rule, from a cell at whose ends the place is ahead of the
-// plane and behind it.
-double SweptPatch::parameter(const Vec3& place, int cell, double before, double after) const {
+// plane and behind it; roughly, by one step.
+double SweptPatch::parameter(const Vec3& place, int cell, double before, double after,
+                             bool roughly) const {
   double from = double(cell) / kCells, to = double(cell + 1) / kCells, last = from;
   int side = 0;
   for (int step = 0; step < kMostSteps; ++step) {
     const double t = std::clamp(from + (to - from) * before / (before - after), from, to);
+    if (roughly || std::abs(t - last) < kFinest || to - from < kFinest) {
+      return t;
+    }
     const double here = ahead(place, t);
-    if (here == 0 || std::abs(t - last) < kFinest || to - from < kFinest) {
+    if (here == 0) {
       return t;
     }
     last = t;
@@ -70,63 +74,63 @@ double SweptPatch::parameter(const Vec3& place, int cell, double before, double 
   return last;
 }
 
-// `on` becomes the point of the section in the direction of the place.
-std::optional<Foot> SweptPatch::foot_in(const Vec3& place, const Found& found, Vec3& on) const {
-  const Section at = family_.section(found.t);
+std::optional<SweptPatch::Point> SweptPatch::towards(const Vec3& place, double t,
+                                                     bool is_beyond) const {
+  const Section at = family_.section(t);
   const Vec3 away = place - at.center;
   const Vec3 direction = (away - away.dot(at.normal) * at.normal).normalized();
-  on = at.center + at.radius(direction) * direction;
-  const Vec3 normal = family_.normal(found.t, direction);
-  if (!(direction.squaredNorm() > 0) || !(normal.squaredNorm() > 0) || !on.allFinite()) {
-    return std::nullopt;
-  }
-  return Foot{found.beyond ? (place - on).norm() : std::abs((place - on).dot(normal)), normal};
+  Point result{Vec3::Zero(), family_.normal(t, direction), 0, at.radius(direction)};
+  result.position = at.center + result.radius * direction;
+  const Vec3 way = place - result.position;
+  result.distance = is_beyond ? way.norm() : std::abs(way.dot(result.normal));
+  const bool has_normal = direction.squaredNorm() > 0 && result.normal.squaredNorm() > 0;
+  return has_normal && result.position.allFinite() ? std::optional(result) : std::nullopt;
 }
 
-std::optional<Foot> SweptPatch::nearest_in_section(const Vec3& place, Vec3& on) const {
-  std::optional<Foot> nearest;
-  const auto consider = [&](const Found& found) {
-    Vec3 there;
-    const std::optional<Foot> foot = foot_in(place, found, there);
-    if (foot && (!nearest || foot->distance < nearest->distance)) {
-      nearest = foot;
-      on = there;
+std::optional<SweptPatch::Point> SweptPatch::nearest(const Vec3& place, bool roughly) const {
+  std::optional<Point> result;
+  const auto consider = [&](double t, bool is_beyond) {
+    const std::optional<Point> point = towards(place, t, is_beyond);
+    if (point && (!result || point->distance < result->distance)) {
+      result = point;
     }
   };
   double before = normals_[0].dot(place) - distances_[0];
   if (before < 0) {
-    consider({0, true});
+    consider(0, true);
   }
   for (int i = 0; i < kCells; ++i) {
     const auto next = std::size_t(i) + 1;
     const double after = normals_[next].dot(place) - distances_[next];
     if (before >= 0 && after < 0) {
-      consider({parameter(place, i, before, after), false});
+      consider(parameter(place, i, before, after, roughly), false);
     }
     before = after;
   }
   if (before >= 0) {
-    consider({1, true});
+    consider(1, true);
   }
-  return nearest;
+  return result;
 }
 
 std::optional<Foot> SweptPatch::foot(const Vec3& place) const {
-  Vec3 on = place;
-  std::optional<Foot> foot = nearest_in_section(place, on);
-  for (int i = 0; foot && i < kMostMoves; ++i) {
+  std::optional<Point> point = nearest(place, false);
+  for (int i = 0; point && i < kMostMoves; ++i) {
     // What is left of the way from the foot, along the surface.
-    const Vec3 way = place - on;
-    const Vec3 along = way - way.dot(foot->normal) * foot->normal;
-    if (along.norm() <= kOff * box_.diagonal().norm()) {
+    const Vec3 way = place - point->position;
+    const Vec3 above = way.dot(point->normal) * point->normal;
+    if ((way - above).norm() <= kOff * point->radius) {
       break;
     }
-    foot = nearest_in_section(place - way.dot(foot->normal) * foot->normal, on);
+    point = nearest(place - above, false);
   }
-  if (foot) {
-    foot->distance = (place - on).norm();
-  }
-  return foot;
+  return point ? std::optional(Foot{(place - point->position).norm(), point->normal})
+               : std::nullopt;
+}
+
+std::optional<Foot> SweptPatch::rough_foot(const Vec3& place) const {
+  const std::optional<Point> point = nearest(place, true);
+  return point ? std::optional(Foot{point->distance, point->normal}) : std::nullopt;
 }
 
 }  // namespace dupin::shading

@@ -27,21 +27,28 @@ class SweptPatch {
   /// several, the nearest; none where the surface has no normal. O(1).
   [[nodiscard]] std::optional<Foot> foot(const Vec3& place) const;
 
+  /// Nearly that of a place nearly on the surface: the distance is off by the square of that, and
+  /// of the way between two of the stored sections.
+  [[nodiscard]] std::optional<Foot> rough_foot(const Vec3& place) const;
+
   /// Holds the patch.
   [[nodiscard]] const Eigen::AlignedBox3d& box() const { return box_; }
 
  private:
   static constexpr int kCells = 48;
 
-  struct Found {
-    double t = 0;
-    bool beyond = false;  // an end
+  // A point of a section in the direction of a place.
+  struct Point {
+    Vec3 position, normal;
+    double distance = 0;  // of the place, nearly
+    double radius = 1;
   };
 
   [[nodiscard]] double ahead(const Vec3& place, double t) const;
-  [[nodiscard]] double parameter(const Vec3& place, int cell, double before, double after) const;
-  [[nodiscard]] std::optional<Foot> foot_in(const Vec3& place, const Found& found, Vec3& on) const;
-  [[nodiscard]] std::optional<Foot> nearest_in_section(const Vec3& place, Vec3& on) const;
+  [[nodiscard]] double parameter(const Vec3& place, int cell, double before, double after,
+                                 bool roughly) const;
+  [[nodiscard]] std::optional<Point> towards(const Vec3& place, double t, bool is_beyond) const;
+  [[nodiscard]] std::optional<Point> nearest(const Vec3& place, bool roughly) const;
 
   SectionFamily family_;
   std::vector<Vec3> normals_;      // of the planes

@@ -43,8 +43,8 @@ void in_chunks(std::size_t count, const std::function<void(std::size_t, std::siz
 
 class Shader {
  public:
-  Shader(const PatchTable& table, const TriMesh& mesh, double reach, double least_cosine)
-      : table_(table), mesh_(mesh), reach_(reach), least_cosine_(least_cosine) {
+  Shader(const PatchTable& table, const TriMesh& mesh, const MeshBounds& bounds)
+      : table_(table), mesh_(mesh), bounds_(bounds) {
     for (const std::string& name : mesh.names) {
       const auto found = table.of_name.find(name);
       candidates_.push_back(found == table.of_name.end() ? nullptr : &found->second);
@@ -79,16 +79,23 @@ class Shader {
     return mesh_.labels.empty() ? nullptr : candidates_[mesh_.labels[triangle]];
   }
 
-  // The nearest one, within the reach.
+  // The nearest one, about within the largest bound. What is as large as `facet` and nearly on a
+  // surface is off it by how far it leans, too: that tells the sides of an edge apart next to it.
   [[nodiscard]] std::uint32_t nearest(const std::vector<std::uint32_t>& patches, const Vec3& place,
-                                      std::optional<Foot>& foot) const {
+                                      const Vec3& facet = Vec3::Zero()) const {
     std::uint32_t result = kNone;
+    double least = std::numeric_limits<double>::infinity();
+    const double size = std::sqrt(facet.norm());
     for (const std::uint32_t patch : patches) {
-      if (may_be_near(table_.patches[patch], place, reach_)) {
-        const std::optional<Foot> here = foot_on(table_.patches[patch], place);
-        if (here && here->distance <= (foot ? foot->distance : reach_) &&
-            (!foot || here->distance < foot->distance)) {
-          foot = here;
+      if (!may_be_near(table_.patches[patch], place, bounds_.largest)) {
+        continue;
+      }
+      const std::optional<Foot> foot = rough_foot_on(table_.patches[patch], place);
+      if (foot && foot->distance < 2 * bounds_.largest) {
+        const double off =
+            foot->distance + (size > 0 ? foot->normal.cross(facet).norm() / size : 0);
+        if (off < least) {
+          least = off;
           result = patch;
         }
       }
@@ -102,8 +109,8 @@ class Shader {
       return patches == nullptr ? kNone : patches->front();
     }
     const auto& [a, b, c] = mesh_.triangles[triangle];
-    std::optional<Foot> foot;
-    return nearest(*patches, (mesh_.points[a] + mesh_.points[b] + mesh_.points[c]) / 3, foot);
+    return nearest(*patches, (mesh_.points[a] + mesh_.points[b] + mesh_.points[c]) / 3,
+                   facets_[triangle]);
   }
 
   // Those of each point, in the order of the triangles.
@@ -151,12 +158,16 @@ class Shader {
     }
     const Vec3& place = mesh_.points[point];
     std::optional<Foot> foot = foot_on(table_.patches[patch], place);
-    if (!foot || !(foot->distance <= reach_)) {
+    if (!foot || !(foot->distance <= bounds_.usual)) {
       // A triangle may reach from its patch into the next one of its part.
-      foot.reset();
-      (void)nearest(*candidates(triangle), place, foot);
+      const std::uint32_t other = nearest(*candidates(triangle), place);
+      if (other != kNone && other != patch) {
+        const std::optional<Foot> there = foot_on(table_.patches[other], place);
+        foot = there && !(foot && foot->distance <= there->distance) ? there : foot;
+      }
     }
-    around.push_back({patch, Vec3::Zero(), foot ? std::optional(foot->normal) : std::nullopt});
+    const bool is_there = foot && foot->distance <= bounds_.largest;
+    around.push_back({patch, Vec3::Zero(), is_there ? std::optional(foot->normal) : std::nullopt});
     return around.back();
   }
 
@@ -212,7 +223,7 @@ class Shader {
   // The surface's normal where it is that of the triangle, too, more or less.
   [[nodiscard]] Direction chosen(const Vec3& facet, const std::optional<Vec3>& normal) const {
     const double area = facet.norm();
-    if (normal && !(normal->dot(facet) < least_cosine_ * area)) {
+    if (normal && !(normal->dot(facet) < bounds_.least_cosine * area)) {
       return direction(*normal);
     }
     return direction(area > 0 ? Vec3(facet / area) : Vec3(Vec3::UnitZ()));
@@ -220,7 +231,7 @@ class Shader {
 
   const PatchTable& table_;
   const TriMesh& mesh_;
-  double reach_, least_cosine_;
+  const MeshBounds& bounds_;
   std::vector<const std::vector<std::uint32_t>*> candidates_;  // by label
   std::vector<Vec3> facets_;                                   // by triangle
   std::vector<std::uint32_t> patch_of_;                        // by triangle
@@ -230,9 +241,9 @@ class Shader {
 
 }  // namespace
 
-CornerNormals vertex_normals(const PatchTable& table, const TriMesh& mesh, double reach,
-                             double least_cosine) {
-  return Shader(table, mesh, reach, least_cosine).run();
+CornerNormals vertex_normals(const PatchTable& table, const TriMesh& mesh,
+                             const MeshBounds& bounds) {
+  return Shader(table, mesh, bounds).run();
 }
 
 }  // namespace dupin::shading

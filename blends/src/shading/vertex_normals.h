@@ -6,10 +6,17 @@
 
 namespace dupin::shading {
 
-/// See dupin::smooth_normals: `reach` is how far points may be from the surfaces, `least_cosine`
-/// that of the largest angle between a triangle's normal and those at its corners. Of a mesh
-/// without labels, all are the triangles' own.
+/// How near a mesh is to the patches.
+struct MeshBounds {
+  /// A triangle's patch is looked for once more for a corner that is further from it.
+  double usual = 0;
+  double largest = 0;  ///< beyond, a surface has nothing to do with a corner
+  double least_cosine =
+      0.25;  ///< of the angle between a triangle's normal and those of its corners
+};
+
+/// See dupin::smooth_normals. Of a mesh without labels, all are the triangles' own.
 [[nodiscard]] CornerNormals vertex_normals(const PatchTable& table, const TriMesh& mesh,
-                                           double reach, double least_cosine);
+                                           const MeshBounds& bounds);
 
 }  // namespace dupin::shading
