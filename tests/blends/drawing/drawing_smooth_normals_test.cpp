@@ -145,13 +145,13 @@ TEST(SmoothNormals, of_a_cone_on_a_pipe_turn_in_their_ring) {
   EXPECT_EQ(reducer.with(2), 3U * 48);
 }
 
-// What of a mesh of the blend is near its points turns no more than its bands.
-TEST(SmoothNormals, of_blends_are_at_right_angles_to_what_the_mesh_does) {
+// Triangles turn from the surface by no more than its mesh has steps, all over.
+TEST(SmoothNormals, come_near_to_those_of_the_triangles_as_meshes_are_finer) {
   for (const char* name : {"skew-pipes", "u-bend-cyclide", "oval-duct", "oblique-nozzle",
                            "junction", "tee", "crane-hook", "vessel", "ucct-arm"}) {
     BuildOptions fine;
     const Assembly assembly = example(name);
-    fine.tolerance = assembly.tolerance / 16;
+    fine.tolerance = assembly.tolerance / 4;
     const Shaded coarse(assembly), shaded(assembly, fine);
     const auto largest = [](const Shaded& of) {
       double angle = 0;
@@ -165,9 +165,9 @@ TEST(SmoothNormals, of_blends_are_at_right_angles_to_what_the_mesh_does) {
       }
       return angle;
     };
-    // Of the fourth root of the tolerance's ratio, and more for what is steered by other things.
+    // Sagittas fall as the square of angles do.
     EXPECT_LT(largest(coarse), 0.4) << name;
-    EXPECT_LT(largest(shaded), 0.6 * largest(coarse)) << name;
+    EXPECT_LT(largest(shaded), 0.65 * largest(coarse)) << name;
   }
 }
 
