@@ -84,8 +84,8 @@ class Filler {
     }
   }
 
-  void add_face(const Ring& ring, bool is_rim, const std::string& name) {
-    add(name, is_rim ? Patch(RimPatch{ring}) : Patch(FlatPatch{ring.center, ring.normal}));
+  std::uint32_t add_face(const Ring& ring, bool is_rim, const std::string& name) {
+    return add(name, is_rim ? Patch(RimPatch{ring}) : Patch(FlatPatch{ring.center, ring.normal}));
   }
 
   void add_chain(const Chain& chain, std::uint32_t index) {
@@ -100,7 +100,11 @@ class Filler {
     }
     for (const End end : {End::start, End::end}) {
       if (!chain.closed && !part.joined.at(at(end)) && !is_buried(assembly_, {index, end})) {
-        add_face(end_ring(chain, end), chain.wall > 0, part.end_names.at(at(end)));
+        const std::uint32_t face =
+            add_face(end_ring(chain, end), chain.wall > 0, part.end_names.at(at(end)));
+        if (part.is_closed.at(at(end))) {
+          join(at_end(skins.front(), end), face);  // the tip of a head is nearly tangent
+        }
       }
     }
   }
@@ -131,9 +135,13 @@ class Filler {
       return;
     }
     for (const CanalFillet& loop : fillet.shape.loops) {
-      const std::uint32_t patch = add(fillet.name, SweptPatch(section_family(loop)));
-      for (const std::uint32_t part : fillet.between) {
-        join_with_part(patch, part);
+      Numbers stretches;
+      for (const SectionFamily& family : section_families(loop)) {
+        stretches.push_back(add(fillet.name, SweptPatch(family)));
+        join(stretches.front(), stretches.back());
+        for (const std::uint32_t part : fillet.between) {
+          join_with_part(stretches.back(), part);
+        }
       }
     }
   }

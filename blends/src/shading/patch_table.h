@@ -19,7 +19,7 @@ struct PatchTable {
   std::map<std::string, std::vector<std::uint32_t>> of_name;
   /// Pairs that may be tangent where they meet, the lesser number first: pieces that follow each
   /// other, in a part or in two that share a ring, those of a chain and the balls between them,
-  /// fillets and what they are between, hubs and their arms.
+  /// fillets and what they are between, hubs and their arms, heads and the discs of their tips.
   std::set<std::pair<std::uint32_t, std::uint32_t>> neighbours;
 
   [[nodiscard]] bool are_neighbours(std::uint32_t a, std::uint32_t b) const {

@@ -1,5 +1,6 @@
 #include "shading/section_family.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -88,6 +89,20 @@ Section contact_circle(const MovingBall& ball) {
   return {ball.center - ball.radius * share * normal, normal, Vec3::Zero(), radius, radius};
 }
 
+// Of a parameter.
+constexpr double kBesideCorner = 0x1p-40;
+
+SectionFamily between(const CanalFillet& fillet, double from, double to) {
+  const auto moving = [fillet, from, to](double t) {
+    return ball(fillet, std::remainder(from + t * (to - from), 2 * std::numbers::pi));
+  };
+  return {[moving](double t) { return contact_circle(moving(t)); },
+          [moving](double t, const Vec3& direction) {
+            const MovingBall at = moving(t);
+            return of_ball(contact_circle(at), at.center, direction);
+          }};
+}
+
 }  // namespace
 
 double Section::radius(const Vec3& direction) const {
@@ -100,13 +115,22 @@ double Section::radius(const Vec3& direction) const {
 
 SectionFamily section_family(const Piece& piece) { return std::visit(FamilyOf{}, piece); }
 
-SectionFamily section_family(const CanalFillet& fillet) {
-  const auto moving = [fillet](double t) { return ball(fillet, 2 * std::numbers::pi * (t - 0.5)); };
-  return {[moving](double t) { return contact_circle(moving(t)); },
-          [moving](double t, const Vec3& direction) {
-            const MovingBall at = moving(t);
-            return of_ball(contact_circle(at), at.center, direction);
-          }};
+std::vector<SectionFamily> section_families(const CanalFillet& fillet) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  std::vector<double> ends = corners(fillet);
+  const bool has_corners = !ends.empty();
+  std::ranges::sort(ends);
+  ends.push_back(has_corners ? ends.front() + kTurn : std::numbers::pi);
+  if (!has_corners) {
+    ends.insert(ends.begin(), -std::numbers::pi);
+  }
+  std::vector<SectionFamily> result;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    // At a corner itself, rounding would choose the side.
+    const double rest = has_corners ? kBesideCorner : 0;
+    result.push_back(between(fillet, ends[i] + rest, ends[i + 1] - rest));
+  }
+  return result;
 }
 
 }  // namespace dupin::shading

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "dupin/blends/canal_fillet.h"
 #include "dupin/blends/part_surface.h"
@@ -34,7 +35,8 @@ struct SectionFamily {
 
 [[nodiscard]] SectionFamily section_family(const Piece& piece);
 
-/// The whole envelope of the rolling ball, of which the fillet is the arc between its feet.
-[[nodiscard]] SectionFamily section_family(const CanalFillet& fillet);
+/// The whole envelope of the rolling ball, of which the fillet is the arc between its feet: one
+/// family for each stretch between two corners, where the ball turns without moving.
+[[nodiscard]] std::vector<SectionFamily> section_families(const CanalFillet& fillet);
 
 }  // namespace dupin::shading

@@ -195,7 +195,7 @@ TEST(SmoothNormals, keep_the_edge_of_a_union) {
 
 // Neither fillets nor hubs have edges: only open ends do.
 TEST(SmoothNormals, run_on_over_fillets_and_hubs) {
-  for (const char* name : {"tee", "junction"}) {
+  for (const char* name : {"tee", "equal-tee", "junction"}) {
     const Shaded shaded(example(name));
     std::set<std::uint32_t> on_discs;
     for (const Port& port : shaded.built.ports) {

@@ -62,6 +62,8 @@ TEST(PatchTable, fillets_and_hubs_are_neighbours_of_what_they_join) {
   EXPECT_TRUE(tee.are_neighbours(throat, tee.of_name.at("run").front()));
   EXPECT_TRUE(tee.are_neighbours(throat, tee.of_name.at("branch").front()));
   EXPECT_FALSE(tee.are_neighbours(tee.of_name.at("run").front(), tee.of_name.at("branch").front()));
+  // A loop of two halves.
+  EXPECT_EQ(table_of_example("equal-tee").of_name.at("throat").size(), 2);
   const PatchTable junction = table_of_example("junction");
   const std::uint32_t hub = junction.of_name.at("hub").front();
   EXPECT_TRUE(junction.are_neighbours(hub, junction.of_name.at("hub.1").back()));
