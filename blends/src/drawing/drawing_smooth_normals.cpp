@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "assembly/bore.h"
+#include "drawing/named_patches.h"
 #include "dupin/blends/drawing.h"
 #include "shading/vertex_normals.h"
 
@@ -14,15 +15,15 @@ shading::PatchTable patches_of(const Assembly& assembly, const Built& built) {
   shading::PatchTable result;
   if (built.region == Region::insulation) {
     const ResolvedAssembly whole = assembly::filled(resolve(assembly));
-    shading::add_patches(whole, assembly.patches, result);
-    shading::add_patches(
+    drawing::add_patches(whole, assembly.patches, result);
+    drawing::add_patches(
         assembly::insulated(assembly, whole, assembly::insulation_of(assembly)).resolved,
         assembly.patches, result);
     return result;
   }
   const SmoothRegion region = smooth_region(assembly, built);
-  shading::add_patches(region.whole, assembly.patches, result);
-  shading::add_patches(region.bore, assembly.patches, result);
+  drawing::add_patches(region.whole, assembly.patches, result);
+  drawing::add_patches(region.bore, assembly.patches, result);
   return result;
 }
 

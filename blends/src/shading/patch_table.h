@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "dupin/blends/resolve.h"
 #include "shading/patch.h"
 
 namespace dupin::shading {
@@ -26,11 +25,5 @@ struct PatchTable {
     return neighbours.contains(std::minmax(a, b));
   }
 };
-
-/// Adds what the parts, fillets and hubs of an assembly are, with the discs of its ends and the
-/// rims of its walls, under the names that `build` gives their triangles, or those that `renamed`
-/// has for these. O(n log n).
-void add_patches(const ResolvedAssembly& assembly,
-                 const std::map<std::string, std::string>& renamed, PatchTable& table);
 
 }  // namespace dupin::shading

@@ -10,7 +10,7 @@
 // This folder: the normals of the smooth surfaces that a mesh stands for, at its points, for
 // viewers. A piece of a tube is a family of circles or ellipses (section_family.h), in whose
 // planes points find their parameter (swept_patch.h); with balls, discs and rims these are the
-// patches (patch.h) that labels name and that may be tangent to each other (patch_table.h).
+// patches (patch.h) that names stand for and that may be tangent to each other (patch_table.h).
 // vertex_normals.h puts one normal for each patch, or for several that are tangent, at each point.
 
 namespace dupin::shading {

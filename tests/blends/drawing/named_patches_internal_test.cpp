@@ -3,14 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "drawing/named_patches.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/io/assembly_json.h"
-#include "shading/patch_table.h"
 #include "support/source_folder.h"
 
-namespace dupin::shading {
+namespace dupin::drawing {
 namespace {
 
+using shading::PatchTable;
 using testing::ElementsAre;
 using testing::Key;
 using testing::Pair;
@@ -37,26 +38,26 @@ const std::string kPipe =
 const std::string kElbow = R"(, {"name": "e", "elbow": {"from": "p.end", "bend_radius": 5, "angle":
       90, "toward": [1, 0, 0]}})";
 
-TEST(PatchTable, has_the_discs_of_open_ends) {
+TEST(NamedPatches, has_the_discs_of_open_ends) {
   const PatchTable table = table_of(kPipe);
   EXPECT_THAT(table.of_name, ElementsAre(Pair("p", SizeIs(1)), Pair("p.end", SizeIs(1)),
                                          Pair("p.start", SizeIs(1))));
   EXPECT_TRUE(table.neighbours.empty());
 }
 
-TEST(PatchTable, parts_that_share_a_ring_are_neighbours_and_have_no_discs_there) {
+TEST(NamedPatches, parts_that_share_a_ring_are_neighbours_and_have_no_discs_there) {
   const PatchTable table = table_of(kPipe + kElbow);
   EXPECT_THAT(table.of_name, ElementsAre(Key("e"), Key("e.end"), Key("p"), Key("p.start")));
   EXPECT_TRUE(table.are_neighbours(table.of_name.at("p").front(), table.of_name.at("e").front()));
   EXPECT_EQ(table.neighbours.size(), 1);
 }
 
-TEST(PatchTable, has_names_as_they_are_told) {
+TEST(NamedPatches, has_names_as_they_are_told) {
   const PatchTable table = table_of(kPipe + kElbow, {{"p", "all"}, {"e", "all"}, {"none", "x"}});
   EXPECT_THAT(table.of_name, ElementsAre(Pair("all", SizeIs(2)), Key("e.end"), Key("p.start")));
 }
 
-TEST(PatchTable, fillets_and_hubs_are_neighbours_of_what_they_join) {
+TEST(NamedPatches, fillets_and_hubs_are_neighbours_of_what_they_join) {
   const PatchTable tee = table_of_example("tee");
   const std::uint32_t throat = tee.of_name.at("throat").front();
   EXPECT_TRUE(tee.are_neighbours(throat, tee.of_name.at("run").front()));
@@ -70,4 +71,4 @@ TEST(PatchTable, fillets_and_hubs_are_neighbours_of_what_they_join) {
 }
 
 }  // namespace
-}  // namespace dupin::shading
+}  // namespace dupin::drawing

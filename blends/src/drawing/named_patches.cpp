@@ -1,4 +1,4 @@
-#include "shading/patch_table.h"
+#include "drawing/named_patches.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,12 @@
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/part_surface.h"
 
-namespace dupin::shading {
+namespace dupin::drawing {
 namespace {
+
+using shading::FlatPatch, shading::Patch, shading::PatchTable, shading::RimPatch;
+using shading::SectionFamily, shading::section_families, shading::section_family;
+using shading::SweptPatch;
 
 using Numbers = std::vector<std::uint32_t>;
 
@@ -159,4 +163,4 @@ void add_patches(const ResolvedAssembly& assembly,
   Filler(assembly, renamed, table).run();
 }
 
-}  // namespace dupin::shading
+}  // namespace dupin::drawing
