@@ -1,6 +1,7 @@
 #include "shading/patch.h"
 
 #include <cmath>
+#include <limits>
 
 namespace dupin::shading {
 namespace {
@@ -43,9 +44,12 @@ std::optional<Foot> rough_foot_on(const Patch& patch, const Vec3& place) {
   return swept != nullptr ? swept->rough_foot(place) : foot_on(patch, place);
 }
 
-bool may_be_near(const Patch& patch, const Vec3& place, double reach) {
+Eigen::AlignedBox3d box_of(const Patch& patch) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto* swept = std::get_if<SweptPatch>(&patch);
-  return swept == nullptr || swept->box().squaredExteriorDistance(place) <= reach * reach;
+  return swept != nullptr
+             ? swept->box()
+             : Eigen::AlignedBox3d(Vec3::Constant(-kInfinity), Vec3::Constant(kInfinity));
 }
 
 }  // namespace dupin::shading

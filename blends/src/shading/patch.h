@@ -29,7 +29,7 @@ using Patch = std::variant<SweptPatch, Sphere, FlatPatch, RimPatch>;
 /// Nearly the same, of a place nearly on it.
 [[nodiscard]] std::optional<Foot> rough_foot_on(const Patch& patch, const Vec3& place);
 
-/// Whether a place no further than `reach` from it may be there.
-[[nodiscard]] bool may_be_near(const Patch& patch, const Vec3& place, double reach);
+/// Holds the patch; all of space for what is not a tube.
+[[nodiscard]] Eigen::AlignedBox3d box_of(const Patch& patch);
 
 }  // namespace dupin::shading

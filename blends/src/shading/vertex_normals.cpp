@@ -30,6 +30,33 @@ struct PatchAtPoint {
   std::size_t one = 0;  // the first of those that have one normal
 };
 
+// The patches that a label may stand for, and boxes around every few of them, grown by the largest
+// distance that a point may be from them.
+struct Candidates {
+  static constexpr std::size_t kBlock = 16;
+
+  std::vector<std::uint32_t> patches;
+  std::vector<Eigen::AlignedBox3d> boxes, blocks;
+};
+
+Candidates candidates_of(const PatchTable& table, const std::string& name, double reach) {
+  Candidates result;
+  if (const auto found = table.of_name.find(name); found != table.of_name.end()) {
+    result.patches = found->second;
+  }
+  for (std::size_t i = 0; i < result.patches.size(); ++i) {
+    Eigen::AlignedBox3d box = box_of(table.patches[result.patches[i]]);
+    box.min() -= Vec3::Constant(reach);
+    box.max() += Vec3::Constant(reach);
+    result.boxes.push_back(box);
+    if (i % Candidates::kBlock == 0) {
+      result.blocks.emplace_back();
+    }
+    result.blocks.back().extend(box);
+  }
+  return result;
+}
+
 Direction direction(const Vec3& v) {
   // Adding 0 takes the sign from a zero.
   return {float(v.x()) + 0.0F, float(v.y()) + 0.0F, float(v.z()) + 0.0F};
@@ -46,8 +73,7 @@ class Shader {
   Shader(const PatchTable& table, const TriMesh& mesh, const MeshBounds& bounds)
       : table_(table), mesh_(mesh), bounds_(bounds) {
     for (const std::string& name : mesh.names) {
-      const auto found = table.of_name.find(name);
-      candidates_.push_back(found == table.of_name.end() ? nullptr : &found->second);
+      candidates_.push_back(candidates_of(table, name, bounds.largest));
     }
   }
 
@@ -75,21 +101,23 @@ class Shader {
   }
 
  private:
-  [[nodiscard]] const std::vector<std::uint32_t>* candidates(std::size_t triangle) const {
-    return mesh_.labels.empty() ? nullptr : candidates_[mesh_.labels[triangle]];
-  }
-
   // The nearest one, about within the largest bound. What is as large as `facet` and nearly on a
   // surface is off it by how far it leans, too: that tells the sides of an edge apart next to it.
-  [[nodiscard]] std::uint32_t nearest(const std::vector<std::uint32_t>& patches, const Vec3& place,
+  [[nodiscard]] std::uint32_t nearest(const Candidates& candidates, const Vec3& place,
                                       const Vec3& facet = Vec3::Zero()) const {
     std::uint32_t result = kNone;
     double least = std::numeric_limits<double>::infinity();
     const double size = std::sqrt(facet.norm());
-    for (const std::uint32_t patch : patches) {
-      if (!may_be_near(table_.patches[patch], place, bounds_.largest)) {
+    for (std::size_t i = 0; i < candidates.patches.size(); ++i) {
+      if (i % Candidates::kBlock == 0 &&
+          !candidates.blocks[i / Candidates::kBlock].contains(place)) {
+        i += Candidates::kBlock - 1;
         continue;
       }
+      if (!candidates.boxes[i].contains(place)) {
+        continue;
+      }
+      const std::uint32_t patch = candidates.patches[i];
       const std::optional<Foot> foot = rough_foot_on(table_.patches[patch], place);
       if (foot && foot->distance < 2 * bounds_.largest) {
         const double off =
@@ -104,12 +132,15 @@ class Shader {
   }
 
   [[nodiscard]] std::uint32_t patch_of(std::size_t triangle) const {
-    const auto* patches = candidates(triangle);
-    if (patches == nullptr || patches->size() == 1) {
-      return patches == nullptr ? kNone : patches->front();
+    if (mesh_.labels.empty()) {
+      return kNone;
+    }
+    const Candidates& candidates = candidates_[mesh_.labels[triangle]];
+    if (candidates.patches.size() == 1) {
+      return candidates.patches.front();
     }
     const auto& [a, b, c] = mesh_.triangles[triangle];
-    return nearest(*patches, (mesh_.points[a] + mesh_.points[b] + mesh_.points[c]) / 3,
+    return nearest(candidates, (mesh_.points[a] + mesh_.points[b] + mesh_.points[c]) / 3,
                    facets_[triangle]);
   }
 
@@ -160,7 +191,7 @@ class Shader {
     std::optional<Foot> foot = foot_on(table_.patches[patch], place);
     if (!foot || !(foot->distance <= bounds_.usual)) {
       // A triangle may reach from its patch into the next one of its part.
-      const std::uint32_t other = nearest(*candidates(triangle), place);
+      const std::uint32_t other = nearest(candidates_[mesh_.labels[triangle]], place);
       if (other != kNone && other != patch) {
         const std::optional<Foot> there = foot_on(table_.patches[other], place);
         foot = there && !(foot && foot->distance <= there->distance) ? there : foot;
@@ -232,10 +263,10 @@ class Shader {
   const PatchTable& table_;
   const TriMesh& mesh_;
   const MeshBounds& bounds_;
-  std::vector<const std::vector<std::uint32_t>*> candidates_;  // by label
-  std::vector<Vec3> facets_;                                   // by triangle
-  std::vector<std::uint32_t> patch_of_;                        // by triangle
-  std::vector<std::size_t> begin_, corners_;                   // by point
+  std::vector<Candidates> candidates_;        // by label
+  std::vector<Vec3> facets_;                  // by triangle
+  std::vector<std::uint32_t> patch_of_;       // by triangle
+  std::vector<std::size_t> begin_, corners_;  // by point
   CornerNormals result_;
 };
 

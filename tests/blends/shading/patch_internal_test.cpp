@@ -40,16 +40,16 @@ TEST(Patch, of_a_rim_is_normal_to_the_surface_that_ends_there) {
   EXPECT_NEAR(foot_on(rim, Vec3(0, 0, 1) + 3 * radial + 0.25 * along)->distance, 0.25, 1e-12);
 }
 
-TEST(Patch, of_a_tube_is_looked_at_near_its_box_only) {
+TEST(Patch, of_a_tube_is_in_a_box) {
   const RingedSurface pipe{{{0, 0, 0}, {0, 0, -1}, 2, 0},
                            {{0, 0, 480}, {0, 0, 1}, 2, 0},
                            LineSpine{{0, 0, 0}, {0, 0, 480}},
                            ConstantRadius{2}};
-  const Patch patch = SweptPatch(section_family(Piece(pipe)));
-  EXPECT_TRUE(may_be_near(patch, {2, 0, 100}, 0));
-  EXPECT_TRUE(may_be_near(patch, {30, 0, 100}, 20));
-  EXPECT_FALSE(may_be_near(patch, {30, 0, 100}, 10));
-  EXPECT_TRUE(may_be_near(Sphere{{0, 0, 0}, 1}, {30, 0, 100}, 0));
+  const Eigen::AlignedBox3d box = box_of(SweptPatch(section_family(Piece(pipe))));
+  EXPECT_TRUE(box.contains(Vec3(2, 0, 0)));
+  EXPECT_TRUE(box.contains(Vec3(0, -2, 480)));
+  EXPECT_FALSE(box.contains(Vec3(30, 0, 100)));
+  EXPECT_TRUE(box_of(Sphere{{0, 0, 0}, 1}).contains(Vec3(30, 0, 100)));
 }
 
 }  // namespace
