@@ -281,6 +281,20 @@ TEST_F(Build, writes_normals_of_meshes_for_solvers_with_the_origin_elsewhere) {
   EXPECT_GT(found, 10U);
 }
 
+// Points in one place that are no copies of each other stay apart.
+TEST_F(Build, tells_contacts_from_copies) {
+  folder_.write("touch.json", R"({"units": "mm", "tolerance": 0.05, "parts": [
+      {"name": "a", "sphere": {"center": [0, 0, 0], "radius": 2}},
+      {"name": "b", "sphere": {"center": [0, 0, 4], "radius": 2}},
+      {"name": "p", "pipe": {"from": [5, 0, 0], "to": [5, 0, 4], "radius": 1}}]})");
+  for (const std::string format : {"obj", "ply", "glb"}) {
+    const auto report = json({"build", "touch.json", "-o", "a", "--format", format}, 0);
+    EXPECT_EQ(report.at("output").at("contacts").size(), 1U) << format;
+    EXPECT_EQ(json({"check", "a"}, 0).at("points"), report.at("output").at("check").at("points"));
+    EXPECT_TRUE(check(read_mesh(folder_.read("a"), "a")).is_solid()) << format;
+  }
+}
+
 // On one of the processors that it may use, and on all.
 TEST_F(Build, writes_the_same_normals_whatever_the_number_of_threads) {
   const std::string build = tool_path() + " -q build " + example("junction.json") + " -o ";

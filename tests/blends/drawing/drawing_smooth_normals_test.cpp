@@ -148,7 +148,7 @@ TEST(SmoothNormals, of_a_cone_on_a_pipe_turn_in_their_ring) {
 // Triangles turn from the surface by no more than its mesh has steps, all over.
 TEST(SmoothNormals, come_near_to_those_of_the_triangles_as_meshes_are_finer) {
   for (const char* name : {"skew-pipes", "u-bend-cyclide", "oval-duct", "oblique-nozzle",
-                           "junction", "tee", "crane-hook", "vessel", "ucct-arm"}) {
+                           "junction", "tee", "crane-hook", "jet-engine", "ucct-arm"}) {
     BuildOptions fine;
     const Assembly assembly = example(name);
     fine.tolerance = assembly.tolerance / 4;
@@ -215,6 +215,24 @@ TEST(SmoothNormals, of_bores_point_into_them_and_out_of_fluids) {
     shaded.expect("p.bore", [sign = sign](const Vec3& at) { return Vec3(sign * radial(at)); });
     shaded.expect("p.end", [](const Vec3&) { return Vec3::UnitZ(); });
   }
+}
+
+// A chain with a wall of its own: two skins, and rims that are strips of cones.
+TEST(SmoothNormals, of_hollow_chains_have_edges_at_their_rims_alone) {
+  const Shaded engine(example("jet-engine"));
+  const PartReport& shell = engine.built.parts.front();
+  EXPECT_EQ(engine.with(2), 4 * shell.segments);
+  EXPECT_EQ(engine.with(1), engine.mesh.points.size() - engine.with(2));
+  const SmoothRegion region = smooth_region(engine.assembly, engine.built);
+  const Ring start = end_ring(std::get<Chain>(region.whole.parts.front().shape), End::start);
+  engine.expect(
+      "shell.start",
+      [&](const Vec3& at) {
+        const Vec3 away = at - start.center;
+        const Vec3 across = (away - away.dot(start.normal) * start.normal).normalized();
+        return Vec3((start.normal + start.slope * across).normalized());
+      },
+      kOfLattice);
 }
 
 TEST(SmoothNormals, of_insulation_are_those_of_both_its_sides) {
