@@ -16,6 +16,7 @@
 #include "commands.h"
 #include "cross_check_option.h"
 #include "document.h"
+#include "dupin/blends/drawing.h"
 #include "dupin/kernel/remesh.h"
 #include "exchange_options.h"
 #include "gap_text.h"
@@ -178,12 +179,16 @@ void write_built(const Built& built, const Document& document, const BuildOption
     solid = std::move(made.solid);
     remeshed = solver_report(std::move(made.report), solver);
   }
+  const double distance = remeshed ? solver.distance : 0;
+  const NormalsOf normals = [&](const TriMesh& mesh, double moved) {
+    return smooth_normals(document.assembly, built, mesh, distance + moved);
+  };
   const Destination to = destination(arguments.output);
   const RoundingOptions rounding = rounding_options(arguments.rounding, unit);
   const ContactChoice contacts = contact_choice(arguments.contacts, unit);
   report.output = built.districts.size() > 1 && !remeshed
-                      ? write_districts(built, to, rounding, header, contacts, written)
-                      : write_solid(solid, to, rounding, header, contacts, {}, written);
+                      ? write_districts(built, to, rounding, header, contacts, written, normals)
+                      : write_solid(solid, to, rounding, header, contacts, {}, written, normals);
   report.output.solver_mesh = std::move(remeshed);
 }
 

@@ -231,9 +231,13 @@ Rounded settled_and_rounded(const Solid& solid, const Destination& to,
 }
 
 OutputReport write_rounded(const Rounded& rounded, const Destination& to, MeshHeader header,
-                           OutputReport report, const Progress& progress, TriMesh* written) {
+                           OutputReport report, const Progress& progress, TriMesh* written,
+                           const NormalsOf& normals) {
   report.contacts = rounded.contacts();
   note_origin(rounded.report().origin, header);
+  if (normals && to.format.has_normals) {
+    header.normals = normals(in_own_place(rounded), rounded.report().largest_move);
+  }
   report.file = shown(to);
   report.format = to.format.name;
   report.rounding = rounded.report();
@@ -251,10 +255,11 @@ OutputReport write_rounded(const Rounded& rounded, const Destination& to, MeshHe
 
 OutputReport write_solid(const Solid& solid, const Destination& to, const RoundingOptions& rounding,
                          MeshHeader header, const ContactChoice& contacts, const Progress& progress,
-                         TriMesh* written) {
+                         TriMesh* written, const NormalsOf& normals) {
   OutputReport report;
   const Rounded rounded = settled_and_rounded(solid, to, rounding, contacts, report, progress);
-  return write_rounded(rounded, to, std::move(header), std::move(report), progress, written);
+  return write_rounded(rounded, to, std::move(header), std::move(report), progress, written,
+                       normals);
 }
 
 TriMesh in_own_place(const Rounded& rounded) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -50,16 +51,22 @@ void add_output_options(CLI::App& command, OutputArguments& arguments,
 /// path's extension names. Throws UsageError.
 [[nodiscard]] Destination destination(const OutputArguments& arguments);
 
+/// The normals of the smooth surface that a mesh in the solid's coordinates stands for, of which no
+/// point has moved by more than that from the solid.
+using NormalsOf = std::function<CornerNormals(const TriMesh& mesh, double moved)>;
+
 /// Settles contacts as chosen, rounds once to what the format holds, reads the bytes back and
 /// verifies them as chosen, and only then lets the file take its place; says so in the
 /// header if the origin is moved. Then writes the list of patches, if there is to be one. Tells the
 /// stages "settle" (if there are contacts), "round", "write" and "verify". `written`, if given,
-/// gets the mesh that was written, in the solid's coordinates. Throws Error{unroundable},
-/// Error{contact} for contacts in a format whose readers weld vertices, OutputError.
+/// gets the mesh that was written, in the solid's coordinates. `normals`, if given, is asked for
+/// what formats that hold normals shall say. Throws Error{unroundable}, Error{contact} for contacts
+/// in a format whose readers weld vertices, OutputError.
 [[nodiscard]] OutputReport write_solid(const Solid& solid, const Destination& to,
                                        const RoundingOptions& rounding, MeshHeader header,
                                        const ContactChoice& contacts = {},
-                                       const Progress& progress = {}, TriMesh* written = nullptr);
+                                       const Progress& progress = {}, TriMesh* written = nullptr,
+                                       const NormalsOf& normals = {});
 
 /// The first half of it, up to the one rounding. What it tells comes behind what the report says of
 /// other solids already.
@@ -71,7 +78,8 @@ void add_output_options(CLI::App& command, OutputArguments& arguments,
 /// The second half.
 [[nodiscard]] OutputReport write_rounded(const Rounded& rounded, const Destination& to,
                                          MeshHeader header, OutputReport report,
-                                         const Progress& progress = {}, TriMesh* written = nullptr);
+                                         const Progress& progress = {}, TriMesh* written = nullptr,
+                                         const NormalsOf& normals = {});
 
 /// Behind what was settled of other solids.
 void add_settled(ContactSettlement settled, OutputReport& report);

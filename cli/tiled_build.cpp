@@ -348,7 +348,8 @@ void set_district_margin(BuildOptions& options, const Destination& to,
 
 OutputReport write_districts(const Built& built, const Destination& to,
                              const RoundingOptions& rounding, MeshHeader header,
-                             const ContactChoice& contacts, TriMesh* written) {
+                             const ContactChoice& contacts, TriMesh* written,
+                             const NormalsOf& normals) {
   OutputReport report;
   const RoundingOptions options = rounding_of_districts(rounding, built.boxes);
   std::vector<std::optional<Rounded>> rounded(built.districts.size());
@@ -364,7 +365,7 @@ OutputReport write_districts(const Built& built, const Destination& to,
     }
   }
   return write_rounded(joined(all, built.boxes), to, std::move(header), std::move(report), {},
-                       written);
+                       written, normals);
 }
 
 Built build_in_tiles(const Document& document, const BuildOptions& options,

@@ -30,7 +30,8 @@ void set_district_margin(BuildOptions& options, const Destination& to,
 /// The districts' solids settled, rounded and written as one mesh.
 [[nodiscard]] OutputReport write_districts(const Built& built, const Destination& to,
                                            const RoundingOptions& rounding, MeshHeader header,
-                                           const ContactChoice& contacts, TriMesh* written);
+                                           const ContactChoice& contacts, TriMesh* written,
+                                           const NormalsOf& normals = {});
 
 /// Builds the districts of the document in tiles, some at a time, and appends each to the file: the
 /// same bytes as `build` and `write_districts` give, in the memory that the largest tile needs. The

@@ -1,6 +1,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "cli/tool.h"
+#include "dupin/io/mesh_file.h"
+#include "dupin/kernel/check.h"
 #include "support/shapes.h"
 
 namespace dupin::test {
@@ -230,6 +233,79 @@ TEST_F(Build, refuses_names_of_patches_that_are_none) {
   const ProcessResult refused = dupin({"build", "a.json", "-o", "a.stl"});
   EXPECT_EQ(refused.exit_code, 3);
   EXPECT_THAT(refused.err, HasSubstr("a.json#/patches: there is no patch named 'a.top'"));
+}
+
+// Points that have several normals are one again for our readers; nothing else differs.
+TEST_F(Build, writes_normals_for_viewers_and_reads_the_same_solid_back) {
+  const ProcessResult plain = dupin({"build", example("tee.json"), "-o", "plain.vtp", "-q"});
+  ASSERT_EQ(plain.exit_code, 0) << plain.err;
+  const TriMesh mesh = read_mesh(folder_.read("plain.vtp"), "plain.vtp");
+  for (const std::string format : {"obj", "ply", "ply-ascii"}) {
+    for (const std::string verification : {"compare", "full"}) {
+      const ProcessResult result = dupin({"build", example("tee.json"), "-o", "shaded", "--format",
+                                          format, "--verify", verification, "-q"});
+      ASSERT_EQ(result.exit_code, 0) << format << result.err;
+      const TriMesh shaded = read_mesh(folder_.read("shaded"), "shaded");
+      EXPECT_EQ(shaded.points, mesh.points) << format;
+      EXPECT_EQ(shaded.triangles.size(), mesh.triangles.size()) << format;
+      EXPECT_TRUE(check(shaded).is_solid()) << format;
+    }
+  }
+  EXPECT_THAT(folder_.read("shaded"), HasSubstr("property float nx\n"));
+  const auto full = json({"build", example("tee.json"), "-o", "a.glb", "--verify", "full"}, 0);
+  EXPECT_EQ(full.at("output").at("check").at("points"), mesh.points.size());
+  EXPECT_THAT(folder_.read("a.glb"), HasSubstr("\"NORMAL\""));
+  EXPECT_EQ(json({"check", "a.glb"}, 0).at("points"), mesh.points.size());
+}
+
+TEST_F(Build, writes_normals_of_meshes_for_solvers_with_the_origin_elsewhere) {
+  const ProcessResult result =
+      dupin({"build", example("tee.json"), "-o", "a.ply", "--format", "ply-ascii", "--quality",
+             "cfd", "--size", "4mm", "--origin", "1000,0,0", "-q"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  std::istringstream text(folder_.read("a.ply"));
+  for (std::string line; line != "end_header";) {
+    std::getline(text, line);
+  }
+  // Of the run's cylinder about the x axis, next to its start.
+  std::size_t found = 0;
+  for (double x = 0, y = 0, z = 0, nx = 0, ny = 0, nz = 0, point = 0;
+       text >> x >> y >> z >> nx >> ny >> nz >> point && x < -900;) {
+    if (x < -1035 && nx != -1) {
+      EXPECT_NEAR(nx, 0, 1e-6);
+      EXPECT_NEAR(15 * ny, y, 0.05);
+      EXPECT_NEAR(15 * nz, z, 0.05);
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 10U);
+}
+
+// Points in one place that are no copies of each other stay apart.
+TEST_F(Build, tells_contacts_from_copies) {
+  folder_.write("touch.json", R"({"units": "mm", "tolerance": 0.05, "parts": [
+      {"name": "a", "sphere": {"center": [0, 0, 0], "radius": 2}},
+      {"name": "b", "sphere": {"center": [0, 0, 4], "radius": 2}},
+      {"name": "p", "pipe": {"from": [5, 0, 0], "to": [5, 0, 4], "radius": 1}}]})");
+  for (const std::string format : {"obj", "ply", "glb"}) {
+    const auto report = json({"build", "touch.json", "-o", "a", "--format", format}, 0);
+    EXPECT_EQ(report.at("output").at("contacts").size(), 1U) << format;
+    EXPECT_EQ(json({"check", "a"}, 0).at("points"), report.at("output").at("check").at("points"));
+    EXPECT_TRUE(check(read_mesh(folder_.read("a"), "a")).is_solid()) << format;
+  }
+}
+
+// On one of the processors that it may use, and on all.
+TEST_F(Build, writes_the_same_normals_whatever_the_number_of_threads) {
+  const std::string build = tool_path() + " -q build " + example("junction.json") + " -o ";
+  const ProcessResult result =
+      shell(build +
+            "all.glb && taskset -c $(awk '/Cpus_allowed_list/ { split($2, numbers, "
+            "/[,-]/); print numbers[1] }' /proc/self/status) " +
+            build + "one.glb");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(folder_.read("all.glb"), HasSubstr("\"NORMAL\""));
+  EXPECT_EQ(folder_.read("all.glb"), folder_.read("one.glb"));
 }
 
 }  // namespace

@@ -215,5 +215,18 @@ TEST_F(Output, lists_patches_of_solids_in_files_of_their_own_alone) {
   EXPECT_THAT(folder_.files(), ElementsAre("a.json", "a.off", "open.off"));
 }
 
+// Of these meshes, no smooth surface is known.
+TEST_F(Output, has_no_normals_of_meshes) {
+  put("a.off", box({0, 0, 0}, {2, 2, 2}));
+  put("b.off", box({1, 1, 1}, {3, 3, 3}));
+  for (const std::string format : {"obj", "ply", "glb"}) {
+    ASSERT_EQ(dupin({"union", "a.off", "b.off", "-o", "ab", "--format", format}).exit_code, 0);
+    const std::string bytes = folder_.read("ab");
+    for (const char* const sign : {"vn ", "property float nx", "NORMAL", "copies"}) {
+      EXPECT_THAT(bytes, Not(HasSubstr(sign))) << format;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dupin::test

@@ -13,6 +13,9 @@ inline constexpr std::uint32_t kGlbBytesChunk = 0x004E4942;  // "BIN"
 inline constexpr std::size_t kGlbHeader = 12;
 inline constexpr std::size_t kGlbChunkHeader = 8;
 
+/// The member of asset.extras of our own files that is the accessor of copied points.
+inline constexpr char kGlbCopies[] = "copies";
+
 inline constexpr int kGltfUint8 = 5121;
 inline constexpr int kGltfUint16 = 5123;
 inline constexpr int kGltfUint32 = 5125;

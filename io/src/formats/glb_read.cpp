@@ -13,6 +13,7 @@
 #include "formats/glb_layout.h"
 #include "formats/glb_scene.h"
 #include "formats/placed_mesh.h"
+#include "formats/split_points.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
 #include "text/text_scanner.h"
@@ -56,6 +57,9 @@ class GlbReader {
     if (mesh_.triangles.empty() && !shown.empty()) {
       fail("/meshes", "found meshes without triangles, expected some");
     }
+    if (formats::is_ours(document_)) {
+      merge_vertices();
+    }
     if (named_) {
       std::move(labels_).name_labels(mesh_);
     } else {
@@ -80,6 +84,28 @@ class GlbReader {
         fail("/extensionsRequired/" + std::to_string(i),
              "found " + text::quoted(name) + ", expected no extension but of materials");
       }
+    }
+  }
+
+  /// Of our own files, in which points are there once for each of their normals.
+  void merge_vertices() {
+    const Json::json_pointer extras("/asset/extras");
+    const std::string place = "/asset/extras";
+    if (!document_.json().contains(extras) ||
+        !document_.json()[extras].contains(formats::kGlbCopies)) {
+      return;
+    }
+    const Accessor copies =
+        accessor(document_.unsigned_member(document_.json()[extras], place, formats::kGlbCopies),
+                 "SCALAR", 1);
+    std::vector<std::uint32_t> copied(std::min(copies.count, mesh_.points.size()));
+    for (std::size_t i = 0; i < copied.size(); ++i) {
+      copied[i] = index_at(copies, i);
+    }
+    if (copied.size() != copies.count || copies.component_type != formats::kGltfUint32 ||
+        !formats::merge_copies(copied, mesh_)) {
+      fail(place + "/" + formats::kGlbCopies,
+           "found other numbers, expected those of points that the last ones are copies of");
     }
   }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "dupin/kernel/error.h"
 #include "formats/glb_layout.h"
 #include "formats/placed_mesh.h"
+#include "formats/split_points.h"
 #include "text/label_colour.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
@@ -53,14 +55,25 @@ struct Content {
   Json accessors = Json::array();
   std::vector<std::pair<std::size_t, Json>> primitives;  // by label
   Json materials = Json::array();
+  Json attributes = Json::object();   // of all primitives
+  std::optional<std::size_t> copies;  // an accessor
 
-  /// The view of the bytes appended since `begin`.
-  std::size_t add_view(std::size_t begin, int target) {
-    views.push_back({{"buffer", 0},
-                     {"byteOffset", begin},
-                     {"byteLength", bytes.size() - begin},
-                     {"target", target}});
+  /// The view of the bytes appended since `begin`, by the GPU if there is a target.
+  std::size_t add_view(std::size_t begin, std::optional<int> target) {
+    views.push_back({{"buffer", 0}, {"byteOffset", begin}, {"byteLength", bytes.size() - begin}});
+    if (target) {
+      views.back()["target"] = *target;
+    }
     return views.size() - 1;
+  }
+
+  /// An accessor of the numbers appended since `begin`.
+  std::size_t add_accessor(std::size_t begin, std::optional<int> target, int component,
+                           std::size_t count, const char* type) {
+    const std::size_t view = add_view(begin, target);
+    accessors.push_back(
+        {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
+    return accessors.size() - 1;
   }
 };
 
@@ -74,30 +87,42 @@ void add_points(Content& content, const std::vector<Vec3>& points) {
       text::store(content.bytes, static_cast<float>(coordinate));
     }
   }
-  const std::size_t view = content.add_view(0, formats::kGltfPointsBuffer);
-  content.accessors.push_back({{"bufferView", view},
-                               {"componentType", formats::kGltfFloat},
-                               {"count", points.size()},
-                               {"type", "VEC3"},
-                               {"min", {lowest.x(), lowest.y(), lowest.z()}},
-                               {"max", {highest.x(), highest.y(), highest.z()}}});
+  const std::size_t accessor = content.add_accessor(0, formats::kGltfPointsBuffer,
+                                                    formats::kGltfFloat, points.size(), "VEC3");
+  content.accessors.back()["min"] = {lowest.x(), lowest.y(), lowest.z()};
+  content.accessors.back()["max"] = {highest.x(), highest.y(), highest.z()};
+  content.attributes["POSITION"] = accessor;
 }
 
-void add_primitive(Content& content, const TriMesh& mesh,
+/// Normals of all points, and of which the last ones are copies.
+void add_normals(Content& content, const formats::SplitPoints& split) {
+  const std::size_t begin = content.bytes.size();
+  for (const Direction& normal : split.normals) {
+    text::store(content.bytes, normal);
+  }
+  content.attributes["NORMAL"] = content.add_accessor(
+      begin, formats::kGltfPointsBuffer, formats::kGltfFloat, split.normals.size(), "VEC3");
+  if (!split.copied.empty()) {
+    const std::size_t copies = content.bytes.size();
+    for (const std::uint32_t point : split.copied) {
+      text::store(content.bytes, point);
+    }
+    content.copies =
+        content.add_accessor(copies, {}, formats::kGltfUint32, split.copied.size(), "SCALAR");
+  }
+}
+
+void add_primitive(Content& content, const TriMesh& mesh, const std::vector<Triangle>& of_vertices,
                    const std::vector<std::uint32_t>& triangles, std::size_t label,
                    const std::vector<text::Colour>& colours) {
   const std::size_t begin = content.bytes.size();
   for (const std::uint32_t triangle : triangles) {
-    text::store(content.bytes, mesh.triangles[triangle]);
+    text::store(content.bytes, of_vertices[triangle]);
   }
-  const std::size_t view = content.add_view(begin, formats::kGltfIndicesBuffer);
-  content.accessors.push_back({{"bufferView", view},
-                               {"componentType", formats::kGltfUint32},
-                               {"count", 3 * triangles.size()},
-                               {"type", "SCALAR"}});
-  Json primitive = {{"attributes", {{"POSITION", 0}}},
-                    {"indices", content.accessors.size() - 1},
-                    {"mode", formats::kGltfTriangles}};
+  const std::size_t indices = content.add_accessor(
+      begin, formats::kGltfIndicesBuffer, formats::kGltfUint32, 3 * triangles.size(), "SCALAR");
+  Json primitive = {
+      {"attributes", content.attributes}, {"indices", indices}, {"mode", formats::kGltfTriangles}};
   if (!mesh.labels.empty()) {
     const text::Colour& colour = colours[label];
     primitive["material"] = content.materials.size();
@@ -143,6 +168,9 @@ Json document(Content& content, const TriMesh& mesh, const MeshHeader& header) {
   if (!header.unit.empty() || !header.note.empty()) {
     json["asset"]["extras"] = {{"unit", header.unit}, {"note", text::clean_line(header.note)}};
   }
+  if (content.copies) {
+    json["asset"]["extras"][formats::kGlbCopies] = *content.copies;
+  }
   if (content.primitives.empty()) {
     json["scenes"] = Json::array({Json{{"name", formats::kEmptySet}}});
     return json;
@@ -165,25 +193,43 @@ Json document(Content& content, const TriMesh& mesh, const MeshHeader& header) {
   return json;
 }
 
+/// Points, normals and indices.
+void add_geometry(Content& content, const TriMesh& mesh, const formats::SplitPoints& split,
+                  const MeshHeader& header, const std::vector<Vec3>& points) {
+  add_points(content, points);
+  if (!split.normals.empty()) {
+    add_normals(content, split);
+  }
+  const std::vector<Triangle>& triangles = split.normals.empty() ? mesh.triangles : split.triangles;
+  const auto groups = text::triangles_by_label(mesh);
+  const std::vector<text::Colour> colours = text::label_colours(mesh.names, header.colours);
+  for (std::size_t label = 0; label < groups.size(); ++label) {
+    if (!groups[label].empty()) {
+      add_primitive(content, mesh, triangles, groups[label], label, colours);
+    }
+  }
+}
+
 }  // namespace
 
 std::string glb_bytes(const TriMesh& mesh, const MeshHeader& header) {
-  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
-  const std::size_t size = points.size() * 12 + mesh.triangles.size() * 12;
+  std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary32);
+  formats::SplitPoints split;
+  if (!header.normals.empty()) {
+    split = formats::split_points(mesh, header.normals);
+    for (const std::uint32_t point : split.copied) {
+      points.push_back(points[point]);
+    }
+  }
+  const std::size_t size =
+      (points.size() + split.normals.size() + mesh.triangles.size()) * 12 + split.copied.size() * 4;
   if (size > std::numeric_limits<std::uint32_t>::max() / 2) {
     throw Error(Errc::limit_exceeded, "binary glTF files hold at most 4 GiB");
   }
   Content content;
   content.bytes.reserve(size);
   if (!mesh.triangles.empty()) {
-    add_points(content, points);
-    const auto groups = text::triangles_by_label(mesh);
-    const std::vector<text::Colour> colours = text::label_colours(mesh.names, header.colours);
-    for (std::size_t label = 0; label < groups.size(); ++label) {
-      if (!groups[label].empty()) {
-        add_primitive(content, mesh, groups[label], label, colours);
-      }
-    }
+    add_geometry(content, mesh, split, header, points);
   }
   std::string json = document(content, mesh, header).dump();
   pad(json, ' ');

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "formats/split_points.h"
 #include "text/mesh_text.h"
 #include "text/polygon.h"
 #include "text/text_scanner.h"
@@ -135,27 +136,57 @@ TriMesh read_obj(std::string_view bytes, std::string_view file) {
   return mesh;
 }
 
+namespace {
+
+void append_normals(std::string& text, const std::vector<Direction>& normals) {
+  for (const auto& [x, y, z] : normals) {
+    text += "vn ";
+    append_decimal(text, x);
+    text += ' ';
+    append_decimal(text, y);
+    text += ' ';
+    append_decimal(text, z);
+    text += '\n';
+  }
+}
+
+// A vertex of `normals`, if there are any, has the normal of its number.
+void append_face(std::string& text, const Triangle& face, const Triangle* normals) {
+  text += 'f';
+  for (std::size_t k = 0; k < 3; ++k) {
+    text += ' ';
+    append_decimal(text, face.at(k) + 1);
+    if (normals != nullptr) {
+      text += "//";
+      append_decimal(text, normals->at(k) + 1);
+    }
+  }
+  text += '\n';
+}
+
+}  // namespace
+
 std::string obj_text(const TriMesh& mesh, const MeshHeader& header) {
   const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
   std::string text = text::header_lines(header, "# ");
-  text.reserve(text.size() + points.size() * 62 + mesh.triangles.size() * 26);
+  const formats::SplitPoints shaded =
+      header.normals.empty() ? formats::SplitPoints() : formats::split_points(mesh, header.normals);
+  text.reserve(text.size() + points.size() * 62 + shaded.normals.size() * 40 +
+               mesh.triangles.size() * (shaded.normals.empty() ? 26 : 52));
   for (const Vec3& point : points) {
     text += "v ";
     text::append_point(text, point);
     text += '\n';
   }
+  append_normals(text, shaded.normals);
   const auto groups = text::triangles_by_label(mesh);
   for (std::size_t group = 0; group < groups.size(); ++group) {
     if (!mesh.labels.empty() && !groups[group].empty()) {
       text += "g " + text::clean_line(mesh.names[group]) + '\n';
     }
     for (const std::uint32_t index : groups[group]) {
-      text += 'f';
-      for (const std::uint32_t corner : mesh.triangles[index]) {
-        text += ' ';
-        append_decimal(text, corner + 1);
-      }
-      text += '\n';
+      append_face(text, mesh.triangles[index],
+                  shaded.normals.empty() ? nullptr : &shaded.triangles[index]);
     }
   }
   return text;
@@ -165,6 +196,7 @@ constinit const MeshFormat kObj = {.key = "obj",
                                    .name = "OBJ",
                                    .extension = ".obj",
                                    .coordinates = Coordinates::binary64,
+                                   .has_normals = true,
                                    .read = read_obj,
                                    .write = obj_text,
                                    .recognises = recognise,

@@ -13,6 +13,7 @@
 #include "dupin/kernel/error.h"
 #include "formats/ply_header.h"
 #include "formats/ply_numbers.h"
+#include "formats/split_points.h"
 #include "text/label_colour.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
@@ -22,6 +23,7 @@
 namespace dupin {
 namespace {
 
+constexpr std::string_view kPointProperty = "dupin_point";
 constexpr std::int64_t kMostPoints = std::numeric_limits<std::uint32_t>::max();
 
 /// Position of a property by its name, if it has the wanted form.
@@ -65,6 +67,7 @@ class PlyReader {
       places_.fail_at(0, "found no element 'vertex', expected one");
     }
     require_faces();
+    merge_vertices();
     if (!mesh_.labels.empty()) {
       std::move(labels_).name_labels(mesh_);
     }
@@ -128,12 +131,17 @@ class PlyReader {
       }
       axis_of[*found] = axis;
     }
+    const auto copies = find_property(element, kPointProperty, false, true);
+    copies_place_ = element.place;
     mesh_.points.reserve(element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       numbers_.begin_element();
       Vec3 point;
       for (std::size_t k = 0; k < axis_of.size(); ++k) {
-        if (axis_of[k] < 0) {
+        if (k == copies) {
+          point_of_.push_back(static_cast<std::uint32_t>(numbers_.integer(
+              element.properties[k].type, 0, kMostPoints, "the number of a point, an integer")));
+        } else if (axis_of[k] < 0) {
           skip_property(element.properties[k]);
         } else {
           point[axis_of[k]] = numbers_.number(element.properties[k].type, "a coordinate");
@@ -141,6 +149,20 @@ class PlyReader {
       }
       mesh_.points.push_back(point);
       numbers_.end_element();
+    }
+  }
+
+  /// Of our own files: points have their own number, and are followed by copies.
+  void merge_vertices() {
+    std::size_t count = 0;
+    while (count < point_of_.size() && point_of_[count] == count) {
+      ++count;
+    }
+    if (!formats::merge_copies({point_of_.begin() + std::ptrdiff_t(count), point_of_.end()},
+                               mesh_)) {
+      places_.fail_at(copies_place_,
+                      "found other numbers as 'dupin_point' of the vertices, expected points with "
+                      "their own, and copies of them behind");
     }
   }
 
@@ -206,11 +228,41 @@ class PlyReader {
   TriMesh mesh_;
   text::LabelBuilder labels_;
   std::vector<std::uint32_t> corners_;
+  std::vector<std::uint32_t> point_of_;  ///< by vertex, where vertices may be copies
+  std::size_t copies_place_ = 0;
   std::int64_t label_ = 0;
 };
 
-std::string header_text(const TriMesh& mesh, const MeshHeader& header, std::string_view encoding) {
-  if (mesh.points.size() > std::numeric_limits<std::int32_t>::max()) {
+/// The vertices of a mesh, which are its points if it has no normals.
+struct Vertices {
+  Vertices(const TriMesh& mesh, const MeshHeader& header)
+      : points(text::writable_points(mesh, Coordinates::binary64)), own_points(points.size()) {
+    if (header.normals.empty()) {
+      return;
+    }
+    split = formats::split_points(mesh, header.normals);
+    for (const std::uint32_t point : split.copied) {
+      points.push_back(points[point]);
+    }
+  }
+
+  [[nodiscard]] bool have_normals() const { return !split.normals.empty(); }
+  [[nodiscard]] bool have_copies() const { return !split.copied.empty(); }
+  [[nodiscard]] const std::vector<Triangle>& triangles(const TriMesh& mesh) const {
+    return have_normals() ? split.triangles : mesh.triangles;
+  }
+  [[nodiscard]] std::uint32_t point_of(std::size_t vertex) const {
+    return vertex < own_points ? std::uint32_t(vertex) : split.copied[vertex - own_points];
+  }
+
+  std::vector<Vec3> points;
+  std::size_t own_points;
+  formats::SplitPoints split;
+};
+
+std::string header_text(const TriMesh& mesh, const MeshHeader& header, const Vertices& vertices,
+                        std::string_view encoding) {
+  if (vertices.points.size() > std::numeric_limits<std::int32_t>::max()) {
     throw Error(Errc::limit_exceeded, "PLY files hold at most 2147483647 points");
   }
   std::string text = "ply\nformat " + std::string(encoding) + " 1.0\n";
@@ -218,8 +270,14 @@ std::string header_text(const TriMesh& mesh, const MeshHeader& header, std::stri
   for (const std::string& name : mesh.names) {
     text += "comment label " + text::clean_line(name) + '\n';
   }
-  text += "element vertex " + std::to_string(mesh.points.size()) +
+  text += "element vertex " + std::to_string(vertices.points.size()) +
           "\nproperty double x\nproperty double y\nproperty double z\n";
+  if (vertices.have_normals()) {
+    text += "property float nx\nproperty float ny\nproperty float nz\n";
+  }
+  if (vertices.have_copies()) {
+    text += "property int " + std::string(kPointProperty) + '\n';
+  }
   text += "element face " + std::to_string(mesh.triangles.size()) +
           "\nproperty list uchar int vertex_indices\n";
   if (!mesh.labels.empty()) {
@@ -238,6 +296,21 @@ std::vector<text::Colour> face_colours(const TriMesh& mesh, const MeshHeader& he
              : text::label_colours(mesh.names, header.colours);
 }
 
+void append_vertex(std::string& text, const Vertices& vertices, std::size_t vertex) {
+  text::append_point(text, vertices.points[vertex]);
+  if (vertices.have_normals()) {
+    for (const float coordinate : vertices.split.normals[vertex]) {
+      text += ' ';
+      append_decimal(text, coordinate);
+    }
+  }
+  if (vertices.have_copies()) {
+    text += ' ';
+    append_decimal(text, vertices.point_of(vertex));
+  }
+  text += '\n';
+}
+
 /// The reader tells the encodings apart.
 Evidence recognise(std::string_view bytes) {
   return bytes.starts_with("ply\n") || bytes.starts_with("ply\r") ? Evidence::signature
@@ -254,17 +327,17 @@ TriMesh read_ply(std::string_view bytes, std::string_view file) {
 }
 
 std::string ply_ascii_text(const TriMesh& mesh, const MeshHeader& header) {
-  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
+  const Vertices vertices(mesh, header);
   const std::vector<text::Colour> colours = face_colours(mesh, header);
-  std::string text = header_text(mesh, header, "ascii");
-  text.reserve(text.size() + points.size() * 60 + mesh.triangles.size() * 32);
-  for (const Vec3& point : points) {
-    text::append_point(text, point);
-    text += '\n';
+  std::string text = header_text(mesh, header, vertices, "ascii");
+  text.reserve(text.size() + vertices.points.size() * (vertices.have_normals() ? 110 : 60) +
+               mesh.triangles.size() * 32);
+  for (std::size_t i = 0; i < vertices.points.size(); ++i) {
+    append_vertex(text, vertices, i);
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     text += '3';
-    for (const std::uint32_t corner : mesh.triangles[i]) {
+    for (const std::uint32_t corner : vertices.triangles(mesh)[i]) {
       text += ' ';
       append_decimal(text, corner);
     }
@@ -284,18 +357,26 @@ std::string ply_ascii_text(const TriMesh& mesh, const MeshHeader& header) {
 }
 
 std::string ply_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
-  const std::vector<Vec3> points = text::writable_points(mesh, Coordinates::binary64);
+  const Vertices vertices(mesh, header);
   const std::vector<text::Colour> colours = face_colours(mesh, header);
-  std::string bytes = header_text(mesh, header, "binary_little_endian");
-  bytes.reserve(bytes.size() + points.size() * 24 + mesh.triangles.size() * 17);
-  for (const Vec3& point : points) {
+  std::string bytes = header_text(mesh, header, vertices, "binary_little_endian");
+  bytes.reserve(bytes.size() + vertices.points.size() * (vertices.have_normals() ? 40 : 24) +
+                mesh.triangles.size() * 17);
+  for (std::size_t i = 0; i < vertices.points.size(); ++i) {
+    const Vec3& point = vertices.points[i];
     text::store(bytes, point.x());
     text::store(bytes, point.y());
     text::store(bytes, point.z());
+    if (vertices.have_normals()) {
+      text::store(bytes, vertices.split.normals[i]);
+    }
+    if (vertices.have_copies()) {
+      text::store(bytes, vertices.point_of(i));
+    }
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     text::store(bytes, std::uint8_t{3});
-    text::store(bytes, mesh.triangles[i]);
+    text::store(bytes, vertices.triangles(mesh)[i]);
     if (!mesh.labels.empty()) {
       text::store(bytes, mesh.labels[i]);
     }
@@ -310,6 +391,7 @@ constinit const MeshFormat kPlyAscii = {.key = "ply-ascii",
                                         .name = "ASCII PLY",
                                         .extension = {},
                                         .coordinates = Coordinates::binary64,
+                                        .has_normals = true,
                                         .read = read_ply,
                                         .write = ply_ascii_text,
                                         .recognises = recognise,
@@ -319,6 +401,7 @@ constinit const MeshFormat kPlyBinary = {.key = "ply",
                                          .name = "binary PLY",
                                          .extension = ".ply",
                                          .coordinates = Coordinates::binary64,
+                                         .has_normals = true,
                                          .read = read_ply,
                                          .write = ply_binary_bytes,
                                          .recognises = recognise,

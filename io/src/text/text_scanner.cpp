@@ -182,6 +182,13 @@ bool TextScanner::take_triangle(char head, std::uint32_t first, std::size_t poin
       return false;
     }
     next = digits.end;
+    if (head == 'f' && end - next > 2 && next[0] == '/' && next[1] == '/') {
+      const DigitRun normal = take_few_digits(next + 2, end);
+      if (normal.end == next + 2) {
+        return false;
+      }
+      next = normal.end;
+    }
   }
   if (next == end || *next != '\n') {
     return false;

@@ -2,19 +2,32 @@
 // first byte of an input chooses the format, in the order of mesh_formats; what a finding taught
 // goes to the tables of malformed files. See tests/support/fuzz_target.h.
 
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/off.h"
 #include "dupin/kernel/error.h"
+#include "io/formats/creased.h"
 #include "support/fuzz_target.h"
 #include "support/sample_meshes.h"
 
 std::vector<std::string> dupin::test::fuzz_seeds() {
   std::vector<std::string> seeds;
-  for (const MeshFormat& format : mesh_formats()) {
-    seeds.push_back(std::string(1, static_cast<char>(seeds.size())) +
-                    mesh_bytes(labelled_tetrahedron(), format, {"mm", "a note"}));
+  const std::span<const MeshFormat> formats = mesh_formats();
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    MeshHeader header{"mm", "a note"};
+    const auto add = [&] {
+      seeds.push_back(std::string(1, static_cast<char>(i)) +
+                      mesh_bytes(labelled_tetrahedron(), formats[i], header));
+    };
+    add();
+    if (formats[i].has_normals) {
+      header.normals = creased_normals();
+      add();
+    }
   }
   return seeds;
 }

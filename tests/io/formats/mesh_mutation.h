@@ -10,15 +10,21 @@
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/off.h"
 #include "dupin/kernel/error.h"
+#include "io/formats/creased.h"
 #include "support/mutation.h"
 #include "support/sample_meshes.h"
 
 namespace dupin::test {
 
-/// Reads `count` randomly damaged copies of a small valid file. Each must give a mesh that can be
-/// written, or the error that its reader promises.
-inline void expect_read_or_refused(const MeshFormat& format, std::size_t count) {
-  const std::string good = mesh_bytes(labelled_tetrahedron(), format, {"mm", "a note"});
+/// Reads `count` randomly damaged copies of a small valid file, with normals where the format has
+/// any. Each must give a mesh that can be written, or the error that its reader promises.
+inline void expect_read_or_refused(const MeshFormat& format, std::size_t count,
+                                   bool with_normals = false) {
+  MeshHeader header{"mm", "a note"};
+  if (with_normals) {
+    header.normals = creased_normals();
+  }
+  const std::string good = mesh_bytes(labelled_tetrahedron(), format, header);
   std::mt19937_64 random(20000);
   std::size_t refused = 0;
   for (std::size_t i = 0; i < count; ++i) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
+#include "io/formats/creased.h"
 #include "support/malformed.h"
 #include "support/sample_meshes.h"
 
@@ -29,6 +30,23 @@ TEST(Obj, text_groups_triangles_by_label) {
   EXPECT_EQ(obj_text(mesh, {"m", ""}),
             "# dupin\n# unit: m\n" + kPoints +
                 "g inlet\nf 1 2 4\nf 2 3 4\ng the blend\nf 1 3 2\nf 1 4 3\n");
+}
+
+TEST(Obj, normals_are_beside_points_that_stay_shared) {
+  MeshHeader header;
+  header.normals = test::creased_normals();
+  const std::string text = obj_text(test::labelled_tetrahedron(), header);
+  std::string normals;
+  for (int i = 0; i < 4; ++i) {
+    normals += "vn 0 -0.6 -0.8\n";
+  }
+  for (int i = 0; i < 4; ++i) {
+    normals += "vn 0.36 0.48 0.8\n";
+  }
+  EXPECT_EQ(text, "# dupin\n" + kPoints + normals +
+                      "g inlet\nf 1//1 3//3 2//2\nf 1//1 2//2 4//4\n"
+                      "g the blend\nf 1//5 4//6 3//7\nf 2//8 3//7 4//6\n");
+  EXPECT_TRUE(test::identical(read_obj(text, "x.obj"), test::labelled_tetrahedron()));
 }
 
 TEST(Obj, reads_every_dialect) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
+#include "io/formats/creased.h"
 #include "support/malformed.h"
 #include "support/sample_meshes.h"
 
@@ -45,6 +46,46 @@ TEST(Ply, text_is_as_documented) {
             "property double y\nproperty double z\nelement face 3\n"
             "property list uchar int vertex_indices\nproperty int label\nend_header\n"
             "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1 0\n3 0 1 3 0\n3 0 3 2 1\n");
+}
+
+TEST(Ply, points_with_several_normals_are_written_as_copies_and_read_as_one) {
+  MeshHeader header;
+  header.normals = test::creased_normals();
+  const TriMesh mesh = test::labelled_tetrahedron();
+  const std::string text = ply_ascii_text(mesh, header);
+  EXPECT_EQ(text,
+            "ply\nformat ascii 1.0\ncomment dupin\ncomment label inlet\ncomment label the blend\n"
+            "element vertex 8\nproperty double x\nproperty double y\nproperty double z\n"
+            "property float nx\nproperty float ny\nproperty float nz\nproperty int dupin_point\n"
+            "element face 4\nproperty list uchar int vertex_indices\nproperty int label\n"
+            "end_header\n"
+            "0 0 0 0 -0.6 -0.8 0\n1 0 0 0 -0.6 -0.8 1\n0 1 0 0 -0.6 -0.8 2\n0 0 1 0 -0.6 -0.8 3\n"
+            "0 0 0 0.36 0.48 0.8 0\n0 0 1 0.36 0.48 0.8 3\n0 1 0 0.36 0.48 0.8 2\n"
+            "1 0 0 0.36 0.48 0.8 1\n3 0 2 1 0\n3 0 1 3 0\n3 4 5 6 1\n3 7 6 5 1\n");
+  EXPECT_TRUE(test::identical(read_ply(text, "x.ply"), mesh));
+  EXPECT_TRUE(test::identical(read_ply(ply_binary_bytes(mesh, header), "x.ply"), mesh));
+  header.normals.assign(4, {Direction{0, 0, 1}, {0, 0, 1}, {0, 0, 1}});
+  const std::string smooth = ply_ascii_text(mesh, header);
+  EXPECT_NE(smooth.find("0 0 1 0 0 1\n3 0 2 1 0\n"), std::string::npos);
+  EXPECT_EQ(smooth.find("dupin_point"), std::string::npos);
+  EXPECT_TRUE(test::identical(read_ply(smooth, "x.ply"), mesh));
+}
+
+TEST(Ply, copies_that_are_none_are_refused) {
+  MeshHeader header;
+  header.normals = test::creased_normals();
+  const std::string text = ply_ascii_text(test::tetrahedron(), header);
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string other = text;
+    return other.replace(other.find(from), from.size(), to);
+  };
+  const std::string what =
+      "found other numbers as 'dupin_point' of the vertices, expected points with their own, and "
+      "copies of them behind";
+  test::expect_refused(read_ply, "x.ply",
+                       {{changed("0.36 0.48 0.8 3", "0.36 0.48 0.8 2"), "x.ply:4: " + what},
+                        {changed("0 0 1 0 -0.6 -0.8 3", "0 0 1 0 -0.6 -0.8 1"), "x.ply:4: " + what},
+                        {changed("0.36 0.48 0.8 3", "0.36 0.48 0.8 5"), "x.ply:4: " + what}});
 }
 
 TEST(Ply, reads_other_writers_text) {

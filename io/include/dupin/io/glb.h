@@ -11,7 +11,8 @@ namespace dupin {
 
 /// Reads the triangles of all meshes that the scene of a binary glTF 2.0 file shows, each where its
 /// nodes put it: in glTF's metres with y upward. What `glb_bytes` wrote comes back in the mesh's
-/// own coordinates: its one node, which only turns and scales to glTF's, is not applied. Without
+/// own coordinates: its one node, which only turns and scales to glTF's, is not applied, and points
+/// that are there once for each of their normals are one again. Without
 /// scenes all nodes are shown, without nodes all meshes. A mesh that several nodes show is there
 /// several times.
 ///
@@ -28,10 +29,13 @@ namespace dupin {
 
 /// Binary glTF 2.0: one mesh with all points in one accessor and one primitive with a material of
 /// its own per label. The node turns z upward and, if the header names a unit, scales to metres;
-/// the coordinates themselves are only rounded to binary32.
+/// the coordinates themselves are only rounded to binary32. With normals, a point with several is
+/// there several times: the points come first, then the copies, and the accessor `copies` of
+/// asset.extras tells of which points.
 ///
-/// Throws Error{invalid_argument} for a non-finite point, a bad index or an unknown unit,
-/// Error{unroundable} for a point beyond binary32, Error{limit_exceeded} beyond 4 GiB.
+/// Throws Error{invalid_argument} for a non-finite point or normal, a bad index, an unknown unit,
+/// and normals that are not one per corner, Error{unroundable} for a point beyond binary32,
+/// Error{limit_exceeded} beyond 4 GiB.
 [[nodiscard]] std::string glb_bytes(const TriMesh& mesh, const MeshHeader& header = {});
 
 extern const MeshFormat kGlb;

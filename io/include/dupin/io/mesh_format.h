@@ -39,6 +39,8 @@ struct MeshFormat {
   Coordinates coordinates = Coordinates::binary64;
   /// Its readers make one point of all corners at one place, for the format has no indices.
   bool merges_points = false;
+  /// It writes MeshHeader::normals.
+  bool has_normals = false;
 
   TriMesh (*read)(std::string_view bytes, std::string_view file) = nullptr;
   std::string (*write)(const TriMesh& mesh, const MeshHeader& header) = nullptr;

@@ -3,6 +3,8 @@
 #include <map>
 #include <string>
 
+#include "dupin/kernel/corner_normals.h"
+
 namespace dupin {
 
 /// What a mesh file may say besides the geometry. Control characters are written as spaces.
@@ -13,6 +15,9 @@ struct MeshHeader {
   /// "#rrggbb" of labels; a name also stands for those that begin with it and a dot. Formats that
   /// have colours take them, and choose those of other labels.
   std::map<std::string, std::string> colours = {};
+  /// Of the smooth surface, one for each corner of each triangle of the mesh, for viewers; none: no
+  /// normals. Formats that hold normals (MeshFormat::has_normals) take them.
+  CornerNormals normals = {};
 };
 
 }  // namespace dupin

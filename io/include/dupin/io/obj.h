@@ -21,7 +21,9 @@ namespace dupin {
 [[nodiscard]] TriMesh read_obj(std::string_view bytes, std::string_view file);
 
 /// OBJ with the shortest decimals that read back to the same doubles and one group `g` per label,
-/// in the order of the names. Throws Error{invalid_argument} for a non-finite point or a bad index.
+/// in the order of the names. Normals are `vn` of faces `f v//n`, shortest decimals of binary32;
+/// points stay shared. Throws Error{invalid_argument} for a non-finite point or normal, a bad
+/// index, and normals that are not one per corner.
 [[nodiscard]] std::string obj_text(const TriMesh& mesh, const MeshHeader& header = {});
 
 extern const MeshFormat kObj;

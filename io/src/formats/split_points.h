@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dupin/kernel/corner_normals.h"
+#include "dupin/kernel/mesh.h"
+
+namespace dupin::formats {
+
+/// A mesh whose vertices have one normal each, for formats that know no others: the mesh's points,
+/// in their order, and after them copies of those that have several.
+struct SplitPoints {
+  std::vector<Triangle> triangles;    ///< of vertices, in the mesh's order
+  std::vector<Direction> normals;     ///< of the points, then of the copies
+  std::vector<std::uint32_t> copied;  ///< of each copy, the point
+};
+
+/// As few copies as there can be. Points that no triangle uses get the z axis. O(n). Throws
+/// Error{invalid_argument} unless there are as many normals as triangles, all finite; indices are
+/// taken to be in range.
+[[nodiscard]] SplitPoints split_points(const TriMesh& mesh, const CornerNormals& normals);
+
+/// Undoes it, of a mesh whose last points are copies of these; false, with the mesh as it was,
+/// where they are not, coordinate by coordinate.
+[[nodiscard]] bool merge_copies(const std::vector<std::uint32_t>& copied, TriMesh& mesh);
+
+}  // namespace dupin::formats
