@@ -91,17 +91,19 @@ inline constexpr double kLeastNormalCosine = 0.25;
 ///
 /// A corner's normal is that of the surface whose patch the triangle belongs to, at the surface's
 /// point nearest to the corner: found by the exact equation of the disc through it, evaluated in
-/// closed form, and right to the rounding of binary32 for points on the surface. Corners of a point
-/// have one normal for each patch around it, bitwise the same, and one for all of those patches
-/// that are known to be tangent there: pieces of a part, parts that share a ring, fillets and what
-/// they are between, hubs and their arms, if the surfaces' own normals differ by at most one
-/// degree. All others are creases: edges of unions, rims of discs, joints with an angle.
+/// closed form, and right to the rounding of binary32 for points on the surface; in doubles, which
+/// nothing encloses. Corners of a point have one normal for each patch around it, bitwise the same,
+/// and one for all of those patches that are known to be tangent there: pieces of a part, parts
+/// that share a ring, fillets and what they are between, hubs and their arms, if the surfaces' own
+/// normals differ by at most one degree. All others are creases: edges of unions, rims of discs,
+/// joints with an angle.
 ///
-/// Two things are certain of every corner, whatever the mesh: the normal is a unit vector to
-/// binary32 rounding, and its angle to the triangle's normal has at least the cosine
-/// kLeastNormalCosine, in doubles. Where the surface's normal would be further off, where the
-/// corner is further from all surfaces that its label names than `moved` and four times the
-/// tolerance or the mesh's error bound, and where the label names none, it is the triangle's own.
+/// Two things are certain of every corner, whatever the mesh and the surfaces: the normal is a unit
+/// vector to binary32 rounding, and its angle to the normal of the triangle, as far as doubles tell
+/// that it has any area, has at least the cosine kLeastNormalCosine. Where the surface's normal
+/// would be further off, where the corner is further from all surfaces that its label names than
+/// `moved` and four times the tolerance or the mesh's error bound, and where the label names none,
+/// it is the triangle's own.
 ///
 /// The same for any number of threads. O(triangles), times the pieces of a part in the worst case;
 /// a million triangles take about half a second of two cores. Throws as `smooth_region`.
