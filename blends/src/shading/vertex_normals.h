@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dupin/kernel/corner_normals.h"
+#include "dupin/kernel/crease.h"
 #include "dupin/kernel/mesh.h"
 #include "shading/patch_table.h"
 

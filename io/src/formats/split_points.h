@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dupin/kernel/corner_normals.h"
+#include "dupin/kernel/crease.h"
 #include "dupin/kernel/mesh.h"
 
 namespace dupin::formats {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "dupin/kernel/corner_normals.h"
+#include "dupin/kernel/crease.h"
 
 namespace dupin::test {
 

@@ -8,7 +8,7 @@
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/build.h"
 #include "dupin/blends/part_surface.h"
-#include "dupin/kernel/corner_normals.h"
+#include "dupin/kernel/crease.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/view.h"
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "dupin/kernel/corner_normals.h"
+#include "dupin/kernel/crease.h"
 
 namespace dupin {
 

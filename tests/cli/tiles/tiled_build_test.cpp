@@ -48,7 +48,8 @@ TEST_F(TiledBuild, gives_the_same_bytes_for_all_numbers_of_tiles) {
       EXPECT_TRUE(build({"--tiles", tiles}) == whole) << region << " " << tiles;
     }
     EXPECT_TRUE(build({"--memory", "1MB"}) == whole) << region;
-    EXPECT_EQ(shell("taskset -cp 0 $BASHPID > /dev/null; dupin build plant.json -o out.stl --quiet --tiles 5 --wall 8mm "
+    EXPECT_EQ(shell("taskset -cp 0 $BASHPID > /dev/null; dupin build plant.json -o out.stl --quiet "
+                    "--tiles 5 --wall 8mm "
                     "--region " +
                     region)
                   .exit_code,
@@ -63,7 +64,8 @@ TEST_F(TiledBuild, shares_the_automatic_origin) {
   const auto whole = json({"build", "plant.json", "-o", "a.stl", "--origin", "auto"}, 0);
   const auto tiled =
       json({"build", "plant.json", "-o", "b.stl", "--origin", "auto", "--tiles", "3"}, 0);
-  EXPECT_EQ(whole.at("output").at("rounding").at("origin"), tiled.at("output").at("rounding").at("origin"));
+  EXPECT_EQ(whole.at("output").at("rounding").at("origin"),
+            tiled.at("output").at("rounding").at("origin"));
   EXPECT_GT(whole.at("output").at("rounding").at("origin").at(0), 100000);
   EXPECT_TRUE(folder_.read("a.stl") == folder_.read("b.stl"));
 }
@@ -86,8 +88,8 @@ TEST_F(TiledBuild, goes_on_with_what_is_kept) {
     return text.replace(text.find(from), from.size(), R"({"wall": 5, "name": "branch7")");
   }());
   const auto build = [&](const std::string& document, bool with_cache) {
-    std::vector<std::string> arguments{"build", document, "-o", "out.stl", "--region", "fluid",
-                                       "--wall", "8mm"};
+    std::vector<std::string> arguments{"build",    document, "-o",     "out.stl",
+                                       "--region", "fluid",  "--wall", "8mm"};
     if (with_cache) {
       arguments.insert(arguments.end(), {"--cache", "kept"});
     }
@@ -119,8 +121,8 @@ TEST_F(TiledBuild, goes_on_with_what_is_kept) {
 
 TEST_F(TiledBuild, makes_again_what_is_damaged) {
   folder_.write("plant.json", plant(3));
-  const std::vector<std::string> arguments{"build", "plant.json", "-o", "out.stl", "--cache", "kept",
-                                           "--quiet"};
+  const std::vector<std::string> arguments{"build",   "plant.json", "-o",     "out.stl",
+                                           "--cache", "kept",       "--quiet"};
   ASSERT_EQ(dupin(arguments).exit_code, 0);
   const std::string bytes = folder_.read("out.stl");
   int number = 0;
