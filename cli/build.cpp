@@ -219,9 +219,10 @@ void check_destination(const BuildArguments& arguments) {
 
 // The solid built and written, whole or in tiles.
 Built build_and_write(Document& document, const BuildOptions& options,
-                      const BuildArguments& arguments, BuildReport& report, TriMesh* written) {
-  if (is_tiled(arguments.tiles)) {
-    return build_in_tiles(document, options, arguments, header_of(document), report.output);
+                      const BuildArguments& arguments, const Ranks& ranks, BuildReport& report,
+                      TriMesh* written) {
+  if (is_tiled(arguments.tiles, ranks)) {
+    return build_in_tiles(document, options, arguments, header_of(document), ranks, report.output);
   }
   Built built = build_document(document, options);
   write_built(built, document, options, arguments, report, written);
@@ -241,10 +242,11 @@ void prepare_districts(const BuildArguments& arguments, const std::string& unit,
 
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
   check_destination(arguments);
-  if (is_tiled(arguments.tiles)) {
+  const Ranks ranks;
+  if (is_tiled(arguments.tiles, ranks)) {
     check_tiled(arguments);
   }
-  std::optional<ProgressLine> line(common.quiet);
+  std::optional<ProgressLine> line(common.quiet || !ranks.is_first());
   Document document =
       read_document(arguments.files.front(), arguments.source, arguments.walls, line->callback());
   Assembly& assembly = document.assembly;
@@ -255,8 +257,11 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   TriMesh written;
   {
     options.progress = line->callback();
-    Built built = build_and_write(document, options, arguments, report,
+    Built built = build_and_write(document, options, arguments, ranks, report,
                                   arguments.page.empty() ? nullptr : &written);
+    if (!ranks.is_first()) {
+      return ExitCode::ok;
+    }
     take(report, std::move(built), document, options.connect);
     if (!arguments.page.empty()) {
       tell(options.progress, "report");
@@ -285,6 +290,9 @@ ExitCode run_build_or_batch(const CLI::App& command, const BuildArguments& argum
   if (!batch.folder.empty()) {
     if (!arguments.output.path.empty()) {
       throw UsageError("--output and --out-dir both say where to; give one of them");
+    }
+    if (is_under_mpirun()) {
+      throw UsageError("--out-dir is not for mpirun, which shares one document among processes");
     }
     return run_batch(command, batch_items(arguments.files, batch.folder, arguments.output.format),
                      batch.folder, batch.jobs, common);

@@ -49,6 +49,12 @@ class Writer {
     }
   }
   void put(const ThinShell& shell) { (*this)(shell.place, shell.thickness, shell.move); }
+  void put(const Contact& contact) {
+    (*this)(contact.kind, contact.from, contact.to, contact.names);
+  }
+  void put(const ContactSettlement& settled) {
+    (*this)(settled.policy, settled.length, settled.contacts);
+  }
   void put(const PartReport& part);
   void put(const Report& report);
   void put(const RoundingReport& report);
@@ -93,9 +99,10 @@ class Reader {
   void get(std::optional<Item>& item) {
     std::uint8_t is_there = 0;
     get(is_there);
-    item.reset();
     if (is_there != 0) {
-      get(item.emplace());
+      Item value{};
+      get(value);
+      item = std::move(value);
     }
   }
   template <class Item>
@@ -108,6 +115,10 @@ class Reader {
     }
   }
   void get(ThinShell& shell) { (*this)(shell.place, shell.thickness, shell.move); }
+  void get(Contact& contact) { (*this)(contact.kind, contact.from, contact.to, contact.names); }
+  void get(ContactSettlement& settled) {
+    (*this)(settled.policy, settled.length, settled.contacts);
+  }
   void get(PartReport& part);
   void get(Report& report);
   void get(RoundingReport& report);
@@ -142,8 +153,8 @@ template <class Archive, class Result, class Checked>
 void visit_result(Archive& archive, Result& result, Checked& report) {
   auto& built = result.built;
   archive(built.parts, built.runs, built.pieces, built.grid, built.region, built.volumes,
-          built.insulation, report, result.output.rounding, result.facets.names,
-          result.facets.bytes);
+          built.insulation, report, result.output.rounding, result.output.contacts,
+          result.output.settled, result.facets.names, result.facets.bytes);
 }
 
 void Writer::put(const PartReport& part) { visit_part(*this, part); }
@@ -158,20 +169,15 @@ std::uint64_t sum_of(std::string_view bytes) { return std::hash<std::string_view
 
 }  // namespace
 
-std::optional<std::string> bytes_of(const DistrictResult& result,
-                                    const std::vector<std::uint32_t>& parts) {
-  const OutputReport& output = result.output;
-  if (!output.contacts.empty() || output.settled || result.built.cross_check || !output.check ||
-      !output.check->findings.empty()) {
-    return std::nullopt;
-  }
+std::string bytes_of(const DistrictResult& result, const std::vector<std::uint32_t>& parts) {
   Writer body;
   DistrictResult local = result;
   for (PartReport& part : local.built.parts) {
     const auto place = std::ranges::lower_bound(parts, part.index);
     part.index = static_cast<std::uint32_t>(place - parts.begin());
   }
-  visit_result(body, std::as_const(local), std::as_const(*output.check));
+  const Report report = result.output.check.value_or(Report{});
+  visit_result(body, std::as_const(local), report);
   Writer all;
   all.bytes() = kMark;
   all(sum_of(body.bytes()));

@@ -19,11 +19,11 @@ struct DistrictResult {
   StlFacets facets;
 };
 
-/// It as bytes, to be kept. Parts are told by their places among `parts`, ascending, so that a
-/// document may count them otherwise later. None of a result that has something that is not kept:
-/// contacts, a cross-check.
-[[nodiscard]] std::optional<std::string> bytes_of(const DistrictResult& result,
-                                                  const std::vector<std::uint32_t>& parts);
+/// It as bytes, to be kept or sent. Parts are told by their places among `parts`, ascending, so
+/// that a document may count them otherwise later. Findings of its check, which is that of a solid,
+/// and a cross-check do not go along.
+[[nodiscard]] std::string bytes_of(const DistrictResult& result,
+                                   const std::vector<std::uint32_t>& parts);
 
 /// The result of these bytes; none if they are damaged, or of another kind.
 [[nodiscard]] std::optional<DistrictResult> result_of(std::string_view bytes,

@@ -64,37 +64,6 @@ void append(std::vector<Contact> from, std::vector<Contact>& to) {
   std::ranges::move(from, std::back_inserter(to));
 }
 
-void add(const Report& from, Report& to) {
-  const auto faces = static_cast<std::uint32_t>(to.triangles);
-  to.points += from.points;
-  to.triangles += from.triangles;
-  to.counts.resize(from.counts.size(), 0);
-  std::ranges::transform(from.counts, to.counts, to.counts.begin(), std::plus<>());
-  for (ShellReport shell : from.shells) {
-    shell.first_face += faces;
-    to.shells.push_back(shell);
-  }
-  to.components += from.components;
-  to.euler_number += from.euler_number;
-  to.genus += from.genus;
-  to.volume += from.volume;
-  to.area += from.area;
-}
-
-void add(const RoundingReport& from, RoundingReport& to) {
-  to.coordinates = from.coordinates;
-  to.origin = from.origin;
-  to.moved += from.moved;
-  to.largest_move = std::max(to.largest_move, from.largest_move);
-  to.repair_reach = std::max(to.repair_reach, from.repair_reach);
-  to.removed_triangles += from.removed_triangles;
-  to.removed_shells += from.removed_shells;
-  to.slit_width = std::max(to.slit_width, from.slit_width);
-  std::ranges::copy(from.filled_places, std::back_inserter(to.filled_places));
-  std::ranges::copy(from.snapped_places, std::back_inserter(to.snapped_places));
-  std::ranges::copy(from.thin_shells, std::back_inserter(to.thin_shells));
-}
-
 /// For districts: the whole's origin and, of its extent, the power of two that decides about
 /// rounding, so that a change elsewhere hardly ever is one here.
 RoundingOptions rounding_of_districts(RoundingOptions rounding, std::span<const Boxes> boxes) {
@@ -151,8 +120,10 @@ void append_meshes(const Assembly& assembly, std::string& text) {
 
 class TiledBuild {
  public:
-  TiledBuild(const Document& document, const BuildOptions& options, const BuildArguments& arguments)
-      : plan_(document.assembly, options),
+  TiledBuild(const Document& document, const BuildOptions& options, const BuildArguments& arguments,
+             const Ranks& ranks)
+      : ranks_(ranks),
+        plan_(document.assembly, options),
         boxes_(plan_.boxes()),
         to_(destination(arguments.output)),
         contacts_(contact_choice(arguments.contacts, std::string(symbol(document.assembly.unit)))),
@@ -168,7 +139,8 @@ class TiledBuild {
     if (!tiles.memory.empty()) {
       divide_by_memory(bytes_in(tiles.memory), document.assembly);
     } else {
-      divide_evenly(tiles.tiles > 0 ? tiles.tiles : (plan_.size() + kAtOnce - 1) / kAtOnce);
+      divide_evenly(tiles.tiles > 0 ? tiles.tiles
+                                    : (plan_.size() - 1) / (kAtOnce * ranks.count()) + 1);
     }
   }
 
@@ -179,9 +151,10 @@ class TiledBuild {
     report.check.emplace();
     for (const std::size_t end : ends_) {
       tell(progress_, "build", double(begin) / double(plan_.size()));
-      std::vector<DistrictResult> tile(end - begin);
-      for_each_in_parallel(tile.size(), [&](std::size_t i) { tile[i] = result(begin + i); });
-      for (DistrictResult& district : tile) {
+      std::vector<std::optional<DistrictResult>> tile = own_results(begin, end);
+      for (std::size_t i = 0; i < tile.size(); ++i) {
+        DistrictResult district = tile[i] ? *std::move(tile[i]) : received(begin + i);
+        tile[i].reset();
         stream.append(district.facets);
         take(std::move(district.output), report);
         built.push_back(std::move(district.built));
@@ -194,6 +167,20 @@ class TiledBuild {
     report.format = to_.format.name;
     report.verification = to_.verification;
     return plan_.joined(std::move(built));
+  }
+
+  // Of ranks but the first, which writes.
+  void run_for_first() const {
+    std::size_t begin = 0;
+    for (const std::size_t end : ends_) {
+      const auto tile = own_results(begin, end);
+      for (std::size_t i = 0; i < tile.size(); ++i) {
+        if (tile[i]) {
+          ranks_.send(bytes_of(*tile[i], plan_.parts(begin + i)));
+        }
+      }
+      begin = end;
+    }
   }
 
  private:
@@ -226,6 +213,29 @@ class TiledBuild {
     ends_.push_back(plan_.size());
   }
 
+  [[nodiscard]] std::size_t owner(std::size_t district) const { return district % ranks_.count(); }
+
+  // Of the districts of a tile that are this rank's.
+  [[nodiscard]] std::vector<std::optional<DistrictResult>> own_results(std::size_t begin,
+                                                                       std::size_t end) const {
+    std::vector<std::optional<DistrictResult>> tile(end - begin);
+    for_each_in_parallel(tile.size(), [&](std::size_t i) {
+      if (owner(begin + i) == ranks_.own()) {
+        tile[i] = result(begin + i);
+      }
+    });
+    return tile;
+  }
+
+  [[nodiscard]] DistrictResult received(std::size_t district) const {
+    auto result = result_of(ranks_.receive(owner(district)), plan_.parts(district));
+    if (!result) {
+      throw Error(Errc::internal,
+                  "internal error, please report it: another rank sent what cannot be read");
+    }
+    return *std::move(result);
+  }
+
   // Made, or as it was kept.
   [[nodiscard]] DistrictResult result(std::size_t district) const {
     if (!cache_) {
@@ -242,9 +252,7 @@ class TiledBuild {
       }
     }
     DistrictResult result = made(district);
-    if (const auto bytes = bytes_of(result, parts)) {
-      cache_->keep(key, *bytes);
-    }
+    cache_->keep(key, bytes_of(result, parts));
     return result;
   }
 
@@ -275,6 +283,7 @@ class TiledBuild {
     }
   }
 
+  const Ranks& ranks_;
   DistrictBuild plan_;
   std::vector<Boxes> boxes_;
   Destination to_;
@@ -309,8 +318,9 @@ void add_tile_options(CLI::App& command, TileArguments& arguments) {
       ->type_name("DIR");
 }
 
-bool is_tiled(const TileArguments& arguments) {
-  return arguments.tiles > 0 || !arguments.memory.empty() || !arguments.cache.empty();
+bool is_tiled(const TileArguments& arguments, const Ranks& ranks) {
+  return ranks.count() > 1 || arguments.tiles > 0 || !arguments.memory.empty() ||
+         !arguments.cache.empty();
 }
 
 void check_tiled(const BuildArguments& arguments) {
@@ -327,6 +337,9 @@ void check_tiled(const BuildArguments& arguments) {
     throw UsageError(
         "with --tiles, --memory and --cache, files are compared as they are written; --verify "
         "full is what the command check does");
+  }
+  if (!arguments.cross_check.empty()) {
+    throw UsageError("--cross-check is not for --tiles, --memory, --cache and mpirun");
   }
   if (arguments.source.keep_going) {
     throw UsageError(
@@ -369,9 +382,14 @@ OutputReport write_districts(const Built& built, const Destination& to,
 }
 
 Built build_in_tiles(const Document& document, const BuildOptions& options,
-                     const BuildArguments& arguments, const MeshHeader& header,
+                     const BuildArguments& arguments, const MeshHeader& header, const Ranks& ranks,
                      OutputReport& report) {
-  return TiledBuild(document, options, arguments).run(header, report);
+  TiledBuild build(document, options, arguments, ranks);
+  if (ranks.is_first()) {
+    return build.run(header, report);
+  }
+  build.run_for_first();
+  return {};
 }
 
 }  // namespace dupin::cli

@@ -83,6 +83,7 @@ LIBRARIES = {
     "zip.h": ["io/src/"],
     "cairo": ["io/src/drawings/"],
     "CLI/": ["cli/"],
+    "mpi.h": ["cli/mpi/"],
     # OpenCASCADE's headers have no folder of their own.
     **{name: ["io/src/occt/", "tests/io/occt/"] for name in (
         "APIHeaderSection", "BOPAlgo", "BRep", "Bnd_", "GProp", "Geom", "IGES", "Interface_", "Message", "NCollection",

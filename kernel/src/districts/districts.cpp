@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -317,18 +318,6 @@ class Joiner {
   mesh::ExactMesh mesh_;
 };
 
-void add_report(const RoundingReport& from, RoundingReport& to) {
-  to.moved += from.moved;
-  to.largest_move = std::max(to.largest_move, from.largest_move);
-  to.repair_reach = std::max(to.repair_reach, from.repair_reach);
-  to.removed_triangles += from.removed_triangles;
-  to.removed_shells += from.removed_shells;
-  append(from.filled_places, to.filled_places);
-  to.slit_width = std::max(to.slit_width, from.slit_width);
-  append(from.snapped_places, to.snapped_places);
-  append(from.thin_shells, to.thin_shells);
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> boxes) {
@@ -360,6 +349,37 @@ std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> box
     ++count;
   }
   return district;
+}
+
+void add(const RoundingReport& district, RoundingReport& all) {
+  all.coordinates = district.coordinates;
+  all.origin = district.origin;
+  all.moved += district.moved;
+  all.largest_move = std::max(all.largest_move, district.largest_move);
+  all.repair_reach = std::max(all.repair_reach, district.repair_reach);
+  all.removed_triangles += district.removed_triangles;
+  all.removed_shells += district.removed_shells;
+  append(district.filled_places, all.filled_places);
+  all.slit_width = std::max(all.slit_width, district.slit_width);
+  append(district.snapped_places, all.snapped_places);
+  append(district.thin_shells, all.thin_shells);
+}
+
+void add(const Report& district, Report& all) {
+  const auto faces = static_cast<std::uint32_t>(all.triangles);
+  all.points += district.points;
+  all.triangles += district.triangles;
+  all.counts.resize(district.counts.size(), 0);
+  std::ranges::transform(district.counts, all.counts, all.counts.begin(), std::plus<>());
+  for (ShellReport shell : district.shells) {
+    shell.first_face += faces;
+    all.shells.push_back(shell);
+  }
+  all.components += district.components;
+  all.euler_number += district.euler_number;
+  all.genus += district.genus;
+  all.volume += district.volume;
+  all.area += district.area;
 }
 
 Eigen::AlignedBox3d bounds_of(std::span<const Boxes> boxes) {
@@ -440,11 +460,7 @@ Rounded joined(std::span<const Rounded> all, std::span<const Boxes> boxes) {
       names.append_labels(mesh.labels, mesh.names, mesh.triangles.size(), result.mesh_.labels);
     }
     append(all[i].contacts_, result.contacts_);
-    add_report(all[i].report_, result.report_);
-  }
-  if (!all.empty()) {
-    result.report_.origin = all[0].report_.origin;
-    result.report_.coordinates = all[0].report_.coordinates;
+    add(all[i].report_, result.report_);
   }
   result.mesh_.names = names.take();
   return result;

@@ -207,6 +207,23 @@ TEST(Districts, rounded_solids_with_several_origins_are_not_joined) {
       Errc::invalid_argument);
 }
 
+TEST(Districts, checks_of_all_are_that_of_all_at_once) {
+  const TriMesh ring = frame(), ball = moved(tetrahedron(), Vec3(20, 0, 0));
+  const Report at_once = check(joined({ring, ball, moved(ring, Vec3(0, 20, 0))}));
+  Report all;
+  for (const TriMesh& mesh : {ring, ball, moved(ring, Vec3(0, 20, 0))}) {
+    add(check(mesh), all);
+  }
+  EXPECT_EQ(all.points, at_once.points);
+  EXPECT_EQ(all.counts, at_once.counts);
+  EXPECT_EQ(all.shells, at_once.shells);
+  EXPECT_EQ(all.components, at_once.components);
+  EXPECT_EQ(all.euler_number, at_once.euler_number);
+  EXPECT_EQ(all.genus, 2);
+  EXPECT_EQ(all.volume, at_once.volume);
+  EXPECT_TRUE(all.is_solid());
+}
+
 TEST(Districts, rounding_reaches_as_far_as_in_the_whole) {
   const Solid thin = Solid::from(moved(tube(0.03125, 0, 1, 256), Vec3(1e4, 2e3, -1e4)));
   const double own = to_mesh(thin, Coordinates::binary32).report().repair_reach;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "dupin/kernel/check.h"
 #include "dupin/kernel/rounding.h"
 #include "dupin/kernel/solid.h"
 
@@ -33,6 +34,12 @@ namespace dupin {
 /// The same of rounded solids, in their order, the report that of all. Throws
 /// Error{invalid_argument} also where origins or coordinates differ.
 [[nodiscard]] Rounded joined(std::span<const Rounded> all, std::span<const Boxes> boxes);
+
+/// What is said of all, those of the district coming behind the others: coordinates and origin are
+/// the district's.
+void add(const RoundingReport& district, RoundingReport& all);
+/// The same of a check, without its findings.
+void add(const Report& district, Report& all);
 
 /// A box about all boxes.
 [[nodiscard]] Eigen::AlignedBox3d bounds_of(std::span<const Boxes> boxes);
