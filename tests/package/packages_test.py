@@ -14,6 +14,7 @@ NEEDS = {
     "libdupin-dev": {"libeigen3-dev", "libgmp-dev", "libmpfr-dev", "libmpfi-dev", "libtbb-dev", "libexpat1-dev",
                      "libzip-dev", "libcairo2-dev"},
     "dupin-exchange": {"libc6", "libocct-data-exchange-7.6"},
+    "dupin-mpi": {"libc6", "libopenmpi3"},
     "python3-dupin": {"python3", "python3-numpy", "libgmp10"},
 }
 HOLDS = {
@@ -23,6 +24,7 @@ HOLDS = {
     "libdupin-dev": ["usr/include/dupin/blends/build.h", "usr/lib/**/libdupin_kernel.a",
                      "usr/lib/**/cmake/dupin/dupinConfig.cmake", "usr/lib/**/pkgconfig/dupin.pc"],
     "dupin-exchange": ["usr/**/libdupin_occt.so"],
+    "dupin-mpi": ["usr/**/libdupin_mpi.so"],
     "python3-dupin": ["usr/lib/python3/dist-packages/dupin/__init__.py", "usr/lib/python3/dist-packages/dupin/_core.pyi"],
 }
 
@@ -72,14 +74,15 @@ def main():
         before = set(root.rglob("*"))
         dpkg = ["dpkg", f"--root={root}", "--force-depends", "--force-not-root", "--log=/dev/null"]
         # That of a module in the libraries' folder runs ldconfig, which this root has not.
-        exchange = packages.pop("dupin-exchange")
-        run("dpkg-deb", "-x", exchange, root)
+        for module in ("dupin-exchange", "dupin-mpi"):
+            run("dpkg-deb", "-x", packages.pop(module), root)
         run(*dpkg, "-i", *packages.values())
         for package, patterns in HOLDS.items():
             for pattern in patterns:
                 assert len(list(root.glob(pattern))) == 1, (package, pattern)
         use(root, said["Version"])
-        next(root.glob("usr/**/libdupin_occt.so")).unlink()
+        for module in ("libdupin_occt.so", "libdupin_mpi.so"):
+            next(root.glob(f"usr/**/{module}")).unlink()
         run(*dpkg, "--purge", *packages)
         left = {path for path in set(root.rglob("*")) - before if "var/lib/dpkg" not in str(path)}
         assert not left, left
