@@ -1,0 +1,629 @@
+#!/usr/bin/env python3
+"""Lets other people's programs read what `dupin build` makes of the examples, and judges from what they say.
+
+Usage: tools/clients.py BUILD_FOLDER [--write] [CLIENT ...] [--examples NAME ...]
+
+Every document in examples/ is built in every format by BUILD_FOLDER/cli/dupin, and read by each client that is
+installed. What a client counts has to be what the tool's own report says: triangles, volume, and that every edge
+is shared by two triangles in opposite directions. The table is printed, or with --write becomes docs/clients.md,
+which says how to install the clients. Exit code 1 if a file is not accepted, 77 if no client is installed.
+"""
+import argparse
+import collections
+import dataclasses
+import functools
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+DOCUMENT = ROOT / "docs" / "clients.md"
+PATTERNS = ["*.json", "*.pcf", "*.swc", "*.graph"]
+OPTIONS = {"frame.graph": ["--radius", "2"]}  # docs/graphs.md
+REFUSED = {("tight.json", None): "its blend folds, which is what it is for",
+           ("ucct-arm.json", "step"): "STEP has no kneecaps"}
+EXTENSIONS = {"stl": "stl", "stl-ascii": "stl", "off": "off", "obj": "obj", "ply": "ply", "ply-ascii": "ply",
+              "3mf": "3mf", "glb": "glb", "vtp": "vtp", "msh-surface": "msh", "step": "step"}
+# Formats in which points stand several times, so that who wants to know neighbours makes one of them.
+REPEATED_POINTS = ["stl", "stl-ascii", "ply", "ply-ascii", "glb"]
+METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1, "in": 0.0254, "ft": 0.3048}
+TOLERANCE = 1e-4  # of volumes, relative
+OWN_TRIANGLES = 1e-2  # the same, where a client made the triangles of a STEP file by itself
+MOST_SECONDS = 600
+DEBIANS_PYTHON = "/usr/bin/python3"  # has what Debian packages, whichever runs this
+SKIPPED = 77
+
+
+@dataclasses.dataclass
+class Built:
+    """A file, and what the tool said of it."""
+    example: str
+    format: str
+    path: pathlib.Path
+    triangles: int | None  # None of smooth surfaces
+    volume: float  # in the file's unit of length
+    solids: int | None
+
+
+@dataclasses.dataclass
+class Said:
+    """What a client says of a file; None where it does not say."""
+    triangles: int | None = None
+    volume: float | None = None
+    open_edges: int | None = None
+    solids: int | None = None
+    complaint: str = ""
+    tolerance: float = TOLERANCE
+
+
+@dataclasses.dataclass
+class Client:
+    name: str
+    formats: list
+    version: object  # a function without arguments; None if the client is not there
+    read: object  # a function from several Built of one example to a Said of each
+    judged: str  # what it is asked for
+    packages: str
+    known: dict = dataclasses.field(default_factory=dict)  # formats that it cannot read, and why
+
+
+def run(*command, folder=None, text=None, **environment):
+    """The exit code and all that a program printed."""
+    try:
+        done = subprocess.run([str(word) for word in command], cwd=folder, input=text, capture_output=True, text=True,
+                              errors="replace", timeout=MOST_SECONDS, env={**os.environ, **environment}, check=False)
+    except subprocess.TimeoutExpired:
+        return -1, f"no answer within {MOST_SECONDS} s"
+    return done.returncode, done.stdout + done.stderr
+
+
+def one_line(text, most=300):
+    text = " ".join(re.sub(r"\x1b\[[0-9;]*m", "", text).split())
+    return text if len(text) <= most else text[:most] + "..."
+
+
+def number_after(label, text, kind=float):
+    """The number after a label, or None; the sum where there are several."""
+    found = [kind(match) for match in re.findall(label + r"\s*([-+0-9.eE]+)", text)]
+    return sum(found) if found else None
+
+
+def complaints(text, pattern=r"(?i)\berror|\bwarn|not a file|exception|unable|fail", but=r"(?!)"):
+    return one_line("; ".join(line for line in text.splitlines()
+                              if re.search(pattern, line) and not re.search(but, line)))
+
+
+def one_by_one(read):
+    return lambda files: [read(file) for file in files]
+
+
+def version_of(command, pattern, program=None):
+    """The version that a program prints, or None."""
+    if not shutil.which(program or command[0]):
+        return None
+    match = re.search(pattern, run(*command)[1])
+    return match.group(1) if match else None
+
+
+# Programs.
+
+@one_by_one
+def read_admesh(file):
+    code, said = run("admesh", file.path)
+    before = {name: int(count) for name, count in re.findall(r"^([A-Z][\w ]*?) +: +(\d+) +\d+$", said, re.MULTILINE)}
+    repairs = {name: int(count) for name, count in re.findall(
+        r"^(Degenerate facets|Edges fixed|Facets \w+|Backwards edges|Normals fixed) +: +(\d+)", said, re.MULTILINE)}
+    wrong = ", ".join(f"{name}: {count}" for name, count in repairs.items() if count)
+    return Said(triangles=before.get("Number of facets"), volume=number_after(r"Volume +:", said),
+                open_edges=before.get("Total disconnected facets"),
+                complaint=wrong if code == 0 and len(repairs) == 7 else one_line(said[-300:]))
+
+
+@one_by_one
+def read_assimp(file):
+    code, said = run("assimp", "info", file.path, "--raw", "--silent", "-vds", "-l")
+    return Said(triangles=number_after(r"\nFaces:", said, int),
+                complaint=complaints(said) or ("" if code == 0 else one_line(said[-300:])))
+
+
+@one_by_one
+def read_f3d(file):
+    code, said = run("f3d", "--dry-run", "--no-render", "--verbose", "--geometry-only", file.path)
+    polygons = number_after("Number of polygons:", said, int)
+    wrong = complaints(said) or ("" if code == 0 else f"exit code {code}: {one_line(said[-300:])}")
+    if file.triangles is None:
+        return Said(complaint=wrong or ("" if polygons else "no polygons"))
+    return Said(triangles=polygons, complaint=wrong)
+
+
+@one_by_one
+def read_prusa(file):
+    code, said = run("prusa-slicer", "--info", file.path)
+    values = dict(re.findall(r"^(\w+) = +(.*)$", said, re.MULTILINE))
+    repairs = [f"{name} = {value}" for name, value in values.items()
+               if value != "0" and re.search("open|degenerate|fixed|removed|added|reversed|backwards", name)]
+    wrong = ", ".join(repairs + ([] if values.get("manifold") == "yes" else [f"manifold = {values.get('manifold')}"]))
+    is_smooth = file.triangles is None
+    return Said(triangles=None if is_smooth else int(values.get("number_of_facets", -1)),
+                volume=float(values.get("volume", "nan")), tolerance=OWN_TRIANGLES if is_smooth else TOLERANCE,
+                complaint=complaints(said, but="StaticPrintConfigs") or wrong or ("" if code == 0 else one_line(said)))
+
+
+OCCT_SCRIPT = """pload MODELING XSDRAW
+stepread {path} read *
+foreach shape [directory read_*] {{
+  puts [checkshape $shape]
+  puts [vprops $shape 1e-6]
+  puts [nbshapes $shape]
+}}
+"""
+
+
+def version_of_occt():
+    if not shutil.which("occt-draw"):
+        return None
+    with tempfile.TemporaryDirectory() as folder:
+        script = pathlib.Path(folder, "version.tcl")
+        script.write_text("pload MODELING XSDRAW\nputs [dversion]\n", encoding="utf-8")
+        match = re.search(r"Open CASCADE Technology (\S+)", run("occt-draw", "-b", "-f", script)[1])
+    return match.group(1) if match else None
+
+
+@one_by_one
+def read_occt(file):
+    script = file.path.with_suffix(".tcl")
+    script.write_text(OCCT_SCRIPT.format(path=file.path), encoding="utf-8")
+    _, said = run("occt-draw", "-b", "-f", script)
+    wrong = complaints(said, pattern=r"(?i)exception|fault|\*\*|not valid|\bfail", but="Relative error")
+    if not wrong and "This shape seems to be valid" not in said:
+        wrong = one_line(said[-300:])
+    return Said(volume=number_after(r"Mass :", said), solids=number_after(r"SOLID +:", said, int), complaint=wrong)
+
+
+# Clients that are libraries: a program in the language that they are for prints a line of JSON for each file.
+
+WORKER = '''
+import collections, json, sys
+
+def measure(points, triangles, repeated):
+    """The triangles' number, the volume inside, and how many edges are not shared by two in opposite directions."""
+    if repeated:
+        first = {}
+        names = [first.setdefault(tuple(point), index) for index, point in enumerate(points)]
+        triangles = [[names[corner] for corner in triangle] for triangle in triangles]
+    volume, edges = 0.0, collections.Counter()
+    for a, b, c in triangles:
+        (ax, ay, az), (bx, by, bz), (cx, cy, cz) = points[a], points[b], points[c]
+        volume += (ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)) / 6
+        edges.update([(a, b), (b, c), (c, a)])
+    wrong = sum(count != 1 or edges[b, a] != 1 for (a, b), count in edges.items())
+    return {"triangles": len(triangles), "volume": volume, "open_edges": wrong}
+
+def answer(read):
+    for path, format, repeated in json.loads(sys.argv[-1]):
+        try:
+            said = read(path, format, repeated)
+        except Exception as error:
+            said = {"complaint": f"{type(error).__name__}: {error}"}
+        print("SAID " + json.dumps({"path": path, **said}), flush=True)
+'''
+
+GMSH = WORKER + '''
+import gmsh
+gmsh.initialize()
+gmsh.option.setNumber("General.Terminal", 0)
+
+def read(path, format, repeated):
+    gmsh.clear()
+    gmsh.logger.start()
+    try:
+        gmsh.merge(path)
+    finally:
+        said = [line for line in gmsh.logger.get() if not line.startswith("Info")]
+        gmsh.logger.stop()
+    if format == "step":
+        volumes = [gmsh.model.occ.getMass(*entity) for entity in gmsh.model.occ.getEntities(3)]
+        return {"volume": sum(volumes), "solids": len(volumes), "complaint": "; ".join(said)}
+    tags, coordinates, _ = gmsh.model.mesh.getNodes()
+    points = dict(zip(map(int, tags), coordinates.reshape(-1, 3).tolist()))
+    kinds, _, nodes = gmsh.model.mesh.getElements(2)
+    assert set(kinds) <= {2}, "not only triangles"
+    triangles = [triangle for block in nodes for triangle in block.reshape(-1, 3).tolist()]
+    names = {tag: index for index, tag in enumerate(points)}
+    triangles = [[names[corner] for corner in triangle] for triangle in triangles]
+    return {**measure(list(points.values()), triangles, repeated), "complaint": "; ".join(said)}
+
+answer(read)
+'''
+
+MESHIO = WORKER + '''
+import meshio
+
+def read(path, format, repeated):
+    mesh = meshio.read(path, file_format={"msh-surface": "gmsh", "stl-ascii": "stl", "ply-ascii": "ply"}.get(format))
+    assert all(block.type == "triangle" for block in mesh.cells), "not only triangles"
+    triangles = [triangle for block in mesh.cells for triangle in block.data.tolist()]
+    return measure(mesh.points.tolist(), triangles, repeated)
+
+answer(read)
+'''
+
+VTK = WORKER + '''
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFeatureEdges, vtkMassProperties
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+READERS = {"stl": vtkSTLReader, "stl-ascii": vtkSTLReader, "obj": vtkOBJReader, "ply": vtkPLYReader,
+           "ply-ascii": vtkPLYReader, "vtp": vtkXMLPolyDataReader}
+
+def read(path, format, repeated):
+    window = vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(window)
+    reader = READERS[format]()
+    reader.SetFileName(path)
+    clean = vtkCleanPolyData() if repeated else reader
+    if repeated:
+        clean.PointMergingOn()
+        clean.SetTolerance(0)
+        clean.SetInputConnection(reader.GetOutputPort())
+    edges, mass = vtkFeatureEdges(), vtkMassProperties()
+    edges.BoundaryEdgesOn()
+    edges.NonManifoldEdgesOn()
+    edges.FeatureEdgesOff()
+    edges.ManifoldEdgesOff()
+    for filter in (edges, mass):
+        filter.SetInputConnection(clean.GetOutputPort())
+        filter.Update()
+    return {"triangles": reader.GetOutput().GetNumberOfPolys(), "volume": mass.GetVolume(),
+            "open_edges": edges.GetOutput().GetNumberOfCells(), "complaint": " ".join(window.GetOutput().split())}
+
+answer(read)
+'''
+
+# Debian's Blender 3.4.1 runs with a NumPy that no longer has the name `bool`, which its glTF importer uses.
+BLENDER = WORKER + '''
+import bpy, numpy
+numpy.bool = bool
+IMPORTERS = {"stl": bpy.ops.import_mesh.stl, "stl-ascii": bpy.ops.import_mesh.stl, "obj": bpy.ops.wm.obj_import,
+             "ply": bpy.ops.import_mesh.ply, "ply-ascii": bpy.ops.import_mesh.ply, "glb": bpy.ops.import_scene.gltf}
+
+def read(path, format, repeated):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    result = IMPORTERS[format](filepath=path)
+    points, triangles = [], []
+    for thing in bpy.data.objects:
+        if thing.type == "MESH":
+            triangles += [[len(points) + corner for corner in face.vertices] for face in thing.data.polygons]
+            points += [list(vertex.co) for vertex in thing.data.vertices]
+    assert all(len(triangle) == 3 for triangle in triangles), "not only triangles"
+    return {**measure(points, triangles, repeated), "complaint": "" if result == {"FINISHED"} else str(result)}
+
+answer(read)
+'''
+
+LIB3MF = WORKER + '''
+import ctypes, ctypes.util
+library = ctypes.CDLL(ctypes.util.find_library("3MF"))
+
+def call(name, *arguments):
+    code = getattr(library, "lib3mf_" + name)(*arguments)
+    assert code == 0, f"lib3mf_{name} returns {code:#x}"
+
+def handle(name, *arguments):
+    made = ctypes.c_void_p()
+    call(name, *arguments, ctypes.byref(made))
+    return made
+
+def number(name, *arguments):
+    value = ctypes.c_uint32()
+    call(name, *arguments, ctypes.byref(value))
+    return value.value
+
+def table(name, item, mesh, count):
+    values = (item * (3 * count))()
+    call(name, mesh, values, count, ctypes.byref(ctypes.c_uint32()))
+    return [list(values[3 * i:3 * i + 3]) for i in range(count)]
+
+def read(path, format, repeated):
+    model = handle("createmodel")
+    reader = handle("model_queryreader", model, b"3mf")
+    call("reader_setstrictmodeactive", reader, ctypes.c_bool(True))
+    call("reader_readfromfileutf8", reader, path.encode())
+    said = [f"{number('reader_getwarningcount', reader)} warnings"] if number("reader_getwarningcount", reader) else []
+    points, triangles = [], []
+    meshes = handle("model_getmeshobjects", model)
+    while number("resourceiterator_movenext", meshes):
+        mesh = handle("resourceiterator_getcurrent", meshes)
+        if not number("meshobject_ismanifoldandoriented", mesh):
+            said.append("not manifold and oriented")
+        corners = table("meshobject_gettriangleindices", ctypes.c_uint32, mesh, number("meshobject_gettrianglecount", mesh))
+        triangles += [[len(points) + corner for corner in triangle] for triangle in corners]
+        points += table("meshobject_getvertices", ctypes.c_float, mesh, number("meshobject_getvertexcount", mesh))
+    return {**measure(points, triangles, repeated), "complaint": ", ".join(said)}
+
+answer(read)
+sys.stdout.flush()
+import os
+os._exit(0)  # what the library does at the end of a program, Python's does, too
+'''
+
+GLTF_VALIDATOR = '''
+const validator = require("gltf-validator"), fs = require("fs");
+(async () => {
+  for (const [path] of JSON.parse(process.argv[1])) {
+    const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(path)));
+    const said = report.issues.messages.map(message => message.code + " " + message.message + " " + message.pointer);
+    console.log("SAID " + JSON.stringify({path, triangles: report.info.totalTriangleCount, complaint: said.join("; ")}));
+  }
+})();
+'''
+
+
+def read_by(*command, **environment):
+    """Reads an example's files by a worker, which is the command's last word but for the files."""
+    def read(files):
+        asked = json.dumps([[str(file.path), file.format, file.format in REPEATED_POINTS] for file in files])
+        _, said = run(*command, asked, **environment)
+        answers = {}
+        for line in said.splitlines():
+            if line.startswith("SAID "):
+                answer = json.loads(line[5:])
+                answers[answer.pop("path")] = Said(**answer)
+        silence = Said(complaint="no answer: " + one_line(said[-300:]))
+        return [answers.get(str(file.path), silence) for file in files]
+    return read
+
+
+def version_by(*command, **environment):
+    """The version that a line of code prints, or None."""
+    def version():
+        if not shutil.which(command[0]):
+            return None
+        code, said = run(*command, **environment)
+        return one_line(said) if code == 0 and said.strip() else None
+    return version
+
+
+@functools.cache
+def node_modules():
+    return {"NODE_PATH": run("npm", "root", "-g")[1].strip() if shutil.which("npm") else ""}
+
+
+def python(code):
+    return read_by(DEBIANS_PYTHON, "-c", code)
+
+
+PLY_OF_GMSH = "gmsh 4 takes the coordinates of a binary PLY for floats, and knows no property beside a face's corners; " \
+              "ours are doubles, and faces have a label"
+PLY_OF_MESHIO = "meshio 5 takes no number of a face in a binary PLY, such as our label, for data of the cells"
+CLIENTS = [
+    Client("admesh", ["stl", "stl-ascii"], lambda: version_of(["admesh", "--version"], r"version (\S+)"), read_admesh,
+           "facets, volume, no edge without a neighbour, nothing to repair", "admesh"),
+    Client("assimp", ["stl", "stl-ascii", "off", "obj", "ply", "ply-ascii", "3mf", "glb"],
+           lambda: version_of(["assimp", "version"], r"Version (\S+)"), read_assimp,
+           "`assimp info --raw -vds`: faces, its own validation, no error or warning", "assimp-utils"),
+    Client("Blender", ["stl", "stl-ascii", "obj", "ply", "ply-ascii", "glb"],
+           lambda: version_of(["blender", "--version"], r"Blender (\S+)"),
+           lambda files: read_by("blender", "-b", "--factory-startup", "--python-exit-code", "1", "--python-expr",
+                                 BLENDER, "--")(files),
+           "its importers: triangles, volume, closed. Debian's NumPy no longer has the name `bool` that the glTF "
+           "importer uses; it is given that name first", "blender"),
+    Client("f3d", ["stl", "stl-ascii", "obj", "ply", "ply-ascii", "glb", "vtp", "step"],
+           lambda: version_of(["f3d", "--version"], r"(?i)version:? *(\S+)"), read_f3d,
+           "`f3d --no-render --verbose`: polygons (of STEP: any), no error or warning", "f3d"),
+    Client("glTF validator", ["glb"],
+           lambda: version_by("node", "-p", "require('gltf-validator').version()", **node_modules())(),
+           lambda files: read_by("node", "-e", GLTF_VALIDATOR, **node_modules())(files),
+           "Khronos' own: triangles, no error, warning, information or hint", "npm: gltf-validator"),
+    Client("gmsh", ["stl", "stl-ascii", "ply", "ply-ascii", "msh-surface", "step"],
+           version_by(DEBIANS_PYTHON, "-c", "import gmsh; print(gmsh.__version__)"), python(GMSH),
+           "triangles, volume, closed; of STEP the number of solids and their volume; no error or warning",
+           "python3-gmsh", {"ply": PLY_OF_GMSH}),
+    Client("lib3mf", ["3mf"], version_by(
+        DEBIANS_PYTHON, "-c", "import ctypes as c, ctypes.util as u; l = c.CDLL(u.find_library('3MF') or 'lib3MF.so.1'); "
+        "a, b = c.c_uint32(), c.c_uint32(); l.lib3mf_getinterfaceversion(c.byref(a), c.byref(b)); "
+        "print(f'{a.value}.{b.value}', flush=True); import os; os._exit(0)"), python(LIB3MF),
+           "strict mode: `ismanifoldandoriented`, triangles, volume, no warning", "lib3mf1"),
+    Client("meshio", ["stl", "stl-ascii", "off", "obj", "ply", "ply-ascii", "msh-surface"],
+           version_by(DEBIANS_PYTHON, "-c", "import meshio; print(meshio.__version__)"), python(MESHIO),
+           "triangles, volume, closed", "python3-meshio", {"ply": PLY_OF_MESHIO}),
+    Client("OpenCASCADE", ["step"], version_of_occt, read_occt,
+           "its Draw: `checkshape`, the number of solids and their volume", "occt-draw libocct-draw-dev"),
+    Client("PrusaSlicer", ["stl", "stl-ascii", "obj", "3mf", "step"],
+           lambda: version_of(["prusa-slicer", "--help"], r"PrusaSlicer-(\d[\d.]*)"), read_prusa,
+           "`prusa-slicer --info`: facets, volume (of STEP, which it triangulates itself, within "
+           f"{OWN_TRIANGLES:.0%}), manifold, nothing to repair", "prusa-slicer"),
+    Client("VTK", ["stl", "stl-ascii", "obj", "ply", "ply-ascii", "vtp"],
+           version_by(DEBIANS_PYTHON, "-c", "from vtkmodules.vtkCommonCore import vtkVersion as v; "
+                                            "print(v.GetVTKVersion())"), python(VTK),
+           "cells, `vtkMassProperties`, `vtkFeatureEdges` without boundary or non-manifold edges", "python3-vtk9"),
+]
+
+
+def examples(names):
+    found = sorted(path for pattern in PATTERNS for path in (ROOT / "examples").glob(pattern))
+    if missing := set(names or []) - {path.name for path in found}:
+        sys.exit(f"no such example: {', '.join(sorted(missing))}")
+    return [path for path in found if not names or path.name in names]
+
+
+def build(tool, example, form, folder):
+    """The file, or the tool's words why there is none."""
+    path = folder / f"{example.stem}-{form}.{EXTENSIONS[form]}"
+    code, said = run(tool, "--json", "build", example, "-o", path, "--format", form, *OPTIONS.get(example.name, []))
+    report = json.loads(said[said.index("{"):]) if "{" in said else {"error": {"message": said}}
+    if code != 0:
+        error = report.get("error", {"message": said, "where": ""})
+        return None, one_line(f"exit code {code}: {error.get('where', '')} {error['message']}".replace(f"{ROOT}/", ""))
+    output = report["output"]
+    measured = output.get("check", output)
+    factor = METRES[report["unit"]] ** 3 if form == "glb" else 1
+    solids = len(output["solids"]) if "solids" in output else None
+    return Built(example.name, form, path, measured.get("triangles"), measured["volume"] * factor, solids), None
+
+
+def fault(file, said):
+    """Why a file is not accepted, or None."""
+    if said.complaint:
+        return one_line(said.complaint)
+    for what, ours, theirs in [("triangles", file.triangles, said.triangles), ("solids", file.solids, said.solids),
+                               ("edges that two triangles do not share", 0, said.open_edges)]:
+        if ours is not None and theirs is not None and ours != theirs:
+            return f"{theirs} {what}, not {ours}"
+    if said.volume is not None and not abs(said.volume - file.volume) <= said.tolerance * abs(file.volume):
+        return f"a volume of {said.volume:.9g}, not {file.volume:.9g}"
+    if said.triangles is None and said.volume is None and file.triangles is not None:
+        return "it says nothing of the file"
+    return None
+
+
+class Record:
+    """What became of every file."""
+
+    def __init__(self):
+        self.tried = collections.Counter()
+        self.accepted = collections.Counter()
+        self.faults = []  # (client, format, example, words)
+        self.refused = []  # (example, format, words)
+        self.bad = False
+
+    def see(self, client, file, said):
+        self.tried[client.name, file.format] += 1
+        words = fault(file, said)
+        if words is None:
+            self.accepted[client.name, file.format] += 1
+        else:
+            self.faults.append((client, file.format, file.example, words))
+            self.bad = self.bad or file.format not in client.known
+
+    def refuse(self, example, form, words):
+        self.refused.append((example, form, words))
+        self.bad = self.bad or not REFUSED.keys() & {(example, None), (example, form)}
+
+
+def try_all(tool, clients, names):
+    record = Record()
+    forms = [form for form in EXTENSIONS if any(form in client.formats for client in clients)]
+    for example in examples(names):
+        print(f"{example.name} ...", file=sys.stderr, flush=True)
+        with tempfile.TemporaryDirectory() as folder:
+            files = []
+            for form in forms:
+                file, words = build(tool, example, form, pathlib.Path(folder))
+                if file:
+                    files.append(file)
+                else:
+                    record.refuse(example.name, form, words)
+            for client in clients:
+                mine = [file for form in client.formats for file in files if file.format == form]
+                for file, said in zip(mine, client.read(mine) if mine else []):
+                    record.see(client, file, said)
+    return record
+
+
+def system():
+    text = pathlib.Path("/etc/os-release").read_text(encoding="utf-8")
+    return re.search(r'^PRETTY_NAME="(.*)"', text, re.MULTILINE).group(1)
+
+
+def table(clients, versions, record):
+    yield "| client | version | format | accepted | of |"
+    yield "|---|---|---|---|---|"
+    for client in clients:
+        if not versions[client.name]:
+            yield f"| {client.name} | not installed when this was made | {', '.join(client.formats)} | | |"
+            continue
+        for form in client.formats:
+            count, of = record.accepted[client.name, form], record.tried[client.name, form]
+            yield f"| {client.name} | {versions[client.name]} | {form} | {count} | {of} |"
+
+
+def list_of_faults(record):
+    """Faults that read the same in one line each."""
+    grouped = collections.defaultdict(list)
+    for client, form, example, words in record.faults:
+        # What differs from file to file, such as an index, is not worth a line of its own.
+        pattern = re.sub(r"\d{4,}", "...", words) if form in client.known else words
+        grouped[client.name, form, pattern, client.known.get(form, "")].append(example)
+    for (name, form, words, why), found in sorted(grouped.items()):
+        which = ", ".join(f"`{example}`" for example in found) if len(found) <= 3 else f"{len(found)} examples"
+        yield f"- {name}, {form}, {which}: \"{words}\"" + (f". {why}." if why else "")
+
+
+def list_of_refusals(record):
+    grouped = collections.defaultdict(list)
+    for example, form, words in record.refused:
+        grouped[example, words].append(form)
+    for (example, words), forms in grouped.items():
+        why = REFUSED.get((example, None)) or REFUSED.get((example, forms[0])) or "not expected"
+        yield f"- `{example}` ({', '.join(forms)}): {why}. \"{words}\""
+
+
+HEAD = """# Clients
+Files that `dupin build` writes of every document in `examples/`, as other people's programs read them. Accepted is \
+what the program reads without a complaint, and of which it says the same as the tool's report, as far as it says it: \
+so many triangles, that volume (within {tolerance:g}, relative), every edge shared by two triangles in opposite \
+directions. Where a format repeats points ({repeated}), points at the same place are made one first. What Blender, \
+gmsh, lib3mf and meshio hand over, points and triangles, is measured by the script.
+
+This page is made by `tools/clients.py BUILD_FOLDER --write`, here on {system} with {version}; `ctest -L clients` \
+tries three examples. The clients are no part of `tools/setup`, as they are large. All of them:
+
+```text
+apt-get install --no-install-recommends {packages}
+npm install -g {npm}
+```
+"""
+ELSEWHERE = """
+Not in the table:
+
+- Chromium shows report pages in `tests/cli/report_page_test.py` (`ctest -L browser`).
+- gmsh and OpenFOAM take surfaces and tetrahedra for solvers in `tests/cli/solver_programs_test.py` (`ctest -L clients`).
+"""
+
+
+def page(tool, clients, versions, record):
+    packages = " ".join(client.packages for client in clients if not client.packages.startswith("npm: "))
+    npm = " ".join(client.packages[5:] for client in clients if client.packages.startswith("npm: "))
+    intro = HEAD.format(tolerance=TOLERANCE, repeated=", ".join(REPEATED_POINTS), system=system(), packages=packages,
+                        npm=npm, version=one_line(run(tool, "--version")[1]))
+    lines = [intro, *table(clients, versions, record), "", "What each is asked for:", ""]
+    lines += [f"- {client.name}: {client.judged}." for client in clients]
+    lines += [ELSEWHERE, "## Not accepted", "", *(list(list_of_faults(record)) or ["Nothing."]), ""]
+    lines += ["## Refused by the tool", "", *(list(list_of_refusals(record)) or ["Nothing."])]
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("clients", nargs="*", metavar="CLIENT", help="; ".join(client.name for client in CLIENTS))
+    parser.add_argument("--write", action="store_true")
+    parser.add_argument("--examples", nargs="+", metavar="NAME")
+    asked = parser.parse_args()
+    names = {name.lower() for name in asked.clients}
+    if unknown := names - {client.name.lower() for client in CLIENTS}:
+        parser.error(f"no such client: {', '.join(sorted(unknown))}")
+    tool = asked.build.resolve() / "cli" / "dupin"
+    chosen = [client for client in CLIENTS if not names or client.name.lower() in names]
+    versions = {client.name: client.version() for client in chosen}
+    if not any(versions.values()):
+        print("no client is installed")
+        return SKIPPED
+    record = try_all(tool, [client for client in chosen if versions[client.name]], asked.examples)
+    text = page(tool, chosen, versions, record)
+    if asked.write:
+        DOCUMENT.write_text(text, encoding="utf-8")
+    else:
+        print(text, end="")
+    return 1 if record.bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
