@@ -11,7 +11,6 @@ which says how to install the clients. Exit code 1 if a file is not accepted, 77
 import argparse
 import collections
 import dataclasses
-import functools
 import json
 import os
 import pathlib
@@ -35,6 +34,7 @@ METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1, "in": 0.0254, "ft": 0.3048}
 TOLERANCE = 1e-4  # of volumes, relative
 OWN_TRIANGLES = 1e-2  # the same, where a client made the triangles of a STEP file by itself
 MOST_SECONDS = 600
+READERS = ROOT / "tools" / "client_readers"
 DEBIANS_PYTHON = "/usr/bin/python3"  # has what Debian packages, whichever runs this
 SKIPPED = 77
 
@@ -58,6 +58,7 @@ class Said:
     open_edges: int | None = None
     solids: int | None = None
     complaint: str = ""
+    remark: str = ""  # what is no complaint
     tolerance: float = TOLERANCE
 
 
@@ -83,8 +84,12 @@ def run(*command, folder=None, text=None, **environment):
 
 
 def one_line(text, most=300):
-    text = " ".join(re.sub(r"\x1b\[[0-9;]*m", "", text).split())
+    text = " ".join(re.sub(r"\x1b\[[0-9;]*m", "", text).replace(f"{tempfile.gettempdir()}/", "").split())
     return text if len(text) <= most else text[:most] + "..."
+
+
+def last_line(text):
+    return one_line((text.strip().splitlines() or ["nothing at all"])[-1])
 
 
 def number_after(label, text, kind=float):
@@ -102,12 +107,13 @@ def one_by_one(read):
     return lambda files: [read(file) for file in files]
 
 
-def version_of(command, pattern, program=None):
-    """The version that a program prints, or None."""
-    if not shutil.which(program or command[0]):
-        return None
-    match = re.search(pattern, run(*command)[1])
-    return match.group(1) if match else None
+def version_of(command, pattern):
+    def version():
+        if not shutil.which(command[0]):
+            return None
+        match = re.search(pattern, run(*command)[1])
+        return match.group(1) if match else None
+    return version
 
 
 # Programs.
@@ -121,21 +127,21 @@ def read_admesh(file):
     wrong = ", ".join(f"{name}: {count}" for name, count in repairs.items() if count)
     return Said(triangles=before.get("Number of facets"), volume=number_after(r"Volume +:", said),
                 open_edges=before.get("Total disconnected facets"),
-                complaint=wrong if code == 0 and len(repairs) == 7 else one_line(said[-300:]))
+                complaint=wrong if code == 0 and len(repairs) == 7 else last_line(said))
 
 
 @one_by_one
 def read_assimp(file):
     code, said = run("assimp", "info", file.path, "--raw", "--silent", "-vds", "-l")
     return Said(triangles=number_after(r"\nFaces:", said, int),
-                complaint=complaints(said) or ("" if code == 0 else one_line(said[-300:])))
+                complaint=complaints(said) or ("" if code == 0 else last_line(said)))
 
 
 @one_by_one
 def read_f3d(file):
     code, said = run("f3d", "--dry-run", "--no-render", "--verbose", "--geometry-only", file.path)
     polygons = number_after("Number of polygons:", said, int)
-    wrong = complaints(said) or ("" if code == 0 else f"exit code {code}: {one_line(said[-300:])}")
+    wrong = complaints(said) or ("" if code == 0 else f"exit code {code}: {last_line(said)}")
     if file.triangles is None:
         return Said(complaint=wrong or ("" if polygons else "no polygons"))
     return Said(triangles=polygons, complaint=wrong)
@@ -151,7 +157,7 @@ def read_prusa(file):
     is_smooth = file.triangles is None
     return Said(triangles=None if is_smooth else int(values.get("number_of_facets", -1)),
                 volume=float(values.get("volume", "nan")), tolerance=OWN_TRIANGLES if is_smooth else TOLERANCE,
-                complaint=complaints(said, but="StaticPrintConfigs") or wrong or ("" if code == 0 else one_line(said)))
+                complaint=complaints(said, but="StaticPrintConfigs") or wrong or ("" if code == 0 else last_line(said)))
 
 
 OCCT_SCRIPT = """pload MODELING XSDRAW
@@ -181,192 +187,20 @@ def read_occt(file):
     _, said = run("occt-draw", "-b", "-f", script)
     wrong = complaints(said, pattern=r"(?i)exception|fault|\*\*|not valid|\bfail", but="Relative error")
     if not wrong and "This shape seems to be valid" not in said:
-        wrong = one_line(said[-300:])
+        wrong = last_line(said)
     return Said(volume=number_after(r"Mass :", said), solids=number_after(r"SOLID +:", said, int), complaint=wrong)
 
 
-# Clients that are libraries: a program in the language that they are for prints a line of JSON for each file.
+# Clients that are libraries, by the programs in READERS.
 
-WORKER = '''
-import collections, json, sys
-
-def measure(points, triangles, repeated):
-    """The triangles' number, the volume inside, and how many edges are not shared by two in opposite directions."""
-    if repeated:
-        first = {}
-        names = [first.setdefault(tuple(point), index) for index, point in enumerate(points)]
-        triangles = [[names[corner] for corner in triangle] for triangle in triangles]
-    volume, edges = 0.0, collections.Counter()
-    for a, b, c in triangles:
-        (ax, ay, az), (bx, by, bz), (cx, cy, cz) = points[a], points[b], points[c]
-        volume += (ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)) / 6
-        edges.update([(a, b), (b, c), (c, a)])
-    wrong = sum(count != 1 or edges[b, a] != 1 for (a, b), count in edges.items())
-    return {"triangles": len(triangles), "volume": volume, "open_edges": wrong}
-
-def answer(read):
-    for path, format, repeated in json.loads(sys.argv[-1]):
-        try:
-            said = read(path, format, repeated)
-        except Exception as error:
-            said = {"complaint": f"{type(error).__name__}: {error}"}
-        print("SAID " + json.dumps({"path": path, **said}), flush=True)
-'''
-
-GMSH = WORKER + '''
-import gmsh
-gmsh.initialize()
-gmsh.option.setNumber("General.Terminal", 0)
-
-def read(path, format, repeated):
-    gmsh.clear()
-    gmsh.logger.start()
-    try:
-        gmsh.merge(path)
-    finally:
-        said = [line for line in gmsh.logger.get() if not line.startswith("Info")]
-        gmsh.logger.stop()
-    if format == "step":
-        volumes = [gmsh.model.occ.getMass(*entity) for entity in gmsh.model.occ.getEntities(3)]
-        return {"volume": sum(volumes), "solids": len(volumes), "complaint": "; ".join(said)}
-    tags, coordinates, _ = gmsh.model.mesh.getNodes()
-    points = dict(zip(map(int, tags), coordinates.reshape(-1, 3).tolist()))
-    kinds, _, nodes = gmsh.model.mesh.getElements(2)
-    assert set(kinds) <= {2}, "not only triangles"
-    triangles = [triangle for block in nodes for triangle in block.reshape(-1, 3).tolist()]
-    names = {tag: index for index, tag in enumerate(points)}
-    triangles = [[names[corner] for corner in triangle] for triangle in triangles]
-    return {**measure(list(points.values()), triangles, repeated), "complaint": "; ".join(said)}
-
-answer(read)
-'''
-
-MESHIO = WORKER + '''
-import meshio
-
-def read(path, format, repeated):
-    mesh = meshio.read(path, file_format={"msh-surface": "gmsh", "stl-ascii": "stl", "ply-ascii": "ply"}.get(format))
-    assert all(block.type == "triangle" for block in mesh.cells), "not only triangles"
-    triangles = [triangle for block in mesh.cells for triangle in block.data.tolist()]
-    return measure(mesh.points.tolist(), triangles, repeated)
-
-answer(read)
-'''
-
-VTK = WORKER + '''
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFeatureEdges, vtkMassProperties
-from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
-from vtkmodules.vtkIOPLY import vtkPLYReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-READERS = {"stl": vtkSTLReader, "stl-ascii": vtkSTLReader, "obj": vtkOBJReader, "ply": vtkPLYReader,
-           "ply-ascii": vtkPLYReader, "vtp": vtkXMLPolyDataReader}
-
-def read(path, format, repeated):
-    window = vtkStringOutputWindow()
-    vtkOutputWindow.SetInstance(window)
-    reader = READERS[format]()
-    reader.SetFileName(path)
-    clean = vtkCleanPolyData() if repeated else reader
-    if repeated:
-        clean.PointMergingOn()
-        clean.SetTolerance(0)
-        clean.SetInputConnection(reader.GetOutputPort())
-    edges, mass = vtkFeatureEdges(), vtkMassProperties()
-    edges.BoundaryEdgesOn()
-    edges.NonManifoldEdgesOn()
-    edges.FeatureEdgesOff()
-    edges.ManifoldEdgesOff()
-    for filter in (edges, mass):
-        filter.SetInputConnection(clean.GetOutputPort())
-        filter.Update()
-    return {"triangles": reader.GetOutput().GetNumberOfPolys(), "volume": mass.GetVolume(),
-            "open_edges": edges.GetOutput().GetNumberOfCells(), "complaint": " ".join(window.GetOutput().split())}
-
-answer(read)
-'''
-
-# Debian's Blender 3.4.1 runs with a NumPy that no longer has the name `bool`, which its glTF importer uses.
-BLENDER = WORKER + '''
-import bpy, numpy
-numpy.bool = bool
-IMPORTERS = {"stl": bpy.ops.import_mesh.stl, "stl-ascii": bpy.ops.import_mesh.stl, "obj": bpy.ops.wm.obj_import,
-             "ply": bpy.ops.import_mesh.ply, "ply-ascii": bpy.ops.import_mesh.ply, "glb": bpy.ops.import_scene.gltf}
-
-def read(path, format, repeated):
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    result = IMPORTERS[format](filepath=path)
-    points, triangles = [], []
-    for thing in bpy.data.objects:
-        if thing.type == "MESH":
-            triangles += [[len(points) + corner for corner in face.vertices] for face in thing.data.polygons]
-            points += [list(vertex.co) for vertex in thing.data.vertices]
-    assert all(len(triangle) == 3 for triangle in triangles), "not only triangles"
-    return {**measure(points, triangles, repeated), "complaint": "" if result == {"FINISHED"} else str(result)}
-
-answer(read)
-'''
-
-LIB3MF = WORKER + '''
-import ctypes, ctypes.util
-library = ctypes.CDLL(ctypes.util.find_library("3MF"))
-
-def call(name, *arguments):
-    code = getattr(library, "lib3mf_" + name)(*arguments)
-    assert code == 0, f"lib3mf_{name} returns {code:#x}"
-
-def handle(name, *arguments):
-    made = ctypes.c_void_p()
-    call(name, *arguments, ctypes.byref(made))
-    return made
-
-def number(name, *arguments):
-    value = ctypes.c_uint32()
-    call(name, *arguments, ctypes.byref(value))
-    return value.value
-
-def table(name, item, mesh, count):
-    values = (item * (3 * count))()
-    call(name, mesh, values, count, ctypes.byref(ctypes.c_uint32()))
-    return [list(values[3 * i:3 * i + 3]) for i in range(count)]
-
-def read(path, format, repeated):
-    model = handle("createmodel")
-    reader = handle("model_queryreader", model, b"3mf")
-    call("reader_setstrictmodeactive", reader, ctypes.c_bool(True))
-    call("reader_readfromfileutf8", reader, path.encode())
-    said = [f"{number('reader_getwarningcount', reader)} warnings"] if number("reader_getwarningcount", reader) else []
-    points, triangles = [], []
-    meshes = handle("model_getmeshobjects", model)
-    while number("resourceiterator_movenext", meshes):
-        mesh = handle("resourceiterator_getcurrent", meshes)
-        if not number("meshobject_ismanifoldandoriented", mesh):
-            said.append("not manifold and oriented")
-        corners = table("meshobject_gettriangleindices", ctypes.c_uint32, mesh, number("meshobject_gettrianglecount", mesh))
-        triangles += [[len(points) + corner for corner in triangle] for triangle in corners]
-        points += table("meshobject_getvertices", ctypes.c_float, mesh, number("meshobject_getvertexcount", mesh))
-    return {**measure(points, triangles, repeated), "complaint": ", ".join(said)}
-
-answer(read)
-sys.stdout.flush()
-import os
-os._exit(0)  # what the library does at the end of a program, Python's does, too
-'''
-
-GLTF_VALIDATOR = '''
-const validator = require("gltf-validator"), fs = require("fs");
-(async () => {
-  for (const [path] of JSON.parse(process.argv[1])) {
-    const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(path)));
-    const said = report.issues.messages.map(message => message.code + " " + message.message + " " + message.pointer);
-    console.log("SAID " + JSON.stringify({path, triangles: report.info.totalTriangleCount, complaint: said.join("; ")}));
-  }
-})();
-'''
+def set_node_path():
+    """Where npm install -g leaves things, which node does not look into by itself."""
+    if "NODE_PATH" not in os.environ and shutil.which("npm"):
+        os.environ["NODE_PATH"] = run("npm", "root", "-g")[1].strip()
 
 
 def read_by(*command, **environment):
-    """Reads an example's files by a worker, which is the command's last word but for the files."""
+    """Reads an example's files by a program that prints a line of JSON for each."""
     def read(files):
         asked = json.dumps([[str(file.path), file.format, file.format in REPEATED_POINTS] for file in files])
         _, said = run(*command, asked, **environment)
@@ -374,74 +208,79 @@ def read_by(*command, **environment):
         for line in said.splitlines():
             if line.startswith("SAID "):
                 answer = json.loads(line[5:])
-                answers[answer.pop("path")] = Said(**answer)
-        silence = Said(complaint="no answer: " + one_line(said[-300:]))
+                path = answer.pop("path")
+                answers[path] = Said(**answer)
+        silence = Said(complaint="no answer: " + last_line(said))
         return [answers.get(str(file.path), silence) for file in files]
     return read
 
 
-def version_by(*command, **environment):
-    """The version that a line of code prints, or None."""
+def version_by(*command):
+    """What a line of code prints, if it can."""
     def version():
         if not shutil.which(command[0]):
             return None
-        code, said = run(*command, **environment)
+        code, said = run(*command)
         return one_line(said) if code == 0 and said.strip() else None
     return version
 
 
-@functools.cache
-def node_modules():
-    return {"NODE_PATH": run("npm", "root", "-g")[1].strip() if shutil.which("npm") else ""}
+def read_by_python(name):
+    return read_by(DEBIANS_PYTHON, "-B", READERS / name)
 
 
-def python(code):
-    return read_by(DEBIANS_PYTHON, "-c", code)
-
-
-PLY_OF_GMSH = "gmsh 4 takes the coordinates of a binary PLY for floats, and knows no property beside a face's corners; " \
-              "ours are doubles, and faces have a label"
-PLY_OF_MESHIO = "meshio 5 takes no number of a face in a binary PLY, such as our label, for data of the cells"
+LIB3MF_VERSION = """
+import ctypes, ctypes.util, os
+major, minor = ctypes.c_uint32(), ctypes.c_uint32()
+ctypes.CDLL(ctypes.util.find_library("3MF")).lib3mf_getinterfaceversion(ctypes.byref(major), ctypes.byref(minor))
+print(f"{major.value}.{minor.value}", flush=True)
+os._exit(0)
+"""
+SOLIDS_OF_ASCII_STL = "admesh 0.98 reads ASCII STL of one solid; ours has one for each label"
+PLY_OF_GMSH = ("gmsh 4 takes the coordinates of a binary PLY for floats, and knows no property of a face beside its "
+               "corners; ours are doubles, and faces have a label")
+OBJ_OF_MESHIO = "meshio 5 wants as many normals as points in OBJ, where either are numbered by themselves"
+PLY_OF_MESHIO = "meshio 5 cannot read a binary PLY whose faces have a property beside their corners; ours have a label"
 CLIENTS = [
-    Client("admesh", ["stl", "stl-ascii"], lambda: version_of(["admesh", "--version"], r"version (\S+)"), read_admesh,
-           "facets, volume, no edge without a neighbour, nothing to repair", "admesh"),
+    Client("admesh", ["stl", "stl-ascii"], version_of(["admesh", "--version"], r"version (\S+)"), read_admesh,
+           "facets, volume, no edge without a neighbour, nothing to repair", "admesh",
+           {"stl-ascii": SOLIDS_OF_ASCII_STL}),
     Client("assimp", ["stl", "stl-ascii", "off", "obj", "ply", "ply-ascii", "3mf", "glb"],
-           lambda: version_of(["assimp", "version"], r"Version (\S+)"), read_assimp,
+           version_of(["assimp", "version"], r"Version (\S+)"), read_assimp,
            "`assimp info --raw -vds`: faces, its own validation, no error or warning", "assimp-utils"),
     Client("Blender", ["stl", "stl-ascii", "obj", "ply", "ply-ascii", "glb"],
-           lambda: version_of(["blender", "--version"], r"Blender (\S+)"),
-           lambda files: read_by("blender", "-b", "--factory-startup", "--python-exit-code", "1", "--python-expr",
-                                 BLENDER, "--")(files),
+           version_of(["blender", "--version"], r"Blender (\S+)"),
+           read_by("blender", "-b", "--factory-startup", "--python", READERS / "read_blender.py", "--",
+                   PATH="/usr/bin:" + os.environ["PATH"], PYTHONDONTWRITEBYTECODE="1"),
            "its importers: triangles, volume, closed. Debian's NumPy no longer has the name `bool` that the glTF "
-           "importer uses; it is given that name first", "blender"),
+           "importer uses; the script gives it that name first", "blender"),
     Client("f3d", ["stl", "stl-ascii", "obj", "ply", "ply-ascii", "glb", "vtp", "step"],
-           lambda: version_of(["f3d", "--version"], r"(?i)version:? *(\S+)"), read_f3d,
+           version_of(["f3d", "--version"], r"(?i)version:? *(\d[\d.]*\d)"), read_f3d,
            "`f3d --no-render --verbose`: polygons (of STEP: any), no error or warning", "f3d"),
-    Client("glTF validator", ["glb"],
-           lambda: version_by("node", "-p", "require('gltf-validator').version()", **node_modules())(),
-           lambda files: read_by("node", "-e", GLTF_VALIDATOR, **node_modules())(files),
-           "Khronos' own: triangles, no error, warning, information or hint", "npm: gltf-validator"),
+    Client("glTF validator", ["glb"], version_by("node", "-p", "require('gltf-validator').version()"),
+           read_by("node", READERS / "read_gltf.js"),
+           "Khronos' own: triangles, no error or warning", "npm: gltf-validator"),
     Client("gmsh", ["stl", "stl-ascii", "ply", "ply-ascii", "msh-surface", "step"],
-           version_by(DEBIANS_PYTHON, "-c", "import gmsh; print(gmsh.__version__)"), python(GMSH),
+           version_by(DEBIANS_PYTHON, "-c", "import gmsh; gmsh.initialize(); "
+                                            "print(gmsh.option.getString('General.Version'))"),
+           read_by_python("read_gmsh.py"),
            "triangles, volume, closed; of STEP the number of solids and their volume; no error or warning",
            "python3-gmsh", {"ply": PLY_OF_GMSH}),
-    Client("lib3mf", ["3mf"], version_by(
-        DEBIANS_PYTHON, "-c", "import ctypes as c, ctypes.util as u; l = c.CDLL(u.find_library('3MF') or 'lib3MF.so.1'); "
-        "a, b = c.c_uint32(), c.c_uint32(); l.lib3mf_getinterfaceversion(c.byref(a), c.byref(b)); "
-        "print(f'{a.value}.{b.value}', flush=True); import os; os._exit(0)"), python(LIB3MF),
+    Client("lib3mf", ["3mf"], version_by(DEBIANS_PYTHON, "-c", LIB3MF_VERSION), read_by_python("read_lib3mf.py"),
            "strict mode: `ismanifoldandoriented`, triangles, volume, no warning", "lib3mf1"),
     Client("meshio", ["stl", "stl-ascii", "off", "obj", "ply", "ply-ascii", "msh-surface"],
-           version_by(DEBIANS_PYTHON, "-c", "import meshio; print(meshio.__version__)"), python(MESHIO),
-           "triangles, volume, closed", "python3-meshio", {"ply": PLY_OF_MESHIO}),
+           version_by(DEBIANS_PYTHON, "-c", "import meshio; print(meshio.__version__)"),
+           read_by_python("read_meshio.py"),
+           "triangles, volume, closed", "python3-meshio", {"obj": OBJ_OF_MESHIO, "ply": PLY_OF_MESHIO}),
     Client("OpenCASCADE", ["step"], version_of_occt, read_occt,
            "its Draw: `checkshape`, the number of solids and their volume", "occt-draw libocct-draw-dev"),
     Client("PrusaSlicer", ["stl", "stl-ascii", "obj", "3mf", "step"],
-           lambda: version_of(["prusa-slicer", "--help"], r"PrusaSlicer-(\d[\d.]*)"), read_prusa,
+           version_of(["prusa-slicer", "--help"], r"PrusaSlicer-(\d[\d.]*)"), read_prusa,
            "`prusa-slicer --info`: facets, volume (of STEP, which it triangulates itself, within "
            f"{OWN_TRIANGLES:.0%}), manifold, nothing to repair", "prusa-slicer"),
     Client("VTK", ["stl", "stl-ascii", "obj", "ply", "ply-ascii", "vtp"],
            version_by(DEBIANS_PYTHON, "-c", "from vtkmodules.vtkCommonCore import vtkVersion as v; "
-                                            "print(v.GetVTKVersion())"), python(VTK),
+                                            "print(v.GetVTKVersion())"), read_by_python("read_vtk.py"),
            "cells, `vtkMassProperties`, `vtkFeatureEdges` without boundary or non-manifold edges", "python3-vtk9"),
 ]
 
@@ -490,11 +329,14 @@ class Record:
         self.tried = collections.Counter()
         self.accepted = collections.Counter()
         self.faults = []  # (client, format, example, words)
+        self.remarks = []  # the same
         self.refused = []  # (example, format, words)
         self.bad = False
 
     def see(self, client, file, said):
         self.tried[client.name, file.format] += 1
+        if said.remark:
+            self.remarks.append((client, file.format, file.example, said.remark))
         words = fault(file, said)
         if words is None:
             self.accepted[client.name, file.format] += 1
@@ -544,15 +386,16 @@ def table(clients, versions, record):
             yield f"| {client.name} | {versions[client.name]} | {form} | {count} | {of} |"
 
 
-def list_of_faults(record):
-    """Faults that read the same in one line each."""
+def list_of_words(record, faults):
+    """What was said of several examples in one line."""
     grouped = collections.defaultdict(list)
-    for client, form, example, words in record.faults:
-        # What differs from file to file, such as an index, is not worth a line of its own.
-        pattern = re.sub(r"\d{4,}", "...", words) if form in client.known else words
+    for client, form, example, words in faults:
+        # What is known reads the same but for numbers.
+        pattern = re.sub(r"-?\b\d+\b", "...", words) if form in client.known else words
         grouped[client.name, form, pattern, client.known.get(form, "")].append(example)
     for (name, form, words, why), found in sorted(grouped.items()):
-        which = ", ".join(f"`{example}`" for example in found) if len(found) <= 3 else f"{len(found)} examples"
+        every = len(found) == record.tried[name, form] > 3
+        which = "all" if every else ", ".join(f"`{example}`" for example in found)
         yield f"- {name}, {form}, {which}: \"{words}\"" + (f". {why}." if why else "")
 
 
@@ -584,7 +427,7 @@ ELSEWHERE = """
 Not in the table:
 
 - Chromium shows report pages in `tests/cli/report_page_test.py` (`ctest -L browser`).
-- gmsh and OpenFOAM take surfaces and tetrahedra for solvers in `tests/cli/solver_programs_test.py` (`ctest -L clients`).
+- gmsh and OpenFOAM take meshes for solvers in `tests/cli/solver_programs_test.py` (`ctest -L clients`).
 """
 
 
@@ -595,7 +438,9 @@ def page(tool, clients, versions, record):
                         npm=npm, version=one_line(run(tool, "--version")[1]))
     lines = [intro, *table(clients, versions, record), "", "What each is asked for:", ""]
     lines += [f"- {client.name}: {client.judged}." for client in clients]
-    lines += [ELSEWHERE, "## Not accepted", "", *(list(list_of_faults(record)) or ["Nothing."]), ""]
+    lines += [ELSEWHERE, "## Not accepted", "", *(list(list_of_words(record, record.faults)) or ["Nothing."]), ""]
+    if record.remarks:
+        lines += ["## Accepted with a remark", "", *list_of_words(record, record.remarks), ""]
     lines += ["## Refused by the tool", "", *(list(list_of_refusals(record)) or ["Nothing."])]
     return "\n".join(lines) + "\n"
 
@@ -612,6 +457,7 @@ def main():
         parser.error(f"no such client: {', '.join(sorted(unknown))}")
     tool = asked.build.resolve() / "cli" / "dupin"
     chosen = [client for client in CLIENTS if not names or client.name.lower() in names]
+    set_node_path()
     versions = {client.name: client.version() for client in chosen}
     if not any(versions.values()):
         print("no client is installed")
