@@ -26,6 +26,7 @@ PATTERNS = ["*.json", "*.pcf", "*.swc", "*.graph"]
 OPTIONS = {"frame.graph": ["--radius", "2"]}  # docs/graphs.md
 REFUSED = {("tight.json", None): "its blend folds, which is what it is for",
            ("ucct-arm.json", "step"): "STEP has no kneecaps"}
+WITHOUT_STEP = "need OpenCASCADE"  # builds that have not got it
 EXTENSIONS = {"stl": "stl", "stl-ascii": "stl", "off": "off", "obj": "obj", "ply": "ply", "ply-ascii": "ply",
               "3mf": "3mf", "glb": "glb", "vtp": "vtp", "msh-surface": "msh", "step": "step"}
 # Formats in which points stand several times, so that who wants to know neighbours makes one of them.
@@ -33,7 +34,8 @@ REPEATED_POINTS = ["stl", "stl-ascii", "ply", "ply-ascii", "glb"]
 METRES = {"mm": 1e-3, "cm": 1e-2, "m": 1, "in": 0.0254, "ft": 0.3048}
 TOLERANCE = 1e-4  # of volumes, relative
 OWN_TRIANGLES = 1e-2  # the same, where a client made the triangles of a STEP file by itself
-MOST_SECONDS = 600
+MOST_SECONDS = 300
+MOST_MEMORY = 8 << 30  # of what triangulates solids of any size by the same few micrometres
 READERS = ROOT / "tools" / "client_readers"
 DEBIANS_PYTHON = "/usr/bin/python3"  # has what Debian packages, whichever runs this
 SKIPPED = 77
@@ -149,7 +151,7 @@ def read_f3d(file):
 
 @one_by_one
 def read_prusa(file):
-    code, said = run("prusa-slicer", "--info", file.path)
+    code, said = run("prlimit", f"--as={MOST_MEMORY}", "prusa-slicer", "--info", file.path)
     values = dict(re.findall(r"^(\w+) = +(.*)$", said, re.MULTILINE))
     repairs = [f"{name} = {value}" for name, value in values.items()
                if value != "0" and re.search("open|degenerate|fixed|removed|added|reversed|backwards", name)]
@@ -264,7 +266,8 @@ CLIENTS = [
            version_by(DEBIANS_PYTHON, "-c", "import gmsh; gmsh.initialize(); "
                                             "print(gmsh.option.getString('General.Version'))"),
            read_by_python("read_gmsh.py"),
-           "triangles, volume, closed; of STEP the number of solids and their volume; no error or warning",
+           "triangles, volume, closed; of STEP the number of solids and their volume, within 0.1%, as gmsh does not ask "
+           "OpenCASCADE for an accuracy; no error or warning",
            "python3-gmsh", {"ply": PLY_OF_GMSH}),
     Client("lib3mf", ["3mf"], version_by(DEBIANS_PYTHON, "-c", LIB3MF_VERSION), read_by_python("read_lib3mf.py"),
            "strict mode: `ismanifoldandoriented`, triangles, volume, no warning", "lib3mf1"),
@@ -360,7 +363,7 @@ def try_all(tool, clients, names):
                 file, words = build(tool, example, form, pathlib.Path(folder))
                 if file:
                     files.append(file)
-                else:
+                elif WITHOUT_STEP not in words:
                     record.refuse(example.name, form, words)
             for client in clients:
                 mine = [file for form in client.formats for file in files if file.format == form]

@@ -16,11 +16,12 @@ IMPORTERS = {"stl": bpy.ops.import_mesh.stl, "stl-ascii": bpy.ops.import_mesh.st
 def read(path, form, repeated):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     result = IMPORTERS[form](filepath=path)
+    bpy.context.view_layer.update()  # of the places of things
     points, triangles = [], []
     for thing in bpy.data.objects:
         if thing.type == "MESH":
             triangles += [[len(points) + corner for corner in face.vertices] for face in thing.data.polygons]
-            points += [list(vertex.co) for vertex in thing.data.vertices]
+            points += [list(thing.matrix_world @ vertex.co) for vertex in thing.data.vertices]
     assert all(len(triangle) == 3 for triangle in triangles), "not only triangles"
     return {**measure(points, triangles, repeated), "complaint": "" if result == {"FINISHED"} else str(result)}
 

@@ -4,9 +4,9 @@ from measure import answer, measure
 
 
 def solids():
-    """OpenCASCADE's volumes without an error bound, as gmsh asks for them."""
+    """OpenCASCADE's volumes by so many points of Gauss, and not to an accuracy, as gmsh asks for them."""
     volumes = [gmsh.model.occ.getMass(*entity) for entity in gmsh.model.occ.getEntities(3)]
-    return {"volume": sum(volumes), "solids": len(volumes)}
+    return {"volume": sum(volumes), "solids": len(volumes), "tolerance": 1e-3}
 
 
 def triangles(repeated):
