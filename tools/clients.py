@@ -25,7 +25,7 @@ DOCUMENT = ROOT / "docs" / "clients.md"
 PATTERNS = ["*.json", "*.pcf", "*.swc", "*.graph"]
 OPTIONS = {"frame.graph": ["--radius", "2"]}  # docs/graphs.md
 REFUSED = {("tight.json", None): "its blend folds, which is what it is for",
-           ("equal-tee.json", "step"): "equal pipes, whose fillet ends in points",
+           ("equal-tee.json", "step"): "OpenCASCADE does not make the fillet of equal pipes",
            ("parallel-cone.json", "step"): "fillets of varying radius are not written yet",
            ("ucct-arm.json", "step"): "kneecaps are not written yet"}
 WITHOUT_STEP = "need OpenCASCADE"  # builds that have not got it
@@ -240,10 +240,10 @@ print(f"{major.value}.{minor.value}", flush=True)
 os._exit(0)
 """
 # What clients cannot do, each looked into: by client and format, or by client, format and example.
-FLOATS = "the example has points that differ as doubles and not as floats, which is what the client keeps"
-EMPTY_TRIANGLES = ("what it makes of the surfaces has that many triangles without area; without them it is closed, as "
-                   "admesh finds in what --export-stl writes")
-OF_METRES = "points of the example are nearer to each other than the client tells apart in a solid of its size"
+FLOATS = "some points of the example differ as doubles and not as floats, which is what the client keeps"
+EMPTY_TRIANGLES = ("some of the triangles that it makes of the surfaces have no area; without them, what it exports is "
+                   "closed, says admesh")
+NEAR_POINTS = "gmsh makes one of points nearer than 1e-8 of the diagonal of the box, which the example has"
 KNOWN = {
     ("admesh", "stl-ascii"): "admesh 0.98 reads ASCII STL of one solid; ours has one for each label",
     ("gmsh", "ply"): "gmsh 4 takes the coordinates of a binary PLY for floats, and knows no property of a face beside "
@@ -251,10 +251,10 @@ KNOWN = {
     ("meshio", "obj"): "meshio 5 wants as many normals as points in OBJ, where either are numbered by themselves",
     ("meshio", "ply"): "meshio 5 cannot read a binary PLY whose faces have a property beside their corners; ours have "
                        "a label",
-    ("admesh", "stl", "header_forty.json"): "normals of thin triangles are computed in floats by admesh; ours are "
-                                            "within a rounding of the exact ones",
-    ("gmsh", "stl", "header_forty.json"): OF_METRES,
-    ("gmsh", "stl-ascii", "header_forty.json"): OF_METRES,
+    ("admesh", "stl", "header_forty.json"): "admesh computes the normals of thin triangles in floats; ours are "
+                                            "the exact ones, rounded",
+    ("gmsh", "stl", "header_forty.json"): NEAR_POINTS,
+    ("gmsh", "stl-ascii", "header_forty.json"): NEAR_POINTS,
     ("PrusaSlicer", "step", "header_forty.json"): "it sums the volumes of millions of triangles in floats; its own "
                                                   "triangles summed in doubles have ours",
     **{("Blender", form, "header_forty.json"): FLOATS for form in ("ply", "ply-ascii")},
@@ -425,7 +425,7 @@ def list_of_words(record, faults):
         which = found if 2 * len(found) <= tried or tried <= 3 else rest
         names = ", ".join(f"`{example}`" for example in which)
         start = "" if which is found else "all but " if rest else "all"
-        yield f"- {client}, {form}, {start}{names}: \"{words}\"" + (f". {why[0].upper()}{why[1:]}." if why else "")
+        yield f"- {client}, {form}, {start}{names}: \"{words}\"" + (f" ({why})" if why else "")
 
 
 def list_of_refusals(record):
@@ -452,6 +452,9 @@ apt-get install --no-install-recommends {packages}
 npm install -g {npm}
 ```
 """
+LOOKED_INTO = """
+What a client said, and in brackets what was found to be the reason. Without one, the script fails.
+"""
 ELSEWHERE = """
 Not in the table:
 
@@ -467,7 +470,8 @@ def page(tool, clients, versions, record):
                         npm=npm, version=one_line(run(tool, "--version")[1]))
     lines = [intro, *table(clients, versions, record), "", "What each is asked for:", ""]
     lines += [f"- {client.name}: {client.judged}." for client in clients]
-    lines += [ELSEWHERE, "## Not accepted", "", *(list(list_of_words(record, record.faults)) or ["Nothing."]), ""]
+    lines += [ELSEWHERE, "## Not accepted", LOOKED_INTO]
+    lines += [*(list(list_of_words(record, record.faults)) or ["Nothing."]), ""]
     if record.remarks:
         lines += ["## Accepted with a remark", "", *list_of_words(record, record.remarks), ""]
     lines += ["## Refused by the tool", "", *(list(list_of_refusals(record)) or ["Nothing."])]
@@ -484,6 +488,8 @@ def main():
     names = {name.lower() for name in asked.clients}
     if unknown := names - {client.name.lower() for client in CLIENTS}:
         parser.error(f"no such client: {', '.join(sorted(unknown))}")
+    if asked.write and (names or asked.examples):
+        parser.error("--write is for all clients and all examples")
     tool = asked.build.resolve() / "cli" / "dupin"
     chosen = [client for client in CLIENTS if not names or client.name.lower() in names]
     set_node_path()
