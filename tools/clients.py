@@ -77,18 +77,20 @@ class Client:
     packages: str
 
 
-def run(*command, folder=None, text=None, **environment):
+def run(*command, **environment):
     """The exit code and all that a program printed."""
     try:
-        done = subprocess.run([str(word) for word in command], cwd=folder, input=text, capture_output=True, text=True,
-                              errors="replace", timeout=MOST_SECONDS, env={**os.environ, **environment}, check=False)
+        done = subprocess.run([str(word) for word in command], capture_output=True, text=True, errors="replace",
+                              timeout=MOST_SECONDS, env={**os.environ, **environment}, check=False)
     except subprocess.TimeoutExpired:
         return -1, f"no answer within {MOST_SECONDS} s"
     return done.returncode, done.stdout + done.stderr
 
 
 def one_line(text, most=300):
-    text = " ".join(re.sub(r"\x1b\[[0-9;]*m", "", text).replace(f"{tempfile.gettempdir()}/", "").split())
+    """Without colours, and what differs from one run to the next: temporary folders and addresses."""
+    text = re.sub(rf"\x1b\[[0-9;]*m|{tempfile.gettempdir()}/tmp\w+/|(?<=0x)[0-9a-f]{{5,}}", "", text)
+    text = " ".join(text.split())
     return text if len(text) <= most else text[:most] + "..."
 
 
