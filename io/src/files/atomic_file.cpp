@@ -198,7 +198,7 @@ Target target_of(const fs::path& path) {
     struct stat there {};
     target.replaceable = ::stat(real.c_str(), &there) == 0 && there.st_dev == status.st_dev &&
                          there.st_ino == status.st_ino;
-    target.path = target.replaceable ? std::move(real) : path;
+    target.path = target.replaceable ? real : path;
   }
   return target;
 }
