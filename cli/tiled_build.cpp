@@ -326,7 +326,7 @@ bool is_tiled(const TileArguments& arguments, const Ranks& ranks) {
 void check_tiled(const BuildArguments& arguments) {
   const Destination to = destination(arguments.output);
   if (to.is_stdout() || !(to.format == kStlBinary)) {
-    throw UsageError("--tiles, --memory and --cache write binary STL files only");
+    throw UsageError("--tiles, --memory, --cache and mpirun write binary STL files only");
   }
   if (!to.patches.empty() || !arguments.page.empty() || arguments.quality == "cfd") {
     throw UsageError(
