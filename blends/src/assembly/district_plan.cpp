@@ -1,9 +1,6 @@
 #include "assembly/district_plan.h"
 
 #include <algorithm>
-#include <array>
-#include <map>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +9,7 @@
 
 #include "assembly/part_box.h"
 #include "assembly/parts/part_kind.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin::assembly {
 namespace {
@@ -37,15 +35,6 @@ Boxes boxes_of(const ResolvedAssembly& resolved, double margin, double relative)
   return boxes;
 }
 
-/// The place of each of some among them.
-std::map<std::uint32_t, std::uint32_t> places_of(const std::vector<std::uint32_t>& some) {
-  std::map<std::uint32_t, std::uint32_t> places;
-  for (const std::uint32_t one : some) {
-    places.emplace(one, static_cast<std::uint32_t>(places.size()));
-  }
-  return places;
-}
-
 // Of parts that this one refers to.
 std::vector<std::string> names_in(const PartKind& kind, const PartShape& shape) {
   std::vector<std::string> names;
@@ -64,48 +53,20 @@ std::vector<std::string> names_in(const PartKind& kind, const PartShape& shape) 
   return names;
 }
 
-class Selection {
- public:
-  Selection(const Assembly& assembly, const ResolvedAssembly& whole, const DistrictParts& members)
-      : whole_(whole), members_(members) {
-    result_.parts = document_parts(whole, members);
-    result_.assembly = document_of(assembly, result_.parts);
+// Boxes about parts that share a ring touch there.
+void require_whole_runs(const ResolvedAssembly& whole, const DistrictParts& members,
+                        const ResolvedAssembly& own) {
+  for (std::size_t i = 0; i < own.parts.size(); ++i) {
+    for (const End end : {End::start, End::end}) {
+      const bool was_joined = whole.parts[members.parts[i]].joined.at(at(end)).has_value();
+      if (was_joined && !own.parts[i].joined.at(at(end))) {
+        throw Error(Errc::internal,
+                    "internal error, please report it: a district ends within a run",
+                    own.parts[i].name);
+      }
+    }
   }
-
-  District run() {
-    const auto said = places_of(result_.parts), kept = places_of(members_.parts);
-    for (const auto position : members_.parts) {
-      ResolvedPart part = whole_.parts[position];
-      part.index = said.at(part.index);
-      for (std::optional<EndIndex>& joined : part.joined) {
-        joined = joined ? std::optional(EndIndex{kept.at(joined->part), joined->end}) : joined;
-      }
-      result_.resolved.parts.push_back(std::move(part));
-    }
-    for (const auto position : members_.fillets) {
-      ResolvedFillet fillet = whole_.fillets[position];
-      fillet.index = said.at(fillet.index);
-      for (std::uint32_t& part : fillet.between) {
-        part = kept.at(part);
-      }
-      result_.resolved.fillets.push_back(std::move(fillet));
-    }
-    for (const auto position : members_.junctions) {
-      ResolvedJunction junction = whole_.junctions[position];
-      junction.index = said.at(junction.index);
-      for (std::uint32_t& arm : junction.arms) {
-        arm = kept.at(arm);
-      }
-      result_.resolved.junctions.push_back(std::move(junction));
-    }
-    return std::move(result_);
-  }
-
- private:
-  const ResolvedAssembly& whole_;
-  const DistrictParts& members_;
-  District result_;
-};
+}
 
 }  // namespace
 
@@ -189,7 +150,19 @@ RelatedParts::RelatedParts(const Assembly& assembly) : related_(assembly.parts.s
 
 District district(const Assembly& assembly, const ResolvedAssembly& resolved,
                   const DistrictParts& members) {
-  return Selection(assembly, resolved, members).run();
+  District result;
+  result.parts = document_parts(resolved, members);
+  result.assembly = document_of(assembly, result.parts);
+  result.resolved = taken(resolved, members);
+  require_whole_runs(resolved, members, result.resolved);
+  const auto renumber = [&](auto& named) {
+    const auto place = std::ranges::lower_bound(result.parts, named.index);
+    named.index = std::uint32_t(place - result.parts.begin());
+  };
+  std::ranges::for_each(result.resolved.parts, renumber);
+  std::ranges::for_each(result.resolved.fillets, renumber);
+  std::ranges::for_each(result.resolved.junctions, renumber);
+  return result;
 }
 
 }  // namespace dupin::assembly

@@ -3,16 +3,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "assembly/selected_parts.h"
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/districts.h"
 
 namespace dupin::assembly {
 
-/// Parts of an assembly that have nothing to do with the others, by their places in the resolved
-/// assembly, ascending, and boxes about all that is made of them.
-struct DistrictParts {
-  std::vector<std::uint32_t> parts, fillets, junctions;
+/// Parts of an assembly that have nothing to do with the others, and boxes about all that is made
+/// of them.
+struct DistrictParts : PartPlaces {
   Boxes boxes;
 };
 

@@ -8,6 +8,15 @@
 
 namespace dupin::assembly {
 
+/// Places in a resolved assembly, ascending.
+struct PartPlaces {
+  std::vector<std::uint32_t> parts, fillets, junctions;
+};
+
+/// These alone, among which is all that the fillets and junctions need; an end whose neighbour is
+/// left out is an end like any other. O(n log n) for n of them.
+[[nodiscard]] ResolvedAssembly taken(const ResolvedAssembly& whole, const PartPlaces& places);
+
 /// Some parts of an assembly.
 struct SelectedParts {
   ResolvedAssembly resolved;
