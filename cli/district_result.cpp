@@ -149,10 +149,10 @@ void visit_rounding(Archive& archive, Rounding& report) {
           report.snapped_places, report.thin_shells);
 }
 
-template <class Archive, class Result, class Checked>
-void visit_result(Archive& archive, Result& result, Checked& report) {
+template <class Archive, class Result, class Parts, class Checked>
+void visit_result(Archive& archive, Result& result, Parts& parts, Checked& report) {
   auto& built = result.built;
-  archive(built.parts, built.runs, built.pieces, built.grid, built.region, built.volumes,
+  archive(parts, built.runs, built.pieces, built.grid, built.region, built.volumes,
           built.insulation, report, result.output.rounding, result.output.contacts,
           result.output.settled, result.facets.names, result.facets.bytes);
 }
@@ -170,18 +170,21 @@ std::uint64_t sum_of(std::string_view bytes) { return std::hash<std::string_view
 }  // namespace
 
 std::string bytes_of(const DistrictResult& result, const std::vector<std::uint32_t>& parts) {
-  Writer body;
-  DistrictResult local = result;
-  for (PartReport& part : local.built.parts) {
+  std::vector<PartReport> local = result.built.parts;
+  for (PartReport& part : local) {
     const auto place = std::ranges::lower_bound(parts, part.index);
     part.index = static_cast<std::uint32_t>(place - parts.begin());
   }
   const Report report = result.output.check.value_or(Report{});
-  visit_result(body, std::as_const(local), report);
-  Writer all;
-  all.bytes() = kMark;
-  all(sum_of(body.bytes()));
-  return all.bytes() + body.bytes();
+  Writer writer;
+  std::string& bytes = writer.bytes();
+  bytes = kMark;
+  writer(std::uint64_t{0});  // the sum of what follows
+  const std::size_t begin = bytes.size();
+  visit_result(writer, result, std::as_const(local), report);
+  const std::uint64_t sum = sum_of(std::string_view(bytes).substr(begin));
+  std::memcpy(bytes.data() + kMark.size(), &sum, sizeof(sum));
+  return std::move(bytes);
 }
 
 std::optional<DistrictResult> result_of(std::string_view bytes,
@@ -199,7 +202,7 @@ std::optional<DistrictResult> result_of(std::string_view bytes,
   DistrictResult result;
   Report report;
   Reader reader(bytes);
-  visit_result(reader, result, report);
+  visit_result(reader, result, result.built.parts, report);
   if (!reader.is_at_end()) {
     return std::nullopt;
   }
