@@ -333,7 +333,7 @@ void check_tiled(const BuildArguments& arguments) {
         "--patches, --report and --quality cfd look at all of a solid at once, which "
         "--tiles and --memory never have");
   }
-  if (to.verification == Verification::full || to.verification == Verification::none) {
+  if (to.verification != Verification::compare) {
     throw UsageError(
         "with --tiles, --memory and --cache, files are compared as they are written; --verify "
         "full is what the command check does");

@@ -21,10 +21,8 @@
 namespace dupin {
 namespace {
 
-constexpr std::size_t kHeader = 80;
-constexpr std::size_t kPreamble = kHeader + 4;  // the header and the count of triangles
-constexpr std::size_t kNormal = 12, kPoint = 12;
-constexpr std::size_t kFacet = kNormal + 3 * kPoint + 2;  // with two bytes of attributes
+using formats::kStlHeader, formats::kStlPreamble, formats::kStlVector, formats::kStlFacet;
+
 constexpr std::string_view kNameMark = "solid ";
 
 [[noreturn]] void fail(std::string_view file, std::size_t place, const std::string& message) {
@@ -45,7 +43,7 @@ std::string name_in(std::string_view header) {
 
 /// The coordinates of the three corners of the facet that begins at `place`.
 std::array<float, 9> corners_at(std::string_view bytes, std::size_t place) {
-  return text::load<std::array<float, 9>>(bytes, place + kNormal);
+  return text::load<std::array<float, 9>>(bytes, place + kStlVector);
 }
 
 Vec3 point_of(const std::array<float, 9>& corners, std::size_t corner) {
@@ -75,20 +73,20 @@ std::string formats::stl_binary_preamble(const std::string& name, const MeshHead
   if (!name.empty()) {
     text += "; " + std::string(kNameMark) + text::clean_line(name);
   }
-  std::size_t end = std::min(text.size(), kHeader);
+  std::size_t end = std::min(text.size(), kStlHeader);
   while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
     --end;
   }
   text.resize(end);
-  text.resize(kHeader, '\0');
+  text.resize(kStlHeader, '\0');
   text::store(text, triangles);
   return text;
 }
 
 bool has_size_of_binary_stl(std::string_view bytes) {
-  return bytes.size() >= kPreamble &&
+  return bytes.size() >= kStlPreamble &&
          bytes.size() ==
-             kPreamble + std::size_t{text::load<std::uint32_t>(bytes, kHeader)} * kFacet;
+             kStlPreamble + std::size_t{text::load<std::uint32_t>(bytes, kStlHeader)} * kStlFacet;
 }
 
 bool is_binary_stl(std::string_view bytes) {
@@ -102,33 +100,33 @@ bool is_binary_stl(std::string_view bytes) {
 }
 
 TriMesh read_stl_binary(std::string_view bytes, std::string_view file) {
-  if (bytes.size() < kPreamble) {
+  if (bytes.size() < kStlPreamble) {
     fail(file, 0,
          "found a file of " + std::to_string(bytes.size()) +
              " bytes, expected at least the 84 that begin a binary STL, or the word 'solid'");
   }
-  const std::size_t count = text::load<std::uint32_t>(bytes, kHeader);
+  const std::size_t count = text::load<std::uint32_t>(bytes, kStlHeader);
   if (!has_size_of_binary_stl(bytes)) {
-    fail(file, kHeader,
+    fail(file, kStlHeader,
          "found a count of " + std::to_string(count) + " triangles in a file of " +
              std::to_string(bytes.size()) + " bytes, expected " +
-             std::to_string(kPreamble + count * kFacet) + " bytes");
+             std::to_string(kStlPreamble + count * kStlFacet) + " bytes");
   }
   text::PointMerger points(count / 2);
   TriMesh mesh;
   mesh.triangles.reserve(count);
-  for (std::size_t facet = kPreamble; facet < bytes.size(); facet += kFacet) {
+  for (std::size_t facet = kStlPreamble; facet < bytes.size(); facet += kStlFacet) {
     const auto corners = corners_at(bytes, facet);
     Triangle triangle;
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Vec3 point = point_of(corners, corner);
-      require_finite(point, facet + kNormal + corner * kPoint, file);
+      require_finite(point, facet + kStlVector + corner * kStlVector, file);
       triangle[corner] = points.index_of(point.array() + 0.0);  // -0 becomes 0
     }
     mesh.triangles.push_back(triangle);
   }
   mesh.points = std::move(points).take_points();
-  const std::string name = name_in(bytes.substr(0, kHeader));
+  const std::string name = name_in(bytes.substr(0, kStlHeader));
   if (!name.empty() && count > 0) {
     mesh.names = {name};
     mesh.labels.assign(count, 0);
@@ -138,10 +136,10 @@ TriMesh read_stl_binary(std::string_view bytes, std::string_view file) {
 
 bool formats::stl_binary_lists(const TriMesh& mesh, std::string_view bytes) {
   if (!has_size_of_binary_stl(bytes) ||
-      bytes.size() != kPreamble + mesh.triangles.size() * kFacet) {
+      bytes.size() != kStlPreamble + mesh.triangles.size() * kStlFacet) {
     return false;
   }
-  std::size_t facet = kPreamble;
+  std::size_t facet = kStlPreamble;
   for (const Triangle& triangle : mesh.triangles) {
     const auto corners = corners_at(bytes, facet);
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -149,7 +147,7 @@ bool formats::stl_binary_lists(const TriMesh& mesh, std::string_view bytes) {
         return false;
       }
     }
-    facet += kFacet;
+    facet += kStlFacet;
   }
   return true;
 }
@@ -163,7 +161,7 @@ std::string stl_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
   std::string bytes =
       formats::stl_binary_preamble(is_named ? mesh.names.front() : std::string(), header,
                                    static_cast<std::uint32_t>(mesh.triangles.size()));
-  bytes.reserve(kPreamble + mesh.triangles.size() * kFacet);
+  bytes.reserve(kStlPreamble + mesh.triangles.size() * kStlFacet);
   for (const Triangle& triangle : mesh.triangles) {
     std::array<float, 12> numbers;
     Eigen::Map<Eigen::Matrix<float, 3, 4>> columns(numbers.data());

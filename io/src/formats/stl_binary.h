@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -9,12 +10,17 @@
 
 namespace dupin::formats {
 
+constexpr std::size_t kStlHeader = 80;
+constexpr std::size_t kStlPreamble = kStlHeader + 4;   // the header and the count of triangles
+constexpr std::size_t kStlVector = 12;                 // a normal or a point
+constexpr std::size_t kStlFacet = 4 * kStlVector + 2;  // with two bytes of attributes
+
 /// Whether the file is a binary STL of the triangles of `mesh`, in their order and with the very
 /// same numbers. If the points of the mesh are in different places, `read_stl_binary` then joins
 /// the triangles as the mesh does; this comparison merges no points and takes a tenth of the time.
 [[nodiscard]] bool stl_binary_lists(const TriMesh& mesh, std::string_view bytes);
 
-/// The 84 bytes before the first facet. `name` is that of the only label, empty if there is none.
+/// The bytes before the first facet. `name` is that of the only label, empty if there is none.
 [[nodiscard]] std::string stl_binary_preamble(const std::string& name, const MeshHeader& header,
                                               std::uint32_t triangles);
 

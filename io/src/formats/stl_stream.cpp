@@ -11,19 +11,17 @@
 #include "formats/stl_binary.h"
 
 namespace dupin {
-namespace {
+using formats::kStlFacet, formats::kStlPreamble;
 
-constexpr std::size_t kPreamble = 84, kFacet = 50;
-
-}  // namespace
+std::uint64_t StlFacets::count() const { return bytes.size() / kStlFacet; }
 
 StlStream::StlStream(const std::filesystem::path& path) : shown_(path.string()), file_(path) {
-  file_.append(std::string(kPreamble, '\0'));
+  file_.append(std::string(kStlPreamble, '\0'));
 }
 
 StlFacets stl_facets(const Rounded& solid, std::string_view file) {
   std::string bytes = verified_bytes(file, solid, kStlBinary);
-  bytes.erase(0, kPreamble);
+  bytes.erase(0, kStlPreamble);
   return {std::move(bytes), solid.mesh().names};
 }
 
@@ -32,7 +30,7 @@ void StlStream::append(const StlFacets& solid) {
     throw Error(Errc::limit_exceeded, "binary STL holds at most 4294967295 triangles", {}, shown_);
   }
   file_.append(solid.bytes);
-  if (!file_.holds_at(kPreamble + kFacet * triangles_, solid.bytes)) {
+  if (!file_.holds_at(kStlPreamble + kStlFacet * triangles_, solid.bytes)) {
     throw Error(Errc::io_failed, "what was written is not what is read back", {}, shown_);
   }
   triangles_ += solid.count();

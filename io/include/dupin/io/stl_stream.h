@@ -12,12 +12,12 @@
 
 namespace dupin {
 
-/// The facets of a solid as a binary STL has them: 50 bytes each.
+/// The facets of a solid as a binary STL has them.
 struct StlFacets {
   std::string bytes;
   std::vector<std::string> names;  ///< of labels
 
-  [[nodiscard]] std::uint64_t count() const { return bytes.size() / 50; }
+  [[nodiscard]] std::uint64_t count() const;
 };
 
 /// Facets that give back the very numbers and neighbours that rounding has proved, or
