@@ -155,9 +155,9 @@ void write_built(const Built& built, const Document& document, const BuildOption
   const std::string unit(symbol(document.assembly.unit));
   if (is_step(arguments.output)) {
     tell(options.progress, "STEP");
-    ExchangeFile file =
-        step_file(document.assembly, built,
-                  {options.tolerance, exchange_solids(arguments.output, arguments.solids)});
+    ExchangeFile file = step_file(
+        document.assembly, built,
+        {options.tolerance, exchange_solids(arguments.output, arguments.solids), document.colours});
     write_exchange(file, arguments.output.path);
     report.exchange = std::move(file.report);
     report.output.file = report.exchange->file;

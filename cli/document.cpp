@@ -110,8 +110,9 @@ Document document_of(const Input& input, const SourceArguments& arguments, const
           "--radius, --unit and --keep-going are for graphs, files named .swc or .graph, and "
           "--keep-going for piping files, named .pcf");
     }
-    Document document{parse_assembly(input.bytes, input.name)};
-    document.colours = part_colours(input.bytes, input.name);
+    AssemblyDocument parsed = parse_document(input.bytes, input.name);
+    Document document{std::move(parsed.assembly)};
+    document.colours = std::move(parsed.colours);
     return document;
   }
   PipeGraphOptions options;

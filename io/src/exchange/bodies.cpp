@@ -212,12 +212,20 @@ std::optional<RollingBall> rolling_ball(const Assembly& assembly, const Resolved
 }  // namespace
 
 std::uint32_t Labels::label(const std::string& name) {
-  const auto known = std::ranges::find(labels_, name, &Label::name);
-  const auto result = std::uint32_t(known - labels_.begin());
-  if (known == labels_.end()) {
-    labels_.push_back({name, text::label_colour(result)});
+  const auto [known, is_new] = numbers_.try_emplace(name, std::uint32_t(names_.size()));
+  if (is_new) {
+    names_.push_back(name);
   }
-  return result;
+  return known->second;
+}
+
+std::vector<Label> Labels::coloured(const std::map<std::string, std::string>& chosen) const {
+  const std::vector<text::Colour> colours = text::label_colours(names_, chosen);
+  std::vector<Label> labels;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    labels.push_back({names_[i], colours[i]});
+  }
+  return labels;
 }
 
 BodyUnion bodies_of(const Assembly& assembly, const ResolvedAssembly& resolved, double tolerance,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,10 +16,12 @@ namespace dupin::exchange {
 class Labels {
  public:
   [[nodiscard]] std::uint32_t label(const std::string& name);
-  [[nodiscard]] std::vector<Label> take() { return std::move(labels_); }
+  /// All of them, in colours that are chosen for parts by their names, or else tell them apart.
+  [[nodiscard]] std::vector<Label> coloured(const std::map<std::string, std::string>& chosen) const;
 
  private:
-  std::vector<Label> labels_;
+  std::map<std::string, std::uint32_t> numbers_;
+  std::vector<std::string> names_;
 };
 
 /// The parts as closed surfaces: those that share rings or a hub as one, or every part (with its

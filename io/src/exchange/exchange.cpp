@@ -58,7 +58,7 @@ Made model_of(const Assembly& assembly, const Built& built, const ExchangeOption
     model.tools = bodies(region.bore);
     model.kept = bodies(region.kept);
   }
-  model.labels = labels.take();
+  model.labels = labels.coloured(options.colours);
   if (!model.is_united && (model.operation != Operation::none || !model.whole.fillets.empty())) {
     throw Error(Errc::boolean_failed,
                 "solids of runs or parts alone are written of assemblies without walls and "

@@ -166,12 +166,13 @@ void read_head(const JsonNode& document, json::Values& values, Assembly& assembl
 
 }  // namespace
 
-Assembly parse_assembly(std::string_view text, const std::string& source) {
+AssemblyDocument parse_document(std::string_view text, const std::string& source) {
   const json::Json json = json::parse_json(text, source);
   const JsonNode document(json, source, "");
   json::allow_only(document, {"$schema", "units", "tolerance", "segments", "wall", "wall_side",
                               "insulation", "patches", "comment", "values", "parts"});
-  Assembly assembly;
+  AssemblyDocument result;
+  Assembly& assembly = result.assembly;
   assembly.source = source;
   assembly.unit = unit(document.at("units"));
   json::Values values(document, assembly.unit);
@@ -182,24 +183,15 @@ Assembly parse_assembly(std::string_view text, const std::string& source) {
                  assembly.parts.push_back(part(node));
                  assembly.parts.back().pointer = pointer == own ? "" : pointer;
                  assembly.parts.back().key = key;
+                 if (node.has("colour")) {
+                   result.colours.emplace(assembly.parts.back().name, node.at("colour").text());
+                 }
                });
-  return assembly;
+  return result;
 }
 
-std::map<std::string, std::string> part_colours(std::string_view text, const std::string& source) {
-  const json::Json json = json::parse_json(text, source);
-  const JsonNode document(json, source, "");
-  const Unit unit_of_document = unit(document.at("units"));
-  json::Values values(document, unit_of_document);
-  std::map<std::string, std::string> colours;
-  json::expand(
-      document, source, unit_of_document, values,
-      [&](const JsonNode& node, const std::string& /*pointer*/, const std::string& /*key*/) {
-        if (node.has("colour")) {
-          colours.emplace(node.at("name").text(), node.at("colour").text());
-        }
-      });
-  return colours;
+Assembly parse_assembly(std::string_view text, const std::string& source) {
+  return parse_document(text, source).assembly;
 }
 
 Assembly read_assembly(const std::filesystem::path& file) {

@@ -54,6 +54,23 @@ TEST(Exchange, refuses_what_is_no_valid_boundary_and_says_what_may_do) {
   EXPECT_EQ(step_file(assembly, built, {}).report.solids.size(), 1U);
 }
 
+// Red, green and blue are written as numbers from 0 to 1, in single precision.
+TEST(Exchange, parts_have_the_colours_that_are_chosen) {
+  if (!can_exchange()) {
+    GTEST_SKIP() << "built without OpenCASCADE";
+  }
+  const Assembly assembly = example("reducer");
+  const Built built = build(assembly);
+  ASSERT_FALSE(assembly.parts.empty());
+  const std::string& part = assembly.parts.front().name;
+  const std::string chosen = "COLOUR_RGB('',0.19999";
+  const auto bytes = [&](const ExchangeOptions& options) {
+    return step_file(assembly, built, options).bytes;
+  };
+  EXPECT_THAT(bytes({}), testing::Not(testing::HasSubstr(chosen)));
+  EXPECT_THAT(bytes({.colours = {{part, "#3366cc"}}}), testing::HasSubstr(chosen));
+}
+
 TEST(Exchange, has_names) {
   EXPECT_EQ(name(ExchangeSolids::united), "united");
   EXPECT_EQ(name(ExchangeSolids::runs), "runs");

@@ -17,10 +17,15 @@ namespace dupin {
 /// Whether numbers are in range and ports exist is for `resolve` to say.
 [[nodiscard]] Assembly parse_assembly(std::string_view text, const std::string& source = {});
 
-/// The colours of parts, "#rrggbb" by their names: how a part is shown is no matter of its
-/// geometry. Throws as parse_assembly, which has checked them.
-[[nodiscard]] std::map<std::string, std::string> part_colours(std::string_view text,
-                                                              const std::string& source = {});
+/// A document: what there is, and how it is shown, which is no matter of its geometry.
+struct AssemblyDocument {
+  Assembly assembly;
+  std::map<std::string, std::string> colours;  ///< of parts, "#rrggbb" by their names
+};
+
+/// The same with the colours of its parts. Throws as parse_assembly.
+[[nodiscard]] AssemblyDocument parse_document(std::string_view text,
+                                              const std::string& source = {});
 
 /// The document that parse_assembly makes this of again, bit by bit, a part on each line. Comments
 /// and colours are not kept, and neither is `source`.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,7 @@ struct ExchangeOptions {
   /// within a tenth of it.
   std::optional<double> tolerance;
   ExchangeSolids solids = ExchangeSolids::united;
+  std::map<std::string, std::string> colours = {};  ///< of parts, as parse_document has them
 };
 
 /// A solid, as it was read back from the file.

@@ -61,7 +61,7 @@ struct BuiltDocument {
   const PipingLine* line = nullptr;                 ///< of a piping file
   const PipeGraph* graph = nullptr;                 ///< of a graph
   const Certificate* certificate = nullptr;         ///< if claims were proved
-  std::map<std::string, std::string> colours = {};  ///< of parts, as part_colours has them
+  std::map<std::string, std::string> colours = {};  ///< of parts, as parse_document has them
 };
 
 /// `mesh` is that of the solid in the assembly's own coordinates. Takes the time of
