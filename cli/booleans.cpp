@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -24,6 +25,9 @@
 #include "output.h"
 #include "progress_line.h"
 #include "rounding_options.h"
+#include "tiles/district_output.h"
+#include "tiles/tile_options.h"
+#include "tiles/united_districts.h"
 
 namespace dupin::cli {
 namespace {
@@ -38,6 +42,7 @@ struct Task {
   std::function<Solid(std::span<const Solid>, const BooleanOptions&)> operation;
   std::function<CrossCheck(const Solid&, CrossCheckEngine, std::span<const Solid>, const Progress&)>
       second_opinion;
+  bool is_union = false;
 };
 
 /// What all set operations take.
@@ -49,6 +54,7 @@ struct OperandArguments {
   bool repair = false;
   bool timing = false;
   RoundingArguments rounding;
+  TileArguments tiles;
 };
 
 struct ExpressionArguments {
@@ -103,11 +109,34 @@ std::vector<Solid> prove_operands(std::vector<TriMesh> meshes, const std::vector
   return operands;
 }
 
+/// What the task makes of the operands, in districts if it is a union.
+struct Result {
+  std::vector<Solid> solids;
+  std::vector<Boxes> boxes;  ///< of several
+};
+
+Result result_of(const Task& task, std::span<const Solid> operands, const Boxes& boxes,
+                 const DistrictMargin& margin, const BooleanOptions& options) {
+  if (!task.is_union) {
+    return {{task.operation(operands, options)}, {}};
+  }
+  OperandDistricts districts = operand_districts(boxes, margin);
+  return {united_districts(operands, districts, options), std::move(districts.boxes)};
+}
+
+OutputReport write_result(const Result& result, const Destination& to,
+                          const RoundingOptions& rounding, const MeshHeader& header,
+                          const ContactChoice& contacts, const Progress& progress) {
+  if (result.solids.size() == 1) {
+    return write_solid(result.solids.front(), to, rounding, header, contacts, progress);
+  }
+  tell(progress, "round");
+  return write_districts(result.solids, result.boxes, to, rounding, header, contacts);
+}
+
 /// Reads the files, does the task with their solids, settles contacts, writes.
-ExitCode run_operation(const std::vector<std::string>& files, const OperandArguments& arguments,
-                       const CommonOptions& common, const Task& task) {
-  refuse_tolerance(arguments.command, common, "--rounding-tolerance");
-  const Destination to = destination(arguments.output);
+OutputReport at_once(const std::vector<std::string>& files, const OperandArguments& arguments,
+                     const Destination& to, const CommonOptions& common, const Task& task) {
   const auto engine = cross_check_engine(arguments.cross_check);
   StageClock clock;
   clock.begin("read");
@@ -116,6 +145,8 @@ ExitCode run_operation(const std::vector<std::string>& files, const OperandArgum
   const ContactChoice contacts = contact_choice(arguments.contacts, header.unit);
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit);
   std::vector<TriMesh> meshes = read_meshes(inputs);
+  Boxes boxes;
+  std::ranges::transform(meshes, std::back_inserter(boxes), box_of);
   clock.begin("prove");
   std::vector<FileRepair> repairs;
   const std::vector<Solid> operands =
@@ -125,19 +156,51 @@ ExitCode run_operation(const std::vector<std::string>& files, const OperandArgum
     ProgressLine line(common.quiet);
     const Progress progress = arguments.timing ? clock.progress(line.callback()) : line.callback();
     clock.begin("load");
-    const Solid result = task.operation(operands, {contacts.policy(), progress});
+    const Result result = result_of(task, operands, boxes, district_margin(to, rounding, contacts),
+                                    {contacts.policy(), progress});
     std::optional<CrossCheck> check;
     if (engine) {
       clock.begin("cross-check");
-      check = task.second_opinion(result, *engine, operands, line.callback());
+      check = task.second_opinion(
+          result.solids.size() == 1 ? result.solids.front() : joined(result.solids, result.boxes),
+          *engine, operands, line.callback());
     }
-    report = write_solid(result, to, rounding, header, contacts, progress);
+    report = write_result(result, to, rounding, header, contacts, progress);
     report.cross_check = std::move(check);
   }
   report.repairs = std::move(repairs);
   if (arguments.timing) {
     report.timing = clock.times();
   }
+  return report;
+}
+
+/// The same tile by tile, of a union.
+OutputReport in_tiles(const std::vector<std::string>& files, const OperandArguments& arguments,
+                      const Destination& to, const CommonOptions& common) {
+  require_tiled_output(to, arguments.tiles);
+  if (!arguments.cross_check.empty() || arguments.timing) {
+    throw UsageError("--cross-check and --timing are not for --tiles and --memory");
+  }
+  if (std::ranges::count(files, "-") > 0) {
+    throw UsageError(
+        "--tiles and --memory read operands when their tile is made, and standard input only once");
+  }
+  ProgressLine line(common.quiet);
+  const OperandFiles operands = survey(files, line.callback());
+  return unite_in_tiles({files, to, rounding_options(arguments.rounding, operands.unit),
+                         contact_choice(arguments.contacts, operands.unit), arguments.repair,
+                         arguments.tiles, line.callback()},
+                        operands);
+}
+
+ExitCode run_operation(const std::vector<std::string>& files, const OperandArguments& arguments,
+                       const CommonOptions& common, const Task& task) {
+  refuse_tolerance(arguments.command, common, "--rounding-tolerance");
+  const Destination to = destination(arguments.output);
+  const OutputReport report = is_tiled(arguments.tiles)
+                                  ? in_tiles(files, arguments, to, common)
+                                  : at_once(files, arguments, to, common, task);
   print_written(report, to, common);
   return report.findings() == 0 ? ExitCode::ok : ExitCode::findings;
 }
@@ -228,7 +291,8 @@ ExitCode run_boolean(SetOperation operation, const OperandArguments& arguments,
                   [=](const Solid& result, CrossCheckEngine engine, std::span<const Solid> operands,
                       const Progress& progress) {
                     return second_opinion(result, engine, operation, operands, progress);
-                  }};
+                  },
+                  operation == SetOperation::unite};
   return run_operation(arguments.operands, arguments, common, task);
 }
 
@@ -240,6 +304,9 @@ void add_boolean(CLI::App& app, Action& action, const BooleanCommand& boolean) {
       ->required()
       ->expected(2, -1);
   add_operand_options(*command, *arguments);
+  if (boolean.operation == SetOperation::unite) {
+    add_tile_options(*command, arguments->tiles, "operands");
+  }
   command->footer(boolean.footer);
   command->callback([arguments, boolean, &action] {
     action = [arguments, boolean](const CommonOptions& common) {
@@ -280,7 +347,8 @@ void add_booleans(CLI::App& app, Action& action) {
               {"union", "Unite solids, exactly",
                "Examples:\n"
                "  dupin union header.off branch.stl -o both.off\n"
-               "  dupin union a.off b.off c.off -o - --format stl > all.stl",
+               "  dupin union a.off b.off c.off -o - --format stl > all.stl\n"
+               "  dupin union line*.stl -o plant.stl --memory 4GB",
                SetOperation::unite});
   add_boolean(app, action,
               {"intersect", "What solids have in common, exactly",

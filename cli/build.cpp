@@ -28,7 +28,8 @@
 #include "rounding_options.h"
 #include "solver_options.h"
 #include "source_text.h"
-#include "tiled_build.h"
+#include "tiles/district_output.h"
+#include "tiles/tiled_build.h"
 
 namespace dupin::cli {
 namespace {
@@ -187,7 +188,8 @@ void write_built(const Built& built, const Document& document, const BuildOption
   const RoundingOptions rounding = rounding_options(arguments.rounding, unit);
   const ContactChoice contacts = contact_choice(arguments.contacts, unit);
   report.output = built.districts.size() > 1 && !remeshed
-                      ? write_districts(built, to, rounding, header, contacts, written, normals)
+                      ? write_districts(built.districts, built.boxes, to, rounding, header,
+                                        contacts, written, normals)
                       : write_solid(solid, to, rounding, header, contacts, {}, written, normals);
   report.output.solver_mesh = std::move(remeshed);
 }
@@ -221,7 +223,7 @@ void check_destination(const BuildArguments& arguments) {
 Built build_and_write(Document& document, const BuildOptions& options,
                       const BuildArguments& arguments, const Ranks& ranks, BuildReport& report,
                       TriMesh* written) {
-  if (is_tiled(arguments.tiles, ranks)) {
+  if (is_tiled(arguments.tiles) || ranks.count() > 1) {
     return build_in_tiles(document, options, arguments, header_of(document), ranks, report.output);
   }
   Built built = build_document(document, options);
@@ -234,16 +236,18 @@ void prepare_districts(const BuildArguments& arguments, const std::string& unit,
                        BuildOptions& options) {
   if (!is_step(arguments.output) && !is_volume(arguments.output) &&
       arguments.quality != kForSolvers) {
-    set_district_margin(options, destination(arguments.output),
-                        rounding_options(arguments.rounding, unit),
+    const DistrictMargin margin =
+        district_margin(destination(arguments.output), rounding_options(arguments.rounding, unit),
                         contact_choice(arguments.contacts, unit));
+    options.margin = margin.absolute;
+    options.relative_margin = margin.relative;
   }
 }
 
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
   check_destination(arguments);
   const Ranks ranks;
-  if (is_tiled(arguments.tiles, ranks)) {
+  if (is_tiled(arguments.tiles) || ranks.count() > 1) {
     check_tiled(arguments);
   }
   std::optional<ProgressLine> line(common.quiet || !ranks.is_first());
@@ -342,7 +346,7 @@ void add_build_options(CLI::App& command, BuildArguments& arguments) {
   add_contacts_option(command, arguments.contacts);
   add_cross_check_option(command, arguments.cross_check);
   add_rounding_options(command, arguments.rounding);
-  add_tile_options(command, arguments.tiles);
+  add_build_tile_options(command, arguments.tiles);
 }
 
 void add_build(CLI::App& app, Action& action) {

@@ -10,18 +10,13 @@
 #include "output.h"
 #include "rounding_options.h"
 #include "solver_options.h"
+#include "tiles/tile_options.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
 class App;
 }
 
 namespace dupin::cli {
-
-/// --tiles, --memory and --cache as typed.
-struct TileArguments {
-  std::size_t tiles = 0;
-  std::string memory, cache;
-};
 
 /// What `build` is told.
 struct BuildArguments {

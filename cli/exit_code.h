@@ -32,4 +32,17 @@ class OutputError : public Error {
   explicit OutputError(const Error& error) : Error(error) {}
 };
 
+/// Runs a function that writes; what the system refuses there is an output error.
+template <class Function>
+auto writing(const Function& function) {
+  try {
+    return function();
+  } catch (const Error& error) {
+    if (error.code() == Errc::io_failed) {
+      throw OutputError(error);
+    }
+    throw;
+  }
+}
+
 }  // namespace dupin::cli

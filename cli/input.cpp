@@ -48,22 +48,30 @@ std::vector<Input> read_inputs(const std::vector<std::string>& paths) {
   return inputs;
 }
 
-std::string common_unit(const std::vector<Input>& inputs) {
-  const Input* first = nullptr;
-  for (const Input& input : inputs) {
-    if (input.unit().empty()) {
+std::string common_unit(const std::vector<StatedUnit>& stated) {
+  const StatedUnit* first = nullptr;
+  for (const StatedUnit& own : stated) {
+    if (own.unit.empty()) {
       continue;
     }
     if (first == nullptr) {
-      first = &input;
-    } else if (first->unit() != input.unit()) {
+      first = &own;
+    } else if (first->unit != own.unit) {
       throw Error(Errc::invalid_argument,
-                  "is in " + input.unit() + ", but " + first->name + " in " + first->unit() +
+                  "is in " + own.unit + ", but " + first->file + " in " + first->unit +
                       "; convert one of them first",
-                  {}, input.name);
+                  {}, own.file);
     }
   }
-  return first == nullptr ? std::string() : first->unit();
+  return first == nullptr ? std::string() : first->unit;
+}
+
+std::string common_unit(const std::vector<Input>& inputs) {
+  std::vector<StatedUnit> stated;
+  for (const Input& input : inputs) {
+    stated.push_back({input.name, input.unit()});
+  }
+  return common_unit(stated);
 }
 
 TriMesh read_mesh_input(const std::string& path) {

@@ -29,8 +29,14 @@ struct Input {
 
 [[nodiscard]] std::vector<Input> read_inputs(const std::vector<std::string>& paths);
 
+/// What a mesh file says its unit is; empty if nothing.
+struct StatedUnit {
+  std::string file, unit;
+};
+
 /// The unit of meshes that are to be used together: the one that all agree on who state any; empty
 /// if none does. Throws Error{invalid_argument} naming two that differ.
+[[nodiscard]] std::string common_unit(const std::vector<StatedUnit>& stated);
 [[nodiscard]] std::string common_unit(const std::vector<Input>& inputs);
 
 [[nodiscard]] TriMesh read_mesh_input(const std::string& path);

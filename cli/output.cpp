@@ -17,19 +17,6 @@
 namespace dupin::cli {
 namespace {
 
-/// Runs a function that writes; what the system refuses there is an output error.
-template <class Function>
-auto writing(const Function& function) {
-  try {
-    return function();
-  } catch (const Error& error) {
-    if (error.code() == Errc::io_failed) {
-      throw OutputError(error);
-    }
-    throw;
-  }
-}
-
 void write_stdout(const std::string& bytes) {
   std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }

@@ -144,7 +144,7 @@ class House:
         base = name.rsplit("/", 1)[-1]
         beside = os.path.normpath(os.path.join(os.path.dirname(path), name))
         for candidate in (beside, f"{path.split('/')[0]}/src/{name}", f"tests/{name}",
-                          f"cli/{name}" if path.startswith("tests/cli/") else name,
+                          f"cli/{name}" if path.startswith(("cli/", "tests/cli/")) else name,
                           os.path.normpath(name)):
             if candidate in self.paths:
                 return candidate

@@ -31,18 +31,18 @@ struct Jet {
     return {T(s) * a.value, T(s) * a.rate, T(s) * a.acceleration};
   }
   friend Jet operator/(const Jet& a, const Jet& b) {
-    const T value = a.value / b.value;
-    const T rate = (a.rate - value * b.rate) / b.value;
-    return {value, rate,
-            (a.acceleration - T(2) * rate * b.rate - value * b.acceleration) / b.value};
+    const T quotient = a.value / b.value;
+    const T change = (a.rate - quotient * b.rate) / b.value;
+    return {quotient, change,
+            (a.acceleration - T(2) * change * b.rate - quotient * b.acceleration) / b.value};
   }
   /// Of a positive function.
   friend Jet square_root(const Jet& a) {
     using numbers::sqrt;
     using std::sqrt;
-    const T value = sqrt(a.value);
-    const T rate = a.rate / (T(2) * value);
-    return {value, rate, (a.acceleration / T(2) - rate * rate) / value};
+    const T root = sqrt(a.value);
+    const T change = a.rate / (T(2) * root);
+    return {root, change, (a.acceleration / T(2) - change * change) / root};
   }
 };
 

@@ -195,7 +195,7 @@ mesh::ExactPoint evaluate_exact(const PointTable& points, const ImplicitPoint& d
     case ImplicitPoint::Kind::given:
       break;
   }
-  assert(!"a given point has no definition");
+  assert(false && "a given point has no definition");
   return {};
 }
 
@@ -210,7 +210,7 @@ IntervalPoint evaluate(const PointTable& points, const ImplicitPoint& definition
     case ImplicitPoint::Kind::given:
       break;
   }
-  assert(!"a given point has no definition");
+  assert(false && "a given point has no definition");
   return {};
 }
 

@@ -162,7 +162,7 @@ class Region {
         Triangle corners{};
         std::ranges::transform(faces[face].corners, corners.begin(),
                                [&](auto v) { return corners_[triangulation.point(v)]; });
-        std::ranges::rotate(corners, std::ranges::min_element(corners));
+        std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
         result.push_back(corners);
       }
     }

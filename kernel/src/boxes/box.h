@@ -12,8 +12,10 @@ struct Box {
   std::array<float, 3> low, high;
 
   [[nodiscard]] bool overlaps(const Box& other) const {
-    return (low[0] <= other.high[0]) & (other.low[0] <= high[0]) & (low[1] <= other.high[1]) &
-           (other.low[1] <= high[1]) & (low[2] <= other.high[2]) & (other.low[2] <= high[2]);
+    const auto reaches = [](float a, float b) { return a <= b ? 1U : 0U; };  // without branches
+    return (reaches(low[0], other.high[0]) & reaches(other.low[0], high[0]) &
+            reaches(low[1], other.high[1]) & reaches(other.low[1], high[1]) &
+            reaches(low[2], other.high[2]) & reaches(other.low[2], high[2])) != 0;
   }
   [[nodiscard]] bool contains(const Box& other) const {
     for (int k = 0; k < 3; ++k) {

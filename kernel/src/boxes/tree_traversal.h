@@ -68,7 +68,7 @@ class TreeTraversal {
   /// Calls add(nodes) for the pairs below that may have items that meet.
   template <class Add>
   void expand(const Nodes& at, Add&& add) const {
-    const auto& [one, other] = at;
+    const BoxTree::Node &one = at.one, &other = at.other;
     const auto add_children = [&](bool of_one, unsigned bits) {
       for_each_marked(bits, [&](std::uint32_t i) {
         const Nodes below = of_one ? Nodes{one.child(i), other} : Nodes{one, other.child(i)};

@@ -1,4 +1,4 @@
-#include "district_result.h"
+#include "tiles/district_result.h"
 
 #include <string>
 #include <vector>
@@ -28,13 +28,13 @@ DistrictResult sample() {
   report.counts = {0, 1, 2};
   report.shells = {{0, 12, -1.5, 1, 2}};
   report.volume = -1.5;
-  result.output.check = report;
-  result.output.rounding.coordinates = Coordinates::binary32;
-  result.output.rounding.filled_places = {Vec3(1, 2, 3)};
-  result.output.rounding.thin_shells = {{Vec3(4, 5, 6), .5, .25}};
-  result.output.contacts = {{Contact::Kind::edge, Vec3(1, 0, 0), Vec3(2, 0, 0), {"a", "b"}}};
-  result.output.settled = ContactSettlement{"separate", .125, result.output.contacts};
-  result.facets = {std::string(100, 'x'), {"a", "b"}};
+  result.output.report.check = report;
+  result.output.report.rounding.coordinates = Coordinates::binary32;
+  result.output.report.rounding.filled_places = {Vec3(1, 2, 3)};
+  result.output.report.rounding.thin_shells = {{Vec3(4, 5, 6), .5, .25}};
+  result.output.report.contacts = {{Contact::Kind::edge, Vec3(1, 0, 0), Vec3(2, 0, 0), {"a", "b"}}};
+  result.output.report.settled = ContactSettlement{"separate", .125, result.output.report.contacts};
+  result.output.facets = {std::string(100, 'x'), {"a", "b"}};
   return result;
 }
 
@@ -50,15 +50,15 @@ TEST(DistrictResult, is_read_as_it_was_written) {
   EXPECT_EQ(read->built.parts[0].margin_upper, std::nullopt);
   EXPECT_EQ(read->built.region, Region::fluid);
   EXPECT_EQ(read->built.volumes->fluid, 1);
-  EXPECT_EQ(read->output.check->shells, given.output.check->shells);
-  EXPECT_EQ(read->output.check->counts, given.output.check->counts);
-  EXPECT_EQ(read->output.rounding.filled_places, given.output.rounding.filled_places);
-  EXPECT_EQ(read->output.rounding.thin_shells.at(0).move, .25);
-  EXPECT_EQ(read->output.contacts.at(0).names, given.output.contacts.at(0).names);
-  EXPECT_EQ(read->output.settled->policy, "separate");
-  EXPECT_EQ(read->output.settled->contacts.at(0).to, Vec3(2, 0, 0));
-  EXPECT_EQ(read->facets.bytes, given.facets.bytes);
-  EXPECT_EQ(read->facets.names, given.facets.names);
+  EXPECT_EQ(read->output.report.check->shells, given.output.report.check->shells);
+  EXPECT_EQ(read->output.report.check->counts, given.output.report.check->counts);
+  EXPECT_EQ(read->output.report.rounding.filled_places, given.output.report.rounding.filled_places);
+  EXPECT_EQ(read->output.report.rounding.thin_shells.at(0).move, .25);
+  EXPECT_EQ(read->output.report.contacts.at(0).names, given.output.report.contacts.at(0).names);
+  EXPECT_EQ(read->output.report.settled->policy, "separate");
+  EXPECT_EQ(read->output.report.settled->contacts.at(0).to, Vec3(2, 0, 0));
+  EXPECT_EQ(read->output.facets.bytes, given.output.facets.bytes);
+  EXPECT_EQ(read->output.facets.names, given.output.facets.names);
   EXPECT_EQ(bytes_of(*read, {3, 17, 40}), bytes);
 }
 

@@ -175,6 +175,30 @@ TEST_F(TiledBuild, leaves_no_file_where_a_district_is_refused) {
   EXPECT_EQ(folder_.files(), std::vector<std::string>{"plant.json"});
 }
 
+TEST_F(TiledBuild, says_that_a_file_cannot_be_written) {
+  folder_.write("plant.json", plant(2));
+  for (const std::string path : {"none/out.stl", "/dev/full"}) {
+    const ProcessResult result =
+        dupin({"build", "plant.json", "-o", path, "--format", "stl", "--tiles", "2"});
+    EXPECT_EQ(result.exit_code, 5) << result.err;
+  }
+}
+
+// Numbers that are large only as seen from the origin move by more than their own size tells.
+TEST_F(TiledBuild, stays_in_its_boxes_whatever_the_origin) {
+  folder_.write("plant.json", plant(3));
+  for (const std::string origin : {"3e8,0,0", "-1e9,0,0"}) {
+    const auto build = [&](const std::string& path, const std::vector<std::string>& options) {
+      std::vector<std::string> arguments{"build", "plant.json", "-o", path, "--origin", origin};
+      arguments.insert(arguments.end(), options.begin(), options.end());
+      return dupin(arguments).exit_code;
+    };
+    EXPECT_EQ(build("a.stl", {}), 0) << origin;
+    EXPECT_EQ(build("b.stl", {"--tiles", "3"}), 0) << origin;
+    EXPECT_TRUE(folder_.read("a.stl") == folder_.read("b.stl")) << origin;
+  }
+}
+
 TEST_F(TiledBuild, says_what_it_cannot_do) {
   folder_.write("plant.json", plant(1));
   const auto refused = [this](std::vector<std::string> arguments) {
@@ -189,6 +213,9 @@ TEST_F(TiledBuild, says_what_it_cannot_do) {
   EXPECT_THAT(refused({"-o", "a.stl", "--memory", "much"}), HasSubstr("500MB or 4GB"));
   EXPECT_THAT(refused({"-o", "a.stl", "--memory", "-1GB"}), HasSubstr("500MB or 4GB"));
   EXPECT_THAT(refused({"-o", "a.stl", "--memory", "1GB", "--tiles", "2"}), HasSubstr("exclude"));
+  EXPECT_THAT(refused({"-o", "a.stl", "--cache-size", "1GB"}), HasSubstr("--cache"));
+  EXPECT_THAT(refused({"-o", "a.stl", "--cache", "c", "--cache-size", "1"}),
+              HasSubstr("--cache-size takes a size"));
   EXPECT_THAT(refused({"-o", "a.stl", "--tiles", "2", "--patches", "p.json"}),
               HasSubstr("--patches"));
   EXPECT_THAT(refused({"-o", "a.stl", "--tiles", "2", "--verify", "full"}), HasSubstr("check"));

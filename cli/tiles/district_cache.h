@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -16,10 +17,13 @@ class DistrictCache {
   /// the system refuses.
   explicit DistrictCache(std::filesystem::path folder);
 
-  /// The bytes kept under the key, if there are any.
+  /// The bytes kept under the key, if there are any; they have been used now.
   [[nodiscard]] std::optional<std::string> find(const std::string& key) const;
   /// Threads may keep several at a time. Throws OutputError, of a full disk for one.
   void keep(const std::string& key, std::string_view bytes) const;
+  /// Removes what has not been used for longest, until at most so many bytes are left, and what
+  /// builds that were killed have left half written, after a day.
+  void trim(std::uint64_t most) const;
 
  private:
   std::filesystem::path folder_;

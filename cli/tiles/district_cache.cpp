@@ -1,10 +1,13 @@
-#include "district_cache.h"
+#include "tiles/district_cache.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <fstream>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <unistd.h>
 
@@ -19,6 +22,10 @@ namespace fs = std::filesystem;
 
 /// In the folder, to tell that it is one of ours.
 constexpr std::string_view kMark = "dupin-cache";
+
+/// What is being written, or was when its build was killed.
+constexpr const char* kHalfWritten = ".part";
+constexpr std::chrono::hours kKilledFor{24};
 
 [[noreturn]] void fail(const std::string& what, const fs::path& path) {
   throw OutputError(Error(Errc::io_failed, what, {}, path.string()));
@@ -49,13 +56,14 @@ std::optional<std::string> DistrictCache::find(const std::string& key) const {
   if (!fs::exists(folder_ / key, reason)) {
     return std::nullopt;
   }
+  fs::last_write_time(folder_ / key, fs::file_time_type::clock::now(), reason);
   return read_file(folder_ / key);
 }
 
 void DistrictCache::keep(const std::string& key, std::string_view bytes) const {
   static std::atomic<unsigned> files{0};
-  const fs::path aside =
-      folder_ / (key + "." + std::to_string(::getpid()) + "-" + std::to_string(files++) + ".part");
+  const fs::path aside = folder_ / (key + "." + std::to_string(::getpid()) + "-" +
+                                    std::to_string(files++) + kHalfWritten);
   std::error_code reason;
   {
     std::ofstream file(aside, std::ios::binary);
@@ -72,6 +80,40 @@ void DistrictCache::keep(const std::string& key, std::string_view bytes) const {
     std::error_code ignored;
     fs::remove(aside, ignored);
     fail("cannot write to the folder for --cache: " + reason.message(), folder_);
+  }
+}
+
+void DistrictCache::trim(std::uint64_t most) const {
+  struct Entry {
+    fs::file_time_type used;
+    fs::path path;
+    std::uint64_t size = 0;
+  };
+  const auto now = fs::file_time_type::clock::now();
+  std::vector<Entry> entries;
+  std::uint64_t all = 0;
+  std::error_code ignored;  // another build may tidy up, too
+  for (const auto& file : fs::directory_iterator(folder_, ignored)) {
+    const Entry entry{file.last_write_time(ignored), file.path(), file.file_size(ignored)};
+    if (entry.path.filename() == kMark) {
+      continue;
+    }
+    if (entry.path.extension() == kHalfWritten) {
+      if (now - entry.used > kKilledFor) {
+        fs::remove(entry.path, ignored);
+      }
+      continue;
+    }
+    all += entry.size;
+    entries.push_back(entry);
+  }
+  std::ranges::sort(entries, {}, &Entry::used);
+  for (const Entry& entry : entries) {
+    if (all <= most) {
+      break;
+    }
+    fs::remove(entry.path, ignored);
+    all -= entry.size;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "district_result.h"
+#include "tiles/district_result.h"
 
 #include <algorithm>
 #include <array>
@@ -153,8 +153,8 @@ template <class Archive, class Result, class Parts, class Checked>
 void visit_result(Archive& archive, Result& result, Parts& parts, Checked& report) {
   auto& built = result.built;
   archive(parts, built.runs, built.pieces, built.grid, built.region, built.volumes,
-          built.insulation, report, result.output.rounding, result.output.contacts,
-          result.output.settled, result.facets.names, result.facets.bytes);
+          built.insulation, report, result.output.report.rounding, result.output.report.contacts,
+          result.output.report.settled, result.output.facets.names, result.output.facets.bytes);
 }
 
 void Writer::put(const PartReport& part) { visit_part(*this, part); }
@@ -175,7 +175,7 @@ std::string bytes_of(const DistrictResult& result, const std::vector<std::uint32
     const auto place = std::ranges::lower_bound(parts, part.index);
     part.index = static_cast<std::uint32_t>(place - parts.begin());
   }
-  const Report report = result.output.check.value_or(Report{});
+  const Report report = result.output.report.check.value_or(Report{});
   Writer writer;
   std::string& bytes = writer.bytes();
   bytes = kMark;
@@ -212,7 +212,7 @@ std::optional<DistrictResult> result_of(std::string_view bytes,
     }
     part.index = parts[part.index];
   }
-  result.output.check = std::move(report);
+  result.output.report.check = std::move(report);
   return result;
 }
 

@@ -7,16 +7,14 @@
 #include <vector>
 
 #include "dupin/blends/build.h"
-#include "dupin/io/report_json.h"
-#include "dupin/io/stl_stream.h"
+#include "tiles/district_output.h"
 
 namespace dupin::cli {
 
 /// What is made of one district: what became of its parts, and its facets.
 struct DistrictResult {
-  Built built;          ///< without its solid
-  OutputReport output;  ///< its check, rounding, contacts and what was settled
-  StlFacets facets;
+  Built built;  ///< without its solid
+  DistrictOutput output;
 };
 
 /// It as bytes, to be kept or sent. Parts are told by their places among `parts`, ascending, so

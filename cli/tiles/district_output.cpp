@@ -1,0 +1,116 @@
+#include "tiles/district_output.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
+#include "exit_code.h"
+
+namespace dupin::cli {
+namespace {
+
+/// Of the standard tolerance of rounding, 1024 spacings of the numbers of a file at the largest
+/// coordinate, and half a spacing more.
+constexpr double kMostSpacings = 1025;
+
+}  // namespace
+
+DistrictMargin district_margin(const Destination& to, const RoundingOptions& rounding,
+                               const ContactChoice& contacts) {
+  const double digits = to.format.coordinates == Coordinates::binary32 ? 23 : 52;
+  const double relative =
+      rounding.tolerance > 0 ? std::exp2(-digits) : kMostSpacings * std::exp2(-digits);
+  // Numbers are as large as they are seen from the origin.
+  const double origin = rounding.origin.choice == Origin::Choice::given
+                            ? rounding.origin.place.cwiseAbs().maxCoeff()
+                            : 0;
+  return {rounding.tolerance + kMostSpacings * rounding.output_grid + contacts.length +
+              relative * origin,
+          relative};
+}
+
+RoundingOptions rounding_of_districts(RoundingOptions rounding, std::span<const Boxes> boxes) {
+  const Eigen::AlignedBox3d all = bounds_of(boxes);
+  if (boxes.size() < 2 || !all.min().allFinite() || !all.max().allFinite()) {
+    return rounding;
+  }
+  rounding.whole = all;
+  const Vec3 origin = to_mesh(Solid(), Coordinates::binary64, rounding).report().origin;
+  rounding.origin = {.choice = Origin::Choice::given, .place = origin};
+  const double largest = std::max((all.min() - origin).cwiseAbs().maxCoeff(),
+                                  (all.max() - origin).cwiseAbs().maxCoeff());
+  const Vec3 half = Vec3::Constant(std::exp2(std::ilogb(largest)));
+  rounding.whole = Eigen::AlignedBox3d(origin - half, origin + half);
+  return rounding;
+}
+
+OutputReport write_districts(std::span<const Solid> solids, std::span<const Boxes> boxes,
+                             const Destination& to, const RoundingOptions& rounding,
+                             MeshHeader header, const ContactChoice& contacts, TriMesh* written,
+                             const NormalsOf& normals) {
+  OutputReport report;
+  const RoundingOptions options = rounding_of_districts(rounding, boxes);
+  std::vector<std::optional<Rounded>> rounded(solids.size());
+  std::vector<OutputReport> reports(solids.size());
+  for_each_in_parallel(rounded.size(), [&](std::size_t i) {
+    rounded[i] = settled_and_rounded(solids[i], to, options, contacts, reports[i]);
+  });
+  std::vector<Rounded> all;
+  for (std::size_t i = 0; i < rounded.size(); ++i) {
+    all.push_back(*std::move(rounded[i]));
+    if (reports[i].settled) {
+      add_settled(*std::move(reports[i].settled), report);
+    }
+  }
+  return write_rounded(joined(all, boxes), to, std::move(header), std::move(report), {}, written,
+                       normals);
+}
+
+DistrictOutput district_output(const Solid& solid, std::span<const Boxes> boxes,
+                               std::size_t district, const Destination& to,
+                               const RoundingOptions& rounding, const ContactChoice& contacts) {
+  DistrictOutput result;
+  const Rounded rounded = settled_and_rounded(solid, to, rounding, contacts, result.report);
+  if (boxes.size() > 1 && !lies_in(rounded, boxes[district])) {
+    throw Error(Errc::internal,
+                "internal error, please report it: a district does not lie in its boxes", {},
+                to.path);
+  }
+  result.report.check = check(rounded);
+  result.report.rounding = rounded.report();
+  result.report.contacts = rounded.contacts();
+  result.facets = stl_facets(rounded, to.path);
+  return result;
+}
+
+DistrictFile::DistrictFile(const Destination& to)
+    : to_(to), stream_(writing([&] { return StlStream(to.path); })) {
+  report_.check.emplace();
+}
+
+void DistrictFile::append(DistrictOutput district) {
+  writing([&] { stream_.append(district.facets); });
+  OutputReport& own = district.report;
+  add(*own.check, *report_.check);
+  add(own.rounding, report_.rounding);
+  std::ranges::move(own.contacts, std::back_inserter(report_.contacts));
+  if (own.settled) {
+    add_settled(*std::move(own.settled), report_);
+  }
+}
+
+OutputReport DistrictFile::commit(MeshHeader header) {
+  note_origin(report_.rounding.origin, header);
+  writing([&] { stream_.commit(header); });
+  report_.file = to_.path;
+  report_.format = to_.format.name;
+  report_.verification = to_.verification;
+  return std::move(report_);
+}
+
+}  // namespace dupin::cli

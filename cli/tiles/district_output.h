@@ -1,0 +1,62 @@
+#pragma once
+
+#include <span>
+
+#include "dupin/io/report_json.h"
+#include "dupin/io/stl_stream.h"
+#include "dupin/kernel/districts.h"
+#include "output.h"
+
+namespace dupin::cli {
+
+/// How far boxes about what is given reach for districts to be rounded apart from each other: so
+/// much, and this part of the largest coordinate.
+struct DistrictMargin {
+  double absolute = 0, relative = 0;
+};
+
+[[nodiscard]] DistrictMargin district_margin(const Destination& to, const RoundingOptions& rounding,
+                                             const ContactChoice& contacts);
+
+/// For districts: the whole's origin and, of its extent, the power of two that decides about
+/// rounding, so that a change elsewhere hardly ever is one here.
+[[nodiscard]] RoundingOptions rounding_of_districts(RoundingOptions rounding,
+                                                    std::span<const Boxes> boxes);
+
+/// The districts' solids settled, rounded and written as one mesh.
+[[nodiscard]] OutputReport write_districts(std::span<const Solid> solids,
+                                           std::span<const Boxes> boxes, const Destination& to,
+                                           const RoundingOptions& rounding, MeshHeader header,
+                                           const ContactChoice& contacts,
+                                           TriMesh* written = nullptr,
+                                           const NormalsOf& normals = {});
+
+/// One of them settled and rounded, as its file has it.
+struct DistrictOutput {
+  OutputReport report;  ///< its check, rounding, contacts and what was settled
+  StlFacets facets;
+};
+
+/// `rounding` is for districts. Throws Error{internal} where the solid does not lie in its boxes;
+/// one that is alone need not.
+[[nodiscard]] DistrictOutput district_output(const Solid& solid, std::span<const Boxes> boxes,
+                                             std::size_t district, const Destination& to,
+                                             const RoundingOptions& rounding,
+                                             const ContactChoice& contacts);
+
+/// A binary STL that grows aside, district by district, and what there is to report of it. All
+/// functions throw OutputError.
+class DistrictFile {
+ public:
+  explicit DistrictFile(const Destination& to);
+  void append(DistrictOutput district);
+  /// The file takes its place.
+  [[nodiscard]] OutputReport commit(MeshHeader header);
+
+ private:
+  Destination to_;
+  StlStream stream_;
+  OutputReport report_;
+};
+
+}  // namespace dupin::cli

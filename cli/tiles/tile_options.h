@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dupin/kernel/districts.h"
+#include "output.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
+class App;
+}
+
+namespace dupin::cli {
+
+/// --tiles, --memory, --cache and --cache-size as typed.
+struct TileArguments {
+  std::size_t tiles = 0;
+  std::string memory, cache, cache_size;
+};
+
+/// Adds --tiles and --memory. `what` each tile is of, as a help text says it.
+void add_tile_options(CLI::App& command, TileArguments& arguments, const std::string& what);
+
+/// A number of bytes, such as 500MB or 4GB. Throws UsageError, naming the option.
+[[nodiscard]] std::uint64_t bytes_in(const std::string& text, const std::string& option);
+
+/// Whether tiles are asked for.
+[[nodiscard]] bool is_tiled(const TileArguments& arguments);
+
+/// Throws UsageError where the file cannot be written tile by tile, or the arguments mean nothing.
+void require_tiled_output(const Destination& to, const TileArguments& arguments);
+
+/// What there is to divide.
+struct Divided {
+  std::span<const Boxes> districts;
+  std::function<double(std::size_t)> triangles;  ///< about how many a district needs memory for
+  std::size_t processes = 1;                     ///< that make tiles side by side
+  std::string source;                            ///< what messages name
+  std::string remedy = {};                       ///< besides more memory
+};
+
+/// Behind which districts tiles end. Throws Error{limit_exceeded} where one does not fit into the
+/// memory.
+[[nodiscard]] std::vector<std::size_t> ends_of_tiles(const TileArguments& arguments,
+                                                     const Divided& divided);
+
+}  // namespace dupin::cli

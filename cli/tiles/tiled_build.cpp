@@ -1,0 +1,246 @@
+#include "tiles/tiled_build.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "dupin/io/assembly_json.h"
+#include "dupin/io/mesh_file.h"
+#include "dupin/io/off.h"
+#include "dupin/io/sha256.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/districts.h"
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
+#include "exit_code.h"
+#include "tiles/district_cache.h"
+#include "tiles/district_output.h"
+#include "tiles/district_result.h"
+
+namespace dupin::cli {
+namespace {
+
+/// All that decides about a district's facets, besides its document.
+std::string text_of(const BuildOptions& options, const ContactChoice& contacts,
+                    const RoundingOptions& rounding) {
+  std::string text = "dupin " DUPIN_VERSION;
+  const auto add = [&text](double number) { text += " " + decimal(number); };
+  add(options.region ? static_cast<double>(*options.region) : -1);
+  add(static_cast<double>(options.contacts));
+  add(static_cast<double>(contacts.kind));
+  add(contacts.length);
+  add(rounding.tolerance);
+  add(rounding.output_grid);
+  add(static_cast<double>(rounding.origin.choice));
+  const Eigen::AlignedBox3d whole =
+      rounding.whole.value_or(Eigen::AlignedBox3d(Vec3(Vec3::Zero()), Vec3(Vec3::Zero())));
+  for (const Vec3& place : {rounding.origin.place, Vec3(whole.min()), Vec3(whole.max())}) {
+    std::ranges::for_each(place, add);
+  }
+  return text + "\n";
+}
+
+/// Meshes in the way of parts are not in the document, but in files beside it.
+void append_meshes(const Assembly& assembly, std::string& text) {
+  for (const Part& part : assembly.parts) {
+    std::visit(
+        [&text](const auto& shape) {
+          if constexpr (requires { shape.avoid->obstacles; }) {
+            for (const auto& obstacle : shape.avoid.value_or(Avoidance{}).obstacles) {
+              if (const auto* given = std::get_if<MeshObstacle>(&obstacle)) {
+                text += "\n" + sha256(mesh_bytes(*given->mesh, kOff));
+              }
+            }
+          }
+        },
+        part.shape);
+  }
+}
+
+std::uint64_t cache_size(const TileArguments& arguments) {
+  return bytes_in(arguments.cache_size.empty() ? "10GB" : arguments.cache_size, "--cache-size");
+}
+
+class TiledBuild {
+ public:
+  TiledBuild(const Document& document, const BuildOptions& options, const BuildArguments& arguments,
+             const Ranks& ranks)
+      : ranks_(ranks),
+        plan_(document.assembly, options),
+        boxes_(plan_.boxes()),
+        to_(destination(arguments.output)),
+        contacts_(contact_choice(arguments.contacts, std::string(symbol(document.assembly.unit)))),
+        rounding_(
+            rounding_options(arguments.rounding, std::string(symbol(document.assembly.unit)))),
+        progress_(options.progress) {
+    rounding_ = rounding_of_districts(rounding_, boxes_);
+    options_text_ = text_of(options, contacts_, rounding_);
+    if (!arguments.tiles.cache.empty()) {
+      cache_.emplace(arguments.tiles.cache);
+      cache_size_ = cache_size(arguments.tiles);
+    }
+    ends_ =
+        ends_of_tiles(arguments.tiles,
+                      {.districts = boxes_,
+                       .triangles = [this](std::size_t i) { return plan_.expected_triangles(i); },
+                       .processes = ranks.count(),
+                       .source = document.assembly.source,
+                       .remedy = ", or a coarser tolerance"});
+  }
+
+  Built run(const MeshHeader& header, OutputReport& report) {
+    DistrictFile file(to_);
+    std::vector<Built> built;
+    std::size_t begin = 0;
+    for (const std::size_t end : ends_) {
+      tell(progress_, "build", double(begin) / double(plan_.size()));
+      std::vector<std::optional<DistrictResult>> tile = own_results(begin, end);
+      for (std::size_t i = 0; i < tile.size(); ++i) {
+        DistrictResult district = tile[i] ? *std::move(tile[i]) : received(begin + i);
+        tile[i].reset();
+        file.append(std::move(district.output));
+        built.push_back(std::move(district.built));
+      }
+      begin = end;
+    }
+    report = file.commit(header);
+    if (cache_) {
+      cache_->trim(cache_size_);
+    }
+    return plan_.joined(std::move(built));
+  }
+
+  // Of ranks but the first, which writes.
+  void run_for_first() const {
+    std::size_t begin = 0;
+    for (const std::size_t end : ends_) {
+      const auto tile = own_results(begin, end);
+      for (std::size_t i = 0; i < tile.size(); ++i) {
+        if (tile[i]) {
+          ranks_.send(bytes_of(*tile[i], plan_.parts(begin + i)));
+        }
+      }
+      begin = end;
+    }
+  }
+
+ private:
+  [[nodiscard]] std::size_t owner(std::size_t district) const { return district % ranks_.count(); }
+
+  // Of the districts of a tile that are this rank's.
+  [[nodiscard]] std::vector<std::optional<DistrictResult>> own_results(std::size_t begin,
+                                                                       std::size_t end) const {
+    std::vector<std::optional<DistrictResult>> tile(end - begin);
+    for_each_in_parallel(tile.size(), [&](std::size_t i) {
+      if (owner(begin + i) == ranks_.own()) {
+        tile[i] = result(begin + i);
+      }
+    });
+    return tile;
+  }
+
+  [[nodiscard]] DistrictResult received(std::size_t district) const {
+    auto result = result_of(ranks_.receive(owner(district)), plan_.parts(district));
+    if (!result) {
+      throw Error(Errc::internal,
+                  "internal error, please report it: another rank sent what cannot be read");
+    }
+    return *std::move(result);
+  }
+
+  // Made, or as it was kept.
+  [[nodiscard]] DistrictResult result(std::size_t district) const {
+    if (!cache_) {
+      return made(district);
+    }
+    const Assembly document = plan_.document(district);
+    std::string text = options_text_ + document_text(document);
+    append_meshes(document, text);
+    const std::string key = sha256(text);
+    const std::vector<std::uint32_t> parts = plan_.parts(district);
+    if (const auto bytes = cache_->find(key)) {
+      if (auto kept = result_of(*bytes, parts)) {
+        return *std::move(kept);
+      }
+    }
+    DistrictResult result = made(district);
+    cache_->keep(key, bytes_of(result, parts));
+    return result;
+  }
+
+  [[nodiscard]] DistrictResult made(std::size_t district) const {
+    DistrictResult result;
+    result.built = plan_.build(district);
+    result.output =
+        district_output(result.built.solid, boxes_, district, to_, rounding_, contacts_);
+    result.built.solid = Solid();
+    return result;
+  }
+
+  const Ranks& ranks_;
+  DistrictBuild plan_;
+  std::vector<Boxes> boxes_;
+  Destination to_;
+  ContactChoice contacts_;
+  RoundingOptions rounding_;
+  Progress progress_;
+  std::optional<DistrictCache> cache_;
+  std::uint64_t cache_size_ = 0;
+  std::string options_text_;
+  std::vector<std::size_t> ends_;  // of tiles, behind their last districts
+};
+
+}  // namespace
+
+void add_build_tile_options(CLI::App& command, TileArguments& arguments) {
+  add_tile_options(command, arguments, "parts");
+  auto* const cache =
+      command
+          .add_option("--cache", arguments.cache,
+                      "Folder that keeps what tiles are made of: a build that was killed goes on,\n"
+                      "and of an edited document only what changed is made again")
+          ->type_name("DIR");
+  command
+      .add_option("--cache-size", arguments.cache_size,
+                  "What --cache may hold when the build ends, 10GB if not given: what has not\n"
+                  "been used for longest goes")
+      ->type_name("SIZE")
+      ->needs(cache);
+}
+
+void check_tiled(const BuildArguments& arguments) {
+  require_tiled_output(destination(arguments.output), arguments.tiles);
+  (void)cache_size(arguments.tiles);
+  if (!arguments.page.empty() || arguments.quality == "cfd") {
+    throw UsageError(
+        "--report and --quality cfd look at all of a solid at once, which --tiles and --memory "
+        "never have");
+  }
+  if (!arguments.cross_check.empty()) {
+    throw UsageError("--cross-check is not for --tiles, --memory, --cache and mpirun");
+  }
+  if (arguments.source.keep_going) {
+    throw UsageError(
+        "--keep-going builds all of a document again where a part is refused, which "
+        "--tiles and --memory do not");
+  }
+}
+
+Built build_in_tiles(const Document& document, const BuildOptions& options,
+                     const BuildArguments& arguments, const MeshHeader& header, const Ranks& ranks,
+                     OutputReport& report) {
+  TiledBuild build(document, options, arguments, ranks);
+  if (ranks.is_first()) {
+    return build.run(header, report);
+  }
+  build.run_for_first();
+  return {};
+}
+
+}  // namespace dupin::cli

@@ -1,0 +1,59 @@
+#include "tiles/tile_options.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dupin/io/off.h"
+#include "dupin/io/stl.h"
+#include "dupin/kernel/error.h"
+#include "exit_code.h"
+
+namespace dupin::cli {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Eigen::AlignedBox3d cube(double x) { return {Vec3(x, 0, 0), Vec3(x + 1, 1, 1)}; }
+
+TEST(TileOptions, tiles_are_as_many_as_asked_for_and_as_there_are) {
+  const std::vector<Boxes> boxes(5, Boxes{cube(0)});
+  const auto ends = [&](std::size_t tiles) {
+    return ends_of_tiles({.tiles = tiles}, {.districts = boxes, .triangles = {}, .source = ""});
+  };
+  EXPECT_THAT(ends(1), ElementsAre(5));
+  EXPECT_THAT(ends(2), ElementsAre(2, 5));
+  EXPECT_THAT(ends(5), ElementsAre(1, 2, 3, 4, 5));
+  EXPECT_THAT(ends(64), ElementsAre(1, 2, 3, 4, 5));
+  EXPECT_THAT(ends(0), ElementsAre(5)) << "as with --cache alone";
+}
+
+TEST(TileOptions, memory_holds_every_tile) {
+  const std::vector<Boxes> boxes{{cube(0)}, {cube(2)}, {cube(4)}, {cube(6)}};
+  const std::vector<double> triangles{1000, 1000, 2500, 500};
+  const Divided divided{.districts = boxes,
+                        .triangles = [&](std::size_t i) { return triangles[i]; },
+                        .source = "plant"};
+  EXPECT_THAT(ends_of_tiles({.memory = "1MB"}, divided), ElementsAre(2, 3, 4));
+  EXPECT_THAT(ends_of_tiles({.memory = "1GB"}, divided), ElementsAre(4));
+  try {
+    (void)ends_of_tiles({.memory = "900kB"}, divided);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::limit_exceeded);
+    EXPECT_THAT(error.what(), HasSubstr("(4.5, 0.5, 0.5) has about 2.5e+03 triangles"));
+    EXPECT_EQ(error.where(), "plant");
+  }
+}
+
+TEST(TileOptions, files_grow_in_one_format_only) {
+  EXPECT_NO_THROW(require_tiled_output({"a.stl", kStlBinary}, {.tiles = 2}));
+  EXPECT_THROW(require_tiled_output({"a.off", kOff}, {.tiles = 2}), UsageError);
+  EXPECT_THROW(require_tiled_output({"-", kStlBinary}, {.tiles = 2}), UsageError);
+  EXPECT_THROW(require_tiled_output({"a.stl", kStlBinary, Verification::full}, {.tiles = 2}),
+               UsageError);
+  EXPECT_THROW(require_tiled_output({"a.stl", kStlBinary}, {.memory = "4 gallons"}), UsageError);
+}
+
+}  // namespace
+}  // namespace dupin::cli

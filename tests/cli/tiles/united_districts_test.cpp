@@ -1,0 +1,134 @@
+#include "tiles/united_districts.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/tool.h"
+#include "dupin/kernel/error.h"
+#include "support/shapes.h"
+
+namespace dupin::test {
+namespace {
+
+using cli::operand_districts;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Eigen::AlignedBox3d cube(double x, double size = 1) {
+  return {Vec3(x, 0, 0), Vec3(x + size, size, size)};
+}
+
+TEST(OperandDistricts, are_what_boxes_reach) {
+  const Boxes boxes{cube(0), cube(10), cube(1.5), {}, cube(11.5)};
+  EXPECT_THAT(operand_districts(boxes, {}).operands,
+              ElementsAre(ElementsAre(0, 3), ElementsAre(1), ElementsAre(2), ElementsAre(4)));
+  EXPECT_THAT(operand_districts(boxes, {0.25, 0}).operands,
+              ElementsAre(ElementsAre(0, 2, 3), ElementsAre(1, 4)));
+  EXPECT_THAT(operand_districts(boxes, {0, 0.25 / 12.5}).operands,
+              ElementsAre(ElementsAre(0, 2, 3), ElementsAre(1, 4)));
+}
+
+TEST(OperandDistricts, of_nothing_are_one) {
+  EXPECT_THAT(operand_districts({}, {}).operands, ElementsAre(ElementsAre()));
+  EXPECT_THAT(operand_districts(Boxes{{}, {}}, {}).operands, ElementsAre(ElementsAre(0, 1)));
+}
+
+class TiledUnion : public Tool {
+ protected:
+  /// Pairs that cross, in two rows of files, and one whose faces touch; far from the origin.
+  std::vector<std::string> put_pairs(int pairs) const {
+    std::vector<std::string> first, second;
+    for (int i = 0; i < pairs; ++i) {
+      const double x = 2e5 + 1000.1 * i, shift = i % 3 == 0 ? 100 : 50.3;
+      first.push_back("a" + std::to_string(i) + ".off");
+      second.push_back("b" + std::to_string(i) + ".off");
+      put(first.back(), box({x, 0, 0}, {x + 100, 100, 100}));
+      put(second.back(), box({x + shift, 0, 0}, {x + shift + 90, 80.7, 100}));
+    }
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+  }
+
+  std::pair<nlohmann::json, std::string> united(std::vector<std::string> arguments,
+                                                const std::vector<std::string>& options) const {
+    arguments.insert(arguments.begin(), "union");
+    arguments.insert(arguments.end(), {"-o", "out.stl"});
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const auto report = json(arguments, 0);
+    return {report, folder_.read("out.stl")};
+  }
+};
+
+TEST_F(TiledUnion, has_the_same_bytes_for_all_numbers_of_tiles) {
+  const auto files = put_pairs(9);
+  const auto [whole, bytes] = united(files, {});
+  EXPECT_EQ(whole.at("check").at("components"), 9);
+  EXPECT_EQ(whole.at("check").at("solid"), true);
+  for (const std::string tiles : {"1", "3", "8", "64"}) {
+    const auto [report, again] = united(files, {"--tiles", tiles});
+    EXPECT_TRUE(again == bytes) << tiles;
+    EXPECT_EQ(report.at("check").at("triangles"), whole.at("check").at("triangles"));
+    EXPECT_EQ(report.at("rounding"), whole.at("rounding"));
+  }
+  EXPECT_TRUE(united(files, {"--memory", "1MB"}).second == bytes);
+  EXPECT_EQ(json({"check", "out.stl"}, 0).at("components"), 9);
+}
+
+TEST_F(TiledUnion, shares_the_origin_and_mends_operands) {
+  auto files = put_pairs(4);
+  TriMesh twice = box({0, 0, 0}, {1, 1, 1});
+  twice.triangles.push_back(twice.triangles.front());
+  twice.triangles.push_back(twice.triangles.front());
+  std::swap(twice.triangles.back()[0], twice.triangles.back()[1]);
+  put("twice.off", twice);
+  files.emplace_back("twice.off");
+  const std::vector<std::string> options{"--origin", "auto", "--repair"};
+  const auto [whole, bytes] = united(files, options);
+  EXPECT_EQ(whole.at("repairs").size(), 1U);
+  const auto [tiled, again] = united(files, {"--origin", "auto", "--repair", "--tiles", "3"});
+  EXPECT_TRUE(again == bytes);
+  EXPECT_EQ(tiled.at("repairs"), whole.at("repairs"));
+  EXPECT_EQ(tiled.at("rounding").at("origin"), whole.at("rounding").at("origin"));
+}
+
+// Numbers that are large only as seen from the origin move by more than their own size tells.
+TEST_F(TiledUnion, stays_in_its_boxes_whatever_the_origin) {
+  const auto files = put_pairs(3);
+  for (const std::string origin : {"3e8,0,0", "-1e9,0,0"}) {
+    const auto bytes = united(files, {"--origin", origin}).second;
+    EXPECT_TRUE(united(files, {"--origin", origin, "--tiles", "3"}).second == bytes) << origin;
+  }
+}
+
+TEST_F(TiledUnion, says_what_it_cannot_do) {
+  const auto files = put_pairs(1);
+  const auto refused = [&](const std::string& command, std::vector<std::string> options) {
+    options.insert(options.begin(), {command, files[0], files[1]});
+    const ProcessResult result = dupin(options);
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    return result.err;
+  };
+  EXPECT_THAT(refused("union", {"-o", "a.off", "--tiles", "2"}), HasSubstr("binary STL"));
+  EXPECT_THAT(refused("union", {"-", "-o", "a.stl", "--tiles", "2"}), HasSubstr("standard input"));
+  EXPECT_THAT(refused("union", {"-o", "a.stl", "--tiles", "2", "--timing"}), HasSubstr("--timing"));
+  EXPECT_THAT(refused("subtract", {"-o", "a.stl", "--tiles", "2"}), HasSubstr("--tiles"));
+}
+
+TEST_F(TiledUnion, names_the_operand_that_is_no_solid) {
+  auto files = put_pairs(2);
+  put("open.off", open_box());
+  files.insert(files.begin() + 1, "open.off");
+  files.insert(files.begin(), "union");
+  files.insert(files.end(), {"-o", "out.stl", "--tiles", "2"});
+  const ProcessResult result = dupin(files);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("open.off"));
+  EXPECT_THAT(folder_.files(), testing::Not(testing::Contains("out.stl")));
+}
+
+}  // namespace
+}  // namespace dupin::test
