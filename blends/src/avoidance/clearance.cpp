@@ -31,15 +31,32 @@ class Prover {
   }
 
   Clearance run() {
+    prove_all();
+    return result_;
+  }
+
+  TightSpot tightest(const TightSpot& known) {
+    result_.spot = known;
+    is_refined_ = true;
+    prove_all();
+    return *result_.spot;
+  }
+
+ private:
+  void prove_all() {
     for (std::size_t i = 0; i < pipe_.size(); ++i) {
       piece_ = i;
       discs_ = std::visit([](const auto& piece) { return surfaces::discs(piece); }, pipe_[i]);
       prove({0, 1}, all_, 0);
     }
-    return result_;
   }
 
- private:
+  // What is not to be undercut.
+  [[nodiscard]] double wanted() const {
+    constexpr double kPart = 1023. / 1024;
+    return is_refined_ ? kPart * result_.spot->distance : wanted_;
+  }
+
   // What is in the way, or a box that holds it.
   struct Near {
     std::size_t obstacle;
@@ -69,6 +86,9 @@ class Prover {
   void prove(const ParameterInterval& t, std::vector<Near> near, int depth) {
     constexpr int kMostHalvings = 24;
     constexpr std::size_t kMost = 1 << 14;  // stretches: nothing is proved beyond
+    if (is_refined_ && result_.spot->distance <= 0) {
+      return;
+    }
     ++looked_at_;
     const bool is_last = depth == kMostHalvings || looked_at_ > kMost;
     const double middle = (t.from + t.to) / 2;
@@ -80,7 +100,7 @@ class Prover {
       near.pop_back();
       const Approach found = approach(disc, *one.shape);
       const double bound = separation(hull, *one.shape, found.direction);
-      if (bound >= wanted_) {
+      if (bound >= wanted()) {
         result_.least = std::min(result_.least, bound);
       } else if (is_settled(one, bound)) {
         continue;
@@ -88,8 +108,11 @@ class Prover {
         for (const ObstacleBox& part : *one.parts) {
           near.push_back({one.obstacle, &part.shape, &part.parts, true});
         }
-      } else if (one.parts->empty() && (!(found.distance > wanted_) || is_last)) {
+      } else if (one.parts->empty() && (!(found.distance > wanted()) || is_last)) {
         note({piece_, one.obstacle, middle, *one.shape, found.distance, found.place});
+        if (is_refined_ && !is_last) {  // a part of the stretch may be nearer
+          left.push_back(one);
+        }
       } else {
         left.push_back(one);
       }
@@ -110,6 +133,7 @@ class Prover {
   std::span<const Piece> pipe_;
   std::vector<Near> all_;
   double wanted_;
+  bool is_refined_ = false;  // the tightest spot is sought, not whether there is one
   std::size_t piece_ = 0, looked_at_ = 0;
   surfaces::PieceDiscs discs_;
   Clearance result_{std::numeric_limits<double>::infinity(), {}};
@@ -120,6 +144,11 @@ class Prover {
 Clearance prove_clearance(std::span<const Piece> pipe, std::span<const NamedObstacle> obstacles,
                           double wanted) {
   return Prover(pipe, obstacles, wanted).run();
+}
+
+TightSpot tightest_spot(std::span<const Piece> pipe, std::span<const NamedObstacle> obstacles,
+                        const TightSpot& known) {
+  return Prover(pipe, obstacles, known.distance).tightest(known);
 }
 
 Clearance prove_clearance(std::span<const RingedSurface> pipe,

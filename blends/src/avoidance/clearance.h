@@ -30,6 +30,12 @@ struct Clearance {
 [[nodiscard]] Clearance prove_clearance(std::span<const Piece> pipe,
                                         std::span<const NamedObstacle> obstacles, double wanted);
 
+/// Of a pipe that comes too near somewhere, the spot that is nearest, within a part in 1000, or one
+/// where it runs into something.
+[[nodiscard]] TightSpot tightest_spot(std::span<const Piece> pipe,
+                                      std::span<const NamedObstacle> obstacles,
+                                      const TightSpot& known);
+
 [[nodiscard]] Clearance prove_clearance(std::span<const RingedSurface> pipe,
                                         std::span<const NamedObstacle> obstacles, double wanted);
 

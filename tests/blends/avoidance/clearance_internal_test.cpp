@@ -82,10 +82,27 @@ TEST(Clearance, of_a_ringed_blend_is_the_oracles) {
     const Clearance refuted = prove_clearance(pipe, one, distance + 1e-6);
     ASSERT_TRUE(refuted.spot) << distance;
     EXPECT_NEAR(refuted.spot->parameter, parameter, 0.3);
+    // However much more is asked for, the spot is the same.
+    for (const double more : {1e-6, 1., 100.}) {
+      const Clearance coarse = prove_clearance(pipe, one, distance + more);
+      ASSERT_TRUE(coarse.spot);
+      const TightSpot spot = tightest_spot(pipe, one, *coarse.spot);
+      EXPECT_NEAR(spot.distance, distance, 1.1e-3 * distance) << more;
+      EXPECT_NEAR(spot.parameter, parameter, 0.05) << more;
+    }
   }
   const std::vector<NamedObstacle> ball{{"ball", rows[0].obstacle}};
   EXPECT_FALSE(prove_clearance(oracle_blend(), ball, 0.796).spot);
   EXPECT_TRUE(prove_clearance(oracle_blend(), ball, 0.798).spot);
+}
+
+// The middle of the pipe keeps away from the ball, which stands in its way further on.
+TEST(Clearance, of_what_is_run_into_is_none) {
+  const std::vector<NamedObstacle> ball{{"ball", {{1, 0, 0}, {}, .2}}};
+  const Clearance coarse = prove_clearance(kPipe, ball, 50);
+  ASSERT_TRUE(coarse.spot);
+  EXPECT_GT(coarse.spot->distance, 0);
+  EXPECT_LE(tightest_spot(kPipe, ball, *coarse.spot).distance, 0);
 }
 
 TEST(Clearance, of_meshes_is_that_of_their_triangles) {

@@ -91,7 +91,8 @@ std::optional<Error> nearness(const Chain& surface, const std::vector<NamedObsta
   if (!proved.spot) {
     return std::nullopt;
   }
-  const avoidance::TightSpot& spot = *proved.spot;
+  const avoidance::TightSpot spot =
+      avoidance::tightest_spot(surface.pieces, obstacles, *proved.spot);
   return Error(
       Errc::infeasible_blend,
       "it does not keep " + decimal(clearance, kMessageDigits) + " from '" +
