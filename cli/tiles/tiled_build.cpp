@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <iterator>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -67,6 +70,25 @@ std::uint64_t cache_size(const TileArguments& arguments) {
   return bytes_in(arguments.cache_size.empty() ? "10GB" : arguments.cache_size, "--cache-size");
 }
 
+/// Of what it takes to make a triangle of the file, what the first rank needs to write it, about.
+constexpr double kWritingPart = 0.1;
+
+/// The rank that makes each of so many districts of a tile: the largest first, each to the one that
+/// has least to do. The first one has to write them all, too.
+std::vector<std::size_t> shared_out(const std::vector<double>& triangles, std::size_t ranks) {
+  std::vector<std::size_t> order(triangles.size()), owners(triangles.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return triangles[i]; });
+  std::vector<double> load(ranks, 0);
+  load.front() = kWritingPart * std::accumulate(triangles.begin(), triangles.end(), 0.0);
+  for (const std::size_t i : order) {
+    const auto least = std::ranges::min_element(load);
+    owners[i] = static_cast<std::size_t>(least - load.begin());
+    *least += triangles[i];
+  }
+  return owners;
+}
+
 class TiledBuild {
  public:
   TiledBuild(const Document& document, const BuildOptions& options, const BuildArguments& arguments,
@@ -92,6 +114,7 @@ class TiledBuild {
                        .processes = ranks.count(),
                        .source = document.assembly.source,
                        .remedy = ", or a coarser tolerance"});
+    share_out();
   }
 
   Built run(const MeshHeader& header, OutputReport& report) {
@@ -131,14 +154,22 @@ class TiledBuild {
   }
 
  private:
-  [[nodiscard]] std::size_t owner(std::size_t district) const { return district % ranks_.count(); }
+  void share_out() {
+    for (const std::size_t end : ends_) {
+      std::vector<double> triangles;
+      for (std::size_t i = owners_.size(); i < end; ++i) {
+        triangles.push_back(plan_.expected_triangles(i));
+      }
+      std::ranges::copy(shared_out(triangles, ranks_.count()), std::back_inserter(owners_));
+    }
+  }
 
   // Of the districts of a tile that are this rank's.
   [[nodiscard]] std::vector<std::optional<DistrictResult>> own_results(std::size_t begin,
                                                                        std::size_t end) const {
     std::vector<std::optional<DistrictResult>> tile(end - begin);
     for_each_in_parallel(tile.size(), [&](std::size_t i) {
-      if (owner(begin + i) == ranks_.own()) {
+      if (owners_[begin + i] == ranks_.own()) {
         tile[i] = result(begin + i);
       }
     });
@@ -146,7 +177,7 @@ class TiledBuild {
   }
 
   [[nodiscard]] DistrictResult received(std::size_t district) const {
-    auto result = result_of(ranks_.receive(owner(district)), plan_.parts(district));
+    auto result = result_of(ranks_.receive(owners_[district]), plan_.parts(district));
     if (!result) {
       throw Error(Errc::internal,
                   "internal error, please report it: another rank sent what cannot be read");
@@ -193,7 +224,8 @@ class TiledBuild {
   std::optional<DistrictCache> cache_;
   std::uint64_t cache_size_ = 0;
   std::string options_text_;
-  std::vector<std::size_t> ends_;  // of tiles, behind their last districts
+  std::vector<std::size_t> ends_;    // of tiles, behind their last districts
+  std::vector<std::size_t> owners_;  // the ranks that make districts
 };
 
 }  // namespace
