@@ -168,6 +168,11 @@ class Batch {
   std::size_t done_ = 0, told_ = 0;
 };
 
+[[noreturn]] void refuse_both(const std::string& first, const std::string& second,
+                              const std::string& output) {
+  throw UsageError("'" + first + "' and '" + second + "' would both become '" + output + "'");
+}
+
 }  // namespace
 
 std::vector<BatchItem> batch_items(const std::vector<std::string>& files, const std::string& folder,
@@ -183,8 +188,7 @@ std::vector<BatchItem> batch_items(const std::vector<std::string>& files, const 
     const std::string output = (std::filesystem::path(folder) / name).string();
     const auto [owner, is_new] = owners.emplace(output, file);
     if (!is_new) {
-      throw UsageError("'" + owner->second + "' and '" + file + "' would both become '" + output +
-                       "'");
+      refuse_both(owner->second, file, output);
     }
     items.push_back({file, output});
   }

@@ -40,7 +40,7 @@ std::vector<PlacedPoint> points_of(const LoopArcs& arcs) {
   constexpr int kArcs = 64;
   std::vector<PlacedPoint> points;
   for (int i = 0; i < kArcs; ++i) {
-    const double t = (i + 0.5) / (kArcs / 2);
+    const double t = 2 * (i + 0.5) / kArcs;
     if (const auto at = verification::contact_arcs(*arcs.loop, {t, t})) {
       for (const auto& place : {at->middle, at->corners[0], at->corners[1]}) {
         points.push_back({middle(place), t});

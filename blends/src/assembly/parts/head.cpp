@@ -72,7 +72,7 @@ struct PartRules<"head"> {
 
  private:
   static Ring round_start(const PartContext& context, const PartStart& from) {
-    const Ring start = origin(context, from, kSection);
+    Ring start = origin(context, from, kSection);
     if (start.ellipse) {
       fail(context, "from", "a head closes a circle, not an ellipse");
     }
