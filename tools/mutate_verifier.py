@@ -5,14 +5,19 @@ sources once, and lists the mutants that no test notices.
     tools/mutate_verifier.py BUILD [FILE[:LINE[-LINE]] ...]     e.g. build/dev regular_claim.cpp
 
 BUILD is a directory where ninja has built blends_verification_test; FILEs are sources or headers of
-blends/src/verification, all of them if none is given. Of a header, all sources of the checker and of
-the test that include it are compiled again. A mutant that does not compile, crashes the
-test or takes more than a minute counts as noticed. KNOWN lists survivors that are right as they
-are, with the reason; the exit code is 1 if there are others.
+blends/src/verification, all of them if none is given. Of a source, gcov says first which tests
+run which of its functions, and a mutant is put to those. Of a header, all sources of the checker and
+of the test that include it are compiled again, and all tests are run. A mutant that does not
+compile, crashes the test or takes ten times as long counts as noticed. KNOWN lists survivors that
+are right as they are, with the reason; the exit code is 1 if there are others.
 """
+import argparse
+import concurrent.futures
 import json
+import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -210,62 +215,130 @@ def compiling(entry):
     return [w for i, w in enumerate(words) if i not in drop and not w.startswith(unwanted)] + ["-w"]
 
 
-def suites(name):
-    """The filter of the tests of that source, which are the likeliest to notice."""
-    tests = ROOT / "tests/blends/verification"
-    text = "".join(p.read_text() for p in tests.glob(f"{pathlib.Path(name).stem}_*test.cpp"))
-    return ":".join(f"*{s}.*:*{s}/*" for s in set(re.findall(r"^TEST\w*\((\w+)", text, re.M)))
+class Tests:
+    """The tests of the program: how long each takes, and which of a source's functions it runs."""
 
+    QUICK = 0.2  # seconds; these are asked first
 
-def passes(program, name):
-    for tests in (suites(name), "*"):
-        try:
-            if subprocess.run([program, "--gtest_fail_fast", f"--gtest_filter={tests}"],
-                              capture_output=True, timeout=60).returncode:
-                return False
-        except subprocess.TimeoutExpired:
-            return False
-    return True
+    def __init__(self, program):
+        self.program = program
+        listed = subprocess.run([program, "--gtest_list_tests"], capture_output=True, text=True, check=True).stdout
+        self.seconds, suite = {}, ""
+        for line in listed.split("\n")[1:]:
+            word = line.split("#")[0].strip()
+            if not line.startswith(" "):
+                suite = word
+            elif word:
+                self.seconds[suite + word] = 0.0
+        self.functions = None  # (first line, last line, test)
+
+    def time_all(self):
+        self.time(subprocess.run([self.program], capture_output=True, text=True, check=True).stdout)
+
+    def time(self, printed):
+        for test, time in re.findall(r"^\[ +OK \] (\S+)(?:, where.*)? \((\d+) ms\)", printed, re.M):
+            self.seconds[test] = int(time) / 1000
+
+    def cover(self, unit, jobs):
+        """Runs all tests of a program whose `unit`.o was compiled for gcov."""
+        with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+            self.functions = [f for found in pool.map(lambda t: self.run_by(t, unit), list(self.seconds)) for f in found]
+
+    def run_by(self, test, unit):
+        with tempfile.TemporaryDirectory() as prefix:
+            run = subprocess.run([self.program, f"--gtest_filter={test}"], capture_output=True, text=True, check=True,
+                                 env={**os.environ, "GCOV_PREFIX": prefix})
+            self.time(run.stdout)
+            data = pathlib.Path(prefix + str(unit.with_suffix(".gcda")))
+            if not data.exists():
+                return []
+            shutil.copy(unit.with_suffix(".gcno"), data.parent)
+            found = json.loads(subprocess.run(["gcov", "--json-format", "--stdout", data], cwd=prefix, text=True,
+                                              capture_output=True, check=True).stdout)
+        return [(f["start_line"], f["end_line"], test) for file in found["files"]
+                if pathlib.Path(file["file"]).name == unit.name.split(".")[0] + ".cpp"
+                for f in file["functions"] if f["execution_count"] > 0]
+
+    def of(self, number, function_lines):
+        """Those to put to a mutant of this line: all of what is in no function."""
+        if self.functions is None or number not in function_lines:
+            return list(self.seconds)
+        return sorted({test for first, last, test in self.functions if first <= number <= last})
+
+    def notice(self, program, tests):
+        quick = [t for t in tests if self.seconds[t] <= self.QUICK]
+        for part in (quick, [t for t in tests if t not in quick]):
+            if not part:
+                continue
+            limit = 5 + 10 * sum(self.seconds[t] for t in part)
+            try:
+                if subprocess.run([program, "--gtest_fail_fast", f"--gtest_filter={':'.join(part)}"],
+                                  capture_output=True, timeout=limit).returncode:
+                    return True
+            except subprocess.TimeoutExpired:
+                return True
+        return False
 
 
 class Mutation:
     """Compiles and runs what one file of the checker becomes."""
 
-    def __init__(self, build, folder, entries):
-        self.build, self.folder = build, folder
+    def __init__(self, build, folder, entries, jobs):
+        self.build, self.folder, self.jobs = build, folder, jobs
         self.entries = entries
         self.command = compiling(entries[str(SOURCES / "work.cpp")])
         self.files = prepare(build, folder, self.command)
         self.names = linking(build)[0]
-        self.overlay = folder / "overlay" / "verification"
-        self.overlay.mkdir(parents=True)
+        self.linker = ["-fuse-ld=lld"] if shutil.which("ld.lld") else []
 
-    def compiled(self, sources, name, text):
+    def compiled(self, place, sources, name, text, flags=()):
         """The objects by source; none if one does not compile."""
-        changed = self.overlay / name
+        overlay = place / "overlay" / "verification"
+        overlay.mkdir(parents=True)
+        changed = overlay / name
         changed.write_text(text)
         objects = {}
         for source in sources:
-            objects[source] = self.folder / f"{pathlib.Path(source).stem}.mutant.o"
+            objects[source] = place / f"{pathlib.Path(source).stem}.mutant.o"
             given = changed if source == str(SOURCES / name) else source
-            run = subprocess.run([*compiling(self.entries[source])[:1], "-I", self.overlay.parent,
-                                  *compiling(self.entries[source])[1:], "-include", self.folder / "shared.h",
-                                  "-c", given, "-o", objects[source]], cwd=self.build, capture_output=True)
+            command = compiling(self.entries[source])
+            run = subprocess.run([command[0], "-I", overlay.parent, *command[1:], *flags, "-include",
+                                  self.folder / "shared.h", "-c", given, "-o", objects[source]],
+                                 cwd=self.build, capture_output=True)
             if run.returncode:
-                break
-        changed.unlink()
-        return None if run.returncode else objects
+                return None
+        return objects
 
-    def is_noticed(self, name, text, sources):
-        objects = self.compiled(sources, name, text)
+    def program(self, place, name, text, sources, flags=()):
+        """None if it does not compile."""
+        objects = self.compiled(place, sources, name, text, flags)
         if objects is None:
-            return True
-        program = self.folder / "test"
+            return None
         tests = {output(self.entries[s]): objects[s] for s in objects}
         own = [tests.pop(n, f) for n, f in zip(self.names, self.files)]
-        subprocess.run(["c++", "-o", program, *own, *tests.values(), *self.files[len(self.names):]],
-                       cwd=self.build, check=True)
-        return not passes(program, name)
+        subprocess.run(["c++", *self.linker, *flags, "-o", place / "test", *own, *tests.values(),
+                        *self.files[len(self.names):]], cwd=self.build, check=True)
+        return place / "test"
+
+    def tests_of(self, name, text, sources):
+        """The tests, and the lines of the file that are in functions."""
+        place = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+        if not name.endswith(".cpp"):
+            tests = Tests(self.program(place, name, text, sources))
+            tests.time_all()
+            return tests, set()
+        tests = Tests(self.program(place, name, text, sources, ["--coverage"]))
+        unit = place / f"{pathlib.Path(name).stem}.mutant.o"
+        tests.cover(unit, self.jobs)
+        lines = json.loads(subprocess.run(["gcov", "--json-format", "--stdout", unit.with_suffix(".gcno")], cwd=place,
+                                          text=True, capture_output=True, check=True).stdout)
+        return tests, {n for file in lines["files"] if pathlib.Path(file["file"]).name == name
+                       for f in file["functions"] for n in range(f["start_line"], f["end_line"] + 1)}
+
+    def is_noticed(self, name, text, sources, tests, asked):
+        with tempfile.TemporaryDirectory(dir=self.folder) as place:
+            program = self.program(pathlib.Path(place), name, text, sources)
+            return program is None or tests.notice(program, asked)
 
 
 def known_reason(name, line, new):
@@ -273,36 +346,50 @@ def known_reason(name, line, new):
                  if f == name and where in line and what == new), None)
 
 
+def survivors_of(mutation, asked, skip_known):
+    """Runs the mutants of FILE[:LINE[-LINE]] and returns how many there were, and how many survived
+    with a reason and without one."""
+    name, _, only = asked.partition(":")
+    first, _, last = only.partition("-")
+    original = (SOURCES / name).read_text()
+    sources = [str(SOURCES / name)] if name.endswith(".cpp") else users(mutation.build, name, mutation.entries)
+    all_of_it = [m for m in mutants(original) if not only or int(first) <= m[0] <= int(last or first)]
+    ours = [m for m in all_of_it if not skip_known or known_reason(name, m[1], m[2]) is None]
+    tests, lines = mutation.tests_of(name, original, sources) if ours else (None, set())
+
+    def survives(mutant):
+        number, line, new, text = mutant
+        asked = tests.of(number, lines)
+        if asked and mutation.is_noticed(name, text, sources, tests, asked):
+            return None
+        reason = known_reason(name, line, new)
+        never = "" if asked else " (no test runs it)"
+        print(f"{name}:{number}: '{new.strip()}' in: {line}{never}" +
+              (f"\n    known: {reason}" if reason else ""), flush=True)
+        return reason is not None
+
+    with concurrent.futures.ThreadPoolExecutor(mutation.jobs) as pool:
+        found = list(pool.map(survives, ours))
+    counts = len(all_of_it), found.count(True) + len(all_of_it) - len(ours), found.count(False)
+    print("{}: done, {} mutants, {} known, {} not".format(name, *counts), flush=True)
+    return counts
+
+
 def main():
-    build = pathlib.Path(sys.argv[1]).resolve()
-    names = sys.argv[2:] or sorted(p.name for p in SOURCES.glob("*.*") if p.suffix in (".cpp", ".h"))
-    entries = {e["file"]: e for e in json.loads((build / "compile_commands.json").read_text())}
-    survivors, known, count = [], 0, 0
+    parser = argparse.ArgumentParser()
+    parser.add_argument("build", type=lambda p: pathlib.Path(p).resolve())
+    parser.add_argument("files", nargs="*", metavar="FILE[:LINE[-LINE]]")
+    parser.add_argument("-j", "--jobs", type=int, default=1, help="so many mutants at a time")
+    parser.add_argument("--skip-known", action="store_true", help="do not run those that have a reason")
+    options = parser.parse_intermixed_args()
+    names = options.files or sorted(p.name for p in SOURCES.glob("*.*") if p.suffix in (".cpp", ".h"))
+    entries = {e["file"]: e for e in json.loads((options.build / "compile_commands.json").read_text())}
     with tempfile.TemporaryDirectory() as temporary:
-        mutation = Mutation(build, pathlib.Path(temporary), entries)
-        for asked in names:
-            name, _, only = asked.partition(":")
-            first, _, last = only.partition("-")
-            original = (SOURCES / name).read_text()
-            sources = [str(SOURCES / name)] if name.endswith(".cpp") else users(build, name, entries)
-            if mutation.is_noticed(name, original, sources):
-                sys.exit(f"{name} fails its tests as it is")
-            for number, line, new, text in mutants(original):
-                if only and not int(first) <= number <= int(last or first):
-                    continue
-                count += 1
-                if mutation.is_noticed(name, text, sources):
-                    continue
-                reason = known_reason(name, line, new)
-                print(f"{name}:{number}: '{new.strip()}' in: {line}" +
-                      (f"\n    known: {reason}" if reason else ""), flush=True)
-                if reason is None:
-                    survivors.append(line)
-                else:
-                    known += 1
-            print(f"{name}: done, {count} mutants, {known} known, {len(survivors)} not", flush=True)
-    print(f"{count} mutants, {known} survivors with a reason, {len(survivors)} without")
-    return 1 if survivors else 0
+        mutation = Mutation(options.build, pathlib.Path(temporary), entries, options.jobs)
+        counts = [survivors_of(mutation, name, options.skip_known) for name in names]
+    total = [sum(c) for c in zip(*counts)]
+    print("{} mutants, {} survivors with a reason, {} without".format(*total))
+    return 1 if total[2] else 0
 
 
 if __name__ == "__main__":
