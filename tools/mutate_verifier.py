@@ -21,6 +21,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import typing
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = ROOT / "blends/src/verification"
@@ -31,7 +32,7 @@ SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" 
          (" max(", " min("), ("all_of(", "any_of("), ("any_of(", "all_of("),
          ("return false", "return true"), ("return true", "return false"), ("!(", "("),
          ("lower_bound(", "upper_bound("), ("upper_bound(", "lower_bound(")]
-# (file, what the line contains, what becomes of it): why nothing can notice.
+# (file, what the line contains as it is or as it becomes, what is put in): why nothing can notice.
 SLACK = "the slack has no meaning to the last bit"
 REGULAR = "a claim of its own says that radii are positive"
 ADMITTED = "radii of ends are admitted as positive, and so are those between"
@@ -40,6 +41,8 @@ STRICTER = "it can only refuse more, and later cells say the same"
 DEPTH = "to halve once more changes no answer but of what is nearly too much"
 ACROSS = "a tangent that may be across has 1 among its sines, or has no quotient: the line"
 ONE_SIDE = "no point is on both sides of a plane"
+ONE_PAIR_MORE = "a pair more needs a claim of its own"
+ORDER = "how parts are halved changes the work, and no pair is lost"
 KNOWN = {
     ("admitted.cpp", "std::abs(s.axis.dot(spoke)) <= kUnitSlack", " < "): SLACK,
     ("admitted.cpp", "std::abs(v.stableNorm() - 1) <= kUnitSlack", " < "): SLACK,
@@ -137,9 +140,30 @@ KNOWN = {
     ("mesh_claim.cpp", "return sagitta.rounded_outward().upper <= allowed;", " < "): SLACK,
     ("mesh_claim.cpp", "return sagitta.rounded_outward().upper <= allowed;", ".lower"): ROUNDING,
     ("mesh_claim.cpp", "std::min(1., plane.rounded_outward().lower)", ".upper"): ROUNDING,
+    ("near_parts.cpp", "between.lower > distance", " > "): ONE_PAIR_MORE,
+    ("near_parts.cpp", "between.upper < -distance", " < "): ONE_PAIR_MORE,
+    ("near_parts.cpp", "return std::isfinite(x.lower) && std::isfinite(x.upper)", " || "):
+        "boxes have no end or two, and a middle of one is in an order, too",
+    ("near_parts.cpp", "return std::isfinite(x.lower) && std::isfinite(x.upper)", ".lower"): ORDER,
+    ("near_parts.cpp", "return std::isfinite(x.lower) && std::isfinite(x.upper)", ".upper"): ORDER,
+    ("near_parts.cpp", "width(0) > width(1)", " > "): ORDER,
+    ("near_parts.cpp", "width(axis) > width(2)", " > "): ORDER,
+    ("near_parts.cpp", "if (parts.size() >= kFew) {", " >= "): ORDER,
+    ("near_parts.cpp", "if (std::max(a.size(), b.size()) > kFew) {", "std::max("): ORDER,
+    ("near_parts.cpp", "if (std::min(a.size(), b.size()) >= kFew) {", " >= "): ORDER,
+    ("near_parts.cpp", "splits_first = a.size() > b.size();", " > "): ORDER,
+    ("tube.cpp", "x.lower, x.lower)", ".lower"):
+        "only the upper end of the angle is asked for, which the lower end of x decides",
     ("certificate_verify.cpp", "for (std::uint32_t i = 0; i < parts", " <= "):
         "behind the last part there are no pairs",
 }
+
+
+class Mutant(typing.NamedTuple):
+    number: int
+    line: str
+    changed: str
+    new: str
 
 
 def mutants(text):
@@ -152,7 +176,7 @@ def mutants(text):
         for old, new in SWAPS:
             for found in re.finditer(re.escape(old), code):
                 changed = code[:found.start()] + new + code[found.end():]
-                yield (number + 1, line.strip(), new,
+                yield (Mutant(number + 1, line.strip(), changed.strip(), new),
                        "\n".join(lines[:number] + [changed] + lines[number + 1:]))
 
 
@@ -341,9 +365,9 @@ class Mutation:
             return program is None or tests.notice(program, asked)
 
 
-def known_reason(name, line, new):
+def known_reason(name, mutant):
     return next((why for (f, where, what), why in KNOWN.items()
-                 if f == name and where in line and what == new), None)
+                 if f == name and what == mutant.new and (where in mutant.line or where in mutant.changed)), None)
 
 
 def survivors_of(mutation, asked, skip_known):
@@ -353,18 +377,19 @@ def survivors_of(mutation, asked, skip_known):
     first, _, last = only.partition("-")
     original = (SOURCES / name).read_text()
     sources = [str(SOURCES / name)] if name.endswith(".cpp") else users(mutation.build, name, mutation.entries)
-    all_of_it = [m for m in mutants(original) if not only or int(first) <= m[0] <= int(last or first)]
-    ours = [m for m in all_of_it if not skip_known or known_reason(name, m[1], m[2]) is None]
+    all_of_it = [(m, text) for m, text in mutants(original)
+                 if not only or int(first) <= m.number <= int(last or first)]
+    ours = [(m, text) for m, text in all_of_it if not skip_known or known_reason(name, m) is None]
     tests, lines = mutation.tests_of(name, original, sources) if ours else (None, set())
 
-    def survives(mutant):
-        number, line, new, text = mutant
-        asked = tests.of(number, lines)
+    def survives(of_ours):
+        mutant, text = of_ours
+        asked = tests.of(mutant.number, lines)
         if asked and mutation.is_noticed(name, text, sources, tests, asked):
             return None
-        reason = known_reason(name, line, new)
+        reason = known_reason(name, mutant)
         never = "" if asked else " (no test runs it)"
-        print(f"{name}:{number}: '{new.strip()}' in: {line}{never}" +
+        print(f"{name}:{mutant.number}: '{mutant.new.strip()}' in: {mutant.changed}{never}" +
               (f"\n    known: {reason}" if reason else ""), flush=True)
         return reason is not None
 
