@@ -128,6 +128,9 @@ KNOWN = {
     ("mesh_claim.cpp", "numbers::sqrt(square(slope) + square(radius * turn))", ".lower"): ROUNDING,
     ("mesh_claim.cpp", "bounds.turning = std::max(bounds.turning, turn.upper);", ".lower"):
         "a magnitude is one number",
+    ("mesh_claim.cpp", "for (int i = 0; i <= cells; ++i) {", " <= "):
+        "a cell behind the band can only add to the bounds",
+    ("mesh_claim.cpp", "is_by_length = measure != Measure::length", " != "): "both are tried",
     ("mesh_claim.cpp", "turn.upper <= 1 && error.upper <= allowed", " < "): SLACK,
     ("mesh_claim.cpp", "turn.upper <= 1 && error.upper <= allowed", ".lower"): ROUNDING,
     ("mesh_claim.cpp", "{twist.lower, twist.upper}", ".upper"): ROUNDING,

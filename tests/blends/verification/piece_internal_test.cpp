@@ -106,10 +106,10 @@ TEST(Piece, that_is_rational_has_the_normals_of_its_ends) {
       ringed_blend(along_oblique_cone({Vec3(0, 0, 0), Vec3::UnitZ(), 1}, Vec3(.6, 0, -3), 1.2),
                    along_canal({Vec3(4, 1, 4), Vec3::UnitX(), .8}, 0, 3));
   const MovingRing from = ring_at(surface, 0), to = ring_at(surface, 1);
-  const Piece piece(RationalRingedTube{{from.center, -from.normal, from.radius},
-                                       {to.center, to.normal, to.radius},
-                                       surface},
-                    0);
+  const Piece piece(
+      RationalRingedTube{
+          {from.center, -from.normal, from.radius}, {to.center, to.normal, to.radius}, surface},
+      0);
   for (const End end : {End::start, End::end}) {
     EXPECT_LE(upper(end_difference(piece, end).axis_angle), 1e-13);
     EXPECT_LE(upper(end_difference(piece, end).offset), 1e-13);
