@@ -1,6 +1,7 @@
 #include "verification/contact_arcs.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <variant>
 
@@ -136,7 +137,7 @@ Interval along_arcs(const ContactArcs& arcs, const IntervalVec& d) {
 }
 
 double furthest(const ContactArcs& arcs, const IntervalVec& d) {
-  double most = dot(arcs.corners[0], d).upper;
+  double most = -std::numeric_limits<double>::infinity();
   for (const IntervalVec& corner : arcs.corners) {
     most = std::max(most, dot(corner, d).upper);
   }

@@ -91,6 +91,39 @@ TEST(ContactArcs, hold_how_points_move) {
   }
 }
 
+// Arcs from somewhere between both ends of `first` to the y axis, each at most a right angle.
+ContactArcs hand_made(const Interval& first) {
+  ContactArcs arcs;
+  arcs.toward = {IntervalVec{first, 0, 0}, IntervalVec{0, 1, 0}};
+  arcs.inverse_cosine = {1, std::sqrt(2)};
+  return arcs;
+}
+
+TEST(ContactArcs, reach_furthest_within_what_their_ends_say) {
+  const IntervalVec between = numbers::interval_vec(Vec3(1, 1, 0).normalized()),
+                    along = numbers::interval_vec(Vec3::UnitX()),
+                    beside = numbers::interval_vec(Vec3(-.5, 1, 0).normalized());
+  for (const double lowest : {1., .5, -.125}) {
+    const ContactArcs arcs = hand_made({lowest, 1});
+    EXPECT_NEAR(along_arcs(arcs, between).upper, 1, 1e-12) << lowest;
+    EXPECT_NEAR(along_arcs(arcs, along).upper, 1, 1e-12) << lowest;
+    EXPECT_NEAR(along_arcs(arcs, Interval(-1) * between).lower, -1, 1e-12) << lowest;
+  }
+  // Straight beyond the end at y, nothing reaches further than that end.
+  EXPECT_NEAR(along_arcs(hand_made(1), beside).upper, 2 / std::sqrt(5), 1e-12);
+  EXPECT_NEAR(along_arcs(hand_made(1), Interval(-1) * between).upper, -std::sqrt(.5), 1e-12);
+}
+
+TEST(ContactArcs, reach_as_far_as_the_furthest_place_of_any_corner) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    ContactArcs arcs;
+    arcs.corners.fill(numbers::interval_vec(Vec3(-3, -3, -3)));
+    arcs.corners.at(i) = {Interval(-5, 2), Interval(-1), Interval(-1)};
+    EXPECT_GE(furthest(arcs, numbers::interval_vec(Vec3::UnitX())), 2);
+    EXPECT_LE(furthest(arcs, numbers::interval_vec(Vec3::UnitX())), 2.001);
+  }
+}
+
 TEST(ContactArcs, are_none_where_balls_envelop_nothing) {
   auto loop = test::loops_of_all_kinds().front().loop;
   std::get<RollingThrough>(loop.motion).radius = -1;

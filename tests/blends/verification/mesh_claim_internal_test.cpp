@@ -100,6 +100,9 @@ TEST(MeshClaim, of_similar_ellipses_needs_the_larger_sagitta_of_others_nothing_f
   tube.axis = Vec3::UnitY();
   EXPECT_TRUE(follows(test::solid(tube), claim(16, {0, 1}, sagitta(4, 16) + 1e-12)));
   EXPECT_FALSE(follows(test::solid(tube), claim(16, {0, 1}, sagitta(4, 16) - 1e-12)));
+  tube.second = CubicRadius{1, 2};  // similar at its ends only
+  EXPECT_FALSE(follows(test::solid(tube), claim(16, {0, 1}, 100)));
+  tube.second = LinearRadius{1, 2};
   tube.end.ellipse->across = 2.5;  // no longer similar: rows of facets would be twisted
   EXPECT_FALSE(follows(test::solid(tube), claim(16, {0, 1}, 100)));
 }
