@@ -42,6 +42,7 @@ DEPTH = "to halve once more changes no answer but of what is nearly too much"
 ACROSS = "a tangent that may be across has 1 among its sines, or has no quotient: the line"
 ONE_SIDE = "no point is on both sides of a plane"
 LINE = "a quotient by what may be 0 is the line, from which nothing follows"
+ROUNDED_DOWN = "a bound is rounded down, to less than 0 where it is 0"
 ONE_PAIR_MORE = "a pair more needs a claim of its own"
 ORDER = "how parts are halved changes the work, and no pair is lost"
 KNOWN = {
@@ -63,7 +64,7 @@ KNOWN = {
     ("regular_claim.cpp", "if (range.lower > 0 && all_positive(excess", " >= "): ADMITTED,
     ("regular_claim.cpp", "if (range.lower > 0 && all_positive(excess", ".upper"): ADMITTED,
     ("regular_claim.cpp", "- disc->radius[0] * turning).lower > 0) {", " >= "):
-        "a bound is rounded down, to less than 0 where it is 0",
+        ROUNDED_DOWN,
     ("regular_claim.cpp", "return least > 0 &&", " >= "): ADMITTED,
     ("regular_claim.cpp", "return halvings > 0 && is_regular_on(", " >= "): DEPTH,
     ("regular_claim.cpp", "least = tube.radius_range(t, t).lower;", ".upper"): ROUNDING,
@@ -167,6 +168,13 @@ KNOWN = {
     ("motion.cpp", "is_rational = s.weight.size() >= 1,", " >= "): ROUNDING,
     ("motion.cpp", "return w[0].lower > 0 ? across(", " >= "): LINE,
     ("motion.cpp", "return w[0].lower > 0 ? across(", ".upper"): LINE,
+    ("fillet_claims.cpp", "return speed.lower >= 0;", " >= "): ROUNDED_DOWN,
+    ("fillet_claims.cpp", "phi = phi.lower;", ".lower"): ROUNDING,
+    ("fillet_claims.cpp", "square(phi) / 2).upper;", ".upper"): ROUNDING,
+    ("fillet_claims.cpp", "return phi.upper <= 1 &&", " <= "): SLACK,
+    ("fillet_claims.cpp", "return phi.lower < 1 &&", ".lower"): ROUNDING,
+    ("fillet_claims.cpp", "sideways.upper * phi).lower >= 0;", " >= "): SLACK,
+    ("fillet_claims.cpp", "sideways.upper * phi).upper > 0;", ".upper"): ROUNDING,
     ("certificate_verify.cpp", "for (std::uint32_t i = 0; i < parts", " <= "):
         "behind the last part there are no pairs",
 }
