@@ -43,6 +43,7 @@ ACROSS = "a tangent that may be across has 1 among its sines, or has no quotient
 ONE_SIDE = "no point is on both sides of a plane"
 LINE = "a quotient by what may be 0 is the line, from which nothing follows"
 ROUNDED_DOWN = "a bound is rounded down, to less than 0 where it is 0"
+POINT = "a circle without radius is a point, of which the bounds hold, too"
 ONE_PAIR_MORE = "a pair more needs a claim of its own"
 ORDER = "how parts are halved changes the work, and no pair is lost"
 KNOWN = {
@@ -175,6 +176,21 @@ KNOWN = {
     ("fillet_claims.cpp", "return phi.lower < 1 &&", ".lower"): ROUNDING,
     ("fillet_claims.cpp", "sideways.upper * phi).lower >= 0;", " >= "): SLACK,
     ("fillet_claims.cpp", "sideways.upper * phi).upper > 0;", ".upper"): ROUNDING,
+    ("fillet_claims.cpp", "furthest(second, Interval(-1) * d)).upper <= 0;", " <= "): SLACK,
+    ("fillet_claims.cpp", "furthest(second, Interval(-1) * d)).lower < 0;", ".lower"): ROUNDING,
+    ("hub_claims.cpp", "square(r1)).lower >= 0)", " >= "): POINT,
+    ("hub_claims.cpp", "!(sphere.radius[0].lower >= 0)", " >= "): POINT,
+    ("hub_claims.cpp", ".lower >= 0;", " >= "): SLACK,
+    ("hub_claims.cpp", "s_root.is_positive() || t_root.is_positive();", " || "):
+        "what is negative times what is not has no root then: the line, which is not positive",
+    ("hub_claims.cpp", "Interval(depth.rounded_outward().lower)", ".lower"): ROUNDING,
+    ("hub_claims.cpp", "size)).upper < claim.error_bound;", " < "): SLACK,
+    ("hub_claims.cpp", "size)).lower <= claim.error_bound;", ".lower"): ROUNDING,
+    ("loop_clearance.cpp", "length.lower >= 0 ?", " >= "): LINE,
+    ("loop_clearance.cpp", "length.upper > 0 ?", ".upper"): LINE,
+    ("loop_clearance.cpp", "((-front - behind) / length).upper", ".upper"): ROUNDING,
+    ("loop_clearance.cpp", "return width >= 0 &&", " >= "): ROUNDED_DOWN,
+    ("loop_clearance.cpp", "width > distance;", " > "): SLACK,
     ("certificate_verify.cpp", "for (std::uint32_t i = 0; i < parts", " <= "):
         "behind the last part there are no pairs",
 }

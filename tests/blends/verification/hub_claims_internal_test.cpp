@@ -128,6 +128,29 @@ TEST(HubClaims, circles_within_the_hub_are_not_outside) {
   }
 }
 
+// A quarter of a torus, from balls of radius 1 whose centres are so far from its axis: of those
+// that hold the axis, circles reach into the last ball, by little where it is just inside.
+TEST(HubClaims, arms_that_bend_into_the_hub_are_not_outside) {
+  for (const double bend : {.5, .98, 1.5}) {
+    const CyclidePiece quarter{{Vec3(bend, 0, 0), -Vec3::UnitY(), 1},
+                               {Vec3(0, bend, 0), -Vec3::UnitX(), 1},
+                               {Vec3(bend, 0, 0), 1},
+                               {Vec3::UnitY(), 0},
+                               {Vec3(0, bend, 0), 1},
+                               std::numbers::sqrt2 * bend};
+    const Solid arm = test::solid(quarter);
+    const Sphere hub{Vec3(0, bend, 0), 1};
+    ASSERT_TRUE(is_arm(arm, hub));
+    for (const int cells : {1, 4, 16, 64}) {
+      for (int i = 0; i < cells; ++i) {
+        const bool outside = keeps_outside(arm, {double(i) / cells, double(i + 1) / cells}, hub);
+        EXPECT_TRUE(bend > 1 || !outside) << bend << " " << i << "/" << cells;
+        EXPECT_TRUE(bend < 1 || cells < 64 || outside) << i;
+      }
+    }
+  }
+}
+
 // Corners of a regular polygon on a great circle of the hub, with its middle the deepest.
 TEST(HubClaims, of_a_mesh_bound_its_triangles) {
   const Sphere hub{{1, 2, 3}, 5};
@@ -195,13 +218,14 @@ TEST(HubClaims, spheres_without_circles_keep_outside_of_nothing) {
   const Sphere far{{0, 90, 0}, 1};
   const Solid growing = test::solid(grows, pipe);
   EXPECT_TRUE(keeps_outside(growing, {.4375, .5}, far));
-  bool known = true;
-  for (int i = 31; i >= 0; --i) {  // at first it is not, and never again where it was not
-    const bool here = keeps_outside(growing, {i / 64., (i + 1) / 64.}, far);
-    EXPECT_TRUE(known || !here) << i;
-    known = here;
+  double without = 0, with = .5;  // where circles begin
+  while (with - without > 0x1p-30) {
+    const double middle = (without + with) / 2;
+    (keeps_outside(growing, {middle, middle + 0x1p-32}, far) ? with : without) = middle;
   }
-  EXPECT_FALSE(known);
+  EXPECT_GT(without, .125);
+  EXPECT_FALSE(keeps_outside(growing, {without - 0x1p-20, with + 0x1p-20}, far));
+  EXPECT_TRUE(keeps_outside(growing, {with + 0x1p-20, with + 0x1p-19}, far));
   CyclidePiece shrinks = pipe;
   shrinks.last.r = -1;
   const Solid shrinking = test::solid(shrinks, pipe);
