@@ -43,6 +43,7 @@ ACROSS = "a tangent that may be across has 1 among its sines, or has no quotient
 ONE_SIDE = "no point is on both sides of a plane"
 LINE = "a quotient by what may be 0 is the line, from which nothing follows"
 ROUNDED_DOWN = "a bound is rounded down, to less than 0 where it is 0"
+INSIDE = "what bounds the inside of arcs bounds their ends, too"
 POINT = "a circle without radius is a point, of which the bounds hold, too"
 ONE_PAIR_MORE = "a pair more needs a claim of its own"
 ORDER = "how parts are halved changes the work, and no pair is lost"
@@ -178,6 +179,24 @@ KNOWN = {
     ("fillet_claims.cpp", "sideways.upper * phi).upper > 0;", ".upper"): ROUNDING,
     ("fillet_claims.cpp", "furthest(second, Interval(-1) * d)).upper <= 0;", " <= "): SLACK,
     ("fillet_claims.cpp", "furthest(second, Interval(-1) * d)).lower < 0;", ".lower"): ROUNDING,
+    ("fillet_claims.cpp", "if (!all && !at ||", " && "):
+        "sixteenths of a loop and their halves lie in one half of it: there is none that is none",
+    ("fillet_claims.cpp", "if (!all || !at && !reach", " && "):
+        "sixteenths of a loop and their halves lie in one half of it: there is none that is none",
+    ("contact_arcs.cpp", "balls.radius[0].lower >= 0", " >= "): POINT,
+    ("contact_arcs.cpp", "square(growth[0])).lower >= 0", " >= "): LINE,
+    ("contact_arcs.cpp", "if (!(length[0].lower >= 0)) {", " >= "): LINE,
+    ("contact_arcs.cpp", "if (!(length[0].upper > 0)) {", ".upper"): LINE,
+    ("contact_arcs.cpp", "if (!(squared_sum[0].lower >= 0)) {", " >= "): LINE,
+    ("contact_arcs.cpp", "if (!(squared_sum[0].upper > 0)) {", ".upper"): LINE,
+    ("contact_arcs.cpp", "ends.at(1 - i)).upper < 0) {", " < "): "the wider of two bounds",
+    ("contact_arcs.cpp", "const double wide = most >= 0 ?", " >= "): ROUNDING,
+    ("contact_arcs.cpp", "const bool falls = arcs.bending.upper >=", " >= "): INSIDE,
+    ("contact_arcs.cpp", "bending.upper > std::max(bending[0].lower,", ".lower"): INSIDE,
+    ("contact_arcs.cpp", "bending.upper > std::max(bending[0].upper, bending[1].lower", ".lower"): INSIDE,
+    ("contact_arcs.cpp", "bending.upper > std::min(", "std::min("): INSIDE,
+    ("contact_arcs.cpp", "if (!turn || !middle_turn && !reach", " && "):
+        "what lies in one half of a loop has its middle there",
     ("hub_claims.cpp", "square(r1)).lower >= 0)", " >= "): POINT,
     ("hub_claims.cpp", "!(sphere.radius[0].lower >= 0)", " >= "): POINT,
     ("hub_claims.cpp", ".lower >= 0;", " >= "): SLACK,
@@ -191,6 +210,7 @@ KNOWN = {
     ("loop_clearance.cpp", "((-front - behind) / length).upper", ".upper"): ROUNDING,
     ("loop_clearance.cpp", "return width >= 0 &&", " >= "): ROUNDED_DOWN,
     ("loop_clearance.cpp", "width > distance;", " > "): SLACK,
+    ("certificate_verify.cpp", "claims.contact.offset < tolerance", " < "): SLACK,
     ("certificate_verify.cpp", "for (std::uint32_t i = 0; i < parts", " <= "):
         "behind the last part there are no pairs",
 }

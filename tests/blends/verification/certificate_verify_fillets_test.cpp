@@ -169,7 +169,11 @@ TEST(VerifyCertificate, of_junctions_is_about_their_hubs_and_arms) {
       {{"another hub", "arms",
         [=](Certificate& c) { ball(c).radius = std::nextafter(ball(c).radius, 0); }},
        {"one arm", "junction", [](Certificate& c) { c.junctions[0].arms.resize(1); }},
-       {"no part", "junctions", [](Certificate& c) { c.junctions[0].hub = 99; }},
+       {"no part", "junctions",
+        [=](Certificate& c) {
+          c.junctions[0].hub = hub + 1;
+          c.claims[hub].mesh.reset();
+        }},
        {"a hub twice", "junctions", [](Certificate& c) { c.junctions.push_back(c.junctions[0]); }},
        {"a hub that is none", "junction",
         [=](Certificate& c) {

@@ -192,6 +192,22 @@ TEST(FilletClaims, of_contact_are_as_tight_as_rounding) {
   }
 }
 
+TEST(FilletClaims, of_contact_do_not_follow_of_a_ball_that_stands) {
+  CanalFillet loop = loop_of("through_0");
+  std::get<RollingThrough>(loop.motion).distance = 0;
+  EXPECT_FALSE(follows(loop, ContactClaim{1e9, 1e9}));
+}
+
+TEST(FilletClaims, of_contact_take_the_last_derivative_from_all_of_a_stretch) {
+  const double h = .125;
+  const TaylorRange found = taylor_range(Jet<3>{{1, 2, 4}}, Jet<3>{{99, 99, Interval(-8, 16)}}, h);
+  EXPECT_NEAR(found.value.upper, 1 + 2 * h + 16 * h * h / 2, 1e-12);
+  EXPECT_NEAR(found.value.lower, 1 - 2 * h - 16 * h * h / 2, 1e-12);
+  EXPECT_NEAR(found.slope.upper, 2 + 16 * h, 1e-12);
+  EXPECT_NEAR(found.slope.lower, 2 - 16 * h, 1e-12);
+  EXPECT_GE(found.value.upper, 1 + 2 * h + 16 * h * h / 2);
+}
+
 // The bound is above what samples of the mesh are off, and no mesh of fewer rows keeps to it.
 TEST(FilletClaims, of_meshes_bound_what_samples_say) {
   for (const auto& [name, loop] : test::loops_of_most_kinds()) {
