@@ -211,7 +211,9 @@ KNOWN = {
     ("loop_clearance.cpp", "return width >= 0 &&", " >= "): ROUNDED_DOWN,
     ("loop_clearance.cpp", "width > distance;", " > "): SLACK,
     ("certificate_verify.cpp", "claims.contact.offset < tolerance", " < "): SLACK,
-    ("certificate_verify.cpp", "for (std::uint32_t i = 0; i < parts", " <= "):
+    ("bernstein.h", "for (std::size_t k = 0; k < m + n; ++k) {", " < "): "the last one is divided by 1",
+    ("certificate_verify.cpp", "require(*arm <= hub &&", " <= "): "a hub is a sphere and no arm",
+    ("certificate_verify.cpp", "for (std::uint32_t i = 0; i <= solids.size()", " <= "):
         "behind the last part there are no pairs",
 }
 
