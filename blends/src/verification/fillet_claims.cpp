@@ -125,17 +125,15 @@ bool touches_on(const CanalFillet& loop, const ContactClaim& claim, const Parame
   constexpr std::uint64_t kWork = 64;
   spend(kWork);
   const double middle = std::midpoint(t.from, t.to);
-  const auto all = turn_stretch(t), at = turn_stretch({middle, middle});
-  const auto reach = turn_reach(t);
-  if (!all || !at || !reach) {
-    return false;
-  }
-  const auto balls = std::visit(BallReader<kOrders>(*all), loop.motion);
-  const auto ball = std::visit(BallReader<kOrders>(*at), loop.motion);
+  // Sixteenths of a loop and their halves lie in one half of it.
+  const TurnStretch all = turn_stretch(t).value(), at = turn_stretch({middle, middle}).value();
+  const double reach = turn_reach(t).value();
+  const auto balls = std::visit(BallReader<kOrders>(all), loop.motion);
+  const auto ball = std::visit(BallReader<kOrders>(at), loop.motion);
   const Interval speed = sqrt(squared_norm(derivative(balls.center)))[0];
   const Interval sine = Interval(balls.radius[1].magnitude()) / speed;
   return std::all_of(loop.quadrics.begin(), loop.quadrics.end(), [&](const Ring& quadric) {
-    const TaylorRange off = taylor_range(misfit(quadric, ball), misfit(quadric, balls), *reach);
+    const TaylorRange off = taylor_range(misfit(quadric, ball), misfit(quadric, balls), reach);
     // The sine of how far the foot is off the circle's plane differs by so much.
     const Interval lean = Interval(off.slope.magnitude()) / speed;
     // Where the ball may stand, or its circle has no radius, that is the line.
@@ -164,8 +162,8 @@ Interval along(const ContactArcs& a) {
   const Interval to_arc = Interval(a.second_growth.magnitude()) + radius * square(spin);
   const Interval across = Interval((Interval(2) * a.growth * spin).magnitude()) +
                           radius * hull(a.spin_change[0], a.spin_change[1]).magnitude();
-  const Interval aside = Interval(turning.upper) * (a.passing - a.second_lag).magnitude() +
-                         Interval(a.lag.magnitude()) * norm(a.second_turning).upper +
+  const Interval aside = turning * (a.passing - a.second_lag).magnitude() +
+                         Interval(a.lag.magnitude()) * norm(a.second_turning) +
                          sqrt(square(to_arc) + square(across));
   return sqrt(square(forward) + square(aside));
 }

@@ -153,8 +153,8 @@ TEST(ContactArcs, are_none_where_some_balls_of_the_stretch_envelop_nothing) {
     motion.origin.r += lowest - least;
     return loop;
   };
-  int found = 0;
   for (const CanalFillet& loop : {with(1, -.02), with(60, .5)}) {
+    int found = 0;
     for (int i = 0; i < 512; ++i) {
       const double from = i / 256., to = (i + 1) / 256.;
       const bool first = contact_arcs(loop, {from, from}).has_value(),
@@ -171,8 +171,8 @@ TEST(ContactArcs, are_none_where_some_balls_of_the_stretch_envelop_nothing) {
       const double low = std::min(known, unknown), high = std::max(known, unknown);
       EXPECT_FALSE(contact_arcs(loop, {low - 0x1p-24, high + 0x1p-24})) << i;
     }
+    EXPECT_GE(found, 2);
   }
-  EXPECT_GE(found, 4);
 }
 
 TEST(ContactArcs, have_corners_where_pipes_touch) {

@@ -192,6 +192,27 @@ TEST(FilletClaims, of_contact_are_as_tight_as_rounding) {
   }
 }
 
+TEST(FilletClaims, that_are_undecided_have_a_margin_below_one) {
+  EXPECT_TRUE(has_form(RegularClaim{Verdict::undecided, .5, {}, {}}));
+  EXPECT_FALSE(has_form(RegularClaim{Verdict::undecided, 1, {}, {}}));
+}
+
+// A pipe moved aside: by how much the angle is off varies along the loop, as the ball's speed does.
+TEST(FilletClaims, of_contact_are_about_the_worst_angle) {
+  CanalFillet loop = loop_of("through_0");
+  loop.quadrics[0].center.y() += 1e-3;
+  double lean = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double t = i * 1e-3;
+    const auto balls = std::visit(BallReader<2>(*turn_stretch({t, t})), loop.motion);
+    const Jet<2> off = seen_from(loop.quadrics[0], balls.center).distance - balls.radius;
+    lean = std::max(lean,
+                    std::abs(numbers::middle(off[1])) / numbers::norm(part(balls.center, 1)).lower);
+  }
+  EXPECT_TRUE(follows(loop, ContactClaim{1, 1.01 * lean}));
+  EXPECT_FALSE(follows(loop, ContactClaim{1, .99 * lean}));
+}
+
 TEST(FilletClaims, of_contact_do_not_follow_of_a_ball_that_stands) {
   CanalFillet loop = loop_of("through_0");
   std::get<RollingThrough>(loop.motion).distance = 0;
