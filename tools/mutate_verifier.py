@@ -219,6 +219,11 @@ KNOWN = {
     ("loop_clearance.cpp", "width > distance;", " > "): SLACK,
     ("certificate_verify.cpp", "claims.contact.offset < tolerance", " < "): SLACK,
     ("bernstein.h", "for (std::size_t k = 0; k < m + n; ++k) {", " < "): "the last one is divided by 1",
+    ("bernstein.h", "for (std::size_t r = 1; r <= p.size(); ++r) {", " <= "): "the last round is empty",
+    ("fillet_claims.cpp", "angle(Mpfi(chord.lower), Mpfi(rest.lower))", ".lower"): ROUNDING,
+    ("fillet_claims.cpp", "Mpfi(rest.lower))).lower;", ".lower"): ROUNDING,
+    ("fillet_claims.cpp", "cell.around = (radius * square(arc)).lower;", ".lower"): ROUNDING,
+    ("fillet_claims.cpp", "!(arcs->passing.lower >= (Interval(margin)", " >= "): SLACK,
     ("certificate_verify.cpp", "require(*arm <= hub &&", " <= "): "a hub is a sphere and no arm",
     ("certificate_verify.cpp", "for (std::uint32_t i = 0; i <= solids.size()", " <= "):
         "behind the last part there are no pairs",

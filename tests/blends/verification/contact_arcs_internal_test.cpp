@@ -168,8 +168,11 @@ TEST(ContactArcs, are_none_where_some_balls_of_the_stretch_envelop_nothing) {
         const double middle = (known + unknown) / 2;
         (contact_arcs(loop, {middle, middle}) ? known : unknown) = middle;
       }
-      const double low = std::min(known, unknown), high = std::max(known, unknown);
-      EXPECT_FALSE(contact_arcs(loop, {low - 0x1p-24, high + 0x1p-24})) << i;
+      // Of the stretch's middle all is known.
+      const double step = known > unknown ? 0x1p-24 : -0x1p-24;
+      const auto [low, high] = std::minmax({unknown - step, known + 3 * step});
+      EXPECT_FALSE(contact_arcs(loop, {low, high})) << i;
+      EXPECT_TRUE(contact_arcs(loop, {(low + high) / 2, (low + high) / 2})) << i;
     }
     EXPECT_GE(found, 2);
   }
