@@ -463,6 +463,11 @@ TEST(FilletClaims, have_leaves_within_one_half_of_the_loop) {
                                         {1.96875, 2.03125}}) {
     EXPECT_FALSE(regular_cell(loop, leaf, 0)) << leaf.from;
   }
+  const auto cells = hand_made_loop();
+  EXPECT_TRUE(holds(loop, cells, {{.25, .5}, {.5, .75}, {}}));
+  EXPECT_FALSE(holds(loop, cells, {{.25, .25}, {.5, .75}, {}}));
+  EXPECT_FALSE(holds(loop, cells, {{.25, .5}, {.75, .75}, {}}));
+  EXPECT_FALSE(holds(loop, cells, {{.25, .5}, {.75, 1.25}, {}}));
 }
 
 // So wide a stretch that all arcs are known, but not how fast they pass.
