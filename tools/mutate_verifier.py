@@ -223,6 +223,7 @@ KNOWN = {
     ("fillet_claims.cpp", "angle(Mpfi(chord.lower), Mpfi(rest.lower))", ".lower"): ROUNDING,
     ("fillet_claims.cpp", "Mpfi(rest.lower))).lower;", ".lower"): ROUNDING,
     ("fillet_claims.cpp", "cell.around = (radius * square(arc)).lower;", ".lower"): ROUNDING,
+    ("fillet_claims.cpp", "displacement(claim.grid, size)).lower;", ".lower"): ROUNDING,
     ("fillet_claims.cpp", "!(arcs->passing.lower >= (Interval(margin)", " >= "): SLACK,
     ("certificate_verify.cpp", "require(*arm <= hub &&", " <= "): "a hub is a sphere and no arm",
     ("certificate_verify.cpp", "for (std::uint32_t i = 0; i <= solids.size()", " <= "):
