@@ -5,17 +5,23 @@ sources once, and lists the mutants that no test notices.
     tools/mutate_verifier.py BUILD [FILE[:LINE[-LINE]] ...]     e.g. build/dev regular_claim.cpp
 
 BUILD is a directory where ninja has built blends_verification_test; FILEs are sources or headers of
-blends/src/verification, all of them if none is given. Of a header, all sources of the checker and of
-the test that include it are compiled again. A mutant that does not compile, crashes the
-test or takes more than a minute counts as noticed. KNOWN lists survivors that are right as they
-are, with the reason; the exit code is 1 if there are others.
+blends/src/verification, all of them if none is given. Of a source, gcov says first which tests
+run which of its functions, and a mutant is put to those. Of a header, all sources of the checker and
+of the test that include it are compiled again, and all tests are run. A mutant that does not
+compile, crashes the test or takes ten times as long counts as noticed. KNOWN lists survivors that
+are right as they are, with the reason; the exit code is 1 if there are others.
 """
+import argparse
+import concurrent.futures
 import json
+import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
+import typing
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = ROOT / "blends/src/verification"
@@ -26,7 +32,7 @@ SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" 
          (" max(", " min("), ("all_of(", "any_of("), ("any_of(", "all_of("),
          ("return false", "return true"), ("return true", "return false"), ("!(", "("),
          ("lower_bound(", "upper_bound("), ("upper_bound(", "lower_bound(")]
-# (file, what the line contains, what becomes of it): why nothing can notice.
+# (file, what the line contains as it is or as it becomes, what is put in): why nothing can notice.
 SLACK = "the slack has no meaning to the last bit"
 REGULAR = "a claim of its own says that radii are positive"
 ADMITTED = "radii of ends are admitted as positive, and so are those between"
@@ -35,6 +41,12 @@ STRICTER = "it can only refuse more, and later cells say the same"
 DEPTH = "to halve once more changes no answer but of what is nearly too much"
 ACROSS = "a tangent that may be across has 1 among its sines, or has no quotient: the line"
 ONE_SIDE = "no point is on both sides of a plane"
+LINE = "a quotient by what may be 0 is the line, from which nothing follows"
+ROUNDED_DOWN = "a bound is rounded down, to less than 0 where it is 0"
+INSIDE = "what bounds the inside of arcs bounds their ends, too"
+POINT = "a circle without radius is a point, of which the bounds hold, too"
+ONE_PAIR_MORE = "a pair more needs a claim of its own"
+ORDER = "how parts are halved changes the work, and no pair is lost"
 KNOWN = {
     ("admitted.cpp", "std::abs(s.axis.dot(spoke)) <= kUnitSlack", " < "): SLACK,
     ("admitted.cpp", "std::abs(v.stableNorm() - 1) <= kUnitSlack", " < "): SLACK,
@@ -54,7 +66,7 @@ KNOWN = {
     ("regular_claim.cpp", "if (range.lower > 0 && all_positive(excess", " >= "): ADMITTED,
     ("regular_claim.cpp", "if (range.lower > 0 && all_positive(excess", ".upper"): ADMITTED,
     ("regular_claim.cpp", "- disc->radius[0] * turning).lower > 0) {", " >= "):
-        "a bound is rounded down, to less than 0 where it is 0",
+        ROUNDED_DOWN,
     ("regular_claim.cpp", "return least > 0 &&", " >= "): ADMITTED,
     ("regular_claim.cpp", "return halvings > 0 && is_regular_on(", " >= "): DEPTH,
     ("regular_claim.cpp", "least = tube.radius_range(t, t).lower;", ".upper"): ROUNDING,
@@ -120,6 +132,9 @@ KNOWN = {
     ("mesh_claim.cpp", "numbers::sqrt(square(slope) + square(radius * turn))", ".lower"): ROUNDING,
     ("mesh_claim.cpp", "bounds.turning = std::max(bounds.turning, turn.upper);", ".lower"):
         "a magnitude is one number",
+    ("mesh_claim.cpp", "for (int i = 0; i <= cells; ++i) {", " <= "):
+        "a cell behind the band can only add to the bounds",
+    ("mesh_claim.cpp", "is_by_length = measure != Measure::length", " != "): "both are tried",
     ("mesh_claim.cpp", "turn.upper <= 1 && error.upper <= allowed", " < "): SLACK,
     ("mesh_claim.cpp", "turn.upper <= 1 && error.upper <= allowed", ".lower"): ROUNDING,
     ("mesh_claim.cpp", "{twist.lower, twist.upper}", ".upper"): ROUNDING,
@@ -132,9 +147,95 @@ KNOWN = {
     ("mesh_claim.cpp", "return sagitta.rounded_outward().upper <= allowed;", " < "): SLACK,
     ("mesh_claim.cpp", "return sagitta.rounded_outward().upper <= allowed;", ".lower"): ROUNDING,
     ("mesh_claim.cpp", "std::min(1., plane.rounded_outward().lower)", ".upper"): ROUNDING,
-    ("certificate_verify.cpp", "for (std::uint32_t i = 0; i < parts", " <= "):
+    ("near_parts.cpp", "between.lower > distance", " > "): ONE_PAIR_MORE,
+    ("near_parts.cpp", "between.upper < -distance", " < "): ONE_PAIR_MORE,
+    ("near_parts.cpp", "return std::isfinite(x.lower) && std::isfinite(x.upper)", " || "):
+        "only a middle of two infinite ends is no number",
+    ("near_parts.cpp", "return std::isfinite(x.lower) && std::isfinite(x.upper)", ".lower"): ORDER,
+    ("near_parts.cpp", "return std::isfinite(x.lower) && std::isfinite(x.upper)", ".upper"): ORDER,
+    ("near_parts.cpp", "width(0) > width(1)", " > "): ORDER,
+    ("near_parts.cpp", "width(axis) > width(2)", " > "): ORDER,
+    ("near_parts.cpp", "if (parts.size() >= kFew) {", " >= "): ORDER,
+    ("near_parts.cpp", "if (std::max(a.size(), b.size()) > kFew) {", "std::max("): ORDER,
+    ("near_parts.cpp", "if (std::min(a.size(), b.size()) >= kFew) {", " >= "): ORDER,
+    ("near_parts.cpp", "splits_first = a.size() > b.size();", " > "): ORDER,
+    ("tube.cpp", "x.lower, x.lower)", ".lower"):
+        "only the upper end of the angle is asked for, which the lower end of x decides",
+    ("motion.cpp", "!(squared[0].lower >= 0)", " >= "): LINE,
+    ("motion.cpp", "!(squared[0].upper > 0)", ".upper"): LINE,
+    ("motion.cpp", "if (!(w[0].lower > 0)) {", " >= "): LINE,
+    ("motion.cpp", "if (!(w[0].lower > 0)) {", ".upper"): LINE,
+    ("motion.cpp", "!((speed[0] - slope[0]).lower >= 0)", " >= "):
+        "circles of no radius are known then, and nothing of how they move",
+    ("motion.cpp", "is_rational = s.weight.size() >= 1,", " >= "): ROUNDING,
+    ("motion.cpp", "return w[0].lower > 0 ? across(", " >= "): LINE,
+    ("motion.cpp", "return w[0].lower > 0 ? across(", ".upper"): LINE,
+    ("fillet_claims.cpp", "return speed.lower >= 0;", " >= "): ROUNDED_DOWN,
+    ("fillet_claims.cpp", "phi = phi.lower;", ".lower"): ROUNDING,
+    ("fillet_claims.cpp", "square(phi) / 2).upper;", ".upper"): ROUNDING,
+    ("fillet_claims.cpp", "return phi.upper <= 1 &&", " <= "): SLACK,
+    ("fillet_claims.cpp", "return phi.lower < 1 &&", ".lower"): ROUNDING,
+    ("fillet_claims.cpp", "sideways.upper * phi).lower >= 0;", " >= "): SLACK,
+    ("fillet_claims.cpp", "sideways.upper * phi).upper > 0;", ".upper"): ROUNDING,
+    ("fillet_claims.cpp", "furthest(second, Interval(-1) * d)).upper <= 0;", " <= "): SLACK,
+    ("fillet_claims.cpp", "furthest(second, Interval(-1) * d)).lower < 0;", ".lower"): ROUNDING,
+    ("fillet_claims.cpp", "off.value.magnitude() < claim.offset", " < "): SLACK,
+    ("fillet_claims.cpp", "deviation.upper < claim.deviation", " < "): SLACK,
+    ("fillet_claims.cpp", "return halvings >= 0 && touches(", " >= "): DEPTH,
+    ("fillet_claims.cpp", "angle(Mpfi(chord.upper), Mpfi(rest.upper))", ".upper"): ROUNDING,
+    ("rolling_balls.cpp", "if (from < 0.5 && to >= 0.5) {", " < "): ROUNDING,
+    ("rolling_balls.cpp", "if (from <= 0.5 && to > 0.5) {", " > "): ROUNDING,
+    ("rolling_balls.cpp", "(Interval(to) - from) / squared).lower;", ".lower"): ROUNDING,
+    ("rolling_balls.cpp", "const Interval falling{last.cosine.", ".upper"): ROUNDING,
+    ("rolling_balls.cpp", "const Interval falling{last.cosine.", ".lower"): ROUNDING,
+    ("rolling_balls.cpp", "const Interval rising{first.sine.", ".upper"): ROUNDING,
+    ("rolling_balls.cpp", "const Interval rising{first.sine.", ".lower"): ROUNDING,
+    ("contact_arcs.cpp", "balls.radius[0].lower >= 0", " >= "): POINT,
+    ("contact_arcs.cpp", "square(growth[0])).lower >= 0", " >= "): LINE,
+    ("contact_arcs.cpp", "if (!(length[0].lower >= 0)) {", " >= "): LINE,
+    ("contact_arcs.cpp", "if (!(length[0].upper > 0)) {", ".upper"): LINE,
+    ("contact_arcs.cpp", "if (!(squared_sum[0].lower >= 0)) {", " >= "): LINE,
+    ("contact_arcs.cpp", "if (!(squared_sum[0].upper > 0)) {", ".upper"): LINE,
+    ("contact_arcs.cpp", "ends.at(1 - i)).upper < 0) {", " < "): "the wider of two bounds",
+    ("contact_arcs.cpp", "const double wide = most >= 0 ?", " >= "): ROUNDING,
+    ("contact_arcs.cpp", "const bool falls = arcs.bending.upper >=", " >= "): INSIDE,
+    ("contact_arcs.cpp", "bending.upper > std::max(bending[0].lower,", ".lower"): INSIDE,
+    ("contact_arcs.cpp", "bending.upper > std::max(bending[0].upper, bending[1].lower", ".lower"): INSIDE,
+    ("contact_arcs.cpp", "bending.upper > std::min(", "std::min("): INSIDE,
+    ("contact_arcs.cpp", "if (!turn || !middle_turn && !reach", " && "):
+        "what lies in one half of a loop has its middle there",
+    ("hub_claims.cpp", "square(r1)).lower >= 0)", " >= "): POINT,
+    ("hub_claims.cpp", "!(sphere.radius[0].lower >= 0)", " >= "): POINT,
+    ("hub_claims.cpp", ".lower >= 0;", " >= "): SLACK,
+    ("hub_claims.cpp", "s_root.is_positive() || t_root.is_positive();", " || "):
+        "what is negative times what is not has no root then: the line, which is not positive",
+    ("hub_claims.cpp", "Interval(depth.rounded_outward().lower)", ".lower"): ROUNDING,
+    ("hub_claims.cpp", "size)).upper < claim.error_bound;", " < "): SLACK,
+    ("hub_claims.cpp", "size)).lower <= claim.error_bound;", ".lower"): ROUNDING,
+    ("loop_clearance.cpp", "length.lower >= 0 ?", " >= "): LINE,
+    ("loop_clearance.cpp", "length.upper > 0 ?", ".upper"): LINE,
+    ("loop_clearance.cpp", "((-front - behind) / length).upper", ".upper"): ROUNDING,
+    ("loop_clearance.cpp", "return width >= 0 &&", " >= "): ROUNDED_DOWN,
+    ("loop_clearance.cpp", "width > distance;", " > "): SLACK,
+    ("certificate_verify.cpp", "claims.contact.offset < tolerance", " < "): SLACK,
+    ("bernstein.h", "for (std::size_t k = 0; k < m + n; ++k) {", " < "): "the last one is divided by 1",
+    ("bernstein.h", "for (std::size_t r = 1; r <= p.size(); ++r) {", " <= "): "the last round is empty",
+    ("fillet_claims.cpp", "angle(Mpfi(chord.lower), Mpfi(rest.lower))", ".lower"): ROUNDING,
+    ("fillet_claims.cpp", "Mpfi(rest.lower))).lower;", ".lower"): ROUNDING,
+    ("fillet_claims.cpp", "cell.around = (radius * square(arc)).lower;", ".lower"): ROUNDING,
+    ("fillet_claims.cpp", "displacement(claim.grid, size)).lower;", ".lower"): ROUNDING,
+    ("fillet_claims.cpp", "!(arcs->passing.lower >= (Interval(margin)", " >= "): SLACK,
+    ("certificate_verify.cpp", "require(*arm <= hub &&", " <= "): "a hub is a sphere and no arm",
+    ("certificate_verify.cpp", "for (std::uint32_t i = 0; i <= solids.size()", " <= "):
         "behind the last part there are no pairs",
 }
+
+
+class Mutant(typing.NamedTuple):
+    number: int
+    line: str
+    changed: str
+    new: str
 
 
 def mutants(text):
@@ -147,7 +248,7 @@ def mutants(text):
         for old, new in SWAPS:
             for found in re.finditer(re.escape(old), code):
                 changed = code[:found.start()] + new + code[found.end():]
-                yield (number + 1, line.strip(), new,
+                yield (Mutant(number + 1, line.strip(), changed.strip(), new),
                        "\n".join(lines[:number] + [changed] + lines[number + 1:]))
 
 
@@ -207,102 +308,192 @@ def compiling(entry):
     drop = [i for i, w in enumerate(words) if w in ("-include", "-o", "-c")]
     drop = {j for i in drop for j in (i, i + 1)}
     unwanted = ("-W", "-O", "-g", "-fpch")
-    return [w for i, w in enumerate(words) if i not in drop and not w.startswith(unwanted)] + ["-w"]
+    return [w for i, w in enumerate(words) if i not in drop and not w.startswith(unwanted)] + ["-w", "-D_GLIBCXX_ASSERTIONS"]
 
 
-def suites(name):
-    """The filter of the tests of that source, which are the likeliest to notice."""
-    tests = ROOT / "tests/blends/verification"
-    text = "".join(p.read_text() for p in tests.glob(f"{pathlib.Path(name).stem}_*test.cpp"))
-    return ":".join(f"*{s}.*:*{s}/*" for s in set(re.findall(r"^TEST\w*\((\w+)", text, re.M)))
+class Tests:
+    """The tests of the program: how long each takes, and which of a source's functions it runs."""
 
+    QUICK = 0.2  # seconds; these are asked first
 
-def passes(program, name):
-    for tests in (suites(name), "*"):
-        try:
-            if subprocess.run([program, "--gtest_fail_fast", f"--gtest_filter={tests}"],
-                              capture_output=True, timeout=60).returncode:
-                return False
-        except subprocess.TimeoutExpired:
-            return False
-    return True
+    def __init__(self, program):
+        self.program = program
+        listed = subprocess.run([program, "--gtest_list_tests"], capture_output=True, text=True, check=True).stdout
+        self.seconds, suite = {}, ""
+        for line in listed.split("\n")[1:]:
+            word = line.split("#")[0].strip()
+            if not line.startswith(" "):
+                suite = word
+            elif word:
+                self.seconds[suite + word] = 0.0
+        self.functions = None  # (first line, last line, test)
+
+    def time_all(self):
+        self.time(subprocess.run([self.program], capture_output=True, text=True, check=True).stdout)
+
+    def time(self, printed):
+        for test, time in re.findall(r"^\[ +OK \] (\S+)(?:, where.*)? \((\d+) ms\)", printed, re.M):
+            self.seconds[test] = int(time) / 1000
+
+    def cover(self, unit, jobs):
+        """Runs all tests of a program whose `unit`.o was compiled for gcov."""
+        with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+            self.functions = [f for found in pool.map(lambda t: self.run_by(t, unit), list(self.seconds)) for f in found]
+
+    def run_by(self, test, unit):
+        with tempfile.TemporaryDirectory() as prefix:
+            run = subprocess.run([self.program, f"--gtest_filter={test}"], capture_output=True, text=True, check=True,
+                                 env={**os.environ, "GCOV_PREFIX": prefix})
+            self.time(run.stdout)
+            data = pathlib.Path(prefix + str(unit.with_suffix(".gcda")))
+            if not data.exists():
+                return []
+            shutil.copy(unit.with_suffix(".gcno"), data.parent)
+            found = json.loads(subprocess.run(["gcov", "--json-format", "--stdout", data], cwd=prefix, text=True,
+                                              capture_output=True, check=True).stdout)
+        return [(f["start_line"], f["end_line"], test) for file in found["files"]
+                if pathlib.Path(file["file"]).name == unit.name.split(".")[0] + ".cpp"
+                for f in file["functions"] if f["execution_count"] > 0]
+
+    def of(self, number, function_lines):
+        """Those to put to a mutant of this line: all of what is in no function."""
+        if self.functions is None or number not in function_lines:
+            return list(self.seconds)
+        return sorted({test for first, last, test in self.functions if first <= number <= last})
+
+    def notice(self, program, tests, label):
+        quick = [t for t in tests if self.seconds[t] <= self.QUICK]
+        for part in (quick, [t for t in tests if t not in quick]):
+            if not part:
+                continue
+            limit = 5 + 10 * sum(self.seconds[t] for t in part)
+            try:
+                if subprocess.run([program, "--gtest_fail_fast", f"--gtest_filter={':'.join(part)}"],
+                                  capture_output=True, timeout=limit).returncode:
+                    return True
+            except subprocess.TimeoutExpired:
+                print(f"{label}: takes too long", flush=True)  # noticed, unless the machine is busy
+                return True
+        return False
 
 
 class Mutation:
     """Compiles and runs what one file of the checker becomes."""
 
-    def __init__(self, build, folder, entries):
-        self.build, self.folder = build, folder
+    def __init__(self, build, folder, entries, jobs):
+        self.build, self.folder, self.jobs = build, folder, jobs
         self.entries = entries
         self.command = compiling(entries[str(SOURCES / "work.cpp")])
         self.files = prepare(build, folder, self.command)
         self.names = linking(build)[0]
-        self.overlay = folder / "overlay" / "verification"
-        self.overlay.mkdir(parents=True)
+        self.linker = ["-fuse-ld=lld"] if shutil.which("ld.lld") else []
 
-    def compiled(self, sources, name, text):
+    def compiled(self, place, sources, name, text, flags=()):
         """The objects by source; none if one does not compile."""
-        changed = self.overlay / name
+        overlay = place / "overlay" / "verification"
+        overlay.mkdir(parents=True)
+        changed = overlay / name
         changed.write_text(text)
         objects = {}
         for source in sources:
-            objects[source] = self.folder / f"{pathlib.Path(source).stem}.mutant.o"
+            objects[source] = place / f"{pathlib.Path(source).stem}.mutant.o"
             given = changed if source == str(SOURCES / name) else source
-            run = subprocess.run([*compiling(self.entries[source])[:1], "-I", self.overlay.parent,
-                                  *compiling(self.entries[source])[1:], "-include", self.folder / "shared.h",
-                                  "-c", given, "-o", objects[source]], cwd=self.build, capture_output=True)
+            command = compiling(self.entries[source])
+            run = subprocess.run([command[0], "-I", overlay.parent, *command[1:], *flags, "-include",
+                                  self.folder / "shared.h", "-c", given, "-o", objects[source]],
+                                 cwd=self.build, capture_output=True)
             if run.returncode:
-                break
-        changed.unlink()
-        return None if run.returncode else objects
+                return None
+        return objects
 
-    def is_noticed(self, name, text, sources):
-        objects = self.compiled(sources, name, text)
+    def program(self, place, name, text, sources, flags=()):
+        """None if it does not compile."""
+        objects = self.compiled(place, sources, name, text, flags)
         if objects is None:
-            return True
-        program = self.folder / "test"
+            return None
         tests = {output(self.entries[s]): objects[s] for s in objects}
         own = [tests.pop(n, f) for n, f in zip(self.names, self.files)]
-        subprocess.run(["c++", "-o", program, *own, *tests.values(), *self.files[len(self.names):]],
-                       cwd=self.build, check=True)
-        return not passes(program, name)
+        own.sort(key=lambda o: o not in objects.values())  # whose inline functions are taken
+        subprocess.run(["c++", *self.linker, *flags, "-o", place / "test", *own, *tests.values(),
+                        *self.files[len(self.names):]], cwd=self.build, check=True)
+        return place / "test"
+
+    def tests_of(self, name, text, sources):
+        """The tests, and the lines of the file that are in functions."""
+        place = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+        if not name.endswith(".cpp"):
+            tests = Tests(self.program(place, name, text, sources))
+            tests.time_all()
+            return tests, set()
+        tests = Tests(self.program(place, name, text, sources, ["--coverage"]))
+        unit = place / f"{pathlib.Path(name).stem}.mutant.o"
+        tests.cover(unit, self.jobs)
+        lines = json.loads(subprocess.run(["gcov", "--json-format", "--stdout", unit.with_suffix(".gcno")], cwd=place,
+                                          text=True, capture_output=True, check=True).stdout)
+        return tests, {n for file in lines["files"] if pathlib.Path(file["file"]).name == name
+                       for f in file["functions"] for n in range(f["start_line"], f["end_line"] + 1)}
+
+    def is_noticed(self, name, text, sources, tests, asked, label):
+        with tempfile.TemporaryDirectory(dir=self.folder) as place:
+            program = self.program(pathlib.Path(place), name, text, sources)
+            return program is None or tests.notice(program, asked, label)
 
 
-def known_reason(name, line, new):
+def known_reason(name, mutant):
     return next((why for (f, where, what), why in KNOWN.items()
-                 if f == name and where in line and what == new), None)
+                 if f == name and what == mutant.new and (where in mutant.line or where in mutant.changed)), None)
+
+
+def survivors_of(mutation, asked, skip_known):
+    """Runs the mutants of FILE[:LINE[-LINE]] and returns how many there were, and how many survived
+    with a reason and without one."""
+    name, _, only = asked.partition(":")
+    first, _, last = only.partition("-")
+    original = (SOURCES / name).read_text()
+    sources = [str(SOURCES / name)] if name.endswith(".cpp") else users(mutation.build, name, mutation.entries)
+    all_of_it = [(m, text) for m, text in mutants(original)
+                 if not only or int(first) <= m.number <= int(last or first)]
+    ours = [(m, text) for m, text in all_of_it if not skip_known or known_reason(name, m) is None]
+    tests, lines = mutation.tests_of(name, original, sources) if ours else (None, set())
+
+    # Most mutants of a header are noticed when its own test alone is compiled again.
+    own_test = [s for s in sources if pathlib.Path(s).name.startswith(f"{pathlib.Path(name).stem}_internal_test")]
+
+    def survives(of_ours):
+        mutant, text = of_ours
+        asked = tests.of(mutant.number, lines)
+        if own_test and mutation.is_noticed(name, text, own_test, tests, asked, ""):
+            return None
+        label = f"{name}:{mutant.number}: '{mutant.new.strip()}' in: {mutant.changed}"
+        if asked and mutation.is_noticed(name, text, sources, tests, asked, label):
+            return None
+        reason = known_reason(name, mutant)
+        never = "" if asked else " (no test runs it)"
+        print(f"{label}{never}" + (f"\n    known: {reason}" if reason else ""), flush=True)
+        return reason is not None
+
+    with concurrent.futures.ThreadPoolExecutor(mutation.jobs) as pool:
+        found = list(pool.map(survives, ours))
+    counts = len(all_of_it), found.count(True) + len(all_of_it) - len(ours), found.count(False)
+    print("{}: done, {} mutants, {} known, {} not".format(name, *counts), flush=True)
+    return counts
 
 
 def main():
-    build = pathlib.Path(sys.argv[1]).resolve()
-    names = sys.argv[2:] or sorted(p.name for p in SOURCES.glob("*.*") if p.suffix in (".cpp", ".h"))
-    entries = {e["file"]: e for e in json.loads((build / "compile_commands.json").read_text())}
-    survivors, known, count = [], 0, 0
+    parser = argparse.ArgumentParser()
+    parser.add_argument("build", type=lambda p: pathlib.Path(p).resolve())
+    parser.add_argument("files", nargs="*", metavar="FILE[:LINE[-LINE]]")
+    parser.add_argument("-j", "--jobs", type=int, default=1, help="so many mutants at a time")
+    parser.add_argument("--skip-known", action="store_true", help="do not run those that have a reason")
+    options = parser.parse_intermixed_args()
+    names = options.files or sorted(p.name for p in SOURCES.glob("*.*") if p.suffix in (".cpp", ".h"))
+    entries = {e["file"]: e for e in json.loads((options.build / "compile_commands.json").read_text())}
     with tempfile.TemporaryDirectory() as temporary:
-        mutation = Mutation(build, pathlib.Path(temporary), entries)
-        for asked in names:
-            name, _, only = asked.partition(":")
-            first, _, last = only.partition("-")
-            original = (SOURCES / name).read_text()
-            sources = [str(SOURCES / name)] if name.endswith(".cpp") else users(build, name, entries)
-            if mutation.is_noticed(name, original, sources):
-                sys.exit(f"{name} fails its tests as it is")
-            for number, line, new, text in mutants(original):
-                if only and not int(first) <= number <= int(last or first):
-                    continue
-                count += 1
-                if mutation.is_noticed(name, text, sources):
-                    continue
-                reason = known_reason(name, line, new)
-                print(f"{name}:{number}: '{new.strip()}' in: {line}" +
-                      (f"\n    known: {reason}" if reason else ""), flush=True)
-                if reason is None:
-                    survivors.append(line)
-                else:
-                    known += 1
-            print(f"{name}: done, {count} mutants, {known} known, {len(survivors)} not", flush=True)
-    print(f"{count} mutants, {known} survivors with a reason, {len(survivors)} without")
-    return 1 if survivors else 0
+        mutation = Mutation(options.build, pathlib.Path(temporary), entries, options.jobs)
+        counts = [survivors_of(mutation, name, options.skip_known) for name in names]
+    total = [sum(c) for c in zip(*counts)]
+    print("{} mutants, {} survivors with a reason, {} without".format(*total))
+    return 1 if total[2] else 0
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 #include "verification/contact_arcs.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <variant>
 
@@ -119,14 +120,12 @@ Interval between(const ContactArcs& arcs, const std::array<Interval, 2>& ends, d
   return {-highest(arcs, {-ends[0], -ends[1]}, length), highest(arcs, ends, length)};
 }
 
-// What is at the ends, and further only if w.T' is.
+// Inside of the arcs it is less than at the ends only if w.T' is more there.
 Interval passing(const ContactArcs& arcs, const std::array<Interval, 2>& bending,
                  const std::array<Interval, 2>& ends) {
   const Interval inside = arcs.advance - arcs.radius * arcs.bending;
   const bool falls = arcs.bending.upper > std::max(bending[0].upper, bending[1].upper);
-  const bool rises = arcs.bending.lower < std::min(bending[0].lower, bending[1].lower);
-  const Interval outside = hull(ends[0], ends[1]);
-  return {falls ? inside.lower : outside.lower, rises ? inside.upper : outside.upper};
+  return {falls ? inside.lower : hull(ends[0], ends[1]).lower, inside.upper};
 }
 
 }  // namespace
@@ -136,7 +135,7 @@ Interval along_arcs(const ContactArcs& arcs, const IntervalVec& d) {
 }
 
 double furthest(const ContactArcs& arcs, const IntervalVec& d) {
-  double most = dot(arcs.corners[0], d).upper;
+  double most = -std::numeric_limits<double>::infinity();
   for (const IntervalVec& corner : arcs.corners) {
     most = std::max(most, dot(corner, d).upper);
   }
@@ -150,9 +149,9 @@ bool has_corner(const CanalFillet& loop, double t) {
 
 std::optional<ContactArcs> contact_arcs(const CanalFillet& loop, const ParameterInterval& t) {
   const double at = std::midpoint(t.from, t.to);
-  const auto turn = turn_stretch(t), before = turn_stretch({t.from, at}),
-             middle_turn = turn_stretch({at, at}), after = turn_stretch({at, t.to});
-  if (!turn || !before || !middle_turn || !after) {
+  const auto turn = turn_stretch(t), middle_turn = turn_stretch({at, at});
+  const auto reach = turn_reach(t);
+  if (!turn || !middle_turn || !reach) {
     return std::nullopt;
   }
   spend(kArcWork);
@@ -160,7 +159,7 @@ std::optional<ContactArcs> contact_arcs(const CanalFillet& loop, const Parameter
   if (!all || !middle) {
     return std::nullopt;
   }
-  const Enclosures over(*middle, *all, std::max(before->length, after->length));
+  const Enclosures over(*middle, *all, *reach);
   ContactArcs arcs;
   arcs.length = turn->length;
   arcs.ball = over([](const ArcJets& j) { return j.ball; });

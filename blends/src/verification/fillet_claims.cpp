@@ -114,28 +114,6 @@ bool is_leaf(const ParameterInterval& t) {
   return is_stretch(t, kLength) && t.from < t.to && (t.to <= 1 || t.from >= 1);
 }
 
-// An enclosure of a function over a stretch, and of its derivative.
-struct Range {
-  Interval value, slope;
-};
-
-// By Taylor's formula at the middle.
-template <std::size_t count>
-Range range(const Jet<count>& middle, const Jet<count>& all, double reach) {
-  const Interval h(-reach, reach);
-  Range result{0, 0};
-  Interval power = 1;  // h^k / k!
-  for (std::size_t k = 0; k < count; ++k) {
-    const Interval& term = k + 1 < count ? middle[k] : all[k];
-    result.value = result.value + power * term;
-    if (k + 1 < count) {
-      result.slope = result.slope + power * (k + 2 < count ? middle[k + 1] : all[k + 1]);
-    }
-    power = power * h / Interval(double(k + 1));
-  }
-  return result;
-}
-
 constexpr std::size_t kOrders = 13;
 
 // The quadric's distance from the balls' centres, less their radius.
@@ -147,26 +125,20 @@ bool touches_on(const CanalFillet& loop, const ContactClaim& claim, const Parame
   constexpr std::uint64_t kWork = 64;
   spend(kWork);
   const double middle = std::midpoint(t.from, t.to);
-  const auto all = turn_stretch(t), at = turn_stretch({middle, middle}),
-             before = turn_stretch({t.from, middle}), after = turn_stretch({middle, t.to});
-  if (!all || !at || !before || !after) {
-    return false;
-  }
-  const auto balls = std::visit(BallReader<kOrders>(*all), loop.motion);
-  const auto ball = std::visit(BallReader<kOrders>(*at), loop.motion);
+  // Sixteenths of a loop and their halves lie in one half of it.
+  const TurnStretch all = turn_stretch(t).value(), at = turn_stretch({middle, middle}).value();
+  const double reach = turn_reach(t).value();
+  const auto balls = std::visit(BallReader<kOrders>(all), loop.motion);
+  const auto ball = std::visit(BallReader<kOrders>(at), loop.motion);
   const Interval speed = sqrt(squared_norm(derivative(balls.center)))[0];
-  if (!(speed.lower > 0)) {
-    return false;
-  }
-  const double reach = std::max(before->length, after->length);
-  const double sine = (Interval(balls.radius[1].magnitude()) / speed.lower).upper;
+  const Interval sine = Interval(balls.radius[1].magnitude()) / speed;
   return std::all_of(loop.quadrics.begin(), loop.quadrics.end(), [&](const Ring& quadric) {
-    const Range off = range(misfit(quadric, ball), misfit(quadric, balls), reach);
+    const TaylorRange off = taylor_range(misfit(quadric, ball), misfit(quadric, balls), reach);
     // The sine of how far the foot is off the circle's plane differs by so much.
-    const Interval lean = (Interval(off.slope.magnitude()) / speed.lower).upper;
-    const Interval rest = Interval(1) - square(Interval(sine) + lean);
-    return off.value.magnitude() <= claim.offset && rest.lower > 0 &&
-           (lean / sqrt(rest)).upper <= claim.deviation;
+    const Interval lean = Interval(off.slope.magnitude()) / speed;
+    // Where the ball may stand, or its circle has no radius, that is the line.
+    const Interval deviation = lean / sqrt(Interval(1) - square(sine + lean));
+    return off.value.magnitude() <= claim.offset && deviation.upper <= claim.deviation;
   });
 }
 
@@ -190,8 +162,8 @@ Interval along(const ContactArcs& a) {
   const Interval to_arc = Interval(a.second_growth.magnitude()) + radius * square(spin);
   const Interval across = Interval((Interval(2) * a.growth * spin).magnitude()) +
                           radius * hull(a.spin_change[0], a.spin_change[1]).magnitude();
-  const Interval aside = Interval(turning.upper) * (a.passing - a.second_lag).magnitude() +
-                         Interval(a.lag.magnitude()) * norm(a.second_turning).upper +
+  const Interval aside = turning * (a.passing - a.second_lag).magnitude() +
+                         Interval(a.lag.magnitude()) * norm(a.second_turning) +
                          sqrt(square(to_arc) + square(across));
   return sqrt(square(forward) + square(aside));
 }

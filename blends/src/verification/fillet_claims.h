@@ -57,4 +57,26 @@ struct ArcCell {
 [[nodiscard]] double mesh_error(const std::vector<ArcCell>& cells, const MeshClaim& claim);
 [[nodiscard]] bool follows(const std::vector<ArcCell>& cells, const MeshClaim& claim);
 
+/// Enclosures of a function over a stretch and of its derivative.
+struct TaylorRange {
+  Interval value, slope;
+};
+
+/// By Taylor's formula, of the function at the middle and on all of a stretch that reaches so far
+/// from there: of the last derivative the latter.
+template <std::size_t count>
+[[nodiscard]] TaylorRange taylor_range(const Jet<count>& middle, const Jet<count>& all,
+                                       double reach) {
+  const Interval h(-reach, reach);
+  TaylorRange result{0, 0};
+  Interval power = 1;  // h^k / k!
+  for (std::size_t k = 0; k + 1 < count; ++k) {
+    result.value = result.value + power * middle[k];
+    result.slope = result.slope + power * (k + 2 < count ? middle[k + 1] : all[k + 1]);
+    power = power * h / Interval(double(k + 1));
+  }
+  result.value = result.value + power * all[count - 1];
+  return result;
+}
+
 }  // namespace dupin::verification

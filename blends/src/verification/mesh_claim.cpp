@@ -13,20 +13,12 @@ namespace {
 
 constexpr int kRefinements = 10;  // a band's bounds are taken over up to 2^10 cells
 
-// Upper bounds, over a stretch, of |x_tt|, |x_tu|, |x_uu| in a frame that does not spin, of |n'|,
-// and of how long it is, as t is measured: as it is, or by the length of the way where that varies
-// less.
-struct Bounds {
-  double along = 0, mixed = 0, around = 0, turning = 0;
-  Interval length = 0;
-};
-
 // e' = omega x e for the directions e from the centre c, hence
 //   x_tt = c'' + R'' e + 2 R' omega x e + R (omega' x e + omega x (omega x e)),
 //   x_tu = R' e_u + R omega x e_u.
-void include_spinning(Bounds& bounds, const MovingDisc& disc) {
+void include_spinning(BandBounds& bounds, const MovingDisc& disc) {
   const auto& [omega, change] = *disc.spin;
-  const Interval rate = numbers::norm(omega).upper, slope = disc.radius[1].magnitude();
+  const Interval rate = numbers::norm(omega), slope = disc.radius[1].magnitude();
   const Interval radius = disc.radius[0].magnitude();
   const Interval along = numbers::norm(part(disc.center, 2)) + disc.radius[2].magnitude() +
                          Interval(2) * slope * rate +
@@ -39,18 +31,18 @@ void include_spinning(Bounds& bounds, const MovingDisc& disc) {
 // e' = -(e.n') n for the directions e from the centre c, hence
 //   x_tt = [c''.n - 2 R' e.n' - R e.n''] n + the rest of c'' + R'' e - R (e.n') n',
 //   x_tu = R' e_u - R (e_u.n') n.
-void include_steady(Bounds& bounds, const MovingDisc& disc, const Jet<2>& pace) {
+void include_steady(BandBounds& bounds, const MovingDisc& disc, const Jet<2>& pace) {
   const Jet<1> value{{pace[0]}};
   const JetVec<2> c1 = derivative(disc.center) / pace, n1 = derivative(disc.normal) / pace;
   const Jet<2> r1 = derivative(disc.radius) / pace;
   const IntervalVec n = part(disc.normal, 0);
   const IntervalVec c2 = part(derivative(c1) / value, 0), n2 = part(derivative(n1) / value, 0);
-  const Interval turn = numbers::norm(part(n1, 0)).upper, slope = r1[0].magnitude();
+  const Interval turn = numbers::norm(part(n1, 0)), slope = r1[0].magnitude();
   const Interval radius = disc.radius[0].magnitude(),
                  bend = (derivative(r1) / value)[0].magnitude();
   const Interval lengthwise = Interval(numbers::dot(c2, n).magnitude()) +
                               Interval(2) * slope * turn +
-                              radius * numbers::norm(numbers::cross(n2, n)).upper;
+                              radius * numbers::norm(numbers::cross(n2, n));
   const Interval across = numbers::norm(numbers::cross(c2, n)) + bend + radius * square(turn);
   bounds.along = std::max(bounds.along, numbers::sqrt(square(lengthwise) + square(across)).upper);
   bounds.mixed = std::max(bounds.mixed, numbers::sqrt(square(slope) + square(radius * turn)).upper);
@@ -58,16 +50,14 @@ void include_steady(Bounds& bounds, const MovingDisc& disc, const Jet<2>& pace) 
   bounds.turning = std::max(bounds.turning, turn.upper);
 }
 
-enum class Measure { length, parameter };
-
-bool include(Bounds& bounds, const Motion& motion, Measure measure, double from, double to) {
+bool include(BandBounds& bounds, const Motion& motion, Measure measure, double from, double to) {
   const auto disc = motion(from, to);
-  if (!disc || !(disc->pace[0].lower > 0)) {
+  if (!disc) {
     return false;
   }
   const bool is_by_length = measure == Measure::length;
   const Interval pace = is_by_length ? disc->pace[0] : Interval(1);
-  bounds.length = bounds.length + (Interval(to) - from) * pace.upper;
+  bounds.length = (bounds.length + (Interval(to) - from) * pace).upper;
   if (disc->spin) {
     include_spinning(bounds, *disc);
   } else {
@@ -76,22 +66,35 @@ bool include(Bounds& bounds, const Motion& motion, Measure measure, double from,
   return true;
 }
 
-// The design of the bound is in docs/certificate_format.md: linear interpolation on right triangles
-// with legs dt and du, du widened by the frame's drift over a band and the tube's share of twist.
-bool band_follows(const Motion& motion, Measure measure, double from, double to, int cells,
-                  const Interval& around, double allowed) {
-  Bounds bounds;
+}  // namespace
+
+std::optional<BandBounds> bounds_over(const Motion& motion, Measure measure, double from, double to,
+                                      int cells) {
+  BandBounds bounds;
   for (int i = 0; i < cells; ++i) {
     const double a = i == 0 ? from : std::lerp(from, to, double(i) / cells);
     const double b = i + 1 == cells ? to : std::lerp(from, to, double(i + 1) / cells);
     if (!include(bounds, motion, measure, a, b)) {
-      return false;
+      return std::nullopt;
     }
   }
-  const Interval dt = bounds.length.upper, turn = dt * bounds.turning;
+  return bounds;
+}
+
+namespace {
+
+// The design of the bound is in docs/certificate_format.md: linear interpolation on right triangles
+// with legs dt and du, du widened by the frame's drift over a band and the tube's share of twist.
+bool band_follows(const Motion& motion, Measure measure, double from, double to, int cells,
+                  const Interval& around, double allowed) {
+  const auto bounds = bounds_over(motion, measure, from, to, cells);
+  if (!bounds) {
+    return false;
+  }
+  const Interval dt = bounds->length, turn = dt * bounds->turning;
   const Interval du = around + Interval(0.27) * square(turn) / 16;
-  const Interval error = (square(dt) * bounds.along + Interval(2) * dt * du * bounds.mixed +
-                          square(du) * bounds.around) /
+  const Interval error = (square(dt) * bounds->along + Interval(2) * dt * du * bounds->mixed +
+                          square(du) * bounds->around) /
                          8;
   return turn.upper <= 1 && error.upper <= allowed;
 }
@@ -178,16 +181,6 @@ double size_over(const Solid& solid, const ParameterInterval& t, int halvings) {
                                   size_over(solid, {middle, t.to}, halvings - 1));
 }
 
-double size_of(const Solid& solid) {
-  constexpr double kCells = 16;
-  constexpr int kHalvings = 8;
-  double size = 0;
-  for (double i = 0; i < kCells * solid.length(); ++i) {
-    size = std::max(size, size_over(solid, {i / kCells, (i + 1) / kCells}, kHalvings));
-  }
-  return size;
-}
-
 // No point of a facet of the graticule is nearer to the centre than its plane.
 bool sphere_follows(const Sphere& sphere, const MeshClaim& claim) {
   if (!claim.knots.empty()) {
@@ -213,6 +206,16 @@ bool sphere_follows(const Sphere& sphere, const MeshClaim& claim) {
 
 Interval displacement(double grid, double size) {
   return numbers::sqrt(Interval(3)) / 2 * grid + Interval(std::ldexp(size, -47));
+}
+
+double size_of(const Solid& solid) {
+  constexpr double kCells = 16;
+  constexpr int kHalvings = 8;
+  double size = 0;
+  for (double i = 0; i < kCells * solid.length(); ++i) {
+    size = std::max(size, size_over(solid, {i / kCells, (i + 1) / kCells}, kHalvings));
+  }
+  return size;
 }
 
 bool follows(const Solid& solid, const MeshClaim& claim) {

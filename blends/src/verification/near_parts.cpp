@@ -91,7 +91,7 @@ class NearPairs {
 
   [[nodiscard]] std::pair<Parts, Parts> halves(Parts parts) const {
     const Box all = around(parts);
-    const auto width = [&](std::size_t k) { return (Interval(all.at(k).upper) - all.at(k)).upper; };
+    const auto width = [&](std::size_t k) { return all.at(k).upper - all.at(k).lower; };
     std::size_t axis = width(0) >= width(1) ? 0 : 1;
     axis = width(axis) >= width(2) ? axis : 2;
     const auto half = parts.begin() + std::ptrdiff_t(parts.size() / 2);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace dupin::verification {
 namespace {
@@ -43,6 +44,12 @@ std::optional<TurnStretch> turn_stretch(const ParameterInterval& t) {
     return TurnStretch{cosine, sine, falling, rising, 1, length};
   }
   return TurnStretch{-cosine, -sine, -rising, falling, -1, length};
+}
+
+std::optional<double> turn_reach(const ParameterInterval& t) {
+  const double middle = std::midpoint(t.from, t.to);
+  const auto before = turn_stretch({t.from, middle}), after = turn_stretch({middle, t.to});
+  return before && after ? std::optional(std::max(before->length, after->length)) : std::nullopt;
 }
 
 }  // namespace dupin::verification

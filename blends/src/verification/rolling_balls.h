@@ -23,6 +23,9 @@ struct TurnStretch {
 /// None unless it lies between two whole numbers.
 [[nodiscard]] std::optional<TurnStretch> turn_stretch(const ParameterInterval& t);
 
+/// At most how far chi is from that at the middle of the stretch.
+[[nodiscard]] std::optional<double> turn_reach(const ParameterInterval& t);
+
 /// Derivatives are those by chi.
 template <std::size_t count>
 struct BallJets {

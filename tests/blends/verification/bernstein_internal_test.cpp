@@ -103,6 +103,14 @@ TEST(VerifierBernstein, part_in_intervals_holds_the_exact_one) {
   }
 }
 
+TEST(VerifierBernstein, words_are_those_of_the_longest_coefficient) {
+  const mpq_class large = mpz_class(1) << 640, small = 1 / large;  // 11 words, and 1
+  EXPECT_EQ(words({1, 2}), 2U);
+  EXPECT_EQ(words({1, large, 1}), 12U);
+  EXPECT_EQ(words({small, 1, 1}), 12U);
+  EXPECT_EQ(words({1, 1, large}), 12U);
+}
+
 TEST(VerifierBernstein, binomials_are_those_of_pascal) {
   for (std::size_t n = 1; n < 20; ++n) {
     for (std::size_t k = 1; k <= n; ++k) {

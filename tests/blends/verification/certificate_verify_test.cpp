@@ -159,6 +159,10 @@ TEST(VerifyCertificate, believes_of_no_two_parts_that_they_are_apart_unless_thei
       {"one twice",
        [](Certificate& c) { c.clearances.insert(c.clearances.begin(), c.clearances[0]); }},
       {"one with itself", [](Certificate& c) { c.clearances.back() = {39, 39, {}, 0, {}, {}}; }},
+      {"one with itself, too",
+       [](Certificate& c) {
+         c.clearances.push_back({39, 39, Verdict::undecided, 0, {}, {}});
+       }},
       {"one against the order of parts",
        [](Certificate& c) { std::swap(c.clearances[3].first, c.clearances[3].second); }},
       {"one with what is no part",

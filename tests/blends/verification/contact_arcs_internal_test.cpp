@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -91,6 +92,41 @@ TEST(ContactArcs, hold_how_points_move) {
   }
 }
 
+// Arcs from somewhere between both ends of `first` to the y axis, each at most a right angle.
+ContactArcs hand_made(const Interval& first) {
+  ContactArcs arcs;
+  arcs.toward = {IntervalVec{first, 0, 0}, IntervalVec{0, 1, 0}};
+  arcs.inverse_cosine = {1, std::sqrt(2)};
+  return arcs;
+}
+
+TEST(ContactArcs, reach_furthest_within_what_their_ends_say) {
+  const IntervalVec between = numbers::interval_vec(Vec3(1, 1, 0).normalized()),
+                    along = numbers::interval_vec(Vec3::UnitX()),
+                    beside = numbers::interval_vec(Vec3(-.5, 1, 0).normalized());
+  for (const double lowest : {1., .5, -.125}) {
+    const ContactArcs arcs = hand_made({lowest, 1});
+    EXPECT_NEAR(along_arcs(arcs, between).upper, 1, 1e-12) << lowest;
+    EXPECT_NEAR(along_arcs(arcs, along).upper, 1, 1e-12) << lowest;
+    EXPECT_NEAR(along_arcs(arcs, Interval(-1) * between).lower, -1, 1e-12) << lowest;
+  }
+  const IntervalVec any{Interval(0, 2), Interval(0, 2), 0};
+  EXPECT_NEAR(along_arcs(hand_made(1), any).upper, 2 * std::sqrt(2), 1e-12);
+  // Straight beyond the end at y, nothing reaches further than that end.
+  EXPECT_NEAR(along_arcs(hand_made(1), beside).upper, 2 / std::sqrt(5), 1e-12);
+  EXPECT_NEAR(along_arcs(hand_made(1), Interval(-1) * between).upper, -std::sqrt(.5), 1e-12);
+}
+
+TEST(ContactArcs, reach_as_far_as_the_furthest_place_of_any_corner) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    ContactArcs arcs;
+    arcs.corners.fill(numbers::interval_vec(Vec3(-3, -3, -3)));
+    arcs.corners.at(i) = {Interval(-5, 2), Interval(-1), Interval(-1)};
+    EXPECT_GE(furthest(arcs, numbers::interval_vec(Vec3::UnitX())), 2);
+    EXPECT_LE(furthest(arcs, numbers::interval_vec(Vec3::UnitX())), 2.001);
+  }
+}
+
 TEST(ContactArcs, are_none_where_balls_envelop_nothing) {
   auto loop = test::loops_of_all_kinds().front().loop;
   std::get<RollingThrough>(loop.motion).radius = -1;
@@ -98,6 +134,48 @@ TEST(ContactArcs, are_none_where_balls_envelop_nothing) {
   std::get<RollingThrough>(loop.motion).sine = 0;
   EXPECT_FALSE(contact_arcs(loop, {0.25, 0.25}));
   EXPECT_FALSE(contact_arcs(loop, {0.5, 1.5}));
+}
+
+// Balls that shrink to nothing, or grow as fast as they move, somewhere in a stretch.
+TEST(ContactArcs, are_none_where_some_balls_of_the_stretch_envelop_nothing) {
+  const auto loops = test::loops_of_all_kinds();
+  const CanalFillet honest = std::ranges::find(loops, "rational_0", &test::NamedLoop::name)->loop;
+  const auto with = [&](double factor, double least) {
+    CanalFillet loop = honest;
+    auto& motion = std::get<RationalCrossing>(loop.motion);
+    double lowest = 1e9;
+    for (PeVector* v : {&motion.origin, &motion.along, &motion.across, &motion.e3, &motion.e4}) {
+      v->r *= factor;
+    }
+    for (int i = 0; i < 64; ++i) {
+      lowest = std::min(lowest, ball(loop, i / 10.).radius);
+    }
+    motion.origin.r += lowest - least;
+    return loop;
+  };
+  for (const CanalFillet& loop : {with(1, -.02), with(60, .5)}) {
+    int found = 0;
+    for (int i = 0; i < 512; ++i) {
+      const double from = i / 256., to = (i + 1) / 256.;
+      const bool first = contact_arcs(loop, {from, from}).has_value(),
+                 last = contact_arcs(loop, {to, to}).has_value();
+      if (first == last) {
+        continue;
+      }
+      ++found;
+      double known = first ? from : to, unknown = first ? to : from;
+      while (std::abs(known - unknown) > 0x1p-30) {
+        const double middle = (known + unknown) / 2;
+        (contact_arcs(loop, {middle, middle}) ? known : unknown) = middle;
+      }
+      // Of the stretch's middle all is known.
+      const double step = known > unknown ? 0x1p-24 : -0x1p-24;
+      const auto [low, high] = std::minmax({unknown - step, known + 3 * step});
+      EXPECT_FALSE(contact_arcs(loop, {low, high})) << i;
+      EXPECT_TRUE(contact_arcs(loop, {(low + high) / 2, (low + high) / 2})) << i;
+    }
+    EXPECT_GE(found, 2);
+  }
 }
 
 TEST(ContactArcs, have_corners_where_pipes_touch) {

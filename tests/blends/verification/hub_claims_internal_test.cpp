@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "blends/verification/solids_internal.h"
 #include "certification/prove_hub.h"
 #include "dupin/blends/junction.h"
 #include "verification/hub_claims.h"
@@ -127,6 +128,29 @@ TEST(HubClaims, circles_within_the_hub_are_not_outside) {
   }
 }
 
+// A quarter of a torus, from balls of radius 1 whose centres are so far from its axis: of those
+// that hold the axis, circles reach into the last ball, by little where it is just inside.
+TEST(HubClaims, arms_that_bend_into_the_hub_are_not_outside) {
+  for (const double bend : {.5, .98, 1.5}) {
+    const CyclidePiece quarter{{Vec3(bend, 0, 0), -Vec3::UnitY(), 1},
+                               {Vec3(0, bend, 0), -Vec3::UnitX(), 1},
+                               {Vec3(bend, 0, 0), 1},
+                               {Vec3::UnitY(), 0},
+                               {Vec3(0, bend, 0), 1},
+                               std::numbers::sqrt2 * bend};
+    const Solid arm = test::solid(quarter);
+    const Sphere hub{Vec3(0, bend, 0), 1};
+    ASSERT_TRUE(is_arm(arm, hub));
+    for (const int cells : {1, 4, 16, 64}) {
+      for (int i = 0; i < cells; ++i) {
+        const bool outside = keeps_outside(arm, {double(i) / cells, double(i + 1) / cells}, hub);
+        EXPECT_TRUE(bend > 1 || !outside) << bend << " " << i << "/" << cells;
+        EXPECT_TRUE(bend < 1 || cells < 64 || outside) << i;
+      }
+    }
+  }
+}
+
 // Corners of a regular polygon on a great circle of the hub, with its middle the deepest.
 TEST(HubClaims, of_a_mesh_bound_its_triangles) {
   const Sphere hub{{1, 2, 3}, 5};
@@ -148,6 +172,108 @@ TEST(HubClaims, of_a_mesh_bound_its_triangles) {
   EXPECT_FALSE(follows_of_hub(hub, {2, 0, {}, 1e9}));
   EXPECT_FALSE(follows_of_hub(hub, {8, -1, {}, 1e9}));
   EXPECT_FALSE(follows_of_hub(hub, {8, 0, {}, std::nan("")}));
+}
+
+CyclidePiece straight(const PeVector& first, const PeVector& last) {
+  return test::cyclide_piece(PeArc::from(first, {Vec3::UnitX(), 0}, last));
+}
+
+TEST(HubClaims, arms_are_open_and_full) {
+  const Junction junction = skew();
+  CertifiedPart part = arm_part(junction, 0);
+  EXPECT_TRUE(is_arm(Solid(part), junction.hub));
+  std::get<Chain>(part.shape).wall = .01;
+  EXPECT_FALSE(is_arm(Solid(part), junction.hub));
+  std::get<Chain>(part.shape).wall = 0;
+  std::get<Chain>(part.shape).closed = true;
+  EXPECT_FALSE(is_arm(Solid(part), junction.hub));
+  EXPECT_FALSE(is_arm(test::solid(test::cylinder({0, 0, 0}, {1, 0, 0}, 1)), {{1, 0, 0}, 1}));
+}
+
+// Of a stretch that is not the last one, all circles count: here those in its middle.
+TEST(HubClaims, pieces_before_the_last_one_keep_outside_too) {
+  const CyclidePiece pipe = straight({{-8, 0, 0}, 1}, {{8, 0, 0}, 1});
+  const Solid arm = test::solid(pipe, pipe);
+  const Sphere hub{{0, 0, 0}, .5};
+  EXPECT_TRUE(keeps_outside(arm, {0, .25}, hub));
+  EXPECT_TRUE(keeps_outside(arm, {.75, 1}, hub));
+  EXPECT_FALSE(keeps_outside(arm, {.46875, .53125}, {{0, 1, 0}, .5}));
+  EXPECT_FALSE(keeps_outside(arm, {.25, .75}, {{0, 1, 0}, .5}));
+  EXPECT_FALSE(keeps_outside(arm, {0, 1}, {{0, 1, 0}, .5}));
+  EXPECT_TRUE(keeps_outside(arm, {.25, .5}, {{0, 4, 0}, .5}));
+  EXPECT_FALSE(keeps_outside(arm, {.25, .25}, {{0, 4, 0}, .5})) << "no stretch";
+  EXPECT_FALSE(keeps_outside(arm, {.5, 1.5}, {{0, 40, 0}, .5})) << "of two pieces";
+  EXPECT_FALSE(keeps_outside(test::solid(test::cylinder({-1, 0, 0}, {1, 0, 0}, 1)), {0, 1},
+                             {{0, 40, 0}, .5}));
+}
+
+// Spheres that hold each other, or have no radius, have no circles that could keep outside.
+TEST(HubClaims, spheres_without_circles_keep_outside_of_nothing) {
+  const CyclidePiece pipe = straight({{-8, 0, 0}, 1}, {{8, 0, 0}, 1});
+  CyclidePiece grows = pipe;
+  grows.first = {{0, 0, 0}, 1};
+  grows.tangent = {Vec3(.5, 0, 0), 1};
+  grows.last = {{4, 0, 0}, 1};
+  grows.chord = 4;
+  const Sphere far{{0, 90, 0}, 1};
+  const Solid growing = test::solid(grows, pipe);
+  EXPECT_TRUE(keeps_outside(growing, {.4375, .5}, far));
+  double without = 0, with = .5;  // where circles begin
+  while (with - without > 0x1p-30) {
+    const double middle = (without + with) / 2;
+    (keeps_outside(growing, {middle, middle + 0x1p-32}, far) ? with : without) = middle;
+  }
+  EXPECT_GT(without, .125);
+  EXPECT_FALSE(keeps_outside(growing, {without - 0x1p-20, with + 0x1p-20}, far));
+  EXPECT_TRUE(keeps_outside(growing, {with + 0x1p-20, with + 0x1p-19}, far));
+  CyclidePiece shrinks = pipe;
+  shrinks.last.r = -1;
+  const Solid shrinking = test::solid(shrinks, pipe);
+  EXPECT_TRUE(keeps_outside(shrinking, {.25, .375}, far));
+  EXPECT_FALSE(keeps_outside(shrinking, {.5625, .75}, far));
+  EXPECT_FALSE(keeps_outside(shrinking, {.875, 1}, far));
+}
+
+// Spheres of radius 1 at both ends of the x axis, whose end tangents may have no circle.
+TEST(HubClaims, caps_are_those_of_circles) {
+  const auto arm = [](double side, double slope) {
+    CyclidePiece piece = straight({{-8, 0, 0}, 1}, {{-2, 0, 0}, 1});
+    piece.first = {Vec3(-8 * side, 0, 0), 1};
+    piece.last = {Vec3::Zero(), 1};
+    piece.tangent = {Vec3(side, 0, 0), slope};
+    return test::solid(piece);
+  };
+  EXPECT_TRUE(caps_are_disjoint(arm(1, -.5), arm(-1, -.5)));
+  EXPECT_FALSE(caps_are_disjoint(arm(1, -2), arm(-1, -.5)));
+  EXPECT_FALSE(caps_are_disjoint(arm(1, -.5), arm(-1, -2)));
+  EXPECT_FALSE(caps_are_disjoint(arm(1, -2), arm(-1, -2)));
+  EXPECT_FALSE(caps_are_disjoint(arm(1, -.5), arm(1, -.5))) << "one cap";
+  EXPECT_FALSE(caps_are_disjoint(arm(1, .5), arm(-1, .5))) << "more than half of the hub each";
+}
+
+TEST(HubClaims, leaves_more_than_are_needed_must_hold_too) {
+  const Junction junction = skew();
+  const Solid arm = arm_of(junction, 0);
+  const ClearanceClaim claim = certification::prove_at_hub(arm, junction.hub, 1 << 12);
+  ASSERT_TRUE(follows_at_hub(arm, junction.hub, claim));
+  const ParameterInterval good = claim.leaves.front().first;
+  ASSERT_EQ(good.from, 0);
+  for (const DiscPairs& leaf : std::vector<DiscPairs>{{{0, 0}, {0, 1}, {}},
+                                                      {{0x1p-70, good.to}, {0, 1}, {}},
+                                                      {{0, arm.length() + 1}, {0, 1}, {}},
+                                                      {good, {0, 2}, {}},
+                                                      {good, {.5, .25}, {}},
+                                                      {good, {0, 1}, Vec3::UnitX()}}) {
+    ClearanceClaim more = claim;
+    more.leaves.push_back(leaf);
+    EXPECT_FALSE(follows_at_hub(arm, junction.hub, more)) << leaf.first.from << leaf.second.to;
+  }
+}
+
+TEST(HubClaims, of_a_mesh_have_no_more_segments_than_the_limit) {
+  const Sphere hub{{1, 2, 3}, 5};
+  EXPECT_TRUE(follows_of_hub(hub, {CertificateLimits::kSegments, 0, {}, 1}));
+  EXPECT_FALSE(follows_of_hub(hub, {CertificateLimits::kSegments + 1, 0, {}, 1}));
 }
 
 }  // namespace

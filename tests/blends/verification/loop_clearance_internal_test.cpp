@@ -1,10 +1,13 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "blends/verification/solids_internal.h"
 #include "certification/prove_fillet.h"
 #include "certification/prove_loop_clearance.h"
 #include "support/fillet_loops.h"
@@ -170,6 +173,211 @@ TEST(LoopClearance, of_the_loops_of_a_fillet_is_a_distance_or_their_corners) {
     }
   }
   EXPECT_EQ(meet, 2);
+}
+
+const CanalFillet& loop_of(const std::string& name) {
+  static const auto loops = test::loops_of_all_kinds();
+  return std::ranges::find(loops, name, &test::NamedLoop::name)->loop;
+}
+
+// Arcs at one place that move along the x axis.
+LoopArcs hand_made(const CanalFillet& loop, const Vec3& place) {
+  LoopArcs arcs{&loop, {}};
+  for (int i = 0; i < 8; ++i) {
+    ArcCell& cell = arcs.cells.emplace_back(ArcCell{{i / 4., (i + 1) / 4.}, {}});
+    cell.arcs.tangent = numbers::interval_vec(Vec3::UnitX());
+    cell.arcs.passing = 1;
+    cell.arcs.corners.fill(numbers::interval_vec(place));
+  }
+  return arcs;
+}
+
+ClearanceClaim apart(double distance, const std::vector<DiscPairs>& leaves) {
+  return {0, 1, Verdict::proved, distance, leaves, {}};
+}
+
+// For all of a part of length 1, or half of a loop, and a loop.
+std::vector<DiscPairs> all_leaves(const Vec3& direction) {
+  return {{{0, 1}, {0, 1}, direction}, {{0, 1}, {1, 2}, direction}};
+}
+
+TEST(LoopClearance, corners_are_shared_by_loops_that_differ_in_their_side_only) {
+  for (const char* name : {"equal", "touching"}) {
+    const CanalFillet &first = loop_of(std::string(name) + "_0"),
+                      &second = loop_of(std::string(name) + "_1");
+    EXPECT_TRUE(share_corners(first, second)) << name;
+    using Through = RollingThrough;
+    const std::vector<std::function<void(Through&)>> changes{
+        [](Through& m) { m.origin.x() += 1; },    [](Through& m) { m.along = -m.along; },
+        [](Through& m) { m.across = -m.across; }, [](Through& m) { m.up = -m.up; },
+        [](Through& m) { m.cosine = -.25; },      [](Through& m) { m.sine /= 2; },
+        [](Through& m) { m.distance += 1; },      [](Through& m) { m.height += .25; },
+        [](Through& m) { m.below += .25; },       [](Through& m) { m.above += .25; },
+        [](Through& m) { m.radius += .25; }};
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      CanalFillet other = second;
+      changes[i](std::get<RollingThrough>(other.motion));
+      EXPECT_FALSE(share_corners(first, other)) << name << " " << i;
+    }
+    EXPECT_FALSE(share_corners(first, loop_of("partly_0")));
+    EXPECT_FALSE(share_corners(loop_of("partly_0"), first));
+  }
+  EXPECT_FALSE(share_corners(loop_of("through_0"), loop_of("through_1"))) << "they have none";
+}
+
+TEST(LoopClearance, at_corners_is_of_arcs_that_move_to_both_sides) {
+  const CanalFillet& loop = loop_of("equal_0");
+  const LoopArcs on = hand_made(loop, {0, 0, 0});
+  LoopArcs back = on;
+  for (ArcCell& cell : back.cells) {
+    cell.arcs.passing = -1;
+  }
+  const Vec3 x = Vec3::UnitX();
+  const ParameterInterval before{.75, 1}, after{1, 1.25}, first{0, .25}, last{1.75, 2};
+  EXPECT_TRUE(part_at_corner(on, on, {before, after, x}));
+  EXPECT_FALSE(part_at_corner(on, on, {before, after, -x}));
+  EXPECT_TRUE(part_at_corner(on, on, {after, before, -x}));
+  EXPECT_TRUE(part_at_corner(on, on, {last, first, x}));
+  EXPECT_TRUE(part_at_corner(on, on, {first, last, -x}));
+  EXPECT_TRUE(part_at_corner(on, back, {before, before, x}));
+  EXPECT_FALSE(part_at_corner(on, on, {before, before, x}));
+  EXPECT_FALSE(part_at_corner(back, on, {before, after, x}));
+  EXPECT_FALSE(part_at_corner(on, back, {before, after, x}));
+  EXPECT_FALSE(part_at_corner(on, on, {before, after, {}}));
+  EXPECT_FALSE(part_at_corner(on, on, {before, first, x})) << "of two corners";
+  EXPECT_FALSE(part_at_corner(on, on, {{.5, .75}, after, x}));
+  EXPECT_FALSE(part_at_corner(on, on, {before, {1.25, 1.5}, x}));
+  const LoopArcs smooth = hand_made(loop_of("through_0"), {0, 0, 0});
+  EXPECT_FALSE(part_at_corner(smooth, on, {before, after, x}));
+  EXPECT_FALSE(part_at_corner(on, smooth, {before, after, x}));
+}
+
+TEST(LoopClearance, of_loops_is_the_slab_between_them) {
+  const LoopArcs low = hand_made(loop_of("through_0"), {0, 0, 0}),
+                 high = hand_made(loop_of("through_1"), {0, 0, 3});
+  const Vec3 up(0, 0, 2);
+  std::vector<DiscPairs> leaves = all_leaves(up);
+  for (const DiscPairs& leaf : all_leaves(up)) {
+    leaves.push_back({{1, 2}, leaf.second, up});
+  }
+  EXPECT_TRUE(follows(low, high, apart(2.999, leaves)));
+  EXPECT_FALSE(follows(low, high, apart(3.001, leaves)));
+  EXPECT_FALSE(follows(high, low, apart(2.999, leaves)));
+  EXPECT_FALSE(follows(low, high, apart(0, leaves)));
+  EXPECT_FALSE(follows(low, high, apart(2.999, all_leaves(up))));
+  EXPECT_FALSE(follows({low.loop, {}}, high, apart(1, leaves)));
+  EXPECT_FALSE(follows(low, {high.loop, {}}, apart(1, leaves)));
+  ClearanceClaim refuted = apart(2.999, leaves);
+  refuted.verdict = Verdict::refuted;
+  EXPECT_FALSE(follows(low, high, refuted));
+  // Leaves more than are needed must hold, too.
+  for (const DiscPairs& leaf : std::vector<DiscPairs>{{{.5, .5}, {0, 1}, up},
+                                                      {{0, 1}, {.5, .5}, up},
+                                                      {{0, 2.5}, {0, 1}, up},
+                                                      {{0, 1}, {0, 2.5}, up},
+                                                      {{0, 1}, {0, 1}, {}},
+                                                      {{0, 1}, {0, 1}, -up},
+                                                      {{0, 1}, {0, 1}, Vec3::Zero()},
+                                                      {{0, 1}, {0, 1}, 0x1p301 * up}}) {
+    std::vector<DiscPairs> more = leaves;
+    more.push_back(leaf);
+    EXPECT_FALSE(follows(low, high, apart(2.999, more)));
+  }
+}
+
+// In corners that are not the same, arcs move apart and may meet all the same.
+TEST(LoopClearance, of_loops_without_common_corners_is_no_matter_of_corners) {
+  const LoopArcs low = hand_made(loop_of("equal_0"), {0, 0, 0}),
+                 same = hand_made(loop_of("equal_1"), {0, 0, 3});
+  CanalFillet moved = loop_of("equal_1");
+  std::get<RollingThrough>(moved.motion).origin.x() += 1;
+  const LoopArcs other = hand_made(moved, {0, 0, 3});
+  std::vector<DiscPairs> leaves;
+  for (const ParameterInterval& t : {ParameterInterval{0, 1}, {1, 2}}) {
+    for (const ParameterInterval& s : {ParameterInterval{0, 1}, {1, 2}}) {
+      leaves.push_back({t, s, Vec3::UnitZ()});
+    }
+  }
+  EXPECT_TRUE(follows(low, other, apart(1, leaves)));
+  EXPECT_FALSE(follows(low, other, apart(0, leaves)));
+  EXPECT_TRUE(follows(low, same, apart(0, leaves)));
+  EXPECT_FALSE(follows(low, same, apart(1, leaves)));
+  leaves.push_back({{.75, 1}, {1, 1.25}, Vec3::UnitX()});
+  EXPECT_FALSE(follows(low, other, apart(1, leaves)));
+  EXPECT_TRUE(follows(low, same, apart(0, leaves)));
+}
+
+TEST(LoopClearance, of_parts_is_the_slab_between_them_and_the_arcs) {
+  const LoopArcs high = hand_made(loop_of("through_0"), {0, 0, 3});
+  const Solid low(pipe_part({-2, 0, 0}, {2, 0, 0}, 1));
+  const Vec3 up(0, 0, 2);
+  const std::vector<DiscPairs> leaves = all_leaves(up);
+  EXPECT_TRUE(follows(low, high, apart(1.999, leaves)));
+  EXPECT_FALSE(follows(low, high, apart(2.001, leaves)));
+  EXPECT_FALSE(follows(low, high, apart(0, leaves)));
+  for (const DiscPairs& leaf : std::vector<DiscPairs>{{{.5, .5}, {0, 1}, up},
+                                                      {{0, 1}, {.5, .5}, up},
+                                                      {{0, 1.5}, {0, 1}, up},
+                                                      {{0, 1}, {0, 2.5}, up},
+                                                      {{0, 1}, {0, 1}, {}},
+                                                      {{0, 1}, {0, 1}, -up},
+                                                      {{0, 1}, {0, 1}, Vec3::Zero()},
+                                                      {{0, 1}, {0, 1}, 0x1p301 * up}}) {
+    std::vector<DiscPairs> more = leaves;
+    more.push_back(leaf);
+    EXPECT_FALSE(follows(low, high, apart(1.999, more)));
+  }
+  CertifiedPart unknown;
+  Chain chain;
+  chain.joints = Joints::spherical;
+  unknown.shape = chain;
+  EXPECT_FALSE(follows(Solid(unknown), high, apart(1, {})));
+}
+
+// The middle of a bend's triangle reaches further than the bend.
+TEST(LoopClearance, of_bends_may_take_shorter_stretches) {
+  const Solid bend(part(Chain(test::elbow(4, 1.5, .25))));
+  const Vec3 out(std::cos(.75), std::sin(.75), 0);
+  const LoopArcs beyond = hand_made(loop_of("through_0"), 5 * out);
+  EXPECT_TRUE(follows(bend, beyond, apart(.5, all_leaves(out))));
+  EXPECT_FALSE(follows(bend, beyond, apart(.76, all_leaves(out))));
+}
+
+// Any of the three places that are looked at may be the only one in the part.
+TEST(LoopClearance, of_what_overlaps_is_at_a_foot_or_in_the_middle) {
+  const CanalFillet& loop = loop_of("through_0");
+  const auto arcs = contact_arcs(loop, {.5, .5});
+  ASSERT_TRUE(arcs);
+  for (const IntervalVec& at : {arcs->corners[0], arcs->corners[1], arcs->middle}) {
+    const Vec3 place = numbers::middle(at);
+    const Solid small(ball_part(place, .01));
+    const Overlap honest{place, {0, 1}, {.5, .5}};
+    EXPECT_TRUE(follows(honest, small, loop));
+    const std::vector<std::function<void(Overlap&)>> changes{
+        [](Overlap& o) { o.point.x() = std::numeric_limits<double>::quiet_NaN(); },
+        [](Overlap& o) { o.point.x() += .02; },
+        [](Overlap& o) { o.first.to = 1.5; },
+        [](Overlap& o) { o.second.to = .625; },
+        [](Overlap& o) {
+          o.second = {.375, .375};
+        },
+        [](Overlap& o) {
+          o.second = {2.5, 2.5};
+        }};
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      Overlap changed = honest;
+      changes[i](changed);
+      EXPECT_FALSE(follows(changed, small, loop)) << i;
+    }
+  }
+  // Of a hollow part nothing is told by its discs.
+  const Vec3 place = numbers::middle(arcs->middle), x = Vec3::UnitX();
+  const PeArc arc = PeArc::from({place - 3 * x, 1}, {x, 0}, {place + 3 * x, 1});
+  CertifiedPart pipe = test::part(test::cyclide_piece(arc));
+  const Overlap inside{place, {.4375, .5625}, {.5, .5}};
+  EXPECT_TRUE(follows(inside, Solid(pipe), loop));
+  std::get<Chain>(pipe.shape).wall = .25;
+  EXPECT_FALSE(follows(inside, Solid(pipe), loop));
 }
 
 }  // namespace

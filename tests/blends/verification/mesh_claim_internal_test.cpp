@@ -78,6 +78,12 @@ TEST(MeshClaim, of_a_cylinder_is_its_sagitta) {
   }
 }
 
+TEST(MeshClaim, has_no_more_segments_than_the_limit) {
+  const Solid solid = test::solid(test::cylinder({0, 0, 0}, {9, 1, 2}, 2));
+  EXPECT_TRUE(follows(solid, claim(CertificateLimits::kSegments, {0, 1}, 1)));
+  EXPECT_FALSE(follows(solid, claim(CertificateLimits::kSegments + 1, {0, 1}, 1)));
+}
+
 TEST(MeshClaim, of_a_cone_is_the_sagitta_of_its_larger_ring) {
   const Solid solid = test::solid(test::cone({0, 0, 0}, {9, 1, 2}, .5, 2));
   EXPECT_TRUE(follows(solid, claim(16, {0, 1}, sagitta(2, 16) + 1e-12)));
@@ -94,6 +100,9 @@ TEST(MeshClaim, of_similar_ellipses_needs_the_larger_sagitta_of_others_nothing_f
   tube.axis = Vec3::UnitY();
   EXPECT_TRUE(follows(test::solid(tube), claim(16, {0, 1}, sagitta(4, 16) + 1e-12)));
   EXPECT_FALSE(follows(test::solid(tube), claim(16, {0, 1}, sagitta(4, 16) - 1e-12)));
+  tube.second = CubicRadius{1, 2};  // similar at its ends only
+  EXPECT_FALSE(follows(test::solid(tube), claim(16, {0, 1}, 100)));
+  tube.second = LinearRadius{1, 2};
   tube.end.ellipse->across = 2.5;  // no longer similar: rows of facets would be twisted
   EXPECT_FALSE(follows(test::solid(tube), claim(16, {0, 1}, 100)));
 }
@@ -268,9 +277,11 @@ TEST(MeshClaim, is_made_of_the_largest_values_on_each_band) {
   for (const auto& [name, solid, surface, bands] : table) {
     for (const std::uint32_t segments : {8U, 64U}) {
       const double expected = expected_bound(surface, segments, bands, bands);
-      const double least = least_bound(solid, claim(segments, equal_knots(bands), 0));
-      EXPECT_GE(least, .995 * expected) << name << " " << bands << " " << segments;
-      EXPECT_LE(least, 1.03 * expected) << name << " " << bands << " " << segments;
+      const auto bound = [&](double share) {
+        return claim(segments, equal_knots(bands), share * expected);
+      };
+      EXPECT_FALSE(follows(solid, bound(.995))) << name << " " << bands << " " << segments;
+      EXPECT_TRUE(follows(solid, bound(1.03))) << name << " " << bands << " " << segments;
     }
   }
 }
@@ -315,6 +326,10 @@ TEST(MeshClaim, adds_the_rounding_of_large_coordinates) {
   const Solid solid = test::solid(test::cylinder({far, 0, 0}, {far + 8, 0, 0}, 2));
   EXPECT_TRUE(follows(solid, claim(64, {0, 1}, sagitta(2, 64) + 1.01 * rounding)));
   EXPECT_FALSE(follows(solid, claim(64, {0, 1}, sagitta(2, 64) + .99 * rounding)));
+  const double plain = least_bound(test::ball({0, 0, 0}, 2), claim(64, {}, 0));
+  const Solid ball = test::ball({far, 0, 0}, 2);
+  EXPECT_TRUE(follows(ball, claim(64, {}, 1.001 * plain + 1.01 * rounding)));
+  EXPECT_FALSE(follows(ball, claim(64, {}, .998 * plain + .99 * rounding)));
 }
 
 // Multiples of a negative spacing are those of a positive one; nothing gets nearer by rounding.
@@ -358,6 +373,52 @@ TEST(MeshClaim, of_a_hollow_chain_never_follows) {
   EXPECT_TRUE(follows(Solid(part), claim(32, equal_knots(16), 1)));
   std::get<Chain>(part.shape).wall = .5;
   EXPECT_FALSE(follows(Solid(part), claim(32, equal_knots(16), 1)));
+}
+
+// The spine turns back at its middle.
+TEST(MeshClaim, does_not_follow_where_nothing_is_known_of_the_discs) {
+  RingedSurface back = test::cylinder({0, 0, 0}, {1, 0, 0}, 1);
+  back.spine = BezierSpine{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 0)}, {}};
+  EXPECT_FALSE(follows(test::solid(back), claim(64, equal_knots(3), 1e3)));
+  EXPECT_TRUE(follows(test::solid(test::elbow(4, 1, 1)), claim(64, equal_knots(3), 1e3)));
+}
+
+// A cone whose spheres slow down, by 1/(1 + t)^2: a cell holds the fast ones and the slow ones.
+TEST(MeshClaim, bounds_the_length_of_a_way_by_its_fastest_part) {
+  const PeVector first = test::sphere(0, 0, 0, 3), last = test::sphere(4, 0, 0, 1.5);
+  const double length = std::sqrt(16 - 1.5 * 1.5);
+  const CyclidePiece cone{
+      {}, {}, first, {(last.m - first.m) / length, (last.r - first.r) / length}, last, length / 2};
+  for (const int cells : {1, 4, 1024}) {
+    const auto found = bounds_over(motion(cone, 0), Measure::length, 0, .03125, cells);
+    ASSERT_TRUE(found);
+    EXPECT_GE(found->length, length * .0625 / 1.03125) << cells;
+    EXPECT_LE(found->length, length * .0625 * (1 + .2 / cells)) << cells;
+  }
+}
+
+TEST(MeshClaim, is_about_coordinates_as_large_as_those_of_all_centres) {
+  const PeArc arc = PeArc::from(test::sphere(4, 0, 0, .7), test::direction(Vec3(.1, 1, .2), .2),
+                                test::sphere(.5, 5, .4, 1.6));
+  double most = 0;
+  for (int i = 0; i <= 64; ++i) {
+    most = std::max(most, circle_at(arc, i / 64.).center.norm());
+  }
+  const double found = size_of(test::solid(test::cyclide_piece(arc)));
+  EXPECT_GE(found, most);
+  EXPECT_LE(found, 2 * most);
+}
+
+// The normals turn at once at 1/2, or so fast next to 1/3 that cells of 1/16 do not tell.
+TEST(MeshClaim, is_about_no_coordinates_where_nothing_is_known_of_the_discs) {
+  RationalRingedTube tube;
+  tube.surface.center = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(3, 0, 0)};
+  tube.surface.radius = {1, 1, 1, 1};
+  tube.surface.rotation = {{1, 0, 0, 0}, {-1, 0, 0, 0}};
+  EXPECT_EQ(size_of(test::solid(tube)), std::numeric_limits<double>::infinity());
+  tube.surface.rotation = {{1, 0, 0, .01}, {-2, 0, 0, .01}};
+  EXPECT_FALSE(test::solid(tube).discs({5. / 16, 6. / 16}));
+  EXPECT_LT(size_of(test::solid(tube)), 4);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -171,6 +172,41 @@ TEST(Motion, that_is_steered_does_not_rest_at_a_plate) {
   EXPECT_TRUE(holds(part(there->center, 1), ring_at(surface, .5).center_rate, 1e-12));
 }
 
+// By the distance from the end in the parameter, everywhere on a stretch that reaches the end.
+TEST(Motion, that_is_steered_has_the_rates_divided_by_one_function) {
+  const RationalRingedSurface surface =
+      ringed_blend(along_plate({Vec3(0, 0, 0), Vec3::UnitZ(), 2}, -3),
+                   along_canal({Vec3(.5, 0, 4), Vec3(.1, .2, 1).normalized(), 1}, 0, 4));
+  RationalRingedSurface backwards = surface;
+  std::reverse(backwards.center.begin(), backwards.center.end());
+  std::reverse(backwards.radius.begin(), backwards.radius.end());
+  std::reverse(backwards.rotation.begin(), backwards.rotation.end());
+  const auto at_start = steered_motion(surface)(0, .03125),
+             at_end = steered_motion(backwards)(.96875, 1);
+  ASSERT_TRUE(at_start && at_end);
+  for (const double t : {.03125, .015625, .0078125}) {
+    const MovingRing first = ring_at(surface, t), last = ring_at(backwards, 1 - t);
+    EXPECT_TRUE(holds(part(at_start->center, 1), first.center_rate / t, 1e-11)) << t;
+    EXPECT_TRUE(holds(part(at_start->normal, 1), first.normal_rate / t, 1e-11)) << t;
+    EXPECT_TRUE(holds(part(at_end->center, 1), last.center_rate / t, 1e-11)) << t;
+    EXPECT_TRUE(holds(part(at_end->normal, 1), last.normal_rate / t, 1e-11)) << t;
+  }
+}
+
+// Normals rest, and so do two coordinates of the centre.
+TEST(Motion, that_is_steered_is_the_plain_one_where_something_moves) {
+  RationalRingedSurface straight;
+  straight.center = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(3, 0, 0)};
+  straight.radius = {1, 1, 1, 1};
+  straight.rotation = {{1, 0, 0, 0}, {1, 0, 0, 0}};
+  for (const auto& [from, to] : {std::pair(0., 0.), {1., 1.}}) {
+    const auto found = steered_motion(straight)(from, to);
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(holds(part(found->center, 1), Vec3(3, 0, 0), 1e-14));
+    EXPECT_LT(numbers::norm(part(found->center, 1)).upper, 3.1);
+  }
+}
+
 TEST(Motion, is_none_where_the_spine_may_stand_still) {
   // The cubic turns back in its middle.
   RingedSurface surface = test::cylinder({0, 0, 0}, {1, 0, 0}, 1);
@@ -178,6 +214,22 @@ TEST(Motion, is_none_where_the_spine_may_stand_still) {
   const Motion there_and_back = motion(Tube(surface));
   EXPECT_FALSE(there_and_back(.25, .75));
   EXPECT_TRUE(there_and_back(0, .25));
+}
+
+// Spheres that grow faster than they move at first, and have no circle then.
+TEST(Motion, is_none_where_spheres_may_hold_each_other) {
+  const CyclidePiece piece{
+      {}, {}, test::sphere(0, 0, 0, 1), {Vec3(.5, 0, 0), 1}, test::sphere(4, 0, 0, 1), 4};
+  const Motion circles = motion(piece, 0);
+  double without = 0, with = .5;
+  ASSERT_FALSE(circles(without, without));
+  ASSERT_TRUE(circles(with, with));
+  while (with - without > 1e-9) {
+    const double middle = (without + with) / 2;
+    (circles(middle, middle) ? with : without) = middle;
+  }
+  EXPECT_FALSE(circles(without - 1e-6, with + 1e-6));
+  EXPECT_TRUE(circles(with + 1e-6, with + 2e-6));
 }
 
 }  // namespace

@@ -111,5 +111,41 @@ TEST(NearParts, of_a_scattered_lot_take_little_work) {
   EXPECT_THROW(static_cast<void>(pairs_nearer_than(1, solids)), Error);
 }
 
+// They are halved across the axis along which they lie.
+TEST(NearParts, in_a_row_take_little_work_whatever_its_direction) {
+  constexpr int kCount = 20'000;
+  for (const Vec3& step : {Vec3(4, 0, 0), Vec3(0, 4, 0), Vec3(0, 0, 4)}) {
+    std::vector<Solid> solids;
+    for (int i = 0; i < kCount; ++i) {
+      solids.push_back(ball((i * 7919 % kCount) * step, 1));
+    }
+    const WorkLimit limit(work_for_boxes(solids.size()));
+    EXPECT_NO_THROW(EXPECT_TRUE(pairs_nearer_than(1, solids).empty())) << step.transpose();
+  }
+}
+
+TEST(NearParts, at_one_place_are_all_pairs) {
+  const std::vector<Solid> solids(700, ball({1, 2, 3}, 1));
+  EXPECT_EQ(pairs_nearer_than(1, solids), all_pairs(700));
+}
+
+// Whoever writes a certificate may put one part near to all others.
+TEST(NearParts, cost_work_for_every_pair_that_is_looked_at) {
+  constexpr std::uint64_t kUnits = 1'000'000;
+  constexpr int kCount = 4096;
+  std::vector<Solid> solids;
+  for (int i = 0; i < kCount; ++i) {
+    solids.push_back(ball(Vec3(9 * i, 0, 0), 1));
+  }
+  const auto used = [&] {
+    const WorkLimit limit(kUnits);
+    static_cast<void>(pairs_nearer_than(1, solids));
+    return kUnits - limit.left();
+  };
+  const std::uint64_t in_a_row = used();
+  solids.insert(solids.begin(), ball({0, 0, 0}, 1e6));
+  EXPECT_GE(used(), in_a_row + kCount);
+}
+
 }  // namespace
 }  // namespace dupin::verification

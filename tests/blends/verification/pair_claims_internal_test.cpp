@@ -464,5 +464,44 @@ TEST(ClearanceClaim, of_joined_parts_follows_by_the_way_through_the_joint) {
                       clearance(0, {{{0, 1}, {0, .25}, {}}, {{0, 1}, {.25, 1}, Vec3(0, 1, 0)}})));
 }
 
+// A straight pipe into discs of this radius whose centres have the velocity 1 + faster t, slide
+// sideways at the rate `sliding` t, and whose normals turn about `axis` by the angle 2 atan of a
+// polynomial.
+bool leads_into(double faster, double sliding, const Vec3& axis, const std::vector<double>& turn,
+                double radius) {
+  const auto center = [=](double t) {
+    return Vec3(t + faster * t * t / 2, sliding * t * t / 2, 0);
+  };
+  const Vec3 last = center(1), end_rate(1 + faster, sliding, 0);
+  RationalRingedTube tube;
+  tube.surface.center = {center(0), Vec3(1. / 3, 0, 0), last - end_rate / 3, last};
+  tube.surface.radius = {radius, radius, radius, radius};
+  for (const double c : turn) {
+    tube.surface.rotation.push_back({1, c * axis.x(), c * axis.y(), c * axis.z()});
+  }
+  return follows(test::solid(test::cylinder({-3, 0, 0}, {0, 0, 0}, radius)), test::solid(tube),
+                 {kEndToStart}, clearance(0, {whole()}));
+}
+
+// It is the slowest, the one that slides most and the one that turns most of a stretch that counts.
+TEST(ClearanceClaim, of_joined_parts_is_about_the_worst_discs_on_the_way) {
+  const std::vector<double> evenly{0, .05}, later{0, 0, .1};
+  const Vec3 y = Vec3::UnitY(), z = Vec3::UnitZ();
+  EXPECT_TRUE(leads_into(2, 0, z, evenly, 8));
+  EXPECT_FALSE(leads_into(2, 0, z, evenly, 12)) << "they turn by 1.2 at the border";
+  EXPECT_TRUE(leads_into(0, .5, y, {0, .25}, .1));
+  EXPECT_FALSE(leads_into(0, 1.8, y, {0, .25}, .1));
+  EXPECT_TRUE(leads_into(0, 0, z, later, 2));
+  EXPECT_FALSE(leads_into(0, 0, z, later, 3.2));
+}
+
+// The spine turns back at its middle, where there is no disc.
+TEST(ClearanceClaim, of_joined_parts_does_not_follow_where_there_is_no_disc) {
+  RingedSurface back = test::cylinder({0, 0, 0}, {1, 0, 0}, 1);
+  back.spine = BezierSpine{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 0)}, {}};
+  EXPECT_FALSE(follows(test::solid(test::cylinder({-3, 0, 0}, {0, 0, 0}, 1)), test::solid(back),
+                       {kEndToStart}, clearance(0, {whole()})));
+}
+
 }  // namespace
 }  // namespace dupin::verification

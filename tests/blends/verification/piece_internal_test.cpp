@@ -6,6 +6,7 @@
 
 #include "blends/verification/solids_internal.h"
 #include "dupin/blends/rational_ringed_surface.h"
+#include "dupin/blends/ringed_blend.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
 #include "verification/admitted.h"
@@ -84,6 +85,63 @@ TEST(Piece, of_a_cylinder_has_discs_about_its_axis) {
   ASSERT_EQ(discs->centers.size(), 2U);
   EXPECT_TRUE(test::holds(discs->centers.front(), Vec3(1, 0, 0)));
   EXPECT_TRUE(test::holds(discs->centers.back(), Vec3(3, 0, 0)));
+}
+
+// The radius rises by 3/4 per length at the start, and falls by 3/8 at the end.
+TEST(Piece, of_a_radius_that_bends_has_the_slopes_of_its_ends) {
+  RingedSurface bulge = test::cylinder({0, 0, 0}, {4, 0, 0}, 1);
+  bulge.radius = BezierRadius{{1, 2.5, 1.75}};
+  bulge.start.slope = -.75;
+  bulge.end.slope = -.375;
+  bulge.end.radius = 1.75;
+  for (const End end : {End::start, End::end}) {
+    const auto deviation = end_difference(Piece(bulge, 0), end).deviation;
+    ASSERT_TRUE(deviation);
+    EXPECT_LE(*deviation, 1e-13);
+  }
+}
+
+TEST(Piece, that_is_rational_has_the_normals_of_its_ends) {
+  const RationalRingedSurface surface =
+      ringed_blend(along_oblique_cone({Vec3(0, 0, 0), Vec3::UnitZ(), 1}, Vec3(.6, 0, -3), 1.2),
+                   along_canal({Vec3(4, 1, 4), Vec3::UnitX(), .8}, 0, 3));
+  const MovingRing from = ring_at(surface, 0), to = ring_at(surface, 1);
+  const Piece piece(
+      RationalRingedTube{
+          {from.center, -from.normal, from.radius}, {to.center, to.normal, to.radius}, surface},
+      0);
+  for (const End end : {End::start, End::end}) {
+    EXPECT_LE(upper(end_difference(piece, end).axis_angle), 1e-13);
+    EXPECT_LE(upper(end_difference(piece, end).offset), 1e-13);
+  }
+}
+
+PeArc bent_arc() {
+  return PeArc::from(test::sphere(4, 0, 0, .7), test::direction(Vec3(.1, 1, .2), .2),
+                     test::sphere(.5, 5, .4, 1.6));
+}
+
+TEST(Piece, of_a_cyclide_has_discs_within_the_spread_of_their_normals) {
+  const PeArc arc = bent_arc();
+  for (const double from : {0., .375, .75}) {
+    const auto discs = discs_of(Piece(test::cyclide_piece(arc), 0), {from, from + .25});
+    ASSERT_TRUE(discs);
+    ASSERT_EQ(discs->tangents.size(), 1U);
+    const Vec3 middle = circle_at(arc, from + .125).normal;
+    EXPECT_TRUE(test::holds(discs->tangents.front(), middle, 1e-13));
+    double most = 0;
+    for (int i = 0; i <= 16; ++i) {
+      most = std::max(most, circle_at(arc, from + i / 64.).normal.cross(middle).norm());
+    }
+    EXPECT_LE(std::asin(most), discs->spread);
+  }
+}
+
+TEST(Piece, has_no_discs_where_only_its_middle_is_known) {
+  const Piece piece(test::cyclide_piece(bent_arc()), 0);
+  ASSERT_TRUE(piece.motion(.5, .5));
+  ASSERT_FALSE(piece.motion(0, 1));
+  EXPECT_FALSE(discs_of(piece, {0, 1}));
 }
 
 }  // namespace

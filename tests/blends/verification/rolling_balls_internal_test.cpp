@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -45,6 +46,19 @@ TEST(TurnStretch, is_none_beyond_a_half) {
                                      {0, kNaN}}) {
     EXPECT_FALSE(turn_stretch(t)) << t.from << " " << t.to;
   }
+}
+
+TEST(TurnStretch, reaches_as_far_from_its_middle_as_the_longer_half) {
+  for (const ParameterInterval& t : {ParameterInterval{0, .5}, {.5, .9375}, {1, 1.5}, {1.5, 2}}) {
+    const auto reach = turn_reach(t);
+    ASSERT_TRUE(reach);
+    const double middle = test::angle_at((t.from + t.to) / 2);
+    const double end = t.to == 2 ? 3 * std::numbers::pi / 2 : test::angle_at(t.to);
+    const double most = std::max(middle - test::angle_at(t.from), end - middle);
+    EXPECT_GE(*reach, most - 1e-15);
+    EXPECT_LE(*reach, 1.25 * most);
+  }
+  EXPECT_FALSE(turn_reach({1.75, 2.25}));
 }
 
 // What the evaluator says, whose formulas are written by another hand, is in the enclosures, and

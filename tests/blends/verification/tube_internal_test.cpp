@@ -185,5 +185,23 @@ TEST(Tube, discs_that_turn_past_a_direction_reach_their_radius) {
   }
 }
 
+// Directions may be boxes: the bounds are those of the worst in them.
+TEST(Tube, discs_of_a_wide_direction_reach_as_far_as_the_worst) {
+  const IntervalVec origin = numbers::interval_vec(Vec3::Zero()),
+                    wide{Interval(.75, 1), Interval(-.75, .75), 0};
+  for (const double side : {1., -1.}) {
+    const IntervalVec w = numbers::interval_vec(Vec3(side, 0, 0));
+    EXPECT_GE(furthest({{origin}, {wide}, Interval(2), 0}, w), 2 * std::numbers::sqrt2 / 2);
+  }
+}
+
+TEST(Tube, turning_between_boxes_is_the_most_there_is) {
+  const IntervalVec x = numbers::interval_vec(Vec3::UnitX());
+  const IntervalVec ahead{Interval(.5, 1), Interval(.25, .5), 0},
+      behind{Interval(-1, -.5), Interval(.25, .5), 0};
+  EXPECT_NEAR(turning({x, ahead}), std::atan2(.5, .5), 1e-12);
+  EXPECT_NEAR(turning({x, behind}), std::atan2(.25, -1), 1e-12);
+}
+
 }  // namespace
 }  // namespace dupin::verification
