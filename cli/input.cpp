@@ -68,6 +68,7 @@ std::string common_unit(const std::vector<StatedUnit>& stated) {
 
 std::string common_unit(const std::vector<Input>& inputs) {
   std::vector<StatedUnit> stated;
+  stated.reserve(inputs.size());
   for (const Input& input : inputs) {
     stated.push_back({input.name, input.unit()});
   }
