@@ -1,7 +1,5 @@
 #include "assembly/fillet_overlap.h"
 
-#include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "assembly/fillet_part.h"
@@ -108,27 +106,6 @@ std::optional<FilletOverlap> fillet_overlap(const Assembly& assembly,
                    : "; nor does a smaller ball fit";
   }
   return FilletOverlap{later, why};
-}
-
-std::optional<std::string> nearness_of_loops(const std::vector<surfaces::FilletMesh>& loops,
-                                             std::size_t side) {
-  if (loops.size() != 2) {
-    return std::nullopt;
-  }
-  double least = std::numeric_limits<double>::infinity();
-  Vec3 place = Vec3::Zero();
-  for (const Vec3& one : loops[0].feet.at(side)) {
-    for (const Vec3& other : loops[1].feet.at(side)) {
-      if (const double distance = (one - other).norm(); distance < least) {
-        least = distance;
-        place = one;
-      }
-    }
-  }
-  return "its two loops come within " + decimal(least, kMessageDigits) + " of each other at " +
-         decimal(place) +
-         "; where pipes of the same radius pass through each other, a junction can join all four "
-         "ends";
 }
 
 }  // namespace dupin::assembly

@@ -27,9 +27,4 @@ struct FilletOverlap {
     const std::map<std::uint32_t, RingSampling>& samplings,
     const std::vector<std::vector<surfaces::FilletMesh>>& meshes);
 
-/// Of a fillet whose two loops leave no room for each other on its first or second pipe: how near
-/// their corners come, and where. None of a fillet of one loop.
-[[nodiscard]] std::optional<std::string> nearness_of_loops(
-    const std::vector<surfaces::FilletMesh>& loops, std::size_t side);
-
 }  // namespace dupin::assembly

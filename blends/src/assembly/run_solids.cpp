@@ -256,11 +256,9 @@ class RunMesher {
       if (const auto overlap = fillet_overlap(assembly_, resolved_, part, sampling, meshes)) {
         throw refusal(resolved_.fillets[overlap->fillet], overlap->why);
       }
-      const ResolvedFillet& fillet = resolved_.fillets[f];
-      const auto near = nearness_of_loops(meshes[f], fillet.between[0] == part ? 0 : 1);
-      throw refusal(fillet, "on '" + resolved_.parts[part].name + "', " + error.message() + "; " +
-                                near.value_or("fillets must be apart from each other and from "
-                                              "its ends"));
+      throw refusal(resolved_.fillets[f],
+                    "on '" + resolved_.parts[part].name + "', " + error.message() +
+                        "; fillets must be apart from each other and from its ends");
     }
   }
 

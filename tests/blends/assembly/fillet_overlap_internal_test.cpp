@@ -64,25 +64,5 @@ TEST(FilletOverlap, says_where_no_ball_would_fit) {
       "it overlaps 'at-a' on 'run'");
 }
 
-TEST(FilletOverlap, says_where_both_loops_of_one_meet) {
-  const auto crossing = [](double radius) {
-    return Assembly{"d.json",
-                    Unit::millimetre,
-                    0.05,
-                    {},
-                    {pipe("run", {-40, 0, 0}, {40, 0, 0}, 10),
-                     pipe("b", {0, -40, 0}, {0, 40, 0}, radius), fillet("f", "run", "b", 3)}};
-  };
-  EXPECT_NO_THROW((void)build(crossing(9)));
-  try {
-    (void)build(crossing(10));
-    FAIL() << "the loops meet";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::infeasible_blend);
-    EXPECT_THAT(error.message(),
-                testing::HasSubstr("its two loops come within 0 of each other at (0, 0, "));
-  }
-}
-
 }  // namespace
 }  // namespace dupin
