@@ -280,7 +280,7 @@ class Certifier {
     return result;
   }
 
-  // Of every loop and every part but its pipes, then every later loop.
+  // Of every loop and every part but its pipes, then every later loop; or of those that are near.
   void append_fillet_clearances() {
     const auto& loops = checker_.loops();
     std::vector<certification::SweptDiscs> arcs;
@@ -293,20 +293,42 @@ class Certifier {
       fillet_of.insert(fillet_of.end(), fillet.loops.size(), &fillet);
     }
     const std::size_t boxes = std::min(options_.boxes, kBoxesOfLoop), parts = sweeps_.size();
-    work_.allow(kWorkOfPair * loops.size() * (parts + loops.size()));
-    for (std::size_t k = 0; k < loops.size(); ++k) {
-      for (std::size_t i = 0; i < parts; ++i) {
-        if (std::ranges::count(fillet_of[k]->between, i) == 0) {
-          append_fillet_clearance(
-              i, parts + k, certification::prove_clearance(sweeps_[i], loops[k], arcs[k], boxes));
-        }
-      }
-      for (std::size_t j = k + 1; j < loops.size(); ++j) {
+    const auto pairs = loop_pairs();
+    work_.allow(kWorkOfPair * pairs.size());
+    for (const auto& [first, second] : pairs) {
+      const std::size_t k = second - parts;
+      if (first >= parts) {
         append_fillet_clearance(
-            parts + k, parts + j,
-            certification::prove_clearance(loops[k], arcs[k], loops[j], arcs[j], boxes));
+            first, second,
+            certification::prove_clearance(loops[first - parts], arcs[first - parts], loops[k],
+                                           arcs[k], boxes));
+      } else if (std::ranges::count(fillet_of[k]->between, first) == 0) {
+        append_fillet_clearance(
+            first, second,
+            certification::prove_clearance(sweeps_[first], loops[k], arcs[k], boxes));
       }
     }
+  }
+
+  // In the order of the certificate.
+  [[nodiscard]] std::vector<verification::PartPair> loop_pairs() {
+    const auto parts = std::uint32_t(sweeps_.size());
+    const auto surfaces = parts + std::uint32_t(checker_.loops().size());
+    if (result_.apart > 0 && surfaces > parts) {
+      if (auto near = checker_.loop_pairs_nearer_than(result_.apart)) {
+        return std::move(*near);
+      }
+    }
+    std::vector<verification::PartPair> pairs;
+    for (std::uint32_t k = parts; k < surfaces; ++k) {
+      for (std::uint32_t i = 0; i < parts; ++i) {
+        pairs.push_back({i, k});
+      }
+      for (std::uint32_t j = k + 1; j < surfaces; ++j) {
+        pairs.push_back({k, j});
+      }
+    }
+    return pairs;
   }
 
   void append_fillet_clearance(std::size_t first, std::size_t second, ClearanceClaim claim) {
