@@ -1,5 +1,6 @@
 #include "assembly/fillet_overlap.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "assembly/fillet_part.h"
@@ -106,6 +107,20 @@ std::optional<FilletOverlap> fillet_overlap(const Assembly& assembly,
                    : "; nor does a smaller ball fit";
   }
   return FilletOverlap{later, why};
+}
+
+Error trim_refusal(const Assembly& assembly, const ResolvedAssembly& resolved, std::uint32_t part,
+                   const Samplings& samplings, const Meshes& meshes, const Error& error) {
+  const auto refusal = [&](const ResolvedFillet& fillet, const std::string& why) {
+    return Error(Errc::infeasible_blend, why, fillet.name, document_place(assembly, fillet.index));
+  };
+  if (const auto overlap = fillet_overlap(assembly, resolved, part, samplings, meshes)) {
+    return refusal(resolved.fillets[overlap->fillet], overlap->why);
+  }
+  const auto on_part = std::ranges::find_if(
+      resolved.fillets, [&](const ResolvedFillet& fillet) { return is_on(fillet, part); });
+  return refusal(*on_part, "on '" + resolved.parts[part].name + "', " + error.message() +
+                               "; fillets must be apart from each other and from its ends");
 }
 
 }  // namespace dupin::assembly

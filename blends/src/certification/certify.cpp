@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -10,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "assembly/cost_limit.h"
+#include "assembly/fillet_overlap.h"
 #include "assembly/filleted_runs.h"
 #include "assembly/joined_hubs.h"
 #include "assembly/part_context.h"
@@ -222,11 +224,25 @@ class Certifier {
     }
     // Of a straight pipe's mesh it counts only how far its triangles go about the axis.
     for (const std::uint32_t part : trimmed) {
-      Tessellation face = assembly::trimmed(resolved_, part, samplings[part], meshes);
+      Tessellation face = face_of(part, samplings, meshes);
       const Ring ring = end_ring(std::get<Chain>(result_.parts[part].shape), End::end);
       const double turn = widest_turn(face.mesh, ring) * (1 + 0x1p-40);
       face.knots = {0, 1};
       append_mesh(part, std::uint32_t(2 * std::numbers::pi / turn), grid, std::move(face));
+    }
+  }
+
+  [[nodiscard]] Tessellation face_of(
+      std::uint32_t part, const std::vector<RingSampling>& samplings,
+      const std::vector<std::vector<surfaces::FilletMesh>>& meshes) const {
+    try {
+      return assembly::trimmed(resolved_, part, samplings[part], meshes);
+    } catch (const Error& error) {
+      std::map<std::uint32_t, RingSampling> by_part;
+      for (std::uint32_t i = 0; i < samplings.size(); ++i) {
+        by_part.emplace(i, samplings[i]);
+      }
+      throw assembly::trim_refusal(assembly_, resolved_, part, by_part, meshes, error);
     }
   }
 

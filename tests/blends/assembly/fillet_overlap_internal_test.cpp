@@ -5,6 +5,7 @@
 
 #include "assembly/fillet_overlap.h"
 #include "dupin/blends/build.h"
+#include "dupin/blends/certify.h"
 #include "dupin/kernel/error.h"
 #include "support/named_parts.h"
 
@@ -53,6 +54,13 @@ TEST(FilletOverlap, names_both_and_the_largest_radius_that_builds) {
     EXPECT_GT(named, 0.1);
     EXPECT_EQ(refused(with(named)), "built") << named;
     EXPECT_THAT(refused(with(1.1 * named)), testing::HasSubstr("it overlaps 'at-a'")) << named;
+    try {
+      (void)certify(with(4));
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.message(), why) << "whoever asks";
+      EXPECT_EQ(error.part(), "at-b");
+    }
   }
 }
 
