@@ -37,13 +37,13 @@ struct Side {
 
 // The shortest from one hole to the next one around, which may be itself, if it is short.
 std::optional<Side> bridge(const UnrolledCurve& one, const UnrolledCurve& next, double around) {
-  constexpr double kShort = 2;
+  constexpr double kShort = 8, kSegment = 1;  // wider it would be too far off the face
   const auto [one_left, one_right] = extent(one);
   const auto [next_left, next_right] = extent(next);
   const double ahead = (next_left + next_right - one_left - one_right) / 2;
   const double shift = -around * std::floor(ahead / around) + (&one == &next ? around : 0);
   const double beside = next_left + shift - one_right;
-  if (beside > kShort || one.low > next.high + kShort || next.low > one.high + kShort) {
+  if (beside > kSegment || one.low > next.high + kShort || next.low > one.high + kShort) {
     return std::nullopt;
   }
   std::optional<Side> result;
@@ -57,7 +57,9 @@ std::optional<Side> bridge(const UnrolledCurve& one, const UnrolledCurve& next, 
       }
     }
   }
-  return result && result->from != result->to ? result : std::nullopt;
+  const bool links =
+      result && result->from != result->to && std::abs(result->along.x()) <= kSegment;
+  return links ? result : std::nullopt;
 }
 
 // Walks along what is left of all sides, the holes being to their right. Nothing here needs to be

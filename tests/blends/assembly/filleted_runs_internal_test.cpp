@@ -190,6 +190,19 @@ TEST(FilletedRuns, equal_pipes_may_pass_through_each_other) {
   expect_second_order([](double tolerance) { return cross(55, 4, true, tolerance); });
 }
 
+// It touches the run from inside on one side, and leaves a way of two segments on the other.
+TEST(FilletedRuns, pipes_may_touch_and_all_but_touch) {
+  const Assembly document = assembly(
+      {pipe("run", {-120, 0, 0}, {120, 0, 0}, 10),
+       pipe("through", {0, -60, 0.1}, {0, 60, 0.1}, 9.9), fillet("f", "run", "through", 0.495)},
+      0.05);
+  const Built built = build(document);
+  EXPECT_EQ(built.solid.genus(), 0);
+  for (const PartReport& part : built.parts) {
+    EXPECT_LE(part.error_bound, 0.05) << part.name;
+  }
+}
+
 // Their curves leave a narrow way past each other, as those of pipes whose axes miss do.
 TEST(FilletedRuns, pipes_may_be_equal_but_for_rounding) {
   const double equal = build(cross(60, 4, false)).solid.exact_volume().get_d();
@@ -197,6 +210,9 @@ TEST(FilletedRuns, pipes_may_be_equal_but_for_rounding) {
     SCOPED_TRACE(less);
     const Built thinner = build(cross(60, 4 * (1 - less), false));
     EXPECT_EQ(thinner.solid.genus(), 0);
+    for (const PartReport& part : thinner.parts) {
+      EXPECT_LE(part.error_bound, 0.02) << part.name;
+    }
     EXPECT_NEAR(thinner.solid.exact_volume().get_d(), equal, 1 + equal * less);
     std::vector<Part> parts = cross(60, 4, false).parts;
     auto& through = std::get<PipeBetween>(parts[1].shape);
