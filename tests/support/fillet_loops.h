@@ -45,16 +45,6 @@ inline std::vector<NamedLoop> loops_of_all_kinds() {
   return result;
 }
 
-/// Without cones that are crossed in part, which the checker's intervals do not tell to be regular,
-/// and NURBS take too many cubics for.
-inline std::vector<NamedLoop> loops_of_most_kinds() {
-  std::vector<NamedLoop> result = loops_of_all_kinds();
-  std::erase_if(result, [](const NamedLoop& loop) {
-    return std::holds_alternative<RollingPartlyOnCones>(loop.loop.motion);
-  });
-  return result;
-}
-
 /// The angle of a loop at a parameter of its certificate, in [-pi/2, 3 pi/2].
 inline double angle_at(double t) {
   const double half = t < 1 ? 0 : 1;

@@ -1,7 +1,6 @@
 #include "assembly/fillet_overlap.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "assembly/fillet_part.h"
@@ -110,25 +109,18 @@ std::optional<FilletOverlap> fillet_overlap(const Assembly& assembly,
   return FilletOverlap{later, why};
 }
 
-std::optional<std::string> nearness_of_loops(const std::vector<surfaces::FilletMesh>& loops,
-                                             std::size_t side) {
-  if (loops.size() != 2) {
-    return std::nullopt;
+Error trim_refusal(const Assembly& assembly, const ResolvedAssembly& resolved, std::uint32_t part,
+                   const Samplings& samplings, const Meshes& meshes, const Error& error) {
+  const auto refusal = [&](const ResolvedFillet& fillet, const std::string& why) {
+    return Error(Errc::infeasible_blend, why, fillet.name, document_place(assembly, fillet.index));
+  };
+  if (const auto overlap = fillet_overlap(assembly, resolved, part, samplings, meshes)) {
+    return refusal(resolved.fillets[overlap->fillet], overlap->why);
   }
-  double least = std::numeric_limits<double>::infinity();
-  Vec3 place = Vec3::Zero();
-  for (const Vec3& one : loops[0].feet.at(side)) {
-    for (const Vec3& other : loops[1].feet.at(side)) {
-      if (const double distance = (one - other).norm(); distance < least) {
-        least = distance;
-        place = one;
-      }
-    }
-  }
-  return "its two loops come within " + decimal(least, kMessageDigits) + " of each other at " +
-         decimal(place) +
-         "; where pipes of the same radius pass through each other, a junction can join all four "
-         "ends";
+  const auto on_part = std::ranges::find_if(
+      resolved.fillets, [&](const ResolvedFillet& fillet) { return is_on(fillet, part); });
+  return refusal(*on_part, "on '" + resolved.parts[part].name + "', " + error.message() +
+                               "; fillets must be apart from each other and from its ends");
 }
 
 }  // namespace dupin::assembly

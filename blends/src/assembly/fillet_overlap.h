@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dupin/blends/resolve.h"
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/ring.h"
 #include "surfaces/fillet_mesh.h"
 
@@ -27,9 +28,12 @@ struct FilletOverlap {
     const std::map<std::uint32_t, RingSampling>& samplings,
     const std::vector<std::vector<surfaces::FilletMesh>>& meshes);
 
-/// Of a fillet whose two loops leave no room for each other on its first or second pipe: how near
-/// their corners come, and where. None of a fillet of one loop.
-[[nodiscard]] std::optional<std::string> nearness_of_loops(
-    const std::vector<surfaces::FilletMesh>& loops, std::size_t side);
+/// Why the part's face could not be trimmed, as an Error{infeasible_blend} that names the fillet
+/// and its place: the later one of two that overlap, or with what `error` says the first one on it.
+[[nodiscard]] Error trim_refusal(const Assembly& assembly, const ResolvedAssembly& resolved,
+                                 std::uint32_t part,
+                                 const std::map<std::uint32_t, RingSampling>& samplings,
+                                 const std::vector<std::vector<surfaces::FilletMesh>>& meshes,
+                                 const Error& error);
 
 }  // namespace dupin::assembly

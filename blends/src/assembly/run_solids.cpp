@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string>
 
 #include "assembly/cost_limit.h"
@@ -126,13 +127,13 @@ class RunMesher {
                                 options_.most_triangles);
       report_fillet(fillet, meshes[f]);
     }
-    std::map<std::uint32_t, std::size_t> fillet_on;
+    std::set<std::uint32_t> pipes;
     for (const std::size_t f : group.fillets) {
-      fillet_on.try_emplace(resolved_.fillets[f].between[0], f);
-      fillet_on.try_emplace(resolved_.fillets[f].between[1], f);
+      const ResolvedFillet& fillet = resolved_.fillets[f];
+      pipes.insert(fillet.between.begin(), fillet.between.end());
     }
-    for (const auto& [part, f] : fillet_on) {
-      trim(f, part, sampling, meshes);
+    for (const std::uint32_t part : pipes) {
+      trim(part, sampling, meshes);
     }
     const JoinedMesher mesher{sampling, meshes, hubs(group.junctions, sampling)};
     try {
@@ -242,8 +243,7 @@ class RunMesher {
     result_.others.emplace_back(junction.index, std::move(entry));
   }
 
-  void trim(std::size_t f, std::uint32_t part,
-            const std::map<std::uint32_t, RingSampling>& sampling,
+  void trim(std::uint32_t part, const std::map<std::uint32_t, RingSampling>& sampling,
             const std::vector<std::vector<surfaces::FilletMesh>>& meshes) {
     try {
       Tessellation face = trimmed(resolved_, part, sampling.at(part), meshes);
@@ -253,14 +253,7 @@ class RunMesher {
       entry.smallest_angle = smallest_angle(face.mesh);
       tubes_[part] = std::move(face.mesh);
     } catch (const Error& error) {
-      if (const auto overlap = fillet_overlap(assembly_, resolved_, part, sampling, meshes)) {
-        throw refusal(resolved_.fillets[overlap->fillet], overlap->why);
-      }
-      const ResolvedFillet& fillet = resolved_.fillets[f];
-      const auto near = nearness_of_loops(meshes[f], fillet.between[0] == part ? 0 : 1);
-      throw refusal(fillet, "on '" + resolved_.parts[part].name + "', " + error.message() + "; " +
-                                near.value_or("fillets must be apart from each other and from "
-                                              "its ends"));
+      throw trim_refusal(assembly_, resolved_, part, sampling, meshes, error);
     }
   }
 

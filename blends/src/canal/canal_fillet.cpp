@@ -9,8 +9,9 @@ namespace dupin {
 
 MovingBall ball(const CanalFillet& fillet, double parameter) {
   const auto turn = canal::turn(parameter);
-  const canal::BallJet<double> jet = std::visit(
-      [&](const auto& motion) { return canal::ball_jet<double>(motion, turn); }, fillet.motion);
+  const canal::BallJet<canal::Jet<double>> jet = std::visit(
+      [&](const auto& motion) { return canal::ball_jet<canal::Jet<double>>(motion, turn); },
+      fillet.motion);
   const auto& [x, y, z] = jet.center;
   return {Vec3(x.value, y.value, z.value),
           Vec3(x.rate, y.rate, z.rate),

@@ -40,7 +40,7 @@ struct Bounds {
 /// Of `least_regularity` and the radius. Where the ball grows as fast as it moves, none of it is
 /// regular.
 Bounds bounds(const CanalFillet& fillet, const ParameterInterval& at) {
-  const BallJet<Interval> ball = canal::balls(fillet, at);
+  const BallJet<canal::Jet<Interval>> ball = canal::balls(fillet, at);
   const auto& [x, y, z] = ball.center;
   const IntervalVec center{x.value, y.value, z.value}, velocity{x.rate, y.rate, z.rate};
   const IntervalVec bend{x.acceleration, y.acceleration, z.acceleration};

@@ -43,6 +43,13 @@ struct Series {
     }
     return result;
   }
+  friend Series operator*(double s, const Series& a) {
+    Series result;
+    for (std::size_t k = 0; k < n; ++k) {
+      result.at[k] = numbers::Interval(s) * a.at[k];
+    }
+    return result;
+  }
   friend Series operator/(const Series& a, const Series& b) {
     Series result;
     for (std::size_t k = 0; k < n; ++k) {
@@ -55,7 +62,7 @@ struct Series {
     return result;
   }
   /// Of a positive function.
-  friend Series sqrt(const Series& a) {
+  friend Series square_root(const Series& a) {
     Series result;
     result.at[0] = numbers::sqrt(a.at[0]);
     for (std::size_t k = 1; k < n; ++k) {

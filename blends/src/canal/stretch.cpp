@@ -1,7 +1,7 @@
 #include "canal/stretch.h"
 
-#include "canal/rational_fillet.h"
-#include "canal/rolling_ball.h"
+#include <variant>
+
 #include "numbers/cosine_and_sine.h"
 
 namespace dupin {
@@ -9,7 +9,7 @@ namespace canal {
 
 using numbers::Interval;
 
-Turn<Interval> turn(const ParameterInterval& at) {
+Turn<Jet<Interval>> turn(const ParameterInterval& at) {
   const Interval parameter(at.from, numbers::next_above(at.to));
   const auto [c, s] = numbers::cosine_and_sine(parameter);
   const auto [p, q] = numbers::cosine_and_sine_of_half_beyond_quarter(parameter);
@@ -23,10 +23,23 @@ Turn<Interval> turn(const ParameterInterval& at) {
           middle.half_sine_sign};
 }
 
-BallJet<Interval> balls(const CanalFillet& fillet, const ParameterInterval& at) {
-  const Turn<Interval> over = turn(at);
-  return std::visit([&](const auto& motion) { return ball_jet<Interval>(motion, over); },
-                    fillet.motion);
+BallJet<Jet<Interval>> balls(const CanalFillet& fillet, const ParameterInterval& at) {
+  // Where generators meet a cone depends on the parameter in many ways at once, which intervals
+  // take for independent.
+  const bool on_cones = std::holds_alternative<RollingOnCones>(fillet.motion) ||
+                        std::holds_alternative<RollingPartlyOnCones>(fillet.motion);
+  if (!on_cones) {
+    const auto over = turn(at);
+    return std::visit([&](const auto& motion) { return ball_jet<Jet<Interval>>(motion, over); },
+                      fillet.motion);
+  }
+  constexpr std::size_t kOrders = 7;
+  const auto series = ball_series<kOrders>(fillet, at, at);
+  const auto jet = [](const CenteredSeries<kOrders>& s) {
+    return Jet<Interval>(s.all.at[0], s.all.at[1], Interval(2) * s.all.at[2]);
+  };
+  return {{jet(series.center[0]), jet(series.center[1]), jet(series.center[2])},
+          jet(series.radius)};
 }
 
 }  // namespace canal

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -10,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "assembly/cost_limit.h"
+#include "assembly/fillet_overlap.h"
 #include "assembly/filleted_runs.h"
 #include "assembly/joined_hubs.h"
 #include "assembly/part_context.h"
@@ -222,11 +224,25 @@ class Certifier {
     }
     // Of a straight pipe's mesh it counts only how far its triangles go about the axis.
     for (const std::uint32_t part : trimmed) {
-      Tessellation face = assembly::trimmed(resolved_, part, samplings[part], meshes);
+      Tessellation face = face_of(part, samplings, meshes);
       const Ring ring = end_ring(std::get<Chain>(result_.parts[part].shape), End::end);
       const double turn = widest_turn(face.mesh, ring) * (1 + 0x1p-40);
       face.knots = {0, 1};
       append_mesh(part, std::uint32_t(2 * std::numbers::pi / turn), grid, std::move(face));
+    }
+  }
+
+  [[nodiscard]] Tessellation face_of(
+      std::uint32_t part, const std::vector<RingSampling>& samplings,
+      const std::vector<std::vector<surfaces::FilletMesh>>& meshes) const {
+    try {
+      return assembly::trimmed(resolved_, part, samplings[part], meshes);
+    } catch (const Error& error) {
+      std::map<std::uint32_t, RingSampling> by_part;
+      for (std::uint32_t i = 0; i < samplings.size(); ++i) {
+        by_part.emplace(i, samplings[i]);
+      }
+      throw assembly::trim_refusal(assembly_, resolved_, part, by_part, meshes, error);
     }
   }
 
@@ -280,7 +296,7 @@ class Certifier {
     return result;
   }
 
-  // Of every loop and every part but its pipes, then every later loop.
+  // Of every loop and every part but its pipes, then every later loop; or of those that are near.
   void append_fillet_clearances() {
     const auto& loops = checker_.loops();
     std::vector<certification::SweptDiscs> arcs;
@@ -293,20 +309,42 @@ class Certifier {
       fillet_of.insert(fillet_of.end(), fillet.loops.size(), &fillet);
     }
     const std::size_t boxes = std::min(options_.boxes, kBoxesOfLoop), parts = sweeps_.size();
-    work_.allow(kWorkOfPair * loops.size() * (parts + loops.size()));
-    for (std::size_t k = 0; k < loops.size(); ++k) {
-      for (std::size_t i = 0; i < parts; ++i) {
-        if (std::ranges::count(fillet_of[k]->between, i) == 0) {
-          append_fillet_clearance(
-              i, parts + k, certification::prove_clearance(sweeps_[i], loops[k], arcs[k], boxes));
-        }
-      }
-      for (std::size_t j = k + 1; j < loops.size(); ++j) {
+    const auto pairs = loop_pairs();
+    work_.allow(kWorkOfPair * pairs.size());
+    for (const auto& [first, second] : pairs) {
+      const std::size_t k = second - parts;
+      if (first >= parts) {
         append_fillet_clearance(
-            parts + k, parts + j,
-            certification::prove_clearance(loops[k], arcs[k], loops[j], arcs[j], boxes));
+            first, second,
+            certification::prove_clearance(loops[first - parts], arcs[first - parts], loops[k],
+                                           arcs[k], boxes));
+      } else if (std::ranges::count(fillet_of[k]->between, first) == 0) {
+        append_fillet_clearance(
+            first, second,
+            certification::prove_clearance(sweeps_[first], loops[k], arcs[k], boxes));
       }
     }
+  }
+
+  // In the order of the certificate.
+  [[nodiscard]] std::vector<verification::PartPair> loop_pairs() {
+    const auto parts = std::uint32_t(sweeps_.size());
+    const auto surfaces = parts + std::uint32_t(checker_.loops().size());
+    if (result_.apart > 0 && surfaces > parts) {
+      if (auto near = checker_.loop_pairs_nearer_than(result_.apart)) {
+        return std::move(*near);
+      }
+    }
+    std::vector<verification::PartPair> pairs;
+    for (std::uint32_t k = parts; k < surfaces; ++k) {
+      for (std::uint32_t i = 0; i < parts; ++i) {
+        pairs.push_back({i, k});
+      }
+      for (std::uint32_t j = k + 1; j < surfaces; ++j) {
+        pairs.push_back({k, j});
+      }
+    }
+    return pairs;
   }
 
   void append_fillet_clearance(std::size_t first, std::size_t second, ClearanceClaim claim) {

@@ -143,6 +143,16 @@ std::optional<std::vector<verification::PartPair>> CheckedClaims::pairs_nearer_t
   return is_told ? std::optional(std::move(pairs)) : std::nullopt;
 }
 
+std::optional<std::vector<verification::PartPair>> CheckedClaims::loop_pairs_nearer_than(
+    double distance) {
+  std::vector<verification::PartPair> pairs;
+  const bool is_told = holds(verification::work_for_boxes(solids_.size() + loops_.size()), [&] {
+    pairs = verification::loop_pairs_nearer_than(distance, solids_, loops_);
+    return true;
+  });
+  return is_told ? std::optional(std::move(pairs)) : std::nullopt;
+}
+
 std::optional<MeshClaim> CheckedClaims::agreed_of_hub(MeshClaim claim, const Sphere& hub) {
   if (claim.segments < 3) {
     return std::nullopt;

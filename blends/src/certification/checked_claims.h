@@ -44,6 +44,10 @@ class CheckedClaims {
   [[nodiscard]] std::optional<std::vector<verification::PartPair>> pairs_nearer_than(
       double distance);
 
+  /// The same of pairs of a part and a loop, or two loops.
+  [[nodiscard]] std::optional<std::vector<verification::PartPair>> loop_pairs_nearer_than(
+      double distance);
+
   /// None: undecided.
   [[nodiscard]] std::optional<MeshClaim> agreed(MeshClaim claim, std::uint32_t part);
   [[nodiscard]] ClearanceClaim agreed(ClearanceClaim claim,

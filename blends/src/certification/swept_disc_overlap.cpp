@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "certification/common_points.h"
 #include "curves/exact_spine.h"
 
 namespace dupin::certification {
@@ -181,6 +182,28 @@ std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b, bool sa
   return std::nullopt;
 }
 
+// A point of both that is not met by chance.
+std::optional<Overlap> overlap_where_nearest(const SweptDiscs& a, const SweptDiscs& b) {
+  if (!a.full() || !b.full() || a.is_out_of_work()) {
+    return std::nullopt;
+  }
+  const std::vector<Vec3> points = common_points(a, b);
+  if (points.empty()) {
+    return std::nullopt;
+  }
+  const Crossings on_a(a), on_b(b);
+  for (const Vec3& point : points) {
+    for (const ParameterInterval& one : on_a.at(point)) {
+      for (const ParameterInterval& other : on_b.at(point)) {
+        if (crosses(a, one, point) && crosses(b, other, point)) {
+          return Overlap{point, one, other};
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 // Exactly, border included.
 bool lies_in(const Ring& ring, const Vec3& point) {
   const numbers::ExactVec3 d = numbers::exact(point) - numbers::exact(ring.center);
@@ -235,7 +258,7 @@ std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b) {
       std::swap(result->first, result->second);
     }
   }
-  return result;
+  return result ? result : overlap_where_nearest(a, b);
 }
 
 }  // namespace dupin::certification

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -11,6 +12,7 @@
 #include "numbers/point_order.h"
 #include "tessellation/face_strip.h"
 #include "tessellation/tessellation_tolerance.h"
+#include "tessellation/touching_holes.h"
 #include "tessellation/unrolled_face.h"
 
 namespace dupin::tessellation {
@@ -80,6 +82,11 @@ class Trimmer {
           (face_.keeps_start && i == 0) || (face_.keeps_end && i + 1 == polygons_.size());
       (curve.turns == 0 ? holes : around).push_back(std::move(curve));
     }
+    holes = linked_about(std::move(holes), places_, chart_.around());
+    const auto about = std::ranges::stable_partition(
+        holes, [](const UnrolledCurve& curve) { return curve.turns == 0; });
+    std::ranges::move(about, std::back_inserter(around));
+    holes.erase(about.begin(), about.end());
     std::ranges::stable_sort(around, {}, &UnrolledCurve::low);
     if (around.size() % 2 != 0) {
       throw Error(Errc::self_intersecting, "the curves on a tube's face do not bound it");

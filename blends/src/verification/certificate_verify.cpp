@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -139,19 +140,24 @@ LoopArcs verify_loop(const std::vector<Solid>& solids, const CertifiedFillet& fi
   return {&loop, cells ? std::move(*cells) : std::vector<ArcCell>()};
 }
 
-// Of every fillet one by one.
-std::vector<std::vector<LoopArcs>> verify_fillets(const std::vector<Solid>& solids,
-                                                  const Certificate& certificate) {
+// Of all fillets.
+struct Loops {
+  std::vector<const CertifiedFillet*> fillets;
+  std::vector<LoopArcs> arcs;
+};
+
+Loops verify_fillets(const std::vector<Solid>& solids, const Certificate& certificate) {
   const auto& fillets = certificate.fillets;
   require(certificate.fillet_claims.size() == fillets.size(), "", "fillets");
-  std::vector<std::vector<LoopArcs>> result(fillets.size());
+  Loops result;
   for (std::size_t i = 0; i < fillets.size(); ++i) {
     const auto& claims = certificate.fillet_claims[i];
     const auto& loops = fillets[i].loops;
     require(!loops.empty() && loops.size() == claims.size(), fillets[i].name, "loops");
     admit(fillets[i]);
     for (std::size_t k = 0; k < loops.size(); ++k) {
-      result[i].push_back(
+      result.fillets.push_back(&fillets[i]);
+      result.arcs.push_back(
           verify_loop(solids, fillets[i], loops[k], claims[k], certificate.tolerance));
     }
   }
@@ -263,42 +269,72 @@ void verify_near_pairs(const std::vector<Solid>& solids, const Certificate& cert
   }
 }
 
-// Every loop and every part but its pipes, then every later loop.
-void verify_fillet_clearances(const std::vector<Solid>& solids,
-                              const std::vector<std::vector<LoopArcs>>& fillets,
-                              const Certificate& certificate) {
-  struct Loop {
-    const CertifiedFillet* fillet;
-    const LoopArcs* arcs;
-  };
-  std::vector<Loop> loops;
-  for (std::size_t i = 0; i < fillets.size(); ++i) {
-    for (const LoopArcs& arcs : fillets[i]) {
-      loops.push_back({&certificate.fillets[i], &arcs});
-    }
-  }
-  const auto& claims = certificate.fillet_clearances;
-  auto claim = claims.begin();
-  const auto next = [&](std::size_t first, std::size_t second, const Loop& loop,
-                        const auto& holds) {
-    require(claim != claims.end() && claim->first == first && claim->second == second &&
-                (is_undecided(claim->verdict) ? has_form(*claim) : holds()),
-            loop.fillet->name, "clearance");
-    ++claim;
-  };
+bool is_on(const CertifiedFillet& fillet, std::uint32_t part) {
+  return fillet.between[0] == part || fillet.between[1] == part;
+}
+
+// Whether the two are to have a claim: a loop and a part but its pipes, or a later loop.
+bool is_pair(const PartPair& pair, const Loops& loops, std::size_t parts) {
+  const auto [first, second] = pair;
+  return first < second && second >= parts && second - parts < loops.arcs.size() &&
+         (first >= parts || !is_on(*loops.fillets[second - parts], first));
+}
+
+void verify_fillet_clearance(const std::vector<Solid>& solids, const Loops& loops,
+                             const PartPair& pair, const ClearanceClaim* claim) {
   const std::size_t parts = solids.size();
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    for (std::size_t i = 0; i < parts; ++i) {
-      if (std::ranges::count(loops[k].fillet->between, i) == 0) {
-        next(i, parts + k, loops[k], [&] { return follows(solids[i], *loops[k].arcs, *claim); });
-      }
+  const auto [first, second] = pair;
+  const auto holds = [&] {
+    const LoopArcs& arcs = loops.arcs[second - parts];
+    return first < parts ? follows(solids[first], arcs, *claim)
+                         : follows(loops.arcs[first - parts], arcs, *claim);
+  };
+  require(claim != nullptr && PartPair{claim->first, claim->second} == pair &&
+              (is_undecided(claim->verdict) ? has_form(*claim) : holds()),
+          loops.fillets[place_of(pair, parts)[0]]->name, "clearance");
+}
+
+void verify_all_fillet_pairs(const std::vector<Solid>& solids, const Loops& loops,
+                             const std::vector<ClearanceClaim>& claims) {
+  const auto parts = std::uint32_t(solids.size()),
+             surfaces = parts + std::uint32_t(loops.arcs.size());
+  std::size_t next = 0;
+  const auto verify = [&](const PartPair& pair) {
+    if (is_pair(pair, loops, parts)) {
+      verify_fillet_clearance(solids, loops, pair, next < claims.size() ? &claims[next] : nullptr);
+      ++next;
     }
-    for (std::size_t j = k + 1; j < loops.size(); ++j) {
-      next(parts + k, parts + j, loops[k],
-           [&] { return follows(*loops[k].arcs, *loops[j].arcs, *claim); });
+  };
+  for (std::uint32_t k = parts; k < surfaces; ++k) {
+    for (std::uint32_t i = 0; i < parts; ++i) {
+      verify({i, k});
+    }
+    for (std::uint32_t j = k + 1; j < surfaces; ++j) {
+      verify({k, j});
     }
   }
-  require(claim == claims.end(), "", "clearance");
+  require(next == claims.size(), "", "clearance");
+}
+
+// As verify_near_pairs does.
+void verify_near_fillet_pairs(const std::vector<Solid>& solids, const Loops& loops,
+                              const Certificate& certificate) {
+  const std::size_t parts = solids.size();
+  auto near = loop_pairs_nearer_than(certificate.apart, solids, loops.arcs);
+  std::erase_if(near, [&](const PartPair& pair) { return !is_pair(pair, loops, parts); });
+  auto missing = near.begin();
+  std::optional<Place> before;
+  for (const ClearanceClaim& claim : certificate.fillet_clearances) {
+    const PartPair pair{claim.first, claim.second};
+    require(is_pair(pair, loops, parts) && (!before || *before < place_of(pair, parts)), "",
+            "clearance");
+    verify_fillet_clearance(solids, loops, pair, &claim);
+    missing += missing != near.end() && *missing == pair ? 1 : 0;
+    before = place_of(pair, parts);
+  }
+  if (missing != near.end()) {
+    verify_fillet_clearance(solids, loops, *missing, nullptr);
+  }
 }
 
 }  // namespace
@@ -325,7 +361,11 @@ void verify(const Certificate& certificate) {
   } else {
     verification::verify_near_pairs(solids, certificate, hub_pairs);
   }
-  verification::verify_fillet_clearances(solids, fillets, certificate);
+  if (certificate.apart == 0 || fillets.arcs.empty()) {
+    verification::verify_all_fillet_pairs(solids, fillets, certificate.fillet_clearances);
+  } else {
+    verification::verify_near_fillet_pairs(solids, fillets, certificate);
+  }
 }
 
 }  // namespace dupin

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <variant>
 
+#include "verification/taylor_jet.h"
 #include "verification/work.h"
 
 namespace dupin::verification {
@@ -26,8 +27,30 @@ struct ArcJets {
   JetVec<4> middle;
 };
 
-std::optional<ArcJets> arc_jets(const CanalFillet& loop, const TurnStretch& turn) {
-  const auto balls = std::visit(BallReader<5>(turn), loop.motion);
+constexpr std::size_t kOrders = 5;
+
+template <std::size_t count>
+BallJets<count> balls_on(const CanalFillet& loop, const TurnStretch& turn) {
+  return std::visit(BallReader<count>(turn), loop.motion);
+}
+
+// Where generators meet a cone depends on the angle in many ways at once, which intervals take for
+// independent: only short stretches would do without Taylor's formula.
+BallJets<kOrders> balls_around(const CanalFillet& loop, const TurnStretch& middle,
+                               const TurnStretch& all, double reach) {
+  constexpr std::size_t kMore = kOrders + 4;
+  const bool on_cones = std::holds_alternative<RollingOnCones>(loop.motion) ||
+                        std::holds_alternative<RollingPartlyOnCones>(loop.motion);
+  if (!on_cones) {
+    return balls_on<kOrders>(loop, all);
+  }
+  spend(kArcWork);
+  const auto here = balls_on<kMore>(loop, middle), everywhere = balls_on<kMore>(loop, all);
+  return {by_taylor<kOrders>(here.center, everywhere.center, reach),
+          by_taylor<kOrders>(here.radius, everywhere.radius, reach)};
+}
+
+std::optional<ArcJets> arc_jets(const CanalFillet& loop, const BallJets<kOrders>& balls) {
   const JetVec<4> velocity = derivative(balls.center), center = shortened<4>(balls.center);
   const Jet<4> squared = squared_norm(velocity), growth = derivative(balls.radius);
   if (!(balls.radius[0].lower > 0 && (squared[0] - square(growth[0])).lower > 0)) {
@@ -155,7 +178,8 @@ std::optional<ContactArcs> contact_arcs(const CanalFillet& loop, const Parameter
     return std::nullopt;
   }
   spend(kArcWork);
-  const auto all = arc_jets(loop, *turn), middle = arc_jets(loop, *middle_turn);
+  const auto all = arc_jets(loop, balls_around(loop, *middle_turn, *turn, *reach)),
+             middle = arc_jets(loop, balls_on<kOrders>(loop, *middle_turn));
   if (!all || !middle) {
     return std::nullopt;
   }

@@ -41,6 +41,15 @@ Box box_of(const Solid& solid) {
                        : std::accumulate(boxes.begin() + 1, boxes.end(), boxes.front(), joined);
 }
 
+Box box_of(const LoopArcs& loop) {
+  std::vector<Box> boxes;
+  for (const ArcCell& cell : loop.cells) {
+    boxes.insert(boxes.end(), cell.arcs.corners.begin(), cell.arcs.corners.end());
+  }
+  return boxes.empty() ? everywhere()
+                       : std::accumulate(boxes.begin() + 1, boxes.end(), boxes.front(), joined);
+}
+
 bool are_near(const Box& a, const Box& b, double distance) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Interval between = b.at(k) - a.at(k);
@@ -58,8 +67,9 @@ double rank(const Interval& x) {
 
 class NearPairs {
  public:
-  NearPairs(std::vector<Box> boxes, double distance)
-      : boxes_(std::move(boxes)), distance_(distance) {}
+  // Of which the second is one from there on.
+  NearPairs(std::vector<Box> boxes, double distance, std::size_t from)
+      : boxes_(std::move(boxes)), distance_(distance), from_(from) {}
 
   std::vector<PartPair> found() {
     Parts all(boxes_.size());
@@ -102,7 +112,7 @@ class NearPairs {
   }
 
   void look_at(std::uint32_t a, std::uint32_t b) {
-    if (are_near(boxes_[a], boxes_[b], distance_)) {
+    if (std::max(a, b) >= from_ && are_near(boxes_[a], boxes_[b], distance_)) {
       pairs_.push_back({std::min(a, b), std::max(a, b)});
     }
   }
@@ -143,6 +153,7 @@ class NearPairs {
 
   std::vector<Box> boxes_;
   double distance_;
+  std::size_t from_;
   std::vector<PartPair> pairs_;
 };
 
@@ -151,8 +162,27 @@ class NearPairs {
 std::vector<PartPair> pairs_nearer_than(double distance, const std::vector<Solid>& solids) {
   std::vector<Box> boxes;
   boxes.reserve(solids.size());
-  std::transform(solids.begin(), solids.end(), std::back_inserter(boxes), box_of);
-  return NearPairs(std::move(boxes), distance).found();
+  for (const Solid& solid : solids) {
+    boxes.push_back(box_of(solid));
+  }
+  return NearPairs(std::move(boxes), distance, 0).found();
+}
+
+std::vector<PartPair> loop_pairs_nearer_than(double distance, const std::vector<Solid>& solids,
+                                             const std::vector<LoopArcs>& loops) {
+  std::vector<Box> boxes;
+  boxes.reserve(solids.size() + loops.size());
+  for (const Solid& solid : solids) {
+    boxes.push_back(box_of(solid));
+  }
+  for (const LoopArcs& loop : loops) {
+    boxes.push_back(box_of(loop));
+  }
+  auto pairs = NearPairs(std::move(boxes), distance, solids.size()).found();
+  std::sort(pairs.begin(), pairs.end(), [&](const PartPair& a, const PartPair& b) {
+    return place_of(a, solids.size()) < place_of(b, solids.size());
+  });
+  return pairs;
 }
 
 }  // namespace dupin::verification

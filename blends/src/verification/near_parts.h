@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "verification/loop_clearance.h"
 #include "verification/solid.h"
 
 namespace dupin::verification {
@@ -17,5 +18,19 @@ using PartPair = std::array<std::uint32_t, 2>;
 /// scattered. Throws as spend().
 [[nodiscard]] std::vector<PartPair> pairs_nearer_than(double distance,
                                                       const std::vector<Solid>& solids);
+
+/// Of surfaces, which are parts and after them loops of fillets: the pairs with a loop, in the
+/// order of `place_of`. The box of a loop is that of its arcs' hulls.
+[[nodiscard]] std::vector<PartPair> loop_pairs_nearer_than(double distance,
+                                                           const std::vector<Solid>& solids,
+                                                           const std::vector<LoopArcs>& loops);
+
+/// Where a pair with a loop stands among those of all surfaces: of the first loop with every part,
+/// then with every later loop; then of the second one, and so on.
+using Place = std::array<std::size_t, 3>;
+[[nodiscard]] inline Place place_of(const PartPair& pair, std::size_t parts) {
+  const auto [first, second] = pair;
+  return first < parts ? Place{second - parts, 0, first} : Place{first - parts, 1, second};
+}
 
 }  // namespace dupin::verification

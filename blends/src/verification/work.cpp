@@ -73,7 +73,14 @@ std::uint64_t work_for(const Certificate& certificate) {
                (claims[k].mesh ? work_for(*claims[k].mesh) : 0);
     }
   }
-  units += certificate.apart > 0 ? work_for_boxes(certificate.parts.size()) : 0;
+  if (certificate.apart > 0) {
+    std::size_t loops = 0;
+    for (const CertifiedFillet& fillet : certificate.fillets) {
+      loops += fillet.loops.size();
+    }
+    units += work_for_boxes(certificate.parts.size());
+    units += loops > 0 ? work_for_boxes(certificate.parts.size() + loops) : 0;
+  }
   for (const auto* clearances : {&certificate.clearances, &certificate.fillet_clearances}) {
     for (const ClearanceClaim& claim : *clearances) {
       units += work_for(claim.leaves);

@@ -5,6 +5,7 @@
 
 #include "assembly/fillet_overlap.h"
 #include "dupin/blends/build.h"
+#include "dupin/blends/certify.h"
 #include "dupin/kernel/error.h"
 #include "support/named_parts.h"
 
@@ -53,6 +54,13 @@ TEST(FilletOverlap, names_both_and_the_largest_radius_that_builds) {
     EXPECT_GT(named, 0.1);
     EXPECT_EQ(refused(with(named)), "built") << named;
     EXPECT_THAT(refused(with(1.1 * named)), testing::HasSubstr("it overlaps 'at-a'")) << named;
+    try {
+      (void)certify(with(4));
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.message(), why) << "whoever asks";
+      EXPECT_EQ(error.part(), "at-b");
+    }
   }
 }
 
@@ -62,26 +70,6 @@ TEST(FilletOverlap, says_where_no_ball_would_fit) {
   EXPECT_EQ(
       refused(document({15, 0, 0}, {15, 0, 45}, {"at-b", CopeOfEnd{{"b", End::start}, "run"}})),
       "it overlaps 'at-a' on 'run'");
-}
-
-TEST(FilletOverlap, says_where_both_loops_of_one_meet) {
-  const auto crossing = [](double radius) {
-    return Assembly{"d.json",
-                    Unit::millimetre,
-                    0.05,
-                    {},
-                    {pipe("run", {-40, 0, 0}, {40, 0, 0}, 10),
-                     pipe("b", {0, -40, 0}, {0, 40, 0}, radius), fillet("f", "run", "b", 3)}};
-  };
-  EXPECT_NO_THROW((void)build(crossing(9)));
-  try {
-    (void)build(crossing(10));
-    FAIL() << "the loops meet";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::infeasible_blend);
-    EXPECT_THAT(error.message(),
-                testing::HasSubstr("its two loops come within 0 of each other at (0, 0, "));
-  }
 }
 
 }  // namespace

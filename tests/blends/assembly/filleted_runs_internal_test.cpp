@@ -1,4 +1,5 @@
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <set>
 
@@ -93,59 +94,132 @@ TEST(FilletedRuns, tees_of_all_kinds_are_solids_or_their_balls_fold) {
 
 // Of a region on a cylinder about an axis through the origin, x.n is the radius: the volume is a
 // third of the sum of areas by radius, of discs by height, and of the integral over the fillet.
-double volume_by_integrals(const Tee& tee) {
-  const Assembly document = tee.document(true);
+double volume_by_integrals(const Assembly& document) {
   const ResolvedAssembly resolved = resolve(document);
-  const CanalFillet& loop = resolved.fillets.front().shape.loops.front();
   constexpr int kAlong = 4000, kAcross = 40;
   double sum = 0;
-  std::array<double, 2> area_under{};  // of what the feet's heights bound
-  for (int i = 0; i < kAlong; ++i) {
-    const double step = 2 * kPi / kAlong, t = (i + 0.5) * step;
-    const MovingBall at = ball(loop, t);
-    const ContactArc arc = contact_arc(loop.quadrics, at);
-    for (int j = 0; j < kAcross; ++j) {
-      const double angle = (j + 0.5) * arc.angle / kAcross;
-      const Vec3 x = point(arc, angle), out = (at.center - x) / at.radius;
-      const double bend = 1 + at.radius * at.acceleration.dot(out) / at.velocity.squaredNorm();
-      sum += x.dot(out) * bend * at.velocity.norm() * at.radius * step * arc.angle / kAcross;
-    }
-    for (std::size_t side = 0; side < 2; ++side) {
-      const Ring& quadric = loop.quadrics.at(side);
-      const auto foot = [&](double parameter) {
-        return contact_arc(loop.quadrics, ball(loop, parameter)).feet.at(side);
-      };
-      const Vec3 a = foot(i * step), b = foot((i + 1) * step);
-      const Vec3 u = quadric.normal.cross(a), v = quadric.normal.cross(b);
-      const double turn = std::atan2(u.cross(v).dot(quadric.normal), u.dot(v));
-      area_under.at(side) += quadric.radius * turn * (a + b).dot(quadric.normal) / 2;
+  for (const ResolvedFillet& fillet : resolved.fillets) {
+    for (const CanalFillet& loop : fillet.shape.loops) {
+      std::array<double, 2> area_under{};  // of what the feet's heights bound
+      for (int i = 0; i < kAlong; ++i) {
+        const double step = 2 * kPi / kAlong, t = (i + 0.5) * step;
+        const MovingBall at = ball(loop, t);
+        const ContactArc arc = contact_arc(loop.quadrics, at);
+        for (int j = 0; j < kAcross; ++j) {
+          const double angle = (j + 0.5) * arc.angle / kAcross;
+          const Vec3 x = point(arc, angle), out = (at.center - x) / at.radius;
+          const double bend = 1 + at.radius * at.acceleration.dot(out) / at.velocity.squaredNorm();
+          sum += x.dot(out) * bend * at.velocity.norm() * at.radius * step * arc.angle / kAcross;
+        }
+        for (std::size_t side = 0; side < 2; ++side) {
+          const Ring& quadric = loop.quadrics.at(side);
+          const auto foot = [&](double parameter) {
+            return contact_arc(loop.quadrics, ball(loop, parameter)).feet.at(side);
+          };
+          const Vec3 a = foot(i * step), b = foot((i + 1) * step);
+          const Vec3 u = quadric.normal.cross(a), v = quadric.normal.cross(b);
+          const double turn = std::atan2(u.cross(v).dot(quadric.normal), u.dot(v));
+          area_under.at(side) += quadric.radius * turn * (a + b).dot(quadric.normal) / 2;
+        }
+      }
+      sum -= loop.quadrics[0].radius * std::abs(area_under[0]) +
+             loop.quadrics[1].radius * std::abs(area_under[1]);
     }
   }
-  const auto& chain = [&](std::size_t i) -> const Chain& {
-    return std::get<Chain>(resolved.parts[i].shape);
+  for (const ResolvedPart& part : resolved.parts) {
+    for (const End end : {End::start, End::end}) {
+      const Ring ring = end_ring(std::get<Chain>(part.shape), end);
+      // The face up to here, and the disc; a branch that begins inside begins at the origin.
+      const double height = ring.center.norm(), r = ring.radius;
+      sum += 2 * kPi * r * r * height + kPi * r * r * height;
+    }
+  }
+  return sum / 3;
+}
+
+void expect_second_order(const std::function<Assembly(double)>& document) {
+  const double expected = volume_by_integrals(document(0.02));
+  const auto fault = [&](double tolerance) {
+    const Built built = build(document(tolerance));
+    const double found = std::abs(built.solid.exact_volume().get_d() - expected);
+    EXPECT_LT(found, tolerance * built.solid.area());
+    return found;
   };
-  const auto volume_of = [](double radius, double height) {
-    return kPi * radius * radius * height;
-  };
-  const double run = 2 * end_ring(chain(0), End::end).center.norm();
-  const double branch = end_ring(chain(1), End::end).center.norm();
-  const double r = loop.quadrics[1].radius;
-  sum += Tee::kRun * (2 * kPi * Tee::kRun * run - std::abs(area_under[0]));
-  sum += r * (2 * kPi * r * branch - std::abs(area_under[1]));
-  return sum / 3 + (volume_of(Tee::kRun, run) + volume_of(r, branch)) / 3;
+  const double coarse = fault(0.02), fine = fault(0.001);
+  EXPECT_LT(fine, coarse / 10) << "a twentieth of the tolerance";
 }
 
 TEST(FilletedRuns, volumes_tend_to_those_of_independent_integrals_at_second_order) {
   for (const Tee& tee : {Tee{0.5, 0, kPi / 2, 0.3}, Tee{0.75, 0, kPi / 3, 0.2}}) {
-    const double expected = volume_by_integrals(tee);
-    const auto fault = [&](double tolerance) {
-      const Built built = build(tee.document(true, tolerance));
-      const double found = std::abs(built.solid.exact_volume().get_d() - expected);
-      EXPECT_LT(found, tolerance * built.solid.area());
-      return found;
-    };
-    const double coarse = fault(0.02), fine = fault(0.001);
-    EXPECT_LT(fine, coarse / 10) << "a twentieth of the tolerance";
+    expect_second_order([&](double tolerance) { return tee.document(true, tolerance); });
+  }
+}
+
+// Pipes of one radius, or nearly so, that pass through each other: by one pipe, or by a branch on
+// either side.
+Assembly cross(double degrees, double radius, bool of_branches, double tolerance = 0.02) {
+  const double angle = degrees * kPi / 180;
+  const Vec3 end = 60 * Vec3(std::cos(angle), std::sin(angle), 0);
+  std::vector<Part> parts{pipe("run", {-60, 0, 0}, {60, 0, 0}, 4)};
+  if (of_branches) {
+    parts.push_back(pipe("there", {0, 0, 0}, end, radius));
+    parts.push_back(pipe("back", {0, 0, 0}, -end, radius));
+    parts.push_back(fillet("throat-there", "run", "there", 0.6));
+    parts.push_back(fillet("throat-back", "run", "back", 0.9));
+  } else {
+    parts.push_back(pipe("through", -end, end, radius));
+    parts.push_back(fillet("throats", "run", "through", 0.6));
+  }
+  return assembly(std::move(parts), tolerance);
+}
+
+TEST(FilletedRuns, equal_pipes_may_pass_through_each_other) {
+  for (const double degrees : {90, 70, 45, 30}) {
+    for (const bool of_branches : {false, true}) {
+      SCOPED_TRACE(testing::Message() << degrees << ' ' << of_branches);
+      Assembly document = cross(degrees, 4, of_branches);
+      const Built built = build(document);
+      EXPECT_EQ(built.solid.genus(), 0);
+      EXPECT_EQ(built.solid.components(), 1U);
+      EXPECT_EQ(built.pieces, 1U) << "nothing is intersected";
+      document.wall = 0.2;
+      EXPECT_EQ(build(document).solid.genus(), 3) << "four openings";
+    }
+  }
+  expect_second_order([](double tolerance) { return cross(90, 4, false, tolerance); });
+  expect_second_order([](double tolerance) { return cross(55, 4, true, tolerance); });
+}
+
+// It touches the run from inside on one side, and leaves a way of two segments on the other.
+TEST(FilletedRuns, pipes_may_touch_and_all_but_touch) {
+  const Assembly document = assembly(
+      {pipe("run", {-120, 0, 0}, {120, 0, 0}, 10),
+       pipe("through", {0, -60, 0.1}, {0, 60, 0.1}, 9.9), fillet("f", "run", "through", 0.495)},
+      0.05);
+  const Built built = build(document);
+  EXPECT_EQ(built.solid.genus(), 0);
+  for (const PartReport& part : built.parts) {
+    EXPECT_LE(part.error_bound, 0.05) << part.name;
+  }
+}
+
+// Their curves leave a narrow way past each other, as those of pipes whose axes miss do.
+TEST(FilletedRuns, pipes_may_be_equal_but_for_rounding) {
+  const double equal = build(cross(60, 4, false)).solid.exact_volume().get_d();
+  for (const double less : {1e-2, 1e-3, 1e-5, 1e-7, 1e-12}) {
+    SCOPED_TRACE(less);
+    const Built thinner = build(cross(60, 4 * (1 - less), false));
+    EXPECT_EQ(thinner.solid.genus(), 0);
+    for (const PartReport& part : thinner.parts) {
+      EXPECT_LE(part.error_bound, 0.02) << part.name;
+    }
+    EXPECT_NEAR(thinner.solid.exact_volume().get_d(), equal, 1 + equal * less);
+    std::vector<Part> parts = cross(60, 4, false).parts;
+    auto& through = std::get<PipeBetween>(parts[1].shape);
+    through.from.z() = through.to.z() = 4 * less;
+    const Built aside = build(assembly(parts));
+    EXPECT_EQ(aside.solid.genus(), 0);
+    EXPECT_NEAR(aside.solid.exact_volume().get_d(), equal, 1 + equal * less);
   }
 }
 

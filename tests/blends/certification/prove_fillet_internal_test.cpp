@@ -5,6 +5,7 @@
 #include "dupin/kernel/error.h"
 #include "support/fillet_loops.h"
 #include "surfaces/fillet_mesh.h"
+#include "verification/fillet_claims.h"
 
 namespace dupin::certification {
 namespace {
@@ -46,6 +47,42 @@ TEST(ProveFillet, proves_all_of_tees) {
     }
   }
   EXPECT_GE(proved, 50);
+}
+
+// Cones that pass through each other, and that are crossed beside their axes.
+TEST(ProveFillet, proves_all_of_cones) {
+  struct Row {
+    Ring first, second;
+    double ball;
+  };
+  const Ring run{{0, 0, 0}, {1, 0, 0}, 10, 0}, reducer{{0, 0, 0}, {1, 0, 0}, 9, -0.02};
+  const auto branch = [](double offset, double degrees, double radius, double slope) {
+    const double angle = degrees * std::numbers::pi / 180;
+    return Ring{{0, 0, offset}, {std::cos(angle), std::sin(angle), 0}, radius, slope};
+  };
+  for (const auto& [first, second, ball] : {Row{run, branch(0, 60, 9, 0.05), 1},
+                                            {run, branch(2, 90, 9.5, -0.01), 1},
+                                            {run, branch(5, 60, 9, 0.05), 1},
+                                            {reducer, branch(8, 90, 6, 0.03), 0.4},
+                                            {reducer, branch(6, 90, 4, -0.02), 2},
+                                            {run, branch(11, 45, 5, 0.02), 1}}) {
+    for (const CanalFillet& loop : rolling_ball_fillets({first, second}, ball)) {
+      const auto mesh = surfaces::fillet_mesh(loop, {kTolerance, {0.1, 0.1}, 0x1p-20});
+      const LoopClaims claims = prove_loop(loop, {mesh.tessellation.knots, mesh.columns, 0x1p-20},
+                                           {{}, 1 << 14, kTolerance});
+      EXPECT_EQ(claims.regular.verdict, Verdict::proved) << second.radius;
+      EXPECT_EQ(claims.embedded.verdict, Verdict::proved) << second.radius;
+      EXPECT_TRUE(claims.mesh) << second.radius;
+      // What is forged is refused.
+      RegularClaim forged = claims.regular;
+      EXPECT_TRUE(verification::regular_cells(loop, forged));
+      forged.margin = dupin::prove_regular(loop).regularity / 0.9;
+      EXPECT_FALSE(verification::regular_cells(loop, forged));
+      forged = claims.regular;
+      forged.leaves.erase(forged.leaves.begin() + 3);
+      EXPECT_FALSE(verification::regular_cells(loop, forged)) << "a gap";
+    }
+  }
 }
 
 TEST(ProveFillet, proves_the_margin_that_is_asked_for_or_nothing) {

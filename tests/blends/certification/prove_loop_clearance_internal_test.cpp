@@ -5,6 +5,7 @@
 
 #include "certification/prove_loop_clearance.h"
 #include "dupin/blends/certify.h"
+#include "dupin/kernel/error.h"
 #include "support/named_parts.h"
 
 namespace dupin::certification {
@@ -50,6 +51,50 @@ TEST(ProveLoopClearance, tells_what_touches_fillets) {
   EXPECT_FALSE(claim_of(certificate, "lug", "throats").overlap);
   EXPECT_GT(claim_of(certificate, "throats", "throats").distance, 3);
   EXPECT_GT(claim_of(certificate, "throat", "throats").distance, 3);
+}
+
+Assembly header(int branches) {
+  std::vector<Part> parts{pipe("run", {-10, 0, 0}, {10. * branches, 0, 0}, 4)};
+  for (int i = 0; i < branches; ++i) {
+    const std::string name = std::to_string(i);
+    parts.push_back(pipe(name, {10. * i, 0, 0}, {10. * i, 0, 12}, 2));
+    parts.push_back(fillet("throat-" + name, "run", name, 0.5));
+  }
+  return assembly(std::move(parts));
+}
+
+// Of what is near: what is written grows with the parts, not with their pairs.
+TEST(ProveLoopClearance, lists_neighbours_only_where_the_rest_is_apart) {
+  const auto near = [](int branches) { return certify(header(branches), {.apart = 6}); };
+  const Certificate five = near(5), ten = near(10);
+  EXPECT_NO_THROW(verify(five));
+  EXPECT_NO_THROW(verify(ten));
+  // A loop with both neighbours' pipes and loops.
+  EXPECT_EQ(five.fillet_clearances.size(), 3U * 4);
+  EXPECT_EQ(ten.fillet_clearances.size(), 3U * 9);
+  EXPECT_EQ(five.findings(), 0U);
+  // As before there may be more claims than have to.
+  const Certificate all = certify(header(5), {.apart = 0});
+  EXPECT_EQ(all.fillet_clearances.size(), 5U * 4 + 5 * 4 / 2);
+  Certificate more = five;
+  more.fillet_clearances = all.fillet_clearances;
+  EXPECT_NO_THROW(verify(more));
+  const auto refused = [](Certificate c, const auto& forge) {
+    forge(c.fillet_clearances);
+    EXPECT_THROW(verify(c), Error);
+  };
+  refused(five, [](auto& claims) { claims.erase(claims.begin() + 4); });
+  refused(five, [](auto& claims) { claims.pop_back(); });
+  refused(five, [](auto& claims) { std::swap(claims[3], claims[4]); });
+  refused(five, [](auto& claims) { claims.insert(claims.begin() + 2, claims[2]); });
+  refused(five, [](auto& claims) { claims[2].distance *= 3; });
+  refused(five, [](auto& claims) { claims[2].second = 99; });
+  Certificate wider = five;
+  wider.apart = 16;
+  EXPECT_THROW(verify(wider), Error) << "more are nearer than that";
+  Certificate every = five;
+  every.apart = 0;
+  EXPECT_THROW(verify(every), Error);
 }
 
 }  // namespace

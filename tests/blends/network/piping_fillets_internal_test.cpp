@@ -63,6 +63,20 @@ TEST(PipingFillets, fit_equal_tees) {
   EXPECT_EQ(build(network.assembly, {.tolerance = .5}).solid.euler_number(), 2);
 }
 
+// As most crosses are.
+TEST(PipingFillets, fit_equal_crosses) {
+  const auto body = component(PipingShape::fitting,
+                              {{-90, 0, 0}, {90, 0, 0}, {0, 0, 90}, {0, 0, -90}}, Vec3(0, 0, 0));
+  const PipingLine cross =
+      line_of({body, pipe({90, 0, 0}, {500, 0, 0}), pipe({-500, 0, 0}, {-90, 0, 0}),
+               pipe({0, 0, 90}, {0, 0, 400}), pipe({0, 0, -400}, {0, 0, -90})});
+  const PipingNetwork network = assembly_of(cross, {.fillet = 9});
+  EXPECT_EQ(ball(network), 9);
+  const Built built = build(network.assembly, {.tolerance = .5});
+  EXPECT_EQ(built.solid.components(), 1);
+  EXPECT_EQ(built.solid.euler_number(), 2);
+}
+
 TEST(PipingFillets, that_do_not_fit_are_refused_or_if_chosen_noted) {
   PipingLine line = tee(100);
   line.components.resize(1);  // nothing beside it

@@ -48,7 +48,7 @@ bool all_follow(const CanalFillet& loop, const LoopClaims& claims) {
 }
 
 TEST(FilletClaims, of_all_kinds_follow) {
-  for (const auto& [name, loop] : test::loops_of_most_kinds()) {
+  for (const auto& [name, loop] : test::loops_of_all_kinds()) {
     EXPECT_TRUE(all_follow(loop, claims_of(name))) << name;
   }
 }
@@ -169,7 +169,7 @@ TEST(FilletClaims, across_corners_need_a_direction) {
 
 // A pipe moved aside by little is not touched any more.
 TEST(FilletClaims, of_contact_are_as_tight_as_rounding) {
-  for (const auto& [name, loop] : test::loops_of_most_kinds()) {
+  for (const auto& [name, loop] : test::loops_of_all_kinds()) {
     const ContactClaim claim = claims_of(name).contact;
     EXPECT_LT(claim.offset, 1e-11) << name;
     EXPECT_LT(claim.deviation, 1e-11) << name;
@@ -231,7 +231,7 @@ TEST(FilletClaims, of_contact_take_the_last_derivative_from_all_of_a_stretch) {
 
 // The bound is above what samples of the mesh are off, and no mesh of fewer rows keeps to it.
 TEST(FilletClaims, of_meshes_bound_what_samples_say) {
-  for (const auto& [name, loop] : test::loops_of_most_kinds()) {
+  for (const auto& [name, loop] : test::loops_of_all_kinds()) {
     const LoopClaims& claims = claims_of(name);
     double most = 0;
     const auto at = [&](double chi, double u) {

@@ -51,7 +51,7 @@ ClearanceClaim claim_of(const LoopArcs& first, const LoopArcs& second) {
 
 TEST(LoopClearance, follows_up_to_the_distance_that_there_is) {
   int undecided = 0;
-  for (const auto& [name, loop] : test::loops_of_most_kinds()) {
+  for (const auto& [name, loop] : test::loops_of_all_kinds()) {
     const LoopArcs arcs = arcs_of(loop);
     const ContactArc arc = contact_arc(loop.quadrics, ball(loop, 0.4));
     const Vec3 place = point(arc, arc.angle / 2), out = ball(loop, 0.4).center - place;
@@ -110,7 +110,7 @@ TEST(LoopClearance, does_not_follow_when_changed) {
 }
 
 TEST(LoopClearance, of_what_overlaps_is_a_point_of_both) {
-  for (const auto& [name, loop] : test::loops_of_most_kinds()) {
+  for (const auto& [name, loop] : test::loops_of_all_kinds()) {
     const LoopArcs arcs = arcs_of(loop);
     const ContactArc arc = contact_arc(loop.quadrics, ball(loop, 2.5));
     const Vec3 place = point(arc, arc.angle / 2);
@@ -143,7 +143,7 @@ TEST(LoopClearance, of_what_overlaps_is_a_point_of_both) {
 
 // Both loops of a pipe that passes are apart; of equal and touching ones they meet in corners.
 TEST(LoopClearance, of_the_loops_of_a_fillet_is_a_distance_or_their_corners) {
-  std::vector<test::NamedLoop> loops = test::loops_of_most_kinds();
+  std::vector<test::NamedLoop> loops = test::loops_of_all_kinds();
   int meet = 0;
   for (std::size_t i = 0; i + 1 < loops.size(); ++i) {
     const auto& [name, first] = loops[i];

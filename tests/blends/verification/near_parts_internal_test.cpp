@@ -7,6 +7,7 @@
 
 #include "blends/verification/solids_internal.h"
 #include "dupin/kernel/error.h"
+#include "support/fillet_loops.h"
 #include "verification/near_parts.h"
 #include "verification/work.h"
 
@@ -145,6 +146,21 @@ TEST(NearParts, cost_work_for_every_pair_that_is_looked_at) {
   const std::uint64_t in_a_row = used();
   solids.insert(solids.begin(), ball({0, 0, 0}, 1e6));
   EXPECT_GE(used(), in_a_row + kCount);
+}
+
+// Loops come after the parts; of what nothing is known it is near all.
+TEST(NearParts, are_pairs_with_loops_in_their_order) {
+  const std::vector<Solid> solids{ball({0, 0, 0}, 1), ball({100, 0, 0}, 1), ball({0, 0, 9}, 1)};
+  const CanalFillet loop = test::loops_of_all_kinds().front().loop;
+  std::vector<ArcCell> cells;
+  for (int i = 0; i < 512; ++i) {
+    cells.push_back(regular_cell(loop, {i / 256.0, (i + 1) / 256.0}, 0).value());
+  }
+  const auto found = loop_pairs_nearer_than(8, solids, {{&loop, cells}, {&loop, {}}});
+  const std::vector<PartPair> expected{{0, 3}, {2, 3}, {3, 4}, {0, 4}, {1, 4}, {2, 4}};
+  EXPECT_EQ(found, expected);
+  EXPECT_LT(place_of({2, 3}, 3), place_of({3, 4}, 3));
+  EXPECT_LT(place_of({3, 4}, 3), place_of({0, 4}, 3));
 }
 
 }  // namespace

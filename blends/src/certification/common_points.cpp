@@ -1,0 +1,136 @@
+#include "certification/common_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <Eigen/Geometry>
+
+namespace dupin::certification {
+namespace {
+
+struct Disc {
+  double parameter = 0, radius = 0;
+  Vec3 center = Vec3::Zero(), axis = Vec3::Zero();  // a ball has no axis
+};
+
+Disc disc_at(const SweptDiscs& sweep, double t) {
+  const DiscHull hull = sweep.over({t, t});
+  return {t, hull.radius.lower, hull.middle(), hull.tangents.empty() ? Vec3::Zero() : hull.axis};
+}
+
+Vec3 nearest_in(const Disc& disc, const Vec3& point) {
+  const Vec3 from = point - disc.center;
+  const Vec3 flat = from - from.dot(disc.axis) * disc.axis;
+  const double length = flat.norm();
+  return disc.center + (length > disc.radius ? disc.radius / length : 1) * flat;
+}
+
+// Discs of a part that is smaller by a share, some for each piece.
+class Discs {
+ public:
+  Discs(const SweptDiscs& sweep, double less)
+      : sweep_(sweep), less_(less), inset_(std::min(less, 0.01) / 2) {
+    for (double i = 0; i < kDiscs * sweep.length(); ++i) {
+      discs_.push_back(at((i + 0.5) / kDiscs));
+    }
+  }
+
+  [[nodiscard]] const std::vector<Disc>& all() const { return discs_; }
+
+  // Of the part to a point: that of the nearest disc, and of those beside it.
+  [[nodiscard]] Vec3 nearest(const Vec3& point) const {
+    const auto distance = [&](const Disc& disc) {
+      return (nearest_in(disc, point) - point).norm();
+    };
+    Disc best = *std::ranges::min_element(discs_, {}, distance);
+    const double piece = std::floor(best.parameter);
+    for (double step = 0.5 / kDiscs; step > kFinest && !best.axis.isZero(); step /= 2) {
+      for (const double t : {best.parameter - step, best.parameter + step}) {
+        const Disc beside = at(std::clamp(t, piece + inset_, piece + 1 - inset_));
+        if (distance(beside) < distance(best)) {
+          best = beside;
+        }
+      }
+    }
+    return nearest_in(best, point);
+  }
+
+ private:
+  static constexpr int kDiscs = 8;
+  static constexpr double kFinest = 0x1p-24;
+
+  [[nodiscard]] Disc at(double t) const {
+    Disc disc = disc_at(sweep_, t);
+    disc.radius *= 1 - less_;
+    return disc;
+  }
+
+  const SweptDiscs& sweep_;
+  double less_, inset_;  // of the radius, and of a piece
+  std::vector<Disc> discs_;
+};
+
+// Between the axes where they are nearest, by the radii: from the nearest two discs on.
+Vec3 start(const SweptDiscs& one, const SweptDiscs& other) {
+  constexpr int kTurns = 20;
+  constexpr double kAxis = 1;  // all of a disc but its centre is left out
+  const Discs first(one, kAxis), second(other, kAxis);
+  double least = std::numeric_limits<double>::infinity();
+  Vec3 here = Vec3::Zero(), there = Vec3::Zero();
+  for (const Disc& a : first.all()) {
+    for (const Disc& b : second.all()) {
+      const double apart = (a.center - b.center).norm();
+      if (apart < least) {
+        least = apart;
+        here = a.center;
+        there = b.center;
+      }
+    }
+  }
+  for (int i = 0; i < kTurns; ++i) {
+    there = second.nearest(here);
+    here = first.nearest(there);
+  }
+  const double a = disc_at(one, 0.5).radius, b = disc_at(other, 0.5).radius;
+  return here + a / (a + b) * (there - here);
+}
+
+// By going from part to part, which ends in both if they are convex, as they nearly are where they
+// overlap little.
+std::optional<Vec3> common_point(const Discs& first, const Discs& second, double less, Vec3 point) {
+  constexpr int kTurns = 100;
+  // What is so near to the smaller part is inside the part.
+  const double near = less / 4 * std::min(first.all().front().radius, second.all().front().radius);
+  for (int i = 0; i < kTurns; ++i) {
+    const Vec3 there = second.nearest(point);
+    point = first.nearest(there);
+    if ((point - there).norm() <= near) {
+      return point;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Vec3> common_points(const SweptDiscs& first, const SweptDiscs& second) {
+  constexpr double kMostPairs = 1 << 10;
+  std::vector<Vec3> result;
+  if (first.length() == 0 || second.length() == 0 ||
+      first.length() * second.length() > kMostPairs) {
+    return result;
+  }
+  const Vec3 from = start(first, second);
+  // What is common to smaller parts lies inside of both.
+  for (const double less : {0.2, 0.03, 0.004, 0.0005}) {
+    const auto point = common_point(Discs(first, less), Discs(second, less), less, from);
+    if (point) {
+      result.push_back(*point);
+    }
+  }
+  return result;
+}
+
+}  // namespace dupin::certification
