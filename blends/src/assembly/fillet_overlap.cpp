@@ -119,8 +119,11 @@ Error trim_refusal(const Assembly& assembly, const ResolvedAssembly& resolved, s
   }
   const auto on_part = std::ranges::find_if(
       resolved.fillets, [&](const ResolvedFillet& fillet) { return is_on(fillet, part); });
-  return refusal(*on_part, "on '" + resolved.parts[part].name + "', " + error.message() +
-                               "; fillets must be apart from each other and from its ends");
+  return refusal(
+      *on_part,
+      "on '" + resolved.parts[part].name + "', " + error.message() +
+          "; fillets must be apart from each other and from its ends; where they are, a finer "
+          "tolerance may do");
 }
 
 }  // namespace dupin::assembly

@@ -134,7 +134,7 @@ void FaceStrip::find_cut() {
   const auto open = std::ranges::find_if(
       candidates, [&](const Candidate& c) { return !is_crossed(c.at[0], c.at[1]); });
   if (open == candidates.end()) {
-    throw Error(Errc::self_intersecting, "curves on a tube's face leave no way between them");
+    throw Error(Errc::self_intersecting, "no way was found between the curves on a tube's face");
   }
   cut_ = open->cut;
   cut_at_ = open->at;

@@ -72,5 +72,27 @@ TEST(FilletOverlap, says_where_no_ball_would_fit) {
       "it overlaps 'at-a' on 'run'");
 }
 
+// Pipes that are equal, and whose axes miss each other by a hair: not every row of triangles fits.
+TEST(FilletOverlap, is_not_claimed_where_a_finer_tolerance_does) {
+  const auto with = [](double tolerance) {
+    return Assembly{"d.json",
+                    Unit::millimetre,
+                    tolerance,
+                    {},
+                    {pipe("run", {0, 0, -100}, {0, 0, 100}, 30),
+                     pipe("branch", {-100, 0.0005, 10}, {100, 0.0005, -30}, 30),
+                     fillet("f", "run", "branch", 5)}};
+  };
+  try {
+    (void)build(with(0.5));
+    FAIL() << "the advice is not needed any more";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::infeasible_blend);
+    EXPECT_EQ(error.part(), "f");
+    EXPECT_THAT(error.message(), testing::HasSubstr("a finer tolerance may do"));
+  }
+  EXPECT_EQ(build(with(0.2)).solid.components(), 1U);
+}
+
 }  // namespace
 }  // namespace dupin
