@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -19,9 +21,10 @@ namespace {
 
 constexpr std::uint64_t kWork = CertificateLimits::kWork;
 
-// What the search finds within its work; the checks of the caller's certificate are not charged.
-template <class Claim, class Search>
-Claim within_work(Claim otherwise, const Search& search) {
+// Whether the search finds something within its work; the checks of the caller's certificate are
+// not charged.
+template <class Search>
+bool finds_within_work(const Search& search) {
   const verification::WorkLimit limit(kWork);
   try {
     return search();
@@ -29,7 +32,7 @@ Claim within_work(Claim otherwise, const Search& search) {
     if (error.code() != Errc::limit_exceeded) {
       throw;
     }
-    return otherwise;
+    return false;
   }
 }
 
@@ -46,21 +49,43 @@ double parameter_at(double angle) {
 
 using verification::ArcCell;
 
-// Leaves no longer than `longest`, halved until each is regular.
-bool append_cells(const CanalFillet& loop, double margin, double longest,
-                  const ParameterInterval& t, std::vector<ArcCell>& cells) {
-  constexpr double kShortest = 0x1p-40;
-  const double length = t.to - t.from;
-  if (length <= longest) {
-    if (auto cell = verification::regular_cell(loop, t, margin)) {
-      cells.push_back(*cell);
-      return true;
+// Stretches that are regular, and others. Searches for shorter and shorter leaves ask for many of
+// them again.
+class Cells {
+ public:
+  Cells(const CanalFillet& loop, double margin) : loop_(loop), margin_(margin) {}
+
+  // Leaves no longer than `longest`, halved until each is regular.
+  bool append(double longest, const ParameterInterval& t, std::vector<ArcCell>& cells) {
+    constexpr double kShortest = 0x1p-40;
+    const double length = t.to - t.from;
+    if (length <= longest) {
+      if (const auto& cell = at(t)) {
+        cells.push_back(*cell);
+        return true;
+      }
     }
+    const double middle = std::midpoint(t.from, t.to);
+    return length > kShortest && append(longest, {t.from, middle}, cells) &&
+           append(longest, {middle, t.to}, cells);
   }
-  const double middle = std::midpoint(t.from, t.to);
-  return length > kShortest && append_cells(loop, margin, longest, {t.from, middle}, cells) &&
-         append_cells(loop, margin, longest, {middle, t.to}, cells);
-}
+
+  [[nodiscard]] double margin() const { return margin_; }
+
+ private:
+  const std::optional<ArcCell>& at(const ParameterInterval& t) {
+    const std::pair key(t.from, t.to);
+    auto known = known_.find(key);
+    if (known == known_.end()) {
+      known = known_.emplace(key, verification::regular_cell(loop_, t, margin_)).first;
+    }
+    return known->second;
+  }
+
+  const CanalFillet& loop_;
+  double margin_;
+  std::map<std::pair<double, double>, std::optional<ArcCell>> known_;
+};
 
 const Vec3& furthest(const std::vector<Vec3>& points, const Vec3& d) {
   return *std::ranges::max_element(points, {}, [&](const Vec3& p) { return p.dot(d); });
@@ -202,16 +227,38 @@ double size_of(const CanalFillet& loop) {
          loop.quadrics[1].center.norm() + loop.quadrics[1].radius;
 }
 
-ContactClaim prove_contact(const CanalFillet& loop, double tolerance) {
-  constexpr double kFinest = 0x1p-48;
-  for (double share = kFinest; share * size_of(loop) < tolerance; share *= 4) {
-    const ContactClaim claim{share * size_of(loop), share};
-    if (within_work(false, [&] { return verification::follows(loop, claim); })) {
-      return claim;
+// The finest of the claims that holds; none if that takes too much work.
+std::optional<ContactClaim> finest_contact(const CanalFillet& loop, double finest,
+                                           double coarsest) {
+  const verification::WorkLimit limit(kWork * 2 / 3);
+  try {
+    for (double share = finest; share <= coarsest; share *= 4) {
+      const ContactClaim claim{share * size_of(loop), share};
+      if (verification::follows(loop, claim)) {
+        return claim;
+      }
     }
+  } catch (const Error& error) {
+    if (error.code() != Errc::limit_exceeded) {
+      throw;
+    }
+    return std::nullopt;
   }
   throw Error(Errc::invalid_argument,
               "the ball that rolls along it is further from the pipes than the tolerance");
+}
+
+ContactClaim prove_contact(const CanalFillet& loop, double tolerance) {
+  constexpr double kFinest = 0x1p-48;
+  const double coarsest = std::exp2(std::ceil(std::log2(tolerance / size_of(loop))) - 1);
+  for (const double finest : {kFinest, coarsest}) {
+    if (const auto claim = finest_contact(loop, std::min(finest, coarsest), coarsest)) {
+      return *claim;
+    }
+  }
+  throw Error(Errc::limit_exceeded,
+              "how near its ball keeps to both pipes takes more work than a certificate may need, "
+              "as where one all but touches the other from inside");
 }
 
 MeshClaim mesh_claim(const LoopMesh& mesh) {
@@ -222,16 +269,15 @@ MeshClaim mesh_claim(const LoopMesh& mesh) {
   return claim;
 }
 
-// What is claimed with leaves that are no longer than this.
-std::optional<LoopClaims> claims_with(const CanalFillet& loop, const LoopMesh& mesh, double margin,
-                                      double longest, std::size_t pairs) {
+// Claims with leaves that are no longer than this, if they hold.
+bool claim_with(const CanalFillet& loop, const LoopMesh& mesh, Cells& known, double longest,
+                std::size_t pairs, LoopClaims& result) {
   std::vector<ArcCell> cells;
-  if (!append_cells(loop, margin, longest, {0, 1}, cells) ||
-      !append_cells(loop, margin, longest, {1, 2}, cells)) {
-    return std::nullopt;
+  if (!known.append(longest, {0, 1}, cells) || !known.append(longest, {1, 2}, cells)) {
+    return false;
   }
   LoopClaims claims;
-  claims.regular = {Verdict::proved, margin, {}, {}};
+  claims.regular = {Verdict::proved, known.margin(), {}, {}};
   for (const ArcCell& cell : cells) {
     claims.regular.leaves.push_back(cell.t);
   }
@@ -241,7 +287,8 @@ std::optional<LoopClaims> claims_with(const CanalFillet& loop, const LoopMesh& m
     claims.mesh.reset();
   }
   claims.embedded = PairSearch(loop, cells, pairs).run();
-  return claims;
+  result = std::move(claims);
+  return true;
 }
 
 }  // namespace
@@ -253,12 +300,12 @@ LoopClaims prove_loop(const CanalFillet& loop, const LoopMesh& mesh, const LoopG
   LoopClaims claims;
   claims.regular.margin = goals.margin.value_or(0);
   if (known.verdict == Verdict::proved) {
-    const double margin = goals.margin.value_or(kShare * known.regularity);
+    Cells cells(loop, goals.margin.value_or(kShare * known.regularity));
     for (double longest = 0x1p-6; longest >= 0x1p-10; longest /= 2) {
-      auto found = within_work(std::optional<LoopClaims>(), [&] {
-        return claims_with(loop, mesh, margin, longest, goals.pairs);
-      });
-      claims = found ? std::move(*found) : std::move(claims);
+      if (!finds_within_work(
+              [&] { return claim_with(loop, mesh, cells, longest, goals.pairs, claims); })) {
+        break;  // shorter leaves are more work still
+      }
       const bool close = claims.mesh && claims.mesh->error_bound <= goals.tolerance;
       if (claims.embedded.verdict == Verdict::proved && (close || longest <= kFine)) {
         break;

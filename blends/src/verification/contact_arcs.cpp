@@ -39,12 +39,10 @@ BallJets<count> balls_on(const CanalFillet& loop, const TurnStretch& turn) {
 BallJets<kOrders> balls_around(const CanalFillet& loop, const TurnStretch& middle,
                                const TurnStretch& all, double reach) {
   constexpr std::size_t kMore = kOrders + 4;
-  const bool on_cones = std::holds_alternative<RollingOnCones>(loop.motion) ||
-                        std::holds_alternative<RollingPartlyOnCones>(loop.motion);
-  if (!on_cones) {
+  if (!rolls_on_cones(loop)) {
     return balls_on<kOrders>(loop, all);
   }
-  spend(kArcWork);
+  spend(kConeWork);
   const auto here = balls_on<kMore>(loop, middle), everywhere = balls_on<kMore>(loop, all);
   return {by_taylor<kOrders>(here.center, everywhere.center, reach),
           by_taylor<kOrders>(here.radius, everywhere.radius, reach)};

@@ -123,7 +123,7 @@ Jet<kOrders> misfit(const Ring& quadric, const BallJets<kOrders>& balls) {
 
 bool touches_on(const CanalFillet& loop, const ContactClaim& claim, const ParameterInterval& t) {
   constexpr std::uint64_t kWork = 64;
-  spend(kWork);
+  spend(rolls_on_cones(loop) ? kConeWork : kWork);
   const double middle = std::midpoint(t.from, t.to);
   // Sixteenths of a loop and their halves lie in one half of it.
   const TurnStretch all = turn_stretch(t).value(), at = turn_stretch({middle, middle}).value();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <variant>
 
 namespace dupin::verification {
 namespace {
@@ -50,6 +51,11 @@ std::optional<double> turn_reach(const ParameterInterval& t) {
   const double middle = std::midpoint(t.from, t.to);
   const auto before = turn_stretch({t.from, middle}), after = turn_stretch({middle, t.to});
   return before && after ? std::optional(std::max(before->length, after->length)) : std::nullopt;
+}
+
+bool rolls_on_cones(const CanalFillet& loop) {
+  return std::holds_alternative<RollingOnCones>(loop.motion) ||
+         std::holds_alternative<RollingPartlyOnCones>(loop.motion);
 }
 
 }  // namespace dupin::verification

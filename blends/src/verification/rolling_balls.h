@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "dupin/blends/canal_fillet.h"
@@ -25,6 +26,11 @@ struct TurnStretch {
 
 /// At most how far chi is from that at the middle of the stretch.
 [[nodiscard]] std::optional<double> turn_reach(const ParameterInterval& t);
+
+/// Whether generators of cones lead the ball, which takes far more than those of cylinders.
+[[nodiscard]] bool rolls_on_cones(const CanalFillet& loop);
+/// In units of work, long jets of balls on cones.
+constexpr std::uint64_t kConeWork = 512;
 
 /// Derivatives are those by chi.
 template <std::size_t count>

@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include "certification/prove_fillet.h"
+#include "dupin/blends/resolve.h"
 #include "dupin/kernel/error.h"
 #include "support/fillet_loops.h"
+#include "support/named_parts.h"
 #include "surfaces/fillet_mesh.h"
 #include "verification/fillet_claims.h"
+#include "verification/work.h"
 
 namespace dupin::certification {
 namespace {
@@ -105,6 +108,29 @@ TEST(ProveFillet, leaves_undecided_what_takes_too_many_pairs) {
   EXPECT_EQ(claims.regular.verdict, Verdict::proved);
   EXPECT_EQ(claims.embedded.verdict, Verdict::undecided);
   EXPECT_TRUE(claims.embedded.leaves.empty());
+}
+
+// A cone as thick as the pipe where it leaves it: what would take long is given up, and said.
+TEST(ProveFillet, gives_up_where_cones_all_but_touch) {
+  const Assembly assembly{"",
+                          Unit::millimetre,
+                          0.1,
+                          {},
+                          {test::pipe("run", {-60, 0, 0}, {60, 0, 0}, 10),
+                           {"cone", ConeBetween{{0, 0, 0}, {0, 0, 60}, 9.999, 9.5}},
+                           test::fillet("fillet", "run", "cone", 2)}};
+  const ResolvedAssembly resolved = resolve(assembly);
+  const CanalFillet& loop = resolved.fillets.at(0).shape.loops.at(0);
+  try {
+    (void)prove_loop(loop, mesh(128), {{}, 1 << 14, 0.1});
+    FAIL() << "the limit is not needed any more";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::limit_exceeded);
+    EXPECT_THAT(error.what(), testing::HasSubstr("all but touches"));
+  }
+  // Neither does a short certificate keep the checker busy for long.
+  const verification::WorkLimit limit(CertificateLimits::kWork);
+  EXPECT_THROW((void)verification::follows(loop, ContactClaim{0.1, 0.1}), Error);
 }
 
 TEST(ProveFillet, refuses_balls_that_do_not_touch) {
