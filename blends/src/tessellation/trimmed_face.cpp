@@ -83,10 +83,10 @@ class Trimmer {
       (curve.turns == 0 ? holes : around).push_back(std::move(curve));
     }
     holes = linked_about(std::move(holes), places_, chart_.around());
-    const auto about = std::ranges::stable_partition(
-        holes, [](const UnrolledCurve& curve) { return curve.turns == 0; });
-    std::ranges::move(about, std::back_inserter(around));
-    holes.erase(about.begin(), about.end());
+    const auto about = std::stable_partition(
+        holes.begin(), holes.end(), [](const UnrolledCurve& curve) { return curve.turns == 0; });
+    std::move(about, holes.end(), std::back_inserter(around));
+    holes.erase(about, holes.end());
     std::ranges::stable_sort(around, {}, &UnrolledCurve::low);
     if (around.size() % 2 != 0) {
       throw Error(Errc::self_intersecting, "the curves on a tube's face do not bound it");

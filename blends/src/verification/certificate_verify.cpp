@@ -283,7 +283,7 @@ bool is_pair(const PartPair& pair, const Loops& loops, std::size_t parts) {
 void verify_fillet_clearance(const std::vector<Solid>& solids, const Loops& loops,
                              const PartPair& pair, const ClearanceClaim* claim) {
   const std::size_t parts = solids.size();
-  const auto [first, second] = pair;
+  const std::uint32_t first = pair[0], second = pair[1];
   const auto holds = [&] {
     const LoopArcs& arcs = loops.arcs[second - parts];
     return first < parts ? follows(solids[first], arcs, *claim)
