@@ -14,6 +14,7 @@ namespace {
 std::vector<Solid> selected(std::span<const Solid> operands,
                             const std::vector<std::size_t>& members) {
   std::vector<Solid> solids;
+  solids.reserve(members.size());
   for (const std::size_t i : members) {
     solids.push_back(operands[i]);
   }
