@@ -70,6 +70,7 @@ KNOWN = {
     ("regular_claim.cpp", "return least > 0 &&", " >= "): ADMITTED,
     ("regular_claim.cpp", "return halvings > 0 && is_regular_on(", " >= "): DEPTH,
     ("regular_claim.cpp", "least = tube.radius_range(t, t).lower;", ".upper"): ROUNDING,
+    ("pair_claims.cpp", "cells <= kMostCells; cells *= 2", " < "): STRICTER,
     ("pair_claims.cpp", "cells <= kMostCells; cells *= 4", " < "): STRICTER,
     ("pair_claims.cpp", "for (int i = 0; i < cells; ++i) {", " <= "): STRICTER,
     ("pair_claims.cpp", "length.lower > 0 ?", " >= "): "a quotient by what may be 0 is the line",
@@ -101,7 +102,7 @@ KNOWN = {
     ("pair_claims.cpp", "last->tangents.back()).upper < 0", ".lower"): ROUNDING,
     ("pair_claims.cpp", "const Interval cosine =", ".upper"): ROUNDING,
     ("pair_claims.cpp", "return phi.upper < 1 &&", " <= "): SLACK,
-    ("pair_claims.cpp", "norm(p - center).upper < discs->radius.lower", " <= "):
+    ("pair_claims.cpp", "norm(box - center).upper < discs->radius.lower", " <= "):
         "a point of the border is in the disc too",
     ("pair_claims.cpp", "overlap->first.to < claim.overlap->second.from", " <= "): ONE_SIDE,
     ("pair_claims.cpp", "overlap->second.to < claim.overlap->first.from", " <= "): ONE_SIDE,
