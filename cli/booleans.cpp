@@ -93,19 +93,12 @@ std::vector<Solid> prove_operands(std::vector<TriMesh> meshes, const std::vector
   std::vector<RepairReport> reports(inputs.size());
   for_each_in_parallel(inputs.size(), [&](std::size_t i) {
     const TriMesh mesh = std::move(meshes[i]);
-    if (are_repaired) {
-      Repaired repaired = repaired_solid_of(mesh, inputs[i].name);
-      operands[i] = std::move(repaired.solid);
-      reports[i] = repaired.report;
-    } else {
-      operands[i] = solid_of(mesh, inputs[i].name);
-    }
+    operands[i] = operand_of(mesh, inputs[i].name, are_repaired, reports[i]);
   });
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (reports[i] != RepairReport{}) {
-      repairs.push_back({inputs[i].name, reports[i]});
-    }
-  }
+  std::vector<std::string> names;
+  names.reserve(inputs.size());
+  std::ranges::transform(inputs, std::back_inserter(names), &Input::name);
+  repairs = repairs_in(names, reports);
   return operands;
 }
 
@@ -145,8 +138,8 @@ OutputReport at_once(const std::vector<std::string>& files, const OperandArgumen
   const ContactChoice contacts = contact_choice(arguments.contacts, header.unit);
   const RoundingOptions rounding = rounding_options(arguments.rounding, header.unit);
   std::vector<TriMesh> meshes = read_meshes(inputs);
-  Boxes boxes;
-  std::ranges::transform(meshes, std::back_inserter(boxes), box_of);
+  Boxes boxes(task.is_union ? meshes.size() : 0);
+  for_each_in_parallel(boxes.size(), [&](std::size_t i) { boxes[i] = box_of(meshes[i]); });
   clock.begin("prove");
   std::vector<FileRepair> repairs;
   const std::vector<Solid> operands =

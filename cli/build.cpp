@@ -34,8 +34,6 @@
 namespace dupin::cli {
 namespace {
 
-constexpr const char* kForSolvers = "cfd";
-
 /// "3 (2 pipe, 1 cyclic_blend)".
 std::string parts_text(const std::vector<PartReport>& parts) {
   std::map<std::string, std::size_t> kinds;

@@ -18,6 +18,9 @@ class App;
 
 namespace dupin::cli {
 
+/// What --quality takes for meshes of solvers.
+constexpr const char* kForSolvers = "cfd";
+
 /// What `build` is told.
 struct BuildArguments {
   std::vector<std::string> files;

@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <iterator>
+#include <utility>
 
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/mesh_file.h"
@@ -94,6 +95,27 @@ Repaired repaired_solid_of(const Input& input) {
 
 Repaired repaired_solid_of(const TriMesh& mesh, const std::string& name) {
   return blaming(name, [&] { return repair(mesh); });
+}
+
+Solid operand_of(const TriMesh& mesh, const std::string& name, bool is_repaired,
+                 RepairReport& report) {
+  if (!is_repaired) {
+    return solid_of(mesh, name);
+  }
+  Repaired repaired = repaired_solid_of(mesh, name);
+  report = repaired.report;
+  return std::move(repaired.solid);
+}
+
+std::vector<FileRepair> repairs_in(std::span<const std::string> files,
+                                   std::span<const RepairReport> reports) {
+  std::vector<FileRepair> repairs;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (reports[i] != RepairReport{}) {
+      repairs.push_back({files[i], reports[i]});
+    }
+  }
+  return repairs;
 }
 
 }  // namespace dupin::cli

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
+#include "dupin/io/report_json.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/repair.h"
 #include "dupin/kernel/solid.h"
@@ -47,5 +49,12 @@ struct StatedUnit {
 /// Repairs it first. Throws Error naming the file as its part when that is not possible.
 [[nodiscard]] Repaired repaired_solid_of(const Input& input);
 [[nodiscard]] Repaired repaired_solid_of(const TriMesh& mesh, const std::string& name);
+
+/// The operand of a set operation: repaired where that is asked for, and then `report` says how.
+[[nodiscard]] Solid operand_of(const TriMesh& mesh, const std::string& name, bool is_repaired,
+                               RepairReport& report);
+/// What was repaired in the files, of which there is a report each.
+[[nodiscard]] std::vector<FileRepair> repairs_in(std::span<const std::string> files,
+                                                 std::span<const RepairReport> reports);
 
 }  // namespace dupin::cli

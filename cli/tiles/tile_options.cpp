@@ -38,7 +38,7 @@ std::vector<std::size_t> ends_within(std::uint64_t memory, const Divided& divide
   std::vector<std::size_t> ends;
   double tile = 0;
   for (std::size_t i = 0; i < divided.districts.size(); ++i) {
-    const double own = divided.triangles(i);
+    const double own = divided.triangles[i];
     if (own > most) {
       const Vec3 place = bounds_of(divided.districts.subspan(i, 1)).center();
       throw Error(Errc::limit_exceeded,

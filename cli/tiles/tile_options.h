@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,10 +36,10 @@ void require_tiled_output(const Destination& to, const TileArguments& arguments)
 /// What there is to divide.
 struct Divided {
   std::span<const Boxes> districts;
-  std::function<double(std::size_t)> triangles;  ///< about how many a district needs memory for
-  std::size_t processes = 1;                     ///< that make tiles side by side
-  std::string source;                            ///< what messages name
-  std::string remedy = {};                       ///< besides more memory
+  std::span<const double> triangles;  ///< about how many each has; asked for with --memory only
+  std::size_t processes = 1;          ///< that make tiles side by side
+  std::string source;                 ///< what messages name
+  std::string remedy = {};            ///< besides more memory
 };
 
 /// Behind which districts tiles end. Throws Error{limit_exceeded} where one does not fit into the

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <iterator>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -75,7 +75,7 @@ constexpr double kWritingPart = 0.1;
 
 /// The rank that makes each of so many districts of a tile: the largest first, each to the one that
 /// has least to do. The first one has to write them all, too.
-std::vector<std::size_t> shared_out(const std::vector<double>& triangles, std::size_t ranks) {
+std::vector<std::size_t> shared_out(std::span<const double> triangles, std::size_t ranks) {
   std::vector<std::size_t> order(triangles.size()), owners(triangles.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return triangles[i]; });
@@ -107,14 +107,18 @@ class TiledBuild {
       cache_.emplace(arguments.tiles.cache);
       cache_size_ = cache_size(arguments.tiles);
     }
-    ends_ =
-        ends_of_tiles(arguments.tiles,
-                      {.districts = boxes_,
-                       .triangles = [this](std::size_t i) { return plan_.expected_triangles(i); },
-                       .processes = ranks.count(),
-                       .source = document.assembly.source,
-                       .remedy = ", or a coarser tolerance"});
-    share_out();
+    const bool is_shared = ranks.count() > 1;
+    const std::vector<double> triangles =
+        is_shared || !arguments.tiles.memory.empty() ? expected_triangles() : std::vector<double>();
+    ends_ = ends_of_tiles(arguments.tiles, {.districts = boxes_,
+                                            .triangles = triangles,
+                                            .processes = ranks.count(),
+                                            .source = document.assembly.source,
+                                            .remedy = ", or a coarser tolerance"});
+    owners_.resize(plan_.size(), 0);
+    if (is_shared) {
+      share_out(triangles);
+    }
   }
 
   Built run(const MeshHeader& header, OutputReport& report) {
@@ -154,13 +158,20 @@ class TiledBuild {
   }
 
  private:
-  void share_out() {
+  // Resolves every district, which takes its time.
+  [[nodiscard]] std::vector<double> expected_triangles() const {
+    std::vector<double> triangles(plan_.size());
+    for_each_in_parallel(triangles.size(),
+                         [&](std::size_t i) { triangles[i] = plan_.expected_triangles(i); });
+    return triangles;
+  }
+
+  void share_out(std::span<const double> triangles) {
+    std::size_t begin = 0;
     for (const std::size_t end : ends_) {
-      std::vector<double> triangles;
-      for (std::size_t i = owners_.size(); i < end; ++i) {
-        triangles.push_back(plan_.expected_triangles(i));
-      }
-      std::ranges::copy(shared_out(triangles, ranks_.count()), std::back_inserter(owners_));
+      std::ranges::copy(shared_out(triangles.subspan(begin, end - begin), ranks_.count()),
+                        owners_.begin() + std::ptrdiff_t(begin));
+      begin = end;
     }
   }
 
@@ -249,7 +260,7 @@ void add_build_tile_options(CLI::App& command, TileArguments& arguments) {
 void check_tiled(const BuildArguments& arguments) {
   require_tiled_output(destination(arguments.output), arguments.tiles);
   (void)cache_size(arguments.tiles);
-  if (!arguments.page.empty() || arguments.quality == "cfd") {
+  if (!arguments.page.empty() || arguments.quality == kForSolvers) {
     throw UsageError(
         "--report and --quality cfd look at all of a solid at once, which --tiles and --memory "
         "never have");

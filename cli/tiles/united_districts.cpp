@@ -33,10 +33,9 @@ class UnionInTiles {
         repairs_(task.files.size()) {}
 
   OutputReport run() {
-    const std::vector<std::size_t> ends =
-        ends_of_tiles(task_.tiles, {.districts = districts_.boxes,
-                                    .triangles = [this](std::size_t i) { return triangles_of(i); },
-                                    .source = "operands"});
+    const std::vector<double> triangles = triangles_of_districts();
+    const std::vector<std::size_t> ends = ends_of_tiles(
+        task_.tiles, {.districts = districts_.boxes, .triangles = triangles, .source = "operands"});
     DistrictFile file(task_.to);
     std::size_t begin = 0;
     for (const std::size_t end : ends) {
@@ -49,37 +48,30 @@ class UnionInTiles {
       begin = end;
     }
     OutputReport report = file.commit({files_.unit, {}});
-    for (std::size_t i = 0; i < repairs_.size(); ++i) {
-      if (repairs_[i] != RepairReport{}) {
-        report.repairs.push_back({task_.files[i], repairs_[i]});
-      }
-    }
+    report.repairs = repairs_in(task_.files, repairs_);
     return report;
   }
 
  private:
-  [[nodiscard]] double triangles_of(std::size_t district) const {
-    double triangles = 0;
-    for (const std::size_t i : districts_.operands[district]) {
-      triangles += static_cast<double>(files_.triangles[i]);
+  [[nodiscard]] std::vector<double> triangles_of_districts() const {
+    std::vector<double> triangles;
+    triangles.reserve(districts_.operands.size());
+    for (const std::vector<std::size_t>& operands : districts_.operands) {
+      double own = 0;
+      for (const std::size_t i : operands) {
+        own += static_cast<double>(files_.triangles[i]);
+      }
+      triangles.push_back(own);
     }
     return triangles;
-  }
-
-  Solid operand(std::size_t i) {
-    const Input input = read_input(task_.files[i]);
-    if (!task_.are_repaired) {
-      return solid_of(input);
-    }
-    Repaired repaired = repaired_solid_of(input);
-    repairs_[i] = repaired.report;
-    return std::move(repaired.solid);
   }
 
   DistrictOutput made(std::size_t district) {
     std::vector<Solid> operands;
     for (const std::size_t i : districts_.operands[district]) {
-      operands.push_back(operand(i));
+      const Input input = read_input(task_.files[i]);
+      operands.push_back(operand_of(read_mesh(input.bytes, input.name), input.name,
+                                    task_.are_repaired, repairs_[i]));
     }
     const Solid solid = unite(operands, {task_.contacts.policy(), {}});
     operands.clear();

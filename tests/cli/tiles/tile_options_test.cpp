@@ -31,9 +31,7 @@ TEST(TileOptions, tiles_are_as_many_as_asked_for_and_as_there_are) {
 TEST(TileOptions, memory_holds_every_tile) {
   const std::vector<Boxes> boxes{{cube(0)}, {cube(2)}, {cube(4)}, {cube(6)}};
   const std::vector<double> triangles{1000, 1000, 2500, 500};
-  const Divided divided{.districts = boxes,
-                        .triangles = [&](std::size_t i) { return triangles[i]; },
-                        .source = "plant"};
+  const Divided divided{.districts = boxes, .triangles = triangles, .source = "plant"};
   EXPECT_THAT(ends_of_tiles({.memory = "1MB"}, divided), ElementsAre(2, 3, 4));
   EXPECT_THAT(ends_of_tiles({.memory = "1GB"}, divided), ElementsAre(4));
   try {
