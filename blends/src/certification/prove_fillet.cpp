@@ -21,13 +21,14 @@ namespace {
 
 constexpr std::uint64_t kWork = CertificateLimits::kWork;
 
-// Whether the search finds something within its work; the checks of the caller's certificate are
-// not charged.
+// Whether the search comes to its end within so much work; the checks of the caller's certificate
+// are not charged.
 template <class Search>
-bool finds_within_work(const Search& search) {
-  const verification::WorkLimit limit(kWork);
+bool ends_within(std::uint64_t work, const Search& search) {
+  const verification::WorkLimit limit(work);
   try {
-    return search();
+    search();
+    return true;
   } catch (const Error& error) {
     if (error.code() != Errc::limit_exceeded) {
       throw;
@@ -227,22 +228,13 @@ double size_of(const CanalFillet& loop) {
          loop.quadrics[1].center.norm() + loop.quadrics[1].radius;
 }
 
-// The finest of the claims that holds; none if that takes too much work.
-std::optional<ContactClaim> finest_contact(const CanalFillet& loop, double finest,
-                                           double coarsest) {
-  const verification::WorkLimit limit(kWork * 2 / 3);
-  try {
-    for (double share = finest; share <= coarsest; share *= 4) {
-      const ContactClaim claim{share * size_of(loop), share};
-      if (verification::follows(loop, claim)) {
-        return claim;
-      }
+// The finest of the claims that holds.
+ContactClaim finest_contact(const CanalFillet& loop, double finest, double coarsest) {
+  for (double share = finest; share <= coarsest; share *= 4) {
+    const ContactClaim claim{share * size_of(loop), share};
+    if (verification::follows(loop, claim)) {
+      return claim;
     }
-  } catch (const Error& error) {
-    if (error.code() != Errc::limit_exceeded) {
-      throw;
-    }
-    return std::nullopt;
   }
   throw Error(Errc::invalid_argument,
               "the ball that rolls along it is further from the pipes than the tolerance");
@@ -251,9 +243,11 @@ std::optional<ContactClaim> finest_contact(const CanalFillet& loop, double fines
 ContactClaim prove_contact(const CanalFillet& loop, double tolerance) {
   constexpr double kFinest = 0x1p-48;
   const double coarsest = std::exp2(std::ceil(std::log2(tolerance / size_of(loop))) - 1);
+  ContactClaim claim;
   for (const double finest : {kFinest, coarsest}) {
-    if (const auto claim = finest_contact(loop, std::min(finest, coarsest), coarsest)) {
-      return *claim;
+    if (ends_within(kWork * 2 / 3,
+                    [&] { claim = finest_contact(loop, std::min(finest, coarsest), coarsest); })) {
+      return claim;
     }
   }
   throw Error(Errc::limit_exceeded,
@@ -302,8 +296,11 @@ LoopClaims prove_loop(const CanalFillet& loop, const LoopMesh& mesh, const LoopG
   if (known.verdict == Verdict::proved) {
     Cells cells(loop, goals.margin.value_or(kShare * known.regularity));
     for (double longest = 0x1p-6; longest >= 0x1p-10; longest /= 2) {
-      if (!finds_within_work(
-              [&] { return claim_with(loop, mesh, cells, longest, goals.pairs, claims); })) {
+      bool holds = false;
+      if (!ends_within(
+              kWork,
+              [&] { holds = claim_with(loop, mesh, cells, longest, goals.pairs, claims); }) ||
+          !holds) {
         break;  // shorter leaves are more work still
       }
       const bool close = claims.mesh && claims.mesh->error_bound <= goals.tolerance;

@@ -6,6 +6,7 @@
 
 #include "dupin/blends/certificate.h"
 #include "verification/contact_arcs.h"
+#include "verification/taylor_jet.h"
 
 // Whether claims about a loop of a fillet follow from its numbers and its quadrics'. The lemmas and
 // their proofs are in docs/certificate_format.md.
@@ -67,16 +68,7 @@ struct TaylorRange {
 template <std::size_t count>
 [[nodiscard]] TaylorRange taylor_range(const Jet<count>& middle, const Jet<count>& all,
                                        double reach) {
-  const Interval h(-reach, reach);
-  TaylorRange result{0, 0};
-  Interval power = 1;  // h^k / k!
-  for (std::size_t k = 0; k + 1 < count; ++k) {
-    result.value = result.value + power * middle[k];
-    result.slope = result.slope + power * (k + 2 < count ? middle[k + 1] : all[k + 1]);
-    power = power * h / Interval(double(k + 1));
-  }
-  result.value = result.value + power * all[count - 1];
-  return result;
+  return {taylor_sum(middle, all, reach, 0), taylor_sum(middle, all, reach, 1)};
 }
 
 }  // namespace dupin::verification

@@ -252,6 +252,14 @@ TEST(LoopClearance, at_corners_is_of_arcs_that_move_to_both_sides) {
   EXPECT_FALSE(part_at_corner(on, smooth, {before, after, x}));
 }
 
+// Leaves with nothing in them, beyond the first surface or the loop, and without a direction of
+// use.
+std::vector<DiscPairs> leaves_that_fail(const Vec3& up, double beyond) {
+  return {{{.5, .5}, {0, 1}, up},         {{0, 1}, {.5, .5}, up},        {{0, beyond}, {0, 1}, up},
+          {{0, 1}, {0, 2.5}, up},         {{0, 1}, {0, 1}, {}},          {{0, 1}, {0, 1}, -up},
+          {{0, 1}, {0, 1}, Vec3::Zero()}, {{0, 1}, {0, 1}, 0x1p301 * up}};
+}
+
 TEST(LoopClearance, of_loops_is_the_slab_between_them) {
   const LoopArcs low = hand_made(loop_of("through_0"), {0, 0, 0}),
                  high = hand_made(loop_of("through_1"), {0, 0, 3});
@@ -271,14 +279,7 @@ TEST(LoopClearance, of_loops_is_the_slab_between_them) {
   refuted.verdict = Verdict::refuted;
   EXPECT_FALSE(follows(low, high, refuted));
   // Leaves more than are needed must hold, too.
-  for (const DiscPairs& leaf : std::vector<DiscPairs>{{{.5, .5}, {0, 1}, up},
-                                                      {{0, 1}, {.5, .5}, up},
-                                                      {{0, 2.5}, {0, 1}, up},
-                                                      {{0, 1}, {0, 2.5}, up},
-                                                      {{0, 1}, {0, 1}, {}},
-                                                      {{0, 1}, {0, 1}, -up},
-                                                      {{0, 1}, {0, 1}, Vec3::Zero()},
-                                                      {{0, 1}, {0, 1}, 0x1p301 * up}}) {
+  for (const DiscPairs& leaf : leaves_that_fail(up, 2.5)) {
     std::vector<DiscPairs> more = leaves;
     more.push_back(leaf);
     EXPECT_FALSE(follows(low, high, apart(2.999, more)));
@@ -315,14 +316,7 @@ TEST(LoopClearance, of_parts_is_the_slab_between_them_and_the_arcs) {
   EXPECT_TRUE(follows(low, high, apart(1.999, leaves)));
   EXPECT_FALSE(follows(low, high, apart(2.001, leaves)));
   EXPECT_FALSE(follows(low, high, apart(0, leaves)));
-  for (const DiscPairs& leaf : std::vector<DiscPairs>{{{.5, .5}, {0, 1}, up},
-                                                      {{0, 1}, {.5, .5}, up},
-                                                      {{0, 1.5}, {0, 1}, up},
-                                                      {{0, 1}, {0, 2.5}, up},
-                                                      {{0, 1}, {0, 1}, {}},
-                                                      {{0, 1}, {0, 1}, -up},
-                                                      {{0, 1}, {0, 1}, Vec3::Zero()},
-                                                      {{0, 1}, {0, 1}, 0x1p301 * up}}) {
+  for (const DiscPairs& leaf : leaves_that_fail(up, 1.5)) {
     std::vector<DiscPairs> more = leaves;
     more.push_back(leaf);
     EXPECT_FALSE(follows(low, high, apart(1.999, more)));
