@@ -218,6 +218,8 @@ KNOWN = {
     ("loop_clearance.cpp", "((-front - behind) / length).upper", ".upper"): ROUNDING,
     ("loop_clearance.cpp", "return width >= 0 &&", " >= "): ROUNDED_DOWN,
     ("loop_clearance.cpp", "width > distance;", " > "): SLACK,
+    ("taylor_jet.h", "static_assert(count < more);", " <= "):
+        "of as many derivatives the last is what is given, without the formula",
     ("certificate_verify.cpp", "claims.contact.offset < tolerance", " < "): SLACK,
     ("bernstein.h", "for (std::size_t k = 0; k < m + n; ++k) {", " < "): "the last one is divided by 1",
     ("bernstein.h", "for (std::size_t r = 1; r <= p.size(); ++r) {", " <= "): "the last round is empty",
