@@ -1,5 +1,6 @@
 // Certificates of fillets and junctions: what is claimed of them, and that nothing else can be.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -35,17 +36,37 @@ void expect_named(const Certificate& honest, const std::vector<Lie>& lies) {
   }
 }
 
+RegularClaim undecided() { return {Verdict::undecided, 0, {}, {}}; }
+
+ClearanceClaim nothing_of(std::uint32_t first, std::uint32_t second) {
+  return {first, second, Verdict::undecided, 0, {}, {}};
+}
+
 // That nothing is known of parts and how far they are from each other makes these tests quick.
 Certificate about_parts_nothing(Certificate c) {
   for (PartClaims& claims : c.claims) {
     if (claims.regular) {
-      claims.regular = RegularClaim{};
+      claims.regular = undecided();
       claims.embedded = EmbeddedClaim{};
       claims.mesh.reset();
     }
   }
   for (ClearanceClaim& claim : c.clearances) {
-    claim = {claim.first, claim.second, Verdict::undecided, 0, {}, {}};
+    claim = nothing_of(claim.first, claim.second);
+  }
+  return c;
+}
+
+// But that loops are regular, for without that their arcs may be anywhere.
+Certificate about_fillets_little(Certificate c) {
+  for (std::vector<LoopClaims>& loops : c.fillet_claims) {
+    for (LoopClaims& loop : loops) {
+      loop.embedded = {};
+      loop.mesh.reset();
+    }
+  }
+  for (ClearanceClaim& claim : c.fillet_clearances) {
+    claim = nothing_of(claim.first, claim.second);
   }
   return c;
 }
@@ -62,8 +83,6 @@ const Certificate& throat() {
   }();
   return certificate;
 }
-
-RegularClaim undecided() { return {Verdict::undecided, 0, {}, {}}; }
 
 TEST(VerifyCertificate, of_fillets_takes_no_other_claims_about_loops) {
   ASSERT_EQ(throat().fillet_claims.at(0).size(), 2U);
@@ -100,13 +119,9 @@ TEST(VerifyCertificate, of_fillets_takes_no_other_claims_about_loops) {
           loop(c).embedded = {};
         }},
        {"mesh", "mesh", [=](Certificate& c) { loop(c).mesh->error_bound = 1e-9; }}});
-  Certificate less = throat();
+  Certificate less = about_fillets_little(throat());
+  EXPECT_NO_THROW(verify(less));
   loop(less).regular = undecided();
-  loop(less).embedded = {};
-  loop(less).mesh.reset();
-  for (ClearanceClaim& claim : less.fillet_clearances) {
-    claim = {claim.first, claim.second, Verdict::undecided, 0, {}, {}};
-  }
   EXPECT_NO_THROW(verify(less));
 }
 
@@ -129,6 +144,87 @@ TEST(VerifyCertificate, of_fillets_needs_a_clearance_of_every_loop_and_part_but_
         [](Certificate& c) { c.fillet_clearances[0].verdict = Verdict::undecided; }},
        {"loops undecided, but far", "clearance",
         [](Certificate& c) { c.fillet_clearances[2].verdict = Verdict::undecided; }}});
+}
+
+// Two branches through a run and a ball beside the first: of ten pairs of a loop with a part it is
+// not on or with a loop, those are claimed that are near, and nothing is known of any.
+const Certificate& two_throats() {
+  static const Certificate certificate = [] {
+    const Part run{"run", PipeBetween{Vec3(-9, 0, 0), Vec3(29, 0, 0), 2}};
+    const Part left{"left", PipeBetween{Vec3(0, -9, 0), Vec3(0, 9, 0), 1}};
+    const Part right{"right", PipeBetween{Vec3(20, -9, 0), Vec3(20, 9, 0), 1}};
+    const Part ball{"ball", SphereAt{Vec3(3, 4, 0), 1}};
+    const Part first{"first", FilletBetween{{"run", "left"}, 0.3}};
+    const Part second{"second", FilletBetween{{"run", "right"}, 0.3}};
+    const std::vector<Part> parts{run, left, right, ball, first, second};
+    return about_fillets_little(
+        about_parts_nothing(certify({"d.json", Unit::millimetre, 0.5, {}, parts}, {.apart = 4})));
+  }();
+  return certificate;
+}
+
+using NumberedPair = std::array<std::uint32_t, 2>;
+
+std::vector<NumberedPair> fillet_pairs(const Certificate& c) {
+  std::vector<NumberedPair> result;
+  for (const ClearanceClaim& claim : c.fillet_clearances) {
+    result.push_back({claim.first, claim.second});
+  }
+  return result;
+}
+
+// Parts are 0 to 3, the loops of `first` 4 and 5, those of `second` 6 and 7.
+TEST(VerifyCertificate, of_fillets_needs_clearances_of_near_loops_only) {
+  ASSERT_THAT(fillet_pairs(two_throats()),
+              testing::ElementsAre(NumberedPair{3, 4}, NumberedPair{4, 5}, NumberedPair{6, 7}));
+  const auto claims = [](Certificate& c) -> std::vector<ClearanceClaim>& {
+    return c.fillet_clearances;
+  };
+  const auto one_more = [=](std::size_t place, std::uint32_t first, std::uint32_t second) {
+    return [=](Certificate& c) {
+      claims(c).insert(claims(c).begin() + std::ptrdiff_t(place), nothing_of(first, second));
+    };
+  };
+  const auto one_less = [=](std::size_t place) {
+    return [=](Certificate& c) { claims(c).erase(claims(c).begin() + std::ptrdiff_t(place)); };
+  };
+  expect_named(two_throats(),
+               {{"none of the first", "clearance", one_less(0)},
+                {"none of the second", "clearance", one_less(1)},
+                {"none of the last", "clearance", one_less(2)},
+                {"none", "clearance", [=](Certificate& c) { claims(c).clear(); }},
+                {"the first twice", "clearance", one_more(1, 3, 4)},
+                {"the last twice", "clearance", one_more(3, 6, 7)},
+                {"in another order", "clearance",
+                 [=](Certificate& c) { std::swap(claims(c)[0], claims(c)[1]); }},
+                {"a loop's own pipe", "clearance", one_more(0, 0, 4)},
+                {"a loop's other pipe", "clearance", one_more(0, 1, 4)},
+                {"a loop and itself", "clearance", one_more(1, 4, 4)},
+                {"the last loop and itself", "clearance", one_more(3, 7, 7)},
+                {"an earlier loop", "clearance", one_more(2, 5, 4)},
+                {"two parts", "clearance", one_more(0, 2, 3)},
+                {"a loop and a part", "clearance", one_more(0, 4, 3)},
+                {"no loop", "clearance", one_more(3, 7, 8)},
+                {"a part and no loop", "clearance", one_more(3, 3, 8)},
+                {"nearer than they are", "clearance", [](Certificate& c) { c.apart = 99; }}});
+}
+
+TEST(VerifyCertificate, of_fillets_may_claim_of_loops_that_are_not_near) {
+  Certificate c = two_throats();
+  c.fillet_clearances = {nothing_of(2, 4), nothing_of(3, 4), nothing_of(4, 5),
+                         nothing_of(4, 7), nothing_of(3, 5), nothing_of(5, 6),
+                         nothing_of(1, 6), nothing_of(6, 7), nothing_of(3, 7)};
+  EXPECT_NO_THROW(verify(c));
+  for (ClearanceClaim& claim : c.fillet_clearances) {
+    claim.distance = 1;  // undecided, but far
+    EXPECT_THROW(verify(c), Error) << claim.first << " and " << claim.second;
+    claim.distance = 0;
+  }
+  c.apart = 1e-3;
+  c.fillet_clearances = {};
+  EXPECT_NO_THROW(verify(c)) << "boxes of loops are further apart than that";
+  c.fillet_claims[1][0].regular = undecided();
+  EXPECT_THROW(verify(c), Error) << "arcs that may be anywhere are near to everything";
 }
 
 // Three arms, the last two of which are as thin as the prover makes them, and a pipe beside.
@@ -213,9 +309,9 @@ TEST(VerifyCertificate, of_junctions_is_about_their_hubs_and_arms) {
           c.claims[hub].mesh.reset();
         }}});
   Certificate less = junction();
-  clearance_of(less, arms[0], hub) = {arms[0], hub, Verdict::undecided, 0, {}, {}};
+  clearance_of(less, arms[0], hub) = nothing_of(arms[0], hub);
   less.junctions[0].arms.pop_back();
-  clearance_of(less, arms[2], hub) = {arms[2], hub, Verdict::undecided, 0, {}, {}};
+  clearance_of(less, arms[2], hub) = nothing_of(arms[2], hub);
   EXPECT_NO_THROW(verify(less)) << "two arms are enough";
 }
 
