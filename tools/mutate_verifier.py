@@ -148,6 +148,12 @@ KNOWN = {
     ("mesh_claim.cpp", "return sagitta.rounded_outward().upper <= allowed;", " < "): SLACK,
     ("mesh_claim.cpp", "return sagitta.rounded_outward().upper <= allowed;", ".lower"): ROUNDING,
     ("mesh_claim.cpp", "std::min(1., plane.rounded_outward().lower)", ".upper"): ROUNDING,
+    ("certificate_verify.cpp", "(first > parts || !is_on(", " > "):
+        "no fillet is on what comes after the parts",
+    ("certificate_verify.cpp", "k <= surfaces", " <= "): "what is no loop makes no pair",
+    ("certificate_verify.cpp", "j <= surfaces", " <= "): "what is no loop makes no pair",
+    ("near_parts.cpp", "return place_of(a, solids.size()) <= place_of(b", " <= "):
+        "no two pairs have one place",
     ("near_parts.cpp", "between.lower > distance", " > "): ONE_PAIR_MORE,
     ("near_parts.cpp", "between.upper < -distance", " < "): ONE_PAIR_MORE,
     ("near_parts.cpp", "return std::isfinite(x.lower) && std::isfinite(x.upper)", " || "):

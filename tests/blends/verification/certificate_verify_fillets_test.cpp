@@ -204,6 +204,8 @@ TEST(VerifyCertificate, of_fillets_needs_clearances_of_near_loops_only) {
                 {"an earlier loop", "clearance", one_more(2, 5, 4)},
                 {"two parts", "clearance", one_more(0, 2, 3)},
                 {"a loop and a part", "clearance", one_more(0, 4, 3)},
+                {"others in its stead", "clearance",
+                 [=](Certificate& c) { claims(c)[2] = nothing_of(5, 7); }},
                 {"no loop", "clearance", one_more(3, 7, 8)},
                 {"a part and no loop", "clearance", one_more(3, 3, 8)},
                 {"nearer than they are", "clearance", [](Certificate& c) { c.apart = 99; }}});
