@@ -204,8 +204,8 @@ class Certifier {
   void append_mesh(std::uint32_t part, std::uint32_t segments, double grid, Tessellation mesh) {
     const bool is_sphere = std::holds_alternative<Sphere>(result_.parts[part].shape);
     if (is_sphere || !mesh.knots.empty()) {
-      result_.claims[part].mesh =
-          checker_.agreed({segments, grid, std::move(mesh.knots), mesh.error_bound}, part);
+      result_.claims[part].mesh = checker_.agreed(
+          {segments, grid, std::move(mesh.knots), mesh.error_bound, mesh.axes}, part);
     }
   }
 

@@ -154,14 +154,17 @@ Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
   }
   std::vector<ringed::BandBounds> cells = cells_of(tube);
   const Carrier frames = carrier(tube, cells, options.tolerance);
-  const double misplaced = 2 * frames.drift * largest_radius(tube);
+  // Both ends' share, and what every rotation and sum is rounded by.
+  const double axes = 2 * frames.drift + std::ldexp(frames.steps, -50);
+  const double misplaced = axes * largest_radius(tube);
   const double around = 2 * std::numbers::pi / sampling.segments;
   const auto bands = tessellation::even_bands({{std::move(cells), around}}, allowed - misplaced,
                                               largest_radius(tube), sampling.segments)
                          .front();
   const auto rows = rows_at(tube, bands.knots, frames.steps);
   return {tessellation::swept_mesh(tube.start, tube.end, rows, sampling),
-          std::uint32_t(rows.size() - 1), bands.error_bound + misplaced + displacement};
+          std::uint32_t(rows.size() - 1), bands.error_bound + misplaced + displacement, bands.knots,
+          axes};
 }
 
 PieceExtent extent(const EllipticTube&, double) {

@@ -121,6 +121,7 @@ void append(const Tessellation& next, std::size_t first, std::uint32_t segments,
   result.knots.resize(has_knots ? result.knots.size() : 0);
   result.bands += next.bands;
   result.error_bound = std::max(result.error_bound, next.error_bound);
+  result.axes = std::max(result.axes, next.axes);
 }
 
 Tessellation skin(const Chain& chain, const RingSampling& sampling,

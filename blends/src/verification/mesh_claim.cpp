@@ -141,20 +141,24 @@ bool ascends(const std::vector<double>& knots) {
                             [](double a, double b) { return !(a < b); }) == knots.end();
 }
 
+double largest_radius(const Piece& piece) {
+  double largest = 0;
+  for (const Tube& tube : piece.tubes) {
+    largest = std::max(largest, tube.radius_range(0, 1).magnitude());
+  }
+  return largest;
+}
+
 // The half segment that the last ring may ask for is shared by so many bands.
 bool piece_follows(const Piece& piece, const std::vector<double>& knots, std::uint32_t segments,
                    std::size_t sharing, double allowed) {
   const Mpfi pi = Mpfi::pi();
   if (knots.size() == 2 && is_straight(piece)) {
-    double largest = 0;
-    for (const Tube& tube : piece.tubes) {
-      largest = std::max(largest, tube.radius_range(0, 1).magnitude());
-    }
-    const Mpfi sagitta = Mpfi(largest) * (1 - cosine(pi / double(segments)));
+    const Mpfi sagitta = Mpfi(largest_radius(piece)) * (1 - cosine(pi / double(segments)));
     return sagitta.rounded_outward().upper <= allowed;
   }
   if (!piece.motion) {
-    return false;  // nothing is known of the frame that ellipses follow
+    return false;  // nothing is known of how the axes of ellipses turn
   }
   const Enclosure twist = (pi / double(segments) / double(sharing)).rounded_outward();
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
@@ -179,6 +183,15 @@ double size_over(const Solid& solid, const ParameterInterval& t, int halvings) {
   return halvings == 0 ? std::numeric_limits<double>::infinity()
                        : std::max(size_over(solid, {t.from, middle}, halvings - 1),
                                   size_over(solid, {middle, t.to}, halvings - 1));
+}
+
+// Of the ellipses; 0 where there is none.
+double longest_axis(const Solid& solid) {
+  double longest = 0;
+  for (const Piece& piece : solid.pieces()) {
+    longest = std::max(longest, piece.tubes.size() > 1 ? largest_radius(piece) : 0);
+  }
+  return longest;
 }
 
 // No point of a facet of the graticule is nearer to the centre than its plane.
@@ -219,15 +232,20 @@ double size_of(const Solid& solid) {
 }
 
 bool follows(const Solid& solid, const MeshClaim& claim) {
-  if (!is_bound(claim.grid) || !is_bound(claim.error_bound) || claim.segments < 3 ||
-      claim.segments > CertificateLimits::kSegments) {
+  if (!is_bound(claim.grid) || !is_bound(claim.error_bound) || !is_bound(claim.axes) ||
+      claim.segments < 3 || claim.segments > CertificateLimits::kSegments) {
     return false;
+  }
+  const double longest = longest_axis(solid);
+  if (longest == 0 && claim.axes != 0) {
+    return false;  // of no ellipse
   }
   if (solid.ball() != nullptr) {
     return sphere_follows(*solid.ball(), claim);
   }
+  const Interval turned = Interval(claim.axes) * longest;
   const double allowed =
-      (Interval(claim.error_bound) - displacement(claim.grid, size_of(solid))).lower;
+      (Interval(claim.error_bound) - turned - displacement(claim.grid, size_of(solid))).lower;
   auto knot = claim.knots.begin();
   for (std::size_t i = 0; i < solid.pieces().size(); ++i) {
     // From whole number to whole number, by the piece's own parameter.

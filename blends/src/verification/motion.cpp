@@ -123,6 +123,42 @@ Motion arc_motion(const Tube& tube) {
   };
 }
 
+// How the direction of a curve q changes: with w = q x q', which is exactly 0 where the curve is
+// straight, and nearly where it nearly is,
+//   (q / |q|)' = w x q / |q|^3.
+class Direction {
+ public:
+  explicit Direction(const Curve& q) {
+    if (q[0].size() <= kMostCoefficients) {
+      q_.emplace(q);
+      turning_.emplace(cross(q, derivative(q)));
+    }
+  }
+
+  // The derivatives of the unit vector along q.
+  void sharpen(JetVec<3>& unit, double from, double to) const {
+    if (!q_) {
+      return;
+    }
+    const JetVec<2> q = q_->over(from, to), w = turning_->over(from, to);
+    const Jet<2> squared = squared_norm(q);
+    if (!(squared[0].lower > 0)) {
+      return;
+    }
+    const Jet<2> cubed = squared * sqrt(squared);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      const Jet<2> rate = (w[i] * q[j] - w[j] * q[i]) / cubed;
+      unit[k][1] = rate[0];
+      unit[k][2] = rate[1];
+    }
+  }
+
+ private:
+  static constexpr std::size_t kMostCoefficients = 16;  // the work grows with the cube
+  std::optional<EnclosedCurve<2>> q_, turning_;
+};
+
 // The polynomial over t, which divides it, or over 1 - t.
 Polynomial over_t(const Polynomial& p) {
   Polynomial q;
@@ -230,11 +266,18 @@ Motion motion(const Tube& tube) {
     base[k] = enclosed(first);
   }
   return [base, points = EnclosedCurve<4>(s.points), weight = Enclosed<4>(s.weight),
-          is_rational = s.weight.size() > 1,
+          direction = Direction(s.tangent), is_rational = s.weight.size() > 1,
           radius = radius_of(tube)](double from, double to) -> std::optional<MovingDisc> {
     const JetVec<4> p = points.over(from, to);
     const Jet<4> w = weight.over(from, to);
-    return w[0].lower > 0 ? across(is_rational ? p / w : p, base, radius(from, to)) : std::nullopt;
+    if (!(w[0].lower > 0)) {
+      return std::nullopt;
+    }
+    auto disc = across(is_rational ? p / w : p, base, radius(from, to));
+    if (disc) {
+      direction.sharpen(disc->normal, from, to);
+    }
+    return disc;
   };
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "verification/admitted.h"
+#include "verification/elliptic_motion.h"
 
 namespace dupin::verification {
 namespace {
@@ -24,6 +25,7 @@ struct Admission {
   void operator()(const EllipticTube& s) const {
     (*this)(RingedSurface{s.start, s.end, s.spine, s.first});
     needs.radius(s.second);
+    needs.number(s.turn);
   }
 
   void operator()(const CyclidePiece& s) const {
@@ -67,8 +69,10 @@ void read(const RingedSurface& surface, double, Piece& result) {
 }
 
 void read(const EllipticTube& tube, double, Piece& result) {
-  result.tubes = {Tube({tube.start, tube.end, tube.spine, tube.first}),
-                  Tube({tube.start, tube.end, tube.spine, tube.second})};
+  const std::array axes{Tube({tube.start, tube.end, tube.spine, tube.first}),
+                        Tube({tube.start, tube.end, tube.spine, tube.second})};
+  result.tubes = {axes.begin(), axes.end()};
+  result.motion = elliptic_motion(tube, axes);
   result.steered = [about = motion(result.tubes.front()), axes = result.tubes](double from,
                                                                                double to) {
     auto disc = about(from, to);

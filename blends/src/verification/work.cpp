@@ -50,8 +50,12 @@ std::uint64_t work_for_boxes(std::size_t parts) {
 
 std::uint64_t work_for(const CertifiedPart& part, const PartClaims& claims) {
   constexpr std::uint64_t kNumbersOfPiece = 32;  // two rings, a spine and a radius; four bounds
+  constexpr std::uint64_t kNumbersOfTurn = 64;   // looks at a spine, from end to end
   const auto* chain = std::get_if<Chain>(&part.shape);
-  const std::uint64_t numbers = kNumbersOfPiece * (chain != nullptr ? chain->pieces.size() : 0);
+  std::uint64_t numbers = 0;
+  for (const dupin::Piece& piece : chain != nullptr ? chain->pieces : std::vector<dupin::Piece>()) {
+    numbers += kNumbersOfPiece + (std::holds_alternative<EllipticTube>(piece) ? kNumbersOfTurn : 0);
+  }
   return CertificateLimits::kWorkPerNumber * numbers +
          (claims.regular ? work_for(*claims.regular) : 0) +
          (claims.embedded ? work_for(claims.embedded->leaves) : 0) +

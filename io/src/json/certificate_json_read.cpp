@@ -166,7 +166,8 @@ std::optional<MeshClaim> mesh_claim(const JsonNode& node) {
   const JsonNode mesh = node.at("mesh");
   return MeshClaim{count(mesh.at("segments"), CertificateLimits::kSegments + 1),
                    mesh.at("grid").number(), numbers(mesh.at("knots")),
-                   mesh.at("error_bound").number()};
+                   mesh.at("error_bound").number(),
+                   mesh.has("axes") ? mesh.at("axes").number() : 0};
 }
 
 PartClaims part_claims(const JsonNode& node) {

@@ -94,10 +94,14 @@ Json json_value(const EmbeddedClaim& claim) {
 }
 
 Json json_value(const MeshClaim& claim) {
-  return {{"segments", claim.segments},
-          {"grid", claim.grid},
-          {"knots", claim.knots},
-          {"error_bound", claim.error_bound}};
+  Json object{{"segments", claim.segments},
+              {"grid", claim.grid},
+              {"knots", claim.knots},
+              {"error_bound", claim.error_bound}};
+  if (claim.axes != 0) {
+    object["axes"] = claim.axes;
+  }
+  return object;
 }
 
 Json json_value(const std::vector<LoopClaims>& loops) {

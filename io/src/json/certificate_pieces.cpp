@@ -7,6 +7,7 @@
 #include "dupin/blends/certificate.h"
 #include "json/json_lists.h"
 #include "json/json_value.h"
+#include "json/parts/part_values.h"
 
 namespace dupin::json {
 namespace {
@@ -76,7 +77,9 @@ struct PieceForm {
     return named(kElliptic, s.start, s.end,
                  {{"spine", std::visit(SpineForm{}, s.spine)},
                   {"first", std::visit(RadiusForm{}, s.first)},
-                  {"second", std::visit(RadiusForm{}, s.second)}});
+                  {"second", std::visit(RadiusForm{}, s.second)},
+                  {"turn", s.turn},
+                  {"continuity", name(s.continuity)}});
   }
   Json operator()(const CyclidePiece& s) const {
     return named(kCyclide, s.start, s.end,
@@ -174,8 +177,11 @@ CyclidePiece read_cyclide(const JsonNode& node) {
 }
 
 EllipticTube read_elliptic(const JsonNode& node) {
-  return {certificate_ring(node.at("start")), certificate_ring(node.at("end")),
-          spine(node.at("spine")), radius(node.at("first")), radius(node.at("second"))};
+  EllipticTube result{certificate_ring(node.at("start")), certificate_ring(node.at("end")),
+                      spine(node.at("spine")), radius(node.at("first")), radius(node.at("second"))};
+  result.turn = node.at("turn").number();
+  result.continuity = continuity(node.at("continuity"));
+  return result;
 }
 
 RingedSurface read_ringed(const JsonNode& node) {

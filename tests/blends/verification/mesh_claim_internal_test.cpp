@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "blends/verification/solids_internal.h"
+#include "dupin/blends/elliptic_tube.h"
 #include "dupin/blends/ringed_blend.h"
 #include "support/cyclide_cases.h"
 #include "verification/mesh_claim.h"
@@ -90,7 +91,7 @@ TEST(MeshClaim, of_a_cone_is_the_sagitta_of_its_larger_ring) {
   EXPECT_FALSE(follows(solid, claim(16, {0, 1}, sagitta(2, 16) - 1e-12)));
 }
 
-TEST(MeshClaim, of_similar_ellipses_needs_the_larger_sagitta_of_others_nothing_follows) {
+TEST(MeshClaim, of_similar_ellipses_needs_the_larger_sagitta) {
   EllipticTube tube;
   tube.start = {Vec3(0, 0, 0), -Vec3::UnitX(), 2, 0, Ellipse{Vec3::UnitY(), 1, 0}};
   tube.end = {Vec3(5, 0, 0), Vec3::UnitX(), 4, 0, Ellipse{Vec3::UnitY(), 2, 0}};
@@ -101,10 +102,56 @@ TEST(MeshClaim, of_similar_ellipses_needs_the_larger_sagitta_of_others_nothing_f
   EXPECT_TRUE(follows(test::solid(tube), claim(16, {0, 1}, sagitta(4, 16) + 1e-12)));
   EXPECT_FALSE(follows(test::solid(tube), claim(16, {0, 1}, sagitta(4, 16) - 1e-12)));
   tube.second = CubicRadius{1, 2};  // similar at its ends only
-  EXPECT_FALSE(follows(test::solid(tube), claim(16, {0, 1}, 100)));
+  EXPECT_FALSE(follows(test::solid(tube), claim(16, {0, 1}, sagitta(4, 16) + 1e-2)));
   tube.second = LinearRadius{1, 2};
   tube.end.ellipse->across = 2.5;  // no longer similar: rows of facets would be twisted
-  EXPECT_FALSE(follows(test::solid(tube), claim(16, {0, 1}, 100)));
+  EXPECT_FALSE(follows(test::solid(tube), claim(16, {0, 1}, sagitta(4, 16) + 1e-2)));
+}
+
+// Ellipses with semi-axes 2 and 1 along x, the second of which is turned.
+EllipticTube twisted(double turn, double length) {
+  const Vec3 axis = Eigen::AngleAxisd(turn, Vec3::UnitX()) * Vec3::UnitY();
+  const Ring start{Vec3::Zero(), -Vec3::UnitX(), 2, 0, Ellipse{Vec3::UnitY(), 1, 0}};
+  const Ring end{Vec3(length, 0, 0), Vec3::UnitX(), 2, 0, Ellipse{axis, 1, 0}};
+  return elliptic_tube(start, end, LineSpine{start.center, end.center}, ConstantRadius{2},
+                       ConstantRadius{1});
+}
+
+TEST(MeshClaim, of_ellipses_that_turn_is_of_how_fast) {
+  const double turn = .4;
+  const Solid solid = test::solid(twisted(turn, 9));
+  for (const auto& [segments, bands] : {std::pair(16, 4), {64, 16}}) {
+    double expected = 0;
+    const double dt = 1. / bands, du = (2 + dt) * pi / segments;
+    for (int i = 0; i < bands; ++i) {
+      const double a = dt * i, b = dt * (i + 1), middle = std::clamp(.5, a, b);
+      const double rate = 6 * turn * middle * (1 - middle);
+      const double change = 6 * turn * std::max(std::abs(1 - 2 * a), std::abs(1 - 2 * b));
+      expected = std::max(
+          expected,
+          (dt * dt * 2 * (change + rate * rate) + 2 * dt * du * 2 * rate + du * du * 2) / 8);
+    }
+    const double least = least_bound(solid, claim(std::uint32_t(segments), equal_knots(bands), 0));
+    EXPECT_LE(least, 1.02 * expected);
+    EXPECT_GE(least, .9 * expected) << "the largest values need not be at one place";
+  }
+}
+
+TEST(MeshClaim, of_ellipses_includes_what_their_axes_are_turned_by) {
+  const Solid solid = test::solid(twisted(.4, 9)), round = test::solid(test::elbow(4, 1.5, 1));
+  MeshClaim about = claim(32, equal_knots(8), 0);
+  const double least = least_bound(solid, about);
+  about.axes = .01;
+  EXPECT_NEAR(least_bound(solid, about), least + .01 * 2, 2e-3 * least);
+  for (const double axes : {-1e-9, std::nan(""), std::numeric_limits<double>::infinity(), 1e9}) {
+    about.axes = axes;
+    about.error_bound = 1;
+    EXPECT_FALSE(follows(solid, about)) << axes;
+  }
+  about = claim(32, equal_knots(8), 10);
+  EXPECT_TRUE(follows(round, about));
+  about.axes = 1e-9;
+  EXPECT_FALSE(follows(round, about)) << "circles have no axes";
 }
 
 TEST(MeshClaim, of_an_elbow_is_no_less_than_its_mesh_has) {

@@ -232,5 +232,21 @@ TEST(Motion, is_none_where_spheres_may_hold_each_other) {
   EXPECT_TRUE(circles(with + 1e-6, with + 2e-6));
 }
 
+// Along a straight way the normal does not turn, however unevenly it is gone and wherever it leads.
+TEST(Motion, of_what_is_straight_does_not_turn) {
+  const Vec3 along = Vec3(1, 2, -.3).normalized();
+  RingedSurface surface;
+  surface.radius = CubicRadius{1, 2};
+  std::vector<Vec3> points;
+  for (const double at : {0., 1., 1.5, 4., 4.01, 4.02}) {
+    points.emplace_back(at * along);
+  }
+  surface.spine = BezierSpine{points, {}};
+  const auto disc = motion(Tube(surface))(.25, .75);
+  ASSERT_TRUE(disc);
+  EXPECT_LT(numbers::norm(part(disc->normal, 1)).upper, 1e-12);
+  EXPECT_LT(numbers::norm(part(disc->normal, 2)).upper, 1e-10);
+}
+
 }  // namespace
 }  // namespace dupin::verification

@@ -75,7 +75,8 @@ TEST(Solid, of_an_elliptic_tube_has_the_larger_discs_and_is_not_full) {
   ASSERT_EQ(solid.pieces().size(), 1u);
   const Piece& piece = solid.pieces().front();
   EXPECT_EQ(piece.tubes.size(), 2u);
-  EXPECT_FALSE(piece.motion);
+  ASSERT_TRUE(piece.motion);
+  EXPECT_EQ(piece.motion(.25, .5)->radius[0].magnitude(), 2);
   const auto disc = piece.steered(.25, .5);
   ASSERT_TRUE(disc);
   EXPECT_TRUE(holds(disc->radius[0], 2));

@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "dupin/blends/certificate.h"
@@ -281,6 +282,24 @@ const std::vector<Forgery>& forgeries() {
          const char* const names[] = {"a", "ball", "elbow"};
          claims(c, names[random() % 3]).mesh->segments =
              1'000'001 + std::uint32_t(random() % 900'000);
+       }},
+      {"a mesh whose axes are turned for nothing",
+       [](Certificate& c, const Truth&, Random& random) {
+         MeshClaim& mesh = *claims(c, "oval").mesh;
+         mesh.axes = (random() % 2 == 0 ? 1 : -1) * between(random, .2, 3);
+       }},
+      {"a mesh with axes of circles",
+       [](Certificate& c, const Truth&, Random& random) {
+         const char* const names[] = {"a", "ball", "elbow"};
+         claims(c, names[random() % 3]).mesh->axes = between(random, 1e-12, 1e-9);
+       }},
+      {"an ellipse that turns unsaid",
+       [](Certificate& c, const Truth&, Random& random) {
+         auto& oval = std::get<EllipticTube>(chain(c, "oval").pieces.front());
+         const Vec3 normal = oval.end.normal;
+         Vec3& axis = oval.end.ellipse->axis;
+         axis = (Eigen::AngleAxisd(between(random, .3, 2.8), normal) * axis).normalized();
+         claims(c, "oval").tangency.back().offset = 100;
        }},
       {"a bent mesh in one band",
        [](Certificate& c, const Truth&, Random&) {

@@ -58,13 +58,14 @@ struct EmbeddedClaim {
   std::optional<Overlap> overlap;  ///< refuted
 };
 
-/// The mesh with vertices on the circles at `knots` (those of spheres follow from the segments)
-/// stays within `error_bound` of the part, both ways.
+/// The mesh with vertices on the circles or ellipses at `knots` (those of spheres follow from the
+/// segments) stays within `error_bound` of the part, both ways.
 struct MeshClaim {
   std::uint32_t segments = 0;
   double grid = 0;
   std::vector<double> knots;
   double error_bound = 0;
+  double axes = 0;  ///< radians by which the axes of its ellipses may be turned in their planes
 };
 
 struct PartClaims {

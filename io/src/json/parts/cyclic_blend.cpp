@@ -17,11 +17,7 @@ struct PartReader<"cyclic_blend"> {
       blend.options.radius_law = law.text() == "R1" ? BlendLaw::r1 : BlendLaw::r2;
     }
     if (node.has("continuity")) {
-      const JsonNode continuity = node.at("continuity");
-      if (continuity.text() != "G1" && continuity.text() != "G2") {
-        continuity.fail("must be \"G1\" or \"G2\", not \"" + continuity.text() + "\"");
-      }
-      blend.options.continuity = continuity.text() == "G1" ? Continuity::g1 : Continuity::g2;
+      blend.options.continuity = continuity(node.at("continuity"));
     }
     blend.options.k = number_or_auto(node.at("k"));
     blend.options.l = number_or_auto(node.at("l"));

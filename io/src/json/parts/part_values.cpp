@@ -130,6 +130,17 @@ std::size_t matching_key_set(const JsonNode& node, std::span<const KeySet> sets)
             choices);
 }
 
+Continuity continuity(const JsonNode& node) {
+  for (const Continuity value : {Continuity::g1, Continuity::g2}) {
+    if (node.text() == name(value)) {
+      return value;
+    }
+  }
+  node.fail("must be \"G1\" or \"G2\", not \"" + node.text() + "\"");
+}
+
+const char* name(Continuity continuity) { return continuity == Continuity::g1 ? "G1" : "G2"; }
+
 std::optional<double> number_or_auto(const JsonNode& node) {
   if (node.value().is_number()) {
     return node.number();

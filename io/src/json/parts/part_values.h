@@ -56,6 +56,10 @@ struct KeySet {
 /// The position of the set that has exactly the node's keys.
 [[nodiscard]] std::size_t matching_key_set(const JsonNode& node, std::span<const KeySet> sets);
 
+/// "G1" or "G2".
+[[nodiscard]] Continuity continuity(const JsonNode& node);
+[[nodiscard]] const char* name(Continuity continuity);
+
 /// The number, or none for "auto".
 [[nodiscard]] std::optional<double> number_or_auto(const JsonNode& node);
 
