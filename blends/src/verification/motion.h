@@ -41,6 +41,10 @@ using SphereMotion = std::function<std::optional<MovingSphere>(double from, doub
 [[nodiscard]] SphereMotion approach(const CyclidePiece& piece);
 
 [[nodiscard]] Motion motion(const Tube& tube);
+/// Of the discs about an elliptic tube's sections. Their radius holds bounds: no point of the
+/// sections x(t, u) - c(t) is further out, nor has it, in a frame that does not spin about the
+/// normal, larger derivatives by t. Empty where the numbers do not tell how the axes turn.
+[[nodiscard]] Motion motion(const EllipticTube& tube, const std::array<Tube, 2>& axes);
 /// Of the outer skin, or of the parallel one at distance `wall` inside.
 [[nodiscard]] Motion motion(const CyclidePiece& piece, double wall);
 [[nodiscard]] Motion motion(const RationalRingedSurface& surface);

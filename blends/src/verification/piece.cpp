@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "verification/admitted.h"
-#include "verification/elliptic_motion.h"
 
 namespace dupin::verification {
 namespace {
@@ -72,7 +71,7 @@ void read(const EllipticTube& tube, double, Piece& result) {
   const std::array axes{Tube({tube.start, tube.end, tube.spine, tube.first}),
                         Tube({tube.start, tube.end, tube.spine, tube.second})};
   result.tubes = {axes.begin(), axes.end()};
-  result.motion = elliptic_motion(tube, axes);
+  result.motion = motion(tube, axes);
   result.steered = [about = motion(result.tubes.front()), axes = result.tubes](double from,
                                                                                double to) {
     auto disc = about(from, to);

@@ -21,7 +21,7 @@ struct Piece {
   Ring start, end;
   /// A ringed surface's, or those of an elliptic tube's two semi-axes; none for other pieces.
   std::vector<Tube> tubes;
-  Motion motion;  ///< of elliptic tubes as elliptic_motion has it
+  Motion motion;  ///< of elliptic tubes that of the discs about its sections
   /// Of the discs that contain the piece's; first derivatives may have lost a positive factor.
   Motion steered;
   Motion inner;  ///< of the inner skin; none for solid pieces

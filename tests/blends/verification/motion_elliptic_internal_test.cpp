@@ -9,7 +9,7 @@
 
 #include "blends/verification/solids_internal.h"
 #include "dupin/blends/elliptic_tube.h"
-#include "verification/elliptic_motion.h"
+#include "verification/motion.h"
 
 namespace dupin::verification {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 using std::numbers::pi;
 
 Motion motion_of(const EllipticTube& tube) {
-  return elliptic_motion(tube, {Tube({tube.start, tube.end, tube.spine, tube.first}),
+  return motion(tube, {Tube({tube.start, tube.end, tube.spine, tube.first}),
                                 Tube({tube.start, tube.end, tube.spine, tube.second})});
 }
 
