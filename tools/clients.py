@@ -26,8 +26,6 @@ DOCUMENT = ROOT / "docs" / "clients.md"
 PATTERNS = ["*.json", "*.pcf", "*.swc", "*.graph"]
 OPTIONS = {"frame.graph": ["--radius", "2"]}  # docs/graphs.md
 REFUSED = {("tight.json", None): "its blend folds, which is what it is for",
-           ("equal-tee.json", "step"): "OpenCASCADE does not make the fillet of equal pipes",
-           ("parallel-cone.json", "step"): "fillets of varying radius are not written yet",
            ("ucct-arm.json", "step"): "kneecaps are not written yet"}
 WITHOUT_STEP = "need OpenCASCADE"  # builds that have not got it
 EXTENSIONS = {"stl": "stl", "stl-ascii": "stl", "off": "off", "obj": "obj", "ply": "ply", "ply-ascii": "ply",

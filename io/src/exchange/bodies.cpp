@@ -187,26 +187,39 @@ class BodyMaker {
   std::map<std::pair<std::uint32_t, std::size_t>, std::size_t> rings_;
 };
 
+bool has_constant_radius(const CanalFillet& loop) {
+  return !std::holds_alternative<RationalCrossing>(loop.motion) &&
+         !std::holds_alternative<RationalParallel>(loop.motion);
+}
+
 // Rolls along all edges between the two, as the fillets of a document do.
 std::optional<RollingBall> rolling_ball(const Assembly& assembly, const ResolvedAssembly& resolved,
-                                        const ResolvedFillet& fillet, Labels& labels) {
+                                        const ResolvedFillet& fillet, double tolerance,
+                                        Labels& labels, SurfaceCount& count) {
   if (fillet.shape.is_cope()) {
     return std::nullopt;
   }
+  RollingBall ball{fillet.name,
+                   labels.label(fillet.name),
+                   {labels.label(resolved.parts[fillet.between[0]].name),
+                    labels.label(resolved.parts[fillet.between[1]].name)},
+                   {}};
+  if (std::ranges::all_of(fillet.shape.loops, has_constant_radius)) {
+    ball.radius = fillet.shape.radius;
+  }
   for (const CanalFillet& loop : fillet.shape.loops) {
-    if (std::holds_alternative<RationalCrossing>(loop.motion) ||
-        std::holds_alternative<RationalParallel>(loop.motion)) {
-      throw Error(Errc::boolean_failed,
-                  "the radius of its ball changes on the way, which STEP does not get yet; it can "
-                  "be built as a mesh",
-                  fillet.name, document_place(assembly, fillet.index));
+    try {
+      const NurbsForm form = nurbs(loop, tolerance);
+      ball.surfaces.insert(ball.surfaces.end(), form.surfaces.begin(), form.surfaces.end());
+      (form.error_bound > 0 ? count.lofted : count.exact) += form.surfaces.size();
+      ball.error = std::max(ball.error, form.error_bound);
+    } catch (const Error& error) {
+      throw Error(error.code(), error.message(), fillet.name,
+                  document_place(assembly, fillet.index));
     }
   }
-  return RollingBall{fillet.name,
-                     labels.label(fillet.name),
-                     {labels.label(resolved.parts[fillet.between[0]].name),
-                      labels.label(resolved.parts[fillet.between[1]].name)},
-                     fillet.shape.radius};
+  count.error = std::max(count.error, ball.error);
+  return ball;
 }
 
 }  // namespace
@@ -253,7 +266,7 @@ BodyUnion bodies_of(const Assembly& assembly, const ResolvedAssembly& resolved, 
     result.bodies.push_back(maker.body(parts));
   }
   for (const ResolvedFillet& fillet : resolved.fillets) {
-    if (auto ball = rolling_ball(assembly, resolved, fillet, labels)) {
+    if (auto ball = rolling_ball(assembly, resolved, fillet, tolerance, labels, count)) {
       result.fillets.push_back(std::move(*ball));
     }
   }
@@ -290,7 +303,11 @@ void scale(BodyUnion& bodies, double factor) {
     }
   }
   for (RollingBall& ball : bodies.fillets) {
-    ball.radius *= factor;
+    ball.radius = ball.radius ? std::optional(*ball.radius * factor) : std::nullopt;
+    ball.error *= factor;
+    for (NurbsSurface& surface : ball.surfaces) {
+      scale(surface, factor);
+    }
   }
 }
 

@@ -70,12 +70,16 @@ struct Body {
   std::vector<HubFace> hubs;
 };
 
-/// A ball that rolls along the edges in which the faces of two labels meet.
+/// A fillet: what a ball that rolls along the edges in which the faces of two labels meet goes
+/// round.
 struct RollingBall {
   std::string name;
   std::uint32_t label = 0;
   std::array<std::uint32_t, 2> between{};
-  double radius = 1;
+  std::optional<double> radius;  ///< none: it changes on the way
+  /// Around from the faces of the first label to those of the second.
+  std::vector<NurbsSurface> surfaces = {};
+  double error = 0;  ///< how far they may be from what they stand for
 };
 
 /// The union of some bodies.
@@ -134,6 +138,6 @@ struct Module {
 
 constexpr const char* kModuleFile = "libdupin_occt.so";
 /// Says which version of these structs the module was compiled with.
-constexpr const char* kEntryPoint = "dupin_occt_module_1";
+constexpr const char* kEntryPoint = "dupin_occt_module_2";
 
 }  // namespace dupin::exchange

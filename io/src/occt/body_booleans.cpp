@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <sstream>
 
 #include <BRepAlgoAPI_Common.hxx>
@@ -20,23 +21,10 @@
 #include <TopoDS_Compound.hxx>
 
 #include "occt/body_shape.h"
+#include "occt/fillet_surfaces.h"
 
 namespace dupin::occt {
 namespace {
-
-// The labels of what an algorithm made of faces.
-template <class Algorithm>
-void inherit(Algorithm& made, const FaceLabels& before, FaceLabels& after) {
-  for (FaceLabels::Iterator face(before); face.More(); face.Next()) {
-    const TopTools_ListOfShape& now = made.Modified(face.Key());
-    if (now.IsEmpty() && !made.IsDeleted(face.Key())) {
-      after.Bind(face.Key(), face.Value());
-    }
-    for (const TopoDS_Shape& shape : now) {
-      after.Bind(shape, face.Value());
-    }
-  }
-}
 
 std::string errors_of(const BRepAlgoAPI_BooleanOperation& algorithm) {
   std::ostringstream text;
@@ -147,24 +135,19 @@ std::vector<TopoDS_Edge> edges_between(const LabelledShape& shape,
   return result;
 }
 
-LabelledShape filleted(const LabelledShape& shape, const exchange::RollingBall& ball) {
-  const auto refuse = [&](const std::string& why) -> Refusal {
-    return {"OpenCASCADE does not make its surface" + why, ball.name};
-  };
-  const auto edges = edges_between(shape, ball.between);
-  if (edges.empty()) {
-    throw refuse(": it finds no edge between the two");
-  }
+// By OpenCASCADE's own ball of constant radius; none where it fails.
+std::optional<LabelledShape> rolled(const LabelledShape& shape, const exchange::RollingBall& ball,
+                                    const std::vector<TopoDS_Edge>& edges) {
   try {
     BRepFilletAPI_MakeFillet fillet(shape.shape);
     for (const TopoDS_Edge& edge : edges) {
       if (fillet.Contour(edge) == 0) {
-        fillet.Add(ball.radius, edge);
+        fillet.Add(*ball.radius, edge);
       }
     }
     fillet.Build();
     if (!fillet.IsDone()) {
-      throw refuse("");
+      return std::nullopt;
     }
     LabelledShape result;
     result.shape = fillet.Shape();
@@ -175,8 +158,25 @@ LabelledShape filleted(const LabelledShape& shape, const exchange::RollingBall& 
       }
     }
     return result;
-  } catch (const Standard_Failure& failure) {
-    throw refuse(": " + std::string(failure.GetMessageString()));
+  } catch (const Standard_Failure&) {
+    return std::nullopt;
+  }
+}
+
+LabelledShape filleted(const LabelledShape& shape, const exchange::RollingBall& ball) {
+  const auto edges = edges_between(shape, ball.between);
+  if (edges.empty()) {
+    throw Refusal("OpenCASCADE finds no edge between the two", ball.name);
+  }
+  try {
+    return with_fillet_surfaces(shape, ball, edges);
+  } catch (const Refusal&) {
+    if (ball.radius) {
+      if (auto result = rolled(shape, ball, edges)) {
+        return *result;
+      }
+    }
+    throw;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <NCollection_DataMap.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -18,6 +19,20 @@ struct LabelledShape {
   TopoDS_Shape shape;
   FaceLabels labels;
 };
+
+/// The labels of what an algorithm made of faces.
+template <class Algorithm>
+void inherit(Algorithm& made, const FaceLabels& before, FaceLabels& after) {
+  for (FaceLabels::Iterator face(before); face.More(); face.Next()) {
+    const TopTools_ListOfShape& now = made.Modified(face.Key());
+    if (now.IsEmpty() && !made.IsDeleted(face.Key())) {
+      after.Bind(face.Key(), face.Value());
+    }
+    for (const TopoDS_Shape& shape : now) {
+      after.Bind(shape, face.Value());
+    }
+  }
+}
 
 /// What cannot be written, and what is at fault.
 class Refusal : public std::runtime_error {

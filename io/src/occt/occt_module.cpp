@@ -87,7 +87,7 @@ Written read_solids(const std::string& step) {
 }  // namespace
 }  // namespace dupin::occt
 
-const dupin::exchange::Module* dupin_occt_module_1() {
+const dupin::exchange::Module* dupin_occt_module_2() {
   static const dupin::exchange::Module kModule{
       dupin::occt::write_solids, dupin::occt::write_surfaces, dupin::occt::read_solids};
   return &kModule;

@@ -63,15 +63,26 @@ TEST(Bodies, of_a_junction_are_one_with_its_hub) {
 }
 
 TEST(Bodies, refuse_what_cannot_be_written_yet_by_name) {
-  for (const auto& [name, part] : std::vector<std::pair<std::string, std::string>>{
-           {"ucct-arm", "arm"}, {"parallel-cone", "foot"}}) {
-    try {
-      (void)bodies(example(name), false);
-      FAIL() << name;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.part(), part);
-      EXPECT_EQ(error.code(), Errc::boolean_failed);
-    }
+  try {
+    (void)bodies(example("ucct-arm"), false);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.part(), "arm");
+    EXPECT_EQ(error.code(), Errc::boolean_failed);
+  }
+}
+
+// From the first part to the second, at most so far from the smooth surfaces.
+TEST(Bodies, have_fillets_with_their_surfaces) {
+  for (const auto& [name, surfaces, radius] :
+       std::vector<std::tuple<std::string, std::size_t, std::optional<double>>>{
+           {"tee", 1, 3}, {"equal-tee", 2, 4}, {"parallel-cone", 1, {}}}) {
+    const Made made = bodies(example(name), false);
+    ASSERT_EQ(made.bodies.fillets.size(), 1U) << name;
+    EXPECT_EQ(made.bodies.fillets[0].surfaces.size(), surfaces) << name;
+    EXPECT_EQ(made.bodies.fillets[0].radius, radius) << name;
+    EXPECT_EQ(made.count.lofted, surfaces) << name;
+    EXPECT_LE(made.count.error, 0.01) << name;
   }
 }
 
@@ -81,6 +92,13 @@ TEST(Bodies, are_scaled_as_a_whole) {
   scale(all, 25.4);
   EXPECT_EQ(all.bodies.front().rings.front().first, 25.4 * before.first);
   EXPECT_EQ(all.bodies.front().rings.front().center, 25.4 * before.center);
+  BodyUnion tee = bodies(example("tee"), false).bodies;
+  const auto point = tee.fillets[0].surfaces[0].net[1][1];
+  const double radius = *tee.fillets[0].radius;
+  scale(tee, 25.4);
+  EXPECT_EQ(tee.fillets[0].surfaces[0].net[1][1][0], 25.4 * point[0]);
+  EXPECT_EQ(tee.fillets[0].surfaces[0].net[1][1][3], point[3]);
+  EXPECT_EQ(*tee.fillets[0].radius, 25.4 * radius);
 }
 
 }  // namespace
