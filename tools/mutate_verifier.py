@@ -154,6 +154,10 @@ KNOWN = {
     ("certificate_verify.cpp", "j <= surfaces", " <= "): "what is no loop makes no pair",
     ("near_parts.cpp", "return place_of(a, solids.size()) <= place_of(b", " <= "):
         "no two pairs have one place",
+    ("motion.cpp", "q[0].size() < kMostCoefficients", " < "):
+        "without it the same derivatives are enclosed, only more widely",
+    ("motion.cpp", "return {-bound.", ".lower"): ROUNDING,
+    ("motion.cpp", "if (!disc && !other) {", " && "): "both are about one spine",
     ("near_parts.cpp", "between.lower > distance", " > "): ONE_PAIR_MORE,
     ("near_parts.cpp", "between.upper < -distance", " < "): ONE_PAIR_MORE,
     ("near_parts.cpp", "return std::isfinite(x.lower) && std::isfinite(x.upper)", " || "):

@@ -40,8 +40,8 @@ std::optional<Side> bridge(const UnrolledCurve& one, const UnrolledCurve& next, 
   constexpr double kShort = 8, kSegment = 1;  // wider it would be too far off the face
   const auto [one_left, one_right] = extent(one);
   const auto [next_left, next_right] = extent(next);
-  const double ahead = (next_left + next_right - one_left - one_right) / 2;
-  const double shift = -around * std::floor(ahead / around) + (&one == &next ? around : 0);
+  const double ahead = ((next_left + next_right) - (one_left + one_right)) / 2;
+  const double shift = &one == &next ? around : -around * std::floor(ahead / around);
   const double beside = next_left + shift - one_right;
   if (beside > kSegment || one.low > next.high + kShort || next.low > one.high + kShort) {
     return std::nullopt;

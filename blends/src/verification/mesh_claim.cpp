@@ -122,6 +122,12 @@ std::array<double, 2> end_radii(const Tube& tube) {
   return {tube.radius_at(End::start), tube.radius_at(End::end)};
 }
 
+// Where the axes are the same at both ends: `turn` is then a multiple of pi but for rounding.
+bool is_turned(const Piece& piece) {
+  const auto* tube = std::get_if<EllipticTube>(&piece.shape);
+  return tube != nullptr && !(std::abs(tube->turn) < 1);
+}
+
 // A cylinder or cone between rings that look the same way: of ellipses, similar ones with the same
 // axes, by their stored rings and by the radii between them.
 bool is_straight(const Piece& piece) {
@@ -131,7 +137,7 @@ bool is_straight(const Piece& piece) {
          std::all_of(tubes.begin(), tubes.end(), [](const Tube& t) { return t.is_cone(); }) &&
          b.normal == -a.normal &&
          (tubes.size() == 1 ||
-          (a.ellipse && b.ellipse && a.ellipse->axis == b.ellipse->axis &&
+          (a.ellipse && b.ellipse && a.ellipse->axis == b.ellipse->axis && !is_turned(piece) &&
            are_similar({a.radius, b.radius}, {a.ellipse->across, b.ellipse->across}) &&
            are_similar(end_radii(tubes[0]), end_radii(tubes[1]))));
 }

@@ -87,6 +87,18 @@ TEST(TouchingHoles, are_bridged_where_they_all_but_meet) {
   EXPECT_EQ(std::ranges::count(linked, 0, &UnrolledCurve::turns), 1);
 }
 
+// Wherever about the axis the hole is: where its ends are is rounded.
+TEST(TouchingHoles, are_bridged_to_themselves_at_any_place) {
+  for (int i = 0; i < 100; ++i) {
+    Face face;
+    const double left = -20 + .377 * i;
+    const std::vector<UnrolledCurve> holes{face.rhombus(left, left + 39.99, 5)};
+    const auto linked = linked_about(holes, face.places, kAround);
+    ASSERT_EQ(linked.size(), 2U) << left;
+    EXPECT_EQ(linked[0].turns, 1);
+  }
+}
+
 TEST(TouchingHoles, stay_where_there_is_a_way_past_them) {
   Face face;
   const std::vector<UnrolledCurve> holes{face.rhombus(-8, 12, 5), face.rhombus(12, 29, 5),

@@ -101,6 +101,10 @@ TEST(MeshClaim, of_similar_ellipses_needs_the_larger_sagitta) {
   tube.axis = Vec3::UnitY();
   EXPECT_TRUE(follows(test::solid(tube), claim(16, {0, 1}, sagitta(4, 16) + 1e-12)));
   EXPECT_FALSE(follows(test::solid(tube), claim(16, {0, 1}, sagitta(4, 16) - 1e-12)));
+  tube.turn = pi;
+  EXPECT_FALSE(follows(test::solid(tube), claim(16, {0, 1}, sagitta(4, 16) + 1e-2)))
+      << "half a turn, and the axes are the same again";
+  tube.turn = 0;
   tube.second = CubicRadius{1, 2};  // similar at its ends only
   EXPECT_FALSE(follows(test::solid(tube), claim(16, {0, 1}, sagitta(4, 16) + 1e-2)));
   tube.second = LinearRadius{1, 2};

@@ -18,7 +18,7 @@ using std::numbers::pi;
 
 Motion motion_of(const EllipticTube& tube) {
   return motion(tube, {Tube({tube.start, tube.end, tube.spine, tube.first}),
-                                Tube({tube.start, tube.end, tube.spine, tube.second})});
+                       Tube({tube.start, tube.end, tube.spine, tube.second})});
 }
 
 // An ellipse at the origin that looks along -x, and one that looks along `out` and is turned by
@@ -110,6 +110,36 @@ TEST(EllipticMotion, believes_in_no_turn_that_does_not_arrive) {
   round.end.ellipse.reset();
   round.turn = .1;
   EXPECT_LT(motion_of(round)(.5, .5)->radius[1].magnitude(), rate / 2) << "nowhere to arrive";
+}
+
+// An axis in the plane of the arc comes round with it.
+TEST(EllipticMotion, follows_axes_to_the_end) {
+  const Vec3 out = Vec3::UnitY();
+  const Ring start{Vec3::Zero(), -Vec3::UnitX(), 2, 0, Ellipse{Vec3::UnitY(), 1.2, 0}};
+  Ring end{Vec3(6, 5, 0), out, 2, 0, Ellipse{-Vec3::UnitX(), 1.2, 0}};
+  const HermiteSpine spine{start.center, end.center, 8 * Vec3::UnitX(), 8 * out};
+  const auto rate = [&] {
+    EllipticTube tube{start, end, spine, ConstantRadius{2}, ConstantRadius{1.2}};
+    tube.axis = Vec3::UnitY();
+    return motion(tube, {Tube({start, end, spine, tube.first}),
+                         Tube({start, end, spine, tube.second})})(.5, .5)
+        ->radius[1]
+        .magnitude();
+  };
+  EXPECT_LT(rate(), 2 * 1.5 * .08) << "no turn but what the coarse carrying misses";
+  end.ellipse->axis = Eigen::AngleAxisd(.3, out) * end.ellipse->axis;
+  EXPECT_GT(rate(), 2 * 1.5 * .29);
+  EXPECT_LT(rate(), 2 * 1.5 * (.3 * pi / 2 + .08));
+}
+
+// On a line, slower and slower to a rest at 17/32 and on.
+TEST(EllipticMotion, is_unknown_where_the_spine_rests_on_its_way) {
+  const double rest = 17. / 32, rest_on = 1 - rest;
+  EllipticTube tube = tube_between({9, 0, 0}, Vec3::UnitX(), .4, Continuity::g1);
+  tube.spine =
+      HermiteSpine{Vec3::Zero(), Vec3((rest_on * rest_on * rest_on + rest * rest * rest) / 3, 0, 0),
+                   Vec3(rest * rest, 0, 0), Vec3(rest_on * rest_on, 0, 0)};
+  EXPECT_FALSE(motion_of(tube));
 }
 
 TEST(EllipticMotion, is_unknown_where_the_spine_may_stop) {
