@@ -7,6 +7,7 @@
 
 #include <gmpxx.h>
 
+#include "numbers/interval.h"
 #include "verification/work.h"
 
 namespace dupin::verification {
@@ -35,9 +36,8 @@ inline std::uint64_t work_of_part(const Polynomial& p) {
   const std::size_t n = p.size(), size = words(p);
   return n * n * n * (1 + size * size / 16) / 4 + 1;
 }
-template <class Interval>
-std::uint64_t work_of_part(const std::vector<Interval>& p) {
-  return p.size() * p.size() * p.size() / 128 + 1;
+inline std::uint64_t work_of_part(const std::vector<numbers::Interval>& p) {
+  return p.size() * p.size() / 64 + 1;
 }
 
 inline Polynomial product(const Polynomial& a, const Polynomial& b) {
@@ -76,19 +76,40 @@ inline Polynomial derivative(const Polynomial& p) {
   return d;
 }
 
-/// On the part [from, to] of the stretch [0, 1]; for rational numbers or intervals.
-template <class Number>
-std::vector<Number> part(const std::vector<Number>& p, const Number& from, const Number& to) {
+/// On the part [from, to] of the stretch [0, 1].
+inline Polynomial part(const Polynomial& p, const mpq_class& from, const mpq_class& to) {
   spend(work_of_part(p));
-  std::vector<Number> result;
+  Polynomial result;
   for (std::size_t upper = 0; upper < p.size(); ++upper) {
-    std::vector<Number> row = p;
+    Polynomial row = p;
     for (std::size_t r = 1; r < p.size(); ++r) {
       for (std::size_t i = 0; i + r < p.size(); ++i) {
         row[i] = row[i] + (r <= upper ? to : from) * (row[i + 1] - row[i]);
       }
     }
     result.push_back(row.front());
+  }
+  return result;
+}
+
+/// The same in intervals: what is left of `to`, and of that what is right of from / to.
+inline std::vector<numbers::Interval> part(std::vector<numbers::Interval> p, double from,
+                                           double to) {
+  spend(work_of_part(p));
+  std::vector<numbers::Interval> result;
+  for (; !p.empty(); p.pop_back()) {
+    result.push_back(p.front());
+    for (std::size_t i = 0; i + 1 < p.size(); ++i) {
+      p[i] = p[i] + numbers::Interval(to) * (p[i + 1] - p[i]);
+    }
+  }
+  if (from > 0) {
+    const numbers::Interval share = numbers::Interval(from) / to;
+    for (std::size_t count = result.size(); count > 1; --count) {
+      for (std::size_t i = 0; i + 1 < count; ++i) {
+        result[i] = result[i] + share * (result[i + 1] - result[i]);
+      }
+    }
   }
   return result;
 }

@@ -21,7 +21,7 @@ class Enclosed {
   [[nodiscard]] Jet<count> over(double from, double to) const {
     Jet<count> result;
     for (std::size_t k = 0; k < count; ++k) {
-      const auto coefficients = part(orders_[k], Interval(from), Interval(to));
+      const auto coefficients = part(orders_[k], from, to);
       result[k] = coefficients.front();
       for (const Interval& c : coefficients) {
         result[k] = hull(result[k], c);

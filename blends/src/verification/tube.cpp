@@ -108,9 +108,9 @@ bool Tube::is_cone() const {
 
 Stretch Tube::stretch(double from, double to) const {
   Stretch result;
-  result.weight = part<mpq_class>(weight_, from, to);
+  result.weight = part(weight_, from, to);
   for (std::size_t k = 0; k < 3; ++k) {
-    Polynomial& p = result.points[k] = part<mpq_class>(points_[k], from, to);
+    Polynomial& p = result.points[k] = part(points_[k], from, to);
     result.tangent[k] = weight_.size() == 1 ? derivative(p)
                                             : difference(product(derivative(p), result.weight),
                                                          product(p, derivative(result.weight)));
@@ -119,7 +119,7 @@ Stretch Tube::stretch(double from, double to) const {
 }
 
 Polynomial Tube::radius(double from, double to) const {
-  return radius_.empty() ? radius_ : part<mpq_class>(radius_, from, to);
+  return radius_.empty() ? radius_ : part(radius_, from, to);
 }
 
 double Tube::radius_at(End end) const {

@@ -82,11 +82,11 @@ TEST(VerifierBernstein, part_has_the_values_of_the_stretch) {
   for (std::size_t size = 1; size < 6; ++size) {
     const Polynomial p = random.polynomial(size);
     const mpq_class from(1, 3), to(7, 9), t = random.rational();
-    const Polynomial stretch = part<mpq_class>(p, from, to);
+    const Polynomial stretch = part(p, from, to);
     EXPECT_EQ(value(stretch, t), value(p, from + t * (to - from)));
     EXPECT_EQ(stretch.front(), value(p, from));
     EXPECT_EQ(stretch.back(), value(p, to));
-    EXPECT_EQ(part<mpq_class>(p, 0, 1), p);
+    EXPECT_EQ(part(p, 0, 1), p);
   }
 }
 
@@ -94,12 +94,22 @@ TEST(VerifierBernstein, part_in_intervals_holds_the_exact_one) {
   using numbers::Interval;
   const Polynomial p{1, mpq_class(-3, 4), mpq_class(1, 8), 2};
   const std::vector<Interval> enclosed{1, -.75, .125, 2};
-  const auto exact = part<mpq_class>(p, .1, .7);
-  const auto found = part<Interval>(enclosed, .1, .7);
-  for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_LE(mpq_class(found[i].lower), exact[i]);
-    EXPECT_GE(mpq_class(found[i].upper), exact[i]);
-    EXPECT_LT(found[i].upper - found[i].lower, 1e-13);
+  for (const auto& [from, to] : {std::pair(.1, .7),
+                                 {0., .3},
+                                 {0., 0.},
+                                 {.6, .6},
+                                 {.3, 1.},
+                                 {1., 1.},
+                                 {0., 1.},
+                                 {1e-300, 1e-290}}) {
+    const auto exact = part(p, from, to);
+    const auto found = part(enclosed, from, to);
+    ASSERT_EQ(found.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_LE(mpq_class(found[i].lower), exact[i]) << from << " " << to;
+      EXPECT_GE(mpq_class(found[i].upper), exact[i]) << from << " " << to;
+      EXPECT_LT(found[i].upper - found[i].lower, 1e-13) << from << " " << to;
+    }
   }
 }
 
