@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
@@ -13,9 +14,7 @@
 #include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
 #include <Standard_Failure.hxx>
-#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -114,27 +113,6 @@ void append(const LabelledShape& from, LabelledShape& to) {
   }
 }
 
-// The edges in which faces of both labels meet.
-std::vector<TopoDS_Edge> edges_between(const LabelledShape& shape,
-                                       const std::array<std::uint32_t, 2>& labels) {
-  TopTools_IndexedDataMapOfShapeListOfShape faces;
-  TopExp::MapShapesAndAncestors(shape.shape, TopAbs_EDGE, TopAbs_FACE, faces);
-  std::vector<TopoDS_Edge> result;
-  for (int i = 1; i <= faces.Extent(); ++i) {
-    std::array<bool, 2> seen{};
-    for (const TopoDS_Shape& face : faces(i)) {
-      const std::uint32_t* label = shape.labels.Seek(face);
-      for (std::size_t k = 0; k < 2; ++k) {
-        seen.at(k) = seen.at(k) || (label != nullptr && *label == labels.at(k));
-      }
-    }
-    if (seen[0] && seen[1]) {
-      result.push_back(TopoDS::Edge(faces.FindKey(i)));
-    }
-  }
-  return result;
-}
-
 // By OpenCASCADE's own ball of constant radius; none where it fails.
 std::optional<LabelledShape> rolled(const LabelledShape& shape, const exchange::RollingBall& ball,
                                     const std::vector<TopoDS_Edge>& edges) {
@@ -169,7 +147,7 @@ LabelledShape filleted(const LabelledShape& shape, const exchange::RollingBall& 
     throw Refusal("OpenCASCADE finds no edge between the two", ball.name);
   }
   try {
-    return with_fillet_surfaces(shape, ball, edges);
+    return with_fillet_surfaces(shape, {&ball});
   } catch (const Refusal&) {
     if (ball.radius) {
       if (auto result = rolled(shape, ball, edges)) {
@@ -178,6 +156,25 @@ LabelledShape filleted(const LabelledShape& shape, const exchange::RollingBall& 
     }
     throw;
   }
+}
+
+// All at once, or one after the other.
+LabelledShape filleted(LabelledShape shape, const std::vector<exchange::RollingBall>& balls) {
+  if (balls.size() > 1) {
+    Fillets all;
+    for (const exchange::RollingBall& ball : balls) {
+      all.push_back(&ball);
+    }
+    try {
+      return with_fillet_surfaces(shape, all);
+    } catch (const Refusal&) {
+      // Some of them may do, and else the message is about one.
+    }
+  }
+  for (const exchange::RollingBall& ball : balls) {
+    shape = filleted(shape, ball);
+  }
+  return shape;
 }
 
 }  // namespace
@@ -197,10 +194,7 @@ LabelledShape united(const exchange::BodyUnion& bodies) {
     }
     append(fused(members, bodies.bodies[group.front()].name), result);
   }
-  for (const exchange::RollingBall& ball : bodies.fillets) {
-    result = filleted(result, ball);
-  }
-  return result;
+  return filleted(std::move(result), bodies.fillets);
 }
 
 LabelledShape combined(const LabelledShape& a, const LabelledShape& b,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <BOPAlgo_Splitter.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -66,14 +67,28 @@ double distance(const Handle(Geom_Curve) & curve, const std::vector<TopoDS_Face>
   return furthest;
 }
 
-// Where the fillet meets its parts, as wide as to lie in their faces.
+// Where fillets meet their parts, as wide as to lie in their faces.
 class Contacts {
  public:
-  Contacts(const LabelledShape& shape, const exchange::RollingBall& fillet) {
+  Contacts(const LabelledShape& shape, const Fillets& fillets) {
+    for (const exchange::RollingBall* fillet : fillets) {
+      append(shape, *fillet);
+    }
+  }
+
+  /// With the label of the fillet.
+  [[nodiscard]] const std::vector<std::pair<Surface, std::uint32_t>>& surfaces() const {
+    return surfaces_;
+  }
+  [[nodiscard]] const TopTools_ListOfShape& edges() const { return edges_; }
+  [[nodiscard]] double width() const { return width_; }
+
+ private:
+  void append(const LabelledShape& shape, const exchange::RollingBall& fillet) {
     for (const NurbsSurface& surface : fillet.surfaces) {
-      surfaces_.push_back(bspline_surface(surface));
+      surfaces_.emplace_back(bspline_surface(surface), fillet.label);
       for (std::size_t side = 0; side < 2; ++side) {
-        const Handle(Geom_Curve) curve = surfaces_.back()->UIso(double(side));
+        const Handle(Geom_Curve) curve = surfaces_.back().first->UIso(double(side));
         const double off = distance(curve, faces_of(shape, fillet.between.at(side)));
         if (!(off <= fillet.error + kRounding)) {
           throw refusal(fillet, "it does not touch them");
@@ -90,19 +105,13 @@ class Contacts {
     }
   }
 
-  [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
-  [[nodiscard]] const TopTools_ListOfShape& edges() const { return edges_; }
-  [[nodiscard]] double width() const { return width_; }
-
- private:
-  std::vector<Surface> surfaces_;
+  std::vector<std::pair<Surface, std::uint32_t>> surfaces_;
   TopTools_ListOfShape edges_;
   double width_ = Precision::Confusion();
 };
 
 // What a list of shapes became.
-template <class Algorithm, class Shapes>
-TopTools_MapOfShape images(Algorithm& made, const Shapes& shapes) {
+TopTools_MapOfShape images(BOPAlgo_Splitter& made, const TopTools_ListOfShape& shapes) {
   TopTools_MapOfShape result;
   for (const TopoDS_Shape& shape : shapes) {
     const TopTools_ListOfShape& now = made.Modified(shape);
@@ -116,76 +125,111 @@ TopTools_MapOfShape images(Algorithm& made, const Shapes& shapes) {
   return result;
 }
 
-// Faces that can be reached from the sharp edges without a step over a contact.
-TopTools_MapOfShape strips(const LabelledShape& cut, const exchange::RollingBall& fillet,
-                           const TopTools_MapOfShape& sharp, const TopTools_MapOfShape& contacts) {
-  TopTools_IndexedDataMapOfShapeListOfShape faces;
-  TopExp::MapShapesAndAncestors(cut.shape, TopAbs_EDGE, TopAbs_FACE, faces);
-  TopTools_MapOfShape found;
-  std::vector<TopoDS_Shape> open;
-  const auto reach = [&](const TopoDS_Shape& edge) {
-    if (contacts.Contains(edge) || !faces.Contains(edge)) {
+// Faces of the fillets' parts that can be reached from the edges between these without a step over
+// a contact.
+class Strips {
+ public:
+  Strips(const LabelledShape& cut, const TopTools_MapOfShape& contacts)
+      : cut_(cut), contacts_(contacts) {
+    TopExp::MapShapesAndAncestors(cut.shape, TopAbs_EDGE, TopAbs_FACE, faces_);
+  }
+
+  void add(const exchange::RollingBall& fillet) {
+    std::vector<TopoDS_Shape> open;
+    for (const TopoDS_Edge& edge : edges_between(cut_, fillet.between)) {
+      reach(edge, fillet, open);
+    }
+    while (!open.empty()) {
+      const TopoDS_Shape face = open.back();
+      open.pop_back();
+      for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
+        reach(edge.Current(), fillet, open);
+      }
+    }
+  }
+
+  [[nodiscard]] const TopTools_MapOfShape& found() const { return found_; }
+
+ private:
+  void reach(const TopoDS_Shape& edge, const exchange::RollingBall& fillet,
+             std::vector<TopoDS_Shape>& open) {
+    if (contacts_.Contains(edge) || !faces_.Contains(edge)) {
       return;
     }
-    for (const TopoDS_Shape& face : faces.FindFromKey(edge)) {
-      const std::uint32_t* label = cut.labels.Seek(face);
+    for (const TopoDS_Shape& face : faces_.FindFromKey(edge)) {
+      const std::uint32_t* label = cut_.labels.Seek(face);
       if (label != nullptr && std::ranges::find(fillet.between, *label) != fillet.between.end() &&
-          found.Add(face)) {
+          found_.Add(face)) {
         open.push_back(face);
       }
     }
-  };
-  for (TopTools_MapOfShape::Iterator edge(sharp); edge.More(); edge.Next()) {
-    reach(edge.Key());
   }
-  while (!open.empty()) {
-    const TopoDS_Shape face = open.back();
-    open.pop_back();
-    for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
-      reach(edge.Current());
-    }
-  }
-  return found;
-}
 
-TopoDS_Shape solid_of_shell(const TopoDS_Shape& sewn, const exchange::RollingBall& fillet) {
-  TopoDS_Compound result;
-  const BRep_Builder builder;
-  builder.MakeCompound(result);
-  for (TopExp_Explorer shell(sewn, TopAbs_SHELL); shell.More(); shell.Next()) {
-    ShapeFix_Shell fixed;
-    fixed.FixFaceOrientation(TopoDS::Shell(shell.Current()));
-    if (!BRep_Tool::IsClosed(fixed.Shell())) {
-      throw refusal(fillet, "what they make is not closed");
-    }
-    ShapeFix_Solid maker;
-    builder.Add(result, maker.SolidFromShell(fixed.Shell()));
-  }
-  if (!BRepCheck_Analyzer(result).IsValid()) {
-    throw refusal(fillet, "what they make is no valid boundary");
-  }
-  return result;
-}
+  const LabelledShape& cut_;
+  const TopTools_MapOfShape& contacts_;
+  TopTools_IndexedDataMapOfShapeListOfShape faces_;
+  TopTools_MapOfShape found_;
+};
 
-LabelledShape joined(const LabelledShape& cut, const TopTools_MapOfShape& strips,
-                     const Contacts& contacts, const exchange::RollingBall& fillet) {
-  BRepBuilderAPI_Sewing sewing(2 * contacts.width());
-  FaceLabels labels;
-  for (TopExp_Explorer face(cut.shape, TopAbs_FACE); face.More(); face.Next()) {
-    if (!strips.Contains(face.Current())) {
-      sewing.Add(face.Current());
-      labels.Bind(face.Current(), *cut.labels.Seek(face.Current()));
-    }
-  }
-  for (const Surface& surface : contacts.surfaces()) {
-    const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, Precision::Confusion());
-    sewing.Add(face);
-    labels.Bind(face, fillet.label);
-  }
+// Of a solid's faces but the strips, and the fillets' own.
+TopoDS_Shape sewn(BRepBuilderAPI_Sewing& sewing, const Fillets& fillets) {
   sewing.Perform();
+  TopExp_Explorer shell(sewing.SewedShape(), TopAbs_SHELL);
+  const auto refuse = [&](const std::string& why) { return refusal(*fillets.front(), why); };
+  if (!shell.More()) {
+    throw refuse("it makes no surface of them");
+  }
+  ShapeFix_Shell fixed;
+  fixed.FixFaceOrientation(TopoDS::Shell(shell.Current()));
+  shell.Next();
+  if (!BRep_Tool::IsClosed(fixed.Shell()) || shell.More()) {
+    throw refuse("what they make is not closed");
+  }
+  ShapeFix_Solid maker;
+  TopoDS_Shape solid = maker.SolidFromShell(fixed.Shell());
+  if (!BRepCheck_Analyzer(solid).IsValid()) {
+    throw refuse("what they make is no valid boundary");
+  }
+  return solid;
+}
+
+// Solids without strips are what they were.
+LabelledShape joined(const LabelledShape& cut, const TopTools_MapOfShape& strips,
+                     const Contacts& contacts, const Fillets& fillets) {
+  BRepBuilderAPI_Sewing sewing(2 * contacts.width());
+  FaceLabels sewn_labels;
+  const auto add = [&](const TopoDS_Shape& face, std::uint32_t label) {
+    sewing.Add(face);
+    sewn_labels.Bind(face, label);
+  };
+  TopoDS_Compound all;
+  const BRep_Builder builder;
+  builder.MakeCompound(all);
   LabelledShape result;
-  result.shape = solid_of_shell(sewing.SewedShape(), fillet);
-  for (FaceLabels::Iterator face(labels); face.More(); face.Next()) {
+  for (TopExp_Explorer solid(cut.shape, TopAbs_SOLID); solid.More(); solid.Next()) {
+    std::vector<TopoDS_Shape> faces;
+    for (TopExp_Explorer face(solid.Current(), TopAbs_FACE); face.More(); face.Next()) {
+      faces.push_back(face.Current());
+    }
+    const bool is_cut =
+        std::ranges::any_of(faces, [&](const TopoDS_Shape& face) { return strips.Contains(face); });
+    if (!is_cut) {
+      builder.Add(all, solid.Current());
+    }
+    for (const TopoDS_Shape& face : faces) {
+      if (!is_cut) {
+        result.labels.Bind(face, *cut.labels.Seek(face));
+      } else if (!strips.Contains(face)) {
+        add(face, *cut.labels.Seek(face));
+      }
+    }
+  }
+  for (const auto& [surface, label] : contacts.surfaces()) {
+    add(BRepBuilderAPI_MakeFace(surface, Precision::Confusion()), label);
+  }
+  builder.Add(all, sewn(sewing, fillets));
+  result.shape = all;
+  for (FaceLabels::Iterator face(sewn_labels); face.More(); face.Next()) {
     result.labels.Bind(sewing.Modified(face.Key()), face.Value());
   }
   return result;
@@ -193,10 +237,29 @@ LabelledShape joined(const LabelledShape& cut, const TopTools_MapOfShape& strips
 
 }  // namespace
 
-LabelledShape with_fillet_surfaces(const LabelledShape& shape, const exchange::RollingBall& fillet,
-                                   const std::vector<TopoDS_Edge>& sharp) {
+std::vector<TopoDS_Edge> edges_between(const LabelledShape& shape,
+                                       const std::array<std::uint32_t, 2>& labels) {
+  TopTools_IndexedDataMapOfShapeListOfShape faces;
+  TopExp::MapShapesAndAncestors(shape.shape, TopAbs_EDGE, TopAbs_FACE, faces);
+  std::vector<TopoDS_Edge> result;
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    std::array<bool, 2> seen{};
+    for (const TopoDS_Shape& face : faces(i)) {
+      const std::uint32_t* label = shape.labels.Seek(face);
+      for (std::size_t k = 0; k < 2; ++k) {
+        seen.at(k) = seen.at(k) || (label != nullptr && *label == labels.at(k));
+      }
+    }
+    if (seen[0] && seen[1]) {
+      result.push_back(TopoDS::Edge(faces.FindKey(i)));
+    }
+  }
+  return result;
+}
+
+LabelledShape with_fillet_surfaces(const LabelledShape& shape, const Fillets& fillets) {
   try {
-    const Contacts contacts(shape, fillet);
+    const Contacts contacts(shape, fillets);
     BOPAlgo_Splitter splitter;
     splitter.AddArgument(shape.shape);
     splitter.SetTools(contacts.edges());
@@ -204,16 +267,19 @@ LabelledShape with_fillet_surfaces(const LabelledShape& shape, const exchange::R
     splitter.SetRunParallel(Standard_False);
     splitter.Perform();
     if (splitter.HasErrors()) {
-      throw refusal(fillet, "the curves where they touch do not cut the faces");
+      throw refusal(*fillets.front(), "the curves where they touch do not cut the faces");
     }
     LabelledShape cut;
     cut.shape = splitter.Shape();
     inherit(splitter, shape.labels, cut.labels);
-    const auto gone =
-        strips(cut, fillet, images(splitter, sharp), images(splitter, contacts.edges()));
-    return joined(cut, gone, contacts, fillet);
+    const TopTools_MapOfShape borders = images(splitter, contacts.edges());
+    Strips strips(cut, borders);
+    for (const exchange::RollingBall* fillet : fillets) {
+      strips.add(*fillet);
+    }
+    return joined(cut, strips.found(), contacts, fillets);
   } catch (const Standard_Failure& failure) {
-    throw refusal(fillet, failure.GetMessageString());
+    throw refusal(*fillets.front(), failure.GetMessageString());
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include <TopoDS_Edge.hxx>
@@ -9,10 +11,16 @@
 
 namespace dupin::occt {
 
-/// The shape with the fillet's own surfaces in the place of what lies between these and the edges
-/// in which both its parts meet. Throws Refusal where they do not join to a closed surface.
+/// The edges in which faces of both labels meet.
+[[nodiscard]] std::vector<TopoDS_Edge> edges_between(const LabelledShape& shape,
+                                                     const std::array<std::uint32_t, 2>& labels);
+
+using Fillets = std::vector<const exchange::RollingBall*>;
+
+/// The shape with the fillets' own surfaces in the place of what lies between these and the edges
+/// in which their parts meet. Throws Refusal, naming one of them, where they do not join to a
+/// closed surface.
 [[nodiscard]] LabelledShape with_fillet_surfaces(const LabelledShape& shape,
-                                                 const exchange::RollingBall& fillet,
-                                                 const std::vector<TopoDS_Edge>& sharp);
+                                                 const Fillets& fillets);
 
 }  // namespace dupin::occt
