@@ -26,7 +26,7 @@ ARROWS = {
         "boxes": ["support"],
         "mesh": ["exact", "support"],
         "checking": ["mesh", "boxes", "predicates", "exact", "support"],
-        "arrangement": ["mesh", "boxes", "predicates", "support"],
+        "arrangement": ["mesh", "boxes", "predicates", "exact", "support"],
         "booleans": ["arrangement", "boxes", "checking", "mesh", "support"],
         "healing": ["booleans", "arrangement", "checking", "mesh", "predicates", "support"],
         "rounding": ["healing", "arrangement", "checking", "mesh", "boxes", "predicates", "exact", "support"],

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numeric>
 #include <span>
@@ -10,6 +11,7 @@
 #include "boxes/main_directions.h"
 #include "boxes/tree_traversal.h"
 #include "support/blocks.h"
+#include "support/sort_by_key.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -238,8 +240,8 @@ class Finder {
       b_boxes = within(bounds_of(a_boxes), sliced(b, b_boxes, axes));
     }
     std::vector<TrianglePair> found = overlapping(a_boxes, b_boxes);
+    sort(found);
     if (in_slices) {
-      std::sort(found.begin(), found.end());
       found.erase(std::unique(found.begin(), found.end()), found.end());
     }
     return found;
@@ -300,9 +302,14 @@ class Finder {
           found.push_back({x.triangle, y.triangle});
         }
       });
-      std::sort(found.begin(), found.end());
     });
     return support::joined(std::move(parts));
+  }
+
+  void sort(std::vector<TrianglePair>& found) const {
+    support::sort_by_key(
+        found, static_cast<std::uint32_t>(input_.triangles.size()),
+        [](const TrianglePair& pair) { return pair.first; }, std::less<>());
   }
 
   [[nodiscard]] std::vector<TrianglePair> pairs_within(std::uint32_t operand) const {
@@ -321,7 +328,7 @@ class Finder {
         result.push_back({std::min(x.triangle, y.triangle), std::max(x.triangle, y.triangle)});
       }
     });
-    std::sort(result.begin(), result.end());
+    sort(result);
     return result;
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "arrangement/implicit_predicates.h"
+#include "support/blocks.h"
 #include "support/hash.h"
 
 namespace dupin::arrangement {
@@ -37,10 +38,25 @@ CoincidentPointIndex::CoincidentPointIndex(PointTable& points, double extent,
   entries_.reserve(expected_count);
 }
 
+void CoincidentPointIndex::tighten_wide(PointId begin, PointId end) const {
+  constexpr std::size_t kPoints = 256;
+  support::for_each_block(
+      end - begin,
+      [&](const support::Block& block) {
+        const UpwardRounding rounding;
+        for (std::size_t i = block.begin; i < block.end; ++i) {
+          const auto id = static_cast<PointId>(begin + i);
+          if (cells_of(id).are_wide()) {
+            points_->tighten(id);
+          }
+        }
+      },
+      kPoints);
+}
+
 PointId CoincidentPointIndex::first_coincident(PointId id) {
   Cells cells = cells_of(id);
-  const auto wide = [&cells](std::size_t k) { return cells.high[k] - cells.low[k] > 1; };
-  if (wide(0) || wide(1) || wide(2)) {
+  if (cells.are_wide()) {
     points_->tighten(id);
     cells = cells_of(id);
   }

@@ -15,6 +15,10 @@ class CoincidentPointIndex {
   /// `extent` bounds the magnitude of all coordinates.
   CoincidentPointIndex(PointTable& points, double extent, std::size_t expected_count);
 
+  /// Tightens those of the points `begin` to before `end` that first_coincident() would tighten one
+  /// by one, in parallel.
+  void tighten_wide(PointId begin, PointId end) const;
+
   /// The first point inserted that has the coordinates of `id`; `id` itself if there is none, and
   /// then it is inserted. Needs UpwardRounding.
   PointId first_coincident(PointId id);
@@ -28,6 +32,9 @@ class CoincidentPointIndex {
   };
   struct Cells {
     Cell low, high;
+    [[nodiscard]] bool are_wide() const {
+      return high[0] - low[0] > 1 || high[1] - low[1] > 1 || high[2] - low[2] > 1;
+    }
   };
 
   [[nodiscard]] Cells cells_of(PointId id) const;

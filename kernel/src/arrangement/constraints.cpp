@@ -20,6 +20,7 @@ class Representatives {
     for (const PointId id : points.corners) {
       coincident.first_coincident(id);
     }
+    coincident.tighten_wide(base_, input.points.size());
     for (PointId id = base_; id < input.points.size(); ++id) {
       first_.push_back(coincident.first_coincident(id));
     }

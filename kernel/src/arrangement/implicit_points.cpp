@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "exact/lattice_meeting.h"
 #include "support/operation_limits.h"
 
 namespace dupin::arrangement {
@@ -85,9 +86,12 @@ mesh::ExactPoint divide(const mesh::ExactPoint& p, const mesh::ExactPoint& q, co
                                p[2] * beta - q[2] * alpha, p[3] * beta - q[3] * alpha});
 }
 
-// The same as below by fewer products, as all weights are 1.
+// The same as below, by integers of fixed width or by fewer products, as all weights are 1.
 mesh::ExactPoint meet_line_plane(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,
                                  const Vec3& c) {
+  if (auto point = exact::lattice_meeting(p, q, a, b, c)) {
+    return *std::move(point);
+  }
   const Direction normal = cross(direction(a, b), direction(a, c));
   const Number alpha = dot(normal, direction(a, p)), beta = dot(normal, direction(a, q));
   const auto coordinate = [&](int k) { return Number(p[k]) * beta - Number(q[k]) * alpha; };

@@ -15,8 +15,9 @@
 /// points keep a common denominator instead (mesh/exact_mesh.h), so that nothing is ever reduced.
 /// What leaves the kernel is rounded correctly, to the nearest double with ties to even, or
 /// enclosed by two (dupin/kernel/enclosure.h). The rest of this folder: FloatLattice, the numbers
-/// that a coordinate may be rounded to, and ExactSum, long sums of products of doubles (Kulisch's
-/// accumulator).
+/// that a coordinate may be rounded to, ExactSum, long sums of products of doubles (Kulisch's
+/// accumulator), and what needs no more than integers of fixed width, as most coordinates are
+/// multiples of a power of two not far below them (lattice_steps.h, lattice_meeting.h).
 namespace dupin::exact {
 
 [[nodiscard]] mpq_class rational(const CGAL::Mpzf& number);

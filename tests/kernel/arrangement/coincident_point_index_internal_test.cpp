@@ -52,5 +52,29 @@ TEST(CoincidentPointIndex, finds_the_first_of_equal_points) {
   }
 }
 
+TEST(CoincidentPointIndex, tightens_what_is_wide_and_nothing_else) {
+  const UpwardRounding rounding;
+  PointTable points;
+  // A line that rises by 2^-40 above the plane, and one across it.
+  const Vec3 second(1, 1.0 / 3, 0.7), third(0.3, 1, 0.9), up(0, 0, 0x1p-40);
+  const Vec3 from = (second + third) / 2 + up, to = from + second / 2 - third / 4 + up;
+  const PointId o = points.add(Vec3(0, 0, 0)), u = points.add(second), v = points.add(third),
+                a = points.add(from), b = points.add(to), z = points.add(Vec3(0.1, 0.7, 5));
+  const PointId flat =
+      points.add(ImplicitPoint{ImplicitPoint::Kind::line_plane, 0, {a, b, o, u, v}});
+  const PointId steep =
+      points.add(ImplicitPoint{ImplicitPoint::Kind::line_plane, 0, {a, z, o, u, v}});
+  const auto width = [&points](PointId id) {
+    const Interval x = points.interval(id, 0);
+    return x.sup() - x.inf();
+  };
+  const double wide = width(flat), narrow = width(steep);
+  ASSERT_GT(wide, 0x1p-38);
+  ASSERT_LT(narrow, 0x1p-40);
+  CoincidentPointIndex(points, 8, 2).tighten_wide(o, points.size());
+  EXPECT_LT(width(flat), 0x1p-49);
+  EXPECT_EQ(width(steep), narrow);
+}
+
 }  // namespace
 }  // namespace dupin::arrangement

@@ -38,6 +38,21 @@ TEST(SortByKey, sorts_like_a_stable_sort) {
   }
 }
 
+TEST(SortByKey, sorts_keys_that_crowd_in_one_place) {
+  // Many in one run, a few in the runs around it, for the small way and the large one.
+  for (const std::size_t count : {std::size_t{17}, std::size_t{3000}, 4 * Block::kSize}) {
+    std::vector<Item> items = random_items(count, 50, 7);
+    for (Item& item : items) {
+      item.key += item.order % 10 == 0 ? item.order << 10 : 1U << 30;
+    }
+    std::vector<Item> expected = items;
+    std::stable_sort(expected.begin(), expected.end(), by_key);
+    sort_by_key(
+        items, 1U << 31, [](const Item& item) { return item.key; }, by_key);
+    EXPECT_EQ(items, expected) << count;
+  }
+}
+
 TEST(SortByKey, compares_further_among_equal_keys) {
   const auto later_first = [](const Item& a, const Item& b) {
     return a.key != b.key ? a.key < b.key : a.order > b.order;
