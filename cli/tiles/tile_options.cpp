@@ -59,17 +59,17 @@ std::vector<std::size_t> ends_within(std::uint64_t memory, const Divided& divide
 
 }  // namespace
 
-void add_tile_options(CLI::App& command, TileArguments& arguments, const std::string& what) {
-  auto* const tiles =
-      command
-          .add_option(
-              "--tiles", arguments.tiles,
-              "In so many tiles, one after the other, each of " + what +
-                  " that have\n"
-                  "nothing to do with the others, and append them to a binary STL: the same\n"
-                  "bytes in less memory")
-          ->type_name("NUMBER")
-          ->check(CLI::Range(1, 1000000));
+std::string tiles_of(const std::string& what) {
+  return "In so many tiles, one after the other, each of " + what +
+         " that have\n"
+         "nothing to do with the others, and append them to a binary STL: the same\n"
+         "bytes in less memory";
+}
+
+void add_tile_options(CLI::App& command, TileArguments& arguments, const std::string& meaning) {
+  auto* const tiles = command.add_option("--tiles", arguments.tiles, meaning)
+                          ->type_name("NUMBER")
+                          ->check(CLI::Range(1, 1000000));
   command
       .add_option("--memory", arguments.memory,
                   "As many tiles as that takes, such as 4GB: for models larger than memory")

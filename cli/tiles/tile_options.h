@@ -21,8 +21,11 @@ struct TileArguments {
   std::string memory, cache, cache_size;
 };
 
-/// Adds --tiles and --memory. `what` each tile is of, as a help text says it.
-void add_tile_options(CLI::App& command, TileArguments& arguments, const std::string& what);
+/// What --tiles means where a file is written tile by tile, each of some of `what`.
+[[nodiscard]] std::string tiles_of(const std::string& what);
+
+/// Adds --tiles, which means what the help text says, and --memory.
+void add_tile_options(CLI::App& command, TileArguments& arguments, const std::string& meaning);
 
 /// A number of bytes, such as 500MB or 4GB. Throws UsageError, naming the option.
 [[nodiscard]] std::uint64_t bytes_in(const std::string& text, const std::string& option);

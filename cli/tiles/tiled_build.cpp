@@ -242,7 +242,7 @@ class TiledBuild {
 }  // namespace
 
 void add_build_tile_options(CLI::App& command, TileArguments& arguments) {
-  add_tile_options(command, arguments, "parts");
+  add_tile_options(command, arguments, tiles_of("parts"));
   auto* const cache =
       command
           .add_option("--cache", arguments.cache,
