@@ -30,6 +30,12 @@ void add_tile_options(CLI::App& command, TileArguments& arguments, const std::st
 /// A number of bytes, such as 500MB or 4GB. Throws UsageError, naming the option.
 [[nodiscard]] std::uint64_t bytes_in(const std::string& text, const std::string& option);
 
+/// Whether the output is a .pvtu, which is made in districts whatever is asked for.
+[[nodiscard]] bool is_in_files(const OutputArguments& output);
+
+/// destination(), which may be a .pvtu here.
+[[nodiscard]] Destination tiled_destination(const OutputArguments& output);
+
 /// Whether tiles are asked for.
 [[nodiscard]] bool is_tiled(const TileArguments& arguments);
 

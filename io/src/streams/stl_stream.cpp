@@ -44,36 +44,30 @@ bool is_taken_for_stl(std::string_view start, std::uint64_t size, const std::str
 
 }  // namespace
 
-std::uint64_t StlFacets::count() const { return bytes.size() / kStlFacet; }
-
 StlStream::StlStream(const std::filesystem::path& path) : shown_(path.string()), file_(path) {
   file_.append(std::string(kStlPreamble, '\0'));
 }
 
-StlFacets stl_facets(const Rounded& solid, std::string_view file) {
-  std::string bytes = verified_bytes(file, solid, kStlBinary);
-  bytes.erase(0, kStlPreamble);
-  return {std::move(bytes), solid.mesh().names};
-}
-
-void StlStream::append(const StlFacets& solid) {
-  if (triangles_ + solid.count() > std::numeric_limits<std::uint32_t>::max()) {
+void StlStream::append(const MeshPiece& piece, std::size_t) {
+  const std::uint64_t count = piece.bytes.size() / kStlFacet;
+  if (triangles_ + count > std::numeric_limits<std::uint32_t>::max()) {
     throw Error(Errc::limit_exceeded, "binary STL holds at most 4294967295 triangles", {}, shown_);
   }
-  file_.append(solid.bytes);
-  if (!file_.holds_at(kStlPreamble + kStlFacet * triangles_, solid.bytes)) {
+  file_.append(piece.bytes);
+  if (!file_.holds_at(kStlPreamble + kStlFacet * triangles_, piece.bytes)) {
     throw Error(Errc::io_failed, "what was written is not what is read back", {}, shown_);
   }
-  triangles_ += solid.count();
-  // The header has a name if there is one only.
-  for (const std::string& name : solid.names) {
+  triangles_ += count;
+  // The header has a name if all facets have it.
+  const std::vector<std::string> none(count > 0 ? 1 : 0);
+  for (const std::string& name : piece.names.empty() ? none : piece.names) {
     if (names_.size() < 2 && !std::ranges::count(names_, name)) {
       names_.push_back(name);
     }
   }
 }
 
-void StlStream::commit(const MeshHeader& header) {
+void StlStream::commit(const MeshHeader& header, const Normals&) {
   const std::string preamble =
       formats::stl_binary_preamble(names_.size() == 1 ? names_.front() : std::string(), header,
                                    static_cast<std::uint32_t>(triangles_));

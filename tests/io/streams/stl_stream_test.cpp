@@ -14,9 +14,9 @@
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/stl.h"
-#include "dupin/kernel/districts.h"
+#include "dupin/io/streamed_format.h"
 #include "dupin/kernel/error.h"
-#include "dupin/kernel/solid.h"
+#include "io/streams/pieces.h"
 #include "support/scratch_directory.h"
 #include "support/shapes.h"
 
@@ -26,36 +26,19 @@ namespace {
 using StlStreams = ScratchDirectory;
 using testing::HasSubstr;
 
-struct Pieces {
-  std::vector<Rounded> rounded;
-  std::vector<Boxes> boxes;
-};
-
-Pieces pieces(const std::vector<std::string>& names) {
-  Pieces result;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const Vec3 place(10.0 * static_cast<double>(i), .1, .2);
-    result.rounded.push_back(
-        to_mesh(Solid::from(labelled(tetrahedron(place, 1), names[i])), Coordinates::binary32));
-    result.boxes.push_back({{place - Vec3::Ones(), place + Vec3::Constant(2)}});
-  }
-  return result;
-}
-
 TEST_F(StlStreams, gives_the_bytes_of_all_at_once) {
   const MeshHeader header{"mm", "a note"};
-  for (const std::vector<std::string>& names :
-       {std::vector<std::string>{"a", "b", "c"}, {"a"}, {"a", "a"}, {}}) {
-    const Pieces all = pieces(names);
+  for (const std::vector<std::string>& names : kCompanies) {
+    const Pieces all(names, Coordinates::binary32);
     const std::filesystem::path file = path("out.stl");
     StlStream stream(file);
     for (const Rounded& piece : all.rounded) {
-      stream.append(stl_facets(piece, "out.stl"));
+      stream.append(mesh_piece(piece, kStlBinary, "out.stl"), 0);
     }
-    EXPECT_EQ(stream.triangles(), 4 * names.size());
+    EXPECT_EQ(stream.triangles(), all.all().triangles.size());
     EXPECT_FALSE(std::filesystem::exists(file));
-    stream.commit(header);
-    EXPECT_EQ(read_file(file), stl_binary_bytes(joined(all.rounded, all.boxes).mesh(), header));
+    stream.commit(header, {});
+    EXPECT_EQ(read_file(file), stl_binary_bytes(all.all(), header));
     std::filesystem::remove(file);
   }
 }
@@ -63,7 +46,8 @@ TEST_F(StlStreams, gives_the_bytes_of_all_at_once) {
 TEST_F(StlStreams, leaves_nothing_behind_without_commit) {
   {
     StlStream stream(path("out.stl"));
-    stream.append(stl_facets(pieces({"a"}).rounded[0], "out.stl"));
+    stream.append(
+        mesh_piece(Pieces({"a"}, Coordinates::binary32).rounded[0], kStlBinary, "out.stl"), 0);
     EXPECT_FALSE(std::filesystem::is_empty(directory()));
   }
   EXPECT_TRUE(std::filesystem::is_empty(directory()));

@@ -1,17 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "dupin/io/atomic_file.h"
-#include "dupin/io/mesh_header.h"
-#include "dupin/kernel/rounding.h"
+#include "dupin/io/mesh_stream.h"
 #include "dupin/kernel/tiled_check.h"
 
 namespace dupin {
@@ -20,30 +19,14 @@ namespace files {
 class Descriptor;
 }
 
-/// The facets of a solid as a binary STL has them.
-struct StlFacets {
-  std::string bytes;
-  std::vector<std::string> names;  ///< of labels
-
-  [[nodiscard]] std::uint64_t count() const;
-};
-
-/// Facets that give back the very numbers and neighbours that rounding has proved, or
-/// Error{unroundable} is thrown, as by write_verified(), naming `file`.
-[[nodiscard]] StlFacets stl_facets(const Rounded& solid, std::string_view file);
-
-/// A binary STL that is written one solid after the other, aside, in the memory that one of them
-/// needs. Its bytes are those that stl_binary_bytes() gives for all of them joined
-/// (dupin/kernel/districts.h). All functions throw what AsideFile does.
-class StlStream {
+/// A binary STL, each piece of which is read back at once; the header is completed at the end.
+class StlStream : public MeshStream {
  public:
   explicit StlStream(const std::filesystem::path& path);
 
-  /// Behind those that are there, and read back. Throws Error{limit_exceeded} for 2^32 triangles
-  /// and more.
-  void append(const StlFacets& solid);
-  /// The file takes its place.
-  void commit(const MeshHeader& header);
+  /// Throws Error{limit_exceeded} for 2^32 triangles and more.
+  void append(const MeshPiece& piece, std::size_t file) override;
+  void commit(const MeshHeader& header, const Normals& normals) override;
 
   [[nodiscard]] std::uint64_t triangles() const { return triangles_; }
 
