@@ -15,7 +15,6 @@
 #include "formats/stl_facet.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
-#include "text/point_merger.h"
 #include "text/text_scanner.h"
 
 namespace dupin {
@@ -109,6 +108,27 @@ std::string formats::stl_binary_preamble(const std::string& name, const MeshHead
   return text;
 }
 
+formats::StlMesh::StlMesh(std::size_t facets) : points_(facets / 2) {
+  mesh_.triangles.reserve(facets);
+}
+
+void formats::StlMesh::add(const Facet& facet) {
+  Triangle& triangle = mesh_.triangles.emplace_back();
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    triangle[corner] = points_.index_of(point_of(facet, corner));
+  }
+}
+
+TriMesh formats::StlMesh::take(std::string_view header) && {
+  mesh_.points = std::move(points_).take_points();
+  const std::string name = name_in(header);
+  if (!name.empty() && !mesh_.triangles.empty()) {
+    mesh_.names = {name};
+    mesh_.labels.assign(mesh_.triangles.size(), 0);
+  }
+  return std::move(mesh_);
+}
+
 bool has_size_of_binary_stl(std::string_view bytes) {
   return bytes.size() >= kStlPreamble &&
          bytes.size() ==
@@ -127,24 +147,11 @@ bool is_binary_stl(std::string_view bytes) {
 
 TriMesh read_stl_binary(std::string_view bytes, std::string_view file) {
   const std::size_t count = formats::stl_triangles(bytes, bytes.size(), file);
-  text::PointMerger points(count / 2);
-  TriMesh mesh;
-  mesh.triangles.reserve(count);
+  formats::StlMesh mesh(count);
   for (std::size_t facet = kStlPreamble; facet < bytes.size(); facet += kStlFacet) {
-    const Facet corners = formats::stl_facet(bytes, facet, facet, file);
-    Triangle triangle;
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      triangle[corner] = points.index_of(point_of(corners, corner));
-    }
-    mesh.triangles.push_back(triangle);
+    mesh.add(formats::stl_facet(bytes, facet, facet, file));
   }
-  mesh.points = std::move(points).take_points();
-  const std::string name = name_in(bytes.substr(0, kStlHeader));
-  if (!name.empty() && count > 0) {
-    mesh.names = {name};
-    mesh.labels.assign(count, 0);
-  }
-  return mesh;
+  return std::move(mesh).take(bytes.substr(0, kStlHeader));
 }
 
 bool formats::stl_binary_lists(const TriMesh& mesh, std::string_view bytes) {

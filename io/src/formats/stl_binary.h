@@ -8,6 +8,7 @@
 #include "dupin/io/mesh_header.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/tiled_check.h"
+#include "text/point_merger.h"
 
 namespace dupin::formats {
 
@@ -25,6 +26,20 @@ constexpr std::size_t kStlFacet = 4 * kStlVector + 2;  // with two bytes of attr
 /// Error{parse_failed} for coordinates that are not finite.
 [[nodiscard]] Facet stl_facet(std::string_view bytes, std::size_t at, std::uint64_t place,
                               std::string_view file);
+
+/// Makes the mesh that read_stl_binary() gives of facets in their order.
+class StlMesh {
+ public:
+  explicit StlMesh(std::size_t facets);
+
+  void add(const Facet& facet);
+  /// With the name that the first 80 bytes of the file give it.
+  [[nodiscard]] TriMesh take(std::string_view header) &&;
+
+ private:
+  text::PointMerger points_;
+  TriMesh mesh_;
+};
 
 /// Whether the file is a binary STL of the triangles of `mesh`, in their order and with the very
 /// same numbers. If the points of the mesh are in different places, `read_stl_binary` then joins

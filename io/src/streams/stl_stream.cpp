@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "files/descriptor.h"
 #include "formats/stl_binary.h"
 #include "text/little_endian.h"
+#include "text/mesh_text.h"
 
 namespace dupin {
 using formats::kStlFacet, formats::kStlHeader, formats::kStlPreamble;
@@ -25,6 +27,40 @@ namespace {
 [[noreturn]] void fail(const std::string& file, int reason) {
   throw Error(Errc::io_failed, "cannot read the file: " + std::generic_category().message(reason),
               {}, file);
+}
+
+/// As many bytes as is_binary_stl() looks at.
+constexpr std::uint64_t kStart = 1024;
+
+/// A pipe is not waited for.
+int opened(const std::filesystem::path& path) {
+  return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+}
+
+/// Of a regular file.
+std::optional<std::uint64_t> size_of(const files::Descriptor& file, const std::string& shown) {
+  struct stat status {};
+  if (file.number() < 0 || ::fstat(file.number(), &status) != 0) {
+    fail(shown, errno);
+  }
+  if (S_ISDIR(status.st_mode)) {
+    fail(shown, EISDIR);
+  }
+  return S_ISREG(status.st_mode) ? std::optional(static_cast<std::uint64_t>(status.st_size))
+                                 : std::nullopt;
+}
+
+std::string bytes_at(const files::Descriptor& file, std::uint64_t at, std::size_t size,
+                     const std::string& shown) {
+  std::string bytes(size, '\0');
+  const int reason = files::read_at(file, at, bytes);
+  if (reason == files::kEnded) {
+    throw Error(Errc::io_failed, "became shorter while it was read", {}, shown);
+  }
+  if (reason != 0) {
+    fail(shown, reason);
+  }
+  return bytes;
 }
 
 /// Whether a file of so many bytes that begins like this is taken for a binary STL.
@@ -79,28 +115,18 @@ void StlStream::commit(const MeshHeader& header, const Normals&) {
 }
 
 StlFile::StlFile(const std::filesystem::path& path)
-    : shown_(path.string()),
-      file_(std::make_shared<const files::Descriptor>(
-          ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))) {
-  struct stat status {};
-  if (file_->number() < 0 || ::fstat(file_->number(), &status) != 0) {
-    fail(shown_, errno);
-  }
-  if (S_ISDIR(status.st_mode)) {
-    fail(shown_, EISDIR);
-  }
-  if (!S_ISREG(status.st_mode)) {
+    : shown_(path.string()), file_(std::make_shared<const files::Descriptor>(opened(path))) {
+  const auto size = size_of(*file_, shown_);
+  if (!size) {
     throw Error(Errc::invalid_argument, "is read more than once, and so has to be a regular file",
                 {}, shown_);
   }
-  const auto size = static_cast<std::uint64_t>(status.st_size);
-  constexpr std::uint64_t kStart = 1024;  // as is_binary_stl() looks at
-  const std::string start = bytes_at(0, std::min(size, kStart));
-  if (!is_taken_for_stl(start, size, shown_)) {
+  const std::string start = bytes_at(*file_, 0, std::min(*size, kStart), shown_);
+  if (!is_taken_for_stl(start, *size, shown_)) {
     throw Error(Errc::invalid_argument, "is no binary STL, the only format read in tiles", {},
                 shown_);
   }
-  count_ = formats::stl_triangles(start, size, shown_);
+  count_ = formats::stl_triangles(start, *size, shown_);
 }
 
 void StlFile::visit(const std::function<void(std::span<const Facet>)>& visit) const {
@@ -109,7 +135,7 @@ void StlFile::visit(const std::function<void(std::span<const Facet>)>& visit) co
   for (std::uint64_t first = 0; first < count_; first += kAtOnce) {
     const std::size_t some = std::min(kAtOnce, count_ - first);
     const std::uint64_t place = kStlPreamble + first * kStlFacet;
-    const std::string bytes = bytes_at(place, some * kStlFacet);
+    const std::string bytes = bytes_at(*file_, place, some * kStlFacet, shown_);
     facets.clear();
     for (std::size_t at = 0; at < bytes.size(); at += kStlFacet) {
       facets.push_back(formats::stl_facet(bytes, at, place + at, shown_));
@@ -118,16 +144,25 @@ void StlFile::visit(const std::function<void(std::span<const Facet>)>& visit) co
   }
 }
 
-std::string StlFile::bytes_at(std::uint64_t at, std::size_t size) const {
-  std::string bytes(size, '\0');
-  const int reason = files::read_at(*file_, at, bytes);
-  if (reason == files::kEnded) {
-    throw Error(Errc::io_failed, "became shorter while it was read", {}, shown_);
-  }
-  if (reason != 0) {
-    fail(shown_, reason);
-  }
-  return bytes;
+TriMesh StlFile::mesh() const {
+  formats::StlMesh mesh(count_);
+  visit([&](std::span<const Facet> facets) {
+    for (const Facet& facet : facets) {
+      mesh.add(facet);
+    }
+  });
+  return std::move(mesh).take(bytes_at(*file_, 0, kStlHeader, shown_));
+}
+
+std::string StlFile::unit() const {
+  return text::noted_unit(bytes_at(*file_, 0, kStlPreamble, shown_), shown_);
+}
+
+bool is_stl_file(const std::filesystem::path& path) {
+  const std::string shown = path.string();
+  const files::Descriptor file(opened(path));
+  const auto size = size_of(file, shown);
+  return size && is_taken_for_stl(bytes_at(file, 0, std::min(*size, kStart), shown), *size, shown);
 }
 
 }  // namespace dupin

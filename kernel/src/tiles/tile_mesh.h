@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "dupin/kernel/tiled_check.h"
 #include "dupin/kernel/mesh.h"
+#include "dupin/kernel/tiled_check.h"
 #include "tiles/first_corners.h"
 #include "tiles/tile_tree.h"
 

@@ -93,6 +93,32 @@ TEST_F(StlFiles, are_read_as_often_as_is_asked_for) {
   }
 }
 
+TEST_F(StlFiles, have_the_mesh_that_is_read_at_once) {
+  for (const TriMesh& mesh :
+       {tube(3, 0, 1, 20'000), labelled(box({0, 0, 0}, {1, 1, 1}), "a"), TriMesh()}) {
+    const std::string bytes = mesh_bytes(mesh, kStlBinary, {.unit = "cm"});
+    write_file(path("a.stl"), bytes);
+    const TriMesh expected = read_stl_binary(bytes, "a.stl"), found = StlFile(path("a.stl")).mesh();
+    EXPECT_EQ(found.points, expected.points);
+    EXPECT_EQ(found.triangles, expected.triangles);
+    EXPECT_EQ(found.labels, expected.labels);
+    EXPECT_EQ(found.names, expected.names);
+    EXPECT_EQ(StlFile(path("a.stl")).unit(), "cm");
+  }
+}
+
+TEST_F(StlFiles, are_told_from_others) {
+  const TriMesh mesh = box({0, 0, 0}, {1, 1, 1});
+  for (const MeshFormat& format : mesh_formats()) {
+    write_file(path("a.stl"), mesh_bytes(mesh, format));
+    EXPECT_EQ(is_stl_file(path("a.stl")), format == kStlBinary) << format.key;
+  }
+  write_file(path("a.stl"), "damaged");
+  EXPECT_TRUE(is_stl_file(path("a.stl")));
+  EXPECT_FALSE(is_stl_file("/dev/null"));
+  EXPECT_THROW((void)is_stl_file(path("missing.stl")), Error);
+}
+
 TEST_F(StlFiles, have_no_negative_zero) {
   const std::string bytes = mesh_bytes(box({0, 0, 0}, {1, 1, 1}), kStlBinary);
   write_file(path("a.stl"), with_float(bytes, 84 + 12, -0.0F));

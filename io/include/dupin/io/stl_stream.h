@@ -11,6 +11,7 @@
 
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/mesh_stream.h"
+#include "dupin/kernel/mesh.h"
 #include "dupin/kernel/tiled_check.h"
 
 namespace dupin {
@@ -37,6 +38,10 @@ class StlStream : public MeshStream {
   std::vector<std::string> names_;  // of labels, at most two of them
 };
 
+/// Whether the path leads to a regular file that is taken for a binary STL, or for a damaged one.
+/// Throws Error{io_failed}.
+[[nodiscard]] bool is_stl_file(const std::filesystem::path& path);
+
 /// A binary STL that is read where it lies, a little at a time, as often as it is asked for.
 ///
 /// Throws Error{io_failed} with the system's reason, also where the file has become shorter;
@@ -48,10 +53,12 @@ class StlFile : public FacetSource {
 
   [[nodiscard]] std::uint32_t count() const override { return count_; }
   void visit(const std::function<void(std::span<const Facet>)>& visit) const override;
+  /// As read_stl_binary() gives it, without the file's bytes beside it in memory.
+  [[nodiscard]] TriMesh mesh() const;
+  /// What the header says; empty if nothing.
+  [[nodiscard]] std::string unit() const;
 
  private:
-  [[nodiscard]] std::string bytes_at(std::uint64_t at, std::size_t size) const;
-
   std::string shown_;
   std::shared_ptr<const files::Descriptor> file_;
   std::uint32_t count_ = 0;
