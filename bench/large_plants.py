@@ -5,8 +5,9 @@ Usage: bench/large_plants.py BUILD_FOLDER [--components N ...] [--tolerance MM] 
        [--compare N] [--folder DIR]
 
 Plants are seeded: lines of pipes, bends, a reducer and filleted branches in a rack, each line apart from the
-next, 200 m from the origin. Each is built within --memory; up to --compare components also at once, and the
-bytes are compared. Then a branch of one line is moved, and the plant is built again from a cache.
+next, 200 m from the origin. Each is built within --memory, and what was written is checked within it; up to
+--compare components also at once, and the bytes and reports are compared. Then a branch of one line is moved, and
+the plant is built again from a cache.
 """
 import argparse
 import copy
@@ -92,7 +93,7 @@ def exponent(rows, column):
 
 
 def measured(tool, folder, components, arguments):
-    """A row of the table: components, triangles, seconds, bytes, and seconds after an edit."""
+    """A row of the table, as for exponents: components, and seconds and bytes of the build and of the check."""
     document, edited = folder / "plant.json", folder / "edited.json"
     content = plant(components, arguments.tolerance)
     document.write_text(json.dumps(content), encoding="utf-8")
@@ -100,8 +101,13 @@ def measured(tool, folder, components, arguments):
     tiled, whole = folder / "tiled.stl", folder / "whole.stl"
     seconds, memory, report = run(tool, ["build", document, "-o", tiled, "--memory", arguments.memory])
     triangles = report["output"]["check"]["triangles"]
+    check_seconds, check_memory, checked = run(tool, ["check", tiled, "--memory", arguments.memory])
+    if not checked["solid"]:
+        sys.exit(f"{components} components: what was written is no solid")
     same = after = ""
     if components <= arguments.compare:
+        if run(tool, ["check", tiled])[2] != checked:
+            sys.exit(f"{components} components: the check in tiles says otherwise than that of the whole")
         limit = ["--triangles", 10 * triangles]
         run(tool, ["build", document, "-o", whole, *limit])
         if not filecmp.cmp(tiled, whole, shallow=False):
@@ -110,8 +116,8 @@ def measured(tool, folder, components, arguments):
         after, _, _ = run(tool, ["build", edited, "-o", whole, "--cache", folder / f"cache-{components}"])
         same, after = "yes", f"{after:.2f}"
     print(f"{components:>10} {triangles:>12} {seconds:>9.1f} {triangles / seconds / 1e6:>8.2f} {memory / 1e6:>9.0f} "
-          f"{same:>6} {after:>7}", flush=True)
-    return components, seconds, memory
+          f"{check_seconds:>9.1f} {check_memory / 1e6:>9.0f} {same:>6} {after:>7}", flush=True)
+    return components, seconds, memory, check_seconds, check_memory
 
 
 def main():
@@ -124,11 +130,13 @@ def main():
     parser.add_argument("--folder", help="for the files, which may be large")
     arguments = parser.parse_args()
     tool = str((arguments.build / "cli" / "dupin").resolve())
-    print(f"{'components':>10} {'triangles':>12} {'s':>9} {'M tri/s':>8} {'peak MB':>9} {'equal':>6} {'edit s':>7}")
+    print(f"{'components':>10} {'triangles':>12} {'s':>9} {'M tri/s':>8} {'peak MB':>9} {'check s':>9} {'check MB':>9} "
+          f"{'equal':>6} {'edit s':>7}")
     with tempfile.TemporaryDirectory(dir=arguments.folder) as folder:
         rows = [measured(tool, pathlib.Path(folder), components, arguments) for components in arguments.components]
     if len(rows) > 1:
-        print(f"exponents: time {exponent(rows, 0):.2f}, memory {exponent(rows, 1):.2f}")
+        print(f"exponents: time {exponent(rows, 0):.2f}, memory {exponent(rows, 1):.2f}, of the check "
+              f"{exponent(rows, 2):.2f} and {exponent(rows, 3):.2f}")
 
 
 if __name__ == "__main__":

@@ -298,7 +298,7 @@ void add_boolean(CLI::App& app, Action& action, const BooleanCommand& boolean) {
       ->expected(2, -1);
   add_operand_options(*command, *arguments);
   if (boolean.operation == SetOperation::unite) {
-    add_tile_options(*command, arguments->tiles, "operands");
+    add_tile_options(*command, arguments->tiles, tiles_of("operands"));
   }
   command->footer(boolean.footer);
   command->callback([arguments, boolean, &action] {

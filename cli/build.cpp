@@ -29,6 +29,7 @@
 #include "solver_options.h"
 #include "source_text.h"
 #include "tiles/district_output.h"
+#include "tiles/tile_options.h"
 #include "tiles/tiled_build.h"
 
 namespace dupin::cli {
@@ -210,18 +211,23 @@ void check_destination(const BuildArguments& arguments) {
       throw UsageError("--report shows a surface that is written; the command report makes one");
     }
   } else {
-    (void)destination(arguments.output);
+    (void)tiled_destination(arguments.output);
   }
   if (!arguments.solids.empty()) {
     throw UsageError("--solids is for STEP files");
   }
 }
 
+// Whether districts are written one after the other.
+bool is_in_districts(const BuildArguments& arguments, const Ranks& ranks) {
+  return is_tiled(arguments.tiles) || ranks.count() > 1 || is_in_files(arguments.output);
+}
+
 // The solid built and written, whole or in tiles.
 Built build_and_write(Document& document, const BuildOptions& options,
                       const BuildArguments& arguments, const Ranks& ranks, BuildReport& report,
                       TriMesh* written) {
-  if (is_tiled(arguments.tiles) || ranks.count() > 1) {
+  if (is_in_districts(arguments, ranks)) {
     return build_in_tiles(document, options, arguments, header_of(document), ranks, report.output);
   }
   Built built = build_document(document, options);
@@ -234,9 +240,9 @@ void prepare_districts(const BuildArguments& arguments, const std::string& unit,
                        BuildOptions& options) {
   if (!is_step(arguments.output) && !is_volume(arguments.output) &&
       arguments.quality != kForSolvers) {
-    const DistrictMargin margin =
-        district_margin(destination(arguments.output), rounding_options(arguments.rounding, unit),
-                        contact_choice(arguments.contacts, unit));
+    const DistrictMargin margin = district_margin(tiled_destination(arguments.output),
+                                                  rounding_options(arguments.rounding, unit),
+                                                  contact_choice(arguments.contacts, unit));
     options.margin = margin.absolute;
     options.relative_margin = margin.relative;
   }
@@ -245,7 +251,7 @@ void prepare_districts(const BuildArguments& arguments, const std::string& unit,
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
   check_destination(arguments);
   const Ranks ranks;
-  if (is_tiled(arguments.tiles) || ranks.count() > 1) {
+  if (is_in_districts(arguments, ranks)) {
     check_tiled(arguments);
   }
   std::optional<ProgressLine> line(common.quiet || !ranks.is_first());
@@ -313,6 +319,7 @@ ExitCode run_build_or_batch(const CLI::App& command, const BuildArguments& argum
 void add_build_options(CLI::App& command, BuildArguments& arguments) {
   std::vector<std::string> others = volume_format_names();
   others.emplace_back("step");
+  others.emplace_back("pvtu");
   add_output_options(command, arguments.output, others);
   command
       .add_option("--quality", arguments.quality,
@@ -359,7 +366,8 @@ void add_build(CLI::App& app, Action& action) {
       ->required();
   command
       ->add_option("-o,--output", arguments->output.path,
-                   "mesh, tetrahedra (.msh, .vtu) or STEP file; - for standard output")
+                   "mesh, tetrahedra (.msh, .vtu) or STEP file, or files of VTK (.pvtu);\n"
+                   "- for standard output")
       ->type_name("OUT");
   command
       ->add_option("--out-dir", batch->folder,

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "dupin/io/streamed_format.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 #include "exit_code.h"
@@ -84,17 +85,21 @@ DistrictOutput district_output(const Solid& solid, std::span<const Boxes> boxes,
   result.report.check = check(rounded);
   result.report.rounding = rounded.report();
   result.report.contacts = rounded.contacts();
-  result.facets = stl_facets(rounded, to.path);
+  result.piece = mesh_piece(rounded, to.format, to.path);
+  for (const std::uint32_t label : std::set(solid.labels().begin(), solid.labels().end())) {
+    result.seen.push_back(solid.names()[label]);
+  }
   return result;
 }
 
 DistrictFile::DistrictFile(const Destination& to)
-    : to_(to), stream_(writing([&] { return StlStream(to.path); })) {
+    : to_(to), stream_(writing([&] { return mesh_stream(to.path, to.format); })) {
   report_.check.emplace();
 }
 
-void DistrictFile::append(DistrictOutput district) {
-  writing([&] { stream_.append(district.facets); });
+void DistrictFile::append(DistrictOutput district, std::size_t file) {
+  writing([&] { stream_->append(district.piece, file); });
+  seen_.insert(district.seen.begin(), district.seen.end());
   OutputReport& own = district.report;
   add(*own.check, *report_.check);
   add(own.rounding, report_.rounding);
@@ -104,9 +109,20 @@ void DistrictFile::append(DistrictOutput district) {
   }
 }
 
-OutputReport DistrictFile::commit(MeshHeader header) {
-  note_origin(report_.rounding.origin, header);
-  writing([&] { stream_.commit(header); });
+OutputReport DistrictFile::commit(MeshHeader header, const NormalsOf& normals) {
+  const Vec3& origin = report_.rounding.origin;
+  note_origin(origin, header);
+  MeshStream::Normals of_piece;
+  if (normals && to_.format.has_normals) {
+    of_piece = [&](const TriMesh& piece) {
+      TriMesh mesh = piece;
+      for (Vec3& point : mesh.points) {
+        point += origin;
+      }
+      return normals(mesh, report_.rounding.largest_move);
+    };
+  }
+  writing([&] { stream_->commit(header, of_piece); });
   report_.file = to_.path;
   report_.format = to_.format.name;
   report_.verification = to_.verification;

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
+#include <set>
 #include <span>
+#include <string>
 
+#include "dupin/io/mesh_stream.h"
 #include "dupin/io/report_json.h"
-#include "dupin/io/stl_stream.h"
 #include "dupin/kernel/districts.h"
 #include "output.h"
 
@@ -34,7 +38,8 @@ struct DistrictMargin {
 /// One of them settled and rounded, as its file has it.
 struct DistrictOutput {
   OutputReport report;  ///< its check, rounding, contacts and what was settled
-  StlFacets facets;
+  MeshPiece piece;
+  std::vector<std::string> seen;  ///< the names of the labels that the solid has, before rounding
 };
 
 /// `rounding` is for districts. Throws Error{internal} where the solid does not lie in its boxes;
@@ -44,19 +49,23 @@ struct DistrictOutput {
                                              const RoundingOptions& rounding,
                                              const ContactChoice& contacts);
 
-/// A binary STL that grows aside, district by district, and what there is to report of it. All
-/// functions throw OutputError.
+/// A file that grows aside, district by district, and what there is to report of it. All functions
+/// throw OutputError.
 class DistrictFile {
  public:
   explicit DistrictFile(const Destination& to);
-  void append(DistrictOutput district);
-  /// The file takes its place.
-  [[nodiscard]] OutputReport commit(MeshHeader header);
+  /// `file` is MeshStream's.
+  void append(DistrictOutput district, std::size_t file = 0);
+  /// The file takes its place. `normals` are asked for where the format has some.
+  [[nodiscard]] OutputReport commit(MeshHeader header, const NormalsOf& normals = {});
+  /// Of the solids' labels, before rounding.
+  [[nodiscard]] const std::set<std::string>& seen() const { return seen_; }
 
  private:
   Destination to_;
-  StlStream stream_;
+  std::unique_ptr<MeshStream> stream_;
   OutputReport report_;
+  std::set<std::string> seen_;
 };
 
 }  // namespace dupin::cli

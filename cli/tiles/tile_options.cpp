@@ -10,9 +10,11 @@
 
 #include <CLI/App.hpp>
 
-#include "dupin/io/stl.h"
+#include "dupin/io/streamed_format.h"
+#include "dupin/io/vtp.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "exchange_options.h"
 #include "exit_code.h"
 
 namespace dupin::cli {
@@ -59,17 +61,17 @@ std::vector<std::size_t> ends_within(std::uint64_t memory, const Divided& divide
 
 }  // namespace
 
-void add_tile_options(CLI::App& command, TileArguments& arguments, const std::string& what) {
-  auto* const tiles =
-      command
-          .add_option(
-              "--tiles", arguments.tiles,
-              "In so many tiles, one after the other, each of " + what +
-                  " that have\n"
-                  "nothing to do with the others, and append them to a binary STL: the same\n"
-                  "bytes in less memory")
-          ->type_name("NUMBER")
-          ->check(CLI::Range(1, 1000000));
+std::string tiles_of(const std::string& what) {
+  return "In so many tiles, one after the other, each of " + what +
+         " that have\n"
+         "nothing to do with the others, and append them to a binary STL or PLY: the\n"
+         "same bytes in less memory";
+}
+
+void add_tile_options(CLI::App& command, TileArguments& arguments, const std::string& meaning) {
+  auto* const tiles = command.add_option("--tiles", arguments.tiles, meaning)
+                          ->type_name("NUMBER")
+                          ->check(CLI::Range(1, 1000000));
   command
       .add_option("--memory", arguments.memory,
                   "As many tiles as that takes, such as 4GB: for models larger than memory")
@@ -93,13 +95,30 @@ std::uint64_t bytes_in(const std::string& text, const std::string& option) {
   return static_cast<std::uint64_t>(bytes);
 }
 
+bool is_in_files(const OutputArguments& output) {
+  return output.format.empty() ? lower_extension(output.path) == kPvtu.extension
+                               : output.format == kPvtu.key;
+}
+
+Destination tiled_destination(const OutputArguments& output) {
+  if (!is_in_files(output)) {
+    return destination(output);
+  }
+  OutputArguments one_file = output;
+  one_file.format = kVtp.key;
+  Destination to = destination(one_file);
+  to.format = kPvtu;
+  return to;
+}
+
 bool is_tiled(const TileArguments& arguments) {
   return arguments.tiles > 0 || !arguments.memory.empty() || !arguments.cache.empty();
 }
 
 void require_tiled_output(const Destination& to, const TileArguments& arguments) {
-  if (to.is_stdout() || !(to.format == kStlBinary)) {
-    throw UsageError("--tiles, --memory, --cache and mpirun write binary STL files only");
+  if (to.is_stdout() || !is_streamed(to.format)) {
+    throw UsageError(
+        "--tiles, --memory, --cache and mpirun write binary STL, binary PLY and .pvtu files only");
   }
   if (!to.patches.empty()) {
     throw UsageError(

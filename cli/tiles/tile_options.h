@@ -21,11 +21,20 @@ struct TileArguments {
   std::string memory, cache, cache_size;
 };
 
-/// Adds --tiles and --memory. `what` each tile is of, as a help text says it.
-void add_tile_options(CLI::App& command, TileArguments& arguments, const std::string& what);
+/// What --tiles means where a file is written tile by tile, each of some of `what`.
+[[nodiscard]] std::string tiles_of(const std::string& what);
+
+/// Adds --tiles, which means what the help text says, and --memory.
+void add_tile_options(CLI::App& command, TileArguments& arguments, const std::string& meaning);
 
 /// A number of bytes, such as 500MB or 4GB. Throws UsageError, naming the option.
 [[nodiscard]] std::uint64_t bytes_in(const std::string& text, const std::string& option);
+
+/// Whether the output is a .pvtu, which is made in districts whatever is asked for.
+[[nodiscard]] bool is_in_files(const OutputArguments& output);
+
+/// destination(), which may be a .pvtu here.
+[[nodiscard]] Destination tiled_destination(const OutputArguments& output);
 
 /// Whether tiles are asked for.
 [[nodiscard]] bool is_tiled(const TileArguments& arguments);

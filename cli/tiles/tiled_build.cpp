@@ -13,6 +13,7 @@
 
 #include <CLI/App.hpp>
 
+#include "dupin/blends/drawing.h"
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/off.h"
@@ -94,15 +95,17 @@ class TiledBuild {
   TiledBuild(const Document& document, const BuildOptions& options, const BuildArguments& arguments,
              const Ranks& ranks)
       : ranks_(ranks),
+        assembly_(document.assembly),
         plan_(document.assembly, options),
         boxes_(plan_.boxes()),
-        to_(destination(arguments.output)),
+        to_(tiled_destination(arguments.output)),
         contacts_(contact_choice(arguments.contacts, std::string(symbol(document.assembly.unit)))),
         rounding_(
             rounding_options(arguments.rounding, std::string(symbol(document.assembly.unit)))),
-        progress_(options.progress) {
+        progress_(options.progress),
+        are_tiles_asked_for_(arguments.tiles.tiles > 0 || !arguments.tiles.memory.empty()) {
     rounding_ = rounding_of_districts(rounding_, boxes_);
-    options_text_ = text_of(options, contacts_, rounding_);
+    options_text_ = std::string(to_.format.key) + " " + text_of(options, contacts_, rounding_);
     if (!arguments.tiles.cache.empty()) {
       cache_.emplace(arguments.tiles.cache);
       cache_size_ = cache_size(arguments.tiles);
@@ -124,23 +127,28 @@ class TiledBuild {
   Built run(const MeshHeader& header, OutputReport& report) {
     DistrictFile file(to_);
     std::vector<Built> built;
-    std::size_t begin = 0;
+    std::size_t begin = 0, tiles = 0;
     for (const std::size_t end : ends_) {
       tell(progress_, "build", double(begin) / double(plan_.size()));
       std::vector<std::optional<DistrictResult>> tile = own_results(begin, end);
       for (std::size_t i = 0; i < tile.size(); ++i) {
         DistrictResult district = tile[i] ? *std::move(tile[i]) : received(begin + i);
         tile[i].reset();
-        file.append(std::move(district.output));
+        const std::size_t tile_file = are_tiles_asked_for_ ? tiles : 0;
+        file.append(std::move(district.output),
+                    ranks_.count() > 1 ? owners_[begin + i] : tile_file);
         built.push_back(std::move(district.built));
       }
       begin = end;
+      ++tiles;
     }
-    report = file.commit(header);
+    Built all = plan_.joined(std::move(built));
+    report = file.commit(
+        header, to_.format.has_normals ? smooth_normals(assembly_, all, file.seen()) : NormalsOf());
     if (cache_) {
       cache_->trim(cache_size_);
     }
-    return plan_.joined(std::move(built));
+    return all;
   }
 
   // Of ranks but the first, which writes.
@@ -226,12 +234,14 @@ class TiledBuild {
   }
 
   const Ranks& ranks_;
+  const Assembly& assembly_;
   DistrictBuild plan_;
   std::vector<Boxes> boxes_;
   Destination to_;
   ContactChoice contacts_;
   RoundingOptions rounding_;
   Progress progress_;
+  bool are_tiles_asked_for_;
   std::optional<DistrictCache> cache_;
   std::uint64_t cache_size_ = 0;
   std::string options_text_;
@@ -242,7 +252,7 @@ class TiledBuild {
 }  // namespace
 
 void add_build_tile_options(CLI::App& command, TileArguments& arguments) {
-  add_tile_options(command, arguments, "parts");
+  add_tile_options(command, arguments, tiles_of("parts"));
   auto* const cache =
       command
           .add_option("--cache", arguments.cache,
@@ -258,7 +268,7 @@ void add_build_tile_options(CLI::App& command, TileArguments& arguments) {
 }
 
 void check_tiled(const BuildArguments& arguments) {
-  require_tiled_output(destination(arguments.output), arguments.tiles);
+  require_tiled_output(tiled_destination(arguments.output), arguments.tiles);
   (void)cache_size(arguments.tiles);
   if (!arguments.page.empty() || arguments.quality == kForSolvers) {
     throw UsageError(

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/stl_stream.h"
 #include "dupin/kernel/parallel.h"
 #include "input.h"
 
@@ -19,6 +20,22 @@ std::vector<Solid> selected(std::span<const Solid> operands,
     solids.push_back(operands[i]);
   }
   return solids;
+}
+
+Eigen::AlignedBox3d box_of(const StlFile& file) {
+  Eigen::AlignedBox3d box;
+  file.visit([&](std::span<const Facet> facets) {
+    for (const Facet& facet : facets) {
+      for (std::size_t k = 0; k < facet.size(); k += 3) {
+        box.extend(Vec3(facet[k], facet[k + 1], facet[k + 2]));
+      }
+    }
+  });
+  return box;
+}
+
+TriMesh mesh_in(const std::string& path) {
+  return is_stl_file(path) ? StlFile(path).mesh() : read_mesh_input(path);
 }
 
 /// A union in the making.
@@ -69,9 +86,8 @@ class UnionInTiles {
   DistrictOutput made(std::size_t district) {
     std::vector<Solid> operands;
     for (const std::size_t i : districts_.operands[district]) {
-      const Input input = read_input(task_.files[i]);
-      operands.push_back(operand_of(read_mesh(input.bytes, input.name), input.name,
-                                    task_.are_repaired, repairs_[i]));
+      operands.push_back(
+          operand_of(mesh_in(task_.files[i]), task_.files[i], task_.are_repaired, repairs_[i]));
     }
     const Solid solid = unite(operands, {task_.contacts.policy(), {}});
     operands.clear();
@@ -163,6 +179,13 @@ OperandFiles survey(const std::vector<std::string>& files, const Progress& progr
   result.triangles.resize(files.size());
   std::vector<StatedUnit> units(files.size());
   for_each_in_parallel(files.size(), [&](std::size_t i) {
+    if (is_stl_file(files[i])) {
+      const StlFile file(files[i]);
+      units[i] = {files[i], file.unit()};
+      result.boxes[i] = box_of(file);
+      result.triangles[i] = file.count();
+      return;
+    }
     const Input input = read_input(files[i]);
     units[i] = {input.name, input.unit()};
     const TriMesh mesh = read_mesh(input.bytes, input.name);

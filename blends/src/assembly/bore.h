@@ -63,4 +63,11 @@ constexpr std::string_view kBoreSuffix = ".bore", kInsulationSuffix = ".insulati
 void lengthen_out_of(SelectedParts& bore, const Assembly& assembly, const ResolvedAssembly& outer,
                      const std::vector<double>& walls, const std::set<std::string>& end_names);
 
+/// The names of the labels that the solid has.
+[[nodiscard]] std::set<std::string> names_seen(const Solid& solid);
+
+/// smooth_region() of what was built, whose solid, with labels of these names, need not be at hand.
+[[nodiscard]] SmoothRegion smooth_region_seen(const Assembly& assembly, const Built& built,
+                                              const std::set<std::string>& names);
+
 }  // namespace dupin::assembly

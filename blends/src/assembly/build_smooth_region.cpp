@@ -6,7 +6,7 @@
 #include "dupin/blends/build.h"
 
 namespace dupin {
-namespace {
+namespace assembly {
 
 std::set<std::string> names_seen(const Solid& solid) {
   std::set<std::string> result;
@@ -16,9 +16,8 @@ std::set<std::string> names_seen(const Solid& solid) {
   return result;
 }
 
-}  // namespace
-
-SmoothRegion smooth_region(const Assembly& assembly, const Built& built) {
+SmoothRegion smooth_region_seen(const Assembly& assembly, const Built& built,
+                                const std::set<std::string>& names) {
   SmoothRegion result{built.region, resolve(assembly), {}, {}};
   if (!built.volumes) {
     return result;
@@ -29,13 +28,19 @@ SmoothRegion smooth_region(const Assembly& assembly, const Built& built) {
     return result;
   }
   assembly::SelectedParts bore = assembly::bore_of(assembly, result.whole, walls.value());
-  assembly::lengthen_out_of(bore, assembly, result.whole, *walls, names_seen(built.solid));
+  lengthen_out_of(bore, assembly, result.whole, *walls, names);
   result.bore = std::move(bore.resolved);
   std::vector<bool> is_solid(assembly.parts.size());
   std::transform(assembly.parts.begin(), assembly.parts.end(), is_solid.begin(),
                  [](const Part& part) { return part.solid; });
   result.kept = assembly::selected_parts(result.whole, is_solid).resolved;
   return result;
+}
+
+}  // namespace assembly
+
+SmoothRegion smooth_region(const Assembly& assembly, const Built& built) {
+  return assembly::smooth_region_seen(assembly, built, assembly::names_seen(built.solid));
 }
 
 }  // namespace dupin

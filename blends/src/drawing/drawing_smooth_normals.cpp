@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <memory>
 
 #include "assembly/bore.h"
 #include "drawing/named_patches.h"
@@ -11,7 +12,8 @@ namespace {
 constexpr double kMostErrors = 4;
 
 // Of everything that triangles of the region may belong to.
-shading::PatchTable patches_of(const Assembly& assembly, const Built& built) {
+shading::PatchTable patches_of(const Assembly& assembly, const Built& built,
+                               const std::set<std::string>& names) {
   shading::PatchTable result;
   if (built.region == Region::insulation) {
     const ResolvedAssembly whole = assembly::filled(resolve(assembly));
@@ -21,7 +23,7 @@ shading::PatchTable patches_of(const Assembly& assembly, const Built& built) {
         assembly.patches, result);
     return result;
   }
-  const SmoothRegion region = smooth_region(assembly, built);
+  const SmoothRegion region = assembly::smooth_region_seen(assembly, built, names);
   drawing::add_patches(region.whole, assembly.patches, result);
   drawing::add_patches(region.bore, assembly.patches, result);
   return result;
@@ -29,16 +31,25 @@ shading::PatchTable patches_of(const Assembly& assembly, const Built& built) {
 
 }  // namespace
 
-CornerNormals smooth_normals(const Assembly& assembly, const Built& built, const TriMesh& mesh,
-                             double moved) {
+std::function<CornerNormals(const TriMesh&, double)> smooth_normals(
+    const Assembly& assembly, const Built& built, const std::set<std::string>& names) {
   double error = 0;
   for (const PartReport& part : built.parts) {
     error = std::max(error, part.error_bound);
   }
   // Of bores and insulation, no part's report tells.
   const double largest = kMostErrors * std::max(error, assembly.tolerance);
-  return shading::vertex_normals(patches_of(assembly, built), mesh,
-                                 {2 * error + moved, largest + moved, kLeastNormalCosine});
+  const auto table =
+      std::make_shared<const shading::PatchTable>(patches_of(assembly, built, names));
+  return [=](const TriMesh& mesh, double moved) {
+    return shading::vertex_normals(*table, mesh,
+                                   {2 * error + moved, largest + moved, kLeastNormalCosine});
+  };
+}
+
+CornerNormals smooth_normals(const Assembly& assembly, const Built& built, const TriMesh& mesh,
+                             double moved) {
+  return smooth_normals(assembly, built, assembly::names_seen(built.solid))(mesh, moved);
 }
 
 }  // namespace dupin

@@ -15,11 +15,13 @@
 #include <unistd.h>
 
 #include "dupin/kernel/error.h"
+#include "files/descriptor.h"
 
 namespace dupin {
 namespace {
 
 namespace fs = std::filesystem;
+using files::Descriptor;
 
 [[noreturn]] void fail(const std::string& action, const fs::path& path, int reason) {
   throw Error(Errc::io_failed, "cannot " + action + ": " + std::generic_category().message(reason),
@@ -28,25 +30,6 @@ namespace fs = std::filesystem;
 
 /// Bytes to read at once into memory that stays in the cache.
 constexpr std::size_t kPiece = std::size_t{1} << 18;
-
-/// An open file; closed on every way out.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) {
-      ::close(number_);
-    }
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int number() const { return number_; }
-  /// Closes, and tells the reason if the system refuses (a full disk may say so only here).
-  [[nodiscard]] int close() { return ::close(std::exchange(number_, -1)) == 0 ? 0 : errno; }
-
- private:
-  int number_;
-};
 
 Descriptor opened(const fs::path& path) {
   const int number = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);

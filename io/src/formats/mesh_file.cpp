@@ -41,20 +41,6 @@ std::string known_extensions() {
   return known;
 }
 
-/// Of formats with equally strong evidence, the first; without any, by the extension of `file`.
-const MeshFormat* find_by_content(std::string_view bytes, std::string_view file) {
-  const MeshFormat* found = nullptr;
-  Evidence strongest = Evidence::none;
-  for (const MeshFormat& format : mesh_formats()) {
-    const Evidence evidence = format.recognises(bytes);
-    if (evidence > strongest) {
-      strongest = evidence;
-      found = &format;
-    }
-  }
-  return found != nullptr ? found : find_by_extension(file);
-}
-
 }  // namespace
 
 std::span<const MeshFormat> mesh_formats() {
@@ -81,12 +67,25 @@ const MeshFormat& format_of(const std::filesystem::path& path) {
   return *format;
 }
 
+const MeshFormat* format_of_content(std::string_view bytes, std::string_view file) {
+  const MeshFormat* found = nullptr;
+  Evidence strongest = Evidence::none;
+  for (const MeshFormat& format : mesh_formats()) {
+    const Evidence evidence = format.recognises(bytes);
+    if (evidence > strongest) {
+      strongest = evidence;
+      found = &format;
+    }
+  }
+  return found != nullptr ? found : find_by_extension(file);
+}
+
 TriMesh read_mesh(const std::filesystem::path& path) {
   return read_mesh(read_file(path), path.string());
 }
 
 TriMesh read_mesh(std::string_view bytes, std::string_view file) {
-  const MeshFormat* const format = find_by_content(bytes, file);
+  const MeshFormat* const format = format_of_content(bytes, file);
   if (format == nullptr) {
     throw Error(Errc::parse_failed,
                 "found " + text::quoted(bytes.substr(0, 16)) + " at the start, expected a mesh (" +
@@ -97,7 +96,7 @@ TriMesh read_mesh(std::string_view bytes, std::string_view file) {
 }
 
 std::string mesh_unit(std::string_view bytes, std::string_view file) {
-  const MeshFormat* const format = find_by_content(bytes, file);
+  const MeshFormat* const format = format_of_content(bytes, file);
   return format != nullptr ? format->unit(bytes, file) : std::string();
 }
 

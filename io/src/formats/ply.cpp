@@ -23,7 +23,6 @@
 namespace dupin {
 namespace {
 
-constexpr std::string_view kPointProperty = "dupin_point";
 constexpr std::int64_t kMostPoints = std::numeric_limits<std::uint32_t>::max();
 
 /// Position of a property by its name, if it has the wanted form.
@@ -126,12 +125,13 @@ class PlyReader {
       const char letter = "xyz"[axis];
       const auto found = find_property(element, {&letter, 1}, false, false);
       if (!found) {
-        places_.fail_at(element.place, std::string("found an element 'vertex' without a number '") +
-                                           letter + "', expected x, y and z");
+        std::string message = "found an element 'vertex' without a number '";
+        message += letter;
+        places_.fail_at(element.place, message + "', expected x, y and z");
       }
       axis_of[*found] = axis;
     }
-    const auto copies = find_property(element, kPointProperty, false, true);
+    const auto copies = find_property(element, formats::kPlyPointProperty, false, true);
     copies_place_ = element.place;
     mesh_.points.reserve(element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
@@ -260,33 +260,14 @@ struct Vertices {
   formats::SplitPoints split;
 };
 
-std::string header_text(const TriMesh& mesh, const MeshHeader& header, const Vertices& vertices,
-                        std::string_view encoding) {
-  if (vertices.points.size() > std::numeric_limits<std::int32_t>::max()) {
-    throw Error(Errc::limit_exceeded, "PLY files hold at most 2147483647 points");
-  }
-  std::string text = "ply\nformat " + std::string(encoding) + " 1.0\n";
-  text += text::header_lines(header, "comment ");
-  for (const std::string& name : mesh.names) {
-    text += "comment label " + text::clean_line(name) + '\n';
-  }
-  text += "element vertex " + std::to_string(vertices.points.size()) +
-          "\nproperty double x\nproperty double y\nproperty double z\n";
-  if (vertices.have_normals()) {
-    text += "property float nx\nproperty float ny\nproperty float nz\n";
-  }
-  if (vertices.have_copies()) {
-    text += "property int " + std::string(kPointProperty) + '\n';
-  }
-  text += "element face " + std::to_string(mesh.triangles.size()) +
-          "\nproperty list uchar int vertex_indices\n";
-  if (!mesh.labels.empty()) {
-    text += "property int label\n";
-    if (!header.colours.empty()) {
-      text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-    }
-  }
-  return text + "end_header\n";
+formats::PlyContents contents_of(const TriMesh& mesh, const MeshHeader& header,
+                                 const Vertices& vertices) {
+  return {.vertices = vertices.points.size(),
+          .triangles = mesh.triangles.size(),
+          .has_normals = vertices.have_normals(),
+          .has_copies = vertices.have_copies(),
+          .has_labels = !mesh.labels.empty(),
+          .has_colours = !mesh.labels.empty() && !header.colours.empty()};
 }
 
 /// Of every label; empty where faces have no colours.
@@ -329,7 +310,8 @@ TriMesh read_ply(std::string_view bytes, std::string_view file) {
 std::string ply_ascii_text(const TriMesh& mesh, const MeshHeader& header) {
   const Vertices vertices(mesh, header);
   const std::vector<text::Colour> colours = face_colours(mesh, header);
-  std::string text = header_text(mesh, header, vertices, "ascii");
+  std::string text = formats::ply_header_text(contents_of(mesh, header, vertices), mesh.names,
+                                              header, formats::PlyEncoding::ascii);
   text.reserve(text.size() + vertices.points.size() * (vertices.have_normals() ? 110 : 60) +
                mesh.triangles.size() * 32);
   for (std::size_t i = 0; i < vertices.points.size(); ++i) {
@@ -359,30 +341,20 @@ std::string ply_ascii_text(const TriMesh& mesh, const MeshHeader& header) {
 std::string ply_binary_bytes(const TriMesh& mesh, const MeshHeader& header) {
   const Vertices vertices(mesh, header);
   const std::vector<text::Colour> colours = face_colours(mesh, header);
-  std::string bytes = header_text(mesh, header, vertices, "binary_little_endian");
+  std::string bytes = formats::ply_header_text(contents_of(mesh, header, vertices), mesh.names,
+                                               header, formats::PlyEncoding::little_endian);
   bytes.reserve(bytes.size() + vertices.points.size() * (vertices.have_normals() ? 40 : 24) +
                 mesh.triangles.size() * 17);
   for (std::size_t i = 0; i < vertices.points.size(); ++i) {
-    const Vec3& point = vertices.points[i];
-    text::store(bytes, point.x());
-    text::store(bytes, point.y());
-    text::store(bytes, point.z());
-    if (vertices.have_normals()) {
-      text::store(bytes, vertices.split.normals[i]);
-    }
-    if (vertices.have_copies()) {
-      text::store(bytes, vertices.point_of(i));
-    }
+    const std::uint32_t number = vertices.point_of(i);
+    formats::store_ply_vertex(bytes, vertices.points[i],
+                              vertices.have_normals() ? &vertices.split.normals[i] : nullptr,
+                              vertices.have_copies() ? &number : nullptr);
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    text::store(bytes, std::uint8_t{3});
-    text::store(bytes, vertices.triangles(mesh)[i]);
-    if (!mesh.labels.empty()) {
-      text::store(bytes, mesh.labels[i]);
-    }
-    if (!colours.empty()) {
-      text::store(bytes, colours[mesh.labels[i]]);
-    }
+    formats::store_ply_face(bytes, vertices.triangles(mesh)[i],
+                            mesh.labels.empty() ? nullptr : &mesh.labels[i],
+                            colours.empty() ? nullptr : &colours[mesh.labels[i]]);
   }
   return bytes;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "dupin/kernel/error.h"
 #include "text/mesh_text.h"
 #include "text/text_scanner.h"
 
@@ -101,6 +102,37 @@ std::size_t PlyElement::smallest_size(PlyEncoding encoding) const {
                 : size_of(property.is_list ? property.count_type : property.type);
   }
   return size;
+}
+
+std::string ply_header_text(const PlyContents& contents,
+                            const std::vector<std::string>& label_names, const MeshHeader& header,
+                            PlyEncoding encoding) {
+  if (contents.vertices > std::numeric_limits<std::int32_t>::max()) {
+    throw Error(Errc::limit_exceeded, "PLY files hold at most 2147483647 points");
+  }
+  std::string text = std::string("ply\nformat ") +
+                     (encoding == PlyEncoding::ascii ? "ascii" : "binary_little_endian") + " 1.0\n";
+  text += text::header_lines(header, "comment ");
+  for (const std::string& name : label_names) {
+    text += "comment label " + text::clean_line(name) + '\n';
+  }
+  text += "element vertex " + std::to_string(contents.vertices) +
+          "\nproperty double x\nproperty double y\nproperty double z\n";
+  if (contents.has_normals) {
+    text += "property float nx\nproperty float ny\nproperty float nz\n";
+  }
+  if (contents.has_copies) {
+    text += "property int " + std::string(kPlyPointProperty) + '\n';
+  }
+  text += "element face " + std::to_string(contents.triangles) +
+          "\nproperty list uchar int vertex_indices\n";
+  if (contents.has_labels) {
+    text += "property int label\n";
+  }
+  if (contents.has_colours) {
+    text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  }
+  return text + "end_header\n";
 }
 
 PlyHeader read_ply_header(std::string_view bytes, std::string_view file) {

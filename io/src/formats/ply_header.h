@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "dupin/io/mesh_header.h"
+
 namespace dupin::formats {
 
 enum class PlyEncoding { ascii, little_endian, big_endian };
@@ -42,6 +44,21 @@ struct PlyHeader {
   std::vector<std::string> label_names;  ///< of comments "label NAME", in order
   std::size_t size = 0;                  ///< bytes up to the first number
 };
+
+/// Of vertices of ours: the number of the point that one is.
+constexpr std::string_view kPlyPointProperty = "dupin_point";
+
+/// What a file of ours has.
+struct PlyContents {
+  std::uint64_t vertices = 0, triangles = 0;
+  bool has_normals = false, has_copies = false, has_labels = false, has_colours = false;
+};
+
+/// What stands before the numbers of a file of ours. Throws Error{limit_exceeded} for 2^31 vertices
+/// and more.
+[[nodiscard]] std::string ply_header_text(const PlyContents& contents,
+                                          const std::vector<std::string>& label_names,
+                                          const MeshHeader& header, PlyEncoding encoding);
 
 /// Throws Error{parse_failed} with "file:line".
 [[nodiscard]] PlyHeader read_ply_header(std::string_view bytes, std::string_view file);

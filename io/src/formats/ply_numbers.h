@@ -9,9 +9,11 @@
 #include <string>
 #include <string_view>
 
+#include "dupin/kernel/crease.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/mesh.h"
 #include "formats/ply_header.h"
+#include "text/label_colour.h"
 #include "text/little_endian.h"
 #include "text/text_scanner.h"
 
@@ -161,5 +163,33 @@ class PlyByteNumbers {
   std::size_t position_;
   bool swap_;
 };
+
+/// A vertex of a binary file of ours: with a normal, and the number of its point, where files have
+/// these.
+inline void store_ply_vertex(std::string& bytes, const Vec3& point, const Direction* normal,
+                             const std::uint32_t* number) {
+  text::store(bytes, point.x());
+  text::store(bytes, point.y());
+  text::store(bytes, point.z());
+  if (normal != nullptr) {
+    text::store(bytes, *normal);
+  }
+  if (number != nullptr) {
+    text::store(bytes, *number);
+  }
+}
+
+/// A face likewise.
+inline void store_ply_face(std::string& bytes, const Triangle& corners, const std::uint32_t* label,
+                           const text::Colour* colour) {
+  text::store(bytes, std::uint8_t{3});
+  text::store(bytes, corners);
+  if (label != nullptr) {
+    text::store(bytes, *label);
+  }
+  if (colour != nullptr) {
+    text::store(bytes, *colour);
+  }
+}
 
 }  // namespace dupin::formats

@@ -15,7 +15,6 @@
 #include "formats/stl_facet.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
-#include "text/point_merger.h"
 #include "text/text_scanner.h"
 
 namespace dupin {
@@ -25,7 +24,7 @@ using formats::kStlHeader, formats::kStlPreamble, formats::kStlVector, formats::
 
 constexpr std::string_view kNameMark = "solid ";
 
-[[noreturn]] void fail(std::string_view file, std::size_t place, const std::string& message) {
+[[noreturn]] void fail(std::string_view file, std::uint64_t place, const std::string& message) {
   throw Error(Errc::parse_failed, message, {},
               std::string(file) + ":byte " + std::to_string(place));
 }
@@ -50,15 +49,41 @@ Vec3 point_of(const std::array<float, 9>& corners, std::size_t corner) {
   return {corners[3 * corner], corners[3 * corner + 1], corners[3 * corner + 2]};
 }
 
-void require_finite(const Vec3& point, std::size_t place, std::string_view file) {
-  if (!point.allFinite()) {
-    std::string found;
-    text::append_point(found, point);
-    fail(file, place, "found the point (" + found + "), expected finite coordinates");
+}  // namespace
+
+std::uint32_t formats::stl_triangles(std::string_view preamble, std::uint64_t size,
+                                     std::string_view file) {
+  if (size < kStlPreamble) {
+    fail(file, 0,
+         "found a file of " + std::to_string(size) +
+             " bytes, expected at least the 84 that begin a binary STL, or the word 'solid'");
   }
+  const auto count = text::load<std::uint32_t>(preamble, kStlHeader);
+  if (size != kStlPreamble + std::uint64_t{count} * kStlFacet) {
+    fail(file, kStlHeader,
+         "found a count of " + std::to_string(count) + " triangles in a file of " +
+             std::to_string(size) + " bytes, expected " +
+             std::to_string(kStlPreamble + std::uint64_t{count} * kStlFacet) + " bytes");
+  }
+  return count;
 }
 
-}  // namespace
+Facet formats::stl_facet(std::string_view bytes, std::size_t at, std::uint64_t place,
+                         std::string_view file) {
+  Facet corners = corners_at(bytes, at);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (const Vec3 point = point_of(corners, k); !point.allFinite()) {
+      std::string found;
+      text::append_point(found, point);
+      fail(file, place + (k + 1) * kStlVector,
+           "found the point (" + found + "), expected finite coordinates");
+    }
+  }
+  for (float& coordinate : corners) {
+    coordinate += 0.0F;  // -0 becomes 0
+  }
+  return corners;
+}
 
 // Cut between characters; must not begin with "solid".
 std::string formats::stl_binary_preamble(const std::string& name, const MeshHeader& header,
@@ -83,6 +108,27 @@ std::string formats::stl_binary_preamble(const std::string& name, const MeshHead
   return text;
 }
 
+formats::StlMesh::StlMesh(std::size_t facets) : points_(facets / 2) {
+  mesh_.triangles.reserve(facets);
+}
+
+void formats::StlMesh::add(const Facet& facet) {
+  Triangle& triangle = mesh_.triangles.emplace_back();
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    triangle[corner] = points_.index_of(point_of(facet, corner));
+  }
+}
+
+TriMesh formats::StlMesh::take(std::string_view header) && {
+  mesh_.points = std::move(points_).take_points();
+  const std::string name = name_in(header);
+  if (!name.empty() && !mesh_.triangles.empty()) {
+    mesh_.names = {name};
+    mesh_.labels.assign(mesh_.triangles.size(), 0);
+  }
+  return std::move(mesh_);
+}
+
 bool has_size_of_binary_stl(std::string_view bytes) {
   return bytes.size() >= kStlPreamble &&
          bytes.size() ==
@@ -100,38 +146,12 @@ bool is_binary_stl(std::string_view bytes) {
 }
 
 TriMesh read_stl_binary(std::string_view bytes, std::string_view file) {
-  if (bytes.size() < kStlPreamble) {
-    fail(file, 0,
-         "found a file of " + std::to_string(bytes.size()) +
-             " bytes, expected at least the 84 that begin a binary STL, or the word 'solid'");
-  }
-  const std::size_t count = text::load<std::uint32_t>(bytes, kStlHeader);
-  if (!has_size_of_binary_stl(bytes)) {
-    fail(file, kStlHeader,
-         "found a count of " + std::to_string(count) + " triangles in a file of " +
-             std::to_string(bytes.size()) + " bytes, expected " +
-             std::to_string(kStlPreamble + count * kStlFacet) + " bytes");
-  }
-  text::PointMerger points(count / 2);
-  TriMesh mesh;
-  mesh.triangles.reserve(count);
+  const std::size_t count = formats::stl_triangles(bytes, bytes.size(), file);
+  formats::StlMesh mesh(count);
   for (std::size_t facet = kStlPreamble; facet < bytes.size(); facet += kStlFacet) {
-    const auto corners = corners_at(bytes, facet);
-    Triangle triangle;
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Vec3 point = point_of(corners, corner);
-      require_finite(point, facet + kStlVector + corner * kStlVector, file);
-      triangle[corner] = points.index_of(point.array() + 0.0);  // -0 becomes 0
-    }
-    mesh.triangles.push_back(triangle);
+    mesh.add(formats::stl_facet(bytes, facet, facet, file));
   }
-  mesh.points = std::move(points).take_points();
-  const std::string name = name_in(bytes.substr(0, kStlHeader));
-  if (!name.empty() && count > 0) {
-    mesh.names = {name};
-    mesh.labels.assign(count, 0);
-  }
-  return mesh;
+  return std::move(mesh).take(bytes.substr(0, kStlHeader));
 }
 
 bool formats::stl_binary_lists(const TriMesh& mesh, std::string_view bytes) {

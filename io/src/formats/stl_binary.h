@@ -7,6 +7,8 @@
 
 #include "dupin/io/mesh_header.h"
 #include "dupin/kernel/mesh.h"
+#include "dupin/kernel/tiled_check.h"
+#include "text/point_merger.h"
 
 namespace dupin::formats {
 
@@ -14,6 +16,30 @@ constexpr std::size_t kStlHeader = 80;
 constexpr std::size_t kStlPreamble = kStlHeader + 4;   // the header and the count of triangles
 constexpr std::size_t kStlVector = 12;                 // a normal or a point
 constexpr std::size_t kStlFacet = 4 * kStlVector + 2;  // with two bytes of attributes
+
+/// How many triangles a binary STL of so many bytes has. Throws Error{parse_failed} where the bytes
+/// are not as many as those before the first facet say, or not even these.
+[[nodiscard]] std::uint32_t stl_triangles(std::string_view preamble, std::uint64_t size,
+                                          std::string_view file);
+
+/// The facet whose bytes begin at `at`, with 0 for -0; it is at `place` in the file. Throws
+/// Error{parse_failed} for coordinates that are not finite.
+[[nodiscard]] Facet stl_facet(std::string_view bytes, std::size_t at, std::uint64_t place,
+                              std::string_view file);
+
+/// Makes the mesh that read_stl_binary() gives of facets in their order.
+class StlMesh {
+ public:
+  explicit StlMesh(std::size_t facets);
+
+  void add(const Facet& facet);
+  /// With the name that the first 80 bytes of the file give it.
+  [[nodiscard]] TriMesh take(std::string_view header) &&;
+
+ private:
+  text::PointMerger points_;
+  TriMesh mesh_;
+};
 
 /// Whether the file is a binary STL of the triangles of `mesh`, in their order and with the very
 /// same numbers. If the points of the mesh are in different places, `read_stl_binary` then joins

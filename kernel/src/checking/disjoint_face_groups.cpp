@@ -39,10 +39,12 @@ void group_large_stars(const WeldedMesh& mesh, std::span<const std::uint32_t> fa
 
 }  // namespace
 
-DisjointFaceGroups proven_groups(const WeldedMesh& mesh, bool closed, double margin) {
+DisjointFaceGroups proven_groups(const WeldedMesh& mesh, bool closed, double margin,
+                                 std::span<const std::uint8_t> rim) {
   constexpr double kSmooth = 0.8;  // tees and chains have 0.9, headers and racks up to 0.7
-  HeightFieldPatches patches = height_field_patches(
-      mesh.points, mesh.triangles, {.closed = closed, .smooth = kSmooth, .margin = margin});
+  HeightFieldPatches patches =
+      height_field_patches(mesh.points, mesh.triangles,
+                           {.closed = closed, .rim = rim, .smooth = kSmooth, .margin = margin});
   for (std::uint32_t v = 0; v < mesh.points.size() && mesh.has_identical_points(); ++v) {
     if (mesh.representatives[v] != v) {
       patches.is_inner[mesh.representatives[v]] = 0;

@@ -26,9 +26,10 @@ struct WeldedMesh {
   [[nodiscard]] bool has_identical_points() const { return triangles.data() != corners.data(); }
 };
 
-/// By height field patches, where the surface is smooth, and by injective stars; `closed` and
-/// `margin` are those of HeightFieldOptions.
-[[nodiscard]] DisjointFaceGroups proven_groups(const WeldedMesh& mesh, bool closed, double margin);
+/// By height field patches, where the surface is smooth, and by injective stars; `closed`, `margin`
+/// and `rim` are those of HeightFieldOptions.
+[[nodiscard]] DisjointFaceGroups proven_groups(const WeldedMesh& mesh, bool closed, double margin,
+                                               std::span<const std::uint8_t> rim = {});
 
 /// The groups given, and injective stars where triangles have none.
 [[nodiscard]] DisjointFaceGroups given_groups(const WeldedMesh& mesh,

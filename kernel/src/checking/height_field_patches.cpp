@@ -111,6 +111,9 @@ class PatchSearch {
   }
 
   void find_ways() {
+    std::ranges::transform(options_.rim, ways_at_.begin(), [](std::uint8_t is_rim) {
+      return is_rim != 0 ? kNoWayBit : std::uint8_t{0};  // never inner
+    });
     support::for_each_block(triangles_.size(), [&](const support::Block& block) {
       for (std::size_t f = block.begin; f < block.end; ++f) {
         const auto& [a, b, c] = triangles_[f];

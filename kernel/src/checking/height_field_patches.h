@@ -32,6 +32,8 @@ struct HeightFieldPatches {
 struct HeightFieldOptions {
   bool closed = false;  ///< promises that every edge is run through as often one way as the other;
                         ///< it saves work
+  /// Per point 1 where that is not promised of its edges; empty if there are none such.
+  std::span<const std::uint8_t> rim;
   /// The share of points whose triangles must all face the same way; else there are no patches. On
   /// rough surfaces it takes longer to prove them than to look at pairs of triangles.
   double smooth = 0;

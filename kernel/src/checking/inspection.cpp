@@ -1,7 +1,9 @@
 #include "checking/inspection.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "boxes/bounds.h"
 #include "checking/self_intersection.h"
@@ -13,6 +15,7 @@
 #include "mesh/shell_nesting.h"
 #include "predicates/triangle_overlap.h"
 #include "support/blocks.h"
+#include "support/none.h"
 #include "support/sequences.h"
 
 namespace dupin::checking {
@@ -52,8 +55,13 @@ std::vector<std::vector<std::uint32_t>> duplicate_groups(std::span<const Triangl
 
 class Inspector {
  public:
-  Inspector(const TriMesh& mesh, const CheckOptions& options, double margin)
-      : mesh_(mesh), options_(options), margin_(margin), points_(mesh.points), kept_(kDefectCount) {
+  Inspector(const TriMesh& mesh, const CheckOptions& options, double margin, TileShare share = {})
+      : mesh_(mesh),
+        options_(options),
+        margin_(margin),
+        share_(std::move(share)),
+        points_(mesh.points),
+        kept_(kDefectCount) {
     report().points = mesh.points.size();
     report().triangles = mesh.triangles.size();
     report().counts.assign(kDefectCount, 0);
@@ -70,18 +78,25 @@ class Inspector {
     report_shells(shells, edges, fans);
     if (are_places_known_) {
       check_places(edges);
+    }
+    if (is_tile()) {
+      keep_shells(shells);
+    } else if (are_places_known_) {
       measure(shells);
     }
-    for (auto& findings : kept_) {
-      std::sort(findings.begin(), findings.end(),
-                [](const Finding& a, const Finding& b) { return a.faces < b.faces; });
-      std::move(findings.begin(), findings.end(), std::back_inserter(report().findings));
-    }
+    append_findings(std::move(kept_), report());
     return std::move(inspection_);
   }
 
  private:
   Report& report() { return inspection_.report; }
+
+  [[nodiscard]] bool is_tile() const { return !share_.counted.points.empty(); }
+
+  // Of a position in triangles_.
+  [[nodiscard]] bool counts_face(std::uint32_t face) const {
+    return share_.counted.face(face_ids_[face]);
+  }
 
   [[nodiscard]] bool found(Defect defect) { return report().count(defect) > 0; }
 
@@ -134,8 +149,10 @@ class Inspector {
         used[corner] = true;
       }
       if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
-        add_original(Defect::degenerate_face, {i}, {corners.begin(), corners.end()},
-                     points_[corners[0]]);
+        if (share_.counted.face(i)) {
+          add_original(Defect::degenerate_face, {i}, {corners.begin(), corners.end()},
+                       points_[corners[0]]);
+        }
         continue;
       }
       triangles_.push_back(corners);
@@ -164,8 +181,12 @@ class Inspector {
   void check_edges(const mesh::EdgeTable& edges) {
     const auto faulty = support::indices_where(
         edges.size(), [&](std::uint32_t i) { return defect_of(edges[i], edges).has_value(); });
+    mark_rim(edges, faulty);
     for (const std::uint32_t i : faulty) {
       const mesh::Edge edge = edges[i];
+      if (!share_.counted.point(edge.low)) {
+        continue;
+      }
       std::vector<std::uint32_t> faces;
       for (const std::uint32_t half_edge : edge.half_edges) {
         faces.push_back(half_edge / 3);
@@ -176,10 +197,33 @@ class Inspector {
     }
   }
 
+  // Of the ends of edges that are run through more often one way than the other, and of a tile the
+  // points that others count.
+  void mark_rim(const mesh::EdgeTable& edges, std::span<const std::uint32_t> faulty) {
+    if (faulty.empty() && share_.counted.points.empty()) {
+      return;
+    }
+    rim_.resize(points_.size());
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      rim_[i] = share_.counted.point(i) ? 0 : 1;
+    }
+    for (const std::uint32_t i : faulty) {
+      const mesh::Edge edge = edges[i];
+      const auto ascending = std::ranges::count_if(
+          edge.half_edges, [&](std::uint32_t h) { return edges.origin(h) == edge.low; });
+      if (2 * static_cast<std::size_t>(ascending) != edge.half_edges.size()) {
+        rim_[edge.low] = rim_[edge.high] = 1;
+      }
+    }
+  }
+
   void check_vertices(std::span<const std::uint32_t> fans) {
     std::vector<std::uint32_t> fan_count(points_.size());
     std::uint32_t used = 0;
     for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
+      if (!share_.counted.point(point_of(corner))) {
+        continue;
+      }
       std::uint32_t& count = fan_count[point_of(corner)];
       used += count == 0 ? 1 : 0;
       count += fans[corner] == corner ? 1 : 0;
@@ -207,15 +251,33 @@ class Inspector {
 
   void report_shells(const mesh::Shells& shells, const mesh::EdgeTable& edges,
                      std::span<const std::uint32_t> fans) {
-    const auto numbers = mesh::euler_numbers(shells, edges, fans);
+    mesh::Counted counted{share_.counted.points, {}};
+    std::vector<std::uint8_t> faces_counted;
+    if (!share_.counted.faces.empty()) {
+      faces_counted =
+          support::selected(share_.counted.faces, std::span<const std::uint32_t>(face_ids_));
+      counted.faces = faces_counted;
+    }
+    const auto numbers = mesh::euler_numbers(shells, edges, fans, counted);
     for (std::size_t i = 0; i < shells.count; ++i) {
       const auto faces = shells.faces_of(i);
-      report().shells.push_back({face_ids_[faces[0]], faces.size(), 0, 0, numbers[i]});
+      const auto own = std::ranges::count_if(faces, [&](auto f) { return counted.face(f); });
+      report().shells.push_back(
+          {face_ids_[faces[0]], static_cast<std::size_t>(own), 0, 0, numbers[i]});
       report().genus += (2 - numbers[i]) / 2;
+      report().euler_number += own;
     }
     report().components = shells.count;
-    report().euler_number +=
-        static_cast<std::int64_t>(triangles_.size()) - static_cast<std::int64_t>(edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      report().euler_number -= counted.point(edges[i].low) ? 1 : 0;
+    }
+  }
+
+  void keep_shells(const mesh::Shells& shells) {
+    inspection_.shell_of_face.assign(mesh_.triangles.size(), support::kNone);
+    for (std::size_t i = 0; i < face_ids_.size(); ++i) {
+      inspection_.shell_of_face[face_ids_[i]] = shells.of_face[i];
+    }
   }
 
   // What depends on coordinates.
@@ -227,27 +289,31 @@ class Inspector {
         corner = representatives[corner];
       }
     }
-    const auto duplicates = check_degenerate_and_duplicate(merged, edges);
+    check_degenerate_and_duplicate(merged, edges);
     if (options_.self_intersections) {
-      check_self_intersections(representatives, duplicates);
+      check_self_intersections(representatives, merged);
     }
-    if (report().closed() && !found(Defect::degenerate_face) && duplicates.empty()) {
+    if (!is_tile() && report().closed() && !found(Defect::degenerate_face) &&
+        !found(Defect::duplicate_face)) {
       check_contacts(representatives);
     }
   }
 
-  std::vector<std::vector<std::uint32_t>> check_degenerate_and_duplicate(
-      const std::vector<Triangle>& merged, const mesh::EdgeTable& edges) {
+  void check_degenerate_and_duplicate(const std::vector<Triangle>& merged,
+                                      const mesh::EdgeTable& edges) {
     const auto flat = support::indices_where(merged.size(), [&](std::uint32_t i) {
       const auto& [p, q, r] = merged[i];
       return predicates::collinear(points_[p], points_[q], points_[r]);
     });
     for (const std::uint32_t i : flat) {
-      add(Defect::degenerate_face, {i}, {triangles_[i].begin(), triangles_[i].end()},
-          points_[merged[i][0]]);
+      if (counts_face(i)) {
+        add(Defect::degenerate_face, {i}, {triangles_[i].begin(), triangles_[i].end()},
+            points_[merged[i][0]]);
+      }
     }
     if (flat.empty() && merged == triangles_) {
-      return add_duplicates(duplicate_groups(triangles_, edges));
+      add_duplicates(duplicate_groups(triangles_, edges));
+      return;
     }
     std::vector<Triangle> proper;
     std::vector<std::uint32_t> positions;
@@ -263,46 +329,42 @@ class Inspector {
         face = positions[face];
       }
     }
-    return add_duplicates(std::move(groups));
+    add_duplicates(std::move(groups));
   }
 
-  std::vector<std::vector<std::uint32_t>> add_duplicates(
-      std::vector<std::vector<std::uint32_t>> groups) {
-    for (const auto& group : groups) {
+  void add_duplicates(std::vector<std::vector<std::uint32_t>> groups) {
+    for (auto& group : groups) {
       const Triangle& corners = triangles_[group[0]];
-      add(Defect::duplicate_face, group, {corners.begin(), corners.end()}, points_[corners[0]]);
+      if (share_.counted.point(std::ranges::min(corners))) {
+        add(Defect::duplicate_face, std::move(group), {corners.begin(), corners.end()},
+            points_[corners[0]]);
+      }
     }
-    return groups;
   }
 
   void check_self_intersections(std::span<const std::uint32_t> representatives,
-                                const std::vector<std::vector<std::uint32_t>>& duplicates) {
-    // Enough to find options_.limit real ones among pairs that are contacts or duplicates.
-    constexpr std::size_t kSlack = std::size_t{1} << 20;
+                                std::span<const Triangle> merged) {
+    // Contacts are looked at later, duplicates have been.
+    const auto is_wanted = [&](const FacePair& pair) {
+      return pair.kind != FacePair::Kind::contact &&
+             !std::ranges::is_permutation(merged[pair.first], merged[pair.second]) &&
+             (!share_.counts_pair ||
+              share_.counts_pair(face_ids_[pair.first], face_ids_[pair.second]));
+    };
     auto found = find_self_intersections(points_, triangles_,
-                                         {.limit = kSlack + options_.limit,
+                                         {.limit = options_.limit,
                                           .representatives = representatives,
-                                          .closed = report().closed(),
-                                          .margin = margin_});
+                                          .closed = true,
+                                          .rim = rim_,
+                                          .margin = margin_,
+                                          .wanted = is_wanted});
     inspection_.stable = std::move(found.stable);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> known;
-    for (const auto& group : duplicates) {
-      for (std::size_t i = 0; i < group.size(); ++i) {
-        for (std::size_t j = i + 1; j < group.size(); ++j) {
-          known.emplace_back(group[i], group[j]);
-        }
-      }
-    }
-    std::sort(known.begin(), known.end());
     for (const FacePair& pair : found.pairs) {
-      if (pair.kind != FacePair::Kind::contact &&
-          !std::binary_search(known.begin(), known.end(), std::pair(pair.first, pair.second))) {
-        add(Defect::self_intersection, {pair.first, pair.second}, {},
-            place_between(pair.first, pair.second));
-      }
+      add(Defect::self_intersection, {pair.first, pair.second}, {},
+          place_between(pair.first, pair.second));
     }
     report().counts[static_cast<std::size_t>(Defect::self_intersection)] =
-        found.crossings + found.overlaps - known.size();
+        found.crossings + found.overlaps;
   }
 
   // The middle of what the boxes of two faces have in common.
@@ -362,10 +424,12 @@ class Inspector {
   const TriMesh& mesh_;
   const CheckOptions options_;
   double margin_;
+  const TileShare share_;
   std::span<const Vec3> points_;
   std::vector<Triangle> triangles_;         // those with three different corners
   std::vector<std::uint32_t> face_ids_;     // of triangles_ in the mesh
   std::vector<std::vector<Finding>> kept_;  // by defect
+  std::vector<std::uint8_t> rim_;           // see SelfIntersectionOptions
   bool are_places_known_ = true;
   Inspection inspection_;
 };
@@ -374,6 +438,18 @@ class Inspector {
 
 Inspection inspect(const TriMesh& mesh, const CheckOptions& options, double margin) {
   return Inspector(mesh, options, margin).run();
+}
+
+Inspection inspect_tile(const TriMesh& mesh, const CheckOptions& options, const TileShare& share) {
+  return Inspector(mesh, options, 0, share).run();
+}
+
+void append_findings(std::vector<std::vector<Finding>> kept, Report& report) {
+  for (auto& findings : kept) {
+    std::sort(findings.begin(), findings.end(),
+              [](const Finding& a, const Finding& b) { return a.faces < b.faces; });
+    std::move(findings.begin(), findings.end(), std::back_inserter(report.findings));
+  }
 }
 
 }  // namespace dupin::checking

@@ -162,7 +162,8 @@ class Search {
   void find_groups() {
     const WeldedMesh mesh{points_, triangles_, corners_, representatives_};
     groups_ = options_.groups.empty()
-                  ? proven_groups(mesh, options_.closed, seeks_stable() ? options_.margin : 0)
+                  ? proven_groups(mesh, options_.closed, seeks_stable() ? options_.margin : 0,
+                                  options_.rim)
                   : given_groups(mesh, options_.groups);
   }
 
@@ -273,22 +274,21 @@ class Search {
       return;
     }
     FacePair pair{std::min(face, other), std::max(face, other)};
-    switch (meeting) {
-      case predicates::TriangleOverlap::crossing:
-        ++found.crossings;
-        break;
-      case predicates::TriangleOverlap::overlap:
-        pair.kind = FacePair::Kind::overlap;
-        ++found.overlaps;
-        break;
-      case predicates::TriangleOverlap::none:
-        if (!touch_apart(face, other)) {
-          return;
-        }
-        pair.kind = FacePair::Kind::contact;
-        ++found.contacts;
-        break;
+    std::size_t* count = &found.crossings;
+    if (meeting == predicates::TriangleOverlap::overlap) {
+      pair.kind = FacePair::Kind::overlap;
+      count = &found.overlaps;
+    } else if (meeting == predicates::TriangleOverlap::none) {
+      if (!touch_apart(face, other)) {
+        return;
+      }
+      pair.kind = FacePair::Kind::contact;
+      count = &found.contacts;
     }
+    if (options_.wanted && !options_.wanted(pair)) {
+      return;
+    }
+    ++*count;
     found.pairs.push_back(pair);
     if (found.pairs.size() / 2 >= std::max<std::size_t>(options_.limit, 1024)) {
       trim(found.pairs);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -34,11 +35,15 @@ struct SelfIntersectionOptions {
   std::span<const std::uint32_t> representatives;
   /// Promises that every edge is run through as often one way as the other; saves work.
   bool closed = false;
+  /// Per point 1 where that is not promised of its edges; empty if there are none such.
+  std::span<const std::uint8_t> rim;
   /// Per triangle a group, or support::kNone: those of one group certainly keep apart, and have
   /// an area. Empty if there are none.
   std::span<const std::uint32_t> groups;
   /// If above 0, `stable` is sought as well.
   double margin = 0;
+  /// Whether a pair is to be counted and kept; all are, if empty. Asked by several threads at once.
+  std::function<bool(const FacePair&)> wanted;
 };
 
 struct SelfIntersections {

@@ -125,16 +125,19 @@ Shells grouped(std::vector<std::uint32_t> lowest_faces) {
 }
 
 std::vector<std::int64_t> euler_numbers(const Shells& shells, const EdgeTable& edges,
-                                        std::span<const std::uint32_t> fans) {
+                                        std::span<const std::uint32_t> fans,
+                                        const Counted& counted) {
   std::vector<std::int64_t> numbers(shells.count);
-  for (const std::uint32_t shell : shells.of_face) {
-    ++numbers[shell];
+  for (std::uint32_t face = 0; face < shells.of_face.size(); ++face) {
+    numbers[shells.of_face[face]] += counted.face(face) ? 1 : 0;
   }
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    --numbers[shells.of_face[edges[i].half_edges[0] / 3]];
+    const Edge edge = edges[i];
+    numbers[shells.of_face[edge.half_edges[0] / 3]] -= counted.point(edge.low) ? 1 : 0;
   }
   for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
-    numbers[shells.of_face[corner / 3]] += fans[corner] == corner ? 1 : 0;
+    const bool is_fan = fans[corner] == corner && counted.point(edges.origin(corner));
+    numbers[shells.of_face[corner / 3]] += is_fan ? 1 : 0;
   }
   return numbers;
 }

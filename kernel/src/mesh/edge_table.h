@@ -62,8 +62,18 @@ struct Shells {
 /// Sets of faces as shells: per face the lowest one of its set is given.
 [[nodiscard]] Shells grouped(std::vector<std::uint32_t> lowest_faces);
 
+/// What is counted of a mesh that is one part of several that overlap; all if empty.
+struct Counted {
+  std::span<const std::uint8_t> points;  ///< per point 1, if it is; an edge like its lower point
+  std::span<const std::uint8_t> faces;   ///< per face likewise
+
+  [[nodiscard]] bool point(std::uint32_t i) const { return points.empty() || points[i] != 0; }
+  [[nodiscard]] bool face(std::uint32_t i) const { return faces.empty() || faces[i] != 0; }
+};
+
 /// V - E + F of each shell, points counted once per fan.
 [[nodiscard]] std::vector<std::int64_t> euler_numbers(const Shells& shells, const EdgeTable& edges,
-                                                      std::span<const std::uint32_t> fans);
+                                                      std::span<const std::uint32_t> fans,
+                                                      const Counted& counted = {});
 
 }  // namespace dupin::mesh

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -186,20 +187,6 @@ int quick_volume_sign(std::span<const Vec3> points, std::span<const Triangle> tr
   return (all.volume > doubt) - (all.volume < -doubt);
 }
 
-// Added up with what rounding takes from it [Kahan].
-class CompensatedSum {
- public:
-  void add(double term) {
-    const double rest = term - rest_, next = sum_ + rest;
-    rest_ = (next - sum_) - rest;
-    sum_ = next;
-  }
-  [[nodiscard]] double value() const { return sum_; }
-
- private:
-  double sum_ = 0, rest_ = 0;
-};
-
 // A sum over all triangles, by blocks that do not depend on the number of threads.
 template <class Term>
 double sum_of(const MeshView& mesh, const Term& term) {
@@ -273,6 +260,11 @@ double exact_double_area(const MeshView& mesh, const Triangle& corners) {
   return mpf_class(sqrt(numerator) / denominator).get_d();
 }
 
+double careful_double_area(const MeshView& mesh, const Triangle& corners) {
+  const QuickArea area = quick_double_area(mesh, corners);
+  return area.error < kPart * area.doubled ? area.doubled : exact_double_area(mesh, corners);
+}
+
 }  // namespace
 
 mpq_class exact_volume(const MeshView& mesh) { return SixVolumes(mesh).exact() / 6; }
@@ -304,13 +296,36 @@ double area(const MeshView& mesh) {
   if (sum_of(mesh, error) < kPart * quick) {
     return quick / 2;
   }
-  return sum_of(mesh,
-                [&](const Triangle& t) {
-                  const QuickArea area = quick_double_area(mesh, t);
-                  return area.error < kPart * area.doubled ? area.doubled
-                                                           : exact_double_area(mesh, t);
-                }) /
+  return sum_of(mesh, [&](const Triangle& t) { return careful_double_area(mesh, t); }) / 2;
+}
+
+void AreaSum::add(const std::array<Vec3, 3>& corners) {
+  if (in_block_ == support::Block::kSize) {
+    add(std::exchange(block_, {}), all_);
+    in_block_ = 0;
+  }
+  constexpr Triangle kOnly{0, 1, 2};
+  const MeshView triangle(corners, {&kOnly, 1});
+  const QuickArea area = quick_double_area(triangle, kOnly);
+  block_.doubled.add(area.doubled);
+  block_.error.add(area.error);
+  block_.careful.add(careful_double_area(triangle, kOnly));
+  ++in_block_;
+}
+
+double AreaSum::value() const {
+  Sums sums = all_;
+  if (in_block_ > 0) {
+    add(block_, sums);
+  }
+  return (sums.error.value() < kPart * sums.doubled.value() ? sums.doubled : sums.careful).value() /
          2;
+}
+
+void AreaSum::add(const Sums& block, Sums& all) {
+  all.doubled.add(block.doubled.value());
+  all.error.add(block.error.value());
+  all.careful.add(block.careful.value());
 }
 
 }  // namespace dupin::mesh

@@ -2,9 +2,22 @@
 
 #include <algorithm>
 
-#include "mesh/point_winding.h"
-
 namespace dupin::mesh {
+
+double ray_cost(const MeshView& mesh, std::uint32_t face) {
+  return bounds_of(mesh, face).sizes().tail<2>().sum();
+}
+
+// Three times it, and all is scaled by 3, to stay in integers.
+WindingPoint point_within(const MeshView& mesh, std::uint32_t face) {
+  exact::ExactVector point;
+  for (const std::uint32_t corner : mesh.triangles[face]) {
+    for (int i = 0; i < 3; ++i) {
+      point[i] = point[i] + CGAL::Mpzf(mesh.points[corner][i]);
+    }
+  }
+  return {point, 3, bounds_of(mesh, face)};
+}
 
 ShellNest::ShellNest(const MeshView& mesh, const Shells& shells)
     : mesh_(mesh), shells_(shells), boxes_(shells.count), test_faces_(shells.count) {
@@ -18,30 +31,17 @@ ShellNest::ShellNest(const MeshView& mesh, const Shells& shells)
   }
 }
 
-// A small face makes few candidates for the ray.
 std::uint32_t ShellNest::test_face(std::size_t shell) const {
-  const auto spread = [&](std::uint32_t face) {
-    return bounds_of(mesh_, face).sizes().tail<2>().sum();
-  };
-  const auto faces = shells_.faces_of(shell);
-  return *std::min_element(faces.begin(), faces.end(),
-                           [&](std::uint32_t a, std::uint32_t b) { return spread(a) < spread(b); });
+  return *std::ranges::min_element(shells_.faces_of(shell), {},
+                                   [&](std::uint32_t face) { return ray_cost(mesh_, face); });
 }
 
 bool ShellNest::encloses(std::size_t outer, std::size_t inner) const {
   if (!boxes_[outer].contains(boxes_[inner])) {
     return false;
   }
-  // Three times the centre of gravity of a triangle: a point that lies on no other shell, as shells
-  // touch in vertices and edges only. All is scaled by 3 to stay in integers.
-  exact::ExactVector point;
-  for (const std::uint32_t corner : mesh_.triangles[test_faces_[inner]]) {
-    for (int i = 0; i < 3; ++i) {
-      point[i] = point[i] + CGAL::Mpzf(mesh_.points[corner][i]);
-    }
-  }
-  return winding_number(mesh_, shells_.faces_of(outer),
-                        {point, 3, bounds_of(mesh_, test_faces_[inner])}) != 0;
+  return winding_number(mesh_, shells_.faces_of(outer), point_within(mesh_, test_faces_[inner])) !=
+         0;
 }
 
 std::vector<int> nesting_depths(const MeshView& mesh, const Shells& shells) {

@@ -6,8 +6,16 @@
 
 #include "mesh/edge_table.h"
 #include "mesh/exact_mesh.h"
+#include "mesh/point_winding.h"
 
 namespace dupin::mesh {
+
+/// How many candidates a ray from within the face may have: the less, the smaller.
+[[nodiscard]] double ray_cost(const MeshView& mesh, std::uint32_t face);
+
+/// The face's centre of gravity, which lies on no other shell, as shells touch in vertices and
+/// edges only.
+[[nodiscard]] WindingPoint point_within(const MeshView& mesh, std::uint32_t face);
 
 /// Answers which shells are around which, by exact ray tests. The shells are closed surfaces of
 /// doubles. The mesh and the shells outlive it.

@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
 
 MPIRUN = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none"]
 
@@ -47,6 +48,26 @@ def check_bytes(tool, folder):
             (folder / "shared.stl").unlink()
 
 
+def check_formats(tool, folder):
+    """The bytes of PLY, and a file of VTK for each rank."""
+    assert run(tool, folder, 0, "plant.json", "-o", "whole.ply").returncode == 0
+    shared = run(tool, folder, 2, "plant.json", "-o", "shared.ply")
+    assert shared.returncode == 0, shared.stderr
+    assert (folder / "shared.ply").read_bytes() == (folder / "whole.ply").read_bytes()
+    listed = run(tool, folder, 3, "plant.json", "-o", "listed.pvtu", "--cache", "kept")
+    assert listed.returncode == 0, listed.stderr
+    files = sorted(path.name for path in folder.glob("listed*"))
+    assert files == ["listed.pvtu", "listed_0.vtu", "listed_1.vtu", "listed_2.vtu"], files
+    parse = xml.etree.ElementTree.parse
+    sources = [piece.get("Source") for piece in parse(folder / "listed.pvtu").iter("Piece")]
+    assert sources == files[1:], sources
+    triangles = [int(parse(folder / name).find(".//Piece").get("NumberOfCells")) for name in sources]
+    assert sum(triangles) == json.loads(listed.stdout)["output"]["check"]["triangles"], triangles
+    assert max(triangles) < 2 * min(triangles), triangles
+    for path in [*folder.glob("listed*"), *folder.glob("*.ply")]:
+        path.unlink()
+
+
 def check_failure(tool, folder):
     """A part that only one rank builds is refused."""
     (folder / "bad.json").write_text(json.dumps(plant(5, wall=120)), encoding="utf-8")
@@ -72,6 +93,7 @@ def main():
         folder = pathlib.Path(name)
         (folder / "plant.json").write_text(json.dumps(plant(12)), encoding="utf-8")
         check_bytes(tool, folder)
+        check_formats(tool, folder)
         check_failure(tool, folder)
 
 

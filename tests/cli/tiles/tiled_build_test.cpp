@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/tool.h"
+#include "dupin/io/vtu.h"
 
 namespace dupin::test {
 namespace {
@@ -57,6 +58,64 @@ TEST_F(TiledBuild, gives_the_same_bytes_for_all_numbers_of_tiles) {
     EXPECT_TRUE(folder_.read("out.stl") == whole) << region << " on one core";
   }
   EXPECT_EQ(json({"check", "out.stl"}, 0).at("solid"), true);
+}
+
+// With normals, which are those of the whole's surfaces, and colours.
+TEST_F(TiledBuild, gives_the_same_bytes_of_ply) {
+  std::string text = plant(12);
+  for (std::size_t i = 0; (i = text.find("{\"name\": \"run", i)) != std::string::npos; i += 30) {
+    text.insert(i + 1, R"("colour": "#1020)" + std::to_string(10 + i % 80) + R"(", )");
+  }
+  folder_.write("plant.json", text);
+  for (const std::string region : {"outer", "metal", "fluid"}) {
+    std::vector<std::string> command{"build", "plant.json", "-o",   "out.ply",  "--wall",
+                                     "8mm",   "--region",   region, "--origin", "auto"};
+    EXPECT_EQ(json(command, 0).at("output").at("format"), "binary PLY");
+    const std::string whole = folder_.read("out.ply");
+    for (const std::string part : {"property float nx", "dupin_point", "property uchar red"}) {
+      EXPECT_THAT(whole.substr(0, 20'000), HasSubstr(part));
+    }
+    command.insert(command.end(), {"--tiles", ""});
+    for (const std::string tiles : {"1", "3", "8", "64"}) {
+      command.back() = tiles;
+      EXPECT_EQ(json(command, 0).at("output").at("format"), "binary PLY");
+      EXPECT_TRUE(folder_.read("out.ply") == whole) << region << " " << tiles;
+    }
+  }
+  const std::vector<std::string> kept{"build", "plant.json", "-o", "out.ply", "--cache", "kept"};
+  const auto built = [&](std::vector<std::string> command) {
+    EXPECT_EQ(dupin(command).exit_code, 0);
+    return folder_.read(command[3]);
+  };
+  const std::string ply = built({"build", "plant.json", "-o", "out.ply"});
+  const std::string stl = built({"build", "plant.json", "-o", "out.stl"});
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_TRUE(built(kept) == ply);
+    EXPECT_TRUE(built({"build", "plant.json", "-o", "out.stl", "--cache", "kept"}) == stl);
+  }
+}
+
+TEST_F(TiledBuild, writes_a_file_of_vtk_for_each_tile) {
+  folder_.write("plant.json", plant(7));
+  const std::vector<std::string> command{"build", "plant.json", "-o", "out.pvtu"};
+  const auto report = json(command, 0);
+  EXPECT_EQ(report.at("output").at("format"), "VTK pieces");
+  EXPECT_EQ(folder_.files(), (std::vector<std::string>{"out.pvtu", "out_0.vtu", "plant.json"}));
+  std::vector<std::string> in_tiles = command;
+  in_tiles.insert(in_tiles.end(), {"--tiles", "3", "--quiet"});
+  EXPECT_EQ(dupin(in_tiles).exit_code, 0);
+  EXPECT_EQ(folder_.files(), (std::vector<std::string>{"out.pvtu", "out_0.vtu", "out_1.vtu",
+                                                       "out_2.vtu", "plant.json"}));
+  std::size_t triangles = 0;
+  for (const std::string file : {"out_0.vtu", "out_1.vtu", "out_2.vtu"}) {
+    EXPECT_THAT(folder_.read("out.pvtu"), HasSubstr("<Piece Source=\"" + file + "\"/>"));
+    triangles += read_vtu(folder_.read(file), file).surface.triangles.size();
+  }
+  EXPECT_EQ(report.at("output").at("check").at("triangles"), triangles);
+  EXPECT_EQ(dupin({"build", "plant.json", "-o", "none/out.pvtu"}).exit_code, 5);
+  EXPECT_EQ(dupin({"build", "plant.json", "-o", "-", "--format", "pvtu"}).exit_code, 2);
+  EXPECT_EQ(dupin({"build", "plant.json", "-o", "a.pvtu", "--patches", "a.json"}).exit_code, 2);
+  EXPECT_EQ(folder_.files().size(), 5);
 }
 
 TEST_F(TiledBuild, shares_the_automatic_origin) {
@@ -178,9 +237,11 @@ TEST_F(TiledBuild, leaves_no_file_where_a_district_is_refused) {
 TEST_F(TiledBuild, says_that_a_file_cannot_be_written) {
   folder_.write("plant.json", plant(2));
   for (const std::string path : {"none/out.stl", "/dev/full"}) {
-    const ProcessResult result =
-        dupin({"build", "plant.json", "-o", path, "--format", "stl", "--tiles", "2"});
-    EXPECT_EQ(result.exit_code, 5) << result.err;
+    for (const std::string format : {"stl", "ply"}) {
+      const ProcessResult result =
+          dupin({"build", "plant.json", "-o", path, "--format", format, "--tiles", "2"});
+      EXPECT_EQ(result.exit_code, 5) << result.err;
+    }
   }
 }
 
@@ -207,9 +268,10 @@ TEST_F(TiledBuild, says_what_it_cannot_do) {
     EXPECT_EQ(result.exit_code, 2);
     return result.err;
   };
-  EXPECT_THAT(refused({"-o", "a.off", "--tiles", "2"}), HasSubstr("binary STL files only"));
+  EXPECT_THAT(refused({"-o", "a.off", "--tiles", "2"}),
+              HasSubstr("binary STL, binary PLY and .pvtu files only"));
   EXPECT_THAT(refused({"-o", "-", "--format", "stl", "--memory", "1GB"}),
-              HasSubstr("binary STL files only"));
+              HasSubstr("binary STL, binary PLY and .pvtu files only"));
   EXPECT_THAT(refused({"-o", "a.stl", "--memory", "much"}), HasSubstr("500MB or 4GB"));
   EXPECT_THAT(refused({"-o", "a.stl", "--memory", "-1GB"}), HasSubstr("500MB or 4GB"));
   EXPECT_THAT(refused({"-o", "a.stl", "--memory", "1GB", "--tiles", "2"}), HasSubstr("exclude"));

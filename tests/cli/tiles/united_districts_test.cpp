@@ -75,6 +75,10 @@ TEST_F(TiledUnion, has_the_same_bytes_for_all_numbers_of_tiles) {
     EXPECT_EQ(report.at("rounding"), whole.at("rounding"));
   }
   EXPECT_TRUE(united(files, {"--memory", "1MB"}).second == bytes);
+  const std::vector<std::string> ply{"--format", "ply"};
+  const std::string whole_ply = united(files, ply).second;
+  EXPECT_TRUE(united(files, {"--format", "ply", "--tiles", "4"}).second == whole_ply);
+  EXPECT_TRUE(united(files, {"--format", "stl"}).second == bytes) << "as check needs it";
   EXPECT_EQ(json({"check", "out.stl"}, 0).at("components"), 9);
 }
 

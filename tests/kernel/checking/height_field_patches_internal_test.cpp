@@ -189,5 +189,32 @@ TEST(SelfIntersection, within_patches_need_not_be_sought) {
   EXPECT_GT(found, 1000);
 }
 
+// With faces left out, which makes patches end where they did not.
+TEST(MonotonePatches, are_apart_where_only_the_rim_is_open) {
+  std::mt19937 random(11);
+  std::size_t pairs = 0, inner = 0;
+  for (int round = 0; round < 100; ++round) {
+    TriMesh mesh = torus(8 + round % 5, 12 + round % 7, 2, 1);
+    shake(mesh, 0.01 * (round % 30), random);
+    std::vector<std::uint8_t> rim(mesh.points.size());
+    std::erase_if(mesh.triangles, [&](const Triangle& triangle) {
+      const bool is_left_out = random() % 10 == 0;
+      for (const std::uint32_t corner : triangle) {
+        rim[corner] |= is_left_out ? 1 : 0;
+      }
+      return is_left_out;
+    });
+    const HeightFieldPatches patches =
+        height_field_patches(mesh.points, mesh.triangles, {.closed = true, .rim = rim});
+    pairs += expect_apart(mesh, patches);
+    for (std::size_t point = 0; point < rim.size(); ++point) {
+      EXPECT_TRUE(rim[point] == 0 || patches.is_inner[point] == 0);
+      inner += patches.is_inner[point];
+    }
+  }
+  EXPECT_GT(pairs, 10000);
+  EXPECT_GT(inner, 100);
+}
+
 }  // namespace
 }  // namespace dupin::checking

@@ -264,5 +264,25 @@ TEST(SelfIntersection, of_nothing_is_nothing) {
   EXPECT_TRUE(find_self_intersections({}, {}).none());
 }
 
+TEST(SelfIntersection, counts_and_keeps_the_pairs_that_are_wanted) {
+  std::mt19937 random(17);
+  const Soup soup = random_soup(random, 40, 800, 1500);
+  const SelfIntersections all = find_self_intersections(soup.points, soup.triangles);
+  const auto wanted = [](const FacePair& pair) {
+    return pair.kind == Kind::crossing && pair.first % 3 == 0;
+  };
+  std::vector<FacePair> expected;
+  std::ranges::copy_if(all.pairs, std::back_inserter(expected), wanted);
+  const SelfIntersections some =
+      find_self_intersections(soup.points, soup.triangles, {.wanted = wanted});
+  EXPECT_EQ(some.pairs, expected);
+  EXPECT_EQ(some.crossings, expected.size());
+  EXPECT_EQ(some.overlaps + some.contacts, 0);
+  ASSERT_GT(expected.size(), 2);
+  const auto first =
+      find_self_intersections(soup.points, soup.triangles, {.limit = 1, .wanted = wanted});
+  EXPECT_THAT(first.pairs, ElementsAre(expected.front()));
+}
+
 }  // namespace
 }  // namespace dupin::checking

@@ -122,5 +122,26 @@ TEST(Measure, areas_of_many_are_right_to_1e_12) {
   EXPECT_NEAR(area({points, triangles}), expected, 1e-13 * expected);
 }
 
+// Blocks, slivers and no triangle at all.
+TEST(Measure, areas_one_after_the_other_have_the_same_sum) {
+  std::mt19937 random(5);
+  for (const std::size_t count : {0, 1, 4096, 4097, 20'000}) {
+    for (const bool is_flat : {false, true}) {
+      TriMesh mesh;
+      AreaSum sum;
+      const auto number = [&] { return double(random()) * 1e-3; };
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const Vec3 a(number(), number(), number()), b(number(), number(), number());
+        const std::array<Vec3, 3> corners{
+            a, b, is_flat ? Vec3(a / 2 + b / 2) : Vec3(number(), number(), number())};
+        sum.add(corners);
+        mesh.points.insert(mesh.points.end(), corners.begin(), corners.end());
+        mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+      }
+      EXPECT_EQ(sum.value(), area(MeshView(mesh.points, mesh.triangles)));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dupin::mesh

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -109,5 +111,10 @@ inline constexpr double kLeastNormalCosine = 0.25;
 /// a million triangles take about half a second of two cores. Throws as `smooth_region`.
 [[nodiscard]] CornerNormals smooth_normals(const Assembly& assembly, const Built& built,
                                            const TriMesh& mesh, double moved = 0);
+
+/// The same of meshes that together are what was built, one after the other: the solid need not be
+/// at hand any more, but for the names of the labels that it has.
+[[nodiscard]] std::function<CornerNormals(const TriMesh& mesh, double moved)> smooth_normals(
+    const Assembly& assembly, const Built& built, const std::set<std::string>& names);
 
 }  // namespace dupin

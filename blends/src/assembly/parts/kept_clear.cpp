@@ -7,7 +7,7 @@
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "dupin/kernel/winding_number.h"
+#include "dupin/kernel/interior_point.h"
 
 namespace dupin::assembly {
 namespace {

@@ -25,6 +25,10 @@ namespace dupin {
 /// Error{invalid_argument} naming the known extensions.
 [[nodiscard]] const MeshFormat& format_of(const std::filesystem::path& path);
 
+/// The format of a file by its content: that with the strongest evidence, of several the first;
+/// without any, that which the extension of `file` names; null if none does.
+[[nodiscard]] const MeshFormat* format_of_content(std::string_view bytes, std::string_view file);
+
 /// Reads a mesh whose format is told by its content. Throws Error{io_failed | parse_failed |
 /// limit_exceeded}.
 [[nodiscard]] TriMesh read_mesh(const std::filesystem::path& path);

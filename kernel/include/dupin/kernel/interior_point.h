@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "dupin/kernel/mesh.h"
 #include "dupin/kernel/rounding.h"
 #include "dupin/kernel/vec.h"
 
@@ -19,5 +20,9 @@ struct InteriorPoint {
 /// places of the surface it is the one with the largest clearance; none for a component so thin
 /// that no point of doubles is found in it. O(n) for each of its shells.
 [[nodiscard]] std::vector<std::optional<InteriorPoint>> interior_points(const Rounded& solid);
+
+/// How often closed surfaces of finite coordinates wind about the point, exactly: 0 outside. Of a
+/// point on a face it says either what is in front of it or what is behind. O(triangles).
+[[nodiscard]] int winding_number(const TriMesh& mesh, const Vec3& point);
 
 }  // namespace dupin

@@ -1,9 +1,8 @@
-#include "dupin/kernel/winding_number.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/interior_point.h"
 #include "support/shapes.h"
 
 namespace dupin {

@@ -1,9 +1,8 @@
-#include "dupin/kernel/winding_number.h"
-
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
+#include "dupin/kernel/interior_point.h"
 #include "mesh/point_winding.h"
 
 namespace dupin {

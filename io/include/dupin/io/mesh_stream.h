@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "dupin/io/mesh_header.h"
+#include "dupin/kernel/crease.h"
+#include "dupin/kernel/mesh.h"
+
+namespace dupin {
+
+/// The mesh of a solid on its way into a file of several.
+struct MeshPiece {
+  std::string bytes;               ///< as the streams of its format take them
+  std::vector<std::string> names;  ///< of labels
+};
+
+/// A file of meshes that grows aside, in the memory that one of them needs. Its bytes are those
+/// that the format's writer gives for all of them joined (dupin/kernel/districts.h). What it is to
+/// hold behind others is in a ScratchFile meanwhile. All functions throw what AsideFile does.
+class MeshStream {
+ public:
+  /// The normals of a piece's mesh, for formats that have some.
+  using Normals = std::function<CornerNormals(const TriMesh& mesh)>;
+
+  MeshStream() = default;
+  virtual ~MeshStream() = default;
+  MeshStream(const MeshStream&) = delete;
+  MeshStream& operator=(const MeshStream&) = delete;
+
+  /// Behind those that are there. Where meshes are in several files, `file` says which.
+  virtual void append(const MeshPiece& piece, std::size_t file) = 0;
+  /// The file takes its place, or all of them do. Throws Error{limit_exceeded} for more than the
+  /// format can say.
+  virtual void commit(const MeshHeader& header, const Normals& normals) = 0;
+};
+
+}  // namespace dupin

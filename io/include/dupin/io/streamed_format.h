@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+#include "dupin/io/mesh_format.h"
+#include "dupin/io/mesh_stream.h"
+#include "dupin/kernel/rounding.h"
+
+namespace dupin {
+
+/// VTK XML of unstructured grids in several files and one that lists them, which is written only:
+/// not among mesh_formats().
+extern const MeshFormat kPvtu;
+
+/// Whether solids can be written one after the other: binary STL, binary PLY and kPvtu.
+[[nodiscard]] bool is_streamed(const MeshFormat& format);
+
+/// A piece that gives back the very numbers and neighbours that rounding has proved, or
+/// Error{unroundable} is thrown, as by write_verified(), naming `file`.
+[[nodiscard]] MeshPiece mesh_piece(const Rounded& solid, const MeshFormat& format,
+                                   std::string_view file);
+
+/// `format` is streamed. Of kPvtu, `NAME.pvtu` lists `NAME_0.vtu` and so on, which have the
+/// triangles with the cell data of vtu_text(), labels being numbered alike in all; if a file cannot
+/// take its place, none is left.
+[[nodiscard]] std::unique_ptr<MeshStream> mesh_stream(const std::filesystem::path& path,
+                                                      const MeshFormat& format);
+
+}  // namespace dupin

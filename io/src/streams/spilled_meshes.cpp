@@ -1,0 +1,90 @@
+#include "streams/spilled_meshes.h"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "text/little_endian.h"
+#include "text/mesh_text.h"
+
+namespace dupin::streams {
+namespace {
+
+using Numbers = std::array<double, 3>;
+
+template <class Item>
+void append_items(const std::vector<Item>& items, std::string& bytes) {
+  bytes.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item));
+}
+
+/// How many points, triangles and labels there are, before the arrays of these.
+using Counts = std::array<std::uint32_t, 3>;
+
+}  // namespace
+
+std::string piece_bytes(const TriMesh& mesh) {
+  std::string bytes;
+  text::store(bytes, Counts{static_cast<std::uint32_t>(mesh.points.size()),
+                            static_cast<std::uint32_t>(mesh.triangles.size()),
+                            static_cast<std::uint32_t>(mesh.labels.size())});
+  std::vector<Numbers> points;
+  points.reserve(mesh.points.size());
+  for (const Vec3& point : text::writable_points(mesh, Coordinates::binary64)) {
+    points.push_back({point.x(), point.y(), point.z()});
+  }
+  append_items(points, bytes);
+  append_items(mesh.triangles, bytes);
+  append_items(mesh.labels, bytes);
+  return bytes;
+}
+
+void SpilledMeshes::append(const MeshPiece& piece) {
+  const auto [points, triangles, labels] = text::load<Counts>(piece.bytes, 0);
+  pieces_.push_back({arrays_.end(), points, triangles, labels, piece.names, {}});
+  arrays_.append(std::string_view(piece.bytes).substr(sizeof(Counts)));
+  points_ += points;
+  triangles_ += triangles;
+  have_labels_ = have_labels_ || labels > 0;
+}
+
+void SpilledMeshes::number_labels() {
+  if (!have_labels_) {
+    names_ = pieces_.size() == 1 ? pieces_.front().names : std::vector<std::string>();
+    return;
+  }
+  text::LabelBuilder labels;
+  for (Piece& piece : pieces_) {
+    for (const std::string& name : std::exchange(piece.names, {})) {
+      piece.numbers.push_back(labels.label(name));
+    }
+    if (piece.labels == 0 && piece.triangles > 0) {
+      piece.numbers.assign(1, labels.label(""));
+    }
+  }
+  TriMesh named;
+  std::move(labels).name_labels(named);
+  names_ = std::move(named.names);
+}
+
+TriMesh SpilledMeshes::mesh(std::size_t number) const {
+  const Piece& piece = pieces_[number];
+  TriMesh mesh;
+  mesh.points.reserve(piece.points);
+  for (const auto& [x, y, z] : arrays_.read<Numbers>(piece.at, piece.points)) {
+    mesh.points.emplace_back(x, y, z);
+  }
+  std::uint64_t at = piece.at + piece.points * sizeof(Numbers);
+  mesh.triangles = arrays_.read<Triangle>(at, piece.triangles);
+  at += piece.triangles * sizeof(Triangle);
+  if (piece.labels > 0) {
+    mesh.labels = arrays_.read<std::uint32_t>(at, piece.labels);
+  } else if (have_labels_) {
+    mesh.labels.assign(piece.triangles, 0);
+  }
+  for (const std::uint32_t name : piece.numbers) {
+    mesh.names.push_back(names_[name]);
+  }
+  return mesh;
+}
+
+}  // namespace dupin::streams

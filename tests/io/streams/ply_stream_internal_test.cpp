@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include "dupin/io/atomic_file.h"
+#include "dupin/io/ply.h"
+#include "io/streams/pieces.h"
+#include "streams/ply_stream.h"
+#include "support/scratch_directory.h"
+
+namespace dupin::streams {
+namespace {
+
+using PlyStreams = test::ScratchDirectory;
+
+/// Each triangle's own, and for all of one point the same where it is even: some points are copied.
+CornerNormals normals_of(const TriMesh& mesh) {
+  CornerNormals normals;
+  for (const Triangle& triangle : mesh.triangles) {
+    auto& corners = normals.emplace_back();
+    const Vec3 a = mesh.points[triangle[0]], b = mesh.points[triangle[1]],
+               c = mesh.points[triangle[2]];
+    const Vec3 own = (b - a).cross(c - a).normalized();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 normal = triangle[k] % 2 == 0 ? Vec3::UnitX() : own;
+      corners[k] = {float(normal.x()), float(normal.y()), float(normal.z())};
+    }
+  }
+  return normals;
+}
+
+CornerNormals same_for_all(const TriMesh& mesh) {
+  const Direction up{0, 0, 1};
+  return CornerNormals(mesh.triangles.size(), {up, up, up});
+}
+
+TEST_F(PlyStreams, have_the_normals_and_copies_of_all_at_once) {
+  for (const auto& normals : {normals_of, same_for_all}) {
+    for (const std::vector<std::string>& names : test::kCompanies) {
+      const test::Pieces all(names, Coordinates::binary64);
+      PlyStream stream(path("out.ply"));
+      MeshHeader header{"mm", "a note", {}, {{"a", "#102030"}}};
+      for (const Rounded& piece : all.rounded) {
+        stream.append(mesh_piece(piece, kPlyBinary, "out.ply"), 0);
+      }
+      stream.commit(header, normals);
+      header.normals.clear();
+      for (const Rounded& piece : all.rounded) {  // points of pieces are numbered by themselves
+        const CornerNormals own = normals(piece.mesh());
+        header.normals.insert(header.normals.end(), own.begin(), own.end());
+      }
+      EXPECT_TRUE(read_file(path("out.ply")) == ply_binary_bytes(all.all(), header));
+      if (!names.empty()) {
+        EXPECT_EQ(read_ply(read_file(path("out.ply")), "out.ply").points, all.all().points);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dupin::streams
