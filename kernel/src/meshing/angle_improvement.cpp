@@ -91,21 +91,35 @@ class Stars {
   /// The way to the furthest neighbour.
   [[nodiscard]] double reach(std::uint32_t point) const {
     double reach = 0;
-    for (const std::uint32_t t : tetrahedra_.at(point)) {
-      for (const std::uint32_t w : mesh_.tetrahedra[t]) {
+    const auto look = [&](const auto& corners) {
+      for (const std::uint32_t w : corners) {
         reach = std::max(reach, (mesh_.points[w] - mesh_.points[point]).norm());
       }
+    };
+    for (const std::uint32_t f : triangles_.at(point)) {
+      look(mesh_.triangles[f]);
+    }
+    for (const std::uint32_t t : tetrahedra_.at(point)) {
+      look(mesh_.tetrahedra[t]);
     }
     return reach;
   }
-  /// Of the triangles about a point, as long as twice their area.
-  [[nodiscard]] Vec3 normal(std::uint32_t point) const {
-    Vec3 normal = Vec3::Zero();
+  /// Of the triangles about a point, as long as twice their areas.
+  [[nodiscard]] std::vector<Vec3> normals(std::uint32_t point) const {
+    std::vector<Vec3> normals;
     for (const std::uint32_t f : triangles_.at(point)) {
       const auto& [a, b, c] = mesh_.triangles[f];
-      normal += (mesh_.points[b] - mesh_.points[a]).cross(mesh_.points[c] - mesh_.points[a]);
+      normals.emplace_back(
+          (mesh_.points[b] - mesh_.points[a]).cross(mesh_.points[c] - mesh_.points[a]));
     }
-    return normal;
+    return normals;
+  }
+  [[nodiscard]] Vec3 normal(std::uint32_t point) const {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& normal : normals(point)) {
+      sum += normal;
+    }
+    return sum;
   }
   [[nodiscard]] const Incidence<Triangle>& triangles() const { return triangles_; }
 
@@ -132,7 +146,7 @@ class Search {
       return false;
     }
     const double reach = stars_.reach(v);
-    const std::vector<Vec3> directions = directions_of(v);
+    const std::vector<Vec3> directions = directions_of(v), normals = stars_.normals(v);
     Vec3 place = before;
     for (double step = reach / 4; step > reach / 200 && best < enough;) {
       const Vec3 centre = place;
@@ -144,7 +158,8 @@ class Search {
         mesh_.points[v] = *there;
         if (const double now = quality(v);
             now > best + kGain && stars_.reach(v) <= std::max(reach, limits_.longest_edge) &&
-            stays_near(v) && is_allowed(v) && stars_.is_valid_around(v)) {
+            keeps_sides(v, normals) && stays_near(v) && is_allowed(v) &&
+            stars_.is_valid_around(v)) {
           best = now;
           place = *there;
         }
@@ -180,6 +195,12 @@ class Search {
       }
     }
     return directions;
+  }
+  /// Whether triangles about a point look as they did, within a right angle.
+  [[nodiscard]] bool keeps_sides(std::uint32_t v, const std::vector<Vec3>& normals) const {
+    const std::vector<Vec3> now = stars_.normals(v);
+    return std::ranges::equal(now, normals,
+                              [](const Vec3& a, const Vec3& b) { return a.dot(b) > 0; });
   }
   /// A look, not a proof: whether middles of the triangles about a point, and of their edges, are
   /// near the surface.

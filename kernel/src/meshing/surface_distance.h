@@ -46,6 +46,10 @@ class ReferenceSurface {
       }
     });
   }
+  [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t face) const {
+    const auto& [a, b, c] = triangles_[face];
+    return {points_[a], points_[b], points_[c]};
+  }
   [[nodiscard]] std::uint32_t region(std::uint32_t face) const { return regions_[face]; }
 
   /// A bound of the distance of any point of a triangle from a region, if it can be proved to be at

@@ -1,0 +1,102 @@
+#include "meshing/given_solid.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "dupin/kernel/rounding.h"
+#include "meshing/angle_improvement.h"
+
+namespace dupin::meshing {
+namespace {
+
+Eigen::AlignedBox3d box_of(const TriMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : mesh.points) {
+    box.extend(point);
+  }
+  return box;
+}
+
+}  // namespace
+
+GivenSolid::GivenSolid(const Solid& solid, const RemeshOptions& options)
+    : solid_(solid),
+      options_(options),
+      mesh_(to_mesh(solid).mesh()),
+      features_(find_features(mesh_, options.feature_angle, options.distance)),
+      surface_(mesh_.points, mesh_.triangles, features_.regions),
+      region_count_(1 + *std::ranges::max_element(features_.regions)) {
+  const Eigen::AlignedBox3d box = box_of(mesh_);
+  largest_edge_ = options.largest_edge > 0 ? options.largest_edge : box.diagonal().norm() / 10;
+  // Covers the rounding of a distance, and of cuts, tenfold.
+  slack_ = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) * 0x1p-46;
+}
+
+bool GivenSolid::hangs_together_as(const Solid& other) const {
+  return other.euler_number() == solid_.euler_number() && other.shells() == solid_.shells();
+}
+
+void GivenSolid::label(TriMesh& mesh, const std::vector<std::uint32_t>& regions) const {
+  if (mesh_.labels.empty()) {
+    return;
+  }
+  // By region, that of the largest part: thin ones may have become part of it.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas;
+  for (std::uint32_t f = 0; f < mesh_.triangles.size(); ++f) {
+    const auto& [a, b, c] = surface_.corners(f);
+    areas[{features_.regions[f], mesh_.labels[f]}] += (b - a).cross(c - a).norm();
+  }
+  std::vector<std::uint32_t> labels(mesh_.triangles.size());
+  std::vector<double> largest(mesh_.triangles.size(), -1);
+  for (const auto& [key, area] : areas) {
+    if (area > largest[key.first]) {
+      largest[key.first] = area;
+      labels[key.first] = key.second;
+    }
+  }
+  for (const std::uint32_t region : regions) {
+    mesh.labels.push_back(labels[region]);
+  }
+  mesh.names = mesh_.names;
+}
+
+RemeshReport GivenSolid::report_of(const TriMesh& mesh) const {
+  constexpr std::size_t kTold = 10;
+  RemeshReport report;
+  report.smallest_angle = std::numbers::pi;
+  report.shortest_edge = std::numeric_limits<double>::infinity();
+  std::vector<PoorTriangle> poor;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3 &p = mesh.points[a], &q = mesh.points[b], &r = mesh.points[c];
+    const double angle = smallest_angle(p, q, r);
+    report.smallest_angle = std::min(report.smallest_angle, angle);
+    if (angle < options_.smallest_angle) {
+      poor.push_back({(p + q + r) / 3, angle});
+    }
+    for (const double length : {(q - p).norm(), (r - q).norm(), (p - r).norm()}) {
+      report.shortest_edge = std::min(report.shortest_edge, length);
+      report.longest_edge = std::max(report.longest_edge, length);
+    }
+  }
+  report.poor_triangles = poor.size();
+  std::ranges::stable_sort(poor, {}, &PoorTriangle::angle);
+  poor.resize(std::min(poor.size(), kTold));
+  report.worst = std::move(poor);
+  return report;
+}
+
+std::string GivenSolid::too_far(const std::array<Vec3, 3>& triangle) const {
+  const Vec3 place = (triangle[0] + triangle[1] + triangle[2]) / 3;
+  std::ostringstream text;
+  text << "the distance of " << options_.distance << " cannot be kept near " << place.x() << " "
+       << place.y() << " " << place.z() << "; allow more of it, or shorter edges";
+  return text.str();
+}
+
+}  // namespace dupin::meshing
