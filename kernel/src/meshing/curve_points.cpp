@@ -61,9 +61,8 @@ class Placer {
     place_corners();
     const std::size_t count = features_.curves.size();
     std::vector<std::vector<CurvePoint>> between(count);
-    for_each_in_parallel(count, [&](std::size_t c) {
-      between[c] = points_on(static_cast<std::uint32_t>(c));
-    });
+    for_each_in_parallel(
+        count, [&](std::size_t c) { between[c] = points_on(static_cast<std::uint32_t>(c)); });
     for (std::size_t c = 0; c < count; ++c) {
       std::vector<std::uint32_t> chain = {ends_[c][0]};
       for (const CurvePoint& point : between[c]) {
@@ -85,9 +84,8 @@ class Placer {
       std::array<std::uint32_t, 2> ends{};
       for (std::size_t k = 0; k < 2; ++k) {
         const Vec3& end = k == 0 ? points.front() : points.back();
-        const auto [at, is_new] =
-            numbers.try_emplace({end.x(), end.y(), end.z()},
-                                static_cast<std::uint32_t>(result_.points.size()));
+        const auto [at, is_new] = numbers.try_emplace(
+            {end.x(), end.y(), end.z()}, static_cast<std::uint32_t>(result_.points.size()));
         if (is_new) {
           result_.points.push_back({end, 0, false});
           curves_at.emplace_back();
@@ -112,7 +110,8 @@ class Placer {
     double radius = std::numeric_limits<double>::infinity();
     for (const std::uint32_t c : curves) {
       const double length = lengths_.along(place, c) * shares_[c];
-      const double way = Path(features_.curves[c].points).length() / (ends_[c][0] == ends_[c][1] ? 8 : 4);
+      const double way =
+          Path(features_.curves[c].points).length() / (ends_[c][0] == ends_[c][1] ? 8 : 4);
       radius = std::min({radius, kRadius * length, way});
     }
     const double reach = radius / kCornerShareOfGap;

@@ -22,6 +22,7 @@
 
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/solver_mesh.h"
+#include "meshing/edge_lengths.h"
 
 namespace dupin::meshing {
 namespace {
@@ -190,10 +191,10 @@ class Generation {
 
   void refine(Complex& complex, const Domain& domain, const Criteria& criteria) {
     namespace given = CGAL::parameters;
-    const auto options = given::mesh_3_options(
-        given::maximal_number_of_vertices = wanted_.most_points, given::pointer_to_error_code = &code_);
-    const auto topology =
-        wanted_.fill ? given::manifold() : given::manifold_with_boundary();
+    const auto options =
+        given::mesh_3_options(given::maximal_number_of_vertices = wanted_.most_points,
+                              given::pointer_to_error_code = &code_);
+    const auto topology = wanted_.fill ? given::manifold() : given::manifold_with_boundary();
     CGAL::refine_mesh_3(complex, domain, criteria, given::no_reset_c3t3(),
                         wanted_.fill ? given::exude() : given::no_exude(), given::no_perturb(),
                         given::no_odt(), given::no_lloyd(), options, topology);
@@ -205,9 +206,7 @@ class Generation {
 
   void require_room() const {
     if (code_ != CGAL::CGAL_MESH_3_NO_ERROR) {
-      throw Error(Errc::limit_exceeded, "a mesh with these lengths and distances gets more than " +
-                                            std::to_string(wanted_.most_points) +
-                                            " points; allow longer edges or a larger distance");
+      throw too_many(wanted_.most_points);
     }
   }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <sstream>
+#include <string>
 #include <unordered_map>
 
 #include <Eigen/Geometry>
@@ -56,8 +57,7 @@ class Bends {
 };
 
 double extent_of(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return std::sqrt(
-      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+  return std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
 }
 
 std::vector<Vec3> points_of(const std::vector<Curve>& curves) {
@@ -187,7 +187,7 @@ double EdgeLengths::length_at(const Vec3& point, double most,
 
 bool EdgeLengths::share_a_region(std::uint32_t curve, std::uint32_t other) const {
   const std::array<std::uint32_t, 2>&own = features_.curves[curve].regions,
-                             &regions = features_.curves[other].regions;
+                                  &regions = features_.curves[other].regions;
   return std::ranges::any_of(
       own, [&](std::uint32_t r) { return std::ranges::find(regions, r) != regions.end(); });
 }
@@ -269,6 +269,12 @@ Error too_near(const Vec3& place, double gap) {
        << place.y() << " " << place.z()
        << ", and a mesh that keeps them gets too many points; join the patches there";
   return Error(Errc::limit_exceeded, text.str());
+}
+
+Error too_many(std::size_t most) {
+  return Error(Errc::limit_exceeded, "a mesh with these lengths and distances gets more than " +
+                                         std::to_string(most) +
+                                         " points; allow longer edges or a larger distance");
 }
 
 double EdgeLengths::room_about(const Vec3& point) const {

@@ -25,15 +25,17 @@ class EdgeLengths {
   /// Of those about a point, positive: no triangle and no edge of that length, there, lies further
   /// from regions and curves than the distance, if these turn evenly. An arc of length s that turns
   /// by an angle a has a chord at most s a / 8 away; a triangle whose circumradius is s, and whose
-  /// edges are longer, s a / 2. Steps that are shorter than that turn it by less. Of curves, nor longer than half the way to regions that are not at
-  /// the curve: a ball about the point would keep their triangles from getting small.
+  /// edges are longer, s a / 2. Steps that are shorter than that turn it by less. Of curves, nor
+  /// longer than half the way to regions that are not at the curve: a ball about the point would
+  /// keep their triangles from getting small.
   [[nodiscard]] double at(const Vec3& point) const;
 
-  /// Of those along a curve, at one of its points, as above, but for the meshes of its regions alone.
+  /// Of those along a curve, at one of its points, as above, but for the meshes of its regions
+  /// alone.
   [[nodiscard]] double along(const Vec3& point, std::uint32_t curve) const;
 
-  /// From a point of a curve to curves that have a region in common with it, but for some, ascending;
-  /// at most `reach`.
+  /// From a point of a curve to curves that have a region in common with it, but for some,
+  /// ascending; at most `reach`.
   [[nodiscard]] double gap_beside(const Vec3& point, std::uint32_t curve,
                                   const std::vector<std::uint32_t>& without, double reach) const;
 
@@ -69,5 +71,8 @@ class EdgeLengths {
 
 /// The error of curves that come so near each other that a mesh gets too many points.
 [[nodiscard]] Error too_near(const Vec3& place, double gap);
+
+/// The error of a mesh that gets more points than it may have.
+[[nodiscard]] Error too_many(std::size_t most);
 
 }  // namespace dupin::meshing

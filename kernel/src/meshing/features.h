@@ -26,7 +26,8 @@ struct Features {
   /// Per triangle, a unit vector. Triangles too thin for their rounded corners to tell have that of
   /// the neighbour at their longest edge.
   std::vector<Vec3> normals;
-  std::vector<std::uint8_t> is_absorbed;  ///< per triangle: of a thin region that became part of one
+  std::vector<std::uint8_t>
+      is_absorbed;      ///< per triangle: of a thin region that became part of one
   double absorbed = 0;  ///< no place of a thin region is further from what it became part of
 };
 

@@ -10,7 +10,6 @@
 #include <Eigen/Geometry>
 
 #include "dupin/kernel/rounding.h"
-#include "meshing/angle_improvement.h"
 
 namespace dupin::meshing {
 namespace {
@@ -91,12 +90,31 @@ RemeshReport GivenSolid::report_of(const TriMesh& mesh) const {
   return report;
 }
 
+MoveLimits GivenSolid::move_limits() const {
+  constexpr double kNear = 0.75;  // of the distance, at the places that are looked at
+  return {largest_edge_, kNear * options_.distance};
+}
+
+std::size_t GivenSolid::most_points_on_curves() const {
+  constexpr std::size_t kPointsPerBall = 10;
+  return std::max<std::size_t>(options_.most_points / kPointsPerBall, 1);
+}
+
 std::string GivenSolid::too_far(const std::array<Vec3, 3>& triangle) const {
   const Vec3 place = (triangle[0] + triangle[1] + triangle[2]) / 3;
   std::ostringstream text;
   text << "the distance of " << options_.distance << " cannot be kept near " << place.x() << " "
        << place.y() << " " << place.z() << "; allow more of it, or shorter edges";
   return text.str();
+}
+
+std::string GivenSolid::too_long() const {
+  return "edges cannot be kept as short as " + std::to_string(largest_edge_) +
+         "; allow longer ones";
+}
+
+std::string GivenSolid::no_mesh() {
+  return "no mesh of the solid comes of these lengths; allow shorter edges or less distance";
 }
 
 }  // namespace dupin::meshing

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
 #include "dupin/kernel/solver_mesh.h"
+#include "meshing/angle_improvement.h"
 #include "meshing/features.h"
 #include "meshing/surface_distance.h"
 
@@ -38,8 +40,17 @@ class GivenSolid {
   /// All but the deviation.
   [[nodiscard]] RemeshReport report_of(const TriMesh& mesh) const;
 
-  /// What is said of a triangle that is too far off.
+  /// What moves of points keep to.
+  [[nodiscard]] MoveLimits move_limits() const;
+
+  /// Along curves; with more of them, there would be none for what is between.
+  [[nodiscard]] std::size_t most_points_on_curves() const;
+
+  /// What is said of a triangle that is too far off, of edges that are too long, and of a generator
+  /// that makes nothing.
   [[nodiscard]] std::string too_far(const std::array<Vec3, 3>& triangle) const;
+  [[nodiscard]] std::string too_long() const;
+  [[nodiscard]] static std::string no_mesh();
 
  private:
   const Solid& solid_;

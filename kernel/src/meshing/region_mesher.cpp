@@ -19,9 +19,8 @@
 namespace dupin::meshing {
 namespace {
 
-/// Triangles that are moved stay within so much of the distance at the places that are looked at.
-constexpr double kNear = 0.75;
-constexpr int kAttempts = 4;
+/// More would ask for triangles of no size where points along curves are too far apart.
+constexpr int kAttempts = 2;
 
 class Mesher {
  public:
@@ -46,16 +45,14 @@ class Mesher {
         wish_.share /= 2;
         continue;
       }
-      improve_angles(made_, surface_, options_.smallest_angle,
-                     {given_.largest_edge(), kNear * options_.distance});
+      improve_angles(made_, surface_, options_.smallest_angle, given_.move_limits());
       const std::optional<double> deviation = this->deviation();
       if (!deviation) {
         wish_.share /= 2;
       } else if (const double longest = longest_edge(); longest > given_.largest_edge()) {
         // Beside curves the generator does not look at sizes.
         edge_share_ *= 0.95 * given_.largest_edge() / longest;
-        wish_.fault = "edges cannot be kept as short as " + std::to_string(given_.largest_edge()) +
-                      "; allow longer ones";
+        wish_.fault = given_.too_long();
       } else {
         return RegionMesh{std::move(made_.points), std::move(made_.triangles), *deviation};
       }
@@ -88,8 +85,7 @@ class Mesher {
       outward.push_back(near ? region_.features.normals[near->face].dot(normal) : 0);
     }
     if (made_.triangles.empty() || !turn_outward(made_.triangles, outward, borders_)) {
-      wish_.fault =
-          "no mesh of the solid comes of these lengths; allow shorter edges or less distance";
+      wish_.fault = GivenSolid::no_mesh();
       return false;
     }
     return true;

@@ -17,9 +17,9 @@ namespace dupin::meshing {
 /// One region of a solid, by itself.
 struct Region {
   TriMesh mesh;
-  Features features;                   ///< its own curves, and one region, 0
-  std::vector<std::uint32_t> curves;   ///< those of the solid, in their order
-  std::vector<std::uint32_t> sides;    ///< of each that are of the region, 1 or 2
+  Features features;                  ///< its own curves, and one region, 0
+  std::vector<std::uint32_t> curves;  ///< those of the solid, in their order
+  std::vector<std::uint32_t> sides;   ///< of each that are of the region, 1 or 2
 };
 
 [[nodiscard]] std::vector<Region> regions_of(const GivenSolid& given);
@@ -37,8 +37,8 @@ struct RegionWish {
   std::string fault;   ///< why there is no mesh
 };
 
-/// A mesh with an edge between neighbours of the chains, within the distance both ways; none if that
-/// cannot be proved, even with less and less asked for. Throws as `refine_surface`.
+/// A mesh with an edge between neighbours of the chains, within the distance both ways; none if
+/// that cannot be proved, even with less and less asked for. Throws as `refine_surface`.
 [[nodiscard]] std::optional<RegionMesh> mesh_region(const Region& region, const CurvePoints& balls,
                                                     const GivenSolid& given, RegionWish& wish,
                                                     const Progress& progress);

@@ -27,10 +27,6 @@
 namespace dupin::meshing {
 namespace {
 
-/// Triangles that are moved stay within so much of the distance at the places that are looked at.
-constexpr double kNear = 0.75;
-/// Along a curve there is one ball for so many points, or they would be nowhere else.
-constexpr std::size_t kPointsPerBall = 10;
 constexpr double kDegree = std::numbers::pi / 180;
 /// Of tetrahedra, wanted: solvers complain of less.
 constexpr double kDihedralAngle = 12 * kDegree;
@@ -62,7 +58,7 @@ class Maker {
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       made_ = refined(share_ * (options_.distance - given_.features().absorbed));
       tell(options_.progress, "improve");
-      const MoveLimits limits{given_.largest_edge(), kNear * options_.distance};
+      const MoveLimits limits = given_.move_limits();
       improve_angles(made_, given_.surface(), options_.smallest_angle, limits);
       improve_dihedral_angles(made_, given_.surface(), kDihedralAngle, options_.smallest_angle,
                               limits);
@@ -78,8 +74,9 @@ class Maker {
   static constexpr int kAttempts = 4;
 
   [[nodiscard]] Tetrahedra refined(double distance) const {
-    const EdgeLengths lengths(given_.surface(), given_.features(), distance, edge_share_ * given_.largest_edge() / 2);
-    lengths.require_room(std::max<std::size_t>(options_.most_points / kPointsPerBall, 1));
+    const EdgeLengths lengths(given_.surface(), given_.features(), distance,
+                              edge_share_ * given_.largest_edge() / 2);
+    lengths.require_room(given_.most_points_on_curves());
     Refinement wanted;
     wanted.edge_length = [&](const Vec3& point) { return lengths.at(point); };
     wanted.radius = edge_share_ * given_.largest_edge() / 2;
@@ -87,8 +84,7 @@ class Maker {
     wanted.smallest_angle = options_.smallest_angle;
     wanted.fill = true;
     wanted.most_points = options_.most_points;
-    wanted.seeds =
-        seeds_of(given_.mesh(), given_.features(), given_.surface(), lengths);
+    wanted.seeds = seeds_of(given_.mesh(), given_.features(), given_.surface(), lengths);
     return refine(given_.mesh(), given_.features(), wanted, options_.progress);
   }
 
@@ -101,15 +97,14 @@ class Maker {
     } else if (result->report.longest_edge > given_.largest_edge()) {
       // Beside curves the generator does not look at sizes.
       edge_share_ *= 0.95 * given_.largest_edge() / result->report.longest_edge;
-      fault_ = "edges cannot be kept as short as " + std::to_string(given_.largest_edge()) +
-               "; allow longer ones";
+      fault_ = given_.too_long();
       result.reset();
     }
     return result;
   }
   std::optional<SolverMesh> prove_solid() {
     if (made_.triangles.empty()) {
-      fault_ = "no mesh of the solid comes of these lengths; allow shorter edges or less distance";
+      fault_ = GivenSolid::no_mesh();
       return std::nullopt;
     }
     VolumeMesh mesh = volume_mesh_of({std::move(made_.points), std::move(made_.triangles), {}, {}},

@@ -77,7 +77,9 @@ class Cover {
       if (here > distance_ + radius) {
         continue;
       }
-      best = std::min(best, farthest(part, f, best));
+      if (here < best) {  // else one of the corners is further away, as the distance is convex
+        best = std::min(best, farthest(part, f, best));
+      }
       reached.push_back(f);
       if (here < least) {
         least = here;
@@ -165,13 +167,33 @@ Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
   const double square = normal.squaredNorm();
   const Vec3 w = p - a;
   const double s = w.cross(v).dot(normal), t = u.cross(w).dot(normal);
-  if (square > 0 && s >= 0 && t >= 0 && s + t <= square) {
+  // An edge that the point is not beyond has no nearest place but its ends, which others have, too;
+  // of triangles too thin to tell, all are looked at.
+  const bool is_plane = square > 0;
+  const bool beyond_ca = !is_plane || s < 0, beyond_ab = !is_plane || t < 0,
+             beyond_bc = !is_plane || s + t > square;
+  if (!beyond_ca && !beyond_ab && !beyond_bc) {
     return a + s / square * u + t / square * v;
   }
-  std::array<Vec3, 3> candidates = {nearest_on_segment(p, a, b), nearest_on_segment(p, b, c),
-                                    nearest_on_segment(p, c, a)};
-  return *std::ranges::min_element(candidates, {},
-                                   [&](const Vec3& q) { return (q - p).squaredNorm(); });
+  Vec3 nearest = a;
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&](const Vec3& from, const Vec3& to) {
+    const Vec3 here = nearest_on_segment(p, from, to);
+    if (const double distance = (here - p).squaredNorm(); distance < least) {
+      least = distance;
+      nearest = here;
+    }
+  };
+  if (beyond_ab) {
+    look(a, b);
+  }
+  if (beyond_bc) {
+    look(b, c);
+  }
+  if (beyond_ca) {
+    look(c, a);
+  }
+  return nearest;
 }
 
 ReferenceSurface::ReferenceSurface(std::span<const Vec3> points,

@@ -21,8 +21,6 @@
 namespace dupin::meshing {
 namespace {
 
-/// Along a curve there is one ball for so many points, or they would be nowhere else.
-constexpr std::size_t kPointsPerBall = 10;
 constexpr int kAttempts = 6;
 constexpr double kLess = 0.5;
 
@@ -84,8 +82,7 @@ class Maker {
     const EdgeLengths lengths(given_.surface(), given_.features(),
                               kShare * (options_.distance - given_.features().absorbed),
                               0.9 * given_.largest_edge());
-    points_ = points_along(given_.features(), lengths, shares_,
-                           std::max<std::size_t>(options_.most_points / kPointsPerBall, 1));
+    points_ = points_along(given_.features(), lengths, shares_, given_.most_points_on_curves());
     require_room(points_.points.size());
     numbers_.assign(regions_.size(), {});
     for_each_in_parallel(regions_.size(), [&](std::size_t r) {
@@ -103,8 +100,8 @@ class Maker {
       for (const std::uint32_t c : regions_[r].curves) {
         std::vector<std::uint32_t> chain;
         for (const std::uint32_t i : points_.chains[c]) {
-          chain.push_back(static_cast<std::uint32_t>(std::ranges::lower_bound(numbers, i) -
-                                                     numbers.begin()));
+          chain.push_back(
+              static_cast<std::uint32_t>(std::ranges::lower_bound(numbers, i) - numbers.begin()));
         }
         balls.chains.push_back(std::move(chain));
       }
@@ -142,9 +139,7 @@ class Maker {
   }
   void require_room(std::size_t count) const {
     if (count > options_.most_points) {
-      throw Error(Errc::limit_exceeded, "a mesh with these lengths and distances gets more than " +
-                                            std::to_string(options_.most_points) +
-                                            " points; allow longer edges or a larger distance");
+      throw too_many(options_.most_points);
     }
   }
 
