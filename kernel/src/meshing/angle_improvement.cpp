@@ -7,10 +7,11 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
+
+#include "meshing/incidence.h"
 
 namespace dupin::meshing {
 namespace {
@@ -20,35 +21,6 @@ constexpr int kRounds = 12;
 constexpr double kMore = 1.04;
 /// A move has to gain so much, in radians.
 constexpr double kGain = 1e-6;
-
-/// What is at each point: items of `corners` that have it.
-template <class Item>
-class Incidence {
- public:
-  Incidence(const std::vector<Item>& items, std::size_t points) : starts_(points + 1, 0) {
-    for (const Item& item : items) {
-      for (const std::uint32_t v : item) {
-        ++starts_[v + 1];
-      }
-    }
-    for (std::size_t v = 0; v < points; ++v) {
-      starts_[v + 1] += starts_[v];
-    }
-    items_.resize(starts_.back());
-    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    for (std::uint32_t i = 0; i < items.size(); ++i) {
-      for (const std::uint32_t v : items[i]) {
-        items_[next[v]++] = i;
-      }
-    }
-  }
-  [[nodiscard]] std::span<const std::uint32_t> at(std::uint32_t point) const {
-    return std::span(items_).subspan(starts_[point], starts_[point + 1] - starts_[point]);
-  }
-
- private:
-  std::vector<std::uint32_t> starts_, items_;
-};
 
 /// What is about each point of a mesh, and how good it is.
 class Stars {
@@ -202,18 +174,11 @@ class Search {
     return std::ranges::equal(now, normals,
                               [](const Vec3& a, const Vec3& b) { return a.dot(b) > 0; });
   }
-  /// A look, not a proof: whether middles of the triangles about a point, and of their edges, are
-  /// near the surface.
   [[nodiscard]] bool stays_near(std::uint32_t v) const {
-    const auto is_near = [&](const Vec3& place, std::uint32_t region) {
-      return surface_.nearest(place, region, limits_.distance).has_value();
-    };
     return std::ranges::all_of(stars_.triangles().at(v), [&](std::uint32_t f) {
       const auto& [a, b, c] = mesh_.triangles[f];
-      const Vec3 &p = mesh_.points[a], &q = mesh_.points[b], &r = mesh_.points[c];
-      const std::uint32_t region = mesh_.regions[f];
-      return is_near((p + q + r) / 3, region) && is_near((p + q) / 2, region) &&
-             is_near((q + r) / 2, region) && is_near((r + p) / 2, region);
+      return surface_.looks_near({mesh_.points[a], mesh_.points[b], mesh_.points[c]},
+                                 mesh_.regions[f], limits_.distance);
     });
   }
   [[nodiscard]] std::optional<Vec3> moved(std::uint32_t v, const Vec3& to, double reach) const {

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "dupin/kernel/rounding.h"
+#include "mesh/edge_table.h"
 
 namespace dupin::meshing {
 namespace {
@@ -20,6 +21,20 @@ Eigen::AlignedBox3d box_of(const TriMesh& mesh) {
     box.extend(point);
   }
   return box;
+}
+
+/// Per half-edge, whether the triangles beside it are of two regions.
+std::vector<std::uint8_t> borders_of(const TriMesh& mesh,
+                                     const std::vector<std::uint32_t>& regions) {
+  const mesh::EdgeTable edges(mesh.triangles, mesh.points.size());
+  std::vector<std::uint8_t> is_border(3 * mesh.triangles.size(), 0);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto& sides = edges[e].half_edges;
+    if (regions[sides[0] / 3] != regions[sides[1] / 3]) {
+      is_border[sides[0]] = is_border[sides[1]] = 1;
+    }
+  }
+  return is_border;
 }
 
 }  // namespace
@@ -65,26 +80,38 @@ void GivenSolid::label(TriMesh& mesh, const std::vector<std::uint32_t>& regions)
   mesh.names = mesh_.names;
 }
 
-RemeshReport GivenSolid::report_of(const TriMesh& mesh) const {
+RemeshReport GivenSolid::report_of(const TriMesh& mesh,
+                                   const std::vector<std::uint32_t>& regions) const {
   constexpr std::size_t kTold = 10;
   RemeshReport report;
   report.smallest_angle = std::numbers::pi;
   report.shortest_edge = std::numeric_limits<double>::infinity();
   std::vector<PoorTriangle> poor;
-  for (const auto& [a, b, c] : mesh.triangles) {
+  const std::vector<std::uint8_t> is_border = borders_of(mesh, regions);
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const auto& [a, b, c] = mesh.triangles[f];
     const Vec3 &p = mesh.points[a], &q = mesh.points[b], &r = mesh.points[c];
     const double angle = smallest_angle(p, q, r);
     report.smallest_angle = std::min(report.smallest_angle, angle);
+    const std::array<double, 3> lengths = {(q - p).norm(), (r - q).norm(), (p - r).norm()};
     if (angle < options_.smallest_angle) {
-      poor.push_back({(p + q + r) / 3, angle});
+      // It is opposite to the shortest edge.
+      const auto shortest =
+          static_cast<std::size_t>(std::ranges::min_element(lengths) - lengths.begin());
+      const bool is_between =
+          is_border[3 * f + (shortest + 1) % 3] != 0 && is_border[3 * f + (shortest + 2) % 3] != 0;
+      report.poor_between_edges += is_between ? 1 : 0;
+      poor.push_back({(p + q + r) / 3, angle, is_between});
     }
-    for (const double length : {(q - p).norm(), (r - q).norm(), (p - r).norm()}) {
+    for (const double length : lengths) {
       report.shortest_edge = std::min(report.shortest_edge, length);
       report.longest_edge = std::max(report.longest_edge, length);
     }
   }
   report.poor_triangles = poor.size();
-  std::ranges::stable_sort(poor, {}, &PoorTriangle::angle);
+  std::ranges::stable_sort(poor, {}, [](const PoorTriangle& triangle) {
+    return std::pair(triangle.is_between_edges, triangle.angle);
+  });
   poor.resize(std::min(poor.size(), kTold));
   report.worst = std::move(poor);
   return report;

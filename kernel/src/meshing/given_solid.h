@@ -37,8 +37,9 @@ class GivenSolid {
   /// Gives the triangles of a mesh the labels of their regions.
   void label(TriMesh& mesh, const std::vector<std::uint32_t>& regions) const;
 
-  /// All but the deviation.
-  [[nodiscard]] RemeshReport report_of(const TriMesh& mesh) const;
+  /// Of a mesh with a region at each triangle, all but the deviation.
+  [[nodiscard]] RemeshReport report_of(const TriMesh& mesh,
+                                       const std::vector<std::uint32_t>& regions) const;
 
   /// What moves of points keep to.
   [[nodiscard]] MoveLimits move_limits() const;

@@ -10,6 +10,7 @@
 
 #include "meshing/angle_improvement.h"
 #include "meshing/delaunay_refinement.h"
+#include "meshing/edge_edits.h"
 #include "meshing/edge_lengths.h"
 #include "meshing/patch_topology.h"
 #include "meshing/seeds.h"
@@ -45,7 +46,7 @@ class Mesher {
         wish_.share /= 2;
         continue;
       }
-      improve_angles(made_, surface_, options_.smallest_angle, given_.move_limits());
+      improve();
       const std::optional<double> deviation = this->deviation();
       if (!deviation) {
         wish_.share /= 2;
@@ -73,6 +74,17 @@ class Mesher {
     wanted.most_points = options_.most_points;
     wanted.seeds = seeds_of(region_.mesh, region_.features, surface_, lengths);
     return refine_surface(region_.mesh, region_.features, balls_, wanted, progress_);
+  }
+
+  void improve() {
+    constexpr int kRounds = 3;
+    const MoveLimits limits = given_.move_limits();
+    improve_angles(made_, surface_, options_.smallest_angle, limits);
+    for (int round = 0;
+         round < kRounds && edit_edges(made_, surface_, borders_, options_.smallest_angle, limits);
+         ++round) {
+      improve_angles(made_, surface_, options_.smallest_angle, limits);
+    }
   }
 
   /// Turns triangles outward.

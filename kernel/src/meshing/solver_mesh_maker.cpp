@@ -129,7 +129,7 @@ class Maker {
       fault_ = "the mesh does not hang together as the solid does; allow less distance";
       return std::nullopt;
     }
-    result.report = given_.report_of(skin);
+    result.report = given_.report_of(skin, made_.regions);
     result.report.deviation = std::max(*there, *here) + given_.slack();
     result.mesh = std::move(mesh);
     return result;

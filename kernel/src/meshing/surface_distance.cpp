@@ -232,6 +232,14 @@ std::optional<ReferenceSurface::Place> ReferenceSurface::nearest(const Vec3& poi
   return best.distance <= reach ? std::optional(best) : std::nullopt;
 }
 
+bool ReferenceSurface::looks_near(const std::array<Vec3, 3>& triangle, std::uint32_t region,
+                                  double distance) const {
+  const auto& [a, b, c] = triangle;
+  return std::ranges::all_of(
+      std::array<Vec3, 4>{(a + b + c) / 3, (a + b) / 2, (b + c) / 2, (c + a) / 2},
+      [&](const Vec3& place) { return nearest(place, region, distance).has_value(); });
+}
+
 std::optional<double> ReferenceSurface::bound(const std::array<Vec3, 3>& triangle,
                                               std::uint32_t region, double distance) const {
   Faces near;

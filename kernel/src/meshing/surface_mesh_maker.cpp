@@ -204,7 +204,7 @@ class Maker {
       }
       return std::nullopt;
     }
-    result.report = given_.report_of(skin);
+    result.report = given_.report_of(skin, regions);
     for (const std::optional<RegionMesh>& mesh : meshes_) {
       result.report.deviation = std::max(result.report.deviation, mesh->deviation);
     }
