@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <sstream>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -159,27 +161,36 @@ double EdgeLengths::along(const Vec3& point, std::uint32_t curve) const {
 double EdgeLengths::length_at(const Vec3& point, double most,
                               const std::array<std::uint32_t, 2>* regions,
                               std::uint32_t curve) const {
-  constexpr double kShrink = 0.8;
-  Bends of_regions(Bends::Of::planes), of_curves(Bends::Of::lines);
-  surface_.visit_near(point, most, [&](std::uint32_t f, const Vec3& here, double distance) {
-    const std::uint32_t region = surface_.region(f);
-    if (features_.is_absorbed[f] == 0 &&
-        (regions == nullptr || std::ranges::find(*regions, region) != regions->end())) {
-      const auto& [a, b, c] = surface_.corners(f);
-      of_regions.add(region, {features_.normals[f], here - point, distance, extent_of(a, b, c)});
-    }
-  });
-  curve_edges_.visit_near(point, most, [&](std::uint32_t e, const Vec3& here, double distance) {
-    const Vec3 way = points_[edges_[e][1]] - points_[edges_[e][0]];
-    const double extent = way.norm();
-    if (extent > 0 && (regions == nullptr || curves_[e] == curve)) {
-      of_curves.add(curves_[e], {way / extent, here - point, distance, extent});
-    }
-  });
-  // The loop ends at a length of the distance.
-  double length = most;
-  while (length > distance_ &&
-         std::max(of_regions.largest(length), of_curves.largest(length)) > distance_) {
+  constexpr double kShrink = 0.8, kFirst = 4;
+  const auto bend_within = [&](double reach) {
+    Bends of_regions(Bends::Of::planes), of_curves(Bends::Of::lines);
+    surface_.visit_near(point, reach, [&](std::uint32_t f, const Vec3& here, double distance) {
+      const std::uint32_t region = surface_.region(f);
+      if (features_.is_absorbed[f] == 0 &&
+          (regions == nullptr || std::ranges::find(*regions, region) != regions->end())) {
+        const auto& [a, b, c] = surface_.corners(f);
+        of_regions.add(region, {features_.normals[f], here - point, distance, extent_of(a, b, c)});
+      }
+    });
+    curve_edges_.visit_near(point, reach, [&](std::uint32_t e, const Vec3& here, double distance) {
+      const Vec3 way = points_[edges_[e][1]] - points_[edges_[e][0]];
+      const double extent = way.norm();
+      if (extent > 0 && (regions == nullptr || curves_[e] == curve)) {
+        of_curves.add(curves_[e], {way / extent, here - point, distance, extent});
+      }
+    });
+    return [of_regions = std::move(of_regions), of_curves = std::move(of_curves)](double within) {
+      return std::max(of_regions.largest(within), of_curves.largest(within));
+    };
+  };
+  // Little is looked at where little is allowed. The loops end at the most, or at the distance.
+  double length = std::min(most, kFirst * distance_);
+  std::function<double(double)> bend = bend_within(length);
+  while (length < most && bend(length) <= distance_) {
+    length = std::min(2 * length, most);
+    bend = bend_within(length);
+  }
+  while (length > distance_ && bend(length) > distance_) {
     length *= kShrink;
   }
   return length;
