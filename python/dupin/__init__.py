@@ -27,6 +27,7 @@ from .meshes import (MeshLike, SolidLike, as_mesh, as_solid, boolean, check, int
 __all__ = [
     "Assembly", "Built", "Certificate", "Document", "Error", "Mesh", "MeshLike", "Solid", "SolidLike", "__version__",
     "as_mesh", "as_solid", "bill_of_materials", "boolean", "build", "certify", "check", "error_codes", "errors", "gaps",
-    "has_mesh_generator", "intersection", "mesh_formats", "mesh_gaps", "nurbs", "part_keys", "read_document", "read_mesh", "remesh", "repair",
-    "schema", "subtract", "to_meshio", "to_pyvista", "to_trimesh", "union", "verify", "write_mesh",
+    "has_mesh_generator", "intersection", "mesh_formats", "mesh_gaps", "nurbs", "part_keys", "read_document",
+    "read_mesh", "remesh", "repair", "schema", "subtract", "to_meshio", "to_pyvista", "to_trimesh", "union", "verify",
+    "write_mesh",
 ]

@@ -21,7 +21,8 @@ CASE = {"controlDict": "application none; startFrom startTime; startTime 0; stop
         "fvSchemes": "gradSchemes {} divSchemes {} laplacianSchemes {}",
         "fvSolution": "solvers {}",
         "surfaceFeatureExtractDict":
-            "tee.stl { extractionMethod extractFromSurface; extractFromSurfaceCoeffs { includedAngle 140; } writeObj no; }",
+            "tee.stl { extractionMethod extractFromSurface; writeObj no; "
+            "extractFromSurfaceCoeffs { includedAngle 140; } }",
         "blockMeshDict": """scale 1; edges (); mergePatchPairs ();
             vertices ((-4 -14 -14) (84 -14 -14) (84 14 -14) (-4 14 -14) (-4 -14 46) (84 -14 46) (84 14 46) (-4 14 46));
             blocks (hex (0 1 2 3 4 5 6 7) (44 14 30) simpleGrading (1 1 1));
@@ -33,8 +34,8 @@ CASE = {"controlDict": "application none; startFrom startTime; startTime 0; stop
               features ({ file "tee.eMesh"; level 1; }); refinementSurfaces { tee { level (1 1); } }
               refinementRegions {} locationInMesh (INSIDE); }
             snapControls { nSmoothPatch 3; tolerance 2; nSolveIter 30; nRelaxIter 5; nFeatureSnapIter 10; }
-            addLayersControls { relativeSizes true; layers {} expansionRatio 1; finalLayerThickness 0.3; minThickness 0.1;
-              nGrow 0; featureAngle 60; nRelaxIter 3; nSmoothSurfaceNormals 1; nSmoothNormals 3; nSmoothThickness 10;
+            addLayersControls { relativeSizes true; layers {} expansionRatio 1; finalLayerThickness 0.3;
+              minThickness 0.1; nGrow 0; featureAngle 60; nRelaxIter 3; nSmoothSurfaceNormals 1; nSmoothNormals 3; nSmoothThickness 10;
               maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3; minMedianAxisAngle 90; nBufferCellsNoExtrude 0;
               nLayerIter 50; }
             meshQualityControls { maxNonOrtho 65; maxBoundarySkewness 20; maxInternalSkewness 4; maxConcave 80;
