@@ -1,4 +1,5 @@
 #include <memory>
+#include <numbers>
 #include <optional>
 
 #include <pybind11/eigen.h>
@@ -11,6 +12,7 @@
 #include "dupin/kernel/boolean_expression.h"
 #include "dupin/kernel/contacts.h"
 #include "dupin/kernel/placement.h"
+#include "dupin/kernel/remesh.h"
 #include "dupin/kernel/repair.h"
 #include "dupin/kernel/rounding.h"
 #include "dupin/kernel/simplify.h"
@@ -296,6 +298,27 @@ void bind_combinations(py::module_& module) {
   });
 }
 
+/// Angles are in degrees. The report is that of a file, which there is none of.
+py::tuple remeshed(const Solid& solid, double distance, double size, double angle, double sharp,
+                   std::size_t most_points, const py::object& progress) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  Interruptible work(progress);
+  const RemeshOptions options{.distance = distance,
+                              .largest_edge = size,
+                              .smallest_angle = angle * kDegree,
+                              .feature_angle = sharp * kDegree,
+                              .most_points = most_points,
+                              .progress = work.progress()};
+  OutputReport report;
+  Solid made = work.run([&] {
+    Remeshed result = remesh(solid, options);
+    report.solver_mesh =
+        SolverMeshReport{std::move(result.report), options.smallest_angle, options.distance, {}};
+    return std::move(result.solid);
+  });
+  return py::make_tuple(std::move(made), to_json(report));
+}
+
 }  // namespace
 
 void bind_solids(py::module_& module) {
@@ -313,6 +336,8 @@ void bind_solids(py::module_& module) {
   bind_operations(solid);
   bind_output(solid);
   bind_combinations(module);
+  module.attr("has_mesh_generator") = has_mesh_generator();
+  module.def("remesh", &remeshed);
 }
 
 }  // namespace dupin::python

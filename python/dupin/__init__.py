@@ -17,16 +17,17 @@ part and place. Long operations let other threads run, and Ctrl-C ends them.
 """
 
 from . import errors
-from ._core import (Certificate, Mesh, Solid, __version__, error_codes, mesh_formats, part_keys)
+from ._core import (Certificate, Mesh, Solid, __version__, error_codes, has_mesh_generator, mesh_formats, part_keys)
 from .assembly import Assembly
 from .documents import (Built, Document, bill_of_materials, build, certify, gaps, nurbs, read_document, schema, verify)
 from .errors import Error
-from .meshes import (MeshLike, SolidLike, as_mesh, as_solid, boolean, check, intersection, mesh_gaps, read_mesh, repair,
-                     subtract, to_meshio, to_pyvista, to_trimesh, union, write_mesh)
+from .meshes import (MeshLike, SolidLike, as_mesh, as_solid, boolean, check, intersection, mesh_gaps, read_mesh, remesh,
+                     repair, subtract, to_meshio, to_pyvista, to_trimesh, union, write_mesh)
 
 __all__ = [
     "Assembly", "Built", "Certificate", "Document", "Error", "Mesh", "MeshLike", "Solid", "SolidLike", "__version__",
     "as_mesh", "as_solid", "bill_of_materials", "boolean", "build", "certify", "check", "error_codes", "errors", "gaps",
-    "intersection", "mesh_formats", "mesh_gaps", "nurbs", "part_keys", "read_document", "read_mesh", "repair", "schema",
-    "subtract", "to_meshio", "to_pyvista", "to_trimesh", "union", "verify", "write_mesh",
+    "has_mesh_generator", "intersection", "mesh_formats", "mesh_gaps", "nurbs", "part_keys", "read_document",
+    "read_mesh", "remesh", "repair", "schema", "subtract", "to_meshio", "to_pyvista", "to_trimesh", "union", "verify",
+    "write_mesh",
 ]

@@ -10,6 +10,7 @@ from .meshes import Progress
 
 __version__: str
 error_codes: tuple[str, ...]
+has_mesh_generator: bool
 mesh_formats: tuple[str, ...]
 part_keys: tuple[str, ...]
 usual_triangles: int
@@ -105,6 +106,8 @@ def combine(operation: str, solids: list[Solid], contacts: str, progress: Progre
 def expression_names(expression: str) -> list[str]: ...
 def evaluate(expression: str, operands: dict[str, Solid], contacts: str, progress: Progress) -> Solid: ...
 def repair(mesh: Mesh, progress: Progress) -> tuple[Solid, dict[str, Any]]: ...
+def remesh(solid: Solid, distance: float, size: float, angle: float, sharp: float, most_points: int,
+           progress: Progress) -> tuple[Solid, str]: ...
 def build(text: str, source: str, tolerance: float | None, segments: int | None, connect: float | None,
           most_triangles: int, contacts: str, cross_check: str | None, region: str | None,
           progress: Progress) -> tuple[Solid, str, int]: ...

@@ -158,6 +158,26 @@ def subtract(solid: SolidLike, *others: SolidLike, contacts: str = "report", pro
     return _combine("difference", (solid, *others), contacts, progress)
 
 
+def remesh(solid: SolidLike, distance: float, *, size: float = 0.0, angle: float = 25.0, sharp: float = 40.0,
+           most_points: int = 4_000_000, progress: Progress = None) -> tuple[Solid, dict[str, Any]]:
+    """The same solid with well-shaped triangles, as meshes for solvers begin with, and a report on them.
+
+    distance        largest from any point of either surface to the other, proved; in the solid's unit
+    size            of the longest edge; a tenth of the diagonal of the box around the solid if not given
+    angle           smallest of a triangle in degrees, 30 at most, as far as sharp edges allow
+    sharp           edges where the surface turns by more, in degrees, are kept, as borders between labels are
+    most_points     of the mesh
+    progress        progress(stage, fraction); returning False raises Cancelled
+
+    The report is `solver_mesh` of `dupin remesh --json`, with angles in radians: deviation, smallest_angle,
+    poor_triangles and where the worst are, ... Raises ContactRefused for a solid that touches itself, LimitExceeded
+    where lengths ask for too many points, Unroundable where the distance cannot be kept, and InvalidArgument for
+    values out of range and where `dupin.has_mesh_generator` is false.
+    """
+    made, report = _core.remesh(as_solid(solid), distance, size, angle, sharp, most_points, progress)
+    return made, json.loads(report)["solver_mesh"]
+
+
 def _module(name: str) -> Any:
     import importlib
 

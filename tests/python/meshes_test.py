@@ -191,6 +191,49 @@ def test_simplify_keeps_a_solid(box):
     assert len(mesh.triangles) < len(united.triangles) and dupin.check(mesh)["solid"]
 
 
+@pytest.mark.skipif(not dupin.has_mesh_generator, reason="this build makes no meshes for solvers")
+def test_remesh_makes_well_shaped_triangles(box):
+    stages = []
+    made, report = dupin.remesh(box((0, 0, 0), (4, 2, 1)), 0.01, size=0.5,
+                                progress=lambda stage, fraction: stages.append((stage, fraction)))
+    points, triangles = made.points, made.triangles
+    corners = points[triangles]
+    sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+    a, b, c = np.sort(sides, axis=1).T
+    smallest = np.arccos((b * b + c * c - a * a) / (2 * b * c)).min()
+    assert smallest == pytest.approx(report["smallest_angle"]) and smallest >= np.radians(25)
+    assert report["poor_triangles"] == report["poor_between_edges"] == 0 and report["worst"] == []
+    assert c.max() <= 0.5 and report["deviation"] <= 0.01 == report["distance"]
+    assert made.volume == pytest.approx(8) and made.components == 1
+    assert {"mesh", "prove"} <= {stage for stage, _ in stages}
+    assert all(0 <= fraction <= 1 for _, fraction in stages)
+
+
+@pytest.mark.skipif(not dupin.has_mesh_generator, reason="this build makes no meshes for solvers")
+def test_remesh_says_what_is_wrong_and_can_be_ended(box):
+    with pytest.raises(dupin.errors.InvalidArgument, match="distance"):
+        dupin.remesh(box(), 0)
+    with pytest.raises(dupin.errors.InvalidArgument, match="30 degrees"):
+        dupin.remesh(box(), 0.1, angle=31)
+    with pytest.raises(dupin.errors.LimitExceeded):
+        dupin.remesh(box(), 0.1, size=0.01, most_points=100)
+    with pytest.raises(dupin.errors.Cancelled):
+        dupin.remesh(box(), 0.1, progress=lambda stage, fraction: False)
+
+    class Own(Exception):
+        pass
+
+    def fail(stage, fraction):
+        raise Own
+
+    with pytest.raises(Own):
+        dupin.remesh(box(), 0.1, progress=fail)
+    touching = dupin.union(box(), box((1, 1, 0), (2, 2, 1)))
+    with pytest.raises(dupin.Error) as caught:
+        dupin.remesh(touching, 0.1)
+    assert caught.value.code == "contact"
+
+
 def test_gaps_of_meshes(box):
     report = dupin.mesh_gaps(box(), box((1.001, 0, 0), (2, 1, 1)), connect=0.01)
     assert len(report["facing"]) == 1 and report["components"] == 2

@@ -110,7 +110,9 @@ Json counts_json(const Report& report) {
 Json json_value(const SolverMeshReport& report) {
   Json poor = Json::array();
   for (const PoorTriangle& triangle : report.surface.worst) {
-    poor.push_back({{"place", json_value(triangle.place)}, {"angle", triangle.angle}});
+    poor.push_back({{"place", json_value(triangle.place)},
+                    {"angle", triangle.angle},
+                    {"between_edges", triangle.is_between_edges}});
   }
   Json object{{"distance", report.asked_distance},
               {"deviation", report.surface.deviation},
@@ -119,6 +121,7 @@ Json json_value(const SolverMeshReport& report) {
               {"shortest_edge", report.surface.shortest_edge},
               {"longest_edge", report.surface.longest_edge},
               {"poor_triangles", report.surface.poor_triangles},
+              {"poor_between_edges", report.surface.poor_between_edges},
               {"worst", poor}};
   if (report.volume) {
     object["volume"] = {{"points", report.volume->points},

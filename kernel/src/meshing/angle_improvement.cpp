@@ -7,10 +7,11 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
+
+#include "meshing/incidence.h"
 
 namespace dupin::meshing {
 namespace {
@@ -20,35 +21,6 @@ constexpr int kRounds = 12;
 constexpr double kMore = 1.04;
 /// A move has to gain so much, in radians.
 constexpr double kGain = 1e-6;
-
-/// What is at each point: items of `corners` that have it.
-template <class Item>
-class Incidence {
- public:
-  Incidence(const std::vector<Item>& items, std::size_t points) : starts_(points + 1, 0) {
-    for (const Item& item : items) {
-      for (const std::uint32_t v : item) {
-        ++starts_[v + 1];
-      }
-    }
-    for (std::size_t v = 0; v < points; ++v) {
-      starts_[v + 1] += starts_[v];
-    }
-    items_.resize(starts_.back());
-    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    for (std::uint32_t i = 0; i < items.size(); ++i) {
-      for (const std::uint32_t v : items[i]) {
-        items_[next[v]++] = i;
-      }
-    }
-  }
-  [[nodiscard]] std::span<const std::uint32_t> at(std::uint32_t point) const {
-    return std::span(items_).subspan(starts_[point], starts_[point + 1] - starts_[point]);
-  }
-
- private:
-  std::vector<std::uint32_t> starts_, items_;
-};
 
 /// What is about each point of a mesh, and how good it is.
 class Stars {
@@ -91,21 +63,35 @@ class Stars {
   /// The way to the furthest neighbour.
   [[nodiscard]] double reach(std::uint32_t point) const {
     double reach = 0;
-    for (const std::uint32_t t : tetrahedra_.at(point)) {
-      for (const std::uint32_t w : mesh_.tetrahedra[t]) {
+    const auto look = [&](const auto& corners) {
+      for (const std::uint32_t w : corners) {
         reach = std::max(reach, (mesh_.points[w] - mesh_.points[point]).norm());
       }
+    };
+    for (const std::uint32_t f : triangles_.at(point)) {
+      look(mesh_.triangles[f]);
+    }
+    for (const std::uint32_t t : tetrahedra_.at(point)) {
+      look(mesh_.tetrahedra[t]);
     }
     return reach;
   }
-  /// Of the triangles about a point, as long as twice their area.
-  [[nodiscard]] Vec3 normal(std::uint32_t point) const {
-    Vec3 normal = Vec3::Zero();
+  /// Of the triangles about a point, as long as twice their areas.
+  [[nodiscard]] std::vector<Vec3> normals(std::uint32_t point) const {
+    std::vector<Vec3> normals;
     for (const std::uint32_t f : triangles_.at(point)) {
       const auto& [a, b, c] = mesh_.triangles[f];
-      normal += (mesh_.points[b] - mesh_.points[a]).cross(mesh_.points[c] - mesh_.points[a]);
+      normals.emplace_back(
+          (mesh_.points[b] - mesh_.points[a]).cross(mesh_.points[c] - mesh_.points[a]));
     }
-    return normal;
+    return normals;
+  }
+  [[nodiscard]] Vec3 normal(std::uint32_t point) const {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& normal : normals(point)) {
+      sum += normal;
+    }
+    return sum;
   }
   [[nodiscard]] const Incidence<Triangle>& triangles() const { return triangles_; }
 
@@ -132,7 +118,7 @@ class Search {
       return false;
     }
     const double reach = stars_.reach(v);
-    const std::vector<Vec3> directions = directions_of(v);
+    const std::vector<Vec3> directions = directions_of(v), normals = stars_.normals(v);
     Vec3 place = before;
     for (double step = reach / 4; step > reach / 200 && best < enough;) {
       const Vec3 centre = place;
@@ -144,7 +130,8 @@ class Search {
         mesh_.points[v] = *there;
         if (const double now = quality(v);
             now > best + kGain && stars_.reach(v) <= std::max(reach, limits_.longest_edge) &&
-            stays_near(v) && is_allowed(v) && stars_.is_valid_around(v)) {
+            keeps_sides(v, normals) && stays_near(v) && is_allowed(v) &&
+            stars_.is_valid_around(v)) {
           best = now;
           place = *there;
         }
@@ -181,18 +168,17 @@ class Search {
     }
     return directions;
   }
-  /// A look, not a proof: whether middles of the triangles about a point, and of their edges, are
-  /// near the surface.
+  /// Whether triangles about a point look as they did, within a right angle.
+  [[nodiscard]] bool keeps_sides(std::uint32_t v, const std::vector<Vec3>& normals) const {
+    const std::vector<Vec3> now = stars_.normals(v);
+    return std::ranges::equal(now, normals,
+                              [](const Vec3& a, const Vec3& b) { return a.dot(b) > 0; });
+  }
   [[nodiscard]] bool stays_near(std::uint32_t v) const {
-    const auto is_near = [&](const Vec3& place, std::uint32_t region) {
-      return surface_.nearest(place, region, limits_.distance).has_value();
-    };
     return std::ranges::all_of(stars_.triangles().at(v), [&](std::uint32_t f) {
       const auto& [a, b, c] = mesh_.triangles[f];
-      const Vec3 &p = mesh_.points[a], &q = mesh_.points[b], &r = mesh_.points[c];
-      const std::uint32_t region = mesh_.regions[f];
-      return is_near((p + q + r) / 3, region) && is_near((p + q) / 2, region) &&
-             is_near((q + r) / 2, region) && is_near((r + p) / 2, region);
+      return surface_.looks_near({mesh_.points[a], mesh_.points[b], mesh_.points[c]},
+                                 mesh_.regions[f], limits_.distance);
     });
   }
   [[nodiscard]] std::optional<Vec3> moved(std::uint32_t v, const Vec3& to, double reach) const {

@@ -18,8 +18,9 @@ struct MoveLimits {
 
 /// Moves points along their regions until triangles have no angle below `wanted`, in radians, or
 /// nothing is gained any more. A move never makes the smallest angle about its point smaller, nor
-/// a tetrahedron turn or vanish, by exact predicates, and goes not further than to a neighbour;
-/// edges get no longer than they are, or than the longest allowed.
+/// a triangle turn by a right angle, nor a tetrahedron turn or vanish, by exact predicates, and
+/// goes not further than to a neighbour; edges get no longer than they are, or than the longest
+/// allowed.
 void improve_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wanted,
                     const MoveLimits& limits);
 

@@ -1,6 +1,9 @@
 #include "meshing/delaunay_refinement.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <map>
 #include <numbers>
 #include <sstream>
 #include <type_traits>
@@ -19,6 +22,7 @@
 
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/solver_mesh.h"
+#include "meshing/edge_lengths.h"
 
 namespace dupin::meshing {
 namespace {
@@ -50,6 +54,20 @@ Surface surface_of(const TriMesh& mesh, const Features& features) {
       throw Error(Errc::internal, "internal error, please report it: a face of a solid is refused");
     }
     put(regions, face, static_cast<int>(features.regions[f]) + 1);
+  }
+  return surface;
+}
+
+/// Triangles without neighbours: those of a region need not be a manifold.
+Surface soup_of(const TriMesh& mesh) {
+  Surface surface;
+  auto regions = get(CGAL::face_patch_id_t<int>(), surface);
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const auto corner = [&](std::uint32_t v) {
+      return surface.add_vertex(point_of(mesh.points[v]));
+    };
+    const Surface::Vertex_index p = corner(a), q = corner(b), r = corner(c);
+    put(regions, surface.add_face(p, q, r), 1);
   }
   return surface;
 }
@@ -120,12 +138,8 @@ class Sizes {
   const std::function<double(const Vec3&)>* size_;
 };
 
-/// Balls along curves; then the seeds of regions without any, and of all where no triangle has come
-/// of curves alone.
-void begin(Complex& complex, const Domain& domain, const Criteria& criteria,
-           const Refinement& wanted, CGAL::Mesh_error_code& code) {
-  CGAL::Mesh_3::internal::init_c3t3_with_features(complex, domain, criteria, false,
-                                                  wanted.most_points, &code);
+/// Those that are needed, and all where no triangle has come of curves alone.
+void insert_seeds(Complex& complex, const Domain& domain, const Refinement& wanted) {
   Triangulation& triangulation = complex.triangulation();
   bool has_triangles = triangulation.dimension() == 3;
   if (has_triangles) {
@@ -144,36 +158,175 @@ void begin(Complex& complex, const Domain& domain, const Criteria& criteria,
   }
 }
 
-Complex generated(const Domain& domain, const Refinement& wanted, const Progress& progress) {
-  namespace given = CGAL::parameters;
-  constexpr std::size_t kQuestions = 64;  // for each point, far more than there are usually
-  Sizes::Watch watch{progress, kQuestions * wanted.most_points};
-  const std::function<double(const Vec3&)> radius = [&](const Vec3&) { return wanted.radius; };
-  constexpr double kRadiusToEdge = 2;  // CGAL's refinement ends for this, and not for much less
-  const Criteria criteria(
-      given::edge_size = Sizes(watch, wanted.edge_length),
-      given::facet_angle = wanted.smallest_angle * 180 / std::numbers::pi,
-      given::facet_size = Sizes(watch, radius), given::facet_distance = wanted.distance,
-      given::facet_topology = CGAL::FACET_VERTICES_ON_SAME_SURFACE_PATCH_WITH_ADJACENCY_CHECK,
-      given::cell_radius_edge_ratio = wanted.fill ? kRadiusToEdge : 0.0,
-      given::cell_size = wanted.fill ? wanted.radius : 0.0);
-  CGAL::get_default_random() = CGAL::Random(0);
-  CGAL::Mesh_error_code code = CGAL::CGAL_MESH_3_NO_ERROR;
-  const auto options = given::mesh_3_options(given::maximal_number_of_vertices = wanted.most_points,
-                                             given::pointer_to_error_code = &code);
-  Complex complex;
-  begin(complex, domain, criteria, wanted, code);
-  if (code == CGAL::CGAL_MESH_3_NO_ERROR && complex.triangulation().dimension() == 3) {
-    CGAL::refine_mesh_3(complex, domain, criteria, given::no_reset_c3t3(),
-                        wanted.fill ? given::exude() : given::no_exude(), given::no_perturb(),
-                        given::no_odt(), given::no_lloyd(), options, given::manifold());
+/// What the generator asks for and is told.
+class Generation {
+ public:
+  Generation(const Refinement& wanted, const Progress& progress)
+      : wanted_(wanted),
+        watch_{progress, kQuestions * wanted.most_points},
+        radius_([this](const Vec3&) { return wanted_.radius; }) {
+    CGAL::get_default_random() = CGAL::Random(0);
   }
-  if (code != CGAL::CGAL_MESH_3_NO_ERROR) {
-    throw Error(Errc::limit_exceeded, "a mesh with these lengths and distances gets more than " +
-                                          std::to_string(wanted.most_points) +
-                                          " points; allow longer edges or a larger distance");
+  Generation(const Generation&) = delete;
+  Generation& operator=(const Generation&) = delete;
+
+  [[nodiscard]] Criteria criteria() {
+    namespace given = CGAL::parameters;
+    constexpr double kRadiusToEdge = 2;  // CGAL's refinement ends for this, and not for much less
+    return {given::edge_size = Sizes(watch_, wanted_.edge_length),
+            given::facet_angle = wanted_.smallest_angle * 180 / std::numbers::pi,
+            given::facet_size = Sizes(watch_, radius_),
+            given::facet_distance = wanted_.distance,
+            given::facet_topology = CGAL::FACET_VERTICES_ON_SAME_SURFACE_PATCH_WITH_ADJACENCY_CHECK,
+            given::cell_radius_edge_ratio = wanted_.fill ? kRadiusToEdge : 0.0,
+            given::cell_size = wanted_.fill ? wanted_.radius : 0.0};
+  }
+
+  /// Balls along curves.
+  void protect(Complex& complex, const Domain& domain, const Criteria& criteria) {
+    CGAL::Mesh_3::internal::init_c3t3_with_features(complex, domain, criteria, false,
+                                                    wanted_.most_points, &code_);
+    require_room();
+  }
+
+  void refine(Complex& complex, const Domain& domain, const Criteria& criteria) {
+    namespace given = CGAL::parameters;
+    const auto options =
+        given::mesh_3_options(given::maximal_number_of_vertices = wanted_.most_points,
+                              given::pointer_to_error_code = &code_);
+    const auto topology = wanted_.fill ? given::manifold() : given::manifold_with_boundary();
+    CGAL::refine_mesh_3(complex, domain, criteria, given::no_reset_c3t3(),
+                        wanted_.fill ? given::exude() : given::no_exude(), given::no_perturb(),
+                        given::no_odt(), given::no_lloyd(), options, topology);
+    require_room();
+  }
+
+ private:
+  static constexpr std::size_t kQuestions = 64;  // per point, far more than there are usually
+
+  void require_room() const {
+    if (code_ != CGAL::CGAL_MESH_3_NO_ERROR) {
+      throw too_many(wanted_.most_points);
+    }
+  }
+
+  const Refinement& wanted_;
+  Sizes::Watch watch_;
+  std::function<double(const Vec3&)> radius_;
+  CGAL::Mesh_error_code code_ = CGAL::CGAL_MESH_3_NO_ERROR;
+};
+
+Complex generated(const Domain& domain, const Refinement& wanted, const Progress& progress) {
+  Generation generation(wanted, progress);
+  const Criteria criteria = generation.criteria();
+  Complex complex;
+  generation.protect(complex, domain, criteria);
+  insert_seeds(complex, domain, wanted);
+  if (complex.triangulation().dimension() == 3) {
+    generation.refine(complex, domain, criteria);
   }
   return complex;
+}
+
+using VertexHandle = Complex::Vertex_handle;
+
+/// Corners of a cube far around, so that points of a plane have tetrahedra, too. Triangles with
+/// such a corner count as poor.
+void insert_far_points(Complex& complex, const Domain& domain) {
+  const CGAL::Bbox_3 box = domain.bbox();
+  const Vec3 low(box.xmin(), box.ymin(), box.zmin()), high(box.xmax(), box.ymax(), box.zmax());
+  const Vec3 middle = (low + high) / 2;
+  const double reach = 4 * (high - low).norm();
+  for (const double x : {-reach, reach}) {
+    for (const double y : {-reach, reach}) {
+      for (const double z : {-reach, reach}) {
+        const VertexHandle vertex = complex.triangulation().insert(
+            Triangulation::Weighted_point(point_of(middle + Vec3(x, y, z))));
+        complex.set_dimension(vertex, 3);
+        complex.set_index(vertex, domain.index_from_subdomain_index(1));
+      }
+    }
+  }
+}
+
+/// Their vertices, or none if one is hidden by others, or neighbours have no edge.
+std::vector<VertexHandle> insert_balls(Complex& complex, const Domain& domain,
+                                       const CurvePoints& balls) {
+  Triangulation& triangulation = complex.triangulation();
+  std::vector<VertexHandle> vertices;
+  for (const CurvePoint& ball : balls.points) {
+    vertices.push_back(triangulation.insert(
+        Triangulation::Weighted_point(point_of(ball.place), ball.radius * ball.radius)));
+  }
+  if (std::ranges::any_of(vertices, [](VertexHandle v) { return v == VertexHandle(); }) ||
+      triangulation.number_of_vertices() < vertices.size()) {
+    return {};
+  }
+  std::vector<std::pair<Domain::Corner_index, Point>> corners;
+  domain.get_corners(std::back_inserter(corners));
+  std::map<Point, Domain::Corner_index> corner_at;
+  for (const auto& [index, point] : corners) {
+    corner_at.emplace(point, index);
+  }
+  for (std::size_t c = 0; c < balls.chains.size(); ++c) {
+    const std::vector<std::uint32_t>& chain = balls.chains[c];
+    const auto curve = static_cast<Domain::Curve_index>(c) + 1;
+    for (const std::uint32_t i : chain) {
+      complex.set_dimension(vertices[i], 1);
+      complex.set_index(vertices[i], domain.index_from_curve_index(curve));
+    }
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+      const VertexHandle from = vertices[chain[i - 1]], to = vertices[chain[i]];
+      Complex::Cell_handle cell;
+      int a = 0, b = 0;
+      if (!triangulation.is_edge(from, to, cell, a, b)) {
+        return {};
+      }
+      complex.add_to_complex(from, to, curve);
+    }
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (balls.points[i].is_corner) {
+      const auto corner = corner_at.find(point_of(balls.points[i].place));
+      if (corner == corner_at.end()) {
+        return {};
+      }
+      complex.set_dimension(vertices[i], 0);
+      complex.set_index(vertices[i], domain.index_from_corner_index(corner->second));
+      complex.add_to_complex(vertices[i], corner->second);
+    }
+  }
+  return vertices;
+}
+
+/// The triangles, and the points, those of balls first.
+Tetrahedra triangles_of(const Complex& complex, const std::vector<VertexHandle>& balls) {
+  Tetrahedra result;
+  std::unordered_map<VertexHandle, std::uint32_t, CGAL::Handle_hash_function> numbers;
+  const auto add = [&](VertexHandle vertex, Freedom freedom) {
+    const auto [at, is_new] =
+        numbers.emplace(vertex, static_cast<std::uint32_t>(result.points.size()));
+    if (is_new) {
+      result.points.push_back(vector_of(vertex->point().point()));
+      result.freedoms.push_back(freedom);
+    }
+    return at->second;
+  };
+  for (const VertexHandle ball : balls) {
+    add(ball, Freedom::none);
+  }
+  for (auto facet = complex.facets_in_complex_begin(); facet != complex.facets_in_complex_end();
+       ++facet) {
+    const auto& [cell, opposite] = *facet;
+    Triangle corners{};
+    for (int k = 0; k < 3; ++k) {
+      corners[static_cast<std::size_t>(k)] =
+          add(cell->vertex((opposite + 1 + k) % 4), Freedom::region);
+    }
+    result.triangles.push_back(corners);
+    result.regions.push_back(0);
+  }
+  return result;
 }
 
 Tetrahedra tetrahedra_of(const Complex& complex) {
@@ -220,6 +373,32 @@ Tetrahedra refine(const TriMesh& mesh, const Features& features, const Refinemen
                                      Part<&Polyline::regions>());
   try {
     return tetrahedra_of(generated(domain, wanted, progress));
+  } catch (const CGAL::Failure_exception&) {
+    return {};  // an assumption of it on a point that it has computed does not hold
+  }
+}
+
+Tetrahedra refine_surface(const TriMesh& mesh, const Features& features, const CurvePoints& balls,
+                          const Refinement& wanted, const Progress& progress) {
+  CGAL::Random random(0);
+  const Surface surface = soup_of(mesh);
+  const std::array<const Surface*, 1> surfaces = {&surface};
+  Domain domain(surfaces.begin(), surfaces.end(), &random);
+  const std::vector<Polyline> lines = polylines_of(features);
+  domain.add_features_and_incidences(lines.begin(), lines.end(), Part<&Polyline::points>(),
+                                     Part<&Polyline::regions>());
+  try {
+    Generation generation(wanted, progress);
+    const Criteria criteria = generation.criteria();
+    Complex complex;
+    insert_far_points(complex, domain);
+    const std::vector<VertexHandle> vertices = insert_balls(complex, domain, balls);
+    if (vertices.size() < balls.points.size()) {
+      return {};
+    }
+    insert_seeds(complex, domain, wanted);
+    generation.refine(complex, domain, criteria);
+    return triangles_of(complex, vertices);
   } catch (const CGAL::Failure_exception&) {
     return {};  // an assumption of it on a point that it has computed does not hold
   }

@@ -7,6 +7,7 @@
 
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/progress.h"
+#include "meshing/curve_points.h"
 #include "meshing/features.h"
 #include "meshing/tetrahedra.h"
 
@@ -38,5 +39,12 @@ struct Refinement {
 /// Error{cancelled}.
 [[nodiscard]] Tetrahedra refine(const TriMesh& mesh, const Features& features,
                                 const Refinement& wanted, const Progress& progress);
+
+/// The same of a surface alone, which need not be closed: one region, with balls already placed
+/// about the points of its curves, a chain of them for each. No tetrahedra, and triangles are not
+/// turned. Points begin with the balls' centres. None where the generator gives up on its own.
+[[nodiscard]] Tetrahedra refine_surface(const TriMesh& mesh, const Features& features,
+                                        const CurvePoints& balls, const Refinement& wanted,
+                                        const Progress& progress);
 
 }  // namespace dupin::meshing

@@ -9,9 +9,20 @@ bool has_mesh_generator() { return false; }
 
 namespace meshing {
 
-Tetrahedra refine(const TriMesh&, const Features&, const Refinement&, const Progress&) {
+namespace {
+
+[[noreturn]] void refuse() {
   throw Error(Errc::invalid_argument,
               "this build makes no meshes for solvers; build with DUPIN_MESHING=ON");
+}
+
+}  // namespace
+
+Tetrahedra refine(const TriMesh&, const Features&, const Refinement&, const Progress&) { refuse(); }
+
+Tetrahedra refine_surface(const TriMesh&, const Features&, const CurvePoints&, const Refinement&,
+                          const Progress&) {
+  refuse();
 }
 
 }  // namespace meshing

@@ -3,35 +3,50 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <sstream>
+#include <string>
 #include <unordered_map>
+#include <utility>
 
 #include <Eigen/Geometry>
 
 #include "dupin/kernel/error.h"
+#include "support/none.h"
 
 namespace dupin::meshing {
 namespace {
 
-/// Directions about a point, in groups.
-class Turns {
+/// What is about a point, in groups: how far does it bend away from the plane, or the line, that is
+/// nearest to the point?
+class Bends {
  public:
-  void add(std::uint32_t group, const Vec3& direction, double distance) {
-    groups_[group].push_back({direction, distance});
-  }
-  /// The largest angle between the direction nearest to the point and others of one group, of those
-  /// within a distance.
+  enum class Of : std::uint8_t { planes, lines };
+  explicit Bends(Of of) : of_(of) {}
+
+  struct Item {
+    Vec3 direction;   ///< a unit vector, along the line or across the plane
+    Vec3 way;         ///< from the point to the item's nearest place
+    double distance;  ///< its length
+    double extent;    ///< of the item
+  };
+  void add(std::uint32_t group, const Item& item) { groups_[group].push_back(item); }
+
+  /// The largest way off, of items within a distance.
   [[nodiscard]] double largest(double within) const {
     double largest = 0;
     for (const auto& [group, items] : groups_) {
       const Item& nearest = *std::ranges::min_element(items, {}, &Item::distance);
       for (const Item& item : items) {
         if (item.distance <= within) {
-          const Vec3 &a = nearest.direction, &b = item.direction;
-          largest = std::max(largest, std::atan2(a.cross(b).norm(), a.dot(b)));
+          const double along = std::abs(nearest.direction.dot(item.way));
+          const double across = nearest.direction.cross(item.way).norm();
+          const double turn = nearest.direction.cross(item.direction).norm();
+          largest = std::max(largest, (of_ == Of::planes ? along : across) +
+                                          turn * std::min(item.extent, within - item.distance));
         }
       }
     }
@@ -39,12 +54,13 @@ class Turns {
   }
 
  private:
-  struct Item {
-    Vec3 direction;
-    double distance;
-  };
+  Of of_;
   std::unordered_map<std::uint32_t, std::vector<Item>> groups_;
 };
+
+double extent_of(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+}
 
 std::vector<Vec3> points_of(const std::vector<Curve>& curves) {
   std::vector<Vec3> points;
@@ -72,6 +88,32 @@ std::vector<std::uint32_t> curves_of_edges(const std::vector<Curve>& curves) {
     numbers.insert(numbers.end(), curves[c].points.size() - 1, c);
   }
   return numbers;
+}
+
+std::vector<double> starts_of_edges(const std::vector<Curve>& curves) {
+  std::vector<double> starts;
+  for (const Curve& curve : curves) {
+    double at = 0;
+    for (std::size_t i = 1; i < curve.points.size(); ++i) {
+      starts.push_back(at);
+      at += (curve.points[i] - curve.points[i - 1]).norm();
+    }
+  }
+  return starts;
+}
+
+std::vector<double> lengths_of_loops(const std::vector<Curve>& curves) {
+  std::vector<double> lengths(curves.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const std::vector<Vec3>& points = curves[c].points;
+    if (points.front() == points.back()) {
+      lengths[c] = 0;
+      for (std::size_t i = 1; i < points.size(); ++i) {
+        lengths[c] += (points[i] - points[i - 1]).norm();
+      }
+    }
+  }
+  return lengths;
 }
 
 std::vector<std::set<std::uint32_t>> regions_beside(const std::vector<Curve>& curves) {
@@ -103,25 +145,96 @@ EdgeLengths::EdgeLengths(const ReferenceSurface& surface, const Features& featur
       points_(points_of(features.curves)),
       edges_(edges_of(features.curves)),
       curves_(curves_of_edges(features.curves)),
+      starts_(starts_of_edges(features.curves)),
+      curve_lengths_(lengths_of_loops(features.curves)),
       beside_(regions_beside(features.curves)),
       curve_edges_(points_, edges_, curves_) {}
 
 double EdgeLengths::at(const Vec3& point) const {
-  constexpr double kShrink = 0.8;
-  double length = std::min(largest_, room_about(point));
-  Turns of_regions, of_curves;
-  surface_.visit_near(point, length, [&](std::uint32_t f, const Vec3&, double distance) {
-    of_regions.add(surface_.region(f), features_.normals[f], distance);
-  });
-  curve_edges_.visit_near(point, length, [&](std::uint32_t e, const Vec3&, double distance) {
-    of_curves.add(curves_[e], points_[edges_[e][1]] - points_[edges_[e][0]], distance);
-  });
-  // A turn is at most pi, so the loop ends at a length of the distance.
-  while (length > distance_ &&
-         length * std::max(of_regions.largest(length), of_curves.largest(length)) / 2 > distance_) {
+  return length_at(point, std::min(largest_, room_about(point)), nullptr, support::kNone);
+}
+
+double EdgeLengths::along(const Vec3& point, std::uint32_t curve) const {
+  return length_at(point, largest_, &features_.curves[curve].regions, curve);
+}
+
+double EdgeLengths::length_at(const Vec3& point, double most,
+                              const std::array<std::uint32_t, 2>* regions,
+                              std::uint32_t curve) const {
+  constexpr double kShrink = 0.8, kFirst = 4;
+  const auto bend_within = [&](double reach) {
+    Bends of_regions(Bends::Of::planes), of_curves(Bends::Of::lines);
+    surface_.visit_near(point, reach, [&](std::uint32_t f, const Vec3& here, double distance) {
+      const std::uint32_t region = surface_.region(f);
+      if (features_.is_absorbed[f] == 0 &&
+          (regions == nullptr || std::ranges::find(*regions, region) != regions->end())) {
+        const auto& [a, b, c] = surface_.corners(f);
+        of_regions.add(region, {features_.normals[f], here - point, distance, extent_of(a, b, c)});
+      }
+    });
+    curve_edges_.visit_near(point, reach, [&](std::uint32_t e, const Vec3& here, double distance) {
+      const Vec3 way = points_[edges_[e][1]] - points_[edges_[e][0]];
+      const double extent = way.norm();
+      if (extent > 0 && (regions == nullptr || curves_[e] == curve)) {
+        of_curves.add(curves_[e], {way / extent, here - point, distance, extent});
+      }
+    });
+    return [of_regions = std::move(of_regions), of_curves = std::move(of_curves)](double within) {
+      return std::max(of_regions.largest(within), of_curves.largest(within));
+    };
+  };
+  // Little is looked at where little is allowed. The loops end at the most, or at the distance.
+  double length = std::min(most, kFirst * distance_);
+  std::function<double(double)> bend = bend_within(length);
+  while (length < most && bend(length) <= distance_) {
+    length = std::min(2 * length, most);
+    bend = bend_within(length);
+  }
+  while (length > distance_ && bend(length) > distance_) {
     length *= kShrink;
   }
   return length;
+}
+
+bool EdgeLengths::share_a_region(std::uint32_t curve, std::uint32_t other) const {
+  const std::array<std::uint32_t, 2>&own = features_.curves[curve].regions,
+                                  &regions = features_.curves[other].regions;
+  return std::ranges::any_of(
+      own, [&](std::uint32_t r) { return std::ranges::find(regions, r) != regions.end(); });
+}
+
+double EdgeLengths::gap_beside(const Vec3& point, std::uint32_t curve,
+                               const std::vector<std::uint32_t>& without, double reach) const {
+  double nearest = reach;
+  curve_edges_.visit_near(point, reach, [&](std::uint32_t e, const Vec3&, double distance) {
+    if (distance < nearest && share_a_region(curve, curves_[e]) &&
+        !std::ranges::binary_search(without, curves_[e])) {
+      nearest = distance;
+    }
+  });
+  return nearest;
+}
+
+double EdgeLengths::gap(const Vec3& point, std::uint32_t curve, double along, double reach) const {
+  // Of a circle, the way across is not less than 0.63 of that along it.
+  constexpr double kBack = 0.4;
+  double nearest = reach;
+  curve_edges_.visit_near(point, reach, [&](std::uint32_t e, const Vec3&, double distance) {
+    const std::uint32_t other = curves_[e];
+    if (distance >= nearest || !share_a_region(curve, other)) {
+      return;
+    }
+    if (other == curve) {
+      const double extent = (points_[edges_[e][1]] - points_[edges_[e][0]]).norm();
+      const double ahead = starts_[e] - along, back = -ahead - extent;
+      const double way = std::max({ahead, back, 0.0});
+      if (distance >= kBack * std::min(way, curve_lengths_[curve] - way - extent)) {
+        return;
+      }
+    }
+    nearest = distance;
+  });
+  return nearest;
 }
 
 double EdgeLengths::gap_to_others(const Vec3& point, std::uint32_t curve, double reach) const {
@@ -152,17 +265,27 @@ void EdgeLengths::require_room(std::size_t most) const {
         const Vec3 place = points[i - 1] + (at - before) / edge * (points[i] - points[i - 1]);
         const double gap = gap_to_others(place, c, largest_);
         if (++balls > most || !(at + gap > at)) {
-          std::ostringstream text;
-          text << "sharp edges or borders come within " << gap << " of each other near "
-               << place.x() << " " << place.y() << " " << place.z()
-               << ", and a mesh that keeps them gets too many points; join the patches there";
-          throw Error(Errc::limit_exceeded, text.str());
+          throw too_near(place, gap);
         }
         at += gap;
       }
       before += edge;
     }
   }
+}
+
+Error too_near(const Vec3& place, double gap) {
+  std::ostringstream text;
+  text << "sharp edges or borders come within " << gap << " of each other near " << place.x() << " "
+       << place.y() << " " << place.z()
+       << ", and a mesh that keeps them gets too many points; join the patches there";
+  return Error(Errc::limit_exceeded, text.str());
+}
+
+Error too_many(std::size_t most) {
+  return Error(Errc::limit_exceeded, "a mesh with these lengths and distances gets more than " +
+                                         std::to_string(most) +
+                                         " points; allow longer edges or a larger distance");
 }
 
 double EdgeLengths::room_about(const Vec3& point) const {

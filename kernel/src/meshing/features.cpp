@@ -260,6 +260,9 @@ class Finder {
         is_sharp_[e] = 0;
       }
     }
+    for (const std::uint32_t region : features_.regions) {
+      features_.is_absorbed.push_back(into[region] != region ? 1 : 0);
+    }
     std::vector<std::uint32_t> numbers(into.size(), support::kNone);
     std::uint32_t next = 0;
     for (std::uint32_t& region : features_.regions) {

@@ -7,10 +7,14 @@
 #include "dupin/kernel/mesh.h"
 
 /// Meshes for solvers: triangles and tetrahedra of good shape in place of the long thin ones of an
-/// exact union. features.h says what stays, edge_lengths.h how long edges along it may be,
-/// delaunay_refinement.h makes the tetrahedra (CGAL's Mesh_3), angle_improvement.h moves points
-/// where triangles beside sharp edges are poor, surface_distance.h proves how far the surface is
-/// from the one given, and solver_mesh_maker.h strings them together.
+/// exact union. given_solid.h is what they are made of, features.h says what stays, edge_lengths.h
+/// how long edges along it may be, delaunay_refinement.h makes triangles and tetrahedra (CGAL's
+/// Mesh_3) that begin at seeds.h, angle_improvement.h moves points where triangles beside sharp
+/// edges are poor, and surface_distance.h proves how far the surface is from the one given.
+/// solver_mesh_maker.h strings them together for tetrahedra. Surfaces are surface_mesh_maker.h's:
+/// curve_points.h places points along curves, region_mesher.h gives each region a mesh that ends
+/// there, of triangles that patch_topology.h turns outward and edge_edits.h joins otherwise where
+/// they are poor still; incidence.h knows which are at a point.
 namespace dupin::meshing {
 
 /// A polyline of sharp edges, from corner to corner or, if it ends where it begins, around.
@@ -26,6 +30,8 @@ struct Features {
   /// Per triangle, a unit vector. Triangles too thin for their rounded corners to tell have that of
   /// the neighbour at their longest edge.
   std::vector<Vec3> normals;
+  std::vector<std::uint8_t>
+      is_absorbed;      ///< per triangle: of a thin region that became part of one
   double absorbed = 0;  ///< no place of a thin region is further from what it became part of
 };
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <sstream>
@@ -13,26 +12,21 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include "dupin/kernel/error.h"
-#include "dupin/kernel/rounding.h"
 #include "meshing/angle_improvement.h"
 #include "meshing/delaunay_refinement.h"
 #include "meshing/edge_lengths.h"
 #include "meshing/features.h"
+#include "meshing/given_solid.h"
+#include "meshing/seeds.h"
 #include "meshing/surface_distance.h"
+#include "meshing/surface_mesh_maker.h"
 #include "meshing/tetrahedra.h"
 #include "support/blocks.h"
-#include "support/none.h"
 
 namespace dupin::meshing {
 namespace {
 
-/// Triangles that are moved stay within so much of the distance at the places that are looked at.
-constexpr double kNear = 0.75;
-/// Along a curve there is one ball for so many points, or they would be nowhere else.
-constexpr std::size_t kPointsPerBall = 10;
 constexpr double kDegree = std::numbers::pi / 180;
 /// Of tetrahedra, wanted: solvers complain of less.
 constexpr double kDihedralAngle = 12 * kDegree;
@@ -56,38 +50,18 @@ void check_options(const RemeshOptions& options) {
   }
 }
 
-Eigen::AlignedBox3d box_of(const TriMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& point : mesh.points) {
-    box.extend(point);
-  }
-  return box;
-}
-
 class Maker {
  public:
-  Maker(const Solid& solid, const RemeshOptions& options, bool fill)
-      : solid_(solid),
-        options_(options),
-        fill_(fill),
-        given_(to_mesh(solid).mesh()),
-        features_(find_features(given_, options.feature_angle, options.distance)),
-        surface_(given_.points, given_.triangles, features_.regions) {
-    const Eigen::AlignedBox3d box = box_of(given_);
-    largest_edge_ = options.largest_edge > 0 ? options.largest_edge : box.diagonal().norm() / 10;
-    // Covers the rounding of a distance, and of cuts, tenfold.
-    slack_ = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) * 0x1p-46;
-  }
+  explicit Maker(const GivenSolid& given) : given_(given), options_(given.options()) {}
 
   SolverMesh run() {
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-      made_ = refined(share_ * (options_.distance - features_.absorbed));
+      made_ = refined(share_ * (options_.distance - given_.features().absorbed));
       tell(options_.progress, "improve");
-      const MoveLimits limits{largest_edge_, kNear * options_.distance};
-      improve_angles(made_, surface_, options_.smallest_angle, limits);
-      if (fill_) {
-        improve_dihedral_angles(made_, surface_, kDihedralAngle, options_.smallest_angle, limits);
-      }
+      const MoveLimits limits = given_.move_limits();
+      improve_angles(made_, given_.surface(), options_.smallest_angle, limits);
+      improve_dihedral_angles(made_, given_.surface(), kDihedralAngle, options_.smallest_angle,
+                              limits);
       tell(options_.progress, "prove");
       if (std::optional<SolverMesh> proved = prove()) {
         return std::move(*proved);
@@ -100,87 +74,18 @@ class Maker {
   static constexpr int kAttempts = 4;
 
   [[nodiscard]] Tetrahedra refined(double distance) const {
-    const EdgeLengths lengths(surface_, features_, distance, edge_share_ * largest_edge_ / 2);
-    lengths.require_room(std::max<std::size_t>(options_.most_points / kPointsPerBall, 1));
+    const EdgeLengths lengths(given_.surface(), given_.features(), distance,
+                              edge_share_ * given_.largest_edge() / 2);
+    lengths.require_room(given_.most_points_on_curves());
     Refinement wanted;
     wanted.edge_length = [&](const Vec3& point) { return lengths.at(point); };
-    wanted.radius = edge_share_ * largest_edge_ / 2;
+    wanted.radius = edge_share_ * given_.largest_edge() / 2;
     wanted.distance = distance;
     wanted.smallest_angle = options_.smallest_angle;
-    wanted.fill = fill_;
+    wanted.fill = true;
     wanted.most_points = options_.most_points;
-    wanted.seeds = seeds(lengths);
-    return refine(given_, features_, wanted, options_.progress);
-  }
-
-  /// Three points of each region so near each other that they make a triangle of its mesh
-  /// [BO05, persistent facets], about the middle of a large triangle.
-  [[nodiscard]] std::vector<Seed> seeds(const EdgeLengths& lengths) const {
-    const std::size_t count =
-        1 + static_cast<std::size_t>(*std::ranges::max_element(features_.regions));
-    std::vector<std::uint8_t> has_curve(count, 0);
-    for (const Curve& curve : features_.curves) {
-      has_curve[curve.regions[0]] = has_curve[curve.regions[1]] = 1;
-    }
-    std::vector<std::uint32_t> largest(count, support::kNone);
-    std::vector<double> areas(count, -1);
-    for (std::uint32_t f = 0; f < given_.triangles.size(); ++f) {
-      const auto& [a, b, c] = corners_of(f);
-      const double area = (b - a).cross(c - a).norm();
-      if (const std::uint32_t region = features_.regions[f]; area > areas[region]) {
-        areas[region] = area;
-        largest[region] = f;
-      }
-    }
-    std::vector<Seed> seeds;
-    constexpr double kShare = 0.3;  // of the length of edges
-    for (std::uint32_t region = 0; region < count; ++region) {
-      const auto& [a, b, c] = corners_of(largest[region]);
-      const Vec3 middle = (a + b + c) / 3, normal = features_.normals[largest[region]];
-      const Vec3 across = normal.unitOrthogonal(), along = normal.cross(across);
-      const double step = kShare * lengths.at(middle);
-      for (int k = 0; k < 3; ++k) {
-        const double turn = 2 * std::numbers::pi * k / 3;
-        const auto near = surface_.nearest(
-            middle + step * (std::cos(turn) * across + std::sin(turn) * along), region, 2 * step);
-        if (near) {
-          seeds.push_back({near->point, region, has_curve[region] == 0});
-        }
-      }
-    }
-    add_extreme_points(has_curve, seeds);
-    return seeds;
-  }
-  /// Regions' points that lie furthest along the axes: with three near each other alone there would
-  /// be no tetrahedron.
-  void add_extreme_points(const std::vector<std::uint8_t>& has_curve,
-                          std::vector<Seed>& seeds) const {
-    constexpr std::size_t kDirections = 6;
-    std::vector<std::array<std::uint32_t, kDirections>> extremes(has_curve.size());
-    std::ranges::for_each(extremes, [](auto& points) { points.fill(support::kNone); });
-    const auto reach = [&](std::uint32_t v, std::size_t k) {
-      const double coordinate = given_.points[v][static_cast<Eigen::Index>(k / 2)];
-      return k % 2 == 0 ? coordinate : -coordinate;
-    };
-    for (std::uint32_t f = 0; f < given_.triangles.size(); ++f) {
-      for (const std::uint32_t v : given_.triangles[f]) {
-        for (std::size_t k = 0; k < kDirections; ++k) {
-          std::uint32_t& extreme = extremes[features_.regions[f]][k];
-          if (extreme == support::kNone || reach(v, k) > reach(extreme, k)) {
-            extreme = v;
-          }
-        }
-      }
-    }
-    for (std::uint32_t region = 0; region < extremes.size(); ++region) {
-      for (const std::uint32_t v : extremes[region]) {
-        seeds.push_back({given_.points[v], region, has_curve[region] == 0});
-      }
-    }
-  }
-  [[nodiscard]] std::array<Vec3, 3> corners_of(std::uint32_t face) const {
-    const auto& [a, b, c] = given_.triangles[face];
-    return {given_.points[a], given_.points[b], given_.points[c]};
+    wanted.seeds = seeds_of(given_.mesh(), given_.features(), given_.surface(), lengths);
+    return refine(given_.mesh(), given_.features(), wanted, options_.progress);
   }
 
   /// Nothing if a distance or the solid cannot be proved. What is wrong is noted then, and less
@@ -189,31 +94,30 @@ class Maker {
     std::optional<SolverMesh> result = prove_solid();
     if (!result) {
       share_ /= 2;
-    } else if (result->report.longest_edge > largest_edge_) {
+    } else if (result->report.longest_edge > given_.largest_edge()) {
       // Beside curves the generator does not look at sizes.
-      edge_share_ *= 0.95 * largest_edge_ / result->report.longest_edge;
-      fault_ = "edges cannot be kept as short as " + std::to_string(largest_edge_) +
-               "; allow longer ones";
+      edge_share_ *= 0.95 * given_.largest_edge() / result->report.longest_edge;
+      fault_ = given_.too_long();
       result.reset();
     }
     return result;
   }
   std::optional<SolverMesh> prove_solid() {
     if (made_.triangles.empty()) {
-      fault_ = "no mesh of the solid comes of these lengths; allow shorter edges or less distance";
+      fault_ = GivenSolid::no_mesh();
       return std::nullopt;
     }
     VolumeMesh mesh = volume_mesh_of({std::move(made_.points), std::move(made_.triangles), {}, {}},
                                      std::move(made_.tetrahedra));
     TriMesh& skin = mesh.surface;
     const ReferenceSurface back(skin.points, skin.triangles, made_.regions);
-    const std::optional<double> there = largest(surface_, skin, made_.regions);
+    const std::optional<double> there = largest(given_.surface(), skin, made_.regions);
     const std::optional<double> here =
-        there ? largest(back, given_, features_.regions) : std::nullopt;
+        there ? largest(back, given_.mesh(), given_.features().regions) : std::nullopt;
     if (!here) {
       return std::nullopt;
     }
-    label(skin);
+    given_.label(skin, made_.regions);
     SolverMesh result;
     try {
       result.surface = Solid::from(skin);
@@ -221,13 +125,12 @@ class Maker {
       fault_ = std::string("the mesh is no solid: ") + error.what();
       return std::nullopt;
     }
-    if (result.surface.euler_number() != solid_.euler_number() ||
-        result.surface.shells() != solid_.shells()) {
+    if (!given_.hangs_together_as(result.surface)) {
       fault_ = "the mesh does not hang together as the solid does; allow less distance";
       return std::nullopt;
     }
-    result.report = report_of(skin);
-    result.report.deviation = std::max(*there, *here) + slack_;
+    result.report = given_.report_of(skin, made_.regions);
+    result.report.deviation = std::max(*there, *here) + given_.slack();
     result.mesh = std::move(mesh);
     return result;
   }
@@ -244,7 +147,7 @@ class Maker {
           for (std::size_t i = block.begin; i < block.end; ++i) {
             const auto& [a, b, c] = from.triangles[i];
             distances[i] = to.bound({from.points[a], from.points[b], from.points[c]}, regions[i],
-                                    options_.distance - slack_)
+                                    options_.distance - given_.slack())
                                .value_or(std::numeric_limits<double>::infinity());
           }
         },
@@ -254,70 +157,12 @@ class Maker {
       return *far;
     }
     const auto& [a, b, c] = from.triangles[static_cast<std::size_t>(far - distances.begin())];
-    const Vec3 place = (from.points[a] + from.points[b] + from.points[c]) / 3;
-    std::ostringstream text;
-    text << "the distance of " << options_.distance << " cannot be kept near " << place.x() << " "
-         << place.y() << " " << place.z() << "; allow more of it, or shorter edges";
-    fault_ = text.str();
+    fault_ = given_.too_far({from.points[a], from.points[b], from.points[c]});
     return std::nullopt;
   }
 
-  void label(TriMesh& mesh) const {
-    if (given_.labels.empty()) {
-      return;
-    }
-    // By region, that of the largest part: thin ones may have become part of it.
-    std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas;
-    for (std::uint32_t f = 0; f < given_.triangles.size(); ++f) {
-      const auto& [a, b, c] = corners_of(f);
-      areas[{features_.regions[f], given_.labels[f]}] += (b - a).cross(c - a).norm();
-    }
-    std::vector<std::uint32_t> labels(given_.triangles.size());
-    std::vector<double> largest(given_.triangles.size(), -1);
-    for (const auto& [key, area] : areas) {
-      if (area > largest[key.first]) {
-        largest[key.first] = area;
-        labels[key.first] = key.second;
-      }
-    }
-    for (const std::uint32_t region : made_.regions) {
-      mesh.labels.push_back(labels[region]);
-    }
-    mesh.names = given_.names;
-  }
-
-  [[nodiscard]] RemeshReport report_of(const TriMesh& mesh) const {
-    constexpr std::size_t kTold = 10;
-    RemeshReport report;
-    report.smallest_angle = std::numbers::pi;
-    report.shortest_edge = std::numeric_limits<double>::infinity();
-    std::vector<PoorTriangle> poor;
-    for (const auto& [a, b, c] : mesh.triangles) {
-      const Vec3 &p = mesh.points[a], &q = mesh.points[b], &r = mesh.points[c];
-      const double angle = smallest_angle(p, q, r);
-      report.smallest_angle = std::min(report.smallest_angle, angle);
-      if (angle < options_.smallest_angle) {
-        poor.push_back({(p + q + r) / 3, angle});
-      }
-      for (const double length : {(q - p).norm(), (r - q).norm(), (p - r).norm()}) {
-        report.shortest_edge = std::min(report.shortest_edge, length);
-        report.longest_edge = std::max(report.longest_edge, length);
-      }
-    }
-    report.poor_triangles = poor.size();
-    std::ranges::stable_sort(poor, {}, &PoorTriangle::angle);
-    poor.resize(std::min(poor.size(), kTold));
-    report.worst = std::move(poor);
-    return report;
-  }
-
-  const Solid& solid_;
+  const GivenSolid& given_;
   const RemeshOptions& options_;
-  bool fill_;
-  TriMesh given_;
-  Features features_;
-  ReferenceSurface surface_;
-  double largest_edge_ = 0, slack_ = 0;
   // Of the distance and of the largest edge, that is asked for.
   double share_ = 0.5, edge_share_ = 0.9;
   Tetrahedra made_;
@@ -338,7 +183,8 @@ SolverMesh make_solver_mesh(const Solid& solid, const RemeshOptions& options, bo
          << place.z() << ", cannot be meshed for solvers; separate or bridge its contacts first";
     throw Error(Errc::contact, text.str());
   }
-  return Maker(solid, options, fill).run();
+  const GivenSolid given(solid, options);
+  return fill ? Maker(given).run() : make_surface_mesh(given);
 }
 
 }  // namespace dupin::meshing

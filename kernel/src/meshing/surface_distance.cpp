@@ -77,7 +77,9 @@ class Cover {
       if (here > distance_ + radius) {
         continue;
       }
-      best = std::min(best, farthest(part, f, best));
+      if (here < best) {  // else one of the corners is further away, as the distance is convex
+        best = std::min(best, farthest(part, f, best));
+      }
       reached.push_back(f);
       if (here < least) {
         least = here;
@@ -165,13 +167,33 @@ Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
   const double square = normal.squaredNorm();
   const Vec3 w = p - a;
   const double s = w.cross(v).dot(normal), t = u.cross(w).dot(normal);
-  if (square > 0 && s >= 0 && t >= 0 && s + t <= square) {
+  // An edge that the point is not beyond has no nearest place but its ends, which others have, too;
+  // of triangles too thin to tell, all are looked at.
+  const bool is_plane = square > 0;
+  const bool beyond_ca = !is_plane || s < 0, beyond_ab = !is_plane || t < 0,
+             beyond_bc = !is_plane || s + t > square;
+  if (!beyond_ca && !beyond_ab && !beyond_bc) {
     return a + s / square * u + t / square * v;
   }
-  std::array<Vec3, 3> candidates = {nearest_on_segment(p, a, b), nearest_on_segment(p, b, c),
-                                    nearest_on_segment(p, c, a)};
-  return *std::ranges::min_element(candidates, {},
-                                   [&](const Vec3& q) { return (q - p).squaredNorm(); });
+  Vec3 nearest = a;
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&](const Vec3& from, const Vec3& to) {
+    const Vec3 here = nearest_on_segment(p, from, to);
+    if (const double distance = (here - p).squaredNorm(); distance < least) {
+      least = distance;
+      nearest = here;
+    }
+  };
+  if (beyond_ab) {
+    look(a, b);
+  }
+  if (beyond_bc) {
+    look(b, c);
+  }
+  if (beyond_ca) {
+    look(c, a);
+  }
+  return nearest;
 }
 
 ReferenceSurface::ReferenceSurface(std::span<const Vec3> points,
@@ -208,6 +230,14 @@ std::optional<ReferenceSurface::Place> ReferenceSurface::nearest(const Vec3& poi
     }
   });
   return best.distance <= reach ? std::optional(best) : std::nullopt;
+}
+
+bool ReferenceSurface::looks_near(const std::array<Vec3, 3>& triangle, std::uint32_t region,
+                                  double distance) const {
+  const auto& [a, b, c] = triangle;
+  return std::ranges::all_of(
+      std::array<Vec3, 4>{(a + b + c) / 3, (a + b) / 2, (b + c) / 2, (c + a) / 2},
+      [&](const Vec3& place) { return nearest(place, region, distance).has_value(); });
 }
 
 std::optional<double> ReferenceSurface::bound(const std::array<Vec3, 3>& triangle,

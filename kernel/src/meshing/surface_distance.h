@@ -46,7 +46,15 @@ class ReferenceSurface {
       }
     });
   }
+  [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t face) const {
+    const auto& [a, b, c] = triangles_[face];
+    return {points_[a], points_[b], points_[c]};
+  }
   [[nodiscard]] std::uint32_t region(std::uint32_t face) const { return regions_[face]; }
+
+  /// A look, not a proof: whether the middles of a triangle and of its edges are near a region.
+  [[nodiscard]] bool looks_near(const std::array<Vec3, 3>& triangle, std::uint32_t region,
+                                double distance) const;
 
   /// A bound of the distance of any point of a triangle from a region, if it can be proved to be at
   /// most `distance`. The triangle is cut into parts that are near one triangle of the region each:

@@ -32,6 +32,8 @@ struct RemeshOptions {
 struct PoorTriangle {
   Vec3 place = Vec3::Zero();  ///< its centroid
   double angle = 0;           ///< its smallest, in radians
+  /// The angle is that of two sharp edges or borders, and cannot be larger.
+  bool is_between_edges = false;
 };
 
 /// How well it went.
@@ -40,8 +42,10 @@ struct RemeshReport {
   /// region, beyond that of rounding to doubles; at most the one allowed.
   double deviation = 0;
   double smallest_angle = 0, shortest_edge = 0, longest_edge = 0;
-  std::size_t poor_triangles = 0;   ///< below the angle that was asked for
-  std::vector<PoorTriangle> worst;  ///< up to 10 of them, the smallest angles first
+  std::size_t poor_triangles = 0;      ///< below the angle that was asked for
+  std::size_t poor_between_edges = 0;  ///< those of them that cannot have a larger one
+  std::vector<PoorTriangle> worst;     ///< up to 10 of the others, then of these, the smallest
+                                       ///< angles first
 };
 
 }  // namespace dupin

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+
+#include "meshing/angle_improvement.h"
+#include "meshing/patch_topology.h"
+#include "meshing/surface_distance.h"
+#include "meshing/tetrahedra.h"
+
+namespace dupin::meshing {
+
+/// Changes which points of a surface triangles join, where one has a smaller angle than `wanted`,
+/// in radians: edges are turned in their two triangles, and points that may move are drawn into a
+/// neighbour, as where refinement has cut a triangle between two sharp edges, whose angle stays.
+/// Each edit makes the smallest angle of what it changes larger, turns no triangle by a right
+/// angle, leaves edges of the chains, and looks near; a 2-manifold stays one, and points that no
+/// triangle has any more are taken away. Whether there was any. For surfaces without tetrahedra.
+bool edit_edges(Tetrahedra& mesh, const ReferenceSurface& surface,
+                std::span<const BorderChain> chains, double wanted, const MoveLimits& limits);
+
+}  // namespace dupin::meshing

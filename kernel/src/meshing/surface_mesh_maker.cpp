@@ -1,0 +1,256 @@
+#include "meshing/surface_mesh_maker.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "dupin/kernel/check.h"
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
+#include "meshing/curve_points.h"
+#include "meshing/edge_lengths.h"
+#include "meshing/region_mesher.h"
+
+namespace dupin::meshing {
+namespace {
+
+constexpr int kAttempts = 6;
+constexpr double kLess = 0.5;
+
+/// Tells the caller, on its own thread, how many regions have their mesh; cancelled once, all are.
+class SharedProgress {
+ public:
+  SharedProgress(const Progress& progress, std::size_t total)
+      : progress_(progress), total_(total) {}
+
+  [[nodiscard]] Progress callback() {
+    return [this](std::string_view stage, double) {
+      if (progress_ && std::this_thread::get_id() == thread_ && !stopped_) {
+        const double done = static_cast<double>(done_) / static_cast<double>(total_);
+        stopped_ = !progress_(stage, done);
+      }
+      return !stopped_;
+    };
+  }
+  void count() { ++done_; }
+
+ private:
+  const Progress& progress_;
+  std::size_t total_;
+  std::thread::id thread_ = std::this_thread::get_id();
+  std::atomic<std::size_t> done_{0};
+  std::atomic<bool> stopped_{false};
+};
+
+class Maker {
+ public:
+  explicit Maker(const GivenSolid& given)
+      : given_(given),
+        options_(given.options()),
+        regions_(regions_of(given)),
+        wishes_(regions_.size()),
+        balls_(regions_.size()),
+        meshes_(regions_.size()),
+        shares_(given.features().curves.size(), 1) {}
+
+  SolverMesh run() {
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      place_points();
+      mesh_regions();
+      if (ask_for_less_of_failed()) {
+        continue;
+      }
+      tell(options_.progress, "prove");
+      if (std::optional<SolverMesh> proved = prove()) {
+        return std::move(*proved);
+      }
+    }
+    throw Error(Errc::unroundable, fault_);
+  }
+
+ private:
+  /// Meshes that end at other points than before are no longer there.
+  void place_points() {
+    constexpr double kShare = 0.5;  // of the distance
+    const EdgeLengths lengths(given_.surface(), given_.features(),
+                              kShare * (options_.distance - given_.features().absorbed),
+                              0.9 * given_.largest_edge());
+    points_ = points_along(given_.features(), lengths, shares_, given_.most_points_on_curves());
+    require_room(points_.points.size());
+    numbers_.assign(regions_.size(), {});
+    for_each_in_parallel(regions_.size(), [&](std::size_t r) {
+      std::vector<std::uint32_t>& numbers = numbers_[r];
+      for (const std::uint32_t c : regions_[r].curves) {
+        const auto& chain = points_.chains[c];
+        numbers.insert(numbers.end(), chain.begin(), chain.end());
+      }
+      std::ranges::sort(numbers);
+      numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+      CurvePoints balls;
+      for (const std::uint32_t i : numbers) {
+        balls.points.push_back(points_.points[i]);
+      }
+      for (const std::uint32_t c : regions_[r].curves) {
+        std::vector<std::uint32_t> chain;
+        for (const std::uint32_t i : points_.chains[c]) {
+          chain.push_back(
+              static_cast<std::uint32_t>(std::ranges::lower_bound(numbers, i) - numbers.begin()));
+        }
+        balls.chains.push_back(std::move(chain));
+      }
+      if (balls.points != balls_[r].points || balls.chains != balls_[r].chains) {
+        meshes_[r].reset();
+      }
+      balls_[r] = std::move(balls);
+    });
+  }
+
+  /// Of regions that have none.
+  void mesh_regions() {
+    std::vector<std::size_t> open;
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      if (!meshes_[r]) {
+        open.push_back(r);
+      }
+    }
+    // Large ones first, so that none is begun when all others are done.
+    std::ranges::stable_sort(open, std::greater(),
+                             [&](std::size_t r) { return regions_[r].mesh.triangles.size(); });
+    SharedProgress shared(options_.progress, open.size());
+    const Progress progress = shared.callback();
+    for_each_in_parallel(open.size(), [&](std::size_t i) {
+      const std::size_t r = open[i];
+      tell(progress, "mesh");
+      meshes_[r] = mesh_region(regions_[r], balls_[r], given_, wishes_[r], progress);
+      shared.count();
+    });
+    std::size_t count = points_.points.size();
+    for (std::size_t r = 0; r < meshes_.size(); ++r) {
+      count += meshes_[r] ? meshes_[r]->points.size() - balls_[r].points.size() : 0;
+    }
+    require_room(count);
+  }
+  void require_room(std::size_t count) const {
+    if (count > options_.most_points) {
+      throw too_many(options_.most_points);
+    }
+  }
+
+  void ask_for_less(std::size_t region) {
+    wishes_[region].share *= kLess;
+    meshes_[region].reset();
+    for (const std::uint32_t c : regions_[region].curves) {
+      shares_[c] *= kLess;
+    }
+  }
+  bool ask_for_less_of_failed() {
+    bool has_failed = false;
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      if (!meshes_[r]) {
+        has_failed = true;
+        fault_ = wishes_[r].fault;
+        wishes_[r] = {};
+        ask_for_less(r);
+      }
+    }
+    return has_failed;
+  }
+
+  /// All regions' meshes as one, and the region of each triangle.
+  [[nodiscard]] TriMesh joined(std::vector<std::uint32_t>& regions) const {
+    TriMesh skin;
+    for (const CurvePoint& point : points_.points) {
+      skin.points.push_back(point.place);
+    }
+    for (std::size_t r = 0; r < meshes_.size(); ++r) {
+      const RegionMesh& mesh = *meshes_[r];
+      std::vector<std::uint32_t> numbers = numbers_[r];
+      for (std::size_t i = numbers.size(); i < mesh.points.size(); ++i) {
+        numbers.push_back(static_cast<std::uint32_t>(skin.points.size()));
+        skin.points.push_back(mesh.points[i]);
+      }
+      for (const auto& [a, b, c] : mesh.triangles) {
+        skin.triangles.push_back({numbers[a], numbers[b], numbers[c]});
+        regions.push_back(static_cast<std::uint32_t>(r));
+      }
+    }
+    return skin;
+  }
+
+  std::optional<SolverMesh> prove() {
+    std::vector<std::uint32_t> regions;
+    SolverMesh result;
+    TriMesh& skin = result.mesh.surface;
+    skin = joined(regions);
+    given_.label(skin, regions);
+    try {
+      result.surface = Solid::from(skin);
+    } catch (const Error& error) {
+      fault_ = std::string("the mesh is no solid: ") + error.what();
+      ask_for_less_at_faults(skin, regions);
+      return std::nullopt;
+    }
+    if (!given_.hangs_together_as(result.surface)) {
+      fault_ = "the mesh does not hang together as the solid does; allow less distance";
+      for (std::size_t r = 0; r < regions_.size(); ++r) {
+        ask_for_less(r);
+      }
+      return std::nullopt;
+    }
+    result.report = given_.report_of(skin, regions);
+    for (const std::optional<RegionMesh>& mesh : meshes_) {
+      result.report.deviation = std::max(result.report.deviation, mesh->deviation);
+    }
+    result.report.deviation += given_.slack();
+    return result;
+  }
+
+  void ask_for_less_at_faults(const TriMesh& skin, const std::vector<std::uint32_t>& regions) {
+    constexpr std::size_t kMany = 100'000;
+    std::vector<std::uint8_t> at_fault(regions_.size(), 0), is_bad(skin.points.size(), 0);
+    for (const Finding& finding : check(skin, {.limit = kMany}).findings) {
+      if (is_fatal(finding.defect)) {
+        for (const std::uint32_t f : finding.faces) {
+          at_fault[regions[f]] = 1;
+        }
+        for (const std::uint32_t v : finding.points) {
+          is_bad[v] = 1;
+        }
+      }
+    }
+    for (std::size_t f = 0; f < skin.triangles.size(); ++f) {
+      if (std::ranges::any_of(skin.triangles[f], [&](std::uint32_t v) { return is_bad[v] != 0; })) {
+        at_fault[regions[f]] = 1;
+      }
+    }
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      if (at_fault[r] != 0) {
+        ask_for_less(r);
+      }
+    }
+  }
+
+  const GivenSolid& given_;
+  const RemeshOptions& options_;
+  std::vector<Region> regions_;
+  std::vector<RegionWish> wishes_;
+  std::vector<CurvePoints> balls_;  // per region
+  std::vector<std::optional<RegionMesh>> meshes_;
+  std::vector<double> shares_;  // per curve, of lengths along it
+  CurvePoints points_;
+  std::vector<std::vector<std::uint32_t>> numbers_;  // per region, of its balls
+  std::string fault_;                                // of the last mesh that was not proved
+};
+
+}  // namespace
+
+SolverMesh make_surface_mesh(const GivenSolid& given) { return Maker(given).run(); }
+
+}  // namespace dupin::meshing
