@@ -23,8 +23,8 @@ struct Tessellation {
   std::uint32_t bands = 0;  ///< rows of quadrilaterals along the part
   double error_bound = 0;  ///< of the distance between smooth surface and mesh, both ways, in model
                            ///< units; includes snapping
-  /// The parameters of the rows, i + t on the i-th piece; none for spheres, chains with kneecaps and
-  /// hollow chains.
+  /// The parameters of the rows, i + t on the i-th piece; none for spheres, chains with kneecaps
+  /// and hollow chains.
   std::vector<double> knots = {};
   double axes = 0;  ///< radians by which axes of rows that are ellipses may be turned
 };
