@@ -127,13 +127,12 @@ void print_solver_mesh(std::ostream& out, const SolverMeshReport& report, std::s
   const RemeshReport& surface = report.surface;
   print_row(out, "angles",
             "at least " + degrees(surface.smallest_angle) +
-                (surface.poor_triangles == 0
-                     ? ""
-                     : ", " + counted(surface.poor_triangles, "triangle") + " below " +
-                           degrees(report.asked_angle) + ", " +
-                           std::to_string(surface.poor_between_edges) +
-                           " of them between sharp edges, the first at " +
-                           place_text(surface.worst.front().place)));
+                (surface.poor_triangles == 0 ? ""
+                                             : ", " + counted(surface.poor_triangles, "triangle") +
+                                                   " below " + degrees(report.asked_angle) + ", " +
+                                                   std::to_string(surface.poor_between_edges) +
+                                                   " of them between sharp edges, the first at " +
+                                                   place_text(surface.worst.front().place)));
   print_row(out, "edges",
             "from " + powered(surface.shortest_edge, unit, "") + " to " +
                 powered(surface.longest_edge, unit, ""));

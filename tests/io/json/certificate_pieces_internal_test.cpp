@@ -75,8 +75,7 @@ TEST(CertificatePieces, ringed_surfaces_have_any_law) {
 
 TEST(CertificatePieces, of_other_kinds_have_their_numbers) {
   const auto elliptic = read_as<EllipticTube>(
-      "elliptic_tube",
-      kLine + R"(, "first": {"constant": [2]}, "second": {"linear": [0.5, 0.75]},
+      "elliptic_tube", kLine + R"(, "first": {"constant": [2]}, "second": {"linear": [0.5, 0.75]},
                    "turn": -0.25, "continuity": "G2")");
   EXPECT_EQ(elliptic.spine, Spine(LineSpine{Vec3(1, 2, 3), Vec3(4, 5, 6)}));
   EXPECT_EQ(elliptic.first, RadiusLaw(ConstantRadius{2}));
@@ -118,7 +117,10 @@ TEST(CertificatePieces, are_written_as_they_are_read) {
       piece(
           "ringed_surface",
           R"("spine": {"bezier": {"points": [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]], "weights": [1.0, 0.1]}}, "radius": {"linear": [1.0, 2.0]})"),
-      piece("elliptic_tube", ends + R"("first": {"constant": [0.1]}, "second": {"cubic": [1, 2]}, "turn": 0.1, "continuity": "G1")"),
+      piece(
+          "elliptic_tube",
+          ends +
+              R"("first": {"constant": [0.1]}, "second": {"cubic": [1, 2]}, "turn": 0.1, "continuity": "G1")"),
       piece(
           "cyclide",
           R"("first": [1, 2, 3, 4], "tangent": [5, 6, 7, 0.1], "last": [9, 10, 11, 12], "chord": 0.7)"),
