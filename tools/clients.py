@@ -261,7 +261,8 @@ KNOWN = {
     **{("Blender", form, "header_forty.json"): FLOATS for form in ("ply", "ply-ascii")},
     **{("VTK", form, "header_forty.json"): FLOATS for form in ("obj", "ply", "ply-ascii")},
     **{("PrusaSlicer", "step", example): EMPTY_TRIANGLES for example in (
-        "around.json", "frame.graph", "junction.json", "neuron.swc", "plant-run.json", "ringed-canal.json")},
+        "around.json", "equal-tee.json", "frame.graph", "junction.json", "neuron.swc", "plant-run.json",
+        "ringed-canal.json")},
 }
 CLIENTS = [
     Client("admesh", ["stl", "stl-ascii"], version_of(["admesh", "--version"], r"version (\S+)"), read_admesh,
