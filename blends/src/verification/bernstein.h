@@ -96,22 +96,22 @@ inline Polynomial part(const Polynomial& p, const mpq_class& from, const mpq_cla
 inline std::vector<numbers::Interval> part(std::vector<numbers::Interval> p, double from,
                                            double to) {
   spend(work_of_part(p));
-  std::vector<numbers::Interval> result;
-  for (; !p.empty(); p.pop_back()) {
-    result.push_back(p.front());
-    for (std::size_t i = 0; i + 1 < p.size(); ++i) {
-      p[i] = p[i] + numbers::Interval(to) * (p[i + 1] - p[i]);
+  const std::size_t size = p.size();
+  for (std::size_t first = 1; to < 1 && first < size; ++first) {
+    for (std::size_t i = size; i-- > first;) {
+      p[i] = p[i - 1] + numbers::Interval(to) * (p[i] - p[i - 1]);
     }
   }
-  if (from > 0) {
-    const numbers::Interval share = numbers::Interval(from) / to;
-    for (std::size_t count = result.size(); count > 1; --count) {
-      for (std::size_t i = 0; i + 1 < count; ++i) {
-        result[i] = result[i] + share * (result[i + 1] - result[i]);
-      }
+  if (from == to) {
+    return std::vector<numbers::Interval>(size, p.back());
+  }
+  const numbers::Interval share = numbers::Interval(from) / to;
+  for (std::size_t count = size; from > 0 && count > 1; --count) {
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+      p[i] = p[i] + share * (p[i + 1] - p[i]);
     }
   }
-  return result;
+  return p;
 }
 
 inline Polynomial dot(const Curve& a, const Curve& b) {

@@ -464,9 +464,9 @@ const std::vector<Forgery>& forgeries() {
        }},
       {"a point of a fillet in a part that is far from it",
        [](Certificate& c, const Truth&, Random& random) {
-         ClearanceClaim& claim = *std::ranges::find_if(c.fillet_clearances, [&](const auto& each) {
-           return each.first == part(c, random() % 2 == 0 ? "ball" : "a");
-         });
+         const std::uint32_t far = part(c, random() % 2 == 0 ? "ball" : "a");
+         ClearanceClaim& claim =
+             *std::ranges::find(c.fillet_clearances, far, &ClearanceClaim::first);
          const double t = std::ldexp(double(random() % 2000), -10);
          claim.distance = 0;
          claim.leaves.clear();
