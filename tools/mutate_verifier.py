@@ -157,7 +157,6 @@ KNOWN = {
     ("motion.cpp", "q[0].size() < kMostCoefficients", " < "):
         "without it the same derivatives are enclosed, only more widely",
     ("motion.cpp", "return {-bound.", ".lower"): ROUNDING,
-    ("motion.cpp", "if (!disc && !other) {", " && "): "both are about one spine",
     ("near_parts.cpp", "between.lower > distance", " > "): ONE_PAIR_MORE,
     ("near_parts.cpp", "between.upper < -distance", " < "): ONE_PAIR_MORE,
     ("near_parts.cpp", "return std::isfinite(x.lower) && std::isfinite(x.upper)", " || "):

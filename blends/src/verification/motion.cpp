@@ -347,8 +347,7 @@ Jet<3> bounds(const Jet<3>& a, const Jet<3>& b, const std::array<Interval, 2>& t
 
 }  // namespace
 
-Motion motion(const EllipticTube& tube, const std::array<Tube, 2>& axes) {
-  const Motion first = motion(axes[0]), second = motion(axes[1]);
+Motion motion(const EllipticTube& tube, const Motion& first, const Tube& second) {
   Interval turn = Interval(tube.turn).magnitude();
   if (tube.start.ellipse && tube.end.ellipse) {
     const auto missed = arrival_error(tube, first);
@@ -357,13 +356,12 @@ Motion motion(const EllipticTube& tube, const std::array<Tube, 2>& axes) {
     }
     turn = turn + *missed;
   }
-  return [=, continuity = tube.continuity](double from, double to) -> std::optional<MovingDisc> {
+  return [first, other = radius_of(second), turn, continuity = tube.continuity](
+             double from, double to) -> std::optional<MovingDisc> {
     auto disc = first(from, to);
-    const auto other = second(from, to);
-    if (!disc || !other) {
-      return std::nullopt;
+    if (disc) {
+      disc->radius = bounds(disc->radius, other(from, to), turning(continuity, turn, {from, to}));
     }
-    disc->radius = bounds(disc->radius, other->radius, turning(continuity, turn, {from, to}));
     return disc;
   };
 }

@@ -44,7 +44,8 @@ using SphereMotion = std::function<std::optional<MovingSphere>(double from, doub
 /// Of the discs about an elliptic tube's sections. Their radius holds bounds: no point of the
 /// sections x(t, u) - c(t) is further out, nor has it, in a frame that does not spin about the
 /// normal, larger derivatives by t. Empty where the numbers do not tell how the axes turn.
-[[nodiscard]] Motion motion(const EllipticTube& tube, const std::array<Tube, 2>& axes);
+/// `first` is the motion of the tube that has the first semi-axis for a radius.
+[[nodiscard]] Motion motion(const EllipticTube& tube, const Motion& first, const Tube& second);
 /// Of the outer skin, or of the parallel one at distance `wall` inside.
 [[nodiscard]] Motion motion(const CyclidePiece& piece, double wall);
 [[nodiscard]] Motion motion(const RationalRingedSurface& surface);

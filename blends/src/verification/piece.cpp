@@ -68,12 +68,11 @@ void read(const RingedSurface& surface, double, Piece& result) {
 }
 
 void read(const EllipticTube& tube, double, Piece& result) {
-  const std::array axes{Tube({tube.start, tube.end, tube.spine, tube.first}),
-                        Tube({tube.start, tube.end, tube.spine, tube.second})};
-  result.tubes = {axes.begin(), axes.end()};
-  result.motion = motion(tube, axes);
-  result.steered = [about = motion(result.tubes.front()), axes = result.tubes](double from,
-                                                                               double to) {
+  result.tubes = {Tube({tube.start, tube.end, tube.spine, tube.first}),
+                  Tube({tube.start, tube.end, tube.spine, tube.second})};
+  const Motion about = motion(result.tubes.front());
+  result.motion = motion(tube, about, result.tubes.back());
+  result.steered = [about, axes = result.tubes](double from, double to) {
     auto disc = about(from, to);
     if (disc) {
       disc->radius[0] = largest_radius(axes, from, to);

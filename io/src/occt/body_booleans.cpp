@@ -14,6 +14,7 @@
 #include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
 #include <Standard_Failure.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
@@ -142,7 +143,9 @@ std::optional<LabelledShape> rolled(const LabelledShape& shape, const exchange::
 }
 
 LabelledShape filleted(const LabelledShape& shape, const exchange::RollingBall& ball) {
-  const auto edges = edges_between(shape, ball.between);
+  EdgeFaces faces;
+  TopExp::MapShapesAndAncestors(shape.shape, TopAbs_EDGE, TopAbs_FACE, faces);
+  const auto edges = edges_between(faces, shape.labels, ball.between);
   if (edges.empty()) {
     throw Refusal("OpenCASCADE finds no edge between the two", ball.name);
   }

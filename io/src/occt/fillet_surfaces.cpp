@@ -19,7 +19,6 @@
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -85,11 +84,12 @@ class Contacts {
 
  private:
   void append(const LabelledShape& shape, const exchange::RollingBall& fillet) {
+    const std::array faces{faces_of(shape, fillet.between[0]), faces_of(shape, fillet.between[1])};
     for (const NurbsSurface& surface : fillet.surfaces) {
       surfaces_.emplace_back(bspline_surface(surface), fillet.label);
       for (std::size_t side = 0; side < 2; ++side) {
         const Handle(Geom_Curve) curve = surfaces_.back().first->UIso(double(side));
-        const double off = distance(curve, faces_of(shape, fillet.between.at(side)));
+        const double off = distance(curve, faces.at(side));
         if (!(off <= fillet.error + kRounding)) {
           throw refusal(fillet, "it does not touch them");
         }
@@ -136,7 +136,7 @@ class Strips {
 
   void add(const exchange::RollingBall& fillet) {
     std::vector<TopoDS_Shape> open;
-    for (const TopoDS_Edge& edge : edges_between(cut_, fillet.between)) {
+    for (const TopoDS_Edge& edge : edges_between(faces_, cut_.labels, fillet.between)) {
       reach(edge, fillet, open);
     }
     while (!open.empty()) {
@@ -167,7 +167,7 @@ class Strips {
 
   const LabelledShape& cut_;
   const TopTools_MapOfShape& contacts_;
-  TopTools_IndexedDataMapOfShapeListOfShape faces_;
+  EdgeFaces faces_;
   TopTools_MapOfShape found_;
 };
 
@@ -237,15 +237,13 @@ LabelledShape joined(const LabelledShape& cut, const TopTools_MapOfShape& strips
 
 }  // namespace
 
-std::vector<TopoDS_Edge> edges_between(const LabelledShape& shape,
+std::vector<TopoDS_Edge> edges_between(const EdgeFaces& faces, const FaceLabels& face_labels,
                                        const std::array<std::uint32_t, 2>& labels) {
-  TopTools_IndexedDataMapOfShapeListOfShape faces;
-  TopExp::MapShapesAndAncestors(shape.shape, TopAbs_EDGE, TopAbs_FACE, faces);
   std::vector<TopoDS_Edge> result;
   for (int i = 1; i <= faces.Extent(); ++i) {
     std::array<bool, 2> seen{};
     for (const TopoDS_Shape& face : faces(i)) {
-      const std::uint32_t* label = shape.labels.Seek(face);
+      const std::uint32_t* label = face_labels.Seek(face);
       for (std::size_t k = 0; k < 2; ++k) {
         seen.at(k) = seen.at(k) || (label != nullptr && *label == labels.at(k));
       }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS_Edge.hxx>
 
 #include "exchange/exchange_model.h"
@@ -11,8 +12,12 @@
 
 namespace dupin::occt {
 
-/// The edges in which faces of both labels meet.
-[[nodiscard]] std::vector<TopoDS_Edge> edges_between(const LabelledShape& shape,
+/// Edges with the faces that meet in them.
+using EdgeFaces = TopTools_IndexedDataMapOfShapeListOfShape;
+
+/// Those of `faces` in which faces of both labels meet.
+[[nodiscard]] std::vector<TopoDS_Edge> edges_between(const EdgeFaces& faces,
+                                                     const FaceLabels& face_labels,
                                                      const std::array<std::uint32_t, 2>& labels);
 
 using Fillets = std::vector<const exchange::RollingBall*>;

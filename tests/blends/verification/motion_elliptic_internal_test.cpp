@@ -17,8 +17,8 @@ namespace {
 using std::numbers::pi;
 
 Motion motion_of(const EllipticTube& tube) {
-  return motion(tube, {Tube({tube.start, tube.end, tube.spine, tube.first}),
-                       Tube({tube.start, tube.end, tube.spine, tube.second})});
+  return motion(tube, motion(Tube({tube.start, tube.end, tube.spine, tube.first})),
+                Tube({tube.start, tube.end, tube.spine, tube.second}));
 }
 
 // An ellipse at the origin that looks along -x, and one that looks along `out` and is turned by
@@ -121,8 +121,8 @@ TEST(EllipticMotion, follows_axes_to_the_end) {
   const auto rate = [&] {
     EllipticTube tube{start, end, spine, ConstantRadius{2}, ConstantRadius{1.2}};
     tube.axis = Vec3::UnitY();
-    return motion(tube, {Tube({start, end, spine, tube.first}),
-                         Tube({start, end, spine, tube.second})})(.5, .5)
+    return motion(tube, motion(Tube({start, end, spine, tube.first})),
+                  Tube({start, end, spine, tube.second}))(.5, .5)
         ->radius[1]
         .magnitude();
   };

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
+#include "kernel/same_report.h"
 #include "kernel/tiles/facet_scene.h"
 
 namespace dupin {
@@ -23,15 +24,7 @@ Report in_tiles(const std::vector<Facet>& facets, const TiledCheckOptions& optio
 }
 
 void expect_same(const Report& found, const Report& expected) {
-  EXPECT_EQ(found.points, expected.points);
-  EXPECT_EQ(found.triangles, expected.triangles);
-  EXPECT_EQ(found.counts, expected.counts);
-  EXPECT_EQ(found.shells, expected.shells);
-  EXPECT_EQ(found.components, expected.components);
-  EXPECT_EQ(found.euler_number, expected.euler_number);
-  EXPECT_EQ(found.genus, expected.genus);
-  EXPECT_EQ(found.volume, expected.volume);
-  EXPECT_EQ(found.area, expected.area);
+  test::expect_same_report(found, expected);
   ASSERT_EQ(found.findings.size(), expected.findings.size());
   for (std::size_t i = 0; i < found.findings.size(); ++i) {
     const Finding &own = found.findings[i], &other = expected.findings[i];
