@@ -154,6 +154,8 @@ KNOWN = {
     ("certificate_verify.cpp", "j <= surfaces", " <= "): "what is no loop makes no pair",
     ("near_parts.cpp", "return place_of(a, solids.size()) <= place_of(b", " <= "):
         "no two pairs have one place",
+    ("mesh_claim.cpp", "!(std::abs(tube->turn) <= 1)", " <= "):
+        "any number between 0 and pi tells the multiples apart",
     ("motion.cpp", "q[0].size() < kMostCoefficients", " < "):
         "without it the same derivatives are enclosed, only more widely",
     ("motion.cpp", "return {-bound.", ".lower"): ROUNDING,

@@ -141,6 +141,12 @@ TEST(MeshClaim, of_ellipses_that_turn_is_of_how_fast) {
   }
 }
 
+TEST(MeshClaim, of_ellipses_does_not_follow_where_nothing_tells_how_they_turn) {
+  EllipticTube tube = twisted(.4, 9);
+  tube.spine = HermiteSpine{tube.start.center, tube.end.center, Vec3::Zero(), Vec3::Zero()};
+  EXPECT_FALSE(follows(test::solid(tube), claim(64, equal_knots(16), 1e9)));
+}
+
 TEST(MeshClaim, of_ellipses_includes_what_their_axes_are_turned_by) {
   const Solid solid = test::solid(twisted(.4, 9)), round = test::solid(test::elbow(4, 1.5, 1));
   MeshClaim about = claim(32, equal_knots(8), 0);
