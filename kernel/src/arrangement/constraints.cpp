@@ -1,10 +1,16 @@
 #include "arrangement/constraints.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <functional>
+#include <string>
+#include <utility>
 
 #include "arrangement/implicit_predicates.h"
 #include "arrangement/intersection_points.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
 #include "support/disjoint_sets.h"
 #include "support/sort_by_key.h"
 
@@ -34,73 +40,135 @@ class Representatives {
   std::vector<PointId> first_;
 };
 
-// Hands intersections to the triangles and edges they lie on.
+// Of what two facets have in common, what triangles of theirs have.
+struct Piece {
+  std::uint32_t first, second;         // facets
+  std::array<PointId, 2> ends;         // kNone at joints
+  bool divides_first, divides_second;  // else it runs along a side
+  friend auto operator<=>(const Piece&, const Piece&) = default;
+};
+
+// Hands intersections to the facets and sides they lie on.
 class Distributor {
  public:
-  Distributor(const ArrangementInput& input, std::vector<std::uint8_t>& touched)
-      : input_(input), touched_(touched) {}
+  Distributor(const ArrangementInput& input, const FlatFacets& facets,
+              std::vector<std::uint8_t>& touched)
+      : input_(input), facets_(facets), touched_(touched) {}
 
   void distribute(const TriangleIntersection& intersection, PointId from, PointId to) {
-    if (intersection.kind == TriangleIntersection::Kind::overlap) {
-      touch(intersection.first);
-      touch(intersection.second);
+    const auto& [first, second, kind, coplanar, axis, ends] = intersection;
+    if (kind == TriangleIntersection::Kind::overlap) {
+      touch(first);
+      touch(second);
       return;
     }
-    const auto hand = [&](std::uint32_t triangle, std::uint32_t partner,
-                          Feature TriangleIntersection::End::*feature) {
-      const Feature at_from = intersection.ends[0].*feature, at_to = intersection.ends[1].*feature;
-      point(triangle, at_from, from);
-      if (intersection.kind == TriangleIntersection::Kind::segment) {
-        point(triangle, at_to, to);
-        if (from != to && !on_common_edge(at_from, at_to)) {
-          segments.push_back({triangle, from, to, partner});
-          touch(triangle);
-        }
+    hand(first, ends[0].on_first, from);
+    hand(second, ends[0].on_second, from);
+    if (kind != TriangleIntersection::Kind::segment) {
+      return;
+    }
+    hand(first, ends[1].on_first, to);
+    hand(second, ends[1].on_second, to);
+    const bool divides_first =
+        facets_.is_inside(input_, first, common_edge(ends[0].on_first, ends[1].on_first));
+    const bool divides_second =
+        facets_.is_inside(input_, second, common_edge(ends[0].on_second, ends[1].on_second));
+    if (from == kNone || to == kNone) {
+      pieces.push_back(
+          {facets_.of(first), facets_.of(second), {from, to}, divides_first, divides_second});
+      touch(first);
+      touch(second);
+    } else if (from != to) {
+      if (divides_first) {
+        divide(first, second, from, to);
       }
-    };
-    hand(intersection.first, intersection.second, &TriangleIntersection::End::on_first);
-    hand(intersection.second, intersection.first, &TriangleIntersection::End::on_second);
+      if (divides_second) {
+        divide(second, first, from, to);
+      }
+    }
   }
 
   std::vector<Constraints::OnEdge> on_edges;
   std::vector<Constraints::Inside> insides;
   std::vector<Constraints::Segment> segments;
+  std::vector<Piece> pieces;
 
  private:
   void touch(std::uint32_t triangle) {
     std::atomic_ref(touched_[triangle]).store(1, std::memory_order_relaxed);
   }
-  void point(std::uint32_t triangle, Feature feature, PointId id) {
-    if (is_edge(feature)) {
-      on_edges.push_back({edge_of(input_.triangles[triangle], feature), id});
-      touch(triangle);
-    } else if (feature == kInside) {
-      insides.push_back({triangle, id});
-      touch(triangle);
+  void hand(std::uint32_t triangle, Feature feature, PointId id) {
+    if (id == kNone || is_corner(feature)) {
+      return;
     }
+    if (facets_.is_inside(input_, triangle, feature)) {
+      insides.push_back({facets_.of(triangle), id});
+    } else {
+      on_edges.push_back({edge_of(input_.triangles[triangle], feature), id});
+    }
+    touch(triangle);
+  }
+  void divide(std::uint32_t triangle, std::uint32_t partner, PointId from, PointId to) {
+    segments.push_back({facets_.of(triangle), from, to, facets_.of(partner)});
+    touch(triangle);
   }
 
   const ArrangementInput& input_;
+  const FlatFacets& facets_;
   std::vector<std::uint8_t>& touched_;
 };
+
+// The segments that two facets have in common, each made of pieces from joint to joint.
+void join(const ArrangementInput& input, std::vector<Piece> pieces,
+          std::vector<Constraints::Segment>& segments) {
+  support::sort_by_key(
+      pieces, static_cast<std::uint32_t>(input.triangles.size()),
+      [](const Piece& piece) { return piece.first; }, std::less<>());
+  for (std::size_t i = 0; i < pieces.size();) {
+    const auto [first, second, ends, divides_first, divides_second] = pieces[i];
+    std::vector<PointId> ids;
+    for (; i < pieces.size() && pieces[i].first == first && pieces[i].second == second; ++i) {
+      for (const PointId id : pieces[i].ends) {
+        if (id != kNone && std::find(ids.begin(), ids.end(), id) == ids.end()) {
+          ids.push_back(id);
+        }
+      }
+    }
+    if (ids.size() != 2) {
+      throw Error(Errc::internal,
+                  "internal error, please report it: two flat faces meet in a segment with " +
+                      std::to_string(ids.size()) + " ends near " +
+                      decimal(input.points.approximation(input.triangles[first][0])));
+    }
+    if (divides_first) {
+      segments.push_back({first, ids[0], ids[1], second});
+    }
+    if (divides_second) {
+      segments.push_back({second, ids[0], ids[1], first});
+    }
+  }
+}
 
 void distribute(const ArrangementInput& input, std::span<const TriangleIntersection> intersections,
                 const IntersectionPoints& points, const Representatives& representative,
                 Constraints& result) {
   result.touched.assign(input.triangles.size(), 0);
   std::vector<Distributor> parts(support::block_count(intersections.size()),
-                                 Distributor(input, result.touched));
+                                 Distributor(input, result.facets, result.touched));
   support::for_each_block(intersections.size(), [&](const support::Block& block) {
     for (std::size_t i = block.begin; i < block.end; ++i) {
       parts[block.number].distribute(intersections[i], representative(points.ends[2 * i]),
                                      representative(points.ends[2 * i + 1]));
     }
   });
+  std::vector<Piece> pieces;
   for (const Distributor& part : parts) {
     result.on_edges.insert(result.on_edges.end(), part.on_edges.begin(), part.on_edges.end());
     result.insides.insert(result.insides.end(), part.insides.begin(), part.insides.end());
     result.segments.insert(result.segments.end(), part.segments.begin(), part.segments.end());
+    pieces.insert(pieces.end(), part.pieces.begin(), part.pieces.end());
   }
+  join(input, std::move(pieces), result.segments);
 }
 
 // The sign of q - p along some axis on which they differ, and the axis.
@@ -152,7 +220,7 @@ void sort_along_edges(const PointTable& points, PointId first_new_point,
   support::for_each_block(edges.size(), sort_runs, kFewEdges);
 }
 
-// Classes of triangles that overlap in a common plane, and every other touched triangle alone.
+// Classes of triangles that overlap in a common plane, and every other touched facet alone.
 void group_faces(std::span<const TriangleIntersection> intersections, Constraints& result) {
   std::vector<std::uint32_t> overlapping;
   for (const TriangleIntersection& e : intersections) {
@@ -183,7 +251,8 @@ void group_faces(std::span<const TriangleIntersection> intersections, Constraint
     faces[face].push_back(overlapping[i]);
   }
   result.alone = support::indices_where(result.touched.size(), [&](std::uint32_t t) {
-    return result.touched[t] && !std::binary_search(overlapping.begin(), overlapping.end(), t);
+    return result.touched[t] && result.facets.of(t) == t &&
+           !std::binary_search(overlapping.begin(), overlapping.end(), t);
   });
 }
 
@@ -226,7 +295,8 @@ std::span<const Constraints::Segment> Constraints::segments_of(std::uint32_t tri
 Constraints collect_constraints(ArrangementInput& input,
                                 std::span<const TriangleIntersection> intersections) {
   Constraints result;
-  const IntersectionPoints points = create_intersection_points(input, intersections);
+  IntersectionPoints points = create_intersection_points(input, intersections);
+  result.facets = std::move(points.facets);
   result.coincident_points.emplace(input.points, input.extent,
                                    input.points.size() - points.first_new_point);
   const Representatives representative(input, points, *result.coincident_points);

@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "arrangement/coincident_point_index.h"
+#include "arrangement/flat_facets.h"
 #include "arrangement/input.h"
 #include "arrangement/triangle_intersection.h"
 
 namespace dupin::arrangement {
 
-/// What the arrangement adds to each triangle and edge. All triangles at an edge see the same
-/// points on it.
+/// What the arrangement adds to each facet (flat_facets.h), by the triangle that stands for it, and
+/// to each side. All facets at a side see the same points on it.
 struct Constraints {
   struct OnEdge {
     EdgeKey edge;
@@ -33,8 +34,9 @@ struct Constraints {
   std::vector<Segment> segments;  ///< by triangle
   /// Triangles to retriangulate together: connected by coplanar overlap. Members ascend.
   std::vector<std::vector<std::uint32_t>> overlapping;
-  std::vector<std::uint32_t> alone;   ///< triangles to retriangulate by themselves, ascending
+  std::vector<std::uint32_t> alone;   ///< facets to retriangulate by themselves, ascending
   std::vector<std::uint8_t> touched;  ///< per triangle: part of a face
+  FlatFacets facets;
   /// Of all points that may coincide with new ones.
   std::optional<CoincidentPointIndex> coincident_points;
 

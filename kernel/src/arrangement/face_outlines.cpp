@@ -30,18 +30,18 @@ bool FaceOutlines::find(std::uint32_t triangle, const Projection& projection) {
 }
 
 void FaceOutlines::collect_outer_points() {
-  const Triangle& corners = input_.triangles[triangle_];
+  facet_ = constraints_.facets.corners(input_, triangle_);
   ids_.clear();
   sides_.clear();
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < facet_.count; ++i) {
     const auto side = static_cast<std::uint8_t>(1U << i);
     corners_[i] = static_cast<Vertex>(ids_.size());
-    ids_.push_back(corners[i]);
-    sides_.push_back(static_cast<std::uint8_t>(side | 1U << (i + 2) % 3));
-    const PointId to = corners[(i + 1) % 3];
-    const auto points = constraints_.on_edge(edge_key(corners[i], to));
+    ids_.push_back(facet_[i]);
+    sides_.push_back(static_cast<std::uint8_t>(side | 1U << facet_.before(i)));
+    const PointId to = facet_[facet_.after(i)];
+    const auto points = constraints_.on_edge(edge_key(facet_[i], to));
     for (std::size_t k = 0; k < points.size(); ++k) {
-      ids_.push_back(points[corners[i] < to ? k : points.size() - 1 - k].point);
+      ids_.push_back(points[facet_[i] < to ? k : points.size() - 1 - k].point);
       sides_.push_back(side);
     }
   }
@@ -244,7 +244,7 @@ void FaceOutlines::link_half_edges() {
 }
 
 // A connected plane graph of n points and m edges has m - n + 1 bounded regions. Of c parts, each
-// but the one with the triangle's edges has an outside that is traced as well, and there are c - 1
+// but the one with the facet's sides has an outside that is traced as well, and there are c - 1
 // more regions: as many outlines as that only if all hangs together.
 bool FaceOutlines::trace() {
   link_half_edges();
@@ -274,22 +274,25 @@ bool FaceOutlines::trace() {
   return first_traced_.size() + ids_.size() == outer_ + segments_.size() + 2;
 }
 
-// Some corner of the triangle on that side of the half-edge's line.
+// Some corner of the facet on that side of the half-edge's line.
 PointId FaceOutlines::point_to_the_left(HalfEdge h) const {
-  const Triangle& ids = input_.triangles[triangle_];
   if (h < outer_) {
-    return ids[h < corners_[1] ? 2 : h < corners_[2] ? 0 : 1];
+    std::size_t side = facet_.count - 1;
+    while (h < corners_[side]) {
+      --side;
+    }
+    return facet_[facet_.before(side)];
   }
   for (const bool exactly : {false, true}) {
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < facet_.count; ++i) {
       const int turn = exactly ? plane_.turn(origin(h), target(h), corners_[i])
                                : plane_.certain_turn(origin(h), target(h), corners_[i]);
       if (turn > 0) {
-        return ids[i];
+        return facet_[i];
       }
     }
   }
-  throw Error(Errc::internal, "internal error, please report it: a segment outside its triangle");
+  throw Error(Errc::internal, "internal error, please report it: a segment outside its face");
 }
 
 void FaceOutlines::append(std::size_t covers, Subdivision& subdivision) const {

@@ -11,22 +11,22 @@
 
 namespace dupin::arrangement {
 
-/// The regions of one triangle after another as polygons, without triangulating them: half of what
-/// a union cuts out it throws away. For triangles of the common kind: the segments on one meet each
-/// other in common ends only, each point inside ends at least two, and all hangs together with the
-/// triangle's edges, so that regions are simple polygons without holes. Needs UpwardRounding.
+/// The regions of one facet (flat_facets.h) after another as polygons, without triangulating them:
+/// half of what a union cuts out it throws away. For facets of the common kind: the segments on one
+/// meet each other in common ends only, each point inside ends at least two, and all hangs together
+/// with the facet's sides, so that regions are simple polygons without holes. Needs UpwardRounding.
 class FaceOutlines {
  public:
   FaceOutlines(const ArrangementInput& input, const Constraints& constraints);
 
-  /// Finds those of a triangle; false if it is of another kind.
+  /// Finds those of the facet that a triangle stands for; false if it is of another kind.
   [[nodiscard]] bool find(std::uint32_t triangle, const Projection& projection);
   /// Appends them with regions, all of which have the last `covers` of the subdivision's covers.
   void append(std::size_t covers, Subdivision& subdivision) const;
 
  private:
   using Vertex = ConstrainedTriangulation::Vertex;
-  // Of the triangle's edges come first, each as the vertex it leaves, then both of each segment.
+  // Of the facet's sides come first, each as the vertex it leaves, then both of each segment.
   using HalfEdge = std::uint32_t;
   using Segment = std::array<Vertex, 2>;
   struct SegmentBox {
@@ -57,13 +57,14 @@ class FaceOutlines {
   const ArrangementInput& input_;
   const Constraints& constraints_;
   ConstrainedTriangulation plane_;  // of points only: it tells turns
-  // Of the present triangle:
+  // Of the present facet:
   std::uint32_t triangle_ = 0;
+  FlatFacets::Corners facet_;
   Projection projection_;
-  std::vector<PointId> ids_;          // of vertices; those on the triangle's edges come first
+  std::vector<PointId> ids_;          // of vertices; those on the facet's sides come first
   std::vector<std::uint8_t> sides_;   // on which they lie
   std::uint32_t outer_ = 0;           // how many of them lie on any
-  std::array<Vertex, 3> corners_{};   // of the triangle
+  std::array<Vertex, 4> corners_{};   // of the facet
   std::vector<std::uint32_t> slots_;  // a hash table of ids_
   std::vector<Segment> segments_;
   std::vector<SegmentBox> boxes_;

@@ -46,7 +46,7 @@ void FaceTriangulator::append(std::span<const std::uint32_t> members, FaceSubdiv
   slots_.clear();
   collect_points();
   if (is_single) {
-    start_from_triangle();
+    start_from_facet();
   } else {
     start_from_frame();
   }
@@ -84,20 +84,16 @@ std::uint32_t FaceTriangulator::both(std::uint32_t present, std::uint32_t added)
   return last_slot();
 }
 
-EdgeKey FaceTriangulator::edge(std::uint32_t triangle, std::size_t i) const {
-  const Triangle& corners = input_.triangles[triangle];
-  return edge_key(corners[i], corners[(i + 1) % 3]);
-}
-
 void FaceTriangulator::collect_points() {
   ids_.clear();
   incidences_of_.clear();
   for (const std::uint32_t t : members_) {
-    const Triangle& corners = input_.triangles[t];
-    ids_.insert(ids_.end(), corners.begin(), corners.end());
     MemberIncidences& found = incidences_of_.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      found.on_edges[i] = constraints_.on_edge(edge(t, i));
+    found.corners = constraints_.facets.corners(input_, t);
+    const FlatFacets::Corners& corners = found.corners;
+    ids_.insert(ids_.end(), corners.all().begin(), corners.all().end());
+    for (std::size_t i = 0; i < corners.count; ++i) {
+      found.on_edges[i] = constraints_.on_edge(edge_key(corners[i], corners[corners.after(i)]));
       for (const auto& p : found.on_edges[i]) {
         ids_.push_back(p.point);
       }
@@ -129,17 +125,21 @@ void FaceTriangulator::insert(PointId id, std::uint8_t sides) {
   }
 }
 
-// The points on the triangle's edges are known to be collinear with its corners.
-void FaceTriangulator::start_from_triangle() {
-  const Triangle& corners = input_.triangles[members_[0]];
-  std::array<ConstrainedTriangulation::Vertex, 3> v{};
-  for (std::size_t i = 0; i < 3; ++i) {
+// The points on the facet's sides are known to be collinear with its corners.
+void FaceTriangulator::start_from_facet() {
+  const auto& [corners, on_edges, insides, segments] = incidences_of_[0];
+  std::array<ConstrainedTriangulation::Vertex, 4> v{};
+  for (std::size_t i = 0; i < corners.count; ++i) {
     v[i] = vertex(corners[i]) = triangulation_.add(
-        corners[i], static_cast<std::uint8_t>((1u << i) | (1u << ((i + 2) % 3))));
+        corners[i], static_cast<std::uint8_t>((1u << i) | (1u << corners.before(i))));
   }
-  triangulation_.start(v[0], v[1], v[2]);
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (const auto& p : incidences_of_[0].on_edges[i]) {
+  if (corners.count == 3) {
+    triangulation_.start(v[0], v[1], v[2]);
+  } else {
+    triangulation_.start(std::array{std::array{v[0], v[1], v[2]}, std::array{v[2], v[3], v[0]}});
+  }
+  for (std::size_t i = 0; i < corners.count; ++i) {
+    for (const auto& p : on_edges[i]) {
       insert(p.point, static_cast<std::uint8_t>(1u << i));
     }
   }
@@ -162,7 +162,7 @@ void FaceTriangulator::insert_remaining() {
 void FaceTriangulator::start_from_frame() {
   triangulation_.start_around(ids_);
   for (std::size_t m = 0; m < members_.size(); ++m) {
-    for (const PointId id : input_.triangles[members_[m]]) {
+    for (const PointId id : incidences_of_[m].corners.all()) {
       insert(id, 0);
     }
     for (const auto& points : incidences_of_[m].on_edges) {
@@ -178,8 +178,9 @@ void FaceTriangulator::start_from_frame() {
 }
 
 void FaceTriangulator::constrain_edges(std::size_t member) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const EdgeKey key = edge(members_[member], i);
+  const FlatFacets::Corners& corners = incidences_of_[member].corners;
+  for (std::size_t i = 0; i < corners.count; ++i) {
+    const EdgeKey key = edge_key(corners[i], corners[corners.after(i)]);
     slots_.push_back({kNone, {members_[member]}});
     const std::uint32_t slot = last_slot();
     PointId from = lower_end(key);
@@ -273,7 +274,7 @@ std::vector<SignedTriangle> FaceTriangulator::signed_cover(
   return cover;
 }
 
-// All regions of a triangle alone have one cover.
+// All regions of a facet alone have one cover.
 template <class Emit>
 void FaceTriangulator::emit_single(FaceSubdivision& result, Emit&& emit) const {
   const std::vector<SignedTriangle> cover = signed_cover(members_);

@@ -29,7 +29,8 @@ class FaceTriangulator {
   FaceTriangulator(const FaceTriangulator&) = delete;
   FaceTriangulator& operator=(const FaceTriangulator&) = delete;
 
-  /// `members`: the triangles of the face, which overlap in one plane.
+  /// `members`: the triangles of the face, which overlap in one plane, or one that stands for a
+  /// facet.
   void append(std::span<const std::uint32_t> members, FaceSubdivision& result);
 
  private:
@@ -38,7 +39,8 @@ class FaceTriangulator {
     std::vector<std::uint32_t> bounding;  ///< members of which it is an edge
   };
   struct MemberIncidences {
-    std::array<std::span<const Constraints::OnEdge>, 3> on_edges;
+    FlatFacets::Corners corners;
+    std::array<std::span<const Constraints::OnEdge>, 4> on_edges;  // of as many sides
     std::span<const Constraints::Inside> insides;
     std::span<const Constraints::Segment> segments;
   };
@@ -49,11 +51,10 @@ class FaceTriangulator {
   [[nodiscard]] std::uint32_t last_slot() const {
     return static_cast<std::uint32_t>(slots_.size() - 1);
   }
-  [[nodiscard]] EdgeKey edge(std::uint32_t triangle, std::size_t i) const;
   void collect_points();
   [[nodiscard]] ConstrainedTriangulation::Vertex& vertex(PointId id);
   void insert(PointId id, std::uint8_t sides);
-  void start_from_triangle();
+  void start_from_facet();
   void start_from_frame();
   void insert_remaining();
   void constrain_edges(std::size_t member);

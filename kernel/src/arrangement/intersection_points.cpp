@@ -130,6 +130,7 @@ class Creator {
     find_corners();
     find_meetings();
     find_leaders();
+    find_facets();
     find_lines();
     add_points();
     return std::move(points_);
@@ -204,19 +205,59 @@ class Creator {
 
   // The first end of each meeting stands for the others.
   void find_leaders() {
-    const std::vector<support::IndexRange> runs = support::ranges_of_equal(
+    runs_ = support::ranges_of_equal(
         meetings_, [](const MeetingAt& m) -> const Meeting& { return m.meeting; });
     support::for_each_block(leader_.size(), [this](const support::Block& block) {
       std::fill(leader_.begin() + static_cast<std::ptrdiff_t>(block.begin),
                 leader_.begin() + static_cast<std::ptrdiff_t>(block.end), kNone);
     });
-    support::for_each_block(runs.size(), [&](const support::Block& block) {
+    support::for_each_block(runs_.size(), [&](const support::Block& block) {
       for (std::size_t r = block.begin; r < block.end; ++r) {
-        for (std::uint32_t i = runs[r].begin; i < runs[r].end; ++i) {
-          leader_[meetings_[i].end] = meetings_[runs[r].begin].end;
+        for (std::uint32_t i = runs_[r].begin; i < runs_[r].end; ++i) {
+          leader_[meetings_[i].end] = meetings_[runs_[r].begin].end;
         }
       }
     });
+  }
+
+  // The triangle whose edge pierces a plane at the end.
+  [[nodiscard]] std::uint32_t piercing(const MeetingAt& m) const {
+    const TriangleIntersection& e = intersection(m.end);
+    return is_edge(e.ends[m.end % 2].on_first) ? e.first : e.second;
+  }
+
+  // Two triangles that pierce a plane in one point have an edge in common there.
+  void find_facets() {
+    std::vector<TrianglePair> candidates = support::collect_in_order<TrianglePair>(
+        runs_.size(), [this](std::size_t r, std::vector<TrianglePair>& found) {
+          const auto& [begin, end] = runs_[r];
+          if (end == begin + 2 && (meetings_[begin].meeting.second & Meeting::kPlane) != 0) {
+            const auto [t, u] =
+                std::minmax({piercing(meetings_[begin]), piercing(meetings_[begin + 1])});
+            if (t != u) {
+              found.push_back({t, u});
+            }
+          }
+        });
+    points_.facets = FlatFacets(input_, intersections_, std::move(candidates));
+    if (points_.facets.empty()) {
+      return;
+    }
+    support::for_each_block(runs_.size(), [this](const support::Block& block) {
+      for (std::size_t r = block.begin; r < block.end; ++r) {
+        const auto run =
+            std::span(meetings_).subspan(runs_[r].begin, runs_[r].end - runs_[r].begin);
+        if (std::ranges::all_of(run, [this](const MeetingAt& m) { return is_joint(m.end); })) {
+          for (const MeetingAt& m : run) {
+            leader_[m.end] = kNone;
+          }
+        }
+      }
+    });
+  }
+
+  [[nodiscard]] bool is_joint(std::size_t end) const {
+    return points_.facets.is_joint(input_, intersection(end), end % 2);
   }
 
   void find_lines() {
@@ -273,6 +314,7 @@ class Creator {
   std::optional<EdgeLines> lines_;
   IntersectionPoints points_;
   std::vector<MeetingAt> meetings_;
+  std::vector<support::IndexRange> runs_;      // of equal ones
   support::BulkVector<std::uint32_t> leader_;  // of each end
 };
 

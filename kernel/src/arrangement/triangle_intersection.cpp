@@ -233,16 +233,16 @@ void intersect_coplanar(const ArrangementInput& input, std::uint32_t first, std:
 
 }  // namespace
 
-bool on_common_edge(Feature a, Feature b) {
+Feature common_edge(Feature a, Feature b) {
   for (Feature edge = 3; edge < kInside; ++edge) {
     const auto on_edge = [edge](Feature f) {
       return f == edge || f == edge - 3 || f == (edge - 2) % 3;
     };
     if (on_edge(a) && on_edge(b)) {
-      return true;
+      return edge;
     }
   }
-  return false;
+  return kInside;
 }
 
 void intersect(const ArrangementInput& input, std::uint32_t first, std::uint32_t second,

@@ -15,8 +15,8 @@ inline constexpr Feature kInside = 6;
 [[nodiscard]] constexpr Feature edge_feature(int i) { return static_cast<Feature>(3 + i); }
 [[nodiscard]] constexpr bool is_corner(Feature f) { return f < 3; }
 [[nodiscard]] constexpr bool is_edge(Feature f) { return f >= 3 && f < kInside; }
-/// Whether two features lie on a common edge of the triangle.
-[[nodiscard]] bool on_common_edge(Feature a, Feature b);
+/// The edge of the triangle on which two features lie, which are not the same corner; or kInside.
+[[nodiscard]] Feature common_edge(Feature a, Feature b);
 
 /// What two triangles have in common beyond corners they share.
 struct TriangleIntersection {

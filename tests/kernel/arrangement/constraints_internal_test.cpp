@@ -40,14 +40,14 @@ TEST_P(Incidence, points_lie_on_their_edges_in_order) {
   }
 }
 
-TEST_P(Incidence, points_inside_triangles_lie_in_their_planes_and_off_their_edges) {
+TEST_P(Incidence, points_inside_facets_lie_in_their_planes_and_off_their_sides) {
   for (const auto& [triangle, point] : constraints.insides) {
     EXPECT_EQ(side(triangle, point), 0);
-    const Triangle& t = stages.input.triangles[triangle];
+    const FlatFacets::Corners t = constraints.facets.corners(stages.input, triangle);
     const Projection projection =
         projection_of(stages.input.points, stages.input.support(triangle));
-    for (std::size_t k = 0; k < 3; ++k) {
-      EXPECT_EQ(turn(stages.input.points, t[k], t[(k + 1) % 3], point, projection.axis),
+    for (std::size_t k = 0; k < t.count; ++k) {
+      EXPECT_EQ(turn(stages.input.points, t[k], t[t.after(k)], point, projection.axis),
                 projection.orientation);
     }
   }
@@ -95,8 +95,8 @@ TEST_P(Incidence, faces_hold_every_touched_triangle_once) {
       }
     }
   }
-  for (std::size_t t = 0; t < seen.size(); ++t) {
-    EXPECT_EQ(seen[t], constraints.touched[t]);
+  for (std::uint32_t t = 0; t < seen.size(); ++t) {
+    EXPECT_EQ(seen[constraints.facets.of(t)], constraints.touched[t]);
   }
 }
 

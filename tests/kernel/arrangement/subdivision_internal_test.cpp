@@ -33,7 +33,7 @@ class Face : public testing::TestWithParam<test::Meeting> {
   Subdivision subdivision = stages.triangulated(stages.subdivision(constraints));
 };
 
-TEST_P(Face, pieces_add_up_to_each_triangle) {
+TEST_P(Face, pieces_add_up_to_each_facet) {
   std::vector<Vector> sums(stages.input.triangles.size());
   for (const Subdivision::SubTriangle& triangle : subdivision.triangles) {
     const Vector area = stages.area_vector(triangle.corners);
@@ -42,8 +42,12 @@ TEST_P(Face, pieces_add_up_to_each_triangle) {
     }
   }
   for (std::uint32_t t = 0; t < sums.size(); ++t) {
-    if (constraints.touched[t] && !stages.input.merged[t]) {
-      EXPECT_EQ(sums[t], stages.area_vector(stages.input.triangles[t])) << t;
+    if (constraints.touched[t] && !stages.input.merged[t] && constraints.facets.of(t) == t) {
+      Vector area = stages.area_vector(stages.input.triangles[t]);
+      if (const std::uint32_t mate = constraints.facets.mate(t); mate != kNone) {
+        add(area, stages.area_vector(stages.input.triangles[mate]), 1);
+      }
+      EXPECT_EQ(sums[t], area) << t;
     }
   }
 }

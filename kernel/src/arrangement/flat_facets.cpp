@@ -1,0 +1,141 @@
+#include "arrangement/flat_facets.h"
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+
+#include "arrangement/implicit_predicates.h"
+#include "support/blocks.h"
+#include "support/sort_by_key.h"
+
+namespace dupin::arrangement {
+namespace {
+
+bool is_corner_of(const Triangle& corners, PointId id) {
+  return std::find(corners.begin(), corners.end(), id) != corners.end();
+}
+
+// The corner of the first triangle that is not one of the second.
+std::size_t apex(const Triangle& corners, const Triangle& other) {
+  std::size_t k = 0;
+  while (k < 2 && is_corner_of(other, corners[k])) {
+    ++k;
+  }
+  return k;
+}
+
+FlatFacets::Corners joined(const Triangle& first, const Triangle& second) {
+  const std::size_t k = apex(first, second);
+  return {{first[k], first[(k + 1) % 3], second[apex(second, first)], first[(k + 2) % 3]}, 4};
+}
+
+std::uint32_t label_of(const ArrangementInput& input, std::uint32_t triangle) {
+  const std::uint32_t operand = input.operand_of(triangle);
+  const std::vector<std::uint32_t>& labels = input.operands[operand]->labels;
+  return labels.empty() ? 0 : labels[triangle - input.first_triangle[operand]];
+}
+
+bool covers_alone(const ArrangementInput& input, std::uint32_t triangle) {
+  return !input.merged[triangle] && input.cover(triangle).size() == 1;
+}
+
+bool are_doubles(const ArrangementInput& input, const Triangle& corners) {
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](PointId id) { return input.points.is_double(id); });
+}
+
+// Strictly convex and in one plane. Both triangles are proper, so that two of four turns are known.
+bool may_be_one(const ArrangementInput& input, const TrianglePair& pair) {
+  const auto& [t, u] = pair;
+  const Triangle &first = input.triangles[t], &second = input.triangles[u];
+  if (!are_doubles(input, first) || !are_doubles(input, second) ||
+      side_of_plane(input.points, first[0], first[1], first[2], second[apex(second, first)]) != 0) {
+    return false;
+  }
+  const Projection projection = projection_of(input.points, first);
+  const FlatFacets::Corners ring = joined(first, second);
+  for (const std::size_t i : {1U, 3U}) {
+    if (turn(input.points, ring[i - 1], ring[i], ring[ring.after(i)], projection.axis) !=
+        projection.orientation) {
+      return false;
+    }
+  }
+  return input.operand_of(t) == input.operand_of(u) && label_of(input, t) == label_of(input, u) &&
+         covers_alone(input, t) && covers_alone(input, u);
+}
+
+}  // namespace
+
+FlatFacets::FlatFacets(const ArrangementInput& input,
+                       std::span<const TriangleIntersection> intersections,
+                       std::vector<TrianglePair> candidates) {
+  support::sort_by_key(
+      candidates, static_cast<std::uint32_t>(input.triangles.size()),
+      [](const TrianglePair& pair) { return pair.first; }, std::less<>());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  const std::vector<std::uint32_t> possible =
+      support::indices_where(candidates.size(), [&](std::size_t i) {
+        const UpwardRounding rounding;
+        return may_be_one(input, candidates[i]);
+      });
+  if (possible.empty()) {
+    return;
+  }
+  std::vector<std::uint8_t> stays(input.triangles.size(), 0);
+  support::for_each_block(intersections.size(), [&](const support::Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const TriangleIntersection& e = intersections[i];
+      if (e.kind == TriangleIntersection::Kind::overlap ||
+          input.operand_of(e.first) == input.operand_of(e.second)) {
+        for (const std::uint32_t t : {e.first, e.second}) {
+          std::atomic_ref(stays[t]).store(1, std::memory_order_relaxed);
+        }
+      }
+    }
+  });
+  mates_.resize(input.triangles.size());
+  support::for_each_block(mates_.size(), [&](const support::Block& block) {
+    std::fill(mates_.begin() + static_cast<std::ptrdiff_t>(block.begin),
+              mates_.begin() + static_cast<std::ptrdiff_t>(block.end), kNone);
+  });
+  for (const std::uint32_t i : possible) {
+    const auto& [t, u] = candidates[i];
+    if (!stays[t] && !stays[u] && mates_[t] == kNone && mates_[u] == kNone) {
+      mates_[t] = u;
+      mates_[u] = t;
+    }
+  }
+}
+
+bool FlatFacets::is_inner_edge(const ArrangementInput& input, std::uint32_t triangle,
+                               Feature feature) const {
+  if (!is_edge(feature) || mate(triangle) == kNone) {
+    return false;
+  }
+  const Triangle &corners = input.triangles[triangle], &other = input.triangles[mate(triangle)];
+  const std::size_t i = feature - 3U;
+  return is_corner_of(other, corners[i]) && is_corner_of(other, corners[(i + 1) % 3]);
+}
+
+bool FlatFacets::is_joint(const ArrangementInput& input, const TriangleIntersection& e,
+                          std::size_t end) const {
+  const auto goes_on = [&](std::uint32_t triangle, Feature TriangleIntersection::End::*feature) {
+    const Feature here = e.ends[end].*feature;
+    return is_inside(input, triangle, here) ||
+           (e.kind == TriangleIntersection::Kind::segment && is_edge(here) &&
+            common_edge(e.ends[0].*feature, e.ends[1].*feature) == here);
+  };
+  return (is_inner_edge(input, e.first, e.ends[end].on_first) ||
+          is_inner_edge(input, e.second, e.ends[end].on_second)) &&
+         goes_on(e.first, &TriangleIntersection::End::on_first) &&
+         goes_on(e.second, &TriangleIntersection::End::on_second);
+}
+
+FlatFacets::Corners FlatFacets::corners(const ArrangementInput& input,
+                                        std::uint32_t triangle) const {
+  const Triangle& own = input.triangles[triangle];
+  return mate(triangle) == kNone ? Corners{{own[0], own[1], own[2], kNone}, 3}
+                                 : joined(own, input.triangles[mate(triangle)]);
+}
+
+}  // namespace dupin::arrangement
