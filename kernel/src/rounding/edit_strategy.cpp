@@ -96,6 +96,7 @@ bool collapse_or_flip(EditedMesh& mesh, const Faces& faces, const EditRule& rule
   });
 }
 
+/// Points with few faces first, which change least and are tried soonest.
 bool shift_any_point(EditedMesh& mesh, const exact::FloatLattice& lattice, const Faces& faces,
                      const EditRule& rule) {
   Faces vertices;
@@ -103,6 +104,8 @@ bool shift_any_point(EditedMesh& mesh, const exact::FloatLattice& lattice, const
     vertices.insert(vertices.end(), mesh.triangle(f).begin(), mesh.triangle(f).end());
   }
   support::sort_unique(vertices);
+  std::ranges::stable_sort(vertices, {},
+                           [&](std::uint32_t vertex) { return mesh.faces(vertex).size(); });
   return std::ranges::any_of(
       vertices, [&](std::uint32_t vertex) { return shift_point(mesh, lattice, vertex, rule); });
 }

@@ -13,25 +13,29 @@ namespace {
 
 Fault fault_of(std::uint32_t f, std::uint32_t g) { return {std::min(f, g), std::max(f, g)}; }
 
-/// Appends faults of the tested faces among each other and with `hot`, until there are `limit`.
+/// Appends faults of the tested faces with `hot` and among each other, until there are `limit`.
 void look_nearby(const Embedding& mesh, std::deque<FaultTest>& tests,
                  const std::vector<std::uint32_t>& hot, std::size_t limit,
                  std::vector<Fault>& found) {
-  for (std::size_t i = 0; i < tests.size() && found.size() < limit; ++i) {
-    FaultTest& test = tests[i];
+  const auto look_at = [&](FaultTest& test, std::uint32_t g) {
+    if (found.size() < limit && !test.is_apart_from(g) && !is_degenerate(mesh, g) &&
+        test.is_faulty_with(g)) {
+      found.push_back(fault_of(test.face(), g));
+    }
+  };
+  for (FaultTest& test : tests) {
     if (test.is_degenerate()) {
       found.push_back({test.face(), test.face()});
-      continue;
+    } else {
+      std::ranges::for_each(hot, [&](std::uint32_t g) { look_at(test, g); });
     }
-    const auto look_at = [&](std::uint32_t g) {
-      if (found.size() < limit && !test.is_apart_from(g) && !is_degenerate(mesh, g) &&
-          test.is_faulty_with(g)) {
-        found.push_back(fault_of(test.face(), g));
+  }
+  // Their pairs are many where many faces meet in a point.
+  for (std::size_t i = 0; i < tests.size() && found.size() < limit; ++i) {
+    if (!tests[i].is_degenerate()) {
+      for (std::size_t k = i + 1; k < tests.size(); ++k) {
+        look_at(tests[i], tests[k].face());
       }
-    };
-    std::ranges::for_each(hot, look_at);
-    for (std::size_t k = i + 1; k < tests.size(); ++k) {
-      look_at(tests[k].face());
     }
   }
 }
