@@ -27,6 +27,9 @@ constexpr std::string_view kMark = "dupin-cache";
 constexpr const char* kHalfWritten = ".part";
 constexpr std::chrono::hours kKilledFor{24};
 
+/// Before the bytes of an entry: what it is of, lest a file that was renamed is believed.
+std::string heading_of(const std::string& key) { return key + "\n"; }
+
 [[noreturn]] void fail(const std::string& what, const fs::path& path) {
   throw OutputError(Error(Errc::io_failed, what, {}, path.string()));
 }
@@ -53,11 +56,17 @@ DistrictCache::DistrictCache(fs::path folder) : folder_(std::move(folder)) {
 
 std::optional<std::string> DistrictCache::find(const std::string& key) const {
   std::error_code reason;
-  if (!fs::exists(folder_ / key, reason)) {
+  if (!fs::is_regular_file(folder_ / key, reason)) {
+    return std::nullopt;
+  }
+  std::string bytes = read_file(folder_ / key);
+  const std::string heading = heading_of(key);
+  if (!bytes.starts_with(heading)) {
     return std::nullopt;
   }
   fs::last_write_time(folder_ / key, fs::file_time_type::clock::now(), reason);
-  return read_file(folder_ / key);
+  bytes.erase(0, heading.size());
+  return bytes;
 }
 
 void DistrictCache::keep(const std::string& key, std::string_view bytes) const {
@@ -67,6 +76,7 @@ void DistrictCache::keep(const std::string& key, std::string_view bytes) const {
   std::error_code reason;
   {
     std::ofstream file(aside, std::ios::binary);
+    file << heading_of(key);
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     file.close();
     if (!file) {
@@ -79,7 +89,7 @@ void DistrictCache::keep(const std::string& key, std::string_view bytes) const {
   if (reason) {
     std::error_code ignored;
     fs::remove(aside, ignored);
-    fail("cannot write to the folder for --cache: " + reason.message(), folder_);
+    fail("cannot write to the folder for --cache: " + reason.message(), folder_ / key);
   }
 }
 

@@ -17,7 +17,8 @@ class DistrictCache {
   /// the system refuses.
   explicit DistrictCache(std::filesystem::path folder);
 
-  /// The bytes kept under the key, if there are any; they have been used now.
+  /// The bytes kept under the key, if there are any; they have been used now. A file that was
+  /// written under another key is none.
   [[nodiscard]] std::optional<std::string> find(const std::string& key) const;
   /// Threads may keep several at a time. Throws OutputError, of a full disk for one.
   void keep(const std::string& key, std::string_view bytes) const;

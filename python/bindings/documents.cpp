@@ -1,3 +1,4 @@
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,8 @@
 #include "dupin/io/report_json.h"
 #include "dupin/io/schema.h"
 #include "dupin/io/sha256.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin::python {
 namespace {
@@ -120,6 +123,10 @@ std::string nurbs_of(const std::string& text, const std::string& source,
 
 std::string bill_of(const std::string& text, const std::string& source,
                     std::optional<double> density) {
+  if (density && !(std::isfinite(*density) && *density > 0)) {
+    throw Error(Errc::invalid_argument,
+                "the density must be a positive number, in kg/m3, not " + decimal(*density));
+  }
   return unlocked([&] {
     BillReport report;
     report.bill = bill_of_materials(assembly_of_text(text, source));

@@ -168,6 +168,9 @@ def test_surfaces_and_bills():
     assert surfaces["parts"][0]["error_bound"] == 0
     bill = dupin.bill_of_materials(EXAMPLES / "reducer.json", density=7850)
     assert len(bill["parts"]) == 3 and bill["sum"]["metal"]["mass"] > 0
+    for density in (-3, 0, float("inf"), float("nan")):
+        with pytest.raises(dupin.errors.InvalidArgument, match="density"):
+            dupin.bill_of_materials(EXAMPLES / "reducer.json", density=density)
 
 
 def test_piping_files_and_graphs_become_documents():

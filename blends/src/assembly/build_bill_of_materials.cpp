@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
 #include "assembly/bore.h"
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
+#include "assembly/parts/part_kind.h"
 #include "dupin/blends/build.h"
 #include "dupin/blends/resolve.h"
 #include "surfaces/piece_measures.h"
@@ -92,6 +94,7 @@ class Biller {
         note_buried({i, end}, row);
       }
     }
+    add_closed_ends(part, row);
     set_bend(part.shape, row);
     const ResolvedPart* bore = row.wall > 0 ? &bore_.resolved.parts[*bore_.position[i]] : nullptr;
     if (bore != nullptr && !ends_level(part, *bore)) {
@@ -99,6 +102,19 @@ class Biller {
           "metal and fluid are not computed: the bore does not end in the planes of the ends");
     } else {
       divide(row, bore == nullptr ? std::nullopt : measures(bore->shape).solid);
+    }
+  }
+
+  // The disc that a head's tip is, which is surface as the rest; a pad's faces lie on others.
+  void add_closed_ends(const ResolvedPart& part, BillRow& row) const {
+    if (assembly::part_kind(assembly_.parts[part.index].shape).is_pad) {
+      return;
+    }
+    for (const End end : {End::start, End::end}) {
+      const Ring* ring = port_ring(part.shape, end);
+      if (row.area && ring != nullptr && part.is_closed.at(end == End::start ? 0 : 1)) {
+        *row.area += std::numbers::pi * ring->radius * ring->radius;
+      }
     }
   }
 

@@ -14,6 +14,12 @@
 namespace dupin {
 namespace {
 
+/// Text that all formats keep as it is, and that nobody who reads it can mistake for another.
+bool is_one_line(const std::string& text) {
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+  return text.front() != ' ' && text.back() != ' ' && std::ranges::none_of(text, is_control);
+}
+
 using assembly::part_kind;
 using assembly::Reference;
 using assembly::References;
@@ -152,6 +158,10 @@ class Resolver {
       };
       if (name.empty() || name.find('.') != std::string::npos) {
         throw fault("a part's name must not be empty and not contain a dot");
+      }
+      if (!is_one_line(name)) {
+        throw fault(
+            "a part's name must be one line, without control characters or blanks around it");
       }
       const auto [entry, is_new] = index_.try_emplace(name, i);
       if (!is_new) {

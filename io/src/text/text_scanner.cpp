@@ -71,7 +71,9 @@ bool TextScanner::take(std::string_view keyword) {
 }
 
 std::string_view TextScanner::rest_of_line() {
-  skip_blanks();
+  while (position_ < bytes_.size() && is_blank(bytes_[position_])) {
+    ++position_;
+  }
   std::size_t end = position_;
   while (end < bytes_.size() && !is_line_end(bytes_[end])) {
     ++end;

@@ -54,7 +54,8 @@ class TextScanner {
   std::string_view token();
   /// Takes the next token if it is `keyword`, given in lower case, in any case.
   bool take(std::string_view keyword);
-  /// Takes the rest of the line without blanks around it, and the line's end.
+  /// Takes the rest of the line without blanks around it, and the line's end: all of it, as names
+  /// may begin like comments.
   std::string_view rest_of_line();
   /// Takes the line's end; fails on anything before it.
   void end_line(std::string_view expected) {

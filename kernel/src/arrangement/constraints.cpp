@@ -95,7 +95,11 @@ class Distributor {
 
  private:
   void touch(std::uint32_t triangle) {
-    std::atomic_ref(touched_[triangle]).store(1, std::memory_order_relaxed);
+    for (const std::uint32_t t : {triangle, facets_.mate(triangle)}) {
+      if (t != kNone) {
+        std::atomic_ref(touched_[t]).store(1, std::memory_order_relaxed);
+      }
+    }
   }
   void hand(std::uint32_t triangle, Feature feature, PointId id) {
     if (id == kNone || is_corner(feature)) {
@@ -220,24 +224,25 @@ void sort_along_edges(const PointTable& points, PointId first_new_point,
   support::for_each_block(edges.size(), sort_runs, kFewEdges);
 }
 
-// Classes of triangles that overlap in a common plane, and every other touched facet alone.
+// Classes of facets that overlap in a common plane, and every other touched facet alone.
 void group_faces(std::span<const TriangleIntersection> intersections, Constraints& result) {
+  const FlatFacets& facets = result.facets;
   std::vector<std::uint32_t> overlapping;
   for (const TriangleIntersection& e : intersections) {
     if (e.kind == TriangleIntersection::Kind::overlap) {
-      overlapping.insert(overlapping.end(), {e.first, e.second});
+      overlapping.insert(overlapping.end(), {facets.of(e.first), facets.of(e.second)});
     }
   }
   std::sort(overlapping.begin(), overlapping.end());
   overlapping.erase(std::unique(overlapping.begin(), overlapping.end()), overlapping.end());
   support::DisjointSets classes(overlapping.size());
-  const auto index = [&overlapping](std::uint32_t triangle) {
+  const auto index = [&overlapping](std::uint32_t facet) {
     return static_cast<std::uint32_t>(
-        std::lower_bound(overlapping.begin(), overlapping.end(), triangle) - overlapping.begin());
+        std::lower_bound(overlapping.begin(), overlapping.end(), facet) - overlapping.begin());
   };
   for (const TriangleIntersection& e : intersections) {
     if (e.kind == TriangleIntersection::Kind::overlap) {
-      classes.unite(index(e.first), index(e.second));
+      classes.unite(index(facets.of(e.first)), index(facets.of(e.second)));
     }
   }
   std::vector<std::vector<std::uint32_t>>& faces = result.overlapping;
@@ -251,7 +256,7 @@ void group_faces(std::span<const TriangleIntersection> intersections, Constraint
     faces[face].push_back(overlapping[i]);
   }
   result.alone = support::indices_where(result.touched.size(), [&](std::uint32_t t) {
-    return result.touched[t] && result.facets.of(t) == t &&
+    return result.touched[t] && facets.of(t) == t &&
            !std::binary_search(overlapping.begin(), overlapping.end(), t);
   });
 }

@@ -32,7 +32,7 @@ struct Constraints {
   std::vector<OnEdge> on_edges;   ///< by edge, then from its lower to its upper end
   std::vector<Inside> insides;    ///< by triangle
   std::vector<Segment> segments;  ///< by triangle
-  /// Triangles to retriangulate together: connected by coplanar overlap. Members ascend.
+  /// Facets to retriangulate together: connected by coplanar overlap. Members ascend.
   std::vector<std::vector<std::uint32_t>> overlapping;
   std::vector<std::uint32_t> alone;   ///< facets to retriangulate by themselves, ascending
   std::vector<std::uint8_t> touched;  ///< per triangle: part of a face

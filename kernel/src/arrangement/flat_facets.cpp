@@ -1,7 +1,6 @@
 #include "arrangement/flat_facets.h"
 
 #include <algorithm>
-#include <atomic>
 #include <functional>
 
 #include "arrangement/implicit_predicates.h"
@@ -44,11 +43,23 @@ bool are_doubles(const ArrangementInput& input, const Triangle& corners) {
                      [&](PointId id) { return input.points.is_double(id); });
 }
 
-// Strictly convex and in one plane. Both triangles are proper, so that two of four turns are known.
-bool may_be_one(const ArrangementInput& input, const TrianglePair& pair) {
+// Whether what is between them is longer than their other edges. At most one edge of a triangle is,
+// as a length that is rounded upward depends on the edge, but not on who asks.
+bool is_longest(const ArrangementInput& input, const FlatFacets::Corners& ring) {
+  const auto length = [&](std::size_t i, std::size_t k) {
+    const auto [low, high] = std::minmax({ring[i], ring[k]});
+    return (input.points.coordinates(high) - input.points.coordinates(low)).squaredNorm();
+  };
+  const double between = length(1, 3);
+  return length(0, 1) < between && length(1, 2) < between && length(2, 3) < between &&
+         length(3, 0) < between;
+}
+
+bool are_one(const ArrangementInput& input, const TrianglePair& pair) {
   const auto& [t, u] = pair;
   const Triangle &first = input.triangles[t], &second = input.triangles[u];
   if (!are_doubles(input, first) || !are_doubles(input, second) ||
+      !is_longest(input, joined(first, second)) ||
       side_of_plane(input.points, first[0], first[1], first[2], second[apex(second, first)]) != 0) {
     return false;
   }
@@ -66,44 +77,31 @@ bool may_be_one(const ArrangementInput& input, const TrianglePair& pair) {
 
 }  // namespace
 
-FlatFacets::FlatFacets(const ArrangementInput& input,
-                       std::span<const TriangleIntersection> intersections,
-                       std::vector<TrianglePair> candidates) {
+FlatFacets::FlatFacets(const ArrangementInput& input, std::vector<TrianglePair> candidates) {
+  if (std::ranges::any_of(input.operand_pairs, [](const auto& p) { return p[0] == p[1]; })) {
+    return;
+  }
   support::sort_by_key(
       candidates, static_cast<std::uint32_t>(input.triangles.size()),
       [](const TrianglePair& pair) { return pair.first; }, std::less<>());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  const std::vector<std::uint32_t> possible =
+  const std::vector<std::uint32_t> facets =
       support::indices_where(candidates.size(), [&](std::size_t i) {
         const UpwardRounding rounding;
-        return may_be_one(input, candidates[i]);
+        return are_one(input, candidates[i]);
       });
-  if (possible.empty()) {
+  if (facets.empty()) {
     return;
   }
-  std::vector<std::uint8_t> stays(input.triangles.size(), 0);
-  support::for_each_block(intersections.size(), [&](const support::Block& block) {
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      const TriangleIntersection& e = intersections[i];
-      if (e.kind == TriangleIntersection::Kind::overlap ||
-          input.operand_of(e.first) == input.operand_of(e.second)) {
-        for (const std::uint32_t t : {e.first, e.second}) {
-          std::atomic_ref(stays[t]).store(1, std::memory_order_relaxed);
-        }
-      }
-    }
-  });
   mates_.resize(input.triangles.size());
   support::for_each_block(mates_.size(), [&](const support::Block& block) {
     std::fill(mates_.begin() + static_cast<std::ptrdiff_t>(block.begin),
               mates_.begin() + static_cast<std::ptrdiff_t>(block.end), kNone);
   });
-  for (const std::uint32_t i : possible) {
+  for (const std::uint32_t i : facets) {
     const auto& [t, u] = candidates[i];
-    if (!stays[t] && !stays[u] && mates_[t] == kNone && mates_[u] == kNone) {
-      mates_[t] = u;
-      mates_[u] = t;
-    }
+    mates_[t] = u;
+    mates_[u] = t;
   }
 }
 
@@ -122,8 +120,9 @@ bool FlatFacets::is_joint(const ArrangementInput& input, const TriangleIntersect
   const auto goes_on = [&](std::uint32_t triangle, Feature TriangleIntersection::End::*feature) {
     const Feature here = e.ends[end].*feature;
     return is_inside(input, triangle, here) ||
-           (e.kind == TriangleIntersection::Kind::segment && is_edge(here) &&
-            common_edge(e.ends[0].*feature, e.ends[1].*feature) == here);
+           (is_edge(here) &&
+            (e.coplanar || (e.kind == TriangleIntersection::Kind::segment &&
+                            common_edge(e.ends[0].*feature, e.ends[1].*feature) == here)));
   };
   return (is_inner_edge(input, e.first, e.ends[end].on_first) ||
           is_inner_edge(input, e.second, e.ends[end].on_second)) &&

@@ -14,16 +14,16 @@
 namespace dupin::arrangement {
 
 /// Triangles and quadrilaterals that are divided as one: two triangles of an operand on both sides
-/// of an edge, in one plane and under one label, which make a strictly convex quadrilateral, may be
-/// one facet. Nothing has to be cut where others cross the edge between them: the plane goes on
-/// there. Of pipes and boxes that is every other edge, so that half of all points, and of what
-/// follows from them, need not be.
+/// of an edge that is longer than all others of both, in one plane and under one label, make a
+/// strictly convex facet. Nothing has to be cut where others cross the edge between them: the plane
+/// goes on there. Of pipes and boxes that is every other edge, so that half of all points, and of
+/// what follows from them, need not be. Which triangles are one depends on nothing but these two.
 ///
 /// Lemma: what two strictly convex facets in different planes have in common is a segment, a point,
 /// or nothing, and ends on the sides of either. So where triangles of theirs meet in a segment with
 /// an end on an inner edge (a joint), it goes on in the next triangle, unless a side of the other
-/// facet, along which it does not run, ends it there; and all these pieces are one segment. Facets
-/// that overlap others in their plane stay triangles.
+/// facet, along which it does not run, ends it there; and all these pieces are one segment. In one
+/// plane, sides cross inner edges in joints, too.
 class FlatFacets {
  public:
   /// Corners counter-clockwise, as seen from the front.
@@ -38,10 +38,9 @@ class FlatFacets {
 
   /// Every triangle is a facet.
   FlatFacets() = default;
-  /// Of the candidates, two triangles at an edge of no others, those that may be one facet; of
-  /// several for one triangle, the first. Needs UpwardRounding.
-  FlatFacets(const ArrangementInput& input, std::span<const TriangleIntersection> intersections,
-             std::vector<TrianglePair> candidates);
+  /// Of the candidates, two triangles at an edge of no others, those that are one facet. None if
+  /// operands may cross themselves.
+  FlatFacets(const ArrangementInput& input, std::vector<TrianglePair> candidates);
 
   [[nodiscard]] bool empty() const { return mates_.empty(); }
   /// The triangle that stands for the facet that this one is part of.

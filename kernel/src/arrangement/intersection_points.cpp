@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <tuple>
+#include <utility>
 
 #include "arrangement/implicit_predicates.h"
 #include "support/hash.h"
@@ -220,35 +222,53 @@ class Creator {
     });
   }
 
-  // The triangle whose edge pierces a plane at the end.
-  [[nodiscard]] std::uint32_t piercing(const MeetingAt& m) const {
-    const TriangleIntersection& e = intersection(m.end);
-    return is_edge(e.ends[m.end % 2].on_first) ? e.first : e.second;
+  // The two triangles at an edge that is met there, unless they are others.
+  void find_candidate(std::span<const MeetingAt> run, EdgeKey edge,
+                      std::vector<TrianglePair>& found) const {
+    std::array<std::uint32_t, 2> triangles{kNone, kNone};
+    for (const MeetingAt& m : run) {
+      const TriangleIntersection& e = intersection(m.end);
+      const auto [on_first, on_second, crosses] = e.ends[m.end % 2];
+      for (const auto& [triangle, feature] :
+           {std::pair(e.first, on_first), {e.second, on_second}}) {
+        if (!is_edge(feature) || edge_of(input_.triangles[triangle], feature) != edge ||
+            triangle == triangles[0] || triangle == triangles[1]) {
+          continue;
+        }
+        if (triangles[1] != kNone) {
+          return;
+        }
+        triangles[triangles[0] == kNone ? 0 : 1] = triangle;
+      }
+    }
+    if (triangles[1] != kNone) {
+      const auto [t, u] = std::minmax(triangles[0], triangles[1]);
+      found.push_back({t, u});
+    }
   }
 
-  // Two triangles that pierce a plane in one point have an edge in common there.
   void find_facets() {
+    const auto run_of = [this](std::size_t r) {
+      return std::span(meetings_).subspan(runs_[r].begin, runs_[r].end - runs_[r].begin);
+    };
     std::vector<TrianglePair> candidates = support::collect_in_order<TrianglePair>(
-        runs_.size(), [this](std::size_t r, std::vector<TrianglePair>& found) {
-          const auto& [begin, end] = runs_[r];
-          if (end == begin + 2 && (meetings_[begin].meeting.second & Meeting::kPlane) != 0) {
-            const auto [t, u] =
-                std::minmax({piercing(meetings_[begin]), piercing(meetings_[begin + 1])});
-            if (t != u) {
-              found.push_back({t, u});
+        runs_.size(), [&](std::size_t r, std::vector<TrianglePair>& found) {
+          const Meeting& meeting = run_of(r).front().meeting;
+          for (const EdgeKey edge : {meeting.first, meeting.second}) {
+            if ((edge & Meeting::kPlane) == 0) {
+              find_candidate(run_of(r), edge, found);
             }
           }
         });
-    points_.facets = FlatFacets(input_, intersections_, std::move(candidates));
+    points_.facets = FlatFacets(input_, std::move(candidates));
     if (points_.facets.empty()) {
       return;
     }
-    support::for_each_block(runs_.size(), [this](const support::Block& block) {
+    support::for_each_block(runs_.size(), [&](const support::Block& block) {
       for (std::size_t r = block.begin; r < block.end; ++r) {
-        const auto run =
-            std::span(meetings_).subspan(runs_[r].begin, runs_[r].end - runs_[r].begin);
-        if (std::ranges::all_of(run, [this](const MeetingAt& m) { return is_joint(m.end); })) {
-          for (const MeetingAt& m : run) {
+        if (std::ranges::all_of(run_of(r),
+                                [this](const MeetingAt& m) { return is_joint(m.end); })) {
+          for (const MeetingAt& m : run_of(r)) {
             leader_[m.end] = kNone;
           }
         }

@@ -42,6 +42,16 @@ TEST(BillOfMaterials, says_what_a_line_measures) {
   }
 }
 
+TEST(BillOfMaterials, of_a_head_has_all_of_its_surface) {
+  const BillOfMaterials bill = bill_of_materials(document(R"(
+      {"name": "a", "pipe": {"from": [0, 0, 0], "to": [0, 0, 50], "radius": 8}},
+      {"name": "b", "head": {"from": "a.end", "form": "ellipsoidal"}})"));
+  const double e = std::sqrt(1 - .25);  // half an oblate spheroid, twice as wide as high
+  const double area = pi * 64 * (1 + (1 - e * e) / e * std::atanh(e));
+  EXPECT_NEAR(*bill.rows.at(1).area / area, 1, 1e-9);
+  EXPECT_NEAR(bill.rows.at(1).outer->volume, 2 * pi / 3 * 64 * 4, 1e-6);
+}
+
 TEST(BillOfMaterials, of_a_wall_subtracts_the_bore) {
   const BillOfMaterials bill = bill_of_materials(document(kLine, R"("wall": 1, )"));
   const BillRow &pipe = bill.rows[0], &elbow = bill.rows[1];

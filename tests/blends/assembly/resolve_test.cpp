@@ -199,6 +199,8 @@ struct Refusal {
 TEST(Resolve, refuses_parts_that_do_not_hang_together) {
   const PartShape free = PipeBetween{Vec3(0, 0, 0), Vec3(4, 0, 0), 1};
   const auto after = [](const std::string& part) { return PipeAlong{end_of(part), 1}; };
+  const std::string kOneLine =
+      "a part's name must be one line, without control characters or blanks around it";
   const Refusal rows[] = {
       {{}, "", "d#/parts", "an assembly needs at least one part"},
       {{{"a", free}, {"a", free}}, "a", "d#/parts/1/name", "the name is already taken by /parts/0"},
@@ -206,6 +208,11 @@ TEST(Resolve, refuses_parts_that_do_not_hang_together) {
        "a.b",
        "d#/parts/0/name",
        "a part's name must not be empty and not contain a dot"},
+      {{{"a\tb", free}}, "a\tb", "d#/parts/0/name", kOneLine},
+      {{{std::string("a\0", 2), free}}, std::string("a\0", 2), "d#/parts/0/name", kOneLine},
+      {{{"a\x7F", free}}, "a\x7F", "d#/parts/0/name", kOneLine},
+      {{{" a", free}}, " a", "d#/parts/0/name", kOneLine},
+      {{{"a ", free}}, "a ", "d#/parts/0/name", kOneLine},
       {{{"a", after("b")}}, "a", "d#/parts/0/pipe/from", "there is no part named 'b'"},
       {{{"a", free}, {"b", after("a")}, {"c", after("a")}},
        "c",

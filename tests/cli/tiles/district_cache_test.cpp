@@ -27,6 +27,23 @@ TEST(DistrictCache, keeps_what_it_is_given) {
   EXPECT_EQ(DistrictCache(folder.path() / "a" / "b").find("key"), "three");
 }
 
+TEST(DistrictCache, believes_no_file_that_it_did_not_write_under_the_key) {
+  const test::TemporaryFolder folder;
+  const DistrictCache cache(folder.path());
+  cache.keep("a", "of a");
+  cache.keep("b", "of b");
+  std::filesystem::copy_file(folder.path() / "a", folder.path() / "b",
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_EQ(cache.find("b"), std::nullopt);
+  EXPECT_EQ(cache.find("a"), "of a");
+  std::filesystem::create_directory(folder.path() / "c");
+  EXPECT_EQ(cache.find("c"), std::nullopt);
+  folder.write("d", "");
+  EXPECT_EQ(cache.find("d"), std::nullopt);
+  cache.keep("b", "of b again");
+  EXPECT_EQ(cache.find("b"), "of b again");
+}
+
 TEST(DistrictCache, drops_what_was_not_used_for_longest) {
   const test::TemporaryFolder folder;
   const DistrictCache cache(folder.path() / "cache");

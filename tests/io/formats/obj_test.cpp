@@ -87,6 +87,11 @@ TEST(Obj, the_latest_group_or_object_names_the_label) {
   EXPECT_EQ(mesh.labels, (std::vector<std::uint32_t>{0, 1, 2, 1}));
 }
 
+TEST(Obj, a_group_may_be_called_as_a_comment_begins) {
+  TriMesh mesh = read_obj(kPoints + "g #1 of 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", "x.obj");
+  EXPECT_EQ(mesh.names, std::vector<std::string>{"#1 of 2"});
+}
+
 TEST(Obj, malformed_files_are_refused_with_their_line) {
   const std::string corner = ", expected a vertex of a face, such as 7, 7/1, 7//3 or -1";
   const std::string range = ", expected the index of one of the 4 vertices before it";

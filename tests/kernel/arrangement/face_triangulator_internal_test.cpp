@@ -64,9 +64,12 @@ TEST_P(FaceTriangulatorOf, members_covers_as_much_as_they_do) {
     const std::size_t first_outline = faces.local.outlines.size();
     triangulator.append(constraints.face(f), faces);
     Vector expected;
-    std::vector<std::uint32_t> triangles(constraints.face(f).begin(), constraints.face(f).end());
-    if (const std::uint32_t mate = constraints.facets.mate(triangles[0]); mate != kNone) {
-      triangles.push_back(mate);
+    std::vector<std::uint32_t> triangles;
+    for (const std::uint32_t t : constraints.face(f)) {
+      triangles.push_back(t);
+      if (const std::uint32_t mate = constraints.facets.mate(t); mate != kNone) {
+        triangles.push_back(mate);
+      }
     }
     for (const std::uint32_t t : triangles) {
       for (const SignedTriangle& same : stages.input.cover(t)) {
