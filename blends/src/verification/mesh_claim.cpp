@@ -328,9 +328,8 @@ bool follows(const Solid& solid, const MeshClaim& claim) {
   }
   const Interval turned = Interval(claim.axes) * longest;
   const Interval apart = claim.kneecaps ? claim.kneecaps->apart : 0;
-  const double allowed = (Interval(claim.error_bound) - turned - apart -
-                          displacement(claim.grid, size_of(solid) + solid.wall()))
-                             .lower;
+  const Interval moved = displacement(claim.grid, size_of(solid) + solid.wall());
+  const double allowed = (Interval(claim.error_bound) - turned - apart - moved).lower;
   return skin_follows(solid, claim, claim.knots, Skin::outer, allowed) &&
          (solid.wall() > 0 ? has_rims(solid) &&
                                  skin_follows(solid, claim, claim.inner_knots, Skin::inner, allowed)
