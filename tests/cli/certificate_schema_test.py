@@ -20,7 +20,7 @@ def main(tool):
     jsonschema.Draft7Validator.check_schema(schema)
     validator = jsonschema.Draft7Validator(schema)
     documents = {name: certificate(tool, name) for name in ("reducer.json", "header.json", "plant-run.json", "cone-to-pipe.json", "crane-hook.json", "jet-engine.json",
-                                                                         "oval-duct.json", "pipe-ring.json", "ringed-canal.json")}
+                                                                         "oval-duct.json", "pipe-ring.json", "ringed-canal.json", "ucct-arm.json")}
     faults = [f"{name}: {error.message}" for name, document in documents.items() for error in validator.iter_errors(document)]
     for path, value in [(("format",), "dupin certificate 2"), (("parts", 0, "kind"), 1), (("claims", 0, "regular", "verdict"), "likely"),
                         (("claims", 0, "mesh", "segments"), 2), (("clearances", 0, "parts"), [1]), (("sha256",), "0")]:

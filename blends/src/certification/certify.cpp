@@ -17,6 +17,7 @@
 #include "assembly/part_context.h"
 #include "assembly/welded_runs.h"
 #include "certification/checked_claims.h"
+#include "certification/mesh_claims.h"
 #include "certification/prove_fillet.h"
 #include "certification/prove_hub.h"
 #include "certification/prove_loop_clearance.h"
@@ -175,8 +176,10 @@ class Certifier {
         if (std::ranges::none_of(resolved_.fillets, [&](const ResolvedFillet& fillet) {
               return std::ranges::count(fillet.between, part) > 0;
             })) {
-          append_mesh(part, sampling.segments, grid,
-                      assembly::tessellated(assembly_, resolved_.parts[part], sampling));
+          append_mesh(part,
+                      assembly::with_part_context(assembly_, resolved_.parts[part].index, [&] {
+                        return mesh_claim(resolved_.parts[part].shape, sampling);
+                      }));
         }
       }
     }
@@ -201,11 +204,16 @@ class Certifier {
     }
   }
 
-  void append_mesh(std::uint32_t part, std::uint32_t segments, double grid, Tessellation mesh) {
-    const bool is_sphere = std::holds_alternative<Sphere>(result_.parts[part].shape);
-    if (is_sphere || !mesh.knots.empty()) {
-      result_.claims[part].mesh = checker_.agreed(
-          {segments, grid, std::move(mesh.knots), mesh.error_bound, mesh.axes}, part);
+  [[nodiscard]] std::optional<MeshClaim> mesh_claim(const PartSurface& shape,
+                                                    const RingSampling& sampling) const {
+    return std::visit(
+        [&](const auto& s) { return certification::mesh_claim(s, sampling, assembly_.tolerance); },
+        shape);
+  }
+
+  void append_mesh(std::uint32_t part, std::optional<MeshClaim> claim) {
+    if (claim) {
+      result_.claims[part].mesh = checker_.agreed(std::move(*claim), part);
     }
   }
 
@@ -224,11 +232,11 @@ class Certifier {
     }
     // Of a straight pipe's mesh it counts only how far its triangles go about the axis.
     for (const std::uint32_t part : trimmed) {
-      Tessellation face = face_of(part, samplings, meshes);
+      const Tessellation face = face_of(part, samplings, meshes);
       const Ring ring = end_ring(std::get<Chain>(result_.parts[part].shape), End::end);
       const double turn = widest_turn(face.mesh, ring) * (1 + 0x1p-40);
-      face.knots = {0, 1};
-      append_mesh(part, std::uint32_t(2 * std::numbers::pi / turn), grid, std::move(face));
+      const auto segments = std::uint32_t(2 * std::numbers::pi / turn);
+      append_mesh(part, MeshClaim{segments, grid, {0, 1}, face.error_bound, face.axes});
     }
   }
 

@@ -150,8 +150,44 @@ std::optional<std::vector<DiscPairs>> leaves_of(const SweptDiscs& first, const S
 
 }  // namespace
 
+namespace {
+
+// Of a chain with kneecaps: its pieces, and what is not next to each other.
+EmbeddedClaim prove_pieces_embedded(const SweptDiscs& sweep, std::size_t boxes,
+                                    double longest_way) {
+  const SweptDiscs discs = sweep.discs_only();
+  const auto is_short = [&](const Pair& pair) {
+    const ParameterInterval all{pair.first.from, pair.second.to};
+    std::vector<DiscPace> way;
+    return size(all) <= longest_way && discs.append_way(all, way) && advances(way);
+  };
+  const auto pieces = sweep.stretches();
+  std::vector<Pair> own, others;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    own.push_back({pieces[i], pieces[i]});
+    for (std::size_t j = i + 2; j < pieces.size(); ++j) {
+      others.push_back({pieces[i], pieces[j]});
+    }
+  }
+  auto leaves = leaves_of(discs, discs, std::move(own), is_short, boxes);
+  const auto more = leaves_of(
+      sweep, sweep, std::move(others), [](const Pair&) { return false; }, boxes);
+  EmbeddedClaim claim;
+  if (leaves && more) {
+    leaves->insert(leaves->end(), more->begin(), more->end());
+    claim.verdict = Verdict::proved;
+    claim.leaves = std::move(*leaves);
+  }
+  return claim;
+}
+
+}  // namespace
+
 EmbeddedClaim prove_embedded(const SweptDiscs& sweep, double margin, std::size_t boxes,
                              double longest_way) {
+  if (sweep.has_kneecaps()) {
+    return prove_pieces_embedded(sweep, boxes, longest_way);
+  }
   EmbeddedClaim claim;
   std::vector<Pair> stack;
   const auto pieces = sweep.stretches();
@@ -197,7 +233,8 @@ ClearanceClaim prove_joint(const SweptDiscs& first, const SweptDiscs& second,
       const auto one = to_joint(first, pair.first, joint.first);
       const auto other = to_joint(second, pair.second, joint.second);
       std::vector<DiscPace> way;
-      return size(one) + size(other) <= kLongestWay && first.append_way(one, way) &&
+      return !first.touches_knee(one) && !second.touches_knee(other) &&
+             size(one) + size(other) <= kLongestWay && first.append_way(one, way) &&
              second.append_way(other, way) && advances(way);
     });
   };

@@ -13,21 +13,31 @@ ParameterInterval part_of(const ParameterInterval& t, int part, int parts) {
           std::lerp(t.from, t.to, double(part + 1) / parts)};
 }
 
+// As discs of any normal that are as large as the larger of both.
+void include(const Sphere& ball, std::vector<numbers::IntervalVec>::iterator at, DiscHull& hull) {
+  hull.centers.insert(at, numbers::interval_vec(ball.center));
+  hull.radius = max(hull.radius, numbers::Interval(ball.radius));
+  hull.cosine = 0;
+}
+
 }  // namespace
 
 SweptDiscs::SweptDiscs(const Sphere& sphere, SearchWork* work) : work_(work), sphere_(sphere) {}
 
 SweptDiscs::SweptDiscs(const Chain& chain, SearchWork* work)
-    : work_(work), closed_(chain.closed), full_(chain.wall == 0) {
-  if (chain.joints == Joints::spherical) {
-    full_ = false;
-    return;
-  }
+    : work_(work),
+      closed_(chain.closed),
+      full_(chain.wall == 0 && chain.joints != Joints::spherical && !chain.pieces.empty()),
+      has_kneecaps_(chain.joints == Joints::spherical) {
   for (const Piece& piece : chain.pieces) {
+    if (has_kneecaps_ && !pieces_.empty()) {
+      const PeVector& knee = std::get<CyclidePiece>(piece).first;
+      knees_.push_back({knee.m, knee.r});
+    }
     pieces_.push_back(std::visit([](const auto& p) { return surfaces::discs(p); }, piece));
     full_ = full_ && pieces_.back().full;
   }
-  if (!closed_) {
+  if (!closed_ && !pieces_.empty()) {
     end_rings_ = {end_ring(chain, End::start), end_ring(chain, End::end)};
   }
 }
@@ -69,7 +79,24 @@ DiscHull SweptDiscs::over(const ParameterInterval& t) const {
     return {{numbers::interval_vec(sphere_->center)}, {}, Vec3::Zero(), 0, sphere_->radius, 0};
   }
   const std::size_t i = piece_of(t);
-  return pieces_[i].hull({t.from - double(i), t.to - double(i)});
+  DiscHull hull = pieces_[i].hull({t.from - double(i), t.to - double(i)});
+  if (i > 0 && i <= knees_.size() && t.from == double(i)) {
+    include(knees_[i - 1], hull.centers.begin(), hull);
+  }
+  if (i < knees_.size() && t.to == double(i + 1)) {
+    include(knees_[i], hull.centers.end(), hull);
+  }
+  return hull;
+}
+
+bool SweptDiscs::touches_knee(const ParameterInterval& t) const {
+  return std::max(1., std::ceil(t.from)) <= std::min(t.to, double(knees_.size()));
+}
+
+SweptDiscs SweptDiscs::discs_only() const {
+  SweptDiscs result = *this;
+  result.knees_.clear();
+  return result;
 }
 
 bool SweptDiscs::turns_little(const ParameterInterval& t, double margin) const {

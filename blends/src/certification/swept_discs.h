@@ -26,8 +26,8 @@ using surfaces::support;
 using surfaces::support_point;
 
 /// The discs of a part, in outward rounded arithmetic. Parameters are in [0, length()], whole
-/// numbers being the seams of a chain; a ball's are in [0, 1]. A chain with spherical joints is
-/// more than its discs; nothing is known of it, and its length is 0.
+/// numbers being the seams of a chain; a ball's are in [0, 1]. Of a chain with kneecaps the discs
+/// next to a joint come with its ball, which holds what lies between them.
 class SweptDiscs {
  public:
   /// What is asked of the discs is spent of `work`, if given; it outlives this.
@@ -40,7 +40,12 @@ class SweptDiscs {
 
   [[nodiscard]] double length() const { return sphere_ ? 1 : double(pieces_.size()); }
   [[nodiscard]] bool closed() const { return closed_; }
-  /// The part is the union of its discs: neither hollow nor elliptic.
+  [[nodiscard]] bool has_kneecaps() const { return has_kneecaps_; }
+  /// Whether it touches a joint with a kneecap.
+  [[nodiscard]] bool touches_knee(const ParameterInterval& t) const;
+  /// The same discs, without the joints' balls.
+  [[nodiscard]] SweptDiscs discs_only() const;
+  /// The part is the union of its discs: neither hollow nor elliptic, and without kneecaps.
   [[nodiscard]] bool full() const { return full_; }
   /// One for each piece, or for the ball.
   [[nodiscard]] std::vector<ParameterInterval> stretches() const;
@@ -68,7 +73,8 @@ class SweptDiscs {
   std::optional<Sphere> sphere_;
   std::vector<surfaces::PieceDiscs> pieces_;
   std::vector<Ring> end_rings_;
-  bool closed_ = false, full_ = true;
+  std::vector<Sphere> knees_;
+  bool closed_ = false, full_ = true, has_kneecaps_ = false;
 };
 
 }  // namespace dupin::certification

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "cyclide/arc_bounds.h"
 #include "tessellation/convex_fill.h"
 #include "tessellation/cyclide_rows.h"
 #include "tessellation/kneecap_mesh.h"
@@ -31,6 +32,7 @@ using tessellation::joint_polygon;
 using tessellation::JointCircles;
 using tessellation::JointKind;
 using tessellation::JointPolygon;
+using tessellation::kSameCorners;
 using tessellation::largest_circle;
 using tessellation::march_of;
 using tessellation::refuse_too_fine;
@@ -153,16 +155,17 @@ class Mesher {
     }
   }
 
-  Tessellation run() {
+  KneecapChainMesh run() {
     const std::size_t count = arcs_.size();
     double apart = 0;
+    mesh_.knots.push_back(0);
     for (std::size_t i = 0; i < count; ++i) {
       const bool is_first = i == 0, is_last = i + 1 == count;
       const JointPolygon start = is_first ? port_polygon(flipped(start_), sampling_)
                                           : polygon(joints_[i - 1], joints_[i - 1].after);
       const JointPolygon end =
           is_last ? port_polygon(end_, sampling_) : polygon(joints_[i], joints_[i].before);
-      const auto [first, last] = tube(arcs_[i], start, end);
+      const auto [first, last] = tube(i, start, end);
       if (!is_first) {
         append_backward(disc_of(start), first);
         apart = std::max(apart, joints_[i - 1].apart);
@@ -173,7 +176,8 @@ class Mesher {
       }
     }
     result_.error_bound += apart;
-    return std::move(result_);
+    mesh_.apart = std::max(apart, kSameCorners * sampling_.grid);
+    return std::move(mesh_);
   }
 
  private:
@@ -207,15 +211,20 @@ class Mesher {
     Indices start, end;  // of the polygons' points, in their orders
   };
 
-  Ends tube(const PeArc& arc, const JointPolygon& start, const JointPolygon& end) {
+  Ends tube(std::size_t piece, const JointPolygon& start, const JointPolygon& end) {
+    const PeArc& arc = arcs_[piece];
     const Vec3 plane_normal = frame(arc).second;
     const Columns along = columns(angles_in(row_at(arc, 0, plane_normal), start),
                                   angles_in(row_at(arc, 1, plane_normal), end));
     const BandStepper march = march_of(arc, along.step());
     const std::vector<double> rows = knots(march, largest_circle(arc), along);
     const auto bands = rows.size() - 1;
-    result_.error_bound =
-        std::max(result_.error_bound, march.error_bound(rows, along.twist() / double(bands)));
+    const double turn = along.twist() / double(bands);
+    mesh_.turn = std::max(mesh_.turn, turn);
+    for (std::size_t j = 1; j <= bands; ++j) {
+      mesh_.knots.push_back(double(piece) + cyclide::parameter_at(arc, rows[j]));
+    }
+    result_.error_bound = std::max(result_.error_bound, march.error_bound(rows, turn));
     result_.bands += std::uint32_t(bands);
     refuse_too_fine(2. * sampling_.segments * result_.bands);
 
@@ -289,6 +298,7 @@ class Mesher {
   // of the pieces' discs.
   void append_sector(const JointCircles& joint, const JointPolygon& before) {
     if (joint.kind == JointKind::smooth || joint.kind == JointKind::hidden) {
+      mesh_.depths.push_back(0);
       return;
     }
     const JointPolygon after = polygon(joint, joint.after);
@@ -306,6 +316,7 @@ class Mesher {
     const double error = append_kneecap(result_.mesh, joint, here, ahead,
                                         {sampling_.segments, allowed_, sampling_.grid});
     result_.error_bound = std::max(result_.error_bound, error);
+    mesh_.depths.push_back(error);
     append_backward(exposed_disc(before), here);
     append(exposed_disc(after), ahead);
   }
@@ -316,7 +327,8 @@ class Mesher {
   const RingSampling& sampling_;
   double allowed_;
   std::vector<JointCircles> joints_;
-  Tessellation result_;
+  KneecapChainMesh mesh_;
+  Tessellation& result_ = mesh_.tessellation;
 };
 
 }  // namespace
@@ -338,12 +350,13 @@ double expected_kneecap_rows(const std::vector<PeArc>& arcs, const RingSampling&
   return sum;
 }
 
-Tessellation kneecap_chain_mesh(const Ring& start, const Ring& end, const std::vector<PeArc>& arcs,
-                                const RingSampling& sampling, const TessellationOptions& options) {
+KneecapChainMesh kneecap_chain_mesh(const Ring& start, const Ring& end,
+                                    const std::vector<PeArc>& arcs, const RingSampling& sampling,
+                                    const TessellationOptions& options) {
   const double displacement = point_error(arcs, sampling.grid);
-  Tessellation result =
+  KneecapChainMesh result =
       Mesher(start, end, arcs, sampling, allowed_error(options.tolerance, displacement)).run();
-  result.error_bound += displacement;
+  result.tessellation.error_bound += displacement;
   return result;
 }
 

@@ -253,7 +253,8 @@ class OverlappingWall {
 Tessellation overlapping(const Chain& chain, const RingSampling& sampling,
                          const TessellationOptions& options) {
   return surfaces::kneecap_chain_mesh(end_ring(chain, End::start), end_ring(chain, End::end),
-                                      cyclide_pieces(chain), sampling, options);
+                                      cyclide_pieces(chain), sampling, options)
+      .tessellation;
 }
 
 }  // namespace

@@ -63,8 +63,7 @@ JointCircles joint(const PeArc& before, const PeArc& after, double negligible, d
   // A shorter product is mostly rounding, and the normals agree to more digits than it has.
   constexpr double kNoAxis = 0x1p-40;
   result.hinge = axis.norm() > kNoAxis ? axis.normalized() : reference_axis(result.before);
-  if (cross(result) &&
-      (result.corners[0] - result.corners[1]).norm() > 2 * std::numbers::sqrt3 * grid) {
+  if (cross(result) && (result.corners[0] - result.corners[1]).norm() > kSameCorners * grid) {
     result.kind = JointKind::lune;
     return result;
   }

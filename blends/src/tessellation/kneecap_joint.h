@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "dupin/blends/pe_arc.h"
@@ -13,6 +14,9 @@ namespace dupin::tessellation {
 /// is a lune; in two that do not, with a band of the sphere between them or, the discs overtaking
 /// each other, none of it in sight.
 enum class JointKind { smooth, lune, band, hidden };
+
+/// Corners are no further apart than so many steps of the grid if snapping may make one of them.
+constexpr double kSameCorners = 2 * std::numbers::sqrt3;
 
 struct JointCircles {
   JointKind kind = JointKind::smooth;

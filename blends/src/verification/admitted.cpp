@@ -120,6 +120,19 @@ struct MotionReader {
 struct PartReader {
   const Requirements& needs;
 
+  // Both pieces of a joint touch its ball, along circles that the wall does not reach.
+  void knees(const Chain& s) const {
+    const CyclidePiece* before = nullptr;
+    for (const dupin::Piece& piece : s.pieces) {
+      const auto* cyclide = std::get_if<CyclidePiece>(&piece);
+      needs.require(cyclide != nullptr && !s.closed, "kneecaps");
+      needs.require(
+          before == nullptr || (before->last == cyclide->first && cyclide->first.r > s.wall),
+          "kneecaps");
+      before = cyclide;
+    }
+  }
+
   void operator()(const Sphere& s) const {
     needs.point(s.center);
     needs.positive(s.radius, "radius");
@@ -127,7 +140,7 @@ struct PartReader {
   void operator()(const Chain& s) const {
     needs.require(is_bound(s.wall), "wall");
     if (s.joints == Joints::spherical) {
-      return;  // nothing is said of its pieces
+      knees(s);
     }
     for (const dupin::Piece& piece : s.pieces) {
       // Nothing would be claimed of the inner skins of other pieces.

@@ -285,7 +285,8 @@ double mesh_error(const std::vector<ArcCell>& cells, const MeshClaim& claim) {
 
 bool follows(const std::vector<ArcCell>& cells, const MeshClaim& claim) {
   return is_bound(claim.grid) && is_bound(claim.error_bound) && claim.axes == 0 &&
-         claim.segments >= 1 && claim.segments <= CertificateLimits::kSegments &&
+         !is_of_chain(claim) && claim.segments >= 1 &&
+         claim.segments <= CertificateLimits::kSegments &&
          mesh_error(cells, claim) <= claim.error_bound;
 }
 

@@ -141,7 +141,8 @@ bool follows_at_hub(const Solid& arm, const Sphere& hub, const ClearanceClaim& c
 // that squared and of the sagitta's part along the sphere's radius squared, which is at most half.
 bool follows_of_hub(const Sphere& hub, const MeshClaim& claim) {
   if (!is_bound(claim.grid) || !is_bound(claim.error_bound) || claim.segments < 3 ||
-      claim.segments > CertificateLimits::kSegments || !claim.knots.empty() || claim.axes != 0) {
+      claim.segments > CertificateLimits::kSegments || !claim.knots.empty() || claim.axes != 0 ||
+      is_of_chain(claim)) {
     return false;
   }
   const Mpfi depth = Mpfi(hub.radius) * (1 - cosine(Mpfi::pi() / double(claim.segments)));

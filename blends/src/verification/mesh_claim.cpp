@@ -155,21 +155,32 @@ double largest_radius(const Piece& piece) {
   return largest;
 }
 
-// The half segment that the last ring may ask for is shared by so many bands.
-bool piece_follows(const Piece& piece, const std::vector<double>& knots, std::uint32_t segments,
-                   std::size_t sharing, double allowed) {
-  const Mpfi pi = Mpfi::pi();
-  if (knots.size() == 2 && is_straight(piece)) {
-    const Mpfi sagitta = Mpfi(largest_radius(piece)) * (1 - cosine(pi / double(segments)));
-    return sagitta.rounded_outward().upper <= allowed;
+// How much nearer to the centre than the radius the middle of a chord is.
+double sagitta(double radius, std::uint32_t segments) {
+  const Mpfi depth = Mpfi(radius) * (1 - cosine(Mpfi::pi() / double(segments)));
+  return depth.rounded_outward().upper;
+}
+
+// What columns turn by on a band: the half segment that the last ring may ask for is shared by so
+// many, unless it is said, as where pieces do not meet in rings.
+Interval twist_of(const MeshClaim& claim, std::size_t sharing) {
+  if (claim.kneecaps) {
+    return claim.kneecaps->turn;
   }
-  if (!piece.motion) {
+  const Enclosure twist = (Mpfi::pi() / double(claim.segments) / double(sharing)).rounded_outward();
+  return {twist.lower, twist.upper};
+}
+
+bool piece_follows(const Piece& piece, const Motion& motion, const std::vector<double>& knots,
+                   std::uint32_t segments, const Interval& twist, double allowed) {
+  if (knots.size() == 2 && is_straight(piece)) {
+    return sagitta(largest_radius(piece), segments) <= allowed;
+  }
+  if (!motion) {
     return false;  // nothing is known of how the axes of ellipses turn
   }
-  const Enclosure twist = (pi / double(segments) / double(sharing)).rounded_outward();
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    if (!band_follows(piece.motion, knots[i], knots[i + 1], segments, {twist.lower, twist.upper},
-                      allowed)) {
+    if (!band_follows(motion, knots[i], knots[i + 1], segments, twist, allowed)) {
       return false;
     }
   }
@@ -200,6 +211,62 @@ double longest_axis(const Solid& solid) {
   return longest;
 }
 
+enum class Skin { outer, inner };
+
+bool skin_follows(const Solid& solid, const MeshClaim& claim, const std::vector<double>& all,
+                  Skin skin, double allowed) {
+  auto knot = all.begin();
+  for (std::size_t i = 0; i < solid.pieces().size(); ++i) {
+    // From whole number to whole number, by the piece's own parameter.
+    std::vector<double> knots;
+    for (; knot != all.end() && (knots.empty() || knots.back() < 1); ++knot) {
+      knots.push_back(*knot - double(i));
+    }
+    if (knots.size() < 2 || knots.front() != 0 || knots.back() != 1 || !ascends(knots)) {
+      return false;
+    }
+    const Piece& piece = solid.pieces()[i];
+    const std::size_t sharing = (piece.shares_frame ? all.size() : knots.size()) - 1;
+    if (!piece_follows(piece, skin == Skin::inner ? piece.inner : piece.motion, knots,
+                       claim.segments, twist_of(claim, sharing), allowed)) {
+      return false;
+    }
+    --knot;
+  }
+  return knot + 1 == all.end();
+}
+
+// Between the rows at both ends, quadrilaterals of which two sides are parallel: they lie in planes
+// and are as far from the cone as the outer circle's chords, of which its bands have told.
+bool has_rims(const Solid& solid) {
+  const auto has_circle = [](const Piece& piece, double t) {
+    const auto disc = piece.inner(t, t);
+    return disc && disc->radius[0].lower >= 0;
+  };
+  return !solid.closed() && has_circle(solid.pieces().front(), 0) &&
+         has_circle(solid.pieces().back(), 1);
+}
+
+// What a ball has between two planes is convex, so that triangles with corners on it are inside.
+bool kneecaps_follow(const Solid& solid, const KneecapMesh& claim, double allowed) {
+  const std::vector<Sphere>& knees = solid.knees();
+  if (!is_bound(claim.turn) || !is_bound(claim.apart) ||
+      claim.segments.size() != knees.size() * (solid.wall() > 0 ? 2 : 1)) {
+    return false;
+  }
+  for (std::size_t i = 0; i < claim.segments.size(); ++i) {
+    const bool is_inner = i >= knees.size();
+    const Sphere& knee = knees[is_inner ? i - knees.size() : i];
+    const double radius = is_inner ? (Interval(knee.radius) - solid.wall()).upper : knee.radius;
+    const std::uint32_t segments = claim.segments[i];
+    if (segments < 3 || segments > CertificateLimits::kSegments ||
+        !(sagitta(radius, segments) <= allowed)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 // No point of a facet of the graticule is nearer to the centre than its plane.
 bool sphere_follows(const Sphere& sphere, const MeshClaim& claim) {
   if (!claim.knots.empty()) {
@@ -223,6 +290,10 @@ bool sphere_follows(const Sphere& sphere, const MeshClaim& claim) {
 
 }  // namespace
 
+bool is_of_chain(const MeshClaim& claim) {
+  return !claim.inner_knots.empty() || claim.kneecaps.has_value();
+}
+
 Interval displacement(double grid, double size) {
   return numbers::sqrt(Interval(3)) / 2 * grid + Interval(std::ldexp(size, -47));
 }
@@ -233,6 +304,9 @@ double size_of(const Solid& solid) {
   double size = 0;
   for (double i = 0; i < kCells * solid.length(); ++i) {
     size = std::max(size, size_over(solid, {i / kCells, (i + 1) / kCells}, kHalvings));
+  }
+  for (const Sphere& knee : solid.knees()) {
+    size = std::max(size, numbers::norm(numbers::interval_vec(knee.center)).upper);
   }
   return size;
 }
@@ -247,28 +321,20 @@ bool follows(const Solid& solid, const MeshClaim& claim) {
     return false;  // of no ellipse
   }
   if (solid.ball() != nullptr) {
-    return sphere_follows(*solid.ball(), claim);
+    return !is_of_chain(claim) && sphere_follows(*solid.ball(), claim);
+  }
+  if (solid.has_kneecaps() != claim.kneecaps.has_value()) {
+    return false;
   }
   const Interval turned = Interval(claim.axes) * longest;
-  const double allowed =
-      (Interval(claim.error_bound) - turned - displacement(claim.grid, size_of(solid))).lower;
-  auto knot = claim.knots.begin();
-  for (std::size_t i = 0; i < solid.pieces().size(); ++i) {
-    // From whole number to whole number, by the piece's own parameter.
-    std::vector<double> knots;
-    for (; knot != claim.knots.end() && (knots.empty() || knots.back() < 1); ++knot) {
-      knots.push_back(*knot - double(i));
-    }
-    const Piece& piece = solid.pieces()[i];
-    if (piece.inner || knots.size() < 2 || knots.front() != 0 || knots.back() != 1 ||
-        !ascends(knots) ||
-        !piece_follows(piece, knots, claim.segments,
-                       (piece.shares_frame ? claim.knots.size() : knots.size()) - 1, allowed)) {
-      return false;
-    }
-    --knot;
-  }
-  return knot + 1 == claim.knots.end();
+  const Interval apart = claim.kneecaps ? claim.kneecaps->apart : 0;
+  const Interval moved = displacement(claim.grid, size_of(solid) + solid.wall());
+  const double allowed = (Interval(claim.error_bound) - turned - apart - moved).lower;
+  return skin_follows(solid, claim, claim.knots, Skin::outer, allowed) &&
+         (solid.wall() > 0 ? has_rims(solid) &&
+                                 skin_follows(solid, claim, claim.inner_knots, Skin::inner, allowed)
+                           : claim.inner_knots.empty()) &&
+         (!claim.kneecaps || kneecaps_follow(solid, *claim.kneecaps, allowed));
 }
 
 }  // namespace dupin::verification

@@ -23,6 +23,9 @@ struct BandBounds {
 /// How large radii and the coordinates of centres may be; infinite where nothing is known of them.
 [[nodiscard]] double size_of(const Solid& solid);
 
+/// Whether it says what only chains of several skins or with kneecaps have.
+[[nodiscard]] bool is_of_chain(const MeshClaim& claim);
+
 /// What snapping to the grid and the rounding of coordinates of this size may add.
 [[nodiscard]] Interval displacement(double grid, double size);
 

@@ -37,6 +37,12 @@ Box box_of(const Solid& solid) {
       }
     }
   }
+  for (const Sphere& knee : solid.knees()) {
+    Box& box = boxes.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      box.at(std::size_t(k)) = Interval(knee.center[k]) + Interval(-knee.radius, knee.radius);
+    }
+  }
   return boxes.empty() ? everywhere()
                        : std::accumulate(boxes.begin() + 1, boxes.end(), boxes.front(), joined);
 }

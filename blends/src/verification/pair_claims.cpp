@@ -10,7 +10,10 @@
 
 namespace dupin::verification {
 
-double furthest(const Solid& solid, const ParameterInterval& t, const IntervalVec& w, int cells) {
+namespace {
+
+double furthest_disc(const Solid& solid, const ParameterInterval& t, const IntervalVec& w,
+                     int cells) {
   double result = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < cells; ++i) {
     const auto discs = solid.discs({std::lerp(t.from, t.to, double(i) / cells),
@@ -23,16 +26,30 @@ double furthest(const Solid& solid, const ParameterInterval& t, const IntervalVe
   return result;
 }
 
+}  // namespace
+
+double furthest(const Solid& solid, const ParameterInterval& t, const IntervalVec& w, int cells) {
+  double result = furthest_disc(solid, t, w, cells);
+  for (const Sphere& knee : knees_at(solid, t)) {
+    result =
+        std::max(result, furthest({{numbers::interval_vec(knee.center)}, {}, knee.radius, 0}, w));
+  }
+  return result;
+}
+
 namespace {
 
-// Whether there is a slab of this width, and of any, between the discs.
-bool apart(const Solid& first, const Solid& second, const DiscPairs& leaf, double distance) {
+using Reach = double (*)(const Solid&, const ParameterInterval&, const IntervalVec&, int);
+
+// Whether there is a slab of this width, and of any, between the discs, or what else is meant.
+bool apart(const Solid& first, const Solid& second, const DiscPairs& leaf, double distance,
+           Reach reach = furthest) {
   constexpr int kMostCells = 16;
   const IntervalVec w = numbers::interval_vec(*leaf.direction);
   const Interval length = numbers::norm(w);
   for (int cells = 1; cells <= kMostCells; cells *= 2) {
-    const Interval behind = furthest(first, leaf.first, w, cells);
-    const Interval front = furthest(second, leaf.second, Interval(-1) * w, cells);
+    const Interval behind = reach(first, leaf.first, w, cells);
+    const Interval front = reach(second, leaf.second, Interval(-1) * w, cells);
     const double width = length.lower > 0 ? ((-front - behind) / length).lower : -1;
     if (width > 0 && width >= distance) {
       return true;
@@ -174,7 +191,7 @@ bool follows(const Overlap& overlap, const Solid& first, const Solid& second) {
 bool is_short_way(const Solid& solid, const DiscPairs& leaf, double margin) {
   const ParameterInterval all{leaf.first.from, std::max(leaf.first.to, leaf.second.to)};
   const Piece* piece = solid.piece(all);
-  if (leaf.first.from > leaf.second.from) {
+  if (leaf.first.from > leaf.second.from || (solid.has_kneecaps() && piece == nullptr)) {
     return false;
   }
   const double beyond = solid.length() - leaf.second.from + leaf.first.to;
@@ -199,7 +216,8 @@ bool is_short_way(const Solid& first, const Solid& second, const std::vector<Joi
     const auto one = to_joint(first, leaf.first, joint.first);
     const auto other = to_joint(second, leaf.second, joint.second);
     std::vector<Cell> way;
-    return one.to - one.from + other.to - other.from <= kLongestWay && append(first, one, way) &&
+    return knees_at(first, one).empty() && knees_at(second, other).empty() &&
+           one.to - one.from + other.to - other.from <= kLongestWay && append(first, one, way) &&
            append(second, other, way) && advances(way);
   });
 }
@@ -232,6 +250,25 @@ bool has_form(const ClearanceClaim& claim) {
          (claim.verdict != Verdict::undecided || !claim.overlap);
 }
 
+namespace {
+
+// With those of pieces that meet in a kneecap, of which nothing is claimed.
+std::vector<DiscPairs> with_neighbours(std::vector<DiscPairs> leaves, const Solid& solid) {
+  for (double i = 0; i < double(solid.knees().size()); ++i) {
+    leaves.push_back({{i, i + 1}, {i + 1, i + 2}, {}});
+  }
+  return leaves;
+}
+
+// Within a piece nothing is said of the kneecaps at its ends.
+bool is_apart(const Solid& solid, const DiscPairs& leaf) {
+  const bool is_in_piece = solid.piece(leaf.first) == solid.piece(leaf.second);
+  const Reach with_knees = furthest;
+  return apart(solid, solid, leaf, 0, is_in_piece ? furthest_disc : with_knees);
+}
+
+}  // namespace
+
 bool follows(const Solid& solid, const EmbeddedClaim& claim, const RegularClaim& regular) {
   if (!has_form(claim) || claim.verdict == Verdict::undecided) {
     return false;
@@ -244,10 +281,11 @@ bool follows(const Solid& solid, const EmbeddedClaim& claim, const RegularClaim&
            follows(*claim.overlap, solid, solid);
   }
   const ParameterInterval all{0, solid.length()};
-  return regular.verdict == Verdict::proved && covered(all, all, claim.leaves, true) &&
+  return regular.verdict == Verdict::proved &&
+         covered(all, all, with_neighbours(claim.leaves, solid), true) &&
          std::all_of(claim.leaves.begin(), claim.leaves.end(), [&](const DiscPairs& leaf) {
            return has_leaf(solid, solid, leaf) &&
-                  (leaf.direction ? apart(solid, solid, leaf, 0)
+                  (leaf.direction ? is_apart(solid, leaf)
                                   : is_short_way(solid, leaf, regular.margin));
          });
 }

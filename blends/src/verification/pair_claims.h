@@ -18,8 +18,8 @@ struct JoinedEnds {
 [[nodiscard]] bool has_form(const EmbeddedClaim& claim);
 [[nodiscard]] bool has_form(const ClearanceClaim& claim);
 
-/// An upper bound of x.w for the points of the discs of a stretch, of so many cells; infinite where
-/// the numbers do not tell.
+/// An upper bound of x.w for the points of the discs of a stretch, of so many cells, and of the
+/// balls of the joints with kneecaps that it touches; infinite where the numbers do not tell.
 [[nodiscard]] double furthest(const Solid& solid, const ParameterInterval& t,
                               const numbers::IntervalVec& w, int cells);
 

@@ -15,13 +15,15 @@ Solid::Solid(const CertifiedPart& certified) {
     return;
   }
   const auto& chain = std::get<Chain>(part.shape);
-  if (chain.joints == Joints::spherical) {
-    is_full_ = false;
-    return;
-  }
   closed_ = chain.closed;
-  is_full_ = chain.wall == 0 && !chain.pieces.empty();
+  wall_ = chain.wall;
+  has_kneecaps_ = chain.joints == Joints::spherical;
+  is_full_ = chain.wall == 0 && !chain.pieces.empty() && !has_kneecaps_;
   for (const dupin::Piece& shape : chain.pieces) {
+    if (has_kneecaps_ && !pieces_.empty()) {
+      const PeVector& knee = std::get<CyclidePiece>(shape).first;
+      knees_.push_back({knee.m, knee.r});
+    }
     pieces_.emplace_back(shape, chain.wall);
     is_full_ = is_full_ && pieces_.back().tubes.size() < 2;
   }
@@ -41,6 +43,15 @@ std::optional<Discs> Solid::discs(const ParameterInterval& t) const {
   }
   const Piece* found = piece(t);
   return found != nullptr ? discs_of(*found, within_piece(t)) : std::nullopt;
+}
+
+std::vector<Sphere> knees_at(const Solid& solid, const ParameterInterval& t) {
+  std::vector<Sphere> result;
+  const std::vector<Sphere>& knees = solid.knees();
+  for (double i = std::max(1., std::ceil(t.from)); i <= std::min(t.to, double(knees.size())); ++i) {
+    result.push_back(knees[std::size_t(i) - 1]);
+  }
+  return result;
 }
 
 ParameterInterval within_piece(const ParameterInterval& t) {

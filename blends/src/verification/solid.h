@@ -7,8 +7,8 @@
 
 namespace dupin::verification {
 
-/// A part, read exactly: discs for parameters from 0 to the number of its pieces, or a ball. A
-/// chain with spherical joints, that nothing is claimed about, has no pieces here.
+/// A part, read exactly: discs for parameters from 0 to the number of its pieces, or a ball. The
+/// pieces of a chain with kneecaps meet in balls, of which it has what lies between their discs.
 class Solid {
  public:
   /// Throws as AdmittedPart.
@@ -17,8 +17,12 @@ class Solid {
   [[nodiscard]] const Sphere* ball() const { return ball_ ? &*ball_ : nullptr; }
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
   [[nodiscard]] bool closed() const { return closed_; }
+  [[nodiscard]] double wall() const { return wall_; }
+  [[nodiscard]] bool has_kneecaps() const { return has_kneecaps_; }
+  /// Of the joints with kneecaps, number i being that of the parameter i + 1.
+  [[nodiscard]] const std::vector<Sphere>& knees() const { return knees_; }
   [[nodiscard]] double length() const { return ball_ ? 1 : double(pieces_.size()); }
-  /// The part is the union of its discs: it is neither hollow nor elliptic.
+  /// The part is the union of its discs: it is neither hollow nor elliptic, and has no kneecaps.
   [[nodiscard]] bool is_full() const { return is_full_; }
   /// The piece that has the stretch; none if no single one does.
   [[nodiscard]] const Piece* piece(const ParameterInterval& t) const;
@@ -28,8 +32,13 @@ class Solid {
  private:
   std::vector<Piece> pieces_;
   std::optional<Sphere> ball_;
-  bool closed_ = false, is_full_ = true;
+  std::vector<Sphere> knees_;
+  double wall_ = 0;
+  bool closed_ = false, is_full_ = true, has_kneecaps_ = false;
 };
+
+/// The balls of the joints with kneecaps that the stretch touches.
+[[nodiscard]] std::vector<Sphere> knees_at(const Solid& solid, const ParameterInterval& t);
 
 /// The stretch by the parameter of its piece.
 [[nodiscard]] ParameterInterval within_piece(const ParameterInterval& t);

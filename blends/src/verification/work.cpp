@@ -29,7 +29,9 @@ std::uint64_t work_for(const RegularClaim& claim) {
 }
 
 std::uint64_t work_for(const MeshClaim& claim) {
-  return CertificateLimits::kWorkPerNumber * claim.knots.size();
+  const std::size_t knees = claim.kneecaps ? claim.kneecaps->segments.size() : 0;
+  return CertificateLimits::kWorkPerNumber *
+         (claim.knots.size() + claim.inner_knots.size() + knees);
 }
 
 std::uint64_t work_for_loop() {

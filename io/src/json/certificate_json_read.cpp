@@ -44,12 +44,13 @@ PartSurface shape(const JsonNode& node) {
     return Sphere{vec3(s.at("center")), s.at("radius").number()};
   }
   if (node.has("other_shape")) {
-    Chain unknown;
-    unknown.joints = Joints::spherical;
-    return unknown;
+    return Chain();
   }
   Chain chain(list<Piece>(node.at("pieces"), json::certificate_piece), boolean(node.at("closed")));
   chain.wall = node.at("wall").number();
+  if (node.has("kneecaps") && boolean(node.at("kneecaps"))) {
+    chain.joints = Joints::spherical;
+  }
   if (chain.pieces.empty()) {
     node.at("pieces").fail("must not be empty");
   }
@@ -159,15 +160,27 @@ EmbeddedClaim embedded_claim(const JsonNode& node) {
           overlap(node.at("overlap"))};
 }
 
+std::uint32_t mesh_segments(const JsonNode& node) {
+  return count(node, CertificateLimits::kSegments + 1);
+}
+
 std::optional<MeshClaim> mesh_claim(const JsonNode& node) {
   if (!node.has("mesh")) {
     return std::nullopt;
   }
   const JsonNode mesh = node.at("mesh");
-  return MeshClaim{count(mesh.at("segments"), CertificateLimits::kSegments + 1),
-                   mesh.at("grid").number(), numbers(mesh.at("knots")),
-                   mesh.at("error_bound").number(),
+  MeshClaim result{mesh_segments(mesh.at("segments")), mesh.at("grid").number(),
+                   numbers(mesh.at("knots")), mesh.at("error_bound").number(),
                    mesh.has("axes") ? mesh.at("axes").number() : 0};
+  if (mesh.has("inner_knots")) {
+    result.inner_knots = numbers(mesh.at("inner_knots"));
+  }
+  if (mesh.has("kneecaps")) {
+    const JsonNode knees = mesh.at("kneecaps");
+    result.kneecaps = KneecapMesh{knees.at("turn").number(), knees.at("apart").number(),
+                                  list<std::uint32_t>(knees.at("segments"), mesh_segments)};
+  }
+  return result;
 }
 
 PartClaims part_claims(const JsonNode& node) {

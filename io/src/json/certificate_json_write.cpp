@@ -17,16 +17,19 @@ struct ShapeForm {
   Json operator()(const Sphere& s) const {
     return {{"sphere", {{"center", json::json_value(s.center)}, {"radius", s.radius}}}};
   }
-  // Nothing is claimed of spherical joints, so that their pieces need not be known.
   Json operator()(const Chain& s) const {
-    if (s.joints == Joints::spherical) {
+    if (s.pieces.empty()) {
       return {{"other_shape", Json::object()}};
     }
     Json pieces = Json::array();
     for (const Piece& piece : s.pieces) {
       pieces.push_back(json::json_value(piece));
     }
-    return {{"pieces", pieces}, {"closed", s.closed}, {"wall", s.wall}};
+    Json object{{"pieces", pieces}, {"closed", s.closed}, {"wall", s.wall}};
+    if (s.joints == Joints::spherical) {
+      object["kneecaps"] = true;
+    }
+    return object;
   }
 };
 
@@ -100,6 +103,14 @@ Json json_value(const MeshClaim& claim) {
               {"error_bound", claim.error_bound}};
   if (claim.axes != 0) {
     object["axes"] = claim.axes;
+  }
+  if (!claim.inner_knots.empty()) {
+    object["inner_knots"] = claim.inner_knots;
+  }
+  if (claim.kneecaps) {
+    object["kneecaps"] = {{"turn", claim.kneecaps->turn},
+                          {"apart", claim.kneecaps->apart},
+                          {"segments", claim.kneecaps->segments}};
   }
   return object;
 }

@@ -4,6 +4,8 @@
 
 #include "blends/certification/disc_samples.h"
 #include "certification/swept_disc_pairs.h"
+#include "dupin/blends/cyclide_tube.h"
+#include "support/cyclide_cases.h"
 
 namespace dupin::certification {
 namespace {
@@ -236,6 +238,54 @@ TEST(SweptDiscPairs, joined_parts_may_meet_again) {
   EXPECT_TRUE(is_inside(elbow(3, 5.5, 1), claim.overlap->second, claim.overlap->point));
   EXPECT_LT(std::hypot(claim.overlap->point.x() - 3, claim.overlap->point.z()), 1);
   EXPECT_LT(claim.overlap->point.y(), 0);
+}
+
+// Pipes of radius 1 along the x axis to the origin and from there along the y axis, with a sector
+// of a ball between them.
+Chain knee() { return kneecap_chain(test::corner_spheres(kPi / 2)); }
+
+TEST(SweptDiscPairs, pieces_with_a_kneecap_are_embedded_each_by_itself) {
+  const EmbeddedClaim claim = prove_embedded(SweptDiscs(knee()), 0.25, kBoxes);
+  ASSERT_EQ(claim.verdict, Verdict::proved);
+  EXPECT_TRUE(covers(claim.leaves, .25, .75));
+  EXPECT_TRUE(covers(claim.leaves, 1.25, 1.75));
+  EXPECT_FALSE(covers(claim.leaves, .25, 1.75)) << "neighbours";
+}
+
+TEST(SweptDiscPairs, pieces_that_are_no_neighbours_are_apart_with_their_kneecaps) {
+  const auto bow = [](double back) {
+    return kneecap_chain(std::vector<PeVector>{
+        test::sphere(-4, 0, 0, 1), test::sphere(-2, 0, 0, 1), test::sphere(0, 0, 0, 1),
+        test::sphere(0, 2, 0, 1), test::sphere(0, 4, 0, 1), test::sphere(-2, 4 - back / 2, 0, 1),
+        test::sphere(-4, 4 - back, 0, 1)});
+  };
+  const EmbeddedClaim claim = prove_embedded(SweptDiscs(bow(0)), 0.25, kBoxes);
+  ASSERT_EQ(claim.verdict, Verdict::proved);
+  EXPECT_TRUE(covers(claim.leaves, .25, 2.75));
+  const EmbeddedClaim meets = prove_embedded(SweptDiscs(bow(4)), 0.25, 1 << 9);
+  EXPECT_EQ(meets.verdict, Verdict::undecided);
+  EXPECT_TRUE(meets.leaves.empty());
+}
+
+TEST(SweptDiscPairs, parts_keep_their_distance_from_kneecaps) {
+  const Vec3 out = Vec3(1, -1, 0).normalized();
+  const ClearanceClaim claim =
+      prove_clearance(SweptDiscs(knee()), SweptDiscs(Sphere{1.5 * out, .25}), kBoxes);
+  ASSERT_EQ(claim.verdict, Verdict::proved);
+  EXPECT_LE(claim.distance, .25);
+  EXPECT_GE(claim.distance, .2);
+  EXPECT_EQ(prove_clearance(SweptDiscs(knee()), SweptDiscs(Sphere{out, .05}), 1 << 9).verdict,
+            Verdict::undecided);
+}
+
+TEST(SweptDiscPairs, joined_parts_have_nothing_in_common_with_kneecaps) {
+  const Chain on = cylinder(Vec3(0, 4, 0), Vec3(0, 9, 0), 1);
+  const ClearanceClaim claim =
+      prove_joint(SweptDiscs(knee()), SweptDiscs(on), {{End::end, End::start}}, kBoxes);
+  ASSERT_EQ(claim.verdict, Verdict::proved);
+  for (const DiscPairs& leaf : claim.leaves) {
+    EXPECT_TRUE(leaf.direction || leaf.first.from > 1);
+  }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "certification/swept_discs.h"
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/elliptic_tube.h"
+#include "support/cyclide_cases.h"
 
 namespace dupin::certification {
 namespace {
@@ -57,9 +58,31 @@ TEST(SweptDiscs, are_all_of_a_part_or_not) {
       {Vec3(0, 0, 0), 1}, {Vec3(2, 1, 0), .8}, {Vec3(4, 1, 0), 1}};
   const SweptDiscs knees(kneecap_chain(spheres));
   EXPECT_FALSE(knees.full());
-  EXPECT_EQ(knees.length(), 0);
+  EXPECT_EQ(knees.length(), 1);
+  const SweptDiscs none((Chain()));
+  EXPECT_FALSE(none.full());
+  EXPECT_EQ(none.length(), 0);
   std::vector<DiscPace> way;
-  EXPECT_FALSE(knees.append_way({0, 0}, way));
+  EXPECT_FALSE(none.append_way({0, 0}, way));
+}
+
+// A right angle of pipes of radius 1: the ball at the joint is on the outer side of both.
+TEST(SweptDiscs, at_a_kneecap_come_with_its_ball) {
+  const Chain chain = kneecap_chain(test::corner_spheres(std::numbers::pi / 2));
+  const SweptDiscs knees(chain), discs = knees.discs_only();
+  EXPECT_TRUE(knees.has_kneecaps());
+  const Vec3 out = Vec3(1, -1, 0).normalized();
+  for (const ParameterInterval& t : {ParameterInterval{0, 1}, {.75, 1}, {1, 1.25}, {1, 2}}) {
+    EXPECT_TRUE(knees.touches_knee(t));
+    EXPECT_FALSE(discs.touches_knee(t));
+    EXPECT_GE(surfaces::support(knees.over(t), out), 1);
+    EXPECT_LT(surfaces::support(knees.over(t), out), 1 + 1e-9);
+    EXPECT_LT(surfaces::support(discs.over(t), out), .75);
+  }
+  for (const ParameterInterval& t : {ParameterInterval{0, .75}, {1.25, 2}, {0, 0}, {2, 2}}) {
+    EXPECT_FALSE(knees.touches_knee(t));
+    EXPECT_EQ(surfaces::support(knees.over(t), out), surfaces::support(discs.over(t), out));
+  }
 }
 
 // Half-spaces around a hull hold all discs of its stretch, and not much more if that is short.

@@ -35,7 +35,8 @@ Meshed meshed(const Spheres& spheres, double tolerance, double grid = 0) {
   found.segments = kneecap_chain_segments(found.arcs, tolerance, grid);
   found.result =
       kneecap_chain_mesh(flipped(circle_at(found.arcs.front(), 0)), circle_at(found.arcs.back(), 1),
-                         found.arcs, {found.segments, 0.3, grid}, {tolerance});
+                         found.arcs, {found.segments, 0.3, grid}, {tolerance})
+          .tessellation;
   return found;
 }
 
@@ -168,12 +169,12 @@ TEST(KneecapChainMesh, keeps_to_the_tolerance_with_the_segments_it_asks_for) {
   const auto bound = [&](double tolerance, double grid) {
     return kneecap_chain_mesh(flipped(circle_at(pipe.front(), 0)), circle_at(pipe.back(), 1), pipe,
                               {32, 0, grid}, {tolerance})
-        .error_bound;
+        .tessellation.error_bound;
   };
   constexpr double kGrid = 0x1p-7, kMove = std::numbers::sqrt3 / 2 * kGrid;
   EXPECT_NEAR(bound(0.1 + kMove, kGrid), bound(0.1, 0) + kMove, 1e-9);
   // With fewer segments it says how far it is.
-  EXPECT_GT(kneecap_chain_mesh(start, end, arcs, {12}, {0.001}).error_bound, 0.01);
+  EXPECT_GT(kneecap_chain_mesh(start, end, arcs, {12}, {0.001}).tessellation.error_bound, 0.01);
 }
 
 // The circles are apart by a hundredth of the tolerance; they become one polygon.

@@ -423,15 +423,6 @@ TEST(MeshClaim, needs_knots_that_ascend_from_whole_number_to_whole_number) {
       follows(solid, claim(8, {0, .5, 1, 1.5, 2}, std::numeric_limits<double>::quiet_NaN())));
 }
 
-TEST(MeshClaim, of_a_hollow_chain_never_follows) {
-  const PeArc arc = PeArc::from(test::sphere(4, 0, 0, 1), test::direction(Vec3::UnitY(), 0),
-                                test::sphere(0, 4, 0, 1));
-  CertifiedPart part = test::part(test::cyclide_piece(arc));
-  EXPECT_TRUE(follows(Solid(part), claim(32, equal_knots(16), 1)));
-  std::get<Chain>(part.shape).wall = .5;
-  EXPECT_FALSE(follows(Solid(part), claim(32, equal_knots(16), 1)));
-}
-
 // The spine turns back at its middle.
 TEST(MeshClaim, does_not_follow_where_nothing_is_known_of_the_discs) {
   RingedSurface back = test::cylinder({0, 0, 0}, {1, 0, 0}, 1);

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "blends/verification/solids_internal.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/error.h"
+#include "support/cyclide_cases.h"
 #include "support/fillet_loops.h"
 #include "verification/near_parts.h"
 #include "verification/work.h"
@@ -28,9 +30,7 @@ std::vector<PartPair> all_pairs(std::uint32_t count) {
 
 Solid unknown() {
   CertifiedPart part;
-  Chain chain;
-  chain.joints = Joints::spherical;
-  part.shape = chain;
+  part.shape = Chain();
   return Solid(part);
 }
 
@@ -161,6 +161,23 @@ TEST(NearParts, are_pairs_with_loops_in_their_order) {
   EXPECT_EQ(found, expected);
   EXPECT_LT(place_of({2, 3}, 3), place_of({3, 4}, 3));
   EXPECT_LT(place_of({3, 4}, 3), place_of({0, 4}, 3));
+}
+
+// Two cones that grow along the x axis and shrink on the way back: the ball of their joint reaches
+// further than all discs.
+TEST(NearParts, are_near_to_what_a_kneecap_adds) {
+  const Vec3 back(std::cos(2.6), std::sin(2.6), 0);
+  CertifiedPart bend;
+  bend.shape = kneecap_chain(std::vector<PeVector>{test::sphere(-4, 0, 0, 1),
+                                                   test::sphere(-2, 0, 0, 2),
+                                                   test::sphere(0, 0, 0, 3),
+                                                   {2 * back, 2},
+                                                   {4 * back, 1}});
+  std::vector<Solid> solids;
+  solids.emplace_back(bend);
+  solids.push_back(ball(Vec3(4.5, 0, 0), 1));
+  EXPECT_TRUE(pairs_nearer_than(.499, solids).empty());
+  EXPECT_EQ(pairs_nearer_than(.501, solids).size(), 1U);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "blends/verification/solids_internal.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
@@ -81,6 +82,51 @@ TEST(Solid, of_an_elliptic_tube_has_the_larger_discs_and_is_not_full) {
   ASSERT_TRUE(disc);
   EXPECT_TRUE(holds(disc->radius[0], 2));
   EXPECT_NEAR(furthest(*solid.discs({0, 1}), numbers::interval_vec(Vec3::UnitZ())), 2, 1e-14);
+}
+
+TEST(Solid, with_kneecaps_has_the_balls_of_its_joints) {
+  CertifiedPart part;
+  part.shape = kneecap_chain(test::lune_spheres());
+  const Solid arm(part);
+  EXPECT_TRUE(arm.has_kneecaps());
+  EXPECT_FALSE(arm.is_full());
+  EXPECT_EQ(arm.length(), 2);
+  ASSERT_EQ(arm.knees().size(), 1U);
+  EXPECT_EQ(arm.knees()[0].center, Vec3(4, 1, 0));
+  EXPECT_EQ(arm.knees()[0].radius, 1);
+  for (const ParameterInterval& t : {ParameterInterval{0, 1}, {.5, 1}, {1, 1}, {1, 2}, {0, 2}}) {
+    EXPECT_EQ(knees_at(arm, t).size(), 1U) << t.from << " " << t.to;
+  }
+  for (const ParameterInterval& t : {ParameterInterval{0, .75}, {0, 0}, {1.25, 2}, {2, 2}}) {
+    EXPECT_TRUE(knees_at(arm, t).empty()) << t.from << " " << t.to;
+  }
+  const Solid pipes =
+      test::solid(test::cylinder({0, 0, 0}, {1, 0, 0}, 1), test::cylinder({1, 0, 0}, {4, 0, 0}, 1));
+  EXPECT_FALSE(pipes.has_kneecaps());
+  EXPECT_TRUE(knees_at(pipes, {0, 2}).empty());
+}
+
+TEST(Solid, with_kneecaps_has_pieces_that_touch_one_ball) {
+  CertifiedPart part;
+  const Chain arm = kneecap_chain(test::lune_spheres());
+  const auto refused = [&](const auto& change) {
+    Chain changed = arm;
+    change(changed);
+    part.shape = changed;
+    EXPECT_THROW(Solid{part}, Error);
+  };
+  part.shape = arm;
+  EXPECT_NO_THROW(Solid{part});
+  refused([](Chain& c) { std::get<CyclidePiece>(c.pieces[0]).last.r += 1e-15; });
+  refused([](Chain& c) { std::get<CyclidePiece>(c.pieces[1]).first.m.z() = 1e-300; });
+  refused([](Chain& c) { c.closed = true; });
+  refused([](Chain& c) { c.wall = 1; });
+  refused([](Chain& c) { c.pieces[1] = test::cylinder({0, 0, 0}, {1, 0, 0}, 1); });
+  refused([](Chain& c) { c.pieces = {test::cylinder({0, 0, 0}, {1, 0, 0}, 1)}; });
+  Chain hollow = arm;
+  hollow.wall = .5;
+  part.shape = hollow;
+  EXPECT_EQ(Solid(part).wall(), .5);
 }
 
 TEST(Solid, that_is_hollow_has_an_inner_skin) {

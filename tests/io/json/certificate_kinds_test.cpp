@@ -72,9 +72,9 @@ TEST_P(OfAKind, is_rejected_with_one_digit_changed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Certificate, OfAKind,
-                         testing::Values("crane-hook", "jet-engine", "u-bend-cyclide", "way-points",
-                                         "pipe-ring", "oval-duct", "ringed-canal", "skew-cross",
-                                         "parallel-cone"),
+                         testing::Values("crane-hook", "jet-engine", "ucct-arm", "u-bend-cyclide",
+                                         "way-points", "pipe-ring", "oval-duct", "ringed-canal",
+                                         "skew-cross", "parallel-cone"),
                          [](const auto& row) {
                            std::string name = row.param;
                            std::replace(name.begin(), name.end(), '-', '_');
@@ -142,6 +142,18 @@ INSTANTIATE_TEST_SUITE_P(
         Lie{"hollow_mesh", "jet-engine",
             [](auto& c) {
               claims(c, "shell").mesh = MeshClaim{100, 0, {0, 1, 2, 3}, 1};
+            }},
+        Lie{"hollow_skin", "jet-engine",
+            [](auto& c) { claims(c, "shell").mesh->inner_knots.pop_back(); }},
+        Lie{"hollow_bound", "jet-engine",
+            [](auto& c) { claims(c, "shell").mesh->error_bound *= 0.5; }},
+        Lie{"kneecap", "ucct-arm",
+            [](auto& c) { claims(c, "arm").mesh->kneecaps->segments.front() = 3; }},
+        Lie{"kneecap_ball", "ucct-arm",
+            [](auto& c) { piece<CyclidePiece>(c, "arm").last.r += 1e-12; }},
+        Lie{"kneecap_joint", "ucct-arm",
+            [](auto& c) {
+              pair(c, "arm", "shoulder").leaves = {kAllPairs, {{1, 2}, {0, 1}, {}}};
             }},
         Lie{"turned_back", "u-bend-cyclide",
             [](auto& c) { claims(c, "cyclide").embedded->leaves = {kAllPairs}; }},

@@ -4,7 +4,6 @@
 #include <cctype>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <random>
 #include <string>
 #include <utility>
@@ -115,10 +114,6 @@ TEST(Certificate, is_the_same_document_every_time_and_after_reading) {
   EXPECT_EQ(certificate_json(parse_certificate(text)), text);
 }
 
-// What stays undecided in some examples: the mesh of a hollow chain, and a chain with kneecaps.
-const std::map<std::string, std::size_t> kUndecided = {{"jet-engine.json", 1},
-                                                       {"ucct-arm.json", 5}};
-
 TEST(Certificate, of_every_example_is_proved_and_verified) {
   std::size_t count = 0;
   for (const auto& entry :
@@ -134,14 +129,7 @@ TEST(Certificate, of_every_example_is_proved_and_verified) {
       continue;
     }
     const Certificate certificate = certify(example(name));
-    EXPECT_EQ(certificate.findings(), kUndecided.contains(name) ? kUndecided.at(name) : 0);
-    for (std::size_t i = 0; i < certificate.parts.size(); ++i) {
-      const auto* chain = std::get_if<Chain>(&certificate.parts[i].shape);
-      const bool is_known = chain == nullptr || chain->joints == Joints::smooth;
-      const PartClaims& claims = certificate.claims[i];
-      EXPECT_EQ(!claims.regular || claims.regular->verdict == Verdict::proved, is_known);
-      EXPECT_EQ(!claims.embedded || claims.embedded->verdict == Verdict::proved, is_known);
-    }
+    EXPECT_EQ(certificate.findings(), 0U);
     EXPECT_NO_THROW(verify(parse_certificate(certificate_json(certificate))));
   }
   EXPECT_GE(count, 8u);

@@ -19,25 +19,7 @@
 namespace dupin::test {
 namespace {
 
-using Random = std::mt19937_64;
-
 constexpr double kPi = 3.14159265358979323846;
-
-double between(Random& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-std::uint32_t part(const Certificate& c, const std::string& name) {
-  const auto found =
-      std::find_if(c.parts.begin(), c.parts.end(), [&](const auto& p) { return p.name == name; });
-  return std::uint32_t(found - c.parts.begin());
-}
-
-PartClaims& claims(Certificate& c, const std::string& name) { return c.claims.at(part(c, name)); }
-
-Chain& chain(Certificate& c, const std::string& name) {
-  return std::get<Chain>(c.parts.at(part(c, name)).shape);
-}
 
 // Of one of both fillets, and what is claimed of it.
 CanalFillet& loop(Certificate& c, Random& random) {
@@ -54,57 +36,6 @@ double& ball_radius(CanalFillet& loop) { return std::get<RollingThrough>(loop.mo
 
 RingedSurface& tube(Certificate& c, const std::string& name) {
   return std::get<RingedSurface>(chain(c, name).pieces.front());
-}
-
-ClearanceClaim& pair(Certificate& c, const std::string& a, const std::string& b) {
-  return *std::find_if(c.clearances.begin(), c.clearances.end(), [&](const auto& claim) {
-    return c.parts[claim.first].name == a && c.parts[claim.second].name == b;
-  });
-}
-
-// Any number that a forger may think of.
-double hostile(Random& random) {
-  constexpr double kNumbers[] = {0,      -0.0,   1,     -1,      5e-324, -5e-324, 1e-308, 2.3e-308,
-                                 1e-160, -1e160, 1e160, 1.7e308, -1e308, 0x1p300, 1e-15,  3};
-  return kNumbers[random() % std::size(kNumbers)];
-}
-
-Vec3 any_direction(Random& random) {
-  if (random() % 4 == 0) {
-    return {hostile(random), hostile(random), hostile(random)};
-  }
-  return std::ldexp(1, int(random() % 600) - 300) *
-         Vec3(between(random, -1, 1), between(random, -1, 1), between(random, -1, 1));
-}
-
-// Leaves that cover all pairs, with directions of any kind, or none.
-std::vector<DiscPairs> any_leaves(Random& random, double first, double second, bool ordered) {
-  const int cuts = 1 << random() % 5;
-  std::vector<DiscPairs> leaves;
-  for (int i = 0; i < int(first) * cuts; ++i) {
-    for (int j = ordered ? i : 0; j < int(second) * cuts; ++j) {
-      DiscPairs leaf{
-          {double(i) / cuts, double(i + 1) / cuts}, {double(j) / cuts, double(j + 1) / cuts}, {}};
-      if (random() % 3 != 0) {
-        leaf.direction = any_direction(random);
-      }
-      leaves.push_back(leaf);
-    }
-  }
-  return leaves;
-}
-
-double length(const CertifiedPart& p) {
-  const auto* its = std::get_if<Chain>(&p.shape);
-  return its != nullptr ? double(its->pieces.size()) : 1;
-}
-
-void separate(Certificate& c, ClearanceClaim& claim, double distance, Random& random) {
-  claim.verdict = Verdict::proved;
-  claim.overlap.reset();
-  claim.distance = distance;
-  claim.leaves =
-      any_leaves(random, length(c.parts[claim.first]), length(c.parts[claim.second]), false);
 }
 
 void embed(Certificate& c, const std::string& name, Random& random) {
@@ -160,6 +91,13 @@ Truth truth(Random& random) {
        << R"(, 0], "direction": [0, -1, 0], "length": 1, "radius": 1}},
   {"name": "loop", "cyclic_blend": {"from": "in.end", "to": "out.start", "radius_law": "R1", "k": )"
        << 60 * size << ", \"l\": " << 60 * size << R"(}},
+  {"name": "shell", "cyclide_chain": {"wall": )"
+       << between(random, .3, .6) << R"(, "direction": [0, 1, 0], "slope": 0,
+   "spheres": [[4, 500, 0, 1], [2.83, 502.83, 0, 1], [0, 504, 0, 1]]}},
+  {"name": "arm", "cyclide_chain": {"joints": "kneecaps", "spheres":
+   [[-4, 600, 0, 1], [-2, 600, 0, 1], [0, 600, 0, 1], [0, 602, 0, 1], [0, 604, 0, 1]]}},
+  {"name": "wrist", "pipe": {"from": "arm.end", "length": 2}},
+  {"name": "dot", "sphere": {"center": [1.06, 598.94, 0], "radius": 0.25}},
   {"name": "run", "pipe": {"from": [-20, 400, 0], "to": [20, 400, 0], "radius": 2}},
   {"name": "equal", "pipe": {"from": [-9, 400, 0], "to": [-9, 400, 9], "radius": 2}},
   {"name": "through", "pipe": {"from": [9, 391, 0.5], "to": [9, 409, 0.5], "radius": )"
@@ -174,8 +112,10 @@ Truth truth(Random& random) {
   return result;
 }
 
-const std::vector<Forgery>& forgeries() {
-  static const std::vector<Forgery> all{
+namespace {
+
+std::vector<Forgery> forgeries_of_pipes() {
+  return {
       {"a pipe and a ball further apart than they are",
        [](Certificate& c, const Truth&, Random& random) {
          const double r = std::get<ConstantRadius>(tube(c, "a").radius).radius;
@@ -504,6 +444,17 @@ const std::vector<Forgery>& forgeries() {
       {"another name", [](Certificate& c, const Truth&, Random&) { c.parts[0].name = "another"; },
        true},
       {"another unit", [](Certificate& c, const Truth&, Random&) { c.unit = Unit::inch; }, true}};
+}
+
+}  // namespace
+
+const std::vector<Forgery>& forgeries() {
+  static const std::vector<Forgery> all = [] {
+    std::vector<Forgery> both = forgeries_of_pipes();
+    const std::vector<Forgery> more = forgeries_of_chains();
+    both.insert(both.end(), more.begin(), more.end());
+    return both;
+  }();
   return all;
 }
 

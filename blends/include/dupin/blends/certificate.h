@@ -18,8 +18,9 @@ namespace dupin {
 
 /// What a certificate is about: a part as `resolve` made it. A solid chain with smooth joints is
 /// the union of its discs, which move for t in [0, 1] along every piece: the circles of a surface
-/// filled or, for an elliptic tube, the larger circles about its ellipses. A sphere is a ball. Of
-/// other chains, and of one without pieces, nothing is proven: all claims about them are undecided.
+/// filled or, for an elliptic tube, the larger circles about its ellipses. Of one with kneecaps
+/// they leave out what the joints' balls have between them. A sphere is a ball. Of a chain without
+/// pieces nothing is proven: all claims about it are undecided.
 struct CertifiedPart {
   std::string name, kind;
   PartSurface shape;
@@ -51,11 +52,21 @@ struct Overlap {
   ParameterInterval first, second;
 };
 
-/// The discs are pairwise disjoint.
+/// The discs are pairwise disjoint; those of a chain with kneecaps in each piece, and of its pieces
+/// and kneecaps all that are not neighbours.
 struct EmbeddedClaim {
   Verdict verdict = Verdict::undecided;
   std::vector<DiscPairs> leaves;   ///< proved: they cover all pairs first <= second
   std::optional<Overlap> overlap;  ///< refuted
+};
+
+/// How the pieces of a chain with kneecaps are meshed (docs/certificate_format.md).
+struct KneecapMesh {
+  double turn = 0;   ///< radians by which columns turn at most from row to row
+  double apart = 0;  ///< what is no further apart at a joint may count as one
+  /// Of every joint, and then of every one of the inner skin: its kneecap's triangles lie in
+  /// circles of at most the radius r sin(pi / segments), r being that of its ball.
+  std::vector<std::uint32_t> segments;
 };
 
 /// The mesh with vertices on the circles or ellipses at `knots` (those of spheres follow from the
@@ -66,6 +77,8 @@ struct MeshClaim {
   std::vector<double> knots;
   double error_bound = 0;
   double axes = 0;  ///< radians by which the axes of its ellipses may be turned in their planes
+  std::vector<double> inner_knots = {};  ///< those of a hollow chain's inner skin
+  std::optional<KneecapMesh> kneecaps = {};
 };
 
 struct PartClaims {

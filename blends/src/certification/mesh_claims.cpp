@@ -1,0 +1,66 @@
+#include "certification/mesh_claims.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "dupin/blends/cyclide_tube.h"
+#include "surfaces/kneecap_chain_mesh.h"
+
+namespace dupin::certification {
+namespace {
+
+constexpr double kAbove = 1 + 0x1p-40;  // what was rounded may be
+
+// The most segments that triangles so deep in a ball allow.
+std::uint32_t segments_of(double depth, double radius) {
+  const double half = std::acos(std::max(1 - depth / radius * kAbove, -1.0));
+  const double most = std::numbers::pi / half / kAbove;
+  return most < CertificateLimits::kSegments ? std::uint32_t(most) : CertificateLimits::kSegments;
+}
+
+// Appends to a claim about the skins outside of this one.
+void append_skin(const Chain& skin, const RingSampling& sampling, double tolerance,
+                 std::vector<double>& knots, MeshClaim& claim) {
+  if (skin.joints == Joints::smooth) {
+    Tessellation mesh = tessellate(skin, sampling, {tolerance});
+    knots = std::move(mesh.knots);
+    claim.error_bound = std::max(claim.error_bound, mesh.error_bound);
+    claim.axes = std::max(claim.axes, mesh.axes);
+    return;
+  }
+  const std::vector<PeArc> arcs = cyclide_pieces(skin);
+  surfaces::KneecapChainMesh mesh = surfaces::kneecap_chain_mesh(
+      end_ring(skin, End::start), end_ring(skin, End::end), arcs, sampling, {tolerance});
+  knots = std::move(mesh.knots);
+  claim.error_bound = std::max(claim.error_bound, mesh.tessellation.error_bound);
+  KneecapMesh& knees = claim.kneecaps ? *claim.kneecaps : claim.kneecaps.emplace();
+  knees.turn = std::max(knees.turn, kAbove * mesh.turn);
+  knees.apart = std::max(knees.apart, kAbove * mesh.apart);
+  for (std::size_t i = 0; i < mesh.depths.size(); ++i) {
+    knees.segments.push_back(segments_of(mesh.depths[i], arcs[i].end().r));
+  }
+}
+
+}  // namespace
+
+std::optional<MeshClaim> mesh_claim(const Sphere& sphere, const RingSampling& sampling, double) {
+  return MeshClaim{sampling.segments, sampling.grid, {}, tessellate(sphere, sampling).error_bound};
+}
+
+// Polygons of joints with kneecaps have no longer steps than regular ones of a segment less.
+std::optional<MeshClaim> mesh_claim(const Chain& chain, const RingSampling& sampling,
+                                    double tolerance) {
+  const bool has_kneecaps = chain.joints == Joints::spherical;
+  MeshClaim claim{has_kneecaps ? sampling.segments - 1 : sampling.segments, sampling.grid, {}, 0};
+  Chain outside = chain;
+  outside.wall = 0;
+  append_skin(outside, sampling, tolerance, claim.knots, claim);
+  if (chain.wall > 0) {
+    append_skin(inner_skin(chain), sampling, tolerance, claim.inner_knots, claim);
+  }
+  return claim.knots.empty() ? std::nullopt : std::optional(std::move(claim));
+}
+
+}  // namespace dupin::certification
