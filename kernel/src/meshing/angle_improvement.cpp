@@ -17,8 +17,9 @@ namespace dupin::meshing {
 namespace {
 
 constexpr int kRounds = 12;
-/// Angles are made a little larger than wanted, for what is moved beside them later.
-constexpr double kMore = 1.04;
+/// Angles are made a little larger than wanted, for what is moved beside them later, and larger
+/// still where that is not enough: neighbours that are good enough make room.
+constexpr double kMore = 1.04, kMuchMore = 1.4;
 /// A move has to gain so much, in radians.
 constexpr double kGain = 1e-6;
 
@@ -278,13 +279,16 @@ void improve_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wa
                     const MoveLimits& limits) {
   const Stars stars(mesh);
   Search search(mesh, surface, stars, limits);
-  const double enough = wanted * kMore;
-  in_rounds([&] { return points_near_poor_triangles(mesh, stars, enough); },
-            [&](std::uint32_t v) {
-              return search.improve(
-                  v, enough, [&](std::uint32_t w) { return stars.angle_around(w, enough); },
-                  [](std::uint32_t) { return true; });
-            });
+  const auto improve = [&](double poor, double enough) {
+    in_rounds([&] { return points_near_poor_triangles(mesh, stars, poor); },
+              [&](std::uint32_t v) {
+                return search.improve(
+                    v, enough, [&](std::uint32_t w) { return stars.angle_around(w, enough); },
+                    [](std::uint32_t) { return true; });
+              });
+  };
+  improve(wanted * kMore, wanted * kMore);
+  improve(wanted, wanted * kMuchMore);
 }
 
 void improve_dihedral_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wanted,

@@ -118,6 +118,36 @@ class Placer {
     for (const std::uint32_t c : curves) {
       radius = std::min(radius, kCornerShareOfGap * lengths_.gap_beside(place, c, curves, reach));
     }
+    for (const std::uint32_t c : curves) {
+      radius = graded_radius(place, c, curves, radius);
+    }
+    return radius;
+  }
+
+  /// No larger than what lengths grow to from those further along a curve. Gaps to other curves of
+  /// the corner, which are as small as its ball is, count where they get smaller again.
+  [[nodiscard]] double graded_radius(const Vec3& corner, std::uint32_t c,
+                                     const std::vector<std::uint32_t>& curves,
+                                     double radius) const {
+    const std::vector<Vec3>& points = features_.curves[c].points;
+    const Path path(points);
+    for (const bool from_end : {false, true}) {
+      if ((from_end ? points.back() : points.front()) != corner) {
+        continue;
+      }
+      double least = 0;  // of gaps to all
+      for (double along = radius;
+           kRadius * kGrowth * along < radius && along < path.length() / 2;) {
+        const Vec3 place = path.place(from_end ? path.length() - along : along);
+        const double reach = radius / kRadius / kShareOfGap;
+        const double to_all = lengths_.gap_beside(place, c, {c}, reach);
+        const double gap = to_all < least ? to_all : lengths_.gap_beside(place, c, curves, reach);
+        least = least > 0 ? std::min(least, to_all) : to_all;
+        const double length = std::min(lengths_.along(place, c) * shares_[c], kShareOfGap * gap);
+        radius = std::min(radius, kRadius * (length + kGrowth * along));
+        along += std::max(length, kGrowth * along) / 2;
+      }
+    }
     return radius;
   }
 
@@ -168,6 +198,9 @@ class Placer {
       }
       along = std::min(next, end);
     }
+    const auto [first, last] = ends_[c];
+    limit_growth({0, result_.points[first].radius / kRadius}, samples.front());
+    limit_growth({path.length(), result_.points[last].radius / kRadius}, samples.back());
     for (std::size_t i = 1; i < samples.size(); ++i) {
       limit_growth(samples[i - 1], samples[i]);
     }

@@ -21,10 +21,6 @@ constexpr int kRounds = 8;
 /// An edit has to gain so much, in radians.
 constexpr double kGain = 1e-6;
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
-Edge edge_of(std::uint32_t a, std::uint32_t b) { return std::minmax(a, b); }
-
 bool has(const Triangle& triangle, std::uint32_t point) {
   return std::ranges::find(triangle, point) != triangle.end();
 }
@@ -52,7 +48,7 @@ class Round {
       }
     }
     if (has_edited) {
-      drop_gone();
+      take_away(mesh_, is_gone_);
     }
     return has_edited;
   }
@@ -198,37 +194,6 @@ class Round {
     }
   }
 
-  void drop_gone() {
-    std::size_t next = 0;
-    std::vector<std::uint32_t> numbers(mesh_.points.size(), support::kNone);
-    for (std::size_t f = 0; f < mesh_.triangles.size(); ++f) {
-      if (is_gone_[f] == 0) {
-        mesh_.triangles[next] = mesh_.triangles[f];
-        mesh_.regions[next++] = mesh_.regions[f];
-      }
-    }
-    mesh_.triangles.resize(next);
-    mesh_.regions.resize(next);
-    for (const Triangle& t : mesh_.triangles) {
-      for (const std::uint32_t v : t) {
-        numbers[v] = 0;
-      }
-    }
-    next = 0;
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
-      if (numbers[v] == 0 || mesh_.freedoms[v] != Freedom::region) {
-        numbers[v] = static_cast<std::uint32_t>(next);
-        mesh_.points[next] = mesh_.points[v];
-        mesh_.freedoms[next++] = mesh_.freedoms[v];
-      }
-    }
-    mesh_.points.resize(next);
-    mesh_.freedoms.resize(next);
-    for (Triangle& t : mesh_.triangles) {
-      std::ranges::transform(t, t.begin(), [&](std::uint32_t v) { return numbers[v]; });
-    }
-  }
-
   Tetrahedra& mesh_;
   const ReferenceSurface& surface_;
   const std::set<Edge>& kept_;
@@ -241,14 +206,52 @@ class Round {
 
 }  // namespace
 
-bool edit_edges(Tetrahedra& mesh, const ReferenceSurface& surface,
-                std::span<const BorderChain> chains, double wanted, const MoveLimits& limits) {
-  std::set<Edge> kept;
+Edge edge_of(std::uint32_t a, std::uint32_t b) { return std::minmax(a, b); }
+
+std::set<Edge> edges_of(std::span<const BorderChain> chains) {
+  std::set<Edge> edges;
   for (const BorderChain& chain : chains) {
     for (std::size_t i = 1; i < chain.points.size(); ++i) {
-      kept.insert(edge_of(chain.points[i - 1], chain.points[i]));
+      edges.insert(edge_of(chain.points[i - 1], chain.points[i]));
     }
   }
+  return edges;
+}
+
+void take_away(Tetrahedra& mesh, const std::vector<std::uint8_t>& is_gone) {
+  std::size_t next = 0;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    if (is_gone[f] == 0) {
+      mesh.triangles[next] = mesh.triangles[f];
+      mesh.regions[next++] = mesh.regions[f];
+    }
+  }
+  mesh.triangles.resize(next);
+  mesh.regions.resize(next);
+  std::vector<std::uint32_t> numbers(mesh.points.size(), support::kNone);
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t v : t) {
+      numbers[v] = 0;
+    }
+  }
+  next = 0;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    if (numbers[v] == 0 || mesh.freedoms[v] != Freedom::region) {
+      numbers[v] = static_cast<std::uint32_t>(next);
+      mesh.points[next] = mesh.points[v];
+      mesh.freedoms[next++] = mesh.freedoms[v];
+    }
+  }
+  mesh.points.resize(next);
+  mesh.freedoms.resize(next);
+  for (Triangle& t : mesh.triangles) {
+    std::ranges::transform(t, t.begin(), [&](std::uint32_t v) { return numbers[v]; });
+  }
+}
+
+bool edit_edges(Tetrahedra& mesh, const ReferenceSurface& surface,
+                std::span<const BorderChain> chains, double wanted, const MoveLimits& limits) {
+  const std::set<Edge> kept = edges_of(chains);
   bool has_edited = false;
   for (int round = 0; round < kRounds && Round(mesh, surface, kept, wanted, limits).run();
        ++round) {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <set>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "meshing/angle_improvement.h"
 #include "meshing/patch_topology.h"
@@ -8,6 +12,15 @@
 #include "meshing/tetrahedra.h"
 
 namespace dupin::meshing {
+
+/// Two points, the lower one first.
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+[[nodiscard]] Edge edge_of(std::uint32_t a, std::uint32_t b);
+[[nodiscard]] std::set<Edge> edges_of(std::span<const BorderChain> chains);
+
+/// Takes triangles away, and points of regions that no triangle has any more; what is left keeps
+/// its order.
+void take_away(Tetrahedra& mesh, const std::vector<std::uint8_t>& is_gone);
 
 /// Changes which points of a surface triangles join, where one has a smaller angle than `wanted`,
 /// in radians: edges are turned in their two triangles, and points that may move are drawn into a

@@ -13,8 +13,9 @@
 /// edges are poor, and surface_distance.h proves how far the surface is from the one given.
 /// solver_mesh_maker.h strings them together for tetrahedra. Surfaces are surface_mesh_maker.h's:
 /// curve_points.h places points along curves, region_mesher.h gives each region a mesh that ends
-/// there, of triangles that patch_topology.h turns outward and edge_edits.h joins otherwise where
-/// they are poor still; incidence.h knows which are at a point.
+/// there, of triangles that patch_topology.h turns outward, edge_cuts.h brings near the surface,
+/// and edge_edits.h joins otherwise, or patch_trials.h makes anew, where they are poor still;
+/// incidence.h knows which are at a point.
 namespace dupin::meshing {
 
 /// A polyline of sharp edges, from corner to corner or, if it ends where it begins, around.

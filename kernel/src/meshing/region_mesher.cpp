@@ -10,9 +10,11 @@
 
 #include "meshing/angle_improvement.h"
 #include "meshing/delaunay_refinement.h"
+#include "meshing/edge_cuts.h"
 #include "meshing/edge_edits.h"
 #include "meshing/edge_lengths.h"
 #include "meshing/patch_topology.h"
+#include "meshing/patch_trials.h"
 #include "meshing/seeds.h"
 #include "meshing/surface_distance.h"
 #include "meshing/tetrahedra.h"
@@ -40,14 +42,16 @@ class Mesher {
   }
 
   std::optional<RegionMesh> run() {
+    if (!has_near_borders()) {
+      return std::nullopt;
+    }
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       made_ = refined();
       if (!is_patch()) {
         wish_.share /= 2;
         continue;
       }
-      improve();
-      const std::optional<double> deviation = this->deviation();
+      const std::optional<double> deviation = improved();
       if (!deviation) {
         wish_.share /= 2;
       } else if (const double longest = longest_edge(); longest > given_.largest_edge()) {
@@ -76,9 +80,45 @@ class Mesher {
     return refine_surface(region_.mesh, region_.features, balls_, wanted, progress_);
   }
 
-  void improve() {
+  /// Whether edges between neighbours of the chains, which every mesh has, may be within the
+  /// distance.
+  [[nodiscard]] bool has_near_borders() {
+    for (const std::vector<std::uint32_t>& chain : balls_.chains) {
+      for (std::size_t i = 1; i < chain.size(); ++i) {
+        const Vec3 &a = balls_.points[chain[i - 1]].place, &b = balls_.points[chain[i]].place;
+        if (!surface_.nearest((a + b) / 2, 0, options_.distance)) {
+          wish_.fault = given_.too_far({a, b, (a + b) / 2});
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// Makes the mesh better, cuts it where it is too far off, and returns its distance, if that can
+  /// be proved.
+  std::optional<double> improved() {
+    for (const double share : {0.9, 0.8, 0.7}) {
+      const MoveLimits limits = {given_.largest_edge(), share * options_.distance};
+      cut_far_edges(made_, surface_, borders_, limits.distance);
+      improve(limits);
+      if (const std::optional<double> deviation = this->deviation()) {
+        const Tetrahedra before = made_;
+        if (!try_patches(made_, surface_, borders_, options_.smallest_angle, limits)) {
+          return deviation;
+        }
+        if (const std::optional<double> now = this->deviation()) {
+          return now;
+        }
+        made_ = before;
+        return deviation;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void improve(const MoveLimits& limits) {
     constexpr int kRounds = 3;
-    const MoveLimits limits = given_.move_limits();
     improve_angles(made_, surface_, options_.smallest_angle, limits);
     for (int round = 0;
          round < kRounds && edit_edges(made_, surface_, borders_, options_.smallest_angle, limits);

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -11,11 +13,11 @@ namespace dupin::meshing {
 namespace {
 
 struct Case {
-  explicit Case(TriMesh given, double largest = 1)
+  explicit Case(TriMesh given, double largest = 1, double distance = 0.01)
       : mesh(std::move(given)),
         features(find_features(mesh, 0.7, 0.01)),
         surface(mesh.points, mesh.triangles, features.regions),
-        lengths(surface, features, 0.01, largest),
+        lengths(surface, features, distance, largest),
         shares(features.curves.size(), 1) {}
   [[nodiscard]] CurvePoints points(std::size_t most = 10'000) const {
     return points_along(features, lengths, shares, most);
@@ -102,6 +104,69 @@ TEST(CurvePoints, protect_edges_that_meet_at_a_small_angle) {
   }
   const Case given(wedge);
   expect_protected(given, given.points());
+}
+
+/// A prism over what is below a polyline from the origin, up to x = 4, and above the x-axis.
+TriMesh prism_below(const std::vector<std::array<double, 2>>& line, double height) {
+  TriMesh mesh;
+  const auto n = static_cast<std::uint32_t>(line.size());
+  for (const double z : {0.0, height}) {
+    for (const auto& [x, y] : line) {
+      mesh.points.emplace_back(x, 0, z);
+      mesh.points.emplace_back(x, y, z);
+    }
+  }
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    for (const Triangle& t : {Triangle{a, b, c}, Triangle{a, c, d}}) {
+      mesh.triangles.push_back(t);
+    }
+  };
+  const std::uint32_t up = 2 * n;
+  for (std::uint32_t i = 0; i + 1 < n; ++i) {
+    const std::uint32_t a = 2 * i, b = a + 2;
+    add(a, a + 1, b + 1, b);
+    add(up + a, up + b, up + b + 1, up + a + 1);
+    add(a, b, up + b, up + a);
+    add(b + 1, a + 1, up + a + 1, up + b + 1);
+  }
+  add(2 * n - 2, 2 * n - 1, up + 2 * n - 1, up + 2 * n - 2);
+  // The first points of the line and of the axis are one.
+  for (Triangle& t : mesh.triangles) {
+    std::ranges::replace(t, 1U, 0U);
+    std::ranges::replace(t, up + 1, up);
+  }
+  std::erase_if(mesh.triangles,
+                [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  return mesh;
+}
+
+TEST(CurvePoints,
+     get_nearer_each_other_step_by_step_from_a_corner_to_where_two_curves_nearly_meet) {
+  // Two curves from one corner come near each other again, further along.
+  const Case given(prism_below({{0, 0},
+                                {0.3, 0.5},
+                                {0.6, 0.62},
+                                {0.7, 0.61},
+                                {0.8, 0.55},
+                                {0.95, 0.38},
+                                {1.1, 0.13},
+                                {1.25, 0.03},
+                                {1.45, 0.03},
+                                {1.7, 0.15},
+                                {2.2, 0.6},
+                                {4, 2}},
+                               4),
+                   1, 1);
+  const CurvePoints made = given.points();
+  expect_protected(given, made);
+  for (const auto& chain : made.chains) {
+    for (std::size_t i = 2; i < chain.size(); ++i) {
+      const Vec3 &p = made.points[chain[i - 2]].place, &q = made.points[chain[i - 1]].place,
+                 &r = made.points[chain[i]].place;
+      const double ratio = (r - q).norm() / (q - p).norm();
+      EXPECT_LT(std::max(ratio, 1 / ratio), 2.2) << q.transpose();
+    }
+  }
 }
 
 TEST(CurvePoints, do_not_mind_curves_without_a_region_in_common) {

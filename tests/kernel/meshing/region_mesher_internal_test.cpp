@@ -66,6 +66,20 @@ TEST(RegionMesher, meshes_flat_and_round_regions_to_their_curves) {
   }
 }
 
+TEST(RegionMesher, refines_once_and_cuts_edges_that_are_too_far_off) {
+  for (const double radius : {1.4, 1.7, 2.0, 2.3, 2.6}) {
+    const Case tube(test::tube(radius, 0, 6, 64));
+    for (std::size_t r = 0; r < tube.regions.size(); ++r) {
+      RegionWish wish;
+      const auto made = mesh_region(tube.regions[r], tube.balls(r), tube.given, wish, {});
+      ASSERT_TRUE(made.has_value()) << wish.fault;
+      EXPECT_EQ(wish.share, RegionWish().share) << "more was asked for, radius " << radius;
+      EXPECT_LE(made->deviation, 0.05);
+      EXPECT_GE(test::smallest_angle({made->points, made->triangles, {}, {}}), 25 * test::kDegree);
+    }
+  }
+}
+
 TEST(RegionMesher, says_why_there_is_no_mesh) {
   // Points so far apart that edges between them are not within the distance.
   Case tube(test::tube(2, 0, 6, 64), 0.05);
