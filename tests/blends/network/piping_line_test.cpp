@@ -124,8 +124,10 @@ TEST(PipingLine, leaves_ends_apart_beyond_the_snap_and_bridges_them_where_asked)
   Line line;
   line.pipe({0, 0, 0}, {1000, 0, 0}).pipe({1000, .4, .3}, {2000, .4, .3});
   const PipingNetwork apart = line.made();
-  EXPECT_TRUE(apart.joints.empty());
-  EXPECT_EQ(apart.open_ends, 4);
+  ASSERT_EQ(apart.joints.size(), 1);
+  EXPECT_EQ(apart.joints[0].state, JointState::apart);
+  EXPECT_NEAR(apart.joints[0].distance, .5, 1e-12);
+  EXPECT_EQ(apart.open_ends, 2);
   const PipingNetwork bridged = line.made({.bridge = 1});
   ASSERT_EQ(bridged.joints.size(), 1);
   EXPECT_EQ(bridged.joints[0].state, JointState::bridged);
@@ -342,6 +344,141 @@ TEST(PipingLine, gives_fittings_that_turn_sharply_a_ball) {
   const PipingNetwork network = line.made();
   EXPECT_EQ(kind(part(network, "c0").shape), "sphere");
   (void)solid(network);
+}
+
+// A fitting of arms of that length and those directions, with pipes joined to it.
+Line sharp_fitting(double leg, const std::vector<Vec3>& directions,
+                   const std::vector<double>& radii) {
+  Line line;
+  line.add(PipingShape::fitting, {}).last().center = Vec3::Zero();
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const Vec3 end = leg * directions[k];
+    line.last().ports.push_back({end, radii[k], 12 + k});
+  }
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    line.pipe(leg * directions[k], (leg + 300) * directions[k], radii[k]);
+  }
+  return line;
+}
+
+TEST(PipingLine, joins_the_arms_of_fittings_that_turn_sharply_whatever_their_length_and_wall) {
+  const double sine = std::sqrt(.75);
+  const std::vector<std::vector<Vec3>> fittings{{{0, 0, -1}, {1, 0, 0}},
+                                                {{1, 0, 0}, {-.5, sine, 0}, {-.5, -sine, 0}},
+                                                {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (const double leg : {20., 60., 135., 300., 2000.}) {
+    for (const auto& directions : fittings) {
+      for (const double thin : {50., 20.}) {
+        std::vector<double> radii(directions.size(), 50);
+        radii.back() = thin;
+        PipingOptions options;
+        options.wall = 4;
+        const PipingNetwork network = sharp_fitting(leg, directions, radii).made(options);
+        ASSERT_EQ(kind(part(network, "c0").shape), "sphere");
+        const Built outer = build(network.assembly, {.tolerance = 2, .region = Region::outer});
+        EXPECT_EQ(outer.solid.components(), 1) << leg;
+        EXPECT_EQ(outer.solid.euler_number(), 2) << leg;
+        const Built fluid = build(network.assembly, {.tolerance = 2, .region = Region::fluid});
+        EXPECT_EQ(fluid.solid.components(), 1) << leg;
+        EXPECT_EQ(fluid.solid.euler_number(), 2) << leg;
+        const Built metal = build(network.assembly, {.tolerance = 2, .region = Region::metal});
+        EXPECT_EQ(metal.solid.components(), 1) << leg;
+        EXPECT_EQ(metal.solid.euler_number(), 4 - 2 * std::ptrdiff_t(directions.size())) << leg;
+      }
+    }
+  }
+}
+
+// As far apart as `dupin gaps` takes them for ends that belong together, if it is not told.
+TEST(PipingLine, says_that_ends_miss_each_other_by_up_to_a_millimetre) {
+  for (const double gap : {.06, .1, .999}) {
+    Line line;
+    line.pipe({0, 0, 0}, {500, 0, 0}).pipe({500 + gap, 0, 0}, {900, 0, 0});
+    line.pipe({900, 0, 0}, {1200, 0, 0});
+    const PipingNetwork network = line.made();
+    ASSERT_EQ(network.joints.size(), 2);
+    EXPECT_EQ(network.joints[0].state, JointState::apart);
+    EXPECT_EQ(network.joints[0].lines, (std::array<std::size_t, 2>{12, 21}));
+    EXPECT_EQ(network.joints[1].state, JointState::met);
+    EXPECT_EQ(network.open_ends, 2);
+  }
+  Line far;
+  far.pipe({0, 0, 0}, {500, 0, 0}).pipe({501.1, 0, 0}, {900, 0, 0});
+  EXPECT_TRUE(far.made().joints.empty());
+  EXPECT_EQ(far.made().open_ends, 4);
+  Line beside;  // ends that look the same way
+  beside.pipe({0, 0, 0}, {500, 0, 0}, .2).pipe({0, .5, 0}, {500, .5, 0}, .2);
+  EXPECT_TRUE(beside.made().joints.empty());
+}
+
+TEST(PipingLine, gives_fittings_a_ball_whose_branch_is_thicker_than_their_run) {
+  for (const double thin : {20., 45.}) {
+    const PipingNetwork network =
+        sharp_fitting(150, {{-1, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {thin, 50 - thin / 2, 50})
+            .made({.wall = 4});
+    EXPECT_EQ(kind(part(network, "c0").shape), "sphere");
+    const Built metal = build(network.assembly, {.tolerance = 2});
+    EXPECT_EQ(metal.solid.components(), 1);
+    EXPECT_EQ(metal.solid.euler_number(), -2);
+  }
+}
+
+TEST(PipingLine, bridges_no_ends_that_look_away_from_each_other) {
+  Line line;
+  line.pipe({0, 0, 0}, {500, 0, 0}).pipe({600, 0, 0}, {900, 0, 0});
+  const PipingNetwork network = line.made({.bridge = 1000});
+  ASSERT_EQ(network.joints.size(), 1);
+  EXPECT_EQ(network.joints[0].state, JointState::bridged);
+  EXPECT_EQ(network.joints[0].distance, 100);
+  EXPECT_EQ(network.open_ends, 2);
+  (void)solid(network);
+}
+
+// A square of pipes and bends, one bend of which may miss, and one joint of which may be a gap.
+TEST(PipingLine, closes_loops_with_a_gap_or_a_kink_anywhere) {
+  for (const int gap_at : {-1, 0, 1, 2, 3}) {
+    for (const int kink_at : {-1, 0, 2, 3}) {
+      Line line;
+      const Vec3 corners[] = {{0, 0, 0}, {1000, 0, 0}, {1000, 1000, 0}, {0, 1000, 0}};
+      for (int k = 0; k < 4; ++k) {
+        const Vec3 &corner = corners[k], &next = corners[(k + 1) % 4], &last = corners[(k + 3) % 4];
+        const Vec3 in = (corner - last).normalized(), out = (next - corner).normalized();
+        const Vec3 begin = k == kink_at ? corner : Vec3(corner + 200 * out);
+        const Vec3 end = (k + 1) % 4 == kink_at ? next : Vec3(next - 200 * out);
+        line.pipe(begin + (k == gap_at ? 2. : 0.) * out, end);
+        if (k != kink_at) {
+          line.bend(corner - 200 * in, corner, corner + 200 * out);
+        }
+      }
+      const PipingNetwork network = line.made({.bridge = 5});
+      EXPECT_EQ(network.open_ends, 0);
+      for (const PipingJoint& joint : network.joints) {
+        const bool is_kink = joint.kink > .1, is_gap = joint.distance > .05;
+        EXPECT_EQ(joint.state == JointState::bridged, is_gap) << gap_at << " " << kink_at;
+        EXPECT_NE(joint.state, JointState::apart) << gap_at << " " << kink_at;
+        EXPECT_TRUE(!is_kink || joint.state != JointState::met) << gap_at << " " << kink_at;
+        EXPECT_EQ(joint.part.empty(), joint.state == JointState::met);
+      }
+      const Built built = build(network.assembly, {.tolerance = 3});
+      EXPECT_EQ(built.solid.components(), 1) << gap_at << " " << kink_at;
+      EXPECT_EQ(built.solid.euler_number(), 0) << gap_at << " " << kink_at;
+      for (const GapPair& gap : built.gaps) {
+        EXPECT_EQ(gap.report.verdict, GapVerdict::welded) << gap_at << " " << kink_at;
+      }
+    }
+  }
+}
+
+TEST(PipingLine, notes_branches_without_length_and_branches_of_nothing) {
+  Line line;
+  line.pipe({0, 0, 0}, {500, 0, 0}).tee({500, 0, 0}, {600, 0, 0}, {700, 0, 0}, {600, 0, 0});
+  line.add(PipingShape::fitting, {{300, 2000, 120}}, 25).last().center = Vec3(300, 2000, 0);
+  line.add(PipingShape::fitting, {{300, 0, 120}}, 25).last().center = Vec3(300, 20, 0);
+  const std::string said = notes(line.made());
+  EXPECT_THAT(said, HasSubstr("20: c1: its end at line 23 lies in its centre; there is no arm"));
+  EXPECT_THAT(said, HasSubstr("30: c2: its centre lies in no other component; its branch begins "
+                              "there, joined to nothing"));
+  EXPECT_THAT(said, testing::Not(HasSubstr("c3")));
 }
 
 TEST(PipingLine, keeps_eccentric_parts_flat) {
