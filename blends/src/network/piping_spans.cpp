@@ -294,6 +294,11 @@ class Spans {
       const double begin = std::min(kInBall * leg.norm(), kInBallBeyondArm * (ball - thickest));
       add_arm(component.name + "-arm" + std::to_string(k + 1), i, center + begin * leg.normalized(),
               arms[k]);
+      if (!partners_[arms[k]] && leg.norm() < ball) {
+        notes_.add(component, "its end at line " + std::to_string(result_.ports[arms[k]].line) +
+                                  " lies inside of its ball of radius " +
+                                  decimal(ball, kMessageDigits) + ", and opens nowhere");
+      }
     }
     result_.balls.push_back({component.name, i, center, ball});
   }

@@ -114,6 +114,17 @@ TEST(PipingFittings, gives_fittings_a_ball_whose_branch_is_thicker_than_their_ru
   }
 }
 
+TEST(PipingFittings, notes_open_ends_inside_of_a_ball) {
+  Line line;
+  line.add(PipingShape::fitting, {{0, 0, -52}, {52, 0, 0}}).last().center = Vec3::Zero();
+  line.pipe({0, 0, -52}, {0, 0, -500});
+  EXPECT_THAT(notes(line.made()),
+              HasSubstr("10: c0: its end at line 12 lies inside of its ball of radius 52.5, and "
+                        "opens nowhere\n"));
+  line.pipe({52, 0, 0}, {500, 0, 0});
+  EXPECT_EQ(notes(line.made()), "");
+}
+
 TEST(PipingFittings, notes_branches_without_length_and_branches_of_nothing) {
   Line line;
   line.pipe({0, 0, 0}, {500, 0, 0}).tee({500, 0, 0}, {600, 0, 0}, {700, 0, 0}, {600, 0, 0});
