@@ -95,8 +95,10 @@ TEST_F(Pcf, misfits_are_found_bridged_and_reported) {
   write(folder_.path() / "a.pcf", kHead + pipe(0, 1000) + pipe(1000.25, 2000));
   const auto gaps = json({"gaps", "a.pcf"}, 1);
   EXPECT_EQ(gaps.at("findings"), 1);
-  EXPECT_EQ(json({"build", "a.pcf", "-o", "a.stl"}, 0).at("output").at("check").at("components"),
-            2);
+  const auto apart = json({"build", "a.pcf", "-o", "a.stl"}, 1);
+  EXPECT_EQ(apart.at("output").at("check").at("components"), 2);
+  EXPECT_EQ(apart.at("piping").at("joints").at(0).at("state"), "apart");
+  EXPECT_EQ(apart.at("piping").at("open_ends"), 2);
   const auto report = json({"build", "a.pcf", "-o", "a.stl", "--bridge", "0.5mm"}, 0);
   EXPECT_EQ(report.at("output").at("check").at("components"), 1);
   const auto& joint = report.at("piping").at("joints").at(0);

@@ -194,9 +194,11 @@ bool GraphPlan::plan_junction(std::size_t node) {
     const double straight = straight_length(search.junction->arms[i]) / std::hypot(1, end.slope);
     nearer.push_back(back[i] - std::max(0.0, straight - end.radius / 16));
   }
-  if (searched(node, nearer).junction) {
+  if (const auto shorter = searched(node, nearer).junction) {
     back = std::move(nearer);
+    search.junction = shorter;
   }
+  nodes_[node].hub = search.junction->hub.radius;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     setback(edges[i], node) = back[i];
   }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace dupin::network {
 /// Of a ball, by its node's radius.
 constexpr double kBall = 1.1;
 
+/// Of the reason for which a node is left out whose ball was refused; its name follows.
+constexpr std::string_view kRefusedBall = "ball ";
+
 /// What a node becomes; those that were merged with others are gone.
 enum class NodeKind : std::uint8_t { end, blend, junction, ball, gone };
 
@@ -24,6 +28,7 @@ struct PlannedNode {
   NodeKind kind = NodeKind::end;
   bool is_planned = false;
   std::vector<std::size_t> edges = {};
+  double hub = 0;  ///< of a junction, its hub's radius
 };
 
 struct PlannedEdge {

@@ -1,7 +1,9 @@
 #include "network/passing_edges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <set>
 
 namespace dupin::network {
 namespace {
@@ -79,6 +81,68 @@ bool share_node(const GraphEdge& a, const GraphEdge& b) {
   return a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;
 }
 
+// A part of an edge, or of what a node became: a hub, or an arm along an edge.
+struct Piece {
+  Span span;
+  std::optional<std::size_t> node = {}, edge = {};
+};
+
+// The arc between the rings of a blend's edges, as so many chords.
+constexpr int kChords = 4;
+
+void add_bend(const GraphPlan& plan, std::size_t node, std::vector<Piece>& pieces) {
+  const auto& edges = plan.nodes()[node].edges;
+  const auto end = [&](std::size_t edge) {
+    const PlannedEdge& planned = plan.edges()[edge];
+    return plan.ring(edge, node, planned.setbacks[planned.ends.from == node ? 0 : 1]);
+  };
+  const Ring a = end(edges[0]), b = end(edges[1]);
+  const Vec3& corner = plan.nodes()[node].ball.center;
+  const double weight = (a.normal - b.normal).norm() / 2;  // the cosine of half the turn
+  const auto at = [&](double t) {
+    const double u = (1 - t) * (1 - t), v = 2 * weight * t * (1 - t), w = t * t;
+    return Vec3((u * a.center + v * corner + w * b.center) / (u + v + w));
+  };
+  for (int i = 0; i < kChords; ++i) {
+    const double t = double(i) / kChords, next = double(i + 1) / kChords;
+    const double step = (b.radius - a.radius) / kChords;
+    pieces.push_back({{at(t), at(next) - at(t), a.radius + i * step, step}, node, {}});
+  }
+}
+
+void add_node_pieces(const GraphPlan& plan, std::size_t node, std::vector<Piece>& pieces) {
+  const PlannedNode& planned = plan.nodes()[node];
+  const Vec3& center = planned.ball.center;
+  if (planned.kind == NodeKind::ball) {
+    pieces.push_back({{center, Vec3::Zero(), kBall * planned.ball.radius, 0}, node, {}});
+  } else if (planned.kind == NodeKind::blend) {
+    add_bend(plan, node, pieces);
+  } else if (planned.kind == NodeKind::junction) {
+    pieces.push_back({{center, Vec3::Zero(), planned.hub, 0}, node, {}});
+    for (const std::size_t edge : planned.edges) {
+      const PlannedEdge& ends = plan.edges()[edge];
+      const Ring ring = plan.ring(edge, node, ends.setbacks[ends.ends.from == node ? 0 : 1]);
+      pieces.push_back({{ring.center, center - ring.center, ring.radius, 0}, node, edge});
+    }
+  }
+}
+
+bool is_incident(const GraphPlan& plan, std::size_t edge, std::size_t node) {
+  return plan.edges()[edge].ends.from == node || plan.edges()[edge].ends.to == node;
+}
+
+// Whether the pieces meet as they should, one of which is a node's.
+bool are_joined(const GraphPlan& plan, const Piece& a, const Piece& b) {
+  if (!a.node || !b.node) {
+    return is_incident(plan, a.node ? *b.edge : *a.edge, a.node ? *a.node : *b.node);
+  }
+  const auto& edges = plan.nodes()[*a.node].edges;
+  const auto between = std::ranges::find_if(
+      edges, [&](std::size_t edge) { return plan.other_end(edge, *a.node) == *b.node; });
+  return *a.node == *b.node || (between != edges.end() &&
+                                ((!a.edge && !b.edge) || a.edge == *between || b.edge == *between));
+}
+
 }  // namespace
 
 bool pass(const GraphPlan& plan, std::size_t one, std::size_t other) {
@@ -109,6 +173,35 @@ std::vector<std::array<std::size_t, 2>> passing_edges(const GraphPlan& plan) {
   }
   std::ranges::sort(result);
   return result;
+}
+
+std::vector<PassingNode> passing_nodes(const GraphPlan& plan) {
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < plan.edges().size(); ++i) {
+    if (plan.edges()[i].is_left) {
+      pieces.push_back({span_of(plan, i), {}, i});
+    }
+  }
+  for (std::size_t node = 0; node < plan.nodes().size(); ++node) {
+    add_node_pieces(plan, node, pieces);
+  }
+  std::ranges::stable_sort(pieces, {}, [](const Piece& piece) { return piece.span.low(); });
+  std::set<PassingNode> result;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const double high = pieces[k].span.high();
+    for (std::size_t l = k + 1; l < pieces.size() && pieces[l].span.low() <= high; ++l) {
+      const Piece &a = pieces[k], &b = pieces[l];
+      if ((!a.node && !b.node) || are_joined(plan, a, b) || !pass(a.span, b.span)) {
+        continue;
+      }
+      if (a.node && b.node) {
+        result.insert({std::min(*a.node, *b.node), {}, std::max(*a.node, *b.node)});
+      } else {
+        result.insert({a.node ? *a.node : *b.node, a.node ? b.edge : a.edge, 0});
+      }
+    }
+  }
+  return {result.begin(), result.end()};
 }
 
 }  // namespace dupin::network

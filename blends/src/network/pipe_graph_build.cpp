@@ -1,9 +1,13 @@
 #include <algorithm>
+#include <array>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "assembly/bore.h"
 #include "dupin/blends/pipe_graph.h"
 #include "dupin/kernel/error.h"
+#include "network/graph_plan.h"
 
 namespace dupin {
 namespace {
@@ -25,6 +29,22 @@ std::string refused_part(const PipeNetwork& network, const Error& error) {
   return is_of_part && is_known ? name : std::string();
 }
 
+// What may be done about a part, one after the other: the edge is left out or the node becomes a
+// ball; then so does the node that it was made for; then that is left out.
+std::array<std::string, 3> remedies(const std::string& part) {
+  const std::size_t begin = part.find(' ') + 1;
+  const std::string node = part.substr(begin, part.find_first_of("-+", begin) - begin);
+  return {part, "node " + node, std::string(network::kRefusedBall) + node};
+}
+
+// Whether there was one that has not been tried.
+bool refuse(const std::string& part, const std::string& why,
+            std::map<std::string, std::string>& refused) {
+  return std::ranges::any_of(remedies(part), [&](const std::string& remedy) {
+    return refused.emplace(remedy, why).second;
+  });
+}
+
 }  // namespace
 
 Built build(const PipeGraph& graph, const PipeGraphOptions& options, PipeNetwork& network,
@@ -36,13 +56,15 @@ Built build(const PipeGraph& graph, const PipeGraphOptions& options, PipeNetwork
     } catch (const Error& error) {
       const std::string part = refused_part(network, error);
       if (!options.keep_going || part.empty() || round == kMostRounds ||
-          !fewer.refused.emplace(part, error.message()).second) {
+          !refuse(part, error.message(), fewer.refused)) {
         throw;
       }
     }
-    const auto wall = network.assembly.wall;
+    const Assembly given = std::move(network.assembly);
     network = assembly_of(graph, fewer);
-    network.assembly.wall = wall;
+    network.assembly.wall = given.wall;
+    network.assembly.wall_side = given.wall_side;
+    network.assembly.insulation = given.insulation;
   }
 }
 

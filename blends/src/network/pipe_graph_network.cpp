@@ -43,6 +43,13 @@ class Network {
                                "edge " + plan_.edge_name(other) + ": passes through edge " +
                                    plan_.edge_name(one) + ", to which it is not joined; united"});
     }
+    for (const auto& [node, edge, other] : network::passing_nodes(plan_)) {
+      const Ball& ball = plan_.nodes()[node].ball;
+      const std::string through =
+          edge ? "edge " + plan_.edge_name(*edge) : "node " + plan_.nodes()[other].ball.name;
+      result_.notes.push_back({ball.line, "node " + ball.name + ": passes through " + through +
+                                              ", to which it is not joined; united"});
+    }
   }
 
  private:
@@ -66,7 +73,7 @@ class Network {
   }
 
   void add_node(std::size_t node) {
-    const auto& [ball, kind, is_planned, edges] = plan_.nodes()[node];
+    const auto& [ball, kind, is_planned, edges, hub] = plan_.nodes()[node];
     const std::string name = "node " + ball.name;
     if (kind == NodeKind::ball) {
       ++result_.balls;
@@ -128,6 +135,18 @@ void leave_out_refused(GraphPlan& plan, const std::map<std::string, std::string>
       plan.remove_edge(i);
     }
   }
+  for (std::size_t node = 0; node < plan.nodes().size() && !refused.empty(); ++node) {
+    const Ball& ball = plan.nodes()[node].ball;
+    const auto found = refused.find(std::string(network::kRefusedBall) + ball.name);
+    if (found != refused.end()) {
+      notes.push_back({ball.line,
+                       "node " + ball.name + ": " + found->second + "; left out with its edges",
+                       true});
+      for (const std::size_t edge : std::vector(plan.nodes()[node].edges)) {
+        plan.remove_edge(edge);
+      }
+    }
+  }
   for (std::size_t node = 0; node < plan.nodes().size(); ++node) {
     if (plan.nodes()[node].edges.empty()) {
       plan.remove_node(node);
@@ -155,6 +174,10 @@ PipeNetwork assembly_of(const PipeGraph& graph, const PipeGraphOptions& options)
   leave_out_refused(plan, options.refused, result.notes);
   network::plan_all(plan, options.refused, result.notes);
   Network(plan, result).run();
+  if (result.assembly.parts.empty()) {
+    throw Error(Errc::invalid_argument, "of the graph, no edge is left that could be built", {},
+                graph.source);
+  }
   std::ranges::stable_sort(result.notes, {}, &SourceNote::line);
   return result;
 }

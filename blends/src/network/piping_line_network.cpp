@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -15,16 +16,27 @@
 namespace dupin {
 namespace {
 
+// Ends of a piping file up to this far apart, in millimetres, are meant to meet: as `dupin gaps`
+// takes them if it is not told.
+constexpr double kMisfit = 1;
+
 void check_option(double value, const std::string& what) {
   if (!(std::isfinite(value) && value >= 0)) {
     throw Error(Errc::invalid_argument, "must be a length of at least 0", {}, what);
   }
 }
 
-std::vector<PipingJoint> joints_of(const PipingLine& line, const network::PipingSpans& spans) {
+// Of a fitting, so near to its centre that there is no arm to it.
+bool is_in_center(const PipingLine& line, const network::PipingSpans& spans, std::size_t port) {
+  return !spans.span_of_port[port] &&
+         line.components[spans.ports[port].component].shape == PipingShape::fitting;
+}
+
+std::vector<PipingJoint> joints_of(const PipingLine& line, const network::PipingSpans& spans,
+                                   const std::vector<network::PortPair>& pairs) {
   std::vector<PipingJoint> joints;
-  joints.reserve(spans.pairs.size());
-  for (const network::PortPair& pair : spans.pairs) {
+  joints.reserve(pairs.size());
+  for (const network::PortPair& pair : pairs) {
     const network::LinePort &a = spans.ports[pair.first], &b = spans.ports[pair.second];
     PipingJoint joint;
     joint.components = {line.components[a.component].name, line.components[b.component].name};
@@ -32,17 +44,58 @@ std::vector<PipingJoint> joints_of(const PipingLine& line, const network::Piping
     joint.distance = pair.distance;
     joint.step = a.radius && b.radius ? std::abs(*a.radius - *b.radius) : 0;
     joint.kink = network::kink(a, b);
-    joint.state = JointState::met;
+    // Until a part is made of it; but what ends in a fitting's centre ends in its body.
+    const bool is_in_fitting =
+        is_in_center(line, spans, pair.first) || is_in_center(line, spans, pair.second);
+    joint.state = is_in_fitting ? JointState::met : JointState::apart;
     joints.push_back(joint);
   }
   return joints;
 }
 
-std::size_t count_open(const network::PipingSpans& spans) {
+// Ends that are meant to meet, and do not: nothing is made of them, but they are said.
+std::vector<network::PortPair> misfits(const PipingLine& line, const network::PipingSpans& spans,
+                                       const PipingOptions& options) {
+  std::vector<bool> is_taken(spans.ports.size());
+  for (const network::PortPair& pair : spans.pairs) {
+    is_taken[pair.first] = is_taken[pair.second] = true;
+  }
+  std::vector<network::LinePort> free;
+  std::vector<std::size_t> positions;
+  for (std::size_t i = 0; i < spans.ports.size(); ++i) {
+    const auto& place = spans.span_of_port[i];
+    const bool is_in_run = place && spans.spans[(*place)[0]].ends[(*place)[1]].is_in_run;
+    if (!is_taken[i] && !is_in_run && !is_in_center(line, spans, i)) {
+      free.push_back(spans.ports[i]);
+      positions.push_back(i);
+    }
+  }
+  std::vector<network::PortPair> result = network::paired(free, options.snap, kMisfit);
+  for (network::PortPair& pair : result) {
+    pair.first = positions[pair.first];
+    pair.second = positions[pair.second];
+  }
+  return result;
+}
+
+void add_misfits(std::vector<PipingJoint> missed, PipingNetwork& network) {
+  const auto met = static_cast<std::ptrdiff_t>(network.joints.size());
+  network.joints.insert(network.joints.end(), std::make_move_iterator(missed.begin()),
+                        std::make_move_iterator(missed.end()));
+  std::ranges::inplace_merge(network.joints, network.joints.begin() + met, {},
+                             [](const PipingJoint& joint) { return joint.lines; });
+}
+
+std::size_t count_open(const network::PipingSpans& spans,
+                       const std::vector<network::PortPair>& missed) {
+  std::vector<bool> is_missed(spans.ports.size());
+  for (const network::PortPair& pair : missed) {
+    is_missed[pair.first] = is_missed[pair.second] = true;
+  }
   std::size_t count = 0;
   for (const network::Span& span : spans.spans) {
     for (const network::SpanEnd& end : span.ends) {
-      count += end.port && !end.joint && !end.is_in_run && !span.is_solid ? 1 : 0;
+      count += end.port && !end.joint && !end.is_in_run && !span.is_solid && !is_missed[*end.port];
     }
   }
   return count;
@@ -81,8 +134,9 @@ PipingNetwork assembly_of(const PipingLine& given, const PipingOptions& options)
   network::PipingSpans spans = spans_of(line, options, notes);
   reach_runs(line, options, spans, notes);
   PipingNetwork result;
-  result.joints = joints_of(line, spans);
-  result.open_ends = count_open(spans);
+  result.joints = joints_of(line, spans, spans.pairs);
+  const std::vector<network::PortPair> missed = misfits(line, spans, options);
+  result.open_ends = count_open(spans, missed);
   result.assembly.source = line.source;
   result.assembly.tolerance = options.tolerance;
   result.assembly.wall = options.wall;
@@ -90,6 +144,7 @@ PipingNetwork assembly_of(const PipingLine& given, const PipingOptions& options)
   result.assembly.insulation = options.insulation;
   const std::vector<network::Chain> chains = chains_of(spans, options.snap);
   add_parts(line, options, spans, chains, result, notes);
+  add_misfits(joints_of(line, spans, missed), result);
   result.notes = std::move(notes).take();
   std::set<std::size_t> components;
   for (const network::LinePort& port : spans.ports) {

@@ -64,12 +64,18 @@ class ChainParts {
         port_.reset();
       }
       for (std::size_t i = 0; i < plan_.stretches[k].size(); ++i) {
-        add_stretch(k, plan_.stretches[k][i]);
+        const bool is_last = k + 1 == chain_.legs.size() && i + 1 == plan_.stretches[k].size();
+        if (is_last && chain_.is_closed && !port_ && first_) {
+          add_last_stretch(k, plan_.stretches[k][i]);
+        } else {
+          add_stretch(k, plan_.stretches[k][i], is_last);
+        }
       }
     }
     for (auto& [part, component] : blends_) {
       put(network_, std::move(part), line_.components[component]);
     }
+    settle_joints();
     note_ends(made);
     measure_moves();
   }
@@ -88,13 +94,24 @@ class ChainParts {
     put(network_, std::move(part), line_.components[component]);
   }
 
-  void add_stretch(std::size_t k, const Stretch& stretch) {
+  // A chain that begins anew with its last stretch has half of that to be closed by.
+  void add_last_stretch(std::size_t k, const Stretch& stretch) {
+    Stretch half = stretch, rest = stretch;
+    half.levels[1] = rest.levels[0] = (stretch.levels[0] + stretch.levels[1]) / 2;
+    half.radii[1] = rest.radii[0] = (stretch.radii[0] + stretch.radii[1]) / 2;
+    rest.name += "-end";
+    add_stretch(k, half, false);
+    add_stretch(k, rest, true);
+  }
+
+  void add_stretch(std::size_t k, const Stretch& stretch, bool is_last) {
     const Leg& leg = chain_.legs[k];
     const Vec3 to = point_at(leg, stretch.levels[1]);
     const bool goes_on = port_.has_value();
     PartShape shape;
-    if (closes_chain(k) && &stretch == &plan_.stretches[k].back()) {
+    if (closes_chain(k) && is_last) {
       shape = CyclicBlendBetween{*port_, *first_, {}};
+      closing_ = stretch.name;
     } else if (leg.is_offset) {
       const Vec3 there = end_of(spans_, leg.elements[0]).point;
       const Vec3 start = begin_of(spans_, leg.elements[0]).point;
@@ -128,6 +145,7 @@ class ChainParts {
     const std::string& name = line_.components[arc.component].name;
     if (closes_chain(k) && plan_.stretches[k].empty()) {
       add(name, arc.component, CyclicBlendBetween{*port_, *first_, {}});
+      closing_ = name;
     } else if (port_) {
       if (radius_ != arc.radius) {
         notes_.add(line_.components[arc.component],
@@ -273,6 +291,40 @@ class ChainParts {
     }
   }
 
+  // What shares a ring has met, if no part of its own was made of it.
+  void settle_joints() {
+    for (std::size_t k = 0; k < chain_.legs.size(); ++k) {
+      const Leg& leg = chain_.legs[k];
+      const std::size_t first = k > 0 && chain_.seams[k].kind == SeamKind::offset ? 0 : 1;
+      for (std::size_t i = first; i < leg.elements.size(); ++i) {
+        const bool is_made =
+            !(i <= 1 && is_left_out(k)) && !(i + 1 == leg.elements.size() && is_left_out(k + 1));
+        const auto& joint = begin_of(spans_, leg.elements[i]).joint;
+        if (joint && is_made) {
+          settle(*joint, JointState::apart, {});
+        }
+      }
+    }
+    if (closing_) {
+      settle(*end_of(spans_, chain_.legs.back().elements.back()).joint, JointState::bridged,
+             *closing_);
+    }
+  }
+
+  // `beyond` is its state if the ends do not lie within the snap tolerance.
+  void settle(std::size_t position, JointState beyond, const std::string& part) {
+    PipingJoint& joint = network_.joints[position];
+    if (joint.state == JointState::apart) {
+      joint.state = joint.distance > snap_ ? beyond : JointState::met;
+      joint.part = joint.state == JointState::bridged ? part : "";
+    }
+  }
+
+  // Whether the bend before this leg is.
+  [[nodiscard]] bool is_left_out(std::size_t k) const {
+    return plan_.arcs[k] && plan_.arcs[k]->is_left_out;
+  }
+
   [[nodiscard]] bool is_bridged(const SpanEnd& end) const {
     return end.joint && spans_.pairs[*end.joint].distance > snap_;
   }
@@ -301,6 +353,7 @@ class ChainParts {
   double snap_;
   ChainPlan plan_;
   std::vector<std::pair<Part, std::size_t>> blends_;  // with the component that they stand for
+  std::optional<std::string> closing_;                // the part that closes the chain
   std::optional<PortReference> port_, first_;  // where the next part goes on, and the chain's first
   Vec3 here_ = Vec3::Zero();                   // of `port_`
   double radius_ = 0;
@@ -331,6 +384,7 @@ void add_plates(const PipingLine& line, const PipingOptions& options, const Pipi
         part.solid = true;
       }
       put(network, std::move(part), component);
+      network.joints[std::size_t(&pair - spans.pairs.data())].state = JointState::met;
     }
   }
 }

@@ -84,8 +84,35 @@ namespace {
 // Where a run's axis passes, in radii of it, by the point that an olet's branch begins at.
 constexpr double kOnAxis = 0.5;
 
+// Of a bend's leg, how far inside of its corner the middle of its arc may lie: tan 22.5 degrees.
+constexpr double kInCorner = 0.42;
+
+// Whether the point lies in what is made of the span, or not far from its arc.
+bool is_in(const Vec3& point, const Span& run, double snap) {
+  const Vec3 &start = run.ends[0].point, way = run.ends[1].point - start;
+  const double length = way.norm(),
+               around = std::max(run.radii[0], run.radii[1]) + snap +
+                        (run.role == SpanRole::bend_leg ? kInCorner * length : 0);
+  const double share =
+      length > 0 ? std::clamp((point - start).dot(way) / (length * length), 0.0, 1.0) : 0;
+  return (point - start - share * way).norm() <= around;
+}
+
+// A branch from a point where there is nothing that it could branch off.
+void note_stray(const PipingLine& line, const PipingSpans& spans, const Span& branch, double snap,
+                LineNotes& notes) {
+  const Vec3& from = branch.ends[0].point;
+  if (std::ranges::none_of(spans.spans, [&](const Span& run) {
+        return run.component != branch.component && is_in(from, run, snap);
+      })) {
+    notes.add(line.components[branch.component],
+              "its centre lies in no other component; its branch begins there, joined to nothing");
+  }
+}
+
 // An olet, which is one arm from the axis of another component's pipe, is a branch of that.
-void find_olets(const SpanIndex& index, const PipingLine& line, PipingSpans& spans) {
+void find_olets(const SpanIndex& index, const PipingLine& line, double snap, PipingSpans& spans,
+                LineNotes& notes) {
   for (std::size_t i = 0; i < spans.spans.size(); ++i) {
     const Span& branch = spans.spans[i];
     const PipingComponent& component = line.components[branch.component];
@@ -94,6 +121,7 @@ void find_olets(const SpanIndex& index, const PipingLine& line, PipingSpans& spa
         branch.ends[0].port || branch.role != SpanRole::straight) {
       continue;
     }
+    bool is_found = false;
     for (const std::size_t near : index.near(from)) {
       const Span& run = spans.spans[near];
       const Vec3 &start = run.ends[0].point, way = run.ends[1].point - start;
@@ -102,8 +130,12 @@ void find_olets(const SpanIndex& index, const PipingLine& line, PipingSpans& spa
           share < 1 &&
           (from - start - share * way).norm() <= kOnAxis * std::min(run.radii[0], run.radii[1])) {
         spans.branches.push_back({near, i});
+        is_found = true;
         break;
       }
+    }
+    if (!is_found) {
+      note_stray(line, spans, branch, snap, notes);
     }
   }
 }
@@ -113,7 +145,7 @@ void find_olets(const SpanIndex& index, const PipingLine& line, PipingSpans& spa
 void reach_runs(const PipingLine& line, const PipingOptions& options, PipingSpans& spans,
                 LineNotes& notes) {
   const SpanIndex index(spans.spans, options.snap);
-  find_olets(index, line, spans);
+  find_olets(index, line, options.snap, spans, notes);
   for (std::size_t i = 0; i < spans.spans.size(); ++i) {
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       Span& span = spans.spans[i];

@@ -11,14 +11,17 @@ namespace dupin::network {
 namespace {
 
 // Two arms of a fitting are its run if they are at most 60 degrees off a straight line and an arc
-// between them fits, whose radius is at least this many times the pipe's.
-constexpr double kRunCosine = 0.5, kArcOfRun = 1.2;
+// between them fits, whose radius is at least this many times the pipe's and which passes by the
+// centre at a distance of at most this part of it, as branches begin there.
+constexpr double kRunCosine = 0.5, kArcOfRun = 1.2, kArcBesideCenter = 0.1;
 // A run whose centre lies off it is still a line if its arms are at most 10 degrees off one.
 constexpr double kAlmostStraight = 0.985;
 // An arm's foot is where the run is if its centre is further off than this many radii of the run.
 constexpr double kBesideRun = 0.5;
-// Of an arm: how far from the ball's centre it begins, so that no two begin at the same place.
-constexpr double kInBall = 0.2;
+// An arm begins off the ball's centre, so that no two begin at the same place, by this much of its
+// leg, but at most of what the ball is thicker than the arms: the mouth then lies inside of the
+// ball, and so does that of the bore inside of the ball's, whatever the wall.
+constexpr double kInBall = 0.2, kInBallBeyondArm = 0.5;
 // A bend that turns by more than 175 degrees has no corner to speak of.
 constexpr double kTurnsBack = -0.996;
 // By the thickest arm that runs into it.
@@ -241,6 +244,9 @@ class Spans {
       const auto end = port(i, k);
       if (end && (result_.ports[*end].center - *component.center).norm() > options_.snap) {
         arms.push_back(*end);
+      } else {
+        notes_.add(component, "its end at line " + std::to_string(component.ports[k].line) +
+                                  " lies in its centre; there is no arm to it");
       }
     }
     if (arms.size() < 2) {
@@ -249,36 +255,52 @@ class Spans {
       }
       return;
     }
+    const std::vector<std::size_t> all = arms;
     const auto run = take_run(arms);
-    Vec3 center = *component.center;
-    if (run) {
-      const std::size_t own = result_.spans.size();
-      add_run(component, i, *run);
-      const std::size_t first = result_.spans.size();
-      const Vec3 beside = foot(*run, center);
-      const double radius = *result_.ports[(*run)[0]].radius;
-      center = (center - beside).norm() > kBesideRun * radius ? beside : center;
-      const auto cross = take_run(arms);
-      if (cross) {
-        add_between(component.name + "-branch", i, (*cross)[0], (*cross)[1]);
-      }
-      for (std::size_t k = 0; k < arms.size(); ++k) {
-        add_arm(component.name + "-branch" + (k == 0 && !cross ? "" : std::to_string(k + 2)), i,
-                center, arms[k]);
-      }
-      for (std::size_t k = first; k < result_.spans.size() && first == own + 1; ++k) {
-        result_.branches.push_back({own, k});  // the arc of a run that turns has none
-      }
+    if (!run || is_thinner(*run, arms)) {
+      add_ball(component, i, all);
       return;
     }
-    double thickest = 0;
-    for (std::size_t k = 0; k < arms.size(); ++k) {
-      const LinePort& end = result_.ports[arms[k]];
-      thickest = std::max(thickest, *end.radius);
-      add_arm(component.name + "-arm" + std::to_string(k + 1), i,
-              center + kInBall * (end.center - center), arms[k]);
+    Vec3 center = *component.center;
+    const std::size_t own = result_.spans.size();
+    add_run(component, i, *run);
+    const std::size_t first = result_.spans.size();
+    const Vec3 beside = foot(*run, center);
+    const double radius = *result_.ports[(*run)[0]].radius;
+    center = (center - beside).norm() > kBesideRun * radius ? beside : center;
+    const auto cross = take_run(arms);
+    if (cross) {
+      add_between(component.name + "-branch", i, (*cross)[0], (*cross)[1]);
     }
-    result_.balls.push_back({component.name, i, center, kBall * thickest});
+    for (std::size_t k = 0; k < arms.size(); ++k) {
+      add_arm(component.name + "-branch" + (k == 0 && !cross ? "" : std::to_string(k + 2)), i,
+              center, arms[k]);
+    }
+    for (std::size_t k = first; k < result_.spans.size() && first == own + 1; ++k) {
+      result_.branches.push_back({own, k});  // the arc of a run that turns has none
+    }
+  }
+
+  void add_ball(const PipingComponent& component, std::size_t i,
+                const std::vector<std::size_t>& arms) {
+    const Vec3& center = *component.center;
+    double thickest = 0;
+    for (const std::size_t arm : arms) {
+      thickest = std::max(thickest, *result_.ports[arm].radius);
+    }
+    const double ball = kBall * thickest;
+    for (std::size_t k = 0; k < arms.size(); ++k) {
+      const Vec3 leg = result_.ports[arms[k]].center - center;
+      const double begin = std::min(kInBall * leg.norm(), kInBallBeyondArm * (ball - thickest));
+      add_arm(component.name + "-arm" + std::to_string(k + 1), i, center + begin * leg.normalized(),
+              arms[k]);
+      if (!partners_[arms[k]] && leg.norm() < ball) {
+        notes_.add(component, "its end at line " + std::to_string(result_.ports[arms[k]].line) +
+                                  " lies inside of its ball of radius " +
+                                  decimal(ball, kMessageDigits) + ", and opens nowhere");
+      }
+    }
+    result_.balls.push_back({component.name, i, center, ball});
   }
 
   // Takes out the two arms that lie on one line best, if they do or if an arc fits between them.
@@ -337,7 +359,19 @@ class Spans {
     const Vec3& center = *line_.components[a.component].center;
     const double leg = std::min((a.center - center).norm(), (b.center - center).norm());
     const double half = kink(a, b) / 2;
-    return leg > kArcOfRun * *a.radius * std::tan(half) && *a.radius == *b.radius;
+    return leg > kArcOfRun * *a.radius * std::tan(half) && *a.radius == *b.radius &&
+           leg * std::tan(half / 2) <= kArcBesideCenter * *a.radius;
+  }
+
+  // Whether the mouth of one of these arms would stick out of the run.
+  [[nodiscard]] bool is_thinner(const std::array<std::size_t, 2>& run,
+                                const std::vector<std::size_t>& arms) const {
+    const LinePort &a = result_.ports[run[0]], &b = result_.ports[run[1]];
+    const Vec3 there = foot(run, *line_.components[a.component].center);
+    const double share = (there - a.center).norm() / (b.center - a.center).norm();
+    const double radius = *a.radius + share * (*b.radius - *a.radius);
+    return std::ranges::any_of(
+        arms, [&](std::size_t arm) { return *result_.ports[arm].radius > radius; });
   }
 
   // Of the point, on the line between two ends.

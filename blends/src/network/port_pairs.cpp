@@ -16,6 +16,8 @@ namespace {
 
 // Ends whose directions are less than 60 degrees apart look the same way.
 constexpr double kSameWay = 0.5;
+// Of a leg: ends that overlap by more than this look away from each other.
+constexpr double kMostOverlap = 0.5;
 // How finely directions are told apart when the best partner is looked for.
 constexpr double kFacingSteps = 16;
 
@@ -41,15 +43,23 @@ std::optional<Vec3> direction(const Vec3& from, const Vec3& to) {
   return length > 0 ? std::optional<Vec3>(way / length) : std::nullopt;
 }
 
-std::optional<Vec3> outward(const PipingComponent& component, std::size_t index) {
-  const Vec3& here = component.ports[index].center;
+// What an end looks away from; none: its component does not tell.
+std::optional<Vec3> origin(const PipingComponent& component, std::size_t index) {
   if (component.center && component.shape != PipingShape::straight) {
-    return direction(*component.center, here);
+    return component.center;
   }
   if (component.ports.size() == 2) {
-    return direction(component.ports[1 - index].center, here);
+    return component.ports[1 - index].center;
   }
   return std::nullopt;
+}
+
+bool look_away(const LinePort& a, const LinePort& b) {
+  if (!a.outward || !b.outward) {
+    return false;
+  }
+  const Vec3 gap = b.center - a.center;
+  return -gap.dot(*a.outward) > kMostOverlap * a.leg || gap.dot(*b.outward) > kMostOverlap * b.leg;
 }
 
 std::optional<Candidate> candidate(const std::vector<LinePort>& ports, std::size_t first,
@@ -58,6 +68,9 @@ std::optional<Candidate> candidate(const std::vector<LinePort>& ports, std::size
   const double distance = (a.center - b.center).norm();
   const double cosine = a.outward && b.outward ? a.outward->dot(*b.outward) : -1;
   if (a.component == b.component || !(distance <= reach) || cosine > kSameWay) {
+    return std::nullopt;
+  }
+  if (distance > snap && look_away(a, b)) {
     return std::nullopt;
   }
   return Candidate{distance > snap,
@@ -110,9 +123,11 @@ std::vector<LinePort> line_ports(const PipingLine& line, const std::vector<bool>
     const PipingComponent& component = line.components[i];
     for (std::size_t k = 0; k < component.ports.size() && !is_left_out[i]; ++k) {
       const PipingPort& port = component.ports[k];
-      const std::optional<Vec3> direction = outward(component, k);
-      if (direction || component.shape != PipingShape::fitting) {
-        result.push_back({i, k, port.center, direction, port.radius, port.line});
+      const std::optional<Vec3> from = origin(component, k);
+      const std::optional<Vec3> outward = from ? direction(*from, port.center) : std::nullopt;
+      if (outward || component.shape != PipingShape::fitting) {
+        result.push_back({i, k, port.center, outward, port.radius, port.line,
+                          from ? (port.center - *from).norm() : 0});
       }
     }
   }

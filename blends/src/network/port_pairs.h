@@ -14,6 +14,7 @@ struct LinePort {
   std::optional<Vec3> outward;   ///< unit; none: the component has none there
   std::optional<double> radius;  ///< outside
   std::size_t line = 0;
+  double leg = 0;  ///< against `outward`, to the component's other end or its centre
 };
 
 /// All ends, component by component, without those of components that `is_left_out` names and those
@@ -28,8 +29,9 @@ struct PortPair {
 };
 
 /// Each end at most once, none with one of its own component, none with one that looks the same
-/// way: first those within `snap`, then those within `bridge`; of several, those that face each
-/// other best, then equal radii, then the nearest. By `first`. O(n log n): throws
+/// way: first those within `snap`, then those within `bridge` of which neither lies behind the
+/// other by more than half of its leg; of several, those that face each other best, then equal
+/// radii, then the nearest. By `first`. O(n log n): throws
 /// Error{limit_exceeded} where more than two million pairs lie that near.
 [[nodiscard]] std::vector<PortPair> paired(const std::vector<LinePort>& ports, double snap,
                                            double bridge);

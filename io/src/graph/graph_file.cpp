@@ -1,6 +1,7 @@
 #include "dupin/io/graph_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <iterator>
@@ -27,15 +28,22 @@ std::string extension_of(const std::filesystem::path& file) {
   return text::lower_case(file.extension().string());
 }
 
-// Three numbers; ones that are none, as programs print them, are left to those who clean the graph.
+// Ones that are not finite, as programs print them ("nan", "-inf", 1e400), are left to those who
+// clean the graph.
+double any_number(TextScanner& scanner, std::string_view expected) {
+  const std::string word(scanner.peek());
+  const double value = std::strtod(word.c_str(), nullptr);
+  if (std::isfinite(value)) {
+    return scanner.number(expected);
+  }
+  scanner.skip_number(expected);
+  return value;
+}
+
 Vec3 coordinates(TextScanner& scanner) {
   Vec3 result;
   for (double& x : result) {
-    if (scanner.take("nan") || scanner.take("-nan") || scanner.take("+nan")) {
-      x = std::numeric_limits<double>::quiet_NaN();
-    } else {
-      x = scanner.number("a coordinate");
-    }
+    x = any_number(scanner, "a coordinate");
   }
   return result;
 }
@@ -116,7 +124,7 @@ PipeGraph parse_swc(std::string_view text, const std::string& source,
     const std::int64_t id = scanner.integer(0, kLargestNumber, "the node's id, a whole number");
     scanner.integer(-kLargestNumber, kLargestNumber, "the node's type, a whole number");
     const Vec3 center = coordinates(scanner);
-    const double radius = scanner.number("the node's radius");
+    const double radius = any_number(scanner, "the node's radius");
     const std::int64_t parent = scanner.integer(-1, kLargestNumber, "the parent's id, or -1");
     scanner.end_line("the end of the line after id, type, x, y, z, radius and parent");
     const std::string name = std::to_string(id);
@@ -155,7 +163,7 @@ PipeGraph parse_graph(std::string_view text, const std::string& source,
     if (scanner.take("n")) {
       GraphNode node{std::to_string(graph.nodes.size()), coordinates(scanner), {}, line};
       if (!scanner.at_line_end()) {
-        node.radius = scanner.number("the node's radius");
+        node.radius = any_number(scanner, "the node's radius");
       }
       graph.nodes.push_back(std::move(node));
     } else if (scanner.take("c")) {

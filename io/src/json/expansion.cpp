@@ -214,6 +214,9 @@ class Expansion {
       loop.fail("must be a whole number from 1 to " + std::to_string(kMostParts) +
                 " or a list of as many values");
     }
+    if (depth + 1 == names.size() && !has_loops(node)) {
+      count_copies(node, size);
+    }
     for (std::size_t i = 0; i < size; ++i) {
       const Json& value = is_count ? range : range[i];
       if (!is_count && !value.is_number() && !value.is_string()) {
@@ -226,10 +229,38 @@ class Expansion {
     values_.variables_.erase(names[depth]);
   }
 
+  // Whether there are copies within its copies, which are counted then.
+  static bool has_loops(const JsonNode& node) {
+    if (!node.has("parts")) {
+      return false;
+    }
+    const JsonNode parts = node.at("parts");
+    const std::size_t count = parts.require_array();
+    for (std::size_t i = 0; i < count; ++i) {
+      const JsonNode entry = parts.at(i);
+      if (entry.value().is_object() && (entry.has("for") || has_loops(entry))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Before they are made: copies of nothing take time, too.
+  void count_copies(const JsonNode& node, std::size_t amount) {
+    copied_ += amount;
+    if (copied_ > kMostParts) {
+      refuse_copies(node);
+    }
+  }
+
+  [[noreturn]] static void refuse_copies(const JsonNode& node) {
+    node.fail("copies make more than " + std::to_string(kMostParts) + " parts");
+  }
+
   void part(const JsonNode& node, const std::string& pointer) {
     node.require_object();
     if (!values_.variables_.empty() && ++made_ > kMostParts) {
-      node.fail("copies make more than " + std::to_string(kMostParts) + " parts");
+      refuse_copies(node);
     }
     std::string name;
     try {
@@ -270,6 +301,7 @@ class Expansion {
   const PartSink& sink_;
   Json usual_ = Json::object();  ///< what entries around say of the walls of their parts
   std::size_t made_ = 0;
+  std::size_t copied_ = 0;  ///< of loops that have none within
 };
 
 void expand(const JsonNode& document, const std::string& source, Unit unit, Values& values,

@@ -21,7 +21,8 @@ const pcf::NominalPipe* nominal_pipe(std::string_view size) {
   size.remove_prefix(std::min(size.find_first_not_of(' '), size.size()));
   double number = 0;
   const char* const end = size.data() + size.size();
-  const auto [rest, failure] = std::from_chars(size.data(), end, number);
+  const auto [rest, failure] =
+      std::from_chars(size.data(), end, number, std::chars_format::fixed);  // no DN1e2
   if (failure != std::errc() || rest != end) {
     return nullptr;
   }

@@ -165,38 +165,49 @@ class PcfReader {
 
  private:
   void read_units() {
-    const Attribute *lengths = nullptr, *bores = nullptr;
-    for (const Record& record : records_) {
-      if (record.head.keyword == "UNITS-CO-ORDS") {
-        lengths = &record.head;
-      } else if (record.head.keyword == "UNITS-BORE") {
-        bores = &record.head;
-      }
-    }
-    millimetres_ = millimetres(lengths, "UNITS-CO-ORDS");
-    bore_millimetres_ = millimetres(bores, "UNITS-BORE");
+    millimetres_ = stated_unit("UNITS-CO-ORDS");
+    bore_millimetres_ = stated_unit("UNITS-BORE");
     // Bores are names of sizes, in whole millimetres or inches.
     bore_unit_ = bore_millimetres_ == 1 || bore_millimetres_ == kHundredth ? BoreUnit::millimetre
                                                                            : BoreUnit::inch;
     whole_bore_ = bore_unit_ == BoreUnit::millimetre ? 1 : kInch;
   }
 
-  // Of the unit that a line states.
-  double millimetres(const Attribute* attribute, const std::string& keyword) const {
-    if (attribute == nullptr) {
+  // In millimetres: that of all lines with the keyword, which must not contradict each other.
+  double stated_unit(const std::string& keyword) const {
+    const Attribute* first = nullptr;
+    for (const Record& record : records_) {
+      const Attribute& head = record.head;
+      if (head.keyword != keyword) {
+        continue;
+      }
+      if (first != nullptr && millimetres(head) != millimetres(*first)) {
+        scanner_.fail_at(head.position, "found " + keyword + " " + text::quoted(head.text) +
+                                            ", but line " + std::to_string(first->line) + " says " +
+                                            text::quoted(first->text) +
+                                            "; expected one unit for the whole file");
+      }
+      first = first == nullptr ? &head : first;
+    }
+    if (first == nullptr) {
       throw Error(Errc::parse_failed, "the line " + keyword + " is missing; it says MM or INCH", {},
                   source_);
     }
-    std::string word = text::lower_case(std::string(attribute->text));
+    return millimetres(*first);
+  }
+
+  // Of the unit that a line states.
+  [[nodiscard]] double millimetres(const Attribute& attribute) const {
+    std::string word = text::lower_case(std::string(attribute.text));
     std::ranges::replace(word, '_', '-');
     for (const auto& [name, size] : kUnits) {
       if (word == name || word == std::string(name) + "s" || word == std::string(name) + "es") {
         return size;
       }
     }
-    scanner_.fail_at(attribute->position, "found " + text::quoted(attribute->text) +
-                                              ", expected the unit MM or INCH, or "
-                                              "MM-HUNDREDTH or INCH-SIXTEENTH of these");
+    scanner_.fail_at(attribute.position, "found " + text::quoted(attribute.text) +
+                                             ", expected the unit MM or INCH, or "
+                                             "MM-HUNDREDTH or INCH-SIXTEENTH of these");
   }
 
   // A number, which is in a unit of so many millimetres.
@@ -332,15 +343,16 @@ class PcfReader {
     }
   }
 
-  // The same kind between the same points.
+  // The same kind between the same points, in whatever order.
   bool repeats(const PipingComponent& component) {
-    std::vector<double> numbers;
-    numbers.reserve(3 * component.ports.size());
+    std::vector<std::array<double, 3>> points;
+    points.reserve(component.ports.size());
     for (const PipingPort& port : component.ports) {
-      numbers.insert(numbers.end(), port.center.begin(), port.center.end());
+      points.push_back({port.center.x(), port.center.y(), port.center.z()});
     }
+    std::ranges::sort(points);
     const auto [found, is_new] =
-        places_.try_emplace({component.kind, std::move(numbers)}, component.line);
+        places_.try_emplace({component.kind, std::move(points)}, component.line);
     if (!is_new && !component.ports.empty()) {
       file_.notes.push_back({component.line, component.name + " repeats the one at line " +
                                                  std::to_string(found->second) +
@@ -374,7 +386,7 @@ class PcfReader {
   std::vector<Record> records_;
   PcfFile file_;
   std::vector<std::optional<double>> own_radii_;
-  std::map<std::pair<std::string, std::vector<double>>, std::size_t> places_;
+  std::map<std::pair<std::string, std::vector<std::array<double, 3>>>, std::size_t> places_;
   std::map<std::string, std::pair<std::size_t, std::size_t>> unknown_;  // line, count
   double millimetres_ = 1, bore_millimetres_ = 1;
   double whole_bore_ = 1;  // of the unit that names of sizes are in

@@ -154,6 +154,22 @@ std::string keyword_of(std::string_view token) {
 // Lines below a message are its text.
 bool takes_any_line(const Record& record) { return record.head.keyword.starts_with("MESSAGE"); }
 
+// How many blanks there are before the line's first word, which begins there.
+std::size_t indentation(std::string_view text, std::size_t begin) {
+  const std::size_t last = text.substr(0, begin).find_last_not_of(kBlanks);
+  return begin - (last == std::string_view::npos ? 0 : last + 1);
+}
+
+// Whether the scanner's next line has a point of a component, which no message has.
+bool is_before_point(text::TextScanner scanner) {
+  if (scanner.at_end()) {
+    return false;
+  }
+  const std::string keyword = keyword_of(scanner.token());
+  return keyword == "END-POINT" || keyword == "CENTRE-POINT" ||
+         (keyword.starts_with("BRANCH") && keyword.ends_with("-POINT"));
+}
+
 }  // namespace
 
 HeadKind head_kind(std::string_view keyword) {
@@ -170,22 +186,28 @@ std::vector<Record> records(std::string_view text) {
   std::vector<Record> result;
   text::TextScanner scanner(text, {});
   text::LineCounter lines(text);
+  std::size_t head_indentation = 0;  // of the last record
   while (!scanner.at_end()) {
     const std::size_t begin = scanner.position();
     Attribute own{keyword_of(scanner.token()), lines.at(begin), scanner.position(), {}};
     own.text = scanner.rest_of_line();
     const HeadKind kind = head_kind(own.keyword);
-    const bool is_indented = begin > 0 && kBlanks.find(text[begin - 1]) != std::string_view::npos;
+    const std::size_t indented = indentation(text, begin);
+    const bool is_below_message = !result.empty() && takes_any_line(result.back());
+    // "PIPE TO BE FIELD CUT" is no pipe, where it stands further in than its message.
+    const bool is_text =
+        is_below_message && indented > head_indentation && !is_before_point(scanner);
     // An indented line begins a record if it cannot be anything else.
-    const bool is_head =
-        std::ranges::count(kPlain, own.keyword) > 0 || own.keyword.starts_with("UNITS-");
+    const bool is_head = (std::ranges::count(kPlain, own.keyword) > 0 && !is_text) ||
+                         own.keyword.starts_with("UNITS-");
     const bool is_attribute =
         !result.empty() &&
-        (is_indented ? !is_head : kind == HeadKind::unknown && takes_any_line(result.back()));
+        (indented > 0 ? !is_head : kind == HeadKind::unknown && is_below_message);
     if (is_attribute) {
       result.back().attributes.push_back(std::move(own));
     } else {
       result.push_back({std::move(own), {}});
+      head_indentation = indented;
     }
   }
   return result;

@@ -32,7 +32,8 @@ enum class HeadKind {
 [[nodiscard]] HeadKind head_kind(std::string_view keyword);
 
 /// The records of a text. A line begins one if it is not indented or if its keyword heads records
-/// only; lines below messages belong to these. Keywords are taken in any case, with "<>" about
+/// only; lines below messages belong to these, and so do lines with such a keyword that are
+/// indented more than the message and have no point of a component below them. Keywords are taken in any case, with "<>" about
 /// them or not, in the spellings ENDPOINT, CENTER.
 [[nodiscard]] std::vector<Record> records(std::string_view text);
 

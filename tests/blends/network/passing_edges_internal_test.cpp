@@ -46,6 +46,52 @@ TEST(PassingEdges, are_told_by_the_radii_where_they_come_near) {
   EXPECT_THAT(passing_edges(beside(1.2)), ElementsAre(Pair{0, 1}));
 }
 
+TEST(PassingNodes, are_hubs_arms_balls_and_bends_that_meet_edges_or_each_other) {
+  const auto planned = [](double height, NodeKind kind) {
+    std::vector<GraphEdge> edges{{0, 1}, {0, 2}, {4, 5}};
+    if (kind != NodeKind::blend) {
+      edges.push_back({0, 3});
+    }
+    GraphPlan plan(graph_of({{{0, 0, 0}, 1},
+                             {{20, 0, 0}, 1},
+                             {{-10, 17, 0}, 1},
+                             {{-10, -17, 0}, 1},
+                             {{-.5, -30, height}, 1},
+                             {{-.5, 30, height}, 1}},
+                            edges));
+    if (kind == NodeKind::ball) {
+      plan.plan_ball(0);
+    } else {
+      EXPECT_TRUE(plan.plan(0));
+    }
+    EXPECT_EQ(plan.nodes()[0].kind, kind);
+    return plan;
+  };
+  for (const NodeKind kind : {NodeKind::junction, NodeKind::ball}) {
+    const auto near = passing_nodes(planned(1.9, kind));
+    ASSERT_EQ(near.size(), 1);
+    EXPECT_EQ(near[0], (PassingNode{0, 2, 0}));
+    EXPECT_THAT(passing_nodes(planned(4, kind)), IsEmpty());
+  }
+  const auto bend = planned(1.9, NodeKind::blend);
+  EXPECT_THAT(passing_nodes(bend), testing::Contains(PassingNode{0, 2, 0}));
+  EXPECT_THAT(passing_nodes(planned(4, NodeKind::blend)), IsEmpty());
+}
+
+TEST(PassingNodes, are_not_those_that_an_edge_joins) {
+  GraphPlan plan(graph_of({{{0, 0, 0}, 1},
+                           {{20, 0, 0}, 1},
+                           {{-10, 17, 0}, 1},
+                           {{-10, -17, 0}, 1},
+                           {{30, 17, 0}, 1},
+                           {{30, -17, 0}, 1}},
+                          {{0, 1}, {0, 2}, {0, 3}, {1, 4}, {1, 5}}));
+  ASSERT_TRUE(plan.plan(0));
+  ASSERT_TRUE(plan.plan(1));
+  EXPECT_THAT(passing_nodes(plan), IsEmpty());
+  EXPECT_THAT(passing_edges(plan), IsEmpty());
+}
+
 TEST(PassingEdges, end_where_they_are_cut_back) {
   GraphPlan plan(
       graph_of({{{0, 0, 0}, 1}, {{9, 0, 0}, 1}, {{18, 0, 0}, 1}, {{9, 2.5, 0}, 1}, {{9, 20, 0}, 1}},

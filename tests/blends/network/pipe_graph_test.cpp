@@ -1,5 +1,6 @@
 #include "dupin/blends/pipe_graph.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -144,6 +145,31 @@ TEST(PipeGraph, a_build_that_is_to_keep_going_replaces_what_is_refused) {
   PipeNetwork once = assembly_of(graph, {.radius = 1});
   once.assembly.parts[0].shape = PipeBetween{{0, 0, 0}, {0, 0, 0}, 1};
   EXPECT_THROW((void)build(graph, {.radius = 1}, once), Error);
+}
+
+// The ball lies within the bore of a cone that leads to it.
+TEST(PipeGraph, a_build_with_walls_that_is_to_keep_going_leaves_out_balls_that_are_refused) {
+  PipeGraph graph =
+      graph_of({{0, 0, 0}, {6, 0, 0}, {-30, 0, 0}, {-60, 5, 0}}, {{0, 1}, {0, 2}, {2, 3}});
+  graph.nodes[1].radius = 5;
+  const PipeGraphOptions options{
+      .radius = 1, .keep_going = true, .refused = {{"node 0", "it is bad"}}};
+  PipeNetwork network = assembly_of(graph, options);
+  ASSERT_EQ(network.balls, 1);
+  network.assembly.wall = .05;
+  network.assembly.wall_side = WallSide::centred;
+  EXPECT_THROW((void)build(network.assembly), Error);
+  const Built built = build(graph, options, network);
+  EXPECT_EQ(built.solid.components(), 1);
+  EXPECT_EQ(network.edges, 1);
+  EXPECT_EQ(network.nodes, 2);
+  EXPECT_EQ(network.assembly.wall, .05);
+  EXPECT_EQ(network.assembly.wall_side, WallSide::centred);
+  const auto note = std::ranges::find_if(
+      network.notes, [](const SourceNote& one) { return one.text.ends_with("with its edges"); });
+  ASSERT_NE(note, network.notes.end());
+  EXPECT_TRUE(note->is_refusal);
+  EXPECT_THAT(note->text, HasSubstr("node 0: its surface lies inside of"));
 }
 
 TEST(PipeGraph, refused_edges_are_left_out) {

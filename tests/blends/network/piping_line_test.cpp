@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "blends/network/piping_line_builder.h"
 #include "dupin/blends/build.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/error.h"
@@ -15,75 +16,6 @@ namespace dupin::test {
 namespace {
 
 using testing::HasSubstr;
-
-// Components with a name and lines of their own.
-class Line {
- public:
-  Line& add(PipingShape shape, std::initializer_list<Vec3> ports, double radius = 50) {
-    PipingComponent component;
-    component.line = 10 * (line_.components.size() + 1);
-    component.name = "c" + std::to_string(line_.components.size());
-    component.shape = shape;
-    for (const Vec3& port : ports) {
-      component.ports.push_back({port, radius, component.line + component.ports.size() + 1});
-    }
-    line_.components.push_back(component);
-    return *this;
-  }
-  Line& pipe(const Vec3& from, const Vec3& to, double radius = 50) {
-    return add(PipingShape::straight, {from, to}, radius);
-  }
-  Line& bend(const Vec3& from, const Vec3& corner, const Vec3& to, double radius = 50) {
-    add(PipingShape::bend, {from, to}, radius);
-    last().center = corner;
-    return *this;
-  }
-  Line& tee(const Vec3& from, const Vec3& center, const Vec3& to, const Vec3& branch,
-            double radius = 50, double branch_radius = 30) {
-    add(PipingShape::fitting, {from, to, branch}, radius);
-    last().center = center;
-    last().ports[2].radius = branch_radius;
-    return *this;
-  }
-  PipingComponent& last() { return line_.components.back(); }
-  [[nodiscard]] PipingNetwork made(const PipingOptions& options = {}) const {
-    return assembly_of(line_, options);
-  }
-  [[nodiscard]] const PipingLine& line() const { return line_; }
-
- private:
-  PipingLine line_{"a.pcf", {}};
-};
-
-// Of all parts of the region, which fit without gaps; as many components as said.
-Solid solid(const PipingNetwork& network, std::size_t components = 1) {
-  Built built = build(network.assembly, {.tolerance = .5});
-  EXPECT_EQ(built.solid.components(), components);
-  EXPECT_EQ(built.solid.euler_number(), std::ptrdiff_t(2 * components));
-  for (const GapPair& gap : built.gaps) {
-    EXPECT_TRUE(gap.report.verdict == GapVerdict::welded || gap.report.verdict == GapVerdict::open)
-        << built.ports[gap.first].name;
-  }
-  return built.solid;
-}
-
-const Part& part(const PipingNetwork& network, const std::string& name) {
-  for (const Part& part : network.assembly.parts) {
-    if (part.name == name) {
-      return part;
-    }
-  }
-  ADD_FAILURE() << "no part " << name;
-  return network.assembly.parts.front();
-}
-
-std::string notes(const PipingNetwork& network) {
-  std::string text;
-  for (const SourceNote& note : network.notes) {
-    text += std::to_string(note.line) + ": " + note.text + "\n";
-  }
-  return text;
-}
 
 TEST(PipingLine, joins_what_meets_in_any_order_and_direction) {
   Line line;
@@ -118,22 +50,6 @@ TEST(PipingLine, snaps_ends_that_miss_each_other_to_one_axis) {
   EXPECT_LE(network.largest_move, .05);
   EXPECT_EQ(kind(part(network, "c2").shape), "pipe");
   (void)solid(network);
-}
-
-TEST(PipingLine, leaves_ends_apart_beyond_the_snap_and_bridges_them_where_asked) {
-  Line line;
-  line.pipe({0, 0, 0}, {1000, 0, 0}).pipe({1000, .4, .3}, {2000, .4, .3});
-  const PipingNetwork apart = line.made();
-  EXPECT_TRUE(apart.joints.empty());
-  EXPECT_EQ(apart.open_ends, 4);
-  const PipingNetwork bridged = line.made({.bridge = 1});
-  ASSERT_EQ(bridged.joints.size(), 1);
-  EXPECT_EQ(bridged.joints[0].state, JointState::bridged);
-  EXPECT_NEAR(bridged.joints[0].distance, .5, 1e-12);
-  EXPECT_EQ(bridged.joints[0].part, "bridge-12-21");
-  EXPECT_EQ(kind(part(bridged, "bridge-12-21").shape), "cyclic_blend");
-  EXPECT_EQ(bridged.largest_move, 0);
-  (void)solid(bridged);
 }
 
 TEST(PipingLine, bridges_gaps_overlaps_and_other_radii_along_one_axis) {
@@ -296,51 +212,6 @@ TEST(PipingLine, makes_tees_of_a_run_and_a_branch) {
   EXPECT_EQ(network.open_ends, 3);
   EXPECT_EQ(kind(part(network, "c1").shape), "pipe");
   EXPECT_EQ(kind(part(network, "c1-branch").shape), "pipe");
-  (void)solid(network);
-}
-
-TEST(PipingLine, makes_tees_whose_centre_lies_off_the_run_or_whose_run_turns) {
-  Line off;
-  off.pipe({-900, 0, 0}, {-100, 0, 0}).tee({-100, 0, 0}, {0, 0, 3}, {100, 0, 0}, {0, 0, 100});
-  off.pipe({100, 0, 0}, {900, 0, 0});
-  EXPECT_EQ(kind(part(off.made(), "c1").shape), "pipe");
-  (void)solid(off.made());
-  Line turned;  // whose pipes lead to the centre
-  turned.pipe({-900, 0, -27}, {-100, 0, 0})
-      .tee({-100, 0, 0}, {0, 0, 3.375}, {100, 0, 0}, {0, 0, 100});
-  turned.pipe({100, 0, 0}, {900, 0, -27});
-  EXPECT_EQ(kind(part(turned.made(), "c1").shape), "elbow");
-  (void)solid(turned.made());
-}
-
-TEST(PipingLine, takes_the_arms_on_one_line_for_the_run_whatever_they_are_called) {
-  Line line;
-  line.tee({-100, 0, 0}, {0, 0, 0}, {0, 0, 100}, {100, 0, 0}, 50, 50);
-  const PipingNetwork network = line.made();
-  const auto& run = std::get<PipeBetween>(part(network, "c0").shape);
-  EXPECT_EQ(run.from.z(), run.to.z());
-  (void)solid(network);
-}
-
-TEST(PipingLine, makes_crosses_and_stubs) {
-  Line line;
-  line.add(PipingShape::fitting, {{-200, 0, 0}, {200, 0, 0}, {0, 150, 0}, {0, -150, 0}});
-  line.last().center = Vec3::Zero();
-  line.pipe({200, 0, 0}, {900, 0, 0});
-  line.add(PipingShape::fitting, {{500, 0, 80}}, 15).last().center = Vec3(500, 0, 0);
-  line.pipe({500, 0, 80}, {500, 0, 300}, 15);
-  const PipingNetwork network = line.made();
-  EXPECT_EQ(kind(part(network, "c0-branch").shape), "pipe");
-  EXPECT_EQ(kind(part(network, "c2").shape), "pipe");
-  (void)solid(network);
-}
-
-TEST(PipingLine, gives_fittings_that_turn_sharply_a_ball) {
-  Line line;
-  line.add(PipingShape::fitting, {{0, 0, -60}, {60, 0, 0}}).last().center = Vec3::Zero();
-  line.pipe({0, 0, -60}, {0, 0, -500}).pipe({60, 0, 0}, {500, 0, 0});
-  const PipingNetwork network = line.made();
-  EXPECT_EQ(kind(part(network, "c0").shape), "sphere");
   (void)solid(network);
 }
 

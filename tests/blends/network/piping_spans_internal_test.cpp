@@ -56,5 +56,17 @@ TEST(PipingSpans, of_sharp_fittings_begin_at_different_places_in_a_ball) {
   EXPECT_NE(spans.spans[0].ends[0].point, spans.spans[1].ends[0].point);
 }
 
+TEST(PipingSpans, of_sharp_fittings_begin_inside_of_the_ball_however_long_they_are) {
+  for (const double leg : {5., 60., 300., 1e6}) {
+    const auto spans = spans_of(
+        line_of({component(PipingShape::fitting, {{0, 0, -leg}, {leg, 0, 0}}, Vec3(0, 0, 0))}));
+    for (const Span& arm : spans.spans) {
+      // The mouth's edge, with any wall taken off both.
+      EXPECT_LT(arm.ends[0].point.norm() + arm.radii[0], spans.balls[0].radius);
+      EXPECT_LT(arm.ends[0].point.norm(), leg);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dupin::network

@@ -65,6 +65,17 @@ TEST(GraphFile, plain_graphs_have_radii_or_not) {
   EXPECT_EQ(graph.edges[0].line, 1);
 }
 
+TEST(GraphFile, leaves_numbers_that_are_not_finite_to_those_who_clean_graphs) {
+  for (const char* number : {"nan", "-nan", "+nan", "NaN", "inf", "-inf", "1e400", "-1e400"}) {
+    const std::string word(number);
+    EXPECT_FALSE(std::isfinite(*parse_swc("1 1 0 0 0 " + word + " -1\n", "a").nodes[0].radius))
+        << word;
+    EXPECT_FALSE(std::isfinite(*parse_graph("n 0 0 0 " + word + "\n", "a").nodes[0].radius))
+        << word;
+    EXPECT_FALSE(parse_swc("1 1 0 " + word + " 0 1 -1\n", "a").nodes[0].center.allFinite()) << word;
+  }
+}
+
 TEST(GraphFile, malformed_lines_are_refused_where_they_are) {
   struct Row {
     std::string text, place, message;
@@ -75,7 +86,8 @@ TEST(GraphFile, malformed_lines_are_refused_where_they_are) {
       {"# c\n1 1 0 0 x 1 -1\n", "a:2", "a coordinate", true},
       {"1 1 0 0 0 1 -1 5\n", "a:1", "the end of the line", true},
       {"1 1 0 0 0 1 -2\n", "a:1", "the parent's id", true},
-      {"1 1 0 0 0 inf -1\n", "a:1", "radius", true},
+      {"1 1 0 0 0 infinite -1\n", "a:1", "radius", true},
+      {"1 1 0 0 0 nano -1\n", "a:1", "radius", true},
       {"1.5 1 0 0 0 1 -1\n", "a:1", "id", true},
       {"1 1 0 0 0 1 -1\n1 1 1 0 0 1 -1\n", "a:2", "node 1: the id occurs before", true},
       {"1 1 0 0 0 1 -1\n2 1 1 0 0 1 9\n", "a:2", "node 2: there is no parent 9", true},

@@ -133,8 +133,11 @@ TEST(Expansion, says_what_is_wrong_with_copies) {
       {document(
            R"({"for": {"i": 1000, "j": 1000}, "name": "{i}-{j}", "sphere": {"center": [0, 0, 0], "radius": 1}})"),
        "d.json#/parts/0", "copies make more than 100000 parts"},
-      {document(R"({"for": {"i": 100000, "j": 100000}, "parts": []})"), "d.json#/parts/0/for/j",
-       "the copies of this document become too large"},
+      {document(R"({"for": {"i": 100000, "j": 100000}, "parts": []})"), "d.json#/parts/0",
+       "copies make more than 100000 parts"},
+      {document(
+           R"({"for": {"i": 100000}, "parts": [{"parts": [{"for": {"j": 100000}, "parts": []}]}]})"),
+       "d.json#/parts/0/parts/0/parts/0", "copies make more than 100000 parts"},
   };
   for (const auto& row : rows) {
     expect_fault(row);

@@ -48,7 +48,11 @@ TEST(NominalSize, says_what_there_is) {
   EXPECT_THAT(message_of(pipe(R"("size": "DN101")")),
               testing::StartsWith("d.json#/parts/0/pipe/size: 'DN101' is no size of ASME B36.10M: "
                                   "DN6, DN8, DN10, "));
-  EXPECT_THAT(message_of(pipe(R"("size": "4")")), testing::HasSubstr("is no size"));
+  for (const char* size : {"4", "DN1e2", "DN 1E2", "NPS 4e0", "DN+100", "DN0x64", "DNinf", "DN"}) {
+    EXPECT_THAT(message_of(pipe(R"("size": ")" + std::string(size) + "\"")),
+                testing::HasSubstr("is no size"))
+        << size;
+  }
   EXPECT_EQ(message_of(pipe(R"("size": 100)")),
             "d.json#/parts/0/pipe/size: must be a string, not number");
   EXPECT_EQ(

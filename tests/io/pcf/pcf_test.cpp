@@ -156,6 +156,41 @@ TEST(Pcf, leaves_out_what_is_there_twice) {
   EXPECT_THAT(file.notes.at(0).text, HasSubstr("repeats the one at line 3"));
 }
 
+TEST(Pcf, leaves_out_what_is_there_twice_the_other_way_round) {
+  const PcfFile pipes =
+      parse_pcf(pipe("100") + "PIPE\n    END-POINT 100 0 0 100\n    END-POINT 0 0 0 100\n");
+  EXPECT_EQ(pipes.line.components.size(), 1);
+  EXPECT_THAT(pipes.notes.at(0).text, HasSubstr("pipe-6 repeats the one at line 3"));
+  const std::string tee = "TEE\n    CENTRE-POINT 4 0 0\n    END-POINT 9 0 0 100\n";
+  const PcfFile tees =
+      parse_pcf(kUnits + tee + "    END-POINT 0 0 0 100\n    BRANCH1-POINT 4 9 0 100\n" + tee +
+                "    END-POINT 4 9 0 100\n    BRANCH1-POINT 0 0 0 100\n");
+  EXPECT_EQ(tees.line.components.size(), 1);
+}
+
+TEST(Pcf, has_one_unit_of_each_kind) {
+  EXPECT_EQ(parse_pcf("UNITS-CO-ORDS mm\n" + pipe("100")).line.components.size(), 1);
+  expect_refused(
+      [](const std::string& bytes, const std::string& file) { return parse_pcf(bytes, file); },
+      "a.pcf",
+      {{pipe("100") + "UNITS-CO-ORDS INCH\n",
+        "a.pcf:6: found UNITS-CO-ORDS 'INCH', but line 2 says 'MM'; expected one unit for the "
+        "whole "
+        "file"},
+       {"UNITS-BORE INCH\n" + pipe("100"),
+        "a.pcf:2: found UNITS-BORE 'MM', but line 1 says 'INCH'; expected one unit for the whole "
+        "file"}});
+}
+
+TEST(Pcf, reads_no_component_out_of_messages) {
+  const PcfFile file = parse_pcf(pipe("100") +
+                                 "MESSAGE-SQUARE\n    TEXT PIPE\n    PIPE TO BE FIELD "
+                                 "CUT\n    VALVE BY OTHERS\nMESSAGE-CIRCLE\n");
+  EXPECT_EQ(file.line.components.size(), 1);
+  EXPECT_EQ(file.skipped.at("MESSAGE-SQUARE"), 1);
+  EXPECT_TRUE(file.unknown.empty());
+}
+
 TEST(Pcf, refuses_what_is_malformed) {
   const std::string pipe_head = kUnits + "PIPE\n";
   expect_refused(

@@ -40,6 +40,19 @@ TEST(PcfRecords, keep_the_free_text_of_messages) {
   EXPECT_EQ(all[0].attributes.size(), 2);
 }
 
+TEST(PcfRecords, tell_text_of_messages_from_components_by_how_it_is_indented) {
+  for (const char* text : {"MESSAGE-SQUARE\n    PIPE TO BE FIELD CUT\nPIPE\n",
+                           "MESSAGE-SQUARE\n    CO-ORDS 0 0 0\n    SUPPORT BY OTHERS\nPIPE\n",
+                           " MESSAGE-CIRCLE\n  PIPE\n  VALVE\n PIPE\n  END-POINT 1 2 3\n",
+                           "MESSAGE-SQUARE\n  WELD\n  PIPE\n    END-POINT 1 2 3\n"}) {
+    const auto all = records(text);
+    ASSERT_EQ(all.size(), 2) << text;
+    EXPECT_TRUE(all[0].head.keyword.starts_with("MESSAGE")) << text;
+    EXPECT_EQ(all[1].head.keyword, "PIPE") << text;
+  }
+  EXPECT_EQ(records(" MESSAGE-SQUARE\n text\n PIPE\n END-POINT 1 2 3\n").size(), 2);
+}
+
 TEST(PcfRecords, say_where_their_text_begins) {
   const std::string text = "PIPE\n  END-POINT  17 2 3\n";
   const auto all = records(text);

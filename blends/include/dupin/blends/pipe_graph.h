@@ -39,7 +39,7 @@ struct PipeGraphOptions {
   bool keep_going = false;       ///< nodes and edges that are refused are left out, and noted
   Unit unit = Unit::millimetre;  ///< of the graph's numbers and these
   /// Parts that a build refused, by their names, and why: such nodes become balls, such edges are
-  /// left out.
+  /// left out, and so are nodes, with their edges, whose "ball NAME" is refused.
   std::map<std::string, std::string> refused = {};
 };
 

@@ -1,0 +1,102 @@
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "blends/network/piping_line_builder.h"
+#include "dupin/blends/build.h"
+#include "dupin/blends/piping_line.h"
+
+namespace dupin::test {
+namespace {
+
+TEST(PipingJoints, leaves_ends_apart_beyond_the_snap_and_bridges_them_where_asked) {
+  Line line;
+  line.pipe({0, 0, 0}, {1000, 0, 0}).pipe({1000, .4, .3}, {2000, .4, .3});
+  const PipingNetwork apart = line.made();
+  ASSERT_EQ(apart.joints.size(), 1);
+  EXPECT_EQ(apart.joints[0].state, JointState::apart);
+  EXPECT_NEAR(apart.joints[0].distance, .5, 1e-12);
+  EXPECT_EQ(apart.open_ends, 2);
+  const PipingNetwork bridged = line.made({.bridge = 1});
+  ASSERT_EQ(bridged.joints.size(), 1);
+  EXPECT_EQ(bridged.joints[0].state, JointState::bridged);
+  EXPECT_NEAR(bridged.joints[0].distance, .5, 1e-12);
+  EXPECT_EQ(bridged.joints[0].part, "bridge-12-21");
+  EXPECT_EQ(kind(part(bridged, "bridge-12-21").shape), "cyclic_blend");
+  EXPECT_EQ(bridged.largest_move, 0);
+  (void)solid(bridged);
+}
+
+// As far apart as `dupin gaps` takes them for ends that belong together, if it is not told.
+TEST(PipingJoints, says_that_ends_miss_each_other_by_up_to_a_millimetre) {
+  for (const double gap : {.06, .1, .999}) {
+    Line line;
+    line.pipe({0, 0, 0}, {500, 0, 0}).pipe({500 + gap, 0, 0}, {900, 0, 0});
+    line.pipe({900, 0, 0}, {1200, 0, 0});
+    const PipingNetwork network = line.made();
+    ASSERT_EQ(network.joints.size(), 2);
+    EXPECT_EQ(network.joints[0].state, JointState::apart);
+    EXPECT_EQ(network.joints[0].lines, (std::array<std::size_t, 2>{12, 21}));
+    EXPECT_EQ(network.joints[1].state, JointState::met);
+    EXPECT_EQ(network.open_ends, 2);
+  }
+  Line far;
+  far.pipe({0, 0, 0}, {500, 0, 0}).pipe({501.1, 0, 0}, {900, 0, 0});
+  EXPECT_TRUE(far.made().joints.empty());
+  EXPECT_EQ(far.made().open_ends, 4);
+  Line beside;  // ends that look the same way
+  beside.pipe({0, 0, 0}, {500, 0, 0}, .2).pipe({0, .5, 0}, {500, .5, 0}, .2);
+  EXPECT_TRUE(beside.made().joints.empty());
+}
+
+TEST(PipingJoints, bridges_no_ends_that_look_away_from_each_other) {
+  Line line;
+  line.pipe({0, 0, 0}, {500, 0, 0}).pipe({600, 0, 0}, {900, 0, 0});
+  const PipingNetwork network = line.made({.bridge = 1000});
+  ASSERT_EQ(network.joints.size(), 1);
+  EXPECT_EQ(network.joints[0].state, JointState::bridged);
+  EXPECT_EQ(network.joints[0].distance, 100);
+  EXPECT_EQ(network.open_ends, 2);
+  (void)solid(network);
+}
+
+// A square of pipes and bends, one bend of which may miss, and one joint of which may be a gap.
+TEST(PipingJoints, closes_loops_with_a_gap_or_a_kink_anywhere) {
+  for (const int gap_at : {-1, 0, 1, 2, 3}) {
+    for (const int kink_at : {-1, 0, 2, 3}) {
+      Line line;
+      const Vec3 corners[] = {{0, 0, 0}, {1000, 0, 0}, {1000, 1000, 0}, {0, 1000, 0}};
+      for (int k = 0; k < 4; ++k) {
+        const Vec3 &corner = corners[k], &next = corners[(k + 1) % 4], &last = corners[(k + 3) % 4];
+        const Vec3 in = (corner - last).normalized(), out = (next - corner).normalized();
+        const Vec3 begin = k == kink_at ? corner : Vec3(corner + 200 * out);
+        const Vec3 end = (k + 1) % 4 == kink_at ? next : Vec3(next - 200 * out);
+        line.pipe(begin + (k == gap_at ? 2. : 0.) * out, end);
+        if (k != kink_at) {
+          line.bend(corner - 200 * in, corner, corner + 200 * out);
+        }
+      }
+      const PipingNetwork network = line.made({.bridge = 5});
+      EXPECT_EQ(network.open_ends, 0);
+      for (const PipingJoint& joint : network.joints) {
+        const bool is_kink = joint.kink > .1, is_gap = joint.distance > .05;
+        EXPECT_EQ(joint.state == JointState::bridged, is_gap) << gap_at << " " << kink_at;
+        EXPECT_NE(joint.state, JointState::apart) << gap_at << " " << kink_at;
+        EXPECT_TRUE(!is_kink || joint.state != JointState::met) << gap_at << " " << kink_at;
+        EXPECT_EQ(joint.part.empty(), joint.state == JointState::met);
+      }
+      const Built built = build(network.assembly, {.tolerance = 3});
+      EXPECT_EQ(built.solid.components(), 1) << gap_at << " " << kink_at;
+      EXPECT_EQ(built.solid.euler_number(), 0) << gap_at << " " << kink_at;
+      for (const GapPair& gap : built.gaps) {
+        EXPECT_EQ(gap.report.verdict, GapVerdict::welded) << gap_at << " " << kink_at;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dupin::test
