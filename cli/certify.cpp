@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <numbers>
 #include <optional>
+#include <string>
 
 #include <CLI/App.hpp>
 
 #include "commands.h"
 #include "document.h"
+#include "dupin/blends/canal_fillet.h"
 #include "dupin/blends/certificate.h"
 #include "dupin/io/certificate_json.h"
 #include "dupin/io/sha256.h"
@@ -27,8 +30,49 @@ struct CertifyArguments {
   std::size_t most_triangles = kUsualTriangles;
 };
 
+std::string unit_of(const Certificate& certificate) {
+  return " " + std::string(symbol(certificate.unit));
+}
+
 std::string named(const Certificate& certificate, const ClearanceClaim& claim) {
   return certificate.surface_name(claim.first) + " and " + certificate.surface_name(claim.second);
+}
+
+/// Where the arcs between the feet of a fillet's balls are shortest, and how long they are.
+struct NarrowPlace {
+  Vec3 place = Vec3::Zero();
+  double width = 0, widest = 0;
+};
+
+NarrowPlace narrowest(const CanalFillet& loop) {
+  constexpr int kPlaces = 1024;
+  const auto arc_at = [&](double t) { return contact_arc(loop.quadrics, ball(loop, t)); };
+  const auto width = [&](double t) {
+    const ContactArc arc = arc_at(t);
+    return arc.radius * arc.angle;
+  };
+  double step = 2 * std::numbers::pi / kPlaces, least = 0, widest = 0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double here = width(i * step);
+    widest = std::max(widest, here);
+    least = here < width(least) ? i * step : least;
+  }
+  for (; step > 1e-12; step /= 2) {
+    least = width(least - step) < width(least) ? least - step : least;
+    least = width(least + step) < width(least) ? least + step : least;
+  }
+  return {arc_at(least).feet[0], width(least), widest};
+}
+
+/// Claims about fillets are searched for, and are undecided where the search ends before.
+std::string why_undecided(const CanalFillet& loop, const std::string& unit) {
+  constexpr double kNarrow = 0.05;  // of the widest
+  const std::string limit = ", no proof was found within the work that a certificate may take";
+  const NarrowPlace narrow = narrowest(loop);
+  return narrow.width < kNarrow * narrow.widest
+             ? limit + ": its pipes all but touch at " + place_text(narrow.place) +
+                   ", where it is " + number(narrow.width) + unit + " wide"
+             : limit;
 }
 
 /// Every claim that is not proved, on a line of its own.
@@ -52,11 +96,18 @@ void print_findings(std::ostream& out, const Certificate& certificate) {
           claims.mesh ? Verdict::proved : Verdict::undecided);
   }
   for (std::size_t i = 0; i < certificate.fillets.size(); ++i) {
-    for (const LoopClaims& claims : certificate.fillet_claims[i]) {
-      const std::string& fillet = certificate.fillets[i].name;
-      print(fillet, "margin above " + number(claims.regular.margin), claims.regular.verdict);
-      print(fillet, "embedded", claims.embedded.verdict);
-      print(fillet, "mesh error", claims.mesh ? Verdict::proved : Verdict::undecided);
+    const CertifiedFillet& fillet = certificate.fillets[i];
+    for (std::size_t loop = 0; loop < fillet.loops.size(); ++loop) {
+      const LoopClaims& claims = certificate.fillet_claims[i].at(loop);
+      const auto print_claim = [&](const std::string& claim, Verdict verdict) {
+        const bool is_open = verdict == Verdict::undecided;
+        print(fillet.name,
+              claim + (is_open ? why_undecided(fillet.loops[loop], unit_of(certificate)) : ""),
+              verdict);
+      };
+      print_claim("margin above " + number(claims.regular.margin), claims.regular.verdict);
+      print_claim("embedded", claims.embedded.verdict);
+      print_claim("mesh error", claims.mesh ? Verdict::proved : Verdict::undecided);
     }
   }
   for (const ClearanceClaim& claim : certificate.clearances) {
@@ -105,7 +156,7 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
       }
     }
   }
-  const std::string unit = " " + std::string(symbol(certificate.unit));
+  const std::string unit = unit_of(certificate);
   print_row(out, "parts", std::to_string(certificate.parts.size()));
   if (!certificate.fillets.empty()) {
     print_row(out, "fillets", std::to_string(certificate.fillets.size()));
@@ -114,7 +165,12 @@ void print_certificate(std::ostream& out, const Certificate& certificate) {
     print_row(out, "smallest margin",
               "above " + number(tightest->margin) + " (" + tightest_name + ")");
   }
-  print_row(out, "mesh error", "at most " + number(error) + unit);
+  print_row(out, "mesh error",
+            "at most " + number(error) + unit +
+                (error > certificate.tolerance
+                     ? ", which does not prove that it keeps to the tolerance, " +
+                           number(certificate.tolerance) + unit
+                     : ""));
   if (!certificate.fillets.empty()) {
     print_row(
         out, "fillets touch pipes",

@@ -33,6 +33,25 @@ TEST_F(Certify, proves_a_graph_that_is_read_alike) {
   EXPECT_EQ(dupin({"verify", "y.cert.json", "y.graph", "--radius", "1.01"}).exit_code, 3);
 }
 
+// Nearly equal pipes: what is not decided, and what the bound does not prove.
+TEST_F(Certify, says_why_a_claim_about_a_fillet_is_undecided) {
+  folder_.write("near.json", R"({"units": "mm", "tolerance": 0.02, "parts": [
+      {"name": "run", "pipe": {"from": [-200,0,0], "to": [200,0,0], "radius": 38}},
+      {"name": "b", "pipe": {"from": [0,0,0], "to": [0,0,160], "radius": 37.9999999}},
+      {"name": "f", "fillet": {"between": ["run", "b"], "radius": 11}}]})");
+  const ProcessResult result = dupin({"certify", "near.json", "-o", "near.cert.json"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("undecided: f: embedded, no proof was found within the work "
+                                    "that a certificate may take: its pipes all but touch at ("));
+  EXPECT_THAT(result.out, HasSubstr(" mm, which does not prove that it keeps to the tolerance, "
+                                    "0.02 mm"));
+  for (const std::string document : {"reducer.json", "tee.json"}) {
+    const ProcessResult near = dupin({"certify", example(document), "-o", "near.cert.json"});
+    EXPECT_EQ(near.exit_code, 0);
+    EXPECT_THAT(near.out, testing::Not(HasSubstr("does not prove"))) << document;
+  }
+}
+
 TEST_F(Certify, takes_the_tolerance_of_the_command_line) {
   const std::string reducer = example("reducer.json");
   const auto bound_of = [&](const std::string& tolerance) {

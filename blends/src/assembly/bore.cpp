@@ -335,8 +335,12 @@ class Borer {
       return {};
     }
     const double radius = fillet.shape.radius;
-    const auto smaller = largest_radius_below(
-        radius, [&](double tried) { return !fillet_fault(pipes, names, tried + thicker); });
+    const auto smaller = largest_radius_below(radius, [&](double tried) {
+      return !fillet_fault(pipes, names, tried + thicker) &&
+             !fillet_fault(
+                 {&outer_.parts[fillet.between[0]].shape, &outer_.parts[fillet.between[1]].shape},
+                 names, tried);
+    });
     const auto thinner = largest_radius_below(thicker, [&](double tried) {
       std::array<PartSurface, 2> bores;
       for (std::size_t i = 0; i < 2; ++i) {
@@ -349,9 +353,9 @@ class Borer {
     if (!smaller && !thinner) {
       return "; neither a smaller fillet nor a thinner wall would do";
     }
-    return (smaller ? "; a fillet of radius " + decimal(*smaller, 2) : std::string("; ")) +
+    return (smaller ? "; a fillet of radius " + decimal(*smaller) : std::string("; ")) +
            (smaller && thinner ? ", or " : "") +
-           (thinner ? "a wall of " + decimal(*thinner, 2) : std::string()) + " would do";
+           (thinner ? "a wall of " + decimal(*thinner) : std::string()) + " would do";
   }
 
   [[nodiscard]] double thicker_wall(const ResolvedFillet& fillet) const {
@@ -380,6 +384,11 @@ std::map<std::string, double> half_gaps(const ResolvedAssembly& outer, double co
   return result;
 }
 
+double wall_of(const Assembly& assembly, const Part& part) {
+  const double usual = part_kind(part.shape).is_pad ? 0 : assembly.wall.value_or(0);
+  return part.solid ? 0 : part.wall.value_or(usual);
+}
+
 bool says_wall(const Assembly& assembly) {
   return assembly.wall || std::ranges::any_of(assembly.parts, [](const Part& part) {
            return part.wall.value_or(0) > 0;
@@ -391,10 +400,8 @@ bool says_wall(const Assembly& assembly) {
 std::optional<std::vector<double>> walls_of(const Assembly& assembly, const ResolvedAssembly& outer,
                                             std::optional<Region> asked) {
   std::vector<double> result(assembly.parts.size());
-  std::ranges::transform(assembly.parts, result.begin(), [&](const Part& part) {
-    const double usual = part_kind(part.shape).is_pad ? 0 : assembly.wall.value_or(0);
-    return part.solid ? 0 : part.wall.value_or(usual);
-  });
+  std::ranges::transform(assembly.parts, result.begin(),
+                         [&](const Part& part) { return wall_of(assembly, part); });
   bool has_hollow_chain = false;
   for (const ResolvedPart& part : outer.parts) {
     const auto* chain = std::get_if<Chain>(&part.shape);
@@ -408,6 +415,26 @@ std::optional<std::vector<double>> walls_of(const Assembly& assembly, const Reso
     return result;
   }
   return std::nullopt;
+}
+
+bool bore_takes(const Assembly& assembly, const std::array<const PartSurface*, 2>& pipes,
+                const std::array<std::string, 2>& names, double radius) {
+  std::array<PartSurface, 2> bores;
+  double thicker = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto part = std::ranges::find(assembly.parts, names.at(i), &Part::name);
+    const double wall = part == assembly.parts.end() ? 0 : wall_of(assembly, *part);
+    if (!(wall > 0)) {
+      return true;
+    }
+    thicker = std::max(thicker, wall);
+    try {
+      bores.at(i) = std::visit(NarrowedSurface{wall}, *pipes.at(i));
+    } catch (const Error&) {
+      return true;  // whatever the fillet
+    }
+  }
+  return !fillet_fault({&bores[0], &bores[1]}, names, radius + thicker);
 }
 
 ResolvedAssembly filled(ResolvedAssembly outer) {

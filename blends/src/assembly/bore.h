@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -38,6 +39,12 @@ constexpr std::string_view kBoreSuffix = ".bore", kInsulationSuffix = ".insulati
 /// fold or not meet its neighbour's.
 [[nodiscard]] SelectedParts bore_of(const Assembly& assembly, const ResolvedAssembly& outer,
                                     const std::vector<double>& walls);
+
+/// Whether the bore of both pipes has its fillet, too, where the outer ball has this radius, as far
+/// as their walls leave a bore; true where not both are hollow.
+[[nodiscard]] bool bore_takes(const Assembly& assembly,
+                              const std::array<const PartSurface*, 2>& pipes,
+                              const std::array<std::string, 2>& names, double radius);
 
 /// How thick the insulation of all parts is, by their places in Assembly::parts. Empty if there is
 /// none.

@@ -2,21 +2,31 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "assembly/part_context.h"
+#include "dupin/blends/canal_fillet.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "surfaces/fillet_mesh.h"
 #include "surfaces/mesh_cost.h"
 #include "tessellation/tessellation_tolerance.h"
+#include "tessellation/trimmed_face.h"
 
 namespace dupin::assembly {
 namespace {
 
 using surfaces::MeshCost;
 using tessellation::count_text;
+using tessellation::TrimmedFace;
+
+constexpr double kTurn = 2 * std::numbers::pi;
 
 constexpr double kUncounted = std::numeric_limits<double>::infinity();
 
@@ -31,14 +41,17 @@ struct Limit {
 
 struct Estimate {
   MeshCost all, worst;  // worst: of the part that asks for most
-  std::uint32_t part = 0, segments = 0;
+  std::string part;
+  std::uint32_t index = 0, segments = 0;  // index: in Assembly::parts
 
-  void add(const MeshCost& cost, std::uint32_t of, std::uint32_t around, const Limit& limit) {
+  // Of a part or a fillet.
+  void add(const MeshCost& cost, const auto& of, std::uint32_t around, const Limit& limit) {
     all.triangles += cost.triangles;
     all.pairs += cost.pairs;
     if (limit.share(cost) > limit.share(worst)) {
       worst = cost;
-      part = of;
+      part = of.name;
+      index = of.index;
       segments = around;
     }
   }
@@ -52,16 +65,20 @@ class Estimator {
 
   [[nodiscard]] Estimate of(const Assembly& assembly) const {
     Estimate result;
+    std::map<std::uint32_t, RingSampling> samplings;  // by part
     for (const WeldedRun& run : runs_) {
       const auto sampling = sampling_of(assembly, run);
-      for (const std::uint32_t part : run.parts) {
+      for (const std::uint32_t index : run.parts) {
+        const ResolvedPart& part = resolved_.parts[index];
         if (sampling) {
           result.add(cost_of(assembly, part, *sampling), part, sampling->segments, limit_);
+          samplings.emplace(index, *sampling);
         } else {
           result.add({kUncounted, 0}, part, 0, limit_);
         }
       }
     }
+    add_fillets(assembly, samplings, result);
     return result;
   }
 
@@ -100,15 +117,60 @@ class Estimator {
     }
   }
 
-  [[nodiscard]] MeshCost cost_of(const Assembly& assembly, std::uint32_t part,
-                                 const RingSampling& sampling) const {
-    return with_part_context(assembly, resolved_.parts[part].index, [&] {
+  [[nodiscard]] static MeshCost cost_of(const Assembly& assembly, const ResolvedPart& part,
+                                        const RingSampling& sampling) {
+    return with_part_context(assembly, part.index, [&] {
       return std::visit(
           [&](const auto& shape) {
             return surfaces::mesh_cost(shape, sampling, assembly.tolerance);
           },
-          resolved_.parts[part].shape);
+          part.shape);
     });
+  }
+
+  // And of their pipes' faces, which have triangles of the size of their segments where they are.
+  void add_fillets(const Assembly& assembly, const std::map<std::uint32_t, RingSampling>& samplings,
+                   Estimate& result) const {
+    std::map<std::uint32_t, TrimmedFace> faces;  // by part
+    for (const ResolvedFillet& fillet : resolved_.fillets) {
+      if (!samplings.contains(fillet.between[0]) || !samplings.contains(fillet.between[1])) {
+        continue;
+      }
+      const std::array<std::uint32_t, 2> segments{samplings.at(fillet.between[0]).segments,
+                                                  samplings.at(fillet.between[1]).segments};
+      double own = 0;
+      for (const CanalFillet& loop : fillet.shape.loops) {
+        if (!fillet.shape.is_cope()) {
+          own += surfaces::expected_triangles(
+              loop, {assembly.tolerance, {kTurn / segments[0], kTurn / segments[1]}, grid_});
+        }
+        add_feet(loop, fillet.between, faces);
+      }
+      result.add({own, 0}, fillet, std::max(segments[0], segments[1]), limit_);
+    }
+    for (const auto& [index, face] : faces) {
+      const RingSampling& sampling = samplings.at(index);
+      result.add({tessellation::expected_triangles(face, sampling), 0}, resolved_.parts[index],
+                 sampling.segments, limit_);
+    }
+  }
+
+  void add_feet(const CanalFillet& loop, const std::array<std::uint32_t, 2>& between,
+                std::map<std::uint32_t, TrimmedFace>& faces) const {
+    constexpr int kFeet = 64;
+    std::array<std::vector<Vec3>, 2> feet;
+    for (int i = 0; i < kFeet; ++i) {
+      const ContactArc arc = contact_arc(loop.quadrics, ball(loop, kTurn * i / kFeet));
+      feet[0].push_back(arc.feet[0]);
+      feet[1].push_back(arc.feet[1]);
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Chain& chain = std::get<Chain>(resolved_.parts[between.at(side)].shape);
+      TrimmedFace& face = faces[between.at(side)];
+      face.start = end_ring(chain, End::start);
+      face.end = end_ring(chain, End::end);
+      face.curves.push_back(std::move(feet.at(side)));
+    }
   }
 
   const ResolvedAssembly& resolved_;
@@ -153,13 +215,12 @@ void refuse_too_costly(const Assembly& assembly, const ResolvedAssembly& resolve
     return;
   }
   const auto enough = estimator.tolerance_that_would_do(assembly);
-  const ResolvedPart& part = resolved.parts[estimate.part];
   throw Error(
       Errc::limit_exceeded,
       what_is_asked_for(assembly, estimate, limit) +
           (enough ? "; a tolerance of " + decimal(*enough, 2) + " would do, or a higher limit"
                   : std::string("; fewer segments would do, smaller parts, or a higher limit")),
-      part.name, document_place(assembly, part.index));
+      estimate.part, document_place(assembly, estimate.index));
 }
 
 double expected_triangles(const Assembly& assembly, const ResolvedAssembly& resolved,

@@ -1,6 +1,8 @@
 #include "assembly/fillet_overlap.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 #include <utility>
 
 #include "assembly/fillet_part.h"
@@ -41,16 +43,23 @@ class RadiusSearch {
         meshes_(meshes) {}
 
   std::optional<double> run(double radius) {
-    return largest_radius_below(radius, [this](double tried) { return fits(tried); });
+    // Of a bore the ball is larger by the wall than the document says.
+    const double thicker = resolved_.fillets[fillet_].shape.radius - radius;
+    return largest_radius_below(radius, [&](double tried) { return fits(tried + thicker); });
   }
 
  private:
   bool fits(double radius) {
     ResolvedFillet& fillet = resolved_.fillets[fillet_];
     const auto [a, b] = fillet.between;
+    const std::array<const PartSurface*, 2> pipes{&resolved_.parts[a].shape,
+                                                  &resolved_.parts[b].shape};
+    const std::array<std::string, 2> names{resolved_.parts[a].name, resolved_.parts[b].name};
     try {
-      fillet.shape = fillet_between({&resolved_.parts[a].shape, &resolved_.parts[b].shape},
-                                    {resolved_.parts[a].name, resolved_.parts[b].name}, radius);
+      if (fillet_fault(pipes, names, radius)) {
+        return false;  // without a search for what would do
+      }
+      fillet.shape = fillet_between(pipes, names, radius);
       meshes_[fillet_] =
           fillet_meshes(assembly_, fillet, {samplings_.at(a), samplings_.at(b)}, kUsualTriangles);
     } catch (const Error&) {
@@ -103,7 +112,7 @@ std::optional<FilletOverlap> fillet_overlap(const Assembly& assembly,
     const auto largest =
         RadiusSearch(assembly, resolved, later, samplings, meshes).run(shape->radius);
     why += largest ? "; with '" + other + "' as it is, the largest radius that fits is " +
-                         decimal(*largest, 2)
+                         decimal(*largest)
                    : "; nor does a smaller ball fit";
   }
   return FilletOverlap{later, why};

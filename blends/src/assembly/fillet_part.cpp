@@ -275,33 +275,73 @@ std::array<Pipe, 2> pipes_of(const std::array<const PartSurface*, 2>& surfaces,
           Pipe(straight_tube(*surfaces[1], names[1]), names[1])};
 }
 
+// The decimal of fewest digits that fits.
+double shortest_between(double low, double high, const std::function<bool(double)>& fits) {
+  for (int digits = 2; digits < 6; ++digits) {
+    const double unit = std::pow(10, std::floor(std::log10(high)) + 1 - digits);
+    const double tried = rounded(std::floor(high / unit) * unit, digits);
+    if (tried > low && tried <= high && fits(tried)) {
+      return tried;
+    }
+  }
+  return high;
+}
+
+std::string what_would_do(const std::array<Pipe, 2>& pipes, double radius,
+                          const std::function<bool(double)>& fits_bore) {
+  const auto fits = [&](double tried) { return !fault_of(pipes, tried); };
+  const auto outside = largest_radius_below(radius, fits);
+  if (!outside) {
+    return "; nor does a smaller ball fit";
+  }
+  const std::string named = "; the largest ball that fits has a radius of ";
+  if (!fits_bore || fits_bore(*outside)) {
+    return named + decimal(*outside);
+  }
+  const auto both =
+      largest_radius_below(*outside, [&](double tried) { return fits(tried) && fits_bore(tried); });
+  return both ? named + decimal(*both)
+              : named + decimal(*outside) +
+                    ", but with these walls neither it nor a smaller one fits inside";
+}
+
 }  // namespace
 
 std::optional<double> largest_radius_below(double radius, const std::function<bool(double)>& fits) {
-  double feasible = radius / 1000, too_large = radius;
-  if (!fits(feasible)) {
+  constexpr double kMore = 1.01, kNear = 1.002;
+  constexpr std::array<double, 4> kShares{1e-3, 1e-2, 1e-1, 0.5};
+  constexpr int kMostGaps = 4;
+  const auto* share =
+      std::ranges::find_if(kShares, [&](double tried) { return fits(radius * tried); });
+  if (share == kShares.end()) {
     return std::nullopt;
   }
-  while (too_large > 1.005 * feasible) {
-    const double middle = std::sqrt(feasible * too_large);
-    (fits(middle) ? feasible : too_large) = middle;
+  double named = 0;
+  double feasible = radius * *share;
+  for (int gap = 0; gap < kMostGaps; ++gap) {
+    double too_large = radius;
+    while (too_large > kNear * feasible) {
+      const double middle = std::sqrt(feasible * too_large);
+      (fits(middle) ? feasible : too_large) = middle;
+    }
+    named = shortest_between(too_large / kMore, feasible, fits);
+    // What fits need not be all that is smaller.
+    if (!(kMore * named < radius) || !fits(kMore * named)) {
+      break;
+    }
+    feasible = kMore * named;
   }
-  const double digit = std::pow(10, std::floor(std::log10(feasible)) - 1);
-  return std::floor(feasible / digit) * digit;
+  return named;
 }
 
 Fillet fillet_between(const std::array<const PartSurface*, 2>& surfaces,
-                      const std::array<std::string, 2>& names, double radius) {
+                      const std::array<std::string, 2>& names, double radius,
+                      const std::function<bool(double)>& fits_bore) {
   const std::array<Pipe, 2> pipes = pipes_of(surfaces, names);
   try {
     return Search(pipes, radius).run();
   } catch (const Error& error) {
-    const auto largest =
-        largest_radius_below(radius, [&](double tried) { return !fault_of(pipes, tried); });
-    throw Error(Errc::infeasible_blend,
-                error.message() + (largest ? "; the largest ball that fits has a radius of " +
-                                                 decimal(*largest, 2)
-                                           : std::string("; nor does a smaller ball fit")));
+    throw Error(Errc::infeasible_blend, error.message() + what_would_do(pipes, radius, fits_bore));
   }
 }
 

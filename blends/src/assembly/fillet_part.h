@@ -14,17 +14,20 @@ namespace dupin::assembly {
 /// which of the ways round their crossing lie on both, and which ends the other one buries.
 ///
 /// Throws Error{infeasible_blend} that says why there is none and, where a smaller ball would do,
-/// the largest radius that would, to two digits; Error{invalid_argument} for other surfaces.
+/// the largest radius that would (`largest_radius_below`), of which `fits_bore` says that they
+/// leave room for walls, too; Error{invalid_argument} for other surfaces.
 [[nodiscard]] Fillet fillet_between(const std::array<const PartSurface*, 2>& pipes,
-                                    const std::array<std::string, 2>& names, double radius);
+                                    const std::array<std::string, 2>& names, double radius,
+                                    const std::function<bool(double)>& fits_bore = {});
 
 /// Why there is no such fillet; none where there is one. Throws for other surfaces as it does.
 [[nodiscard]] std::optional<std::string> fillet_fault(
     const std::array<const PartSurface*, 2>& pipes, const std::array<std::string, 2>& names,
     double radius);
 
-/// The largest radius that fits and is smaller than this one, which does not: to two digits,
-/// rounded down. None if not even a thousandth of it fits.
+/// The largest radius that fits and is smaller than this one, which does not: it was found to fit,
+/// and 1 % more not to, unless radii that fit have several gaps; of few digits. None if neither a
+/// thousandth, a hundredth, a tenth nor half of it fits. Asks some 60 times at most.
 [[nodiscard]] std::optional<double> largest_radius_below(double radius,
                                                          const std::function<bool(double)>& fits);
 

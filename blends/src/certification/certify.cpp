@@ -82,8 +82,10 @@ std::vector<verification::PartPair> all_pairs(std::uint32_t parts) {
 // Arcs are not divided further than the leaves of the claim that their loop is regular.
 constexpr std::size_t kBoxesOfLoop = 1 << 11;
 
-// The largest angle about a ring's axis that a triangle spans.
-double widest_turn(const TriMesh& mesh, const Ring& ring) {
+// The largest angle about a ring's axis that a triangle spans, but for what rounding its corners to
+// the grid adds: claims count that by itself.
+double widest_turn(const TriMesh& mesh, const Ring& ring, double grid) {
+  const double moved = std::numbers::sqrt3 / 2 * grid;
   const auto arm = [&](std::uint32_t vertex) -> Vec3 {
     const Vec3 from = mesh.points[vertex] - ring.center;
     return from - from.dot(ring.normal) * ring.normal;
@@ -92,7 +94,8 @@ double widest_turn(const TriMesh& mesh, const Ring& ring) {
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 a = arm(t.at(i)), b = arm(t.at((i + 1) % 3));
-      widest = std::max(widest, std::atan2(a.cross(b).norm(), a.dot(b)));
+      widest = std::max(
+          widest, std::atan2(a.cross(b).norm(), a.dot(b)) - moved / a.norm() - moved / b.norm());
     }
   }
   return widest;
@@ -234,7 +237,7 @@ class Certifier {
     for (const std::uint32_t part : trimmed) {
       const Tessellation face = face_of(part, samplings, meshes);
       const Ring ring = end_ring(std::get<Chain>(result_.parts[part].shape), End::end);
-      const double turn = widest_turn(face.mesh, ring) * (1 + 0x1p-40);
+      const double turn = widest_turn(face.mesh, ring, grid) * (1 + 0x1p-40);
       const auto segments = std::uint32_t(2 * std::numbers::pi / turn);
       append_mesh(part, MeshClaim{segments, grid, {0, 1}, face.error_bound, face.axes});
     }

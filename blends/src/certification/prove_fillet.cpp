@@ -288,7 +288,7 @@ bool claim_with(const CanalFillet& loop, const LoopMesh& mesh, Cells& known, dou
 }  // namespace
 
 LoopClaims prove_loop(const CanalFillet& loop, const LoopMesh& mesh, const LoopGoals& goals) {
-  constexpr double kFine = 0x1p-8;  // for the mesh's sake alone
+  constexpr double kFine = 0x1p-9;  // for the mesh's sake alone
   constexpr double kShare = 0.97;   // of the margin that is known, as another way has proved it
   const CanalRegularity known = prove_regular(loop);
   LoopClaims claims;

@@ -41,6 +41,37 @@ Vec3 arm(const Ring& quadric, const Vec3& foot) {
   return (from - from.dot(quadric.normal) * quadric.normal).normalized();
 }
 
+// Half of what is allowed to chords across; the rest to the way along.
+double columns_across(const FilletRow& row, double allowed) {
+  const double half = std::acos(std::max(0.0, 1 - allowed / (2 * row.ball.radius)));
+  return row.arc.angle / (2 * half);
+}
+
+// How many of the largest turns there are between two rows.
+double turns_between(const CanalFillet& loop, const FilletSampling& sampling, const FilletRow& a,
+                     const FilletRow& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Ring& quadric = loop.quadrics.at(i);
+    most = std::max(most,
+                    angle_between(arm(quadric, a.arc.feet.at(i)), arm(quadric, b.arc.feet.at(i))) /
+                        sampling.turns.at(i));
+  }
+  return most;
+}
+
+FilletRow row_at(const CanalFillet& loop, double parameter) {
+  const MovingBall at = ball(loop, parameter);
+  return {parameter, at, contact_arc(loop.quadrics, at)};
+}
+
+double displacement_of(const CanalFillet& loop, double grid) {
+  const MovingBall start = ball(loop, 0);
+  return point_error(start.center.norm() + loop.quadrics[0].center.norm() +
+                         loop.quadrics[1].center.norm() + start.radius,
+                     grid);
+}
+
 // How far triangles between two rows are from the surface, which bounds the union of the balls: a
 // point is min (|x - m| - rho) off it, negative inside.
 //
@@ -115,10 +146,7 @@ class Rows {
     double columns = 2;
     for (int i = 0; i <= kFirst; ++i) {
       first.push_back(row(kTurn * i / kFirst));
-      // Half of what is allowed to chords across; the rest to the way along.
-      const double radius = first.back().ball.radius;
-      const double half = std::acos(std::max(0.0, 1 - allowed / (2 * radius)));
-      columns = std::max(columns, first.back().arc.angle / (2 * half));
+      columns = std::max(columns, columns_across(first.back(), allowed));
     }
     columns_ = columns <= 8 ? std::uint32_t(std::ceil(columns)) : segment_count(columns);
     rows_.push_back(first.front());
@@ -133,27 +161,13 @@ class Rows {
   [[nodiscard]] double error() const { return error_; }
 
  private:
-  [[nodiscard]] FilletRow row(double parameter) const {
-    const MovingBall at = ball(loop_, parameter);
-    return {parameter, at, contact_arc(loop_.quadrics, at)};
-  }
-
-  [[nodiscard]] bool turns_too_far(const FilletRow& a, const FilletRow& b) const {
-    for (std::size_t i = 0; i < 2; ++i) {
-      const Ring& quadric = loop_.quadrics.at(i);
-      if (angle_between(arm(quadric, a.arc.feet.at(i)), arm(quadric, b.arc.feet.at(i))) >
-          sampling_.turns.at(i)) {
-        return true;
-      }
-    }
-    return false;
-  }
+  [[nodiscard]] FilletRow row(double parameter) const { return row_at(loop_, parameter); }
 
   void divide(const FilletRow& from, const FilletRow& to, int depth) {
     const double step = to.parameter - from.parameter;
     const double bend = acceleration_bound(loop_, {from.parameter, to.parameter}) * step * step / 8;
     const double error = Cell(from, to, bend).error(columns_);
-    if (error <= allowed_ && !turns_too_far(from, to)) {
+    if (error <= allowed_ && !(turns_between(loop_, sampling_, from, to) > 1)) {
       error_ = std::max(error_, error);
       refuse_too_many();
       rows_.push_back(to);
@@ -277,11 +291,24 @@ class Mesher {
 
 }  // namespace
 
+double expected_triangles(const CanalFillet& loop, const FilletSampling& sampling) {
+  constexpr int kSteps = 64;
+  constexpr double kHalved = 1.4;  // rows are placed by halving
+  const double allowed = allowed_error(sampling.tolerance, displacement_of(loop, sampling.grid));
+  double columns = 2, rows = 0;
+  FilletRow last = row_at(loop, 0);
+  for (int i = 1; i <= kSteps; ++i) {
+    const FilletRow next = row_at(loop, kTurn * i / kSteps);
+    columns = std::max(columns, columns_across(next, allowed));
+    const double bend = (next.ball.velocity - last.ball.velocity).norm() * (kTurn / kSteps) / 8;
+    rows += std::max(turns_between(loop, sampling, last, next), std::sqrt(4 * bend / allowed));
+    last = next;
+  }
+  return 2 * kHalved * rows * columns;
+}
+
 FilletMesh fillet_mesh(const CanalFillet& loop, const FilletSampling& sampling) {
-  const MovingBall start = ball(loop, 0);
-  const double displacement = point_error(start.center.norm() + loop.quadrics[0].center.norm() +
-                                              loop.quadrics[1].center.norm() + start.radius,
-                                          sampling.grid);
+  const double displacement = displacement_of(loop, sampling.grid);
   const Rows rows(loop, sampling, allowed_error(sampling.tolerance, displacement));
   FilletMesh result = Mesher(rows, sampling.grid).run();
   result.columns = rows.columns();

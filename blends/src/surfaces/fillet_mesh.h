@@ -34,4 +34,8 @@ struct FilletSampling {
 /// Error{limit_exceeded} for too many triangles.
 [[nodiscard]] FilletMesh fillet_mesh(const CanalFillet& loop, const FilletSampling& sampling);
 
+/// How many triangles fillet_mesh() makes, about: within a factor of 2 or 3. Takes as long for any
+/// number.
+[[nodiscard]] double expected_triangles(const CanalFillet& loop, const FilletSampling& sampling);
+
 }  // namespace dupin::surfaces

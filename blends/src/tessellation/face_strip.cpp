@@ -37,8 +37,18 @@ double steepness(const UnrolledCurve& curve, std::size_t corner, const Vec2& dir
 }  // namespace
 
 bool FaceStrip::contains(const UnrolledCurve& hole) const {
-  const Vec2& place = hole.places.front();
+  const Vec2& place = hole.places[inner_corner(hole)];
   return is_below(lower_, place) && !is_below(upper_, place);
+}
+
+// One that the hole has to itself: on a common one it is on neither side of the curves.
+std::size_t FaceStrip::inner_corner(const UnrolledCurve& hole) const {
+  const auto is_own = [&](std::uint32_t corner) {
+    return std::ranges::find(lower_.corners, corner) == lower_.corners.end() &&
+           std::ranges::find(upper_.corners, corner) == upper_.corners.end();
+  };
+  const auto own = std::ranges::find_if(hole.corners, is_own);
+  return own == hole.corners.end() ? 0 : std::size_t(own - hole.corners.begin());
 }
 
 void FaceStrip::append_triangles(std::vector<Triangle>& triangles, const NewCorner& new_corner) {
@@ -56,36 +66,46 @@ void FaceStrip::append_triangles(std::vector<Triangle>& triangles, const NewCorn
   }
 }
 
-// How often a ray from the place downwards crosses the curve.
+// Whether a ray from the place downwards crosses the curve an odd number of times. A corner has one
+// x for both of its sides, and belongs to one half of the turn: no side is counted twice, or not at
+// all, however the x are rounded.
 bool FaceStrip::is_below(const UnrolledCurve& curve, const Vec2& place) const {
   bool below = false;
   for_each_side(curve, place.x(), [&](const Vec2& a, const Vec2& b) {
-    if ((a.x() <= place.x()) != (b.x() <= place.x())) {
-      const double share = (place.x() - a.x()) / (b.x() - a.x());
+    const bool crosses = (a.x() <= 0) != (b.x() <= 0);
+    if (crosses && std::abs(b.x() - a.x()) <= around_ / 2) {
+      const double share = -a.x() / (b.x() - a.x());
       below ^= a.y() + share * (b.y() - a.y()) < place.y();
     }
   });
   return below;
 }
 
-// Sides moved by whole turns to next to x.
+// Sides by how far around their corners are from x, within half a turn either way: those opposite
+// to x go from one end of this to the other.
 template <class Visit>
 void FaceStrip::for_each_side(const UnrolledCurve& curve, double x, const Visit& visit) const {
-  for (std::size_t i = 0; i < curve.places.size(); ++i) {
-    Vec2 a = curve.places[i], b = curve.places[(i + 1) % curve.places.size()];
-    a.x() = x + std::remainder(a.x() - x, around_);
-    b.x() = a.x() + std::remainder(b.x() - a.x(), around_);
+  const auto beside = [&](const Vec2& p) {
+    return Vec2(std::remainder(p.x() - x, around_), p.y());
+  };
+  Vec2 a = beside(curve.places.back());
+  for (const Vec2& place : curve.places) {
+    const Vec2 b = beside(place);
     visit(a, b);
+    a = b;
   }
 }
 
 bool FaceStrip::is_crossed(const Vec2& from, const Vec2& to) const {
   bool crossed = false;
+  const Vec2 origin(0, from.y()), end(to.x() - from.x(), to.y());
   const auto visit = [&](const Vec2& a, const Vec2& b) {
     const auto is_end = [&](const Vec2& p) {
-      return (p - from).cwiseAbs().maxCoeff() < kNear || (p - to).cwiseAbs().maxCoeff() < kNear;
+      return (p - origin).cwiseAbs().maxCoeff() < kNear || (p - end).cwiseAbs().maxCoeff() < kNear;
     };
-    crossed = crossed || (!is_end(a) && !is_end(b) && cross_each_other(from, to, a, b));
+    const bool is_opposite = std::abs(b.x() - a.x()) > around_ / 2;
+    crossed = crossed ||
+              (!is_opposite && !is_end(a) && !is_end(b) && cross_each_other(origin, end, a, b));
   };
   for_each_side(lower_, from.x(), visit);
   for_each_side(upper_, from.x(), visit);
@@ -183,11 +203,18 @@ void FaceStrip::append_outline(const NewCorner& new_corner) {
   polygons_.push_back(std::move(outline));
 }
 
+// The hole is between the cut and the cut a turn further on: told by the corner that is farthest
+// from both.
 void FaceStrip::append_hole(const UnrolledCurve& hole) {
-  const Vec2& place = hole.places.front();
-  const double share = (place.y() - cut_at_[0].y()) / (cut_at_[1].y() - cut_at_[0].y());
-  const double cut = cut_at_[0].x() + share * (cut_at_[1].x() - cut_at_[0].x());
-  const double shift = around_ * std::ceil((cut - place.x()) / around_);
+  const auto from_cut = [&](const Vec2& place) {
+    const double share = (place.y() - cut_at_[0].y()) / (cut_at_[1].y() - cut_at_[0].y());
+    return place.x() - (cut_at_[0].x() + share * (cut_at_[1].x() - cut_at_[0].x()));
+  };
+  const auto clearance = [&](const Vec2& place) {
+    return std::abs(std::remainder(from_cut(place), around_));
+  };
+  const Vec2& farthest = *std::ranges::max_element(hole.places, {}, clearance);
+  const double shift = -around_ * std::floor(from_cut(farthest) / around_);
   std::vector<std::uint32_t> polygon;
   for (std::size_t i = 0; i < hole.corners.size(); ++i) {
     const auto [entry, is_new] =

@@ -29,6 +29,7 @@ class FaceStrip {
   void append_triangles(std::vector<Triangle>& triangles, const NewCorner& new_corner);
 
  private:
+  [[nodiscard]] std::size_t inner_corner(const UnrolledCurve& hole) const;
   [[nodiscard]] bool is_below(const UnrolledCurve& curve, const Vec2& place) const;
   template <class Visit>
   void for_each_side(const UnrolledCurve& curve, double x, const Visit& visit) const;

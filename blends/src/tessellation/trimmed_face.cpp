@@ -11,6 +11,7 @@
 #include "dupin/kernel/error.h"
 #include "numbers/point_order.h"
 #include "tessellation/face_strip.h"
+#include "tessellation/refined_region.h"
 #include "tessellation/tessellation_tolerance.h"
 #include "tessellation/touching_holes.h"
 #include "tessellation/unrolled_face.h"
@@ -19,6 +20,14 @@ namespace dupin::tessellation {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kRoom = 1.2;  // y between curves and bands
+
+// How many bands are between two rings: of 50 times as long as wide, but not many for a face that
+// is as long as it may be.
+double band_count(double height) {
+  constexpr double kHighest = 50 / UnrolledFace::kCompression, kMost = 8;
+  return std::clamp(std::ceil(height / kHighest), 1.0, kMost);
+}
 
 class Trimmer {
  public:
@@ -47,7 +56,6 @@ class Trimmer {
 
  private:
   using Corners = std::vector<std::uint32_t>;
-  static constexpr double kRoom = 1.2;  // y between curves and bands
 
   void append_row(const std::vector<Vec3>& points) {
     Corners corners(points.size());
@@ -164,10 +172,8 @@ class Trimmer {
     }
   }
 
-  // No higher than so many times their width.
   const UnrolledCurve& append_bands(const UnrolledCurve& lower, const UnrolledCurve& upper) {
-    constexpr double kHighest = 50 / UnrolledFace::kCompression;
-    const double height = upper.low - lower.low, bands = std::ceil(height / kHighest);
+    const double height = upper.low - lower.low, bands = band_count(height);
     const UnrolledCurve* below = &lower;
     for (double i = 1; i <= bands; ++i) {
       const UnrolledCurve& above = i == bands ? upper : append_ring(lower.low + i / bands * height);
@@ -243,7 +249,53 @@ class Trimmer {
   Tessellation result_;
 };
 
+struct Heights {
+  double low, high;
+};
+
+// Of each curve, with room, and of curves together whose zones meet.
+std::vector<Heights> zone_heights(const TrimmedFace& face, const UnrolledFace& chart) {
+  std::vector<Heights> all;
+  for (const auto& curve : face.curves) {
+    Heights own{chart.place(curve.front()).y(), chart.place(curve.front()).y()};
+    for (const Vec3& point : curve) {
+      const double y = chart.place(point).y();
+      own = {std::min(own.low, y), std::max(own.high, y)};
+    }
+    all.push_back({own.low - kRoom, own.high + kRoom});
+  }
+  std::ranges::sort(all, {}, &Heights::low);
+  std::vector<Heights> result;
+  for (const Heights& zone : all) {
+    if (result.empty() || zone.low > result.back().high + kRoom) {
+      result.push_back(zone);
+    } else {
+      result.back().high = std::max(result.back().high, zone.high);
+    }
+  }
+  return result;
+}
+
 }  // namespace
+
+double expected_triangles(const TrimmedFace& face, const RingSampling& sampling) {
+  constexpr double kSpacing = Refinement{}.spacing;
+  constexpr double kByArea = 4 / (std::numbers::sqrt3 * kSpacing * kSpacing);  // of the lattice
+  const UnrolledFace chart(face.start, face.end, sampling);
+  const std::vector<Heights> zones = zone_heights(face, chart);
+  double result = 0,
+         below =
+             chart.place(face.start.center + face.start.radius * face.start.normal.unitOrthogonal())
+                 .y();
+  for (const Heights& zone : zones) {
+    result +=
+        chart.around() * (2 * band_count(zone.low - below) + kByArea * (zone.high - zone.low));
+    below = zone.high;
+  }
+  const double end =
+      chart.place(face.end.center + face.end.radius * face.end.normal.unitOrthogonal()).y();
+  return result + chart.around() * 2 * band_count(end - below);
+}
 
 Tessellation trimmed_face(const TrimmedFace& face, const RingSampling& sampling) {
   return Trimmer(face, sampling).run();

@@ -23,10 +23,15 @@ struct TrimmedFace {
 ///
 /// Where there are curves, a constrained Delaunay triangulation of the unrolled face, with points
 /// so that no triangle is a sliver (`refined_region`); between them, bands of triangles from ring
-/// to ring that are at most 50 times as long as wide. Every triangle is within R (1 - cos(angle /
-/// 2)) of the face, `angle` being what it spans about the axis: `error_bound`.
+/// to ring that are at most 50 times as long as wide, or 8 bands on a longer face. Every triangle
+/// is within R (1 - cos(angle / 2)) of the face, `angle` being what it spans about the axis:
+/// `error_bound`.
 ///
 /// Throws Error{self_intersecting} where curves cross or pass a ring that is kept.
 [[nodiscard]] Tessellation trimmed_face(const TrimmedFace& face, const RingSampling& sampling);
+
+/// How many triangles trimmed_face() makes, about, of which curves may be told by a few points
+/// each. Takes as long for any number. Boundaries that are finer than the sampling ask for more.
+[[nodiscard]] double expected_triangles(const TrimmedFace& face, const RingSampling& sampling);
 
 }  // namespace dupin::tessellation

@@ -17,12 +17,19 @@ namespace {
 
 constexpr std::string_view kNothingWritten = "; no STEP file was written. ";
 
+// Runs and parts alone are those of the outer surface, without fillets.
+bool can_be_alone(const Model& model) {
+  return model.operation == Operation::none && model.whole.fillets.empty();
+}
+
 // What else there is.
-std::string_view advice(ExchangeSolids solids) {
-  return solids == ExchangeSolids::united
-             ? "--solids runs writes what shares rings each by itself, and every mesh format has "
-               "the union"
-             : "--solids united may do, and every mesh format has the union";
+std::string_view advice(const Model& model) {
+  if (!model.is_united) {
+    return "--solids united may do, and every mesh format has the union";
+  }
+  return can_be_alone(model) ? "--solids runs writes what shares rings each by itself, and every "
+                               "mesh format has the union"
+                             : "Every mesh format has the union";
 }
 
 std::string model_name(const Assembly& assembly) {
@@ -59,23 +66,23 @@ Made model_of(const Assembly& assembly, const Built& built, const ExchangeOption
     model.kept = bodies(region.kept);
   }
   model.labels = labels.coloured(options.colours);
-  if (!model.is_united && (model.operation != Operation::none || !model.whole.fillets.empty())) {
+  if (!model.is_united && !can_be_alone(model)) {
     throw Error(Errc::boolean_failed,
                 "solids of runs or parts alone are written of assemblies without walls and "
-                "fillets; united they can be written");
+                "fillets; --solids united may do, and every mesh format has the union");
   }
   return made;
 }
 
 // What a failure is about, if it names a part.
-Error refusal(const Assembly& assembly, const Written& written, ExchangeSolids solids) {
+Error refusal(const Assembly& assembly, const Written& written, const Model& model) {
   const auto part = std::ranges::find(assembly.parts, written.at, &Part::name);
   const std::string place =
       part == assembly.parts.end()
           ? std::string()
           : document_place(assembly, std::uint32_t(part - assembly.parts.begin()));
   return Error(Errc::boolean_failed,
-               written.fault + std::string(kNothingWritten) + std::string(advice(solids)),
+               written.fault + std::string(kNothingWritten) + std::string(advice(model)),
                written.at, place);
 }
 
@@ -89,7 +96,8 @@ double mesh_error(const Built& built) {
 
 // The mesh and the file both keep to the smooth surface, so that what lies between them is no
 // thicker than both distances, over the larger of both areas.
-void compare(const Assembly& assembly, const Built& built, ExchangeReport& report) {
+void compare(const Assembly& assembly, const Built& built, const Model& model,
+             ExchangeReport& report) {
   double area = 0;
   std::size_t shells = 0;
   std::int64_t euler_number = 0;
@@ -107,7 +115,7 @@ void compare(const Assembly& assembly, const Built& built, ExchangeReport& repor
                   "what OpenCASCADE unites has the " + std::string(what) + " " +
                       decimal(double(found), kMessageDigits) + ", and the exact solid has " +
                       decimal(double(exact), kMessageDigits) + std::string(kNothingWritten) +
-                      std::string(advice(ExchangeSolids::united)),
+                      std::string(advice(model)),
                   {}, assembly.source);
     }
   };
@@ -169,12 +177,12 @@ ExchangeFile step_file(const Assembly& assembly, const Built& built,
   const exchange::Made made = exchange::model_of(assembly, built, options);
   exchange::Written written = module.write_solids(made.model);
   if (!written.fault.empty()) {
-    throw exchange::refusal(assembly, written, options.solids);
+    throw exchange::refusal(assembly, written, made.model);
   }
   ExchangeFile file{std::move(written.bytes),
                     exchange::report_of(written, made.count, millimetres(assembly.unit))};
   if (options.solids == ExchangeSolids::united) {
-    exchange::compare(assembly, built, file.report);
+    exchange::compare(assembly, built, made.model, file.report);
   }
   return file;
 }

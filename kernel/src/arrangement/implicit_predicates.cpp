@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/radial_order.h"
 #include "predicates/lattice_orientation.h"
 
 namespace dupin::arrangement {
@@ -166,6 +167,25 @@ int compare(const PointTable& points, PointId a, PointId b, int axis) {
 bool coincide(const PointTable& points, PointId a, PointId b) {
   return compare(points, a, b, 0) == 0 && compare(points, a, b, 1) == 0 &&
          compare(points, a, b, 2) == 0;
+}
+
+namespace {
+
+// +1 if turning counter-clockwise by less than a half turn leads from `from` to `to`, -1 if turning
+// clockwise does, 0 if they are opposite. The front of one that runs forward lies ahead of it.
+int ahead(const ArrangementInput& input, const HalfPlane& from, const HalfPlane& to) {
+  const Triangle& plane = input.support(from.support);
+  const int side = side_of_plane(input.points, plane[0], plane[1], plane[2], to.apex);
+  return from.forward ? side : -side;
+}
+
+}  // namespace
+
+void order_facets_around_edge(const ArrangementInput& input, std::vector<HalfPlane>& half_planes) {
+  mesh::sort_around_edge(
+      half_planes,
+      [&input](const HalfPlane& from, const HalfPlane& to) { return ahead(input, from, to); },
+      [](const HalfPlane&, const HalfPlane&) { return true; });
 }
 
 }  // namespace dupin::arrangement

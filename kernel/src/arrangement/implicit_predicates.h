@@ -1,8 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include "arrangement/implicit_points.h"
+#include "arrangement/input.h"
 
 /// Exact signs over points of a table. All need UpwardRounding in the calling thread; points with
 /// the same id are the same point.
@@ -36,6 +39,18 @@ class PlaneSides {
 
 /// Whether the two points have the same coordinates.
 [[nodiscard]] bool coincide(const PointTable& points, PointId a, PointId b);
+
+/// A triangle that ends at an edge, as a half-plane around it.
+struct HalfPlane {
+  PointId apex;           ///< its corner off the edge
+  std::uint32_t support;  ///< a triangle of the input with its plane and orientation
+  bool forward;           ///< it runs along the edge from its lower to its upper end
+  std::uint32_t owner;    ///< for the caller
+};
+
+/// Sorts half-planes around their common edge, counter-clockwise about its direction from the lower
+/// to the upper end, beginning with the first. No two of them overlap.
+void order_facets_around_edge(const ArrangementInput& input, std::vector<HalfPlane>& half_planes);
 
 /// The sign of an interval, or 0 with `certain` unset when it contains more than one sign.
 struct FilteredSign {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "arrangement/constraints.h"
-#include "arrangement/facet_order.h"
+#include "arrangement/implicit_predicates.h"
 #include "arrangement/input.h"
 #include "arrangement/subdivision.h"
 #include "support/blocks.h"

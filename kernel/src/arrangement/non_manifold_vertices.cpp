@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "arrangement/facet_order.h"
+#include "arrangement/implicit_predicates.h"
 #include "dupin/kernel/error.h"
 #include "support/sort_by_key.h"
 

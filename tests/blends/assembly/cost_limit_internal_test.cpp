@@ -201,6 +201,41 @@ TEST(CostLimit, says_what_is_asked_for) {
   }
 }
 
+std::string tee(const std::string& from) {
+  return R"({"name": "run", "pipe": {"from": [)" + from +
+         R"(,0,0], "to": [150,0,0], "radius": 44}},
+             {"name": "branch", "pipe": {"from": [0,0,0], "to": [0,0,130], "radius": 30}},
+             {"name": "f", "fillet": {"between": ["run", "branch"], "radius": 8}})";
+}
+
+// The far part of a straight pipe is no finer for a fillet at its end.
+TEST(CostLimit, fillets_of_long_pipes_cost_no_more_than_those_of_short_ones) {
+  const auto triangles = [](const std::string& from) {
+    return build(document({"0.05", tee(from), false})).solid.triangles().size();
+  };
+  const std::size_t few = triangles("-150");
+  for (const char* from : {"-1e4", "-1e7", "-1e9"}) {
+    EXPECT_LT(triangles(from), few + 2000) << from;
+  }
+}
+
+TEST(CostLimit, counts_fillets_and_the_faces_beside_them) {
+  for (const char* tolerance : {"0.5", "0.05", "0.005"}) {
+    for (const char* from : {"-150", "-1e4", "-1e7"}) {
+      const Assembly assembly = document({tolerance, tee(from), false});
+      const ResolvedAssembly resolved = resolve(assembly);
+      const double expected = expected_triangles(assembly, resolved, welded_runs(resolved),
+                                                 lattice_spacing(assembly, resolved));
+      const auto made = double(build(assembly).solid.triangles().size());
+      EXPECT_GT(expected, made / 2) << tolerance << ' ' << from;
+      EXPECT_LT(expected, made * 2) << tolerance << ' ' << from;
+    }
+  }
+  const Assembly fine = document({"1e-5", tee("-150"), true});
+  EXPECT_THAT(refusal(fine), testing::HasSubstr("triangles"));
+  EXPECT_EQ(refusal(document({"0.001", tee("-150"), false})), "");
+}
+
 TEST(CostLimit, names_the_part_that_asks_for_most) {
   const Assembly assembly = document({"1e-6", elbow("3"), true});
   try {

@@ -1,3 +1,6 @@
+#include <optional>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -80,7 +83,7 @@ TEST(FilletPart, says_why_there_is_no_fillet) {
       {{run, along, on(along)}, "'along' lies inside 'run'"},
       {{run, stub, on(stub)},
        "the fillet runs over the end of 'stub' by 0.1; the largest ball that fits has a radius of "
-       "0.39"},
+       "0.399"},
       {{run, branch, on(branch, 20)}, "the largest ball that fits has a radius of"},
       {{run, short_of_it, on(short_of_it)}, "do not cross within their lengths"},
       {{run, out, on(out)}, "the fillet runs over the end of 'out' by"},
@@ -118,6 +121,71 @@ TEST(FilletPart, says_why_there_is_no_fillet) {
       EXPECT_FALSE(error.part().empty());
     }
   }
+}
+
+// What build says of them, or "".
+std::string refusal(const Assembly& document) {
+  try {
+    (void)build(document);
+    return "";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::infeasible_blend);
+    return error.message();
+  }
+}
+
+TEST(FilletPart, says_where_walls_leave_no_room_for_any_ball) {
+  Assembly document = assembly({pipe("run", {-100, 0, 0}, {100, 0, 0}, 10),
+                                pipe("b", {0, 0, 0}, {90, 0, 45}, 10), fillet("f", "run", "b", 9)});
+  document.wall = 6;
+  const std::string why = refusal(document);
+  EXPECT_THAT(why, testing::HasSubstr("the largest ball that fits has a radius of "));
+  EXPECT_THAT(why, testing::HasSubstr("with these walls neither it nor a smaller one fits inside"));
+}
+
+// The named radius builds, with the walls' bore, and 1 % more does not.
+TEST(FilletPart, names_the_largest_radius_that_builds) {
+  struct Row {
+    Vec3 run, from, to;  // the run goes through the origin, half of it is told
+    double radius, branch, ball;
+    std::optional<double> wall = {};
+  };
+  const Row rows[]{
+      {{128, 0, 0}, {0, -3.13, 0}, {40.9, -3.13, 23.6}, 10.7, 5.04, 2.52},
+      {{237, 0, 0}, {-200, -16.5, -90}, {200, -16.5, 90}, 9.73, 8.25, 1.65},
+      {{101, 197, -512}, {0, 0, 0}, {-51.4, 82, -136.5}, 27.8896, 27.8896, 13.94, 3},
+      {{100, 0, 0}, {0, 0, 0}, {80, 0, 60}, 10, 6, 9, 2},
+      {{20, 0, 0}, {0, 0, 0}, {0, 4.4, 0}, 4, 2, 0.5},
+  };
+  for (const Row& row : rows) {
+    const auto with = [&](double ball) {
+      Assembly document =
+          assembly({pipe("run", -row.run, row.run, row.radius),
+                    pipe("b", row.from, row.to, row.branch), fillet("f", "run", "b", ball)},
+                   0.05);
+      document.wall = row.wall;
+      return document;
+    };
+    const std::string why = refusal(with(row.ball));
+    SCOPED_TRACE(why);
+    const std::string before = "the largest ball that fits has a radius of ";
+    const auto at = why.find(before);
+    ASSERT_NE(at, std::string::npos);
+    const double named = std::stod(why.substr(at + before.size()));
+    EXPECT_EQ(refusal(with(named)), "") << named;
+    EXPECT_NE(refusal(with(1.01 * named)), "") << named;
+  }
+}
+
+TEST(LargestRadiusBelow, finds_what_fits_beyond_gaps) {
+  const auto in_two = [](double r) { return r < 0.2 || (r > 0.3 && r < 0.57); };
+  const double found = dupin::assembly::largest_radius_below(1, in_two).value();
+  EXPECT_LT(found, 0.57);
+  EXPECT_TRUE(in_two(found));
+  EXPECT_FALSE(in_two(1.01 * found));
+  EXPECT_EQ(dupin::assembly::largest_radius_below(1, [](double) { return false; }), std::nullopt);
+  const auto not_the_least = [](double r) { return r > 0.04 && r <= 0.7; };
+  EXPECT_NEAR(dupin::assembly::largest_radius_below(1, not_the_least).value(), 0.7, 0.007);
 }
 
 }  // namespace

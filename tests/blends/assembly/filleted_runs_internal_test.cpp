@@ -1,6 +1,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <random>
 #include <set>
 
 #include <Eigen/Geometry>
@@ -220,6 +221,48 @@ TEST(FilletedRuns, pipes_may_be_equal_but_for_rounding) {
     const Built aside = build(assembly(parts));
     EXPECT_EQ(aside.solid.genus(), 0);
     EXPECT_NEAR(aside.solid.exact_volume().get_d(), equal, 1 + equal * less);
+  }
+}
+
+struct RandomPlant {
+  std::mt19937 engine;
+
+  double in(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  }
+  // Coordinates of plants: few digits, or many.
+  double coordinate() {
+    const double x = in(-5000, 5000);
+    return engine() % 2 == 0 ? std::round(x * 10) / 10 : x;
+  }
+  // A pipe of one radius that goes through another, or ends in it.
+  Assembly filleted_pipes() {
+    const bool is_along_axes = engine() % 2 == 0, passes = engine() % 3 != 0;
+    const Vec3 at(coordinate(), coordinate(), coordinate());
+    const Vec3 any = Vec3(in(-1, 1), in(-1, 1), in(-1, 1)).normalized();
+    const Vec3 along = is_along_axes ? Vec3(Vec3::Unit(engine() % 3)) : any;
+    const Vec3 first = along.unitOrthogonal(), second = along.cross(first);
+    const double turn = is_along_axes ? kPi / 2 * double(engine() % 4) : in(0, 2 * kPi);
+    const double lean = engine() % 2 == 0 ? 0 : in(-0.7, 0.7);  // away from perpendicular
+    const Vec3 aside = std::cos(turn) * first + std::sin(turn) * second;
+    const Vec3 direction = std::cos(lean) * aside + std::sin(lean) * along;
+    const double radius = in(15, 40), branch = radius * in(0.3, 0.9);
+    const double tolerance = std::vector{0.5, 0.2, 0.1, 0.05}[engine() % 4];
+    return assembly({pipe("run", at - 8 * radius * along, at + 8 * radius * along, radius),
+                     pipe("branch", passes ? Vec3(at - 6 * radius * direction) : at,
+                          at + 6 * radius * direction, branch),
+                     fillet("throat", "run", "branch", branch * in(0.05, 0.2))},
+                    tolerance);
+  }
+};
+
+TEST(FilletedRuns, are_made_wherever_a_plant_has_them) {
+  RandomPlant plant{std::mt19937(20)};
+  for (int i = 0; i < 300; ++i) {
+    SCOPED_TRACE(i);
+    const Built built = build(plant.filleted_pipes());
+    EXPECT_EQ(built.solid.genus(), 0);
+    EXPECT_EQ(built.pieces, 1U);
   }
 }
 

@@ -33,6 +33,25 @@ TEST(Certificate, holds_whatever_work_its_searches_may_take) {
   }
 }
 
+// Rounding to the grid does not widen what their triangles span by a segment.
+TEST(Certificate, of_filleted_pipes_bounds_their_meshes_as_build_does) {
+  for (const double radius : {9.0, 10.0, 12.5, 14.0}) {
+    const Assembly assembly{"tee.json",
+                            Unit::millimetre,
+                            0.02,
+                            {},
+                            {{"run", PipeBetween{{-60, 0, 0}, {60, 0, 0}, 15}},
+                             {"branch", PipeBetween{{0, 0, 0}, {0, 0, 45}, radius}},
+                             {"throat", FilletBetween{{"run", "branch"}, 0.6}}}};
+    const Certificate found = certify(assembly);
+    verify(found);
+    for (const PartClaims& claims : found.claims) {
+      ASSERT_TRUE(claims.mesh);
+      EXPECT_LE(claims.mesh->error_bound, 0.02) << radius;
+    }
+  }
+}
+
 // Stacks of pipes, 10 from each other along both axes.
 Assembly field_of_pipes(int side) {
   Assembly assembly{"field.json", Unit::millimetre, 0.05, {}, {}};

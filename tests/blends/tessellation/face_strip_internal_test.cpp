@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -71,6 +72,50 @@ TEST(FaceStrip, is_filled_around_its_holes) {
                                     }),
               24 + 24 + 20)
         << "the cut is closed";
+  }
+}
+
+// Rings begin anywhere, and a hole may begin at the x of one of their corners, or a bit beside it,
+// on either side of the place where x jumps by a turn: each side is met once.
+TEST(FaceStrip, contains_holes_that_begin_over_a_corner_of_its_curves) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> phase(-kAround, kAround);
+  int tried = 0;
+  for (int round = 0; round < 200; ++round) {
+    Face face;
+    const UnrolledCurve lower = face.ring(0, phase(random)), upper = face.ring(8, phase(random));
+    const FaceStrip strip(lower, upper, kAround);
+    for (const UnrolledCurve* ring : {&lower, &upper}) {
+      for (const Vec2& corner : ring->places) {
+        for (const double turns : {-1.0, 0.0, 1.0}) {
+          const double at = corner.x() + turns * kAround;
+          for (const double x : {std::nextafter(at, -1e9), at, std::nextafter(at, 1e9)}) {
+            const auto hole = [&](double y) {
+              return UnrolledCurve{{1000, 1001, 1002}, {{x, y}, {x + 1, y}, {x, y + 1}}};
+            };
+            ASSERT_TRUE(strip.contains(hole(4))) << testing::PrintToString(x);
+            ASSERT_FALSE(strip.contains(hole(-4)));
+            ASSERT_FALSE(strip.contains(hole(12)));
+            ++tried;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(tried, 50000);
+}
+
+// That corner is neither above nor below the curve.
+TEST(FaceStrip, contains_a_hole_that_begins_where_it_touches_a_curve) {
+  Face face;
+  const UnrolledCurve lower = face.ring(0, 0), upper = face.ring(8, 0.3);
+  const FaceStrip strip(lower, upper, kAround);
+  for (std::size_t i = 0; i < lower.places.size(); ++i) {
+    const Vec2& at = lower.places[i];
+    EXPECT_TRUE(
+        strip.contains({{lower.corners[i], 1001, 1002}, {at, at + Vec2(1, 1), at + Vec2(0, 1)}}));
+    EXPECT_FALSE(
+        strip.contains({{lower.corners[i], 1001, 1002}, {at, at - Vec2(1, 1), at - Vec2(0, 1)}}));
   }
 }
 

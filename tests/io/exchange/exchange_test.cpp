@@ -54,6 +54,32 @@ TEST(Exchange, refuses_what_is_no_valid_boundary_and_says_what_may_do) {
   EXPECT_EQ(step_file(assembly, built, {}).report.solids.size(), 1U);
 }
 
+// Neither way is named that is refused for the fillet's sake.
+TEST(Exchange, names_no_way_that_does_not_write_fillets) {
+  if (!can_exchange()) {
+    GTEST_SKIP() << "built without OpenCASCADE";
+  }
+  // Nearly equal pipes: OpenCASCADE does not unite them.
+  const Assembly assembly = parse_assembly(R"({"units": "mm", "tolerance": 0.05, "parts": [
+      {"name": "run", "pipe": {"from": [0, 0, 0], "to": [300, 0, 0], "radius": 12.687284882}},
+      {"name": "branch", "pipe": {"from": [150, 0, 0], "direction": [0.44, 0, 0.898],
+                                  "length": 200, "radius": 12.687272195}},
+      {"name": "f", "fillet": {"between": ["run", "branch"], "radius": 1.2687284882}}]})",
+                                           "d.json");
+  const Built built = build(assembly);
+  for (const ExchangeSolids solids : {ExchangeSolids::united, ExchangeSolids::runs}) {
+    try {
+      (void)step_file(assembly, built, {.solids = solids});
+      EXPECT_EQ(solids, ExchangeSolids::united) << "runs have no fillets";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::boolean_failed);
+      EXPECT_THAT(error.what(), testing::Not(testing::HasSubstr("--solids runs writes")));
+      EXPECT_THAT(error.what(), testing::Not(testing::HasSubstr("united they can be")));
+      EXPECT_THAT(error.what(), testing::HasSubstr("very mesh format has the union"));
+    }
+  }
+}
+
 // Red, green and blue are written as numbers from 0 to 1, in single precision.
 TEST(Exchange, parts_have_the_colours_that_are_chosen) {
   if (!can_exchange()) {

@@ -1,3 +1,4 @@
+#include "assembly/bore.h"
 #include "assembly/fillet_part.h"
 #include "assembly/parts/part_checks.h"
 #include "assembly/parts/part_rules.h"
@@ -18,7 +19,9 @@ struct PartRules<"fillet"> {
     if (fillet.between[0] == fillet.between[1]) {
       fail(context, "between", "a fillet is between two different parts");
     }
-    return fillet_between(surfaces, fillet.between, fillet.radius);
+    return fillet_between(surfaces, fillet.between, fillet.radius, [&](double tried) {
+      return bore_takes(context.assembly, surfaces, fillet.between, tried);
+    });
   }
 };
 template const PartKind& part_kind<"fillet">();
