@@ -33,8 +33,8 @@ enum class HeadKind {
 
 /// The records of a text. A line begins one if it is not indented or if its keyword heads records
 /// only; lines below messages belong to these, and so do lines with such a keyword that are
-/// indented more than the message and have no point of a component below them. Keywords are taken in any case, with "<>" about
-/// them or not, in the spellings ENDPOINT, CENTER.
+/// indented more than the message and have no point of a component below them. Keywords are taken
+/// in any case, with "<>" about them or not, in the spellings ENDPOINT, CENTER.
 [[nodiscard]] std::vector<Record> records(std::string_view text);
 
 }  // namespace dupin::pcf
