@@ -257,7 +257,8 @@ KNOWN = {
     ("gmsh", "stl", "header_forty.json"): NEAR_POINTS,
     ("gmsh", "stl-ascii", "header_forty.json"): NEAR_POINTS,
     **{("PrusaSlicer", "step", example): "it sums the volumes of millions of triangles in floats; its own triangles "
-                                         "summed in doubles have ours" for example in ("header_forty.json", "vessel.json")},
+                                         "summed in doubles have ours"
+       for example in ("header_forty.json", "vessel.json")},
     **{("Blender", form, "header_forty.json"): FLOATS for form in ("ply", "ply-ascii")},
     **{("VTK", form, "header_forty.json"): FLOATS for form in ("obj", "ply", "ply-ascii")},
     **{("PrusaSlicer", "step", example): EMPTY_TRIANGLES for example in (
