@@ -12,6 +12,7 @@
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "support/disjoint_sets.h"
+#include "support/sequences.h"
 #include "support/sort_by_key.h"
 
 namespace dupin::arrangement {
@@ -233,8 +234,7 @@ void group_faces(std::span<const TriangleIntersection> intersections, Constraint
       overlapping.insert(overlapping.end(), {facets.of(e.first), facets.of(e.second)});
     }
   }
-  std::sort(overlapping.begin(), overlapping.end());
-  overlapping.erase(std::unique(overlapping.begin(), overlapping.end()), overlapping.end());
+  support::sort_unique(overlapping);
   support::DisjointSets classes(overlapping.size());
   const auto index = [&overlapping](std::uint32_t facet) {
     return static_cast<std::uint32_t>(

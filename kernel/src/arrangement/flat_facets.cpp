@@ -58,13 +58,12 @@ bool is_longest(const ArrangementInput& input, const FlatFacets::Corners& ring) 
 bool are_one(const ArrangementInput& input, const TrianglePair& pair) {
   const auto& [t, u] = pair;
   const Triangle &first = input.triangles[t], &second = input.triangles[u];
-  if (!are_doubles(input, first) || !are_doubles(input, second) ||
-      !is_longest(input, joined(first, second)) ||
-      side_of_plane(input.points, first[0], first[1], first[2], second[apex(second, first)]) != 0) {
+  const FlatFacets::Corners ring = joined(first, second);
+  if (!are_doubles(input, first) || !are_doubles(input, second) || !is_longest(input, ring) ||
+      side_of_plane(input.points, first[0], first[1], first[2], ring[2]) != 0) {
     return false;
   }
   const Projection projection = projection_of(input.points, first);
-  const FlatFacets::Corners ring = joined(first, second);
   for (const std::size_t i : {1U, 3U}) {
     if (turn(input.points, ring[i - 1], ring[i], ring[ring.after(i)], projection.axis) !=
         projection.orientation) {
@@ -94,10 +93,7 @@ FlatFacets::FlatFacets(const ArrangementInput& input, std::vector<TrianglePair> 
     return;
   }
   mates_.resize(input.triangles.size());
-  support::for_each_block(mates_.size(), [&](const support::Block& block) {
-    std::fill(mates_.begin() + static_cast<std::ptrdiff_t>(block.begin),
-              mates_.begin() + static_cast<std::ptrdiff_t>(block.end), kNone);
-  });
+  support::fill_all(mates_, kNone);
   for (const std::uint32_t i : facets) {
     const auto& [t, u] = candidates[i];
     mates_[t] = u;

@@ -209,17 +209,19 @@ class Creator {
   void find_leaders() {
     runs_ = support::ranges_of_equal(
         meetings_, [](const MeetingAt& m) -> const Meeting& { return m.meeting; });
-    support::for_each_block(leader_.size(), [this](const support::Block& block) {
-      std::fill(leader_.begin() + static_cast<std::ptrdiff_t>(block.begin),
-                leader_.begin() + static_cast<std::ptrdiff_t>(block.end), kNone);
-    });
-    support::for_each_block(runs_.size(), [&](const support::Block& block) {
+    support::fill_all(leader_, kNone);
+    support::for_each_block(runs_.size(), [this](const support::Block& block) {
       for (std::size_t r = block.begin; r < block.end; ++r) {
-        for (std::uint32_t i = runs_[r].begin; i < runs_[r].end; ++i) {
-          leader_[meetings_[i].end] = meetings_[runs_[r].begin].end;
+        for (const MeetingAt& m : run(r)) {
+          leader_[m.end] = run(r).front().end;
         }
       }
     });
+  }
+
+  // All ends of one meeting.
+  [[nodiscard]] std::span<const MeetingAt> run(std::size_t r) const {
+    return std::span(meetings_).subspan(runs_[r].begin, runs_[r].end - runs_[r].begin);
   }
 
   // The two triangles at an edge that is met there, unless they are others.
@@ -248,15 +250,12 @@ class Creator {
   }
 
   void find_facets() {
-    const auto run_of = [this](std::size_t r) {
-      return std::span(meetings_).subspan(runs_[r].begin, runs_[r].end - runs_[r].begin);
-    };
     std::vector<TrianglePair> candidates = support::collect_in_order<TrianglePair>(
         runs_.size(), [&](std::size_t r, std::vector<TrianglePair>& found) {
-          const Meeting& meeting = run_of(r).front().meeting;
+          const Meeting& meeting = run(r).front().meeting;
           for (const EdgeKey edge : {meeting.first, meeting.second}) {
             if ((edge & Meeting::kPlane) == 0) {
-              find_candidate(run_of(r), edge, found);
+              find_candidate(run(r), edge, found);
             }
           }
         });
@@ -266,9 +265,8 @@ class Creator {
     }
     support::for_each_block(runs_.size(), [&](const support::Block& block) {
       for (std::size_t r = block.begin; r < block.end; ++r) {
-        if (std::ranges::all_of(run_of(r),
-                                [this](const MeetingAt& m) { return is_joint(m.end); })) {
-          for (const MeetingAt& m : run_of(r)) {
+        if (std::ranges::all_of(run(r), [this](const MeetingAt& m) { return is_joint(m.end); })) {
+          for (const MeetingAt& m : run(r)) {
             leader_[m.end] = kNone;
           }
         }

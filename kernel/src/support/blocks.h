@@ -47,6 +47,15 @@ void for_each_block(std::size_t count, const Visit& visit, std::size_t block_siz
   for_each_in_parallel(block_count(count, block_size), visit_block);
 }
 
+/// Gives all items the value, in parallel.
+template <class Items>
+void fill_all(Items& items, const typename Items::value_type& value) {
+  for_each_block(items.size(), [&](const Block& block) {
+    std::fill(items.begin() + static_cast<std::ptrdiff_t>(block.begin),
+              items.begin() + static_cast<std::ptrdiff_t>(block.end), value);
+  });
+}
+
 template <class Item>
 [[nodiscard]] std::vector<Item> joined(std::vector<std::vector<Item>> parts) {
   if (parts.size() == 1) {
