@@ -21,10 +21,6 @@ constexpr int kRounds = 8;
 /// An edit has to gain so much, in radians.
 constexpr double kGain = 1e-6;
 
-bool has(const Triangle& triangle, std::uint32_t point) {
-  return std::ranges::find(triangle, point) != triangle.end();
-}
-
 /// Edits of one round, none of which has a point in common with what another one has changed.
 class Round {
  public:
@@ -207,6 +203,10 @@ class Round {
 }  // namespace
 
 Edge edge_of(std::uint32_t a, std::uint32_t b) { return std::minmax(a, b); }
+
+bool has(const Triangle& triangle, std::uint32_t point) {
+  return std::ranges::find(triangle, point) != triangle.end();
+}
 
 std::set<Edge> edges_of(std::span<const BorderChain> chains) {
   std::set<Edge> edges;

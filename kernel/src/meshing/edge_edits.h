@@ -16,6 +16,7 @@ namespace dupin::meshing {
 /// Two points, the lower one first.
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 [[nodiscard]] Edge edge_of(std::uint32_t a, std::uint32_t b);
+[[nodiscard]] bool has(const Triangle& triangle, std::uint32_t point);
 [[nodiscard]] std::set<Edge> edges_of(std::span<const BorderChain> chains);
 
 /// Takes triangles away, and points of regions that no triangle has any more; what is left keeps

@@ -30,10 +30,6 @@ constexpr std::size_t kMostPatches = 16, kTrianglesPerPatch = 500;
 /// What comes of a trial has to gain so much, in radians.
 constexpr double kGain = 1e-4;
 
-bool has(const Triangle& triangle, std::uint32_t point) {
-  return std::ranges::find(triangle, point) != triangle.end();
-}
-
 /// Some triangles of a mesh as a mesh of their own.
 struct Patch {
   std::vector<std::uint32_t> faces;
@@ -45,21 +41,29 @@ struct Patch {
   std::set<Edge> curves;            ///< those of them that are of the chains of the whole
 };
 
-/// The smallest angle of triangles, without those between two edges of curves.
+double smallest_angle_of(const Tetrahedra& mesh, const Triangle& t) {
+  return smallest_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+}
+
+/// Whether the smallest angle of a triangle is between two edges of curves.
+bool is_excused(const Tetrahedra& mesh, const Triangle& t, const std::set<Edge>& curves) {
+  std::array<double, 3> lengths{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    lengths[k] = (mesh.points[t[(k + 1) % 3]] - mesh.points[t[k]]).norm();
+  }
+  const auto shortest =
+      static_cast<std::size_t>(std::ranges::min_element(lengths) - lengths.begin());
+  const std::uint32_t tip = t[(shortest + 2) % 3];
+  return curves.contains(edge_of(tip, t[shortest])) &&
+         curves.contains(edge_of(tip, t[(shortest + 1) % 3]));
+}
+
+/// The smallest angle of triangles, without those that are excused.
 double quality_of(const Tetrahedra& mesh, const std::set<Edge>& curves) {
   double least = std::numbers::pi;
   for (const Triangle& t : mesh.triangles) {
-    std::array<double, 3> lengths{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      lengths[k] = (mesh.points[t[(k + 1) % 3]] - mesh.points[t[k]]).norm();
-    }
-    const auto shortest =
-        static_cast<std::size_t>(std::ranges::min_element(lengths) - lengths.begin());
-    const std::uint32_t tip = t[(shortest + 2) % 3];
-    if (!curves.contains(edge_of(tip, t[shortest])) ||
-        !curves.contains(edge_of(tip, t[(shortest + 1) % 3]))) {
-      least =
-          std::min(least, smallest_angle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
+    if (!is_excused(mesh, t, curves)) {
+      least = std::min(least, smallest_angle_of(mesh, t));
     }
   }
   return least;
@@ -98,19 +102,7 @@ class Round {
 
  private:
   [[nodiscard]] bool is_poor(const Triangle& t) const {
-    const std::array<Vec3, 3> corners = {mesh_.points[t[0]], mesh_.points[t[1]],
-                                         mesh_.points[t[2]]};
-    if (smallest_angle(corners[0], corners[1], corners[2]) >= wanted_) {
-      return false;
-    }
-    const Tetrahedra alone{{corners.begin(), corners.end()}, {}, {}, {{0, 1, 2}}, {}};
-    std::set<Edge> curves;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      if (curves_.contains(edge_of(t[k], t[(k + 1) % 3]))) {
-        curves.insert(edge_of(k, (k + 1) % 3));
-      }
-    }
-    return quality_of(alone, curves) < wanted_;
+    return smallest_angle_of(mesh_, t) < wanted_ && !is_excused(mesh_, t, curves_);
   }
 
   bool improve(std::uint32_t f) {
@@ -205,16 +197,14 @@ class Round {
         edges.insert(edge_of(t[k], t[(k + 1) % 3]));
       }
     }
+    const auto goes_on = [&](std::optional<Tetrahedra> trial) {
+      return !trial || visit(*std::move(trial));
+    };
     for (const Edge& edge : edges) {
-      if (patch.sides.contains(edge)) {
-        continue;
-      }
-      for (const std::optional<Tetrahedra>& trial :
-           {cut(patch.mesh, edge), drawn(patch.mesh, edge.first, edge.second),
-            drawn(patch.mesh, edge.second, edge.first)}) {
-        if (trial && !visit(*trial)) {
-          return;
-        }
+      if (!patch.sides.contains(edge) &&
+          !(goes_on(cut(patch.mesh, edge)) && goes_on(drawn(patch.mesh, edge.first, edge.second)) &&
+            goes_on(drawn(patch.mesh, edge.second, edge.first)))) {
+        return;
       }
     }
   }

@@ -4,21 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "kernel/meshing/plane_internal.h"
 #include "meshing/edge_edits.h"
 
 namespace dupin::meshing {
 namespace {
-
-constexpr double kDegree = M_PI / 180;
-constexpr MoveLimits kLimits{.longest_edge = 100, .distance = 0.01};
-
-/// The plane z = 0, as far as it matters.
-struct Plane {
-  std::vector<Vec3> points = {Vec3(-50, -50, 0), Vec3(150, -50, 0), Vec3(-50, 150, 0)};
-  std::vector<Triangle> triangles = {{0, 1, 2}};
-  std::vector<std::uint32_t> regions = {0};
-  ReferenceSurface surface{points, triangles, regions};
-};
 
 double smallest(const Tetrahedra& mesh) {
   double least = M_PI;
