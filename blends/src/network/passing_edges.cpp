@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace dupin::network {
 namespace {
@@ -87,6 +88,28 @@ struct Piece {
   std::optional<std::size_t> node = {}, edge = {};
 };
 
+std::vector<Piece> edge_pieces(const GraphPlan& plan) {
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < plan.edges().size(); ++i) {
+    if (plan.edges()[i].is_left) {
+      pieces.push_back({span_of(plan, i), {}, i});
+    }
+  }
+  return pieces;
+}
+
+// Calls visit(a, b) for all pieces that overlap along x.
+template <class Visit>
+void for_each_overlap(std::vector<Piece> pieces, const Visit& visit) {
+  std::ranges::stable_sort(pieces, {}, [](const Piece& piece) { return piece.span.low(); });
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const double high = pieces[k].span.high();
+    for (std::size_t l = k + 1; l < pieces.size() && pieces[l].span.low() <= high; ++l) {
+      visit(pieces[k], pieces[l]);
+    }
+  }
+}
+
 // The arc between the rings of a blend's edges, as so many chords.
 constexpr int kChords = 4;
 
@@ -151,56 +174,33 @@ bool pass(const GraphPlan& plan, std::size_t one, std::size_t other) {
 }
 
 std::vector<std::array<std::size_t, 2>> passing_edges(const GraphPlan& plan) {
-  std::vector<std::size_t> order;
-  std::vector<Span> spans(plan.edges().size());
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    if (plan.edges()[i].is_left) {
-      order.push_back(i);
-      spans[i] = span_of(plan, i);
-    }
-  }
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return spans[i].low(); });
   std::vector<std::array<std::size_t, 2>> result;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const double high = spans[order[k]].high();
-    for (std::size_t l = k + 1; l < order.size() && spans[order[l]].low() <= high; ++l) {
-      const auto [one, other] = std::minmax(order[k], order[l]);
-      if (!share_node(plan.edges()[one].ends, plan.edges()[other].ends) &&
-          pass(spans[one], spans[other])) {
-        result.push_back({one, other});
-      }
+  for_each_overlap(edge_pieces(plan), [&](const Piece& a, const Piece& b) {
+    const auto [one, other] = std::minmax(*a.edge, *b.edge);
+    if (!share_node(plan.edges()[one].ends, plan.edges()[other].ends) && pass(a.span, b.span)) {
+      result.push_back({one, other});
     }
-  }
+  });
   std::ranges::sort(result);
   return result;
 }
 
 std::vector<PassingNode> passing_nodes(const GraphPlan& plan) {
-  std::vector<Piece> pieces;
-  for (std::size_t i = 0; i < plan.edges().size(); ++i) {
-    if (plan.edges()[i].is_left) {
-      pieces.push_back({span_of(plan, i), {}, i});
-    }
-  }
+  std::vector<Piece> pieces = edge_pieces(plan);
   for (std::size_t node = 0; node < plan.nodes().size(); ++node) {
     add_node_pieces(plan, node, pieces);
   }
-  std::ranges::stable_sort(pieces, {}, [](const Piece& piece) { return piece.span.low(); });
   std::set<PassingNode> result;
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const double high = pieces[k].span.high();
-    for (std::size_t l = k + 1; l < pieces.size() && pieces[l].span.low() <= high; ++l) {
-      const Piece &a = pieces[k], &b = pieces[l];
-      if ((!a.node && !b.node) || are_joined(plan, a, b) || !pass(a.span, b.span)) {
-        continue;
-      }
-      if (a.node && b.node) {
-        result.insert({std::min(*a.node, *b.node), {}, std::max(*a.node, *b.node)});
-      } else {
-        result.insert({a.node ? *a.node : *b.node, a.node ? b.edge : a.edge, 0});
-      }
+  for_each_overlap(std::move(pieces), [&](const Piece& a, const Piece& b) {
+    if ((!a.node && !b.node) || are_joined(plan, a, b) || !pass(a.span, b.span)) {
+      return;
     }
-  }
+    if (a.node && b.node) {
+      result.insert({std::min(*a.node, *b.node), {}, std::max(*a.node, *b.node)});
+    } else {
+      result.insert({a.node ? *a.node : *b.node, a.node ? b.edge : a.edge, 0});
+    }
+  });
   return {result.begin(), result.end()};
 }
 
