@@ -122,6 +122,13 @@ struct NarrowedSurface {
   }
 };
 
+// Both less their walls.
+std::array<PartSurface, 2> narrowed(const std::array<const PartSurface*, 2>& pipes,
+                                    const std::array<double, 2>& walls) {
+  return {std::visit(NarrowedSurface{walls[0]}, *pipes[0]),
+          std::visit(NarrowedSurface{walls[1]}, *pipes[1])};
+}
+
 // A bore with this ring at its end: where it is the ring of its own, bitwise, and where it is a
 // cyclide's neighbour.
 struct EndChange {
@@ -335,19 +342,15 @@ class Borer {
       return {};
     }
     const double radius = fillet.shape.radius;
+    const ResolvedPart &one = outer_.parts[fillet.between[0]],
+                       &other = outer_.parts[fillet.between[1]];
+    const std::array<const PartSurface*, 2> around{&one.shape, &other.shape};
     const auto smaller = largest_radius_below(radius, [&](double tried) {
-      return !fillet_fault(pipes, names, tried + thicker) &&
-             !fillet_fault(
-                 {&outer_.parts[fillet.between[0]].shape, &outer_.parts[fillet.between[1]].shape},
-                 names, tried);
+      return !fillet_fault(pipes, names, tried + thicker) && !fillet_fault(around, names, tried);
     });
     const auto thinner = largest_radius_below(thicker, [&](double tried) {
-      std::array<PartSurface, 2> bores;
-      for (std::size_t i = 0; i < 2; ++i) {
-        const ResolvedPart& pipe = outer_.parts[fillet.between.at(i)];
-        const double wall = walls_[pipe.index] * (tried / thicker);
-        bores.at(i) = std::visit(NarrowedSurface{wall}, pipe.shape);
-      }
+      const double share = tried / thicker;
+      const auto bores = narrowed(around, {walls_[one.index] * share, walls_[other.index] * share});
       return !fillet_fault({&bores[0], &bores[1]}, names, radius + tried);
     });
     if (!smaller && !thinner) {
@@ -419,22 +422,21 @@ std::optional<std::vector<double>> walls_of(const Assembly& assembly, const Reso
 
 bool bore_takes(const Assembly& assembly, const std::array<const PartSurface*, 2>& pipes,
                 const std::array<std::string, 2>& names, double radius) {
-  std::array<PartSurface, 2> bores;
-  double thicker = 0;
+  std::array<double, 2> walls{};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto part = std::ranges::find(assembly.parts, names.at(i), &Part::name);
-    const double wall = part == assembly.parts.end() ? 0 : wall_of(assembly, *part);
-    if (!(wall > 0)) {
+    walls.at(i) = part == assembly.parts.end() ? 0 : wall_of(assembly, *part);
+    if (!(walls.at(i) > 0)) {
       return true;
     }
-    thicker = std::max(thicker, wall);
-    try {
-      bores.at(i) = std::visit(NarrowedSurface{wall}, *pipes.at(i));
-    } catch (const Error&) {
-      return true;  // whatever the fillet
-    }
   }
-  return !fillet_fault({&bores[0], &bores[1]}, names, radius + thicker);
+  std::array<PartSurface, 2> bores;
+  try {
+    bores = narrowed(pipes, walls);
+  } catch (const Error&) {
+    return true;  // whatever the fillet
+  }
+  return !fillet_fault({&bores[0], &bores[1]}, names, radius + std::max(walls[0], walls[1]));
 }
 
 ResolvedAssembly filled(ResolvedAssembly outer) {

@@ -112,7 +112,7 @@ class Biller {
     }
     for (const End end : {End::start, End::end}) {
       const Ring* ring = port_ring(part.shape, end);
-      if (row.area && ring != nullptr && part.is_closed.at(end == End::start ? 0 : 1)) {
+      if (row.area && ring != nullptr && part.is_closed.at(at(end))) {
         *row.area += std::numbers::pi * ring->radius * ring->radius;
       }
     }

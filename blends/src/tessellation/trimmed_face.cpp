@@ -282,19 +282,16 @@ double expected_triangles(const TrimmedFace& face, const RingSampling& sampling)
   constexpr double kSpacing = Refinement{}.spacing;
   constexpr double kByArea = 4 / (std::numbers::sqrt3 * kSpacing * kSpacing);  // of the lattice
   const UnrolledFace chart(face.start, face.end, sampling);
-  const std::vector<Heights> zones = zone_heights(face, chart);
-  double result = 0,
-         below =
-             chart.place(face.start.center + face.start.radius * face.start.normal.unitOrthogonal())
-                 .y();
-  for (const Heights& zone : zones) {
+  const auto height_of = [&](const Ring& ring) {
+    return chart.place(ring.center + ring.radius * ring.normal.unitOrthogonal()).y();
+  };
+  double result = 0, below = height_of(face.start);
+  for (const Heights& zone : zone_heights(face, chart)) {
     result +=
         chart.around() * (2 * band_count(zone.low - below) + kByArea * (zone.high - zone.low));
     below = zone.high;
   }
-  const double end =
-      chart.place(face.end.center + face.end.radius * face.end.normal.unitOrthogonal()).y();
-  return result + chart.around() * 2 * band_count(end - below);
+  return result + chart.around() * 2 * band_count(height_of(face.end) - below);
 }
 
 Tessellation trimmed_face(const TrimmedFace& face, const RingSampling& sampling) {
