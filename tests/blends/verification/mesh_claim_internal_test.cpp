@@ -5,11 +5,13 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "blends/verification/least_bound_internal.h"
 #include "blends/verification/solids_internal.h"
 #include "dupin/blends/elliptic_tube.h"
 #include "dupin/blends/ringed_blend.h"
@@ -36,16 +38,8 @@ std::vector<double> equal_knots(int bands) {
   return knots;
 }
 
-// The least bound that follows, to 1e-3 of it.
 double least_bound(const Solid& solid, MeshClaim about) {
-  double low = 0, high = 1e3;
-  about.error_bound = high;
-  EXPECT_TRUE(follows(solid, about));
-  while (high - low > 1e-3 * high) {
-    about.error_bound = (low + high) / 2;
-    (follows(solid, about) ? high : low) = about.error_bound;
-  }
-  return high;
+  return least_bound(solid, std::move(about), 1e3, 1e-3);
 }
 
 // How far the middles of the facets of the elbow's mesh are from its torus; frames do not turn.

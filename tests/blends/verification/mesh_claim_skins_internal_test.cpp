@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "blends/verification/least_bound_internal.h"
 #include "blends/verification/solids_internal.h"
 #include "dupin/blends/cyclide_tube.h"
 #include "support/cyclide_cases.h"
@@ -36,16 +38,8 @@ CertifiedPart part_of(const Chain& chain) {
 
 Solid solid_of(const Chain& chain) { return Solid(part_of(chain)); }
 
-// The least bound that follows, of those below 1, to 2e-3 of it.
 double least_bound(const Solid& solid, MeshClaim about) {
-  double low = 0, high = 1;
-  about.error_bound = high;
-  EXPECT_TRUE(follows(solid, about));
-  while (high - low > 2e-3 * high) {
-    about.error_bound = (low + high) / 2;
-    (follows(solid, about) ? high : low) = about.error_bound;
-  }
-  return high;
+  return least_bound(solid, std::move(about), 1, 2e-3);
 }
 
 PeArc quarter(double radius) {
