@@ -51,17 +51,23 @@ NarrowPlace narrowest(const CanalFillet& loop) {
     const ContactArc arc = arc_at(t);
     return arc.radius * arc.angle;
   };
-  double step = 2 * std::numbers::pi / kPlaces, least = 0, widest = 0;
+  double step = 2 * std::numbers::pi / kPlaces, least = 0, width_there = width(0), widest = 0;
+  const auto look_at = [&](double t) {
+    const double here = width(t);
+    if (here < width_there) {
+      least = t;
+      width_there = here;
+    }
+    return here;
+  };
   for (int i = 0; i < kPlaces; ++i) {
-    const double here = width(i * step);
-    widest = std::max(widest, here);
-    least = here < width(least) ? i * step : least;
+    widest = std::max(widest, look_at(i * step));
   }
   for (; step > 1e-12; step /= 2) {
-    least = width(least - step) < width(least) ? least - step : least;
-    least = width(least + step) < width(least) ? least + step : least;
+    look_at(least - step);
+    look_at(least + step);
   }
-  return {arc_at(least).feet[0], width(least), widest};
+  return {arc_at(least).feet[0], width_there, widest};
 }
 
 /// Claims about fillets are searched for, and are undecided where the search ends before.
@@ -99,11 +105,13 @@ void print_findings(std::ostream& out, const Certificate& certificate) {
     const CertifiedFillet& fillet = certificate.fillets[i];
     for (std::size_t loop = 0; loop < fillet.loops.size(); ++loop) {
       const LoopClaims& claims = certificate.fillet_claims[i].at(loop);
+      std::string why;  // the same for all claims, if any is undecided
       const auto print_claim = [&](const std::string& claim, Verdict verdict) {
         const bool is_open = verdict == Verdict::undecided;
-        print(fillet.name,
-              claim + (is_open ? why_undecided(fillet.loops[loop], unit_of(certificate)) : ""),
-              verdict);
+        if (is_open && why.empty()) {
+          why = why_undecided(fillet.loops[loop], unit_of(certificate));
+        }
+        print(fillet.name, claim + (is_open ? why : ""), verdict);
       };
       print_claim("margin above " + number(claims.regular.margin), claims.regular.verdict);
       print_claim("embedded", claims.embedded.verdict);
