@@ -1,7 +1,9 @@
 #include "exchange/bodies.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -32,6 +34,12 @@ class Groups {
  private:
   std::vector<std::size_t> leader_;
 };
+
+// No point of either circle is further from the other than this.
+double circle_distance(const Ring& end, const Ring& start) {
+  return (end.center - start.center).norm() + std::abs(end.radius - start.radius) +
+         std::min(end.radius, start.radius) * (end.normal + start.normal).norm();
+}
 
 class BodyMaker {
  public:
@@ -97,12 +105,6 @@ class BodyMaker {
       return;
     }
     const auto& chain = std::get<Chain>(part.shape);
-    if (chain.joints == Joints::spherical) {
-      throw Error(
-          Errc::boolean_failed,
-          "its pieces meet in kneecaps, which STEP does not get yet; \"joints\": \"smooth\" "
-          "can be written, and a mesh of either");
-    }
     if (chain.wall > 0 && !chain.closed) {
       append_hollow(index, chain);
       return;
@@ -127,6 +129,9 @@ class BodyMaker {
     std::size_t last = first;
     for (std::size_t i = 0; i < chain.pieces.size(); ++i) {
       const bool is_last = i + 1 == chain.pieces.size();
+      if (chain.joints == Joints::spherical && i > 0) {
+        last = append_joint(chain, i, label, last);
+      }
       std::vector<PieceSurface> surfaces = piece_surfaces(chain.pieces[i], tolerance_, count_);
       for (std::size_t k = 0; k + 1 < surfaces.size(); ++k) {
         body_.rings.push_back(end_circle(std::get<NurbsSurface>(surfaces[k])));
@@ -141,6 +146,49 @@ class BodyMaker {
       last = next;
     }
     return {first, last};
+  }
+
+  // What there is in the ball between a piece and the one before it, at whose end is the ring
+  // `before`. Returns the ring where the piece starts.
+  std::size_t append_joint(const Chain& chain, std::size_t piece, std::uint32_t label,
+                           std::size_t before) {
+    const std::vector<PeArc> arcs = cyclide_pieces(chain);
+    const SphericalJoint joint = spherical_joint(arcs[piece - 1], arcs[piece]);
+    const Ring end = end_ring(chain.pieces[piece - 1], End::end);
+    const Ring start = end_ring(chain.pieces[piece], End::start);
+    if (circle_distance(end, start) <= tolerance_) {
+      return before;
+    }
+    body_.discs.push_back({label, before, end.normal});
+    const std::size_t after = new_ring(start);
+    body_.discs.push_back({label, after, start.normal});
+    const bool is_hidden = joint.between <= std::abs(joint.before - joint.after) ||
+                           joint.between + joint.before + joint.after >= 2 * std::numbers::pi;
+    if (!is_hidden) {
+      append_sector(joint, end, start, label);
+    }
+    return after;
+  }
+
+  // Beyond the ring of one piece's end and before that of the next one's start. Readers of STEP
+  // take a lune that has a pole or crosses the seam for the rest of its sphere.
+  void append_sector(const SphericalJoint& joint, const Ring& end, const Ring& start,
+                     std::uint32_t label) {
+    // The normals of rings at ends point out of their pieces.
+    const Vec3 from = -end.normal, to = -start.normal;
+    BallSector sector{label,
+                      joint.sphere.m,
+                      joint.sphere.r,
+                      {ring_curve(Ring{end.center, from, end.radius}),
+                       ring_curve(Ring{start.center, to, start.radius})},
+                      from,
+                      reference_axis(end)};
+    if (!joint.is_clean()) {
+      sector.seam = (from + to).normalized();
+      sector.pole = sector.seam.cross(from.cross(to)).normalized();
+    }
+    body_.sectors.push_back(std::move(sector));
+    ++count_.exact;
   }
 
   // Outside and inside, with conical rims.
@@ -284,12 +332,13 @@ void scale(NurbsSurface& surface, double factor) {
 }
 
 void scale(BodyUnion& bodies, double factor) {
+  const auto scale_ring = [&](RingCurve& ring) {
+    ring.center *= factor;
+    ring.first *= factor;
+    ring.second *= factor;
+  };
   for (Body& body : bodies.bodies) {
-    for (RingCurve& ring : body.rings) {
-      ring.center *= factor;
-      ring.first *= factor;
-      ring.second *= factor;
-    }
+    std::ranges::for_each(body.rings, scale_ring);
     for (TubeFace& tube : body.tubes) {
       if (auto* nurbs = std::get_if<NurbsSurface>(&tube.surface)) {
         scale(*nurbs, factor);
@@ -300,6 +349,11 @@ void scale(BodyUnion& bodies, double factor) {
     for (HubFace& hub : body.hubs) {
       hub.center *= factor;
       hub.radius *= factor;
+    }
+    for (BallSector& sector : body.sectors) {
+      sector.center *= factor;
+      sector.radius *= factor;
+      std::ranges::for_each(sector.cuts, scale_ring);
     }
   }
   for (RollingBall& ball : bodies.fillets) {

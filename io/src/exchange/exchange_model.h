@@ -61,13 +61,23 @@ struct HubFace {
   std::vector<std::size_t> rings;  ///< none: a whole ball
 };
 
-/// A closed surface.
+/// A ball less what is beyond the planes of two circles on it, where their normals point.
+struct BallSector {
+  std::uint32_t label = 0;
+  Vec3 center;
+  double radius = 1;
+  std::array<RingCurve, 2> cuts;
+  Vec3 pole, seam;  ///< of the sphere's parameters, unit and across each other
+};
+
+/// The union of closed surfaces, each of what hangs together by rings, and of sectors of balls.
 struct Body {
   std::string name;
   std::vector<RingCurve> rings;
   std::vector<TubeFace> tubes;
   std::vector<DiscFace> discs;
   std::vector<HubFace> hubs;
+  std::vector<BallSector> sectors;
 };
 
 /// A fillet: what a ball that rolls along the edges in which the faces of two labels meet goes
@@ -138,6 +148,6 @@ struct Module {
 
 constexpr const char* kModuleFile = "libdupin_occt.so";
 /// Says which version of these structs the module was compiled with.
-constexpr const char* kEntryPoint = "dupin_occt_module_2";
+constexpr const char* kEntryPoint = "dupin_occt_module_3";
 
 }  // namespace dupin::exchange

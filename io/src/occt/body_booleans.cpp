@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
-#include <sstream>
 #include <utility>
 
-#include <BRepAlgoAPI_Common.hxx>
-#include <BRepAlgoAPI_Cut.hxx>
-#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRep_Builder.hxx>
@@ -16,51 +12,15 @@
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 
 #include "occt/body_shape.h"
 #include "occt/fillet_surfaces.h"
+#include "occt/labelled_booleans.h"
 
 namespace dupin::occt {
 namespace {
-
-std::string errors_of(const BRepAlgoAPI_BooleanOperation& algorithm) {
-  std::ostringstream text;
-  algorithm.DumpErrors(text);
-  std::string all = text.str();
-  std::ranges::replace(all, '\n', ' ');
-  return all;
-}
-
-LabelledShape built(BRepAlgoAPI_BooleanOperation& operation,
-                    const std::vector<const LabelledShape*>& arguments,
-                    const std::vector<const LabelledShape*>& tools, const std::string& at) {
-  const auto shapes = [](const std::vector<const LabelledShape*>& all) {
-    TopTools_ListOfShape list;
-    for (const LabelledShape* one : all) {
-      list.Append(one->shape);
-    }
-    return list;
-  };
-  operation.SetArguments(shapes(arguments));
-  operation.SetTools(shapes(tools));
-  operation.SetRunParallel(Standard_False);
-  operation.SetNonDestructive(Standard_True);
-  operation.Build();
-  if (!operation.IsDone() || operation.HasErrors()) {
-    throw Refusal("OpenCASCADE does not find where it crosses others: " + errors_of(operation), at);
-  }
-  LabelledShape result;
-  result.shape = operation.Shape();
-  for (const auto* list : {&arguments, &tools}) {
-    for (const LabelledShape* one : *list) {
-      inherit(operation, one->labels, result.labels);
-    }
-  }
-  return result;
-}
 
 // Sets of bodies whose boxes overlap, in the order of their first.
 std::vector<std::vector<std::size_t>> groups(const std::vector<LabelledShape>& all) {
@@ -91,14 +51,6 @@ std::vector<std::vector<std::size_t>> groups(const std::vector<LabelledShape>& a
     }
   }
   return result;
-}
-
-LabelledShape fused(const std::vector<const LabelledShape*>& all, const std::string& at) {
-  if (all.size() == 1) {
-    return *all.front();
-  }
-  BRepAlgoAPI_Fuse fuse;
-  return built(fuse, {all.front()}, {all.begin() + 1, all.end()}, at);
 }
 
 void append(const LabelledShape& from, LabelledShape& to) {
@@ -190,24 +142,14 @@ LabelledShape united(const exchange::BodyUnion& bodies) {
   }
   LabelledShape result;
   for (const auto& group : groups(all)) {
-    std::vector<const LabelledShape*> members;
+    std::vector<LabelledShape> members;
     members.reserve(group.size());
     for (const std::size_t body : group) {
-      members.push_back(&all[body]);
+      members.push_back(std::move(all[body]));
     }
     append(fused(members, bodies.bodies[group.front()].name), result);
   }
   return filleted(std::move(result), bodies.fillets);
-}
-
-LabelledShape combined(const LabelledShape& a, const LabelledShape& b,
-                       exchange::Operation operation) {
-  if (operation == exchange::Operation::subtract) {
-    BRepAlgoAPI_Cut cut;
-    return built(cut, {&a}, {&b}, "");
-  }
-  BRepAlgoAPI_Common common;
-  return built(common, {&a}, {&b}, "");
 }
 
 }  // namespace dupin::occt

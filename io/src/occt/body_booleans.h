@@ -11,8 +11,4 @@ namespace dupin::occt {
 /// where OpenCASCADE fails, naming the body or the fillet.
 [[nodiscard]] LabelledShape united(const exchange::BodyUnion& bodies);
 
-/// One shape without another, or what both have in common. Throws Refusal.
-[[nodiscard]] LabelledShape combined(const LabelledShape& a, const LabelledShape& b,
-                                     exchange::Operation operation);
-
 }  // namespace dupin::occt

@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <numeric>
 #include <optional>
+#include <span>
+#include <string>
+#include <utility>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
@@ -21,7 +26,10 @@
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp.hxx>
+#include <gp_Ax2.hxx>
 
+#include "occt/labelled_booleans.h"
 #include "occt/nurbs_geometry.h"
 #include "occt/ring_edges.h"
 #include "occt/tube_surface.h"
@@ -39,6 +47,31 @@ struct LabelledFace {
   TopoDS_Face face;
   std::uint32_t label = 0;
 };
+
+// The ball about these axes' origin less what is beyond the circles' planes.
+TopoDS_Shape cut_ball(const gp_Ax2& axes, double radius, std::span<const RingCurve> cuts,
+                      const std::string& at) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(axes, radius).Shape();
+  if (cuts.empty()) {
+    return ball;
+  }
+  TopTools_ListOfShape balls, caps;
+  balls.Append(ball);
+  for (const RingCurve& circle : cuts) {
+    caps.Append(
+        BRepPrimAPI_MakeCylinder(gp_Ax2(pnt(circle.center), dir(circle.normal), dir(circle.axis)),
+                                 3 * radius, 3 * radius)
+            .Shape());
+  }
+  BRepAlgoAPI_Cut cut;
+  cut.SetArguments(balls);
+  cut.SetTools(caps);
+  cut.Build();
+  if (!cut.IsDone() || cut.HasErrors()) {
+    throw Refusal("OpenCASCADE does not cut a ball", at);
+  }
+  return cut.Shape();
+}
 
 class BodyShape {
  public:
@@ -146,27 +179,15 @@ class BodyShape {
 
   // The ball less what is beyond the rings' planes.
   void append_hub(const exchange::HubFace& hub) {
-    TopoDS_Shape ball = BRepPrimAPI_MakeSphere(pnt(hub.center), hub.radius).Shape();
-    if (!hub.rings.empty()) {
-      TopTools_ListOfShape balls, caps;
-      balls.Append(ball);
-      for (const std::size_t ring : hub.rings) {
-        const RingCurve& circle = body_.rings[ring];
-        const Vec3 out = circle.normal.dot(circle.center - hub.center) > 0 ? circle.normal
-                                                                           : Vec3(-circle.normal);
-        caps.Append(BRepPrimAPI_MakeCylinder(gp_Ax2(pnt(circle.center), dir(out), dir(circle.axis)),
-                                             3 * hub.radius, 3 * hub.radius)
-                        .Shape());
+    std::vector<RingCurve> cuts;
+    for (const std::size_t ring : hub.rings) {
+      RingCurve& circle = cuts.emplace_back(body_.rings[ring]);
+      if (circle.normal.dot(circle.center - hub.center) < 0) {
+        circle.normal = -circle.normal;
       }
-      BRepAlgoAPI_Cut cut;
-      cut.SetArguments(balls);
-      cut.SetTools(caps);
-      cut.Build();
-      if (!cut.IsDone() || cut.HasErrors()) {
-        throw Refusal("OpenCASCADE does not cut the hub's sphere", body_.name);
-      }
-      ball = cut.Shape();
     }
+    const TopoDS_Shape ball =
+        cut_ball(gp_Ax2(pnt(hub.center), gp::DZ(), gp::DX()), hub.radius, cuts, body_.name);
     for (TopExp_Explorer face(ball, TopAbs_FACE); face.More(); face.Next()) {
       const TopoDS_Face& here = TopoDS::Face(face.Current());
       if (BRep_Tool::Surface(here)->IsKind(STANDARD_TYPE(Geom_SphericalSurface))) {
@@ -238,8 +259,66 @@ class BodyShape {
   std::vector<LabelledFace> faces_;
 };
 
+LabelledShape shape_of(const exchange::BallSector& sector, const std::string& at) {
+  const gp_Ax2 axes(pnt(sector.center), dir(sector.pole), dir(sector.seam));
+  LabelledShape result;
+  result.shape = cut_ball(axes, sector.radius, sector.cuts, at);
+  for (TopExp_Explorer face(result.shape, TopAbs_FACE); face.More(); face.Next()) {
+    result.labels.Bind(face.Current(), sector.label);
+  }
+  return result;
+}
+
+// What hangs together by rings, each with the rings of all.
+std::vector<Body> closed_surfaces(const Body& body) {
+  std::vector<std::size_t> leader(body.rings.size());
+  std::iota(leader.begin(), leader.end(), std::size_t{0});
+  const auto join = [&](std::size_t a, std::size_t b) {
+    const auto [first, second] = std::minmax({leader[a], leader[b]});
+    std::ranges::replace(leader, second, first);
+  };
+  for (const exchange::TubeFace& tube : body.tubes) {
+    join(tube.start, tube.end);
+  }
+  for (const exchange::HubFace& hub : body.hubs) {
+    for (const std::size_t ring : hub.rings) {
+      join(hub.rings.front(), ring);
+    }
+  }
+  // Balls by themselves, then the others by their first ring.
+  std::vector<Body> result;
+  std::map<std::size_t, Body> surfaces;
+  for (const exchange::TubeFace& tube : body.tubes) {
+    surfaces[leader[tube.start]].tubes.push_back(tube);
+  }
+  for (const exchange::DiscFace& disc : body.discs) {
+    surfaces[leader[disc.ring]].discs.push_back(disc);
+  }
+  for (const exchange::HubFace& hub : body.hubs) {
+    Body& surface = hub.rings.empty() ? result.emplace_back() : surfaces[leader[hub.rings.front()]];
+    surface.hubs.push_back(hub);
+  }
+  for (auto& [ring, surface] : surfaces) {
+    result.push_back(std::move(surface));
+  }
+  for (Body& surface : result) {
+    surface.name = body.name;
+    surface.rings = body.rings;
+  }
+  return result;
+}
+
 }  // namespace
 
-LabelledShape solid_of(const Body& body) { return BodyShape(body).run(); }
+LabelledShape solid_of(const Body& body) {
+  std::vector<LabelledShape> shapes;
+  for (const Body& surface : closed_surfaces(body)) {
+    shapes.push_back(BodyShape(surface).run());
+  }
+  for (const exchange::BallSector& sector : body.sectors) {
+    shapes.push_back(shape_of(sector, body.name));
+  }
+  return fused(shapes, body.name);
+}
 
 }  // namespace dupin::occt

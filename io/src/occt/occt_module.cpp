@@ -5,6 +5,7 @@
 #include "occt/body_booleans.h"
 #include "occt/body_shape.h"
 #include "occt/exchange_document.h"
+#include "occt/labelled_booleans.h"
 
 namespace dupin::occt {
 namespace {
@@ -87,7 +88,7 @@ Written read_solids(const std::string& step) {
 }  // namespace
 }  // namespace dupin::occt
 
-const dupin::exchange::Module* dupin_occt_module_2() {
+const dupin::exchange::Module* dupin_occt_module_3() {
   static const dupin::exchange::Module kModule{
       dupin::occt::write_solids, dupin::occt::write_surfaces, dupin::occt::read_solids};
   return &kModule;

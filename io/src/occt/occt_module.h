@@ -4,4 +4,4 @@
 
 /// The module's functions, looked up by `exchange::kEntryPoint`.
 extern "C" __attribute__((visibility("default"))) const dupin::exchange::Module*
-dupin_occt_module_2();
+dupin_occt_module_3();

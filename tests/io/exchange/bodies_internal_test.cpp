@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -62,14 +64,22 @@ TEST(Bodies, of_a_junction_are_one_with_its_hub) {
   EXPECT_EQ(made.bodies.bodies.front().discs.size(), 5U);
 }
 
-TEST(Bodies, refuse_what_cannot_be_written_yet_by_name) {
-  try {
-    (void)bodies(example("ucct-arm"), false);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.part(), "arm");
-    EXPECT_EQ(error.code(), Errc::boolean_failed);
-  }
+// Each piece closed by discs; of the ball what is beyond one disc and before the other, if any.
+TEST(Bodies, of_pieces_with_kneecaps_have_sectors_of_balls) {
+  const Made made = bodies(example("ucct-arm"), false);
+  ASSERT_EQ(made.bodies.bodies.size(), 1U);
+  const Body& run = made.bodies.bodies.front();
+  EXPECT_EQ(run.discs.size(), 4U);
+  ASSERT_EQ(run.sectors.size(), 1U);
+  const BallSector& sector = run.sectors.front();
+  EXPECT_EQ(sector.center, Vec3(4, 1, 0));
+  EXPECT_EQ(sector.radius, 1);
+  // A lune: what is left of the sphere is opposite its seam, and its corners are beside the poles.
+  const Vec3 corner = sector.cuts[0].normal.cross(sector.cuts[1].normal).normalized();
+  EXPECT_NEAR(sector.seam.dot(corner), 0, 1e-12);
+  EXPECT_NEAR(sector.pole.dot(corner), 0, 1e-12);
+  EXPECT_GT(sector.seam.dot(sector.cuts[0].normal), 0);
+  EXPECT_GT(sector.seam.dot(sector.cuts[1].normal), 0);
 }
 
 // From the first part to the second, at most so far from the smooth surfaces.
@@ -99,6 +109,12 @@ TEST(Bodies, are_scaled_as_a_whole) {
   EXPECT_EQ(tee.fillets[0].surfaces[0].net[1][1][0], 25.4 * point[0]);
   EXPECT_EQ(tee.fillets[0].surfaces[0].net[1][1][3], point[3]);
   EXPECT_EQ(*tee.fillets[0].radius, 25.4 * radius);
+  BodyUnion arm = bodies(example("ucct-arm"), false).bodies;
+  scale(arm, 25.4);
+  const BallSector& sector = arm.bodies.front().sectors.front();
+  EXPECT_EQ(sector.radius, 25.4);
+  EXPECT_NEAR((sector.cuts[0].center - sector.center).norm(),
+              std::sqrt(25.4 * 25.4 - sector.cuts[0].first * sector.cuts[0].first), 1e-9);
 }
 
 }  // namespace

@@ -36,6 +36,36 @@ TEST(Exchange, solids_of_parts_have_the_volumes_of_their_formulas) {
   }
 }
 
+Assembly kneecaps(const std::string& spheres) {
+  return parse_assembly(R"({"units": "mm", "tolerance": 0.01, "parts": [{"name": "arm",
+      "cyclide_chain": {"joints": "kneecaps", "spheres": [)" +
+                        spheres + "]}}]}");
+}
+
+// Discs whose circles cross, which do not and lie apart, and which overtake each other. The finer
+// the mesh, the nearer are both volumes.
+TEST(Exchange, chains_with_kneecaps_are_what_their_mesh_is) {
+  if (!can_exchange()) {
+    GTEST_SKIP() << "built without OpenCASCADE";
+  }
+  for (const char* spheres :
+       {"[0, 0, 0, 1], [2, 1, 0, 0.8], [4, 1, 0, 1], [6, 0.2, 0, 0.9], [8, 1, 0, 0.7]",
+        "[0, 0, 0, 0.85], [3.4, -0.1, 0, 0.79], [6.5, -0.5, 0.1, 0.76], [8.6, -0.7, 0.15, 0.43], "
+        "[11.9, -0.7, -0.06, 0.4]",
+        "[0, 0, 0, 1.7], [2, 0.4, 0, 0.9], [4, 0, 0, 1], [6, -1, 0, 1.8], [8, -0.7, 0, 0.85]"}) {
+    Assembly assembly = kneecaps(spheres);
+    std::vector<double> off;
+    for (const double tolerance : {1e-2, 2.5e-3}) {
+      assembly.tolerance = tolerance;
+      const ExchangeReport report = step_file(assembly, build(assembly), {}).report;
+      ASSERT_EQ(report.solids.size(), 1U) << spheres;
+      EXPECT_EQ(report.solids.front().euler_number, 2) << spheres;
+      off.push_back(std::abs(report.volume - report.expected_volume.value()));
+    }
+    EXPECT_LT(off[1], off[0] / 2) << spheres;
+  }
+}
+
 // The neck by itself; united with its blend it is one.
 TEST(Exchange, refuses_what_is_no_valid_boundary_and_says_what_may_do) {
   if (!can_exchange()) {

@@ -16,16 +16,6 @@ TEST(BodyBooleans, keep_the_labels_of_faces) {
   EXPECT_EQ(labels, (std::set<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}));
 }
 
-TEST(BodyBooleans, add_up) {
-  const LabelledShape a = united({{bent_pipe()}, {}}), b = united({{branch()}, {}});
-  const double both = volume(united({{bent_pipe(), branch()}, {}}).shape);
-  const double common = volume(combined(a, b, exchange::Operation::intersect).shape);
-  const double rest = volume(combined(a, b, exchange::Operation::subtract).shape);
-  EXPECT_NEAR(both + common, volume(a.shape) + volume(b.shape), 1e-4);
-  EXPECT_NEAR(rest + common, volume(a.shape), 1e-4);
-  EXPECT_GT(common, 0);
-}
-
 TEST(BodyBooleans, fillets_add_to_both) {
   const exchange::BodyUnion sharp{{bent_pipe(), branch()}, {}};
   exchange::BodyUnion round = sharp;

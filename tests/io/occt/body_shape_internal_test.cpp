@@ -1,3 +1,6 @@
+#include <cmath>
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "io/occt/body_shapes_internal.h"
@@ -47,6 +50,34 @@ TEST(BodyShape, of_a_ball_and_of_a_hub) {
   const double cap = std::numbers::pi * std::pow(2 - level, 2) * (6 - (2 - level)) / 3;
   EXPECT_NEAR(volume(joined.shape),
               std::numbers::pi * 32 / 3 - cap + std::numbers::pi * (6 - level), 1e-4);
+}
+
+// Half a ball between two cylinders that end in its middle, at a right angle: a quarter of it, and
+// what the cylinders do not share.
+TEST(BodyShape, of_several_closed_surfaces_and_a_sector_is_their_union) {
+  exchange::Body body;
+  body.rings = {{{-5, 0, 0}, {-1, 0, 0}, {0, 1, 0}, 1, 1},
+                {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1, 1},
+                {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1, 1},
+                {{0, -5, 0}, {0, -1, 0}, {0, 0, 1}, 1, 1}};
+  body.tubes = {{0, 0, 1, exchange::CylinderOrCone{}}, {1, 2, 3, exchange::CylinderOrCone{}}};
+  body.discs = {{0, 0, {-1, 0, 0}}, {0, 1, {1, 0, 0}}, {1, 2, {0, 1, 0}}, {1, 3, {0, -1, 0}}};
+  body.sectors = {{2,
+                   {0, 0, 0},
+                   1,
+                   {exchange::RingCurve{{0, 0, 0}, {-1, 0, 0}, {0, 1, 0}, 1, 1},
+                    exchange::RingCurve{{0, 0, 0}, {0, -1, 0}, {0, 0, 1}, 1, 1}},
+                   {-std::sqrt(0.5), std::sqrt(0.5), 0},
+                   {-std::sqrt(0.5), -std::sqrt(0.5), 0}}};
+  const LabelledShape made = solid_of(body);
+  EXPECT_TRUE(is_valid(made.shape));
+  // Of crossing cylinders (16/3) both have the quarter that lies behind either disc.
+  EXPECT_NEAR(volume(made.shape), 10 * std::numbers::pi - 4. / 3 + std::numbers::pi / 3, 1e-4);
+  std::set<std::uint32_t> labels;
+  for (FaceLabels::Iterator face(made.labels); face.More(); face.Next()) {
+    labels.insert(face.Value());
+  }
+  EXPECT_EQ(labels, (std::set<std::uint32_t>{0, 1, 2}));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ exchange::Model model() {
 }
 
 TEST(OcctModule, writes_names_that_it_reads_back) {
-  const exchange::Written written = dupin_occt_module_2()->write_solids(model());
+  const exchange::Written written = dupin_occt_module_3()->write_solids(model());
   EXPECT_EQ(written.fault, "");
   ASSERT_EQ(written.solids.size(), 1U);
   EXPECT_EQ(written.solids.front().name, "plant");
@@ -35,17 +35,17 @@ TEST(OcctModule, writes_the_same_bytes_every_time) {
   exchange::Model apart = model();
   apart.is_united = false;
   for (const exchange::Model& one : {model(), apart}) {
-    const exchange::Written first = dupin_occt_module_2()->write_solids(one);
+    const exchange::Written first = dupin_occt_module_3()->write_solids(one);
     EXPECT_EQ(first.fault, "");
-    EXPECT_EQ(first.bytes, dupin_occt_module_2()->write_solids(one).bytes);
+    EXPECT_EQ(first.bytes, dupin_occt_module_3()->write_solids(one).bytes);
   }
 }
 
 TEST(OcctModule, says_what_is_wrong_and_throws_nothing) {
-  EXPECT_NE(dupin_occt_module_2()->read_solids("no STEP").fault, "");
+  EXPECT_NE(dupin_occt_module_3()->read_solids("no STEP").fault, "");
   exchange::Model broken = model();
   broken.whole.bodies.front().discs.clear();
-  const exchange::Written open = dupin_occt_module_2()->write_solids(broken);
+  const exchange::Written open = dupin_occt_module_3()->write_solids(broken);
   EXPECT_NE(open.fault, "");
   EXPECT_EQ(open.bytes, "");
 }
@@ -56,7 +56,7 @@ TEST(OcctModule, writes_surfaces_as_step_and_iges) {
                           {0, 0, 1, 1},
                           {0, 0, 1, 1},
                           {{{0, 0, 0, 1}, {1, 0, 0, 1}}, {{0, 1, 0, 1}, {1, 1, 0, 1}}}};
-  const auto* const module = dupin_occt_module_2();
+  const auto* const module = dupin_occt_module_3();
   const std::string step = module->write_surfaces("s", {{"flat \u65e5", flat}}, false).bytes;
   EXPECT_THAT(step, testing::HasSubstr("\\X2\\65E5\\X0\\"));
   const std::string iges = module->write_surfaces("s", {{"flat", flat}}, true).bytes;
