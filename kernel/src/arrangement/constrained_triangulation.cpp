@@ -52,6 +52,7 @@ void ConstrainedTriangulation::clear(const Projection& projection) {
   reach_ = radius_ = turn_bound_ = 0;
   faces_.clear();
   new_points_.clear();
+  balls_.clear();
   frame_corners_.clear();
   in_cavity_.clear();
   hint_ = 0;
@@ -152,7 +153,35 @@ const mesh::ExactPoint& ConstrainedTriangulation::exact(Vertex v, mesh::ExactPoi
   return point.exact;
 }
 
+exact::BallPoint ConstrainedTriangulation::ball(Vertex v) const {
+  const PointId id = vertices_[v].id;
+  if (id >= kFrame) {
+    exact::BallPoint point;
+    const auto& corner = frame_corners_[id - kFrame];
+    point[at((projection_.axis + 1) % 3)] = corner[0];
+    point[at((projection_.axis + 2) % 3)] = corner[1];
+    return point;
+  }
+  if (id < kNewPoint) {
+    return points_.ball(id);
+  }
+  const std::size_t index = id - kNewPoint;
+  balls_.resize(new_points_.size());
+  if (!balls_[index]) {
+    balls_[index] = evaluate_ball(points_, new_points_[index].definition);
+  }
+  return *balls_[index];
+}
+
 int ConstrainedTriangulation::exact_turn(Vertex a, Vertex b, Vertex c) const {
+  if (collinear_ <= kMostCollinear) {
+    const FilteredSign fine = turn_of(ball(a), ball(b), ball(c), projection_.axis);
+    if (fine.certain) {
+      collinear_ = std::max(collinear_ - 1, -kMostCollinear);
+      return projection_.orientation * fine.sign;
+    }
+    ++collinear_;
+  }
   std::array<mesh::ExactPoint, 3> scratch;
   const mesh::ExactPoint& x = exact(a, scratch[0]);
   const mesh::ExactPoint& y = exact(b, scratch[1]);

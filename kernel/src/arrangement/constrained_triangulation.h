@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -121,6 +122,7 @@ class ConstrainedTriangulation {
   }
   [[nodiscard]] int exact_turn(Vertex a, Vertex b, Vertex c) const;
   const mesh::ExactPoint& exact(Vertex v, mesh::ExactPoint& scratch) const;
+  [[nodiscard]] exact::BallPoint ball(Vertex v) const;
   [[nodiscard]] Location locate(Vertex p);
   [[nodiscard]] Location search(Vertex p) const;
   [[nodiscard]] static Location location_in(std::uint32_t face, const std::array<int, 3>& sides);
@@ -154,7 +156,13 @@ class ConstrainedTriangulation {
   std::vector<std::uint32_t> after_;  // the face beyond the edge from each corner of what is left
   std::vector<Face> faces_;
   mutable std::vector<NewPoint> new_points_;
+  mutable std::vector<std::optional<exact::BallPoint>>
+      balls_;  // of them, as far as they were asked for
   std::vector<std::array<double, 2>> frame_corners_;
+  // How many more turns were such as only exact numbers tell than such as balls do: where by that
+  // many most points are collinear, balls are not tried.
+  static constexpr int kMostCollinear = 32;
+  mutable int collinear_ = 0;
   std::uint32_t hint_ = 0, random_ = 1;
   std::vector<std::uint32_t> cavity_, spare_;
   std::vector<std::uint8_t> in_cavity_;

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <span>
+#include <type_traits>
 
 #include "exact/lattice_meeting.h"
 #include "support/operation_limits.h"
@@ -29,7 +30,8 @@ N dot(const std::array<N, 3>& a, const std::array<N, 3>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-IntervalPoint difference(const IntervalPoint& a, const IntervalPoint& b) {
+template <class N>
+std::array<N, 3> difference(const std::array<N, 3>& a, const std::array<N, 3>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
@@ -134,45 +136,87 @@ mesh::ExactPoint meet_planes(const PointTable& points, const ImplicitPoint& d) {
   return with_positive_weight(std::move(point));
 }
 
-IntervalPoint normal_of(const PointTable& points, const PointId* of, const IntervalPoint& first) {
-  return cross(difference(points.interval(of[1]), first),
-               difference(points.interval(of[2]), first));
-}
+// Enclosures of a point in numbers of a kind, intervals of doubles or balls.
+template <class N>
+class Enclosure {
+ public:
+  using Point = std::array<N, 3>;
+  explicit Enclosure(const PointTable& points) : points_(points) {}
 
-IntervalPoint along(const IntervalPoint& p, const IntervalPoint& direction, const Interval& t) {
-  return {p[0] + t * direction[0], p[1] + t * direction[1], p[2] + t * direction[2]};
-}
-
-IntervalPoint enclose_line_plane(const PointTable& points, const ImplicitPoint& d) {
-  const IntervalPoint p = points.interval(d.of[0]);
-  const IntervalPoint direction = difference(points.interval(d.of[1]), p);
-  const IntervalPoint origin = points.interval(d.of[2]);
-  const IntervalPoint normal = normal_of(points, &d.of[2], origin);
-  return along(p, direction, dot(normal, difference(origin, p)) / dot(normal, direction));
-}
-
-IntervalPoint enclose_lines(const PointTable& points, const ImplicitPoint& d) {
-  const std::size_t u = (d.axis + 1u) % 3, v = (d.axis + 2u) % 3;
-  const IntervalPoint p = points.interval(d.of[0]), r = points.interval(d.of[2]);
-  const IntervalPoint pq = difference(points.interval(d.of[1]), p);
-  const IntervalPoint rs = difference(points.interval(d.of[3]), r);
-  const IntervalPoint pr = difference(r, p);
-  return along(p, pq, (pr[u] * rs[v] - pr[v] * rs[u]) / (pq[u] * rs[v] - pq[v] * rs[u]));
-}
-
-IntervalPoint enclose_planes(const PointTable& points, const ImplicitPoint& d) {
-  const IntervalPoint origin = points.interval(d.of[0]);
-  const IntervalPoint b = points.interval(d.of[3]), c = points.interval(d.of[6]);
-  const IntervalPoint na = normal_of(points, &d.of[0], origin);
-  const IntervalPoint nb = normal_of(points, &d.of[3], b), nc = normal_of(points, &d.of[6], c);
-  const Interval hb = dot(nb, difference(b, origin)), hc = dot(nc, difference(c, origin));
-  const IntervalPoint ca = cross(nc, na), ab = cross(na, nb);
-  const Interval determinant = dot(nc, ab);
-  IntervalPoint point = origin;
-  for (std::size_t k = 0; k < 3; ++k) {
-    point[k] += (hb * ca[k] + hc * ab[k]) / determinant;
+  [[nodiscard]] Point of(const ImplicitPoint& definition) const {
+    switch (definition.kind) {
+      case ImplicitPoint::Kind::line_plane:
+        return line_plane(definition);
+      case ImplicitPoint::Kind::two_lines:
+        return lines(definition);
+      case ImplicitPoint::Kind::three_planes:
+        return planes(definition);
+      case ImplicitPoint::Kind::given:
+        break;
+    }
+    assert(false && "a given point has no definition");
+    return {};
   }
-  return point;
+
+ private:
+  [[nodiscard]] Point at(PointId id) const {
+    if constexpr (std::is_same_v<N, Interval>) {
+      return points_.interval(id);
+    } else {
+      return points_.ball(id);
+    }
+  }
+  [[nodiscard]] Point normal_of(const PointId* of, const Point& first) const {
+    return cross(difference(at(of[1]), first), difference(at(of[2]), first));
+  }
+  [[nodiscard]] static Point along(const Point& p, const Point& direction, const N& t) {
+    return {p[0] + t * direction[0], p[1] + t * direction[1], p[2] + t * direction[2]};
+  }
+
+  [[nodiscard]] Point line_plane(const ImplicitPoint& d) const {
+    const Point p = at(d.of[0]);
+    const Point direction = difference(at(d.of[1]), p);
+    const Point origin = at(d.of[2]);
+    const Point normal = normal_of(&d.of[2], origin);
+    return along(p, direction, dot(normal, difference(origin, p)) / dot(normal, direction));
+  }
+  [[nodiscard]] Point lines(const ImplicitPoint& d) const {
+    const std::size_t u = (d.axis + 1u) % 3, v = (d.axis + 2u) % 3;
+    const Point p = at(d.of[0]), r = at(d.of[2]);
+    const Point pq = difference(at(d.of[1]), p), rs = difference(at(d.of[3]), r);
+    const Point pr = difference(r, p);
+    return along(p, pq, (pr[u] * rs[v] - pr[v] * rs[u]) / (pq[u] * rs[v] - pq[v] * rs[u]));
+  }
+  [[nodiscard]] Point planes(const ImplicitPoint& d) const {
+    const Point origin = at(d.of[0]), b = at(d.of[3]), c = at(d.of[6]);
+    const Point na = normal_of(&d.of[0], origin);
+    const Point nb = normal_of(&d.of[3], b), nc = normal_of(&d.of[6], c);
+    const N hb = dot(nb, difference(b, origin)), hc = dot(nc, difference(c, origin));
+    const Point ca = cross(nc, na), ab = cross(na, nb);
+    const N determinant = dot(nc, ab);
+    Point point;
+    for (std::size_t k = 0; k < 3; ++k) {
+      point[k] = origin[k] + (hb * ca[k] + hc * ab[k]) / determinant;
+    }
+    return point;
+  }
+
+  const PointTable& points_;
+};
+
+// What one interval leaves, another one encloses.
+exact::Ball ball_of(const Number& x) {
+  const auto [low, high] = x.to_interval();
+  if (low == high) {
+    return low;
+  }
+  const auto [rest_low, rest_high] = (x - Number(low)).to_interval();
+  return exact::Ball(low) + exact::Ball(rest_low, 0, rest_high - rest_low);
+}
+
+exact::BallPoint ball_of(const mesh::ExactPoint& point) {
+  const exact::Ball weight = ball_of(point[3]);
+  return {ball_of(point[0]) / weight, ball_of(point[1]) / weight, ball_of(point[2]) / weight};
 }
 
 Interval enclose_quotient(const Number& x, const Number& w, const Interval& weight) {
@@ -204,18 +248,11 @@ mesh::ExactPoint evaluate_exact(const PointTable& points, const ImplicitPoint& d
 }
 
 IntervalPoint evaluate(const PointTable& points, const ImplicitPoint& definition) {
-  switch (definition.kind) {
-    case ImplicitPoint::Kind::line_plane:
-      return enclose_line_plane(points, definition);
-    case ImplicitPoint::Kind::two_lines:
-      return enclose_lines(points, definition);
-    case ImplicitPoint::Kind::three_planes:
-      return enclose_planes(points, definition);
-    case ImplicitPoint::Kind::given:
-      break;
-  }
-  assert(false && "a given point has no definition");
-  return {};
+  return Enclosure<Interval>(points).of(definition);
+}
+
+exact::BallPoint evaluate_ball(const PointTable& points, const ImplicitPoint& definition) {
+  return Enclosure<exact::Ball>(points).of(definition);
 }
 
 IntervalPoint enclose(const mesh::ExactPoint& point) {
@@ -232,13 +269,13 @@ PointId PointTable::add(const Vec3& point) {
 }
 
 PointId PointTable::add(const mesh::ExactPoint& point) {
-  implicit_.push_back({{}, enclose(point), LazyPoint(point)});
+  implicit_.push_back({{}, enclose(point), Lazy<mesh::ExactPoint>(point), {}});
   return size() - 1;
 }
 
 PointId PointTable::add(const ImplicitPoint& definition) {
   support::refuse_too_many(size(), 0);
-  implicit_.push_back({definition, evaluate(*this, definition), {}});
+  implicit_.push_back({definition, evaluate(*this, definition), {}, {}});
   return size() - 1;
 }
 
@@ -255,8 +292,9 @@ void PointTable::define(PointId id, const ImplicitPoint& definition) {
 
 PointId PointTable::add(DefinedPoint point) {
   support::refuse_too_many(size(), 0);
-  implicit_.push_back({point.definition, point.box,
-                       point.exact[3].sign() == 0 ? LazyPoint() : LazyPoint(point.exact)});
+  using Exact = Lazy<mesh::ExactPoint>;
+  implicit_.push_back(
+      {point.definition, point.box, point.exact[3].sign() == 0 ? Exact() : Exact(point.exact), {}});
   return size() - 1;
 }
 
@@ -285,6 +323,19 @@ mesh::ExactPoint PointTable::exact_value(PointId id) const {
   const Implicit& point = implicit_[id - doubles_.size()];
   const mesh::ExactPoint* known = point.exact.known();
   return known != nullptr ? *known : evaluate_exact(*this, point.definition);
+}
+
+exact::BallPoint PointTable::ball(PointId id) const {
+  if (is_double(id)) {
+    const Vec3& point = doubles_[id];
+    return {point[0], point[1], point[2]};
+  }
+  const Implicit& point = implicit_[id - doubles_.size()];
+  return point.ball.get([&] {
+    return point.definition.kind == ImplicitPoint::Kind::given
+               ? ball_of(*point.exact.known())
+               : evaluate_ball(*this, point.definition);
+  });
 }
 
 void PointTable::tighten(PointId id) {

@@ -9,6 +9,7 @@
 
 #include <CGAL/Interval_nt.h>
 
+#include "exact/ball.h"
 #include "mesh/exact_mesh.h"
 #include "support/bulk_vector.h"
 #include "support/none.h"
@@ -46,29 +47,28 @@ struct DefinedPoint {
   mesh::ExactPoint exact;  ///< of zero weight unless it was needed
 };
 
-/// Exact coordinates computed on first use, by whichever thread comes first.
-class LazyPoint {
+/// Coordinates computed on first use, by whichever thread comes first.
+template <class Point>
+class Lazy {
  public:
-  LazyPoint() = default;
-  explicit LazyPoint(const mesh::ExactPoint& point) : value_(new mesh::ExactPoint(point)) {}
-  LazyPoint(LazyPoint&& other) noexcept : value_(other.value_.exchange(nullptr)) {}
-  LazyPoint& operator=(LazyPoint&& other) noexcept {
+  Lazy() = default;
+  explicit Lazy(const Point& point) : value_(new Point(point)) {}
+  Lazy(Lazy&& other) noexcept : value_(other.value_.exchange(nullptr)) {}
+  Lazy& operator=(Lazy&& other) noexcept {
     delete value_.exchange(other.value_.exchange(nullptr));
     return *this;
   }
-  LazyPoint(const LazyPoint&) = delete;
-  LazyPoint& operator=(const LazyPoint&) = delete;
-  ~LazyPoint() { delete value_.load(); }
+  Lazy(const Lazy&) = delete;
+  Lazy& operator=(const Lazy&) = delete;
+  ~Lazy() { delete value_.load(); }
 
   /// Null if not computed yet.
-  [[nodiscard]] const mesh::ExactPoint* known() const {
-    return value_.load(std::memory_order_acquire);
-  }
+  [[nodiscard]] const Point* known() const { return value_.load(std::memory_order_acquire); }
   template <class Compute>
-  const mesh::ExactPoint& get(Compute&& compute) const {
-    const mesh::ExactPoint* known = value_.load(std::memory_order_acquire);
+  const Point& get(Compute&& compute) const {
+    const Point* known = value_.load(std::memory_order_acquire);
     if (known == nullptr) {
-      auto fresh = std::make_unique<const mesh::ExactPoint>(compute());
+      auto fresh = std::make_unique<const Point>(compute());
       if (value_.compare_exchange_strong(known, fresh.get(), std::memory_order_acq_rel)) {
         known = fresh.release();
       }
@@ -77,7 +77,7 @@ class LazyPoint {
   }
 
  private:
-  mutable std::atomic<const mesh::ExactPoint*> value_{nullptr};
+  mutable std::atomic<const Point*> value_{nullptr};
 };
 
 /// All points of an arrangement: first those that doubles hold, then those known by definition, as
@@ -121,6 +121,8 @@ class PointTable {
   [[nodiscard]] const mesh::ExactPoint& exact(PointId id, mesh::ExactPoint& scratch) const;
   /// The same, without keeping it.
   [[nodiscard]] mesh::ExactPoint exact_value(PointId id) const;
+  /// To about 100 bits; needs UpwardRounding.
+  [[nodiscard]] exact::BallPoint ball(PointId id) const;
   /// Coordinates to within a few ulp; replaces a wide interval by that of the exact point.
   void tighten(PointId id);
 
@@ -128,7 +130,8 @@ class PointTable {
   struct Implicit {
     ImplicitPoint definition;
     IntervalPoint box;
-    LazyPoint exact;
+    Lazy<mesh::ExactPoint> exact;
+    Lazy<exact::BallPoint> ball;
   };
   support::BulkVector<Vec3> doubles_;
   std::vector<Implicit> implicit_;
@@ -139,6 +142,8 @@ class PointTable {
                                               const ImplicitPoint& definition);
 /// An enclosure of the point; needs UpwardRounding.
 [[nodiscard]] IntervalPoint evaluate(const PointTable& points, const ImplicitPoint& definition);
+[[nodiscard]] exact::BallPoint evaluate_ball(const PointTable& points,
+                                             const ImplicitPoint& definition);
 /// An enclosure of exact coordinates, each within a few ulp; needs UpwardRounding.
 [[nodiscard]] IntervalPoint enclose(const mesh::ExactPoint& point);
 

@@ -24,7 +24,8 @@ N determinant(const std::array<N, 3>& u, const std::array<N, 3>& v, const std::a
          w[2] * (u[0] * v[1] - u[1] * v[0]);
 }
 
-IntervalPoint difference(const IntervalPoint& a, const IntervalPoint& b) {
+template <class N>
+std::array<N, 3> difference(const std::array<N, 3>& a, const std::array<N, 3>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
@@ -45,11 +46,18 @@ int exact_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   return determinant(from_origin(b), from_origin(c), from_origin(p)).sign();
 }
 
+template <class N>
+FilteredSign side_of(const std::array<N, 3>& a, const std::array<N, 3>& b,
+                     const std::array<N, 3>& c, const std::array<N, 3>& p) {
+  return sign_of(determinant(difference(b, a), difference(c, a), difference(p, a)));
+}
+
 int implicit_side(const PointTable& points, PointId a, PointId b, PointId c, PointId p) {
-  const IntervalPoint origin = points.interval(a);
-  const FilteredSign filtered = sign_of(determinant(difference(points.interval(b), origin),
-                                                    difference(points.interval(c), origin),
-                                                    difference(points.interval(p), origin)));
+  FilteredSign filtered =
+      side_of(points.interval(a), points.interval(b), points.interval(c), points.interval(p));
+  if (!filtered.certain) {
+    filtered = side_of(points.ball(a), points.ball(b), points.ball(c), points.ball(p));
+  }
   if (filtered.certain) {
     return filtered.sign;
   }
@@ -122,6 +130,13 @@ int side_of_plane(const PointTable& points, PointId a, PointId b, PointId c, Poi
   return PlaneSides(points, a, b, c).of(p);
 }
 
+FilteredSign turn_of(const exact::BallPoint& a, const exact::BallPoint& b,
+                     const exact::BallPoint& c, int axis) {
+  const auto u = static_cast<std::size_t>((axis + 1) % 3);
+  const auto v = static_cast<std::size_t>((axis + 2) % 3);
+  return sign_of((b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]));
+}
+
 int exact_turn(const mesh::ExactPoint& a, const mesh::ExactPoint& b, const mesh::ExactPoint& c,
                int axis) {
   const auto u = static_cast<std::size_t>((axis + 1) % 3);
@@ -142,8 +157,11 @@ int turn(const PointTable& points, PointId a, PointId b, PointId c, int axis) {
   }
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const Interval x = points.interval(a, u), y = points.interval(a, v);
-  const FilteredSign filtered = sign_of((points.interval(b, u) - x) * (points.interval(c, v) - y) -
-                                        (points.interval(b, v) - y) * (points.interval(c, u) - x));
+  FilteredSign filtered = sign_of((points.interval(b, u) - x) * (points.interval(c, v) - y) -
+                                  (points.interval(b, v) - y) * (points.interval(c, u) - x));
+  if (!filtered.certain) {
+    filtered = turn_of(points.ball(a), points.ball(b), points.ball(c), axis);
+  }
   if (filtered.certain) {
     return filtered.sign;
   }
@@ -156,7 +174,11 @@ int compare(const PointTable& points, PointId a, PointId b, int axis) {
   if (a == b) {
     return 0;
   }
-  const FilteredSign filtered = sign_of(points.interval(a, axis) - points.interval(b, axis));
+  FilteredSign filtered = sign_of(points.interval(a, axis) - points.interval(b, axis));
+  if (!filtered.certain) {
+    const auto k = static_cast<std::size_t>(axis);
+    filtered = sign_of(points.ball(a)[k] - points.ball(b)[k]);
+  }
   if (filtered.certain) {
     return filtered.sign;
   }

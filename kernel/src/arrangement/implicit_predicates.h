@@ -63,6 +63,14 @@ struct FilteredSign {
   return {0, x.inf() == 0 && x.sup() == 0};
 }
 
+[[nodiscard]] inline FilteredSign sign_of(const exact::Ball& x) {
+  const int sign = x.sign();
+  return {sign, sign != 0};
+}
+
+/// The turn of the projections, if balls tell.
+[[nodiscard]] FilteredSign turn_of(const exact::BallPoint& a, const exact::BallPoint& b,
+                                   const exact::BallPoint& c, int axis);
 /// The sign of the determinant of exact points' projections: +1 if they turn left.
 [[nodiscard]] int exact_turn(const mesh::ExactPoint& a, const mesh::ExactPoint& b,
                              const mesh::ExactPoint& c, int axis);

@@ -84,6 +84,53 @@ TEST_F(Points, lie_within_their_intervals) {
   }
 }
 
+// Of each kind, and by exact coordinates alone. Balls tell apart what intervals do not.
+TEST_F(Points, lie_within_their_balls) {
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<std::array<PointId, 9>> given;
+  for (int round = 0; round < 100; ++round) {
+    std::array<PointId, 9> ids{};
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      ids[k] = at(uniform(random), uniform(random), k < 4 ? 0 : uniform(random));
+    }
+    given.push_back(ids);
+  }
+  const auto expect_within = [&](PointId p) {
+    const Place exact = place(points, p);
+    const exact::BallPoint ball = points.ball(p);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const mpq_class off = exact[k] - mpq_class(ball[k].high()) - mpq_class(ball[k].low());
+      EXPECT_LE(abs(off), mpq_class(ball[k].radius()));
+      EXPECT_LE(ball[k].radius(), 0x1p-70 * (1 + std::abs(ball[k].high())));
+    }
+  };
+  for (const auto& ids : given) {
+    const PointId pierced =
+        points.add(ImplicitPoint{Kind::line_plane, 0, {ids[4], ids[5], ids[6], ids[7], ids[8]}});
+    const PointId crossed =
+        points.add(ImplicitPoint{Kind::two_lines, 2, {ids[0], ids[1], ids[2], ids[3]}});
+    const PointId corner = points.add(ImplicitPoint{Kind::three_planes, 0, ids});
+    const PointId of_implicit =
+        points.add(ImplicitPoint{Kind::line_plane, 0, {pierced, corner, ids[0], ids[4], ids[7]}});
+    for (const PointId p : {pierced, crossed, corner, of_implicit}) {
+      expect_within(p);
+      // The same place, and one that is nearer than intervals tell.
+      mesh::ExactPoint moved = points.exact_value(p);
+      const PointId again = points.add(moved);
+      expect_within(again);
+      EXPECT_TRUE(coincide(points, p, again));
+      moved[0] = moved[0] + moved[3] * CGAL::Mpzf(0x1p-65);
+      const PointId beside = points.add(moved);
+      EXPECT_EQ((points.ball(beside)[0] - points.ball(p)[0]).sign(), 1);
+      EXPECT_EQ(compare(points, p, beside, 0), -1);
+      EXPECT_EQ(turn_of(points.ball(p), points.ball(beside), points.ball(ids[6]), 2).sign,
+                turn(points, p, beside, ids[6], 2));
+      EXPECT_EQ(turn(points, p, again, ids[6], 2), 0);
+    }
+  }
+}
+
 TEST_F(Points, of_one_place_are_found_whatever_defines_them) {
   const PointId a = at(0, 0, 0), b = at(3, 1, 0), c = at(0, 1, 0), d = at(1, 0, 0), e = at(0, 1, 7),
                 three_quarters = at(0.75, 0.25, 0), below = at(1, -1, 0);
