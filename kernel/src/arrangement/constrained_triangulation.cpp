@@ -10,6 +10,7 @@
 #include "arrangement/implicit_predicates.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "predicates/sign_filter.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -20,25 +21,8 @@ constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 // Ids of frame corners count down from here.
 constexpr PointId kFrame = ConstrainedTriangulation::kFirstFrameCorner;
 
-using Planar = std::array<double, 2>;
-
 constexpr std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
 constexpr std::size_t previous(std::size_t i) { return i == 0 ? 2 : i - 1; }
-
-// True only if d lies inside the circle through a, b, c beyond doubt. The bound is stage A of
-// the incircle test of [She97], (10 + 96 u) u times the permanent, u = 2^-52 as rounding is upward;
-// the addend covers underflow.
-bool certainly_in_circle(const Planar& a, const Planar& b, const Planar& c, const Planar& d) {
-  const double ax = a[0] - d[0], ay = a[1] - d[1], bx = b[0] - d[0], by = b[1] - d[1],
-               cx = c[0] - d[0], cy = c[1] - d[1];
-  const double aa = ax * ax + ay * ay, bb = bx * bx + by * by, cc = cx * cx + cy * cy;
-  const double value =
-      aa * (bx * cy - by * cx) + bb * (cx * ay - cy * ax) + cc * (ax * by - ay * bx);
-  const double permanent = aa * (std::abs(bx * cy) + std::abs(by * cx)) +
-                           bb * (std::abs(cx * ay) + std::abs(cy * ax)) +
-                           cc * (std::abs(ax * by) + std::abs(ay * bx));
-  return value > 12 * 0x1p-52 * permanent + 0x1p-900;
-}
 
 }  // namespace
 
@@ -90,7 +74,9 @@ ConstrainedTriangulation::Vertex ConstrainedTriangulation::add_vertex(const Inte
 
 ConstrainedTriangulation::Vertex ConstrainedTriangulation::add_frame_corner(double u, double v) {
   const auto id = static_cast<PointId>(kFrame + frame_corners_.size());
-  frame_corners_.push_back({u, v});
+  Vec3& corner = frame_corners_.emplace_back(Vec3::Zero());
+  corner[(projection_.axis + 1) % 3] = u;
+  corner[(projection_.axis + 2) % 3] = v;
   return add_vertex(Interval(u), Interval(v), id, 0);
 }
 
@@ -136,11 +122,8 @@ std::uint32_t ConstrainedTriangulation::face_at_frame() const {
 const mesh::ExactPoint& ConstrainedTriangulation::exact(Vertex v, mesh::ExactPoint& scratch) const {
   const PointId id = vertices_[v].id;
   if (id >= kFrame) {
-    const auto& corner = frame_corners_[id - kFrame];
-    scratch = {};
-    scratch[at((projection_.axis + 1) % 3)] = corner[0];
-    scratch[at((projection_.axis + 2) % 3)] = corner[1];
-    scratch[3] = 1;
+    const Vec3& corner = frame_corners_[id - kFrame];
+    scratch = {corner[0], corner[1], corner[2], 1};
     return scratch;
   }
   if (id < kNewPoint) {
@@ -156,11 +139,8 @@ const mesh::ExactPoint& ConstrainedTriangulation::exact(Vertex v, mesh::ExactPoi
 exact::BallPoint ConstrainedTriangulation::ball(Vertex v) const {
   const PointId id = vertices_[v].id;
   if (id >= kFrame) {
-    exact::BallPoint point;
-    const auto& corner = frame_corners_[id - kFrame];
-    point[at((projection_.axis + 1) % 3)] = corner[0];
-    point[at((projection_.axis + 2) % 3)] = corner[1];
-    return point;
+    const Vec3& corner = frame_corners_[id - kFrame];
+    return {corner[0], corner[1], corner[2]};
   }
   if (id < kNewPoint) {
     return points_.ball(id);
@@ -604,7 +584,7 @@ void ConstrainedTriangulation::improve(const Triangle& support) {
     const Vertex c = faces_[other].corners[static_cast<std::size_t>(corner_facing(other, face))];
     const auto is_frame = [this](Vertex v) { return vertices_[v].id >= kFirstFrameCorner; };
     if (is_frame(a) || is_frame(b) || is_frame(c) || is_frame(d) ||
-        !certainly_in_circle(planar_[a], planar_[b], planar_[d], planar_[c]) ||
+        !predicates::certainly_in_circle(planar_[a], planar_[b], planar_[d], planar_[c]) ||
         certain_turn(a, b, c) <= 0 || certain_turn(a, c, d) <= 0) {
       continue;
     }

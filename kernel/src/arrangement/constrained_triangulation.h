@@ -158,7 +158,7 @@ class ConstrainedTriangulation {
   mutable std::vector<NewPoint> new_points_;
   mutable std::vector<std::optional<exact::BallPoint>>
       balls_;  // of them, as far as they were asked for
-  std::vector<std::array<double, 2>> frame_corners_;
+  std::vector<Vec3> frame_corners_;
   // How many more turns were such as only exact numbers tell than such as balls do: where by that
   // many most points are collinear, balls are not tried.
   static constexpr int kMostCollinear = 32;

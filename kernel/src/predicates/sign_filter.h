@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "dupin/kernel/vec.h"
@@ -72,6 +73,24 @@ class PlaneFilter {
   const double value = left - right;
   const double bound = kOrient2Bound * (std::abs(left) + std::abs(right)) + 0x1p-1000;
   return (value > bound) - (value < -bound);
+}
+
+/// True only if d lies inside the circle through a, b, c beyond doubt. The bound is stage A of
+/// the incircle test of [She97], (10 + 96 u) u times the permanent, u = 2^-52 as rounding is
+/// upward; the addend covers underflow.
+[[nodiscard]] inline bool certainly_in_circle(const std::array<double, 2>& a,
+                                              const std::array<double, 2>& b,
+                                              const std::array<double, 2>& c,
+                                              const std::array<double, 2>& d) {
+  const double ax = a[0] - d[0], ay = a[1] - d[1], bx = b[0] - d[0], by = b[1] - d[1],
+               cx = c[0] - d[0], cy = c[1] - d[1];
+  const double aa = ax * ax + ay * ay, bb = bx * bx + by * by, cc = cx * cx + cy * cy;
+  const double value =
+      aa * (bx * cy - by * cx) + bb * (cx * ay - cy * ax) + cc * (ax * by - ay * bx);
+  const double permanent = aa * (std::abs(bx * cy) + std::abs(by * cx)) +
+                           bb * (std::abs(cx * ay) + std::abs(cy * ax)) +
+                           cc * (std::abs(ax * by) + std::abs(ay * bx));
+  return value > 12 * 0x1p-52 * permanent + 0x1p-900;
 }
 
 }  // namespace dupin::predicates

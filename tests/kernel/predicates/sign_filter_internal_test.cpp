@@ -2,6 +2,7 @@
 #include <cmath>
 #include <random>
 
+#include <CGAL/Interval_nt.h>
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 namespace dupin::predicates {
 namespace {
 
+using UpwardRounding = CGAL::Protect_FPU_rounding<true>;
 using Rational3 = std::array<mpq_class, 3>;
 
 Rational3 difference(const Vec3& a, const Vec3& b) {
@@ -102,6 +104,40 @@ TEST(SignFilter, is_certain_of_what_is_far_from_zero) {
   const PlaneFilter overflowing(Vec3(0, 0, 0), Vec3(1e200, -1e200, 0), Vec3(0, 1e200, -1e200));
   EXPECT_FALSE(overflowing.certain());
   EXPECT_EQ(overflowing.side(Vec3(1, 2, 3)), 0);
+}
+
+// Points on and near the circle about one point, as far as doubles tell.
+TEST(SignFilter, of_four_points_of_a_circle_is_exact_where_certain) {
+  using Point = std::array<double, 2>;
+  const auto exact = [](const Point& a, const Point& b, const Point& c, const Point& d) {
+    const auto from = [&](const Point& p) {
+      const mpq_class x = mpq_class(p[0]) - mpq_class(d[0]), y = mpq_class(p[1]) - mpq_class(d[1]);
+      return Rational3{x, y, x * x + y * y};
+    };
+    const Rational3 u = from(a), v = from(b), w = from(c);
+    return sgn(mpq_class(u[2] * (v[0] * w[1] - v[1] * w[0]) + v[2] * (w[0] * u[1] - w[1] * u[0]) +
+                         w[2] * (u[0] * v[1] - u[1] * v[0])));
+  };
+  const UpwardRounding rounding;
+  std::mt19937_64 random(34);
+  std::uniform_real_distribution<double> angle(0, 6.28), off(-1, 1);
+  int inside = 0, outside = 0;
+  for (int round = 0; round < 5000; ++round) {
+    const double size = round % 2 == 0 ? 1 : 0x1p-40;
+    const auto place = [&](double turn, double radius) {
+      return Point{1 + size * radius * std::cos(turn), size * radius * std::sin(turn)};
+    };
+    const double from = angle(random);
+    const Point a = place(from, 1), b = place(from + 2, 1), c = place(from + 4, 1);
+    const Point d = place(angle(random), 1 + off(random) * (round % 3 == 0 ? 0.1 : 0x1p-50));
+    const bool certain = certainly_in_circle(a, b, c, d);
+    const int sign = exact(a, b, c, d);
+    ASSERT_TRUE(!certain || sign > 0) << round;
+    inside += certain ? 1 : 0;
+    outside += sign < 0 ? 1 : 0;
+  }
+  EXPECT_GT(inside, 200);
+  EXPECT_GT(outside, 200);
 }
 
 }  // namespace
