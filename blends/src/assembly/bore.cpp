@@ -519,4 +519,32 @@ void lengthen_out_of(SelectedParts& bore, const Assembly& assembly, const Resolv
   }
 }
 
+ResolvedAssembly kept_out_of_solids(SelectedParts& bore, const Assembly& assembly,
+                                    const ResolvedAssembly& outer,
+                                    const std::vector<double>& walls) {
+  std::vector<bool> is_solid(assembly.parts.size());
+  std::transform(assembly.parts.begin(), assembly.parts.end(), is_solid.begin(),
+                 [](const Part& part) { return part.solid; });
+  SelectedParts kept = selected_parts(outer, is_solid);
+  for (std::uint32_t i = 0; i < outer.parts.size(); ++i) {
+    for (const End end : {End::start, End::end}) {
+      const auto& joined = outer.parts[i].joined.at(at(end));
+      if (!bore.position[i] || !joined || !kept.position[joined->part]) {
+        continue;
+      }
+      const Ring& ring = *port_ring(outer.parts[i].shape, end);
+      double reach = kReach * walls[outer.parts[i].index];
+      if (const Ring* beyond = port_ring(outer.parts[joined->part].shape, opposite(joined->end))) {
+        reach = std::min(reach, (beyond->center - ring.center).norm() / 2);
+      }
+      const EndIndex inner{*bore.position[i], end};
+      with_part_context(assembly, outer.parts[i].index,
+                        [&] { lengthen(bore.resolved, inner, ring.center, reach); });
+      kept.resolved.parts[*kept.position[joined->part]].end_names.at(at(joined->end)) =
+          bore.resolved.parts[inner.part].end_names.at(at(end));
+    }
+  }
+  return std::move(kept.resolved);
+}
+
 }  // namespace dupin::assembly

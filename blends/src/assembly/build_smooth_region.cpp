@@ -29,11 +29,8 @@ SmoothRegion smooth_region_seen(const Assembly& assembly, const Built& built,
   }
   assembly::SelectedParts bore = assembly::bore_of(assembly, result.whole, walls.value());
   lengthen_out_of(bore, assembly, result.whole, *walls, names);
+  result.kept = assembly::kept_out_of_solids(bore, assembly, result.whole, *walls);
   result.bore = std::move(bore.resolved);
-  std::vector<bool> is_solid(assembly.parts.size());
-  std::transform(assembly.parts.begin(), assembly.parts.end(), is_solid.begin(),
-                 [](const Part& part) { return part.solid; });
-  result.kept = assembly::selected_parts(result.whole, is_solid).resolved;
   return result;
 }
 

@@ -182,13 +182,11 @@ class Builder {
   }
 
   void build_regions(const std::vector<double>& walls) {
-    std::vector<bool> is_solid(assembly_.parts.size());
-    std::transform(assembly_.parts.begin(), assembly_.parts.end(), is_solid.begin(),
-                   [](const Part& part) { return part.solid; });
     resolved_ = assembly::filled(std::move(resolved_));
     prove_walls(walls);
     assembly::SelectedParts bore = assembly::bore_of(assembly_, resolved_, walls);
-    const ResolvedAssembly solid_parts = assembly::selected_parts(resolved_, is_solid).resolved;
+    const ResolvedAssembly solid_parts =
+        assembly::kept_out_of_solids(bore, assembly_, resolved_, walls);
     built_.grid = assembly::lattice_spacing(assembly_, resolved_);
     if (!bore.resolved.parts.empty()) {
       built_.grid = std::min(built_.grid, assembly::lattice_spacing(assembly_, bore.resolved));

@@ -251,6 +251,26 @@ TEST(Bore, that_ends_blind_is_said) {
   EXPECT_THAT(open.parts[1].warnings, testing::IsEmpty());
 }
 
+// Both in one plane, in any direction, far away: the bore's end and the solid's crossed each other.
+TEST(Bore, that_ends_at_a_solid_part_ends_in_one_face) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int round = 0; round < 20; ++round) {
+    const Vec3 at(249986.7654, 114190.6789, 12392.2065);
+    const Vec3 way =
+        round == 0 ? Vec3(Vec3::UnitX())
+                   : Vec3(Vec3(uniform(random), uniform(random), uniform(random)).normalized());
+    const double length = round % 2 == 0 ? 30 : 0.01;
+    const std::vector<Part> parts{
+        pipe("a", at - 300 * way, at, 57.15),
+        part("cap", PipeAlong{PortReference{"a", End::end}, length}, {}, true)};
+    const Regions made = regions(walled(parts, 3, 0.1));
+    EXPECT_EQ(made.metal.solid.euler_number(), 2) << round;
+    EXPECT_EQ(names(made.fluid.solid), (std::set<std::string>{"a.bore", "a.start", "a.bore.end"}))
+        << round;
+  }
+}
+
 // Of a branch as thick as the run, which begins on the run's axis, slivers lie in the run's wall.
 TEST(Bore, that_begins_in_one_as_wide_is_open) {
   for (const double turn : {0.0, 0.3, 1.0}) {
