@@ -483,6 +483,26 @@ SelectedParts insulated(const Assembly& assembly, const ResolvedAssembly& outer,
   return result;
 }
 
+ResolvedAssembly reaching_out(ResolvedAssembly outer, const Assembly& assembly, double reach) {
+  const std::size_t count = outer.parts.size();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    for (const End end : {End::start, End::end}) {
+      const ResolvedPart& part = outer.parts[i];
+      const Ring* ring = port_ring(part.shape, end);
+      const bool is_pad = part_kind(assembly.parts[part.index].shape).is_pad;
+      if (ring != nullptr && !part.joined.at(at(end)) && (is_pad || !part.is_closed.at(at(end))) &&
+          !is_buried(outer, {i, end})) {
+        const std::string name = part.end_names.at(at(end));
+        with_part_context(assembly, part.index, [&] {
+          lengthen(outer, {i, end}, Vec3(ring->center), reach);
+        });
+        outer.parts.back().end_names[1] = name;
+      }
+    }
+  }
+  return outer;
+}
+
 double lattice_for_gaps(double grid, const ResolvedAssembly& outer,
                         const std::vector<double>& walls) {
   double largest = 0;

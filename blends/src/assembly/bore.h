@@ -59,6 +59,11 @@ constexpr std::string_view kBoreSuffix = ".bore", kInsulationSuffix = ".insulati
 [[nodiscard]] SelectedParts insulated(const Assembly& assembly, const ResolvedAssembly& outer,
                                       const std::vector<double>& insulation);
 
+/// All parts, of which those with ends that go on nowhere reach out of them by so much: what is
+/// taken away from insulation, whose ends lie in the same planes.
+[[nodiscard]] ResolvedAssembly reaching_out(ResolvedAssembly outer, const Assembly& assembly,
+                                            double reach);
+
 /// A lattice no coarser than `grid`, and than a sixteenth of the gaps that bores reach into, where
 /// coordinates can be that fine.
 [[nodiscard]] double lattice_for_gaps(double grid, const ResolvedAssembly& outer,

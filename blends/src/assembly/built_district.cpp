@@ -50,7 +50,7 @@ class Builder {
       build_hollow(*walls);
     } else {
       built_.grid = assembly::lattice_spacing(assembly_, resolved_);
-      built_.solid = outer();
+      built_.solid = outer(resolved_);
     }
     built_.solid = renamed_patches(built_.solid);
     return std::move(built_);
@@ -68,13 +68,17 @@ class Builder {
     built_.insulation = 0;
     if (thickness.empty()) {
       built_.grid = assembly::lattice_spacing(assembly_, resolved_);
-      (void)outer();
+      (void)outer(resolved_);
       return;
     }
     const assembly::SelectedParts around = assembly::insulated(assembly_, resolved_, thickness);
     built_.grid = std::min(assembly::lattice_spacing(assembly_, resolved_),
                            assembly::lattice_spacing(assembly_, around.resolved));
-    const Solid whole = outer(), covered = united(around.resolved);
+    // Far enough that no rounding of both ends lets them cross.
+    constexpr double kClear = 8;
+    const ResolvedAssembly inside =
+        assembly::reaching_out(resolved_, assembly_, kClear * built_.grid);
+    const Solid whole = outer(inside), covered = united(around.resolved);
     built_.solid = subtract(covered, {&whole, 1}, {options_.contacts, options_.progress});
     built_.insulation = built_.solid.volume();
     cross_check(built_.solid, SetOperation::subtract, std::array{covered, whole});
@@ -129,10 +133,10 @@ class Builder {
     }
   }
 
-  Solid outer() {
-    assembly::RunSolids made =
-        assembly::solids_of_runs(assembly_, resolved_, built_.grid, options_);
-    for (std::size_t i = 0; i < made.parts.size(); ++i) {
+  // Of all parts, which other pieces of them may follow.
+  Solid outer(const ResolvedAssembly& parts) {
+    assembly::RunSolids made = assembly::solids_of_runs(assembly_, parts, built_.grid, options_);
+    for (std::size_t i = 0; i < built_.parts.size(); ++i) {
       PartReport &entry = built_.parts[i], &of_mesh = made.parts[i];
       entry.error_bound = of_mesh.error_bound;
       entry.segments = of_mesh.segments;
@@ -192,7 +196,7 @@ class Builder {
       built_.grid = std::min(built_.grid, assembly::lattice_spacing(assembly_, bore.resolved));
     }
     built_.grid = assembly::lattice_for_gaps(built_.grid, resolved_, walls);
-    const Solid whole = outer();
+    const Solid whole = outer(resolved_);
     assembly::lengthen_out_of(bore, assembly_, resolved_, walls, exposed_names(whole));
     const Solid filling = subtract(united(bore.resolved), {{united(solid_parts)}});
     const std::array<Solid, 2> both{whole, filling};

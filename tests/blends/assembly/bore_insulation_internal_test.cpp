@@ -1,4 +1,7 @@
 #include <numbers>
+#include <random>
+#include <set>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -56,6 +59,32 @@ TEST(Insulation, goes_round_bends_balls_and_fillets) {
     const Built made = built(assembly, Region::insulation);
     EXPECT_EQ(made.solid.components(), 1);
     expect_around(assembly, made.solid);
+  }
+}
+
+// Its ends lie in the planes of the pipe's and of the flange's, in any direction, far away. Films
+// were left of it between them, each end being rounded by itself.
+TEST(Insulation, ends_in_one_face_each) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int round = 0; round < 12; ++round) {
+    const Vec3 at(249986.7654, 114190.6789, 12392.2065);
+    const Vec3 way = Vec3(uniform(random), uniform(random), uniform(random)).normalized();
+    Assembly assembly = insulated({pipe("a", at, at + 300 * way, 57.15),
+                                   {"f", FlangeOfEnd{PortReference{"a", End::end}, 110, 20}}},
+                                  30);
+    assembly.tolerance = 0.1;
+    assembly.parts[1].insulation = 0;
+    const Built made = built(assembly, Region::insulation);
+    EXPECT_EQ(made.solid.components(), 1) << round;
+    EXPECT_EQ(made.solid.euler_number(), 0) << round;
+    std::set<std::string> names;
+    for (const std::uint32_t label : made.solid.labels()) {
+      names.insert(made.solid.names()[label]);
+    }
+    EXPECT_EQ(names, (std::set<std::string>{"a", "a.insulation", "a.insulation.start", "f.start"}))
+        << round;
+    EXPECT_NEAR(*made.insulation, kPi * (87.15 * 87.15 - 57.15 * 57.15) * 280, 0.1 * 2e5);
   }
 }
 
