@@ -9,6 +9,7 @@
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "junction/hub_advice.h"
 #include "junction/hub_search.h"
 #include "junction/separation.h"
 
@@ -153,7 +154,7 @@ JunctionSearch search_junction(std::span<const Ring> ends, const JunctionOptions
 Junction junction_of(std::span<const Ring> ends, const JunctionOptions& options) {
   JunctionSearch search = search_junction(ends, options);
   if (!search.junction) {
-    throw Error(Errc::infeasible_blend, search.reason, {},
+    throw Error(Errc::infeasible_blend, junction::advice(ends, options, search), {},
                 search.end ? "end " + std::to_string(*search.end + 1) : "");
   }
   return std::move(*search.junction);
