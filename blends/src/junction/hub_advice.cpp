@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
 
 namespace dupin::junction {
 namespace {
@@ -139,3 +140,16 @@ std::string advice(std::span<const Ring> ends, const JunctionOptions& options,
 }
 
 }  // namespace dupin::junction
+
+namespace dupin {
+
+Junction junction_of(std::span<const Ring> ends, const JunctionOptions& options) {
+  JunctionSearch search = search_junction(ends, options);
+  if (!search.junction) {
+    throw Error(Errc::infeasible_blend, junction::advice(ends, options, search), {},
+                search.end ? "end " + std::to_string(*search.end + 1) : "");
+  }
+  return std::move(*search.junction);
+}
+
+}  // namespace dupin

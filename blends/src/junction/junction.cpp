@@ -9,7 +9,6 @@
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "junction/hub_advice.h"
 #include "junction/hub_search.h"
 #include "junction/separation.h"
 
@@ -149,15 +148,6 @@ JunctionSearch search_junction(std::span<const Ring> ends, const JunctionOptions
   const auto approaches = junction::approaches_of(ends);
   return junction::search_hub(
       approaches, options.center.value_or(junction::nearest_to_axes(approaches)), options);
-}
-
-Junction junction_of(std::span<const Ring> ends, const JunctionOptions& options) {
-  JunctionSearch search = search_junction(ends, options);
-  if (!search.junction) {
-    throw Error(Errc::infeasible_blend, junction::advice(ends, options, search), {},
-                search.end ? "end " + std::to_string(*search.end + 1) : "");
-  }
-  return std::move(*search.junction);
 }
 
 }  // namespace dupin
