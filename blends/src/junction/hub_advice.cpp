@@ -52,7 +52,7 @@ class Setbacks {
       (does(middle) ? much : little) = middle;
     }
     std::ranges::for_each(setbacks_, [&](double& setback) { setback *= much; });
-    return setbacks_;
+    return as_printed() ? std::optional(setbacks_) : std::nullopt;
   }
 
  private:
@@ -77,6 +77,21 @@ class Setbacks {
       } else {
         little = much;
         much *= 1.5;
+      }
+    }
+    return false;
+  }
+
+  // The numbers that are printed are a little larger, each by a part of its own.
+  bool as_printed() {
+    constexpr int kMost = 8;
+    constexpr double kMore = 1 + kPart / 2 / kMost;
+    for (int i = 0; i < kMost; ++i) {
+      for (double& setback : setbacks_) {
+        setback = setback > 0 ? std::stod(number(i == 0 ? setback : kMore * setback)) : 0;
+      }
+      if (does(1)) {
+        return true;
       }
     }
     return false;
