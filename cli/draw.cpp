@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <string_view>
 
 #include <CLI/App.hpp>
 
@@ -119,6 +120,8 @@ Vec3 direction_of(const DrawArguments& arguments) {
 
 // How and how large, which say at once what is wrong with them.
 std::pair<DrawingOptions, std::optional<DrawingScale>> typed(const DrawArguments& arguments) {
+  constexpr std::array<std::string_view, 3> kKnown{".svg", ".pdf", ".png"};
+  refuse_other_extensions(arguments.output, kKnown);
   if (arguments.shaded && page_of(arguments.output) != Page::png) {
     throw UsageError("--shaded is for pictures: write a .png file");
   }

@@ -19,6 +19,19 @@ std::string lower_extension(const std::string& path) {
   return extension;
 }
 
+void refuse_other_extensions(const std::string& path, std::span<const std::string_view> known) {
+  const std::string extension = lower_extension(path);
+  if (extension.empty() || std::ranges::find(known, extension) != known.end()) {
+    return;
+  }
+  std::string all;
+  for (const std::string_view one : known) {
+    all += (all.empty() ? "" : ", ") + std::string(one);
+  }
+  throw UsageError(path + ": the extension '" + extension +
+                   "' names nothing that is written here; " + "known are " + all);
+}
+
 bool is_step(const OutputArguments& arguments) {
   const std::string extension = lower_extension(arguments.path);
   return arguments.format.empty() ? extension == ".step" || extension == ".stp"

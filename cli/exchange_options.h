@@ -1,7 +1,9 @@
 #pragma once
 
 #include <iosfwd>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "dupin/io/exchange.h"
 #include "output.h"
@@ -18,6 +20,10 @@ namespace dupin::cli {
 
 /// The extension of a path, in lower case.
 [[nodiscard]] std::string lower_extension(const std::string& path);
+
+/// Throws UsageError for an extension that is none of these: what is written would be called what
+/// it is not. Names without one, such as those of devices, will do.
+void refuse_other_extensions(const std::string& path, std::span<const std::string_view> known);
 
 /// Adds --solids.
 void add_solids_option(CLI::App& command, std::string& solids);

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <memory>
+#include <string_view>
 
 #include <CLI/App.hpp>
 
@@ -53,6 +55,8 @@ void print_nurbs(std::ostream& out, const std::vector<NamedNurbs>& parts, const 
 }
 
 ExitCode run_nurbs(const NurbsArguments& arguments, const CommonOptions& common) {
+  constexpr std::array<std::string_view, 5> kKnown{".json", ".step", ".stp", ".iges", ".igs"};
+  refuse_other_extensions(arguments.output, kKnown);
   const Document document = read_document(arguments.file, arguments.source);
   const Assembly& assembly = document.assembly;
   const double tolerance = length_in(assembly.unit, common.tolerance, assembly.tolerance);

@@ -143,6 +143,7 @@ std::vector<std::string> format_names() {
 
 void add_output_options(CLI::App& command, OutputArguments& arguments,
                         const std::vector<std::string>& others) {
+  arguments.others = others;
   std::vector<std::string> formats = format_names();
   formats.insert(formats.end(), others.begin(), others.end());
   std::string help = "Instead of what the extension says; needed for standard output:\n";
@@ -174,7 +175,7 @@ void add_output_options(CLI::App& command, OutputArguments& arguments,
 std::string output_path(const std::string& typed) { return names_stdout(typed) ? "-" : typed; }
 
 Destination destination(const OutputArguments& arguments) {
-  const auto& [typed, format, chosen_verification, patches, no_verify] = arguments;
+  const auto& [typed, format, chosen_verification, patches, no_verify, others] = arguments;
   const Verification verification = no_verify ? Verification::none
                                     : chosen_verification == name(Verification::full)
                                         ? Verification::full
@@ -193,7 +194,11 @@ Destination destination(const OutputArguments& arguments) {
   try {
     return {path, format_of(path), verification, patches};
   } catch (const Error& error) {
-    throw UsageError(error.what() + std::string("; or say --format"));
+    std::string also;
+    for (const std::string& other : others) {
+      also += (also.empty() ? ", and here ." : ", .") + other;
+    }
+    throw UsageError(error.what() + also + "; or say --format");
   }
 }
 

@@ -37,6 +37,7 @@ struct Destination {
 struct OutputArguments {
   std::string path, format, verification, patches;
   bool no_verify = false;
+  std::vector<std::string> others = {};  ///< formats besides those of meshes
 };
 
 /// Adds --format, --verify and --no-verify, shared by all commands that write a mesh. `others` are

@@ -26,12 +26,35 @@ std::string shape_text(const py::array& array) {
   return py::str(array.attr("shape")).cast<std::string>();
 }
 
+// That nothing was lost where numbers became doubles.
+void refuse_inexact(const py::array& given, const py::array& doubles) {
+  const char kind = given.dtype().kind();
+  const bool may_be_inexact = kind == 'f' ? given.itemsize() > py::ssize_t(sizeof(double))
+                                          : kind != 'b' && given.itemsize() == 8;
+  if (!may_be_inexact) {
+    return;
+  }
+  // Integers as Python's, which compare with floats exactly.
+  const auto comparable = [&](const py::array& array) -> py::object {
+    return kind == 'f' ? py::object(array) : array.attr("astype")("O");
+  };
+  const py::object here = comparable(given), there = comparable(doubles);
+  const py::object same = here.attr("__eq__")(there);
+  const py::object is_nan = here.attr("__ne__")(here);
+  if (!same.attr("__or__")(is_nan).attr("all")().cast<bool>()) {
+    refuse("points", "must be numbers that float64 holds exactly: round them first");
+  }
+}
+
 py::array array_of(const py::object& object, const std::string& array, py::ssize_t columns,
                    const char* kinds) {
   py::array result = py::array::ensure(object);
   if (!result) {
     PyErr_Clear();
     refuse(array, "must be an array of numbers");
+  }
+  if (py::hasattr(object, "mask") && py::array(object.attr("mask")).attr("any")().cast<bool>()) {
+    refuse(array, "has entries that are masked");
   }
   const bool is_empty = result.size() == 0;
   const bool has_shape =
@@ -53,6 +76,7 @@ std::vector<Vec3> points_of(const py::object& object) {
   std::vector<Vec3> points(array.size() / 3);
   if (!points.empty()) {
     const Points numbers = Points::ensure(array);  // itself, where its memory is ours
+    refuse_inexact(array, numbers);
     std::memcpy(points.front().data(), numbers.data(), points.size() * sizeof(Vec3));
   }
   return points;

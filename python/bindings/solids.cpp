@@ -155,6 +155,10 @@ void bind_arrays(Class& solid) {
       .def(
           "exact_point",
           [](const Solid& self, std::uint32_t index) {
+            if (const std::size_t count = self.point_count(); index >= count) {
+              throw py::index_error("there are " + std::to_string(count) + " points, from 0; not " +
+                                    std::to_string(index));
+            }
             const auto [x, y, z] = self.exact_point(index);
             return py::make_tuple(fraction(x), fraction(y), fraction(z));
           },

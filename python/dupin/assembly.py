@@ -13,17 +13,26 @@ from ._parts import PartMethods
 from .errors import InvalidArgument
 
 
-def plain(value: Any, pointer: str = "") -> Any:
+#: Deeper than any document may be nested, by a margin.
+_DEEPEST = 100
+
+
+def plain(value: Any, pointer: str = "", around: tuple[int, ...] = ()) -> Any:
     """The value as JSON has it: NumPy's arrays and numbers become lists and numbers. Raises InvalidArgument, with the
-    JSON pointer, for what no document can hold."""
+    JSON pointer, for what no document can hold. `around` are the dicts and lists that it is in."""
     if hasattr(value, "tolist") and not isinstance(value, (list, tuple)):
         value = value.tolist()
     if isinstance(value, os.PathLike):
         value = os.fspath(value)
-    if isinstance(value, Mapping):
-        return {str(key): plain(item, f"{pointer}/{key}") for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [plain(item, f"{pointer}/{index}") for index, item in enumerate(value)]
+    if isinstance(value, (Mapping, list, tuple)):
+        if id(value) in around:
+            raise InvalidArgument(f"a {type(value).__name__} contains itself", where=pointer)
+        if len(around) == _DEEPEST:
+            raise InvalidArgument(f"nested more than {_DEEPEST} deep", where=pointer[:60] + "…")
+        around = (*around, id(value))
+        if isinstance(value, Mapping):
+            return {str(key): plain(item, f"{pointer}/{key}", around) for key, item in value.items()}
+        return [plain(item, f"{pointer}/{index}", around) for index, item in enumerate(value)]
     if isinstance(value, float) and not math.isfinite(value):
         raise InvalidArgument(f"{value} is no finite number", where=pointer)
     if value is None or isinstance(value, (str, bool, int, float)):

@@ -231,7 +231,19 @@ def _read(file: str | os.PathLike[str]) -> Solid:
     return as_solid(read_mesh(file))
 
 
+def _same(self: Any, memo: Any = None) -> Any:
+    """What cannot change is its own copy."""
+    return self
+
+
+def _reduce(self: Mesh) -> tuple[Any, ...]:
+    labels = None if self.labels is None else np.array(self.labels)
+    return Mesh, (np.array(self.points), np.array(self.triangles), labels, list(self.names))
+
+
+Mesh.__reduce__ = _reduce
 Solid.write = _write
 Solid.read = staticmethod(_read)
 for _kind in (Solid, Mesh):
     _kind.to_trimesh, _kind.to_meshio, _kind.to_pyvista = to_trimesh, to_meshio, to_pyvista
+    _kind.__copy__ = _kind.__deepcopy__ = _same

@@ -60,6 +60,15 @@ TEST_F(Usage, faults_are_one_line_on_standard_error) {
       {{"convert", "a.off", "b.stp"},
        "b.stp: the extension '.stp' names no mesh format; known are " + known_extensions() +
            "; or say --format"},
+      {{"build", "a.json", "-o", "b.xyz"},
+       "b.xyz: the extension '.xyz' names no mesh format; known are " + known_extensions() +
+           ", and here .msh, .vtu, .step, .pvtu; or say --format"},
+      {{"draw", "a.json", "-o", "b.jpg"},
+       "b.jpg: the extension '.jpg' names nothing that is written here; known are .svg, .pdf, "
+       ".png"},
+      {{"nurbs", "a.json", "-o", "b.stl"},
+       "b.stl: the extension '.stl' names nothing that is written here; known are .json, .step, "
+       ".stp, .iges, .igs"},
       {{"convert", "a.off", "b.off", "--tolerance", "1"},
        "convert has no use for --tolerance; did you mean --rounding-tolerance?"},
       {{"union", "a.off", "a.off", "-o", "b.off", "--tolerance", "1"},

@@ -261,3 +261,25 @@ def test_the_stub_lists_what_the_module_has():
             assert public == {name for name in methods if not name.startswith("__")}, node.name
     assert listed == {name for name in dir(dupin._core) if not name.startswith("__")} | {"__version__"}
     assert pathlib.Path(dupin.__file__).with_name("py.typed").exists()
+
+
+def test_what_contains_itself_is_one_clear_error():
+    document = {"units": "mm", "tolerance": 0.05, "parts": []}
+    document["parts"].append(document)
+    ring = [0, 0]
+    ring.append(ring)
+    with pytest.raises(dupin.errors.InvalidArgument, match="a dict contains itself") as caught:
+        dupin.build(document)
+    assert caught.value.where == "/parts/0"
+    with pytest.raises(dupin.errors.InvalidArgument, match="a dict contains itself"):
+        dupin.Assembly.from_dict(document)
+    with pytest.raises(dupin.errors.InvalidArgument, match="a list contains itself") as caught:
+        dupin.Assembly().pipe("a", from_=ring, to=[1, 0, 0], radius=1)
+    assert caught.value.where == "/parts/0/pipe/from/2"
+    deep = {}
+    for _ in range(3000):
+        deep = {"a": deep}
+    with pytest.raises(dupin.errors.InvalidArgument, match="nested more than 100 deep"):
+        dupin.build(deep)
+    shared = [0, 0, 0]  # twice, but not in itself
+    assert dupin.Assembly.from_dict({"parts": [shared, shared]}).to_dict()["parts"] == [shared, shared]

@@ -1,5 +1,7 @@
 """Meshes, solids and set operations on NumPy's arrays."""
+import copy
 import gc
+import pickle
 from fractions import Fraction
 
 import numpy as np
@@ -282,3 +284,44 @@ def test_a_library_that_is_not_there_is_named(box, monkeypatch):
     monkeypatch.setitem(__import__("sys").modules, "trimesh", None)
     with pytest.raises(ImportError, match="trimesh is not installed"):
         dupin.as_mesh(box()).to_trimesh()
+
+
+@pytest.mark.parametrize("points", [np.array([2**63 + 1, 2**53, 1], np.uint64), np.array([2**53 + 1, -2**53, 0]),
+                                    np.array([-2**63, 2**62, 2**53 + 1]),
+                                    np.array(["0.1"], np.longdouble).repeat(3)])
+def test_points_that_doubles_do_not_hold_are_refused(points):
+    with pytest.raises(dupin.errors.InvalidArgument, match="float64 holds exactly"):
+        dupin.as_mesh(points.reshape(1, 3), np.zeros((0, 3), np.uint32))
+
+
+@pytest.mark.parametrize("points", [np.array([2**63, 2**53, 1], np.uint64), np.array([2**53 + 2, -2**53, 0]),
+                                    np.array([0.5, np.nan, np.inf], np.longdouble)])
+def test_points_that_doubles_hold_are_taken(points):
+    mesh = dupin.as_mesh(points.reshape(1, 3), np.zeros((0, 3), np.uint32))
+    assert np.array_equal(mesh.points[0], points.astype(float), equal_nan=True)
+
+
+def test_masked_points_are_refused(box):
+    points, triangles = box()
+    with pytest.raises(dupin.errors.InvalidArgument, match="masked"):
+        dupin.as_mesh(np.ma.masked_greater(points, 0.5), triangles)
+    assert dupin.as_solid(np.ma.masked_greater(points, 5), triangles).volume == 1
+
+
+def test_what_cannot_change_is_its_own_copy_and_meshes_are_pickled(box):
+    solid = dupin.as_solid(*box())
+    mesh = solid.mesh()
+    for one in (solid, mesh):
+        assert copy.copy(one) is one and copy.deepcopy([one])[0] is one
+    labelled = dupin.Mesh(mesh.points, mesh.triangles, np.arange(12, dtype=np.uint32) % 2, ["a", "b"])
+    for one in (mesh, labelled):
+        back = pickle.loads(pickle.dumps(one))
+        assert np.array_equal(back.points, one.points) and np.array_equal(back.triangles, one.triangles)
+        assert back.names == one.names
+        assert (back.labels is None) == (one.labels is None)
+    assert np.array_equal(back.labels, labelled.labels)
+
+
+def test_points_that_are_not_there_are_refused(box):
+    with pytest.raises(IndexError, match="there are 8 points, from 0; not 8"):
+        dupin.as_solid(*box()).exact_point(8)

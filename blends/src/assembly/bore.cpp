@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -14,6 +15,7 @@
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
 #include "assembly/parts/part_kind.h"
+#include "dupin/blends/cyclide_form.h"
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/junction.h"
 #include "dupin/kernel/decimal.h"
@@ -246,6 +248,15 @@ class Borer {
     }
   }
 
+  // Of an arm, which may narrow on its way to the hub.
+  [[nodiscard]] static double least_radius(const CyclideChain& pieces) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const PeArc& piece : pieces.pieces) {
+      least = std::min(least, dupin::least_radius(piece));
+    }
+    return least;
+  }
+
   // The arms are parts, and end in the circles that the hub has, bitwise.
   void narrow(ResolvedJunction& junction) {
     const double wall = walls_[junction.index];
@@ -258,6 +269,7 @@ class Borer {
         pieces.pieces.push_back(*arm.straight);
       }
       pieces.pieces.push_back(arm.collar);
+      (void)less_wall(least_radius(pieces), wall);
       pieces = offset(pieces, -wall);
       arm.end = parallel(arm.end, wall);
       if (arm.straight) {

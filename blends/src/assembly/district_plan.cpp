@@ -28,7 +28,8 @@ Boxes boxes_of(const ResolvedAssembly& resolved, double margin, double relative)
   }
   const Eigen::AlignedBox3d all = bounds_of(std::span(&boxes, 1));
   const double largest = boxes.empty() ? 0 : std::max(all.max().maxCoeff(), -all.min().minCoeff());
-  const double whole = margin + relative * std::max(largest, 0.0);
+  // A box may be all of space, whose size is no number of times zero.
+  const double whole = relative > 0 ? margin + relative * std::max(largest, 0.0) : margin;
   for (Eigen::AlignedBox3d& box : boxes) {
     box = {box.min().array() - whole, box.max().array() + whole};
   }

@@ -1,6 +1,8 @@
 #include "assembly/run_solids.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <set>
@@ -25,7 +27,8 @@ class RunMesher {
  public:
   RunMesher(const Assembly& assembly, const ResolvedAssembly& resolved, double grid,
             const BuildOptions& options)
-      : assembly_(assembly),
+      : document_(assembly),
+        assembly_(assembly),
         resolved_(resolved),
         grid_(grid),
         options_(options),
@@ -41,6 +44,8 @@ class RunMesher {
       if (group.fillets.empty() && group.junctions.empty()) {
         const std::size_t run = group.runs.front();
         append_solids(runs[run].parts, tessellated(runs[run], run));
+      } else if (group.fillets.empty() && !document_.segments) {
+        append_hubs(runs, group);
       } else {
         append_filleted(runs, group);
       }
@@ -106,6 +111,58 @@ class RunMesher {
     const auto half = parts.size() / 2;
     append_solids(parts.first(half), chosen);
     append_solids(parts.subspan(half), chosen);
+  }
+
+  // Where a hub is much larger than its pipe, its collar flares within less than the tolerance,
+  // nearly in one plane, and coarse rows that are turned against each other cross there.
+  void append_hubs(const std::vector<WeldedRun>& runs, const FilletedRuns& group) {
+    constexpr int kFiner = 2;
+    const std::size_t solids = result_.solids.size(), others = result_.others.size();
+    try {
+      append_filleted(runs, group);
+      return;
+    } catch (const Error& error) {
+      if (error.code() != Errc::infeasible_blend) {
+        throw;
+      }
+      keep_first(solids, others);
+      for (int i = 1; i <= kFiner; ++i) {
+        if (append_finer(runs, group, std::pow(0.25, i))) {
+          return;
+        }
+      }
+      throw;
+    }
+  }
+
+  // With a part of the document's tolerance, if that bounds a solid and is not too fine.
+  bool append_finer(const std::vector<WeldedRun>& runs, const FilletedRuns& group, double part) {
+    const std::size_t solids = result_.solids.size(), others = result_.others.size();
+    Assembly finer = document_;
+    finer.tolerance *= part;
+    assembly_ = finer;
+    bool is_made = true;
+    try {
+      std::vector<WeldedRun> own;
+      for (const std::size_t run : group.runs) {
+        own.push_back(runs[run]);
+      }
+      refuse_too_costly(finer, resolved_, own, grid_, options_.most_triangles);
+      append_filleted(runs, group);
+    } catch (const Error& error) {
+      if (error.code() != Errc::infeasible_blend && error.code() != Errc::limit_exceeded) {
+        throw;
+      }
+      keep_first(solids, others);
+      is_made = false;
+    }
+    assembly_ = document_;
+    return is_made;
+  }
+
+  void keep_first(std::size_t solids, std::size_t others) {
+    result_.solids.erase(result_.solids.begin() + std::ptrdiff_t(solids), result_.solids.end());
+    result_.others.erase(result_.others.begin() + std::ptrdiff_t(others), result_.others.end());
   }
 
   // Pipes that end in fillets or hubs, with these: one solid, as nothing else closes them. Where
@@ -264,7 +321,7 @@ class RunMesher {
   void report_fillet(const ResolvedFillet& fillet, const std::vector<surfaces::FilletMesh>& loops) {
     PartReport entry;
     entry.name = fillet.name;
-    entry.kind = kind(assembly_.parts[fillet.index].shape);
+    entry.kind = kind(document_.parts[fillet.index].shape);
     entry.margin_lower = fillet.shape.regularity;
     entry.smallest_angle = std::numbers::pi;
     for (const auto& loop : loops) {
@@ -277,7 +334,8 @@ class RunMesher {
     result_.others.emplace_back(fillet.index, std::move(entry));
   }
 
-  const Assembly& assembly_;
+  const Assembly& document_;
+  std::reference_wrapper<const Assembly> assembly_;  // the document, or finer for a while
   const ResolvedAssembly& resolved_;
   double grid_;
   const BuildOptions& options_;

@@ -126,11 +126,15 @@ class Router {
         return tried({}, std::move(*pipe));
       }
     }
-    refuse(*best.proved.spot);
+    const std::vector<Piece> pipe(best.pipe.begin(), best.pipe.end());
+    refuse(tightest_spot(pipe, obstacles_, *best.proved.spot));  // known is any that is too near
   }
 
   [[noreturn]] void refuse(const TightSpot& spot) const {
     constexpr double kTouching = 1e-9;
+    for (const Ring& port : {from_, to_}) {
+      refuse_port(port);
+    }
     const std::string how =
         spot.distance > kTouching * size_
             ? "comes within " + decimal(spot.distance, kMessageDigits) + " of it"
@@ -141,6 +145,24 @@ class Router {
                     std::to_string(trials_) + " " + how + " at " + decimal(spot.place) +
                     "; ask for less clearance, move what is in the way, or lead it round by points "
                     "of its own in \"through\"");
+  }
+
+  // All ways begin and end with the ports' own discs.
+  void refuse_port(const Ring& port) const {
+    for (const NamedObstacle& obstacle : obstacles_) {
+      const double distance =
+          obstacle.parts.empty()
+              ? approach({port.center, port.normal, port.radius}, obstacle.shape).distance
+              : clearance_;
+      if (distance < clearance_) {
+        throw Error(Errc::infeasible_blend,
+                    "no way keeps " + decimal(clearance_, kMessageDigits) + " from '" +
+                        obstacle.name + "': the end at " + decimal(port.center) + " itself " +
+                        (distance > 0 ? "is only " + decimal(distance, kMessageDigits) + " from it"
+                                      : "lies in it") +
+                        "; ask for less clearance, or move the end or what is in the way");
+      }
+    }
   }
 
   // Ways with one point more, off the tightest spot.

@@ -272,8 +272,10 @@ class HubSearch {
         const double between_caps = cap_gap(a.collar, b.collar);
         const bool is_chosen = options_.radius && !options_.cap_angles.empty();
         if (!(between_caps > (is_chosen ? 0 : gap(i, k) / 2))) {
-          return Fault{"the caps of " + named(k) + " and " + named(i) + " are only " +
-                           degrees(between_caps) + " apart: smaller caps, or a larger hub, may do",
+          return Fault{"the caps of " + named(k) + " and " + named(i) +
+                           (between_caps > 0 ? " are only " + degrees(between_caps) + " apart"
+                                             : " overlap by " + degrees(-between_caps)) +
+                           remedy(),
                        i, 2, true};
         }
         if (!arms_are_apart(a, b, Arithmetic::rounded)) {
@@ -284,6 +286,13 @@ class HubSearch {
       }
     }
     return {};
+  }
+
+  // By what was chosen.
+  [[nodiscard]] std::string remedy() const {
+    return options_.cap_angles.empty() && !options_.radius
+               ? ": ends further apart, or another centre, may do"
+               : ": smaller caps, or a larger hub, may do";
   }
 
   [[nodiscard]] JunctionSearch smooth(const std::vector<double>& ways, double least) {

@@ -150,13 +150,4 @@ JunctionSearch search_junction(std::span<const Ring> ends, const JunctionOptions
       approaches, options.center.value_or(junction::nearest_to_axes(approaches)), options);
 }
 
-Junction junction_of(std::span<const Ring> ends, const JunctionOptions& options) {
-  JunctionSearch search = search_junction(ends, options);
-  if (!search.junction) {
-    throw Error(Errc::infeasible_blend, search.reason, {},
-                search.end ? "end " + std::to_string(*search.end + 1) : "");
-  }
-  return std::move(*search.junction);
-}
-
 }  // namespace dupin

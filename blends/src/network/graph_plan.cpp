@@ -14,6 +14,14 @@ constexpr double kLeastStraight = 0.02, kFirstShare = 0.7;
 // at the same place, and by the edge's length.
 constexpr double kInBall = 0.3, kInBallOfLength = 0.2;
 
+// Whether edges that leave a node to one side overlap where a blend would begin, but for a
+// sixteenth of their radii: what the blend leads back along would be in its own way.
+bool overlap(const Ring& a, const Ring& b) {
+  constexpr double kApart = 17. / 16;
+  return a.normal.dot(b.normal) > 0 &&
+         (a.center - b.center).norm() < kApart * (a.radius + b.radius);
+}
+
 }  // namespace
 
 GraphPlan::GraphPlan(const CleanGraph& graph) {
@@ -162,7 +170,8 @@ bool GraphPlan::plan_blend(std::size_t node) {
     if (back > most) {
       continue;
     }
-    if (search_cyclide_blend(ring(a, node, back), ring(b, node, back)).tube) {
+    const Ring from = ring(a, node, back), to = ring(b, node, back);
+    if (!overlap(from, to) && search_cyclide_blend(from, to).tube) {
       setback(a, node) = setback(b, node) = back;
       return true;
     }

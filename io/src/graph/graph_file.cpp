@@ -125,7 +125,8 @@ PipeGraph parse_swc(std::string_view text, const std::string& source,
     scanner.integer(-kLargestNumber, kLargestNumber, "the node's type, a whole number");
     const Vec3 center = coordinates(scanner);
     const double radius = any_number(scanner, "the node's radius");
-    const std::int64_t parent = scanner.integer(-1, kLargestNumber, "the parent's id, or -1");
+    const std::int64_t parent =
+        scanner.integer(-1, kLargestNumber, "the parent's id, or -1 for none, a whole number");
     scanner.end_line("the end of the line after id, type, x, y, z, radius and parent");
     const std::string name = std::to_string(id);
     if (!position_of.try_emplace(id, graph.nodes.size()).second) {
@@ -167,8 +168,10 @@ PipeGraph parse_graph(std::string_view text, const std::string& source,
       }
       graph.nodes.push_back(std::move(node));
     } else if (scanner.take("c")) {
-      const std::int64_t from = scanner.integer(0, kLargestNumber, "the number of a node, from 0");
-      const std::int64_t to = scanner.integer(0, kLargestNumber, "the number of a node, from 0");
+      const std::int64_t from =
+          scanner.integer(0, kLargestNumber, "the number of a node, a whole number");
+      const std::int64_t to =
+          scanner.integer(0, kLargestNumber, "the number of a node, a whole number");
       links.push_back({from, to, start, line});
     } else {
       scanner.fail("\"n x y z [radius]\" for a node or \"c i j\" for an edge");

@@ -119,6 +119,26 @@ TEST(Bore, of_tees_in_all_positions_is_a_larger_balls_or_says_what_would_do) {
   EXPECT_EQ(bores + refusals, 36);
 }
 
+// The last cone narrows on its way to the hub, to less than the wall.
+TEST(Bore, of_a_junction_is_refused_where_an_arm_is_thinner_than_the_wall) {
+  JunctionOfPorts hub;
+  hub.ends = {{"a", End::end}, {"b", End::end}, {"c", End::end}};
+  const auto document = [&](double wall) {
+    return walled({pipe("a", {-20, 0, 0}, {-16, 0, 0}, 1), pipe("b", {0, -20, 0}, {0, -16, 0}, 1),
+                   part("c", ConeBetween{{19, 19, 0}, {14, 14, 0}, 2, 1.4}), part("hub", hub)},
+                  wall, 0.02);
+  };
+  EXPECT_EQ(regions(document(0.1)).metal.solid.components(), 1);
+  try {
+    (void)regions(document(0.7));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::infeasible_blend);
+    EXPECT_EQ(error.part(), "hub");
+    EXPECT_THAT(error.what(), HasSubstr("a wall of 0.7 leaves no bore where the radius is only"));
+  }
+}
+
 // Offsets of cyclides are cyclides, and that of the hub is a sphere: volumes in closed form.
 TEST(Bore, of_a_junction_is_the_junction_of_the_inner_radii) {
   const double wall = 0.4, tolerance = 0.004;

@@ -39,6 +39,19 @@ TEST(DistrictPlan, margins_make_them_touch) {
   EXPECT_TRUE(districts_of_parts({}, 1).empty());
 }
 
+// Of some collars no bound is found, and a size times no margin is none.
+TEST(DistrictPlan, what_may_be_anywhere_touches_all) {
+  ResolvedAssembly resolved = resolve(four_pipes());
+  resolved.parts[1].shape = Chain{};
+  for (const double relative : {0., 1e-9}) {
+    for (const double margin : {0., .5}) {
+      const auto districts = districts_of_parts(resolved, margin, relative);
+      ASSERT_EQ(districts.size(), 1);
+      EXPECT_EQ(districts[0].parts.size(), 4);
+    }
+  }
+}
+
 TEST(DistrictPlan, a_district_is_a_document_of_its_own) {
   const Assembly assembly = four_pipes();
   const ResolvedAssembly resolved = resolve(assembly);

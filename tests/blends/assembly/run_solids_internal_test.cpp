@@ -1,3 +1,4 @@
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -83,6 +84,30 @@ TEST(RunSolids, of_a_run_that_crosses_itself_are_its_pieces) {
       solids_of_runs(assembly, resolved, lattice_spacing(assembly, resolved), {});
   EXPECT_EQ(made.runs, 1);
   EXPECT_GT(made.solids.size(), 1);
+}
+
+// Two pipes side by side on a hub that is a hundred times as thick as one of them: its collar
+// flares within less than the tolerance.
+TEST(RunSolids, of_hubs_much_larger_than_their_pipes_are_meshed_finer) {
+  const auto along = [](double angle) { return Vec3(std::cos(angle), std::sin(angle), 0); };
+  for (const double degrees : {7., 9., 12.}) {
+    const double angle = degrees * std::numbers::pi / 180, far = 88 / angle + 30;
+    const Assembly assembly{
+        "",
+        Unit::millimetre,
+        0.2,
+        {},
+        {pipe("thin", far * along(0), (far + 5) * along(0), 1),
+         pipe("thick", far * along(angle), (far + 5) * along(angle), 10),
+         {"hub", JunctionOfPorts{{{"thin", End::start}, {"thick", End::start}}, {}}}}};
+    const ResolvedAssembly resolved = resolve(assembly);
+    const RunSolids made =
+        solids_of_runs(assembly, resolved, lattice_spacing(assembly, resolved), {});
+    ASSERT_EQ(made.solids.size(), 1);
+    EXPECT_EQ(made.solids[0].euler_number(), 2);
+    ASSERT_EQ(made.others.size(), 1);
+    EXPECT_LE(made.others[0].second.error_bound, 0.2);
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -121,6 +122,32 @@ TEST(Route, is_refused_with_its_tightest_spot) {
     EXPECT_THAT(error.what(), testing::HasSubstr("keeps 0.1 from 'wall'"));
     EXPECT_THAT(error.what(), testing::HasSubstr("runs into it at ("));
   }
+}
+
+std::string refusal(const std::vector<Waypoint>& through, const Obstacle& obstacle,
+                    double clearance) {
+  try {
+    (void)route(kFrom, through, kTo, std::vector<NamedObstacle>{{"it", obstacle}}, clearance);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// Not any spot that is too near: less clearance, as the message asks for, would not do.
+TEST(Route, is_refused_with_where_it_runs_into_something_and_not_where_it_comes_near) {
+  for (const double y : {0.2, 0.5, 1.}) {
+    EXPECT_THAT(refusal({{{5, y, 0}, 0.3}}, {{5, 0, 0}, {}, 2}, 0.3),
+                testing::HasSubstr("runs into it at ("));
+  }
+}
+
+TEST(Route, is_refused_where_its_ends_are_too_near_themselves) {
+  EXPECT_THAT(refusal({}, {{10, 0, 0}, {}, 1}, 0.1),
+              testing::HasSubstr("the end at (10, 0, 0) itself lies in it"));
+  EXPECT_THAT(refusal({}, {{-3, 0, 0}, {}, 2.5}, 0.75),
+              testing::HasSubstr("the end at (0, 0, 0) itself is only 0.5 from it"));
+  EXPECT_EQ(refusal({}, {{-3, 0, 0}, {}, 2.5}, 0.25), "");
 }
 
 TEST(Route, is_the_same_every_time) {

@@ -55,6 +55,31 @@ TEST(GraphPlan, sharp_bends_become_junctions_of_two) {
   EXPECT_NE(plan.nodes()[0].kind, NodeKind::ball);
 }
 
+// Two cones that leave a node side by side, widening: where they overlap, a blend from one to the
+// other would cross itself.
+TEST(GraphPlan, blends_do_not_begin_where_their_edges_overlap) {
+  int blends = 0, others = 0;
+  for (int i = 0; i < 40; ++i) {
+    CleanGraph graph;
+    graph.nodes = {{"0", {22.19, 41.91, 5.78}, 0.4 + 0.02 * i, 0},
+                   {"2", {6.44, 7.47, 9.21}, 1.3, 0},
+                   {"4", {9.94, 16.52, 4.62}, 1.486, 0},
+                   {"3", {58.69, 16.32, 10.91}, 1, 0}};
+    graph.edges = {{0, 1}, {0, 2}, {2, 3}};
+    GraphPlan plan(graph);
+    if (!plan.plan(2) || !plan.plan(0) || plan.nodes()[0].kind != NodeKind::blend) {
+      ++others;
+      continue;
+    }
+    ++blends;
+    const Ring a = plan.ring(0, 0, plan.edges()[0].setbacks[0]),
+               b = plan.ring(1, 0, plan.edges()[1].setbacks[0]);
+    EXPECT_GT((a.center - b.center).norm(), a.radius + b.radius) << i;
+  }
+  EXPECT_GT(blends, 0);
+  EXPECT_GT(others, 0);
+}
+
 TEST(GraphPlan, changes_are_taken_back) {
   GraphPlan plan = three_ways();
   ASSERT_TRUE(plan.plan(0));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "assembly/parts/part_checks.h"
@@ -26,12 +27,12 @@ class JunctionSearchOfPorts {
   [[nodiscard]] JunctionOfEnds found() const {
     if (std::ranges::all_of(junction_.ends,
                             [&](const PortReference& end) { return is_circle(end); })) {
-      return with_transitions(0);
+      return with_transitions(0, true);
     }
     std::optional<Error> last;
     for (const double length : kTransitions) {
       try {
-        return with_transitions(length);
+        return with_transitions(length, length == kTransitions.back());
       } catch (const Error& error) {
         if (error.code() != Errc::infeasible_blend && error.code() != Errc::irregular_surface) {
           throw;
@@ -50,7 +51,8 @@ class JunctionSearchOfPorts {
     return !context_.ring(end).ellipse && is_right(context_, end);
   }
 
-  [[nodiscard]] JunctionOfEnds with_transitions(double length) const {
+  // What would do instead is tried out for the last ones only.
+  [[nodiscard]] JunctionOfEnds with_transitions(double length, bool is_last) const {
     JunctionOfEnds result;
     std::vector<Ring> rings;
     for (const PortReference& end : junction_.ends) {
@@ -59,7 +61,15 @@ class JunctionSearchOfPorts {
       const auto& made = result.transitions.back();
       rings.push_back(made ? *port_ring(*made, End::end) : context_.ring(end));
     }
-    result.shape = junction_of(rings, junction_.options);
+    if (is_last) {
+      result.shape = junction_of(rings, junction_.options);
+      return result;
+    }
+    JunctionSearch search = search_junction(rings, junction_.options);
+    if (!search.junction) {
+      throw Error(Errc::infeasible_blend, search.reason);
+    }
+    result.shape = std::move(*search.junction);
     return result;
   }
 
