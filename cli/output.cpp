@@ -4,6 +4,7 @@
 #include <iostream>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -234,10 +235,15 @@ OutputReport write_rounded(const Rounded& rounded, const Destination& to, MeshHe
   report.format = to.format.name;
   report.rounding = rounded.report();
   report.verification = to.verification;
-  report.check = writing([&] { return write_as_chosen(rounded, to, header, progress); });
+  std::optional<AsideFile> patches;  // before the mesh takes its place: both are there, or none
   if (!to.patches.empty()) {
     tell(progress, "patches");
-    write_text(to.patches, patches_json(rounded, report.file, header) + "\n");
+    writing(
+        [&] { patches.emplace(to.patches, patches_json(rounded, report.file, header) + "\n"); });
+  }
+  report.check = writing([&] { return write_as_chosen(rounded, to, header, progress); });
+  if (patches) {
+    writing([&] { patches->commit(); });
   }
   if (written != nullptr) {
     *written = in_own_place(rounded);

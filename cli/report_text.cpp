@@ -57,12 +57,15 @@ void print_measures(std::ostream& out, const Report& report, std::string_view un
   print_row(out, "points", std::to_string(report.points));
   print_row(out, "components", std::to_string(report.components));
   print_row(out, "euler number", std::to_string(report.euler_number));
+  constexpr const char* kUnknown = "not known: points are out of range";
+  const bool is_known = is_measured(report);
   if (report.closed()) {
-    print_row(out, "volume", powered(report.volume, unit, "^3"));
+    print_row(out, "volume", is_known ? powered(report.volume, unit, "^3") : kUnknown);
   }
-  print_row(out, "area", powered(report.area, unit, "^2"));
+  print_row(out, "area", is_known ? powered(report.area, unit, "^2") : kUnknown);
   print_row(out, "watertight", report.closed() ? "yes" : "no");
-  print_row(out, "self-intersections", std::to_string(report.count(Defect::self_intersection)));
+  print_row(out, "self-intersections",
+            is_known ? std::to_string(report.count(Defect::self_intersection)) : kUnknown);
 }
 
 std::string rounding_text(const RoundingReport& rounding, std::string_view unit) {

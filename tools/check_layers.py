@@ -24,7 +24,7 @@ ARROWS = {
         "exact": ["support"],
         "predicates": ["exact"],
         "boxes": ["support"],
-        "mesh": ["exact", "support"],
+        "mesh": ["boxes", "exact", "support"],
         "checking": ["mesh", "boxes", "predicates", "exact", "support"],
         "arrangement": ["mesh", "boxes", "predicates", "exact", "support"],
         "booleans": ["arrangement", "boxes", "checking", "mesh", "support"],

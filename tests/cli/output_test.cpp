@@ -207,8 +207,9 @@ TEST_F(Output, lists_patches_of_solids_in_files_of_their_own_alone) {
   EXPECT_EQ(result("a.off", "a.json").exit_code, 0);
   EXPECT_EQ(result("a.off", "-").exit_code, 2);
   EXPECT_EQ(result("a.off", "out.ply").exit_code, 2);
-  EXPECT_EQ(result("a.off", "none/a.json").exit_code, 5);
   std::filesystem::remove(folder_.path() / "out.ply");
+  EXPECT_EQ(result("a.off", "none/a.json").exit_code, 5);
+  EXPECT_EQ(dupin({"convert", "a.off", "none/out.ply", "--patches", "b.json"}).exit_code, 5);
   const ProcessResult refused = result("open.off", "open.json");
   EXPECT_EQ(refused.exit_code, 3);
   EXPECT_THAT(refused.err, HasSubstr("--patches lists those of solids"));

@@ -196,6 +196,9 @@ class GlbReader {
     if (document_.unsigned_member(*view, view_place, "buffer") != 0) {
       fail(view_place + "/buffer", "found another buffer, expected 0, the one inside");
     }
+    if (document_.entry(0, "buffers").first->contains("uri")) {
+      fail("/buffers/0/uri", "found a buffer elsewhere, expected the one inside");
+    }
     const std::size_t view_begin = document_.unsigned_member(*view, view_place, "byteOffset", 0);
     const std::size_t view_size = document_.unsigned_member(*view, view_place, "byteLength");
     const std::size_t begin = document_.unsigned_member(*json, place, "byteOffset", 0);
@@ -203,10 +206,16 @@ class GlbReader {
     result.begin = view_begin + begin;
     const std::size_t needed =
         result.count == 0 ? 0 : begin + (result.count - 1) * result.stride + size;
-    if (result.stride < size || needed > view_size || view_begin + view_size > bytes_.size()) {
-      fail(place, "found " + std::to_string(result.count) +
-                      " entries, expected room for them in a buffer of " +
-                      std::to_string(bytes_.size()) + " bytes");
+    if (view_begin + view_size > bytes_.size()) {
+      fail(view_place, "found " + std::to_string(view_size) + " bytes from byte " +
+                           std::to_string(view_begin) + ", expected room for them in a buffer of " +
+                           std::to_string(bytes_.size()) + " bytes");
+    }
+    if (result.stride < size || needed > view_size) {
+      fail(place, "found " + std::to_string(result.count) + " entries of " + std::to_string(size) +
+                      " bytes, " + std::to_string(result.stride) +
+                      " apart, expected room for them in a view of " + std::to_string(view_size) +
+                      " bytes");
     }
     return result;
   }

@@ -92,7 +92,12 @@ TriMesh read_mesh(std::string_view bytes, std::string_view file) {
                     known_extensions() + ")",
                 {}, std::string(file) + ":byte 0");
   }
-  return format->read(bytes, file);
+  try {
+    return format->read(bytes, file);
+  } catch (const Error& error) {  // of a limit, which is not one place's
+    throw Error(error.code(), error.message(), error.part(),
+                error.where().empty() ? std::string(file) : error.where());
+  }
 }
 
 std::string mesh_unit(std::string_view bytes, std::string_view file) {

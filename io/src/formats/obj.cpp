@@ -24,9 +24,10 @@ constexpr std::array<std::string_view, 18> kSkipped = {
     "maplib", "usemap", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "call"};
 
 /// One corner of a face, "7", "7/1", "7//3", "7/1/3" or with negative numbers, as an index into the
-/// points before it.
+/// points before it. Leaves a backslash right behind it, which continues the line.
 std::uint32_t read_corner(text::TextScanner& scanner, std::size_t points) {
-  const std::string_view token = scanner.peek();
+  std::string_view token = scanner.peek();
+  token.remove_suffix(token.size() > 1 && token.ends_with('\\') ? 1 : 0);
   const std::string_view digits = token.substr(0, token.find('/'));
   const auto count = static_cast<std::int64_t>(points);
   std::int64_t index = 0;
@@ -38,7 +39,7 @@ std::uint32_t read_corner(text::TextScanner& scanner, std::size_t points) {
   if (error != std::errc() || index == 0 || index > count || index < -count) {
     scanner.fail("the index of one of the " + std::to_string(count) + " vertices before it");
   }
-  (void)scanner.token();
+  scanner.move_to(scanner.position() + token.size());
   return static_cast<std::uint32_t>(index > 0 ? index - 1 : count + index);
 }
 
@@ -48,7 +49,7 @@ void read_corners(text::TextScanner& scanner, std::size_t points,
   corners.clear();
   while (!scanner.at_line_end()) {
     if (scanner.take("\\")) {
-      (void)scanner.rest_of_line();
+      scanner.end_line("the end of the line behind a backslash");
     } else {
       corners.push_back(read_corner(scanner, points));
     }

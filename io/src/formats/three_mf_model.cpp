@@ -27,6 +27,13 @@ constexpr std::size_t kLargestDepth = 100;  // of components in components, and 
 constexpr std::string_view kPath =
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|path";
 
+constexpr std::array<std::string_view, 6> kUnits = {"micron", "millimeter", "centimeter",
+                                                    "inch",   "foot",       "meter"};
+
+/// Elements of extensions in whose place or beside which an object's triangles are not its shape.
+constexpr std::array<std::string_view, 4> kOtherShapes = {"beamlattice", "booleanshape",
+                                                          "displacementmesh", "levelset"};
+
 [[noreturn]] void fail(const std::string& message) { throw Error(Errc::parse_failed, message); }
 
 std::string_view required(const files::XmlAttributes& attributes, std::string_view name) {
@@ -147,9 +154,16 @@ class ModelReader {
       add_component(attributes);
     } else if (element == "item") {
       add_item(attributes);
+    } else if (std::ranges::find(kOtherShapes, element) != kOtherShapes.end()) {
+      fail("found the element '" + std::string(element) +
+           "', whose shape is not read, expected triangles and components");
     } else if (element == "model") {
       part_.is_model = true;
       part_.unit = attributes.find("unit").value_or("millimeter");
+      if (std::ranges::find(kUnits, part_.unit) == kUnits.end()) {
+        fail("found the unit " + text::quoted(part_.unit) +
+             ", expected micron, millimeter, centimeter, inch, foot or meter");
+      }
     }
   }
 

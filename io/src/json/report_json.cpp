@@ -3,6 +3,12 @@
 #include "json/json_value.h"
 
 namespace dupin {
+
+bool is_measured(const Report& report) {
+  return report.count(Defect::non_finite_point) == 0 &&
+         report.count(Defect::point_out_of_range) == 0;
+}
+
 namespace json {
 namespace {
 
@@ -147,8 +153,8 @@ Json json_value(const Report& report) {
           {"components", report.components},
           {"euler_number", report.euler_number},
           {"genus", report.genus},
-          {"volume", report.volume},
-          {"area", report.area},
+          {"volume", is_measured(report) ? Json(report.volume) : Json(nullptr)},
+          {"area", is_measured(report) ? Json(report.area) : Json(nullptr)},
           {"counts", counts_json(report)},
           {"findings", list(report.findings)},
           {"shells", list(report.shells)}};

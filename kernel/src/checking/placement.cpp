@@ -278,9 +278,10 @@ PlacedMesh placed(const TriMesh& mesh, const Placement& placement) {
       continue;
     }
     const Point exact = placement.place(point);
+    const bool was_in_range = is_in_range(point);
     point = nearest_point(exact).array() + 0.0;
-    if (!point.allFinite()) {
-      refuse("a point is put out of the range of doubles");
+    if (was_in_range ? !is_in_range(point) : !point.allFinite()) {
+      refuse("a point is put out of range: " + range_fault(point));
     }
     const Point held = rational(point);
     if (held != exact) {

@@ -1,7 +1,9 @@
 #include "healing/polygon_soup.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 #include "arrangement/arrange.h"
 #include "mesh/coincident_points.h"
@@ -14,24 +16,47 @@ namespace {
 
 void turn(Triangle& t) { std::swap(t[1], t[2]); }
 
-// Shells of negative volume that an even number of others encloses.
-std::vector<std::uint32_t> faces_inside_out(const PolygonSoup& soup) {
+using Faces = std::vector<std::uint32_t>;
+
+int volume_sign(const PolygonSoup& soup, const mesh::Shells& shells, std::size_t shell) {
+  std::vector<Triangle> faces;
+  for (const std::uint32_t face : shells.faces_of(shell)) {
+    faces.push_back(soup.triangles[face]);
+  }
+  return mesh::volume_sign({soup.points, faces});
+}
+
+// Shells of negative volume that an even number of others encloses, and those right inside of one
+// of these that face it as a cavity's wall does.
+Faces faces_inside_out(const PolygonSoup& soup) {
   const mesh::EdgeTable edges(soup.triangles, soup.points.size());
   const mesh::Shells shells = mesh::shells(soup.triangles.size(), edges);
   const mesh::MeshView mesh(soup.points, soup.triangles);
   const std::vector<int> depths = mesh::nesting_depths(mesh, shells);
-  std::vector<std::uint32_t> to_turn;
+  std::vector<std::size_t> outer, cavities;
   for (std::size_t shell = 0; shell < shells.count; ++shell) {
-    std::vector<Triangle> faces;
-    for (const std::uint32_t face : shells.faces_of(shell)) {
-      faces.push_back(soup.triangles[face]);
-    }
-    if (depths[shell] % 2 == 0 && mesh::volume_sign({soup.points, faces}) < 0) {
-      const auto of_shell = shells.faces_of(shell);
-      to_turn.insert(to_turn.end(), of_shell.begin(), of_shell.end());
+    const int sign = volume_sign(soup, shells, shell);
+    if (depths[shell] % 2 == 0 && sign < 0) {
+      outer.push_back(shell);
+    } else if (depths[shell] % 2 != 0 && sign > 0) {
+      cavities.push_back(shell);
     }
   }
-  return to_turn;
+  std::vector<std::size_t> to_turn = outer;
+  if (!outer.empty() && !cavities.empty()) {
+    const mesh::ShellNest nest(mesh, shells);
+    std::ranges::copy_if(cavities, std::back_inserter(to_turn), [&](std::size_t inner) {
+      return std::ranges::any_of(outer, [&](std::size_t shell) {
+        return depths[shell] + 1 == depths[inner] && nest.encloses(shell, inner);
+      });
+    });
+  }
+  Faces faces;
+  for (const std::size_t shell : to_turn) {
+    const auto of_shell = shells.faces_of(shell);
+    faces.insert(faces.end(), of_shell.begin(), of_shell.end());
+  }
+  return faces;
 }
 
 }  // namespace

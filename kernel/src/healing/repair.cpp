@@ -22,8 +22,10 @@ namespace {
 using mesh::Edge;
 using mesh::EdgeTable;
 
-void refuse_no_mesh(const TriMesh& mesh) {
-  const Report report = check(mesh, {.limit = 1, .self_intersections = false});
+// Refuses what is no mesh; of others returns what is wrong but for self-intersections, which may
+// be very many.
+Report inspected(const TriMesh& mesh) {
+  Report report = check(mesh, {.limit = 1, .self_intersections = false});
   const bool is_mesh = report.count(Defect::non_finite_point) +
                            report.count(Defect::point_out_of_range) +
                            report.count(Defect::bad_index) ==
@@ -35,10 +37,14 @@ void refuse_no_mesh(const TriMesh& mesh) {
   if (!is_mesh || !is_labelled) {
     (void)Solid::from(mesh);  // says what is wrong
   }
+  return report;
 }
 
 // None if it is no solid as it is, whatever it lacks.
-std::optional<Solid> proved(const TriMesh& mesh) {
+std::optional<Solid> proved(const TriMesh& mesh, const Report& report) {
+  if (!report.is_solid()) {
+    return std::nullopt;
+  }
   try {
     return Solid::from(mesh);
   } catch (const Error& error) {
@@ -48,6 +54,24 @@ std::optional<Solid> proved(const TriMesh& mesh) {
     }
     return std::nullopt;
   }
+}
+
+// The mended soup as a solid, if it neither crosses nor touches itself: then no arrangement is
+// needed, which compares all triangles about a point. Sources name faces of the mesh.
+std::optional<mesh::ExactMesh> proved(const healing::PolygonSoup& soup, const TriMesh& mesh) {
+  TriMesh surface{soup.points, soup.triangles, {}, mesh.names};
+  for (std::size_t i = 0; !mesh.labels.empty() && i < soup.sources.size(); ++i) {
+    surface.labels.push_back(mesh.labels[soup.sources[i]]);
+  }
+  const auto solid = proved(surface, inspected(surface));
+  if (!solid || !solid->exact().contacts.empty()) {
+    return std::nullopt;
+  }
+  mesh::ExactMesh exact = solid->exact();
+  for (Source& source : exact.sources) {
+    source.triangle = soup.sources[source.triangle];
+  }
+  return exact;
 }
 
 std::ptrdiff_t balance(const EdgeTable& edges, const Edge& edge) {
@@ -104,8 +128,7 @@ void refuse_holes(const healing::PolygonSoup& soup) {
 }  // namespace
 
 Repaired repair(const TriMesh& mesh, const Progress& progress) {
-  refuse_no_mesh(mesh);
-  if (auto solid = proved(mesh)) {
+  if (auto solid = proved(mesh, inspected(mesh))) {
     return {std::move(*solid), {}};
   }
   RepairReport report;
@@ -118,7 +141,8 @@ Repaired repair(const TriMesh& mesh, const Progress& progress) {
   refuse_holes(soup);
   report.turned_faces = healing::turn_shells_outward(soup, std::move(settled.is_turned));
 
-  mesh::ExactMesh solid = healing::wound_around(soup, mesh, progress);
+  auto plain = proved(soup, mesh);
+  mesh::ExactMesh solid = plain ? std::move(*plain) : healing::wound_around(soup, mesh, progress);
   report.united_overlaps = solid.triangles.size() != soup.triangles.size();
   return {Solid(std::make_shared<const mesh::ExactMesh>(std::move(solid))), report};
 }

@@ -2,7 +2,24 @@
 
 #include <algorithm>
 
+#include "boxes/box_quantizer.h"
+#include "boxes/box_tree.h"
+
 namespace dupin::mesh {
+namespace {
+
+std::vector<boxes::Box> framed(std::span<const Eigen::AlignedBox3d> all,
+                               const boxes::BoxQuantizer& quantizer) {
+  std::vector<boxes::Box> result;
+  result.reserve(all.size());
+  for (const Eigen::AlignedBox3d& box : all) {
+    const auto low = quantizer.map(box.min()), high = quantizer.map(box.max());
+    result.push_back(quantizer.around({low, high, high}));
+  }
+  return result;
+}
+
+}  // namespace
 
 double ray_cost(const MeshView& mesh, std::uint32_t face) {
   return bounds_of(mesh, face).sizes().tail<2>().sum();
@@ -50,12 +67,18 @@ std::vector<int> nesting_depths(const MeshView& mesh, const Shells& shells) {
     return depths;
   }
   const ShellNest nest(mesh, shells);
+  std::vector<Vec3> corners;
+  corners.reserve(2 * shells.count);
+  for (const Eigen::AlignedBox3d& box : nest.boxes()) {
+    corners.insert(corners.end(), {box.min(), box.max()});
+  }
+  const boxes::BoxQuantizer quantizer(corners);
+  const boxes::BoxTree tree(framed(nest.boxes(), quantizer));
   for (std::size_t inner = 0; inner < shells.count; ++inner) {
-    for (std::size_t outer = 0; outer < shells.count; ++outer) {
-      if (outer != inner && nest.encloses(outer, inner)) {
-        ++depths[inner];
-      }
-    }
+    const auto corner = quantizer.map(nest.boxes()[inner].min());
+    tree.visit(quantizer.around({corner, corner, corner}), [&](std::uint32_t outer) {
+      depths[inner] += outer != inner && nest.encloses(outer, inner) ? 1 : 0;
+    });
   }
   return depths;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -27,6 +28,9 @@ class ShellNest {
   /// share an area with; they may touch. Disjoint boxes cost nothing.
   [[nodiscard]] bool encloses(std::size_t outer, std::size_t inner) const;
 
+  /// Of each shell, in all its coordinates.
+  [[nodiscard]] std::span<const Eigen::AlignedBox3d> boxes() const { return boxes_; }
+
  private:
   [[nodiscard]] std::uint32_t test_face(std::size_t shell) const;
 
@@ -37,6 +41,7 @@ class ShellNest {
 };
 
 /// For each shell the number of other shells around it. The shells share no area and do not cross.
+/// O(n log n) and the triangles of those shells in whose boxes others are, for each of these.
 [[nodiscard]] std::vector<int> nesting_depths(const MeshView& mesh, const Shells& shells);
 
 }  // namespace dupin::mesh

@@ -8,7 +8,6 @@
 #include <tbb/parallel_invoke.h>
 
 #include "boxes/bounds.h"
-#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "mesh/coincident_points.h"
 #include "mesh/exact_mesh.h"
@@ -95,11 +94,13 @@ class Rounding {
     rounded_.largest = std::max(rounded_.largest, largest_of(options, past_.origin + origin_));
     step_ = lattice_.step(rounded_.largest);
     double_step_ = exact::FloatLattice(Coordinates::binary64).step(rounded_.largest);
-    tolerance_ = options.tolerance > 0 ? options.tolerance : kDefaultTolerance * step_;
+    tolerance_ = options.tolerance > 0 ? options.tolerance : usual_tolerance();
     past_.triangles = past_.triangles == 0 ? exact.triangles.size() : past_.triangles;
   }
 
   [[nodiscard]] double tolerance() const { return tolerance_; }
+  /// The one that is taken where none is asked for.
+  [[nodiscard]] double usual_tolerance() const { return kDefaultTolerance * step_; }
 
   /// What run() returns, and the shells to warn of.
   Rounded run_with_warnings() {
@@ -247,7 +248,8 @@ class Rounding {
         return std::move(*done);
       }
       if (reach == farthest) {
-        throw unroundable(broken.empty() ? doubles()[0] : mesh.point(mesh.triangle(broken[0])[0]));
+        throw unroundable(broken.empty() ? doubles()[0] : mesh.point(mesh.triangle(broken[0])[0]),
+                          alive.empty());
       }
       reach = std::min(kReachGrowth * reach, farthest);
       shells += remove_small_shells(mesh, broken, reach);
@@ -411,7 +413,7 @@ class Rounding {
   [[nodiscard]] double largest_move(double from_doubles) const;
   [[nodiscard]] double largest_move(const EditedMesh& repaired,
                                     std::span<const std::uint32_t> alive) const;
-  [[nodiscard]] Error unroundable(const Vec3& at) const;
+  [[nodiscard]] Error unroundable(const Vec3& at, bool is_nothing) const;
 
   const mesh::ExactMesh& exact_;
   const RoundingOptions& options_;
@@ -548,34 +550,33 @@ double Rounding::largest_move(double from_doubles) const {
   return (from_doubles + rounding + past_.distance()) * (1 + 0x1p-48);
 }
 
-Error Rounding::unroundable(const Vec3& at) const {
-  const bool is_far = boxes::bounds_of(doubles()).sizes().maxCoeff() < rounded_.largest;
-  return unroundable_error(at + origin_ + past_.origin, tolerance_, coordinates_, is_far);
+Error Rounding::unroundable(const Vec3& at, bool is_nothing) const {
+  return unroundable_error(
+      {.at = at + origin_ + past_.origin,
+       .tolerance = tolerance_,
+       .coordinates = coordinates_,
+       .is_far = boxes::bounds_of(doubles()).sizes().maxCoeff() < rounded_.largest,
+       .is_on_output_grid = options_.output_grid > 0 && step_ == options_.output_grid,
+       .is_nothing = is_nothing});
 }
 
 namespace {
 
-/// Found by trying a few, each of which ends.
-std::string larger_tolerance_text(const mesh::ExactMesh& solid, Coordinates coordinates,
-                                  RoundingOptions options, double tolerance) {
-  constexpr int kTries = 3;
-  for (int i = 0; i < kTries; ++i) {
-    tolerance *= kReachGrowth;
-    options.tolerance = tolerance;
-    try {
-      static_cast<void>(Rounding(solid, coordinates, options).run());
-      return " (" + decimal_at_most(tolerance) + " would do)";
-    } catch (const Error& error) {
-      if (error.code() != Errc::unroundable) {
-        throw;
-      }
+bool rounds(const mesh::ExactMesh& solid, Coordinates coordinates, RoundingOptions options,
+            double tolerance) {
+  options.tolerance = tolerance;
+  try {
+    static_cast<void>(Rounding(solid, coordinates, options).run());
+    return true;
+  } catch (const Error& error) {
+    if (error.code() != Errc::unroundable) {
+      throw;
     }
+    return false;
   }
-  return " (" + decimal_at_least(tolerance) + " would not do)";
 }
 
 }  // namespace
-
 }  // namespace dupin::rounding
 
 namespace dupin {
@@ -589,11 +590,10 @@ Rounded to_mesh(const Solid& solid, Coordinates coordinates, const RoundingOptio
     if (error.code() != Errc::unroundable) {
       throw;
     }
-    // The message ends by asking for a larger tolerance.
-    throw Error(error.code(),
-                error.message() + rounding::larger_tolerance_text(solid.exact(), coordinates,
-                                                                  options, rounding.tolerance()),
-                error.part(), error.where());
+    throw rounding::with_larger_tolerance(
+        error, rounding.tolerance(), rounding.usual_tolerance(), [&](double tolerance) {
+          return rounding::rounds(solid.exact(), coordinates, options, tolerance);
+        });
   }
 }
 

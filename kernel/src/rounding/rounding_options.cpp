@@ -2,11 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "boxes/bounds.h"
+#include "dupin/kernel/decimal.h"
 
 namespace dupin::rounding {
+namespace {
+
+constexpr std::string_view kLargerTolerance = "a larger tolerance";
+
+}  // namespace
 
 void validate(const RoundingOptions& options) {
   int exponent = 0;
@@ -47,19 +55,51 @@ double largest_of(const RoundingOptions& options, const Vec3& origin) {
                        : 0;
 }
 
-Error unroundable_error(const Vec3& at, double tolerance, Coordinates coordinates, bool is_far) {
-  std::ostringstream where, message;
-  where << "(" << at.x() << ", " << at.y() << ", " << at.z() << ")";
-  message << "no valid mesh with coordinates of the target format within the tolerance of "
-          << tolerance << "; what would help: ";
-  if (is_far) {
-    message << "recentring (origin auto), ";
+Error unroundable_error(const Unroundable& what) {
+  std::string message =
+      what.is_nothing
+          ? "rounding leaves nothing of the solid, which is smaller than the numbers of the target "
+            "format can tell"
+          : "no valid mesh with coordinates of the target format within the tolerance of " +
+                decimal(what.tolerance, kMessageDigits);
+  std::vector<std::string> remedies;
+  if (what.is_on_output_grid) {
+    remedies.emplace_back("a finer grid, or none");
+  } else {
+    if (what.is_far) {
+      remedies.emplace_back("recentring (origin auto)");
+    }
+    if (what.coordinates == Coordinates::binary32) {
+      remedies.emplace_back("a format that holds doubles (OFF, OBJ, PLY instead of STL)");
+    }
   }
-  if (coordinates == Coordinates::binary32) {
-    message << "a format that holds doubles (OFF, OBJ, PLY instead of STL), ";
+  if (!what.is_nothing) {
+    remedies.emplace_back(kLargerTolerance);
   }
-  message << "a larger tolerance";
-  return Error(Errc::unroundable, message.str(), {}, where.str());
+  for (std::size_t i = 0; i < remedies.size(); ++i) {
+    message += (i == 0 ? "; what may help: " : ", ") + remedies[i];
+  }
+  return Error(Errc::unroundable, message, {}, decimal(what.at));
+}
+
+Error with_larger_tolerance(const Error& error, double tolerance, double usual,
+                            const std::function<bool(double)>& would_do) {
+  if (!error.message().ends_with(kLargerTolerance)) {
+    return error;
+  }
+  constexpr double kGrowth = 4;
+  std::vector<double> tries;
+  for (double more = kGrowth * tolerance; more <= kGrowth * kGrowth * kGrowth * tolerance;
+       more *= kGrowth) {
+    tries.push_back(more);
+  }
+  if (usual > tries.back()) {
+    tries.push_back(usual);
+  }
+  const auto found = std::ranges::find_if(tries, would_do);
+  const std::string tried = found == tries.end() ? decimal_at_least(tries.back()) + " would not do"
+                                                 : decimal_at_most(*found) + " would do";
+  return Error(error.code(), error.message() + " (" + tried + ")", error.part(), error.where());
 }
 
 }  // namespace dupin::rounding

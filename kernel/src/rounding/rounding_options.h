@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "dupin/kernel/error.h"
@@ -18,10 +19,23 @@ void validate(const RoundingOptions& options);
 /// none.
 [[nodiscard]] double largest_of(const RoundingOptions& options, const Vec3& origin);
 
-/// There is no valid mesh on such coordinates within the tolerance, for what is at the place given;
-/// with the options that would help. `is_far`: the solid is smaller than its distance from the
-/// origin.
-[[nodiscard]] Error unroundable_error(const Vec3& at, double tolerance, Coordinates coordinates,
-                                      bool is_far);
+/// What there is to say of a solid that no mesh stands for on the numbers of a format.
+struct Unroundable {
+  Vec3 at = Vec3::Zero();  ///< a place where it fails
+  double tolerance = 0;
+  Coordinates coordinates = Coordinates::binary64;
+  bool is_far = false;             ///< the solid is smaller than its distance from the origin
+  bool is_on_output_grid = false;  ///< the numbers are those of RoundingOptions::output_grid
+  bool is_nothing = false;         ///< what rounding leaves has no triangle, whatever the tolerance
+};
+
+/// With the options that may help. Ends by asking for a larger tolerance, unless none helps.
+[[nodiscard]] Error unroundable_error(const Unroundable& what);
+
+/// The same error; where it asks for a larger tolerance than the one given, with one that would do,
+/// or with one that would not. Found by trying a few, each of which ends: larger ones, and last
+/// `usual`, which is taken where none is asked for.
+[[nodiscard]] Error with_larger_tolerance(const Error& error, double tolerance, double usual,
+                                          const std::function<bool(double)>& would_do);
 
 }  // namespace dupin::rounding

@@ -79,17 +79,25 @@ TEST(Glb, malformed_files_are_refused_with_their_place) {
           {changed("/accessors/0/componentType", 5125),
            "x.glb:/meshes/0/primitives/0/attributes/POSITION: found integers, expected floats"},
           {changed("/accessors/0/count", 5),
-           "x.glb:/accessors/0: found 5 entries, expected room for them in a buffer of 96 bytes"},
+           "x.glb:/accessors/0: found 5 entries of 12 bytes, 12 apart, expected room for them in a "
+           "view of 48 bytes"},
           {changed("/accessors/0/count", 4000000000U),
-           "x.glb:/accessors/0: found 4000000000 entries, expected room for them in a buffer of 96 "
-           "bytes"},
+           "x.glb:/accessors/0: found 4000000000 entries of 12 bytes, 12 apart, expected room for "
+           "them in a view of 48 bytes"},
           {changed("/accessors/1/count", 11),
            "x.glb:/meshes/0/primitives/0/indices: found 11 indices, expected integers, three per "
            "triangle"},
           {changed("/accessors/1/byteOffset", 4),
-           "x.glb:/accessors/1: found 12 entries, expected room for them in a buffer of 96 bytes"},
+           "x.glb:/accessors/1: found 12 entries of 4 bytes, 4 apart, expected room for them in a "
+           "view of 48 bytes"},
           {changed("/bufferViews/0/byteStride", 8),
-           "x.glb:/accessors/0: found 4 entries, expected room for them in a buffer of 96 bytes"},
+           "x.glb:/accessors/0: found 4 entries of 12 bytes, 8 apart, expected room for them in a "
+           "view of 48 bytes"},
+          {changed("/bufferViews/0/byteLength", 97),
+           "x.glb:/bufferViews/0: found 97 bytes from byte 0, expected room for them in a buffer "
+           "of 96 bytes"},
+          {changed("/buffers/0/uri", "other.bin"),
+           "x.glb:/buffers/0/uri: found a buffer elsewhere, expected the one inside"},
           {changed("/bufferViews/1/buffer", 1),
            "x.glb:/bufferViews/1/buffer: found another buffer, expected 0, the one inside"},
           {nan,

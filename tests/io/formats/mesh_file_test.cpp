@@ -33,6 +33,21 @@ TEST_F(MeshFile, the_content_tells_the_format) {
   }
 }
 
+TEST_F(MeshFile, limits_are_told_with_the_file) {
+  std::string text = "OFF\n20001 1 0\n", face = "20001";
+  for (int i = 0; i <= 20000; ++i) {
+    text += std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
+    face += " " + std::to_string(i);
+  }
+  try {
+    (void)read_mesh(text + face + "\n", "large.off");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::limit_exceeded);
+    EXPECT_EQ(error.where(), "large.off");
+  }
+}
+
 TEST_F(MeshFile, an_explicit_format_overrules_the_content) {
   const std::string text = mesh_bytes(test::tetrahedron(), kStlAscii);
   EXPECT_THROW((void)kStlBinary.read(text, "x"), Error);

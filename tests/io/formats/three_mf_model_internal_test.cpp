@@ -89,6 +89,17 @@ TEST(ThreeMf, malformed_models_are_refused_with_their_line) {
           {"<!DOCTYPE model>\n<model/>", "m:1: found a document type declaration, expected none"},
           {"<model name=\"\xff\"/>",
            "m:1: found faulty XML (not well-formed (invalid token)), expected valid XML"},
+          {"<model unit=\"parsec\"/>",
+           "m:1: found the unit 'parsec', expected micron, millimeter, centimeter, inch, foot or "
+           "meter"},
+          {"<model unit=\"\"/>",
+           "m:1: found the unit '', expected micron, millimeter, centimeter, inch, foot or meter"},
+          {object(vertex + "<b:beamlattice xmlns:b=\"urn:lattice\"/>"),
+           "m:2: found the element 'beamlattice', whose shape is not read, expected triangles and "
+           "components"},
+          {model("<object id=\"1\"><booleanshape objectid=\"2\"/></object>", ""),
+           "m:2: found the element 'booleanshape', whose shape is not read, expected triangles and "
+           "components"},
           {"<model/>garbage",
            "m:1: found faulty XML (junk after document element), expected valid XML"},
           {object("<vertex x=\"0\" y=\"0\"/>"), "m:2: found no attribute 'z', expected one"},

@@ -169,6 +169,14 @@ TEST(Placement, refuses_what_is_none_and_what_leaves_the_range) {
               }),
               Errc::invalid_argument)
         << factor;
+    TriMesh open = test::box({1, 1, 1}, {2, 2, 2});
+    open.triangles.pop_back();
+    EXPECT_EQ(code([&](Placement& p) {
+                p.scale(factor);
+                (void)placed(open, p);
+              }),
+              Errc::invalid_argument)
+        << factor;
   }
 }
 

@@ -116,6 +116,30 @@ std::vector<Row> rows() {
       {"some faces turned", with_turned(whole, {0, 5, 7}), 8, 1, 1, {.turned_faces = 3}},
       {"inside out", reversed(whole), 8, 1, 1, {.turned_faces = 12}},
       {"a void", joined({cube(0, 5), reversed(cube(1, 2))}), 124, 1, 2, {}},
+      {"a void, all inside out",
+       reversed(joined({cube(0, 5), reversed(cube(1, 2))})),
+       124,
+       1,
+       2,
+       {.turned_faces = 24}},
+      {"a block in a void, all inside out",
+       reversed(joined({cube(0, 9), reversed(cube(1, 5)), cube(2, 3)})),
+       729 - 64 + 1,
+       2,
+       3,
+       {.turned_faces = 36}},
+      {"a void, its outside inside out",
+       joined({reversed(cube(0, 5)), reversed(cube(1, 2))}),
+       124,
+       1,
+       2,
+       {.turned_faces = 12}},
+      {"a void beside one inside out",
+       joined({cube(0, 5), reversed(cube(1, 2)), reversed(cube(10, 15)), cube(11, 12)}),
+       248,
+       2,
+       4,
+       {.turned_faces = 24}},
       {"a block in a block",
        joined({cube(0, 5), cube(1, 2)}),
        125,
@@ -152,6 +176,38 @@ TEST(Repair, mends_what_can_be_mended_and_says_so) {
     again.points = repaired.solid.nearest_points();  // small integers, so exact
     again.triangles = repaired.solid.triangles();
     EXPECT_TRUE(check(again).is_solid());
+  }
+}
+
+// Comparing all pairs of copies, or of faces about one point, took over a minute.
+TEST(Repair, takes_no_longer_for_many_copies_or_many_pieces_of_an_edge) {
+  const std::vector<TriMesh> copies(5000, cube(0, 2));
+  const Repaired once = repair(joined(copies));
+  EXPECT_EQ(once.solid.exact_volume(), 8);
+  EXPECT_EQ(once.report.duplicate_faces, 12 * 4999U);
+  const Repaired divided = repair(with_fan(4096));
+  EXPECT_EQ(divided.solid.exact_volume(), 1024 * 1024 * 1024);
+  EXPECT_EQ(divided.report.degenerate_faces, 4095U);
+}
+
+// What is mended is proved as it is; sources and labels are then those of the faces it is from.
+TEST(Repair, keeps_sources_and_labels_of_what_needs_no_arrangement) {
+  TriMesh mesh =
+      unwelded(joined({test::labelled(cube(0, 2), "a"), test::labelled(cube(4, 6), "b")}));
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    mesh.labels.push_back(i < 12 ? 0 : 1);
+  }
+  mesh.names = {"a", "b"};
+  mesh.triangles.insert(mesh.triangles.begin(), Triangle{0, 0, 1});
+  mesh.labels.insert(mesh.labels.begin(), 1);
+  const Solid solid = repair(mesh).solid;
+  ASSERT_EQ(solid.triangle_count(), 24U);
+  for (std::size_t i = 0; i < solid.triangle_count(); ++i) {
+    const Source source = solid.sources()[i];
+    const Vec3 place = solid.nearest_points()[solid.triangles()[i][0]];
+    EXPECT_EQ(solid.labels()[i], place.x() <= 2 ? 0U : 1U);
+    EXPECT_EQ(source.operand, 0U);
+    EXPECT_EQ(mesh.labels[source.triangle], solid.labels()[i]);
   }
 }
 

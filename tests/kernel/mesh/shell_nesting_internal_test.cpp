@@ -1,3 +1,4 @@
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -97,6 +98,27 @@ TEST(ShellNesting, of_what_lies_in_a_hole_is_outside) {
   const EdgeTable edges(all.triangles, all.points.size());
   const Shells found = shells(all.triangles.size(), edges);
   EXPECT_EQ(nesting_depths({all.points, all.triangles}, found), (std::vector<int>{0, 0, 1}));
+}
+
+// Comparing all pairs of boxes took most of the time of a check. A point that no face has may be
+// anything.
+TEST(ShellNesting, of_many_shells_takes_no_time_for_those_apart) {
+  constexpr int kEdge = 32;
+  std::vector<TriMesh> meshes;
+  std::vector<int> expected;
+  for (int i = 0; i < kEdge * kEdge * kEdge; ++i) {
+    const Vec3 low(8 * (i % kEdge), 8 * (i / kEdge % kEdge), 8 * (i / kEdge / kEdge));
+    for (int depth = 0; depth < 1 + i % 3; ++depth) {
+      const Vec3 inset = Vec3::Constant(depth);
+      meshes.push_back(test::box(low + inset, low + Vec3::Constant(7) - inset));
+      expected.push_back(depth);
+    }
+  }
+  TriMesh all = test::joined(meshes);
+  all.points.push_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+  const EdgeTable edges(all.triangles, all.points.size());
+  const Shells found = shells(all.triangles.size(), edges);
+  EXPECT_EQ(nesting_depths({all.points, all.triangles}, found), expected);
 }
 
 TEST(ShellNesting, holds_where_shells_touch_in_a_corner) {

@@ -66,16 +66,59 @@ TEST(ChosenOrigin, of_a_piece_is_that_of_the_whole) {
   EXPECT_EQ(largest_of({}, Vec3(1, 2, 3)), 0);
 }
 
-TEST(UnroundableError, names_the_place_and_only_what_would_help) {
-  const Error near = unroundable_error(Vec3(1, 2, 3), 0.5, Coordinates::binary64, false);
+TEST(UnroundableError, names_the_place_and_only_what_may_help) {
+  const Error near = unroundable_error({.at = {1, 2, 3}, .tolerance = 0.5});
   EXPECT_EQ(near.code(), Errc::unroundable);
   EXPECT_THAT(near.what(), HasSubstr("(1, 2, 3)"));
   EXPECT_THAT(near.what(), HasSubstr("0.5"));
   EXPECT_THAT(near.what(), Not(HasSubstr("recentring")));
   EXPECT_THAT(near.what(), Not(HasSubstr("STL")));
-  const Error far = unroundable_error(Vec3(1, 2, 3), 0.5, Coordinates::binary32, true);
+  Unroundable what{.at = {1234567.25, 2, 3},
+                   .tolerance = 0.5,
+                   .coordinates = Coordinates::binary32,
+                   .is_far = true};
+  const Error far = unroundable_error(what);
+  EXPECT_EQ(far.where(), "(1234567.25, 2, 3)") << "a hundredth of a millimetre in a plant";
   EXPECT_THAT(far.what(), HasSubstr("recentring"));
   EXPECT_THAT(far.what(), HasSubstr("STL"));
+  EXPECT_TRUE(far.message().ends_with("a larger tolerance"));
+  what.is_on_output_grid = true;
+  const Error coarse = unroundable_error(what);
+  EXPECT_THAT(coarse.what(), HasSubstr("finer grid"));
+  EXPECT_THAT(coarse.what(), Not(HasSubstr("recentring")));
+  EXPECT_THAT(coarse.what(), Not(HasSubstr("STL")));
+  what.is_nothing = true;
+  EXPECT_THAT(unroundable_error(what).what(), HasSubstr("leaves nothing"));
+  EXPECT_THAT(unroundable_error(what).what(), Not(HasSubstr("tolerance")));
+}
+
+TEST(WithLargerTolerance, tries_a_few_and_the_usual_one) {
+  const Error error = unroundable_error({.at = {1, 2, 3}, .tolerance = 0.5});
+  std::vector<double> tried;
+  const auto above = [&](double least) {
+    return [&tried, least](double tolerance) {
+      tried.push_back(tolerance);
+      return tolerance > least;
+    };
+  };
+  EXPECT_TRUE(with_larger_tolerance(error, 0.5, 1000, above(5))
+                  .message()
+                  .ends_with("a larger tolerance (8 would do)"));
+  EXPECT_EQ(tried, (std::vector<double>{2, 8}));
+  tried.clear();
+  EXPECT_TRUE(with_larger_tolerance(error, 0.5, 1000, above(100))
+                  .message()
+                  .ends_with("a larger tolerance (1000 would do)"));
+  EXPECT_EQ(tried, (std::vector<double>{2, 8, 32, 1000}));
+  tried.clear();
+  EXPECT_TRUE(with_larger_tolerance(error, 0.5, 10, above(100))
+                  .message()
+                  .ends_with("a larger tolerance (32 would not do)"));
+  EXPECT_EQ(tried, (std::vector<double>{2, 8, 32}));
+  tried.clear();
+  const Error nothing = unroundable_error({.at = {1, 2, 3}, .is_nothing = true});
+  EXPECT_EQ(with_larger_tolerance(nothing, 0.5, 10, above(1)).message(), nothing.message());
+  EXPECT_TRUE(tried.empty());
 }
 
 }  // namespace

@@ -229,7 +229,7 @@ TEST(ToMesh, refuses_slits_wider_than_the_tolerance) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Errc::unroundable);
-    EXPECT_THAT(error.where(), HasSubstr(", 0.25)"));
+    EXPECT_EQ(error.where(), "(0, 0, 0.25000003)") << "to as many digits as tell a plant's places";
     EXPECT_THAT(error.message(), HasSubstr("larger tolerance"));
   }
 }
@@ -247,13 +247,43 @@ TEST(ToMesh, says_what_would_help_where_it_cannot) {
     EXPECT_THAT(error.message(), HasSubstr("doubles"));
     EXPECT_THAT(error.message(), HasSubstr("larger tolerance"));
   }
-  EXPECT_THROW(static_cast<void>(to_mesh(Solid::from(test::tetrahedron(Vec3(1e6, 0, 0), 1e-6)),
-                                         Coordinates::binary32)),
-               Error)
-      << "nothing would be left";
   EXPECT_THROW(static_cast<void>(to_mesh(Solid::from(test::tetrahedron(Vec3(0, 0, 0), 1e39)),
                                          Coordinates::binary32)),
                Error);
+}
+
+// No tolerance helps, so none is named: a cube that is far out, a tetrahedron that is small.
+TEST(ToMesh, says_so_where_nothing_would_be_left) {
+  for (const TriMesh& mesh :
+       {test::tetrahedron(Vec3(1e6, 0, 0), 1e-6), test::box(Vec3(1e9, 1, 1), Vec3(1e9 + 1, 2, 2)),
+        test::box(Vec3(0, 0, 0), Vec3(1e-50, 1e-50, 1e-50))}) {
+    try {
+      static_cast<void>(to_mesh(Solid::from(mesh), Coordinates::binary32));
+      ADD_FAILURE();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::unroundable);
+      EXPECT_THAT(error.message(), HasSubstr("leaves nothing"));
+      EXPECT_THAT(error.message(), HasSubstr("doubles"));
+      EXPECT_THAT(error.message(), testing::Not(HasSubstr("tolerance")));
+    }
+  }
+}
+
+// With the tolerance that is asked for, a grid keeps a thin tube from being rounded: neither
+// another origin nor another format would help, but the tolerance named would.
+TEST(ToMesh, names_a_tolerance_that_does_on_a_coarse_grid) {
+  const Solid solid = Solid::from(test::moved(test::tube(2, 0, 4, 64), Vec3(1e4, 2e3, -1e4)));
+  RoundingOptions options{.tolerance = 0x1p-12, .output_grid = 0.5};
+  try {
+    static_cast<void>(to_mesh(solid, Coordinates::binary32, options));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.message(), HasSubstr("a finer grid"));
+    EXPECT_THAT(error.message(), testing::Not(HasSubstr("doubles")));
+    EXPECT_THAT(error.message(), HasSubstr("a larger tolerance (512 would do)"));
+  }
+  options.tolerance = 512;
+  EXPECT_TRUE(check(to_mesh(solid, Coordinates::binary32, options).mesh()).is_solid());
 }
 
 TEST(ToMesh, refuses_senseless_options) {

@@ -170,6 +170,10 @@ struct PlacedDocumentReport {
   PlacementReport placement;
 };
 
+/// Whether the volume and the area of a report are those of the mesh. Of meshes with points that
+/// are not finite, or out of range, places are not looked at.
+[[nodiscard]] bool is_measured(const Report& report);
+
 /// JSON objects, indented by two, without a final line break; keys as in docs/cli.md. Numbers are
 /// the shortest decimals that read back to the same double, null where not finite. Always the same
 /// text for the same value.

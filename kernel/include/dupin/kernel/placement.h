@@ -70,7 +70,9 @@ struct PlacedMesh {
   double largest_move = 0;
 };
 
-/// Any mesh there. What of it was closed and free of self-intersection need not stay so.
+/// Any mesh there. What of it was closed and free of self-intersection need not stay so. Throws
+/// Error{invalid_argument} for coordinates that leave their range, or that of doubles if they were
+/// not in it.
 [[nodiscard]] PlacedMesh placed(const TriMesh& mesh, const Placement& placement);
 
 }  // namespace dupin

@@ -26,8 +26,9 @@ struct Repaired {
 /// A solid from a mesh that is none, by steps that move nothing and invent nothing: merges points
 /// of identical coordinates; drops faces without area (the neighbour across the longest edge takes
 /// the corner on it) and copies of faces; turns faces to agree with most of those they hang
-/// together with, and shells inside out that no other one is around; keeps the places that the
-/// surface then winds around a positive number of times. Sources name the faces of `mesh`.
+/// together with, and shells inside out that no other one is around, with the walls of the cavities
+/// in them; keeps the places that the surface then winds around a positive number of times. Sources
+/// name the faces of `mesh`.
 ///
 /// Holes are never filled. Throws Error{invalid_argument} for what is no mesh (points that
 /// are not finite or out of range, bad indices or labels), Error{not_closed | not_oriented} where
