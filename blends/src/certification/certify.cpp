@@ -319,7 +319,9 @@ class Certifier {
     for (const CertifiedFillet& fillet : result_.fillets) {
       fillet_of.insert(fillet_of.end(), fillet.loops.size(), &fillet);
     }
-    const std::size_t boxes = std::min(options_.boxes, kBoxesOfLoop), parts = sweeps_.size();
+    const std::size_t parts = sweeps_.size();
+    const certification::ClearanceGoals goals{std::min(options_.boxes, kBoxesOfLoop),
+                                              assembly_.tolerance};
     const auto pairs = loop_pairs();
     work_.allow(kWorkOfPair * pairs.size());
     for (const auto& [first, second] : pairs) {
@@ -327,12 +329,14 @@ class Certifier {
       if (first >= parts) {
         append_fillet_clearance(
             first, second,
-            certification::prove_clearance(loops[first - parts], arcs[first - parts], loops[k],
-                                           arcs[k], boxes));
+            certification::prove_clearance(
+                certification::SweptLoop{loops[first - parts], arcs[first - parts]},
+                {loops[k], arcs[k]}, goals));
       } else if (std::ranges::count(fillet_of[k]->between, first) == 0) {
-        append_fillet_clearance(
-            first, second,
-            certification::prove_clearance(sweeps_[first], loops[k], arcs[k], boxes));
+        append_fillet_clearance(first, second,
+                                certification::prove_clearance(
+                                    certification::SweptPart{checker_.solid(first), sweeps_[first]},
+                                    {loops[k], arcs[k]}, goals));
       }
     }
   }

@@ -245,7 +245,8 @@ bool has_form(const EmbeddedClaim& claim) {
 
 bool has_form(const ClearanceClaim& claim) {
   const bool is_separated = claim.verdict == Verdict::proved && !claim.overlap;
-  return is_bound(claim.distance) &&
+  return is_bound(claim.distance) && is_bound(claim.corner) &&
+         (claim.corner == 0 || (is_separated && claim.distance == 0)) &&
          (is_separated || (claim.leaves.empty() && claim.distance == 0)) &&
          (claim.verdict != Verdict::undecided || !claim.overlap);
 }
@@ -294,7 +295,7 @@ bool follows(const Solid& first, const Solid& second, const std::vector<JoinedEn
              const ClearanceClaim& claim) {
   const bool joined = !joints.empty();
   // No leaves at all cover the discs of a part of which nothing is known.
-  if (!has_form(claim) || claim.verdict == Verdict::undecided ||
+  if (!has_form(claim) || claim.verdict == Verdict::undecided || claim.corner != 0 ||
       std::min(first.length(), second.length()) == 0) {
     return false;
   }
