@@ -137,10 +137,7 @@ class Certifier {
     if (sweep.length() == 0) {
       return result;
     }
-    result.regular = checker_.agreed(certification::prove_regular(chain, options_.margin));
-    if (result.regular->verdict == Verdict::proved) {
-      result.embedded = embedded(sweep, *result.regular);
-    }
+    // First, for without it there is no certificate.
     for (std::size_t i = 0; i < chain.pieces.size(); ++i) {
       for (const auto end : {End::start, End::end}) {
         result.tangency.push_back(checker_.agreed(
@@ -148,6 +145,10 @@ class Certifier {
                        chain.pieces[i]),
             i, end, assembly_.tolerance));
       }
+    }
+    result.regular = checker_.agreed(certification::prove_regular(chain, options_.margin));
+    if (result.regular->verdict == Verdict::proved) {
+      result.embedded = embedded(sweep, *result.regular);
     }
     return result;
   }
