@@ -137,10 +137,7 @@ class Certifier {
     if (sweep.length() == 0) {
       return result;
     }
-    result.regular = checker_.agreed(certification::prove_regular(chain, options_.margin));
-    if (result.regular->verdict == Verdict::proved) {
-      result.embedded = embedded(sweep, *result.regular);
-    }
+    // First, for without it there is no certificate.
     for (std::size_t i = 0; i < chain.pieces.size(); ++i) {
       for (const auto end : {End::start, End::end}) {
         result.tangency.push_back(checker_.agreed(
@@ -148,6 +145,10 @@ class Certifier {
                        chain.pieces[i]),
             i, end, assembly_.tolerance));
       }
+    }
+    result.regular = checker_.agreed(certification::prove_regular(chain, options_.margin));
+    if (result.regular->verdict == Verdict::proved) {
+      result.embedded = embedded(sweep, *result.regular);
     }
     return result;
   }
@@ -319,7 +320,9 @@ class Certifier {
     for (const CertifiedFillet& fillet : result_.fillets) {
       fillet_of.insert(fillet_of.end(), fillet.loops.size(), &fillet);
     }
-    const std::size_t boxes = std::min(options_.boxes, kBoxesOfLoop), parts = sweeps_.size();
+    const std::size_t parts = sweeps_.size();
+    const certification::ClearanceGoals goals{std::min(options_.boxes, kBoxesOfLoop),
+                                              assembly_.tolerance};
     const auto pairs = loop_pairs();
     work_.allow(kWorkOfPair * pairs.size());
     for (const auto& [first, second] : pairs) {
@@ -327,12 +330,14 @@ class Certifier {
       if (first >= parts) {
         append_fillet_clearance(
             first, second,
-            certification::prove_clearance(loops[first - parts], arcs[first - parts], loops[k],
-                                           arcs[k], boxes));
+            certification::prove_clearance(
+                certification::SweptLoop{loops[first - parts], arcs[first - parts]},
+                {loops[k], arcs[k]}, goals));
       } else if (std::ranges::count(fillet_of[k]->between, first) == 0) {
-        append_fillet_clearance(
-            first, second,
-            certification::prove_clearance(sweeps_[first], loops[k], arcs[k], boxes));
+        append_fillet_clearance(first, second,
+                                certification::prove_clearance(
+                                    certification::SweptPart{checker_.solid(first), sweeps_[first]},
+                                    {loops[k], arcs[k]}, goals));
       }
     }
   }

@@ -96,18 +96,21 @@ TangencyClaim CheckedClaims::agreed(TangencyClaim claim, std::size_t piece, End 
   const auto follows = [&] {
     return holds(0, [&] { return verification::follows(its, claim, end); });
   };
-  if (!follows() && claim.curvature) {
+  lacks_work_ = false;
+  bool is_so = follows();
+  if (!is_so && claim.curvature) {
     const double proven = *claim.curvature, size = 1 / its.start.radius;
-    for (double room = 0x1p-50; room < 1 && !follows(); room *= 4) {
+    for (double room = 0x1p-50; room < 1 && !is_so; room *= 4) {
       claim.curvature = proven * (1 + room) + room * size;
+      is_so = follows();
     }
-    if (!follows()) {
+    if (!is_so) {
       claim.curvature.reset();
+      is_so = follows();
     }
   }
   const Ring& ring = end == End::end ? its.end : its.start;
-  lacks_work_ = false;
-  if (!follows() || !verification::is_near(claim, ring, tolerance)) {
+  if (!is_so || !verification::is_near(claim, ring, tolerance)) {
     if (lacks_work_) {
       throw Error(Errc::limit_exceeded,
                   "to check how its pieces meet takes more work than a certificate may; choose "
@@ -123,7 +126,11 @@ TangencyClaim CheckedClaims::agreed(TangencyClaim claim, std::size_t piece, End 
 
 std::optional<MeshClaim> CheckedClaims::agreed(MeshClaim claim, std::uint32_t part) {
   const double proven = claim.error_bound;
+  lacks_work_ = false;
   for (const double room : {0x1p-20, 0x1p-6, 0x1p-4, 0x1p-2, 1.0}) {
+    if (lacks_work_) {
+      break;  // a looser bound would take no less
+    }
     claim.error_bound = proven * (1 + room);
     if (holds(verification::work_for(claim),
               [&] { return verification::follows(solids_[part], claim); })) {

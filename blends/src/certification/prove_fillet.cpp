@@ -228,25 +228,32 @@ double size_of(const CanalFillet& loop) {
          loop.quadrics[1].center.norm() + loop.quadrics[1].radius;
 }
 
-// The finest of the claims that holds.
-ContactClaim finest_contact(const CanalFillet& loop, double finest, double coarsest) {
-  for (double share = finest; share <= coarsest; share *= 4) {
-    const ContactClaim claim{share * size_of(loop), share};
-    if (verification::follows(loop, claim)) {
-      return claim;
+// The finest of the claims that holds: of the angle first, which far from the origin rounding hides
+// sooner than the distance.
+ContactClaim finest_contact(const CanalFillet& loop, const ContactClaim& finest,
+                            const ContactClaim& coarsest) {
+  ContactClaim claim{coarsest.offset, finest.deviation};
+  while (!verification::follows(loop, claim)) {
+    claim.deviation *= 4;
+    if (claim.deviation > coarsest.deviation) {
+      throw Error(Errc::invalid_argument,
+                  "the ball that rolls along it is further from the pipes than the tolerance");
     }
   }
-  throw Error(Errc::invalid_argument,
-              "the ball that rolls along it is further from the pipes than the tolerance");
+  for (double offset = finest.offset; offset < coarsest.offset; offset *= 4) {
+    if (verification::follows(loop, {offset, claim.deviation})) {
+      return {offset, claim.deviation};
+    }
+  }
+  return claim;
 }
 
 ContactClaim prove_contact(const CanalFillet& loop, double tolerance) {
-  constexpr double kFinest = 0x1p-48;
-  const double coarsest = std::exp2(std::ceil(std::log2(tolerance / size_of(loop))) - 1);
+  constexpr double kFinest = 0x1p-48, kCoarsestAngle = 0x1p-12;
+  const ContactClaim finest{kFinest * size_of(loop), kFinest}, coarsest{tolerance, kCoarsestAngle};
   ContactClaim claim;
-  for (const double finest : {kFinest, coarsest}) {
-    if (ends_within(kWork * 2 / 3,
-                    [&] { claim = finest_contact(loop, std::min(finest, coarsest), coarsest); })) {
+  for (const ContactClaim& from : {finest, coarsest}) {
+    if (ends_within(kWork * 2 / 3, [&] { claim = finest_contact(loop, from, coarsest); })) {
       return claim;
     }
   }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -34,6 +36,8 @@ DiscHull hull_of(const std::vector<ArcCell>& cells, const ParameterInterval& t) 
   }
   return result;
 }
+
+constexpr std::size_t kTries = 64;  // boxes, before what else may hold is looked for
 
 // Feet and middles of arcs along the loop.
 std::vector<PlacedPoint> points_of(const LoopArcs& arcs) {
@@ -66,21 +70,24 @@ Vec3 way_from_corner(const LoopArcs& arcs, const ParameterInterval& t) {
   return (is_before ? -1 : 1) * motion.normalized();
 }
 
-// Leaves near the corners that two loops share, and planes elsewhere.
+// Leaves near corners that two surfaces have in common, and planes elsewhere.
 class MeetingSearch {
  public:
-  MeetingSearch(const LoopArcs& first, const SweptDiscs& first_sweep, const LoopArcs& second,
-                const SweptDiscs& second_sweep, std::size_t boxes)
-      : first_(first),
-        second_(second),
-        first_sweep_(first_sweep),
-        second_sweep_(second_sweep),
-        boxes_(boxes) {}
+  // Directions that may tell two stretches apart in a corner, and how far apart that corner is
+  // then.
+  struct Corners {
+    std::function<std::vector<Vec3>(const DiscPairs&)> directions;
+    std::function<double(const DiscPairs&)> gap;
+  };
+
+  MeetingSearch(const SweptDiscs& first, const SweptDiscs& second, Corners corners,
+                const ClearanceGoals& goals)
+      : first_(first), second_(second), corners_(std::move(corners)), goals_(goals) {}
 
   ClearanceClaim run() {
     ClearanceClaim claim;
-    for (const ParameterInterval& a : first_sweep_.stretches()) {
-      for (const ParameterInterval& b : second_sweep_.stretches()) {
+    for (const ParameterInterval& a : first_.stretches()) {
+      for (const ParameterInterval& b : second_.stretches()) {
         if (!settle({a, b, {}}, kDepth)) {
           return claim;
         }
@@ -88,6 +95,7 @@ class MeetingSearch {
     }
     claim.verdict = Verdict::proved;
     claim.leaves = std::move(leaves_);
+    claim.corner = corner_;
     return claim;
   }
 
@@ -95,16 +103,19 @@ class MeetingSearch {
   static constexpr int kDepth = 30;
 
   bool settle(DiscPairs pair, int depth) {
-    if (looked_at_++ > boxes_ || depth == 0 || first_sweep_.is_out_of_work()) {
+    if (looked_at_++ > goals_.boxes || depth == 0 || first_.is_out_of_work()) {
       return false;
     }
-    pair.direction = way_from_corner(second_, pair.second) - way_from_corner(first_, pair.first);
-    if (pair.direction->norm() > 0 && verification::part_at_corner(first_, second_, pair)) {
-      leaves_.push_back(pair);
-      return true;
+    for (const Vec3& direction : corners_.directions(pair)) {
+      pair.direction = direction;
+      const double gap = corners_.gap(pair);
+      if (gap <= goals_.corner) {
+        corner_ = std::max(corner_, gap);
+        leaves_.push_back(pair);
+        return true;
+      }
     }
-    const Separation apart =
-        separation(first_sweep_.over(pair.first), second_sweep_.over(pair.second));
+    const Separation apart = separation(first_.over(pair.first), second_.over(pair.second));
     if (apart.distance > 0) {
       pair.direction = apart.direction;
       leaves_.push_back(pair);
@@ -116,11 +127,44 @@ class MeetingSearch {
            settle({b, c, {}}, depth - 1) && settle({b, d, {}}, depth - 1);
   }
 
-  const LoopArcs &first_, &second_;
-  const SweptDiscs &first_sweep_, &second_sweep_;
-  std::size_t boxes_, looked_at_ = 0;
+  const SweptDiscs &first_, &second_;
+  Corners corners_;
+  ClearanceGoals goals_;
+  std::size_t looked_at_ = 0;
+  double corner_ = 0;
   std::vector<DiscPairs> leaves_;
 };
+
+ClearanceClaim prove_meeting(const SweptLoop& first, const SweptLoop& second,
+                             const ClearanceGoals& goals) {
+  const auto directions = [&](const DiscPairs& pair) {
+    const Vec3 d =
+        way_from_corner(second.arcs, pair.second) - way_from_corner(first.arcs, pair.first);
+    return d.norm() > 0 ? std::vector{d} : std::vector<Vec3>();
+  };
+  const auto gap = [&](const DiscPairs& pair) {
+    return verification::gap_at_corner(first.arcs, second.arcs, pair);
+  };
+  return MeetingSearch(first.sweep, second.sweep, {directions, gap}, goals).run();
+}
+
+// A part meets corners with the disc that it ends in.
+ClearanceClaim prove_meeting(const SweptPart& part, const SweptLoop& loop,
+                             const ClearanceGoals& goals) {
+  std::vector<Vec3> outward;
+  for (const Ring& ring : part.sweep.end_rings()) {
+    outward.push_back(ring.normal);
+  }
+  const auto directions = [&](const DiscPairs&) { return outward; };
+  const auto gap = [&](const DiscPairs& pair) {
+    return verification::gap_at_corner(part.solid, loop.arcs, pair);
+  };
+  return MeetingSearch(part.sweep, loop.sweep, {directions, gap}, goals).run();
+}
+
+bool has_corners(const LoopArcs& arcs) {
+  return verification::has_corner(*arcs.loop, 0) || verification::has_corner(*arcs.loop, 1);
+}
 
 }  // namespace
 
@@ -130,30 +174,42 @@ SweptDiscs swept_arcs(const LoopArcs& arcs, SearchWork* work) {
 }
 
 // At a point in common first: what overlaps never comes apart.
-ClearanceClaim prove_clearance(const SweptDiscs& part, const LoopArcs& arcs, const SweptDiscs& loop,
-                               std::size_t boxes) {
-  constexpr std::size_t kTries = 64;
-  if (part.length() == 0 || loop.length() == 0) {
+ClearanceClaim prove_clearance(const SweptPart& part, const SweptLoop& loop,
+                               const ClearanceGoals& goals) {
+  if (part.sweep.length() == 0 || loop.sweep.length() == 0) {
     return {};
   }
-  ClearanceClaim claim = prove_clearance(part, loop, std::min(boxes, kTries));
+  ClearanceClaim claim = prove_clearance(part.sweep, loop.sweep, std::min(goals.boxes, kTries));
   if (claim.verdict != Verdict::proved) {
-    claim.overlap = overlap(part, points_of(arcs));
+    claim.overlap = overlap(part.sweep, points_of(loop.arcs));
     claim.verdict = claim.overlap ? Verdict::proved : Verdict::undecided;
   }
-  return claim.verdict == Verdict::proved || boxes <= kTries ? claim
-                                                             : prove_clearance(part, loop, boxes);
+  if (claim.verdict != Verdict::proved && has_corners(loop.arcs)) {
+    claim = prove_meeting(part, loop, goals);
+  }
+  return claim.verdict == Verdict::proved || goals.boxes <= kTries
+             ? claim
+             : prove_clearance(part.sweep, loop.sweep, goals.boxes);
 }
 
-ClearanceClaim prove_clearance(const LoopArcs& first, const SweptDiscs& first_sweep,
-                               const LoopArcs& second, const SweptDiscs& second_sweep,
-                               std::size_t boxes) {
-  if (first_sweep.length() == 0 || second_sweep.length() == 0) {
+ClearanceClaim prove_clearance(const SweptLoop& first, const SweptLoop& second,
+                               const ClearanceGoals& goals) {
+  if (first.sweep.length() == 0 || second.sweep.length() == 0) {
     return {};
   }
-  return verification::share_corners(*first.loop, *second.loop)
-             ? MeetingSearch(first, first_sweep, second, second_sweep, boxes).run()
-             : prove_clearance(first_sweep, second_sweep, boxes);
+  if (verification::share_corners(*first.arcs.loop, *second.arcs.loop)) {
+    return prove_meeting(first, second, {goals.boxes, 0});
+  }
+  if (has_corners(first.arcs) && has_corners(second.arcs)) {
+    const ClearanceClaim claim =
+        prove_clearance(first.sweep, second.sweep, std::min(goals.boxes, kTries));
+    const ClearanceClaim meeting =
+        claim.verdict == Verdict::proved ? claim : prove_meeting(first, second, goals);
+    if (meeting.verdict == Verdict::proved) {
+      return meeting;
+    }
+  }
+  return prove_clearance(first.sweep, second.sweep, goals.boxes);
 }
 
 }  // namespace dupin::certification

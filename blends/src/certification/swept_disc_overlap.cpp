@@ -22,19 +22,21 @@ double height(const DiscHull& disc, const Vec3& point) {
                                      .lower;
 }
 
-// Whether the point is proven to lie inside a disc of the stretch.
+// Whether the point is proven to lie inside a disc of the stretch, by more than what the checker's
+// rounding may hide.
 bool crosses(const SweptDiscs& sweep, const ParameterInterval& t, const Vec3& point) {
   const DiscHull discs = sweep.over(t), first = sweep.over({t.from, t.from}),
                  last = sweep.over({t.to, t.to});
   const numbers::IntervalVec p = numbers::interval_vec(point);
-  const bool passes = discs.tangents.empty() ||
-                      (numbers::dot(p - first.centers.front(), first.tangents.front()).lower > 0 &&
-                       numbers::dot(p - last.centers.back(), last.tangents.back()).upper < 0);
-  return passes &&
-         std::all_of(
-             discs.centers.begin(), discs.centers.end(), [&](const numbers::IntervalVec& center) {
-               return numbers::norm(p - center).upper < discs.radius.lower * (1 - kDiscSlack);
-             });
+  const double room = kDiscSlack * (point.norm() + discs.radius.upper);
+  const bool passes =
+      discs.tangents.empty() ||
+      (numbers::dot(p - first.centers.front(), first.tangents.front()).lower > room &&
+       numbers::dot(p - last.centers.back(), last.tangents.back()).upper < -room);
+  return passes && std::all_of(discs.centers.begin(), discs.centers.end(),
+                               [&](const numbers::IntervalVec& center) {
+                                 return numbers::norm(p - center).upper + room < discs.radius.lower;
+                               });
 }
 
 // Where the planes of a sweep's discs are thought to pass a point. Discs and boxes about stretches

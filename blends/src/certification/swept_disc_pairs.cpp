@@ -108,6 +108,12 @@ struct Pair {
   ParameterInterval first, second;
 };
 
+// Neighbours along a part of many pieces need so many for each.
+std::size_t boxes_of_runs(const SweptDiscs& sweep) {
+  constexpr std::size_t kBoxesOfPiece = 32;
+  return sweep.has_runs() ? kBoxesOfPiece * std::size_t(sweep.length()) : 0;
+}
+
 using ShortWay = std::function<bool(const Pair&)>;
 
 // Leaves that cover the pairs, each by a short way or a plane between; none when the limit of work
@@ -116,10 +122,11 @@ std::optional<std::vector<DiscPairs>> leaves_of(const SweptDiscs& first, const S
                                                 std::vector<Pair> stack, const ShortWay& is_short,
                                                 std::size_t boxes) {
   std::vector<DiscPairs> leaves;
+  boxes += boxes_of_runs(first) + boxes_of_runs(second);
   for (std::size_t looked_at = 0; !stack.empty(); ++looked_at) {
     const Pair pair = stack.back();
     stack.pop_back();
-    if (is_short(pair)) {
+    if (std::max(size(pair.first), size(pair.second)) <= 1 && is_short(pair)) {
       leaves.push_back({pair.first, pair.second, {}});
       continue;
     }
@@ -190,7 +197,7 @@ EmbeddedClaim prove_embedded(const SweptDiscs& sweep, double margin, std::size_t
   }
   EmbeddedClaim claim;
   std::vector<Pair> stack;
-  const auto pieces = sweep.stretches();
+  const auto pieces = sweep.roots();
   for (std::size_t i = pieces.size(); i-- > 0;) {
     for (std::size_t j = pieces.size(); j-- > i;) {
       stack.push_back({pieces[i], pieces[j]});
@@ -220,8 +227,8 @@ ClearanceClaim prove_joint(const SweptDiscs& first, const SweptDiscs& second,
                            const std::vector<JoinedEnds>& joints, std::size_t boxes) {
   ClearanceClaim claim;
   std::vector<Pair> stack;
-  for (const auto& a : first.stretches()) {
-    for (const auto& b : second.stretches()) {
+  for (const auto& a : first.roots()) {
+    for (const auto& b : second.roots()) {
       stack.push_back({a, b});
     }
   }
@@ -260,8 +267,8 @@ ClearanceClaim prove_clearance(const SweptDiscs& first, const SweptDiscs& second
     return a.apart.distance > b.apart.distance;
   };
   std::vector<Box> heap;
-  for (const auto& a : first.stretches()) {
-    for (const auto& b : second.stretches()) {
+  for (const auto& a : first.roots()) {
+    for (const auto& b : second.roots()) {
       heap.push_back(box(first, second, a, b));
     }
   }

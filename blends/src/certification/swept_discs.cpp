@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "surfaces/surface_piece.h"
 
@@ -20,7 +22,33 @@ void include(const Sphere& ball, std::vector<numbers::IntervalVec>::iterator at,
   hull.cosine = 0;
 }
 
+// Of fewer pieces each pair is looked at.
+constexpr std::size_t kManyPieces = 16;
+
+bool is_run(const ParameterInterval& t) { return t.to - t.from > 1; }
+
+// Of the pieces's discs, in quarters; infinite where nothing is known.
+Eigen::AlignedBox3d box_of(const surfaces::PieceDiscs& piece) {
+  constexpr int kQuarters = 4;
+  Eigen::AlignedBox3d box;
+  for (int i = 0; i < kQuarters; ++i) {
+    const DiscHull hull = piece.hull(part_of({0, 1}, i, kQuarters));
+    const Vec3 around = Vec3::Constant(hull.radius.upper);
+    for (const numbers::IntervalVec& c : hull.centers) {
+      box.extend(Vec3(Vec3(c[0].lower, c[1].lower, c[2].lower) - around));
+      box.extend(Vec3(Vec3(c[0].upper, c[1].upper, c[2].upper) + around));
+    }
+  }
+  return box;
+}
+
 }  // namespace
+
+std::pair<ParameterInterval, ParameterInterval> halves(const ParameterInterval& t) {
+  const double middle = is_run(t) ? t.from + std::floor((t.to - t.from) / 2) : 0;
+  return is_run(t) ? std::pair(ParameterInterval{t.from, middle}, ParameterInterval{middle, t.to})
+                   : surfaces::halves(t);
+}
 
 SweptDiscs::SweptDiscs(const Sphere& sphere, SearchWork* work) : work_(work), sphere_(sphere) {}
 
@@ -36,6 +64,10 @@ SweptDiscs::SweptDiscs(const Chain& chain, SearchWork* work)
     }
     pieces_.push_back(std::visit([](const auto& p) { return surfaces::discs(p); }, piece));
     full_ = full_ && pieces_.back().full;
+  }
+  if (pieces_.size() >= kManyPieces && !has_kneecaps_) {
+    spend(4 * pieces_.size());
+    std::ranges::transform(pieces_, std::back_inserter(boxes_), box_of);
   }
   if (!closed_ && !pieces_.empty()) {
     end_rings_ = {end_ring(chain, End::start), end_ring(chain, End::end)};
@@ -63,6 +95,10 @@ std::vector<ParameterInterval> SweptDiscs::stretches() const {
   return result;
 }
 
+std::vector<ParameterInterval> SweptDiscs::roots() const {
+  return boxes_.empty() ? stretches() : std::vector{ParameterInterval{0, length()}};
+}
+
 std::size_t SweptDiscs::piece_of(const ParameterInterval& t) const {
   return std::min(std::size_t(t.from), pieces_.size() - 1);
 }
@@ -73,8 +109,28 @@ void SweptDiscs::spend(std::uint64_t units) const {
   }
 }
 
+// The box's rounding is what kDiscSlack leaves to rounding. A direction of no meaning: it is
+// divided.
+DiscHull SweptDiscs::over_run(const ParameterInterval& t) const {
+  Eigen::AlignedBox3d box;
+  for (auto i = std::size_t(t.from); i < std::size_t(t.to); ++i) {
+    box.extend(boxes_[i]);
+  }
+  if (!box.min().allFinite() || !box.max().allFinite()) {
+    return {{{}}, {{}}, Vec3::UnitX(), 0, {0, std::numeric_limits<double>::infinity()}, 0};
+  }
+  DiscHull hull{{}, {numbers::interval_vec(Vec3::UnitX())}, Vec3::UnitX(), 0, 0, 0};
+  for (int i = 0; i < 8; ++i) {
+    hull.centers.push_back(numbers::interval_vec(box.corner(Eigen::AlignedBox3d::CornerType(i))));
+  }
+  return hull;
+}
+
 DiscHull SweptDiscs::over(const ParameterInterval& t) const {
   spend(1);
+  if (is_run(t)) {
+    return over_run(t);
+  }
   if (sphere_) {
     return {{numbers::interval_vec(sphere_->center)}, {}, Vec3::Zero(), 0, sphere_->radius, 0};
   }

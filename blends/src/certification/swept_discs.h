@@ -2,7 +2,10 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "certification/search_work.h"
 #include "dupin/blends/certificate.h"
@@ -20,10 +23,12 @@ namespace dupin::certification {
 
 using surfaces::DiscHull;
 using surfaces::DiscPace;
-using surfaces::halves;
 using surfaces::size;
 using surfaces::support;
 using surfaces::support_point;
+
+/// A run of whole pieces, between two of them; a shorter stretch in its middle.
+[[nodiscard]] std::pair<ParameterInterval, ParameterInterval> halves(const ParameterInterval& t);
 
 /// The discs of a part, in outward rounded arithmetic. Parameters are in [0, length()], whole
 /// numbers being the seams of a chain; a ball's are in [0, 1]. Of a chain with kneecaps the discs
@@ -49,12 +54,16 @@ class SweptDiscs {
   [[nodiscard]] bool full() const { return full_; }
   /// One for each piece, or for the ball.
   [[nodiscard]] std::vector<ParameterInterval> stretches() const;
+  /// There are so many pieces that runs of them are looked at, too.
+  [[nodiscard]] bool has_runs() const { return !boxes_.empty(); }
+  /// What searches begin with: the same, or all of many pieces at once.
+  [[nodiscard]] std::vector<ParameterInterval> roots() const;
   /// The searches have to end.
   [[nodiscard]] bool is_out_of_work() const { return work_ != nullptr && work_->is_used_up(); }
   /// The stored rings of its ends, if it has any.
   [[nodiscard]] const std::vector<Ring>& end_rings() const { return end_rings_; }
 
-  /// Requires no seam inside t.
+  /// Requires no seam inside t, or whole pieces: of these the discs are in a box.
   [[nodiscard]] DiscHull over(const ParameterInterval& t) const;
 
   /// Whether the discs at any two parameters in t are disjoint because t has no seam and the spine
@@ -66,12 +75,14 @@ class SweptDiscs {
 
  private:
   [[nodiscard]] std::size_t piece_of(const ParameterInterval& t) const;
+  [[nodiscard]] DiscHull over_run(const ParameterInterval& t) const;
 
   void spend(std::uint64_t units) const;
 
   SearchWork* work_;
   std::optional<Sphere> sphere_;
   std::vector<surfaces::PieceDiscs> pieces_;
+  std::vector<Eigen::AlignedBox3d> boxes_;  ///< of the pieces, where there are many
   std::vector<Ring> end_rings_;
   std::vector<Sphere> knees_;
   bool closed_ = false, full_ = true, has_kneecaps_ = false;

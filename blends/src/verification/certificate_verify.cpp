@@ -280,7 +280,7 @@ bool is_pair(const PartPair& pair, const Loops& loops, std::size_t parts) {
          (first >= parts || !is_on(*loops.fillets[second - parts], first));
 }
 
-void verify_fillet_clearance(const std::vector<Solid>& solids, const Loops& loops,
+void verify_fillet_clearance(const std::vector<Solid>& solids, const Loops& loops, double tolerance,
                              const PartPair& pair, const ClearanceClaim* claim) {
   const std::size_t parts = solids.size();
   const std::uint32_t first = pair[0], second = pair[1];
@@ -290,18 +290,21 @@ void verify_fillet_clearance(const std::vector<Solid>& solids, const Loops& loop
                          : follows(loops.arcs[first - parts], arcs, *claim);
   };
   require(claim != nullptr && PartPair{claim->first, claim->second} == pair &&
-              (is_undecided(claim->verdict) ? has_form(*claim) : holds()),
+              (is_undecided(claim->verdict) ? has_form(*claim) : holds()) &&
+              claim->corner <= tolerance,
           loops.fillets[place_of(pair, parts)[0]]->name, "clearance");
 }
 
 void verify_all_fillet_pairs(const std::vector<Solid>& solids, const Loops& loops,
-                             const std::vector<ClearanceClaim>& claims) {
+                             const Certificate& certificate) {
+  const auto& claims = certificate.fillet_clearances;
   const auto parts = std::uint32_t(solids.size()),
              surfaces = parts + std::uint32_t(loops.arcs.size());
   std::size_t next = 0;
   const auto verify = [&](const PartPair& pair) {
     if (is_pair(pair, loops, parts)) {
-      verify_fillet_clearance(solids, loops, pair, next < claims.size() ? &claims[next] : nullptr);
+      verify_fillet_clearance(solids, loops, certificate.tolerance, pair,
+                              next < claims.size() ? &claims[next] : nullptr);
       ++next;
     }
   };
@@ -328,12 +331,12 @@ void verify_near_fillet_pairs(const std::vector<Solid>& solids, const Loops& loo
     const PartPair pair{claim.first, claim.second};
     require(is_pair(pair, loops, parts) && (!before || *before < place_of(pair, parts)), "",
             "clearance");
-    verify_fillet_clearance(solids, loops, pair, &claim);
+    verify_fillet_clearance(solids, loops, certificate.tolerance, pair, &claim);
     missing += missing != near.end() && *missing == pair ? 1 : 0;
     before = place_of(pair, parts);
   }
   if (missing != near.end()) {
-    verify_fillet_clearance(solids, loops, *missing, nullptr);
+    verify_fillet_clearance(solids, loops, certificate.tolerance, *missing, nullptr);
   }
 }
 
@@ -362,7 +365,7 @@ void verify(const Certificate& certificate) {
     verification::verify_near_pairs(solids, certificate, hub_pairs);
   }
   if (certificate.apart == 0 || fillets.arcs.empty()) {
-    verification::verify_all_fillet_pairs(solids, fillets, certificate.fillet_clearances);
+    verification::verify_all_fillet_pairs(solids, fillets, certificate);
   } else {
     verification::verify_near_fillet_pairs(solids, fillets, certificate);
   }

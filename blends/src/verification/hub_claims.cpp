@@ -129,7 +129,8 @@ bool keeps_outside(const Solid& arm, const ParameterInterval& t, const Sphere& h
 
 bool follows_at_hub(const Solid& arm, const Sphere& hub, const ClearanceClaim& claim) {
   return has_form(claim) && claim.verdict == Verdict::proved && !claim.overlap &&
-         claim.distance == 0 && covered({0, arm.length()}, {0, 1}, claim.leaves, false) &&
+         claim.distance == 0 && claim.corner == 0 &&
+         covered({0, arm.length()}, {0, 1}, claim.leaves, false) &&
          std::all_of(claim.leaves.begin(), claim.leaves.end(), [&](const DiscPairs& leaf) {
            return !leaf.direction && is_stretch(leaf.first, arm.length()) &&
                   is_stretch(leaf.second, 1) && keeps_outside(arm, leaf.first, hub);

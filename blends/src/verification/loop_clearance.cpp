@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <variant>
+#include <vector>
 
 #include "verification/admitted.h"
 #include "verification/covering.h"
@@ -12,6 +14,7 @@ namespace dupin::verification {
 namespace {
 
 constexpr double kLength = 2;  // of a loop
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool is_leaf(const ParameterInterval& t) { return is_stretch(t, kLength) && t.from < t.to; }
 
@@ -26,6 +29,11 @@ bool are_apart(const Interval& behind, const Interval& front, const IntervalVec&
 bool is_separated(const ClearanceClaim& claim, bool meet) {
   return has_form(claim) && claim.verdict == Verdict::proved && !claim.overlap &&
          (meet ? claim.distance == 0 : claim.distance > 0);
+}
+
+// Corners that are so near to each other that the claim counts them as one.
+bool is_at_corner(const ClearanceClaim& claim, double gap) {
+  return claim.corner > 0 && gap <= claim.corner;
 }
 
 // The corner in which a stretch ends, and whether it comes before it.
@@ -44,6 +52,22 @@ std::optional<AtCorner> corner_of(const CanalFillet& loop, const ParameterInterv
   return std::nullopt;
 }
 
+// Which hold the arcs, on that side of a corner, in which they become a point but for rounding.
+std::vector<IntervalVec> corner_points(const CanalFillet& loop, const AtCorner& at) {
+  constexpr double kNext = 0x1p-52;
+  const double end = at.corner == 0 && at.is_before ? kLength : at.corner;
+  const auto arcs = contact_arcs(loop, at.is_before ? ParameterInterval{end - kNext, end}
+                                                    : ParameterInterval{end, end + kNext});
+  return arcs ? std::vector<IntervalVec>(arcs->corners.begin(), arcs->corners.end())
+              : std::vector<IntervalVec>();
+}
+
+// Whether all arcs of a stretch move along d on their way from the corner.
+bool moves_from(const LoopArcs& loop, const ParameterInterval& t, const AtCorner& at,
+                const Vec3& d) {
+  return moves_along(cells_of(loop.cells, t), numbers::interval_vec(at.is_before ? Vec3(-d) : d));
+}
+
 }  // namespace
 
 bool share_corners(const CanalFillet& first, const CanalFillet& second) {
@@ -56,14 +80,39 @@ bool share_corners(const CanalFillet& first, const CanalFillet& second) {
          a->above == b->above && a->radius == b->radius;
 }
 
-bool part_at_corner(const LoopArcs& first, const LoopArcs& second, const DiscPairs& leaf) {
+double gap_at_corner(const LoopArcs& first, const LoopArcs& second, const DiscPairs& leaf) {
   const auto one = corner_of(*first.loop, leaf.first), other = corner_of(*second.loop, leaf.second);
-  if (!leaf.direction || !one || !other || one->corner != other->corner) {
-    return false;
+  if (!leaf.direction || !one || !other ||
+      !moves_from(first, leaf.first, *one, Vec3(-*leaf.direction)) ||
+      !moves_from(second, leaf.second, *other, *leaf.direction)) {
+    return kInfinity;
   }
-  const IntervalVec d = numbers::interval_vec(*leaf.direction), back = Interval(-1) * d;
-  return moves_along(cells_of(first.cells, leaf.first), one->is_before ? d : back) &&
-         moves_along(cells_of(second.cells, leaf.second), other->is_before ? back : d);
+  if (share_corners(*first.loop, *second.loop)) {
+    return one->corner == other->corner ? 0 : kInfinity;
+  }
+  const auto from = corner_points(*first.loop, *one), to = corner_points(*second.loop, *other);
+  double gap = from.empty() || to.empty() ? kInfinity : 0;
+  for (const IntervalVec& a : from) {
+    for (const IntervalVec& b : to) {
+      gap = std::max(gap, numbers::norm(b - a).upper);
+    }
+  }
+  return gap;
+}
+
+double gap_at_corner(const Solid& part, const LoopArcs& loop, const DiscPairs& leaf) {
+  const auto corner = corner_of(*loop.loop, leaf.second);
+  if (!leaf.direction || !corner || !moves_from(loop, leaf.second, *corner, *leaf.direction)) {
+    return kInfinity;
+  }
+  const IntervalVec d = numbers::interval_vec(*leaf.direction);
+  const Interval length = numbers::norm(d), reach = furthest(part, leaf.first, d, 1);
+  const auto points = corner_points(*loop.loop, *corner);
+  double gap = points.empty() || !(length.lower > 0) ? kInfinity : 0;
+  for (const IntervalVec& point : points) {
+    gap = std::max(gap, ((reach - numbers::dot(point, d)) / length).upper);
+  }
+  return gap;
 }
 
 bool follows(const Overlap& overlap, const Solid& part, const CanalFillet& loop) {
@@ -90,7 +139,7 @@ bool follows(const Solid& part, const LoopArcs& loop, const ClearanceClaim& clai
   }
   constexpr int kCells = 4;
   // No leaves at all cover the discs of a part of which nothing is known.
-  return is_separated(claim, false) && !loop.cells.empty() && part.length() > 0 &&
+  return is_separated(claim, claim.corner > 0) && !loop.cells.empty() && part.length() > 0 &&
          covered({0, part.length()}, {0, kLength}, claim.leaves, false) &&
          std::ranges::all_of(claim.leaves, [&](const DiscPairs& leaf) {
            if (!has_leaf(part, leaf.first) || !is_leaf(leaf.second) || !leaf.direction ||
@@ -100,13 +149,15 @@ bool follows(const Solid& part, const LoopArcs& loop, const ClearanceClaim& clai
            const IntervalVec d = numbers::interval_vec(*leaf.direction);
            const double front = furthest(cells_of(loop.cells, leaf.second), Interval(-1) * d);
            return are_apart(furthest(part, leaf.first, d, 1), front, d, claim.distance) ||
-                  are_apart(furthest(part, leaf.first, d, kCells), front, d, claim.distance);
+                  are_apart(furthest(part, leaf.first, d, kCells), front, d, claim.distance) ||
+                  is_at_corner(claim, gap_at_corner(part, loop, leaf));
          });
 }
 
 bool follows(const LoopArcs& first, const LoopArcs& second, const ClearanceClaim& claim) {
-  const bool meet = share_corners(*first.loop, *second.loop);
-  return is_separated(claim, meet) && !first.cells.empty() && !second.cells.empty() &&
+  const bool share = share_corners(*first.loop, *second.loop);
+  return is_separated(claim, share || claim.corner > 0) && !(share && claim.corner > 0) &&
+         !first.cells.empty() && !second.cells.empty() &&
          covered({0, kLength}, {0, kLength}, claim.leaves, false) &&
          std::ranges::all_of(claim.leaves, [&](const DiscPairs& leaf) {
            if (!is_leaf(leaf.first) || !is_leaf(leaf.second) || !leaf.direction ||
@@ -117,7 +168,8 @@ bool follows(const LoopArcs& first, const LoopArcs& second, const ClearanceClaim
            return are_apart(furthest(cells_of(first.cells, leaf.first), d),
                             furthest(cells_of(second.cells, leaf.second), Interval(-1) * d), d,
                             claim.distance) ||
-                  (meet && part_at_corner(first, second, leaf));
+                  (share && gap_at_corner(first, second, leaf) == 0) ||
+                  is_at_corner(claim, gap_at_corner(first, second, leaf));
          });
 }
 

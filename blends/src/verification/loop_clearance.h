@@ -21,10 +21,15 @@ struct LoopArcs {
 /// Whether both have the same corners: they are the two loops of pipes that touch.
 [[nodiscard]] bool share_corners(const CanalFillet& first, const CanalFillet& second);
 
-/// Whether all arcs of the first stretch, which ends in a corner that the loops share, are behind
-/// that, and those of the second one in front of it.
-[[nodiscard]] bool part_at_corner(const LoopArcs& first, const LoopArcs& second,
-                                  const DiscPairs& leaf);
+/// How far apart at most the corners are in which the stretches end, if all arcs of the first one
+/// are behind its corner, and those of the second one in front of its own; infinite if not. 0 for
+/// loops that share their corners.
+[[nodiscard]] double gap_at_corner(const LoopArcs& first, const LoopArcs& second,
+                                   const DiscPairs& leaf);
+
+/// How far at most the part's stretch reaches, along the direction, beyond the corner in which the
+/// loop's ends, if all arcs of that are in front of the corner; infinite if not.
+[[nodiscard]] double gap_at_corner(const Solid& part, const LoopArcs& loop, const DiscPairs& leaf);
 
 /// A place on the loop, one of both feet or the middle of the arc, such that it and the point
 /// are inside discs of the part.

@@ -22,20 +22,9 @@ Box joined(const Box& a, const Box& b) {
 }
 
 Box box_of(const Solid& solid) {
-  constexpr double kStretches = 4;  // of a piece
   std::vector<Box> boxes;
-  for (double t = 0; t < kStretches * solid.length(); ++t) {
-    const auto discs = solid.discs({t / kStretches, (t + 1) / kStretches});
-    if (!discs) {
-      return everywhere();
-    }
-    const double radius = discs->radius.magnitude();
-    for (const IntervalVec& center : discs->centers) {
-      Box& box = boxes.emplace_back();
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.at(k) = center.at(k) + Interval(-radius, radius);
-      }
-    }
+  for (double i = 0; i < solid.length(); ++i) {
+    boxes.push_back(box_of_piece(solid, i));
   }
   for (const Sphere& knee : solid.knees()) {
     Box& box = boxes.emplace_back();

@@ -7,6 +7,7 @@
 
 #include "verification/admitted.h"
 #include "verification/covering.h"
+#include "verification/work.h"
 
 namespace dupin::verification {
 
@@ -15,6 +16,14 @@ namespace {
 double furthest_disc(const Solid& solid, const ParameterInterval& t, const IntervalVec& w,
                      int cells) {
   double result = -std::numeric_limits<double>::infinity();
+  if (solid.is_run(t)) {
+    constexpr std::uint64_t kBoxesOfUnit = 4;
+    spend(1 + std::uint64_t(t.to - t.from) / kBoxesOfUnit);
+    for (auto i = std::size_t(t.from); i < std::size_t(t.to); ++i) {
+      result = std::max(result, numbers::dot(solid.boxes()[i], w).upper);
+    }
+    return result;
+  }
   for (int i = 0; i < cells; ++i) {
     const auto discs = solid.discs({std::lerp(t.from, t.to, double(i) / cells),
                                     std::lerp(t.from, t.to, double(i + 1) / cells)});
@@ -226,14 +235,15 @@ bool is_short_way(const Solid& first, const Solid& second, const std::vector<Joi
 
 bool has_leaf(const Solid& solid, const ParameterInterval& t) {
   return t.from < t.to && is_stretch(t, solid.length()) &&
-         (solid.ball() != nullptr || solid.piece(t) != nullptr);
+         (solid.ball() != nullptr || solid.piece(t) != nullptr || solid.is_run(t));
 }
 
 namespace {
 
 bool has_leaf(const Solid& first, const Solid& second, const DiscPairs& leaf) {
+  const bool have_runs = first.is_run(leaf.first) || second.is_run(leaf.second);
   return has_leaf(first, leaf.first) && has_leaf(second, leaf.second) &&
-         (!leaf.direction || is_point(*leaf.direction));
+         (leaf.direction ? is_point(*leaf.direction) : !have_runs);
 }
 
 }  // namespace
@@ -245,7 +255,8 @@ bool has_form(const EmbeddedClaim& claim) {
 
 bool has_form(const ClearanceClaim& claim) {
   const bool is_separated = claim.verdict == Verdict::proved && !claim.overlap;
-  return is_bound(claim.distance) &&
+  return is_bound(claim.distance) && is_bound(claim.corner) &&
+         (claim.corner == 0 || (is_separated && claim.distance == 0)) &&
          (is_separated || (claim.leaves.empty() && claim.distance == 0)) &&
          (claim.verdict != Verdict::undecided || !claim.overlap);
 }
@@ -294,7 +305,7 @@ bool follows(const Solid& first, const Solid& second, const std::vector<JoinedEn
              const ClearanceClaim& claim) {
   const bool joined = !joints.empty();
   // No leaves at all cover the discs of a part of which nothing is known.
-  if (!has_form(claim) || claim.verdict == Verdict::undecided ||
+  if (!has_form(claim) || claim.verdict == Verdict::undecided || claim.corner != 0 ||
       std::min(first.length(), second.length()) == 0) {
     return false;
   }

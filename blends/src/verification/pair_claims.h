@@ -28,7 +28,7 @@ struct JoinedEnds {
 [[nodiscard]] bool crosses(const Solid& solid, const ParameterInterval& t,
                            const numbers::IntervalVec& box);
 
-/// Whether it is a stretch of one piece, or of a ball.
+/// Whether it is a stretch of one piece, or of a ball, or a run of whole pieces.
 [[nodiscard]] bool has_leaf(const Solid& solid, const ParameterInterval& t);
 
 /// Whether a claim that is proved or refuted follows from the part's numbers; `regular` is known to

@@ -45,6 +45,39 @@ std::optional<Discs> Solid::discs(const ParameterInterval& t) const {
   return found != nullptr ? discs_of(*found, within_piece(t)) : std::nullopt;
 }
 
+bool Solid::is_run(const ParameterInterval& t) const {
+  return !has_kneecaps_ && 0 <= t.from && t.to <= length() && t.from == std::floor(t.from) &&
+         t.to == std::floor(t.to) && t.to - t.from > 1;
+}
+
+const std::vector<IntervalVec>& Solid::boxes() const {
+  for (auto i = double(boxes_.size()); i < length(); ++i) {
+    boxes_.push_back(box_of_piece(*this, i));
+  }
+  return boxes_;
+}
+
+IntervalVec box_of_piece(const Solid& solid, double i) {
+  constexpr double kQuarters = 4;
+  std::optional<IntervalVec> box;
+  for (double k = 0; k < kQuarters; ++k) {
+    const auto discs = solid.discs({i + k / kQuarters, i + (k + 1) / kQuarters});
+    if (!discs) {
+      return {Interval::whole(), Interval::whole(), Interval::whole()};
+    }
+    const double radius = discs->radius.magnitude();
+    for (const IntervalVec& center : discs->centers) {
+      IntervalVec here = center;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        here.at(axis) = here.at(axis) + Interval(-radius, radius);
+        here.at(axis) = box ? hull(box->at(axis), here.at(axis)) : here.at(axis);
+      }
+      box = here;
+    }
+  }
+  return *box;
+}
+
 std::vector<Sphere> knees_at(const Solid& solid, const ParameterInterval& t) {
   std::vector<Sphere> result;
   const std::vector<Sphere>& knees = solid.knees();

@@ -26,6 +26,11 @@ class Solid {
   [[nodiscard]] bool is_full() const { return is_full_; }
   /// The piece that has the stretch; none if no single one does.
   [[nodiscard]] const Piece* piece(const ParameterInterval& t) const;
+  /// Whether it is a run of several whole pieces, of a chain without kneecaps.
+  [[nodiscard]] bool is_run(const ParameterInterval& t) const;
+  /// Axis-parallel boxes of the discs of each piece; found when they are first asked for, which is
+  /// not for several threads at once.
+  [[nodiscard]] const std::vector<IntervalVec>& boxes() const;
   /// Of a stretch within one piece; none where the numbers do not tell.
   [[nodiscard]] std::optional<Discs> discs(const ParameterInterval& t) const;
 
@@ -34,8 +39,13 @@ class Solid {
   std::optional<Sphere> ball_;
   std::vector<Sphere> knees_;
   double wall_ = 0;
+  mutable std::vector<IntervalVec> boxes_;
   bool closed_ = false, is_full_ = true, has_kneecaps_ = false;
 };
+
+/// A box of the discs on quarters of a piece, the number i being its place; everywhere where the
+/// numbers do not tell.
+[[nodiscard]] IntervalVec box_of_piece(const Solid& solid, double i);
 
 /// The balls of the joints with kneecaps that the stretch touches.
 [[nodiscard]] std::vector<Sphere> knees_at(const Solid& solid, const ParameterInterval& t);

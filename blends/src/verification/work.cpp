@@ -51,8 +51,9 @@ std::uint64_t work_for_boxes(std::size_t parts) {
 }
 
 std::uint64_t work_for(const CertifiedPart& part, const PartClaims& claims) {
-  constexpr std::uint64_t kNumbersOfPiece = 32;  // two rings, a spine and a radius; four bounds
-  constexpr std::uint64_t kNumbersOfTurn = 64;   // looks at a spine, from end to end
+  constexpr std::uint64_t kNumbersOfPiece =
+      64;  // two rings, a spine and a radius; four bounds, of which the ends are looked at exactly
+  constexpr std::uint64_t kNumbersOfTurn = 64;  // looks at a spine, from end to end
   const auto* chain = std::get_if<Chain>(&part.shape);
   std::uint64_t numbers = 0;
   for (const dupin::Piece& piece : chain != nullptr ? chain->pieces : std::vector<dupin::Piece>()) {

@@ -219,7 +219,8 @@ ClearanceClaim clearance(const JsonNode& node, const char* between, std::uint32_
           verdict(node.at("verdict")),
           node.at("distance").number(),
           list<DiscPairs>(node.at("leaves"), disc_pairs),
-          overlap(node.at("overlap"))};
+          overlap(node.at("overlap")),
+          node.has("corner") ? node.at("corner").number() : 0};
 }
 
 // Throws at the first key, in any depth, that the value as it was understood, which is as it would

@@ -153,11 +153,15 @@ Json json_value(const PartClaims& claims) {
 }
 
 Json json_value(const ClearanceClaim& claim, const char* between) {
-  return {{between, {claim.first, claim.second}},
-          {"verdict", name(claim.verdict)},
-          {"distance", claim.distance},
-          {"leaves", json_value(claim.leaves)},
-          {"overlap", json_value(claim.overlap)}};
+  Json object{{between, {claim.first, claim.second}},
+              {"verdict", name(claim.verdict)},
+              {"distance", claim.distance},
+              {"leaves", json_value(claim.leaves)},
+              {"overlap", json_value(claim.overlap)}};
+  if (claim.corner != 0) {
+    object["corner"] = claim.corner;
+  }
+  return object;
 }
 
 Json json_value(const ClearanceClaim& claim) { return json_value(claim, "parts"); }
@@ -279,7 +283,8 @@ std::string certificate_summary_json(const Certificate& certificate) {
           {certificate.surface_name(claim.first), certificate.surface_name(claim.second)}},
          {"verdict", name(claim.verdict)},
          {"overlap", claim.overlap.has_value()},
-         {"distance", claim.distance}});
+         {"distance", claim.distance},
+         {"corner", claim.corner}});
   }
   return json::text({{"document", certificate.document},
                      {"unit", symbol(certificate.unit)},

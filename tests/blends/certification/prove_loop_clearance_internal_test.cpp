@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "certification/prove_loop_clearance.h"
@@ -51,6 +53,34 @@ TEST(ProveLoopClearance, tells_what_touches_fillets) {
   EXPECT_FALSE(claim_of(certificate, "lug", "throats").overlap);
   EXPECT_GT(claim_of(certificate, "throats", "throats").distance, 3);
   EXPECT_GT(claim_of(certificate, "throat", "throats").distance, 3);
+}
+
+// Equal pipes, of which two end opposite in the third: the loops meet in the corners, where each
+// touches the end of the other's branch.
+TEST(ProveLoopClearance, tells_what_meets_in_corners) {
+  for (const double degrees : {90., 60., 35.}) {
+    for (const double far : {0., 1.7e6}) {
+      const double angle = degrees * std::numbers::pi / 180;
+      const Vec3 at = far * Vec3(1, -0.3, 0.123),
+                 along = far > 0 ? Vec3(1, 2, -0.5).normalized() : Vec3(1, 0, 0),
+                 across = std::cos(angle) * along + std::sin(angle) * along.unitOrthogonal();
+      const Certificate certificate = certify(
+          assembly({pipe("run", at - 60 * along, at + 60 * along, 4),
+                    pipe("there", at, at + 60 * across, 4), pipe("back", at, at - 60 * across, 4),
+                    fillet("throat", "run", "there", 0.6), fillet("other", "run", "back", 0.5)}));
+      verify(certificate);
+      EXPECT_EQ(certificate.findings(), 0U) << degrees << ' ' << far;
+      for (const auto& loops : certificate.fillet_claims) {
+        EXPECT_LT(loops.front().contact.offset, 1e-13 * (1 + far) * 60) << "whatever the angle is";
+      }
+      ASSERT_EQ(certificate.fillet_clearances.size(), 3U);
+      for (const ClearanceClaim& claim : certificate.fillet_clearances) {
+        EXPECT_EQ(claim.distance, 0);
+        EXPECT_GT(claim.corner, 0);
+        EXPECT_LT(claim.corner, 1e-13 * (1 + far) * 60);
+      }
+    }
+  }
 }
 
 Assembly header(int branches) {

@@ -157,6 +157,36 @@ TEST(SweptDiscPairs, parts_that_come_back_beside_themselves_are_embedded) {
             true));
 }
 
+// Straight pieces one after the other.
+Chain long_chain(int pieces, double height) {
+  std::vector<RingedSurface> all;
+  for (double i = 0; i < pieces; ++i) {
+    all.push_back(cylinder(Vec3(i, 0, height), Vec3(i + 1, 0, height), 0.25));
+  }
+  return Chain(all);
+}
+
+// Of many pieces, not all pairs are looked at.
+TEST(SweptDiscPairs, of_many_pieces_take_as_many_leaves) {
+  for (const int pieces : {64, 700}) {
+    const Chain low = long_chain(pieces, 0), high = long_chain(pieces, 2);
+    const EmbeddedClaim embedded = prove_embedded(SweptDiscs(low), 0.5, kBoxes);
+    EXPECT_EQ(embedded.verdict, Verdict::proved);
+    EXPECT_LT(embedded.leaves.size(), std::size_t(6 * pieces));
+    const ClearanceClaim claim = prove_clearance(SweptDiscs(low), SweptDiscs(high), kBoxes);
+    EXPECT_EQ(claim.verdict, Verdict::proved);
+    EXPECT_GT(claim.distance, 1.3);
+    EXPECT_LE(claim.distance, 1.5);
+    EXPECT_LT(claim.leaves.size(), std::size_t(20 * pieces));
+    for (const DiscPairs& leaf : claim.leaves) {
+      expect_apart(low, high, leaf, claim.distance);
+    }
+  }
+  const auto [left, right] = halves({3, 8});
+  EXPECT_EQ(left, (ParameterInterval{3, 5}));
+  EXPECT_EQ(right, (ParameterInterval{5, 8}));
+}
+
 TEST(SweptDiscPairs, parts_that_cross_themselves_are_not_embedded) {
   const Chain crossing = test::loop(6);
   const EmbeddedClaim claim = prove_embedded(SweptDiscs(crossing), 0.25, 1 << 9);

@@ -18,6 +18,9 @@ namespace {
 
 CertifiedPart part(const PartSurface& shape) { return {"part", "part", shape, {}}; }
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kMostAtCorner = 0x1p-30;
+
 CertifiedPart ball_part(const Vec3& center, double radius) { return part(Sphere{center, radius}); }
 
 CertifiedPart pipe_part(const Vec3& from, const Vec3& to, double radius) {
@@ -26,11 +29,11 @@ CertifiedPart pipe_part(const Vec3& from, const Vec3& to, double radius) {
       {from, -along, radius}, {to, along, radius}, LineSpine{from, to}, ConstantRadius{radius}}));
 }
 
-LoopArcs arcs_of(const CanalFillet& loop) {
+LoopArcs arcs_of(const CanalFillet& loop, int cells = 256) {
   const double margin = 0.5 * dupin::prove_regular(loop).regularity;
   LoopArcs arcs{&loop, {}};
-  for (int i = 0; i < 256; ++i) {
-    const auto cell = regular_cell(loop, {i / 128.0, (i + 1) / 128.0}, margin);
+  for (double i = 0; i < cells; ++i) {
+    const auto cell = regular_cell(loop, {2 * i / cells, 2 * (i + 1) / cells}, margin);
     EXPECT_TRUE(cell);
     arcs.cells.push_back(*cell);
   }
@@ -41,12 +44,16 @@ LoopArcs arcs_of(const CanalFillet& loop) {
 ClearanceClaim claim_of(const CertifiedPart& other, const LoopArcs& arcs) {
   const certification::SweptDiscs sweep =
       std::visit([](const auto& s) { return certification::SweptDiscs(s); }, other.shape);
-  return certification::prove_clearance(sweep, arcs, certification::swept_arcs(arcs), 1 << 14);
+  const certification::SweptDiscs loop = certification::swept_arcs(arcs);
+  return certification::prove_clearance(certification::SweptPart{Solid(other), sweep}, {arcs, loop},
+                                        {1 << 14, kMostAtCorner});
 }
 
 ClearanceClaim claim_of(const LoopArcs& first, const LoopArcs& second) {
-  return certification::prove_clearance(first, certification::swept_arcs(first), second,
-                                        certification::swept_arcs(second), 1 << 14);
+  const certification::SweptDiscs one = certification::swept_arcs(first),
+                                  other = certification::swept_arcs(second);
+  return certification::prove_clearance(certification::SweptLoop{first, one}, {second, other},
+                                        {1 << 14, kMostAtCorner});
 }
 
 TEST(LoopClearance, follows_up_to_the_distance_that_there_is) {
@@ -234,22 +241,107 @@ TEST(LoopClearance, at_corners_is_of_arcs_that_move_to_both_sides) {
   }
   const Vec3 x = Vec3::UnitX();
   const ParameterInterval before{.75, 1}, after{1, 1.25}, first{0, .25}, last{1.75, 2};
-  EXPECT_TRUE(part_at_corner(on, on, {before, after, x}));
-  EXPECT_FALSE(part_at_corner(on, on, {before, after, -x}));
-  EXPECT_TRUE(part_at_corner(on, on, {after, before, -x}));
-  EXPECT_TRUE(part_at_corner(on, on, {last, first, x}));
-  EXPECT_TRUE(part_at_corner(on, on, {first, last, -x}));
-  EXPECT_TRUE(part_at_corner(on, back, {before, before, x}));
-  EXPECT_FALSE(part_at_corner(on, on, {before, before, x}));
-  EXPECT_FALSE(part_at_corner(back, on, {before, after, x}));
-  EXPECT_FALSE(part_at_corner(on, back, {before, after, x}));
-  EXPECT_FALSE(part_at_corner(on, on, {before, after, {}}));
-  EXPECT_FALSE(part_at_corner(on, on, {before, first, x})) << "of two corners";
-  EXPECT_FALSE(part_at_corner(on, on, {{.5, .75}, after, x}));
-  EXPECT_FALSE(part_at_corner(on, on, {before, {1.25, 1.5}, x}));
+  EXPECT_EQ(gap_at_corner(on, on, {before, after, x}), 0);
+  EXPECT_EQ(gap_at_corner(on, on, {before, after, -x}), kInfinity);
+  EXPECT_EQ(gap_at_corner(on, on, {after, before, -x}), 0);
+  EXPECT_EQ(gap_at_corner(on, on, {last, first, x}), 0);
+  EXPECT_EQ(gap_at_corner(on, on, {first, last, -x}), 0);
+  EXPECT_EQ(gap_at_corner(on, back, {before, before, x}), 0);
+  EXPECT_EQ(gap_at_corner(on, on, {before, before, x}), kInfinity);
+  EXPECT_EQ(gap_at_corner(back, on, {before, after, x}), kInfinity);
+  EXPECT_EQ(gap_at_corner(on, back, {before, after, x}), kInfinity);
+  EXPECT_EQ(gap_at_corner(on, on, {before, after, {}}), kInfinity);
+  EXPECT_EQ(gap_at_corner(on, on, {before, first, x}), kInfinity) << "of two corners";
+  EXPECT_EQ(gap_at_corner(on, on, {{.5, .75}, after, x}), kInfinity);
+  EXPECT_EQ(gap_at_corner(on, on, {before, {1.25, 1.5}, x}), kInfinity);
   const LoopArcs smooth = hand_made(loop_of("through_0"), {0, 0, 0});
-  EXPECT_FALSE(part_at_corner(smooth, on, {before, after, x}));
-  EXPECT_FALSE(part_at_corner(on, smooth, {before, after, x}));
+  EXPECT_EQ(gap_at_corner(smooth, on, {before, after, x}), kInfinity);
+  EXPECT_EQ(gap_at_corner(on, smooth, {before, after, x}), kInfinity);
+}
+
+// Of a run and a branch on one side, and of the run and what lies opposite.
+std::vector<CanalFillet> opposite_loops(double radius, double other, double lean) {
+  const Vec3 at(100.3, -20.1, 7.7), along = Vec3(1, 2, -0.5).normalized();
+  const Vec3 across = Vec3(std::cos(lean) * along.unitOrthogonal() + std::sin(lean) * along);
+  const Ring run{at + 9 * along, along, 4, 0};
+  std::vector<CanalFillet> loops;
+  for (const auto& [side, ball] : {std::pair(1.0, radius), {-1.0, other}}) {
+    const auto found =
+        rolling_ball_fillets({run, Ring{at + side * 12 * across, side * across, 4, 0}}, ball);
+    loops.push_back(found.front());
+  }
+  return loops;
+}
+
+TEST(LoopClearance, of_loops_of_two_fillets_may_be_their_corners) {
+  for (const double lean : {0., 0.3, -0.6}) {
+    const auto loops = opposite_loops(0.5, 0.8, lean);
+    const LoopArcs a = arcs_of(loops[0], 1024), b = arcs_of(loops[1], 1024);
+    ASSERT_TRUE(has_corner(loops[0], 0) && has_corner(loops[1], 1));
+    ASSERT_FALSE(share_corners(loops[0], loops[1]));
+    const ClearanceClaim claim = claim_of(a, b);
+    ASSERT_EQ(claim.verdict, Verdict::proved) << lean;
+    EXPECT_EQ(claim.distance, 0);
+    EXPECT_GT(claim.corner, 0);
+    EXPECT_LT(claim.corner, 1e-10);
+    EXPECT_TRUE(follows(a, b, claim));
+    for (const auto& change : std::vector<std::function<void(ClearanceClaim&)>>{
+             [](auto& c) { c.corner = 0; }, [](auto& c) { c.corner *= -1; },
+             [](auto& c) { c.corner = std::nextafter(c.corner, 0); },
+             [](auto& c) { c.corner = std::numeric_limits<double>::quiet_NaN(); },
+             [](auto& c) { c.corner = 0x1p301; }, [](auto& c) { c.distance = c.corner; },
+             [](auto& c) {
+               c.leaves.erase(c.leaves.begin() + std::ptrdiff_t(c.leaves.size() / 2));
+             },
+             [](auto& c) {
+               for (DiscPairs& leaf : c.leaves) {
+                 leaf.direction = Vec3(-*leaf.direction);
+               }
+             }}) {
+      ClearanceClaim lie = claim;
+      change(lie);
+      EXPECT_FALSE(follows(a, b, lie));
+    }
+    EXPECT_FALSE(follows(a, a, claim)) << "a loop and itself";
+    ClearanceClaim wide = claim;
+    wide.corner = 0.5;
+    EXPECT_TRUE(follows(a, b, wide));
+  }
+}
+
+// It ends in the plane of both corners, with a disc, and is on the other side of it.
+TEST(LoopClearance, of_a_part_may_be_the_corners_in_which_it_ends) {
+  const CanalFillet loop =
+      rolling_ball_fillets({Ring{{0, 0, 0}, {1, 0, 0}, 4, 0}, Ring{{0, 9, 0}, {0, 1, 0}, 4, 0}},
+                           0.5)
+          .front();
+  const LoopArcs arcs = arcs_of(loop);
+  const CertifiedPart back = pipe_part({0, 0, 0}, {0, -9, 0}, 4);
+  const ClearanceClaim claim = claim_of(back, arcs);
+  ASSERT_EQ(claim.verdict, Verdict::proved);
+  EXPECT_EQ(claim.distance, 0);
+  EXPECT_FALSE(claim.overlap);
+  EXPECT_GT(claim.corner, 0);
+  EXPECT_LT(claim.corner, 1e-12);
+  EXPECT_TRUE(follows(Solid(back), arcs, claim));
+  for (const auto& change : std::vector<std::function<void(ClearanceClaim&)>>{
+           [](auto& c) { c.corner = 0; }, [](auto& c) { c.corner = std::nextafter(c.corner, 0); },
+           [](auto& c) { c.distance = 1e-14; }, [](auto& c) { c.leaves.pop_back(); },
+           [](auto& c) { c.leaves.front().direction = Vec3(-*c.leaves.front().direction); }}) {
+    ClearanceClaim lie = claim;
+    change(lie);
+    EXPECT_FALSE(follows(Solid(back), arcs, lie));
+  }
+  // What reaches across it by more is further from one point, and what lies on this side meets all.
+  const Solid further(pipe_part({0, 0.25, 0}, {0, -9, 0}, 4)),
+      same(pipe_part({0, 9, 0}, {0, 0, 0}, 4));
+  EXPECT_FALSE(follows(further, arcs, claim));
+  EXPECT_FALSE(follows(same, arcs, claim));
+  ClearanceClaim wide = claim;
+  wide.corner = 0.375;
+  EXPECT_TRUE(follows(further, arcs, wide));
+  EXPECT_EQ(claim_of(pipe_part({0, 0.25, 0}, {0, -9, 0}, 4), arcs).verdict, Verdict::undecided);
+  EXPECT_GT(claim_of(pipe_part({0, -0.25, 0}, {0, -9, 0}, 4), arcs).distance, 0.2);
 }
 
 // Leaves with nothing in them, beyond the first surface or the loop, and without a direction of

@@ -32,6 +32,17 @@ LoopClaims& loop_claims(Certificate& c, Random& random) {
   return loops[random() % loops.size()];
 }
 
+// Of those about fillets that are proved by a distance, or by corners.
+ClearanceClaim& fillet_clearance(Certificate& c, bool by_corners, Random& random) {
+  std::vector<ClearanceClaim*> found;
+  for (ClearanceClaim& claim : c.fillet_clearances) {
+    if (by_corners ? claim.corner > 0 : claim.distance > 0) {
+      found.push_back(&claim);
+    }
+  }
+  return *found.at(random() % found.size());
+}
+
 double& ball_radius(CanalFillet& loop) { return std::get<RollingThrough>(loop.motion).radius; }
 
 RingedSurface& tube(Certificate& c, const std::string& name) {
@@ -105,7 +116,14 @@ Truth truth(Random& random) {
   {"name": "throat", "fillet": {"between": ["run", "equal"], "radius": )"
        << between(random, .3, .6) << R"(}},
   {"name": "throats", "fillet": {"between": ["through", "run"], "radius": )"
-       << between(random, .1, .4) << R"(}}]})";
+       << between(random, .1, .4) << R"(}},
+  {"name": "beam", "pipe": {"from": [-9, 700, 0], "to": [9, 700, 0], "radius": 2}},
+  {"name": "over", "pipe": {"from": [0, 700, 0], "to": [0, 700, 9], "radius": 2}},
+  {"name": "under", "pipe": {"from": [0, 700, 0], "to": [0, 700, -9], "radius": 2}},
+  {"name": "throat-over", "fillet": {"between": ["beam", "over"], "radius": )"
+       << between(random, .3, .6) << R"(}},
+  {"name": "throat-under", "fillet": {"between": ["beam", "under"], "radius": )"
+       << between(random, .3, .6) << R"(}}]})";
   Truth result{text.str(), {}, 1 - 1 / bend};
   result.honest = certify(parse_assembly(result.document, "truth.json"));
   result.honest.document_sha256 = sha256(result.document);
@@ -390,8 +408,33 @@ std::vector<Forgery> forgeries_of_pipes() {
       {"a fillet further from others than it is",
        [](Certificate& c, const Truth&, Random& random) {
          // At least nine tenths of what is true.
-         c.fillet_clearances[random() % c.fillet_clearances.size()].distance *=
-             between(random, 1.2, 3);
+         fillet_clearance(c, false, random).distance *= between(random, 1.2, 3);
+       }},
+      {"corners nearer than they are",
+       [](Certificate& c, const Truth&, Random& random) {
+         fillet_clearance(c, true, random).corner *= between(random, -1, .99);
+       }},
+      {"corners that are one, but for more than the tolerance",
+       [](Certificate& c, const Truth&, Random& random) {
+         fillet_clearance(c, true, random).corner = c.tolerance * between(random, 1.01, 9);
+       }},
+      {"a distance of what meets in corners",
+       [](Certificate& c, const Truth&, Random& random) {
+         ClearanceClaim& claim = fillet_clearance(c, true, random);
+         claim.distance = random() % 2 == 0 ? claim.corner : between(random, 1e-15, 1);
+         claim.corner = random() % 2 == 0 ? 0 : claim.corner;
+       }},
+      {"corners of what is apart, of pipes, and of nothing",
+       [](Certificate& c, const Truth&, Random& random) {
+         ClearanceClaim& claim = random() % 2 == 0 ? fillet_clearance(c, false, random)
+                                                   : c.clearances[random() % c.clearances.size()];
+         claim.corner = between(random, 1e-15, .1);
+       }},
+      {"what meets in corners, on the wrong side of them",
+       [](Certificate& c, const Truth&, Random& random) {
+         for (DiscPairs& leaf : fillet_clearance(c, true, random).leaves) {
+           leaf.direction = random() % 2 == 0 ? any_direction(random) : Vec3(-*leaf.direction);
+         }
        }},
       {"a fillet apart from others for any reason",
        [](Certificate& c, const Truth&, Random& random) {
@@ -415,7 +458,9 @@ std::vector<Forgery> forgeries_of_pipes() {
                                  {t, random() % 2 == 0 ? t : t + 0x1p-9}};
        }},
       {"loops that are apart and have a corner in common",
-       [](Certificate& c, const Truth&, Random&) { c.fillet_clearances.back().distance = 0; }},
+       [](Certificate& c, const Truth&, Random& random) {
+         fillet_clearance(c, false, random).distance = 0;
+       }},
       {"a fillet that is near to nothing",
        [](Certificate& c, const Truth&, Random& random) {
          auto& claims = c.fillet_clearances;

@@ -100,6 +100,9 @@ struct ClearanceClaim {
   std::vector<DiscPairs>
       leaves;  ///< cover all pairs of parameters; a direction is missing near a joint only
   std::optional<Overlap> overlap;
+  /// Of a loop that meets a part, or one of another fillet, in corners: what counts as one corner
+  /// is nowhere further apart. 0: they do not meet so.
+  double corner = 0;
 };
 
 /// A fillet as `resolve` made it: `between` are indices of parts. Its loops have the parameters
@@ -171,7 +174,7 @@ struct Certificate {
   std::vector<ClearanceClaim> clearances;  ///< ascending by their parts
   /// Of every loop and every part but the two that it joins, then of it and every later loop, loop
   /// by loop: `first` and `second` are surfaces, which are numbered parts first, then loops in the
-  /// order of the fillets. Loops that meet in corners are claimed to have only these in common.
+  /// order of the fillets. What meets in corners is claimed to have only these in common.
   std::vector<ClearanceClaim> fillet_clearances;
 
   /// The part's name, or that of the fillet that a loop belongs to.
