@@ -39,6 +39,7 @@ class RunMesher {
   RunSolids run() {
     const auto runs = welded_runs(resolved_);
     refuse_too_costly(assembly_, resolved_, runs, grid_, options_.most_triangles);
+    sample(runs);
     for (const FilletedRuns& group : filleted_runs(resolved_, runs)) {
       tell(options_.progress, "mesh", double(group.runs.front()) / double(runs.size()));
       if (group.fillets.empty() && group.junctions.empty()) {
@@ -55,8 +56,20 @@ class RunMesher {
   }
 
  private:
+  void sample(const std::vector<WeldedRun>& runs) {
+    std::vector<std::size_t> run_of(resolved_.parts.size());
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+      samplings_.push_back(run_sampling(assembly_, resolved_, runs[run], run, grid_));
+      for (const std::uint32_t part : runs[run].parts) {
+        run_of[part] = run;
+      }
+    }
+    level_ = LevelEnds(resolved_, std::move(run_of));
+    level_.share(samplings_);
+  }
+
   RingSampling tessellated(const WeldedRun& run, std::size_t position) {
-    const RingSampling chosen = run_sampling(assembly_, resolved_, run, position, grid_);
+    const RingSampling chosen = samplings_[position];
     for (const auto index : run.parts) {
       Tessellation result = assembly::tessellated(assembly_, resolved_.parts[index], chosen);
       PartReport& entry = result_.parts[index];
@@ -73,7 +86,7 @@ class RunMesher {
   // The pieces of a chain with kneecaps overlap each other, and so do those of its inner skin.
   [[nodiscard]] std::vector<Solid> solids_of(std::span<const std::uint32_t> parts,
                                              const RingSampling& chosen) const {
-    TriMesh mesh = assembly::welded(resolved_, parts, tubes_, chosen);
+    TriMesh mesh = assembly::welded(resolved_, parts, tubes_, chosen, level_, samplings_);
     const bool overlaps = std::any_of(parts.begin(), parts.end(), [&](std::uint32_t part) {
       const auto* chain = std::get_if<Chain>(&resolved_.parts[part].shape);
       return chain != nullptr && chain->joints == Joints::spherical;
@@ -222,8 +235,8 @@ class RunMesher {
     welded.reserve(group.runs.size());
     for (const std::size_t run : group.runs) {
       const auto& parts = runs[run].parts;
-      welded.push_back(
-          assembly::welded(resolved_, parts, tubes_, mesher.sampling.at(parts.front())));
+      welded.push_back(assembly::welded(resolved_, parts, tubes_, mesher.sampling.at(parts.front()),
+                                        level_, samplings_));
     }
     std::vector<HubPatch> patches;
     patches.reserve(group.junctions.size());
@@ -339,6 +352,8 @@ class RunMesher {
   const ResolvedAssembly& resolved_;
   double grid_;
   const BuildOptions& options_;
+  std::vector<RingSampling> samplings_;  // by run
+  LevelEnds level_;
   std::vector<TriMesh> tubes_;  // by part
   RunSolids result_;
 };

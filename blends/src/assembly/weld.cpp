@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/connected_components.h"
@@ -17,8 +18,13 @@ using RingVertices = std::map<Vec3, std::uint32_t, numbers::PointOrder>;
 class Welder {
  public:
   Welder(const ResolvedAssembly& assembly, std::span<const std::uint32_t> parts,
-         const RingSampling& sampling)
-      : assembly_(assembly), sampling_(sampling), is_member_(assembly.parts.size(), false) {
+         const RingSampling& sampling, const LevelEnds& level,
+         std::span<const RingSampling> of_runs)
+      : assembly_(assembly),
+        sampling_(sampling),
+        level_(level),
+        of_runs_(of_runs),
+        is_member_(assembly.parts.size(), false) {
     for (const auto part : parts) {
       is_member_[part] = true;
     }
@@ -117,8 +123,18 @@ class Welder {
     }
     const ResolvedPart& part = assembly_.parts[index];
     const auto label = part.joined.at(at(end)) ? part_label : new_label(part.end_names.at(at(end)));
-    const TriMesh flat = end_cap_mesh(at_ring, sampling_);
-    append_triangles(flat, on_ring(ring({index, end}), flat.points), label);
+    const std::vector<tessellation::SampledRing> rings =
+        tessellation::nested_rings({at_ring, sampling_}, level_.within({index, end}, of_runs_));
+    const auto append_flat = [&](const TriMesh& flat, const std::string& inside) {
+      append_triangles(flat, on_ring(ring({index, end}), flat.points),
+                       inside.empty() ? label : new_label(inside));
+    };
+    append_flat(end_cap_mesh(rings.back().ring, rings.back().sampling), rings.back().name);
+    for (std::size_t i = rings.size(); --i > 0;) {
+      TriMesh annulus;
+      tessellation::append_annulus(annulus, rings[i], rings[i - 1]);
+      append_flat(annulus, rings[i - 1].name);
+    }
   }
 
   std::uint32_t new_label(const std::string& name) {
@@ -128,16 +144,106 @@ class Welder {
 
   const ResolvedAssembly& assembly_;
   const RingSampling& sampling_;
+  const LevelEnds& level_;
+  std::span<const RingSampling> of_runs_;
   std::vector<bool> is_member_;
   std::map<std::pair<std::uint32_t, std::size_t>, RingVertices> rings_;
   TriMesh mesh_;
 };
 
+// A ring whose disc may lie level with another one.
+const Ring* ring_of_disc(const ResolvedAssembly& assembly, const EndIndex& end) {
+  const ResolvedPart& part = assembly.parts[end.part];
+  const Ring* ring = port_ring(part.shape, end.end);
+  const bool is_flange = part.is_closed[0] && part.is_closed[1];
+  return ring == nullptr || ring->ellipse || part.joined.at(at(end.end)) ||
+                 (part.is_closed.at(at(end.end)) && !is_flange) || is_buried(assembly, end)
+             ? nullptr
+             : ring;
+}
+
 }  // namespace
 
+LevelEnds::LevelEnds(const ResolvedAssembly& assembly, std::vector<std::size_t> run_of) {
+  std::map<Vec3, std::vector<Member>, numbers::PointOrder> by_center;
+  for (std::uint32_t i = 0; i < assembly.parts.size(); ++i) {
+    const auto& is_closed = assembly.parts[i].is_closed;
+    for (const End end : {End::start, End::end}) {
+      if (const Ring* ring = ring_of_disc(assembly, {i, end})) {
+        by_center[ring->center].push_back({{i, end},
+                                           *ring,
+                                           run_of[i],
+                                           is_closed[0] && is_closed[1],
+                                           assembly.parts[i].end_names.at(at(end))});
+      }
+    }
+  }
+  for (auto& [center, all] : by_center) {
+    const Vec3 normal = all.front().ring.normal;
+    std::erase_if(all, [&](const Member& member) {
+      return member.ring.normal != normal && member.ring.normal != -normal;
+    });
+    if (all.size() < 2) {
+      continue;
+    }
+    std::ranges::stable_sort(all, {}, [](const Member& member) { return member.ring.radius; });
+    for (const Member& member : all) {
+      group_of_[{member.end.part, at(member.end.end)}] = groups_.size();
+    }
+    groups_.push_back(std::move(all));
+  }
+}
+
+void LevelEnds::share(std::vector<RingSampling>& of_runs) const {
+  std::vector<std::size_t> leader(of_runs.size());
+  std::iota(leader.begin(), leader.end(), std::size_t{0});
+  const auto first = [&](std::size_t run) {
+    while (leader[run] != run) {
+      run = leader[run] = leader[leader[run]];
+    }
+    return run;
+  };
+  for (const std::vector<Member>& group : groups_) {
+    for (std::size_t i = 1; i < group.size(); ++i) {
+      const Member &one = group[i - 1], &other = group[i];
+      if (one.is_flange && other.is_flange && one.ring.radius == other.ring.radius) {
+        const std::size_t a = first(one.run), b = first(other.run);
+        leader[std::max(a, b)] = std::min(a, b);
+      }
+    }
+  }
+  for (std::size_t run = 0; run < of_runs.size(); ++run) {
+    std::uint32_t& segments = of_runs[first(run)].segments;
+    segments = std::max(segments, of_runs[run].segments);
+  }
+  for (std::size_t run = 0; run < of_runs.size(); ++run) {
+    of_runs[run] = of_runs[first(run)];
+  }
+}
+
+std::vector<tessellation::SampledRing> LevelEnds::within(
+    const EndIndex& end, std::span<const RingSampling> of_runs) const {
+  std::vector<tessellation::SampledRing> result;
+  const auto group = group_of_.find({end.part, at(end.end)});
+  if (group == group_of_.end()) {
+    return result;
+  }
+  const std::vector<Member>& all = groups_[group->second];
+  const auto own = std::ranges::find(all, end, &Member::end);
+  for (auto member = all.begin(); member->ring.radius < own->ring.radius; ++member) {
+    if (result.empty() || member->ring.radius > result.back().ring.radius) {
+      const bool is_same_side = member->ring.normal == own->ring.normal;
+      result.push_back(
+          {member->ring, of_runs[member->run], is_same_side ? member->name : std::string()});
+    }
+  }
+  return result;
+}
+
 TriMesh welded(const ResolvedAssembly& assembly, std::span<const std::uint32_t> parts,
-               const std::vector<TriMesh>& tubes, const RingSampling& sampling) {
-  Welder welder(assembly, parts, sampling);
+               const std::vector<TriMesh>& tubes, const RingSampling& sampling,
+               const LevelEnds& level, std::span<const RingSampling> of_runs) {
+  Welder welder(assembly, parts, sampling, level, of_runs);
   for (const auto part : parts) {
     welder.append(part, tubes[part]);
   }

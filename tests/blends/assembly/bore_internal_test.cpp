@@ -291,6 +291,32 @@ TEST(Bore, that_ends_at_a_solid_part_ends_in_one_face) {
   }
 }
 
+// A flange's face and the pipe's end lie in one plane, and so do the faces of two flanges.
+TEST(Bore, opens_in_the_end_of_its_pipe_whole_where_there_are_flanges) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int round = 0; round < 12; ++round) {
+    const Vec3 at(249986.7654, 114190.6789, 12392.2065);
+    const Vec3 way = Vec3(uniform(random), uniform(random), uniform(random)).normalized();
+    std::vector<Part> parts{pipe("a", at - 300 * way, at, 57.15),
+                            part("f", FlangeOfEnd{PortReference{"a", End::end}, 110, 20})};
+    const bool goes_on = round % 2 == 0;
+    if (goes_on) {
+      parts.push_back(part("b", PipeAlong{PortReference{"a", End::end}, 200}));
+      parts.push_back(part("g", FlangeOfEnd{PortReference{"b", End::start}, 110, 20}));
+    }
+    const Regions made = regions(walled(parts, 3, 0.1));
+    EXPECT_EQ(made.outer.solid.euler_number(), 2) << round;
+    EXPECT_EQ(made.metal.solid.euler_number(), 0) << round;
+    EXPECT_EQ(made.fluid.solid.euler_number(), 2) << round;
+    EXPECT_EQ(names(made.fluid.solid),
+              goes_on ? (std::set<std::string>{"a.bore", "a.start", "b.bore", "b.end"})
+                      : (std::set<std::string>{"a.bore", "a.start", "a.end"}))
+        << round;
+    EXPECT_EQ(names(made.outer.solid).contains("f.end"), !goes_on) << round;
+  }
+}
+
 // Of a branch as thick as the run, which begins on the run's axis, slivers lie in the run's wall.
 TEST(Bore, that_begins_in_one_as_wide_is_open) {
   for (const double turn : {0.0, 0.3, 1.0}) {

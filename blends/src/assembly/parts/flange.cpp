@@ -45,9 +45,17 @@ struct PartRules<"flange"> {
     if (ring == nullptr) {
       fail(context, "at", "'" + flange.at.part + "' has no ends");
     }
+    check_positive(context, flange.radius, "radius");
+    check_positive(context, flange.thickness, "thickness");
     const bool is_before = context.assembly.parts[context.index].solid;
-    return disc(context, is_before ? ring->center : ring->center - flange.thickness * ring->normal,
-                ring->normal, flange.radius, flange.thickness);
+    const Vec3 across = flange.thickness * ring->normal;
+    const Vec3 from = is_before ? ring->center : Vec3(ring->center - across),
+               to = is_before ? Vec3(ring->center + across) : ring->center;
+    // The end's own centre and normal, bitwise, for discs that are level.
+    return Chain(RingedSurface{{from, opposite(ring->normal), flange.radius},
+                               {to, ring->normal, flange.radius},
+                               LineSpine{from, to},
+                               ConstantRadius{flange.radius}});
   }
 
   static PartSurface geometry(const PartContext& context, const FlangeOn& flange) {
