@@ -25,8 +25,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 DOCUMENT = ROOT / "docs" / "clients.md"
 PATTERNS = ["*.json", "*.pcf", "*.swc", "*.graph"]
 OPTIONS = {"frame.graph": ["--radius", "2"]}  # docs/graphs.md
-REFUSED = {("tight.json", None): "its blend folds, which is what it is for",
-           ("ucct-arm.json", "step"): "kneecaps are not written yet"}
+REFUSED = {("tight.json", None): "its blend folds, which is what it is for"}
 WITHOUT_STEP = "need OpenCASCADE"  # builds that have not got it
 EXTENSIONS = {"stl": "stl", "stl-ascii": "stl", "off": "off", "obj": "obj", "ply": "ply", "ply-ascii": "ply",
               "3mf": "3mf", "glb": "glb", "vtp": "vtp", "msh-surface": "msh", "step": "step"}

@@ -71,7 +71,6 @@ TEST_F(Exchange, by_parts_has_their_names) {
 TEST_F(Exchange, refuses_what_it_cannot_write_and_leaves_no_file) {
   for (const auto& [arguments, code, text] :
        std::vector<std::tuple<std::vector<std::string>, int, std::string>>{
-           {{"ucct-arm.json", "-o", "a.step"}, 4, "kneecaps"},
            {{"tee.json", "-o", "a.step", "--solids", "parts"}, 4, "fillets"},
            {{"tee.json", "-o", "a.step", "--patches", "p.json"}, 2, "--patches"},
            {{"tee.json", "-o", "a.stl", "--solids", "runs"}, 2, "--solids"}}) {

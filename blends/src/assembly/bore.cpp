@@ -21,6 +21,7 @@
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/gap.h"
+#include "numbers/point_order.h"
 
 namespace dupin::assembly {
 namespace {
@@ -410,6 +411,20 @@ bool says_wall(const Assembly& assembly) {
          });
 }
 
+// The ends of solid parts.
+std::map<Vec3, EndIndex, numbers::PointOrder> solids_by_center(const ResolvedAssembly& outer,
+                                                               const SelectedParts& solids) {
+  std::map<Vec3, EndIndex, numbers::PointOrder> result;
+  for (std::uint32_t i = 0; i < outer.parts.size(); ++i) {
+    for (const End end : {End::start, End::end}) {
+      if (const Ring* ring = port_ring(outer.parts[i].shape, end); ring && solids.position[i]) {
+        result.try_emplace(ring->center, EndIndex{i, end});
+      }
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::optional<std::vector<double>> walls_of(const Assembly& assembly, const ResolvedAssembly& outer,
@@ -426,10 +441,8 @@ std::optional<std::vector<double>> walls_of(const Assembly& assembly, const Reso
       result[part.index] = said.solid ? 0 : said.wall.value_or(chain->wall);
     }
   }
-  if (says_wall(assembly) || (asked && has_hollow_chain)) {
-    return result;
-  }
-  return std::nullopt;
+  const bool has_walls = says_wall(assembly) || (asked && has_hollow_chain);
+  return has_walls ? std::optional(std::move(result)) : std::nullopt;
 }
 
 bool bore_takes(const Assembly& assembly, const std::array<const PartSurface*, 2>& pipes,
@@ -466,11 +479,10 @@ SelectedParts bore_of(const Assembly& assembly, const ResolvedAssembly& outer,
 }
 
 std::vector<double> insulation_of(const Assembly& assembly) {
-  std::vector<double> result;
-  result.reserve(assembly.parts.size());
-  for (const Part& part : assembly.parts) {
-    result.push_back(part.insulation.value_or(assembly.insulation.value_or(0)));
-  }
+  std::vector<double> result(assembly.parts.size());
+  std::ranges::transform(assembly.parts, result.begin(), [&](const Part& part) {
+    return part.insulation.value_or(assembly.insulation.value_or(0));
+  });
   return std::ranges::any_of(result, [](double thickness) { return thickness > 0; })
              ? result
              : std::vector<double>();
@@ -558,21 +570,26 @@ ResolvedAssembly kept_out_of_solids(SelectedParts& bore, const Assembly& assembl
   std::transform(assembly.parts.begin(), assembly.parts.end(), is_solid.begin(),
                  [](const Part& part) { return part.solid; });
   SelectedParts kept = selected_parts(outer, is_solid);
+  const auto facing = solids_by_center(outer, kept);
   for (std::uint32_t i = 0; i < outer.parts.size(); ++i) {
     for (const End end : {End::start, End::end}) {
-      const auto& joined = outer.parts[i].joined.at(at(end));
-      if (!bore.position[i] || !joined || !kept.position[joined->part]) {
+      const Ring* ring = port_ring(outer.parts[i].shape, end);
+      if (!bore.position[i] || ring == nullptr || !facing.contains(ring->center)) {
         continue;
       }
-      const Ring& ring = *port_ring(outer.parts[i].shape, end);
+      const EndIndex solid = facing.at(ring->center);
+      const PartSurface& shape = outer.parts[solid.part].shape;
+      if (port_ring(shape, solid.end)->normal != -ring->normal) {
+        continue;
+      }
       double reach = kReach * walls[outer.parts[i].index];
-      if (const Ring* beyond = port_ring(outer.parts[joined->part].shape, opposite(joined->end))) {
-        reach = std::min(reach, (beyond->center - ring.center).norm() / 2);
+      if (const Ring* beyond = port_ring(shape, opposite(solid.end))) {
+        reach = std::min(reach, (beyond->center - ring->center).norm() / 2);
       }
       const EndIndex inner{*bore.position[i], end};
       with_part_context(assembly, outer.parts[i].index,
-                        [&] { lengthen(bore.resolved, inner, ring.center, reach); });
-      kept.resolved.parts[*kept.position[joined->part]].end_names.at(at(joined->end)) =
+                        [&] { lengthen(bore.resolved, inner, ring->center, reach); });
+      kept.resolved.parts[*kept.position[solid.part]].end_names.at(at(solid.end)) =
           bore.resolved.parts[inner.part].end_names.at(at(end));
     }
   }

@@ -75,9 +75,10 @@ constexpr std::string_view kBoreSuffix = ".bore", kInsulationSuffix = ".insulati
 void lengthen_out_of(SelectedParts& bore, const Assembly& assembly, const ResolvedAssembly& outer,
                      const std::vector<double>& walls, const std::set<std::string>& end_names);
 
-/// The parts that are solid, which no bore cuts. Where a bore ends at the ring of one, it reaches
-/// into it by an eighth of the wall, or half of its length, to be cut off by its end alone, which
-/// has the name of the bore's: two ends in one plane, each rounded by itself, cross each other.
+/// The parts that are solid, which no bore cuts. Where a bore ends at the ring of one, or at its
+/// face about the same centre, as a blind flange's, it reaches into it by an eighth of the wall, or
+/// half of its length, to be cut off by its end alone, which has the name of the bore's: two ends
+/// in one plane, each rounded by itself, cross each other.
 [[nodiscard]] ResolvedAssembly kept_out_of_solids(SelectedParts& bore, const Assembly& assembly,
                                                   const ResolvedAssembly& outer,
                                                   const std::vector<double>& walls);

@@ -281,9 +281,11 @@ TEST(Bore, that_ends_at_a_solid_part_ends_in_one_face) {
         round == 0 ? Vec3(Vec3::UnitX())
                    : Vec3(Vec3(uniform(random), uniform(random), uniform(random)).normalized());
     const double length = round % 2 == 0 ? 30 : 0.01;
-    const std::vector<Part> parts{
-        pipe("a", at - 300 * way, at, 57.15),
-        part("cap", PipeAlong{PortReference{"a", End::end}, length}, {}, true)};
+    const PortReference port{"a", End::end};
+    const std::vector<Part> parts{pipe("a", at - 300 * way, at, 57.15),
+                                  round % 3 == 0
+                                      ? part("cap", FlangeOfEnd{port, 110, length}, {}, true)
+                                      : part("cap", PipeAlong{port, length}, {}, true)};
     const Regions made = regions(walled(parts, 3, 0.1));
     EXPECT_EQ(made.metal.solid.euler_number(), 2) << round;
     EXPECT_EQ(names(made.fluid.solid), (std::set<std::string>{"a.bore", "a.start", "a.bore.end"}))
