@@ -151,9 +151,13 @@ class RunMesher {
   // With a part of the document's tolerance, if that bounds a solid and is not too fine.
   bool append_finer(const std::vector<WeldedRun>& runs, const FilletedRuns& group, double part) {
     const std::size_t solids = result_.solids.size(), others = result_.others.size();
+    const std::vector<RingSampling> samplings = samplings_;
     Assembly finer = document_;
     finer.tolerance *= part;
     assembly_ = finer;
+    for (const std::size_t run : group.runs) {
+      samplings_[run] = run_sampling(finer, resolved_, runs[run], run, grid_);
+    }
     bool is_made = true;
     try {
       std::vector<WeldedRun> own;
@@ -167,6 +171,7 @@ class RunMesher {
         throw;
       }
       keep_first(solids, others);
+      samplings_ = samplings;
       is_made = false;
     }
     assembly_ = document_;
