@@ -203,7 +203,7 @@ ClearanceClaim prove_clearance(const SweptLoop& first, const SweptLoop& second,
   if (has_corners(first.arcs) && has_corners(second.arcs)) {
     const ClearanceClaim claim =
         prove_clearance(first.sweep, second.sweep, std::min(goals.boxes, kTries));
-    const ClearanceClaim meeting =
+    ClearanceClaim meeting =
         claim.verdict == Verdict::proved ? claim : prove_meeting(first, second, goals);
     if (meeting.verdict == Verdict::proved) {
       return meeting;
