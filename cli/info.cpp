@@ -24,7 +24,6 @@ void print_summary(const MeshSummary& summary) {
   if (const auto box = bounding_box(summary.mesh); !box.isEmpty()) {
     print_row(std::cout, "box", place_text(box.min()) + " to " + place_text(box.max()));
   }
-  constexpr const char* kUnknown = "not known: points are out of range";
   const bool is_known = is_measured(summary.check);
   print_row(std::cout, "volume", is_known ? number(summary.check.volume) : kUnknown);
   print_row(std::cout, "area", is_known ? number(summary.check.area) : kUnknown);

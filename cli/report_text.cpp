@@ -57,7 +57,6 @@ void print_measures(std::ostream& out, const Report& report, std::string_view un
   print_row(out, "points", std::to_string(report.points));
   print_row(out, "components", std::to_string(report.components));
   print_row(out, "euler number", std::to_string(report.euler_number));
-  constexpr const char* kUnknown = "not known: points are out of range";
   const bool is_known = is_measured(report);
   if (report.closed()) {
     print_row(out, "volume", is_known ? powered(report.volume, unit, "^3") : kUnknown);

@@ -20,6 +20,9 @@ namespace dupin::cli {
 /// "1 point", "2 points".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 
+/// What stands for measures that were not taken, see is_measured().
+constexpr const char* kUnknown = "not known: points are out of range";
+
 /// "label               value" and a line break.
 void print_row(std::ostream& out, std::string_view label, std::string_view value);
 

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "dupin/blends/cyclide_piece.h"
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/error.h"
 #include "text/label_colour.h"
@@ -130,7 +131,8 @@ class BodyMaker {
     for (std::size_t i = 0; i < chain.pieces.size(); ++i) {
       const bool is_last = i + 1 == chain.pieces.size();
       if (chain.joints == Joints::spherical && i > 0) {
-        last = append_joint(chain, i, label, last);
+        last = append_joint(std::get<CyclidePiece>(chain.pieces[i - 1]),
+                            std::get<CyclidePiece>(chain.pieces[i]), label, last);
       }
       std::vector<PieceSurface> surfaces = piece_surfaces(chain.pieces[i], tolerance_, count_);
       for (std::size_t k = 0; k + 1 < surfaces.size(); ++k) {
@@ -148,26 +150,24 @@ class BodyMaker {
     return {first, last};
   }
 
-  // What there is in the ball between a piece and the one before it, at whose end is the ring
-  // `before`. Returns the ring where the piece starts.
-  std::size_t append_joint(const Chain& chain, std::size_t piece, std::uint32_t label,
-                           std::size_t before) {
-    const std::vector<PeArc> arcs = cyclide_pieces(chain);
-    const SphericalJoint joint = spherical_joint(arcs[piece - 1], arcs[piece]);
-    const Ring end = end_ring(chain.pieces[piece - 1], End::end);
-    const Ring start = end_ring(chain.pieces[piece], End::start);
+  // What there is in the ball between two pieces, `first` being the ring at the end of the first.
+  // Returns the ring where the second one starts.
+  std::size_t append_joint(const CyclidePiece& before, const CyclidePiece& after,
+                           std::uint32_t label, std::size_t first) {
+    const SphericalJoint joint = spherical_joint(arc_of(before), arc_of(after));
+    const Ring &end = before.end, &start = after.start;
     if (circle_distance(end, start) <= tolerance_) {
-      return before;
+      return first;
     }
-    body_.discs.push_back({label, before, end.normal});
-    const std::size_t after = new_ring(start);
-    body_.discs.push_back({label, after, start.normal});
+    body_.discs.push_back({label, first, end.normal});
+    const std::size_t second = new_ring(start);
+    body_.discs.push_back({label, second, start.normal});
     const bool is_hidden = joint.between <= std::abs(joint.before - joint.after) ||
                            joint.between + joint.before + joint.after >= 2 * std::numbers::pi;
     if (!is_hidden) {
       append_sector(joint, end, start, label);
     }
-    return after;
+    return second;
   }
 
   // Beyond the ring of one piece's end and before that of the next one's start. Readers of STEP
