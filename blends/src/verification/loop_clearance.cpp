@@ -31,11 +31,6 @@ bool is_separated(const ClearanceClaim& claim, bool meet) {
          (meet ? claim.distance == 0 : claim.distance > 0);
 }
 
-// Corners that are so near to each other that the claim counts them as one.
-bool is_at_corner(const ClearanceClaim& claim, double gap) {
-  return claim.corner > 0 && gap <= claim.corner;
-}
-
 // The corner in which a stretch ends, and whether it comes before it.
 struct AtCorner {
   double corner = 0;  // 0 or 1
@@ -150,15 +145,15 @@ bool follows(const Solid& part, const LoopArcs& loop, const ClearanceClaim& clai
            const double front = furthest(cells_of(loop.cells, leaf.second), Interval(-1) * d);
            return are_apart(furthest(part, leaf.first, d, 1), front, d, claim.distance) ||
                   are_apart(furthest(part, leaf.first, d, kCells), front, d, claim.distance) ||
-                  is_at_corner(claim, gap_at_corner(part, loop, leaf));
+                  (claim.corner > 0 && gap_at_corner(part, loop, leaf) <= claim.corner);
          });
 }
 
 bool follows(const LoopArcs& first, const LoopArcs& second, const ClearanceClaim& claim) {
   const bool share = share_corners(*first.loop, *second.loop);
-  return is_separated(claim, share || claim.corner > 0) && !(share && claim.corner > 0) &&
-         !first.cells.empty() && !second.cells.empty() &&
-         covered({0, kLength}, {0, kLength}, claim.leaves, false) &&
+  const bool meet = share || claim.corner > 0;
+  return is_separated(claim, meet) && !(share && claim.corner > 0) && !first.cells.empty() &&
+         !second.cells.empty() && covered({0, kLength}, {0, kLength}, claim.leaves, false) &&
          std::ranges::all_of(claim.leaves, [&](const DiscPairs& leaf) {
            if (!is_leaf(leaf.first) || !is_leaf(leaf.second) || !leaf.direction ||
                !is_point(*leaf.direction)) {
@@ -168,8 +163,7 @@ bool follows(const LoopArcs& first, const LoopArcs& second, const ClearanceClaim
            return are_apart(furthest(cells_of(first.cells, leaf.first), d),
                             furthest(cells_of(second.cells, leaf.second), Interval(-1) * d), d,
                             claim.distance) ||
-                  (share && gap_at_corner(first, second, leaf) == 0) ||
-                  is_at_corner(claim, gap_at_corner(first, second, leaf));
+                  (meet && gap_at_corner(first, second, leaf) <= claim.corner);
          });
 }
 
