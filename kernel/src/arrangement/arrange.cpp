@@ -58,22 +58,22 @@ Constraints constraints_of(ArrangementInput& input, std::vector<TriangleIntersec
 support::BulkVector<OutputTriangle> select_triangles(
     ArrangementInput& input, std::vector<TriangleIntersection> intersections,
     const BooleanRule& rule, const Progress& progress, std::uint64_t memory_limit) {
-  Constraints constraints = constraints_of(input, std::move(intersections), memory_limit);
   Subdivision subdivision;
   {
+    Constraints constraints = constraints_of(input, std::move(intersections), memory_limit);
     const support::ProgressStage stage(progress, "triangulate", 0.4, 0.7);
     const UpwardRounding rounding;
-    subdivision = retriangulate(input, rule, constraints, stage);
+    subdivision = retriangulate(input, rule, std::move(constraints), stage);
   }
   const support::ProgressStage stage(progress, "classify", 0.7, 0.9);
   const UpwardRounding rounding;
-  const ManifoldPatches patches(input, rule, constraints, subdivision);
+  const ManifoldPatches patches(input, rule, subdivision);
   const std::vector<std::int8_t> selection =
-      propagate_winding_numbers(input, rule, constraints, subdivision, patches);
+      propagate_winding_numbers(input, rule, subdivision, patches);
   triangulate_outlines(
       input, [&](std::uint32_t region) { return selection[patches.of_region(region)] != 0; },
       subdivision);
-  return collect_output_triangles(input, constraints, subdivision, patches, selection);
+  return collect_output_triangles(input, subdivision, patches, selection);
 }
 
 mesh::ExactMesh arrange(ArrangementInput& input, std::vector<TriangleIntersection> intersections,

@@ -1,16 +1,24 @@
 #include "arrangement/manifold_patches.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 #include "support/sort_by_key.h"
 
 namespace dupin::arrangement {
+namespace {
+
+template <class List>
+void append(std::vector<List>& lists, std::vector<List> more) {
+  std::ranges::move(more, std::back_inserter(lists));
+}
+
+}  // namespace
 
 ManifoldPatches::ManifoldPatches(const ArrangementInput& input, const BooleanRule& rule,
-                                 const Constraints& constraints, const Subdivision& subdivision)
+                                 const Subdivision& subdivision)
     : input_(input),
-      constraints_(constraints),
       subdivision_(subdivision),
       first_region_(input.points.size()),
       first_loose_(first_region_ + static_cast<std::uint32_t>(subdivision.regions.size())),
@@ -21,11 +29,12 @@ ManifoldPatches::ManifoldPatches(const ArrangementInput& input, const BooleanRul
     (void)change_number(std::move(unit));
   }
   find_changes_of_regions(rule);
-  add_sub_triangles();
-  add_outlines();
-  add_triangles(rule);
-  add_loose(rule);
-  join_sides();
+  SideLists sides;
+  add_sub_triangles(sides);
+  add_outlines(sides);
+  add_triangles(rule, sides);
+  add_loose(rule, sides);
+  join(std::move(sides));
   number_patches(rule);
 }
 
@@ -71,8 +80,8 @@ void ManifoldPatches::find_changes_of_regions(const BooleanRule& rule) {
   }
 }
 
-void ManifoldPatches::add_sub_triangles() {
-  const auto add = [this](std::size_t p, std::vector<Side>& sides) {
+void ManifoldPatches::add_sub_triangles(SideLists& sides) {
+  const auto add = [this](std::size_t p, std::vector<Side>& found) {
     const Subdivision::SubTriangle& triangle = subdivision_.triangles[p];
     const std::uint32_t member = first_region_ + triangle.region;
     for (const PointId corner : triangle.corners) {
@@ -83,13 +92,13 @@ void ManifoldPatches::add_sub_triangles() {
     add_sides(
         triangle.corners, triangle.open,
         {member, subdivision_.regions[triangle.region].support, member_changes_[triangle.region]},
-        sides);
+        found);
   };
-  sides_ = support::collect_in_order<Side>(subdivision_.triangles.size(), add);
+  append(sides, support::collect_by_blocks<Side>(subdivision_.triangles.size(), add));
 }
 
-void ManifoldPatches::add_outlines() {
-  const auto add = [this](std::size_t i, std::vector<Side>& sides) {
+void ManifoldPatches::add_outlines(SideLists& sides) {
+  const auto add = [this](std::size_t i, std::vector<Side>& found) {
     const auto& [region, begin, end] = subdivision_.outlines[i];
     const std::uint32_t member = first_region_ + region;
     for (std::uint32_t k = begin; k < end; ++k) {
@@ -99,16 +108,15 @@ void ManifoldPatches::add_outlines() {
         classes_.unite(from, member);
       } else if (input_.special[to]) {
         const HalfPlane half_plane{apex, subdivision_.regions[region].support, from < to, member};
-        sides.push_back({edge_key(from, to), half_plane, member_changes_[region]});
+        found.push_back({edge_key(from, to), half_plane, member_changes_[region]});
       }
     }
   };
-  const auto found = support::collect_in_order<Side>(subdivision_.outlines.size(), add);
-  sides_.insert(sides_.end(), found.begin(), found.end());
+  append(sides, support::collect_by_blocks<Side>(subdivision_.outlines.size(), add));
 }
 
 // Triangles with a corner that is not special coincide with no other.
-void ManifoldPatches::add_triangles(const BooleanRule& rule) {
+void ManifoldPatches::add_triangles(const BooleanRule& rule, SideLists& sides) {
   struct Found {
     std::vector<std::uint32_t> loose;
     std::vector<Side> sides;
@@ -117,7 +125,7 @@ void ManifoldPatches::add_triangles(const BooleanRule& rule) {
   support::for_each_block(input_.triangles.size(), [&](const support::Block& block) {
     Found& mine = found[block.number];
     for (auto t = static_cast<std::uint32_t>(block.begin); t < block.end; ++t) {
-      if (constraints_.touched[t] || input_.merged[t]) {
+      if (subdivision_.touched[t] || input_.merged[t]) {
         continue;
       }
       const Triangle& corners = input_.triangles[t];
@@ -140,25 +148,25 @@ void ManifoldPatches::add_triangles(const BooleanRule& rule) {
       }
     }
   });
-  for (const Found& part : found) {
+  for (Found& part : found) {
     loose_.insert(loose_.end(), part.loose.begin(), part.loose.end());
-    sides_.insert(sides_.end(), part.sides.begin(), part.sides.end());
+    sides.push_back(std::move(part.sides));
   }
 }
 
-void ManifoldPatches::add_loose(const BooleanRule& rule) {
+void ManifoldPatches::add_loose(const BooleanRule& rule, SideLists& sides) {
+  std::vector<Side>& found = sides.emplace_back();
   classes_.add(loose_.size());
   for (std::uint32_t i = 0; i < loose_.size(); ++i) {
     const std::uint32_t t = loose_[i];
     member_changes_.push_back(change_number(winding_change(input_, rule, input_.cover(t))));
-    add_sides(input_.triangles[t], kAllEdges, {first_loose_ + i, t, member_changes_.back()},
-              sides_);
+    add_sides(input_.triangles[t], kAllEdges, {first_loose_ + i, t, member_changes_.back()}, found);
   }
 }
 
-void ManifoldPatches::join_sides() {
-  support::sort_by_key(
-      sides_, input_.points.size(), [](const Side& side) { return lower_end(side.edge); },
+void ManifoldPatches::join(SideLists sides) {
+  sides_ = support::sorted_by_key(
+      std::move(sides), input_.points.size(), [](const Side& side) { return lower_end(side.edge); },
       [](const Side& a, const Side& b) {
         return std::tie(a.edge, a.half_plane.owner, a.half_plane.apex) <
                std::tie(b.edge, b.half_plane.owner, b.half_plane.apex);

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "arrangement/constraints.h"
 #include "arrangement/implicit_predicates.h"
 #include "arrangement/input.h"
 #include "arrangement/subdivision.h"
@@ -28,7 +27,7 @@ class ManifoldPatches {
 
   /// Needs UpwardRounding.
   ManifoldPatches(const ArrangementInput& input, const BooleanRule& rule,
-                  const Constraints& constraints, const Subdivision& subdivision);
+                  const Subdivision& subdivision);
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(changes_.size()); }
   [[nodiscard]] std::uint32_t of_region(std::uint32_t region) const {
@@ -54,28 +53,30 @@ class ManifoldPatches {
     std::uint32_t member, support, change;
   };
 
+  /// Joined only when they are sorted: they are most of the memory there is at this stage.
+  using SideLists = std::vector<std::vector<Side>>;
+
   static constexpr unsigned kAllEdges = 7;
 
   [[nodiscard]] std::uint32_t member_of_triangle(std::uint32_t triangle) const;
   [[nodiscard]] std::uint32_t change_number(std::vector<int> change);
   void find_changes_of_regions(const BooleanRule& rule);
-  void add_sub_triangles();
-  void add_outlines();
-  void add_triangles(const BooleanRule& rule);
-  void add_loose(const BooleanRule& rule);
+  void add_sub_triangles(SideLists& sides);
+  void add_outlines(SideLists& sides);
+  void add_triangles(const BooleanRule& rule, SideLists& sides);
+  void add_loose(const BooleanRule& rule, SideLists& sides);
   void add_sides(const Triangle& corners, unsigned edges, const Owner& owner,
                  std::vector<Side>& sides) const;
-  void join_sides();
+  void join(SideLists sides);
   void number_patches(const BooleanRule& rule);
 
   const ArrangementInput& input_;
-  const Constraints& constraints_;
   const Subdivision& subdivision_;
   std::uint32_t first_region_, first_loose_;
   support::DisjointSets classes_;
   std::vector<std::uint32_t> loose_;  // untouched triangles with special corners only, ascending
   std::vector<std::uint32_t> member_changes_;  // of regions and loose triangles
-  std::vector<Side> sides_;                    // by edge
+  support::BulkVector<Side> sides_;            // by edge
   std::vector<support::IndexRange> seams_;
   std::map<std::vector<int>, std::uint32_t> change_numbers_;
   std::vector<std::vector<int>> all_changes_;

@@ -379,8 +379,8 @@ void write_contacts(const VertexDuplicates& duplicates, const PointWriter& point
 }  // namespace
 
 support::BulkVector<OutputTriangle> collect_output_triangles(
-    const ArrangementInput& input, const Constraints& constraints, const Subdivision& subdivision,
-    const ManifoldPatches& patches, const std::vector<std::int8_t>& selection) {
+    const ArrangementInput& input, const Subdivision& subdivision, const ManifoldPatches& patches,
+    const std::vector<std::int8_t>& selection) {
   const auto count = static_cast<std::uint32_t>(input.triangles.size());
   support::BulkVector<std::int8_t> selected(count + subdivision.triangles.size());
   support::for_each_block(selected.size(), [&](const support::Block& block) {
@@ -389,7 +389,7 @@ support::BulkVector<OutputTriangle> collect_output_triangles(
       if (t >= count) {
         selected[i] = selection[patches.of_region(subdivision.triangles[t - count].region)];
       } else {
-        selected[i] = constraints.touched[t] || input.merged[t] ? std::int8_t{0}
+        selected[i] = subdivision.touched[t] || input.merged[t] ? std::int8_t{0}
                                                                 : selection[patches.of_triangle(t)];
       }
     }

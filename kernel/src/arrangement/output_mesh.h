@@ -10,8 +10,8 @@ namespace dupin::arrangement {
 
 /// Stage 8: the triangles of the selected patches; those that nothing touched keep their order.
 [[nodiscard]] support::BulkVector<OutputTriangle> collect_output_triangles(
-    const ArrangementInput& input, const Constraints& constraints, const Subdivision& subdivision,
-    const ManifoldPatches& patches, const std::vector<std::int8_t>& selection);
+    const ArrangementInput& input, const Subdivision& subdivision, const ManifoldPatches& patches,
+    const std::vector<std::int8_t>& selection);
 
 /// And the mesh they make. Points that doubles hold come first; every triangle names its
 /// source.

@@ -89,8 +89,8 @@ Subdivision joined(ArrangementInput& input, CoincidentPointIndex& coincident,
 
 }  // namespace
 
-Subdivision retriangulate(ArrangementInput& input, const BooleanRule& rule,
-                          Constraints& constraints, const support::ProgressStage& stage) {
+Subdivision retriangulate(ArrangementInput& input, const BooleanRule& rule, Constraints constraints,
+                          const support::ProgressStage& stage) {
   constexpr std::size_t kBatch = 32;
   const std::size_t count = constraints.face_count();
   std::vector<FaceSubdivision> batches(support::block_count(count, kBatch));
@@ -108,6 +108,7 @@ Subdivision retriangulate(ArrangementInput& input, const BooleanRule& rule,
       },
       kBatch);
   Subdivision subdivision = joined(input, *constraints.coincident_points, std::move(batches));
+  subdivision.touched = std::move(constraints.touched);
   input.special.resize(input.points.size(), 1);
   return subdivision;
 }

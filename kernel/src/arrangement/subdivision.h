@@ -37,6 +37,7 @@ struct Subdivision {
   support::BulkVector<Outline> outlines;  ///< of regions without triangles
   support::BulkVector<OutlineCorner> outline_corners;
   std::vector<SignedTriangle> covers;
+  std::vector<std::uint8_t> touched;  ///< per triangle of the input: part of a face that was cut
 
   [[nodiscard]] std::span<const SignedTriangle> cover(std::uint32_t region) const {
     return std::span(covers).subspan(regions[region].first_cover,
@@ -47,7 +48,7 @@ struct Subdivision {
 /// Stage 5: divides every face by the points and segments on it. Adds the points where segments
 /// cross to the input. Needs UpwardRounding.
 [[nodiscard]] Subdivision retriangulate(ArrangementInput& input, const BooleanRule& rule,
-                                        Constraints& constraints,
+                                        Constraints constraints,
                                         const support::ProgressStage& stage);
 
 /// Gives the regions with outlines for which is_kept(region) triangles. Needs UpwardRounding.

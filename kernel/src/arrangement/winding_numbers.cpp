@@ -228,9 +228,8 @@ struct Sample {
 };
 
 // By the root of the set.
-std::vector<Sample> find_samples(const ArrangementInput& input, const Constraints& constraints,
-                                 const Subdivision& subdivision, const ManifoldPatches& patches,
-                                 Relations& relations) {
+std::vector<Sample> find_samples(const ArrangementInput& input, const Subdivision& subdivision,
+                                 const ManifoldPatches& patches, Relations& relations) {
   std::vector<Sample> samples(patches.size());
   std::uint32_t missing = 0;
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
@@ -244,7 +243,7 @@ std::vector<Sample> find_samples(const ArrangementInput& input, const Constraint
     }
   };
   for (std::uint32_t t = 0; t < input.triangles.size() && missing > 0; ++t) {
-    if (!constraints.touched[t] && !input.merged[t]) {
+    if (!subdivision.touched[t] && !input.merged[t]) {
       offer(patches.of_triangle(t), Sample::Kind::untouched, t);
     }
   }
@@ -295,15 +294,13 @@ std::uint32_t patch_of(const Subdivision& subdivision, const ManifoldPatches& pa
 }  // namespace
 
 std::vector<std::int8_t> propagate_winding_numbers(ArrangementInput& input, const BooleanRule& rule,
-                                                   const Constraints& constraints,
                                                    const Subdivision& subdivision,
                                                    const ManifoldPatches& patches) {
   Relations relations(patches.size(), rule.groups);
   for (const support::IndexRange& seam : patches.seams()) {
     relate_around(input, patches, seam, relations);
   }
-  const std::vector<Sample> samples =
-      find_samples(input, constraints, subdivision, patches, relations);
+  const std::vector<Sample> samples = find_samples(input, subdivision, patches, relations);
   std::vector<Counts> front_of_root(patches.size());
   std::vector<std::int8_t> selection(patches.size(), 0);
   for (std::uint32_t p = 0; p < patches.size(); ++p) {

@@ -13,7 +13,6 @@ namespace dupin::arrangement {
 /// seam connects to another. Needs UpwardRounding.
 [[nodiscard]] std::vector<std::int8_t> propagate_winding_numbers(ArrangementInput& input,
                                                                  const BooleanRule& rule,
-                                                                 const Constraints& constraints,
                                                                  const Subdivision& subdivision,
                                                                  const ManifoldPatches& patches);
 

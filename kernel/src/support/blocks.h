@@ -67,22 +67,31 @@ template <class Item>
   }
   std::vector<Item> all;
   all.reserve(count);
-  for (const std::vector<Item>& part : parts) {
+  for (std::vector<Item>& part : parts) {
     all.insert(all.end(), part.begin(), part.end());
+    part = std::vector<Item>();  // all at once would take as much memory again
   }
   return all;
 }
 
-/// What `collect(index, items)` appends to `items` for all indices below `count`, in their order.
+/// What `collect(index, items)` appends to `items` for all indices below `count`, in their order,
+/// by blocks.
 template <class Item, class Collect>
-[[nodiscard]] std::vector<Item> collect_in_order(std::size_t count, const Collect& collect) {
+[[nodiscard]] std::vector<std::vector<Item>> collect_by_blocks(std::size_t count,
+                                                               const Collect& collect) {
   std::vector<std::vector<Item>> parts(block_count(count));
   for_each_block(count, [&](const Block& block) {
     for (std::size_t i = block.begin; i < block.end; ++i) {
       collect(i, parts[block.number]);
     }
   });
-  return joined(std::move(parts));
+  return parts;
+}
+
+/// The same, joined.
+template <class Item, class Collect>
+[[nodiscard]] std::vector<Item> collect_in_order(std::size_t count, const Collect& collect) {
+  return joined(collect_by_blocks<Item>(count, collect));
 }
 
 /// The indices below `count`, ascending, that holds(index) is true of.

@@ -61,53 +61,126 @@ void sort_into(std::span<const Item> items, std::span<Item> sorted, int bits, co
   }
 }
 
+/// Numbers of buckets that keys fall into by their upper bits, in order.
+class KeyBuckets {
+ public:
+  static constexpr int kBits = 10;
+  static constexpr std::size_t kCount = std::size_t{1} << kBits;
+
+  KeyBuckets(std::uint32_t key_end, std::size_t parts)
+      : shift_(std::max(static_cast<int>(std::bit_width(key_end)) - kBits, 0)), offsets_(parts) {}
+
+  /// How many bits of keys in one bucket differ.
+  [[nodiscard]] int bits() const { return shift_; }
+  /// First all items of each part are counted, part by part,
+  template <class Items, class Key>
+  void count(std::size_t part, const Items& items, const Key& key) {
+    for (const auto& item : items) {
+      ++offsets_[part][bucket(key(item))];
+    }
+  }
+  /// then what comes before which is found,
+  void place() {
+    for (std::size_t b = 0, next = 0; b < kCount; ++b) {
+      for (auto& of_part : offsets_) {
+        next += std::exchange(of_part[b], next);
+      }
+      starts_[b + 1] = next;
+    }
+  }
+  /// and each item is put in its place.
+  template <class Items, class Key, class Item>
+  void scatter(std::size_t part, const Items& items, const Key& key, std::span<Item> scattered) {
+    for (const auto& item : items) {
+      scattered[offsets_[part][bucket(key(item))]++] = item;
+    }
+  }
+  template <class Item>
+  [[nodiscard]] std::span<Item> bucket_of(std::span<Item> scattered, std::size_t b) const {
+    return scattered.subspan(starts_[b], starts_[b + 1] - starts_[b]);
+  }
+
+ private:
+  [[nodiscard]] std::size_t bucket(std::uint32_t key) const { return std::size_t{key >> shift_}; }
+
+  int shift_;
+  std::vector<std::array<std::size_t, kCount>> offsets_;  // per part and bucket
+  std::array<std::size_t, kCount + 1> starts_{};
+};
+
 /// Sorts by `less`, in parallel; it compares keys first, which are below `key_end`. Stable. Fast
 /// where keys spread over their range.
 template <class Item, class Key, class Less>
 void sort_by_key(std::vector<Item>& items, std::uint32_t key_end, const Key& key,
                  const Less& less) {
-  constexpr int kBucketBits = 10;
-  constexpr std::size_t kBuckets = std::size_t{1} << kBucketBits, kMostBlocks = 64;
+  constexpr std::size_t kMostBlocks = 64;
   if (items.size() < 2 * Block::kSize) {
     const std::vector<Item> given = items;
     sort_into(std::span(given), std::span(items), std::bit_width(key_end), key, less);
     return;
   }
-  const int shift = std::max(static_cast<int>(std::bit_width(key_end)) - kBucketBits, 0);
-  const auto bucket = [&](const Item& item) { return std::size_t{key(item) >> shift}; };
-  // Per block and bucket, how many items there are; then where the first goes.
   const std::size_t block_size =
       std::max(Block::kSize, (items.size() + kMostBlocks - 1) / kMostBlocks);
-  std::vector<std::array<std::size_t, kBuckets>> offsets(block_count(items.size(), block_size));
+  const std::span<Item> all(items);
+  KeyBuckets buckets(key_end, block_count(items.size(), block_size));
+  const auto part = [&](const Block& block) {
+    return all.subspan(block.begin, block.end - block.begin);
+  };
   for_each_block(
-      items.size(),
-      [&](const Block& block) {
-        for (std::size_t i = block.begin; i < block.end; ++i) {
-          ++offsets[block.number][bucket(items[i])];
-        }
-      },
+      items.size(), [&](const Block& block) { buckets.count(block.number, part(block), key); },
       block_size);
-  std::array<std::size_t, kBuckets + 1> starts{};
-  for (std::size_t b = 0, next = 0; b < kBuckets; ++b) {
-    for (auto& of_block : offsets) {
-      next += std::exchange(of_block[b], next);
-    }
-    starts[b + 1] = next;
-  }
+  buckets.place();
   BulkVector<Item> scattered(items.size());
   for_each_block(
       items.size(),
       [&](const Block& block) {
-        for (std::size_t i = block.begin; i < block.end; ++i) {
-          scattered[offsets[block.number][bucket(items[i])]++] = items[i];
-        }
+        buckets.scatter(block.number, part(block), key, std::span(scattered));
       },
       block_size);
-  for_each_in_parallel(kBuckets, [&](std::size_t b) {
-    const std::size_t count = starts[b + 1] - starts[b];
-    sort_into(std::span<const Item>(scattered).subspan(starts[b], count),
-              std::span(items).subspan(starts[b], count), shift, key, less);
+  for_each_in_parallel(KeyBuckets::kCount, [&](std::size_t b) {
+    sort_into(std::span<const Item>(buckets.bucket_of(std::span(scattered), b)),
+              buckets.bucket_of(all, b), buckets.bits(), key, less);
   });
+}
+
+/// The items of all parts, sorted likewise; takes little more memory than they do.
+template <class Item, class Key, class Less>
+[[nodiscard]] BulkVector<Item> sorted_by_key(std::vector<std::vector<Item>> parts,
+                                             std::uint32_t key_end, const Key& key,
+                                             const Less& less) {
+  constexpr std::size_t kMostRuns = 64;
+  std::size_t count = 0;
+  for (const std::vector<Item>& part : parts) {
+    count += part.size();
+  }
+  // Runs of parts, so that few have buckets of their own.
+  const std::size_t run_size = std::max<std::size_t>(1, (parts.size() + kMostRuns - 1) / kMostRuns);
+  KeyBuckets buckets(key_end, block_count(parts.size(), run_size));
+  for_each_block(
+      parts.size(),
+      [&](const Block& run) {
+        for (std::size_t p = run.begin; p < run.end; ++p) {
+          buckets.count(run.number, parts[p], key);
+        }
+      },
+      run_size);
+  buckets.place();
+  BulkVector<Item> sorted(count);
+  for_each_block(
+      parts.size(),
+      [&](const Block& run) {
+        for (std::size_t p = run.begin; p < run.end; ++p) {
+          buckets.scatter(run.number, parts[p], key, std::span(sorted));
+          parts[p] = std::vector<Item>();
+        }
+      },
+      run_size);
+  for_each_in_parallel(KeyBuckets::kCount, [&](std::size_t b) {
+    const std::span<Item> bucket = buckets.bucket_of(std::span(sorted), b);
+    const std::vector<Item> unsorted(bucket.begin(), bucket.end());
+    sort_into(std::span(unsorted), bucket, buckets.bits(), key, less);
+  });
+  return sorted;
 }
 
 }  // namespace dupin::support

@@ -52,7 +52,7 @@ class PatchesOf : public testing::TestWithParam<test::Meeting> {
   test::Stages stages{GetParam().solids, separate_groups(GetParam().solids.size())};
   Constraints constraints = stages.incidences();
   Subdivision outlined = stages.subdivision(constraints);
-  ManifoldPatches patches{stages.input, stages.rule, constraints, outlined};
+  ManifoldPatches patches{stages.input, stages.rule, outlined};
   Subdivision subdivision = stages.triangulated(outlined);
   std::vector<Facet> facets;
   std::map<EdgeKey, std::vector<Side>> at_edge;

@@ -21,14 +21,12 @@ struct Duplicated {
 
 Duplicated duplicated(const std::vector<TriMesh>& solids, const BooleanRule& rule) {
   test::Stages stages(solids, rule);
-  Constraints constraints = stages.incidences();
-  const Subdivision subdivision = stages.subdivision(constraints);
-  const ManifoldPatches patches(stages.input, rule, constraints, subdivision);
+  const Subdivision subdivision = stages.subdivision(stages.incidences());
+  const ManifoldPatches patches(stages.input, rule, subdivision);
   Duplicated result;
-  const auto selection =
-      propagate_winding_numbers(stages.input, rule, constraints, subdivision, patches);
-  result.before = collect_output_triangles(stages.input, constraints,
-                                           stages.triangulated(subdivision), patches, selection);
+  const auto selection = propagate_winding_numbers(stages.input, rule, subdivision, patches);
+  result.before =
+      collect_output_triangles(stages.input, stages.triangulated(subdivision), patches, selection);
   result.after = result.before;
   result.duplicates = duplicate_non_manifold_vertices(stages.input, result.after);
   return result;

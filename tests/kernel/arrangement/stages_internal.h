@@ -70,8 +70,8 @@ class Stages {
   [[nodiscard]] arrangement::Constraints incidences() {
     return arrangement::collect_constraints(input, intersections());
   }
-  [[nodiscard]] arrangement::Subdivision subdivision(arrangement::Constraints& constraints) {
-    return arrangement::retriangulate(input, rule, constraints, stage_);
+  [[nodiscard]] arrangement::Subdivision subdivision(arrangement::Constraints constraints) {
+    return arrangement::retriangulate(input, rule, std::move(constraints), stage_);
   }
   /// With triangles in place of all outlines.
   [[nodiscard]] arrangement::Subdivision triangulated(arrangement::Subdivision divided) const {

@@ -19,12 +19,10 @@ struct Selected {
 
 Selected selected(const std::vector<TriMesh>& solids, const BooleanRule& rule) {
   test::Stages stages(solids, rule);
-  Constraints constraints = stages.incidences();
-  const Subdivision subdivision = stages.subdivision(constraints);
-  const ManifoldPatches patches(stages.input, rule, constraints, subdivision);
+  const Subdivision subdivision = stages.subdivision(stages.incidences());
+  const ManifoldPatches patches(stages.input, rule, subdivision);
   Selected result;
-  const auto selection =
-      propagate_winding_numbers(stages.input, rule, constraints, subdivision, patches);
+  const auto selection = propagate_winding_numbers(stages.input, rule, subdivision, patches);
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
     ++result.patches;
     result.kept += selection[p] == 1 ? 1 : 0;
@@ -75,9 +73,8 @@ TEST(Selection, follows_any_rule) {
 TEST(Patches, know_how_counts_change_through_them) {
   const BooleanRule rule = union_rule(3);
   test::Stages stages({cube(0, 0, 0), cube(0, 0, 0), cube(9, 9, 9)}, rule);
-  Constraints constraints = stages.incidences();
-  const Subdivision subdivision = stages.subdivision(constraints);
-  const ManifoldPatches patches(stages.input, rule, constraints, subdivision);
+  const Subdivision subdivision = stages.subdivision(stages.incidences());
+  const ManifoldPatches patches(stages.input, rule, subdivision);
   EXPECT_EQ(patches.change(patches.of_triangle(0)), std::vector<int>{2});
   EXPECT_EQ(patches.change(patches.of_triangle(24)), std::vector<int>{1});
   EXPECT_TRUE(patches.seams().empty());

@@ -53,6 +53,30 @@ TEST(SortByKey, sorts_keys_that_crowd_in_one_place) {
   }
 }
 
+TEST(SortedByKey, sorts_the_parts_like_a_stable_sort_of_all) {
+  // No part, one, empty ones, more than there are buckets of; small and large ones.
+  for (const std::size_t parts : {0, 1, 3, 64, 65, 700}) {
+    for (const std::size_t size : {0, 1, 50, 300}) {
+      for (const std::uint32_t key_end : {1U, 1000U, 1U << 20, 0xffffffffU}) {
+        const std::vector<Item> items = random_items(parts * size, key_end, key_end % 89);
+        std::vector<std::vector<Item>> given(parts);
+        for (std::size_t i = 0; i < items.size(); ++i) {  // sizes differ: of every third, none
+          const std::size_t p = i * parts / items.size();
+          given[p - p % 3 % 2].push_back(items[i]);
+        }
+        std::vector<Item> expected;
+        for (const std::vector<Item>& part : given) {
+          expected.insert(expected.end(), part.begin(), part.end());
+        }
+        std::stable_sort(expected.begin(), expected.end(), by_key);
+        const BulkVector<Item> sorted = sorted_by_key(
+            given, key_end, [](const Item& item) { return item.key; }, by_key);
+        EXPECT_TRUE(std::ranges::equal(sorted, expected)) << parts << " of " << size;
+      }
+    }
+  }
+}
+
 TEST(SortByKey, compares_further_among_equal_keys) {
   const auto later_first = [](const Item& a, const Item& b) {
     return a.key != b.key ? a.key < b.key : a.order > b.order;
