@@ -6,9 +6,6 @@
 #include <numeric>
 #include <optional>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
 #include "boxes/box_tree.h"
 #include "boxes/boxes_near.h"
 #include "boxes/tree_traversal.h"
@@ -50,6 +47,7 @@ class Search {
       found = joined(std::move(found), examined_passive(items));
     }
     trim(found.pairs);
+    found.is_cut_short = has_enough();
     if (!tree_.is_oriented()) {  // else boxes tell triangles apart that may not stay so
       std::ranges::replace(stable_, kSliver, std::uint8_t{0});
       found.stable = std::move(stable_);
@@ -202,17 +200,22 @@ class Search {
                              const Items& others) {
     constexpr std::size_t kTasks = 512;
     const std::vector<boxes::TreeTraversal::Nodes> tasks = pairs.tasks(kTasks);
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, tasks.size()), SelfIntersections{},
-        [&](const auto& range, SelfIntersections part) {
-          for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            examine(pairs, tasks[i], items, others, part);
-          }
-          return part;
-        },
-        [&](SelfIntersections left, const SelfIntersections& right) {
-          return joined(std::move(left), right);
-        });
+    std::vector<SelfIntersections> parts(tasks.size());
+    support::for_each_in_parallel(tasks.size(), [&](std::size_t i) {
+      if (!has_enough()) {
+        examine(pairs, tasks[i], items, others, parts[i]);
+        found_count_.fetch_add(parts[i].count(), std::memory_order_relaxed);
+      }
+    });
+    SelfIntersections found;
+    for (const SelfIntersections& part : parts) {
+      found = joined(std::move(found), part);
+    }
+    return found;
+  }
+
+  [[nodiscard]] bool has_enough() const {
+    return found_count_.load(std::memory_order_relaxed) >= options_.enough;
   }
 
   void examine(const boxes::TreeTraversal& pairs, const boxes::TreeTraversal::Nodes& nodes,
@@ -340,9 +343,10 @@ class Search {
   bool among_all_ = true;              // else among active and between these and passive ones
   std::vector<std::uint8_t> degenerate_;
   std::vector<std::uint32_t> active_;
-  DisjointFaceGroups groups_;         // empty if few triangles are active
-  std::vector<std::uint8_t> stable_;  // empty unless stable ones are sought
-  boxes::BoxTree tree_;               // over the active triangles
+  DisjointFaceGroups groups_;                 // empty if few triangles are active
+  std::vector<std::uint8_t> stable_;          // empty unless stable ones are sought
+  std::atomic<std::size_t> found_count_ = 0;  // pairs, by the tasks that are done
+  boxes::BoxTree tree_;                       // over the active triangles
 };
 
 }  // namespace

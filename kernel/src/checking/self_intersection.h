@@ -44,17 +44,21 @@ struct SelfIntersectionOptions {
   double margin = 0;
   /// Whether a pair is to be counted and kept; all are, if empty. Asked by several threads at once.
   std::function<bool(const FacePair&)> wanted;
+  /// The search may end once it has found so many pairs.
+  std::size_t enough = std::numeric_limits<std::size_t>::max();
 };
 
 struct SelfIntersections {
   std::vector<FacePair> pairs;            ///< ascending
   std::vector<std::uint32_t> degenerate;  ///< collinear or repeated corners; in none of the pairs
   std::size_t crossings = 0, overlaps = 0, contacts = 0;
+  bool is_cut_short = false;  ///< there are enough pairs; these are not all, nor always the same
   /// Per triangle 1 if it is one of those that certainly keep an area and, of each other, apart
   /// wherever each coordinate of each point moves by at most the margin. Not all such triangles are
   /// found; empty if none are.
   std::vector<std::uint8_t> stable;
 
+  [[nodiscard]] std::size_t count() const { return crossings + overlaps + contacts; }
   [[nodiscard]] bool none() const { return degenerate.empty() && crossings == 0 && overlaps == 0; }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 
 #include "checking/self_intersection.h"
 #include "support/blocks.h"
@@ -83,24 +84,44 @@ support::BulkVector<std::uint8_t> marked_faces(std::span<const Triangle> triangl
   return marked;
 }
 
-std::vector<Fault> find_faults(const Embedding& mesh, std::span<const std::uint8_t> marked) {
-  if (std::ranges::find(marked, 1) == marked.end()) {
-    return {};
+std::vector<std::uint32_t> faces_of(std::span<const Fault> faults) {
+  std::vector<std::uint32_t> faces;
+  for (const Fault& fault : faults) {
+    faces.push_back(fault.first);
+    faces.push_back(fault.second);
   }
-  const checking::SelfIntersections found =
-      checking::find_self_intersections(mesh.points, mesh.triangles,
-                                        {.active = marked,
-                                         .representatives = mesh.representatives,
-                                         .closed = true,
-                                         .groups = mesh.groups});
+  return faces;
+}
+
+std::vector<Fault> find_faults(const Embedding& mesh, std::span<const std::uint8_t> marked) {
+  return *find_faults_below(std::numeric_limits<std::size_t>::max(), mesh, marked);
+}
+
+std::optional<std::vector<Fault>> find_faults_below(std::size_t count, const Embedding& mesh,
+                                                    std::span<const std::uint8_t> marked) {
   std::vector<Fault> faults;
+  if (std::ranges::find(marked, 1) == marked.end()) {
+    return faults;
+  }
+  const checking::SelfIntersections found = checking::find_self_intersections(
+      mesh.points, mesh.triangles,
+      {.active = marked,
+       .representatives = mesh.representatives,
+       .closed = true,
+       .groups = mesh.groups,
+       .wanted =
+           [](const checking::FacePair& pair) {
+             return pair.kind != checking::FacePair::Kind::contact;
+           },
+       .enough = count});
+  if (found.is_cut_short) {
+    return std::nullopt;
+  }
   for (const std::uint32_t face : found.degenerate) {
     faults.push_back({face, face});
   }
   for (const checking::FacePair& pair : found.pairs) {
-    if (pair.kind != checking::FacePair::Kind::contact) {
-      faults.push_back({pair.first, pair.second});
-    }
+    faults.push_back({pair.first, pair.second});
   }
   return faults;
 }

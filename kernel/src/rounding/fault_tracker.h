@@ -30,6 +30,9 @@ struct Embedding {
   std::span<const std::uint32_t> groups = {};      ///< see SelfIntersectionOptions
 };
 
+/// The triangles of faults, as often as they are in one.
+[[nodiscard]] std::vector<std::uint32_t> faces_of(std::span<const Fault> faults);
+
 [[nodiscard]] bool is_degenerate(const Embedding& mesh, std::uint32_t face);
 
 /// One triangle of a mesh to be tested for faults with others.
@@ -80,6 +83,9 @@ class FaultTest {
 /// All faults that involve a marked face. Points with one representative must coincide.
 [[nodiscard]] std::vector<Fault> find_faults(const Embedding& mesh,
                                              std::span<const std::uint8_t> marked);
+/// The same; none, and sooner, if so many pairs of triangles are faults.
+[[nodiscard]] std::optional<std::vector<Fault>> find_faults_below(
+    std::size_t count, const Embedding& mesh, std::span<const std::uint8_t> marked);
 
 /// What an edit must do to the faults that involve the triangles it changes.
 enum class FaultRule {

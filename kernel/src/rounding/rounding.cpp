@@ -125,9 +125,17 @@ class Rounding {
       }
     }
     const auto groups = mesh::groups_apart(exact_.stable, lattice_, step_, !origin_.isZero(0));
-    const std::vector<Fault> found =
-        find_faults({rounded_.on_lattice, exact_.triangles, representatives_, groups},
-                    marked_faces(exact_.triangles, rounded_.moved));
+    const Embedding embedding{rounded_.on_lattice, exact_.triangles, representatives_, groups};
+    const auto moved = marked_faces(exact_.triangles, rounded_.moved);
+    // Voids may be why there are many; they are filled whatever the faults are.
+    const bool voids_first = !exact_.contacts.empty() && !past_.has_filled_voids;
+    auto few = voids_first ? find_faults_below(kManyFaults, embedding, moved) : std::nullopt;
+    if (voids_first && !few) {
+      if (auto done = without_voids()) {
+        return std::move(*done);
+      }
+    }
+    const std::vector<Fault> found = few ? *std::move(few) : find_faults(embedding, moved);
     const mesh::MeshView direct(rounded_.on_lattice, exact_.triangles);
     const double move = largest_move(rounded_.largest_move);
     if (found.empty() && exact_.contacts.empty() &&
@@ -368,15 +376,6 @@ class Rounding {
   bool may_have_voids() {
     return !exact_.contacts.empty() ||
            std::ranges::any_of(shell_of(), [](std::uint32_t shell) { return shell != 0; });
-  }
-
-  static std::vector<std::uint32_t> faces_of(const std::vector<Fault>& faults) {
-    std::vector<std::uint32_t> faces;
-    for (const Fault& fault : faults) {
-      faces.push_back(fault.first);
-      faces.push_back(fault.second);
-    }
-    return faces;
   }
 
   /// Triangles, by their places, of shells turned inside out and at contacts that became crossings.

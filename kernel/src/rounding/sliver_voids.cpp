@@ -179,12 +179,18 @@ bool SliverVoids::is_void(std::uint32_t cell) const {
 /// Those in which material might float are left out.
 std::vector<SliverVoids::Void> SliverVoids::find_voids(double widest) const {
   constexpr double kNone = std::numeric_limits<double>::infinity();
+  constexpr std::size_t kFewFaces = 64;
   std::vector<double> widths(cells_.count, kNone);
   support::for_each_in_parallel(cells_.count, [&](std::size_t i) {
     const auto cell = static_cast<std::uint32_t>(i);
     const auto faces = cells_.faces_of(cell);
-    const auto points = points_of(merged_, faces);
-    const double width = width_across(mean_normal(mesh_, faces), mesh_, points, widest);
+    const Vec3 normal = mean_normal(mesh_, faces);
+    const auto width_of = [&](std::size_t count) {
+      return width_across(normal, mesh_, points_of(merged_, faces.first(count)), widest);
+    };
+    // A few triangles of a wide cell show that it is wide.
+    const double width =
+        width_of(std::min(kFewFaces, faces.size())) <= widest ? width_of(faces.size()) : kNone;
     widths[cell] = width <= widest && is_void(cell) ? width : kNone;
   });
   std::vector<Void> voids;

@@ -260,6 +260,19 @@ TEST(SelfIntersection, is_found_at_every_scale) {
   }
 }
 
+TEST(SelfIntersection, may_end_where_there_are_enough_pairs) {
+  std::mt19937 random(11);
+  const Soup soup = random_soup(random, 4, 60, 120);
+  const std::size_t count = find_self_intersections(soup.points, soup.triangles).count();
+  ASSERT_GT(count, 100);
+  for (const std::size_t enough : {std::size_t{1}, count / 2, count, count + 1}) {
+    const SelfIntersections found =
+        find_self_intersections(soup.points, soup.triangles, {.enough = enough});
+    EXPECT_EQ(found.is_cut_short, enough <= count) << enough;
+    EXPECT_GE(found.count(), std::min(enough, count));
+  }
+}
+
 TEST(SelfIntersection, of_nothing_is_nothing) {
   EXPECT_TRUE(find_self_intersections({}, {}).none());
 }

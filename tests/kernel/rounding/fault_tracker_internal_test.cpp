@@ -107,6 +107,13 @@ TEST(Faults, of_marked_faces_are_all_found) {
     std::ranges::sort(faults, {},
                       [](const Fault& fault) { return std::pair(fault.first, fault.second); });
     EXPECT_TRUE(faults == broken.faults(marked));
+    const std::size_t pairs = static_cast<std::size_t>(std::ranges::count_if(
+        faults, [](const Fault& fault) { return fault.first != fault.second; }));
+    const auto below = [&](std::size_t count) {
+      return find_faults_below(count, broken.embedding(), marked);
+    };
+    EXPECT_EQ(below(pairs), std::nullopt);
+    EXPECT_EQ(below(pairs + 1), find_faults(broken.embedding(), marked));
     found += faults.size();
   }
   EXPECT_GT(found, 50);
