@@ -177,6 +177,12 @@ std::optional<int> lone_corner(const Sides& sides) {
   return sides[1] == sides[2] ? 0 : sides[0] == sides[2] ? 1 : 2;
 }
 
+/// Whether the plane of another triangle, whose sides may be uncertain, may cut off corner i alone.
+bool may_be_lone(const Sides& sides, int i) {
+  const int a = sides[(i + 1) % 3], b = sides[(i + 2) % 3];
+  return a * b >= 0 && sides[i] * a <= 0 && sides[i] * b <= 0;
+}
+
 /// For triangles that cross each other's planes, if certain: how they meet. Both cut a segment out
 /// of the line that their planes have in common [Guigue and Devillers, Fast and Robust
 /// Triangle-Triangle Overlap Test Using Orientation Predicates, 2003]; its ends lie on the edges at
@@ -193,6 +199,28 @@ std::optional<TriangleOverlap> certain_meeting(const Corners& a, int lone_a, con
     return std::nullopt;
   }
   return common_sign(turns) == last ? TriangleOverlap::none : TriangleOverlap::crossing;
+}
+
+/// Whether triangles certainly do not meet, whatever sides that are uncertain are.
+///
+/// Lemma: let b not lie in the plane of a, nor a in that of b. A corner on the plane may count as
+/// on either side: if a turn of two edges is not zero they do not meet, also where one ends in that
+/// plane, so that what follows of the segments, which depend on the corners continuously, for
+/// corners a little beside it follows for them.
+bool certainly_apart(const Corners& a, const Sides& sides_a, const Corners& b,
+                     const Sides& sides_b) {
+  constexpr Sides kUnknown{0, 0, 0};
+  if (sides_a == kUnknown || sides_b == kUnknown) {
+    return false;
+  }
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3 && may_be_lone(sides_a, i); ++k) {
+      if (may_be_lone(sides_b, k) && certain_meeting(a, i, b, k) != TriangleOverlap::none) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 bool all_edges_meet_nothing(const Corners& edges, const Sides& sides, const Corners& t, int axis) {
@@ -307,6 +335,8 @@ TriangleOverlap TriangleOverlapTest::sharing_none(const Triangle& other) const {
     if (const auto meeting = certain_meeting(a, *lone_a, b, *lone_b)) {
       return *meeting;
     }
+  } else if (certainly_apart(a, certain_a, b, certain_b)) {
+    return TriangleOverlap::none;
   }
   const int axis = plane_.main_axis();
   if (edge_separates(a, b, axis, side_of_line) || edge_separates(b, a, axis, side_of_line)) {

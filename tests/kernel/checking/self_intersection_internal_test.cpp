@@ -136,6 +136,33 @@ TEST(SelfIntersection, of_needles_agrees_with_clipping_in_rationals) {
   EXPECT_GT(pairs, 1000U);
 }
 
+// Corners on one line but for rounding, on either side of the planes of triangles that have theirs
+// there: as where surfaces cross.
+TEST(SelfIntersection, at_rounded_creases_agrees_with_clipping_in_rationals) {
+  std::mt19937 random(23);
+  const Vec3 origin(0.1, 0.7, -0.3), direction(1.0 / 3, -0.71, 0.53);
+  std::size_t pairs = 0, apart = 0;
+  for (int round = 0; round < 40; ++round) {
+    Soup soup;
+    std::uniform_real_distribution<double> off(-1, 1);
+    const auto on_crease = [&]() -> Vec3 { return origin + off(random) * direction; };
+    const auto beside = [&]() -> Vec3 {
+      return on_crease() + Vec3(off(random), off(random), off(random));
+    };
+    for (std::uint32_t i = 0; i < 24; ++i) {
+      const Vec3 second = i % 3 == 0 ? on_crease() : beside();
+      soup.points.insert(soup.points.end(), {on_crease(), second, beside()});
+      soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    const auto found = find_self_intersections(soup.points, soup.triangles);
+    ASSERT_EQ(found.pairs, brute_force(soup)) << "round " << round;
+    pairs += found.pairs.size();
+    apart += 24 * 23 / 2 - found.pairs.size();
+  }
+  EXPECT_GT(pairs, 1000);
+  EXPECT_GT(apart, 1000);
+}
+
 TEST(SelfIntersection, sees_the_same_after_an_exact_shear_off_the_axes) {
   // Multiplication by 3 and addition are exact here, so the shear keeps every coincidence while no
   // plane stays parallel to an axis.
