@@ -66,12 +66,6 @@ struct Past {
   [[nodiscard]] double filled() const { return std::max(void_width / 2, slit_reach); }
 };
 
-template <class Item>
-void copy(const std::vector<Item>& from, std::vector<Item>& to) {
-  support::reserve_bulk(to, from.size());
-  to.assign(from.begin(), from.end());
-}
-
 }  // namespace
 
 class Rounding {
@@ -109,8 +103,11 @@ class Rounding {
     const bool is_repaired = report.repair_reach > 0 || report.removed_triangles > 0 ||
                              !report.filled_places.empty() || !report.snapped_places.empty();
     const PointMoves moves{lattice_, report.origin, is_repaired ? report.largest_move : 0};
-    for (const auto& [place, thickness, move] : thin_shells(exact_, moves, report.largest_move)) {
-      report.thin_shells.push_back({place, thickness, move});
+    if (report.largest_move > 0) {
+      for (const auto& [place, thickness, move] :
+           thin_shells(exact_, shell_of(), moves, report.largest_move)) {
+        report.thin_shells.push_back({place, thickness, move});
+      }
     }
     return result;
   }
@@ -447,9 +444,9 @@ Rounded Rounding::unrepaired(double move) {
   report.moved = static_cast<std::size_t>(std::ranges::count(rounded_.moved, 1));
   Rounded result = with_report(std::move(report), exact_.triangles.size());
   result.mesh_.points = std::move(rounded_.on_lattice);
-  tbb::parallel_invoke([&] { copy(exact_.triangles, result.mesh_.triangles); },
-                       [&] { copy(exact_.sources, result.sources_); },
-                       [&] { copy(exact_.labels, result.mesh_.labels); });
+  tbb::parallel_invoke([&] { support::assign_bulk(exact_.triangles, result.mesh_.triangles); },
+                       [&] { support::assign_bulk(exact_.sources, result.sources_); },
+                       [&] { support::assign_bulk(exact_.labels, result.mesh_.labels); });
   return result;
 }
 
@@ -510,9 +507,9 @@ std::optional<Rounded> Rounding::spliced(const EditedMesh& mesh, const MeshPart&
   report.moved = moved + static_cast<std::size_t>(std::ranges::count(rounded_.moved, 1));
   Rounded result = with_report(report, exact_.triangles.size() - dead.size());
   TriMesh& whole = result.mesh_;
-  tbb::parallel_invoke([&] { copy(exact_.triangles, whole.triangles); },
-                       [&] { copy(exact_.sources, result.sources_); },
-                       [&] { copy(exact_.labels, whole.labels); });
+  tbb::parallel_invoke([&] { support::assign_bulk(exact_.triangles, whole.triangles); },
+                       [&] { support::assign_bulk(exact_.sources, result.sources_); },
+                       [&] { support::assign_bulk(exact_.labels, whole.labels); });
   whole.points = std::move(rounded_.on_lattice);
   part.put(mesh, whole, result.sources_);
   const bool meets_rest = part.meets_rest(mesh, {whole.points, whole.triangles, representatives_});

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
-#include <utility>
 
 #include <Eigen/Geometry>
 
 #include "dupin/kernel/connected_components.h"
 #include "mesh/measure.h"
 #include "mesh/self_contact.h"
-#include "support/blocks.h"
+#include "rounding/shell_sums.h"
 
 namespace dupin::rounding {
 namespace {
@@ -39,31 +37,6 @@ Measures measured(const mesh::MeshView& mesh, std::uint32_t face, const Vec3& or
           1};
 }
 
-/// Per shell, by its lowest point.
-std::map<std::uint32_t, Measures> measured(const mesh::MeshView& mesh,
-                                           std::span<const std::uint32_t> shell_of) {
-  using OfShell = std::pair<std::uint32_t, Measures>;
-  std::vector<std::vector<OfShell>> parts(support::block_count(mesh.triangles.size()));
-  support::for_each_block(mesh.triangles.size(), [&](const support::Block& block) {
-    std::vector<OfShell> part;  // per run of triangles of one shell
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      const std::uint32_t shell = shell_of[mesh.triangles[i][0]];
-      if (part.empty() || part.back().first != shell) {
-        part.emplace_back(shell, Measures());
-      }
-      part.back().second.add(measured(mesh, static_cast<std::uint32_t>(i), mesh.points[shell]));
-    }
-    parts[block.number] = std::move(part);
-  });
-  std::map<std::uint32_t, Measures> measures;
-  for (const std::vector<OfShell>& part : parts) {
-    for (const auto& [shell, sums] : part) {
-      measures[shell].add(sums);
-    }
-  }
-  return measures;
-}
-
 /// The sign of the volume of the triangles whose points belong to a shell, exactly.
 int sign_of_shell(mesh::MeshView view, std::span<const std::uint32_t> shell_of,
                   std::uint32_t shell) {
@@ -87,7 +60,11 @@ std::vector<std::uint32_t> turned_shells(const mesh::ExactMesh& exact,
                                          std::span<const std::uint32_t> shell_of,
                                          const mesh::MeshView& mesh, double largest_move) {
   std::vector<std::uint32_t> turned;
-  for (const auto& [shell, sums] : measured(mesh, shell_of)) {
+  const auto of_shells = sums_of_shells<Measures>(mesh.triangles, shell_of,
+                                                  [&](std::uint32_t face, std::uint32_t shell) {
+                                                    return measured(mesh, face, mesh.points[shell]);
+                                                  });
+  for (const auto& [shell, sums] : of_shells) {
     // The volume has changed by at most the area times the move, doubled for the area's own change.
     // The terms, n in number, are summed with errors below n 2^-52 of what they are made of.
     const double doubt = 6 * sums.area * largest_move +

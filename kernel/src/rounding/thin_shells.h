@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "exact/float_lattice.h"
@@ -22,8 +24,10 @@ struct MovedShell {
 };
 
 /// The shells whose thickness is smaller than the move of one of their points, in the order of
-/// their first points. `longest` bounds all moves.
+/// their first points. `shell_of`: per point the first one of its shell. `longest` bounds all
+/// moves. O(n).
 [[nodiscard]] std::vector<MovedShell> thin_shells(const mesh::ExactMesh& exact,
+                                                  std::span<const std::uint32_t> shell_of,
                                                   const PointMoves& moves, double longest);
 
 }  // namespace dupin::rounding

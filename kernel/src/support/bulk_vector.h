@@ -37,11 +37,16 @@ struct UnsetAllocator : std::allocator<T> {
 template <class T>
 using BulkVector = std::vector<T, UnsetAllocator<T>>;
 
-/// A large reserve(), or resize(), of an empty vector.
+/// A large reserve(), assignment or resize() of an empty vector.
 template <class T>
 void reserve_bulk(std::vector<T>& items, std::size_t count) {
   items.reserve(count);
   prefer_huge_pages(items.data(), count * sizeof(T));
+}
+template <class T>
+void assign_bulk(const std::vector<T>& from, std::vector<T>& to) {
+  reserve_bulk(to, from.size());
+  to.assign(from.begin(), from.end());
 }
 template <class T>
 void resize_bulk(std::vector<T>& items, std::size_t count) {
