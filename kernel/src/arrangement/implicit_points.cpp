@@ -7,10 +7,16 @@
 #include <type_traits>
 
 #include "exact/lattice_meeting.h"
+#include "exact/vector_algebra.h"
 #include "support/operation_limits.h"
 
 namespace dupin::arrangement {
 namespace {
+
+using exact::cross;
+using exact::difference;
+using exact::direction;
+using exact::dot;
 
 using Number = CGAL::Mpzf;
 using Direction = std::array<Number, 3>;
@@ -19,26 +25,6 @@ struct Plane {  // normal . x + offset w = 0, a positive multiple of the plane t
   Direction normal;
   Number offset;
 };
-
-template <class N>
-std::array<N, 3> cross(const std::array<N, 3>& a, const std::array<N, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-template <class N>
-N dot(const std::array<N, 3>& a, const std::array<N, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <class N>
-std::array<N, 3> difference(const std::array<N, 3>& a, const std::array<N, 3>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Direction direction(const mesh::ExactPoint& from, const mesh::ExactPoint& to) {
-  return {to[0] * from[3] - from[0] * to[3], to[1] * from[3] - from[1] * to[3],
-          to[2] * from[3] - from[2] * to[3]};
-}
 
 mesh::ExactPoint homogeneous(const Vec3& p) {
   return {Number(p[0]), Number(p[1]), Number(p[2]), Number(1)};

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/vector_algebra.h"
 #include "mesh/radial_order.h"
 #include "predicates/lattice_orientation.h"
 
 namespace dupin::arrangement {
 namespace {
+
+using exact::difference;
+using exact::direction;
 
 using Number = CGAL::Mpzf;
 
@@ -20,18 +24,7 @@ constexpr double kUnderflow = 0x1p-900;
 
 template <class N>
 N determinant(const std::array<N, 3>& u, const std::array<N, 3>& v, const std::array<N, 3>& w) {
-  return w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
-         w[2] * (u[0] * v[1] - u[1] * v[0]);
-}
-
-template <class N>
-std::array<N, 3> difference(const std::array<N, 3>& a, const std::array<N, 3>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-std::array<Number, 3> direction(const mesh::ExactPoint& from, const mesh::ExactPoint& to) {
-  return {to[0] * from[3] - from[0] * to[3], to[1] * from[3] - from[1] * to[3],
-          to[2] * from[3] - from[2] * to[3]};
+  return exact::dot(w, exact::cross(u, v));
 }
 
 int exact_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
