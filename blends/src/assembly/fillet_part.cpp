@@ -172,6 +172,10 @@ class Search {
     for (const std::size_t i : {0U, 1U}) {
       refuse_open_end(i);
     }
+    // Last, as proofs take longest.
+    if (radius_ > 0) {
+      std::ranges::for_each(result_.loops, [&](const auto& loop) { include_regularity(loop); });
+    }
     return std::move(result_);
   }
 
@@ -227,9 +231,6 @@ class Search {
         refuse(std::string(radius_ == 0 ? "the cut" : "the fillet") + " runs over the end of '" +
                pipes_.at(i).name() + "' by " + decimal(over, kMessageDigits) + half_buried_end());
       }
-    }
-    if (radius_ > 0) {
-      include_regularity(loop);
     }
     result_.loops.push_back(std::move(loop));
     courses_.push_back(courses);
