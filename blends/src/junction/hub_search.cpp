@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Eigenvalues>
@@ -91,6 +92,9 @@ class HubSearch {
         center_(center),
         options_(options),
         good_power_(options.radius ? 0 : kGoodPower) {}
+
+  /// Nothing is news then.
+  void be_silent() { fault_ = Fault{{}, {}, std::numeric_limits<int>::max()}; }
 
   JunctionSearch run() {
     if (auto fault = directions_fault()) {
@@ -485,6 +489,13 @@ JunctionSearch search_hub(std::span<const Approach> ends, const Vec3& center,
     return crowded(ends, center);
   }
   return too_near(std::move(setbacks));
+}
+
+std::optional<Junction> find_hub(std::span<const Approach> ends, const Vec3& center,
+                                 const JunctionOptions& options) {
+  HubSearch search(ends, center, options);
+  search.be_silent();
+  return search.run().junction;
 }
 
 }  // namespace dupin::junction
