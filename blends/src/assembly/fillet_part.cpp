@@ -165,12 +165,20 @@ class Search {
     for (CanalFillet& loop : loops()) {
       consider(std::move(loop));
     }
+    if (result_.loops.empty() && radius_ > 0 && cross()) {
+      refuse("the ball is too large: its way is beyond the ends of '" + pipes_[0].name() +
+             "' or '" + pipes_[1].name() + "'");
+    }
     if (result_.loops.empty()) {
       refuse("'" + pipes_[0].name() + "' and '" + pipes_[1].name() +
              "' do not cross within their lengths" + half_buried_end());
     }
     for (const std::size_t i : {0U, 1U}) {
       refuse_open_end(i);
+    }
+    // Last, as proofs take longest.
+    if (radius_ > 0) {
+      std::ranges::for_each(result_.loops, [&](const auto& loop) { include_regularity(loop); });
     }
     return std::move(result_);
   }
@@ -195,6 +203,15 @@ class Search {
       loop.quadrics = {pipes_[0].ring(), pipes_[1].ring()};
     }
     return loops;
+  }
+
+  // Whether the sharp edge is within the pipes' lengths.
+  [[nodiscard]] bool cross() const {
+    try {
+      return !Search(pipes_, 0).run().loops.empty();
+    } catch (const Error&) {
+      return false;
+    }
   }
 
   // What may be meant to lie inside the other pipe, and does so but for a part.
@@ -227,9 +244,6 @@ class Search {
         refuse(std::string(radius_ == 0 ? "the cut" : "the fillet") + " runs over the end of '" +
                pipes_.at(i).name() + "' by " + decimal(over, kMessageDigits) + half_buried_end());
       }
-    }
-    if (radius_ > 0) {
-      include_regularity(loop);
     }
     result_.loops.push_back(std::move(loop));
     courses_.push_back(courses);
@@ -290,7 +304,9 @@ double shortest_between(double low, double high, const std::function<bool(double
 std::string what_would_do(const std::array<Pipe, 2>& pipes, double radius,
                           const std::function<bool(double)>& fits_bore) {
   const auto fits = [&](double tried) { return !fault_of(pipes, tried); };
-  const auto outside = largest_radius_below(radius, fits);
+  // No ball as large as both are long goes round.
+  const double most = std::min(radius, pipes[0].length() + pipes[1].length());
+  const auto outside = largest_radius_below(most, fits);
   if (!outside) {
     return "; nor does a smaller ball fit";
   }

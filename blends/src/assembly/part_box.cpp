@@ -1,5 +1,6 @@
 #include "assembly/part_box.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <variant>
@@ -35,8 +36,53 @@ Eigen::AlignedBox3d box_of(const surfaces::PieceDiscs& discs, const ParameterInt
   return box_of(discs, first, halvings + 1).merged(box_of(discs, second, halvings + 1));
 }
 
+// Of a sphere times a weight, in R^{3,1}.
+struct WeightedSphere {
+  numbers::IntervalVec center;
+  numbers::Interval radius, weight;
+};
+
+WeightedSphere half_way(const WeightedSphere& a, const WeightedSphere& b) {
+  const numbers::Interval half = 0.5;
+  return {half * (a.center + b.center), half * (a.radius + b.radius), half * (a.weight + b.weight)};
+}
+
+// Of the spheres that the piece envelops, which hold it: as far as its control spheres in all
+// directions, where their weights are positive, as they are on either half of any arc.
+Eigen::AlignedBox3d box_of_spheres(const CyclidePiece& piece) {
+  const numbers::IntervalVec first = numbers::interval_vec(piece.first.m),
+                             last = numbers::interval_vec(piece.last.m),
+                             tangent = numbers::interval_vec(piece.tangent.m);
+  const numbers::IntervalVec d = last - first;
+  const numbers::Interval dr = numbers::Interval(piece.last.r) - piece.first.r, chord = piece.chord;
+  const numbers::Interval squared = numbers::dot(d, d) - square(dr);
+  const numbers::Interval w = (numbers::dot(d, tangent) - dr * piece.tangent.r) / chord;
+  const numbers::Interval half = squared / (numbers::Interval(2) * chord);
+  const numbers::Interval weight = squared / square(chord);  // but for rounding 1
+  const WeightedSphere a{first, piece.first.r, 1},
+      b{w * first + half * tangent, w * piece.first.r + half * piece.tangent.r, w},
+      c{weight * last, weight * piece.last.r, weight};
+  const WeightedSphere ab = half_way(a, b), bc = half_way(b, c);
+  Eigen::AlignedBox3d box;
+  for (const WeightedSphere& sphere : {a, ab, half_way(ab, bc), bc, c}) {
+    if (!(sphere.weight.lower > 0)) {
+      return everywhere();
+    }
+    for (int k = 0; k < 3; ++k) {
+      const numbers::Interval& center = sphere.center[std::size_t(k)];
+      box.min()[k] = std::min(box.min()[k], ((center - sphere.radius) / sphere.weight).lower);
+      box.max()[k] = std::max(box.max()[k], ((center + sphere.radius) / sphere.weight).upper);
+    }
+  }
+  return box;
+}
+
 Eigen::AlignedBox3d box_of(const Piece& piece) {
-  return box_of(std::visit([](const auto& one) { return surfaces::discs(one); }, piece), {0, 1}, 0);
+  const Eigen::AlignedBox3d box =
+      box_of(std::visit([](const auto& one) { return surfaces::discs(one); }, piece), {0, 1}, 0);
+  const auto* cyclide = std::get_if<CyclidePiece>(&piece);
+  const bool is_finite = box.min().allFinite() && box.max().allFinite();
+  return is_finite || cyclide == nullptr ? box : box_of_spheres(*cyclide);
 }
 
 Eigen::AlignedBox3d box_of(const Sphere& sphere) {

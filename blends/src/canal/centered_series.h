@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <limits>
+
 #include "canal/series.h"
 
 namespace dupin::canal {
@@ -48,20 +52,42 @@ struct CenteredSeries {
   }
 
  private:
+  static constexpr std::array<std::array<double, n>, n> binomials() {
+    std::array<std::array<double, n>, n> result{};
+    for (std::size_t j = 0; j < n; ++j) {
+      result[j][0] = 1;
+      for (std::size_t k = 1; k <= j; ++k) {
+        result[j][k] = result[j][k - 1] * double(j + 1 - k) / double(k);
+      }
+    }
+    return result;
+  }
+
+  // In doubles, as this is done after every operation: terms of one sign are summed up, so that
+  // the sum is off by a share of itself, or by less than the least normal double.
   void tighten() {
-    std::array<numbers::Interval, n> powers;
+    static_assert(n <= 16);
+    constexpr double kRounding = 0x1p-46;  // of 3 n operations, of 2^-53 each
+    constexpr double kUnderflow = std::numeric_limits<double>::min();
+    static constexpr auto kBinomial = binomials();
+    std::array<double, n> powers;
     powers[0] = 1;
     for (std::size_t k = 1; k < n; ++k) {
-      powers[k] = k % 2 == 0 ? numbers::square(powers[k / 2]) : powers[k - 1] * offsets;
+      powers[k] = powers[k - 1] * offsets.magnitude();
     }
     // The last one is what it is.
     for (std::size_t k = 0; k + 1 < n; ++k) {
-      numbers::Interval sum = 0;
-      double binomial = 1;  // of j and k
-      for (std::size_t j = k; j < n; ++j) {
-        sum = sum + numbers::Interval(binomial) * (j + 1 < n ? middle : all).at[j] * powers[j - k];
-        binomial = binomial * double(j + 1) / double(j + 1 - k);
+      double below = 0, above = 0;
+      for (std::size_t j = k + 1; j < n; ++j) {
+        const numbers::Interval& own = (j + 1 < n ? middle : all).at[j];
+        const bool is_even = (j - k) % 2 == 0;
+        const double factor = kBinomial[j][k] * powers[j - k];
+        below += factor * (is_even ? std::max(0.0, -own.lower) : own.magnitude());
+        above += factor * (is_even ? std::max(0.0, own.upper) : own.magnitude());
       }
+      const auto enlarged = [](double sum) { return sum + sum * kRounding + kUnderflow; };
+      const numbers::Interval sum =
+          middle.at[k] + numbers::Interval(-enlarged(below), enlarged(above));
       numbers::Interval& own = all.at[k];
       own = {std::max(sum.lower, own.lower), std::min(sum.upper, own.upper)};
     }

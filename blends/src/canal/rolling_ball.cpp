@@ -255,9 +255,10 @@ std::optional<RollingPartlyOnCones> partly_on(const Ring& first, const Ring& sec
 }
 
 std::vector<CanalFillet> on_cones(const std::array<Ring, 2>& quadrics, double radius) {
-  constexpr double kTouching = 1e-7;
+  constexpr double kTouching = 1e-9;  // a smaller gap is lost in the rounding of the discriminant
   const canal::QuadricPair pair = canal::quadric_pair(quadrics);
   const double touch = kTouching * (std::abs(pair.nearest[0].r) + std::abs(pair.nearest[1].r));
+  const double distance = pair.apart.m.norm(), difference = std::abs(pair.apart.r);
   if (!(pair.squared_sine > 0)) {
     for (const std::size_t one : {0U, 1U}) {
       if (auto fillets = on_generators(quadrics, one, radius, false); !fillets.empty()) {
@@ -267,25 +268,32 @@ std::vector<CanalFillet> on_cones(const std::array<Ring, 2>& quadrics, double ra
     throw Error(Errc::irregular_surface,
                 "the ball closes no loop: the slopes are too large for the angle between the axes");
   }
-  if (std::abs(pair.squared_distance) <= touch * touch) {
+  if (std::abs(distance - difference) <= touch) {
     throw Error(Errc::irregular_surface,
-                "one quadric touches the other from inside, or nearly: their inscribed spheres "
-                "differ by " +
-                    decimal(std::abs(pair.apart.r), kMessageDigits) + " at a distance of " +
-                    decimal(pair.apart.m.norm(), kMessageDigits));
+                "one touches the other from inside, or nearly: their inscribed spheres differ by " +
+                    decimal(difference, kMessageDigits) + " at a distance of " +
+                    decimal(distance, kMessageDigits) +
+                    ", which has to be larger or smaller by more than " +
+                    decimal(touch, kMessageDigits));
   }
   if (pair.squared_distance < 0) {
     return on_generators(quadrics, pair.apart.r > 0 ? 0 : 1, radius, true);
   }
   const std::array<Ring, 2> centers{parallel(quadrics[0], radius), parallel(quadrics[1], radius)};
+  // Of a quadric that all but touches the other from inside, all but all generators meet that.
+  std::optional<RollingPartlyOnCones> narrower;
   for (const std::size_t one : {0U, 1U}) {
-    if (auto motion = partly_on(centers.at(one), centers.at(1 - one), radius)) {
-      CanalFillet fillet{quadrics, *motion};
-      if (const auto fault = fault_of(fillet)) {
-        throw Error(Errc::irregular_surface, *fault);
-      }
-      return {std::move(fillet)};
+    const auto motion = partly_on(centers.at(one), centers.at(1 - one), radius);
+    if (motion && (!narrower || motion->width < narrower->width)) {
+      narrower = motion;
     }
+  }
+  if (narrower) {
+    CanalFillet fillet{quadrics, *narrower};
+    if (const auto fault = fault_of(fillet)) {
+      throw Error(Errc::irregular_surface, *fault);
+    }
+    return {std::move(fillet)};
   }
   throw Error(Errc::irregular_surface,
               "neither quadric passes through the other, nor does either close a loop beside it");

@@ -2,13 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dupin::junction {
 
-std::vector<double> slides(const PeVector& from, const PeVector& tangent, const PeVector& hub,
-                           double cap_angle) {
+void Slides::sort() {
+  if (count_ == 2 && lengths_[0] < lengths_[1]) {
+    std::swap(lengths_[0], lengths_[1]);
+  }
+}
+
+Slides slides(const PeVector& from, const PeVector& tangent, const PeVector& hub,
+              double cap_cotangent) {
   const PeVector d = hub - from;
-  const double g = 1 / std::tan(cap_angle) + tangent.r, along = product(d, tangent);
+  const double g = cap_cotangent + tangent.r, along = product(d, tangent);
   const double squared = squared_tangential_distance(hub, from);
   const double a = 2 * tangent.r - g, half_b = g * along - tangent.r * along - d.r,
                c = 2 * along * d.r - g * squared;
@@ -17,13 +24,13 @@ std::vector<double> slides(const PeVector& from, const PeVector& tangent, const 
     return {};
   }
   const double q = -(half_b + std::copysign(std::sqrt(discriminant), half_b));
-  std::vector<double> result;
+  Slides result;
   for (const auto& [over, under] : {std::pair(q, a), std::pair(c, q)}) {
     if (under != 0) {
-      result.push_back(over / under);
+      result.add(over / under);
     }
   }
-  std::ranges::sort(result, std::greater());
+  result.sort();
   return result;
 }
 

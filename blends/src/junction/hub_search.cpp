@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Eigenvalues>
@@ -92,6 +93,9 @@ class HubSearch {
         options_(options),
         good_power_(options.radius ? 0 : kGoodPower) {}
 
+  /// Nothing is news then.
+  void be_silent() { fault_ = Fault{{}, {}, std::numeric_limits<int>::max()}; }
+
   JunctionSearch run() {
     if (auto fault = directions_fault()) {
       return refused(*fault);
@@ -112,7 +116,12 @@ class HubSearch {
 
  private:
   static constexpr double kStep = 1.01;
-  static constexpr int kSteps = 240;  // by then the hub is eleven times as large
+  static constexpr int kSteps = 240;        // by then the hub is eleven times as large
+  static constexpr int kMostOfCollars = 1;  // progress where there is no collar
+
+  struct Cap {
+    double angle, cotangent;
+  };
 
   static JunctionSearch refused(const Fault& fault) { return {{}, fault.reason, fault.end}; }
 
@@ -195,8 +204,12 @@ class HubSearch {
       radius = std::max(
           radius, 0.8 * std::min(sphere.r, std::max(0.0, sphere.r + ahead)) / std::sin(caps[i]));
     }
+    std::vector<Cap> told;
+    for (const double angle : caps) {
+      told.push_back({angle, 1 / std::tan(angle)});
+    }
     for (int i = 0; i < (options_.radius ? 1 : kSteps); ++i, radius *= kStep) {
-      Attempt attempt = at_hub(radius, caps);
+      Attempt attempt = at_hub(radius, told);
       if (attempt.fault) {
         note(*attempt.fault);
         continue;
@@ -212,15 +225,29 @@ class HubSearch {
     return {};
   }
 
-  [[nodiscard]] Attempt at_hub(double radius, const std::vector<double>& caps) const {
+  // Of the collar from an end to a cap there.
+  [[nodiscard]] std::optional<double> way_to(std::size_t i, const Sphere& hub,
+                                             const Cap& cap) const {
+    const Slides roots =
+        slides(ends_[i].sphere, ends_[i].tangent, {hub.center, hub.radius}, cap.cotangent);
+    const auto found = std::ranges::find_if(
+        roots, [&](double way) { return !collar_fault(i, way, hub, cap.angle); });
+    return found == roots.end() ? std::nullopt : std::optional(*found);
+  }
+
+  [[nodiscard]] Attempt at_hub(double radius, const std::vector<Cap>& caps) {
     const Sphere hub{center_, radius};
     Attempt result;
+    // Where nothing new would be said of collars, that of which there was none last goes first.
+    if (!is_news(kMostOfCollars) && !way_to(last_refused_, hub, caps[last_refused_])) {
+      result.fault = Fault{};
+      return result;
+    }
     for (std::size_t i = 0; i < ends_.size(); ++i) {
-      const auto roots = slides(ends_[i].sphere, ends_[i].tangent, {center_, radius}, caps[i]);
-      const auto found = std::ranges::find_if(
-          roots, [&](double way) { return !collar_fault(i, way, hub, caps[i]); });
-      if (found == roots.end()) {
-        result.fault = collar_refusal(i, roots, radius, caps[i]);
+      const auto found = way_to(i, hub, caps[i]);
+      if (!found) {
+        last_refused_ = i;
+        result.fault = collar_refusal(i, radius, caps[i]);
         return result;
       }
       const double length = ends_[i].end.radius * std::hypot(1, ends_[i].tangent.r);
@@ -230,15 +257,24 @@ class HubSearch {
     return result;
   }
 
-  [[nodiscard]] Fault collar_refusal(std::size_t i, const std::vector<double>& roots, double radius,
-                                     double cap) const {
-    const std::string what = "no collar leads from " + named(i) + " to a cap of " + degrees(cap) +
-                             " on a hub of radius " + decimal(radius, kMessageDigits);
+  // Text only where it is news: most attempts fail.
+  [[nodiscard]] Fault collar_refusal(std::size_t i, double radius, const Cap& cap) const {
+    if (!is_news(kMostOfCollars)) {
+      return {};
+    }
+    const Slides roots =
+        slides(ends_[i].sphere, ends_[i].tangent, {center_, radius}, cap.cotangent);
     const bool ends_before = std::ranges::any_of(roots, [&](double way) {
       return way < 0 && !((ends_[i].sphere + way * ends_[i].tangent).r > 0);
     });
+    if (!is_news(ends_before ? kMostOfCollars : 0)) {
+      return {};
+    }
+    const std::string what = "no collar leads from " + named(i) + " to a cap of " +
+                             degrees(cap.angle) + " on a hub of radius " +
+                             decimal(radius, kMessageDigits);
     if (ends_before) {
-      return {what + ": it would have to be further back than its cone reaches", i, 1};
+      return {what + ": it would have to be further back than its cone reaches", i, kMostOfCollars};
     }
     return {what + ": a larger hub, or other caps, may do", i, 0, true};
   }
@@ -251,10 +287,12 @@ class HubSearch {
       return true;
     }
     const ArcValidity v = rounded_validity(start, ends_[i].tangent, end);
+    if (v.fault != ArcFault::none || !(v.w > 0)) {
+      return true;
+    }
     const double angle = cap_angle(start, ends_[i].tangent, end);
     constexpr double kSame = 1e-6;
-    return v.fault != ArcFault::none || !(v.w > 0) ||
-           !(v.least_power > good_power_ * hub.radius * hub.radius * std::sin(angle)) ||
+    return !(v.least_power > good_power_ * hub.radius * hub.radius * std::sin(angle)) ||
            (cap && std::abs(angle - *cap) > kSame);
   }
 
@@ -272,16 +310,19 @@ class HubSearch {
         const double between_caps = cap_gap(a.collar, b.collar);
         const bool is_chosen = options_.radius && !options_.cap_angles.empty();
         if (!(between_caps > (is_chosen ? 0 : gap(i, k) / 2))) {
-          return Fault{"the caps of " + named(k) + " and " + named(i) +
-                           (between_caps > 0 ? " are only " + degrees(between_caps) + " apart"
-                                             : " overlap by " + degrees(-between_caps)) +
-                           remedy(),
-                       i, 2, true};
+          return !is_news(2)
+                     ? Fault{}
+                     : Fault{"the caps of " + named(k) + " and " + named(i) +
+                                 (between_caps > 0 ? " are only " + degrees(between_caps) + " apart"
+                                                   : " overlap by " + degrees(-between_caps)) +
+                                 remedy(),
+                             i, 2, true};
         }
         if (!arms_are_apart(a, b, Arithmetic::rounded)) {
-          return Fault{"the arms of " + named(k) + " and " + named(i) +
-                           " cannot be told apart by a plane: move these ends apart",
-                       i, 3};
+          return !is_news(3) ? Fault{}
+                             : Fault{"the arms of " + named(k) + " and " + named(i) +
+                                         " cannot be told apart by a plane: move these ends apart",
+                                     i, 3};
         }
       }
     }
@@ -302,10 +343,11 @@ class HubSearch {
       std::optional<Fault> fault;
       for (std::size_t k = 0; k < ends_.size() && !fault; ++k) {
         if (collar_fault(k, ways[k], hub, {})) {
-          fault = Fault{"no collar leads from " + named(k) + " to a hub of radius " +
-                            decimal(radius, kMessageDigits) +
-                            ": another radius may do, or an end that is further off",
-                        k};
+          fault = !is_news(0) ? Fault{}
+                              : Fault{"no collar leads from " + named(k) + " to a hub of radius " +
+                                          decimal(radius, kMessageDigits) +
+                                          ": another radius may do, or an end that is further off",
+                                      k};
         }
       }
       fault = fault ? fault : arms_fault(hub, ways);
@@ -335,9 +377,11 @@ class HubSearch {
     return ways;
   }
 
+  [[nodiscard]] bool is_news(int progress) const { return !fault_ || progress > fault_->progress; }
+
   // The first of those that came furthest.
   void note(const Fault& fault) {
-    if (!fault_ || fault.progress > fault_->progress) {
+    if (is_news(fault.progress)) {
       fault_ = fault;
     }
   }
@@ -364,6 +408,7 @@ class HubSearch {
   const JunctionOptions& options_;
   double good_power_;
   std::optional<Fault> fault_;
+  std::size_t last_refused_ = 0;
   std::optional<std::vector<double>> nearest_;
 };
 
@@ -444,6 +489,13 @@ JunctionSearch search_hub(std::span<const Approach> ends, const Vec3& center,
     return crowded(ends, center);
   }
   return too_near(std::move(setbacks));
+}
+
+std::optional<Junction> find_hub(std::span<const Approach> ends, const Vec3& center,
+                                 const JunctionOptions& options) {
+  HubSearch search(ends, center, options);
+  search.be_silent();
+  return search.run().junction;
 }
 
 }  // namespace dupin::junction

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,5 +27,9 @@ struct Approach {
 /// Hubs about this centre.
 [[nodiscard]] JunctionSearch search_hub(std::span<const Approach> ends, const Vec3& center,
                                         const JunctionOptions& options);
+
+/// The same, without telling why there is none.
+[[nodiscard]] std::optional<Junction> find_hub(std::span<const Approach> ends, const Vec3& center,
+                                               const JunctionOptions& options);
 
 }  // namespace dupin::junction

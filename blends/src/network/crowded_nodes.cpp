@@ -39,6 +39,7 @@ class Planner {
       if (plan_.nodes()[node].kind != NodeKind::gone && !plan_.nodes()[node].is_planned) {
         settle(node);
         undo_.clear();
+        tell_reasons();
       }
     }
   }
@@ -52,14 +53,14 @@ class Planner {
   void settle(std::size_t node) {
     const auto refused = refused_.find("node " + ball(node).name);
     if (refused != refused_.end() && degree(node) > 1) {
-      make_ball(node, refused->second);
+      make_ball(node, Misfit(refused->second));
       notes_.back().is_refusal = true;
       return;
     }
     if (plan_.plan(node)) {
       return;
     }
-    const std::string why = plan_.why_not();
+    const Misfit why = plan_.why_not();
     if (contract(node, kOverlapping, why, kDepth) || stretch(node, why) ||
         split(node, why, kDepth) || narrow(node, why) || contract(node, kShort, why, kDepth)) {
       return;
@@ -67,10 +68,9 @@ class Planner {
     make_ball(node, why);
   }
 
-  void make_ball(std::size_t node, const std::string& why) {
+  void make_ball(std::size_t node, const Misfit& why) {
     plan_.plan_ball(node);
-    note(node,
-         "a ball of radius " + decimal(kBall * ball(node).radius, kMessageDigits) + ", as " + why);
+    note(node, "a ball of radius " + decimal(kBall * ball(node).radius, kMessageDigits), why);
   }
 
   // Whether there is something smooth for the node, if need be after so many more changes.
@@ -81,12 +81,21 @@ class Planner {
     if (plan_.plan(node)) {
       return true;
     }
-    const std::string why = plan_.why_not();
+    const Misfit why = plan_.why_not();
     return depth > 0 && split(node, why, depth - 1);
   }
 
-  void note(std::size_t node, const std::string& text) {
+  void note(std::size_t node, const std::string& text, const Misfit& why) {
+    reasons_.emplace_back(notes_.size(), why);
     notes_.push_back({ball(node).line, "node " + ball(node).name + ": " + text});
+  }
+
+  // Of the notes that stay.
+  void tell_reasons() {
+    for (const auto& [note, why] : reasons_) {
+      notes_[note].text += ", as " + why.text();
+    }
+    reasons_.clear();
   }
 
   // A state to come back to.
@@ -101,6 +110,7 @@ class Planner {
       undo_.back().put_back(plan_);
     }
     notes_.resize(mark.notes);
+    std::erase_if(reasons_, [&](const auto& reason) { return reason.first >= mark.notes; });
   }
 
   // Before these nodes and their neighbours are changed.
@@ -164,7 +174,7 @@ class Planner {
   }
 
   // A short edge vanishes, and the node of lower degree with it.
-  bool contract(std::size_t node, double reach, const std::string& why, int depth) {
+  bool contract(std::size_t node, double reach, const Misfit& why, int depth) {
     for (const std::size_t edge : by_length(node)) {
       const std::size_t other = plan_.other_end(edge, node);
       if (plan_.length(edge) > reach * (ball(node).radius + ball(other).radius)) {
@@ -180,8 +190,7 @@ class Planner {
     return false;
   }
 
-  bool merge(std::size_t gone, std::size_t kept, std::size_t edge, const std::string& why,
-             int depth) {
+  bool merge(std::size_t gone, std::size_t kept, std::size_t edge, const Misfit& why, int depth) {
     const Mark before = mark();
     const std::vector<std::size_t> again = merged(gone, kept, edge, why);
     if (has_cones(kept) &&
@@ -195,7 +204,7 @@ class Planner {
 
   // Into the node that is kept; what has to be planned again but for it.
   std::vector<std::size_t> merged(std::size_t gone, std::size_t kept, std::size_t edge,
-                                  const std::string& why) {
+                                  const Misfit& why) {
     const double length = plan_.length(edge);
     const std::string name = plan_.edge_name(edge);
     save({gone, kept});
@@ -208,16 +217,16 @@ class Planner {
       plan_.lead_to(other, gone, kept);
     }
     plan_.remove_node(gone);
+    reasons_.emplace_back(notes_.size(), why);
     notes_.push_back(
         {ball(gone).line, "edge " + name + ": of length " + decimal(length, kMessageDigits) +
                               ", too short for what its nodes need, contracted: node " +
-                              ball(gone).name + " merged with node " + ball(kept).name + ", as " +
-                              why});
+                              ball(gone).name + " merged with node " + ball(kept).name});
     return again;
   }
 
   // Edges that are too short go on to the next nodes but one, past bends, until none is.
-  bool stretch(std::size_t node, const std::string& why) {
+  bool stretch(std::size_t node, const Misfit& why) {
     constexpr int kMost = 24;
     const Mark before = mark();
     std::set<std::size_t> again;
@@ -228,7 +237,7 @@ class Planner {
         }
         break;
       }
-      const std::vector<std::size_t> edges = plan_.too_short();
+      const std::vector<std::size_t> edges = plan_.why_not().too_short();
       const auto edge = std::ranges::find_if(edges, [&](std::size_t one) {
         const std::size_t other = plan_.other_end(one, node);
         return degree(other) == 2 &&
@@ -249,7 +258,7 @@ class Planner {
   }
 
   // Edges whose directions lie close together get a hub of their own.
-  bool split(std::size_t node, const std::string& why, int depth) {
+  bool split(std::size_t node, const Misfit& why, int depth) {
     if (degree(node) < 3) {
       return false;
     }
@@ -304,7 +313,7 @@ class Planner {
   }
 
   bool split_off(std::size_t node, const std::vector<std::size_t>& some, double distance,
-                 const std::string& why, int depth) {
+                 const Misfit& why, int depth) {
     Vec3 sum = Vec3::Zero();
     double shortest = plan_.length(some.front()), radius = 0;
     for (const std::size_t edge : some) {
@@ -332,7 +341,7 @@ class Planner {
     for (const std::size_t edge : some) {
       plan_.lead_to(edge, node, hub);
     }
-    note(node, split_text(hub, some) + ", as " + why);
+    note(node, split_text(hub, some), why);
     if (has_cones(hub) && fits(hub, depth - 1) && fits(node, depth - 1) && plan_again(again) &&
         are_apart(node, hub)) {
       return true;
@@ -367,15 +376,17 @@ class Planner {
   }
 
   // With less and less of the node's radius.
-  bool narrow(std::size_t node, const std::string& why) {
+  bool narrow(std::size_t node, const Misfit& why) {
     const double before = ball(node).radius;
     for (const double share : {0.85, 0.7, 0.55, 0.4}) {
       const Mark here = mark();
       save({node});
       const std::vector<std::size_t> again = unplanned(neighbours(node));
       plan_.set_radius(node, share * before);
-      note(node, "its radius of " + decimal(before, kMessageDigits) + " made " +
-                     decimal(share * before, kMessageDigits) + ", as " + why);
+      note(node,
+           "its radius of " + decimal(before, kMessageDigits) + " made " +
+               decimal(share * before, kMessageDigits),
+           why);
       if (has_cones(node) && fits(node, 1) && plan_again(again)) {
         return true;
       }
@@ -387,6 +398,7 @@ class Planner {
   GraphPlan& plan_;
   const std::map<std::string, std::string>& refused_;
   std::vector<SourceNote>& notes_;
+  std::vector<std::pair<std::size_t, Misfit>> reasons_;  // of notes, not told yet
   std::size_t given_;
   std::vector<GraphPlan::Snapshot> undo_;
 };

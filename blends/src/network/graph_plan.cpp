@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "dupin/blends/cyclide_blend.h"
+#include "junction/hub_search.h"
 
 namespace dupin::network {
 namespace {
+
+std::optional<Junction> hub_about(const Vec3& center, const std::vector<Ring>& ends) {
+  return junction::find_hub(junction::approaches_of(ends), center, {});
+}
 
 // Of an edge that stays straight, and of how it is shared between two nodes that both want more.
 constexpr double kLeastStraight = 0.02, kFirstShare = 0.7;
@@ -76,8 +82,7 @@ double GraphPlan::room(std::size_t edge, std::size_t node) {
 bool GraphPlan::plan(std::size_t node) {
   PlannedNode& planned = nodes_[node];
   const std::vector<std::size_t>& edges = planned.edges;
-  why_not_.clear();
-  too_short_.clear();
+  why_not_ = {};
   if (edges.size() < 2) {
     planned.kind = NodeKind::end;
   } else if (edges.size() == 2 && plan_blend(node)) {
@@ -86,7 +91,7 @@ bool GraphPlan::plan(std::size_t node) {
     planned.kind = NodeKind::junction;
   } else {
     if (edges.size() == 2) {
-      why_not_ =
+      why_not_.text_ =
           "no blend fits between its edges " + edge_name(edges[0]) + " and " + edge_name(edges[1]);
     }
     return false;
@@ -186,44 +191,68 @@ bool GraphPlan::plan_junction(std::size_t node) {
   for (const std::size_t edge : edges) {
     back.push_back(room(edge, node));
   }
-  JunctionSearch search = searched(node, back);
-  if (!search.junction) {
-    why_not_ = search.reason;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      if (!(back[i] > 0) || (!search.setbacks.empty() && search.setbacks[i] > 0)) {
-        too_short_.push_back(edges[i]);
-      }
+  const Vec3& center = nodes_[node].ball.center;
+  why_not_.edges_ = edges;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (!(back[i] > 0)) {
+      why_not_.without_room_.push_back(edges[i]);
     }
+  }
+  if (!why_not_.without_room_.empty()) {
+    why_not_.text_ = "there is no room at edge " + edge_name(why_not_.without_room_.front());
+    return false;
+  }
+  why_not_.ends_ = junction_ends(node, back);
+  why_not_.center_ = center;
+  auto junction = hub_about(center, why_not_.ends_);
+  if (!junction) {
     return false;
   }
   // Straight pieces are the edges' own, but for some that keeps the search from failing.
   std::vector<double> nearer;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Ring end = ring(edges[i], node, back[i]);
-    const double straight = straight_length(search.junction->arms[i]) / std::hypot(1, end.slope);
+    const double straight = straight_length(junction->arms[i]) / std::hypot(1, end.slope);
     nearer.push_back(back[i] - std::max(0.0, straight - end.radius / 16));
   }
-  if (const auto shorter = searched(node, nearer).junction) {
+  const bool is_room = std::ranges::all_of(nearer, [](double length) { return length > 0; });
+  if (const auto shorter =
+          is_room ? hub_about(center, junction_ends(node, nearer)) : std::nullopt) {
     back = std::move(nearer);
-    search.junction = shorter;
+    junction = shorter;
   }
-  nodes_[node].hub = search.junction->hub.radius;
+  nodes_[node].hub = junction->hub.radius;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     setback(edges[i], node) = back[i];
   }
   return true;
 }
 
-JunctionSearch GraphPlan::searched(std::size_t node, const std::vector<double>& back) const {
-  const std::vector<std::size_t>& edges = nodes_[node].edges;
+std::vector<Ring> GraphPlan::junction_ends(std::size_t node,
+                                           const std::vector<double>& back) const {
   std::vector<Ring> ends;
   for (std::size_t i = 0; i < back.size(); ++i) {
-    if (!(back[i] > 0)) {
-      return {{}, "there is no room at edge " + edge_name(edges[i]), i, {}};
-    }
-    ends.push_back(ring(edges[i], node, back[i]));
+    ends.push_back(ring(nodes_[node].edges[i], node, back[i]));
   }
-  return search_junction(ends, {.center = nodes_[node].ball.center});
+  return ends;
+}
+
+std::string Misfit::text() const {
+  return text_.empty() && !ends_.empty() ? search_junction(ends_, {.center = center_}).reason
+                                         : text_;
+}
+
+std::vector<std::size_t> Misfit::too_short() const {
+  std::vector<std::size_t> result = without_room_;
+  if (!ends_.empty()) {
+    const JunctionSearch search = search_junction(ends_, {.center = center_});
+    for (std::size_t i = 0; i < search.setbacks.size(); ++i) {
+      if (search.setbacks[i] > 0) {
+        result.push_back(edges_[i]);
+      }
+    }
+  }
+  return result;
 }
 
 }  // namespace dupin::network

@@ -37,6 +37,26 @@ struct PlannedEdge {
   bool is_left = true;
 };
 
+/// Why nothing fitted a node. It is told when one asks for it: that takes several times as long as
+/// to find out that nothing does, and most of what is tried is tried silently.
+class Misfit {
+ public:
+  Misfit() = default;
+  explicit Misfit(std::string text) : text_(std::move(text)) {}
+
+  [[nodiscard]] std::string text() const;
+  /// The edges that were too short for the junction that did not fit, as far as that is known.
+  [[nodiscard]] std::vector<std::size_t> too_short() const;
+
+ private:
+  friend class GraphPlan;
+
+  std::string text_;  // unless the junction's is to be told
+  std::vector<std::size_t> edges_, without_room_;
+  std::vector<Ring> ends_;  // of the junction, if there was room
+  Vec3 center_ = Vec3::Zero();
+};
+
 /// A graph, and what becomes of its nodes, one after the other. Nodes and edges may be changed and
 /// planned again; a Snapshot takes changes back.
 class GraphPlan {
@@ -56,9 +76,7 @@ class GraphPlan {
   /// A ball, which always fits.
   void plan_ball(std::size_t node);
   void unplan(std::size_t node);
-  [[nodiscard]] const std::string& why_not() const { return why_not_; }
-  /// The edges that were too short for the junction that did not fit, as far as that is known.
-  [[nodiscard]] const std::vector<std::size_t>& too_short() const { return too_short_; }
+  [[nodiscard]] const Misfit& why_not() const { return why_not_; }
 
   void set_radius(std::size_t node, double radius) { nodes_[node].ball.radius = radius; }
   void move(std::size_t node, const Vec3& center) { nodes_[node].ball.center = center; }
@@ -86,12 +104,12 @@ class GraphPlan {
   [[nodiscard]] double room(std::size_t edge, std::size_t node);
   bool plan_blend(std::size_t node);
   bool plan_junction(std::size_t node);
-  [[nodiscard]] JunctionSearch searched(std::size_t node, const std::vector<double>& back) const;
+  [[nodiscard]] std::vector<Ring> junction_ends(std::size_t node,
+                                                const std::vector<double>& back) const;
 
   std::vector<PlannedNode> nodes_;
   std::vector<PlannedEdge> edges_;
-  std::string why_not_;
-  std::vector<std::size_t> too_short_;
+  Misfit why_not_;
 };
 
 }  // namespace dupin::network

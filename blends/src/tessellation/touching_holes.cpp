@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -35,13 +36,18 @@ struct Side {
   Vec2 along;
 };
 
+struct Across {
+  Side side;
+  long turns;  // from the next hole's places
+};
+
 // The shortest from one hole to the next one around, which may be itself, if it is short.
-std::optional<Side> bridge(const UnrolledCurve& one, const UnrolledCurve& next, double around) {
+std::optional<Across> bridge(const UnrolledCurve& one, const UnrolledCurve& next, double around) {
   constexpr double kShort = 8, kSegment = 1;  // wider it would be too far off the face
   const auto [one_left, one_right] = extent(one);
   const auto [next_left, next_right] = extent(next);
   const double ahead = ((next_left + next_right) - (one_left + one_right)) / 2;
-  const double shift = &one == &next ? around : -around * std::floor(ahead / around);
+  const double turns = &one == &next ? 1 : -std::floor(ahead / around), shift = turns * around;
   const double beside = next_left + shift - one_right;
   if (beside > kSegment || one.low > next.high + kShort || next.low > one.high + kShort) {
     return std::nullopt;
@@ -59,7 +65,7 @@ std::optional<Side> bridge(const UnrolledCurve& one, const UnrolledCurve& next, 
   }
   const bool links =
       result && result->from != result->to && std::abs(result->along.x()) <= kSegment;
-  return links ? result : std::nullopt;
+  return links ? std::optional(Across{*result, std::lround(turns)}) : std::nullopt;
 }
 
 // Walks along what is left of all sides, the holes being to their right. Nothing here needs to be
@@ -128,17 +134,127 @@ class Links {
   std::map<std::uint32_t, std::vector<std::size_t>> from_;  // by corner
 };
 
+// Which bridges close chains of holes about the axis: the shortest, one chain for each set of
+// holes. Other bridges would lead to holes that stand beside, and tear the face in two there.
+//
+// Holes are united along the sides that they are joined by, as J. B. Kruskal does (1956), with the
+// turns that each is ahead of the first of its set.
+class HoleChains {
+ public:
+  HoleChains(const std::vector<UnrolledCurve>& holes, double around)
+      : holes_(holes), around_(around), up_(holes.size()), is_closed_(holes.size(), false) {
+    for (std::size_t i = 0; i < holes.size(); ++i) {
+      up_[i].hole = i;
+    }
+  }
+
+  [[nodiscard]] std::vector<Side> bridges() {
+    unite_touching();
+    std::vector<std::size_t> touching(holes_.size());  // sets of these
+    for (std::size_t i = 0; i < holes_.size(); ++i) {
+      touching[i] = first_of(i).hole;
+    }
+    std::vector<Bridge> used = chosen();
+    std::erase_if(used, [&](const Bridge& b) { return !is_closed_[first_of(b.one).hole]; });
+    for (Bridge& bridge : used) {
+      bridge.one = touching[bridge.one];
+      bridge.next = touching[bridge.next];
+    }
+    // What only hangs on a chain.
+    const auto ends_at = [&](std::size_t hole) {
+      std::ptrdiff_t count = 0;
+      for (const Bridge& bridge : used) {
+        count += int(bridge.one == hole) + int(bridge.next == hole);
+      }
+      return count;
+    };
+    while (std::erase_if(used, [&](const Bridge& b) {
+             return ends_at(b.one) < 2 || ends_at(b.next) < 2;
+           }) != 0) {
+    }
+    std::vector<Side> result;
+    std::ranges::transform(used, std::back_inserter(result), &Bridge::side);
+    return result;
+  }
+
+ private:
+  struct Ahead {
+    std::size_t hole = 0;
+    long turns = 0;
+  };
+  struct Bridge {
+    std::size_t one, next;
+    long turns;  // that the next is to be ahead
+    Side side;
+  };
+
+  [[nodiscard]] Ahead first_of(std::size_t hole) const {
+    Ahead result{hole};
+    while (up_[result.hole].hole != result.hole) {
+      result = {up_[result.hole].hole, result.turns + up_[result.hole].turns};
+    }
+    return result;
+  }
+
+  // Whether that says anything new: of two sets, or of one that was not about the axis.
+  bool unite(std::size_t one, std::size_t next, long turns) {
+    const Ahead a = first_of(one), b = first_of(next);
+    const long off = a.turns + turns - b.turns;
+    if (a.hole == b.hole) {
+      const bool closes = off != 0 && !is_closed_[a.hole];
+      is_closed_[a.hole] = is_closed_[a.hole] || off != 0;
+      return closes;
+    }
+    up_[b.hole] = {a.hole, off};
+    is_closed_[a.hole] = is_closed_[a.hole] || is_closed_[b.hole];
+    return true;
+  }
+
+  void unite_touching() {
+    std::map<std::uint32_t, std::pair<std::size_t, double>> first_at;  // a hole, and its x there
+    for (std::size_t i = 0; i < holes_.size(); ++i) {
+      for (std::size_t k = 0; k < holes_[i].corners.size(); ++k) {
+        const double x = holes_[i].places[k].x();
+        const auto [entry, is_new] = first_at.try_emplace(holes_[i].corners[k], i, x);
+        if (!is_new) {
+          unite(entry->second.first, i, std::lround((entry->second.second - x) / around_));
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<Bridge> chosen() {
+    std::vector<Bridge> all;
+    for (std::size_t i = 0; i < holes_.size(); ++i) {
+      for (std::size_t j = 0; j < holes_.size(); ++j) {
+        if (const auto across = bridge(holes_[i], holes_[j], around_)) {
+          all.push_back({i, j, across->turns, across->side});
+        }
+      }
+    }
+    std::ranges::stable_sort(all, {}, [](const Bridge& b) { return b.side.along.norm(); });
+    std::erase_if(all, [&](const Bridge& b) {
+      const bool reaches_chain =
+          b.one != b.next && first_of(b.one).hole != first_of(b.next).hole &&
+          (is_closed_[first_of(b.one).hole] || is_closed_[first_of(b.next).hole]);
+      return reaches_chain || !unite(b.one, b.next, b.turns);
+    });
+    return all;
+  }
+
+  const std::vector<UnrolledCurve>& holes_;
+  double around_;
+  std::vector<Ahead> up_;
+  std::vector<bool> is_closed_;  // about the axis, of the first of each set
+};
+
 }  // namespace
 
 std::vector<UnrolledCurve> linked_about(std::vector<UnrolledCurve> holes,
                                         const std::vector<Vec2>& places, double around) {
   Links links(holes);
-  for (const UnrolledCurve& hole : holes) {
-    for (const UnrolledCurve& next : holes) {
-      if (const auto across = bridge(hole, next, around)) {
-        links.append_twice(*across);
-      }
-    }
+  for (const Side& across : HoleChains(holes, around).bridges()) {
+    links.append_twice(across);
   }
   if (!links.touch()) {
     return holes;

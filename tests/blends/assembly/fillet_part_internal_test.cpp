@@ -134,6 +134,26 @@ std::string refusal(const Assembly& document) {
   }
 }
 
+// However much too large the ball is.
+TEST(FilletPart, names_what_fits_whatever_was_asked_for) {
+  const Part run = pipe("run", {-20, 0, 0}, {20, 0, 0}, 4),
+             branch = pipe("branch", {0, 0, 0}, {0, 12, 0}, 2);
+  for (const double radius : {30., 1e3, 1e6, 1e9}) {
+    try {
+      (void)between(run, branch, radius);
+      FAIL() << radius;
+    } catch (const Error& error) {
+      const std::string named = "; the largest ball that fits has a radius of ";
+      const std::size_t at = error.message().find(named);
+      ASSERT_NE(at, std::string::npos) << error.message();
+      const double largest = std::stod(error.message().substr(at + named.size()));
+      EXPECT_EQ(between(run, branch, largest).loops.size(), 1U);
+      EXPECT_THROW(between(run, branch, 1.011 * largest), Error);
+      EXPECT_THAT(error.message(), testing::Not(testing::HasSubstr("do not cross")));
+    }
+  }
+}
+
 TEST(FilletPart, says_where_walls_leave_no_room_for_any_ball) {
   Assembly document = assembly({pipe("run", {-100, 0, 0}, {100, 0, 0}, 10),
                                 pipe("b", {0, 0, 0}, {90, 0, 45}, 10), fillet("f", "run", "b", 9)});

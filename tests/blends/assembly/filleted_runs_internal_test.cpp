@@ -191,6 +191,25 @@ TEST(FilletedRuns, equal_pipes_may_pass_through_each_other) {
   expect_second_order([](double tolerance) { return cross(55, 4, true, tolerance); });
 }
 
+// However few triangles an unrolled run is wide: what is near the cross on it is no part of it.
+TEST(FilletedRuns, an_equal_cross_goes_with_other_branches_at_any_tolerance) {
+  for (const double tolerance : {1., 0.4, 0.1, 0.02}) {
+    for (const double at : {-22, 24}) {
+      for (const double angle : {0., 40., 90.}) {
+        SCOPED_TRACE(testing::Message() << tolerance << ' ' << at << ' ' << angle);
+        const Vec3 from(at, 0, 0);
+        const Vec3 along(0, std::cos(angle * kPi / 180), std::sin(angle * kPi / 180));
+        for (const double begins : {-20, 0}) {
+          Assembly document = cross(90, 4, true, tolerance);
+          document.parts.push_back(pipe("other", from + begins * along, from + 20 * along, 2));
+          document.parts.push_back(fillet("other-throat", "run", "other", 0.5));
+          EXPECT_EQ(build(document).solid.genus(), 0);
+        }
+      }
+    }
+  }
+}
+
 // It touches the run from inside on one side, and leaves a way of two segments on the other.
 TEST(FilletedRuns, pipes_may_touch_and_all_but_touch) {
   const Assembly document = assembly(

@@ -62,6 +62,25 @@ TEST(ProveRegular, BoundsWhatIsSampledFromBelow) {
   }
 }
 
+// A cone that touches the run from inside on one side but for a gap, or sticks out by that: the
+// ball turns sharply there.
+TEST(ProveRegular, ProvesFilletsOfConesThatAllButTouch) {
+  const Ring run = ring(Vec3::Zero(), Vec3::UnitX(), 10);
+  for (const double slope : {-.1, .3}) {
+    for (const double gap : {-1e-5, -1e-3, 1e-3, 1e-5, 1e-7}) {
+      SCOPED_TRACE(testing::Message() << slope << ' ' << gap);
+      const double touching = 10 * std::hypot(1, slope) - 1;
+      const Ring cone = ring(Vec3(0, 1, 0), Vec3::UnitZ(), touching + gap, slope);
+      for (const CanalFillet& loop : rolling_ball_fillets({run, cone}, 1)) {
+        const CanalRegularity proof = prove_regular(loop);
+        EXPECT_EQ(proof.verdict, Verdict::proved);
+        EXPECT_GT(proof.regularity, .5);
+        EXPECT_LT(proof.leaves, 800);
+      }
+    }
+  }
+}
+
 TEST(ProveRegular, RefutesAFilletThatFolds) {
   CanalFillet fillet =
       rational_fillet({ring(Vec3::Zero(), Vec3::UnitX(), 4), ring(Vec3::Zero(), Vec3::UnitY(), 2)},

@@ -36,7 +36,8 @@ TEST(GraphPlan, nodes_become_what_fits) {
 TEST(GraphPlan, nothing_fits_where_there_is_no_room_but_a_ball) {
   GraphPlan plan = three_ways(1.2);
   EXPECT_FALSE(plan.plan(0));
-  EXPECT_NE(plan.why_not(), "");
+  EXPECT_NE(plan.why_not().text(), "");
+  EXPECT_EQ(plan.why_not().too_short().size(), 3U);
   EXPECT_FALSE(plan.nodes()[0].is_planned);
   plan.plan_ball(0);
   EXPECT_EQ(plan.nodes()[0].kind, NodeKind::ball);
@@ -51,7 +52,7 @@ TEST(GraphPlan, sharp_bends_become_junctions_of_two) {
   }
   graph.edges = {{0, 1}, {0, 2}};
   GraphPlan plan(graph);
-  ASSERT_TRUE(plan.plan(0)) << plan.why_not();
+  ASSERT_TRUE(plan.plan(0)) << plan.why_not().text();
   EXPECT_NE(plan.nodes()[0].kind, NodeKind::ball);
 }
 

@@ -99,6 +99,38 @@ TEST(TouchingHoles, are_bridged_to_themselves_at_any_place) {
   }
 }
 
+// Those of a branch near a cross are no part of it, however near they are along the axis.
+TEST(TouchingHoles, are_not_bridged_to_others_beside_them) {
+  for (const double gap : {0.0, 0.3}) {
+    for (const double x : {-6., 2., 12., 22.}) {
+      for (const double y : {-2., 12.}) {
+        Face face;
+        const std::vector<UnrolledCurve> holes{face.rhombus(x, x + 6, y), face.rhombus(-8, 12, 5),
+                                               face.rhombus(12 + gap, 32, 5),
+                                               face.rhombus(x + 5, x + 8, y + (y < 0 ? -7 : 7))};
+        const auto linked = linked_about(holes, face.places, kAround);
+        ASSERT_EQ(linked.size(), 4U) << x << ' ' << y;
+        EXPECT_EQ(std::ranges::count(linked, 1, &UnrolledCurve::turns), 2);
+        EXPECT_EQ(
+            std::ranges::count(linked, 16U, [](const auto& curve) { return curve.corners.size(); }),
+            gap == 0 ? 4 : 2);
+        EXPECT_EQ(sides(linked).size(), sides(holes).size() + (gap == 0 ? 0 : 2));
+      }
+    }
+  }
+}
+
+// Two crosses on one run, each with gaps of its own.
+TEST(TouchingHoles, are_bridged_in_chains_by_themselves) {
+  Face face;
+  const std::vector<UnrolledCurve> holes{face.rhombus(-8, 12, 5), face.rhombus(-2, 17.5, 12),
+                                         face.rhombus(12.01, 31.5, 5), face.rhombus(18, 37.7, 12)};
+  const auto linked = linked_about(holes, face.places, kAround);
+  ASSERT_EQ(linked.size(), 4U);
+  EXPECT_EQ(std::ranges::count(linked, 1, &UnrolledCurve::turns), 4);
+  EXPECT_EQ(sides(linked).size(), sides(holes).size() + 8);
+}
+
 TEST(TouchingHoles, stay_where_there_is_a_way_past_them) {
   Face face;
   const std::vector<UnrolledCurve> holes{face.rhombus(-8, 12, 5), face.rhombus(12, 29, 5),
