@@ -125,7 +125,7 @@ class Search {
     std::vector<std::uint32_t> faces;
     std::ranges::copy_if(active_, std::back_inserter(faces),
                          [&](std::uint32_t f) { return !of_group(f) && degenerate_[f] == 0; });
-    std::vector<std::uint8_t> several(touching_apart_ ? points_.size() : 0);  // may be contacts
+    std::vector<std::uint8_t> several(seeks_contacts() ? points_.size() : 0);  // with contacts
     for (std::uint32_t i = 0; i < several.size(); ++i) {
       several[representatives_[i]] = representatives_[i] != i ? 1 : several[representatives_[i]];
     }
@@ -207,6 +207,7 @@ class Search {
     corners_ = merged_;
   }
 
+  [[nodiscard]] bool seeks_contacts() const { return touching_apart_ && options_.contacts; }
   [[nodiscard]] bool seeks_stable() const { return !stable_.empty(); }
 
   /// Whether it may lose its area, which is known before pairs are examined.
@@ -332,7 +333,7 @@ class Search {
 
   void record(std::uint32_t face, std::uint32_t other, predicates::TriangleOverlap meeting,
               SelfIntersections& found) const {
-    const bool is_nothing = meeting == predicates::TriangleOverlap::none && !touching_apart_;
+    const bool is_nothing = meeting == predicates::TriangleOverlap::none && !seeks_contacts();
     if (is_nothing || (!active(face) && !active(other))) {
       return;
     }

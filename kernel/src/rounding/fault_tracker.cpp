@@ -91,6 +91,7 @@ std::vector<Fault> find_faults(const Embedding& mesh, std::span<const std::uint8
       checking::find_self_intersections(mesh.points, mesh.triangles,
                                         {.active = marked,
                                          .representatives = mesh.representatives,
+                                         .contacts = false,
                                          .closed = true,
                                          .groups = mesh.groups});
   std::vector<Fault> faults;
@@ -98,9 +99,7 @@ std::vector<Fault> find_faults(const Embedding& mesh, std::span<const std::uint8
     faults.push_back({face, face});
   }
   for (const checking::FacePair& pair : found.pairs) {
-    if (pair.kind != checking::FacePair::Kind::contact) {
-      faults.push_back({pair.first, pair.second});
-    }
+    faults.push_back({pair.first, pair.second});
   }
   return faults;
 }

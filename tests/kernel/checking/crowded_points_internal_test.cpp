@@ -10,6 +10,7 @@
 #include "checking/self_intersection.h"
 #include "dupin/kernel/check.h"
 #include "predicates/triangle_overlap.h"
+#include "support/shapes.h"
 
 namespace dupin::checking {
 namespace {
@@ -171,6 +172,20 @@ TEST(CrowdedPoints, tell_their_triangles_apart) {
 TEST(CrowdedPoints, are_checked_in_a_moment) {
   const Report report = check(jagged_bipyramid(40000));  // minutes, if all pairs were looked at
   EXPECT_TRUE(report.is_solid());
+}
+
+TEST(CrowdedPoints, that_are_many_in_one_place_are_checked_in_a_moment) {
+  std::vector<TriMesh> needles;
+  for (int i = 0; i < 6000; ++i) {  // from the origin, side by side
+    const double x = i % 80 - 39.5, y = i / 80 - 37.25;
+    TriMesh needle = test::tetrahedron(Vec3::Zero(), 1);
+    needle.points = {{0, 0, 0}, {x, y, 100}, {x + 0.75, y, 100}, {x, y + 0.75, 100}};
+    needles.push_back(needle);
+  }
+  const TriMesh mesh = test::joined(needles);
+  const Report report = check(mesh);
+  EXPECT_EQ(report.count(Defect::self_intersection), 0U);
+  EXPECT_EQ(report.count(Defect::contact), 1U);
 }
 
 }  // namespace
