@@ -175,7 +175,10 @@ class Builder {
     try {
       build_regions(walls);
     } catch (const Error& error) {
-      if (error.code() != Errc::limit_exceeded || !is_finer) {
+      const bool is_about_tolerance =
+          error.code() == Errc::limit_exceeded ||
+          (error.code() == Errc::invalid_argument && error.where().ends_with("/tolerance"));
+      if (!is_about_tolerance || !is_finer) {
         throw;
       }
       throw Error(error.code(),

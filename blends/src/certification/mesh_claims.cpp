@@ -13,6 +13,16 @@ namespace {
 
 constexpr double kAbove = 1 + 0x1p-40;  // what was rounded may be
 
+// Of so many pieces whose bands are marched in intervals, a few milliseconds each: the checker's
+// work does not last for more.
+constexpr std::ptrdiff_t kMostMarched = 2048;
+
+bool is_marched(const Piece& piece) {
+  const auto* ringed = std::get_if<RingedSurface>(&piece);
+  return ringed == nullptr || std::holds_alternative<HermiteSpine>(ringed->spine) ||
+         std::holds_alternative<BezierSpine>(ringed->spine);
+}
+
 // The most segments that triangles so deep in a ball allow.
 std::uint32_t segments_of(double depth, double radius) {
   const double half = std::acos(std::max(1 - depth / radius * kAbove, -1.0));
@@ -52,6 +62,9 @@ std::optional<MeshClaim> mesh_claim(const Sphere& sphere, const RingSampling& sa
 // Polygons of joints with kneecaps have no longer steps than regular ones of a segment less.
 std::optional<MeshClaim> mesh_claim(const Chain& chain, const RingSampling& sampling,
                                     double tolerance) {
+  if (std::ranges::count_if(chain.pieces, is_marched) > kMostMarched) {
+    return std::nullopt;
+  }
   const bool has_kneecaps = chain.joints == Joints::spherical;
   MeshClaim claim{has_kneecaps ? sampling.segments - 1 : sampling.segments, sampling.grid, {}, 0};
   Chain outside = chain;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <type_traits>
 #include <vector>
 
 #include "dupin/kernel/decimal.h"
@@ -52,18 +54,25 @@ SpineBounds assembled(const numbers::IntervalVec& first, const numbers::Interval
 // intervals:
 //   y' x y''  = A x B + 2 t (A x D) + t^2 (B x D)
 //   y''' x y' = 2 (D x A) + 2 t (D x B)
-SpineBounds bounds(const HermiteSpine& spine, const numbers::Interval& t) {
-  const numbers::IntervalVec delta =
-      numbers::interval_vec(spine.to) - numbers::interval_vec(spine.from);
-  const numbers::IntervalVec a = numbers::interval_vec(spine.start_velocity),
-                             e = numbers::interval_vec(spine.end_velocity);
-  const numbers::IntervalVec b =
-      numbers::Interval(6) * delta - numbers::Interval(4) * a - numbers::Interval(2) * e;
-  const numbers::IntervalVec d = numbers::Interval(3) * (a + e) - numbers::Interval(6) * delta;
-  return assembled(a + t * (b + t * d), b + numbers::Interval(2) * (t * d),
-                   numbers::cross(a, b) +
-                       t * (numbers::Interval(2) * numbers::cross(a, d) + t * numbers::cross(b, d)),
-                   numbers::Interval(2) * (numbers::cross(d, a) + t * numbers::cross(d, b)), t);
+struct HermiteTerms {
+  explicit HermiteTerms(const HermiteSpine& spine)
+      : delta(numbers::interval_vec(spine.to) - numbers::interval_vec(spine.from)),
+        a(numbers::interval_vec(spine.start_velocity)),
+        e(numbers::interval_vec(spine.end_velocity)),
+        b(numbers::Interval(6) * delta - numbers::Interval(4) * a - numbers::Interval(2) * e),
+        d(numbers::Interval(3) * (a + e) - numbers::Interval(6) * delta),
+        ab(numbers::cross(a, b)),
+        twice_ad(numbers::Interval(2) * numbers::cross(a, d)),
+        bd(numbers::cross(b, d)),
+        da(numbers::cross(d, a)),
+        db(numbers::cross(d, b)) {}
+
+  numbers::IntervalVec delta, a, e, b, d, ab, twice_ad, bd, da, db;
+};
+
+SpineBounds bounds(const HermiteTerms& y, const numbers::Interval& t) {
+  return assembled(y.a + t * (y.b + t * y.d), y.b + numbers::Interval(2) * (t * y.d),
+                   y.ab + t * (y.twice_ad + t * y.bd), numbers::Interval(2) * (y.da + t * y.db), t);
 }
 
 SpineBounds bounds(const BezierSpine& spine, const numbers::Interval& t) {
@@ -205,23 +214,23 @@ Spin spin_bounds(const RationalRingedSurface& surface, const numbers::Interval& 
   return {numbers::norm(omega).upper, numbers::norm(change).upper};
 }
 
-}  // namespace
-
-SpineBounds spine_bounds(const Spine& spine, const numbers::Interval& t) {
-  return std::visit([&](const auto& s) { return bounds(s, t); }, spine);
-}
-
-RadiusBounds radius_bounds(const RadiusLaw& law, const numbers::Interval& t) {
-  return std::visit([&](const auto& l) { return bounds(l, t); }, law);
+// Bounds on one interval after the other, of what is worked out once.
+std::function<SpineBounds(const numbers::Interval&)> spine_terms(const Spine& spine) {
+  return std::visit(
+      []<class S>(const S& s) -> std::function<SpineBounds(const numbers::Interval&)> {
+        if constexpr (std::is_same_v<S, HermiteSpine>) {
+          return [terms = HermiteTerms(s)](const numbers::Interval& t) { return bounds(terms, t); };
+        } else {
+          return [&s](const numbers::Interval& t) { return bounds(s, t); };
+        }
+      },
+      spine);
 }
 
 // In a rotation-minimising frame e' = -(e.T') T, hence (mathematics of [MS06] surfaces)
 //   x_tt = (v' - 2 R' e.T' - R e.T'') T + (v - R e.T') T' + R'' e,
 //   x_tu = -R (e_u.T') T + R' e_u,   x_uu = -R e.
-BandBounds band_bounds(const RingedSurface& surface, double from, double to) {
-  const numbers::Interval t(from, to);
-  const SpineBounds y = spine_bounds(surface.spine, t);
-  const RadiusBounds r = radius_bounds(surface.radius, t);
+BandBounds band_bounds(const SpineBounds& y, const RadiusBounds& r) {
   const numbers::Interval radius = r.value, slope = r.first, turning = y.turning;
   const numbers::Interval along_axis = numbers::Interval(y.acceleration) +
                                        numbers::Interval(2) * slope * turning +
@@ -231,6 +240,32 @@ BandBounds band_bounds(const RingedSurface& surface, double from, double to) {
   return {{numbers::sqrt(square(along_axis) + square(across)).upper,
            numbers::sqrt(square(slope) + square(radius * turning)).upper, r.value},
           y.turning};
+}
+
+}  // namespace
+
+SpineBounds spine_bounds(const Spine& spine, const numbers::Interval& t) {
+  return spine_terms(spine)(t);
+}
+
+RadiusBounds radius_bounds(const RadiusLaw& law, const numbers::Interval& t) {
+  return std::visit([&](const auto& l) { return bounds(l, t); }, law);
+}
+
+BandBounds band_bounds(const RingedSurface& surface, double from, double to) {
+  const numbers::Interval t(from, to);
+  return band_bounds(spine_bounds(surface.spine, t), radius_bounds(surface.radius, t));
+}
+
+std::vector<BandBounds> band_bounds_of_cells(const RingedSurface& surface, std::uint32_t cells) {
+  const auto spine = spine_terms(surface.spine);
+  std::vector<BandBounds> result;
+  result.reserve(cells);
+  for (std::uint32_t i = 0; i < cells; ++i) {
+    const numbers::Interval t(double(i) / cells, double(i + 1) / cells);
+    result.push_back(band_bounds(spine(t), radius_bounds(surface.radius, t)));
+  }
+  return result;
 }
 
 // With p = a cos u c1 + b sin u c2 and its change w in the turning frame, |w| <= |a'|, |b'| and

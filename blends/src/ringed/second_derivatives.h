@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "dupin/blends/elliptic_tube.h"
 #include "dupin/blends/rational_ringed_surface.h"
 #include "dupin/blends/ringed_surface.h"
@@ -31,6 +34,9 @@ struct BandBounds {
 
 /// See second_derivative_bounds().
 [[nodiscard]] BandBounds band_bounds(const RingedSurface& surface, double from, double to);
+/// The same on equal parts of [0, 1], one after the other, in about half the time.
+[[nodiscard]] std::vector<BandBounds> band_bounds_of_cells(const RingedSurface& surface,
+                                                           std::uint32_t cells);
 [[nodiscard]] BandBounds band_bounds(const EllipticTube& tube, double from, double to);
 /// Its frame is given, not carried: the bound of the turning is 0.
 [[nodiscard]] BandBounds band_bounds(const RationalRingedSurface& surface, double from, double to);

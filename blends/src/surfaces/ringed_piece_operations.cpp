@@ -37,12 +37,7 @@ bool is_uniform(const RingedSurface& surface) {
 tessellation::BandStepper march_of(const RingedSurface& surface, double around,
                                    std::uint32_t cells = kCells) {
   cells = is_uniform(surface) ? 1 : cells;
-  std::vector<ringed::BandBounds> bounds;
-  bounds.reserve(cells);
-  for (std::uint32_t i = 0; i < cells; ++i) {
-    bounds.push_back(ringed::band_bounds(surface, double(i) / cells, double(i + 1) / cells));
-  }
-  return {std::move(bounds), around};
+  return {ringed::band_bounds_of_cells(surface, cells), around};
 }
 
 tessellation::Bands bands(const RingedSurface& surface, double allowed, std::uint32_t segments) {

@@ -5,6 +5,7 @@
 
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "surfaces/kneecap_chain_mesh.h"
 #include "surfaces/surface_piece.h"
 #include "tessellation/convex_fill.h"
@@ -126,14 +127,14 @@ void append(const Tessellation& next, std::size_t first, std::uint32_t segments,
 
 Tessellation skin(const Chain& chain, const RingSampling& sampling,
                   const TessellationOptions& options) {
-  Tessellation result;
-  for (const Run& run : runs(chain)) {
-    Tessellation next = of_run(chain, run, RunMesher{sampling, options});
-    if (run.first == 0) {
-      result = std::move(next);
-    } else {
-      append(next, run.first, sampling.segments, result);
-    }
+  const std::vector<Run> all = runs(chain);
+  std::vector<Tessellation> meshes(all.size());
+  for_each_in_parallel(all.size(), [&](std::size_t i) {
+    meshes[i] = of_run(chain, all[i], RunMesher{sampling, options});
+  });
+  Tessellation result = std::move(meshes.front());
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    append(meshes[i], all[i].first, sampling.segments, result);
   }
   if (chain.closed) {
     close(result.mesh, sampling.segments);

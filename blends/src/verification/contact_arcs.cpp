@@ -110,8 +110,10 @@ class Enclosures {
   template <std::size_t count>
   [[nodiscard]] Interval enclosed(const Jet<count>& at, const Jet<count>& all,
                                   std::size_t order) const {
-    const Interval near = at[order] + reach_ * all[order + 1];
-    return {std::max(near.lower, all[order].lower), std::min(near.upper, all[order].upper)};
+    return met(at[order] + reach_ * all[order + 1], all[order]);
+  }
+  static Interval met(const Interval& a, const Interval& b) {
+    return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
   }
   template <std::size_t count>
   [[nodiscard]] IntervalVec enclosed(const JetVec<count>& at, const JetVec<count>& all,

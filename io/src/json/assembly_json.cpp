@@ -112,7 +112,7 @@ Part part(const JsonNode& node) {
 std::uint32_t segments(const JsonNode& node) {
   const auto value = json::whole_number(node);
   if (!value) {
-    node.fail("must be a whole number, at least 3");
+    node.fail("must be a whole number from 3 to 4294967295");
   }
   return *value;
 }

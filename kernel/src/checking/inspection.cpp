@@ -1,8 +1,11 @@
 #include "checking/inspection.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "boxes/bounds.h"
@@ -289,9 +292,11 @@ class Inspector {
         corner = representatives[corner];
       }
     }
-    check_degenerate_and_duplicate(merged, edges);
-    if (options_.self_intersections) {
+    const auto copies = check_degenerate_and_duplicate(merged, edges);
+    if (options_.self_intersections && (copies.empty() || is_tile())) {
       check_self_intersections(representatives, merged);
+    } else if (options_.self_intersections) {
+      check_intersections_of_copies(representatives, copies);
     }
     if (!is_tile() && report().closed() && !found(Defect::degenerate_face) &&
         !found(Defect::duplicate_face)) {
@@ -299,8 +304,9 @@ class Inspector {
     }
   }
 
-  void check_degenerate_and_duplicate(const std::vector<Triangle>& merged,
-                                      const mesh::EdgeTable& edges) {
+  // Returns the groups of faces with the same corners.
+  std::vector<std::vector<std::uint32_t>> check_degenerate_and_duplicate(
+      const std::vector<Triangle>& merged, const mesh::EdgeTable& edges) {
     const auto flat = support::indices_where(merged.size(), [&](std::uint32_t i) {
       const auto& [p, q, r] = merged[i];
       return predicates::collinear(points_[p], points_[q], points_[r]);
@@ -312,8 +318,9 @@ class Inspector {
       }
     }
     if (flat.empty() && merged == triangles_) {
-      add_duplicates(duplicate_groups(triangles_, edges));
-      return;
+      auto groups = duplicate_groups(triangles_, edges);
+      add_duplicates(groups);
+      return groups;
     }
     std::vector<Triangle> proper;
     std::vector<std::uint32_t> positions;
@@ -329,15 +336,15 @@ class Inspector {
         face = positions[face];
       }
     }
-    add_duplicates(std::move(groups));
+    add_duplicates(groups);
+    return groups;
   }
 
-  void add_duplicates(std::vector<std::vector<std::uint32_t>> groups) {
-    for (auto& group : groups) {
+  void add_duplicates(const std::vector<std::vector<std::uint32_t>>& groups) {
+    for (const auto& group : groups) {
       const Triangle& corners = triangles_[group[0]];
       if (share_.counted.point(std::ranges::min(corners))) {
-        add(Defect::duplicate_face, std::move(group), {corners.begin(), corners.end()},
-            points_[corners[0]]);
+        add(Defect::duplicate_face, group, {corners.begin(), corners.end()}, points_[corners[0]]);
       }
     }
   }
@@ -346,14 +353,14 @@ class Inspector {
                                 std::span<const Triangle> merged) {
     // Contacts are looked at later, duplicates have been.
     const auto is_wanted = [&](const FacePair& pair) {
-      return pair.kind != FacePair::Kind::contact &&
-             !std::ranges::is_permutation(merged[pair.first], merged[pair.second]) &&
+      return !std::ranges::is_permutation(merged[pair.first], merged[pair.second]) &&
              (!share_.counts_pair ||
               share_.counts_pair(face_ids_[pair.first], face_ids_[pair.second]));
     };
     auto found = find_self_intersections(points_, triangles_,
                                          {.limit = options_.limit,
                                           .representatives = representatives,
+                                          .contacts = false,
                                           .closed = true,
                                           .rim = rim_,
                                           .margin = margin_,
@@ -365,6 +372,54 @@ class Inspector {
     }
     report().counts[static_cast<std::size_t>(Defect::self_intersection)] =
         found.crossings + found.overlaps;
+  }
+
+  // The same where faces have copies: one of each is looked at, and stands for all.
+  void check_intersections_of_copies(std::span<const std::uint32_t> representatives,
+                                     const std::vector<std::vector<std::uint32_t>>& copies) {
+    std::vector<std::uint32_t> group_of(triangles_.size(), support::kNone), firsts;
+    for (std::uint32_t i = 0; i < copies.size(); ++i) {
+      std::ranges::for_each(copies[i], [&](std::uint32_t face) { group_of[face] = i; });
+    }
+    for (std::uint32_t face = 0; face < triangles_.size(); ++face) {
+      if (group_of[face] == support::kNone || copies[group_of[face]].front() == face) {
+        firsts.push_back(face);
+      }
+    }
+    const auto alike = [&](const std::uint32_t& first) {  // of those that are looked at
+      const std::uint32_t group = group_of[first];
+      return group == support::kNone ? std::span(&first, 1) : std::span(copies[group]);
+    };
+    std::atomic<std::size_t> count = 0;
+    const auto is_wanted = [&](const FacePair& pair) {
+      count += alike(firsts[pair.first]).size() * alike(firsts[pair.second]).size();
+      return true;
+    };
+    const auto triangles = support::selected(std::span<const Triangle>(triangles_), firsts);
+    const auto found = find_self_intersections(points_, triangles,
+                                               {.limit = options_.limit,
+                                                .representatives = representatives,
+                                                .contacts = false,
+                                                .wanted = is_wanted});
+    std::set<std::array<std::uint32_t, 2>> pairs;  // the lowest ones
+    const auto lowest_alike = [&](std::uint32_t position) {
+      const auto faces = alike(firsts[position]);
+      return faces.first(std::min(faces.size(), options_.limit));
+    };
+    for (const FacePair& pair : found.pairs) {
+      for (const std::uint32_t a : lowest_alike(pair.first)) {
+        for (const std::uint32_t b : lowest_alike(pair.second)) {
+          pairs.insert({std::min(a, b), std::max(a, b)});
+          if (pairs.size() > options_.limit) {
+            pairs.erase(std::prev(pairs.end()));
+          }
+        }
+      }
+    }
+    for (const auto& [a, b] : pairs) {
+      add(Defect::self_intersection, {a, b}, {}, place_between(a, b));
+    }
+    report().counts[static_cast<std::size_t>(Defect::self_intersection)] = count;
   }
 
   // The middle of what the boxes of two faces have in common.

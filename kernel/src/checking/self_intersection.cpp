@@ -9,12 +9,14 @@
 #include "boxes/box_tree.h"
 #include "boxes/boxes_near.h"
 #include "boxes/tree_traversal.h"
+#include "checking/crowded_points.h"
 #include "checking/disjoint_face_groups.h"
 #include "mesh/coincident_points.h"
 #include "predicates/stable_predicates.h"
 #include "predicates/triangle_overlap.h"
 #include "support/blocks.h"
 #include "support/none.h"
+#include "support/sequences.h"
 
 namespace dupin::checking {
 namespace {
@@ -43,6 +45,9 @@ class Search {
     }
     const Items items(tree_, active_, corners_);
     SelfIntersections found = examined(boxes::TreeTraversal(tree_), items, items);
+    for (const CrowdedPoint& crowded : crowded_) {
+      found = joined(std::move(found), examined_around(crowded));
+    }
     if (!among_all_) {
       found = joined(std::move(found), examined_passive(items));
     }
@@ -57,6 +62,7 @@ class Search {
         found.degenerate.push_back(face);
       }
     }
+    std::ranges::sort(found.degenerate);
     return found;
   }
 
@@ -90,7 +96,6 @@ class Search {
       stable_.assign(triangles_.size(), 1);
     }
     choose_active();
-    support::BulkVector<boxes::Box> boxes(active_.size());
     support::for_each_block(active_.size(), [&](const support::Block& block) {
       for (std::size_t i = block.begin; i < block.end; ++i) {
         const std::uint32_t face = active_[i];
@@ -98,18 +103,69 @@ class Search {
         if (seeks_stable() && !keeps_area(face)) {
           stable_[face] = kSliver;
         }
-        boxes[i] = degenerate_[face] != 0 ? boxes::Box::nothing() : box(face);
       }
     });
-    std::span<const std::uint32_t> groups = groups_.of_face;
-    std::vector<std::uint32_t> of_active;
-    if (!groups.empty() && active_.size() < triangles_.size()) {
-      std::ranges::transform(active_, std::back_inserter(of_active),
-                             [&](std::uint32_t face) { return groups[face]; });
-      groups = of_active;
-    }
+    find_crowded_points();
+    const std::vector<std::uint32_t> groups = groups_of_active();
+    support::BulkVector<boxes::Box> boxes(active_.size());
+    support::for_each_block(active_.size(), [&](const support::Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        boxes[i] = degenerate_[active_[i]] != 0 ? boxes::Box::nothing() : box(active_[i]);
+      }
+    });
     return boxes::BoxTree(
         boxes, [&](std::uint32_t i) { return framed(active_[i]); }, groups);
+  }
+
+  /// Points whose active triangles are looked at from there, as far as they have no group. These
+  /// come together, so that what the tree has around them is no larger than it must be.
+  void find_crowded_points() {
+    std::vector<std::uint32_t> faces;
+    std::ranges::copy_if(active_, std::back_inserter(faces),
+                         [&](std::uint32_t f) { return !of_group(f) && degenerate_[f] == 0; });
+    std::vector<std::uint8_t> several(seeks_contacts() ? points_.size() : 0);  // with contacts
+    for (std::uint32_t i = 0; i < several.size(); ++i) {
+      several[representatives_[i]] = representatives_[i] != i ? 1 : several[representatives_[i]];
+    }
+    crowded_ = crowded_points(corners_, faces, points_.size(), several, kCrowd);
+    std::vector<std::uint8_t> moved(crowded_.empty() ? 0 : triangles_.size());
+    for (const CrowdedPoint& crowded : crowded_) {
+      std::ranges::for_each(crowded.faces, [&](std::uint32_t f) { moved[f] = 1; });
+    }
+    if (!crowded_.empty()) {
+      std::erase_if(active_, [&](std::uint32_t f) { return moved[f] != 0; });
+    }
+    for (const CrowdedPoint& crowded : crowded_) {
+      active_.insert(active_.end(), crowded.faces.begin(), crowded.faces.end());
+    }
+    for (const CrowdedPoint& crowded : crowded_) {
+      for (std::size_t i = 0; i < crowded.faces.size() && seeks_stable(); ++i) {
+        std::uint8_t& stable = stable_[crowded.faces[i]];
+        stable = stable == kSliver ? kSliver : 0;  // directions may be apart by little
+      }
+    }
+  }
+
+  /// Per active triangle a group, none of whose pairs the tree has to name: they keep apart, or
+  /// belong to a crowded point. Empty if there are no groups.
+  [[nodiscard]] std::vector<std::uint32_t> groups_of_active() const {
+    std::vector<std::uint32_t> groups = groups_.of_face;
+    if (groups.empty() && !crowded_.empty()) {
+      groups.assign(triangles_.size(), support::kNone);
+    }
+    std::uint32_t next = 0;
+    for (const std::uint32_t group : groups) {
+      next = group == support::kNone ? next : std::max(next, group + 1);
+    }
+    for (const CrowdedPoint& crowded : crowded_) {
+      for (const std::uint32_t face : crowded.faces) {
+        groups[face] = next;
+      }
+      ++next;
+    }
+    return groups.empty() || (crowded_.empty() && active_.size() == triangles_.size())
+               ? groups
+               : support::selected(std::span<const std::uint32_t>(groups), active_);
   }
 
   /// The triangles to be searched among themselves and, unless all are, with the others.
@@ -149,6 +205,7 @@ class Search {
     corners_ = merged_;
   }
 
+  [[nodiscard]] bool seeks_contacts() const { return touching_apart_ && options_.contacts; }
   [[nodiscard]] bool seeks_stable() const { return !stable_.empty(); }
 
   /// Whether it may lose its area, which is known before pairs are examined.
@@ -218,6 +275,13 @@ class Search {
     return found_count_.load(std::memory_order_relaxed) >= options_.enough;
   }
 
+  /// Pairs of triangles of a crowded point that share directions.
+  SelfIntersections examined_around(const CrowdedPoint& crowded) {
+    const boxes::BoxTree tree(direction_boxes(points_, corners_, crowded, degenerate_));
+    const Items items(tree, crowded.faces, corners_);
+    return examined(boxes::TreeTraversal(tree), items, items);
+  }
+
   void examine(const boxes::TreeTraversal& pairs, const boxes::TreeTraversal::Nodes& nodes,
                const Items& items, const Items& others, SelfIntersections& found) {
     std::optional<predicates::TriangleOverlapTest> probe;
@@ -272,7 +336,7 @@ class Search {
 
   void record(std::uint32_t face, std::uint32_t other, predicates::TriangleOverlap meeting,
               SelfIntersections& found) const {
-    const bool is_nothing = meeting == predicates::TriangleOverlap::none && !touching_apart_;
+    const bool is_nothing = meeting == predicates::TriangleOverlap::none && !seeks_contacts();
     if (is_nothing || (!active(face) && !active(other))) {
       return;
     }
@@ -327,7 +391,8 @@ class Search {
     pairs.resize(std::min(pairs.size(), options_.limit));
   }
 
-  static constexpr double kDiagonal = 1.75;  // of a cube, and more
+  static constexpr double kDiagonal = 1.75;   // of a cube, and more
+  static constexpr std::size_t kCrowd = 256;  // below, all pairs are quicker
   static constexpr std::uint8_t kSliver = 2;
 
   std::span<const Vec3> points_;
@@ -343,7 +408,8 @@ class Search {
   bool among_all_ = true;              // else among active and between these and passive ones
   std::vector<std::uint8_t> degenerate_;
   std::vector<std::uint32_t> active_;
-  DisjointFaceGroups groups_;                 // empty if few triangles are active
+  DisjointFaceGroups groups_;  // empty if few triangles are active
+  std::vector<CrowdedPoint> crowded_;
   std::vector<std::uint8_t> stable_;          // empty unless stable ones are sought
   std::atomic<std::size_t> found_count_ = 0;  // pairs, by the tasks that are done
   boxes::BoxTree tree_;                       // over the active triangles

@@ -33,6 +33,8 @@ struct SelfIntersectionOptions {
   /// have the same coordinates, and are contacts where they meet. Others must not coincide, which
   /// is a crossing. Empty finds all points of the same coordinates.
   std::span<const std::uint32_t> representatives;
+  /// Whether contacts are sought: where many triangles meet in identical points, that is costly.
+  bool contacts = true;
   /// Promises that every edge is run through as often one way as the other; saves work.
   bool closed = false;
   /// Per point 1 where that is not promised of its edges; empty if there are none such.

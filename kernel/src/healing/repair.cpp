@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
@@ -72,6 +75,57 @@ std::optional<mesh::ExactMesh> proved(const healing::PolygonSoup& soup, const Tr
     source.triangle = soup.sources[source.triangle];
   }
   return exact;
+}
+
+// One shell of a soup, and nothing else.
+TriMesh shell_of(const healing::PolygonSoup& soup, std::span<const std::uint32_t> faces,
+                 const TriMesh& mesh) {
+  TriMesh shell{{}, {}, {}, mesh.names};
+  std::unordered_map<std::uint32_t, std::uint32_t> number;
+  for (const std::uint32_t face : faces) {
+    Triangle corners = soup.triangles[face];
+    for (std::uint32_t& corner : corners) {
+      const auto [at, is_new] =
+          number.emplace(corner, static_cast<std::uint32_t>(shell.points.size()));
+      if (is_new) {
+        shell.points.push_back(soup.points[corner]);
+      }
+      corner = at->second;
+    }
+    shell.triangles.push_back(corners);
+    if (!mesh.labels.empty()) {
+      shell.labels.push_back(mesh.labels[soup.sources[face]]);
+    }
+  }
+  return shell;
+}
+
+// The union of the shells of the mended soup, if there are many and each is a solid by itself: what
+// all wind around is the same, and where many are in one place it is found in steps (unite()).
+// Sources name faces of the mesh.
+std::optional<mesh::ExactMesh> united_shells(const healing::PolygonSoup& soup, const TriMesh& mesh,
+                                             const Progress& progress) {
+  constexpr std::size_t kMany = 16;
+  const mesh::Shells shells =
+      mesh::shells(soup.triangles.size(), EdgeTable(soup.triangles, soup.points.size()));
+  std::vector<Solid> solids;
+  for (std::size_t i = 0; i < shells.count && shells.count > kMany; ++i) {
+    const TriMesh shell = shell_of(soup, shells.faces_of(i), mesh);
+    auto solid = proved(shell, inspected(shell));
+    if (!solid) {
+      return std::nullopt;
+    }
+    solids.push_back(std::move(*solid));
+  }
+  if (solids.empty()) {
+    return std::nullopt;
+  }
+  mesh::ExactMesh all = unite(solids, {.progress = progress}).exact();
+  for (Source& source : all.sources) {
+    const std::uint32_t face = solids[source.operand].sources()[source.triangle].triangle;
+    source = {0, soup.sources[shells.faces_of(source.operand)[face]]};
+  }
+  return all;
 }
 
 std::ptrdiff_t balance(const EdgeTable& edges, const Edge& edge) {
@@ -142,6 +196,9 @@ Repaired repair(const TriMesh& mesh, const Progress& progress) {
   report.turned_faces = healing::turn_shells_outward(soup, std::move(settled.is_turned));
 
   auto plain = proved(soup, mesh);
+  if (!plain) {
+    plain = united_shells(soup, mesh, progress);
+  }
   mesh::ExactMesh solid = plain ? std::move(*plain) : healing::wound_around(soup, mesh, progress);
   report.united_overlaps = solid.triangles.size() != soup.triangles.size();
   return {Solid(std::make_shared<const mesh::ExactMesh>(std::move(solid))), report};

@@ -1,6 +1,7 @@
 #include "mesh/shell_nesting.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "boxes/box_quantizer.h"
 #include "boxes/box_tree.h"
@@ -54,11 +55,15 @@ std::uint32_t ShellNest::test_face(std::size_t shell) const {
 }
 
 bool ShellNest::encloses(std::size_t outer, std::size_t inner) const {
-  if (!boxes_[outer].contains(boxes_[inner])) {
-    return false;
-  }
-  return winding_number(mesh_, shells_.faces_of(outer), point_within(mesh_, test_faces_[inner])) !=
-         0;
+  return boxes_[outer].contains(boxes_[inner]) && encloses(outer, test_point(inner));
+}
+
+bool ShellNest::encloses(std::size_t outer, const WindingPoint& point) const {
+  return winding_number(mesh_, shells_.faces_of(outer), point) != 0;
+}
+
+WindingPoint ShellNest::test_point(std::size_t shell) const {
+  return point_within(mesh_, test_faces_[shell]);
 }
 
 std::vector<int> nesting_depths(const MeshView& mesh, const Shells& shells) {
@@ -75,9 +80,17 @@ std::vector<int> nesting_depths(const MeshView& mesh, const Shells& shells) {
   const boxes::BoxQuantizer quantizer(corners);
   const boxes::BoxTree tree(framed(nest.boxes(), quantizer));
   for (std::size_t inner = 0; inner < shells.count; ++inner) {
-    const auto corner = quantizer.map(nest.boxes()[inner].min());
+    const Eigen::AlignedBox3d& box = nest.boxes()[inner];
+    const auto corner = quantizer.map(box.min());
+    std::optional<WindingPoint> point;
     tree.visit(quantizer.around({corner, corner, corner}), [&](std::uint32_t outer) {
-      depths[inner] += outer != inner && nest.encloses(outer, inner) ? 1 : 0;
+      if (outer == inner || !nest.boxes()[outer].contains(box)) {
+        return;
+      }
+      if (!point) {
+        point = nest.test_point(inner);
+      }
+      depths[inner] += nest.encloses(outer, *point) ? 1 : 0;
     });
   }
   return depths;

@@ -27,6 +27,10 @@ class ShellNest {
   /// Whether `inner` lies within the surface `outer`, another shell that it does not cross nor
   /// share an area with; they may touch. Disjoint boxes cost nothing.
   [[nodiscard]] bool encloses(std::size_t outer, std::size_t inner) const;
+  /// The same of a shell whose box is within that of `outer`, by its test point.
+  [[nodiscard]] bool encloses(std::size_t outer, const WindingPoint& point) const;
+  /// On the shell, and on no other.
+  [[nodiscard]] WindingPoint test_point(std::size_t shell) const;
 
   /// Of each shell, in all its coordinates.
   [[nodiscard]] std::span<const Eigen::AlignedBox3d> boxes() const { return boxes_; }

@@ -103,17 +103,14 @@ std::optional<std::vector<Fault>> find_faults_below(std::size_t count, const Emb
   if (std::ranges::find(marked, 1) == marked.end()) {
     return faults;
   }
-  const checking::SelfIntersections found = checking::find_self_intersections(
-      mesh.points, mesh.triangles,
-      {.active = marked,
-       .representatives = mesh.representatives,
-       .closed = true,
-       .groups = mesh.groups,
-       .wanted =
-           [](const checking::FacePair& pair) {
-             return pair.kind != checking::FacePair::Kind::contact;
-           },
-       .enough = count});
+  const checking::SelfIntersections found =
+      checking::find_self_intersections(mesh.points, mesh.triangles,
+                                        {.active = marked,
+                                         .representatives = mesh.representatives,
+                                         .contacts = false,
+                                         .closed = true,
+                                         .groups = mesh.groups,
+                                         .enough = count});
   if (found.is_cut_short) {
     return std::nullopt;
   }

@@ -16,7 +16,7 @@ std::string sentence(const std::string& message, const std::string& part,
   if (!part.empty()) {
     text += "'" + support::shortened(part) + "': ";
   }
-  return text + support::with_short_quotes(message);
+  return support::printable(text + support::with_short_quotes(message));
 }
 
 }  // namespace

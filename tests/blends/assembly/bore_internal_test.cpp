@@ -342,6 +342,16 @@ TEST(Bore, of_a_thin_wall_that_asks_for_too_much_says_so) {
   }
 }
 
+TEST(Bore, of_a_wall_too_thin_for_the_coordinates_says_so) {
+  try {
+    (void)built(walled({part("ball", SphereAt{{0, 0, 0}, 3})}, 1e-300), Region::metal);
+    ADD_FAILURE() << "was built";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::invalid_argument);
+    EXPECT_THAT(error.message(), HasSubstr("the thinnest wall, which is 1e-300"));
+  }
+}
+
 TEST(Bore, of_random_bent_lines_and_their_branches_sums_up) {
   std::mt19937_64 random(20261124);
   const auto uniform = [&](double from, double to) {

@@ -8,6 +8,7 @@
 
 #include "certification/mesh_claims.h"
 #include "dupin/blends/cyclide_tube.h"
+#include "dupin/blends/spline_pipe.h"
 #include "support/cyclide_cases.h"
 #include "verification/mesh_claim.h"
 
@@ -52,6 +53,22 @@ TEST(MeshClaims, of_a_hollow_chain_are_about_both_skins) {
   EXPECT_EQ(claim->error_bound, tessellate(shell, kSampling, {0.05}).error_bound);
   claim->error_bound *= 1.01;
   EXPECT_TRUE(follows(shell, *claim));
+}
+
+// Each piece takes milliseconds, and no certificate lets its checker work so long.
+TEST(MeshClaims, of_thousands_of_curved_pieces_are_none) {
+  std::vector<Waypoint> through;
+  constexpr int kPieces = 2100;
+  for (int i = 0; i < kPieces; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kPieces;
+    through.push_back({4000 * Vec3(std::cos(angle), std::sin(angle), 0), 5});
+  }
+  Chain ring;
+  for (RingedSurface& piece : closed_spline_pipe(through)) {
+    ring.pieces.emplace_back(std::move(piece));
+  }
+  ring.closed = true;
+  EXPECT_FALSE(mesh_claim(ring, kSampling, 0.05));
 }
 
 // How deep the triangles with corners on a joint's ball are, and the steps between rows of columns,

@@ -99,6 +99,21 @@ TEST(BandBounds, of_rational_ringed_surfaces_hold_in_their_frame) {
   }
 }
 
+TEST(BandBounds, of_cells_are_those_of_each) {
+  constexpr std::uint32_t kCells = 8;
+  RingedSurface flat;  // in a plane: what is 0 stays so
+  flat.spine = HermiteSpine{{0, 0, 0}, {9, 4, 0}, {6, 0, 0}, {5, 6, 0}};
+  flat.radius = ConstantRadius{0.5};
+  const auto cells = band_bounds_of_cells(flat, kCells);
+  ASSERT_EQ(cells.size(), kCells);
+  for (std::uint32_t i = 0; i < kCells; ++i) {
+    const BandBounds own = band_bounds(flat, double(i) / kCells, double(i + 1) / kCells);
+    EXPECT_EQ(cells[i].second.along, own.second.along);
+    EXPECT_EQ(cells[i].second.mixed, own.second.mixed);
+    EXPECT_EQ(cells[i].turning, own.turning);
+  }
+}
+
 TEST(SpineBounds, hold_the_speed_and_the_turning) {
   for (const Spine& spine :
        {Spine(test::skew_spine(10, 20)), Spine(kRational), Spine(LineSpine{{0, 0, 0}, {3, 4, 0}}),

@@ -1,8 +1,12 @@
 #include <algorithm>
+#include <array>
+#include <random>
 
 #include <gtest/gtest.h>
 
 #include "checking/inspection.h"
+#include "checking/self_intersection.h"
+#include "dupin/kernel/check.h"
 #include "kernel/torus.h"
 #include "support/shapes.h"
 
@@ -61,6 +65,67 @@ TEST(Inspection, seeks_stable_triangles_only_with_a_margin) {
   const auto stable = inspect(mesh, {}, 1e-9).stable;
   EXPECT_EQ(stable.size(), mesh.triangles.size());
   EXPECT_EQ(std::ranges::count(stable, 1), mesh.triangles.size());
+}
+
+/// Tetrahedra that cross, with copies of some of their faces: of the same corners, or of twins.
+TriMesh crossing_copies(std::mt19937& random) {
+  const auto step = [&] { return static_cast<double>(random() % 3); };
+  std::vector<TriMesh> shells;
+  for (int i = 0; i < 6; ++i) {
+    shells.push_back(test::tetrahedron(Vec3(step(), step(), step()) / 4, 1));
+  }
+  TriMesh mesh = test::joined(shells);
+  for (int i = 0; i < 40; ++i) {
+    Triangle copy = mesh.triangles[random() % mesh.triangles.size()];
+    std::rotate(copy.begin(), copy.begin() + i % 3, copy.end());
+    if (i % 5 == 0) {
+      const Vec3 corner = mesh.points[copy[0]];
+      mesh.points.push_back(corner);
+      copy[0] = static_cast<std::uint32_t>(mesh.points.size() - 1);
+    }
+    mesh.triangles.push_back(copy);
+  }
+  return mesh;
+}
+
+TEST(Inspection, counts_the_crossings_of_each_copy) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 20; ++round) {
+    const TriMesh mesh = crossing_copies(random);
+    const auto places = [&](std::uint32_t face) {
+      std::array<std::array<double, 3>, 3> corners;
+      std::ranges::transform(mesh.triangles[face], corners.begin(), [&](std::uint32_t v) {
+        return std::array{mesh.points[v].x(), mesh.points[v].y(), mesh.points[v].z()};
+      });
+      std::ranges::sort(corners);
+      return corners;
+    };
+    auto expected = find_self_intersections(mesh.points, mesh.triangles).pairs;
+    std::erase_if(expected, [&](const FacePair& p) {
+      return p.kind == FacePair::Kind::contact || places(p.first) == places(p.second);
+    });
+    ASSERT_GT(expected.size(), 20U);
+    for (const std::size_t limit : {std::size_t{7}, std::size_t{100000}}) {
+      const Report report = check(mesh, {.limit = limit});
+      EXPECT_EQ(report.count(Defect::self_intersection), expected.size());
+      std::vector<std::vector<std::uint32_t>> listed, lowest;
+      for (const Finding& finding : report.findings) {
+        if (finding.defect == Defect::self_intersection) {
+          listed.push_back(finding.faces);
+        }
+      }
+      for (std::size_t i = 0; i < std::min(limit, expected.size()); ++i) {
+        lowest.push_back({expected[i].first, expected[i].second});
+      }
+      EXPECT_EQ(listed, lowest);
+    }
+  }
+}
+
+TEST(Inspection, of_thousands_of_copies_takes_a_moment) {
+  const Report report = check(test::joined(std::vector(20000, test::tetrahedron(Vec3::Zero(), 1))));
+  EXPECT_EQ(report.count(Defect::duplicate_face), 4U);
+  EXPECT_EQ(report.count(Defect::self_intersection), 0U);
 }
 
 }  // namespace

@@ -1,9 +1,13 @@
 #include "dupin/kernel/repair.h"
 
+#include <cmath>
 #include <limits>
+#include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
 #include "support/shapes.h"
@@ -233,6 +237,36 @@ TEST(Repair, unites_a_surface_that_crosses_itself_and_shares_points) {
   EXPECT_TRUE(repaired.report.united_overlaps);
   EXPECT_EQ(repaired.solid.components(), 1U);
   EXPECT_GT(repaired.solid.exact_volume(), Solid::from(mesh).exact_volume());
+}
+
+// All of them in one arrangement took half a minute.
+TEST(Repair, unites_many_shells_in_one_place_in_steps) {
+  std::mt19937 random(200);
+  std::uniform_real_distribution<double> coordinate(-100, 100);
+  std::vector<TriMesh> shells;
+  std::vector<Solid> solids;
+  while (solids.size() < 100) {
+    TriMesh shell = test::tetrahedron({0, 0, 0});
+    for (Vec3& point : shell.points) {
+      point = {coordinate(random), coordinate(random), coordinate(random)};
+    }
+    const double volume = check(shell).volume;
+    if (std::abs(volume) > 1) {
+      shells.push_back(test::labelled(volume > 0 ? shell : test::reversed(shell),
+                                      std::to_string(solids.size() % 3)));
+      solids.push_back(Solid::from(shells.back()));
+    }
+  }
+  const TriMesh mesh = joined(shells);
+  const Repaired repaired = repair(mesh);
+  EXPECT_TRUE(repaired.report.united_overlaps);
+  EXPECT_EQ(repaired.solid.exact_volume(), unite(solids).exact_volume());
+  for (std::size_t i = 0; i < repaired.solid.triangle_count(); ++i) {
+    const Source source = repaired.solid.sources()[i];
+    ASSERT_EQ(source.operand, 0U);
+    ASSERT_EQ(repaired.solid.names()[repaired.solid.labels()[i]],
+              mesh.names[mesh.labels[source.triangle]]);
+  }
 }
 
 struct Refusal {

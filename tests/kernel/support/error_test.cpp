@@ -32,5 +32,13 @@ TEST(Error, has_a_name_for_every_code) {
   }
 }
 
+TEST(Error, has_no_control_characters) {
+  using namespace std::string_literals;
+  const Error error(Errc::invalid_argument, "the name 'x\0y' must be short"s, "\x1b[31mred"s,
+                    "a.json#/parts/0\x7f"s);
+  EXPECT_EQ(std::string(error.what()),
+            "a.json#/parts/0\\x7f: '\\x1b[31mred': the name 'x\\x00y' must be short");
+}
+
 }  // namespace
 }  // namespace dupin
