@@ -165,6 +165,8 @@ class TiledBuild {
     }
   }
 
+  [[nodiscard]] std::string warning() const { return cache_ ? cache_->warning() : std::string(); }
+
  private:
   // Resolves every district, which takes its time.
   [[nodiscard]] std::vector<double> expected_triangles() const {
@@ -218,6 +220,7 @@ class TiledBuild {
       if (auto kept = result_of(*bytes, parts)) {
         return *std::move(kept);
       }
+      cache_->distrust(key, "is damaged");
     }
     DistrictResult result = made(district);
     cache_->keep(key, bytes_of(result, parts));
@@ -285,15 +288,18 @@ void check_tiled(const BuildArguments& arguments) {
   }
 }
 
-Built build_in_tiles(const Document& document, const BuildOptions& options,
-                     const BuildArguments& arguments, const MeshHeader& header, const Ranks& ranks,
-                     OutputReport& report) {
+TiledBuilt build_in_tiles(const Document& document, const BuildOptions& options,
+                          const BuildArguments& arguments, const MeshHeader& header,
+                          const Ranks& ranks) {
   TiledBuild build(document, options, arguments, ranks);
+  TiledBuilt result;
   if (ranks.is_first()) {
-    return build.run(header, report);
+    result.built = build.run(header, result.output);
+  } else {
+    build.run_for_first();
   }
-  build.run_for_first();
-  return {};
+  result.warning = build.warning();
+  return result;
 }
 
 }  // namespace dupin::cli

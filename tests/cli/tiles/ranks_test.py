@@ -48,6 +48,15 @@ def check_bytes(tool, folder):
             (folder / "shared.stl").unlink()
 
 
+def check_new_caches(tool, folder):
+    """All ranks make the cache's folder at once."""
+    for number in range(5):
+        made = run(tool, folder, 4, "plant.json", "-o", "made.stl", "--cache", f"new{number}")
+        assert made.returncode == 0, made.stderr
+        shutil.rmtree(folder / f"new{number}")
+        (folder / "made.stl").unlink()
+
+
 def check_formats(tool, folder):
     """The bytes of PLY, and a file of VTK for each rank."""
     assert run(tool, folder, 0, "plant.json", "-o", "whole.ply").returncode == 0
@@ -93,6 +102,7 @@ def main():
         folder = pathlib.Path(name)
         (folder / "plant.json").write_text(json.dumps(plant(12)), encoding="utf-8")
         check_bytes(tool, folder)
+        check_new_caches(tool, folder)
         check_formats(tool, folder)
         check_failure(tool, folder)
 
