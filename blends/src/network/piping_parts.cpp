@@ -253,9 +253,7 @@ class ChainParts {
     if (seam.component) {
       part.name = line_.components[*seam.component].name;
       notes_.add(line_.components[*seam.component],
-                 std::string(has_two_bores(*seam.component) ? "has two bores"
-                                                            : "is not tangent to its neighbours") +
-                     "; a blend between them takes its place");
+                 why_blended(seam) + "; a blend between them takes its place");
       part.wall = line_.components[*seam.component].wall;
     } else {
       const PipingJoint& joint = network_.joints[*seam.joints[0]];
@@ -271,6 +269,16 @@ class ChainParts {
       }
     }
     return part;
+  }
+
+  // Of a bend.
+  [[nodiscard]] std::string why_blended(const Seam& seam) const {
+    const bool is_missed = std::ranges::any_of(seam.joints, [this](const auto& position) {
+      return position && network_.joints[*position].distance > snap_;
+    });
+    return has_two_bores(*seam.component) ? "has two bores"
+           : is_missed                    ? "lies apart from its neighbours"
+                                          : "is not tangent to its neighbours";
   }
 
   [[nodiscard]] bool has_two_bores(std::size_t component) const {

@@ -15,7 +15,7 @@
 namespace dupin::test {
 namespace {
 
-using testing::HasSubstr;
+using testing::HasSubstr, testing::Not;
 
 TEST(PipingLine, joins_what_meets_in_any_order_and_direction) {
   Line line;
@@ -150,6 +150,17 @@ TEST(PipingLine, blends_between_the_neighbours_of_a_bend_that_does_not_fit) {
   const PipingNetwork network = line.made();
   EXPECT_EQ(kind(part(network, "c1").shape), "cyclic_blend");
   EXPECT_THAT(notes(network), HasSubstr("20: c1: is not tangent to its neighbours"));
+  (void)solid(network);
+}
+
+TEST(PipingLine, says_why_a_blend_takes_the_place_of_a_bend) {
+  Line line;
+  line.pipe({-900, 0, 0}, {-300.1, 0, 0}).bend({-300, 0, 0}, {0, 0, 0}, {0, 300, 0});
+  line.pipe({0, 300, 0}, {0, 900, 0});
+  const PipingNetwork network = line.made({.bridge = 0.5});
+  EXPECT_EQ(kind(part(network, "c1").shape), "cyclic_blend");
+  EXPECT_THAT(notes(network), HasSubstr("20: c1: lies apart from its neighbours"));
+  EXPECT_THAT(notes(network), Not(HasSubstr("is not tangent"))) << "it is";
   (void)solid(network);
 }
 
