@@ -52,6 +52,15 @@ GivenSolid::GivenSolid(const Solid& solid, const RemeshOptions& options)
   slack_ = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) * 0x1p-46;
 }
 
+double GivenSolid::area() const {
+  double area = 0;
+  for (std::uint32_t f = 0; f < mesh_.triangles.size(); ++f) {
+    const auto& [a, b, c] = surface_.corners(f);
+    area += (b - a).cross(c - a).norm() / 2;
+  }
+  return area;
+}
+
 bool GivenSolid::hangs_together_as(const Solid& other) const {
   return other.euler_number() == solid_.euler_number() && other.shells() == solid_.shells();
 }
@@ -138,6 +147,14 @@ std::string GivenSolid::too_far(const std::array<Vec3, 3>& triangle) const {
 std::string GivenSolid::too_long() const {
   return "edges cannot be kept as short as " + std::to_string(largest_edge_) +
          "; allow longer ones";
+}
+
+std::string GivenSolid::too_thin(const Vec3& place, double thickness) const {
+  std::ostringstream text;
+  text << "sides of the solid that are " << thickness << " apart near " << place.x() << " "
+       << place.y() << " " << place.z() << " cross each other in a mesh within "
+       << options_.distance << " of them; allow a distance below that, or make it thicker there";
+  return text.str();
 }
 
 std::string GivenSolid::no_mesh() {
