@@ -265,6 +265,9 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   if (is_in_districts(arguments, ranks)) {
     check_tiled(arguments);
   }
+  if (ranks.count() > 1 && arguments.files.front() == "-") {
+    throw UsageError("mpirun gives standard input to one process, and all read the document");
+  }
   std::optional<ProgressLine> line(common.quiet || !ranks.is_first());
   Document document =
       read_document(arguments.files.front(), arguments.source, arguments.walls, line->callback());

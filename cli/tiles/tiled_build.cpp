@@ -22,7 +22,9 @@
 #include "dupin/kernel/districts.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
+#include "exchange_options.h"
 #include "exit_code.h"
+#include "solver_options.h"
 #include "tiles/district_cache.h"
 #include "tiles/district_output.h"
 #include "tiles/district_result.h"
@@ -271,6 +273,9 @@ void add_build_tile_options(CLI::App& command, TileArguments& arguments) {
 }
 
 void check_tiled(const BuildArguments& arguments) {
+  if (is_step(arguments.output) || is_volume(arguments.output)) {
+    throw UsageError(kTiledFormats);
+  }
   require_tiled_output(tiled_destination(arguments.output), arguments.tiles);
   (void)cache_size(arguments.tiles);
   if (!arguments.page.empty() || arguments.quality == kForSolvers) {

@@ -87,6 +87,8 @@ def check_failure(tool, folder):
     assert left == ["bad.json", "kept", "plant.json", "whole.stl"], left
     usage = run(tool, folder, 2, "plant.json", "-o", "a.off")
     assert usage.returncode == 2 and "binary STL" in usage.stderr, usage.stderr
+    piped = run(tool, folder, 2, "-", "-o", "a.stl")
+    assert piped.returncode == 2 and "standard input" in piped.stderr, piped.stderr
 
 
 def has_mpirun():

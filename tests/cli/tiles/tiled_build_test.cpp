@@ -292,6 +292,9 @@ TEST_F(TiledBuild, says_what_it_cannot_do) {
   };
   EXPECT_THAT(refused({"-o", "a.off", "--tiles", "2"}),
               HasSubstr("binary STL, binary PLY and .pvtu files only"));
+  for (const std::string file : {"a.step", "a.msh", "a.vtu"}) {
+    EXPECT_THAT(refused({"-o", file, "--tiles", "2"}), HasSubstr(".pvtu files only")) << file;
+  }
   EXPECT_THAT(refused({"-o", "-", "--format", "stl", "--memory", "1GB"}),
               HasSubstr("binary STL, binary PLY and .pvtu files only"));
   EXPECT_THAT(refused({"-o", "a.stl", "--memory", "much"}), HasSubstr("500MB or 4GB"));
