@@ -140,7 +140,9 @@ TEST(PipingLine, gives_bends_with_unequal_legs_straight_pieces) {
 TEST(PipingLine, takes_bends_that_do_not_turn_for_pipes) {
   Line line;
   line.bend({0, 0, 0}, {500, 0, 0}, {1000, 0, 0});
-  EXPECT_EQ(kind(part(line.made(), "c0").shape), "pipe");
+  const PipingNetwork network = line.made();
+  EXPECT_EQ(kind(part(network, "c0").shape), "pipe");
+  EXPECT_THAT(notes(network), HasSubstr("10: c0: does not turn"));
 }
 
 TEST(PipingLine, blends_between_the_neighbours_of_a_bend_that_does_not_fit) {
