@@ -23,6 +23,14 @@ Eigen::AlignedBox3d box_of(const TriMesh& mesh) {
   return box;
 }
 
+/// More than the diagonal of the box says nothing else, and generators overflow with it.
+RemeshOptions bounded(RemeshOptions options, const TriMesh& mesh) {
+  const double diagonal = box_of(mesh).diagonal().norm();
+  options.distance = std::min(options.distance, diagonal);
+  options.largest_edge = std::min(options.largest_edge, diagonal);
+  return options;
+}
+
 /// Per half-edge, whether the triangles beside it are of two regions.
 std::vector<std::uint8_t> borders_of(const TriMesh& mesh,
                                      const std::vector<std::uint32_t>& regions) {
@@ -41,13 +49,13 @@ std::vector<std::uint8_t> borders_of(const TriMesh& mesh,
 
 GivenSolid::GivenSolid(const Solid& solid, const RemeshOptions& options)
     : solid_(solid),
-      options_(options),
       mesh_(to_mesh(solid).mesh()),
-      features_(find_features(mesh_, options.feature_angle, options.distance)),
+      options_(bounded(options, mesh_)),
+      features_(find_features(mesh_, options_.feature_angle, options_.distance)),
       surface_(mesh_.points, mesh_.triangles, features_.regions),
       region_count_(1 + *std::ranges::max_element(features_.regions)) {
   const Eigen::AlignedBox3d box = box_of(mesh_);
-  largest_edge_ = options.largest_edge > 0 ? options.largest_edge : box.diagonal().norm() / 10;
+  largest_edge_ = options_.largest_edge > 0 ? options_.largest_edge : box.diagonal().norm() / 10;
   // Covers the rounding of a distance, and of cuts, tenfold.
   slack_ = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) * 0x1p-46;
 }

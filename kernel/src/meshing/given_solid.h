@@ -15,7 +15,7 @@
 
 namespace dupin::meshing {
 
-/// What a mesh for solvers is made of. Refers to what it is made of.
+/// What a mesh for solvers is made of. Refers to the solid.
 class GivenSolid {
  public:
   GivenSolid(const Solid& solid, const RemeshOptions& options);
@@ -58,8 +58,8 @@ class GivenSolid {
 
  private:
   const Solid& solid_;
-  const RemeshOptions& options_;
   TriMesh mesh_;
+  RemeshOptions options_;  // no lengths are larger than the solid
   Features features_;
   ReferenceSurface surface_;
   std::uint32_t region_count_ = 0;

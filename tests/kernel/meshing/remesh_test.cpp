@@ -11,6 +11,7 @@
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/fill.h"
 #include "dupin/kernel/patch.h"
 #include "dupin/kernel/rounding.h"
 #include "kernel/meshing/solver_mesh_checks.h"
@@ -195,6 +196,15 @@ TEST(Remesh, says_that_sides_are_nearer_than_the_distance_tells_apart) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Errc::limit_exceeded);
     EXPECT_THAT(error.what(), testing::HasSubstr("come within 0.001 of each other near "));
+  }
+}
+
+TEST(Remesh, takes_lengths_that_are_larger_than_the_solid) {
+  const Solid solid = Solid::from(box(Vec3::Zero(), Vec3(1, 1, 1)));
+  for (const double length : {1e9, 1e40, 1e300}) {
+    EXPECT_EQ(remesh(solid, {.distance = 0.01, .largest_edge = length}).solid.euler_number(), 2);
+    EXPECT_EQ(remesh(solid, {.distance = length}).solid.euler_number(), 2);
+    EXPECT_FALSE(fill(solid, {.distance = 0.01, .largest_edge = length}).mesh.tetrahedra.empty());
   }
 }
 
