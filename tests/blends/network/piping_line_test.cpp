@@ -237,6 +237,7 @@ TEST(PipingLine, keeps_eccentric_parts_flat) {
       .bend({1200, 0, 20}, {1300, 0, 20}, {1300, 100, 20}, 30);
   const PipingNetwork network = line.made();
   EXPECT_EQ(kind(part(network, "c1").shape), "oblique");
+  EXPECT_THAT(notes(network), Not(HasSubstr("flat side")));
   const auto resolved = resolve(network.assembly);
   EXPECT_EQ(resolved.parts.size(), 4);
   EXPECT_EQ(network.largest_move, 0);
@@ -247,6 +248,18 @@ TEST(PipingLine, keeps_eccentric_parts_flat) {
   first.pipe({600, 0, 20}, {1200, 0, 20}, 30);
   EXPECT_EQ(kind(part(first.made(), "c0").shape), "oblique");
   (void)solid(first.made());
+}
+
+TEST(PipingLine, notes_eccentric_parts_that_have_no_flat_side) {
+  Line line;
+  line.pipe({0, 0, 0}, {500, 0, 0}).add(PipingShape::straight, {{500, 0, 0}, {600, 0, 0}});
+  line.last().is_eccentric = true;
+  line.last().ports[1].radius = 30;
+  line.pipe({600, 0, 0}, {1200, 0, 0}, 30);
+  const PipingNetwork network = line.made();
+  EXPECT_THAT(kind(part(network, "c1").shape), HasSubstr("cone"));
+  EXPECT_THAT(notes(network), HasSubstr("20: c1: has no flat side"));
+  (void)solid(network);
 }
 
 TEST(PipingLine, gives_flat_eccentric_reducers_a_length) {
