@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
@@ -226,9 +227,12 @@ bool is_in_districts(const BuildArguments& arguments, const Ranks& ranks) {
 // The solid built and written, whole or in tiles.
 Built build_and_write(Document& document, const BuildOptions& options,
                       const BuildArguments& arguments, const Ranks& ranks, BuildReport& report,
-                      TriMesh* written) {
+                      TriMesh* written, std::string& warning) {
   if (is_in_districts(arguments, ranks)) {
-    return build_in_tiles(document, options, arguments, header_of(document), ranks, report.output);
+    TiledBuilt made = build_in_tiles(document, options, arguments, header_of(document), ranks);
+    report.output = std::move(made.output);
+    warning = std::move(made.warning);
+    return std::move(made.built);
   }
   Built built = build_document(document, options);
   write_built(built, document, options, arguments, report, written);
@@ -248,11 +252,21 @@ void prepare_districts(const BuildArguments& arguments, const std::string& unit,
   }
 }
 
+// What is no part of the report, as the same build without it would say the same.
+void print_warning(const std::string& warning, const CommonOptions& common) {
+  if (!warning.empty() && !common.quiet) {
+    std::cerr << "dupin: warning: " << warning << '\n';
+  }
+}
+
 ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common) {
   check_destination(arguments);
   const Ranks ranks;
   if (is_in_districts(arguments, ranks)) {
     check_tiled(arguments);
+  }
+  if (ranks.count() > 1 && arguments.files.front() == "-") {
+    throw UsageError("mpirun gives standard input to one process, and all read the document");
   }
   std::optional<ProgressLine> line(common.quiet || !ranks.is_first());
   Document document =
@@ -263,11 +277,13 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   prepare_districts(arguments, std::string(symbol(assembly.unit)), options);
   BuildReport report;
   TriMesh written;
+  std::string warning;
   {
     options.progress = line->callback();
     Built built = build_and_write(document, options, arguments, ranks, report,
-                                  arguments.page.empty() ? nullptr : &written);
+                                  arguments.page.empty() ? nullptr : &written, warning);
     if (!ranks.is_first()) {
+      print_warning(warning, common);
       return ExitCode::ok;
     }
     take(report, std::move(built), document, options.connect);
@@ -277,6 +293,7 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     }
     line.reset();
   }
+  print_warning(warning, common);
   if (common.json) {
     report_stream(arguments.output.path) << to_json(report) << '\n';
   } else if (!common.quiet) {

@@ -11,7 +11,6 @@
 
 #include <unistd.h>
 
-#include "dupin/io/atomic_file.h"
 #include "dupin/kernel/error.h"
 #include "exit_code.h"
 
@@ -27,11 +26,57 @@ constexpr std::string_view kMark = "dupin-cache";
 constexpr const char* kHalfWritten = ".part";
 constexpr std::chrono::hours kKilledFor{24};
 
-/// Before the bytes of an entry: what it is of, lest a file that was renamed is believed.
-std::string heading_of(const std::string& key) { return key + "\n"; }
+/// Before the bytes of an entry: what it is of, lest a file that was renamed is believed, and how
+/// many there are, always in as many digits, lest much that is none of them is read.
+std::string heading_of(const std::string& key, std::uint64_t size) {
+  constexpr std::size_t kDigits = 20;
+  const std::string digits = std::to_string(size);
+  return key + " " + std::string(kDigits - digits.size(), '0') + digits + "\n";
+}
 
 [[noreturn]] void fail(const std::string& what, const fs::path& path) {
   throw OutputError(Error(Errc::io_failed, what, {}, path.string()));
+}
+
+/// Whether there is anything that no cache has made, or is about to make.
+bool has_other_things(const fs::path& folder) {
+  std::error_code reason;
+  for (const auto& file : fs::directory_iterator(folder, reason)) {
+    const std::string name = file.path().filename().string();
+    if (name == kMark) {
+      return false;
+    }
+    if (!(name.starts_with(kMark) && name.ends_with(kHalfWritten))) {
+      // Somebody else may have made the mark, and an entry, meanwhile.
+      return !fs::exists(folder / kMark, reason);
+    }
+  }
+  if (reason) {
+    fail("cannot read the folder for --cache: " + reason.message(), folder);
+  }
+  return false;
+}
+
+/// The bytes behind the heading; empty if it is another one, or they are fewer or more than it
+/// says.
+std::optional<std::string> content_of(const fs::path& path, const std::string& key) {
+  const std::uint64_t size = fs::file_size(path);
+  std::string heading = heading_of(key, 0);
+  if (size < heading.size()) {
+    return std::nullopt;
+  }
+  std::ifstream file(path, std::ios::binary);
+  file.read(heading.data(), static_cast<std::streamsize>(heading.size()));
+  if (!file) {
+    throw fs::filesystem_error("", std::error_code(errno, std::generic_category()));
+  }
+  std::uint64_t rest = size - heading.size();
+  if (heading != heading_of(key, rest)) {
+    return std::nullopt;
+  }
+  std::string bytes(rest, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(rest));
+  return file ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
 }  // namespace
@@ -43,7 +88,7 @@ DistrictCache::DistrictCache(fs::path folder) : folder_(std::move(folder)) {
     fail("cannot make the folder for --cache: " + reason.message(), folder_);
   }
   const bool is_known = fs::exists(folder_ / kMark, reason);
-  if (!is_known && !fs::is_empty(folder_, reason)) {
+  if (!is_known && has_other_things(folder_)) {
     fail(
         "the folder for --cache has other things in it; give an empty one, or one that does not "
         "exist yet",
@@ -55,18 +100,29 @@ DistrictCache::DistrictCache(fs::path folder) : folder_(std::move(folder)) {
 }
 
 std::optional<std::string> DistrictCache::find(const std::string& key) const {
+  const fs::path path = folder_ / key;
   std::error_code reason;
-  if (!fs::is_regular_file(folder_ / key, reason)) {
+  if (fs::symlink_status(path, reason).type() == fs::file_type::not_found) {
     return std::nullopt;
   }
-  std::string bytes = read_file(folder_ / key);
-  const std::string heading = heading_of(key);
-  if (!bytes.starts_with(heading)) {
+  const fs::file_status status = fs::status(path, reason);
+  if (!fs::is_regular_file(status)) {
+    distrust(key, status.type() == fs::file_type::none ? "cannot be read: " + reason.message()
+                                                       : "is no regular file");
     return std::nullopt;
   }
-  fs::last_write_time(folder_ / key, fs::file_time_type::clock::now(), reason);
-  bytes.erase(0, heading.size());
-  return bytes;
+  try {
+    auto bytes = content_of(path, key);
+    if (bytes) {
+      fs::last_write_time(path, fs::file_time_type::clock::now(), reason);
+    } else {
+      distrust(key, "is damaged");
+    }
+    return bytes;
+  } catch (const fs::filesystem_error& error) {
+    distrust(key, "cannot be read: " + error.code().message());
+    return std::nullopt;
+  }
 }
 
 void DistrictCache::keep(const std::string& key, std::string_view bytes) const {
@@ -76,21 +132,39 @@ void DistrictCache::keep(const std::string& key, std::string_view bytes) const {
   std::error_code reason;
   {
     std::ofstream file(aside, std::ios::binary);
-    file << heading_of(key);
+    file << heading_of(key, bytes.size());
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     file.close();
     if (!file) {
       reason = {errno, std::generic_category()};
     }
   }
-  if (!reason) {
-    fs::rename(aside, folder_ / key, reason);
-  }
+  std::error_code ignored;
   if (reason) {
-    std::error_code ignored;
     fs::remove(aside, ignored);
     fail("cannot write to the folder for --cache: " + reason.message(), folder_ / key);
   }
+  fs::rename(aside, folder_ / key, reason);
+  if (reason) {
+    fs::remove(aside, ignored);
+    distrust(key, "cannot be replaced: " + reason.message());
+  }
+}
+
+void DistrictCache::distrust(const std::string& key, const std::string& reason) const {
+  const std::lock_guard lock(exclusive_);
+  unusable_.emplace(key, reason);
+}
+
+std::string DistrictCache::warning() const {
+  const std::lock_guard lock(exclusive_);
+  if (unusable_.empty()) {
+    return {};
+  }
+  const auto& [key, reason] = *unusable_.begin();
+  const std::size_t others = unusable_.size() - 1;
+  return (folder_ / key).string() + ": an entry of --cache was of no use and made again: it " +
+         reason + (others > 0 ? "; and " + std::to_string(others) + " more" : "");
 }
 
 void DistrictCache::trim(std::uint64_t most) const {
@@ -104,10 +178,14 @@ void DistrictCache::trim(std::uint64_t most) const {
   std::uint64_t all = 0;
   std::error_code ignored;  // another build may tidy up, too
   for (const auto& file : fs::directory_iterator(folder_, ignored)) {
-    const Entry entry{file.last_write_time(ignored), file.path(), file.file_size(ignored)};
-    if (entry.path.filename() == kMark) {
+    if (!file.is_regular_file(ignored) || file.path().filename() == kMark) {
       continue;
     }
+    const std::uint64_t size = file.file_size(ignored);
+    if (ignored) {
+      continue;
+    }
+    const Entry entry{file.last_write_time(ignored), file.path(), size};
     if (entry.path.extension() == kHalfWritten) {
       if (now - entry.used > kKilledFor) {
         fs::remove(entry.path, ignored);

@@ -117,8 +117,7 @@ bool is_tiled(const TileArguments& arguments) {
 
 void require_tiled_output(const Destination& to, const TileArguments& arguments) {
   if (to.is_stdout() || !is_streamed(to.format)) {
-    throw UsageError(
-        "--tiles, --memory, --cache and mpirun write binary STL, binary PLY and .pvtu files only");
+    throw UsageError(kTiledFormats);
   }
   if (!to.patches.empty()) {
     throw UsageError(

@@ -39,6 +39,10 @@ void add_tile_options(CLI::App& command, TileArguments& arguments, const std::st
 /// Whether tiles are asked for.
 [[nodiscard]] bool is_tiled(const TileArguments& arguments);
 
+/// What is said of files that cannot be written tile by tile.
+inline constexpr const char* kTiledFormats =
+    "--tiles, --memory, --cache and mpirun write binary STL, binary PLY and .pvtu files only";
+
 /// Throws UsageError where the file cannot be written tile by tile, or the arguments mean nothing.
 void require_tiled_output(const Destination& to, const TileArguments& arguments);
 

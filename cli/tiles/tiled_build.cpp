@@ -22,7 +22,9 @@
 #include "dupin/kernel/districts.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
+#include "exchange_options.h"
 #include "exit_code.h"
+#include "solver_options.h"
 #include "tiles/district_cache.h"
 #include "tiles/district_output.h"
 #include "tiles/district_result.h"
@@ -165,6 +167,8 @@ class TiledBuild {
     }
   }
 
+  [[nodiscard]] std::string warning() const { return cache_ ? cache_->warning() : std::string(); }
+
  private:
   // Resolves every district, which takes its time.
   [[nodiscard]] std::vector<double> expected_triangles() const {
@@ -218,6 +222,7 @@ class TiledBuild {
       if (auto kept = result_of(*bytes, parts)) {
         return *std::move(kept);
       }
+      cache_->distrust(key, "is damaged");
     }
     DistrictResult result = made(district);
     cache_->keep(key, bytes_of(result, parts));
@@ -268,6 +273,9 @@ void add_build_tile_options(CLI::App& command, TileArguments& arguments) {
 }
 
 void check_tiled(const BuildArguments& arguments) {
+  if (is_step(arguments.output) || is_volume(arguments.output)) {
+    throw UsageError(kTiledFormats);
+  }
   require_tiled_output(tiled_destination(arguments.output), arguments.tiles);
   (void)cache_size(arguments.tiles);
   if (!arguments.page.empty() || arguments.quality == kForSolvers) {
@@ -285,15 +293,18 @@ void check_tiled(const BuildArguments& arguments) {
   }
 }
 
-Built build_in_tiles(const Document& document, const BuildOptions& options,
-                     const BuildArguments& arguments, const MeshHeader& header, const Ranks& ranks,
-                     OutputReport& report) {
+TiledBuilt build_in_tiles(const Document& document, const BuildOptions& options,
+                          const BuildArguments& arguments, const MeshHeader& header,
+                          const Ranks& ranks) {
   TiledBuild build(document, options, arguments, ranks);
+  TiledBuilt result;
   if (ranks.is_first()) {
-    return build.run(header, report);
+    result.built = build.run(header, result.output);
+  } else {
+    build.run_for_first();
   }
-  build.run_for_first();
-  return {};
+  result.warning = build.warning();
+  return result;
 }
 
 }  // namespace dupin::cli

@@ -21,12 +21,17 @@ void add_build_tile_options(CLI::App& command, TileArguments& arguments);
 /// Throws UsageError for what a build in tiles cannot do, before anything is built.
 void check_tiled(const BuildArguments& arguments);
 
+struct TiledBuilt {
+  Built built;  ///< with an empty solid
+  OutputReport output;
+  std::string warning;  ///< of this rank's cache, for people; empty if there is none
+};
+
 /// Builds the districts of the document in tiles, some at a time, and appends each to the file: the
 /// same bytes as `build` and `write_districts` give, in the memory that the largest tile needs.
-/// Ranks share the districts; the first one writes the file, and knows what there is to report. The
-/// solid of what is returned is empty.
-[[nodiscard]] Built build_in_tiles(const Document& document, const BuildOptions& options,
-                                   const BuildArguments& arguments, const MeshHeader& header,
-                                   const Ranks& ranks, OutputReport& report);
+/// Ranks share the districts; the first one writes the file, and knows what there is to report.
+[[nodiscard]] TiledBuilt build_in_tiles(const Document& document, const BuildOptions& options,
+                                        const BuildArguments& arguments, const MeshHeader& header,
+                                        const Ranks& ranks);
 
 }  // namespace dupin::cli

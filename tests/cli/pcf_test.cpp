@@ -127,6 +127,15 @@ TEST_F(Pcf, what_cannot_be_built_is_refused_or_left_out) {
   EXPECT_EQ(dupin({"check", "a.stl"}).exit_code, 0);
 }
 
+TEST_F(Pcf, lines_are_named_where_a_part_is_refused) {
+  write(folder_.path() / "a.pcf", kHead + pipe(0, 1000));
+  const ProcessResult refused =
+      dupin({"build", "a.pcf", "-o", "a.stl", "--wall", "90mm", "--region", "metal"});
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_THAT(refused.err, HasSubstr("a.pcf:3: 'pipe-3': a wall of 90 leaves no bore"));
+  EXPECT_THAT(refused.err, HasSubstr("--keep-going leaves it out"));
+}
+
 TEST_F(Pcf, malformed_lines_are_named) {
   write(folder_.path() / "a.pcf", kHead + "PIPE\n    END-POINT 0 zero 0 100\n");
   const ProcessResult result = dupin({"build", "a.pcf", "-o", "a.stl"});

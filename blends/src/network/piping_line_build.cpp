@@ -26,6 +26,19 @@ std::optional<std::string> refused_component(const PipingNetwork& network, const
   return network.origins[std::size_t(part - network.assembly.parts.begin())];
 }
 
+/// The error with the component's line as its place, instead of one in a document that nobody
+/// wrote.
+Error at_line(const Error& error, const PipingLine& line, const std::optional<std::string>& name,
+              bool keep_going) {
+  const auto component =
+      std::ranges::find(line.components, name.value_or(std::string()), &PipingComponent::name);
+  if (!name || component == line.components.end()) {
+    return error;
+  }
+  return Error(error.code(), error.message() + (keep_going ? "" : "; --keep-going leaves it out"),
+               error.part(), line.source + ":" + std::to_string(component->line));
+}
+
 }  // namespace
 
 Built build(const PipingLine& line, const PipingOptions& options, PipingNetwork& network,
@@ -39,7 +52,7 @@ Built build(const PipingLine& line, const PipingOptions& options, PipingNetwork&
       const bool is_chosen = options.fillet == 0 && component && component->ends_with("-fillet");
       if ((!options.keep_going && !is_chosen) || !component || round == kMostRounds ||
           !fewer.refused.emplace(*component, error.message()).second) {
-        throw;
+        throw at_line(error, line, component, options.keep_going);
       }
     }
     network = assembly_of(line, fewer);

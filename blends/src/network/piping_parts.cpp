@@ -108,6 +108,14 @@ class ChainParts {
     const Leg& leg = chain_.legs[k];
     const Vec3 to = point_at(leg, stretch.levels[1]);
     const bool goes_on = port_.has_value();
+    const PipingComponent& component = line_.components[stretch.component];
+    if (component.is_eccentric && !leg.is_offset && stretch.name == component.name &&
+        stretch.radii[0] != stretch.radii[1]) {
+      notes_.add(component,
+                 "has no flat side, as its neighbours do not lie beside each other; a concentric "
+                 "cone takes "
+                 "its place");
+    }
     PartShape shape;
     if (closes_chain(k) && is_last) {
       shape = CyclicBlendBetween{*port_, *first_, {}};
@@ -253,9 +261,7 @@ class ChainParts {
     if (seam.component) {
       part.name = line_.components[*seam.component].name;
       notes_.add(line_.components[*seam.component],
-                 std::string(has_two_bores(*seam.component) ? "has two bores"
-                                                            : "is not tangent to its neighbours") +
-                     "; a blend between them takes its place");
+                 why_blended(seam) + "; a blend between them takes its place");
       part.wall = line_.components[*seam.component].wall;
     } else {
       const PipingJoint& joint = network_.joints[*seam.joints[0]];
@@ -271,6 +277,16 @@ class ChainParts {
       }
     }
     return part;
+  }
+
+  // Of a bend.
+  [[nodiscard]] std::string why_blended(const Seam& seam) const {
+    const bool is_missed = std::ranges::any_of(seam.joints, [this](const auto& position) {
+      return position && network_.joints[*position].distance > snap_;
+    });
+    return has_two_bores(*seam.component) ? "has two bores"
+           : is_missed                    ? "lies apart from its neighbours"
+                                          : "is not tangent to its neighbours";
   }
 
   [[nodiscard]] bool has_two_bores(std::size_t component) const {

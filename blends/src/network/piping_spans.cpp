@@ -160,6 +160,11 @@ class Spans {
       if (is_turned(component)) {
         add_bend(component.name, i, {*port(i, 0), *port(i, 1)});
       } else {
+        if (component.shape == PipingShape::bend) {
+          notes_.add(component,
+                     "does not turn, as its centre point, where its legs should meet, lies on the "
+                     "line of its ends; a pipe takes its place");
+        }
         add_between(component.name, i, *port(i, 0), *port(i, 1));
       }
       for (std::size_t k = 2; k < component.ports.size(); ++k) {

@@ -343,7 +343,8 @@ class PcfReader {
     }
   }
 
-  // The same kind between the same points, in whatever order.
+  // The same kind between the same points, in whatever order; where they are one, with the same
+  // bores: steps from bore to bore may follow each other.
   bool repeats(const PipingComponent& component) {
     std::vector<std::array<double, 3>> points;
     points.reserve(component.ports.size());
@@ -351,6 +352,14 @@ class PcfReader {
       points.push_back({port.center.x(), port.center.y(), port.center.z()});
     }
     std::ranges::sort(points);
+    if (points.size() > 1 && points.front() == points.back()) {
+      std::vector<std::array<double, 3>> bores;
+      for (const PipingPort& port : component.ports) {
+        bores.push_back({port.radius.value_or(0), 0, 0});
+      }
+      std::ranges::sort(bores);
+      points.insert(points.end(), bores.begin(), bores.end());
+    }
     const auto [found, is_new] =
         places_.try_emplace({component.kind, std::move(points)}, component.line);
     if (!is_new && !component.ports.empty()) {

@@ -194,7 +194,7 @@ class Placer {
       }
       const double next = along + samples.back().length / 2;
       if (samples.size() > 2 * most_ || !(next > along)) {
-        throw too_near(place, gap);
+        throw gap < length / kShareOfGap ? too_near(place, gap) : too_short(place, length);
       }
       along = std::min(next, end);
     }

@@ -237,17 +237,18 @@ double EdgeLengths::gap(const Vec3& point, std::uint32_t curve, double along, do
   return nearest;
 }
 
-double EdgeLengths::gap_to_others(const Vec3& point, std::uint32_t curve, double reach) const {
+double EdgeLengths::gap_to_others(const Vec3& point, std::uint32_t curve, double reach,
+                                  Between between) const {
   double nearest = reach;
   curve_edges_.visit_near(point, reach, [&](std::uint32_t e, const Vec3&, double distance) {
-    if (curves_[e] != curve) {
+    if (curves_[e] != curve && (between == Between::all || share_a_region(curve, curves_[e]))) {
       nearest = std::min(nearest, distance);
     }
   });
   return nearest;
 }
 
-void EdgeLengths::require_room(std::size_t most) const {
+void EdgeLengths::require_room(std::size_t most, Between between) const {
   // Balls about a curve have no room for more than the gap to others; at its ends, where it meets
   // them, there is one for an eighth of it, or of the largest length.
   std::size_t balls = 0;
@@ -263,9 +264,9 @@ void EdgeLengths::require_room(std::size_t most) const {
       const double edge = (points[i] - points[i - 1]).norm();
       while (at <= std::min(before + edge, length - end)) {
         const Vec3 place = points[i - 1] + (at - before) / edge * (points[i] - points[i - 1]);
-        const double gap = gap_to_others(place, c, largest_);
+        const double gap = gap_to_others(place, c, largest_, between);
         if (++balls > most || !(at + gap > at)) {
-          throw too_near(place, gap);
+          throw gap < largest_ ? too_near(place, gap) : too_many(most);
         }
         at += gap;
       }
@@ -279,6 +280,14 @@ Error too_near(const Vec3& place, double gap) {
   text << "sharp edges or borders come within " << gap << " of each other near " << place.x() << " "
        << place.y() << " " << place.z()
        << ", and a mesh that keeps them gets too many points; join the patches there";
+  return Error(Errc::limit_exceeded, text.str());
+}
+
+Error too_short(const Vec3& place, double length) {
+  std::ostringstream text;
+  text << "edges along the curve near " << place.x() << " " << place.y() << " " << place.z()
+       << " are to be no longer than " << length
+       << ", and a mesh gets too many points; allow longer ones or a larger distance";
   return Error(Errc::limit_exceeded, text.str());
 }
 

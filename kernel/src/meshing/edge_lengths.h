@@ -44,16 +44,21 @@ class EdgeLengths {
   [[nodiscard]] double gap(const Vec3& point, std::uint32_t curve, double along,
                            double reach) const;
 
+  /// Which curves keep each other's edges short: all, in a mesh that is filled, or those that have
+  /// a region in common.
+  enum class Between : std::uint8_t { all, regions };
+
   /// Throws Error{limit_exceeded} naming the place if curves come so near each other that edges
   /// along them would be more than `most`.
-  void require_room(std::size_t most) const;
+  void require_room(std::size_t most, Between between) const;
 
  private:
   [[nodiscard]] double length_at(const Vec3& point, double most,
                                  const std::array<std::uint32_t, 2>* regions,
                                  std::uint32_t curve) const;
   [[nodiscard]] bool share_a_region(std::uint32_t curve, std::uint32_t other) const;
-  [[nodiscard]] double gap_to_others(const Vec3& point, std::uint32_t curve, double reach) const;
+  [[nodiscard]] double gap_to_others(const Vec3& point, std::uint32_t curve, double reach,
+                                     Between between) const;
   [[nodiscard]] double room_about(const Vec3& point) const;
 
   const ReferenceSurface& surface_;
@@ -71,6 +76,9 @@ class EdgeLengths {
 
 /// The error of curves that come so near each other that a mesh gets too many points.
 [[nodiscard]] Error too_near(const Vec3& place, double gap);
+
+/// The error of edges along a curve that are so short that a mesh gets too many points.
+[[nodiscard]] Error too_short(const Vec3& place, double length);
 
 /// The error of a mesh that gets more points than it may have.
 [[nodiscard]] Error too_many(std::size_t most);

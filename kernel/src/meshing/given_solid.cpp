@@ -23,6 +23,14 @@ Eigen::AlignedBox3d box_of(const TriMesh& mesh) {
   return box;
 }
 
+/// More than the diagonal of the box says nothing else, and generators overflow with it.
+RemeshOptions bounded(RemeshOptions options, const TriMesh& mesh) {
+  const double diagonal = box_of(mesh).diagonal().norm();
+  options.distance = std::min(options.distance, diagonal);
+  options.largest_edge = std::min(options.largest_edge, diagonal);
+  return options;
+}
+
 /// Per half-edge, whether the triangles beside it are of two regions.
 std::vector<std::uint8_t> borders_of(const TriMesh& mesh,
                                      const std::vector<std::uint32_t>& regions) {
@@ -41,15 +49,24 @@ std::vector<std::uint8_t> borders_of(const TriMesh& mesh,
 
 GivenSolid::GivenSolid(const Solid& solid, const RemeshOptions& options)
     : solid_(solid),
-      options_(options),
       mesh_(to_mesh(solid).mesh()),
-      features_(find_features(mesh_, options.feature_angle, options.distance)),
+      options_(bounded(options, mesh_)),
+      features_(find_features(mesh_, options_.feature_angle, options_.distance)),
       surface_(mesh_.points, mesh_.triangles, features_.regions),
       region_count_(1 + *std::ranges::max_element(features_.regions)) {
   const Eigen::AlignedBox3d box = box_of(mesh_);
-  largest_edge_ = options.largest_edge > 0 ? options.largest_edge : box.diagonal().norm() / 10;
+  largest_edge_ = options_.largest_edge > 0 ? options_.largest_edge : box.diagonal().norm() / 10;
   // Covers the rounding of a distance, and of cuts, tenfold.
   slack_ = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) * 0x1p-46;
+}
+
+double GivenSolid::area() const {
+  double area = 0;
+  for (std::uint32_t f = 0; f < mesh_.triangles.size(); ++f) {
+    const auto& [a, b, c] = surface_.corners(f);
+    area += (b - a).cross(c - a).norm() / 2;
+  }
+  return area;
 }
 
 bool GivenSolid::hangs_together_as(const Solid& other) const {
@@ -138,6 +155,14 @@ std::string GivenSolid::too_far(const std::array<Vec3, 3>& triangle) const {
 std::string GivenSolid::too_long() const {
   return "edges cannot be kept as short as " + std::to_string(largest_edge_) +
          "; allow longer ones";
+}
+
+std::string GivenSolid::too_thin(const Vec3& place, double thickness) const {
+  std::ostringstream text;
+  text << "sides of the solid that are " << thickness << " apart near " << place.x() << " "
+       << place.y() << " " << place.z() << " cross each other in a mesh within "
+       << options_.distance << " of them; allow a distance below that, or make it thicker there";
+  return text.str();
 }
 
 std::string GivenSolid::no_mesh() {

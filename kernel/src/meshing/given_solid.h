@@ -15,7 +15,7 @@
 
 namespace dupin::meshing {
 
-/// What a mesh for solvers is made of. Refers to what it is made of.
+/// What a mesh for solvers is made of. Refers to the solid.
 class GivenSolid {
  public:
   GivenSolid(const Solid& solid, const RemeshOptions& options);
@@ -28,6 +28,7 @@ class GivenSolid {
   [[nodiscard]] const ReferenceSurface& surface() const { return surface_; }
   [[nodiscard]] std::uint32_t region_count() const { return region_count_; }
   [[nodiscard]] double largest_edge() const { return largest_edge_; }
+  [[nodiscard]] double area() const;
   /// More than what rounding makes distances too small by.
   [[nodiscard]] double slack() const { return slack_; }
 
@@ -47,16 +48,18 @@ class GivenSolid {
   /// Along curves; with more of them, there would be none for what is between.
   [[nodiscard]] std::size_t most_points_on_curves() const;
 
-  /// What is said of a triangle that is too far off, of edges that are too long, and of a generator
-  /// that makes nothing.
+  /// What is said of a triangle that is too far off, of edges that are too long, of sides of the
+  /// solid that a mesh does not tell apart, and of a generator that makes nothing.
   [[nodiscard]] std::string too_far(const std::array<Vec3, 3>& triangle) const;
   [[nodiscard]] std::string too_long() const;
+  /// Of sides that cross each other in the mesh.
+  [[nodiscard]] std::string too_thin(const Vec3& place, double thickness) const;
   [[nodiscard]] static std::string no_mesh();
 
  private:
   const Solid& solid_;
-  const RemeshOptions& options_;
   TriMesh mesh_;
+  RemeshOptions options_;  // no lengths are larger than the solid
   Features features_;
   ReferenceSurface surface_;
   std::uint32_t region_count_ = 0;

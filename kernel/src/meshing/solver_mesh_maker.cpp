@@ -50,6 +50,18 @@ void check_options(const RemeshOptions& options) {
   }
 }
 
+/// Said before hours of work: no triangle covers more than one with three of the largest edges, and
+/// there are two of them to a point. A mesh may have less area than what it is made of, but hardly
+/// a quarter.
+void require_few_points(const GivenSolid& given) {
+  constexpr double kPart = 0.25;
+  const double largest = given.largest_edge();
+  const double triangles = kPart * given.area() / (std::numbers::sqrt3 / 4 * largest * largest);
+  if (!(triangles / 2 <= static_cast<double>(given.options().most_points))) {
+    throw too_many(given.options().most_points);
+  }
+}
+
 class Maker {
  public:
   explicit Maker(const GivenSolid& given) : given_(given), options_(given.options()) {}
@@ -76,7 +88,7 @@ class Maker {
   [[nodiscard]] Tetrahedra refined(double distance) const {
     const EdgeLengths lengths(given_.surface(), given_.features(), distance,
                               edge_share_ * given_.largest_edge() / 2);
-    lengths.require_room(given_.most_points_on_curves());
+    lengths.require_room(given_.most_points_on_curves(), EdgeLengths::Between::all);
     Refinement wanted;
     wanted.edge_length = [&](const Vec3& point) { return lengths.at(point); };
     wanted.radius = edge_share_ * given_.largest_edge() / 2;
@@ -184,6 +196,7 @@ SolverMesh make_solver_mesh(const Solid& solid, const RemeshOptions& options, bo
     throw Error(Errc::contact, text.str());
   }
   const GivenSolid given(solid, options);
+  require_few_points(given);
   return fill ? Maker(given).run() : make_surface_mesh(given);
 }
 

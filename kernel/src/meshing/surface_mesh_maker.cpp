@@ -1,7 +1,9 @@
 #include "meshing/surface_mesh_maker.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -23,6 +25,13 @@ namespace {
 
 constexpr int kAttempts = 6;
 constexpr double kLess = 0.5;
+
+double distance_from_segment(const Vec3& point, const Vec3& a, const Vec3& b) {
+  const Vec3 way = b - a;
+  const double squared = way.squaredNorm();
+  const double part = squared > 0 ? std::clamp((point - a).dot(way) / squared, 0.0, 1.0) : 0;
+  return (a + part * way - point).norm();
+}
 
 /// Tells the caller, on its own thread, how many regions have their mesh; cancelled once, all are.
 class SharedProgress {
@@ -82,6 +91,7 @@ class Maker {
     const EdgeLengths lengths(given_.surface(), given_.features(),
                               kShare * (options_.distance - given_.features().absorbed),
                               0.9 * given_.largest_edge());
+    lengths.require_room(given_.most_points_on_curves(), EdgeLengths::Between::regions);
     points_ = points_along(given_.features(), lengths, shares_, given_.most_points_on_curves());
     require_room(points_.points.size());
     numbers_.assign(regions_.size(), {});
@@ -194,7 +204,10 @@ class Maker {
       result.surface = Solid::from(skin);
     } catch (const Error& error) {
       fault_ = std::string("the mesh is no solid: ") + error.what();
-      ask_for_less_at_faults(skin, regions);
+      constexpr std::size_t kMany = 100'000;
+      const std::vector<Finding> findings = check(skin, {.limit = kMany}).findings;
+      require_thickness(skin, regions, findings);
+      ask_for_less_at_faults(skin, regions, findings);
       return std::nullopt;
     }
     if (!given_.hangs_together_as(result.surface)) {
@@ -212,10 +225,59 @@ class Maker {
     return result;
   }
 
-  void ask_for_less_at_faults(const TriMesh& skin, const std::vector<std::uint32_t>& regions) {
-    constexpr std::size_t kMany = 100'000;
+  /// Notes how far sides that cross each other are apart in the solid, where that is most. Throws
+  /// if what is left of the distance after all attempts would still be more, unless it is at an
+  /// edge that both sides have in common, where triangles get smaller, too.
+  void require_thickness(const TriMesh& skin, const std::vector<std::uint32_t>& regions,
+                         const std::vector<Finding>& findings) {
+    double thickness = -1;
+    Vec3 thickest = Vec3::Zero();
+    std::array<std::uint32_t, 2> sides{};
+    for (const Finding& finding : findings) {
+      for (std::size_t i = 1; is_fatal(finding.defect) && i < finding.faces.size(); ++i) {
+        const std::uint32_t f = finding.faces[0], g = finding.faces[i];
+        const auto& [a, b, c] = skin.triangles[f];
+        const Vec3 middle = (skin.points[a] + skin.points[b] + skin.points[c]) / 3;
+        const auto own = given_.surface().nearest(middle, regions[f], 2 * options_.distance);
+        const auto other =
+            own && regions[g] != regions[f]
+                ? given_.surface().nearest(own->point, regions[g], 2 * options_.distance)
+                : std::nullopt;
+        if (other && other->distance > thickness) {
+          thickness = other->distance;
+          thickest = own->point;
+          sides = {regions[f], regions[g]};
+        }
+      }
+    }
+    if (thickness > 0) {
+      fault_ = given_.too_thin(thickest, thickness);
+      if (thickness < options_.distance * std::pow(kLess, kAttempts - 1) &&
+          !is_at_edge(thickest, sides)) {
+        throw Error(Errc::unroundable, fault_);
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_at_edge(const Vec3& place,
+                                const std::array<std::uint32_t, 2>& sides) const {
+    for (const Curve& curve : given_.features().curves) {
+      const bool is_between =
+          curve.regions == sides || curve.regions == std::array{sides[1], sides[0]};
+      for (std::size_t i = 1; is_between && i < curve.points.size(); ++i) {
+        if (distance_from_segment(place, curve.points[i - 1], curve.points[i]) <=
+            options_.distance) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  void ask_for_less_at_faults(const TriMesh& skin, const std::vector<std::uint32_t>& regions,
+                              const std::vector<Finding>& findings) {
     std::vector<std::uint8_t> at_fault(regions_.size(), 0), is_bad(skin.points.size(), 0);
-    for (const Finding& finding : check(skin, {.limit = kMany}).findings) {
+    for (const Finding& finding : findings) {
       if (is_fatal(finding.defect)) {
         for (const std::uint32_t f : finding.faces) {
           at_fault[regions[f]] = 1;

@@ -15,7 +15,7 @@
 namespace dupin::test {
 namespace {
 
-using testing::HasSubstr;
+using testing::HasSubstr, testing::Not;
 
 TEST(PipingLine, joins_what_meets_in_any_order_and_direction) {
   Line line;
@@ -140,7 +140,9 @@ TEST(PipingLine, gives_bends_with_unequal_legs_straight_pieces) {
 TEST(PipingLine, takes_bends_that_do_not_turn_for_pipes) {
   Line line;
   line.bend({0, 0, 0}, {500, 0, 0}, {1000, 0, 0});
-  EXPECT_EQ(kind(part(line.made(), "c0").shape), "pipe");
+  const PipingNetwork network = line.made();
+  EXPECT_EQ(kind(part(network, "c0").shape), "pipe");
+  EXPECT_THAT(notes(network), HasSubstr("10: c0: does not turn"));
 }
 
 TEST(PipingLine, blends_between_the_neighbours_of_a_bend_that_does_not_fit) {
@@ -150,6 +152,17 @@ TEST(PipingLine, blends_between_the_neighbours_of_a_bend_that_does_not_fit) {
   const PipingNetwork network = line.made();
   EXPECT_EQ(kind(part(network, "c1").shape), "cyclic_blend");
   EXPECT_THAT(notes(network), HasSubstr("20: c1: is not tangent to its neighbours"));
+  (void)solid(network);
+}
+
+TEST(PipingLine, says_why_a_blend_takes_the_place_of_a_bend) {
+  Line line;
+  line.pipe({-900, 0, 0}, {-300.1, 0, 0}).bend({-300, 0, 0}, {0, 0, 0}, {0, 300, 0});
+  line.pipe({0, 300, 0}, {0, 900, 0});
+  const PipingNetwork network = line.made({.bridge = 0.5});
+  EXPECT_EQ(kind(part(network, "c1").shape), "cyclic_blend");
+  EXPECT_THAT(notes(network), HasSubstr("20: c1: lies apart from its neighbours"));
+  EXPECT_THAT(notes(network), Not(HasSubstr("is not tangent"))) << "it is";
   (void)solid(network);
 }
 
@@ -224,6 +237,7 @@ TEST(PipingLine, keeps_eccentric_parts_flat) {
       .bend({1200, 0, 20}, {1300, 0, 20}, {1300, 100, 20}, 30);
   const PipingNetwork network = line.made();
   EXPECT_EQ(kind(part(network, "c1").shape), "oblique");
+  EXPECT_THAT(notes(network), Not(HasSubstr("flat side")));
   const auto resolved = resolve(network.assembly);
   EXPECT_EQ(resolved.parts.size(), 4);
   EXPECT_EQ(network.largest_move, 0);
@@ -234,6 +248,18 @@ TEST(PipingLine, keeps_eccentric_parts_flat) {
   first.pipe({600, 0, 20}, {1200, 0, 20}, 30);
   EXPECT_EQ(kind(part(first.made(), "c0").shape), "oblique");
   (void)solid(first.made());
+}
+
+TEST(PipingLine, notes_eccentric_parts_that_have_no_flat_side) {
+  Line line;
+  line.pipe({0, 0, 0}, {500, 0, 0}).add(PipingShape::straight, {{500, 0, 0}, {600, 0, 0}});
+  line.last().is_eccentric = true;
+  line.last().ports[1].radius = 30;
+  line.pipe({600, 0, 0}, {1200, 0, 0}, 30);
+  const PipingNetwork network = line.made();
+  EXPECT_THAT(kind(part(network, "c1").shape), HasSubstr("cone"));
+  EXPECT_THAT(notes(network), HasSubstr("20: c1: has no flat side"));
+  (void)solid(network);
 }
 
 TEST(PipingLine, gives_flat_eccentric_reducers_a_length) {

@@ -1,13 +1,18 @@
 #include "tiles/district_cache.h"
 
+#include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "exit_code.h"
 #include "support/process.h"
@@ -42,6 +47,64 @@ TEST(DistrictCache, believes_no_file_that_it_did_not_write_under_the_key) {
   EXPECT_EQ(cache.find("d"), std::nullopt);
   cache.keep("b", "of b again");
   EXPECT_EQ(cache.find("b"), "of b again");
+}
+
+TEST(DistrictCache, notes_what_is_unusable_and_never_fails_because_of_it) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "cache";
+  const DistrictCache cache(path);
+  EXPECT_EQ(cache.warning(), "");
+  EXPECT_EQ(cache.find("none"), std::nullopt);
+  EXPECT_EQ(cache.warning(), "") << "what is not there is no fault";
+  for (const std::string key : {"shorter", "longer", "huge", "fifo"}) {
+    cache.keep(key, "bytes of " + key);
+  }
+  std::filesystem::resize_file(path / "shorter", 30);
+  std::filesystem::resize_file(path / "longer", 200);
+  std::filesystem::resize_file(path / "huge", std::uintmax_t{1} << 38U);  // more than memory
+  std::filesystem::remove(path / "fifo");
+  ASSERT_EQ(::mkfifo((path / "fifo").c_str(), 0600), 0);
+  std::filesystem::create_symlink("loop", path / "loop");
+  std::filesystem::create_symlink("nowhere", path / "dangling");
+  for (const std::string key : {"shorter", "longer", "huge", "fifo", "loop", "dangling"}) {
+    const DistrictCache other(path);
+    EXPECT_EQ(other.find(key), std::nullopt) << key;
+    EXPECT_THAT(other.warning(), HasSubstr((path / key).string()));
+    other.keep(key, "again");
+    EXPECT_EQ(other.find(key), "again") << key;
+  }
+  std::filesystem::create_directories(path / "folder" / "with.more");
+  EXPECT_EQ(cache.find("folder"), std::nullopt);
+  EXPECT_NO_THROW(cache.keep("folder", "bytes"));
+  EXPECT_THAT(cache.warning(), HasSubstr("folder"));
+  EXPECT_TRUE(std::filesystem::exists(path / "folder" / "with.more"));
+  cache.trim(1000);
+  EXPECT_EQ(cache.find("loop"), "again") << "a folder counts for nothing";
+}
+
+// Several builds may begin at once, or be killed at any moment.
+TEST(DistrictCache, is_made_by_many_at_once) {
+  for (int round = 0; round < 50; ++round) {
+    const test::TemporaryFolder folder;
+    std::atomic<int> failures{0};
+    {
+      std::vector<std::jthread> threads;
+      for (int i = 0; i < 4; ++i) {
+        threads.emplace_back([&, i] {
+          try {
+            const DistrictCache cache(folder.path() / "cache");
+            cache.keep("key" + std::to_string(i), "bytes");
+          } catch (const OutputError&) {
+            ++failures;
+          }
+        });
+      }
+    }
+    EXPECT_EQ(failures, 0);
+  }
+  const test::TemporaryFolder folder;
+  folder.write("dupin-cache.17-0.part", "");  // of one that was killed at once
+  EXPECT_NO_THROW(DistrictCache(folder.path()));
 }
 
 TEST(DistrictCache, drops_what_was_not_used_for_longest) {

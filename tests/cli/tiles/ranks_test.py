@@ -48,6 +48,15 @@ def check_bytes(tool, folder):
             (folder / "shared.stl").unlink()
 
 
+def check_new_caches(tool, folder):
+    """All ranks make the cache's folder at once."""
+    for number in range(5):
+        made = run(tool, folder, 4, "plant.json", "-o", "made.stl", "--cache", f"new{number}")
+        assert made.returncode == 0, made.stderr
+        shutil.rmtree(folder / f"new{number}")
+        (folder / "made.stl").unlink()
+
+
 def check_formats(tool, folder):
     """The bytes of PLY, and a file of VTK for each rank."""
     assert run(tool, folder, 0, "plant.json", "-o", "whole.ply").returncode == 0
@@ -78,6 +87,8 @@ def check_failure(tool, folder):
     assert left == ["bad.json", "kept", "plant.json", "whole.stl"], left
     usage = run(tool, folder, 2, "plant.json", "-o", "a.off")
     assert usage.returncode == 2 and "binary STL" in usage.stderr, usage.stderr
+    piped = run(tool, folder, 2, "-", "-o", "a.stl")
+    assert piped.returncode == 2 and "standard input" in piped.stderr, piped.stderr
 
 
 def has_mpirun():
@@ -93,6 +104,7 @@ def main():
         folder = pathlib.Path(name)
         (folder / "plant.json").write_text(json.dumps(plant(12)), encoding="utf-8")
         check_bytes(tool, folder)
+        check_new_caches(tool, folder)
         check_formats(tool, folder)
         check_failure(tool, folder)
 

@@ -180,9 +180,9 @@ TEST_F(TiledBuild, goes_on_with_what_is_kept) {
 
 TEST_F(TiledBuild, makes_again_what_is_damaged) {
   folder_.write("plant.json", plant(3));
-  const std::vector<std::string> arguments{"build",   "plant.json", "-o",     "out.stl",
-                                           "--cache", "kept",       "--quiet"};
-  ASSERT_EQ(dupin(arguments).exit_code, 0);
+  const std::vector<std::string> arguments{"build",   "plant.json", "-o",
+                                           "out.stl", "--cache",    "kept"};
+  ASSERT_EQ(dupin(arguments).err, "");
   const std::string bytes = folder_.read("out.stl");
   int number = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / "kept")) {
@@ -201,7 +201,29 @@ TEST_F(TiledBuild, makes_again_what_is_damaged) {
     folder_.write(name, text);
   }
   EXPECT_EQ(number, 4);
+  const ProcessResult again = dupin(arguments);
+  ASSERT_EQ(again.exit_code, 0);
+  EXPECT_THAT(again.err, HasSubstr("an entry of --cache was of no use"));
+  EXPECT_THAT(again.err, HasSubstr("is damaged"));
+  EXPECT_TRUE(folder_.read("out.stl") == bytes);
+  EXPECT_EQ(dupin(arguments).err, "") << "they were made again";
+}
+
+TEST_F(TiledBuild, does_without_an_entry_that_cannot_be_replaced) {
+  folder_.write("plant.json", plant(2));
+  const std::vector<std::string> arguments{"build",   "plant.json", "-o",
+                                           "out.stl", "--cache",    "kept"};
   ASSERT_EQ(dupin(arguments).exit_code, 0);
+  const std::string bytes = folder_.read("out.stl");
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / "kept")) {
+    if (entry.path().filename() != "dupin-cache") {
+      std::filesystem::remove(entry.path());
+      std::filesystem::create_directories(entry.path() / "sub");
+    }
+  }
+  const ProcessResult again = dupin(arguments);
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.err, HasSubstr("is no regular file; and 1 more"));
   EXPECT_TRUE(folder_.read("out.stl") == bytes);
 }
 
@@ -270,6 +292,9 @@ TEST_F(TiledBuild, says_what_it_cannot_do) {
   };
   EXPECT_THAT(refused({"-o", "a.off", "--tiles", "2"}),
               HasSubstr("binary STL, binary PLY and .pvtu files only"));
+  for (const std::string file : {"a.step", "a.msh", "a.vtu"}) {
+    EXPECT_THAT(refused({"-o", file, "--tiles", "2"}), HasSubstr(".pvtu files only")) << file;
+  }
   EXPECT_THAT(refused({"-o", "-", "--format", "stl", "--memory", "1GB"}),
               HasSubstr("binary STL, binary PLY and .pvtu files only"));
   EXPECT_THAT(refused({"-o", "a.stl", "--memory", "much"}), HasSubstr("500MB or 4GB"));

@@ -156,6 +156,17 @@ TEST(Pcf, leaves_out_what_is_there_twice) {
   EXPECT_THAT(file.notes.at(0).text, HasSubstr("repeats the one at line 3"));
 }
 
+TEST(Pcf, keeps_steps_without_length_that_follow_each_other) {
+  const auto step = [](const std::string& from, const std::string& to) {
+    return "REDUCER-CONCENTRIC\n    END-POINT 100 0 0 " + from + "\n    END-POINT 100 0 0 " + to +
+           "\n";
+  };
+  const PcfFile file =
+      parse_pcf(pipe("100") + step("200", "150") + step("150", "100") + step("150", "200"));
+  EXPECT_EQ(file.line.components.size(), 3);
+  EXPECT_THAT(file.notes.at(0).text, HasSubstr("reducer-concentric-12 repeats the one at line 6"));
+}
+
 TEST(Pcf, leaves_out_what_is_there_twice_the_other_way_round) {
   const PcfFile pipes =
       parse_pcf(pipe("100") + "PIPE\n    END-POINT 100 0 0 100\n    END-POINT 0 0 0 100\n");

@@ -11,6 +11,7 @@
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/fill.h"
 #include "dupin/kernel/patch.h"
 #include "dupin/kernel/rounding.h"
 #include "kernel/meshing/solver_mesh_checks.h"
@@ -175,6 +176,48 @@ TEST(Remesh, names_the_place_where_curves_ask_for_too_many_points) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Errc::limit_exceeded);
     EXPECT_THAT(error.what(), testing::HasSubstr("come within 9.09495e-13 of each other near "));
+  }
+}
+
+// Without trying for minutes, and with the reason.
+TEST(Remesh, says_that_sides_are_nearer_than_the_distance_tells_apart) {
+  const Solid sheet = Solid::from(box(Vec3::Zero(), Vec3(100, 100, 0.001)));
+  try {
+    (void)remesh(sheet, {.distance = 0.5});
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::unroundable);
+    EXPECT_THAT(error.what(), testing::HasSubstr("sides of the solid that are 0.001 apart near "));
+    EXPECT_THAT(error.what(), testing::HasSubstr("allow a distance below that"));
+  }
+  try {
+    (void)remesh(sheet, {.distance = 0.001});
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::limit_exceeded);
+    EXPECT_THAT(error.what(), testing::HasSubstr("come within 0.001 of each other near "));
+  }
+}
+
+TEST(Remesh, takes_lengths_that_are_larger_than_the_solid) {
+  const Solid solid = Solid::from(box(Vec3::Zero(), Vec3(1, 1, 1)));
+  for (const double length : {1e9, 1e40, 1e300}) {
+    EXPECT_EQ(remesh(solid, {.distance = 0.01, .largest_edge = length}).solid.euler_number(), 2);
+    EXPECT_EQ(remesh(solid, {.distance = length}).solid.euler_number(), 2);
+    EXPECT_FALSE(fill(solid, {.distance = 0.01, .largest_edge = length}).mesh.tetrahedra.empty());
+  }
+}
+
+TEST(Remesh, refuses_edges_that_are_far_too_short_at_once) {
+  for (const double largest : {1e-9, 1e-4}) {
+    try {
+      (void)remesh(Solid::from(box(Vec3::Zero(), Vec3(1, 1, 1))),
+                   {.distance = 0.01, .largest_edge = largest});
+      ADD_FAILURE();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::limit_exceeded);
+      EXPECT_THAT(error.what(), testing::HasSubstr("more than 4000000 points"));
+    }
   }
 }
 
