@@ -73,7 +73,7 @@ struct CenteredSeries {
     std::array<double, n> powers;
     powers[0] = 1;
     for (std::size_t k = 1; k < n; ++k) {
-      powers[k] = powers[k - 1] * offsets.magnitude();
+      powers[k] = std::max(powers[k - 1] * offsets.magnitude(), kUnderflow);  // no less than it is
     }
     // The last one is what it is.
     for (std::size_t k = 0; k + 1 < n; ++k) {
