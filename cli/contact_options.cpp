@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <CLI/App.hpp>
 
@@ -53,8 +54,11 @@ Solid settle(const Solid& solid, const ContactChoice& choice, OutputReport& repo
   return settled.solid;
 }
 
-Rounded rounded_apart(const Solid& solid, Coordinates coordinates, const RoundingOptions& options,
-                      OutputReport& report) {
+namespace {
+
+// By as few spacings of the numbers as it takes; none where none does.
+std::optional<Rounded> separated_and_rounded(const Solid& solid, Coordinates coordinates,
+                                             const RoundingOptions& options, OutputReport& report) {
   constexpr double kMost = 64;
   double largest = 0;
   for (const Vec3& point : solid.nearest_points()) {
@@ -77,7 +81,23 @@ Rounded rounded_apart(const Solid& solid, Coordinates coordinates, const Roundin
       }
     }
   }
-  return to_mesh(solid, coordinates, options);
+  return std::nullopt;
+}
+
+}  // namespace
+
+Rounded rounded_apart(const Solid& solid, Coordinates coordinates, const RoundingOptions& options,
+                      OutputReport& report) {
+  if (!solid.contacts().empty()) {
+    if (auto rounded = separated_and_rounded(solid, coordinates, options, report)) {
+      return *std::move(rounded);
+    }
+  }
+  Rounded rounded = parted(to_mesh(solid, coordinates, options), options);
+  if (!rounded.report().parted.empty()) {
+    report.settled = {"separate", rounded.report().parted_by, rounded.report().parted};
+  }
+  return rounded;
 }
 
 }  // namespace dupin::cli

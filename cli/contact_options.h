@@ -41,7 +41,8 @@ void add_contacts_option(CLI::App& command, std::string& contacts);
 [[nodiscard]] Solid settle(const Solid& solid, const ContactChoice& choice, OutputReport& report);
 
 /// The solid rounded, apart where it touches itself by as few spacings of the coordinates as it
-/// takes: one, two, four to 64; told in `report`. Where none of them does, as it is.
+/// takes: one, two, four to 64; else, and where only the rounded solid touches itself, by moves of
+/// its points. Told in `report`. Where none of that does, as it is.
 [[nodiscard]] Rounded rounded_apart(const Solid& solid, Coordinates coordinates,
                                     const RoundingOptions& options, OutputReport& report);
 

@@ -212,8 +212,7 @@ Rounded settled_and_rounded(const Solid& solid, const Destination& to,
   }
   const Solid settled = settle(solid, contacts, own);
   tell(progress, "round");
-  const bool parts = contacts.kind == ContactChoice::Kind::standard && to.format.merges_points &&
-                     !settled.contacts().empty();
+  const bool parts = contacts.kind == ContactChoice::Kind::standard && to.format.merges_points;
   Rounded rounded = parts ? rounded_apart(settled, to.format.coordinates, rounding, own)
                           : to_mesh(settled, to.format.coordinates, rounding);
   refuse_contacts(rounded.contacts(), to);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "exit_code.h"
+#include "support/pipe_unions.h"
 #include "support/shapes.h"
 
 namespace dupin::cli {
@@ -48,6 +49,24 @@ TEST(ContactOptions, settle_contacts_and_tell) {
   EXPECT_EQ(report.settled->contacts.size(), 1U);
   EXPECT_TRUE(settle(touching, contact_choice("separate=0.25", ""), report).contacts().empty());
   EXPECT_EQ(report.settled->policy, "separate");
+}
+
+TEST(ContactOptions, part_what_touches_itself_once_it_is_rounded) {
+  std::size_t parted = 0;
+  for (std::uint32_t seed = 0; seed < 3; ++seed) {
+    const Solid solid = unite(test::resting_pipes(8, seed));
+    const auto contacts = to_mesh(solid, Coordinates::binary32).contacts().size();
+    OutputReport report;
+    EXPECT_TRUE(rounded_apart(solid, Coordinates::binary32, {}, report).contacts().empty());
+    EXPECT_EQ(report.settled.has_value(), contacts > 0);
+    if (report.settled) {
+      ++parted;
+      EXPECT_EQ(report.settled->policy, "separate");
+      EXPECT_GE(report.settled->contacts.size(), contacts);
+      EXPECT_GT(report.settled->length, 0);
+    }
+  }
+  EXPECT_GT(parted, 0U);
 }
 
 }  // namespace

@@ -28,4 +28,8 @@ inline constexpr UnionKind kPlantKinds[] = {UnionKind::plant_10, UnionKind::plan
 /// The cylinders to unite. `segments` is at least 3.
 [[nodiscard]] std::vector<Solid> pipes(UnionKind kind, std::uint32_t segments, std::uint32_t seed);
 
+/// So many pipes along x on as many along y, at about 1.7e6, where neighbouring floats are 0.125
+/// apart: they lie on each other, or miss or cross each other, by less than that.
+[[nodiscard]] std::vector<Solid> resting_pipes(int count, std::uint32_t seed);
+
 }  // namespace dupin::test

@@ -362,6 +362,8 @@ void add(const RoundingReport& district, RoundingReport& all) {
   append(district.filled_places, all.filled_places);
   all.slit_width = std::max(all.slit_width, district.slit_width);
   append(district.snapped_places, all.snapped_places);
+  append(district.parted, all.parted);
+  all.parted_by = std::max(all.parted_by, district.parted_by);
   append(district.thin_shells, all.thin_shells);
 }
 

@@ -29,7 +29,6 @@ namespace {
 
 /// The first attempt at repair reaches 4 steps of the lattice, each further one 4 times as far.
 constexpr double kReachGrowth = 4;
-constexpr double kDefaultTolerance = 1024;  // steps
 
 /// So many faults are no accident of single points: open slits are looked for before repair.
 constexpr std::size_t kManyFaults = 256;

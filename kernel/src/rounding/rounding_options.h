@@ -8,6 +8,8 @@
 
 namespace dupin::rounding {
 
+inline constexpr double kDefaultTolerance = 1024;  // steps
+
 /// Throws invalid_argument unless the options make sense.
 void validate(const RoundingOptions& options);
 

@@ -67,6 +67,10 @@ struct RoundingReport {
   /// Where, each time that repair came to no end, the surface still crossed itself. It was made the
   /// boundary of what it winds around, and rounded again; pieces may have joined or gone there.
   std::vector<Vec3> snapped_places;
+  /// Contacts that parted() ended, and how far a place of the surface moved for it, at most; that
+  /// counts in the largest move, too.
+  std::vector<Contact> parted;
+  double parted_by = 0;
   /// What may not look like what was meant. `move` is a bound for the whole solid where anything
   /// was repaired.
   std::vector<ThinShell> thin_shells;
@@ -74,7 +78,8 @@ struct RoundingReport {
 
 namespace rounding {
 class Rounding;
-}
+class ContactParting;
+}  // namespace rounding
 
 class Rounded;
 /// Boxes along the axes, closed.
@@ -90,13 +95,14 @@ class Rounded {
   [[nodiscard]] TriMesh mesh() && { return std::move(mesh_); }
   /// One per triangle, as in the solid.
   [[nodiscard]] const std::vector<Source>& sources() const { return sources_; }
-  /// Those of the solid that filled voids have not ended. Points of the mesh are in the same place
-  /// at contacts only.
+  /// Those of the solid that filled voids have not ended, and those that rounding has made. Points
+  /// of the mesh are in the same place at contacts only.
   [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
   [[nodiscard]] const RoundingReport& report() const { return report_; }
 
  private:
   friend class rounding::Rounding;
+  friend class rounding::ContactParting;
   friend Rounded joined(std::span<const Rounded> all, std::span<const Boxes> boxes);
   Rounded() = default;
 
@@ -118,6 +124,13 @@ class Rounded {
 /// outside its range.
 [[nodiscard]] Rounded to_mesh(const Solid& solid, Coordinates coordinates = Coordinates::binary64,
                               const RoundingOptions& options = {});
+
+/// Moves apart what touches itself in a rounded solid: points in the same place to neighbouring
+/// numbers, as repair does; what that does not mend is cut at itself and rounded again, a few
+/// times. For formats whose readers make such points one. `options` are those of the rounding: no
+/// place moves further than the rest of its tolerance. The report tells what was parted; the
+/// solid stays as it is where that does not do. O(n) and what repair near the contacts takes.
+[[nodiscard]] Rounded parted(Rounded touching, const RoundingOptions& options = {});
 
 /// What `check` says of the mesh. That its triangles do not cross is taken from `to_mesh`, which
 /// has proved it; that it is closed, a manifold and turned the right way is looked at again. All

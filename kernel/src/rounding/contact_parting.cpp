@@ -1,0 +1,231 @@
+#include "rounding/contact_parting.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "boxes/bounds.h"
+#include "dupin/kernel/error.h"
+#include "mesh/coincident_points.h"
+#include "mesh/exact_mesh.h"
+#include "mesh/used_points.h"
+#include "rounding/edit_strategy.h"
+#include "rounding/edited_mesh.h"
+#include "rounding/rounding_options.h"
+#include "rounding/self_crossings.h"
+#include "rounding/shell_check.h"
+#include "support/none.h"
+
+namespace dupin::rounding {
+namespace {
+
+/// Edits to be tried for each reach.
+constexpr std::uint64_t kTrials = 1 << 15;
+
+std::vector<std::uint32_t> all_up_to(std::size_t count) {
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
+/// Per point 1 if another one is in the same place.
+std::vector<std::uint8_t> touching_points(const std::vector<Vec3>& points) {
+  const std::vector<std::uint32_t> representatives = mesh::coincident_representatives(points);
+  std::vector<std::uint8_t> touching(points.size(), 0);
+  for (std::uint32_t v = 0; v < points.size(); ++v) {
+    if (representatives[v] != v) {
+      touching[v] = touching[representatives[v]] = 1;
+    }
+  }
+  return touching;
+}
+
+/// Of any place of the surface.
+double largest_move(const EditedMesh& mesh) {
+  double vertex = 0, surface = 0;
+  for (std::uint32_t v = 0; v < mesh.points().size(); ++v) {
+    vertex = std::max(vertex, mesh.reach(v));
+  }
+  for (const std::uint32_t face : mesh.alive_faces()) {
+    surface = std::max(surface, mesh.deviation(face));
+  }
+  return vertex + surface;
+}
+
+bool turns_a_shell(const TriMesh& before, const EditedMesh& after, double move) {
+  mesh::ExactMesh exact;
+  exact.points = before.points;
+  exact.triangles = before.triangles;
+  const auto triangles = after.triangles_of(after.alive_faces());
+  return !turned_shells(exact, shell_of_points(exact), {after.points(), triangles}, move).empty();
+}
+
+/// What two roundings did, the second of what the first made, less their numbers and origin, which
+/// are those of the first.
+RoundingReport one_after_other(RoundingReport first, const RoundingReport& second) {
+  first.moved += second.moved;
+  first.largest_move += second.largest_move;
+  first.repair_reach = std::max(first.repair_reach, second.repair_reach);
+  first.removed_triangles += second.removed_triangles;
+  first.removed_shells += second.removed_shells;
+  first.slit_width = std::max(first.slit_width, second.slit_width);
+  for (auto [more, all] : {std::pair(&second.filled_places, &first.filled_places),
+                           std::pair(&second.snapped_places, &first.snapped_places)}) {
+    std::ranges::transform(*more, std::back_inserter(*all),
+                           [&](const Vec3& place) -> Vec3 { return place + first.origin; });
+  }
+  return first;
+}
+
+}  // namespace
+
+/// One rounded solid, edited.
+class ContactParting::Attempt {
+ public:
+  Attempt(const Rounded& touching, const ContactParting& how)
+      : touching_(touching),
+        each_(all_up_to(whole().points.size())),
+        edited_(whole().points, whole().triangles, whole().labels, each_) {
+    edited_.find_faults(marked_faces(whole().triangles, touching_points(whole().points)));
+    const double farthest = how.options_.tolerance - touching.report().largest_move;
+    for (const double reach : {kNear * how.step_, kFar * how.step_}) {
+      if (!edited_.faults().empty()) {
+        mend_faults(edited_, how.lattice_, std::min(reach, farthest), kTrials);
+      }
+    }
+    move_ = largest_move(edited_);
+  }
+
+  [[nodiscard]] bool is_done() const { return edited_.faults().empty(); }
+  [[nodiscard]] bool turns_shells() const { return turns_a_shell(whole(), edited_, move_); }
+
+  /// The faults' triangles numbered as in surface().
+  [[nodiscard]] std::vector<Fault> faults() const {
+    const auto alive = edited_.alive_faces();
+    std::vector<Fault> faults = edited_.faults();
+    for (Fault& fault : faults) {
+      for (std::uint32_t* face : {&fault.first, &fault.second}) {
+        *face = static_cast<std::uint32_t>(std::ranges::lower_bound(alive, *face) - alive.begin());
+      }
+    }
+    return faults;
+  }
+
+  /// Of the first fault.
+  [[nodiscard]] Vec3 place() const {
+    return edited_.point(edited_.triangle(edited_.faults().front().first)[0]);
+  }
+
+  /// The solid as far as it is parted, and told.
+  [[nodiscard]] Rounded surface() const {
+    Rounded result;
+    result.report_ = touching_.report();
+    RoundingReport& report = result.report_;
+    const auto alive = edited_.alive_faces();
+    report.parted.insert(report.parted.end(), touching_.contacts().begin(),
+                         touching_.contacts().end());
+    report.parted_by += move_;
+    report.largest_move += move_;
+    report.removed_triangles += whole().triangles.size() - alive.size();
+    const mesh::UsedPoints used =
+        mesh::used_points(edited_.triangles_of(alive), whole().points.size());
+    for (std::uint32_t v = 0; v < whole().points.size(); ++v) {
+      const bool is_used = used.number[v] != support::kNone;
+      report.moved += !is_used || edited_.point(v) != whole().points[v] ? 1 : 0;
+      if (is_used) {
+        result.mesh_.points.push_back(edited_.point(v).array() + 0.0);
+      }
+    }
+    result.mesh_.names = whole().names;
+    for (const std::uint32_t face : alive) {
+      result.mesh_.triangles.push_back(used.renumbered(edited_.triangle(face)));
+      result.sources_.push_back(touching_.sources()[edited_.parent(face)]);
+      if (!whole().labels.empty()) {
+        result.mesh_.labels.push_back(whole().labels[edited_.parent(face)]);
+      }
+    }
+    return result;
+  }
+
+ private:
+  static constexpr double kNear = 4, kFar = 16;  // steps of the lattice
+
+  [[nodiscard]] const TriMesh& whole() const { return touching_.mesh(); }
+
+  const Rounded& touching_;
+  std::vector<std::uint32_t> each_;
+  EditedMesh edited_;
+  double move_ = 0;
+};
+
+/// None if the rest of the tolerance does not allow it, or it leaves nothing.
+std::optional<Rounded> ContactParting::rounded_again(const Attempt& attempt) const {
+  const Rounded surface = attempt.surface();
+  const RoundingReport& before = surface.report();
+  RoundingOptions options = options_;
+  options.tolerance = options_.tolerance - before.largest_move;
+  options.origin = {};
+  if (!(options.tolerance > 0)) {
+    return std::nullopt;
+  }
+  const auto solid = without_self_crossings(surface.mesh(), surface.sources(), attempt.faults());
+  if (!solid) {
+    return std::nullopt;
+  }
+  try {
+    Rounded again =
+        to_mesh(Solid(std::make_shared<const mesh::ExactMesh>(*solid)), coordinates_, options);
+    again.report_ = one_after_other(before, again.report());
+    again.report_.snapped_places.push_back(attempt.place() + before.origin);
+    return again;
+  } catch (const Error& error) {
+    if (error.code() != Errc::unroundable) {
+      throw;
+    }
+    return std::nullopt;
+  }
+}
+
+ContactParting::ContactParting(const Rounded& touching, const RoundingOptions& options)
+    : coordinates_(touching.report().coordinates),
+      options_(options),
+      lattice_(coordinates_, options.output_grid) {
+  const auto box = boxes::bounds_of(touching.mesh().points);
+  step_ = lattice_.step(std::max(box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff(),
+                                 largest_of(options, touching.report().origin)));
+  if (!(options.tolerance > 0)) {
+    options_.tolerance = kDefaultTolerance * step_;
+  }
+}
+
+std::optional<Rounded> ContactParting::run(const Rounded& touching) const {
+  constexpr int kAttempts = 8;
+  std::optional<Rounded> current = touching;
+  for (int i = 0; i < kAttempts && current && !current->contacts().empty(); ++i) {
+    const Attempt attempt(*current, *this);
+    if (attempt.turns_shells()) {
+      return std::nullopt;
+    }
+    current = attempt.is_done() ? attempt.surface() : rounded_again(attempt);
+  }
+  return current && current->contacts().empty() ? std::move(current) : std::nullopt;
+}
+
+}  // namespace dupin::rounding
+
+namespace dupin {
+
+Rounded parted(Rounded touching, const RoundingOptions& options) {
+  if (touching.contacts().empty()) {
+    return touching;
+  }
+  auto apart = rounding::ContactParting(touching, options).run(touching);
+  return apart ? *std::move(apart) : touching;
+}
+
+}  // namespace dupin

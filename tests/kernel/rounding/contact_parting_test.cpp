@@ -1,0 +1,77 @@
+
+#include <cstdint>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/boolean.h"
+#include "dupin/kernel/check.h"
+#include "dupin/kernel/rounding.h"
+#include "support/pipe_unions.h"
+#include "support/shapes.h"
+
+namespace dupin {
+namespace {
+
+Rounded rounded(const Solid& solid) { return to_mesh(solid, Coordinates::binary32); }
+
+bool has_all_points_apart(const TriMesh& mesh) {
+  std::set<std::tuple<double, double, double>> places;
+  for (const Vec3& p : mesh.points) {
+    places.insert({p.x(), p.y(), p.z()});
+  }
+  return places.size() == mesh.points.size();
+}
+
+void expect_parted(const Rounded& result, const Rounded& touching) {
+  EXPECT_TRUE(result.contacts().empty());
+  EXPECT_TRUE(has_all_points_apart(result.mesh()));
+  EXPECT_TRUE(check(result.mesh()).is_solid());
+  EXPECT_EQ(result.sources().size(), result.mesh().triangles.size());
+  const double volume = Solid::from(touching.mesh()).volume();
+  EXPECT_NEAR(Solid::from(result.mesh()).volume(), volume, 1e-4 * volume);
+  EXPECT_LE(result.report().parted_by, result.report().largest_move);
+}
+
+TEST(ContactParting, moves_apart_what_touches_along_an_edge_or_in_a_point) {
+  for (const double z : {0.0, 2.0}) {
+    const std::vector<Solid> boxes = {Solid::from(test::box({0, 0, 0}, {2, 2, 2})),
+                                      Solid::from(test::box({2, 2, z}, {4, 4, z + 2}))};
+    const Solid touching = unite(boxes);
+    ASSERT_EQ(touching.contacts().size(), 1U);
+    const Rounded before = rounded(touching), apart = parted(before);
+    EXPECT_EQ(before.contacts().size(), 1U);
+    expect_parted(apart, before);
+    EXPECT_EQ(apart.report().parted.size(), 1U);
+    EXPECT_GT(apart.report().parted_by, 0);
+    EXPECT_LT(apart.report().parted_by, 1e-5);
+  }
+}
+
+// The tolerance is less than any move to a neighbouring number.
+TEST(ContactParting, leaves_as_it_is_what_the_tolerance_forbids) {
+  const std::vector<Solid> boxes = {Solid::from(test::box({0, 0, 0}, {2, 2, 2})),
+                                    Solid::from(test::box({2, 2, 0}, {4, 4, 2}))};
+  const Rounded result = parted(rounded(unite(boxes)), {.tolerance = 1e-12});
+  EXPECT_EQ(result.contacts().size(), 1U);
+  EXPECT_TRUE(result.report().parted.empty());
+  EXPECT_EQ(result.report().largest_move, 0);
+}
+
+TEST(ContactParting, parts_racks_that_touch_themselves_once_they_are_rounded) {
+  std::size_t touching = 0;
+  for (std::uint32_t seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const Solid solid = unite(test::resting_pipes(8, seed));
+    ASSERT_TRUE(solid.contacts().empty());
+    const Rounded before = rounded(solid);
+    touching += before.contacts().empty() ? 0 : 1;
+    expect_parted(parted(before), before);
+  }
+  EXPECT_GT(touching, 2U);
+}
+
+}  // namespace
+}  // namespace dupin
