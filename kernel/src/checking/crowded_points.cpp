@@ -48,6 +48,10 @@ std::vector<CrowdedPoint> crowded_points(std::span<const Triangle> triangles,
     }
   }
   std::vector<CrowdedPoint> found;
+  if (std::ranges::none_of(count,
+                           [many](std::uint32_t faces_there) { return faces_there > many; })) {
+    return found;
+  }
   std::vector<std::uint32_t> place(point_count, support::kNone);
   for (std::uint32_t v = 0; v < point_count; ++v) {
     if (count[v] > many) {
@@ -55,7 +59,7 @@ std::vector<CrowdedPoint> crowded_points(std::span<const Triangle> triangles,
       found.push_back({v, {}});
     }
   }
-  for (std::size_t i = 0; i < faces.size() && !found.empty(); ++i) {
+  for (std::size_t i = 0; i < faces.size(); ++i) {
     const Triangle& t = triangles[faces[i]];
     const auto fullest = std::ranges::max(t, {}, [&](std::uint32_t v) { return count[v]; });
     if (place[fullest] != support::kNone) {

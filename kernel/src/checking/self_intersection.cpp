@@ -106,7 +106,13 @@ class Search {
       }
     });
     find_crowded_points();
-    const std::vector<std::uint32_t> groups = groups_of_active();
+    const std::vector<std::uint32_t> with_crowds = groups_with_crowds();
+    std::span<const std::uint32_t> groups = crowded_.empty() ? groups_.of_face : with_crowds;
+    std::vector<std::uint32_t> of_active;
+    if (!groups.empty() && (!crowded_.empty() || active_.size() < triangles_.size())) {
+      of_active = support::selected(groups, active_);
+      groups = of_active;
+    }
     support::BulkVector<boxes::Box> boxes(active_.size());
     support::for_each_block(active_.size(), [&](const support::Block& block) {
       for (std::size_t i = block.begin; i < block.end; ++i) {
@@ -146,13 +152,14 @@ class Search {
     }
   }
 
-  /// Per active triangle a group, none of whose pairs the tree has to name: they keep apart, or
-  /// belong to a crowded point. Empty if there are no groups.
-  [[nodiscard]] std::vector<std::uint32_t> groups_of_active() const {
-    std::vector<std::uint32_t> groups = groups_.of_face;
-    if (groups.empty() && !crowded_.empty()) {
-      groups.assign(triangles_.size(), support::kNone);
+  /// Per triangle a group, none of whose pairs the tree has to name: they keep apart, or belong to
+  /// a crowded point. Empty if there are no such points.
+  [[nodiscard]] std::vector<std::uint32_t> groups_with_crowds() const {
+    if (crowded_.empty()) {
+      return {};
     }
+    std::vector<std::uint32_t> groups = groups_.of_face;
+    groups.resize(triangles_.size(), support::kNone);
     std::uint32_t next = 0;
     for (const std::uint32_t group : groups) {
       next = group == support::kNone ? next : std::max(next, group + 1);
@@ -163,9 +170,7 @@ class Search {
       }
       ++next;
     }
-    return groups.empty() || (crowded_.empty() && active_.size() == triangles_.size())
-               ? groups
-               : support::selected(std::span<const std::uint32_t>(groups), active_);
+    return groups;
   }
 
   /// The triangles to be searched among themselves and, unless all are, with the others.

@@ -10,16 +10,15 @@
 #include <vector>
 
 #include "boxes/bounds.h"
+#include "dupin/kernel/connected_components.h"
 #include "dupin/kernel/error.h"
 #include "mesh/coincident_points.h"
 #include "mesh/exact_mesh.h"
-#include "mesh/used_points.h"
 #include "rounding/edit_strategy.h"
 #include "rounding/edited_mesh.h"
 #include "rounding/rounding_options.h"
 #include "rounding/self_crossings.h"
 #include "rounding/shell_check.h"
-#include "support/none.h"
 
 namespace dupin::rounding {
 namespace {
@@ -58,11 +57,11 @@ double largest_move(const EditedMesh& mesh) {
 }
 
 bool turns_a_shell(const TriMesh& before, const EditedMesh& after, double move) {
-  mesh::ExactMesh exact;
-  exact.points = before.points;
-  exact.triangles = before.triangles;
   const auto triangles = after.triangles_of(after.alive_faces());
-  return !turned_shells(exact, shell_of_points(exact), {after.points(), triangles}, move).empty();
+  return !turned_shells({before.points, before.triangles},
+                        connected_components(before.triangles, before.points.size()),
+                        {after.points(), triangles}, move)
+              .empty();
 }
 
 /// What two roundings did, the second of what the first made, less their numbers and origin, which
@@ -106,14 +105,7 @@ class ContactParting::Attempt {
 
   /// The faults' triangles numbered as in surface().
   [[nodiscard]] std::vector<Fault> faults() const {
-    const auto alive = edited_.alive_faces();
-    std::vector<Fault> faults = edited_.faults();
-    for (Fault& fault : faults) {
-      for (std::uint32_t* face : {&fault.first, &fault.second}) {
-        *face = static_cast<std::uint32_t>(std::ranges::lower_bound(alive, *face) - alive.begin());
-      }
-    }
-    return faults;
+    return edited_.faults_among(edited_.alive_faces());
   }
 
   /// Of the first fault.
@@ -132,22 +124,13 @@ class ContactParting::Attempt {
     report.parted_by += move_;
     report.largest_move += move_;
     report.removed_triangles += whole().triangles.size() - alive.size();
-    const mesh::UsedPoints used =
-        mesh::used_points(edited_.triangles_of(alive), whole().points.size());
     for (std::uint32_t v = 0; v < whole().points.size(); ++v) {
-      const bool is_used = used.number[v] != support::kNone;
-      report.moved += !is_used || edited_.point(v) != whole().points[v] ? 1 : 0;
-      if (is_used) {
-        result.mesh_.points.push_back(edited_.point(v).array() + 0.0);
-      }
+      report.moved += edited_.faces(v).empty() || edited_.point(v) != whole().points[v] ? 1 : 0;
     }
+    result.mesh_ = edited_.mesh_of(alive);
     result.mesh_.names = whole().names;
     for (const std::uint32_t face : alive) {
-      result.mesh_.triangles.push_back(used.renumbered(edited_.triangle(face)));
       result.sources_.push_back(touching_.sources()[edited_.parent(face)]);
-      if (!whole().labels.empty()) {
-        result.mesh_.labels.push_back(whole().labels[edited_.parent(face)]);
-      }
     }
     return result;
   }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/used_points.h"
 #include "support/none.h"
 #include "support/sequences.h"
 
@@ -99,6 +100,34 @@ support::BulkVector<std::uint32_t> EditedMesh::alive_faces() const {
     }
   }
   return faces;
+}
+
+std::vector<Fault> EditedMesh::faults_among(std::span<const std::uint32_t> faces) const {
+  std::vector<Fault> found = faults();
+  for (Fault& fault : found) {
+    for (std::uint32_t* face : {&fault.first, &fault.second}) {
+      *face = static_cast<std::uint32_t>(std::ranges::lower_bound(faces, *face) - faces.begin());
+    }
+  }
+  return found;
+}
+
+TriMesh EditedMesh::mesh_of(std::span<const std::uint32_t> faces) const {
+  TriMesh mesh;
+  const mesh::UsedPoints used = mesh::used_points(triangles_of(faces), points_.size());
+  support::reserve_bulk(mesh.points, used.points.size());
+  for (const std::uint32_t v : used.points) {
+    mesh.points.push_back(points_[v].array() + 0.0);
+  }
+  support::reserve_bulk(mesh.triangles, faces.size());
+  support::reserve_bulk(mesh.labels, labels_.empty() ? 0 : faces.size());
+  for (const std::uint32_t face : faces) {
+    mesh.triangles.push_back(used.renumbered(triangles_[face]));
+    if (!labels_.empty()) {
+      mesh.labels.push_back(labels_[parent_[face]]);
+    }
+  }
+  return mesh;
 }
 
 support::BulkVector<Triangle> EditedMesh::triangles_of(std::span<const std::uint32_t> faces) const {

@@ -45,6 +45,8 @@ class EditedMesh {
   [[nodiscard]] support::BulkVector<std::uint32_t> alive_faces() const;
   [[nodiscard]] support::BulkVector<Triangle> triangles_of(
       std::span<const std::uint32_t> faces) const;
+  /// These faces and the points they have, with the labels of their parents.
+  [[nodiscard]] TriMesh mesh_of(std::span<const std::uint32_t> faces) const;
   [[nodiscard]] std::span<const std::uint32_t> faces(std::uint32_t vertex) const;
   /// The face with the directed edge from a to b, if any.
   [[nodiscard]] std::optional<std::uint32_t> face_with_edge(std::uint32_t a, std::uint32_t b) const;
@@ -73,6 +75,8 @@ class EditedMesh {
   }
   /// Those found and not yet removed, and those that edits have made; ascending.
   [[nodiscard]] std::vector<Fault> faults() const { return tracker_.faults(); }
+  /// The same, by the places of their faces in an ascending list that has them all.
+  [[nodiscard]] std::vector<Fault> faults_among(std::span<const std::uint32_t> faces) const;
   [[nodiscard]] bool is_fault(const Fault& fault) const {
     return FaultTracker::is_fault(now(), fault);
   }

@@ -11,7 +11,6 @@
 #include "dupin/kernel/error.h"
 #include "mesh/coincident_points.h"
 #include "mesh/exact_mesh.h"
-#include "mesh/used_points.h"
 #include "rounding/edit_strategy.h"
 #include "rounding/mesh_part.h"
 #include "rounding/open_slits.h"
@@ -325,13 +324,8 @@ class Rounding {
     if (!(past.distance() + kReachGrowth * step_ < tolerance_)) {
       return std::nullopt;
     }
-    std::vector<Fault> faults = mesh.faults();
-    for (Fault& fault : faults) {
-      for (std::uint32_t* face : {&fault.first, &fault.second}) {
-        *face = static_cast<std::uint32_t>(std::ranges::lower_bound(alive, *face) - alive.begin());
-      }
-    }
-    const auto solid = without_self_crossings(surface.mesh(), surface.sources(), faults);
+    const auto solid =
+        without_self_crossings(surface.mesh(), surface.sources(), mesh.faults_among(alive));
     return solid ? std::optional(Rounding(*solid, coordinates_, options_, std::move(past)).run())
                  : std::nullopt;
   }
@@ -376,7 +370,8 @@ class Rounding {
 
   /// Triangles, by their places, of shells turned inside out and at contacts that became crossings.
   std::vector<std::uint32_t> misplaced(const mesh::MeshView& mesh, double move) {
-    std::vector<std::uint32_t> faces = turned_shells(exact_, shell_of(), mesh, move);
+    std::vector<std::uint32_t> faces =
+        turned_shells(mesh::MeshView(exact_), shell_of(), mesh, move);
     if (!exact_.contacts.empty()) {
       const auto crossed = crossed_contacts(mesh, representatives_);
       faces.insert(faces.end(), crossed.begin(), crossed.end());
@@ -453,26 +448,15 @@ Rounded Rounding::unrepaired(double move) {
 Rounded Rounding::finished(const EditedMesh& mesh, std::span<const std::uint32_t> alive,
                            RoundingReport report) const {
   Rounded result = with_report(std::move(report), alive.size());
-  const mesh::UsedPoints used = mesh::used_points(mesh.triangles_of(alive), mesh.points().size());
-  support::reserve_bulk(result.mesh_.points, used.points.size());
-  for (std::uint32_t v = 0; v < used.number.size(); ++v) {
-    const Vec3& point = mesh.point(v);
-    const bool is_used = used.number[v] != support::kNone;
-    const bool has_moved = rounded_.moved[v] != 0 || point != rounded_.on_lattice[v];
-    result.report_.moved += !is_used || has_moved ? 1 : 0;
-    if (is_used) {
-      result.mesh_.points.push_back(point.array() + 0.0);
-    }
+  result.mesh_ = mesh.mesh_of(alive);
+  result.mesh_.names = exact_.names;
+  for (std::uint32_t v = 0; v < mesh.points().size(); ++v) {
+    const bool has_moved = rounded_.moved[v] != 0 || mesh.point(v) != rounded_.on_lattice[v];
+    result.report_.moved += mesh.faces(v).empty() || has_moved ? 1 : 0;
   }
-  support::reserve_bulk(result.mesh_.triangles, alive.size());
   support::reserve_bulk(result.sources_, alive.size());
-  support::reserve_bulk(result.mesh_.labels, exact_.labels.empty() ? 0 : alive.size());
   for (const std::uint32_t face : alive) {
-    result.mesh_.triangles.push_back(used.renumbered(mesh.triangle(face)));
     result.sources_.push_back(exact_.sources[mesh.parent(face)]);
-    if (!exact_.labels.empty()) {
-      result.mesh_.labels.push_back(exact_.labels[mesh.parent(face)]);
-    }
   }
   return result;
 }

@@ -56,7 +56,7 @@ std::vector<std::uint32_t> shell_of_points(const mesh::ExactMesh& exact) {
   return connected_components(exact.triangles, exact.points.size());
 }
 
-std::vector<std::uint32_t> turned_shells(const mesh::ExactMesh& exact,
+std::vector<std::uint32_t> turned_shells(const mesh::MeshView& before,
                                          std::span<const std::uint32_t> shell_of,
                                          const mesh::MeshView& mesh, double largest_move) {
   std::vector<std::uint32_t> turned;
@@ -70,8 +70,7 @@ std::vector<std::uint32_t> turned_shells(const mesh::ExactMesh& exact,
     const double doubt = 6 * sums.area * largest_move +
                          sums.magnitude * static_cast<double>(sums.faces + 10) * 0x1p-52;
     if (!(std::abs(sums.volume) > doubt) &&
-        sign_of_shell(mesh, shell_of, shell) !=
-            sign_of_shell(mesh::MeshView(exact), shell_of, shell)) {
+        sign_of_shell(mesh, shell_of, shell) != sign_of_shell(before, shell_of, shell)) {
       turned.push_back(sums.face);
     }
   }

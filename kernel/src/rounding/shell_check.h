@@ -13,9 +13,9 @@ namespace dupin::rounding {
 [[nodiscard]] std::vector<std::uint32_t> shell_of_points(const mesh::ExactMesh& exact);
 
 /// One triangle, by its place, of each shell that lies inside out after rounding: whose volume has
-/// changed its sign. `mesh` began as the triangles of `exact`, whose shells are given; no point
+/// changed its sign. `mesh` began as the triangles of `before`, whose shells are given; no point
 /// moved further than `largest_move`.
-[[nodiscard]] std::vector<std::uint32_t> turned_shells(const mesh::ExactMesh& exact,
+[[nodiscard]] std::vector<std::uint32_t> turned_shells(const mesh::MeshView& before,
                                                        std::span<const std::uint32_t> shell_of,
                                                        const mesh::MeshView& mesh,
                                                        double largest_move);

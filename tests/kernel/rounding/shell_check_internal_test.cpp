@@ -46,8 +46,8 @@ TEST(TurnedShells, are_those_whose_volume_changes_its_sign) {
       largest = std::max(largest, move.norm());
     }
     const auto given = exact(before);
-    auto faces = turned_shells(given, shell_of_points(given), {after.points, after.triangles},
-                               largest * 1.001);
+    auto faces = turned_shells(mesh::MeshView(given), shell_of_points(given),
+                               {after.points, after.triangles}, largest * 1.001);
     std::ranges::transform(faces, faces.begin(), [](std::uint32_t f) { return f / 4; });
     std::ranges::sort(faces);
     std::vector<std::uint32_t> expected;
