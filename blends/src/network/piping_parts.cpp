@@ -113,8 +113,7 @@ class ChainParts {
         stretch.radii[0] != stretch.radii[1]) {
       notes_.add(component,
                  "has no flat side, as its neighbours do not lie beside each other; a concentric "
-                 "cone takes "
-                 "its place");
+                 "cone takes its place");
     }
     PartShape shape;
     if (closes_chain(k) && is_last) {

@@ -331,25 +331,23 @@ TEST(Bore, that_begins_in_one_as_wide_is_open) {
   }
 }
 
-TEST(Bore, of_a_thin_wall_that_asks_for_too_much_says_so) {
+void expect_ball_refused(double wall, Errc code, const std::string& said) {
   try {
-    (void)built(walled({part("ball", SphereAt{{0, 0, 0}, 3})}, 1e-7), Region::metal);
+    (void)built(walled({part("ball", SphereAt{{0, 0, 0}, 3})}, wall), Region::metal);
     ADD_FAILURE() << "was built";
   } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::limit_exceeded);
-    EXPECT_THAT(error.message(),
-                HasSubstr("here it is a quarter of the thinnest wall, which is 1e-07"));
+    EXPECT_EQ(error.code(), code);
+    EXPECT_THAT(error.message(), HasSubstr(said));
   }
 }
 
+TEST(Bore, of_a_thin_wall_that_asks_for_too_much_says_so) {
+  expect_ball_refused(1e-7, Errc::limit_exceeded,
+                      "here it is a quarter of the thinnest wall, which is 1e-07");
+}
+
 TEST(Bore, of_a_wall_too_thin_for_the_coordinates_says_so) {
-  try {
-    (void)built(walled({part("ball", SphereAt{{0, 0, 0}, 3})}, 1e-300), Region::metal);
-    ADD_FAILURE() << "was built";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::invalid_argument);
-    EXPECT_THAT(error.message(), HasSubstr("the thinnest wall, which is 1e-300"));
-  }
+  expect_ball_refused(1e-300, Errc::invalid_argument, "the thinnest wall, which is 1e-300");
 }
 
 TEST(Bore, of_random_bent_lines_and_their_branches_sums_up) {

@@ -140,17 +140,24 @@ TEST(Remesh, of_a_thin_plate_does_not_make_it_cross_itself) {
 
 TEST(Remesh, of_nothing_is_nothing) { EXPECT_TRUE(remesh(Solid(), {.distance = 1}).solid.empty()); }
 
+void expect_refused(const Solid& solid, const RemeshOptions& options, Errc code,
+                    const std::vector<std::string>& said) {
+  try {
+    (void)remesh(solid, options);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), code);
+    for (const std::string& text : said) {
+      EXPECT_THAT(error.what(), testing::HasSubstr(text));
+    }
+  }
+}
+
 TEST(Remesh, refuses_a_solid_that_touches_itself) {
   const Solid touching = unite(std::vector{Solid::from(box(Vec3::Zero(), Vec3(1, 1, 1))),
                                            Solid::from(box(Vec3(1, 1, 0), Vec3(2, 2, 1)))});
   ASSERT_FALSE(touching.contacts().empty());
-  try {
-    (void)remesh(touching, {.distance = 0.1});
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::contact);
-    EXPECT_THAT(error.what(), testing::HasSubstr("near 1 1 "));
-  }
+  expect_refused(touching, {.distance = 0.1}, Errc::contact, {"near 1 1 "});
 }
 
 TEST(Remesh, can_be_cancelled) {
@@ -170,33 +177,17 @@ TEST(Remesh, names_the_place_where_curves_ask_for_too_many_points) {
   const Solid strip =
       unite(std::vector{Solid::from(labelled(mesh, "a")),
                         Solid::from(labelled(box(Vec3(0, 0, 1), Vec3(1, 1, 1 + 0x1p-40)), "b"))});
-  try {
-    (void)remesh(strip, {.distance = 0x1p-45, .largest_edge = 0.5, .most_points = 5000});
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::limit_exceeded);
-    EXPECT_THAT(error.what(), testing::HasSubstr("come within 9.09495e-13 of each other near "));
-  }
+  expect_refused(strip, {.distance = 0x1p-45, .largest_edge = 0.5, .most_points = 5000},
+                 Errc::limit_exceeded, {"come within 9.09495e-13 of each other near "});
 }
 
 // Without trying for minutes, and with the reason.
 TEST(Remesh, says_that_sides_are_nearer_than_the_distance_tells_apart) {
   const Solid sheet = Solid::from(box(Vec3::Zero(), Vec3(100, 100, 0.001)));
-  try {
-    (void)remesh(sheet, {.distance = 0.5});
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::unroundable);
-    EXPECT_THAT(error.what(), testing::HasSubstr("sides of the solid that are 0.001 apart near "));
-    EXPECT_THAT(error.what(), testing::HasSubstr("allow a distance below that"));
-  }
-  try {
-    (void)remesh(sheet, {.distance = 0.001});
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::limit_exceeded);
-    EXPECT_THAT(error.what(), testing::HasSubstr("come within 0.001 of each other near "));
-  }
+  expect_refused(sheet, {.distance = 0.5}, Errc::unroundable,
+                 {"sides of the solid that are 0.001 apart near ", "allow a distance below that"});
+  expect_refused(sheet, {.distance = 0.001}, Errc::limit_exceeded,
+                 {"come within 0.001 of each other near "});
 }
 
 TEST(Remesh, takes_lengths_that_are_larger_than_the_solid) {
