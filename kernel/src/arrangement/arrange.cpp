@@ -14,6 +14,7 @@
 #include "arrangement/winding_numbers.h"
 #include "dupin/kernel/error.h"
 #include "support/blocks.h"
+#include "support/bulk_vector.h"
 #include "support/operation_limits.h"
 
 namespace dupin::arrangement {
@@ -67,9 +68,10 @@ support::BulkVector<OutputTriangle> select_triangles(
   }
   const support::ProgressStage stage(progress, "classify", 0.7, 0.9);
   const UpwardRounding rounding;
-  const ManifoldPatches patches(input, rule, subdivision);
+  ManifoldPatches patches(input, rule, subdivision);
   const std::vector<std::int8_t> selection =
       propagate_winding_numbers(input, rule, subdivision, patches);
+  patches.forget_seams();
   triangulate_outlines(
       input, [&](std::uint32_t region) { return selection[patches.of_region(region)] != 0; },
       subdivision);
@@ -149,12 +151,13 @@ std::optional<mesh::ExactMesh> arrange_unless_crowded(
   if (is_sample_crowded(input)) {
     return std::nullopt;
   }
-  const std::vector<TrianglePair> candidates = candidates_of(input, progress);
+  std::vector<TrianglePair> candidates = candidates_of(input, progress);
   if (crowded(input, candidates)) {
     return std::nullopt;
   }
-  return arrange(input, find_intersections(input, candidates, progress), rule, progress,
-                 memory_limit);
+  std::vector<TriangleIntersection> intersections = find_intersections(input, candidates, progress);
+  support::release(candidates);
+  return arrange(input, std::move(intersections), rule, progress, memory_limit);
 }
 
 mesh::ExactMesh arrange_and_merge(std::span<const mesh::ExactMesh* const> operands,

@@ -166,14 +166,17 @@ void distribute(const ArrangementInput& input, std::span<const TriangleIntersect
                                      representative(points.ends[2 * i + 1]));
     }
   });
-  std::vector<Piece> pieces;
-  for (const Distributor& part : parts) {
-    result.on_edges.insert(result.on_edges.end(), part.on_edges.begin(), part.on_edges.end());
-    result.insides.insert(result.insides.end(), part.insides.begin(), part.insides.end());
-    result.segments.insert(result.segments.end(), part.segments.begin(), part.segments.end());
-    pieces.insert(pieces.end(), part.pieces.begin(), part.pieces.end());
-  }
-  join(input, std::move(pieces), result.segments);
+  const auto joined = [&parts](auto list) {
+    std::vector<std::remove_reference_t<decltype(parts.front().*list)>> lists;
+    for (Distributor& part : parts) {
+      lists.push_back(std::move(part.*list));
+    }
+    return support::joined(std::move(lists));
+  };
+  result.on_edges = joined(&Distributor::on_edges);
+  result.insides = joined(&Distributor::insides);
+  result.segments = joined(&Distributor::segments);
+  join(input, joined(&Distributor::pieces), result.segments);
 }
 
 // The sign of q - p along some axis on which they differ, and the axis.

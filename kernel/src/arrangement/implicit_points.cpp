@@ -6,7 +6,7 @@
 #include <span>
 #include <type_traits>
 
-#include "exact/lattice_meeting.h"
+#include "exact/line_plane_meeting.h"
 #include "exact/vector_algebra.h"
 #include "support/operation_limits.h"
 
@@ -74,22 +74,10 @@ mesh::ExactPoint divide(const mesh::ExactPoint& p, const mesh::ExactPoint& q, co
                                p[2] * beta - q[2] * alpha, p[3] * beta - q[3] * alpha});
 }
 
-// The same as below, by integers of fixed width or by fewer products, as all weights are 1.
-mesh::ExactPoint meet_line_plane(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,
-                                 const Vec3& c) {
-  if (auto point = exact::lattice_meeting(p, q, a, b, c)) {
-    return *std::move(point);
-  }
-  const Direction normal = cross(direction(a, b), direction(a, c));
-  const Number alpha = dot(normal, direction(a, p)), beta = dot(normal, direction(a, q));
-  const auto coordinate = [&](int k) { return Number(p[k]) * beta - Number(q[k]) * alpha; };
-  return with_positive_weight({coordinate(0), coordinate(1), coordinate(2), beta - alpha});
-}
-
 mesh::ExactPoint meet_line_plane(const PointTable& points, const ImplicitPoint& d) {
   if (are_doubles(points, {d.of.data(), 5})) {
     const auto at = [&](std::size_t i) -> const Vec3& { return points.coordinates(d.of[i]); };
-    return meet_line_plane(at(0), at(1), at(2), at(3), at(4));
+    return exact::line_plane_meeting(at(0), at(1), at(2), at(3), at(4));
   }
   mesh::ExactPoint p_scratch, q_scratch;
   const mesh::ExactPoint& p = points.exact(d.of[0], p_scratch);
@@ -254,19 +242,30 @@ PointId PointTable::add(const Vec3& point) {
   return double_count() - 1;
 }
 
+// Not twice as much: these are most of the memory there is.
+void PointTable::make_room(std::size_t count) {
+  const std::size_t size = implicit_.size() + count;
+  if (size > implicit_.capacity()) {
+    implicit_.reserve(size + size / 8 + 1);
+  }
+}
+
 PointId PointTable::add(const mesh::ExactPoint& point) {
+  make_room(1);
   implicit_.push_back({{}, enclose(point), Lazy<mesh::ExactPoint>(point), {}});
   return size() - 1;
 }
 
 PointId PointTable::add(const ImplicitPoint& definition) {
   support::refuse_too_many(size(), 0);
+  make_room(1);
   implicit_.push_back({definition, evaluate(*this, definition), {}, {}});
   return size() - 1;
 }
 
 void PointTable::add_undefined(std::size_t count) {
   support::refuse_too_many(size() + count, 0);
+  make_room(count);
   implicit_.resize(implicit_.size() + count);
 }
 
@@ -278,6 +277,7 @@ void PointTable::define(PointId id, const ImplicitPoint& definition) {
 
 PointId PointTable::add(DefinedPoint point) {
   support::refuse_too_many(size(), 0);
+  make_room(1);
   using Exact = Lazy<mesh::ExactPoint>;
   implicit_.push_back(
       {point.definition, point.box, point.exact[3].sign() == 0 ? Exact() : Exact(point.exact), {}});
@@ -309,6 +309,21 @@ mesh::ExactPoint PointTable::exact_value(PointId id) const {
   const Implicit& point = implicit_[id - doubles_.size()];
   const mesh::ExactPoint* known = point.exact.known();
   return known != nullptr ? *known : evaluate_exact(*this, point.definition);
+}
+
+std::optional<mesh::LinePlaneMeeting> PointTable::meeting(PointId id) const {
+  const ImplicitPoint& d = definition(id);
+  const auto of = [&](std::size_t i) -> const Vec3& { return coordinates(d.of[i]); };
+  if (d.kind == ImplicitPoint::Kind::line_plane && are_doubles(*this, {d.of.data(), 5})) {
+    return mesh::LinePlaneMeeting{{of(0), of(1), of(2), of(3), of(4)}};
+  }
+  if (d.kind == ImplicitPoint::Kind::two_lines && are_doubles(*this, {d.of.data(), 4})) {
+    // The plane through the second line along the axis that both are seen along.
+    Vec3 behind = of(2);
+    behind[d.axis] = behind[d.axis] == 0 ? 1 : 0;
+    return mesh::LinePlaneMeeting{{of(0), of(1), of(2), of(3), behind}};
+  }
+  return std::nullopt;
 }
 
 exact::BallPoint PointTable::ball(PointId id) const {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -121,6 +122,9 @@ class PointTable {
   [[nodiscard]] const mesh::ExactPoint& exact(PointId id, mesh::ExactPoint& scratch) const;
   /// The same, without keeping it.
   [[nodiscard]] mesh::ExactPoint exact_value(PointId id) const;
+  /// Of a point that is not a double: the line and the plane that it is of, if its definition is by
+  /// doubles and says it. O(1).
+  [[nodiscard]] std::optional<mesh::LinePlaneMeeting> meeting(PointId id) const;
   /// To about 100 bits; needs UpwardRounding.
   [[nodiscard]] exact::BallPoint ball(PointId id) const;
   /// Coordinates to within a few ulp; replaces a wide interval by that of the exact point.
@@ -133,6 +137,8 @@ class PointTable {
     Lazy<mesh::ExactPoint> exact;
     Lazy<exact::BallPoint> ball;
   };
+  void make_room(std::size_t count);
+
   support::BulkVector<Vec3> doubles_;
   std::vector<Implicit> implicit_;
 };

@@ -45,8 +45,8 @@ void lay_out(ArrangementInput& input) {
 void add_implicit_points(ArrangementInput& input) {
   for (const mesh::ExactMesh* mesh : input.operands) {
     input.first_implicit.push_back(input.points.size());
-    for (const mesh::ExactPoint& point : mesh->implicit) {
-      input.points.add(point);
+    for (std::size_t i = 0; i < mesh->implicit.size(); ++i) {
+      input.points.add(mesh->implicit[i]);
     }
   }
   input.first_implicit.push_back(input.points.size());

@@ -1,20 +1,11 @@
 #include "arrangement/manifold_patches.h"
 
 #include <algorithm>
-#include <iterator>
 #include <tuple>
 
 #include "support/sort_by_key.h"
 
 namespace dupin::arrangement {
-namespace {
-
-template <class List>
-void append(std::vector<List>& lists, std::vector<List> more) {
-  std::ranges::move(more, std::back_inserter(lists));
-}
-
-}  // namespace
 
 ManifoldPatches::ManifoldPatches(const ArrangementInput& input, const BooleanRule& rule,
                                  const Subdivision& subdivision)
@@ -29,24 +20,30 @@ ManifoldPatches::ManifoldPatches(const ArrangementInput& input, const BooleanRul
     (void)change_number(std::move(unit));
   }
   find_changes_of_regions(rule);
-  SideLists sides;
-  add_sub_triangles(sides);
-  add_outlines(sides);
-  add_triangles(rule, sides);
-  add_loose(rule, sides);
-  join(std::move(sides));
+  join_corners();
+  find_loose(rule);
+  join_sides(rule);
   number_patches(rule);
 }
 
+// Neither cut nor one of several in the same place.
+bool ManifoldPatches::is_whole(std::uint32_t triangle) const {
+  return !subdivision_.touched[triangle] && !input_.merged[triangle];
+}
+
+PointId ManifoldPatches::first_not_special(std::uint32_t triangle) const {
+  const Triangle& corners = input_.triangles[triangle];
+  const auto* const found =
+      std::ranges::find_if(corners, [this](PointId id) { return !input_.special[id]; });
+  return found == corners.end() ? kNone : *found;
+}
+
 std::uint32_t ManifoldPatches::member_of_triangle(std::uint32_t triangle) const {
-  for (const PointId id : input_.triangles[triangle]) {
-    if (!input_.special[id]) {
-      return id;
-    }
-  }
-  return first_loose_ +
-         static_cast<std::uint32_t>(std::lower_bound(loose_.begin(), loose_.end(), triangle) -
-                                    loose_.begin());
+  const PointId point = first_not_special(triangle);
+  return point != kNone
+             ? point
+             : first_loose_ + static_cast<std::uint32_t>(
+                                  std::ranges::lower_bound(loose_, triangle) - loose_.begin());
 }
 
 std::uint32_t ManifoldPatches::change_number(std::vector<int> change) {
@@ -58,16 +55,9 @@ std::uint32_t ManifoldPatches::change_number(std::vector<int> change) {
   return entry->second;
 }
 
-// Of those edges (bit i: opposite to corner i) whose ends are both special.
-void ManifoldPatches::add_sides(const Triangle& corners, unsigned edges, const Owner& owner,
-                                std::vector<Side>& sides) const {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const PointId apex = corners[k], from = corners[(k + 1) % 3], to = corners[(k + 2) % 3];
-    if ((edges >> k & 1u) != 0 && input_.special[from] && input_.special[to]) {
-      const HalfPlane half_plane{apex, owner.support, from < to, owner.member};
-      sides.push_back({edge_key(from, to), half_plane, owner.change});
-    }
-  }
+std::uint32_t ManifoldPatches::change_of(const BooleanRule& rule, std::uint32_t member) const {
+  return member >= first_region_ ? member_changes_[member - first_region_]
+                                 : rule.group_of_operand[input_.operand_of_point(member)];
 }
 
 void ManifoldPatches::find_changes_of_regions(const BooleanRule& rule) {
@@ -80,106 +70,122 @@ void ManifoldPatches::find_changes_of_regions(const BooleanRule& rule) {
   }
 }
 
-void ManifoldPatches::add_sub_triangles(SideLists& sides) {
-  const auto add = [this](std::size_t p, std::vector<Side>& found) {
-    const Subdivision::SubTriangle& triangle = subdivision_.triangles[p];
-    const std::uint32_t member = first_region_ + triangle.region;
+// Corners that are not special are of the class of what they are corners of.
+void ManifoldPatches::join_corners() {
+  const auto join = [this](PointId corner, std::uint32_t member) {
+    if (!input_.special[corner]) {
+      classes_.unite(corner, member);
+    }
+  };
+  const auto for_each = [](std::size_t count, const auto& visit) {
+    support::for_each_block(count, [&](const support::Block& block) {
+      for (auto i = static_cast<std::uint32_t>(block.begin); i < block.end; ++i) {
+        visit(i);
+      }
+    });
+  };
+  for_each(subdivision_.triangles.size(), [&](std::uint32_t i) {
+    const Subdivision::SubTriangle& triangle = subdivision_.triangles[i];
     for (const PointId corner : triangle.corners) {
-      if (!input_.special[corner]) {
-        classes_.unite(corner, member);
-      }
+      join(corner, first_region_ + triangle.region);
     }
-    add_sides(
-        triangle.corners, triangle.open,
-        {member, subdivision_.regions[triangle.region].support, member_changes_[triangle.region]},
-        found);
-  };
-  append(sides, support::collect_by_blocks<Side>(subdivision_.triangles.size(), add));
-}
-
-void ManifoldPatches::add_outlines(SideLists& sides) {
-  const auto add = [this](std::size_t i, std::vector<Side>& found) {
+  });
+  for_each(subdivision_.outlines.size(), [&](std::uint32_t i) {
     const auto& [region, begin, end] = subdivision_.outlines[i];
-    const std::uint32_t member = first_region_ + region;
     for (std::uint32_t k = begin; k < end; ++k) {
-      const auto& [from, apex, lines] = subdivision_.outline_corners[k];
-      const PointId to = subdivision_.outline_corners[k + 1 < end ? k + 1 : begin].point;
-      if (!input_.special[from]) {
-        classes_.unite(from, member);
-      } else if (input_.special[to]) {
-        const HalfPlane half_plane{apex, subdivision_.regions[region].support, from < to, member};
-        found.push_back({edge_key(from, to), half_plane, member_changes_[region]});
-      }
+      join(subdivision_.outline_corners[k].point, first_region_ + region);
     }
-  };
-  append(sides, support::collect_by_blocks<Side>(subdivision_.outlines.size(), add));
-}
-
-// Triangles with a corner that is not special coincide with no other.
-void ManifoldPatches::add_triangles(const BooleanRule& rule, SideLists& sides) {
-  struct Found {
-    std::vector<std::uint32_t> loose;
-    std::vector<Side> sides;
-  };
-  std::vector<Found> found(support::block_count(input_.triangles.size()));
-  support::for_each_block(input_.triangles.size(), [&](const support::Block& block) {
-    Found& mine = found[block.number];
-    for (auto t = static_cast<std::uint32_t>(block.begin); t < block.end; ++t) {
-      if (subdivision_.touched[t] || input_.merged[t]) {
-        continue;
-      }
-      const Triangle& corners = input_.triangles[t];
-      PointId member = kNone;
-      unsigned special = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (input_.special[corners[k]]) {
-          ++special;
-        } else if (member == kNone) {
-          member = corners[k];
-        } else {
-          classes_.unite(corners[k], member);
-        }
-      }
-      if (special == 3) {
-        mine.loose.push_back(t);
-      } else if (special == 2) {
-        const std::uint32_t change = rule.group_of_operand[input_.operand_of(t)];
-        add_sides(corners, kAllEdges, {member, t, change}, mine.sides);
+  });
+  for_each(static_cast<std::uint32_t>(input_.triangles.size()), [&](std::uint32_t t) {
+    const PointId first = is_whole(t) ? first_not_special(t) : kNone;
+    for (const PointId corner : input_.triangles[t]) {
+      if (first != kNone) {
+        join(corner, first);
       }
     }
   });
-  for (Found& part : found) {
-    loose_.insert(loose_.end(), part.loose.begin(), part.loose.end());
-    sides.push_back(std::move(part.sides));
-  }
 }
 
-void ManifoldPatches::add_loose(const BooleanRule& rule, SideLists& sides) {
-  std::vector<Side>& found = sides.emplace_back();
+// Triangles with a corner that is not special coincide with no other.
+void ManifoldPatches::find_loose(const BooleanRule& rule) {
+  loose_ = support::indices_where(input_.triangles.size(), [this](std::uint32_t t) {
+    return is_whole(t) && first_not_special(t) == kNone;
+  });
   classes_.add(loose_.size());
-  for (std::uint32_t i = 0; i < loose_.size(); ++i) {
-    const std::uint32_t t = loose_[i];
+  for (const std::uint32_t t : loose_) {
     member_changes_.push_back(change_number(winding_change(input_, rule, input_.cover(t))));
-    add_sides(input_.triangles[t], kAllEdges, {first_loose_ + i, t, member_changes_.back()}, found);
   }
 }
 
-void ManifoldPatches::join(SideLists sides) {
-  sides_ = support::sorted_by_key(
-      std::move(sides), input_.points.size(), [](const Side& side) { return lower_end(side.edge); },
+// Calls found(side) for the edges (bit i: opposite to corner i) whose ends are both special.
+template <class Found>
+void ManifoldPatches::find_sides(const Triangle& corners, unsigned edges, std::uint32_t support,
+                                 std::uint32_t member, const Found& found) const {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const PointId apex = corners[k], from = corners[(k + 1) % 3], to = corners[(k + 2) % 3];
+    if ((edges >> k & 1u) != 0 && input_.special[from] && input_.special[to]) {
+      found(Side{edge_key(from, to), HalfPlane{apex, support, from < to, member}});
+    }
+  }
+}
+
+template <class Found>
+void ManifoldPatches::find_sides_of_outline(std::size_t outline, const Found& found) const {
+  const auto& [region, begin, end] = subdivision_.outlines[outline];
+  const std::uint32_t support = subdivision_.regions[region].support;
+  for (std::uint32_t k = begin; k < end; ++k) {
+    const auto& [from, apex, lines] = subdivision_.outline_corners[k];
+    const PointId to = subdivision_.outline_corners[k + 1 < end ? k + 1 : begin].point;
+    if (input_.special[from] && input_.special[to]) {
+      found(Side{edge_key(from, to), HalfPlane{apex, support, from < to, first_region_ + region}});
+    }
+  }
+}
+
+support::BulkVector<ManifoldPatches::Side> ManifoldPatches::sorted_sides() const {
+  constexpr unsigned kAllEdges = 7;
+  const std::size_t outlines = subdivision_.triangles.size();
+  const std::size_t whole = outlines + subdivision_.outlines.size();
+  const std::size_t loose = whole + input_.triangles.size();
+  const auto collect = [&](std::size_t i, const auto& found) {
+    if (i < outlines) {
+      const auto& [corners, region, open] = subdivision_.triangles[i];
+      find_sides(corners, open, subdivision_.regions[region].support, first_region_ + region,
+                 found);
+    } else if (i < whole) {
+      find_sides_of_outline(i - outlines, found);
+    } else if (i < loose) {
+      const auto t = static_cast<std::uint32_t>(i - whole);
+      const PointId member = is_whole(t) ? first_not_special(t) : kNone;
+      if (member != kNone) {
+        find_sides(input_.triangles[t], kAllEdges, t, member, found);
+      }
+    } else {
+      const auto number = static_cast<std::uint32_t>(i - loose);
+      const std::uint32_t t = loose_[number];
+      find_sides(input_.triangles[t], kAllEdges, t, first_loose_ + number, found);
+    }
+  };
+  return support::collect_by_key<Side>(
+      loose + loose_.size(), collect, input_.points.size(),
+      [](const Side& side) { return lower_end(side.edge); },
       [](const Side& a, const Side& b) {
         return std::tie(a.edge, a.half_plane.owner, a.half_plane.apex) <
                std::tie(b.edge, b.half_plane.owner, b.half_plane.apex);
       });
+}
+
+void ManifoldPatches::join_sides(const BooleanRule& rule) {
+  sides_ = sorted_sides();
   const std::vector<support::IndexRange> edges =
       support::ranges_of_equal(sides_, [](const Side& side) { return side.edge; });
   seams_ = support::collect_in_order<support::IndexRange>(
       edges.size(), [&](std::size_t i, std::vector<support::IndexRange>& seams) {
         const auto [begin, end] = edges[i];
-        const Side &first = sides_[begin], &last = sides_[end - 1];
-        if (end == begin + 2 && first.half_plane.forward != last.half_plane.forward &&
-            first.change == last.change) {
-          classes_.unite(first.half_plane.owner, last.half_plane.owner);
+        const HalfPlane &first = sides_[begin].half_plane, &last = sides_[end - 1].half_plane;
+        if (end == begin + 2 && first.forward != last.forward &&
+            change_of(rule, first.owner) == change_of(rule, last.owner)) {
+          classes_.unite(first.owner, last.owner);
         } else {
           seams.push_back({begin, end});
         }
@@ -196,9 +202,7 @@ void ManifoldPatches::number_patches(const BooleanRule& rule) {
   changes_.resize(roots.size());
   roots.for_each([&](std::size_t m, std::size_t rank) {
     number_[m] = static_cast<std::uint32_t>(rank);
-    changes_[rank] = m >= first_region_
-                         ? member_changes_[m - first_region_]
-                         : rule.group_of_operand[input_.operand_of_point(static_cast<PointId>(m))];
+    changes_[rank] = change_of(rule, static_cast<std::uint32_t>(m));
   });
   support::for_each_block(number_.size(), [&](const support::Block& block) {
     for (auto m = static_cast<std::uint32_t>(block.begin); m < block.end; ++m) {

@@ -22,7 +22,6 @@ class ManifoldPatches {
   struct Side {  ///< of an edge whose ends are both special
     EdgeKey edge;
     HalfPlane half_plane;  ///< its owner is a member
-    std::uint32_t change;  ///< of that member
   };
 
   /// Needs UpwardRounding.
@@ -47,27 +46,29 @@ class ManifoldPatches {
   [[nodiscard]] std::span<const Side> sides(const support::IndexRange& seam) const {
     return std::span(sides_).subspan(seam.begin, seam.end - seam.begin);
   }
+  /// To make room, once nobody asks for them any more.
+  void forget_seams() {
+    support::release(seams_);
+    support::release(sides_);
+  }
 
  private:
-  struct Owner {
-    std::uint32_t member, support, change;
-  };
-
-  /// Joined only when they are sorted: they are most of the memory there is at this stage.
-  using SideLists = std::vector<std::vector<Side>>;
-
-  static constexpr unsigned kAllEdges = 7;
-
   [[nodiscard]] std::uint32_t member_of_triangle(std::uint32_t triangle) const;
+  [[nodiscard]] bool is_whole(std::uint32_t triangle) const;
+  /// kNone if all corners are special.
+  [[nodiscard]] PointId first_not_special(std::uint32_t triangle) const;
+  [[nodiscard]] std::uint32_t change_of(const BooleanRule& rule, std::uint32_t member) const;
   [[nodiscard]] std::uint32_t change_number(std::vector<int> change);
   void find_changes_of_regions(const BooleanRule& rule);
-  void add_sub_triangles(SideLists& sides);
-  void add_outlines(SideLists& sides);
-  void add_triangles(const BooleanRule& rule, SideLists& sides);
-  void add_loose(const BooleanRule& rule, SideLists& sides);
-  void add_sides(const Triangle& corners, unsigned edges, const Owner& owner,
-                 std::vector<Side>& sides) const;
-  void join(SideLists sides);
+  void join_corners();
+  void find_loose(const BooleanRule& rule);
+  template <class Found>
+  void find_sides(const Triangle& corners, unsigned edges, std::uint32_t support,
+                  std::uint32_t member, const Found& found) const;
+  template <class Found>
+  void find_sides_of_outline(std::size_t outline, const Found& found) const;
+  [[nodiscard]] support::BulkVector<Side> sorted_sides() const;
+  void join_sides(const BooleanRule& rule);
   void number_patches(const BooleanRule& rule);
 
   const ArrangementInput& input_;

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <set>
 
 #include <tbb/parallel_invoke.h>
@@ -94,7 +96,7 @@ class PointWriter {
         }
       }
     });
-    std::vector<RoundedPoint> nearest = evaluate(mesh.implicit);
+    std::vector<RoundedPoint> nearest = evaluate();
     write_doubles(nearest, mesh);
     write_others(nearest, mesh);
   }
@@ -104,13 +106,29 @@ class PointWriter {
   [[nodiscard]] PointId original(PointId id) const {
     return id < duplicates_.first_copy ? id : duplicates_.copies[id - duplicates_.first_copy];
   }
-  // Of a point that an operand brought.
-  [[nodiscard]] const Vec3& nearest_given(PointId id) const {
+  // A point that an operand brought.
+  struct Given {
+    const mesh::ExactMesh& operand;
+    std::size_t index;  // in operand.implicit
+
+    [[nodiscard]] const Vec3& nearest() const {
+      return operand.points[operand.double_count() + index];
+    }
+  };
+  [[nodiscard]] bool is_given(PointId id) const { return id < input_.first_implicit.back(); }
+  [[nodiscard]] Given given(PointId id) const {
     const std::uint32_t operand = input_.operand_of_point(id);
-    const mesh::ExactMesh& mesh = *input_.operands[operand];
-    return mesh.points[mesh.double_count() + (id - input_.first_implicit[operand])];
+    return {*input_.operands[operand], id - input_.first_implicit[operand]};
   }
-  std::vector<RoundedPoint> evaluate(std::vector<mesh::ExactPoint>& exact) {
+  [[nodiscard]] std::optional<mesh::LinePlaneMeeting> meeting(PointId id) const {
+    if (!is_given(id)) {
+      return input_.points.meeting(id);
+    }
+    const auto [operand, index] = given(id);
+    const mesh::LinePlaneMeeting* const known = operand.implicit.meeting(index);
+    return known != nullptr ? std::optional(*known) : std::nullopt;
+  }
+  std::vector<RoundedPoint> evaluate() {
     const PointId first = input_.points.double_count();
     implicit_ = support::collect_in_order<PointId>(
         number_.size() - first, [&](std::size_t i, std::vector<PointId>& found) {
@@ -120,12 +138,12 @@ class PointWriter {
           }
         });
     std::vector<RoundedPoint> nearest(implicit_.size());
-    support::resize_bulk(exact, implicit_.size());
     support::for_each_in_parallel(implicit_.size(), [&](std::size_t i) {
       const PointId id = original(implicit_[i]);
-      exact[i] = input_.points.exact_value(id);
-      nearest[i] = id < input_.first_implicit.back() ? rounded(exact[i], nearest_given(id))
-                                                     : rounded(exact[i]);
+      mesh::ExactPoint value;
+      const mesh::ExactPoint& exact =
+          meeting(id) ? (value = input_.points.exact_value(id)) : input_.points.exact(id, value);
+      nearest[i] = is_given(id) ? rounded(exact, given(id).nearest()) : rounded(exact);
     });
     return nearest;
   }
@@ -148,25 +166,28 @@ class PointWriter {
       number_[id] = static_cast<std::uint32_t>(number);
     });
   }
-  // Holes that points leave which doubles hold are filled from the end.
-  void write_others(std::vector<RoundedPoint>& nearest, mesh::ExactMesh& mesh) {
-    std::size_t kept = implicit_.size();
-    for (std::size_t i = 0; i < kept;) {
-      if (!nearest[i].is_exact) {
+  void write_others(const std::vector<RoundedPoint>& nearest, mesh::ExactMesh& mesh) {
+    // Holes that points leave which doubles hold are filled from the end.
+    std::vector<std::uint32_t> kept(implicit_.size());
+    std::iota(kept.begin(), kept.end(), 0);
+    for (std::size_t i = 0; i < kept.size();) {
+      if (nearest[kept[i]].is_exact) {
+        kept[i] = kept.back();
+        kept.pop_back();
+      } else {
         ++i;
-      } else if (i != --kept) {
-        mesh.implicit[i] = std::move(mesh.implicit[kept]);
-        nearest[i] = nearest[kept];
-        implicit_[i] = implicit_[kept];
       }
     }
-    mesh.implicit.resize(kept);
+    const auto id = [&](std::size_t i) { return original(implicit_[kept[i]]); };
+    mesh.implicit = mesh::ExactPoints(
+        kept.size(), [&](std::size_t i) { return meeting(id(i)); },
+        [&](std::size_t i) { return input_.points.exact_value(id(i)); });
     const std::size_t doubles = mesh.points.size();
-    mesh.points.resize(doubles + kept);
-    support::for_each_block(kept, [&](const support::Block& block) {
+    mesh.points.resize(doubles + kept.size());
+    support::for_each_block(kept.size(), [&](const support::Block& block) {
       for (std::size_t i = block.begin; i < block.end; ++i) {
-        number_[implicit_[i]] = static_cast<std::uint32_t>(doubles + i);
-        mesh.points[doubles + i] = nearest[i].point;
+        number_[implicit_[kept[i]]] = static_cast<std::uint32_t>(doubles + i);
+        mesh.points[doubles + i] = nearest[kept[i]].point;
       }
     });
   }

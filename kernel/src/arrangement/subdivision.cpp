@@ -87,10 +87,9 @@ Subdivision joined(ArrangementInput& input, CoincidentPointIndex& coincident,
   return result;
 }
 
-}  // namespace
-
-Subdivision retriangulate(ArrangementInput& input, const BooleanRule& rule, Constraints constraints,
-                          const support::ProgressStage& stage) {
+std::vector<FaceSubdivision> subdivided(const ArrangementInput& input, const BooleanRule& rule,
+                                        const Constraints& constraints,
+                                        const support::ProgressStage& stage) {
   constexpr std::size_t kBatch = 32;
   const std::size_t count = constraints.face_count();
   std::vector<FaceSubdivision> batches(support::block_count(count, kBatch));
@@ -107,8 +106,19 @@ Subdivision retriangulate(ArrangementInput& input, const BooleanRule& rule, Cons
         stage.step(batches.size());
       },
       kBatch);
-  Subdivision subdivision = joined(input, *constraints.coincident_points, std::move(batches));
-  subdivision.touched = std::move(constraints.touched);
+  return batches;
+}
+
+}  // namespace
+
+Subdivision retriangulate(ArrangementInput& input, const BooleanRule& rule, Constraints constraints,
+                          const support::ProgressStage& stage) {
+  std::vector<FaceSubdivision> batches = subdivided(input, rule, constraints, stage);
+  std::optional coincident = std::move(constraints.coincident_points);
+  std::vector<std::uint8_t> touched = std::move(constraints.touched);
+  constraints = {};  // to make room
+  Subdivision subdivision = joined(input, *coincident, std::move(batches));
+  subdivision.touched = std::move(touched);
   input.special.resize(input.points.size(), 1);
   return subdivision;
 }

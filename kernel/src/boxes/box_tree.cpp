@@ -58,17 +58,16 @@ BoxTree BoxTree::reordered() const {
     }
   });
   tbb::parallel_sort(keyed.begin(), keyed.end());
-  std::vector<std::uint32_t> order(size());
-  support::BulkVector<Box> boxes(size());
-  for (std::uint32_t i = 0; i < size(); ++i) {
-    order[i] = order_[keyed[i].item];
-    boxes[i] = box_of({0, keyed[i].item});
-  }
-  return {std::move(order), std::span<const Box>(boxes)};
+  std::vector<std::uint32_t> place(size());
+  std::ranges::transform(keyed, place.begin(), &Keyed::item);
+  support::release(keyed);
+  BoxTree tree(place, [&](std::uint32_t i) { return box_of({0, place[i]}); });
+  std::ranges::transform(place, tree.order_.begin(), [this](std::uint32_t i) { return order_[i]; });
+  return tree;
 }
 
 BoxTree::BoxTree(std::span<const Box> boxes, std::span<const std::uint32_t> groups)
-    : BoxTree(given_order(boxes.size()), boxes) {
+    : BoxTree(given_order(boxes.size()), [&](std::uint32_t i) { return boxes[i]; }) {
   set_groups(groups);
   if (const double crowded = crowding(); crowded > kCrowded) {
     BoxTree other = reordered();
@@ -81,20 +80,28 @@ BoxTree::BoxTree(std::span<const Box> boxes, std::span<const std::uint32_t> grou
 
 BoxTree::BoxTree(std::span<const Box> boxes, const TriangleOf& triangle,
                  std::span<const std::uint32_t> groups)
-    : BoxTree(given_order(boxes.size()), boxes) {
+    : BoxTree(
+          static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return boxes[i]; },
+          triangle, groups) {}
+
+BoxTree::BoxTree(std::uint32_t size, const BoxOf& box, const TriangleOf& triangle,
+                 std::span<const std::uint32_t> groups)
+    : BoxTree(given_order(size), box) {
   set_groups(groups);
   const double crowded = orient_if_crowded(triangle);
-  if (crowded > (size() <= kFew ? kCrowdedFew : kCrowded)) {
+  if (crowded > (size <= kFew ? kCrowdedFew : kCrowded)) {
+    support::release(oriented_);
     BoxTree other = reordered();
     other.set_groups(groups);
     if (other.orient_if_crowded(triangle) < crowded) {
       *this = std::move(other);
+    } else {
+      orient_if_crowded(triangle);
     }
   }
 }
 
-BoxTree::BoxTree(std::vector<std::uint32_t> order, std::span<const Box> boxes)
-    : order_(std::move(order)) {
+BoxTree::BoxTree(std::vector<std::uint32_t> order, const BoxOf& box) : order_(std::move(order)) {
   std::uint32_t nodes = size();
   do {
     nodes = std::max(1U, nodes / kFan + (nodes % kFan == 0 ? 0 : 1));
@@ -108,7 +115,7 @@ BoxTree::BoxTree(std::vector<std::uint32_t> order, std::span<const Box> boxes)
         BoxQuad children;
         const std::uint32_t end = std::min(kFan * (index + 1), count(level - 1));
         for (std::uint32_t i = kFan * index; i < end; ++i) {
-          children.set(i % kFan, level == 1 ? boxes[i] : quad({level - 1, i}).joined());
+          children.set(i % kFan, level == 1 ? box(i) : quad({level - 1, i}).joined());
         }
         quads_[number({level, index})] = children;
       }
@@ -178,7 +185,7 @@ void BoxTree::orient_inner_node(const Node& node) {
 
 void BoxTree::orient_inner_nodes() {
   if (std::ranges::none_of(slanted_, [](std::uint8_t slanted) { return slanted != 0; })) {
-    oriented_ = {};
+    support::release(oriented_);
     return;
   }
   for (std::uint32_t level = 2; level <= height_; ++level) {

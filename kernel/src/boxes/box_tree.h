@@ -30,6 +30,7 @@ class BoxTree {
     [[nodiscard]] bool is_leaf() const { return level == 1; }
   };
 
+  using BoxOf = std::function<Box(std::uint32_t item)>;
   using TriangleOf = std::function<FramedTriangle(std::uint32_t item)>;
 
   /// The order is kept where neighbours come together, as from any generator of meshes: such trees
@@ -43,6 +44,9 @@ class BoxTree {
   /// box is not nothing.
   BoxTree(std::span<const Box> boxes, const TriangleOf& triangle,
           std::span<const std::uint32_t> groups = {});
+  /// The same of boxes that nobody keeps: `box(item)` is asked once, by any threads.
+  BoxTree(std::uint32_t size, const BoxOf& box, const TriangleOf& triangle,
+          std::span<const std::uint32_t> groups);
 
   /// Whether `box` overlaps that of some item.
   [[nodiscard]] bool overlaps(const Box& box) const {
@@ -77,8 +81,8 @@ class BoxTree {
 
  private:
   friend class TreeTraversal;
-  /// Over boxes in this order.
-  BoxTree(std::vector<std::uint32_t> order, std::span<const Box> boxes);
+  /// `box` of a place in the order.
+  BoxTree(std::vector<std::uint32_t> order, const BoxOf& box);
   [[nodiscard]] static std::vector<std::uint32_t> given_order(std::size_t size);
   /// The same items in Morton order.
   [[nodiscard]] BoxTree reordered() const;

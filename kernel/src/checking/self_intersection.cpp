@@ -113,14 +113,11 @@ class Search {
       of_active = support::selected(groups, active_);
       groups = of_active;
     }
-    support::BulkVector<boxes::Box> boxes(active_.size());
-    support::for_each_block(active_.size(), [&](const support::Block& block) {
-      for (std::size_t i = block.begin; i < block.end; ++i) {
-        boxes[i] = degenerate_[active_[i]] != 0 ? boxes::Box::nothing() : box(active_[i]);
-      }
-    });
-    return boxes::BoxTree(
-        boxes, [&](std::uint32_t i) { return framed(active_[i]); }, groups);
+    return {static_cast<std::uint32_t>(active_.size()),
+            [&](std::uint32_t i) {
+              return degenerate_[active_[i]] != 0 ? boxes::Box::nothing() : box(active_[i]);
+            },
+            [&](std::uint32_t i) { return framed(active_[i]); }, groups};
   }
 
   /// Points whose active triangles are looked at from there, as far as they have no group. These

@@ -40,7 +40,7 @@ Nef filled(const mesh::ExactMesh& whole, std::span<const std::uint32_t> faces) {
     index = static_cast<std::uint32_t>(shell.points.size());
     shell.points.push_back(whole.points[corner]);
     if (corner >= whole.double_count()) {
-      shell.implicit.push_back(whole.implicit[corner - whole.double_count()]);
+      shell.implicit.push_back(whole.implicit, corner - whole.double_count());
     }
   }
   for (const std::uint32_t face : faces) {

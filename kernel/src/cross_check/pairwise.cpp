@@ -29,7 +29,7 @@ mesh::ExactMesh concatenated(mesh::ExactMesh a, const mesh::ExactMesh& b) {
   const auto a_implicit = static_cast<std::uint32_t>(a.implicit.size());
   a.points.insert(a.points.begin() + a_doubles, b.points.begin(), b.points.begin() + b_doubles);
   a.points.insert(a.points.end(), b.points.begin() + b_doubles, b.points.end());
-  a.implicit.insert(a.implicit.end(), b.implicit.begin(), b.implicit.end());
+  a.implicit.append(b.implicit);
   for (Triangle& corners : a.triangles) {
     for (std::uint32_t& corner : corners) {
       corner += corner < a_doubles ? 0 : b_doubles;

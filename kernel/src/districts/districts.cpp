@@ -248,7 +248,6 @@ class Joiner {
       throw Error(Errc::limit_exceeded, "a solid has less than 2^32 points and triangles");
     }
     mesh_.points.resize(points);
-    mesh_.implicit.reserve(points - doubles_);
     mesh_.triangles.reserve(triangles);
     mesh_.sources.reserve(triangles);
   }
@@ -258,7 +257,7 @@ class Joiner {
     const auto second = static_cast<std::uint32_t>(doubles_ + mesh_.implicit.size());
     std::copy_n(from.points.begin(), count, mesh_.points.begin() + first_);
     std::copy(from.points.begin() + count, from.points.end(), mesh_.points.begin() + second);
-    append(from.implicit, mesh_.implicit);
+    mesh_.implicit.append(from.implicit);
     const auto renumbered = [&](std::uint32_t point) {
       return point < count ? first_ + point : second + (point - count);
     };

@@ -11,6 +11,7 @@
 #include "dupin/kernel/contact.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/source.h"
+#include "mesh/exact_points.h"
 #include "mesh/stable_face_groups.h"
 #include "support/none.h"
 
@@ -23,15 +24,12 @@
 /// exact signs, and so serve the arrangement too: radial_order.h and ray_crossing.h.
 namespace dupin::mesh {
 
-/// Homogeneous coordinates (X, Y, Z, W), W > 0, of the point (X/W, Y/W, Z/W): no division, no gcd.
-using ExactPoint = std::array<CGAL::Mpzf, 4>;
-
 /// The boundary of a Solid. Points that doubles hold exactly come first; each of the rest is
 /// followed up in `implicit`. Every point is a corner of a triangle.
 struct ExactMesh {
   std::vector<Vec3>
-      points;  ///< exact below double_count(), nearest doubles of the exact value above
-  std::vector<ExactPoint> implicit;  ///< of points[double_count() + i]
+      points;            ///< exact below double_count(), nearest doubles of the exact value above
+  ExactPoints implicit;  ///< of points[double_count() + i]
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> labels;  ///< empty, or one per triangle, into names
   std::vector<std::string> names;
@@ -56,17 +54,21 @@ struct ExactMesh {
 struct MeshView {
   std::span<const Vec3> points;
   std::span<const Triangle> triangles;
-  std::span<const ExactPoint> implicit = {};  ///< of the last points
+  const ExactPoints* implicit = nullptr;  ///< of the last points, if there are any
 
   MeshView(std::span<const Vec3> all_points, std::span<const Triangle> all_triangles)
       : points(all_points), triangles(all_triangles) {}
   explicit MeshView(const ExactMesh& mesh)
-      : points(mesh.points), triangles(mesh.triangles), implicit(mesh.implicit) {}
+      : points(mesh.points),
+        triangles(mesh.triangles),
+        implicit(mesh.implicit.empty() ? nullptr : &mesh.implicit) {}
 
-  [[nodiscard]] std::size_t double_count() const { return points.size() - implicit.size(); }
+  [[nodiscard]] std::size_t double_count() const {
+    return points.size() - (implicit != nullptr ? implicit->size() : 0);
+  }
   [[nodiscard]] ExactPoint exact(std::uint32_t index) const {
     if (index >= double_count()) {
-      return implicit[index - double_count()];
+      return (*implicit)[index - double_count()];
     }
     return {points[index].x(), points[index].y(), points[index].z(), 1};
   }

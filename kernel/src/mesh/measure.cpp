@@ -95,7 +95,7 @@ class SixVolumes {
     for (const mpq_class& part : parts) {
       doubles_ += part;
     }
-    for (std::uint32_t i = 0; !mesh.implicit.empty() && i < mesh.triangles.size(); ++i) {
+    for (std::uint32_t i = 0; mesh.implicit != nullptr && i < mesh.triangles.size(); ++i) {
       if (has_implicit_corner(mesh, mesh.triangles[i])) {
         implicit_faces_.push_back(i);
       }
@@ -278,7 +278,7 @@ double nearest_volume(const MeshView& mesh) {
 }
 
 int volume_sign(const MeshView& mesh) {
-  if (mesh.implicit.empty() && !mesh.triangles.empty()) {
+  if (mesh.implicit == nullptr && !mesh.triangles.empty()) {
     if (const int quick = quick_volume_sign(mesh.points, mesh.triangles); quick != 0) {
       return quick;
     }

@@ -150,7 +150,7 @@ void separate_fans(ExactMesh& mesh, std::span<const std::uint32_t> fans) {
     for (std::uint32_t i = next_index[point]; i < next_index[point + 1]; ++i) {
       separate.points.push_back(mesh.points[point]);
       if (point >= mesh.double_count()) {
-        separate.implicit.push_back(mesh.implicit[point - mesh.double_count()]);
+        separate.implicit.push_back(mesh.implicit, point - mesh.double_count());
       }
     }
   }

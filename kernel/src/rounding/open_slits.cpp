@@ -98,7 +98,7 @@ class PrismPoints {
   const mesh::ExactMesh& solid_;
   std::map<std::tuple<std::uint32_t, double, double, double>, std::uint32_t> numbers_;
   std::vector<Vec3> doubles_, nearest_;
-  std::vector<mesh::ExactPoint> implicit_;
+  mesh::ExactPoints implicit_;
 };
 
 class OpenSlits {

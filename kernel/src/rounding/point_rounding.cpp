@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
@@ -79,19 +80,24 @@ class Rounder {
   }
 
   void round_implicit(std::size_t i) const {
-    const mesh::ExactPoint& point = mesh_.implicit[i - mesh_.double_count()];
-    const CGAL::Mpzf& weight = point[3];
+    std::optional<mesh::ExactPoint> known;  // seldom needed
+    const auto exact = [&](int k) -> const CGAL::Mpzf& {
+      if (!known) {
+        known = mesh_.implicit[i - mesh_.double_count()];
+      }
+      return (*known)[static_cast<std::size_t>(k)];
+    };
     for (int k = 0; k < 3; ++k) {
       const double value =
           origin_[k] == 0
               ? mesh_.points[i][k]
-              : mesh::nearest_double(point[k] - CGAL::Mpzf(origin_[k]) * weight, weight);
+              : mesh::nearest_double(exact(k) - CGAL::Mpzf(origin_[k]) * exact(3), exact(3));
       if (!rounded_.shifted.empty()) {
         rounded_.shifted[i][k] = value + 0.0;
       }
       rounded_.on_lattice[i][k] = lattice_.nearest(value, [&] {
         return static_cast<int>(
-            CGAL::sign(point[k] - (CGAL::Mpzf(origin_[k]) + CGAL::Mpzf(value)) * weight));
+            CGAL::sign(exact(k) - (CGAL::Mpzf(origin_[k]) + CGAL::Mpzf(value)) * exact(3)));
       });
     }
   }

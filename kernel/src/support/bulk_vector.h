@@ -37,6 +37,12 @@ struct UnsetAllocator : std::allocator<T> {
 template <class T>
 using BulkVector = std::vector<T, UnsetAllocator<T>>;
 
+/// Gives memory back; an assignment of {} would keep it.
+template <class Items>
+void release(Items& items) {
+  Items().swap(items);
+}
+
 /// A large reserve(), assignment or resize() of an empty vector.
 template <class T>
 void reserve_bulk(std::vector<T>& items, std::size_t count) {

@@ -72,13 +72,8 @@ class KeyBuckets {
 
   /// How many bits of keys in one bucket differ.
   [[nodiscard]] int bits() const { return shift_; }
-  /// First all items of each part are counted, part by part,
-  template <class Items, class Key>
-  void count(std::size_t part, const Items& items, const Key& key) {
-    for (const auto& item : items) {
-      ++offsets_[part][bucket(key(item))];
-    }
-  }
+  /// First all items of each part are counted,
+  void count(std::size_t part, std::uint32_t key) { ++offsets_[part][bucket(key)]; }
   /// then what comes before which is found,
   void place() {
     for (std::size_t b = 0, next = 0; b < kCount; ++b) {
@@ -88,13 +83,11 @@ class KeyBuckets {
       starts_[b + 1] = next;
     }
   }
-  /// and each item is put in its place.
-  template <class Items, class Key, class Item>
-  void scatter(std::size_t part, const Items& items, const Key& key, std::span<Item> scattered) {
-    for (const auto& item : items) {
-      scattered[offsets_[part][bucket(key(item))]++] = item;
-    }
+  /// and each item, in the same order, gets the next place of its part and bucket.
+  [[nodiscard]] std::size_t next_place(std::size_t part, std::uint32_t key) {
+    return offsets_[part][bucket(key)]++;
   }
+  [[nodiscard]] std::size_t size() const { return starts_.back(); }
   template <class Item>
   [[nodiscard]] std::span<Item> bucket_of(std::span<Item> scattered, std::size_t b) const {
     return scattered.subspan(starts_[b], starts_[b + 1] - starts_[b]);
@@ -108,73 +101,69 @@ class KeyBuckets {
   std::array<std::size_t, kCount + 1> starts_{};
 };
 
+/// Most blocks that have buckets of their own.
+constexpr std::size_t kMostKeyedBlocks = 64;
+
+[[nodiscard]] constexpr std::size_t keyed_block_size(std::size_t count) {
+  return std::max(Block::kSize, (count + kMostKeyedBlocks - 1) / kMostKeyedBlocks);
+}
+
 /// Sorts by `less`, in parallel; it compares keys first, which are below `key_end`. Stable. Fast
 /// where keys spread over their range.
 template <class Item, class Key, class Less>
 void sort_by_key(std::vector<Item>& items, std::uint32_t key_end, const Key& key,
                  const Less& less) {
-  constexpr std::size_t kMostBlocks = 64;
   if (items.size() < 2 * Block::kSize) {
     const std::vector<Item> given = items;
     sort_into(std::span(given), std::span(items), std::bit_width(key_end), key, less);
     return;
   }
-  const std::size_t block_size =
-      std::max(Block::kSize, (items.size() + kMostBlocks - 1) / kMostBlocks);
-  const std::span<Item> all(items);
+  const std::size_t block_size = keyed_block_size(items.size());
   KeyBuckets buckets(key_end, block_count(items.size(), block_size));
-  const auto part = [&](const Block& block) {
-    return all.subspan(block.begin, block.end - block.begin);
+  const auto count = [&](const Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      buckets.count(block.number, key(items[i]));
+    }
   };
-  for_each_block(
-      items.size(), [&](const Block& block) { buckets.count(block.number, part(block), key); },
-      block_size);
+  for_each_block(items.size(), count, block_size);
   buckets.place();
   BulkVector<Item> scattered(items.size());
-  for_each_block(
-      items.size(),
-      [&](const Block& block) {
-        buckets.scatter(block.number, part(block), key, std::span(scattered));
-      },
-      block_size);
+  const auto scatter = [&](const Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      scattered[buckets.next_place(block.number, key(items[i]))] = items[i];
+    }
+  };
+  for_each_block(items.size(), scatter, block_size);
   for_each_in_parallel(KeyBuckets::kCount, [&](std::size_t b) {
     sort_into(std::span<const Item>(buckets.bucket_of(std::span(scattered), b)),
-              buckets.bucket_of(all, b), buckets.bits(), key, less);
+              buckets.bucket_of(std::span(items), b), buckets.bits(), key, less);
   });
 }
 
-/// The items of all parts, sorted likewise; takes little more memory than they do.
-template <class Item, class Key, class Less>
-[[nodiscard]] BulkVector<Item> sorted_by_key(std::vector<std::vector<Item>> parts,
-                                             std::uint32_t key_end, const Key& key,
-                                             const Less& less) {
-  constexpr std::size_t kMostRuns = 64;
-  std::size_t count = 0;
-  for (const std::vector<Item>& part : parts) {
-    count += part.size();
-  }
-  // Runs of parts, so that few have buckets of their own.
-  const std::size_t run_size = std::max<std::size_t>(1, (parts.size() + kMostRuns - 1) / kMostRuns);
-  KeyBuckets buckets(key_end, block_count(parts.size(), run_size));
-  for_each_block(
-      parts.size(),
-      [&](const Block& run) {
-        for (std::size_t p = run.begin; p < run.end; ++p) {
-          buckets.count(run.number, parts[p], key);
-        }
-      },
-      run_size);
+/// What collect(index, found) calls found(item) with for all indices below `count`, sorted
+/// likewise. Each index is asked twice, so that items are kept nowhere but in their places.
+template <class Item, class Collect, class Key, class Less>
+[[nodiscard]] BulkVector<Item> collect_by_key(std::size_t count, const Collect& collect,
+                                              std::uint32_t key_end, const Key& key,
+                                              const Less& less) {
+  const std::size_t block_size = keyed_block_size(count);
+  KeyBuckets buckets(key_end, block_count(count, block_size));
+  const auto visit = [&](const auto& found) {
+    for_each_block(
+        count,
+        [&](const Block& block) {
+          for (std::size_t i = block.begin; i < block.end; ++i) {
+            collect(i, [&](const Item& item) { found(block.number, item); });
+          }
+        },
+        block_size);
+  };
+  visit([&](std::size_t block, const Item& item) { buckets.count(block, key(item)); });
   buckets.place();
-  BulkVector<Item> sorted(count);
-  for_each_block(
-      parts.size(),
-      [&](const Block& run) {
-        for (std::size_t p = run.begin; p < run.end; ++p) {
-          buckets.scatter(run.number, parts[p], key, std::span(sorted));
-          parts[p] = std::vector<Item>();
-        }
-      },
-      run_size);
+  BulkVector<Item> sorted(buckets.size());
+  visit([&](std::size_t block, const Item& item) {
+    sorted[buckets.next_place(block, key(item))] = item;
+  });
   for_each_in_parallel(KeyBuckets::kCount, [&](std::size_t b) {
     const std::span<Item> bucket = buckets.bucket_of(std::span(sorted), b);
     const std::vector<Item> unsorted(bucket.begin(), bucket.end());

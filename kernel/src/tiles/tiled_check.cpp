@@ -14,6 +14,7 @@
 #include "exact/exact_numbers.h"
 #include "mesh/measure.h"
 #include "mesh/shell_nesting.h"
+#include "support/bulk_vector.h"
 #include "support/none.h"
 #include "tiles/first_corners.h"
 #include "tiles/shell_parts.h"
@@ -94,7 +95,7 @@ class TiledCheck {
     for (std::uint32_t tile = 0; tile < tree_.size(); ++tile) {
       inspect(tile);
     }
-    seams_ = {};
+    support::release(seams_);
     report_shells();
     checking::append_findings(std::move(kept_), report_);
     return std::move(report_);
@@ -245,7 +246,7 @@ class TiledCheck {
       numbers.push_back(facet.number);
       seams.push_back(facet.seam);
     }
-    facets = {};
+    support::release(facets);
     const auto counts_pair = [&](std::uint32_t a, std::uint32_t b) {
       return seams[a] == support::kNone || seams[b] == support::kNone ||
              tree_.tile_of(lowest_in_common(own.mesh, a, b)) == tile;
@@ -382,7 +383,7 @@ class TiledCheck {
 
   void report_shells() {
     const JoinedShells joined = std::move(parts_).joined();
-    seam_parts_ = {};
+    support::release(seam_parts_);
     mpq_class volume;
     for (const ShellPart& shell : joined.shells) {
       report_.shells.push_back({shell.first_face, shell.triangles,

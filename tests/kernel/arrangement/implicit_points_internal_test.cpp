@@ -47,6 +47,42 @@ TEST_F(Points, are_where_three_planes_meet) {
   EXPECT_EQ(place(points, p), (Place{mpq_class(1, 5), mpq_class(1, 5), mpq_class(3, 5)}));
 }
 
+// By any definition that doubles give, lines seen along any axis, with and without a zero there.
+TEST_F(Points, are_meetings_of_lines_and_planes) {
+  std::vector<PointId> given;
+  for (int k = 0; k < 3; ++k) {
+    for (const double height : {0.0, 0.75}) {
+      const auto corner = [&](double u, double v) {
+        Vec3 point;
+        point[k] = height;
+        point[(k + 1) % 3] = u;
+        point[(k + 2) % 3] = v;
+        return points.add(point);
+      };
+      given.insert(given.end(), {corner(0, 0), corner(3, 1), corner(0, 1), corner(1, 0)});
+    }
+  }
+  const PointId o = at(1, 0, 0), u = at(0, 1, 0), v = at(0, 0, 1), far = at(2, 3, 5);
+  const auto is_same_place = [this](PointId id) {
+    const std::optional<mesh::LinePlaneMeeting> meeting = points.meeting(id);
+    ASSERT_TRUE(meeting);
+    const PointId other = points.add(meeting->point());
+    EXPECT_EQ(place(points, other), place(points, id));
+  };
+  for (std::uint8_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 8 * k; i < 8 * k + 8U; i += 4) {
+      is_same_place(points.add(
+          ImplicitPoint{Kind::two_lines, k, {given[i], given[i + 1], given[i + 2], given[i + 3]}}));
+    }
+  }
+  const PointId p = points.add(ImplicitPoint{Kind::line_plane, 0, {given[0], far, o, u, v}});
+  is_same_place(p);
+  EXPECT_FALSE(points.meeting(points.add(ImplicitPoint{Kind::line_plane, 0, {p, far, o, u, v}})));
+  EXPECT_FALSE(points.meeting(points.add(points.exact_value(p)))) << "given by its coordinates";
+  EXPECT_FALSE(points.meeting(points.add(
+      ImplicitPoint{Kind::three_planes, 0, {o, u, v, given[0], far, u, given[0], far, v}})));
+}
+
 // Random lines and planes, nearly parallel ones among them.
 TEST_F(Points, lie_within_their_intervals) {
   std::mt19937_64 random(11);

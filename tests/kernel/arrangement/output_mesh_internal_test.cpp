@@ -43,6 +43,20 @@ TEST(Extract, puts_the_points_that_doubles_hold_first) {
   }
 }
 
+TEST(Extract, keeps_points_as_meetings_from_one_operation_to_the_next) {
+  const Solid cut =
+      test::arranged(test::solids_of({cube(0, 0, 0), test::slanted_tetrahedron()}), union_rule(2));
+  const Solid again =
+      test::arranged(std::vector{cut, test::solids_of({cube(50, 0, 0)}).front()}, union_rule(2));
+  for (const Solid& solid : {cut, again}) {
+    const mesh::ExactPoints& points = solid.exact().implicit;
+    ASSERT_FALSE(points.empty());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_NE(points.meeting(i), nullptr) << i;
+    }
+  }
+}
+
 TEST(Extract, names_the_source_of_every_part) {
   for (const auto& [name, solids] : test::meetings()) {
     SCOPED_TRACE(name);

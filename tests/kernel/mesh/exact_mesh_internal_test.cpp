@@ -13,7 +13,7 @@ namespace {
 ExactMesh three_points() {
   ExactMesh mesh;
   mesh.points = {Vec3(0.5, -2, 3), Vec3(1.0 / 3, 2.0 / 3, 1)};
-  mesh.implicit = {{1, 2, 3, 3}};
+  mesh.implicit.push_back({1, 2, 3, 3});
   mesh.triangles = {{0, 1, 0}};
   return mesh;
 }

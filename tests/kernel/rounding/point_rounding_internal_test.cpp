@@ -75,7 +75,7 @@ TEST(Rounding, is_done_once) {
       std::make_shared<mesh::ExactMesh>(thirds(test::tetrahedron(Vec3::Zero(), 3)).exact());
   const CGAL::Mpzf weight(0x1p80);
   exact->points.back() = Vec3(0, 0, 1 + 0x1p-24);
-  exact->implicit = {{0, 0, weight + CGAL::Mpzf(0x1p56) + CGAL::Mpzf(1), weight}};
+  exact->implicit.push_back({0, 0, weight + CGAL::Mpzf(0x1p56) + CGAL::Mpzf(1), weight});
   EXPECT_EQ(to_mesh(Solid(exact), Coordinates::binary32).mesh().points.back().z(), 1 + 0x1p-23);
 }
 

@@ -35,6 +35,14 @@ TEST(BulkVector, resizes_plain_vectors_to_zeros) {
   EXPECT_EQ(std::accumulate(items.begin(), items.end(), std::uint64_t{0}), 0U);
 }
 
+TEST(BulkVector, gives_memory_back) {
+  BulkVector<int> bulk(1000);
+  std::vector<int> plain(1000);
+  release(bulk);
+  release(plain);
+  EXPECT_EQ(bulk.capacity() + plain.capacity(), 0U);
+}
+
 TEST(BulkVector, reserves_without_items) {
   std::vector<double> items;
   reserve_bulk(items, 12345);

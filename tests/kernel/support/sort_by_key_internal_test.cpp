@@ -53,26 +53,25 @@ TEST(SortByKey, sorts_keys_that_crowd_in_one_place) {
   }
 }
 
-TEST(SortedByKey, sorts_the_parts_like_a_stable_sort_of_all) {
-  // No part, one, empty ones, more than there are buckets of; small and large ones.
-  for (const std::size_t parts : {0, 1, 3, 64, 65, 700}) {
-    for (const std::size_t size : {0, 1, 50, 300}) {
-      for (const std::uint32_t key_end : {1U, 1000U, 1U << 20, 0xffffffffU}) {
-        const std::vector<Item> items = random_items(parts * size, key_end, key_end % 89);
-        std::vector<std::vector<Item>> given(parts);
-        for (std::size_t i = 0; i < items.size(); ++i) {  // sizes differ: of every third, none
-          const std::size_t p = i * parts / items.size();
-          given[p - p % 3 % 2].push_back(items[i]);
+TEST(CollectByKey, sorts_what_is_found_like_a_stable_sort) {
+  // Of each index none, one or more; fewer and more than fill the blocks with buckets of their own.
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{5000},
+                                  3 * Block::kSize, 70 * Block::kSize + 5}) {
+    for (const std::uint32_t key_end : {1U, 1000U, 1U << 20, 0xffffffffU}) {
+      const std::vector<Item> items = random_items(2 * count, key_end, key_end % 89);
+      const auto collect = [&](std::size_t i, const auto& found) {
+        for (std::size_t k = 0; k < i % 4 % 3; ++k) {
+          found(items[2 * i + k]);
         }
-        std::vector<Item> expected;
-        for (const std::vector<Item>& part : given) {
-          expected.insert(expected.end(), part.begin(), part.end());
-        }
-        std::stable_sort(expected.begin(), expected.end(), by_key);
-        const BulkVector<Item> sorted = sorted_by_key(
-            given, key_end, [](const Item& item) { return item.key; }, by_key);
-        EXPECT_TRUE(std::ranges::equal(sorted, expected)) << parts << " of " << size;
+      };
+      std::vector<Item> expected;
+      for (std::size_t i = 0; i < count; ++i) {
+        collect(i, [&](const Item& item) { expected.push_back(item); });
       }
+      std::stable_sort(expected.begin(), expected.end(), by_key);
+      const BulkVector<Item> sorted = collect_by_key<Item>(
+          count, collect, key_end, [](const Item& item) { return item.key; }, by_key);
+      EXPECT_TRUE(std::ranges::equal(sorted, expected)) << count << " below " << key_end;
     }
   }
 }

@@ -1,4 +1,4 @@
-#include "exact/lattice_meeting.h"
+#include "exact/line_plane_meeting.h"
 
 #include <cmath>
 #include <cstdint>
@@ -6,6 +6,7 @@
 
 #include <gmp.h>
 
+#include "exact/exact_numbers.h"
 #include "exact/lattice_steps.h"
 
 namespace dupin::exact {
@@ -99,6 +100,23 @@ std::optional<std::array<CGAL::Mpzf, 4>> lattice_meeting(const Vec3& p, const Ve
   }
   point[3] = scaled(weight, unit);
   return point;
+}
+
+std::array<CGAL::Mpzf, 4> line_plane_meeting(const Vec3& p, const Vec3& q, const Vec3& a,
+                                             const Vec3& b, const Vec3& c) {
+  if (auto point = lattice_meeting(p, q, a, b, c)) {
+    return *std::move(point);
+  }
+  const ExactVector origin = exact_vector(a);
+  const ExactVector normal = cross(exact_vector(b) - origin, exact_vector(c) - origin);
+  const CGAL::Mpzf alpha = dot(normal, exact_vector(p) - origin),
+                   beta = dot(normal, exact_vector(q) - origin);
+  const bool negative = beta < alpha;
+  const auto coordinate = [&](int k) {
+    const CGAL::Mpzf from_p = CGAL::Mpzf(p[k]) * beta, from_q = CGAL::Mpzf(q[k]) * alpha;
+    return negative ? from_q - from_p : from_p - from_q;
+  };
+  return {coordinate(0), coordinate(1), coordinate(2), negative ? alpha - beta : beta - alpha};
 }
 
 }  // namespace dupin::exact

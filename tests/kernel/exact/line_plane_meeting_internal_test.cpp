@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/exact_numbers.h"
-#include "exact/lattice_meeting.h"
+#include "exact/line_plane_meeting.h"
 
 namespace dupin::exact {
 namespace {
@@ -54,6 +54,7 @@ TEST(LatticeMeeting, is_what_longer_numbers_give) {
     const auto found = lattice_meeting(x[0], x[1], x[2], x[3], x[4]);
     ASSERT_TRUE(found) << round;
     ASSERT_EQ(*found, meeting(x[0], x[1], x[2], x[3], x[4])) << round;
+    ASSERT_EQ(line_plane_meeting(x[0], x[1], x[2], x[3], x[4]), *found) << round;
   }
 }
 
@@ -78,6 +79,26 @@ TEST(LatticeMeeting, is_left_to_longer_numbers_where_bits_are_too_far_apart) {
   EXPECT_TRUE(lattice_meeting(Vec3(0x1p-58, 0, 0), far, x, y, z));
   EXPECT_FALSE(lattice_meeting(Vec3(0x1p-60, 0, 0), far, x, y, z));
   EXPECT_FALSE(lattice_meeting(0x1p300 * x, 0x1p300 * far, 0x1p300 * x, 0x1p300 * y, 0x1p300 * z));
+}
+
+TEST(LinePlaneMeeting, is_of_any_coordinates) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> mantissa(-1, 1);
+  std::uniform_int_distribution<int> exponent(-1000, 900);
+  int longer = 0;
+  for (int round = 0; round < 2000; ++round) {
+    std::array<Vec3, 5> x;
+    for (Vec3& point : x) {
+      for (double& coordinate : point) {
+        coordinate = std::ldexp(mantissa(random), exponent(random));
+      }
+    }
+    longer += lattice_meeting(x[0], x[1], x[2], x[3], x[4]) ? 0 : 1;
+    ASSERT_EQ(line_plane_meeting(x[0], x[1], x[2], x[3], x[4]),
+              meeting(x[0], x[1], x[2], x[3], x[4]))
+        << round;
+  }
+  EXPECT_GT(longer, 1900);
 }
 
 }  // namespace

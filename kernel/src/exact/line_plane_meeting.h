@@ -22,4 +22,9 @@ namespace dupin::exact {
                                                                        const Vec3& a, const Vec3& b,
                                                                        const Vec3& c);
 
+/// The same of any coordinates; of weight 0 where the line does not meet the plane in a point.
+[[nodiscard]] std::array<CGAL::Mpzf, 4> line_plane_meeting(const Vec3& p, const Vec3& q,
+                                                           const Vec3& a, const Vec3& b,
+                                                           const Vec3& c);
+
 }  // namespace dupin::exact
