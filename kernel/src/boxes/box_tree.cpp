@@ -50,7 +50,7 @@ std::vector<std::uint32_t> BoxTree::given_order(std::size_t size) {
   return order;
 }
 
-BoxTree BoxTree::reordered() const {
+std::vector<std::uint32_t> BoxTree::morton_order() const {
   std::vector<Keyed> keyed(size());
   support::for_each_block(size(), [&](const support::Block& block) {
     for (auto i = static_cast<std::uint32_t>(block.begin); i < block.end; ++i) {
@@ -58,25 +58,14 @@ BoxTree BoxTree::reordered() const {
     }
   });
   tbb::parallel_sort(keyed.begin(), keyed.end());
-  std::vector<std::uint32_t> place(size());
-  std::ranges::transform(keyed, place.begin(), &Keyed::item);
-  support::release(keyed);
-  BoxTree tree(place, [&](std::uint32_t i) { return box_of({0, place[i]}); });
-  std::ranges::transform(place, tree.order_.begin(), [this](std::uint32_t i) { return order_[i]; });
-  return tree;
+  std::vector<std::uint32_t> order(size());
+  std::ranges::transform(keyed, order.begin(),
+                         [this](const Keyed& place) { return order_[place.item]; });
+  return order;
 }
 
 BoxTree::BoxTree(std::span<const Box> boxes, std::span<const std::uint32_t> groups)
-    : BoxTree(given_order(boxes.size()), [&](std::uint32_t i) { return boxes[i]; }) {
-  set_groups(groups);
-  if (const double crowded = crowding(); crowded > kCrowded) {
-    BoxTree other = reordered();
-    other.set_groups(groups);
-    if (other.crowding() < crowded) {
-      *this = std::move(other);
-    }
-  }
-}
+    : BoxTree(boxes, nullptr, groups) {}
 
 BoxTree::BoxTree(std::span<const Box> boxes, const TriangleOf& triangle,
                  std::span<const std::uint32_t> groups)
@@ -85,19 +74,17 @@ BoxTree::BoxTree(std::span<const Box> boxes, const TriangleOf& triangle,
           triangle, groups) {}
 
 BoxTree::BoxTree(std::uint32_t size, const BoxOf& box, const TriangleOf& triangle,
-                 std::span<const std::uint32_t> groups)
-    : BoxTree(given_order(size), box) {
-  set_groups(groups);
-  const double crowded = orient_if_crowded(triangle);
-  if (crowded > (size <= kFew ? kCrowdedFew : kCrowded)) {
-    support::release(oriented_);
-    BoxTree other = reordered();
-    other.set_groups(groups);
-    if (other.orient_if_crowded(triangle) < crowded) {
-      *this = std::move(other);
-    } else {
-      orient_if_crowded(triangle);
-    }
+                 std::span<const std::uint32_t> groups) {
+  const auto make = [&](std::vector<std::uint32_t> order) {
+    *this = BoxTree();  // first the room of another one
+    *this = BoxTree(std::move(order), box);
+    set_groups(groups);
+    return orient_if_crowded(triangle);
+  };
+  const double crowded = make(given_order(size));
+  if (crowded > (triangle && size <= kFew ? kCrowdedFew : kCrowded) &&
+      make(morton_order()) >= crowded) {
+    make(given_order(size));
   }
 }
 
@@ -115,7 +102,7 @@ BoxTree::BoxTree(std::vector<std::uint32_t> order, const BoxOf& box) : order_(st
         BoxQuad children;
         const std::uint32_t end = std::min(kFan * (index + 1), count(level - 1));
         for (std::uint32_t i = kFan * index; i < end; ++i) {
-          children.set(i % kFan, level == 1 ? box(i) : quad({level - 1, i}).joined());
+          children.set(i % kFan, level == 1 ? box(order_[i]) : quad({level - 1, i}).joined());
         }
         quads_[number({level, index})] = children;
       }
@@ -125,7 +112,7 @@ BoxTree::BoxTree(std::vector<std::uint32_t> order, const BoxOf& box) : order_(st
 }
 
 double BoxTree::orient_if_crowded(const TriangleOf& triangle) {
-  if (const double crowded = crowding(); crowded <= kCrowded) {
+  if (const double crowded = crowding(); crowded <= kCrowded || !triangle) {
     return crowded;
   }
   oriented_.resize(quads_.size());

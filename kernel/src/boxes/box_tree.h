@@ -44,7 +44,8 @@ class BoxTree {
   /// box is not nothing.
   BoxTree(std::span<const Box> boxes, const TriangleOf& triangle,
           std::span<const std::uint32_t> groups = {});
-  /// The same of boxes that nobody keeps: `box(item)` is asked once, by any threads.
+  /// The same of boxes that nobody keeps: `box(item)` is asked for whenever a tree is made, by any
+  /// threads.
   BoxTree(std::uint32_t size, const BoxOf& box, const TriangleOf& triangle,
           std::span<const std::uint32_t> groups);
 
@@ -81,11 +82,10 @@ class BoxTree {
 
  private:
   friend class TreeTraversal;
-  /// `box` of a place in the order.
+  BoxTree() = default;
   BoxTree(std::vector<std::uint32_t> order, const BoxOf& box);
   [[nodiscard]] static std::vector<std::uint32_t> given_order(std::size_t size);
-  /// The same items in Morton order.
-  [[nodiscard]] BoxTree reordered() const;
+  [[nodiscard]] std::vector<std::uint32_t> morton_order() const;
   void set_groups(std::span<const std::uint32_t> groups);
   [[nodiscard]] Node root() const { return {height_, 0}; }
   /// Where what nodes have is found in arrays.
@@ -134,7 +134,8 @@ class BoxTree {
   /// Few items may be picked here and there, and are quick to put in order.
   static constexpr std::uint32_t kFew = 1 << 16;
   static constexpr double kCrowdedFew = 100;
-  /// Makes oriented boxes if the tree is crowded without them. Returns the crowding.
+  /// Makes oriented boxes if the tree is crowded without them and triangles are known. Returns the
+  /// crowding.
   double orient_if_crowded(const TriangleOf& triangle);
   void orient_inner_node(const Node& node);
   void orient_inner_nodes();
