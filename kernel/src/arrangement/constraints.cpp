@@ -209,6 +209,7 @@ void sort_along_edges(const PointTable& points, PointId first_new_point,
     return a.edge == b.edge && a.point == b.point;
   };
   on_edges.erase(std::unique(on_edges.begin(), on_edges.end(), same), on_edges.end());
+  on_edges.shrink_to_fit();  // neighbouring faces have handed most of them in, too
   const std::vector<support::IndexRange> edges =
       support::ranges_of_equal(on_edges, [](const OnEdge& p) { return p.edge; });
   const auto sort_runs = [&](const support::Block& block) {
