@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "document.h"
 #include "dupin/io/assembly_json.h"
+#include "dupin/io/mesh_file.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/placement.h"
 #include "input.h"
@@ -34,17 +35,31 @@ struct ConvertArguments {
   WallArguments walls;
 };
 
+bool names_mesh(const std::string& path) {
+  try {
+    (void)format_of(path);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 /// A graph or piping file as the document that it is made into.
 ExitCode write_document(const Input& input, const ConvertArguments& all,
                         const CommonOptions& common) {
   if (!all.placement.empty()) {
     throw UsageError("--translate, --rotate and --scale are for meshes; convert to .json first");
   }
+  const std::string& path = all.files.output.path;
+  if (names_mesh(path) || !all.files.output.format.empty()) {
+    throw UsageError(
+        "convert makes a document of a graph or piping file, such as OUT.json; build "
+        "makes a mesh of it");
+  }
   Document document = read_document(input, all.source, all.walls);
   if (!common.tolerance.empty()) {
     document.assembly.tolerance = length_in(document.assembly.unit, common.tolerance, 0);
   }
-  const std::string& path = all.files.output.path;
   write_text(path, document_text(document.assembly));
   BuildReport report;
   report.graph = std::move(document.network);

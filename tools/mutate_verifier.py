@@ -47,6 +47,7 @@ INSIDE = "what bounds the inside of arcs bounds their ends, too"
 POINT = "a circle without radius is a point, of which the bounds hold, too"
 ONE_PAIR_MORE = "a pair more needs a claim of its own"
 ORDER = "how parts are halved changes the work, and no pair is lost"
+LENGTH = "what arcs are found to move along has a length"
 KNOWN = {
     ("admitted.cpp", "std::abs(s.axis.dot(spoke)) <= kUnitSlack", " < "): SLACK,
     ("admitted.cpp", "std::abs(v.stableNorm() - 1) <= kUnitSlack", " < "): SLACK,
@@ -106,6 +107,8 @@ KNOWN = {
         "a point of the border is in the disc too",
     ("pair_claims.cpp", "overlap->first.to < claim.overlap->second.from", " <= "): ONE_SIDE,
     ("pair_claims.cpp", "overlap->second.to < claim.overlap->first.from", " <= "): ONE_SIDE,
+    ("loop_clearance.cpp", "points.empty() || !(length.lower > 0)", " >= "): LENGTH,
+    ("loop_clearance.cpp", "points.empty() || !(length.lower > 0)", ".upper"): LENGTH,
     ("tangency_claim.cpp", "norm(part(disc->normal, 1)).upper", ".lower"): ROUNDING,
     ("tangency_claim.cpp", "cross(part(disc->normal, 2), n)).upper", ".lower"): ROUNDING,
     ("tangency_claim.cpp", "return q.lower > 0 &&", " >= "): SLACK,

@@ -87,6 +87,16 @@ TEST_F(Pcf, lines_are_written_as_documents_that_build_the_same) {
   EXPECT_EQ(dupin({"build", "line.json", "-o", "a.off"}).exit_code, 0);
   EXPECT_EQ(dupin({"build", example("line.pcf"), "-o", "b.off"}).exit_code, 0);
   EXPECT_EQ(shell("cmp a.off b.off").exit_code, 0);
+  for (const std::vector<std::string>& mesh : {std::vector<std::string>{"line.stl"},
+                                               {"line.GLB"},
+                                               {"line.msh", "--format", "msh-surface"}}) {
+    std::vector<std::string> arguments{"convert", example("line.pcf")};
+    arguments.insert(arguments.end(), mesh.begin(), mesh.end());
+    const ProcessResult refused = dupin(arguments);
+    EXPECT_EQ(refused.exit_code, 2) << refused.out;
+    EXPECT_THAT(refused.err, HasSubstr("convert makes a document of a graph or piping file"));
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / mesh.front()));
+  }
   EXPECT_THAT(dupin({"convert", example("line.pcf"), "-"}).out, HasSubstr("\"parts\": ["));
   EXPECT_EQ(dupin({"convert", example("line.pcf"), "l.json", "--scale", "2"}).exit_code, 2);
 }

@@ -56,7 +56,7 @@ def use(root, version):
 
 
 def main():
-    build = pathlib.Path(sys.argv[1])
+    build = pathlib.Path(sys.argv[1]).resolve()
     with tempfile.TemporaryDirectory() as name:
         folder, root = pathlib.Path(name) / "packages", pathlib.Path(name) / "root"
         run("cpack", "--config", build / "CPackConfig.cmake", "-B", folder, "-D", f"CPACK_PACKAGE_DIRECTORY={folder}",

@@ -114,6 +114,7 @@ class Certifier {
     result_.parts = std::move(inputs.parts);
     result_.fillets = std::move(inputs.fillets);
     result_.junctions = std::move(inputs.junctions);
+    checker_.reserve_for(result_.junctions);
     for (const CertifiedPart& part : result_.parts) {
       sweeps_.push_back(std::visit(
           [&](const auto& s) { return certification::SweptDiscs(s, &work_); }, part.shape));
@@ -153,7 +154,7 @@ class Certifier {
     return result;
   }
 
-  // The checker's intervals are wider on long ways than the prover's.
+  // The checker's intervals are wider on long ways than the prover's; shorter ones take more work.
   [[nodiscard]] EmbeddedClaim embedded(const certification::SweptDiscs& sweep,
                                        const RegularClaim& regular) {
     constexpr double kShortestWay = 1.0 / 32;
@@ -162,7 +163,8 @@ class Certifier {
           certification::prove_embedded(sweep, regular.margin, options_.boxes, way);
       const bool is_open = found.verdict == Verdict::undecided;
       EmbeddedClaim agreed = checker_.agreed(std::move(found), regular);
-      if (is_open || agreed.verdict != Verdict::undecided || way <= kShortestWay) {
+      if (is_open || agreed.verdict != Verdict::undecided || checker_.lacks_work() ||
+          way <= kShortestWay) {
         return agreed;
       }
     }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dupin/kernel/error.h"
+#include "verification/hub_claims.h"
 
 namespace dupin::certification {
 
@@ -36,6 +37,19 @@ void CheckedClaims::read(const CertifiedPart& part) {
   limit_.set_left(limit_.left() + verification::work_for(part, {}));
   solids_.emplace_back(part);
   names_.push_back(part.name);
+}
+
+void CheckedClaims::reserve_for(const std::vector<CertifiedJunction>& junctions) {
+  std::uint64_t units = 0;
+  for (const CertifiedJunction& junction : junctions) {
+    units += verification::kWorkOfCaps * junction.arms.size() * (junction.arms.size() - 1) / 2;
+  }
+  if (units > limit_.left()) {
+    throw Error(Errc::limit_exceeded,
+                "to check its junctions takes more work than a certificate may; choose junctions "
+                "of fewer arms, or several documents");
+  }
+  limit_.set_left(limit_.left() - units);
 }
 
 LoopClaims CheckedClaims::agreed(const CanalFillet& loop, LoopClaims claims) {
@@ -81,6 +95,7 @@ RegularClaim CheckedClaims::agreed(RegularClaim claim) {
 }
 
 EmbeddedClaim CheckedClaims::agreed(EmbeddedClaim claim, const RegularClaim& regular) {
+  lacks_work_ = false;
   if (claim.verdict != Verdict::undecided && !holds(verification::work_for(claim.leaves), [&] {
         return verification::follows(solids_.back(), claim, regular);
       })) {

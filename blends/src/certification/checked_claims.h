@@ -19,6 +19,10 @@ class CheckedClaims {
   /// The next part. Throws Error{invalid_argument} for one whose numbers no certificate holds.
   void read(const CertifiedPart& part);
 
+  /// Before all else: what the checker looks at of junctions besides their claims. Throws
+  /// Error{limit_exceeded} if that is more than a certificate may cost.
+  void reserve_for(const std::vector<CertifiedJunction>& junctions);
+
   /// The next loop of a fillet, which outlives this. What does not follow is undecided, but for
   /// the contact, which does.
   [[nodiscard]] LoopClaims agreed(const CanalFillet& loop, LoopClaims claims);
@@ -34,6 +38,8 @@ class CheckedClaims {
   // About the part that was read last.
   [[nodiscard]] RegularClaim agreed(RegularClaim claim);
   [[nodiscard]] EmbeddedClaim agreed(EmbeddedClaim claim, const RegularClaim& regular);
+  /// Whether it was work, not truth, that the last claim lacked.
+  [[nodiscard]] bool lacks_work() const { return lacks_work_; }
   /// Throws Error{invalid_argument} if the ring is further from its disc than the tolerance, and
   /// Error{limit_exceeded} if there is no work left to tell.
   [[nodiscard]] TangencyClaim agreed(TangencyClaim claim, std::size_t piece, End end,
@@ -64,7 +70,7 @@ class CheckedClaims {
 
   verification::WorkLimit limit_{CertificateLimits::kWork};
   std::uint64_t refused_work_ = 0;
-  bool lacks_work_ = false;  // it was work, not truth, that a claim lacked
+  bool lacks_work_ = false;
   std::vector<verification::Solid> solids_;
   std::vector<verification::LoopArcs> loops_;
   std::vector<std::string> names_;

@@ -16,6 +16,7 @@ class SearchWork {
     left_ += std::min(units, std::numeric_limits<std::uint64_t>::max() - left_);
   }
   void spend(std::uint64_t units) { left_ -= std::min(left_, units); }
+  [[nodiscard]] std::uint64_t left() const { return left_; }
   [[nodiscard]] bool is_used_up() const { return left_ == 0; }
 
  private:

@@ -1,6 +1,7 @@
 #include "certification/swept_disc_overlap.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -57,7 +58,7 @@ class Crossings {
         first = std::move(last);
       }
     }
-    sort();
+    build_tree();
   }
 
   // The stretches, made short.
@@ -66,10 +67,9 @@ class Crossings {
       return {{0, 1}};
     }
     std::vector<ParameterInterval> result;
-    for (const std::uint32_t i : near(point)) {
+    for (const std::size_t i : near(point)) {
       const Stretch& stretch = stretches_[i];
-      if (stretch.reach.contains(point) && height(stretch.first, point) > 0 &&
-          height(stretch.last, point) <= 0) {
+      if (height(stretch.first, point) > 0 && height(stretch.last, point) <= 0) {
         result.push_back(shortened(stretch, point));
       }
     }
@@ -97,41 +97,42 @@ class Crossings {
     return {Vec3(box.min() - around), Vec3(box.max() + around)};
   }
 
-  // By where their boxes begin along the axis on which the part is longest.
-  void sort() {
-    Eigen::AlignedBox3d all;
-    for (std::uint32_t i = 0; i < stretches_.size(); ++i) {
+  // Stretches come in their order along the part, so that halves of them are near each other: each
+  // node of the tree has the box of the two below it.
+  void build_tree() {
+    leaves_ = std::bit_ceil(stretches_.size());
+    tree_.resize(2 * leaves_);
+    for (std::size_t i = 0; i < stretches_.size(); ++i) {
       const Eigen::AlignedBox3d& box = stretches_[i].reach;
       if ((box.min().array() <= box.max().array()).all()) {  // others contain no point
-        all.extend(box);
-        sorted_.push_back(i);
+        tree_[leaves_ + i] = box;
       }
     }
-    if (sorted_.empty()) {
-      return;
-    }
-    all.sizes().maxCoeff(&axis_);
-    std::ranges::sort(sorted_, {}, [&](std::uint32_t i) { return begin(i); });
-    for (const std::uint32_t i : sorted_) {
-      longest_ = std::max(longest_, stretches_[i].reach.sizes()[axis_]);
+    for (std::size_t i = leaves_; i-- > 1;) {
+      tree_[i] = tree_[2 * i].merged(tree_[2 * i + 1]);
     }
   }
 
-  [[nodiscard]] double begin(std::uint32_t stretch) const {
-    return stretches_[stretch].reach.min()[axis_];
-  }
-
-  // In their own order, those whose boxes may contain the point.
-  [[nodiscard]] std::vector<std::uint32_t> near(const Vec3& point) const {
-    const auto begins = [&](std::uint32_t i) { return begin(i); };
-    const double at = point[axis_], slack = 0x1p-40 * (std::abs(at) + longest_);
-    const auto first = std::ranges::lower_bound(sorted_, at - longest_ - slack, {}, begins);
-    const auto last = std::ranges::upper_bound(sorted_, at, {}, begins);
-    std::vector<std::uint32_t> result;
-    if (first < last) {
-      result.assign(first, last);
-      std::ranges::sort(result);
+  // In their own order, those whose boxes contain the point.
+  [[nodiscard]] std::vector<std::size_t> near(const Vec3& point) const {
+    constexpr std::uint64_t kBoxesOfUnit = 64;
+    std::vector<std::size_t> result, open{1};
+    std::uint64_t looked_at = 0;
+    while (!open.empty()) {
+      const std::size_t node = open.back();
+      open.pop_back();
+      ++looked_at;
+      if (!tree_[node].contains(point)) {
+        continue;
+      }
+      if (node >= leaves_) {
+        result.push_back(node - leaves_);
+      } else {
+        open.push_back(2 * node + 1);
+        open.push_back(2 * node);
+      }
     }
+    sweep_.spend(looked_at / kBoxesOfUnit);
     return result;
   }
 
@@ -147,19 +148,20 @@ class Crossings {
 
   const SweptDiscs& sweep_;
   std::vector<Stretch> stretches_;
-  std::vector<std::uint32_t> sorted_;
-  Eigen::Index axis_ = 0;
-  double longest_ = 0;  // of all boxes, along the axis
+  std::vector<Eigen::AlignedBox3d> tree_;
+  std::size_t leaves_ = 0;
 };
 
-// Points of some discs, tried on all others.
+// Points of some discs, tried on all others, with half of what work is left: other claims want
+// some.
 std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b, bool same) {
   constexpr int kDiscs = 24, kAngles = 8;
   if (!a.full() || !b.full() || a.is_out_of_work()) {
     return std::nullopt;
   }
   const Crossings crossings(b);
-  for (int i = 0; i < kDiscs * int(a.length()) && !a.is_out_of_work(); ++i) {
+  const std::uint64_t for_others = a.work_left() / 2;
+  for (int i = 0; i < kDiscs * int(a.length()) && a.work_left() > for_others; ++i) {
     const double t = (i + 0.5) / kDiscs;
     const ParameterInterval around{t - 0x1p-16, t + 0x1p-16};
     const DiscHull disc = a.over(around);

@@ -103,6 +103,10 @@ std::size_t SweptDiscs::piece_of(const ParameterInterval& t) const {
   return std::min(std::size_t(t.from), pieces_.size() - 1);
 }
 
+std::uint64_t SweptDiscs::work_left() const {
+  return work_ != nullptr ? work_->left() : std::numeric_limits<std::uint64_t>::max();
+}
+
 void SweptDiscs::spend(std::uint64_t units) const {
   if (work_ != nullptr) {
     work_->spend(units);

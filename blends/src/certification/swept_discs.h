@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -60,6 +61,9 @@ class SweptDiscs {
   [[nodiscard]] std::vector<ParameterInterval> roots() const;
   /// The searches have to end.
   [[nodiscard]] bool is_out_of_work() const { return work_ != nullptr && work_->is_used_up(); }
+  [[nodiscard]] std::uint64_t work_left() const;
+  /// For what they do besides looking at discs.
+  void spend(std::uint64_t units) const;
   /// The stored rings of its ends, if it has any.
   [[nodiscard]] const std::vector<Ring>& end_rings() const { return end_rings_; }
 
@@ -76,8 +80,6 @@ class SweptDiscs {
  private:
   [[nodiscard]] std::size_t piece_of(const ParameterInterval& t) const;
   [[nodiscard]] DiscHull over_run(const ParameterInterval& t) const;
-
-  void spend(std::uint64_t units) const;
 
   SearchWork* work_;
   std::optional<Sphere> sphere_;

@@ -95,7 +95,7 @@ bool is_arm(const Solid& arm, const Sphere& hub) {
 // Circles {u.A = -tau} of unit vectors, whose caps {u.A < -tau} have the angular radii arccos(tau /
 // |A|).
 bool caps_are_disjoint(const Solid& one, const Solid& other) {
-  spend(16);
+  spend(kWorkOfCaps);
   const EndTangent s = end_tangent(*last_piece(one)), t = end_tangent(*last_piece(other));
   const Wide ss = squared_length(s), tt = squared_length(t);
   const Wide between = s.a[0] * t.a[0] + s.a[1] * t.a[1] + s.a[2] * t.a[2] - s.tau * t.tau;

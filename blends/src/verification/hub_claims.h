@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "dupin/blends/certificate.h"
 #include "verification/solid.h"
 
@@ -13,7 +15,8 @@ namespace dupin::verification {
 [[nodiscard]] bool is_arm(const Solid& arm, const Sphere& hub);
 
 /// Whether the caps of the hub within the last circles of two of its arms, on the side from which
-/// these come, have no point in common.
+/// these come, have no point in common. Takes so much work:
+inline constexpr std::uint64_t kWorkOfCaps = 16;
 [[nodiscard]] bool caps_are_disjoint(const Solid& one, const Solid& other);
 
 /// Whether all circles of a stretch of an arm, but for its last one, lie outside of the hub.

@@ -29,7 +29,7 @@ class Solid {
   /// Whether it is a run of several whole pieces, of a chain without kneecaps.
   [[nodiscard]] bool is_run(const ParameterInterval& t) const;
   /// Axis-parallel boxes of the discs of each piece; found when they are first asked for, which is
-  /// not for several threads at once.
+  /// not for several threads at once. They are no work that is limited: four looks at each piece.
   [[nodiscard]] const std::vector<IntervalVec>& boxes() const;
   /// Of a stretch within one piece; none where the numbers do not tell.
   [[nodiscard]] std::optional<Discs> discs(const ParameterInterval& t) const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <exception>
 #include <memory>
+#include <optional>
+#include <string>
 #include <type_traits>
 
 #include <expat.h>
@@ -28,7 +30,19 @@ struct State {
   const XmlEvents* events = nullptr;
   std::exception_ptr failure;
   bool enough = false;
+  std::optional<std::string> root_space = {};
+  XmlSpaces spaces = {};
 };
+
+/// Whether an element is none of the root's namespace, and the user asked to be told so.
+bool is_of_other_space(State& state, std::string_view name) {
+  const std::size_t end = name.rfind(kNamespaceEnd);
+  const std::string_view space = name.substr(0, end == std::string_view::npos ? 0 : end);
+  if (!state.root_space) {
+    state.root_space = std::string(space);
+  }
+  return state.events->begin_of_other_space && space != *state.root_space;
+}
 
 /// Exceptions must not pass through expat, which is C.
 template <typename Action>
@@ -48,14 +62,22 @@ void guarded(void* user, const Action& action) {
 }
 
 void XMLCALL on_begin(void* user, const char* name, const char** attributes) {
+  State& state = *static_cast<State*>(user);
   guarded(user, [&](const XmlEvents& events) {
-    return events.begin(local_name(name), XmlAttributes(attributes));
+    if (is_of_other_space(state, name)) {
+      events.begin_of_other_space(local_name(name));
+      return true;
+    }
+    return events.begin(local_name(name), XmlAttributes(attributes, state.spaces));
   });
 }
 
 void XMLCALL on_end(void* user, const char* name) {
+  State& state = *static_cast<State*>(user);
   guarded(user, [&](const XmlEvents& events) {
-    events.end(local_name(name));
+    if (!is_of_other_space(state, name)) {
+      events.end(local_name(name));
+    }
     return true;
   });
 }
@@ -63,6 +85,16 @@ void XMLCALL on_end(void* user, const char* name) {
 void XMLCALL on_text(void* user, const char* text, int size) {
   guarded(user, [&](const XmlEvents& events) {
     events.text(std::string_view(text, static_cast<std::size_t>(size)));
+    return true;
+  });
+}
+
+void XMLCALL on_space(void* user, const char* prefix, const char* space) {
+  State& state = *static_cast<State*>(user);
+  guarded(user, [&](const XmlEvents&) {
+    if (!state.root_space && prefix != nullptr && space != nullptr) {
+      state.spaces.emplace(prefix, space);
+    }
     return true;
   });
 }
@@ -92,6 +124,7 @@ void read_xml(std::string_view text, const std::string& place, const XmlEvents& 
   State state{parser.get(), &events, {}};
   XML_SetUserData(parser.get(), &state);
   XML_SetElementHandler(parser.get(), on_begin, on_end);
+  XML_SetStartNamespaceDeclHandler(parser.get(), on_space);
   if (events.text) {
     XML_SetCharacterDataHandler(parser.get(), on_text);
   }

@@ -9,20 +9,26 @@
 // APPNOTE 6.3, ECMA-376 part 2). Faults are Error{parse_failed} with file, part and line.
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace dupin::files {
 
+/// Namespaces by the prefixes that the root element declares.
+using XmlSpaces = std::map<std::string, std::string, std::less<>>;
+
 /// The attributes of an element, valid during its event.
 class XmlAttributes {
  public:
-  explicit XmlAttributes(const char** raw) : raw_(raw) {}
+  XmlAttributes(const char** raw, const XmlSpaces& spaces) : raw_(raw), spaces_(spaces) {}
   [[nodiscard]] std::optional<std::string_view> find(std::string_view name) const;
+  [[nodiscard]] const XmlSpaces& spaces() const { return spaces_; }
 
  private:
   const char** raw_;
+  const XmlSpaces& spaces_;
 };
 
 struct XmlEvents {
@@ -31,6 +37,8 @@ struct XmlEvents {
   std::function<void(std::string_view element)> end;
   /// What stands between tags, in as many pieces as it comes. May be empty.
   std::function<void(std::string_view text)> text = {};
+  /// Of elements in another namespace than the root's, instead of the first two. May be empty.
+  std::function<void(std::string_view element)> begin_of_other_space = {};
 };
 
 /// Runs through an XML text. An Error thrown by an event without a place, and every fault of the

@@ -1,5 +1,7 @@
 #include "files/zip_package.h"
 
+#include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include <zip.h>
@@ -60,6 +62,23 @@ void add_entry(zip_t* archive, const ZipEntry& entry) {
   }
 }
 
+// Names of parts are pieces of URIs (ECMA-376 part 2); what writes the archive may not know that.
+std::string decoded(std::string_view name) {
+  std::string result;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    unsigned char byte = 0;
+    const char* const digits = name.data() + i + 1;
+    if (name[i] == '%' && i + 2 < name.size() &&
+        std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
+      result += static_cast<char>(byte);
+      i += 2;
+    } else {
+      result += name[i];
+    }
+  }
+  return result;
+}
+
 std::string contents(zip_source_t* source) {
   zip_stat_t status;
   if (zip_source_stat(source, &status) != 0 || zip_source_open(source) != 0) {
@@ -97,6 +116,24 @@ std::string zip_archive(const std::vector<ZipEntry>& entries) {
   return contents(buffer.get());
 }
 
+std::string part_name(std::string_view target) {
+  std::vector<std::string_view> steps;
+  while (!target.empty()) {
+    const std::string_view step = target.substr(0, target.find('/'));
+    target.remove_prefix(std::min(step.size() + 1, target.size()));
+    if (step == ".." && !steps.empty()) {
+      steps.pop_back();
+    } else if (!step.empty() && step != "." && step != "..") {
+      steps.push_back(step);
+    }
+  }
+  std::string name;
+  for (const std::string_view step : steps) {
+    name += (name.empty() ? "" : "/") + std::string(step);
+  }
+  return name;
+}
+
 struct ZipPackage::Archive {
   Handle zip;
 };
@@ -115,12 +152,18 @@ ZipPackage::ZipPackage(std::string_view bytes, std::string_view file)
 
 ZipPackage::~ZipPackage() = default;
 
+std::int64_t ZipPackage::place_of(const std::string& name) const {
+  zip_t* const archive = archive_->zip.get();
+  const zip_int64_t index = zip_name_locate(archive, name.c_str(), 0);
+  return index >= 0 ? index : zip_name_locate(archive, name.c_str(), ZIP_FL_NOCASE);
+}
+
 std::string ZipPackage::read(std::string_view name) {
   zip_t* const archive = archive_->zip.get();
   const std::string wanted(name);
-  zip_int64_t index = zip_name_locate(archive, wanted.c_str(), 0);
+  zip_int64_t index = place_of(wanted);
   if (index < 0) {
-    index = zip_name_locate(archive, wanted.c_str(), ZIP_FL_NOCASE);
+    index = place_of(decoded(wanted));
   }
   zip_stat_t status;
   if (index < 0 || zip_stat_index(archive, static_cast<zip_uint64_t>(index), 0, &status) != 0) {
@@ -140,9 +183,13 @@ std::string ZipPackage::read(std::string_view name) {
                 {}, file_);
   }
   const Entry entry(zip_fopen_index(archive, static_cast<zip_uint64_t>(index), 0));
+  if (!entry) {
+    fail_to_read(file_, "cannot read the entry '" + wanted + "' (" + zip_strerror(archive) +
+                            "), expected one that is stored or deflated, and not encrypted");
+  }
   std::string bytes(status.size, '\0');
   std::size_t filled = 0;
-  zip_int64_t taken = entry ? 1 : -1;
+  zip_int64_t taken = 1;
   while (taken > 0) {
     // At the declared end one more read makes libzip compare the checksum, and tells of more data.
     char surplus = 0;
@@ -156,8 +203,8 @@ std::string ZipPackage::read(std::string_view name) {
   }
   if (taken < 0 || filled != bytes.size()) {
     fail_to_read(file_, "found a damaged entry '" + wanted + "' (" +
-                            (entry ? zip_file_strerror(entry.get()) : zip_strerror(archive)) +
-                            "), expected its " + std::to_string(bytes.size()) + " bytes");
+                            zip_file_strerror(entry.get()) + "), expected its " +
+                            std::to_string(bytes.size()) + " bytes");
   }
   return bytes;
 }

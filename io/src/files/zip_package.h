@@ -17,6 +17,10 @@ struct ZipEntry {
 /// give the same bytes.
 [[nodiscard]] std::string zip_archive(const std::vector<ZipEntry>& entries);
 
+/// The name of the part that a relationship of a package as a whole points to, which begins with no
+/// slash: "/3D/a.model", "3D/a.model" and "./b/../3D/a.model" are one (RFC 3986).
+[[nodiscard]] std::string part_name(std::string_view target);
+
 /// A ZIP archive whose entries are read one by one. `file` is named in errors; the bytes have to
 /// outlive this. Throws Error{parse_failed}.
 class ZipPackage {
@@ -27,13 +31,16 @@ class ZipPackage {
   ZipPackage& operator=(const ZipPackage&) = delete;
 
   /// The contents of one entry, its checksum verified; the name is matched in any case, as packages
-  /// want it. Throws Error{parse_failed}, or Error{limit_exceeded} for an entry that expands beyond
-  /// 64 MiB and 200 times its compressed size, or entries that together do so beyond the archive's
-  /// (entries may overlap).
+  /// want it, and if there is none with "%20" and the like read as what they stand for. Throws
+  /// Error{parse_failed}, or Error{limit_exceeded} for an entry that expands beyond 64 MiB and 200
+  /// times its compressed size, or entries that together do so beyond the archive's (entries may
+  /// overlap).
   [[nodiscard]] std::string read(std::string_view name);
 
  private:
   struct Archive;
+
+  [[nodiscard]] std::int64_t place_of(const std::string& name) const;
 
   std::string file_;
   std::uint64_t size_;

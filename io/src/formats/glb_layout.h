@@ -20,7 +20,9 @@ inline constexpr int kGltfUint8 = 5121;
 inline constexpr int kGltfUint16 = 5123;
 inline constexpr int kGltfUint32 = 5125;
 inline constexpr int kGltfFloat = 5126;
-inline constexpr int kGltfTriangles = 4;
+inline constexpr int kGltfTriangles = 4;  // less are points and lines
+inline constexpr int kGltfStrip = 5;
+inline constexpr int kGltfFan = 6;
 inline constexpr int kGltfPointsBuffer = 34962;
 inline constexpr int kGltfIndicesBuffer = 34963;
 

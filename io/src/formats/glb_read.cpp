@@ -163,12 +163,13 @@ class GlbReader {
       return geometry;
     }
     const auto [primitives, place] = primitives_of(index);
+    const auto [mesh, mesh_place] = document_.entry(index, "meshes");
+    formats::require_no_weights(document_, *mesh, mesh_place);
     first_points_.clear();
     for (std::size_t i = 0; i < primitives->size(); ++i) {
       read_primitive((*primitives)[i], place + "/" + std::to_string(i), geometry);
     }
     points_ += geometry.points.size();
-    triangles_ += geometry.triangles.size();
     return geometry;
   }
 
@@ -280,21 +281,18 @@ class GlbReader {
     }
   }
 
-  /// The corners of a primitive's triangles: its indices, or else all of its points.
+  /// A primitive's indices, or else all of its points.
   std::vector<std::uint32_t> corners(const Json& primitive, const std::string& place,
-                                     std::size_t point_count, std::size_t triangles) const {
+                                     std::size_t point_count) {
     std::vector<std::uint32_t> corners;
     const bool has_indices = primitive.contains("indices");
     Accessor indices{.count = point_count, .component_type = formats::kGltfUint32};
     if (has_indices) {
       indices = accessor(document_.unsigned_member(primitive, place, "indices"), "SCALAR", 1);
-      demand_room(3 * triangles + indices.count, place);
+      demand_room(indices_ += indices.count, place);
     }
-    if (indices.count % 3 != 0 || indices.component_type == formats::kGltfFloat) {
-      fail(has_indices ? place + "/indices" : place,
-           "found " + std::to_string(indices.count) +
-               (has_indices ? " indices, expected integers, three per triangle"
-                            : " points and no indices, expected three per triangle"));
+    if (indices.component_type == formats::kGltfFloat) {
+      fail(place + "/indices", "found floats, expected integers");
     }
     for (std::size_t i = 0; i < indices.count; ++i) {
       const auto index = has_indices ? index_at(indices, i) : static_cast<std::uint32_t>(i);
@@ -309,21 +307,47 @@ class GlbReader {
   }
 
   void read_primitive(const Json& primitive, const std::string& place, Geometry& geometry) {
-    if (document_.unsigned_member(primitive, place, "mode", formats::kGltfTriangles) !=
-        formats::kGltfTriangles) {
-      fail(place + "/mode", "found another mode, expected 4, triangles");
+    const std::size_t mode =
+        document_.unsigned_member(primitive, place, "mode", formats::kGltfTriangles);
+    if (mode < formats::kGltfTriangles) {
+      return;  // points and lines are no surface
+    }
+    if (mode > formats::kGltfFan) {
+      fail(place + "/mode",
+           "found " + std::to_string(mode) +
+               ", expected 4, 5 or 6, triangles, strips and fans of them, or less");
     }
     const std::size_t points = document_.unsigned_member(
         document_.member(primitive, place, "attributes"), place + "/attributes", "POSITION");
     const std::uint32_t first = first_point(points, place, geometry);
     const std::size_t point_count = accessor(points, "VEC3", 3).count;
-    const std::vector<std::uint32_t> at =
-        corners(primitive, place, point_count, triangles_ + geometry.triangles.size());
-    for (std::size_t i = 0; i < at.size(); i += 3) {
-      geometry.triangles.push_back({first + at[i], first + at[i + 1], first + at[i + 2]});
+    const std::vector<std::uint32_t> at = corners(primitive, place, point_count);
+    if (mode == formats::kGltfTriangles && at.size() % 3 != 0) {
+      const bool has_indices = primitive.contains("indices");
+      fail(has_indices ? place + "/indices" : place,
+           "found " + std::to_string(at.size()) +
+               (has_indices ? " indices, expected three per triangle"
+                            : " points and no indices, expected three per triangle"));
     }
+    append_triangles(at, static_cast<int>(mode), first, geometry);
     geometry.materials.push_back(material_name(primitive, place));
     geometry.ends.push_back(geometry.triangles.size());
+  }
+
+  /// As glTF 2.0 (3.7.2.1) orders them. Strips turn by triangles that are none.
+  static void append_triangles(const std::vector<std::uint32_t>& at, int mode, std::uint32_t first,
+                               Geometry& geometry) {
+    const std::size_t step = mode == formats::kGltfTriangles ? 3 : 1;
+    for (std::size_t i = 0; i + 2 < at.size(); i += step) {
+      const std::size_t odd = mode == formats::kGltfStrip ? i % 2 : 0;
+      Triangle t{at[i], at[i + 1 + odd], at[i + 2 - odd]};
+      if (mode == formats::kGltfFan) {
+        t = {at[i + 1], at[i + 2], at[0]};
+      }
+      if (step == 3 || (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])) {
+        geometry.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+      }
+    }
   }
 
   /// Empty if it has no name.
@@ -342,7 +366,8 @@ class GlbReader {
   text::LabelBuilder labels_;
   std::map<std::size_t, Geometry> meshes_;
   std::map<std::size_t, std::uint32_t> first_points_;  ///< in the mesh that is read, by accessor
-  std::size_t points_ = 0, triangles_ = 0;             ///< of the meshes that were
+  std::size_t points_ = 0;                             ///< of the meshes that were
+  std::size_t indices_ = 0;                            ///< of all primitives so far
   std::size_t unfolded_ = 0;
   bool named_ = false;
 };

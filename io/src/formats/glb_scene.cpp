@@ -136,6 +136,18 @@ class Walk {
     }
   }
 
+  /// What is shown would be another shape than the mesh at its place.
+  void require_plain(const Json& node, const std::string& place) const {
+    if (node.contains("skin")) {
+      document_.fail(place + "/skin", "found a skin, whose pose is not read, expected none");
+    }
+    if (node.contains(Json::json_pointer("/extensions/EXT_mesh_gpu_instancing"))) {
+      document_.fail(place + "/extensions",
+                     "found instances of a mesh, which are not read, expected a node for each");
+    }
+    require_no_weights(document_, node, place);
+  }
+
   void visit(std::size_t index, const Transform& parent, bool is_ours) {
     const auto [node, place] = document_.entry(index, "nodes");
     if (!node->is_object()) {
@@ -148,6 +160,7 @@ class Walk {
     const Transform own = is_ours ? Transform() : transform_of(document_, *node, place);
     const Transform transform = parent.after(own);
     if (node->contains("mesh")) {
+      require_plain(*node, place);
       const std::size_t mesh = document_.unsigned_member(*node, place, "mesh");
       std::string name = document_.name(*node);
       if (name.empty()) {
@@ -165,6 +178,14 @@ class Walk {
 };
 
 }  // namespace
+
+void require_no_weights(const GlbDocument& document, const Json& json, const std::string& place) {
+  const Json weights = json.is_object() ? json.value("weights", Json::array()) : Json::array();
+  if (std::ranges::any_of(weights, [](const Json& weight) { return weight != 0; })) {
+    document.fail(place + "/weights",
+                  "found weights of other shapes, which are not read, expected none but 0");
+  }
+}
 
 bool is_ours(const GlbDocument& document) {
   if (!document.json().contains("asset") ||

@@ -16,6 +16,10 @@ struct MeshInstance {
   Transform transform;   ///< to the scene's coordinates
 };
 
+/// Throws Error{parse_failed} if a node or mesh shows other shapes added to its own.
+void require_no_weights(const GlbDocument& document, const GlbDocument::Json& json,
+                        const std::string& place);
+
 /// Whether our writer made the document: one root node, which alone turns and scales.
 [[nodiscard]] bool is_ours(const GlbDocument& document);
 
@@ -24,7 +28,8 @@ struct MeshInstance {
 /// turn and scale of the root node that our writer makes are left out.
 ///
 /// Throws Error{parse_failed} with the place where nodes are no forest, a transformation is none,
-/// or no mesh is shown: but for what our writer makes of a mesh without triangles.
+/// what is shown is not the mesh itself (skins, instances of an extension), or no mesh is shown:
+/// but for what our writer makes of a mesh without triangles.
 [[nodiscard]] std::vector<MeshInstance> shown_meshes(const GlbDocument& document);
 
 }  // namespace dupin::formats

@@ -119,24 +119,23 @@ std::string model_text(const TriMesh& mesh, const MeshHeader& header) {
 
 /// The entry that holds the model, as the package's relationships tell it.
 std::string model_entry(files::ZipPackage& package, std::string_view file) {
-  std::string target;
+  std::vector<std::string> targets;
   const std::string relationships = package.read("_rels/.rels");
   files::read_xml(relationships, std::string(file) + ":_rels/.rels",
                   {[&](std::string_view element, const files::XmlAttributes& attributes) {
                      if (element == "Relationship" && attributes.find("Type") == kModelType) {
-                       target = attributes.find("Target").value_or("");
+                       targets.emplace_back(attributes.find("Target").value_or(""));
                      }
                      return true;
                    },
                    [](std::string_view) {}});
-  if (target.starts_with('/')) {
-    target.erase(0, 1);
-  }
-  if (target.empty()) {
-    throw Error(Errc::parse_failed, "found no relationship to a 3D model, expected one", {},
+  if (targets.size() != 1 || files::part_name(targets.front()).empty()) {
+    const std::string found =
+        targets.size() > 1 ? std::to_string(targets.size()) + " relationships" : "no relationship";
+    throw Error(Errc::parse_failed, "found " + found + " to a 3D model, expected one", {},
                 std::string(file) + ":_rels/.rels");
   }
-  return target;
+  return files::part_name(targets.front());
 }
 
 Evidence recognise(std::string_view bytes) {

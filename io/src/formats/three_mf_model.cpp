@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <system_error>
 #include <type_traits>
 #include <utility>
@@ -26,6 +27,18 @@ namespace {
 constexpr std::size_t kLargestDepth = 100;  // of components in components, and of parts in parts
 constexpr std::string_view kPath =
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|path";
+constexpr std::string_view kResolution =
+    "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07|meshresolution";
+
+/// Extensions that a model may require: without them its triangles are its shape all the same, or
+/// their elements say that they are not.
+constexpr std::array<std::string_view, 6> kExtensions = {
+    "http://schemas.microsoft.com/3dmanufacturing/core/2015/02",
+    "http://schemas.microsoft.com/3dmanufacturing/production/2015/06",
+    "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
+    "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07",
+    "http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02",
+    "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07"};
 
 constexpr std::array<std::string_view, 6> kUnits = {"micron", "millimeter", "centimeter",
                                                     "inch",   "foot",       "meter"};
@@ -50,12 +63,15 @@ Number number_in(std::string_view text, std::string_view name) {
   const std::string_view digits = text.substr(text.starts_with('+') ? 1 : 0);
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   bool good = error == std::errc() && end == digits.data() + digits.size();
+  std::string_view expected = "an integer of 32 bits";
   if constexpr (std::is_floating_point_v<Number>) {
     good = good && std::isfinite(number);
+    expected = error == std::errc::result_out_of_range ? "a number in the range of doubles"
+                                                       : "a finite number";
   }
   if (!good) {
     fail("found " + text::quoted(text) + " as '" + std::string(name) + "', expected " +
-         (std::is_floating_point_v<Number> ? "a finite number" : "an integer of 32 bits"));
+         std::string(expected));
   }
   return number;
 }
@@ -154,16 +170,20 @@ class ModelReader {
       add_component(attributes);
     } else if (element == "item") {
       add_item(attributes);
-    } else if (std::ranges::find(kOtherShapes, element) != kOtherShapes.end()) {
+    } else if (element == "build") {
+      require_first(std::exchange(has_build_, true), element);
+    } else if (element == "model") {
+      begin_model(attributes);
+    } else {
+      refuse_other_shape(element);
+    }
+  }
+
+  /// An element whose shape is that of no triangles, of whatever namespace.
+  static void refuse_other_shape(std::string_view element) {
+    if (std::ranges::find(kOtherShapes, element) != kOtherShapes.end()) {
       fail("found the element '" + std::string(element) +
            "', whose shape is not read, expected triangles and components");
-    } else if (element == "model") {
-      part_.is_model = true;
-      part_.unit = attributes.find("unit").value_or("millimeter");
-      if (std::ranges::find(kUnits, part_.unit) == kUnits.end()) {
-        fail("found the unit " + text::quoted(part_.unit) +
-             ", expected micron, millimeter, centimeter, inch, foot or meter");
-      }
     }
   }
 
@@ -184,6 +204,31 @@ class ModelReader {
     return *object_;
   }
 
+  static void require_first(bool has_one, std::string_view element) {
+    if (has_one) {
+      fail("found a second element '" + std::string(element) + "', expected one");
+    }
+  }
+
+  void begin_model(const files::XmlAttributes& attributes) {
+    require_first(std::exchange(part_.is_model, true), "model");
+    part_.unit = attributes.find("unit").value_or("millimeter");
+    if (std::ranges::find(kUnits, part_.unit) == kUnits.end()) {
+      fail("found the unit " + text::quoted(part_.unit) +
+           ", expected micron, millimeter, centimeter, inch, foot or meter");
+    }
+    std::istringstream prefixes{std::string(attributes.find("requiredextensions").value_or(""))};
+    for (std::string prefix; prefixes >> prefix;) {
+      const auto space = attributes.spaces().find(prefix);
+      const std::string name = space == attributes.spaces().end() ? prefix : space->second;
+      if (std::ranges::find(kExtensions, name) == kExtensions.end()) {
+        fail("found " + text::quoted(name) +
+             " among the required extensions, expected those of production, materials, slices, "
+             "beam lattices and sets of triangles only");
+      }
+    }
+  }
+
   /// The object that an item or a component names, in this part or in another.
   const Object& known_object(const files::XmlAttributes& attributes) const {
     const std::uint32_t id = id_of(attributes, "objectid");
@@ -198,6 +243,9 @@ class ModelReader {
   }
 
   void begin_object(const files::XmlAttributes& attributes) {
+    if (object_ != nullptr) {
+      fail("found an object inside of an object, expected it beside that");
+    }
     const std::uint32_t id = id_of(attributes, "id");
     const auto [place, fresh] = part_.objects.try_emplace(id);
     if (!fresh) {
@@ -207,6 +255,11 @@ class ModelReader {
     object_->id = id;
     object_->name = text::clean_line(attributes.find("name").value_or(""));
     object_->property_group = optional_id(attributes, "pid");
+    if (attributes.find(kResolution) == "lowres") {
+      fail(
+          "found a mesh of low resolution beside slices, which are not read, expected one of full "
+          "resolution");
+    }
     const bool other = attributes.find("type").value_or("model") != "model";
     labels_.named = labels_.named || (!object_->name.empty() && !other);
     if (object_->name.empty()) {
@@ -293,6 +346,7 @@ class ModelReader {
   std::uint32_t group_ = 0;
   Object* object_ = nullptr;
   std::size_t weight_ = 0;
+  bool has_build_ = false;
 };
 
 std::string lower_case(std::string text) {
@@ -337,7 +391,9 @@ class Model {
                        if (depth_ == 1 || element != "build") {
                          reader.end(element);
                        }
-                     }});
+                     },
+                     {},
+                     ModelReader::refuse_other_shape});
     if (!part.is_model) {
       throw Error(Errc::parse_failed, "found no element 'model', expected one", {}, text.place);
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "text/json_depth.h"
+#include "text/text_scanner.h"
 
 namespace dupin::json {
 namespace {
@@ -112,9 +113,29 @@ class RepeatedKeys : public nlohmann::json_sax<Json> {
   std::vector<Level> levels_;
 };
 
+// Another kind of file, of whose brackets and columns nobody wants to hear.
+void require_start(std::string_view text, const std::string& source) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF", kSpaces = " \t\r\n";
+  const std::size_t mark = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  const std::size_t first = text.find_first_not_of(kSpaces, mark);
+  if (first == std::string_view::npos) {
+    return;  // nothing at all, which the parser says
+  }
+  const std::string_view rest = text.substr(first);
+  const bool is_literal =
+      rest.starts_with("true") || rest.starts_with("false") || rest.starts_with("null");
+  if (!is_literal && std::string_view("{[\"-0123456789").find(rest[0]) == std::string_view::npos) {
+    throw Error(Errc::parse_failed,
+                "found " + dupin::text::quoted(rest.substr(0, 16)) +
+                    " at the start, expected a document, which is JSON and begins with '{'",
+                {}, source + ":" + line_and_column(text, first + 1));
+  }
+}
+
 }  // namespace
 
 Json parse_json(std::string_view text, const std::string& source) {
+  require_start(text, source);
   if (const auto bracket = dupin::text::first_too_deep(text)) {
     throw Error(
         Errc::parse_failed,

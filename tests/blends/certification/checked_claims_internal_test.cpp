@@ -50,6 +50,20 @@ TEST(CheckedClaims, weaken_a_distance_before_they_give_it_up) {
   EXPECT_TRUE(none.leaves.empty());
 }
 
+TEST(CheckedClaims, have_the_work_for_the_caps_of_junctions_set_aside) {
+  CheckedClaims few;
+  few.reserve_for({{7, {0, 1, 2, 3, 4, 5, 6}}, {9, {8, 10}}});
+  CertifiedJunction many;
+  many.arms.resize(700);  // of 244,650 pairs
+  CheckedClaims checker;
+  try {
+    checker.reserve_for({many});
+    FAIL() << "verify would refuse it";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Errc::limit_exceeded) << error.what();
+  }
+}
+
 TEST(CheckedClaims, tell_rings_that_are_off_from_rings_that_there_is_no_work_left_for) {
   CheckedClaims checker;
   checker.read(pipe(0));

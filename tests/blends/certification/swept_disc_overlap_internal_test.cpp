@@ -94,6 +94,17 @@ TEST(SweptDiscOverlap, of_a_long_chain_is_found_wherever_it_is) {
   }
 }
 
+TEST(SweptDiscOverlap, is_looked_for_with_half_of_the_work_that_is_left) {
+  std::vector<RingedSurface> pieces;
+  for (int i = 0; i < 60; ++i) {
+    pieces.push_back(cylinder(Vec3(2 * i, 0, 0), Vec3(2 * i + 2, 0, 0), 0.25));
+  }
+  SearchWork work(1 << 15);
+  EXPECT_FALSE(self_overlap(SweptDiscs(Chain(pieces), &work)));
+  EXPECT_GT(work.left(), 1u << 13);
+  EXPECT_LT(work.left(), 1u << 14);
+}
+
 TEST(SweptDiscOverlap, contacts_are_centres_of_ends_in_ends) {
   const Chain plate = cylinder(Vec3(0, 0, -1), Vec3(0, 0, 0), 5);
   const auto post = [](const Vec3& at, double radius) {

@@ -309,6 +309,43 @@ TEST(LoopClearance, of_loops_of_two_fillets_may_be_their_corners) {
   }
 }
 
+// Where the arcs become a point is asked of the loop's own numbers.
+TEST(LoopClearance, of_corners_that_are_not_known_nothing_is_told) {
+  const CanalFillet& loop = loop_of("equal_0");
+  CanalFillet unknown = loop;
+  unknown.quadrics[0].normal = Vec3::Zero();
+  const ParameterInterval after{1, 1.25};
+  ASSERT_TRUE(contact_arcs(loop, {1, 1 + 0x1p-52}));
+  ASSERT_FALSE(contact_arcs(unknown, {1, 1 + 0x1p-52}));
+  // Not those that both loops have, which are known to be the same.
+  CanalFillet other = loop;
+  std::get<RollingThrough>(other.motion).radius += 0x1p-30;
+  const LoopArcs on = hand_made(other, {0, 0, 0}), lost = hand_made(unknown, {0, 0, 0});
+  const Vec3 x = Vec3::UnitX();
+  const ParameterInterval before{.75, 1};
+  EXPECT_LT(gap_at_corner(on, hand_made(loop, {0, 0, 0}), {before, after, x}), 1);
+  EXPECT_EQ(gap_at_corner(on, lost, {before, after, x}), kInfinity);
+  EXPECT_EQ(gap_at_corner(lost, on, {before, after, x}), kInfinity);
+  const Solid behind(ball_part({-100, 0, 0}, 1));
+  EXPECT_EQ(gap_at_corner(behind, hand_made(loop, {0, 0, 0}), {{0, 1}, after, x}), 0);
+  EXPECT_EQ(gap_at_corner(behind, lost, {{0, 1}, after, x}), kInfinity);
+}
+
+// It is far behind the corner, but that is no distance.
+TEST(LoopClearance, of_a_part_with_a_distance_is_no_matter_of_corners) {
+  const CanalFillet& loop = loop_of("equal_0");
+  const Vec3 center(-100, 0, 0), x = Vec3::UnitX(), y = Vec3::UnitY();
+  const Solid behind(ball_part(center, 1));
+  const LoopArcs beside = hand_made(loop, center + 4 * y);
+  const ParameterInterval all{0, 1}, after{1, 1.25}, rest{1.25, 2};
+  ASSERT_EQ(gap_at_corner(behind, beside, {all, after, x}), 0);
+  const auto leaves = [&](const Vec3& at_corner) {
+    return std::vector<DiscPairs>{{all, {0, 1}, y}, {all, after, at_corner}, {all, rest, y}};
+  };
+  EXPECT_TRUE(follows(behind, beside, apart(1, leaves(y))));
+  EXPECT_FALSE(follows(behind, beside, apart(1, leaves(x))));
+}
+
 // It ends in the plane of both corners, with a disc, and is on the other side of it.
 TEST(LoopClearance, of_a_part_may_be_the_corners_in_which_it_ends) {
   const CanalFillet loop =

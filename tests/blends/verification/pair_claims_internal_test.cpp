@@ -249,6 +249,24 @@ TEST(EmbeddedClaim, is_not_refuted_by_what_touches_a_flat_end) {
   EXPECT_FALSE(follows(chain, overlapping(on, across, end), kRegular));
 }
 
+// A corner is said of what is separated by nothing else, and of that only.
+TEST(ClearanceClaim, has_a_corner_or_a_distance) {
+  const auto claim = [](Verdict verdict, double distance, double corner) {
+    ClearanceClaim result{0, 1, verdict, distance, {}, {}};
+    result.corner = corner;
+    return result;
+  };
+  EXPECT_TRUE(has_form(claim(Verdict::proved, 0, 0.5)));
+  EXPECT_TRUE(has_form(claim(Verdict::proved, 1, 0)));
+  EXPECT_FALSE(has_form(claim(Verdict::proved, 1, 0.5)));
+  EXPECT_TRUE(has_form(claim(Verdict::undecided, 0, 0)));
+  EXPECT_FALSE(has_form(claim(Verdict::undecided, 0, 0.5)));
+  EXPECT_FALSE(has_form(claim(Verdict::refuted, 0, 0.5)));
+  ClearanceClaim met = claim(Verdict::proved, 0, 0.5);
+  met.overlap.emplace();
+  EXPECT_FALSE(has_form(met));
+}
+
 TEST(ClearanceClaim, of_parallel_pipes_is_the_slab_between_them) {
   const Solid low = test::solid(test::cylinder({0, 0, 0}, {9, 0, 0}, 1)),
               high = test::solid(test::cylinder({2, 0, 5}, {7, 0, 5}, 2));

@@ -1,5 +1,7 @@
 // Leaves of several whole pieces, which only a plane may tell apart.
+#include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -70,6 +72,39 @@ TEST(EmbeddedClaim, of_runs_needs_planes_between_them_and_short_ways_of_neighbou
   EmbeddedClaim less = claim;
   less.leaves.erase(less.leaves.begin());
   EXPECT_FALSE(follows(solid, less, regular));
+}
+
+TEST(EmbeddedClaim, of_every_two_pieces_needs_a_leaf) {
+  const Solid solid(straight(0));
+  const RegularClaim regular{Verdict::proved, .5, {}, {}};
+  EmbeddedClaim claim{Verdict::proved, {}, {}};
+  for (double i = 0; i < 4; ++i) {
+    for (double j = i; j < 4; ++j) {
+      const DiscPairs pair{{i, i + 1}, {j, j + 1}, {}};
+      claim.leaves.push_back(j < i + 2 ? pair : DiscPairs{pair.first, pair.second, kX});
+    }
+  }
+  EXPECT_TRUE(follows(solid, claim, regular));
+  for (std::size_t k = 0; k < claim.leaves.size(); ++k) {
+    EmbeddedClaim less = claim;
+    less.leaves.erase(less.leaves.begin() + std::ptrdiff_t(k));
+    EXPECT_FALSE(follows(solid, less, regular)) << k;
+  }
+}
+
+// A short way leads through a run of two pieces, too, but that is not what a leaf may say.
+TEST(EmbeddedClaim, of_a_run_has_a_direction) {
+  const Solid two(test::part(test::cylinder({0, 0, 0}, {1, 0, 0}, 0.25),
+                             test::cylinder({1, 0, 0}, {2, 0, 0}, 0.25)));
+  const RegularClaim regular{Verdict::proved, .5, {}, {}};
+  const auto claim = [](std::vector<DiscPairs> leaves) {
+    return EmbeddedClaim{Verdict::proved, std::move(leaves), {}};
+  };
+  const ParameterInterval low{0, 1}, high{1, 2}, run{0, 2};
+  EXPECT_TRUE(follows(two, claim({{low, low, {}}, {low, high, {}}, {high, high, {}}}), regular));
+  EXPECT_FALSE(follows(two, claim({{low, run, {}}, {high, high, {}}}), regular));
+  EXPECT_FALSE(follows(two, claim({{run, high, {}}, {low, low, {}}}), regular));
+  EXPECT_FALSE(follows(two, claim({{run, run, {}}}), regular));
 }
 
 TEST(Solid, has_runs_of_whole_pieces_and_boxes_of_each) {

@@ -11,6 +11,7 @@
 #include "dupin/kernel/error.h"
 #include "support/cyclide_cases.h"
 #include "verification/solid.h"
+#include "verification/work.h"
 
 namespace dupin::verification {
 namespace {
@@ -185,6 +186,18 @@ TEST(Solid, discs_of_rational_tubes_hold_those_of_the_stretch) {
   EXPECT_GE(reached, .5 + .75);  // at t = 1/2: the centre is 1/2 high, the radius 3/4
   EXPECT_GE(reached, .25 + .875);
   EXPECT_LE(reached, .5 + .875 + 1e-9);
+}
+
+// They would be spent by a claim that is not made, and be missing for those that are.
+TEST(Solid, boxes_of_pieces_are_no_work_that_is_limited) {
+  const RationalRingedTube tube = oblique_tube(Vec3(0, 0, 0), Vec3(3, 0, 1), Vec3(1, 0, 0), 1, .5);
+  const Solid solid = test::solid(tube);
+  const WorkLimit limit(1000);
+  ASSERT_EQ(solid.boxes().size(), 1u);
+  EXPECT_EQ(limit.left(), 1000u);
+  EXPECT_TRUE(std::isfinite(solid.boxes()[0][0].upper));
+  (void)solid.discs({0, .5});
+  EXPECT_LT(limit.left(), 1000u) << "as what is asked for by claims is";
 }
 
 TEST(Solid, stretches_are_cut_at_whole_numbers) {

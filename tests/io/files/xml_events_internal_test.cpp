@@ -35,6 +35,26 @@ TEST(XmlEvents, come_in_order_with_local_names) {
             "<r1<e<>e<f>f>r");
 }
 
+TEST(XmlEvents, of_other_namespaces_than_the_roots_come_apart_where_that_is_asked_for) {
+  const std::string xml =
+      "<m:r xmlns:m=\"u\" xmlns:s=\"v\" xmlns=\"u\"><e/><s:e><m:f/><g/></s:e><x "
+      "xmlns=\"w\"/></m:r>";
+  EXPECT_EQ(events_of(xml), "<r<e>e<e<f>f<g>g>e<x>x>r");
+  std::string told;
+  std::string space;
+  read_xml(xml, "x",
+           {[&](std::string_view element, const XmlAttributes& attributes) {
+              told += "<" + std::string(element);
+              space = attributes.spaces().find("s")->second;
+              return true;
+            },
+            [&](std::string_view element) { told += ">" + std::string(element); },
+            {},
+            [&](std::string_view element) { told += "!" + std::string(element); }});
+  EXPECT_EQ(told, "<r<e>e!e<f>f<g>g!x>r");
+  EXPECT_EQ(space, "v");
+}
+
 TEST(XmlEvents, end_when_enough_was_read) {
   EXPECT_EQ(events_of("<r><e/><f/></r>", "e"), "<r<e");
   EXPECT_EQ(events_of("<r><e/><f", "e"), "<r<e") << "what follows is not looked at";

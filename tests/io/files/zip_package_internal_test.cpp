@@ -41,6 +41,46 @@ TEST(ZipPackage, faults_are_told_with_the_file) {
             "f: found no entry 'b' in the ZIP archive, expected one");
 }
 
+TEST(ZipPackage, targets_of_relationships_are_names_of_parts) {
+  for (const char* const target : {"/3D/a.model", "3D/a.model", "./3D/a.model", "3D/b/../a.model",
+                                   "/../3D/./a.model", "//3D//a.model"}) {
+    EXPECT_EQ(part_name(target), "3D/a.model") << target;
+  }
+  for (const char* const target : {"", "/", ".", "..", "a/.."}) {
+    EXPECT_EQ(part_name(target), "") << target;
+  }
+}
+
+TEST(ZipPackage, names_may_be_encoded_or_not) {
+  const std::string zip =
+      zip_archive({{"a b", "space"}, {"c%20d", "encoded"}, {"50%", "percent"}, {"%zz", "none"}});
+  EXPECT_EQ(unzip(zip, "a%20b", "f"), "space");
+  EXPECT_EQ(unzip(zip, "A%20B", "f"), "space");
+  EXPECT_EQ(unzip(zip, "c%20d", "f"), "encoded");
+  EXPECT_EQ(unzip(zip, "50%", "f"), "percent");
+  EXPECT_EQ(unzip(zip, "50%25", "f"), "percent");
+  EXPECT_EQ(unzip(zip, "%zz", "f"), "none");
+  EXPECT_EQ(message_of([&] { (void)unzip(zip, "c d", "f"); }),
+            "f: found no entry 'c d' in the ZIP archive, expected one");
+}
+
+// The reason is not that it is damaged.
+TEST(ZipPackage, entries_that_cannot_be_read_are_told_from_damaged_ones) {
+  std::string encrypted = zip_archive({{"a", "text"}}), packed = encrypted;
+  const std::size_t entry = encrypted.find("PK\x01\x02");
+  ASSERT_NE(entry, std::string::npos);
+  for (char* const flags : {&encrypted[6], &encrypted[entry + 8]}) {
+    *flags = static_cast<char>(*flags | 1);
+  }
+  EXPECT_EQ(message_of([&] { (void)unzip(encrypted, "a", "f"); }),
+            "f: cannot read the entry 'a' (No password provided), expected one that is stored or "
+            "deflated, and not encrypted");
+  packed[entry + 10] = packed[8] = 98;  // PPMd
+  EXPECT_EQ(message_of([&] { (void)unzip(packed, "a", "f"); }),
+            "f: cannot read the entry 'a' (Compression method not supported), expected one that is "
+            "stored or deflated, and not encrypted");
+}
+
 TEST(ZipPackage, damaged_contents_are_noticed) {
   const std::string text = "some text that is stored or deflated, twice: some text that is";
   const std::string zip = zip_archive({{"a", text}});

@@ -1,4 +1,7 @@
+#include <cstdint>
+#include <cstring>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -56,8 +59,24 @@ TEST(Glb, malformed_files_are_refused_with_their_place) {
            "x.glb:/meshes/0/primitives: found no array, expected one"},
           {changed("/meshes/0/primitives/0", Json::object()),
            "x.glb:/meshes/0/primitives/0: found no 'attributes', expected one"},
-          {changed("/meshes/0/primitives/0/mode", 5),
-           "x.glb:/meshes/0/primitives/0/mode: found another mode, expected 4, triangles"},
+          {changed("/meshes/0/primitives/0/mode", 7),
+           "x.glb:/meshes/0/primitives/0/mode: found 7, expected 4, 5 or 6, triangles, strips and "
+           "fans of them, or less"},
+          {changed("/meshes/0/primitives/0/mode", 3),
+           "x.glb:/meshes: found meshes without triangles, expected some"},
+          {changed("/accessors/1/componentType", 5126),
+           "x.glb:/meshes/0/primitives/0/indices: found floats, expected integers"},
+          {changed("/nodes/0/skin", 0),
+           "x.glb:/nodes/0/skin: found a skin, whose pose is not read, expected none"},
+          {changed("/meshes/0/weights", {0, 0.5}),
+           "x.glb:/meshes/0/weights: found weights of other shapes, which are not read, expected "
+           "none but 0"},
+          {changed("/nodes/0/weights", {1}),
+           "x.glb:/nodes/0/weights: found weights of other shapes, which are not read, expected "
+           "none but 0"},
+          {changed("/nodes/0/extensions", {{"EXT_mesh_gpu_instancing", Json::object()}}),
+           "x.glb:/nodes/0/extensions: found instances of a mesh, which are not read, expected a "
+           "node for each"},
           {changed("/meshes/0/primitives", Json::array()),
            "x.glb:/meshes: found meshes without triangles, expected some"},
           {changed("/extensionsRequired", Json::array({"KHR_draco_mesh_compression"})),
@@ -85,8 +104,7 @@ TEST(Glb, malformed_files_are_refused_with_their_place) {
            "x.glb:/accessors/0: found 4000000000 entries of 12 bytes, 12 apart, expected room for "
            "them in a view of 48 bytes"},
           {changed("/accessors/1/count", 11),
-           "x.glb:/meshes/0/primitives/0/indices: found 11 indices, expected integers, three per "
-           "triangle"},
+           "x.glb:/meshes/0/primitives/0/indices: found 11 indices, expected three per triangle"},
           {changed("/accessors/1/byteOffset", 4),
            "x.glb:/accessors/1: found 12 entries of 4 bytes, 4 apart, expected room for them in a "
            "view of 48 bytes"},
@@ -157,6 +175,27 @@ TEST(Glb, without_scenes_all_roots_and_without_nodes_all_meshes_are_shown) {
   EXPECT_EQ(triangles(R"({"nodes": [{"mesh": 0, "children": [1]}, {"mesh": 1}, {"mesh": 1}]})"),
             3U);
   EXPECT_EQ(triangles(R"({"scenes": [{"nodes": [1]}], "nodes": [{"mesh": 0}, {"mesh": 1}]})"), 1U);
+}
+
+// With the corners 0, 1, 2, 3 in this order. Triangles that are none turn a strip.
+TEST(Glb, strips_and_fans_are_triangles_and_lines_are_no_surface) {
+  const auto read = [](int mode, const std::vector<std::uint32_t>& corners) {
+    const std::string glb = glb_bytes(test::tetrahedron());
+    Json json = test::glb_json(glb);
+    json["asset"]["generator"] = "another";
+    json["meshes"][0]["primitives"][0]["mode"] = mode;
+    json["accessors"][1]["count"] = corners.size();
+    json["meshes"][0]["primitives"].push_back({{"mode", 1}, {"attributes", {{"POSITION", 0}}}});
+    std::string bytes = glb;
+    std::memcpy(&bytes[20 + test::number_at(glb, 12) + 8 + 48], corners.data(), 4 * corners.size());
+    return read_glb(test::with_json(bytes, json.dump()), "x.glb").triangles;
+  };
+  using Triangles = std::vector<Triangle>;
+  EXPECT_EQ(read(4, {0, 1, 2, 3, 2, 1}), (Triangles{{0, 1, 2}, {3, 2, 1}}));
+  EXPECT_EQ(read(5, {0, 1, 2, 3, 0}), (Triangles{{0, 1, 2}, {1, 3, 2}, {2, 3, 0}}));
+  EXPECT_EQ(read(5, {0, 1, 2, 2, 3}), (Triangles{{0, 1, 2}})) << "then comes what has 2 twice";
+  EXPECT_EQ(read(5, {0, 1, 2, 2, 3, 3, 0, 1}), (Triangles{{0, 1, 2}, {3, 1, 0}}));
+  EXPECT_EQ(read(6, {3, 0, 1, 2, 0}), (Triangles{{0, 1, 3}, {1, 2, 3}, {2, 0, 3}}));
 }
 
 TEST(Glb, points_without_indices_come_three_by_three) {

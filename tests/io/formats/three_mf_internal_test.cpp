@@ -78,6 +78,9 @@ TEST(ThreeMf, an_unknown_unit_is_refused) {
 TEST(ThreeMf, malformed_packages_are_refused) {
   const std::string good = three_mf_bytes(test::tetrahedron());
   const std::string relationships = "_rels/.rels";
+  std::string twice = files::unzip(good, relationships, "");
+  const std::size_t one = twice.find("<Relationship "), end = twice.find("</Relationships>");
+  twice.insert(end, twice.substr(one, end - one));
   test::expect_refused(
       read_3mf, "x.3mf",
       {
@@ -88,6 +91,8 @@ TEST(ThreeMf, malformed_packages_are_refused) {
            "x.3mf: found no entry '_rels/.rels' in the ZIP archive, expected one"},
           {files::zip_archive({{relationships, "<a/>"}}),
            "x.3mf:_rels/.rels: found no relationship to a 3D model, expected one"},
+          {files::zip_archive({{relationships, twice}}),
+           "x.3mf:_rels/.rels: found 2 relationships to a 3D model, expected one"},
           {files::zip_archive({{relationships, files::unzip(good, relationships, "")}}),
            "x.3mf: found no entry '3D/3dmodel.model' in the ZIP archive, expected one"},
           {files::zip_archive(

@@ -106,7 +106,9 @@ TEST(ThreeMf, malformed_models_are_refused_with_their_line) {
           {object("<vertex x=\"nan\" y=\"0\" z=\"0\"/>"),
            "m:2: found 'nan' as 'x', expected a finite number"},
           {object("<vertex x=\"1e999\" y=\"0\" z=\"0\"/>"),
-           "m:2: found '1e999' as 'x', expected a finite number"},
+           "m:2: found '1e999' as 'x', expected a number in the range of doubles"},
+          {object("<vertex x=\"1e-999\" y=\"0\" z=\"0\"/>"),
+           "m:2: found '1e-999' as 'x', expected a number in the range of doubles"},
           {object("<vertex x=\"0 \" y=\"0\" z=\"0\"/>"),
            "m:2: found '0 ' as 'x', expected a finite number"},
           {object(vertex + "<triangle v1=\"0\" v2=\"0\"/>"),
@@ -142,6 +144,55 @@ TEST(ThreeMf, malformed_models_are_refused_with_their_line) {
                ""),
            "m:2: found 1 as 'p1', expected the index of one of the 1 base materials"},
       });
+}
+
+constexpr char kCore[] = "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"";
+constexpr char kSlice[] = "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\"";
+
+std::string shown(const std::string& attributes, const std::string& resources) {
+  return "<model " + std::string(kCore) + " " + attributes + "><resources>" + resources +
+         "</resources><build><item objectid=\"1\"/></build></model>";
+}
+
+// Slices have vertices of their own, without a height.
+TEST(ThreeMf, elements_of_extensions_are_not_taken_for_those_of_the_core) {
+  const std::string slices =
+      "<s:slicestack id=\"9\"><s:slice ztop=\"1\"><s:vertices><s:vertex x=\"7\" "
+      "y=\"7\"/></s:vertices>"
+      "<s:polygon startv=\"0\"/></s:slice></s:slicestack><s:build/><s:model/><s:object/>";
+  const TriMesh mesh =
+      read_model(shown(kSlice, slices + "<object id=\"1\" s:slicestackid=\"9\">" + kMesh), "m");
+  EXPECT_EQ(mesh.points.size(), 3U);
+  EXPECT_EQ(mesh.triangles.size(), 1U);
+}
+
+TEST(ThreeMf, what_is_not_the_shape_of_an_object_is_refused) {
+  const std::string object = "<object id=\"1\">" + kMesh;
+  const std::string declared = std::string(kSlice) + " xmlns:v=\"urn:volumes\"";
+  EXPECT_EQ(read_model(shown(declared + " requiredextensions=\" s \"", object), "m").points.size(),
+            3U);
+  const std::string others =
+      ", expected those of production, materials, slices, beam lattices and sets of triangles only";
+  test::expect_refused(
+      read_model, "m",
+      {{shown(declared + " requiredextensions=\"s v\"", object),
+        "m:1: found 'urn:volumes' among the required extensions" + others},
+       {shown(declared + " requiredextensions=\"w\"", object),
+        "m:1: found 'w' among the required extensions" + others},
+       {shown(kSlice, "<object id=\"1\" s:meshresolution=\"lowres\">" + kMesh),
+        "m:1: found a mesh of low resolution beside slices, which are not read, expected one of "
+        "full resolution"}});
+}
+
+TEST(ThreeMf, there_is_one_model_and_one_build_and_objects_are_beside_each_other) {
+  const std::string object = "<object id=\"1\">" + kMesh, item = "<item objectid=\"1\"/>";
+  test::expect_refused(read_model, "m",
+                       {{model(object, item + "</build><build>" + item),
+                         "m:3: found a second element 'build', expected one"},
+                        {model(object + "<model unit=\"inch\"/>", item),
+                         "m:2: found a second element 'model', expected one"},
+                        {model("<object id=\"2\">" + object + "</object>", item),
+                         "m:2: found an object inside of an object, expected it beside that"}});
 }
 
 TEST(ThreeMf, a_model_that_shows_nothing_is_refused) {

@@ -40,6 +40,14 @@ const std::vector<Malformed>& unreadable() {
       {"", "d.json:1:1",
        "syntax error while parsing value - unexpected end of input; expected '[', '{', or a "
        "literal"},
+      {" \n solid plate\nfacet", "d.json:2:2",
+       "found 'solid plate\\x0aface' at the start, expected a document, which is JSON and begins "
+       "with '{'"},
+      {std::string(100, '(') + "{[[[", "d.json:1:1",
+       "found '((((((((((((((((' at the start, expected a document, which is JSON and begins with "
+       "'{'"},
+      {"\xEF\xBB\xBFOFF", "d.json:1:4",
+       "found 'OFF' at the start, expected a document, which is JSON and begins with '{'"},
       {"{\"units\": \"mm\",\n  oops}", "d.json:2:3",
        "syntax error while parsing object key - invalid literal; last read: '\"mm\",<U+000A>  o'; "
        "expected string literal"},

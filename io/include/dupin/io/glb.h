@@ -17,11 +17,12 @@ namespace dupin {
 /// several times.
 ///
 /// The material of a primitive names its label; where it has none and there are several meshes, the
-/// node or mesh does. Primitives of a mesh share points if they share an accessor. Files that show
+/// node or mesh does. Primitives of a mesh share points if they share an accessor; strips and fans
+/// are read, points and lines are no surface. Files that show
 /// no mesh (but for what `glb_bytes` writes for one without triangles), nodes with two parents or
-/// in a circle, compressed or sparse data, outside buffers and other extensions that change
-/// geometry are refused. Throws Error{parse_failed} with the file and the JSON pointer,
-/// Error{limit_exceeded} where nodes repeat meshes without measure.
+/// in a circle, skins, weights of other shapes, compressed or sparse data, outside buffers and
+/// other extensions that change geometry are refused. Throws Error{parse_failed} with the file and
+/// the JSON pointer, Error{limit_exceeded} where nodes repeat meshes without measure.
 [[nodiscard]] TriMesh read_glb(std::string_view bytes, std::string_view file);
 
 /// The unit that `glb_bytes` noted, or empty. Throws like `read_glb`.

@@ -14,7 +14,9 @@ namespace dupin {
 /// root's unit). A model without a build, or whose build shows no triangle, is refused, but for
 /// what `three_mf_bytes` writes for a mesh without any. A triangle's label is its base material if
 /// it has one of its own, else its object's name ("object ID" where only others have one).
-/// Textures, colours and slices are skipped. Points keep their order and are not merged; -0 becomes
+/// Textures, colours and slices are skipped; shapes that are not their triangles (beam lattices,
+/// Boolean shapes, displacements, meshes of low resolution beside slices) and required extensions
+/// that are not known are refused. Points keep their order and are not merged; -0 becomes
 /// 0. Coordinates are in the package's unit.
 ///
 /// `file` is named in errors. Throws Error{parse_failed} with the file, the part of the package and
