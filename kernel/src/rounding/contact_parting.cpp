@@ -94,7 +94,7 @@ class ContactParting::Attempt {
     const double farthest = how.options_.tolerance - touching.report().largest_move;
     for (const double reach : {kNear * how.step_, kFar * how.step_}) {
       if (!edited_.faults().empty()) {
-        mend_faults(edited_, how.lattice_, std::min(reach, farthest), kTrials);
+        mend_faults(edited_, how.lattice_, std::min(reach, farthest), {kTrials, kTrials});
       }
     }
     move_ = largest_move(edited_);
