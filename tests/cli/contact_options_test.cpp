@@ -53,7 +53,7 @@ TEST(ContactOptions, settle_contacts_and_tell) {
 
 TEST(ContactOptions, part_what_touches_itself_once_it_is_rounded) {
   std::size_t parted = 0;
-  for (std::uint32_t seed = 0; seed < 3; ++seed) {
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
     const Solid solid = unite(test::resting_pipes(8, seed));
     const auto contacts = to_mesh(solid, Coordinates::binary32).contacts().size();
     OutputReport report;

@@ -142,14 +142,14 @@ std::vector<Solid> pipes(UnionKind kind, std::uint32_t segments, std::uint32_t s
   return solids;
 }
 
-std::vector<Solid> resting_pipes(int count, std::uint32_t seed) {
+std::vector<Solid> resting_pipes(int count, std::uint32_t seed, double apart) {
   const Vec3 far(1.7e6 + 0.1, 1.9e6 + 0.3, 1.2e6 + 0.7);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> off(-0.2, 0.2);
   std::vector<Solid> pipes;
   for (int i = 0; i < count; ++i) {
     TriMesh along_x = tube(30, 0, 150. * count, 32), along_y = along_x;
-    const double aside = 60. * i + off(random) / 2, height = -60 + off(random);
+    const double aside = apart * i + off(random) / 2, height = -60 + off(random);
     for (Vec3& p : along_x.points) {
       p = far + Vec3(p.z(), aside + p.x(), p.y());
     }

@@ -29,7 +29,8 @@ inline constexpr UnionKind kPlantKinds[] = {UnionKind::plant_10, UnionKind::plan
 [[nodiscard]] std::vector<Solid> pipes(UnionKind kind, std::uint32_t segments, std::uint32_t seed);
 
 /// So many pipes along x on as many along y, at about 1.7e6, where neighbouring floats are 0.125
-/// apart: they lie on each other, or miss or cross each other, by less than that.
-[[nodiscard]] std::vector<Solid> resting_pipes(int count, std::uint32_t seed);
+/// apart: they lie on each other, or miss or cross each other, by less than that. Their diameter is
+/// 60: those along x, whose axes are so far apart, lie beside each other likewise.
+[[nodiscard]] std::vector<Solid> resting_pipes(int count, std::uint32_t seed, double apart = 60);
 
 }  // namespace dupin::test

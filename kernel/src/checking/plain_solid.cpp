@@ -183,7 +183,7 @@ std::optional<PlainSolid> plain_solid(const TriMesh& mesh, double margin) {
   std::iota(own.begin(), own.end(), 0U);
   SelfIntersections found = find_self_intersections(
       mesh.points, mesh.triangles,
-      {.limit = 1, .representatives = own, .closed = true, .margin = margin});
+      {.limit = 1, .representatives = own, .closed = true, .margin = margin, .enough = 1});
   if (!found.none() || found.contacts > 0 ||
       !are_turned_right({mesh.points, mesh.triangles}, shells_of(mesh.triangles, points))) {
     return std::nullopt;

@@ -358,9 +358,21 @@ class Search {
       return;
     }
     ++*count;
-    found.pairs.push_back(pair);
-    if (found.pairs.size() / 2 >= std::max<std::size_t>(options_.limit, 1024)) {
-      trim(found.pairs);
+    keep(pair, found.pairs);
+  }
+
+  /// Of a part's pairs the lowest, as a heap with the last one in front once there are enough:
+  /// where millions cross, few are looked at again.
+  void keep(const FacePair& pair, std::vector<FacePair>& pairs) const {
+    if (pairs.size() < options_.limit) {
+      pairs.push_back(pair);
+      if (pairs.size() == options_.limit) {
+        std::ranges::make_heap(pairs);
+      }
+    } else if (!pairs.empty() && pair < pairs.front()) {
+      std::ranges::pop_heap(pairs);
+      pairs.back() = pair;
+      std::ranges::push_heap(pairs);
     }
   }
 

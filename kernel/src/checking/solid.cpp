@@ -140,10 +140,10 @@ Solid Solid::from(const TriMesh& mesh) {
     copy_surface(mesh, plain->uses_all_points, *exact);
     exact->stable = mesh::one_group(plain->stable, largest);
   } else {
-    const checking::Inspection inspection = checking::inspect(mesh, {.limit = 1}, margin);
+    // It has faults, or touches itself, so that no triangles are known to be stable.
+    const checking::Inspection inspection = checking::inspect(mesh, {.limit = 1});
     refuse_faults(inspection.report, mesh);
     copy_surface(mesh, false, *exact);
-    exact->stable = mesh::one_group(inspection.stable, largest);
     for (const mesh::ContactPlace& place : inspection.contacts) {
       exact->contacts.push_back(
           mesh::to_contact(place, {mesh.points, mesh.triangles}, mesh.labels, mesh.names));

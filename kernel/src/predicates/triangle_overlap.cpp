@@ -168,8 +168,14 @@ bool cones_certainly_apart(const Corners& a, const Corners& b, int axis) {
   return false;
 }
 
+/// Of the corners of t, those that are certain being given.
+Sides exact_sides(const Sides& certain, const Corners& plane, const Corners& t) {
+  const auto side = [&](int i) { return certain[i] != 0 ? certain[i] : exact_side(plane, t[i]); };
+  return {side(0), side(1), side(2)};
+}
+
 /// The corner that the plane of another triangle, whose sides are given, cuts off alone; none if a
-/// side is uncertain.
+/// side is uncertain, or 0.
 std::optional<int> lone_corner(const Sides& sides) {
   if (sides[0] == 0 || sides[1] == 0 || sides[2] == 0) {
     return std::nullopt;
@@ -199,6 +205,26 @@ std::optional<TriangleOverlap> certain_meeting(const Corners& a, int lone_a, con
     return std::nullopt;
   }
   return common_sign(turns) == last ? TriangleOverlap::none : TriangleOverlap::crossing;
+}
+
+/// The same, exactly: segments that have an end in common have a turn of 0 there.
+TriangleOverlap exact_meeting(const Corners& a, int lone_a, const Corners& b, int lone_b) {
+  const Vec3 &p = a[lone_a], &q = b[lone_b];
+  const std::array<Vec3, 2> ends = {b[(lone_b + 1) % 3], b[(lone_b + 2) % 3]};
+  int common = 0;
+  for (int i = 1; i < 3; ++i) {
+    const Corners plane = {p, q, a[(lone_a + i) % 3]};
+    const PlaneFilter filter(plane[0], plane[1], plane[2]);
+    for (int k = 0; k < 2; ++k) {
+      const int certain = filter.side(ends[k]);
+      const int turn = certain != 0 ? certain : exact_side(plane, ends[k]);
+      if (turn == 0 || turn == -common) {
+        return TriangleOverlap::crossing;
+      }
+      common = turn;
+    }
+  }
+  return TriangleOverlap::none;
 }
 
 /// Whether triangles certainly do not meet, whatever sides that are uncertain are.
@@ -342,10 +368,16 @@ TriangleOverlap TriangleOverlapTest::sharing_none(const Triangle& other) const {
   if (edge_separates(a, b, axis, side_of_line) || edge_separates(b, a, axis, side_of_line)) {
     return TriangleOverlap::none;
   }
-  const Sides sides_b = {exact_side(a, b[0]), exact_side(a, b[1]), exact_side(a, b[2])};
-  const Sides sides_a = {exact_side(b, a[0]), exact_side(b, a[1]), exact_side(b, a[2])};
-  if (common_sign(sides_b) != 0 || common_sign(sides_a) != 0) {
+  const Sides sides_b = exact_sides(certain_b, a, b);
+  if (common_sign(sides_b) != 0) {
     return TriangleOverlap::none;
+  }
+  const Sides sides_a = exact_sides(certain_a, b, a);
+  if (common_sign(sides_a) != 0) {
+    return TriangleOverlap::none;
+  }
+  if (const auto of_a = lone_corner(sides_a), of_b = lone_corner(sides_b); of_a && of_b) {
+    return exact_meeting(a, *of_a, b, *of_b);
   }
   if (sides_b == Sides{0, 0, 0}) {
     return coplanar_meeting(a, b, projection_axis(a, axis));

@@ -56,12 +56,19 @@ double largest_move(const EditedMesh& mesh) {
   return vertex + surface;
 }
 
-bool turns_a_shell(const TriMesh& before, const EditedMesh& after, double move) {
-  const auto triangles = after.triangles_of(after.alive_faces());
-  return !turned_shells({before.points, before.triangles},
-                        connected_components(before.triangles, before.points.size()),
-                        {after.points(), triangles}, move)
-              .empty();
+/// A face of each shell that editing has turned inside out.
+std::vector<std::uint32_t> turned_by_editing(const TriMesh& before, const EditedMesh& after,
+                                             double move) {
+  const auto alive = after.alive_faces();
+  const auto triangles = after.triangles_of(alive);
+  std::vector<std::uint32_t> faces =
+      turned_shells({before.points, before.triangles},
+                    connected_components(before.triangles, before.points.size()),
+                    {after.points(), triangles}, move);
+  for (std::uint32_t& face : faces) {
+    face = alive[face];
+  }
+  return faces;
 }
 
 /// What two roundings did, the second of what the first made, less their numbers and origin, which
@@ -94,23 +101,24 @@ class ContactParting::Attempt {
     const double farthest = how.options_.tolerance - touching.report().largest_move;
     for (const double reach : {kNear * how.step_, kFar * how.step_}) {
       if (!edited_.faults().empty()) {
-        mend_faults(edited_, how.lattice_, std::min(reach, farthest), kTrials);
+        mend_faults(edited_, how.lattice_, std::min(reach, farthest), {kTrials, kTrials});
       }
     }
     move_ = largest_move(edited_);
+    turned_ = turned_by_editing(whole(), edited_, move_);
   }
 
-  [[nodiscard]] bool is_done() const { return edited_.faults().empty(); }
-  [[nodiscard]] bool turns_shells() const { return turns_a_shell(whole(), edited_, move_); }
+  [[nodiscard]] bool is_done() const { return edited_.faults().empty() && turned_.empty(); }
 
   /// The faults' triangles numbered as in surface().
   [[nodiscard]] std::vector<Fault> faults() const {
     return edited_.faults_among(edited_.alive_faces());
   }
 
-  /// Of the first fault.
+  /// Of the first fault, or of a shell that is turned inside out.
   [[nodiscard]] Vec3 place() const {
-    return edited_.point(edited_.triangle(edited_.faults().front().first)[0]);
+    const auto faults = edited_.faults();
+    return edited_.point(edited_.triangle(faults.empty() ? turned_[0] : faults[0].first)[0]);
   }
 
   /// The solid as far as it is parted, and told.
@@ -144,9 +152,12 @@ class ContactParting::Attempt {
   std::vector<std::uint32_t> each_;
   EditedMesh edited_;
   double move_ = 0;
+  std::vector<std::uint32_t> turned_;  // a face of each such shell
 };
 
-/// None if the rest of the tolerance does not allow it, or it leaves nothing.
+/// Of the surface, what it winds around a positive number of times: shells that are so thin that
+/// editing has turned them inside out are not. None if the rest of the tolerance does not allow it,
+/// or it leaves nothing.
 std::optional<Rounded> ContactParting::rounded_again(const Attempt& attempt) const {
   const Rounded surface = attempt.surface();
   const RoundingReport& before = surface.report();
@@ -191,9 +202,6 @@ std::optional<Rounded> ContactParting::run(const Rounded& touching) const {
   std::optional<Rounded> current = touching;
   for (int i = 0; i < kAttempts && current && !current->contacts().empty(); ++i) {
     const Attempt attempt(*current, *this);
-    if (attempt.turns_shells()) {
-      return std::nullopt;
-    }
     current = attempt.is_done() ? attempt.surface() : rounded_again(attempt);
   }
   return current && current->contacts().empty() ? std::move(current) : std::nullopt;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 #include <Eigen/Geometry>
@@ -61,16 +63,20 @@ std::vector<std::array<int, 3>> lattice_steps() {
 /// Moves a point to a near number of the lattice, or, further off, by a power of two of the
 /// lattice's largest step.
 bool shift_point(EditedMesh& mesh, const exact::FloatLattice& lattice, std::uint32_t vertex,
-                 const EditRule& rule) {
+                 const EditRule& rule, bool is_near) {
   static const std::vector<std::array<int, 3>> steps = lattice_steps();
   const Vec3 here = mesh.point(vertex);
-  for (const auto& step : steps) {
+  for (const auto& step :
+       is_near ? std::span(steps).first(kDirections) : std::span(steps).subspan(kDirections)) {
     if (mesh.move(vertex,
                   {lattice.shifted(here.x(), step[0]), lattice.shifted(here.y(), step[1]),
                    lattice.shifted(here.z(), step[2])},
                   rule)) {
       return true;
     }
+  }
+  if (is_near) {
+    return false;
   }
   double far = lattice.step(here.cwiseAbs().maxCoeff());
   while (far <= rule.reach) {
@@ -98,7 +104,7 @@ bool collapse_or_flip(EditedMesh& mesh, const Faces& faces, const EditRule& rule
 
 /// Points with few faces first, which change least and are tried soonest.
 bool shift_any_point(EditedMesh& mesh, const exact::FloatLattice& lattice, const Faces& faces,
-                     const EditRule& rule) {
+                     const EditRule& rule, bool is_near) {
   Faces vertices;
   for (const std::uint32_t f : faces) {
     vertices.insert(vertices.end(), mesh.triangle(f).begin(), mesh.triangle(f).end());
@@ -106,32 +112,85 @@ bool shift_any_point(EditedMesh& mesh, const exact::FloatLattice& lattice, const
   support::sort_unique(vertices);
   std::ranges::stable_sort(vertices, {},
                            [&](std::uint32_t vertex) { return mesh.faces(vertex).size(); });
-  return std::ranges::any_of(
-      vertices, [&](std::uint32_t vertex) { return shift_point(mesh, lattice, vertex, rule); });
+  return std::ranges::any_of(vertices, [&](std::uint32_t vertex) {
+    return shift_point(mesh, lattice, vertex, rule, is_near);
+  });
 }
 
 /// Ways to lower the number of faults, by what it takes to try them.
-enum class Effort { edges, edges_around, points };
+enum class Effort { edges, points, edges_around, far_points };
+constexpr std::size_t kEfforts = 4;
 
-/// One step that lowers the number of faults: at the fault's own faces or next to them too.
-bool improve(EditedMesh& mesh, const exact::FloatLattice& lattice, const Fault& fault,
-             const EditRule& rule, Effort effort) {
-  Faces faces = {fault.first, fault.second};
-  support::sort_unique(faces);
-  if (effort == Effort::edges_around) {
-    faces = with_neighbours(mesh, faces);
-  }
-  return effort < Effort::points ? collapse_or_flip(mesh, faces, rule)
-                                 : shift_any_point(mesh, lattice, faces, rule);
+bool moves_points(Effort effort) {
+  return effort == Effort::points || effort == Effort::far_points;
 }
+
+/// Steps that lower the number of faults, fault by fault.
+class Mending {
+ public:
+  Mending(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach)
+      : mesh_(mesh), lattice_(lattice), rule_{FaultRule::fewer, reach} {}
+
+  /// One step, at the fault's own faces or next to them too. What was in vain is not tried again
+  /// before something has changed there.
+  bool improves(const Fault& fault, Effort effort) {
+    Faces faces = {fault.first, fault.second};
+    support::sort_unique(faces);
+    auto& in_vain = in_vain_[static_cast<std::size_t>(effort)];
+    const auto last = in_vain.find(fault);
+    if (last != in_vain.end() && !has_changed_around(faces, effort, last->second)) {
+      return false;
+    }
+    if (tried(faces, effort)) {
+      return true;
+    }
+    in_vain[fault] = mesh_.edits();
+    return false;
+  }
+
+ private:
+  bool tried(const Faces& faces, Effort effort) {
+    switch (effort) {
+      case Effort::edges:
+        return collapse_or_flip(mesh_, faces, rule_);
+      case Effort::edges_around:
+        return collapse_or_flip(mesh_, with_neighbours(mesh_, faces), rule_);
+      case Effort::points:
+      case Effort::far_points:
+        return shift_any_point(mesh_, lattice_, faces, rule_, effort == Effort::points);
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool has_changed_around(const Faces& faces, Effort effort,
+                                        std::uint64_t since) const {
+    Faces around = with_neighbours(mesh_, faces);
+    if (effort == Effort::edges_around) {
+      around = with_neighbours(mesh_, around);
+    }
+    return std::ranges::any_of(around,
+                               [&](std::uint32_t face) { return mesh_.last_edit(face) > since; });
+  }
+
+  EditedMesh& mesh_;
+  const exact::FloatLattice& lattice_;
+  EditRule rule_;
+  std::array<std::map<Fault, std::uint64_t>, kEfforts> in_vain_;  // the number of edits by then
+};
 
 /// Edits to be tried, per fault and besides: ten times as many as the 600 unions of
 /// io_written_unions_test need. What takes more gets nowhere.
 constexpr std::uint64_t kTrialsPerFault = 16, kTrials = 1 << 15;
 
+/// Of them, to move points, in vain, where the surface can be cut instead; and for each time it was
+/// not in vain. What does not help a handful of faults is seldom of use to others, and costs more
+/// than all the rest.
+constexpr std::uint64_t kMoves = 1 << 10, kMovesPerFault = 64;
+
 /// mend_faults(), which may give up.
-void mend(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach) {
-  mend_faults(mesh, lattice, reach, kTrials + kTrialsPerFault * mesh.faults().size());
+bool mend(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach, bool is_thorough) {
+  const std::uint64_t trials = kTrials + kTrialsPerFault * mesh.faults().size();
+  return mend_faults(mesh, lattice, reach, {trials, is_thorough ? trials : kMoves});
 }
 
 double height(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -233,20 +292,28 @@ std::vector<std::uint32_t> with_neighbours(const EditedMesh& mesh, const Faces& 
 }
 
 bool mend_faults(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach,
-                 std::uint64_t trials) {
-  const EditRule rule{FaultRule::fewer, reach};
+                 const MostTrials& most) {
+  Mending mending(mesh, lattice, reach);
   const std::uint64_t first = mesh.trials();
+  std::uint64_t moves = 0, moved = 0;
   for (Effort effort = Effort::edges;;) {
     bool progress = false;
     for (const Fault& fault : mesh.faults()) {
-      if (mesh.trials() - first >= trials) {
+      const std::uint64_t before = mesh.trials();
+      if (before - first >= most.all ||
+          (moves_points(effort) && moves >= most.moves + kMovesPerFault * moved)) {
         return false;
       }
-      progress = (mesh.is_fault(fault) && improve(mesh, lattice, fault, rule, effort)) || progress;
+      const bool improved = mesh.is_fault(fault) && mending.improves(fault, effort);
+      progress = progress || improved;
+      if (moves_points(effort)) {
+        moves += mesh.trials() - before;
+        moved += improved ? 1 : 0;
+      }
     }
     if (progress) {
       effort = Effort::edges;
-    } else if (effort == Effort::points) {
+    } else if (effort == Effort::far_points) {
       return true;
     } else {
       effort = static_cast<Effort>(static_cast<int>(effort) + 1);
@@ -276,36 +343,32 @@ bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original, double reach,
   Faces all(mesh.face_count());
   std::iota(all.begin(), all.end(), 0);
   mesh.find_faults(marked_faces(original.triangles, original.inexact));
-  mend(mesh, exact::FloatLattice(Coordinates::binary64), mending);
-  if (!mesh.faults().empty()) {
-    return false;
-  }
+  mend(mesh, exact::FloatLattice(Coordinates::binary64), mending, false);
   thicken(mesh, reach, std::move(all));
-  return true;
+  return mesh.faults().empty();
 }
 
-void repair_around(EditedMesh& mesh, const BrokenMesh& original,
+bool repair_around(EditedMesh& mesh, const BrokenMesh& original,
                    const std::vector<std::uint32_t>& broken, const std::vector<Fault>& broken_pairs,
                    const RepairLimits& limits) {
-  const auto& [lattice, largest, reach] = limits;
+  const auto& [lattice, largest, reach, is_thorough] = limits;
   if (!lattice.holds_doubles()) {
     const exact::FloatLattice doubles(Coordinates::binary64);
     const auto around = with_neighbours(mesh, broken);
     mesh.find_faults(inexact_faces(mesh, original, around));
-    mend(mesh, doubles, reach / lattice.step(largest) * doubles.step(largest));
+    mend(mesh, doubles, reach / lattice.step(largest) * doubles.step(largest), is_thorough);
     thicken(mesh, reach, with_neighbours(mesh, broken));
     place_on_lattice(mesh, original, lattice);
   } else if (!std::ranges::all_of(mesh.points(), [](const Vec3& p) { return is_in_range(p); })) {
     place_on_lattice(mesh, original, lattice);
   }
   mesh.find_faults(differing_faces(mesh, original), broken_pairs);
-  mend(mesh, lattice, reach);
+  return mend(mesh, lattice, reach, is_thorough);
 }
 
-void repair_further(EditedMesh& mesh, const exact::FloatLattice& lattice, const Faces& broken,
-                    double reach) {
-  thicken(mesh, reach, with_neighbours(mesh, broken));
-  mend(mesh, lattice, reach);
+bool repair_further(EditedMesh& mesh, const Faces& broken, const RepairLimits& limits) {
+  thicken(mesh, limits.reach, with_neighbours(mesh, broken));
+  return mend(mesh, limits.lattice, limits.reach, limits.is_thorough);
 }
 
 }  // namespace dupin::rounding

@@ -14,29 +14,39 @@ struct RepairLimits {
   exact::FloatLattice lattice;
   double largest;  ///< coordinate
   double reach;    ///< of collapses and moves
+  /// Whether to go to any length: there is no other way. Else points are moved only as long as
+  /// that is worth it.
+  bool is_thorough;
 };
 
-/// Mends the mesh of doubles, whose points may move by `mending`, and thickens it everywhere. False
-/// if faults are left.
+/// Mends the mesh of doubles, whose points may move by `mending`, and thickens it where it is free
+/// of faults. False if some are left.
 bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original, double reach, double mending);
 
 /// Around the faces that rounding breaks: mends the mesh of doubles, then, for a coarser lattice,
 /// thickens what is thin, rounds, and mends again. `broken_pairs` are the faults of the mesh that
-/// is rounded only. Faults may be left.
-void repair_around(EditedMesh& mesh, const BrokenMesh& original,
+/// is rounded only. Faults may be left; false if trying more was not worth it.
+bool repair_around(EditedMesh& mesh, const BrokenMesh& original,
                    const std::vector<std::uint32_t>& broken, const std::vector<Fault>& broken_pairs,
                    const RepairLimits& limits);
 
 /// Goes on where repair_around() left faults, with a larger reach, near the `broken` faces only.
-void repair_further(EditedMesh& mesh, const exact::FloatLattice& lattice,
-                    const std::vector<std::uint32_t>& broken, double reach);
+bool repair_further(EditedMesh& mesh, const std::vector<std::uint32_t>& broken,
+                    const RepairLimits& limits);
+
+/// About how many edits are tried, and how many of them move points in vain.
+struct MostTrials {
+  std::uint64_t all, moves;
+};
 
 /// Removes the known faults one by one, in order, by collapsing an edge not longer than `reach`,
-/// else flipping an edge, else moving a point to a near number of the lattice. Every step lowers
-/// their number. What takes more tries is tried where less does not help any fault. Gives up once
-/// about as many edits have been tried as `trials` says; whether it came to an end before.
+/// else flipping an edge, else moving a point to a neighbouring number of the lattice, else
+/// collapsing or flipping an edge near by, else moving a point further. Every step lowers their
+/// number. What takes more tries is tried where less does not help any fault, and nothing again
+/// where nothing has changed. Gives up where that takes too many trials; whether it came to an end
+/// before.
 bool mend_faults(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach,
-                 std::uint64_t trials);
+                 const MostTrials& most);
 
 /// Collapses edges shorter than `reach` and flips away triangles that are lower, among `faces` and
 /// what these edits touch, where the mesh stays free of faults. What is thinner than the rounding's

@@ -55,6 +55,7 @@ EditedMesh::EditedMesh(std::span<const Vec3> points, std::span<const Triangle> t
       parent_(triangles_.size()),
       reach_(points_.size(), 0),
       deviation_(triangles_.size(), 0),
+      last_edit_(triangles_.size(), 0),
       slice_start_(points_.size() + 1, 0),
       slices_(3 * triangles_.size()),
       own_list_(points_.size(), support::kNone),
@@ -313,6 +314,8 @@ bool EditedMesh::settle(std::span<const std::uint32_t> before, std::span<const s
   const bool accepted = tracker_.accept(now(), before, after, rule.faults);
   if (accepted) {
     edited_.insert(edited_.end(), after.begin(), after.end());
+    ++edits_;
+    std::ranges::for_each(before, [&](std::uint32_t face) { last_edit_[face] = edits_; });
   }
   return accepted;
 }

@@ -84,6 +84,11 @@ class EditedMesh {
   /// The number of edits tried so far whose effect had to be looked at.
   [[nodiscard]] std::uint64_t trials() const { return tracker_.trials(); }
 
+  /// The number of edits accepted so far, and the last one of a face, from 1 on; 0 if there is
+  /// none.
+  [[nodiscard]] std::uint64_t edits() const { return edits_; }
+  [[nodiscard]] std::uint64_t last_edit(std::uint32_t face) const { return last_edit_[face]; }
+
   /// The faces edited since the last call that are still there, ascending.
   [[nodiscard]] std::vector<std::uint32_t> take_edited();
 
@@ -108,6 +113,8 @@ class EditedMesh {
   support::BulkVector<std::uint8_t> fixed_;                     // of points
   support::BulkVector<std::uint32_t> parent_;
   support::BulkVector<double> reach_, deviation_;
+  std::uint64_t edits_ = 0;
+  support::BulkVector<std::uint64_t> last_edit_;  // of faces
   // Faces around vertices: slices of one array, or, once edited, a list of their own.
   support::BulkVector<std::uint32_t> slice_start_, slices_, own_list_;
   std::vector<std::vector<std::uint32_t>> lists_;

@@ -20,6 +20,10 @@ namespace {
 constexpr double kFlat = 0.25;
 /// Sheets face each other if their planes meet at less than 18 degrees.
 constexpr double kFacing = -0.95;
+/// Ends that were meant to meet face each other all over; pipes that rest on others, in places. So
+/// much of a piece is seen to face others, by the pairs that cross once rounded, or it is no end.
+constexpr double kFacingPart = 0.125;
+
 struct Plane {
   Vec3 point, normal;  // of length 1
   [[nodiscard]] double height(const Vec3& p) const { return (p - point).dot(normal); }
@@ -32,7 +36,10 @@ struct Patch {
   Vec3 direction;  // of the prism: near the normal, in 64ths
   std::vector<std::uint32_t> faces;
   double area = 0;
+  double facing_area = 0;  ///< of what others are in front of, as far as it is known
   std::vector<Plane> facing;
+
+  [[nodiscard]] bool is_end() const { return !facing.empty() && facing_area >= kFacingPart * area; }
 };
 
 /// The part of a polygon to the left of the line from a to b, seen against `normal`.
@@ -51,6 +58,14 @@ std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& a, const
     }
   }
   return result;
+}
+
+double area_of(const std::vector<Vec3>& polygon) {
+  Vec3 twice = Vec3::Zero();
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    twice += (polygon[i - 1] - polygon[0]).cross(polygon[i] - polygon[0]);
+  }
+  return twice.norm() / 2;
 }
 
 /// The points of prisms, each once: doubles first, as an exact mesh has them.
@@ -121,7 +136,7 @@ class OpenSlits {
     for (const Fault& fault : faults) {
       add_facing(fault.first, fault.second);
     }
-    std::erase_if(patches_, [](const Patch& patch) { return patch.facing.empty(); });
+    std::erase_if(patches_, [](const Patch& patch) { return !patch.is_end(); });
     if (patches_.empty()) {
       return std::nullopt;
     }
@@ -160,8 +175,11 @@ class OpenSlits {
   /// Notes that two triangles face each other across a slit, if they do.
   void add_facing(std::uint32_t f, std::uint32_t g) {
     const auto first = plane(f), second = plane(g);
-    if (!first || !second || !(first->normal.dot(second->normal) < kFacing) ||
-        !has_slit_between(f, *first, g)) {
+    if (!first || !second || !(first->normal.dot(second->normal) < kFacing)) {
+      return;
+    }
+    const double area = area_of_slit(f, *first, g);
+    if (!(area > 0)) {
       return;
     }
     const std::uint32_t p = patch_around(f, *first), q = patch_around(g, *second);
@@ -170,14 +188,15 @@ class OpenSlits {
     }
     const bool extends_first = patches_[p].area <= patches_[q].area;
     Patch& extended = patches_[extends_first ? p : q];
+    extended.facing_area += area;
     const Plane& met = patches_[extends_first ? q : p].plane;
     if (std::ranges::find(extended.facing, met) == extended.facing.end()) {
       extended.facing.push_back(met);
     }
   }
 
-  /// Whether g, where it is in front of f or behind it, is mostly in front, and near.
-  [[nodiscard]] bool has_slit_between(std::uint32_t f, const Plane& of_f, std::uint32_t g) const {
+  /// Of where g is in front of f or behind it, if it is mostly in front, and near; else 0.
+  [[nodiscard]] double area_of_slit(std::uint32_t f, const Plane& of_f, std::uint32_t g) const {
     std::vector<Vec3> common = {corner(g, 0), corner(g, 1), corner(g, 2)};
     for (int k = 0; k < 3; ++k) {
       common = clipped(common, corner(f, k), corner(f, (k + 1) % 3), of_f.normal);
@@ -188,7 +207,7 @@ class OpenSlits {
       sum += height;
       farthest = std::max(farthest, std::abs(height));
     }
-    return common.size() > 2 && sum > 0 && farthest <= widest_;
+    return common.size() > 2 && sum > 0 && farthest <= widest_ ? area_of(common) : 0;
   }
 
   std::uint32_t patch_around(std::uint32_t seed, const Plane& plane) {

@@ -40,8 +40,8 @@ constexpr double kWidestSlit = 64;  // steps
 constexpr std::size_t kSampled = 16, kManyNeedles = kManyFaults / kSampled;
 constexpr double kNeedlePart = 1.0 / 32;
 
-/// Where repair with this reach leaves faults, the surface is made a solid again as it is; and that
-/// at most so often.
+/// Where repair with this reach leaves faults, or with less finds that going on is not worth it,
+/// the surface is made a solid again as it is; and that at most so often.
 constexpr double kSnapReach = 16;  // steps
 constexpr int kSnaps = 32;
 
@@ -190,9 +190,7 @@ class Rounding {
     }
     EditedMesh mesh(doubles(), exact_.triangles, exact_.labels, representatives_);
     const double reach = std::min(step_, (tolerance_ - past_.distance()) / kReachGrowth);
-    if (!thicken_doubles(mesh, whole(), reach, kReachGrowth * double_step_)) {
-      return std::nullopt;
-    }
+    thicken_doubles(mesh, whole(), reach, kReachGrowth * double_step_);
     const auto alive = mesh.alive_faces();
     const double move = largest_move(mesh, alive);
     Past past = past_;
@@ -202,7 +200,9 @@ class Rounding {
     }
     past.origin += origin_;
     ++past.thickenings;
-    const auto broken = misplaced({mesh.points(), mesh.triangles_of(alive)}, move);
+    const std::vector<Fault> left = mesh.faults_among(alive);
+    const auto broken =
+        left.empty() ? misplaced({mesh.points(), mesh.triangles_of(alive)}, move) : faces_of(left);
     Rounded surface = finished(mesh, alive, {});
     std::optional<mesh::ExactMesh> solid(std::in_place);
     if (broken.empty()) {
@@ -215,7 +215,7 @@ class Rounding {
     } else {
       past.snapped_places.emplace_back(mesh.point(mesh.triangle(alive[broken[0]])[0]) +
                                        past.origin);
-      solid = without_self_crossings(surface.mesh(), surface.sources(), {});
+      solid = without_self_crossings(surface.mesh(), surface.sources(), left);
     }
     return solid ? std::optional(Rounding(*solid, coordinates_, options_, std::move(past)).run())
                  : std::nullopt;
@@ -238,7 +238,7 @@ class Rounding {
     }
     EditedMesh mesh(doubles(), exact_.triangles, exact_.labels, representatives_);
     std::size_t shells = remove_small_shells(mesh, broken, reach);
-    repair_around(mesh, whole(), broken, broken_pairs, {lattice_, rounded_.largest, reach});
+    bool is_ended = repair_around(mesh, whole(), broken, broken_pairs, limits(reach));
     while (true) {
       const auto alive = mesh.alive_faces();
       const double move = largest_move(mesh, alive);
@@ -247,7 +247,8 @@ class Rounding {
         return finished(mesh, alive,
                         {.largest_move = move, .repair_reach = reach, .removed_shells = shells});
       }
-      if (auto done = begun_anew(mesh, alive, broken_pairs, broken, reach)) {
+      const bool may_cut = !is_ended || reach >= kSnapReach * step_;
+      if (auto done = begun_anew(mesh, alive, broken_pairs, broken, may_cut)) {
         return std::move(*done);
       }
       if (reach == farthest) {
@@ -256,18 +257,18 @@ class Rounding {
       }
       reach = std::min(kReachGrowth * reach, farthest);
       shells += remove_small_shells(mesh, broken, reach);
-      repair_further(mesh, lattice_, broken, reach);
+      is_ended = repair_further(mesh, broken, limits(reach));
     }
   }
 
   /// What else there is where repair with some reach leaves faults.
   std::optional<Rounded> begun_anew(const EditedMesh& mesh, std::span<const std::uint32_t> alive,
                                     const std::vector<Fault>& broken_pairs,
-                                    const std::vector<std::uint32_t>& left, double reach) {
+                                    const std::vector<std::uint32_t>& left, bool may_cut) {
     if (auto done = without_open_slits(broken_pairs)) {
       return done;
     }
-    if (reach < kSnapReach * step_ || past_.snaps == kSnaps || left.empty() || alive.empty()) {
+    if (!may_cut || past_.snaps == kSnaps || left.empty() || alive.empty()) {
       return std::nullopt;
     }
     return snapped(mesh, alive, mesh.point(mesh.triangle(left[0])[0]));
@@ -335,6 +336,14 @@ class Rounding {
             exact_.triangles, exact_.labels,       representatives_};
   }
 
+  /// Where the surface may be cut instead (begun_anew), edits need not go to any length.
+  [[nodiscard]] RepairLimits limits(double reach) const {
+    const double cut = kSnapReach * step_;
+    const bool is_last =
+        past_.snaps == kSnaps || reach > cut || tolerance_ - past_.distance() < cut;
+    return {lattice_, rounded_.largest, reach, is_last};
+  }
+
   /// Repaired by edits near the broken faces only; none if these are many or that does not do.
   std::optional<Rounded> repaired_in_part(const std::vector<std::uint32_t>& broken,
                                           const std::vector<Fault>& broken_pairs, double reach) {
@@ -353,7 +362,7 @@ class Rounding {
       pairs.push_back({part->face(fault.first), part->face(fault.second)});
     }
     const std::size_t shells = remove_small_shells(mesh, faces, reach);
-    repair_around(mesh, view, faces, pairs, {lattice_, rounded_.largest, reach});
+    repair_around(mesh, view, faces, pairs, limits(reach));
     if (mesh.faults().empty()) {
       if (auto done = spliced(mesh, *part, {.repair_reach = reach, .removed_shells = shells})) {
         return done;

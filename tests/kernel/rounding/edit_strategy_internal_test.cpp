@@ -28,7 +28,7 @@ TEST_F(Edit, repairs_what_random_moves_have_broken) {
     EditedMesh tube = mesh();
     tube.find_faults(std::vector<std::uint8_t>(shape.triangles.size(), 1));
     const std::size_t before = tube.faults().size();
-    EXPECT_TRUE(mend_faults(tube, lattice, 2, 1'000'000));
+    EXPECT_TRUE(mend_faults(tube, lattice, 2, {1'000'000, 1'000'000}));
     const Report after = check(result(tube));
     EXPECT_EQ(tube.faults().empty(),
               after.count(Defect::self_intersection) + after.count(Defect::degenerate_face) == 0)
@@ -47,8 +47,50 @@ TEST_F(Edit, gives_up_when_its_trials_are_spent) {
   const std::vector<Fault> before = tube.faults();
   ASSERT_FALSE(before.empty());
   const exact::FloatLattice lattice(Coordinates::binary64, 0x1p-10);
-  EXPECT_FALSE(mend_faults(tube, lattice, 1e-3, 1));
+  EXPECT_FALSE(mend_faults(tube, lattice, 1e-3, {1, 1}));
   EXPECT_TRUE(tube.faults() == before);
+}
+
+// What does not help a fault is not tried again because others are mended elsewhere.
+TEST_F(Edit, is_tried_again_only_where_something_has_changed) {
+  const exact::FloatLattice lattice(Coordinates::binary64, 0x1p-10);
+  const auto trials = [&](const TriMesh& broken, std::size_t left) {
+    shape = broken;
+    labels.assign(shape.triangles.size(), 0);
+    representatives.resize(shape.points.size());
+    std::iota(representatives.begin(), representatives.end(), 0);
+    EditedMesh tube = mesh();
+    tube.find_faults(std::vector<std::uint8_t>(shape.triangles.size(), 1));
+    EXPECT_TRUE(mend_faults(tube, lattice, 0.25, {1'000'000, 1'000'000}));
+    EXPECT_EQ(tube.faults().empty(), left == 0);
+    return tube.trials();
+  };
+  TriMesh hopeless = test::tube(1, 0, 1, 8);
+  hopeless.points[0] = Vec3(0, 0, 5);  // through the top
+  TriMesh mended = test::tube(1, 0, 1, 64);
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> offset(-100, 100);
+  for (Vec3& p : mended.points) {
+    p = lattice.nearest(p) + Vec3(offset(random), offset(random), offset(random)) * 0x1p-10;
+    p.x() += 10;
+  }
+  const std::uint64_t first = trials(hopeless, 1), second = trials(mended, 0);
+  EXPECT_GT(first, 100U);
+  EXPECT_GT(second, 10U);
+  EXPECT_LE(trials(test::joined({hopeless, mended}), 1), first + second);
+}
+
+TEST_F(Edit, moves_points_in_vain_only_so_often) {
+  shape.points[0] = Vec3(0, 0, 5);  // through the top
+  const exact::FloatLattice lattice(Coordinates::binary64, 0x1p-10);
+  EditedMesh with = mesh(), without = mesh();
+  for (EditedMesh* tube : {&with, &without}) {
+    tube->find_faults(std::vector<std::uint8_t>(shape.triangles.size(), 1));
+    const bool moves = tube == &with;
+    EXPECT_EQ(mend_faults(*tube, lattice, 0.25, {1'000'000, moves ? 1'000'000U : 0U}), moves);
+    EXPECT_FALSE(tube->faults().empty());
+  }
+  EXPECT_LT(without.trials(), with.trials() / 4);
 }
 
 TEST_F(Edit, thickens_what_is_lower_than_the_reach) {
@@ -78,9 +120,11 @@ TEST_F(Edit, thickens_everywhere_what_doubles_hold) {
   EXPECT_TRUE(check(thick).is_solid());
   EXPECT_LT(thick.triangles.size(), shape.triangles.size());
 
+  shape.points[14] = shape.points[13] + Vec3(1e-6, -1e-6, 0);
   shape.points[0] = Vec3(0, 0, 5);  // through the top
   EditedMesh broken = mesh();
   EXPECT_FALSE(thicken_doubles(broken, original, 1e-4, 0x1p-50));
+  EXPECT_LT(broken.alive_faces().size(), shape.triangles.size()) << "thickened where it is sound";
 }
 
 TEST_F(Edit, knows_all_that_share_a_point) {

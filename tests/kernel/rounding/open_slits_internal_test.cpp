@@ -99,6 +99,16 @@ TEST(OpenSlits, wider_than_allowed_and_sheets_of_material_stay) {
   EXPECT_FALSE(fill_open_slits(sheet.exact(), faults, kStep, 16 * kStep));
 }
 
+// A beam that lies on others is no end of a part: what faces each other is a small part of it.
+TEST(OpenSlits, between_beams_that_cross_stay) {
+  std::vector<TriMesh> beams = {test::box(Vec3(-40, 0, kStep), Vec3(40, 1, 1))};
+  for (int i = -3; i < 4; ++i) {
+    beams.push_back(test::box(Vec3(10 * i, -40, -1), Vec3(10 * i + 1, 40, 0)));
+  }
+  const Solid rack = Solid::from(test::joined(beams));
+  EXPECT_FALSE(fill_open_slits(rack.exact(), all_pairs(rack), kStep, 16 * kStep));
+}
+
 TEST(OpenSlits, keep_names_and_sources) {
   const Solid apart = Solid::from(
       test::joined({test::labelled(test::box(Vec3(0, 0, 0), Vec3(8, 8, 4)), "low"),

@@ -3,6 +3,7 @@
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/rounding.h"
+#include "support/pipe_unions.h"
 #include "support/plants.h"
 
 /// Plants whose components miss each other by 1e-5 to 0.5 mm, where binary32 has a spacing of 0.03
@@ -35,6 +36,19 @@ TEST_P(Plants, are_written_as_floats_where_they_stand) {
     EXPECT_LE(rounded.report().slit_width, 16);
     EXPECT_LE(rounded.report().largest_move, 32);
     EXPECT_NEAR(Solid::from(rounded.mesh()).volume() / plant.volume(), 1, 4e-3);
+  }
+}
+
+// What is between such pipes is no slit between ends: it is not filled, all along the pipes, which
+// took hundreds of times the union, and moved them by half their radius.
+TEST(Racks, whose_pipes_rest_on_others_keep_their_shape) {
+  for (std::uint32_t seed = 0; seed < 3; ++seed) {
+    SCOPED_TRACE(seed);
+    const Solid rack = unite(test::resting_pipes(20, seed, 140));
+    const Rounded rounded = to_mesh(rack, Coordinates::binary32);
+    EXPECT_TRUE(check(rounded.mesh()).is_solid());
+    EXPECT_TRUE(rounded.report().filled_places.empty());
+    EXPECT_LE(rounded.report().largest_move, 5);
   }
 }
 
