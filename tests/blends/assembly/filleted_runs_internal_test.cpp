@@ -85,6 +85,36 @@ TEST(FilletedRuns, equal_pipes_may_pass_through_each_other) {
   expect_second_order([](double tolerance) { return cross(55, 4, true, tolerance); });
 }
 
+// Two on one run, turned against each other, so that the holes of one reach between those of the
+// other.
+TEST(FilletedRuns, crosses_of_nearly_equal_pipes_may_be_nested) {
+  const Vec3 along = Vec3::UnitX();
+  for (const double less : {0., 1e-3, 0.02, 0.1}) {
+    for (const double degrees : {90., 60., 45., 30., 10.}) {
+      for (const bool touch : {false, true}) {
+        const double radius = 4 - less, reach = radius + 0.2, turn = degrees * kPi / 180;
+        const double apart = 1.02 * reach * 2 * std::max(std::cos(turn / 2), std::sin(turn / 2));
+        std::vector<Part> parts{pipe("run", -60 * along, 60 * along, 4)};
+        for (const double sign : {-1., 1.}) {
+          const double angle = sign * turn / 2;
+          const Vec3 ahead(0, std::cos(angle), std::sin(angle)), aside = along.cross(ahead);
+          const Vec3 at = sign * apart / 2 * along + (touch ? less : 0) * aside;
+          const std::string name = sign < 0 ? "a" : "b";
+          parts.push_back(pipe(name, at - 30 * ahead, at + 30 * ahead, radius));
+          parts.push_back(fillet("f" + name, "run", name, 0.2));
+        }
+        for (const double tolerance : {0.2, 0.02}) {
+          SCOPED_TRACE(testing::Message()
+                       << less << ' ' << degrees << ' ' << touch << ' ' << tolerance);
+          const Built built = build(assembly(parts, tolerance));
+          EXPECT_EQ(built.solid.genus(), 0);
+          EXPECT_EQ(built.pieces, 1U);
+        }
+      }
+    }
+  }
+}
+
 // However few triangles an unrolled run is wide: what is near the cross on it is no part of it.
 TEST(FilletedRuns, an_equal_cross_goes_with_other_branches_at_any_tolerance) {
   for (const double tolerance : {1., 0.4, 0.1, 0.02}) {
