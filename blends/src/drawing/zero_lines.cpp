@@ -65,6 +65,8 @@ class Tracer {
     return values_[std::size_t(i) * (sheet_.columns + 1) + j];
   }
 
+  static constexpr double kNearly = 1e-9;  // at right angles: of the normals of rounded rings
+
   // A whole side of the sheet, as where a blend ends in a pipe that is seen along its axis.
   struct Rim {
     Place from, to;
@@ -73,7 +75,7 @@ class Tracer {
   // Of a sheet that is more than that. The nodes then count as what is beside them does: no other
   // line is found along the rim.
   void take_rims() {
-    if (std::ranges::all_of(values_, [](double v) { return v == 0; })) {
+    if (std::ranges::all_of(values_, [](double v) { return std::abs(v) < kNearly; })) {
       return;
     }
     const auto rows = sheet_.rows, columns = sheet_.columns;
@@ -91,11 +93,9 @@ class Tracer {
     }
   }
 
-  // `node` gives the value at a node and that beside it. A rim may be as far off as the normals of
-  // rounded rings are.
+  // `node` gives the value at a node and that beside it.
   template <class Node>
   void take_rim(const Rim& rim, std::uint32_t count, const Node& node) {
-    constexpr double kNearly = 1e-9;
     for (std::uint32_t k = 0; k < count; ++k) {
       if (!(std::abs(*node(k).first) < kNearly)) {
         return;

@@ -139,6 +139,29 @@ TEST(Drawing, of_a_hollow_chain_shows_its_bore) {
   }));
 }
 
+// In a document without walls, too: the inner skin's contour is seen through the open end.
+TEST(Drawing, of_a_hollow_chain_in_no_region_shows_its_inner_contour) {
+  const auto chain = [](const std::string& wall) {
+    return parts(R"({"name": "k", "cyclide_chain": {"spheres": [[0, 0, 0, 1], [2, 1, 0, 0.8],
+        [4, 0, 0, 1], [6, 1, 0, 0.7], [8, 0, 0, 0.9]])" +
+                 wall + "}}");
+  };
+  const View view = view_along({1, 0, 0});
+  const auto hollow = lengths(drawing(chain(R"(, "wall": 0.2)"), view), "k", LineKind::contour),
+             full = lengths(drawing(chain(""), view), "k", LineKind::contour);
+  EXPECT_GT(hollow.size(), full.size());
+}
+
+// The axis is all but seen from its end: no rims are added to what is traced.
+TEST(Drawing, of_a_pipe_along_its_axis_but_for_rounding_has_no_scraps) {
+  for (const double tilt : {1e-13, 1e-11, 1e-10, 1e-8}) {
+    const Drawing pipe = drawing(
+        parts(R"({"name": "pipe", "pipe": {"from": [0, 0, 0], "to": [50, 0, 0], "radius": 10}})"),
+        view_along({1, tilt, 0}));
+    EXPECT_LE(pipe.lines.size(), 4U) << tilt;
+  }
+}
+
 void expect_as_wide(const Drawing& drawing, const Built& built) {
   Eigen::AlignedBox2d of_lines, of_points;
   for (const DrawnLine& line : drawing.lines) {
