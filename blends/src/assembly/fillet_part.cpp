@@ -214,6 +214,24 @@ class Search {
     }
   }
 
+  // Where no end of it would lie inside the other one, wherever it ends.
+  [[nodiscard]] std::string no_room_beside_axis(std::size_t i) const {
+    const Ring &own = pipes_.at(i).ring(), &other = pipes_.at(1 - i).ring();
+    const Vec3 across = own.normal.cross(other.normal);
+    const double aside = std::abs((other.center - own.center).dot(across.normalized()));
+    constexpr int kDigits = 12;  // that it is less shows
+    const double room = other.radius - aside;
+    if (own.slope != 0 || other.slope != 0 || across.norm() < kTouching ||
+        own.radius <= room + kTouching * other.radius) {
+      return {};
+    }
+    const std::string &name = pipes_.at(i).name(), &around = pipes_.at(1 - i).name();
+    const std::string off = "; its axis is " + decimal(aside, kMessageDigits) + " off that of '" +
+                            around + "', where what ends in '" + around + "' has a radius of ";
+    return (room > 0 ? off + decimal(room, kDigits) + " at most" : "; it is too far aside") +
+           ": '" + name + "' may go on through '" + around + "'";
+  }
+
   // What may be meant to lie inside the other pipe, and does so but for a part.
   [[nodiscard]] std::string half_buried_end() const {
     for (const std::size_t i : {0U, 1U}) {
@@ -223,7 +241,7 @@ class Search {
         if (out > kRounding * disc.radius && pipes_.at(1 - i).outside(disc.center) < 0) {
           return ": '" + to_string({pipes_.at(i).name(), end}) + "' lies inside '" +
                  pipes_.at(1 - i).name() + "' only in part, and sticks out by " +
-                 decimal(out, kMessageDigits);
+                 decimal(out, kMessageDigits) + no_room_beside_axis(i);
         }
       }
     }

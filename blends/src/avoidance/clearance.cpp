@@ -38,6 +38,7 @@ class Prover {
   TightSpot tightest(const TightSpot& known) {
     result_.spot = known;
     is_refined_ = true;
+    looked_at_ = 0;
     prove_all();
     return *result_.spot;
   }
@@ -85,12 +86,13 @@ class Prover {
   // they are near, and no smaller than the stretch: of a fine mesh little is looked at.
   void prove(const ParameterInterval& t, std::vector<Near> near, int depth) {
     constexpr int kMostHalvings = 24;
-    constexpr std::size_t kMost = 1 << 14;  // stretches: nothing is proved beyond
+    // Stretches: nothing is proved beyond. Of where it is tightest less is known then.
+    const std::size_t most = is_refined_ ? 1 << 10 : 1 << 14;
     if (is_refined_ && result_.spot->distance <= 0) {
       return;
     }
     ++looked_at_;
-    const bool is_last = depth == kMostHalvings || looked_at_ > kMost;
+    const bool is_last = depth == kMostHalvings || looked_at_ > most;
     const double middle = (t.from + t.to) / 2;
     const TravelRing disc = disc_at(middle);
     const surfaces::DiscHull hull = discs_.hull(t);

@@ -200,6 +200,29 @@ Approach approach(const TravelRing& disc, const Obstacle& obstacle) {
   return {(on_core - on_disc).norm() - obstacle.radius, on_disc, on_core - on_disc};
 }
 
+double distance(const TravelRing& disc, const NamedObstacle& obstacle) {
+  if (obstacle.parts.empty()) {
+    return approach(disc, obstacle.shape).distance;
+  }
+  double nearest = std::numeric_limits<double>::infinity();
+  std::vector<const std::vector<ObstacleBox>*> open{&obstacle.parts};
+  while (!open.empty()) {
+    const auto& boxes = *open.back();
+    open.pop_back();
+    for (const ObstacleBox& box : boxes) {
+      // A box holds its triangles, and a ball the disc.
+      const double apart =
+          (disc.center - nearest_core_point(box.shape, disc.center)).norm() - disc.radius;
+      if (box.parts.empty()) {
+        nearest = std::min(nearest, approach(disc, box.shape).distance);
+      } else if (apart < nearest) {
+        open.push_back(&box.parts);
+      }
+    }
+  }
+  return nearest;
+}
+
 double separation(const surfaces::DiscHull& discs, const Obstacle& obstacle,
                   const Vec3& direction) {
   if (!(direction.norm() > 0)) {

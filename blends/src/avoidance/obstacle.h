@@ -52,6 +52,9 @@ struct Approach {
 };
 [[nodiscard]] Approach approach(const TravelRing& disc, const Obstacle& obstacle);
 
+/// The same distance from what it is made of.
+[[nodiscard]] double distance(const TravelRing& disc, const NamedObstacle& obstacle);
+
 /// A proved lower bound of the distance between all discs and the obstacle, from a plane across any
 /// direction that is not zero: the obstacle's least less the discs' largest extent along it.
 [[nodiscard]] double separation(const surfaces::DiscHull& discs, const Obstacle& obstacle,

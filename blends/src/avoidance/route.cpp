@@ -150,16 +150,13 @@ class Router {
   // All ways begin and end with the ports' own discs.
   void refuse_port(const Ring& port) const {
     for (const NamedObstacle& obstacle : obstacles_) {
-      const double distance =
-          obstacle.parts.empty()
-              ? approach({port.center, port.normal, port.radius}, obstacle.shape).distance
-              : clearance_;
-      if (distance < clearance_) {
+      const double nearest = distance({port.center, port.normal, port.radius}, obstacle);
+      if (nearest < clearance_) {
         throw Error(Errc::infeasible_blend,
                     "no way keeps " + decimal(clearance_, kMessageDigits) + " from '" +
                         obstacle.name + "': the end at " + decimal(port.center) + " itself " +
-                        (distance > 0 ? "is only " + decimal(distance, kMessageDigits) + " from it"
-                                      : "lies in it") +
+                        (nearest > 0 ? "is only " + decimal(nearest, kMessageDigits) + " from it"
+                                     : "lies in it") +
                         "; ask for less clearance, or move the end or what is in the way");
       }
     }

@@ -14,6 +14,7 @@
 #include "drawing/polyline.h"
 #include "drawing/smooth_joints.h"
 #include "drawing/stretches.h"
+#include "dupin/blends/cyclide_tube.h"
 #include "dupin/kernel/crease.h"
 #include "dupin/kernel/hidden_lines.h"
 #include "dupin/kernel/parallel.h"
@@ -50,6 +51,9 @@ class Drawer {
     const auto walls = built.region == Region::outer
                            ? std::nullopt
                            : assembly::walls_of(assembly, outer_, built.region);
+    if (!walls) {
+      bore_.parts = inner_skins(outer_);
+    }
     outer_ = assembly::filled(std::move(outer_));
     if (walls) {
       bore_ = assembly::bore_of(assembly, outer_, *walls).resolved;
@@ -72,6 +76,18 @@ class Drawer {
   }
 
  private:
+  // Of chains that have a wall of their own, and are hollow in any region.
+  static std::vector<ResolvedPart> inner_skins(const ResolvedAssembly& assembly) {
+    std::vector<ResolvedPart> result;
+    for (const ResolvedPart& part : assembly.parts) {
+      const auto* chain = std::get_if<Chain>(&part.shape);
+      if (chain != nullptr && chain->wall > 0) {
+        result.push_back({part.name, part.kind, part.index, inner_skin(*chain)});
+      }
+    }
+    return result;
+  }
+
   // Lines are moved off the surface by this, so that it does not hide them where it is a mesh's.
   [[nodiscard]] double reach() const { return 2 * result_.error; }
 

@@ -35,6 +35,7 @@ class Tracer {
         value(i, sheet.columns) = value(i, 0);
       }
     }
+    take_rims();
   }
 
   std::vector<ZeroLine> run() {
@@ -44,6 +45,9 @@ class Tracer {
       }
     }
     std::vector<ZeroLine> result;
+    for (const Rim& rim : rims_) {
+      result.push_back(traced(rim));
+    }
     for (const bool ends_only : {true, false}) {  // what is left when open ones are gone is closed
       for (const auto& [edge, neighbours] : links_) {
         if (!(ends_only && neighbours.size() > 1)) {
@@ -59,6 +63,72 @@ class Tracer {
  private:
   double& value(std::uint32_t i, std::uint32_t j) {
     return values_[std::size_t(i) * (sheet_.columns + 1) + j];
+  }
+
+  static constexpr double kNearly = 1e-9;  // at right angles: of the normals of rounded rings
+
+  // A whole side of the sheet, as where a blend ends in a pipe that is seen along its axis.
+  struct Rim {
+    Place from, to;
+  };
+
+  // Of a sheet that is more than that. The nodes then count as what is beside them does: no other
+  // line is found along the rim.
+  void take_rims() {
+    if (std::ranges::all_of(values_, [](double v) { return std::abs(v) < kNearly; })) {
+      return;
+    }
+    const auto rows = sheet_.rows, columns = sheet_.columns;
+    for (const std::uint32_t i : {0U, rows}) {
+      take_rim({Place(i, 0), Place(i, columns)}, columns + 1, [&](std::uint32_t j) {
+        return std::pair(&value(i, j), &value(i == 0 ? 1 : i - 1, j));
+      });
+    }
+    if (!sheet_.closed) {
+      for (const std::uint32_t j : {0U, columns}) {
+        take_rim({Place(0, j), Place(rows, j)}, rows + 1, [&](std::uint32_t i) {
+          return std::pair(&value(i, j), &value(i, j == 0 ? 1 : j - 1));
+        });
+      }
+    }
+  }
+
+  // `node` gives the value at a node and that beside it.
+  template <class Node>
+  void take_rim(const Rim& rim, std::uint32_t count, const Node& node) {
+    for (std::uint32_t k = 0; k < count; ++k) {
+      if (!(std::abs(*node(k).first) < kNearly)) {
+        return;
+      }
+    }
+    rims_.push_back(rim);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      *node(k).first = *node(k).second;
+    }
+  }
+
+  [[nodiscard]] ZeroLine traced(const Rim& rim) const {
+    constexpr int kParts = 32;
+    ZeroLine result{zero_point(rim.from)};
+    Place last = rim.from;
+    for (int k = 1; k <= kParts; ++k) {
+      const Place next = rim.from + double(k) / kParts * (rim.to - rim.from);
+      append_rim(last, next, 0, result);
+      last = next;
+    }
+    return result;
+  }
+
+  void append_rim(const Place& from, const Place& to, int depth, ZeroLine& result) const {
+    constexpr int kMostHalvings = 12;
+    const Place middle = (from + to) / 2;
+    if (depth < kMostHalvings && distance_from_segment(at(middle).position, at(from).position,
+                                                       at(to).position) > tolerance_) {
+      append_rim(from, middle, depth + 1, result);
+      append_rim(middle, to, depth + 1, result);
+    } else {
+      result.push_back(zero_point(to));
+    }
   }
 
   [[nodiscard]] SheetPoint at(const Place& place) const {
@@ -195,6 +265,7 @@ class Tracer {
   const Vec3& direction_;
   double tolerance_;
   std::vector<double> values_;
+  std::vector<Rim> rims_;
   std::map<GridEdge, std::vector<GridEdge>> links_;
 };
 

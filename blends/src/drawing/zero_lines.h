@@ -19,7 +19,8 @@ using ZeroLine = std::vector<ZeroPoint>;
 /// Where the sheet's normals are at right angles to a unit vector, as polylines whose segments are
 /// within `tolerance` of it: traced through the sheet's cells from edge to edge and halved until
 /// they are. Loops within one cell are not found. Where the normals of a whole region are at right
-/// angles, as of a cylinder seen along its axis, nothing is.
+/// angles, as of a cylinder seen along its axis, nothing is; a side of the sheet is, where they are
+/// so there alone.
 [[nodiscard]] std::vector<ZeroLine> zero_lines(const Sheet& sheet, const Vec3& direction,
                                                double tolerance);
 

@@ -14,8 +14,8 @@ namespace dupin::fitting {
 namespace {
 
 constexpr int kPoints = 24;
-// Of the unknowns (centre, tilts of the normal along both axes, radius): the distances of the
-// points, and that the centre stays in its plane.
+// Of the unknowns (centre, tilts of the normal along both axes by the radius, radius), which are
+// all lengths: the distances of the points, and that the centre stays in its plane.
 using Jacobian = Eigen::Matrix<double, kPoints + 1, 6>;
 using Residual = Eigen::Matrix<double, kPoints + 1, 1>;
 using Unknowns = Eigen::Matrix<double, 6, 1>;
@@ -45,8 +45,8 @@ System system_of(const ImplicitSurface& surface, const TravelRing& ring, const V
     const Vec3 gradient = surface.gradient(point);
     const double size = gradient.norm();
     const Vec3 unit = gradient / size;
-    const double off_plane = -ring.radius * unit.dot(ring.normal);
-    result.residual[k] = surface.value(point) / size;
+    const double off_plane = -unit.dot(ring.normal);
+    result.residual[k] = std::isfinite(size) ? surface.value(point) / size : size;
     result.jacobian.row(k) << unit.transpose(), c * off_plane, s * off_plane, unit.dot(out);
   }
   // As heavy as all points, so that it holds whatever they want.
@@ -58,7 +58,7 @@ System system_of(const ImplicitSurface& surface, const TravelRing& ring, const V
 TravelRing moved(const TravelRing& ring, const Unknowns& step) {
   const Axes axes = axes_of(ring.normal);
   return {ring.center + step.head<3>(),
-          (ring.normal + step[3] * axes.first + step[4] * axes.second).normalized(),
+          (ring.normal + (step[3] * axes.first + step[4] * axes.second) / ring.radius).normalized(),
           ring.radius + step[5]};
 }
 
@@ -104,10 +104,18 @@ Circle circle(const ImplicitSurface& surface, const TravelRing& guess, const Vec
 
 }  // namespace
 
+void require_functions(const ImplicitSurface& surface) {
+  if (!surface.value || !surface.gradient) {
+    throw Error(Errc::invalid_argument,
+                "an implicit surface needs a function and its gradient, and one of them is empty");
+  }
+}
+
 double first_order_distance(const ImplicitSurface& surface, const Vec3& point) {
   const double size = surface.gradient(point).norm();
   const double distance = std::abs(surface.value(point)) / size;
-  return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
+  return std::isfinite(size) && std::isfinite(distance) ? distance
+                                                        : std::numeric_limits<double>::infinity();
 }
 
 TrackedCircle circle_near(const ImplicitSurface& surface, const TravelRing& guess,

@@ -20,7 +20,10 @@ struct TrackedCircle {
 [[nodiscard]] TrackedCircle circle_near(const ImplicitSurface& surface, const TravelRing& guess,
                                         const Vec3& along);
 
-/// |f| / |gradient|; infinite where the gradient vanishes.
+/// Throws Error{invalid_argument} where one of the two functions is none.
+void require_functions(const ImplicitSurface& surface);
+
+/// |f| / |gradient|; infinite where the gradient vanishes, or is not finite.
 [[nodiscard]] double first_order_distance(const ImplicitSurface& surface, const Vec3& point);
 
 }  // namespace dupin::fitting

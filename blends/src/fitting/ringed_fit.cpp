@@ -104,9 +104,23 @@ class Fitter {
     return next;
   }
 
+  [[nodiscard]] RationalRingedSurface blend_of(const TrackedCircle& from,
+                                               const TrackedCircle& to) const {
+    try {
+      return blend(from.ring, to.ring);
+    } catch (const Error& error) {
+      if (error.code() != Errc::irregular_surface) {
+        throw;
+      }
+      refuse("the surface is not ringed: the circles nearest to it turn too fast to be joined",
+             from);
+    }
+  }
+
   void append(const TrackedCircle& from, const TrackedCircle& to, int depth) {
-    const RationalRingedSurface surface = blend(from.ring, to.ring);
-    if (error(surface, 8, 12) > tolerance_ && depth < kMostHalvings) {
+    const RationalRingedSurface surface = blend_of(from, to);
+    const double its_error = error(surface, 16, 24);
+    if (its_error > tolerance_ && depth < kMostHalvings) {
       const MovingRing middle = ring_at(surface, 0.5);
       const TrackedCircle between = found(at_rest(middle), middle.center_rate.normalized());
       append(from, between, depth + 1);
@@ -117,9 +131,8 @@ class Fitter {
       throw Error(Errc::limit_exceeded, "more than " + std::to_string(kMostPieces) +
                                             " pieces are needed; ask for a larger tolerance");
     }
-    const double its_error = error(surface, 16, 24);
     result_.error = std::max(result_.error, its_error);
-    if (its_error > 2 * tolerance_) {  // halving does not help
+    if (its_error > tolerance_) {  // halving does not help
       refuse("the surface is not ringed: a blend between its circles is " +
                  decimal(its_error, kMessageDigits) + " off it",
              from);
@@ -157,6 +170,7 @@ class Fitter {
 
 RingedFit fit_ringed(const ImplicitSurface& surface, const Ring& from, const Ring& to,
                      double tolerance) {
+  fitting::require_functions(surface);
   check(from);
   check(to);
   if (!(tolerance > 0) || !std::isfinite(tolerance)) {

@@ -128,7 +128,7 @@ double FaceStrip::clearance_of_holes(double x) const {
 
 // From a corner below to that above which is nearest around: steep, away from holes, across the
 // curves, and crossed by nothing.
-void FaceStrip::find_cut() {
+bool FaceStrip::find_straight_cut() {
   struct Candidate {
     double merit;
     std::array<std::size_t, 2> cut;
@@ -154,10 +154,98 @@ void FaceStrip::find_cut() {
   const auto open = std::ranges::find_if(
       candidates, [&](const Candidate& c) { return !is_crossed(c.at[0], c.at[1]); });
   if (open == candidates.end()) {
-    throw Error(Errc::self_intersecting, "no way was found between the curves on a tube's face");
+    return false;
   }
   cut_ = open->cut;
   cut_at_ = open->at;
+  return true;
+}
+
+void FaceStrip::find_cut() {
+  if (!find_straight_cut() && !find_cut_through_holes()) {
+    throw Error(Errc::self_intersecting, "no way was found between the curves on a tube's face");
+  }
+}
+
+// Between corners that are nearest, unless something is in between: then other curves are nearer.
+// Curves that touch bound the face together: a step between them would tear it in two.
+std::optional<FaceStrip::Step> FaceStrip::shortest_step(const UnrolledCurve& from,
+                                                        const UnrolledCurve& to,
+                                                        std::optional<std::size_t> not_from) const {
+  Step step{0, 0, Vec2::Zero()};
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < from.places.size(); ++i) {
+    for (std::size_t k = 0; k < to.places.size(); ++k) {
+      if (from.corners[i] == to.corners[k]) {
+        return std::nullopt;
+      }
+      Vec2 along = to.places[k] - from.places[i];
+      along.x() = std::remainder(along.x(), around_);
+      if (along.squaredNorm() < least && i != not_from) {
+        least = along.squaredNorm();
+        step = {i, k, along};
+      }
+    }
+  }
+  const Vec2& at = from.places[step.from];
+  return is_crossed(at, at + step.along) ? std::nullopt : std::optional(step);
+}
+
+// By E. W. Dijkstra (1959): the curves from the first to the second, by the lengths of steps.
+std::vector<std::size_t> FaceStrip::way_through(
+    const std::vector<const UnrolledCurve*>& curves) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::vector<double> length(curves.size(), kFar);
+  std::vector<std::size_t> before(curves.size(), 0);
+  std::vector<bool> is_done(curves.size(), false);
+  length[0] = 0;
+  for (std::size_t round = 0; round < curves.size(); ++round) {
+    std::size_t at = curves.size();
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      at = !is_done[i] && (at == curves.size() || length[i] < length[at]) ? i : at;
+    }
+    if (length[at] == kFar || at == 1) {
+      break;
+    }
+    is_done[at] = true;
+    for (std::size_t i = 1; i < curves.size(); ++i) {
+      const auto step =
+          is_done[i] ? std::nullopt : shortest_step(*curves[at], *curves[i], std::nullopt);
+      if (step && length[at] + step->along.norm() < length[i]) {
+        length[i] = length[at] + step->along.norm();
+        before[i] = at;
+      }
+    }
+  }
+  std::vector<std::size_t> way;
+  for (std::size_t i = 1; length[1] < kFar && i != 0; i = before[i]) {
+    way.push_back(i);
+  }
+  std::ranges::reverse(way);
+  return way;
+}
+
+bool FaceStrip::find_cut_through_holes() {
+  std::vector<const UnrolledCurve*> curves{&lower_, &upper_};
+  curves.insert(curves.end(), holes_.begin(), holes_.end());
+  const UnrolledCurve* at = &lower_;
+  std::optional<std::size_t> in;  // where it was come to
+  for (const std::size_t next : way_through(curves)) {
+    const auto step = shortest_step(*at, *curves[next], in);
+    if (!step) {
+      return false;
+    }
+    if (in) {
+      via_.push_back({at, *in, step->from});
+    } else {
+      cut_[0] = step->from;
+      cut_at_[0] = lower_.places[step->from];
+    }
+    at = curves[next];
+    in = step->to;
+  }
+  cut_[1] = in.value_or(0);
+  return in.has_value();
 }
 
 std::uint32_t FaceStrip::add_corner(std::uint32_t corner, const Vec2& place) {
@@ -184,45 +272,111 @@ std::vector<std::uint32_t> FaceStrip::once_around(const UnrolledCurve& curve, st
   return result;
 }
 
+// On both sides of the cut: where it ends.
+Vec2 FaceStrip::append_step(const Vec2& from, const Vec2& to, const NewCorner& new_corner,
+                            CutSides& sides) {
+  const Vec2 along = to - from;
+  const auto parts = std::max<long>(1, std::lround(along.norm() / Refinement{}.spacing));
+  for (long i = 1; i < parts; ++i) {
+    const Vec2 place = from + double(i) / double(parts) * along;
+    const std::uint32_t corner = new_corner(place);
+    sides.left.push_back(add_corner(corner, place));
+    sides.right.push_back(add_corner(corner, place + Vec2(around_, 0)));
+  }
+  return to;
+}
+
+// To the right of the cut is what is on its left side, and the sides of a hole that are to the
+// right of the way through it.
+void FaceStrip::append_via(const Via& via, const Vec2& place, CutSides& sides) {
+  const auto& [hole, in, out] = via;
+  const std::size_t count = hole->corners.size();
+  const bool turns_left = twice_area(*hole) > 0;
+  for (const bool is_left : {true, false}) {
+    const Vec2 shift = place - hole->places[in] + Vec2(is_left ? 0 : around_, 0);
+    auto& side = is_left ? sides.left : sides.right;
+    const std::size_t step = is_left == turns_left ? 1 : count - 1;
+    for (std::size_t i = in;; i = (i + step) % count) {
+      side.push_back(add_hole_corner(hole->corners[i], hole->places[i] + shift));
+      if (i == out) {
+        break;
+      }
+    }
+  }
+}
+
 void FaceStrip::append_outline(const NewCorner& new_corner) {
   const auto below = once_around(lower_, cut_[0], cut_at_[0].x());
-  auto above = once_around(upper_, cut_[1], cut_at_[1].x());
-  const Vec2 along = cut_at_[1] - cut_at_[0];
-  const auto parts = std::max<long>(1, std::lround(along.norm() / Refinement{}.spacing));
-  std::vector<std::uint32_t> left, right;  // of the cut, upwards
-  for (long i = 1; i < parts; ++i) {
-    const Vec2 place = cut_at_[0] + double(i) / double(parts) * along;
-    const std::uint32_t corner = new_corner(place);
-    left.push_back(add_corner(corner, place));
-    right.push_back(add_corner(corner, place + Vec2(around_, 0)));
+  CutSides sides;
+  Vec2 at = cut_at_[0];
+  const auto beside = [&](const Vec2& place) {
+    return Vec2(at.x() + std::remainder(place.x() - at.x(), around_), place.y());
+  };
+  for (const Via& via : via_) {
+    at = append_step(at, beside(via.hole->places[via.in]), new_corner, sides);
+    append_via(via, at, sides);
+    at += via.hole->places[via.out] - via.hole->places[via.in];
   }
+  cut_at_[1] = append_step(at, beside(upper_.places[cut_[1]]), new_corner, sides);
+  const auto above = once_around(upper_, cut_[1], cut_at_[1].x());
   std::vector<std::uint32_t> outline = below;
-  outline.insert(outline.end(), right.begin(), right.end());
+  outline.insert(outline.end(), sides.right.begin(), sides.right.end());
   outline.insert(outline.end(), above.rbegin(), above.rend());
-  outline.insert(outline.end(), left.rbegin(), left.rend());
+  outline.insert(outline.end(), sides.left.rbegin(), sides.left.rend());
   polygons_.push_back(std::move(outline));
 }
 
-// The hole is between the cut and the cut a turn further on: told by the corner that is farthest
-// from both.
+// By which its places are inside: most of them, as they are rounded.
+double FaceStrip::turns_into_outline(const UnrolledCurve& hole) const {
+  const auto& outline = polygons_.front();
+  const auto is_inside = [&](const Vec2& place) {
+    bool inside = false;
+    Vec2 a = places_[outline.back()];
+    for (const std::uint32_t corner : outline) {
+      const Vec2 b = places_[corner];
+      if ((a.x() <= place.x()) != (b.x() <= place.x())) {
+        const double share = (place.x() - a.x()) / (b.x() - a.x());
+        inside ^= a.y() + share * (b.y() - a.y()) < place.y();
+      }
+      a = b;
+    }
+    return inside;
+  };
+  const double first = std::round((cut_at_[0].x() - hole.places.front().x()) / around_);
+  double turns = first;
+  std::ptrdiff_t most = 0;
+  for (double tried = first - 2; tried <= first + 3; ++tried) {
+    const auto inside = std::ranges::count_if(hole.places, [&](const Vec2& place) {
+      return is_inside(place + Vec2(tried * around_, 0));
+    });
+    turns = inside > most ? tried : turns;
+    most = std::max(most, inside);
+  }
+  return turns;
+}
+
+std::uint32_t FaceStrip::add_hole_corner(std::uint32_t corner, const Vec2& place) {
+  const auto [first, last] = in_hole_.equal_range(corner);
+  const auto known = std::find_if(first, last, [&](const auto& entry) {
+    return std::abs(places_[entry.second].x() - place.x()) < around_ / 2;
+  });
+  if (known != last) {
+    return known->second;
+  }
+  const std::uint32_t added = add_corner(corner, place);
+  in_hole_.emplace(corner, added);
+  return added;
+}
+
+// One that is not cut is between the cut and the cut a turn further on.
 void FaceStrip::append_hole(const UnrolledCurve& hole) {
-  const auto from_cut = [&](const Vec2& place) {
-    const double share = (place.y() - cut_at_[0].y()) / (cut_at_[1].y() - cut_at_[0].y());
-    return place.x() - (cut_at_[0].x() + share * (cut_at_[1].x() - cut_at_[0].x()));
-  };
-  const auto clearance = [&](const Vec2& place) {
-    return std::abs(std::remainder(from_cut(place), around_));
-  };
-  const Vec2& farthest = *std::ranges::max_element(hole.places, {}, clearance);
-  const double shift = -around_ * std::floor(from_cut(farthest) / around_);
+  if (std::ranges::any_of(via_, [&](const Via& via) { return via.hole == &hole; })) {
+    return;
+  }
+  const Vec2 shift(turns_into_outline(hole) * around_, 0);
   std::vector<std::uint32_t> polygon;
   for (std::size_t i = 0; i < hole.corners.size(); ++i) {
-    const auto [entry, is_new] =
-        in_hole_.try_emplace(hole.corners[i], std::uint32_t(corners_.size()));
-    if (is_new) {
-      add_corner(hole.corners[i], hole.places[i] + Vec2(shift, 0));
-    }
-    polygon.push_back(entry->second);
+    polygon.push_back(add_hole_corner(hole.corners[i], hole.places[i] + shift));
   }
   polygons_.push_back(std::move(polygon));
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
@@ -15,7 +16,8 @@ namespace dupin::tessellation {
 using NewCorner = std::function<std::uint32_t(const Vec2&)>;
 
 /// What lies between two curves about a face's axis, less holes: cut open along a straight line
-/// between corners of both. The curves outlive it.
+/// between corners of both or, where the holes leave no way, along such lines from one to another
+/// of them and their sides in between. The curves outlive it.
 class FaceStrip {
  public:
   FaceStrip(const UnrolledCurve& lower, const UnrolledCurve& upper, double around)
@@ -35,7 +37,32 @@ class FaceStrip {
   void for_each_side(const UnrolledCurve& curve, double x, const Visit& visit) const;
   [[nodiscard]] bool is_crossed(const Vec2& from, const Vec2& to) const;
   [[nodiscard]] double clearance_of_holes(double x) const;
+  // A hole that the cut passes through, and at which of its corners.
+  struct Via {
+    const UnrolledCurve* hole;
+    std::size_t in, out;
+  };
+  struct Step {
+    std::size_t from, to;
+    Vec2 along;
+  };
+  // Its two sides, the second a turn further on.
+  struct CutSides {
+    std::vector<std::uint32_t> left, right;
+  };
+
   void find_cut();
+  [[nodiscard]] bool find_straight_cut();
+  [[nodiscard]] bool find_cut_through_holes();
+  [[nodiscard]] std::vector<std::size_t> way_through(
+      const std::vector<const UnrolledCurve*>& curves) const;
+  [[nodiscard]] std::optional<Step> shortest_step(const UnrolledCurve& from,
+                                                  const UnrolledCurve& to,
+                                                  std::optional<std::size_t> not_from) const;
+  Vec2 append_step(const Vec2& from, const Vec2& to, const NewCorner& new_corner, CutSides& sides);
+  void append_via(const Via& via, const Vec2& place, CutSides& sides);
+  std::uint32_t add_hole_corner(std::uint32_t corner, const Vec2& place);
+  [[nodiscard]] double turns_into_outline(const UnrolledCurve& hole) const;
   std::uint32_t add_corner(std::uint32_t corner, const Vec2& place);
   [[nodiscard]] std::vector<std::uint32_t> once_around(const UnrolledCurve& curve,
                                                        std::size_t first, double x);
@@ -47,10 +74,11 @@ class FaceStrip {
   std::vector<const UnrolledCurve*> holes_;
   std::array<std::size_t, 2> cut_{};  // its corners of lower and upper
   std::array<Vec2, 2> cut_at_;
+  std::vector<Via> via_;
   std::vector<std::uint32_t> corners_;  // what the triangulation's points are
   std::vector<Vec2> places_;
   std::vector<std::vector<std::uint32_t>> polygons_;
-  std::map<std::uint32_t, std::uint32_t> in_hole_;
+  std::multimap<std::uint32_t, std::uint32_t> in_hole_;  // the triangulation's points by corner
 };
 
 /// Equally many triangles at both of two rings of equally many corners, the first one's below.

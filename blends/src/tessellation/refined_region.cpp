@@ -74,6 +74,7 @@ class Cells {
 // A triangle that is to vanish, by the centre of the circle about it.
 struct Fault {
   double shortest = 0;
+  Vec2 inner;  // a point of it
   Vec2 center;
   double radius = 0;
 };
@@ -195,7 +196,7 @@ class Refiner {
       const auto is_inside = [&](const Vec2& other) {
         return (other - p).squaredNorm() < fault.radius * fault.radius;
       };
-      if (!added.any(p - reach, p + reach, is_inside) && is_free(p)) {
+      if (!added.any(p - reach, p + reach, is_inside) && is_free(p) && sees(fault.inner, p)) {
         added.add(p, p, p);
         points_.push_back(p);
       }
@@ -242,7 +243,8 @@ class Refiner {
     // What is larger than this has its centre beyond a side.
     const bool is_told = squared_radius < kLargest * kLargest;
     if (is_told && (is_wide || squared_radius > kSquaredRatio * shortest)) {
-      faults.push_back({std::sqrt(shortest), a + to_center, std::sqrt(squared_radius)});
+      faults.push_back(
+          {std::sqrt(shortest), (a + b + c) / 3, a + to_center, std::sqrt(squared_radius)});
     }
   }
 
@@ -251,6 +253,15 @@ class Refiner {
     const Vec2 reach = Vec2::Constant(0.3 * longest_);
     return is_inside(p) && !sides_.any(p - reach, p + reach,
                                        [&](const Side& side) { return is_wide_from(side, p); });
+  }
+
+  // Beyond a side a centre would leave the triangle as it is, and be added again.
+  [[nodiscard]] bool sees(const Vec2& from, const Vec2& to) const {
+    return !sides_.any(from.cwiseMin(to), from.cwiseMax(to), [&](const Side& side) {
+      const Vec2 along = to - from, across = side.to - side.from;
+      return cross(along, side.from - from) * cross(along, side.to - from) < 0 &&
+             cross(across, from - side.from) * cross(across, to - side.from) < 0;
+    });
   }
 
   [[nodiscard]] bool is_inside(const Vec2& p) const {

@@ -15,15 +15,6 @@ using Corners = std::vector<std::uint32_t>;
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-double twice_area(const UnrolledCurve& curve) {
-  double sum = 0;
-  for (std::size_t i = 0; i < curve.places.size(); ++i) {
-    sum += cross(curve.places[i] - curve.places[0],
-                 curve.places[(i + 1) % curve.places.size()] - curve.places[0]);
-  }
-  return sum;
-}
-
 // The least and greatest x.
 std::pair<double, double> extent(const UnrolledCurve& curve) {
   const auto [left, right] =
@@ -39,6 +30,7 @@ struct Side {
 struct Across {
   Side side;
   long turns;  // from the next hole's places
+  Vec2 at;     // where it begins
 };
 
 // The shortest from one hole to the next one around, which may be itself, if it is short.
@@ -53,6 +45,7 @@ std::optional<Across> bridge(const UnrolledCurve& one, const UnrolledCurve& next
     return std::nullopt;
   }
   std::optional<Side> result;
+  Vec2 at = Vec2::Zero();
   double least = kShort;
   for (std::size_t i = 0; i < one.places.size(); ++i) {
     for (std::size_t j = 0; j < next.places.size(); ++j) {
@@ -60,12 +53,13 @@ std::optional<Across> bridge(const UnrolledCurve& one, const UnrolledCurve& next
       if (along.norm() < least) {
         least = along.norm();
         result = {one.corners[i], next.corners[j], along};
+        at = one.places[i];
       }
     }
   }
   const bool links =
       result && result->from != result->to && std::abs(result->along.x()) <= kSegment;
-  return links ? std::optional(Across{*result, std::lround(turns)}) : std::nullopt;
+  return links ? std::optional(Across{*result, std::lround(turns), at}) : std::nullopt;
 }
 
 // Walks along what is left of all sides, the holes being to their right. Nothing here needs to be
@@ -223,11 +217,31 @@ class HoleChains {
     }
   }
 
+  // Whether it passes through a hole, on the way to one behind it.
+  [[nodiscard]] bool is_blocked(const Side& across, const Vec2& from) const {
+    return std::ranges::any_of(holes_, [&](const UnrolledCurve& hole) {
+      for (std::size_t i = 0; i < hole.corners.size(); ++i) {
+        const std::size_t next = (i + 1) % hole.corners.size();
+        const bool is_end = hole.corners[i] == across.from || hole.corners[i] == across.to ||
+                            hole.corners[next] == across.from || hole.corners[next] == across.to;
+        const double turns = std::round((from.x() - hole.places[i].x()) / around_);
+        const Vec2 a = hole.places[i] + Vec2(turns * around_, 0) - from;
+        const Vec2 b = a + hole.places[next] - hole.places[i];
+        if (!is_end && cross(across.along, a) * cross(across.along, b) < 0 &&
+            cross(b - a, -a) * cross(b - a, across.along - a) < 0) {
+          return true;
+        }
+      }
+      return false;
+    });
+  }
+
   [[nodiscard]] std::vector<Bridge> chosen() {
     std::vector<Bridge> all;
     for (std::size_t i = 0; i < holes_.size(); ++i) {
       for (std::size_t j = 0; j < holes_.size(); ++j) {
-        if (const auto across = bridge(holes_[i], holes_[j], around_)) {
+        const auto across = bridge(holes_[i], holes_[j], around_);
+        if (across && !is_blocked(across->side, across->at)) {
           all.push_back({i, j, across->turns, across->side});
         }
       }
@@ -251,10 +265,13 @@ class HoleChains {
 }  // namespace
 
 std::vector<UnrolledCurve> linked_about(std::vector<UnrolledCurve> holes,
-                                        const std::vector<Vec2>& places, double around) {
+                                        const std::vector<Vec2>& places, double around,
+                                        Bridges bridges) {
   Links links(holes);
-  for (const Side& across : HoleChains(holes, around).bridges()) {
-    links.append_twice(across);
+  if (bridges == Bridges::across_gaps) {
+    for (const Side& across : HoleChains(holes, around).bridges()) {
+      links.append_twice(across);
+    }
   }
   if (!links.touch()) {
     return holes;

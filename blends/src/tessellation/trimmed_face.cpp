@@ -31,8 +31,11 @@ double band_count(double height) {
 
 class Trimmer {
  public:
-  Trimmer(const TrimmedFace& face, const RingSampling& sampling)
-      : face_(face), sampling_(sampling), chart_(face.start, face.end, sampling) {}
+  Trimmer(const TrimmedFace& face, const RingSampling& sampling, Bridges bridges)
+      : face_(face),
+        sampling_(sampling),
+        bridges_(bridges),
+        chart_(face.start, face.end, sampling) {}
 
   Tessellation run() {
     if (face_.keeps_start) {
@@ -90,12 +93,14 @@ class Trimmer {
           (face_.keeps_start && i == 0) || (face_.keeps_end && i + 1 == polygons_.size());
       (curve.turns == 0 ? holes : around).push_back(std::move(curve));
     }
-    holes = linked_about(std::move(holes), places_, chart_.around());
+    holes = linked_about(std::move(holes), places_, chart_.around(), bridges_);
     const auto about = std::stable_partition(
         holes.begin(), holes.end(), [](const UnrolledCurve& curve) { return curve.turns == 0; });
     std::move(about, holes.end(), std::back_inserter(around));
     holes.erase(about, holes.end());
-    std::ranges::stable_sort(around, {}, &UnrolledCurve::low);
+    // Of two that do not cross the lower one has less below it; their least y may be the other way.
+    std::ranges::stable_sort(
+        around, {}, [&](const UnrolledCurve& curve) { return area_below(curve, chart_.around()); });
     if (around.size() % 2 != 0) {
       throw Error(Errc::self_intersecting, "the curves on a tube's face do not bound it");
     }
@@ -241,6 +246,7 @@ class Trimmer {
 
   const TrimmedFace& face_;
   const RingSampling& sampling_;
+  Bridges bridges_;
   UnrolledFace chart_;
   std::map<Vec3, std::uint32_t, numbers::PointOrder> vertex_at_;
   std::vector<Corners> polygons_;
@@ -295,7 +301,16 @@ double expected_triangles(const TrimmedFace& face, const RingSampling& sampling)
 }
 
 Tessellation trimmed_face(const TrimmedFace& face, const RingSampling& sampling) {
-  return Trimmer(face, sampling).run();
+  // Where chains of holes are nested, a bridge from one to the other may leave what touches itself,
+  // and there are ways past without.
+  try {
+    return Trimmer(face, sampling, Bridges::across_gaps).run();
+  } catch (const Error& error) {
+    if (error.code() != Errc::self_intersecting || face.curves.size() < 2) {
+      throw;
+    }
+    return Trimmer(face, sampling, Bridges::none).run();
+  }
 }
 
 }  // namespace dupin::tessellation

@@ -78,4 +78,24 @@ UnrolledCurve unrolled(std::vector<std::uint32_t> corners, const std::vector<Vec
   return curve;
 }
 
+double twice_area(const UnrolledCurve& curve) {
+  const auto cross = [](const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); };
+  double sum = 0;
+  for (std::size_t i = 0; i < curve.places.size(); ++i) {
+    sum += cross(curve.places[i] - curve.places[0],
+                 curve.places[(i + 1) % curve.places.size()] - curve.places[0]);
+  }
+  return sum;
+}
+
+double area_below(const UnrolledCurve& curve, double around) {
+  double sum = 0;
+  Vec2 a = curve.places.back() - Vec2(around, 0);
+  for (const Vec2& b : curve.places) {
+    sum += (b.x() - a.x()) * (a.y() + b.y()) / 2;
+    a = b;
+  }
+  return sum;
+}
+
 }  // namespace dupin::tessellation

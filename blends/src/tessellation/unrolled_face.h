@@ -43,4 +43,10 @@ struct UnrolledCurve {
 [[nodiscard]] UnrolledCurve unrolled(std::vector<std::uint32_t> corners,
                                      const std::vector<Vec2>& place, double around);
 
+/// Of one that does not go about the axis: positive where it goes counter-clockwise.
+[[nodiscard]] double twice_area(const UnrolledCurve& curve);
+
+/// Of one that goes about the axis once: the integral of y over its turn.
+[[nodiscard]] double area_below(const UnrolledCurve& curve, double around);
+
 }  // namespace dupin::tessellation

@@ -58,6 +58,13 @@ TEST(FilletPart, takes_tiny_gaps_for_a_touch) {
   }
 }
 
+// As it says of what ends in the other pipe as thick.
+TEST(FilletPart, is_made_of_pipes_off_the_axis_as_its_refusal_says) {
+  const Part run = pipe("run", {-20, 0, 0}, {20, 0, 0}, 4);
+  EXPECT_EQ(between(run, pipe("b", {0, 0, 0.1}, {0, 12, 0.1}, 3.9), 0.5).loops.size(), 1U);
+  EXPECT_EQ(between(run, pipe("b", {0, -12, 0.1}, {0, 12, 0.1}, 4), 0.5).loops.size(), 1U);
+}
+
 struct Fault {
   std::vector<Part> parts;
   std::string message;
@@ -76,6 +83,7 @@ TEST(FilletPart, says_why_there_is_no_fillet) {
   const Part short_of_it = pipe("short", {0, 7, 0}, {0, 12, 0}, 2);
   const Part out = pipe("out", {0, -4.1, 0}, {0, 12, 0}, 2);
   const Part aside = pipe("aside", {0, 0, 2.001}, {0, 12, 2.001}, 2);
+  const Part equal = pipe("equal", {0, 0, 0.1}, {0, 12, 0.1}, 4);
   const Part close = pipe("close", {4.5, 0, 0}, {4.5, 12, 0}, 2);
   const Part elbow{"elbow", ElbowTurning{PortReference{"run", End::end}, 9, 1, {0, 1, 0}}};
   const Fault faults[] = {
@@ -89,6 +97,10 @@ TEST(FilletPart, says_why_there_is_no_fillet) {
       {{run, out, on(out)}, "the fillet runs over the end of 'out' by"},
       {{run, aside, on(aside)},
        ": 'aside.start' lies inside 'run' only in part, and sticks out by 0.001"},
+      {{run, equal, on(equal)},
+       "sticks out by 0.1; its axis is 0.1 off that of 'run', where what ends in 'run' has a "
+       "radius "
+       "of 3.9 at most: 'equal' may go on through 'run'"},
       {{run, branch, on(branch), fillet("g", "branch", "run", 0.2)},
        "the crossing of these parts has 'f' already",
        Errc::invalid_argument},

@@ -1,6 +1,8 @@
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <set>
 
@@ -9,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "assembly/filleted_runs.h"
+#include "blends/assembly/filleted_tee.h"
 #include "dupin/blends/build.h"
 #include "dupin/blends/canal_fillet.h"
 #include "dupin/kernel/error.h"
@@ -18,7 +21,10 @@ namespace dupin {
 namespace {
 
 using test::fillet;
+using test::FilletIntegrals;
+using test::Measures;
 using test::pipe;
+using test::Tee;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -26,131 +32,20 @@ Assembly assembly(std::vector<Part> parts, double tolerance = 0.02) {
   return {"d.json", Unit::millimetre, tolerance, {}, std::move(parts)};
 }
 
-struct Tee {
-  double ratio, offset, angle, ball;
-
-  static constexpr double kRun = 4;
-
-  [[nodiscard]] Assembly document(bool with_fillet, double tolerance = 0.02) const {
-    const double branch = ratio * kRun, aside = offset * kRun, rho = ball * branch;
-    const Vec3 direction(std::cos(angle), std::sin(angle), 0);
-    const double length =
-        (kRun + branch + 3 * rho + branch * std::cos(angle)) / std::sin(angle) + 6;
-    const double half = 2 * length;
-    // Beside the axis it may leave the run: it has to pass through then.
-    const bool passes = offset + ratio > 1;
-    const Vec3 at(0, 0, aside);
-    std::vector<Part> parts{pipe("run", {-half, 0, 0}, {half, 0, 0}, kRun),
-                            pipe("branch", passes ? Vec3(at - length * direction) : at,
-                                 at + length * direction, branch)};
-    if (with_fillet) {
-      parts.push_back(fillet("throat", "run", "branch", rho));
-    }
-    return assembly(std::move(parts), tolerance);
-  }
-};
-
-CanalFillet loop_of(const Tee& tee) {
-  return resolve(tee.document(true)).fillets.front().shape.loops.front();
-}
-
-// Radius ratio, offset, angle and size of the ball as far as issues of fillets know them: general,
-// equal and touching pipes. Every one is a solid, larger than the sharp one, or folds.
-TEST(FilletedRuns, tees_of_all_kinds_are_solids_or_their_balls_fold) {
-  int solids = 0, folds = 0;
-  for (const double ratio : {0.25, 0.5, 0.75, 1.0}) {
-    for (const double offset : {0.0, 0.25, 0.75}) {
-      for (const double degrees : {90, 60, 45, 30}) {
-        for (const double ball : {0.05, 0.1, 0.2, 0.5}) {
-          SCOPED_TRACE(testing::Message()
-                       << ratio << ' ' << offset << ' ' << degrees << ' ' << ball);
-          const Tee tee{ratio, offset, degrees * kPi / 180, ball};
-          try {
-            const Built built = build(tee.document(true));
-            EXPECT_GT(built.solid.exact_volume(), build(tee.document(false)).solid.exact_volume());
-            EXPECT_EQ(built.solid.genus(), 0);
-            EXPECT_EQ(built.solid.components(), 1U);
-            for (const PartReport& part : built.parts) {
-              EXPECT_LE(part.error_bound, 0.02) << part.name;
-              // No slivers; where the pipes touch, their faces end in sharp corners.
-              const bool is_sharp = part.kind == "fillet" || !corners(loop_of(tee)).empty();
-              EXPECT_GT(part.smallest_angle, (is_sharp ? 0.01 : 1) * kPi / 180) << part.name;
-            }
-            ++solids;
-          } catch (const Error& error) {
-            EXPECT_EQ(error.code(), Errc::infeasible_blend);
-            EXPECT_THAT(error.what(), testing::HasSubstr("the fillet folds"));
-            EXPECT_THAT(error.what(), testing::HasSubstr("the largest ball that fits"));
-            EXPECT_EQ(degrees, 30);
-            EXPECT_EQ(ball, 0.5);
-            ++folds;
-          }
-        }
-      }
-    }
-  }
-  EXPECT_EQ(solids, 183);
-  EXPECT_EQ(folds, 9);
-}
-
-// Of a region on a cylinder about an axis through the origin, x.n is the radius: the volume is a
-// third of the sum of areas by radius, of discs by height, and of the integral over the fillet.
-double volume_by_integrals(const Assembly& document) {
-  const ResolvedAssembly resolved = resolve(document);
-  constexpr int kAlong = 4000, kAcross = 40;
-  double sum = 0;
-  for (const ResolvedFillet& fillet : resolved.fillets) {
-    for (const CanalFillet& loop : fillet.shape.loops) {
-      std::array<double, 2> area_under{};  // of what the feet's heights bound
-      for (int i = 0; i < kAlong; ++i) {
-        const double step = 2 * kPi / kAlong, t = (i + 0.5) * step;
-        const MovingBall at = ball(loop, t);
-        const ContactArc arc = contact_arc(loop.quadrics, at);
-        for (int j = 0; j < kAcross; ++j) {
-          const double angle = (j + 0.5) * arc.angle / kAcross;
-          const Vec3 x = point(arc, angle), out = (at.center - x) / at.radius;
-          const double bend = 1 + at.radius * at.acceleration.dot(out) / at.velocity.squaredNorm();
-          sum += x.dot(out) * bend * at.velocity.norm() * at.radius * step * arc.angle / kAcross;
-        }
-        for (std::size_t side = 0; side < 2; ++side) {
-          const Ring& quadric = loop.quadrics.at(side);
-          const auto foot = [&](double parameter) {
-            return contact_arc(loop.quadrics, ball(loop, parameter)).feet.at(side);
-          };
-          const Vec3 a = foot(i * step), b = foot((i + 1) * step);
-          const Vec3 u = quadric.normal.cross(a), v = quadric.normal.cross(b);
-          const double turn = std::atan2(u.cross(v).dot(quadric.normal), u.dot(v));
-          area_under.at(side) += quadric.radius * turn * (a + b).dot(quadric.normal) / 2;
-        }
-      }
-      sum -= loop.quadrics[0].radius * std::abs(area_under[0]) +
-             loop.quadrics[1].radius * std::abs(area_under[1]);
-    }
-  }
-  for (const ResolvedPart& part : resolved.parts) {
-    for (const End end : {End::start, End::end}) {
-      const Ring ring = end_ring(std::get<Chain>(part.shape), end);
-      // The face up to here, and the disc; a branch that begins inside begins at the origin.
-      const double height = ring.center.norm(), r = ring.radius;
-      sum += 2 * kPi * r * r * height + kPi * r * r * height;
-    }
-  }
-  return sum / 3;
-}
-
 void expect_second_order(const std::function<Assembly(double)>& document) {
-  const double expected = volume_by_integrals(document(0.02));
-  const auto fault = [&](double tolerance) {
+  const Measures expected = FilletIntegrals(resolve(document(0.02))).whole();
+  const auto faults = [&](double tolerance) {
     const Built built = build(document(tolerance));
-    const double found = std::abs(built.solid.exact_volume().get_d() - expected);
-    EXPECT_LT(found, tolerance * built.solid.area());
-    return found;
+    const double volume = built.solid.exact_volume().get_d(), area = built.solid.area();
+    EXPECT_LT(std::abs(volume - expected.flux / 3), tolerance * area);
+    return std::array{std::abs(volume - expected.flux / 3), std::abs(area - expected.area)};
   };
-  const double coarse = fault(0.02), fine = fault(0.001);
-  EXPECT_LT(fine, coarse / 10) << "a twentieth of the tolerance";
+  const auto coarse = faults(0.02), fine = faults(0.001);
+  EXPECT_LT(fine[0], coarse[0] / 10) << "a twentieth of the tolerance";
+  EXPECT_LT(fine[1], coarse[1] / 10);
 }
 
-TEST(FilletedRuns, volumes_tend_to_those_of_independent_integrals_at_second_order) {
+TEST(FilletedRuns, volumes_and_areas_tend_to_those_of_independent_integrals_at_second_order) {
   for (const Tee& tee : {Tee{0.5, 0, kPi / 2, 0.3}, Tee{0.75, 0, kPi / 3, 0.2}}) {
     expect_second_order([&](double tolerance) { return tee.document(true, tolerance); });
   }
@@ -191,6 +86,36 @@ TEST(FilletedRuns, equal_pipes_may_pass_through_each_other) {
   expect_second_order([](double tolerance) { return cross(55, 4, true, tolerance); });
 }
 
+// Two on one run, turned against each other, so that the holes of one reach between those of the
+// other.
+TEST(FilletedRuns, crosses_of_nearly_equal_pipes_may_be_nested) {
+  const Vec3 along = Vec3::UnitX();
+  for (const double less : {0., 1e-3, 0.02, 0.1}) {
+    for (const double degrees : {90., 60., 45., 30., 10.}) {
+      for (const bool touch : {false, true}) {
+        const double radius = 4 - less, reach = radius + 0.2, turn = degrees * kPi / 180;
+        const double apart = 1.02 * reach * 2 * std::max(std::cos(turn / 2), std::sin(turn / 2));
+        std::vector<Part> parts{pipe("run", -60 * along, 60 * along, 4)};
+        for (const double sign : {-1., 1.}) {
+          const double angle = sign * turn / 2;
+          const Vec3 ahead(0, std::cos(angle), std::sin(angle)), aside = along.cross(ahead);
+          const Vec3 at = sign * apart / 2 * along + (touch ? less : 0) * aside;
+          const std::string name = sign < 0 ? "a" : "b";
+          parts.push_back(pipe(name, at - 30 * ahead, at + 30 * ahead, radius));
+          parts.push_back(fillet("f" + name, "run", name, 0.2));
+        }
+        for (const double tolerance : {0.2, 0.02}) {
+          SCOPED_TRACE(testing::Message()
+                       << less << ' ' << degrees << ' ' << touch << ' ' << tolerance);
+          const Built built = build(assembly(parts, tolerance));
+          EXPECT_EQ(built.solid.genus(), 0);
+          EXPECT_EQ(built.pieces, 1U);
+        }
+      }
+    }
+  }
+}
+
 // However few triangles an unrolled run is wide: what is near the cross on it is no part of it.
 TEST(FilletedRuns, an_equal_cross_goes_with_other_branches_at_any_tolerance) {
   for (const double tolerance : {1., 0.4, 0.1, 0.02}) {
@@ -220,6 +145,37 @@ TEST(FilletedRuns, pipes_may_touch_and_all_but_touch) {
   EXPECT_EQ(built.solid.genus(), 0);
   for (const PartReport& part : built.parts) {
     EXPECT_LE(part.error_bound, 0.05) << part.name;
+  }
+}
+
+// A cone that touches the run from inside, or is as thick where it crosses it: up to rounding, and
+// a hair on either side.
+TEST(FilletedRuns, cones_may_touch_from_inside_and_be_as_thick) {
+  for (const double slope : {-0.1, -0.02, 0.05}) {
+    for (const double share : {0.6, 1.}) {
+      const double c = std::hypot(1, slope), radius = share == 1 ? 10 * c : 10 * share;
+      double y = 0;
+      for (int i = 0; i < 100; ++i) {
+        y = -(10 - (radius + slope * y) / c) * slope / c;
+      }
+      const double apart = 10 - (radius + slope * y) / c;
+      const double height = share == 1 ? 0 : std::sqrt(apart * apart - y * y);
+      std::optional<double> volume;
+      for (const double off : {0., 1e-10, -1e-10, 1e-8, -1e-8, 1e-4, -1e-4}) {
+        SCOPED_TRACE(testing::Message() << slope << ' ' << share << ' ' << off);
+        const double h = height + off;
+        const Built built = build(assembly(
+            {pipe("run", {-60, 0, 0}, {60, 0, 0}, 10),
+             {"cone",
+              ConeBetween{{0, -30, h}, {0, 30, h}, radius - 30 * slope, radius + 30 * slope}},
+             fillet("f", "run", "cone", 0.5)},
+            0.05));
+        EXPECT_EQ(built.solid.genus(), 0);
+        EXPECT_EQ(built.pieces, 1U);
+        volume = volume.value_or(built.solid.exact_volume().get_d());
+        EXPECT_NEAR(built.solid.exact_volume().get_d(), *volume, 1e-3 * *volume);
+      }
+    }
   }
 }
 

@@ -150,6 +150,24 @@ TEST(Route, is_refused_where_its_ends_are_too_near_themselves) {
   EXPECT_EQ(refusal({}, {{-3, 0, 0}, {}, 2.5}, 0.25), "");
 }
 
+// Of many triangles, too.
+TEST(Route, is_refused_where_its_ends_are_too_near_to_a_mesh) {
+  const auto why = [](const TriMesh& mesh, double clearance) -> std::string {
+    try {
+      (void)route(kFrom, {}, kTo, std::vector{obstacle_of("m.off", mesh)}, clearance);
+      return "";
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  const TriMesh beside = test::box({-1, -1, 0.75}, {1, 1, 2});
+  EXPECT_THAT(why(beside, 0.5), testing::HasSubstr("keeps 0.5 from 'm.off': the end at (0, 0, 0) "
+                                                   "itself is only 0.25 from it"));
+  EXPECT_EQ(why(beside, 0.2), "");
+  EXPECT_THAT(why(test::box({9, 0, -1}, {11, 1, 1}), 0.1),
+              testing::HasSubstr("the end at (10, 0, 0) itself lies in it"));
+}
+
 TEST(Route, is_the_same_every_time) {
   const std::vector<NamedObstacle> box_in_way{{"box", box({4, -1, -1}, {6, 1, 1.5})}};
   const Route once = route(kFrom, {}, kTo, box_in_way, 0.1),

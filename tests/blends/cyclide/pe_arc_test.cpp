@@ -259,5 +259,31 @@ TEST(PeArc, is_regular_exactly_when_its_discs_do_not_overlap_locally) {
   }
 }
 
+// Where intervals of doubles cannot tell, and a hair on either side.
+TEST(PeArc, has_its_faults_up_to_the_very_borders) {
+  const PeVector up{{0, 0, 1}, 0}, narrowing{{0, 0, 1.25}, -0.75}, unit{{0, 0, 0}, 1};
+  const auto fault = [&](const PeVector& tangent, const Vec3& end, double radius) {
+    return validity(unit, tangent, {end, radius}).fault;
+  };
+  const auto above = [](double x) { return std::nextafter(x, 1e9); };
+  const auto below = [](double x) { return std::nextafter(x, -1e9); };
+  // |Dm| = 5 and r2 - r0 = 5.
+  EXPECT_EQ(fault(up, {0, 3, 4}, 6), ArcFault::nested);
+  EXPECT_EQ(fault(up, {0, 3, 4}, above(6)), ArcFault::nested);
+  EXPECT_NE(fault(up, {0, 3, 4}, below(6)), ArcFault::nested);
+  // w = -1.
+  EXPECT_EQ(fault(up, {0, 0, -3}, 1), ArcFault::through_infinity);
+  EXPECT_EQ(fault(up, {0, 0, -3}, below(1)), ArcFault::through_infinity);
+  EXPECT_NE(fault(up, {0, 1e-9, -3}, 1), ArcFault::through_infinity);
+  // 5 h / 4 - 3 h^2 / 8 = -h.
+  EXPECT_EQ(fault(narrowing, {0, 0, 6}, 1), ArcFault::radius_vanishes);
+  EXPECT_EQ(fault(narrowing, {0, 0, above(6)}, 1), ArcFault::radius_vanishes);
+  EXPECT_EQ(fault(narrowing, {0, 0, below(6)}, 1), ArcFault::none);
+  // |Dm|^2 = 2 x.
+  EXPECT_EQ(fault(up, {1, 0, 1}, 1), ArcFault::pinched);
+  EXPECT_EQ(fault(up, {1, 0, below(1)}, 1), ArcFault::pinched);
+  EXPECT_EQ(fault(up, {1, 0, above(1)}, 1), ArcFault::none);
+}
+
 }  // namespace
 }  // namespace dupin

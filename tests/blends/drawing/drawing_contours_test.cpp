@@ -92,6 +92,29 @@ TEST(Contour, of_an_elbow_in_its_plane_is_the_two_circles_of_its_plane) {
   EXPECT_NEAR(lengths[1], 13 * pi / 2, 1e-4);
 }
 
+// Along the direction in which it ends, all of its rim there, once, and the circle in between that
+// is furthest up and down.
+TEST(Contour, of_an_elbow_along_its_end_has_the_rim) {
+  for (const Vec3& along : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)}) {
+    const auto elbow = test::elbow(10, pi / 2, 3);
+    const Ring &start = elbow.start, &end = elbow.end;
+    int rims = 0;
+    for (const ContourCurve& curve : contours(elbow, along, 1e-5)) {
+      for (const Ring& ring : {start, end}) {
+        const bool is_rim = std::ranges::all_of(curve, [&](const ContourPoint& point) {
+          return std::abs((point.position - ring.center).dot(ring.normal)) < 1e-9;
+        });
+        if (is_rim) {
+          ++rims;
+          EXPECT_GT(std::abs(ring.normal.dot(along)), 1 - 1e-12);
+          EXPECT_NEAR(length(curve), 6 * pi, 1e-3);
+        }
+      }
+    }
+    EXPECT_EQ(rims, 1);
+  }
+}
+
 // [SD94], mathematics A10: on the characteristic circle of a canal surface with unit tangent
 // (A; tau), u = -tau A_w / |A_w|^2 +- sqrt(1 - tau^2 / |A_w|^2) w x A_w / |A_w|.
 TEST(Contour, of_cyclides_is_what_the_closed_form_says) {

@@ -97,6 +97,65 @@ TEST(RingedFit, refuses_what_is_not_ringed_by_how_much) {
             "none");
 }
 
+// The same surface in other units, and elsewhere.
+TEST(RingedFit, is_the_same_at_any_scale) {
+  for (const double scale : {1e-9, 1e-5, 1e-2, 1e2, 1e5, 1e9}) {
+    const ImplicitSurface torus = test::torus(5, 1);
+    const ImplicitSurface scaled{[&](const Vec3& p) { return torus.value(p / scale); },
+                                 [&](const Vec3& p) { return torus.gradient(p / scale); }};
+    const RingedFit fit =
+        fit_ringed({scaled.value, [&](const Vec3& p) { return Vec3(scaled.gradient(p) / scale); }},
+                   at_angle(5 * scale, scale, 0), at_angle(5 * scale, scale, 2), 1e-5 * scale);
+    EXPECT_LE(fit.error, 1e-5 * scale);
+    EXPECT_LT(fit.circularity_defect, 1e-10 * scale);
+    EXPECT_EQ(fit.pieces.size(), 40U) << scale;
+  }
+}
+
+TEST(RingedFit, keeps_to_the_tolerance_or_is_refused) {
+  for (const double height : {1., 1.0001, 1.001, 1.005, 1.01, 1.05}) {
+    for (const double tolerance : {1e-9, 1e-6, 6e-5, 1e-4, 6e-4, 1e-3, 6e-3, 0.01, 0.1}) {
+      try {
+        const RingedFit fit =
+            fit_ringed(test::torus(5, 1, height), at_angle(5, 1, 0), at_angle(5, 1, 1), tolerance);
+        EXPECT_LE(fit.error, tolerance);
+        EXPECT_LE(fit.circularity_defect, tolerance);
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Errc::infeasible_blend);
+        EXPECT_GT(height, 1);
+        EXPECT_THAT(error.message(),
+                    testing::AnyOf(HasSubstr("not ringed"), HasSubstr("do not end in the last")));
+      }
+    }
+  }
+}
+
+// What cannot be measured is not near.
+TEST(RingedFit, refuses_functions_that_are_no_numbers) {
+  const ImplicitSurface torus = test::torus(5, 1);
+  const Ring from = at_angle(5, 1, 0);
+  const Ring along{{5, 9, 0}, Vec3::UnitY(), 1};  // where nothing but f would lead elsewhere
+  for (const double bad : {0., std::numeric_limits<double>::quiet_NaN(),
+                           std::numeric_limits<double>::infinity(), 1e300}) {
+    const auto gradient = [bad](const Vec3&) -> Vec3 { return Vec3::Constant(bad); };
+    EXPECT_THAT(message({torus.value, gradient}, from, along, 0.1), HasSubstr("no circle"));
+    if (bad != 0 && bad != 1e300) {
+      const auto value = [bad](const Vec3&) { return bad; };
+      EXPECT_THAT(message({value, torus.gradient}, from, along, 0.1), HasSubstr("no circle"));
+    }
+  }
+  // From there on it is none.
+  const auto torn = [&](const Vec3& p) {
+    return p.y() > 2 ? std::numeric_limits<double>::quiet_NaN() : torus.value(p);
+  };
+  EXPECT_THAT(message({torn, torus.gradient}, from, at_angle(5, 1, 2), 1e-3),
+              HasSubstr("no circle of the surface was found near (4.7"));
+  EXPECT_NE(message({[&](const Vec3& p) { return torus.value(p) + (p.y() > 2 ? 0.5 : 0); },
+                     torus.gradient},
+                    from, at_angle(5, 1, 2), 1e-3),
+            "none");
+}
+
 TEST(RingedFit, refuses_other_ends) {
   const ImplicitSurface torus = test::torus(5, 1);
   EXPECT_THAT(message(torus, at_angle(5, 1, 0), at_angle(5, 1.5, 1), 1e-3),
@@ -115,6 +174,11 @@ TEST(RingedFit, refuses_bad_numbers) {
     ring.radius = bad;
     EXPECT_THROW((void)fit_ringed(torus, ring, end, 1e-3), Error);
     EXPECT_THROW((void)implicit_contour(torus, Vec3::UnitZ(), {6, 0, 0}, {bad}), Error);
+  }
+  for (const ImplicitSurface& empty :
+       {ImplicitSurface{}, ImplicitSurface{torus.value, {}}, ImplicitSurface{{}, torus.gradient}}) {
+    EXPECT_THROW((void)fit_ringed(empty, good, end, 1e-3), Error);
+    EXPECT_THROW((void)implicit_contour(empty, Vec3::UnitZ(), {6, 0, 0}), Error);
   }
   Ring ring = good;
   ring.normal = {0, 0, 0};

@@ -75,6 +75,53 @@ TEST(FaceStrip, is_filled_around_its_holes) {
   }
 }
 
+// Zigzags about the axis with narrow ways past them that no straight line passes, at any place.
+TEST(FaceStrip, is_cut_through_holes_that_leave_no_straight_way) {
+  for (const double gap : {1.5, 0.3, 0.02}) {
+    for (const double x : {0.0, 3.7, 11.9}) {
+      Face face;
+      const UnrolledCurve lower = face.ring(0, 0), upper = face.ring(16, 0.3);
+      // Long rhombi, each but for the gap as wide as a turn, in three rows.
+      std::vector<UnrolledCurve> holes;
+      for (int row = 0; row < 3; ++row) {
+        const double left = x + 5 * row, width = kAround - gap;
+        holes.push_back(face.curve(80, [&](int i) {
+          const double share = i < 40 ? i / 40. : 2 - i / 40.;
+          const double y = (i < 40 ? -1 : 1) * (0.5 - std::abs(share - 0.5));
+          return Vec2(std::remainder(left + share * width, kAround), 4 + 4 * row + y);
+        }));
+      }
+      FaceStrip strip(lower, upper, kAround);
+      double area = 16 * kAround;
+      for (const UnrolledCurve& hole : holes) {
+        EXPECT_TRUE(strip.contains(hole));
+        strip.add(hole);
+        area -= (kAround - gap) / 2;
+      }
+      std::vector<Triangle> triangles;
+      strip.append_triangles(triangles, [&](const Vec2& place) {
+        face.places.push_back(place);
+        return std::uint32_t(face.places.size() - 1);
+      });
+      double sum = 0;
+      std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
+      for (const Triangle& t : triangles) {
+        sum += face.area(t);
+        for (std::size_t i = 0; i < 3; ++i) {
+          EXPECT_TRUE(sides.insert({t[i], t[(i + 1) % 3]}).second);
+        }
+      }
+      EXPECT_NEAR(sum, area, 1e-9);
+      EXPECT_EQ(std::ranges::count_if(sides,
+                                      [&](const auto& s) {
+                                        return !sides.contains({s.second, s.first});
+                                      }),
+                24 + 24 + 3 * 80)
+          << "the cut is closed";
+    }
+  }
+}
+
 // Rings begin anywhere, and a hole may begin at the x of one of their corners, or a bit beside it,
 // on either side of the place where x jumps by a turn: each side is met once.
 TEST(FaceStrip, contains_holes_that_begin_over_a_corner_of_its_curves) {

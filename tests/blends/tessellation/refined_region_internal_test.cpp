@@ -135,6 +135,29 @@ TEST(RefinedRegion, keeps_sharp_corners) {
   EXPECT_LT(region.triangles.size(), 100U);
 }
 
+// The circles about triangles in the way between them reach far beyond it.
+TEST(RefinedRegion, is_filled_where_holes_leave_a_narrow_way) {
+  const auto arch = [](double x) { return 0.1 * x * (8 - x); };
+  for (const auto& [gap, lean] :
+       {std::pair(0.1, 0.), {0.1, 0.2}, {0.01, 0.}, {0.01, 0.2}, {1e-3, 0.}, {1e-5, 0.}}) {
+    Shape shape;
+    shape.append_rectangle(16, 12);
+    std::vector<Vec2> lower, upper;  // a lens, and a sickle over it
+    for (double x = 0; x <= 8; x += 0.5) {
+      lower.emplace_back(4 + x, 5 + arch(x));
+      upper.emplace_back(4 + x, 5.2 + 2 * arch(x));
+    }
+    for (double x = 7.5; x > 0; x -= 0.5) {
+      lower.emplace_back(4 + x, 5 - arch(x));
+      upper.emplace_back(4 + x + lean, 5 + gap + arch(x + lean));
+    }
+    shape.append(lower);
+    shape.append(upper);
+    const RefinedRegion region = refined_region(shape.points, shape.polygons);
+    EXPECT_LT(region.triangles.size(), 2000U);
+  }
+}
+
 TEST(RefinedRegion, refuses_polygons_that_cross) {
   Shape shape;
   shape.append_rectangle(8, 4);

@@ -31,7 +31,8 @@ using ContourCurve = std::vector<ContourPoint>;
 /// where its front turns to its back ([MS06]; mathematics A10). Whether other surfaces, or other
 /// places of its own, hide it is not asked. Segments of the polylines are within `tolerance` of the
 /// curve. Loops smaller than a 32nd of the way around and along a piece may be missed; where a
-/// whole region's normals are at right angles, as of a cylinder seen along its axis, there is none.
+/// whole region's normals are at right angles, as of a cylinder seen along its axis, there is none,
+/// but along the rim of a surface that goes on from there.
 /// Throws Error{invalid_argument} for a direction that is zero or not finite and for a tolerance
 /// that is not positive.
 [[nodiscard]] std::vector<ContourCurve> contours(const PartSurface& surface, const Vec3& direction,

@@ -26,7 +26,7 @@ struct PartRules<"cyclic_blend"> {
     Chain chain = is_elliptic ? Chain(elliptic_blend(from, to, blend.options))
                               : Chain(cyclic_blend(from, to, blend.options));
     if (blend.avoid) {
-      const auto obstacles = obstacles_of(context, *blend.avoid, from.center);
+      const auto obstacles = obstacles_of(context, *blend.avoid, {from.center, to.center});
       if (const auto fault = nearness(chain, obstacles, blend.avoid->clearance)) {
         if (is_elliptic) {
           throw *fault;

@@ -25,19 +25,22 @@ void check_obstacle(const PartContext& context, const Obstacle& obstacle, const 
 }
 
 // A solid's surface alone would not tell that the way begins inside.
-void refuse_inside(const PartContext& context, const MeshObstacle& obstacle, const Vec3& point,
-                   const std::string& key) {
+void refuse_inside(const PartContext& context, const MeshObstacle& obstacle,
+                   const std::array<Vec3, 2>& ends, const std::string& key) {
   const bool is_closed = check(*obstacle.mesh, {.limit = 0, .self_intersections = false}).closed();
-  if (is_closed && winding_number(*obstacle.mesh, point) != 0) {
-    fail(context, key,
-         "'" + obstacle.file + "' is a closed surface that goes round " + decimal(point) +
-             ", where the way begins; give one that it lies outside of");
+  for (const std::size_t i : {0U, 1U}) {
+    if (is_closed && winding_number(*obstacle.mesh, ends.at(i)) != 0) {
+      fail(context, key,
+           "'" + obstacle.file + "' is a closed surface that goes round " + decimal(ends.at(i)) +
+               ", where the way " + (i == 0 ? "begins" : "ends") +
+               "; give one that it lies outside of");
+    }
   }
 }
 
 struct ObstacleReader {
   const PartContext& context;
-  const Vec3& point;
+  const std::array<Vec3, 2>& ends;
   const std::string& key;
   std::vector<NamedObstacle>& result;
 
@@ -51,15 +54,19 @@ struct ObstacleReader {
     }
   }
   void operator()(const MeshObstacle& obstacle) const {
+    if (obstacle.mesh->triangles.empty()) {
+      fail(context, key + "/mesh",
+           "'" + obstacle.file + "' has no triangles; give a mesh that has some, or leave it out");
+    }
     result.push_back(avoidance::obstacle_of(obstacle.file, *obstacle.mesh));
-    refuse_inside(context, obstacle, point, key);
+    refuse_inside(context, obstacle, ends, key);
   }
 };
 
 }  // namespace
 
 std::vector<NamedObstacle> obstacles_of(const PartContext& context, const Avoidance& avoid,
-                                        const Vec3& point) {
+                                        const std::array<Vec3, 2>& ends) {
   if (!(avoid.clearance >= 0 && avoid.clearance <= kLargest)) {
     fail(context, "clearance",
          "the clearance must be a number that is not negative, not " +
@@ -68,7 +75,7 @@ std::vector<NamedObstacle> obstacles_of(const PartContext& context, const Avoida
   std::vector<NamedObstacle> result;
   for (std::size_t i = 0; i < avoid.obstacles.size(); ++i) {
     const std::string key = "avoid/" + std::to_string(i);
-    std::visit(ObstacleReader{context, point, key, result}, avoid.obstacles[i]);
+    std::visit(ObstacleReader{context, ends, key, result}, avoid.obstacles[i]);
   }
   return result;
 }

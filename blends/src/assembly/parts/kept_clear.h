@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,10 +14,10 @@
 namespace dupin::assembly {
 
 /// What is listed under "avoid". Throws Error for numbers that are none, for the clearance too, and
-/// for meshes that hold the point.
+/// for meshes that have no triangles, or hold one of the two points, where the way begins and ends.
 [[nodiscard]] std::vector<avoidance::NamedObstacle> obstacles_of(const PartContext& context,
                                                                  const Avoidance& avoid,
-                                                                 const Vec3& point);
+                                                                 const std::array<Vec3, 2>& ends);
 
 /// The parts that are to be avoided.
 [[nodiscard]] std::vector<Need> needs_of(const std::optional<Avoidance>& avoid);

@@ -141,7 +141,7 @@ class RingedBlend {
                      [](const Pair& a, const Pair& b) { return a.cost < b.cost; });
     std::vector<avoidance::NamedObstacle> obstacles;
     if (blend_.avoid) {
-      obstacles = obstacles_of(context_, *blend_.avoid, from.port.center);
+      obstacles = obstacles_of(context_, *blend_.avoid, {from.port.center, to.port.center});
     }
     if (blend_.k && blend_.l) {
       RationalRingedSurface only = trial(from, to, *blend_.k, *blend_.l);

@@ -21,7 +21,7 @@ std::vector<RingedSurface> avoiding(const PartContext& context, const SplineBetw
   const Ring &from = right_end(context, spline.from, "from"),
              &to = right_end(context, spline.to, "to");
   return avoidance::route(from, spline.through, to,
-                          obstacles_of(context, *spline.avoid, from.center),
+                          obstacles_of(context, *spline.avoid, {from.center, to.center}),
                           spline.avoid->clearance)
       .pipe;
 }

@@ -34,8 +34,17 @@ TEST_F(AvoidanceOfFiles, meshes_are_found_beside_the_document) {
   EXPECT_THAT(refusal(facing_pipes_and(spline), path("sub/d.json").string()),
               HasSubstr("crate.off"));
   write_mesh(path("crate.off"), test::box({-50, -50, -50}, {50, 50, 50}));
+  EXPECT_THAT(
+      refusal(facing_pipes_and(spline), place.string()),
+      HasSubstr("'crate.off' is a closed surface that goes round (-20, 0, 0), where the way "
+                "begins"));
+  write_mesh(path("crate.off"), test::box({10, -50, -50}, {50, 50, 50}));
   EXPECT_THAT(refusal(facing_pipes_and(spline), place.string()),
-              HasSubstr("'crate.off' is a closed surface that goes round (-20, 0, 0)"));
+              HasSubstr("goes round (20, 0, 0), where the way ends"));
+  write_mesh(path("crate.off"), {});
+  EXPECT_THAT(
+      refusal(facing_pipes_and(spline), place.string()),
+      HasSubstr("plant.json#/parts/2/spline/avoid/0/mesh: 'c': 'crate.off' has no triangles"));
 }
 
 }  // namespace
