@@ -269,15 +269,12 @@ std::vector<CanalFillet> on_cones(const std::array<Ring, 2>& quadrics, double ra
                 "the ball closes no loop: the slopes are too large for the angle between the axes");
   }
   if (std::abs(distance - difference) <= touch) {
-    // The inner one is taken for narrower by a hair, past which the ball rolls through.
-    const std::size_t outer = pair.apart.r > 0 ? 0 : 1;
-    std::array<Ring, 2> apart = quadrics;
-    apart.at(1 - outer).radius -= 3 * touch;
-    std::vector<CanalFillet> fillets = on_generators(apart, outer, radius, true);
-    for (CanalFillet& fillet : fillets) {
-      fillet.quadrics = quadrics;
-    }
-    return fillets;
+    throw Error(Errc::irregular_surface,
+                "one touches the other from inside, or nearly: their inscribed spheres differ by " +
+                    decimal(difference, kMessageDigits) + " at a distance of " +
+                    decimal(distance, kMessageDigits) +
+                    ", which has to be larger or smaller by more than " +
+                    decimal(touch, kMessageDigits));
   }
   if (pair.squared_distance < 0) {
     return on_generators(quadrics, pair.apart.r > 0 ? 0 : 1, radius, true);

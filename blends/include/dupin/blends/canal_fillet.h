@@ -154,13 +154,13 @@ struct CanalFillet {
 /// both are equally thick cylinders and meet: first the one on the side to which the ring normal of
 /// the quadric that passes points; of cylinders the thinner one passes, of equal ones the second.
 /// One where neither passes, or where a cone opens wider than it turns from the other's axis. Gaps
-/// up to `touching` of the size are none: the ball misses the cylinders by so much then. Where a
-/// cone and another quadric touch, up to 1e-9 of their inscribed spheres, the ball misses the inner
-/// one by three times that. With the radius 0 the loops are the curves in which they cross.
+/// up to `touching` of the size are none: the ball misses the cylinders by so much then. With the
+/// radius 0 the loops are the curves in which they cross.
 ///
 /// Throws Error{invalid_argument} for invalid or elliptic rings and radii that are negative;
-/// Error{irregular_surface} where the ball closes no such loop: the axes are parallel, or the
-/// quadrics do not meet. A loop that folds is not refused: `prove_regular` tells.
+/// Error{irregular_surface} where the ball closes no such loop: the axes are parallel, the quadrics
+/// do not meet, or a cone and another quadric touch. A loop that folds is not refused:
+/// `prove_regular` tells.
 [[nodiscard]] std::vector<CanalFillet> rolling_ball_fillets(const std::array<Ring, 2>& quadrics,
                                                             double radius,
                                                             double touching = 0x1p-48);
