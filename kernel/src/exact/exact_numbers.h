@@ -17,8 +17,8 @@
 /// enclosed by two (dupin/kernel/enclosure.h). The rest of this folder: FloatLattice, the numbers
 /// that a coordinate may be rounded to, ExactSum, long sums of products of doubles (Kulisch's
 /// accumulator), and what needs no more than integers of fixed width, as most coordinates are
-/// multiples of a power of two not far below them (lattice_steps.h, line_plane_meeting.h). Numbers of
-/// any of these kinds make vectors in vector_algebra.h.
+/// multiples of a power of two not far below them (lattice_steps.h, line_plane_meeting.h). Numbers
+/// of any of these kinds make vectors in vector_algebra.h.
 namespace dupin::exact {
 
 [[nodiscard]] mpq_class rational(const CGAL::Mpzf& number);
