@@ -88,6 +88,7 @@ mesh::ExactMesh arrange(ArrangementInput& input, std::vector<TriangleIntersectio
     const UpwardRounding rounding;
     kept = merge_pieces(input, kept);
   }
+  input.points.forget_balls();
   return extract(input, std::move(kept));
 }
 

@@ -49,7 +49,27 @@ struct Piece {
   friend auto operator<=>(const Piece&, const Piece&) = default;
 };
 
-// Hands intersections to the facets and sides they lie on.
+// Calls hand(triangle, feature, id) for what either triangle has of the ends of what they have in
+// common, of which not all are known.
+template <class Hand>
+void hand_ends(const TriangleIntersection& intersection, PointId from, PointId to,
+               const Hand& hand) {
+  const auto& [first, second, kind, coplanar, axis, ends] = intersection;
+  const std::array<PointId, 2> ids{from, to};
+  const std::size_t count = kind == TriangleIntersection::Kind::overlap   ? 0
+                            : kind == TriangleIntersection::Kind::segment ? 2
+                                                                          : 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const auto& [triangle, feature] :
+         {std::pair(first, ends[i].on_first), {second, ends[i].on_second}}) {
+      if (ids[i] != kNone && !is_corner(feature)) {
+        hand(triangle, feature, ids[i]);
+      }
+    }
+  }
+}
+
+// Hands intersections to the facets they lie in.
 class Distributor {
  public:
   Distributor(const ArrangementInput& input, const FlatFacets& facets,
@@ -63,13 +83,15 @@ class Distributor {
       touch(second);
       return;
     }
-    hand(first, ends[0].on_first, from);
-    hand(second, ends[0].on_second, from);
+    hand_ends(intersection, from, to, [this](std::uint32_t triangle, Feature feature, PointId id) {
+      if (facets_.is_inside(input_, triangle, feature)) {
+        insides.push_back({facets_.of(triangle), id});
+      }
+      touch(triangle);
+    });
     if (kind != TriangleIntersection::Kind::segment) {
       return;
     }
-    hand(first, ends[1].on_first, to);
-    hand(second, ends[1].on_second, to);
     const bool divides_first =
         facets_.is_inside(input_, first, common_edge(ends[0].on_first, ends[1].on_first));
     const bool divides_second =
@@ -89,7 +111,6 @@ class Distributor {
     }
   }
 
-  std::vector<Constraints::OnEdge> on_edges;
   std::vector<Constraints::Inside> insides;
   std::vector<Constraints::Segment> segments;
   std::vector<Piece> pieces;
@@ -101,17 +122,6 @@ class Distributor {
         std::atomic_ref(touched_[t]).store(1, std::memory_order_relaxed);
       }
     }
-  }
-  void hand(std::uint32_t triangle, Feature feature, PointId id) {
-    if (id == kNone || is_corner(feature)) {
-      return;
-    }
-    if (facets_.is_inside(input_, triangle, feature)) {
-      insides.push_back({facets_.of(triangle), id});
-    } else {
-      on_edges.push_back({edge_of(input_.triangles[triangle], feature), id});
-    }
-    touch(triangle);
   }
   void divide(std::uint32_t triangle, std::uint32_t partner, PointId from, PointId to) {
     segments.push_back({facets_.of(triangle), from, to, facets_.of(partner)});
@@ -173,7 +183,6 @@ void distribute(const ArrangementInput& input, std::span<const TriangleIntersect
     }
     return support::joined(std::move(lists));
   };
-  result.on_edges = joined(&Distributor::on_edges);
   result.insides = joined(&Distributor::insides);
   result.segments = joined(&Distributor::segments);
   join(input, joined(&Distributor::pieces), result.segments);
@@ -196,12 +205,24 @@ Direction direction_of(const PointTable& points, EdgeKey edge) {
   return {};
 }
 
-// The ends of the edges are all below `first_new_point`.
-void sort_along_edges(const PointTable& points, PointId first_new_point,
-                      std::vector<Constraints::OnEdge>& on_edges) {
+// The points on sides, by edge and number. The ends of sides are all below the first new point.
+support::BulkVector<Constraints::OnEdge> points_on_edges(
+    const ArrangementInput& input, std::span<const TriangleIntersection> intersections,
+    const IntersectionPoints& points, const Representatives& representative,
+    const FlatFacets& facets) {
   using OnEdge = Constraints::OnEdge;
-  support::sort_by_key(
-      on_edges, first_new_point, [](const OnEdge& p) { return lower_end(p.edge); },
+  const auto collect = [&](std::size_t i, const auto& found) {
+    hand_ends(intersections[i], representative(points.ends[2 * i]),
+              representative(points.ends[2 * i + 1]),
+              [&](std::uint32_t triangle, Feature feature, PointId id) {
+                if (!facets.is_inside(input, triangle, feature)) {
+                  found(OnEdge{edge_of(input.triangles[triangle], feature), id});
+                }
+              });
+  };
+  support::BulkVector<OnEdge> on_edges = support::collect_by_key<OnEdge>(
+      intersections.size(), collect, points.first_new_point,
+      [](const OnEdge& p) { return lower_end(p.edge); },
       [](const OnEdge& a, const OnEdge& b) {
         return a.edge != b.edge ? a.edge < b.edge : a.point < b.point;
       });
@@ -210,6 +231,12 @@ void sort_along_edges(const PointTable& points, PointId first_new_point,
   };
   on_edges.erase(std::unique(on_edges.begin(), on_edges.end(), same), on_edges.end());
   on_edges.shrink_to_fit();  // neighbouring faces have handed most of them in, too
+  return on_edges;
+}
+
+void sort_along_edges(const PointTable& points,
+                      support::BulkVector<Constraints::OnEdge>& on_edges) {
+  using OnEdge = Constraints::OnEdge;
   const std::vector<support::IndexRange> edges =
       support::ranges_of_equal(on_edges, [](const OnEdge& p) { return p.edge; });
   const auto sort_runs = [&](const support::Block& block) {
@@ -310,11 +337,12 @@ Constraints collect_constraints(ArrangementInput& input,
                                    input.points.size() - points.first_new_point);
   const Representatives representative(input, points, *result.coincident_points);
   distribute(input, intersections, points, representative, result);
+  result.on_edges = points_on_edges(input, intersections, points, representative, result.facets);
   input.special.resize(input.points.size(), 1);
   for (const PointId id : points.corners) {
     input.special[id] = 1;
   }
-  sort_along_edges(input.points, points.first_new_point, result.on_edges);
+  sort_along_edges(input.points, result.on_edges);
   sort_by_triangle(input, result.insides);
   sort_by_triangle(input, result.segments);
   group_faces(intersections, result);

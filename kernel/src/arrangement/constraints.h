@@ -9,6 +9,7 @@
 #include "arrangement/flat_facets.h"
 #include "arrangement/input.h"
 #include "arrangement/triangle_intersection.h"
+#include "support/bulk_vector.h"
 
 namespace dupin::arrangement {
 
@@ -29,9 +30,9 @@ struct Constraints {
     std::uint32_t partner;  ///< the segment lies in the plane of this triangle too
   };
 
-  std::vector<OnEdge> on_edges;   ///< by edge, then from its lower to its upper end
-  std::vector<Inside> insides;    ///< by triangle
-  std::vector<Segment> segments;  ///< by triangle
+  support::BulkVector<OnEdge> on_edges;  ///< by edge, then from its lower to its upper end
+  std::vector<Inside> insides;           ///< by triangle
+  std::vector<Segment> segments;         ///< by triangle
   /// Facets to retriangulate together: connected by coplanar overlap. Members ascend.
   std::vector<std::vector<std::uint32_t>> overlapping;
   std::vector<std::uint32_t> alone;   ///< facets to retriangulate by themselves, ascending

@@ -8,6 +8,7 @@
 
 #include "exact/line_plane_meeting.h"
 #include "exact/vector_algebra.h"
+#include "support/blocks.h"
 #include "support/operation_limits.h"
 
 namespace dupin::arrangement {
@@ -336,6 +337,14 @@ exact::BallPoint PointTable::ball(PointId id) const {
     return point.definition.kind == ImplicitPoint::Kind::given
                ? ball_of(*point.exact.known())
                : evaluate_ball(*this, point.definition);
+  });
+}
+
+void PointTable::forget_balls() {
+  support::for_each_block(implicit_.size(), [this](const support::Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      implicit_[i].ball = {};
+    }
   });
 }
 

@@ -127,6 +127,8 @@ class PointTable {
   [[nodiscard]] std::optional<mesh::LinePlaneMeeting> meeting(PointId id) const;
   /// To about 100 bits; needs UpwardRounding.
   [[nodiscard]] exact::BallPoint ball(PointId id) const;
+  /// To make room, once few are asked for any more.
+  void forget_balls();
   /// Coordinates to within a few ulp; replaces a wide interval by that of the exact point.
   void tighten(PointId id);
 

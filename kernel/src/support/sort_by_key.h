@@ -141,11 +141,21 @@ void sort_by_key(std::vector<Item>& items, std::uint32_t key_end, const Key& key
 }
 
 /// What collect(index, found) calls found(item) with for all indices below `count`, sorted
-/// likewise. Each index is asked twice, so that items are kept nowhere but in their places.
+/// likewise. Each index is asked twice if they are many, so that items are kept nowhere but in
+/// their places.
 template <class Item, class Collect, class Key, class Less>
 [[nodiscard]] BulkVector<Item> collect_by_key(std::size_t count, const Collect& collect,
                                               std::uint32_t key_end, const Key& key,
                                               const Less& less) {
+  if (count < 2 * Block::kSize) {
+    std::vector<Item> items;
+    for (std::size_t i = 0; i < count; ++i) {
+      collect(i, [&](const Item& item) { items.push_back(item); });
+    }
+    BulkVector<Item> sorted(items.size());
+    sort_into(std::span<const Item>(items), std::span(sorted), std::bit_width(key_end), key, less);
+    return sorted;
+  }
   const std::size_t block_size = keyed_block_size(count);
   KeyBuckets buckets(key_end, block_count(count, block_size));
   const auto visit = [&](const auto& found) {

@@ -83,6 +83,21 @@ TEST_F(Points, are_meetings_of_lines_and_planes) {
       ImplicitPoint{Kind::three_planes, 0, {o, u, v, given[0], far, u, given[0], far, v}})));
 }
 
+TEST_F(Points, have_the_same_balls_after_these_were_forgotten) {
+  const PointId a = at(0, 0, 0), b = at(1, 2, 3), o = at(1, 0, 0), u = at(0, 1, 0), v = at(0, 0, 1);
+  const PointId p = points.add(ImplicitPoint{Kind::line_plane, 0, {a, b, o, u, v}});
+  const PointId given = points.add(points.exact_value(p));
+  const auto bounds = [&] {
+    const exact::Ball x = points.ball(p)[0], y = points.ball(given)[1];
+    return std::array{x.infimum(), x.supremum(), y.infimum(), y.supremum()};
+  };
+  const auto before = bounds();
+  points.forget_balls();
+  EXPECT_EQ(bounds(), before);
+  EXPECT_LE(before[0], 1.0 / 6);
+  EXPECT_GE(before[1], 1.0 / 6);
+}
+
 // Random lines and planes, nearly parallel ones among them.
 TEST_F(Points, lie_within_their_intervals) {
   std::mt19937_64 random(11);
