@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include <malloc.h>
 #include <tbb/global_control.h>
 
 #include "dupin/kernel/mesh.h"
@@ -86,7 +85,6 @@ void repeat_contest(const ContestOptions& options) {
 /// Arguments: CASE [REPETITIONS [BUDGET [THREADS]]].
 template <class Engine>
 int contest_main(int count, char** arguments) {
-  mallopt(M_MMAP_THRESHOLD, 1 << 20);  // as cli/main.cpp, for both engines
   if (count < 2) {
     std::fputs("usage: CASE [REPETITIONS [BUDGET-SECONDS [THREADS]]]\n", stderr);
     return 2;

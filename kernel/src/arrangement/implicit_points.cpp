@@ -312,19 +312,22 @@ mesh::ExactPoint PointTable::exact_value(PointId id) const {
   return known != nullptr ? *known : evaluate_exact(*this, point.definition);
 }
 
-std::optional<mesh::LinePlaneMeeting> PointTable::meeting(PointId id) const {
+bool PointTable::is_meeting(PointId id) const {
+  const ImplicitPoint& d = definition(id);
+  return (d.kind == ImplicitPoint::Kind::line_plane && are_doubles(*this, {d.of.data(), 5})) ||
+         (d.kind == ImplicitPoint::Kind::two_lines && are_doubles(*this, {d.of.data(), 4}));
+}
+
+mesh::LinePlaneMeeting PointTable::meeting(PointId id) const {
   const ImplicitPoint& d = definition(id);
   const auto of = [&](std::size_t i) -> const Vec3& { return coordinates(d.of[i]); };
-  if (d.kind == ImplicitPoint::Kind::line_plane && are_doubles(*this, {d.of.data(), 5})) {
-    return mesh::LinePlaneMeeting{{of(0), of(1), of(2), of(3), of(4)}};
+  if (d.kind == ImplicitPoint::Kind::line_plane) {
+    return {{of(0), of(1), of(2), of(3), of(4)}};
   }
-  if (d.kind == ImplicitPoint::Kind::two_lines && are_doubles(*this, {d.of.data(), 4})) {
-    // The plane through the second line along the axis that both are seen along.
-    Vec3 behind = of(2);
-    behind[d.axis] = behind[d.axis] == 0 ? 1 : 0;
-    return mesh::LinePlaneMeeting{{of(0), of(1), of(2), of(3), behind}};
-  }
-  return std::nullopt;
+  // The plane through the second line along the axis that both are seen along.
+  Vec3 behind = of(2);
+  behind[d.axis] = behind[d.axis] == 0 ? 1 : 0;
+  return {{of(0), of(1), of(2), of(3), behind}};
 }
 
 exact::BallPoint PointTable::ball(PointId id) const {

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -122,9 +121,10 @@ class PointTable {
   [[nodiscard]] const mesh::ExactPoint& exact(PointId id, mesh::ExactPoint& scratch) const;
   /// The same, without keeping it.
   [[nodiscard]] mesh::ExactPoint exact_value(PointId id) const;
-  /// Of a point that is not a double: the line and the plane that it is of, if its definition is by
-  /// doubles and says it. O(1).
-  [[nodiscard]] std::optional<mesh::LinePlaneMeeting> meeting(PointId id) const;
+  /// Whether the definition, by doubles, of a point that is not a double says the line and the
+  /// plane that it is of, and these.
+  [[nodiscard]] bool is_meeting(PointId id) const;
+  [[nodiscard]] mesh::LinePlaneMeeting meeting(PointId id) const;
   /// To about 100 bits; needs UpwardRounding.
   [[nodiscard]] exact::BallPoint ball(PointId id) const;
   /// To make room, once few are asked for any more.

@@ -26,11 +26,6 @@ ManifoldPatches::ManifoldPatches(const ArrangementInput& input, const BooleanRul
   number_patches(rule);
 }
 
-// Neither cut nor one of several in the same place.
-bool ManifoldPatches::is_whole(std::uint32_t triangle) const {
-  return !subdivision_.touched[triangle] && !input_.merged[triangle];
-}
-
 PointId ManifoldPatches::first_not_special(std::uint32_t triangle) const {
   const Triangle& corners = input_.triangles[triangle];
   const auto* const found =
@@ -73,7 +68,7 @@ void ManifoldPatches::find_changes_of_regions(const BooleanRule& rule) {
 // Corners that are not special are of the class of what they are corners of.
 void ManifoldPatches::join_corners() {
   const auto join = [this](PointId corner, std::uint32_t member) {
-    if (!input_.special[corner]) {
+    if (corner != member && !input_.special[corner]) {
       classes_.unite(corner, member);
     }
   };
@@ -96,21 +91,30 @@ void ManifoldPatches::join_corners() {
       join(subdivision_.outline_corners[k].point, first_region_ + region);
     }
   });
-  for_each(static_cast<std::uint32_t>(input_.triangles.size()), [&](std::uint32_t t) {
-    const PointId first = is_whole(t) ? first_not_special(t) : kNone;
-    for (const PointId corner : input_.triangles[t]) {
-      if (first != kNone) {
-        join(corner, first);
-      }
-    }
-  });
+  bordering_ = support::collect_in_order<std::uint32_t>(
+      input_.triangles.size(), [&](std::size_t i, std::vector<std::uint32_t>& bordering) {
+        const auto t = static_cast<std::uint32_t>(i);
+        if (subdivision_.touched[t] || input_.merged[t]) {
+          return;
+        }
+        const PointId first = first_not_special(t);
+        int special = 0;
+        for (const PointId corner : input_.triangles[t]) {
+          special += input_.special[corner] ? 1 : 0;
+          join(corner, first);
+        }
+        if (special >= 2) {
+          bordering.push_back(t);
+        }
+      });
 }
 
 // Triangles with a corner that is not special coincide with no other.
 void ManifoldPatches::find_loose(const BooleanRule& rule) {
-  loose_ = support::indices_where(input_.triangles.size(), [this](std::uint32_t t) {
-    return is_whole(t) && first_not_special(t) == kNone;
-  });
+  const auto loose = std::ranges::stable_partition(
+      bordering_, [this](std::uint32_t t) { return first_not_special(t) != kNone; });
+  loose_.assign(loose.begin(), loose.end());
+  bordering_.erase(loose.begin(), loose.end());
   classes_.add(loose_.size());
   for (const std::uint32_t t : loose_) {
     member_changes_.push_back(change_number(winding_change(input_, rule, input_.cover(t))));
@@ -146,7 +150,7 @@ support::BulkVector<ManifoldPatches::Side> ManifoldPatches::sorted_sides() const
   constexpr unsigned kAllEdges = 7;
   const std::size_t outlines = subdivision_.triangles.size();
   const std::size_t whole = outlines + subdivision_.outlines.size();
-  const std::size_t loose = whole + input_.triangles.size();
+  const std::size_t loose = whole + bordering_.size();
   const auto collect = [&](std::size_t i, const auto& found) {
     if (i < outlines) {
       const auto& [corners, region, open] = subdivision_.triangles[i];
@@ -155,11 +159,8 @@ support::BulkVector<ManifoldPatches::Side> ManifoldPatches::sorted_sides() const
     } else if (i < whole) {
       find_sides_of_outline(i - outlines, found);
     } else if (i < loose) {
-      const auto t = static_cast<std::uint32_t>(i - whole);
-      const PointId member = is_whole(t) ? first_not_special(t) : kNone;
-      if (member != kNone) {
-        find_sides(input_.triangles[t], kAllEdges, t, member, found);
-      }
+      const std::uint32_t t = bordering_[i - whole];
+      find_sides(input_.triangles[t], kAllEdges, t, first_not_special(t), found);
     } else {
       const auto number = static_cast<std::uint32_t>(i - loose);
       const std::uint32_t t = loose_[number];

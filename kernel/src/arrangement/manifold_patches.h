@@ -54,7 +54,6 @@ class ManifoldPatches {
 
  private:
   [[nodiscard]] std::uint32_t member_of_triangle(std::uint32_t triangle) const;
-  [[nodiscard]] bool is_whole(std::uint32_t triangle) const;
   /// kNone if all corners are special.
   [[nodiscard]] PointId first_not_special(std::uint32_t triangle) const;
   [[nodiscard]] std::uint32_t change_of(const BooleanRule& rule, std::uint32_t member) const;
@@ -75,7 +74,8 @@ class ManifoldPatches {
   const Subdivision& subdivision_;
   std::uint32_t first_region_, first_loose_;
   support::DisjointSets classes_;
-  std::vector<std::uint32_t> loose_;  // untouched triangles with special corners only, ascending
+  // Untouched triangles with two special corners, and those with three, ascending.
+  std::vector<std::uint32_t> bordering_, loose_;
   std::vector<std::uint32_t> member_changes_;  // of regions and loose triangles
   support::BulkVector<Side> sides_;            // by edge
   std::vector<support::IndexRange> seams_;

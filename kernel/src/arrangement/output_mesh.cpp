@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <set>
 
 #include <tbb/parallel_invoke.h>
@@ -120,13 +119,15 @@ class PointWriter {
     const std::uint32_t operand = input_.operand_of_point(id);
     return {*input_.operands[operand], id - input_.first_implicit[operand]};
   }
-  [[nodiscard]] std::optional<mesh::LinePlaneMeeting> meeting(PointId id) const {
-    if (!is_given(id)) {
-      return input_.points.meeting(id);
-    }
+  [[nodiscard]] bool is_meeting(PointId id) const {
+    return is_given(id) ? given_meeting(id) != nullptr : input_.points.is_meeting(id);
+  }
+  [[nodiscard]] mesh::LinePlaneMeeting meeting(PointId id) const {
+    return is_given(id) ? *given_meeting(id) : input_.points.meeting(id);
+  }
+  [[nodiscard]] const mesh::LinePlaneMeeting* given_meeting(PointId id) const {
     const auto [operand, index] = given(id);
-    const mesh::LinePlaneMeeting* const known = operand.implicit.meeting(index);
-    return known != nullptr ? std::optional(*known) : std::nullopt;
+    return operand.implicit.meeting(index);
   }
   std::vector<RoundedPoint> evaluate() {
     const PointId first = input_.points.double_count();
@@ -142,7 +143,7 @@ class PointWriter {
       const PointId id = original(implicit_[i]);
       mesh::ExactPoint value;
       const mesh::ExactPoint& exact =
-          meeting(id) ? (value = input_.points.exact_value(id)) : input_.points.exact(id, value);
+          is_meeting(id) ? (value = input_.points.exact_value(id)) : input_.points.exact(id, value);
       nearest[i] = is_given(id) ? rounded(exact, given(id).nearest()) : rounded(exact);
     });
     return nearest;
@@ -180,7 +181,8 @@ class PointWriter {
     }
     const auto id = [&](std::size_t i) { return original(implicit_[kept[i]]); };
     mesh.implicit = mesh::ExactPoints(
-        kept.size(), [&](std::size_t i) { return meeting(id(i)); },
+        kept.size(), [&](std::size_t i) { return is_meeting(id(i)); },
+        [&](std::size_t i) { return meeting(id(i)); },
         [&](std::size_t i) { return input_.points.exact_value(id(i)); });
     const std::size_t doubles = mesh.points.size();
     mesh.points.resize(doubles + kept.size());

@@ -28,9 +28,10 @@ struct LinePlaneMeeting {
 class ExactPoints {
  public:
   ExactPoints() = default;
-  /// Of `count` points, in parallel: the std::optional meeting(i), called twice, or else point(i).
-  template <class Meeting, class Point>
-  ExactPoints(std::size_t count, const Meeting& meeting, const Point& point);
+  /// Of `count` points, in parallel: meeting(i) where is_meeting(i), point(i) elsewhere.
+  template <class IsMeeting, class Meeting, class Point>
+  ExactPoints(std::size_t count, const IsMeeting& is_meeting, const Meeting& meeting,
+              const Point& point);
 
   [[nodiscard]] std::size_t size() const { return places_.size(); }
   [[nodiscard]] bool empty() const { return places_.empty(); }
@@ -55,12 +56,13 @@ class ExactPoints {
   std::vector<ExactPoint> points_;
 };
 
-template <class Meeting, class Point>
-ExactPoints::ExactPoints(std::size_t count, const Meeting& meeting, const Point& point) {
+template <class IsMeeting, class Meeting, class Point>
+ExactPoints::ExactPoints(std::size_t count, const IsMeeting& is_meeting, const Meeting& meeting,
+                         const Point& point) {
   support::resize_bulk(places_, count);
   support::for_each_block(count, [&](const support::Block& block) {
     for (std::size_t i = block.begin; i < block.end; ++i) {
-      places_[i] = meeting(i) ? 0 : kFirstPoint;
+      places_[i] = is_meeting(i) ? 0 : kFirstPoint;
     }
   });
   const support::Ranking meetings(count, [&](std::size_t i) { return places_[i] < kFirstPoint; });
@@ -69,7 +71,7 @@ ExactPoints::ExactPoints(std::size_t count, const Meeting& meeting, const Point&
   points_.resize(points.size());
   meetings.for_each([&](std::size_t i, std::size_t number) {
     places_[i] = static_cast<std::uint32_t>(number);
-    meetings_[number] = *meeting(i);
+    meetings_[number] = meeting(i);
   });
   points.for_each([&](std::size_t i, std::size_t number) {
     places_[i] = static_cast<std::uint32_t>(kFirstPoint + number);

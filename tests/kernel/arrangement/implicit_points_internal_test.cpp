@@ -64,9 +64,8 @@ TEST_F(Points, are_meetings_of_lines_and_planes) {
   }
   const PointId o = at(1, 0, 0), u = at(0, 1, 0), v = at(0, 0, 1), far = at(2, 3, 5);
   const auto is_same_place = [this](PointId id) {
-    const std::optional<mesh::LinePlaneMeeting> meeting = points.meeting(id);
-    ASSERT_TRUE(meeting);
-    const PointId other = points.add(meeting->point());
+    ASSERT_TRUE(points.is_meeting(id));
+    const PointId other = points.add(points.meeting(id).point());
     EXPECT_EQ(place(points, other), place(points, id));
   };
   for (std::uint8_t k = 0; k < 3; ++k) {
@@ -77,9 +76,10 @@ TEST_F(Points, are_meetings_of_lines_and_planes) {
   }
   const PointId p = points.add(ImplicitPoint{Kind::line_plane, 0, {given[0], far, o, u, v}});
   is_same_place(p);
-  EXPECT_FALSE(points.meeting(points.add(ImplicitPoint{Kind::line_plane, 0, {p, far, o, u, v}})));
-  EXPECT_FALSE(points.meeting(points.add(points.exact_value(p)))) << "given by its coordinates";
-  EXPECT_FALSE(points.meeting(points.add(
+  EXPECT_FALSE(
+      points.is_meeting(points.add(ImplicitPoint{Kind::line_plane, 0, {p, far, o, u, v}})));
+  EXPECT_FALSE(points.is_meeting(points.add(points.exact_value(p)))) << "given by its coordinates";
+  EXPECT_FALSE(points.is_meeting(points.add(
       ImplicitPoint{Kind::three_planes, 0, {o, u, v, given[0], far, u, given[0], far, v}})));
 }
 

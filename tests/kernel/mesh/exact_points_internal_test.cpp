@@ -1,4 +1,3 @@
-#include <optional>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -29,11 +28,7 @@ class MixedPoints : public testing::Test {
   static ExactPoint expected(std::size_t i) {
     return is_meeting(i) ? meeting(i).point() : coordinates(i);
   }
-  static ExactPoints of(std::size_t count) {
-    return {count,
-            [](std::size_t i) { return is_meeting(i) ? std::optional(meeting(i)) : std::nullopt; },
-            coordinates};
-  }
+  static ExactPoints of(std::size_t count) { return {count, is_meeting, meeting, coordinates}; }
 };
 
 TEST_F(MixedPoints, are_where_the_line_meets_the_plane) {
