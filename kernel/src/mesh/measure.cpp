@@ -12,6 +12,7 @@
 #include "exact/exact_numbers.h"
 #include "exact/exact_sum.h"
 #include "support/blocks.h"
+#include "support/none.h"
 
 namespace dupin::mesh {
 namespace {
@@ -40,9 +41,31 @@ Fraction quotient(const Mpzf& numerator, const Mpzf& denominator) {
   return {n.get_num() * d.get_den(), n.get_den() * d.get_num()};
 }
 
-Fraction determinant(const MeshView& mesh, const Triangle& corners) {
-  const ExactPoint a = mesh.exact(corners[0]), b = mesh.exact(corners[1]),
-                   c = mesh.exact(corners[2]);
+// Exact points, of which faces one after another ask for the same: some are made anew each time.
+class RecentPoints {
+ public:
+  explicit RecentPoints(const MeshView& mesh) : mesh_(mesh), entries_(kSize) {}
+
+  [[nodiscard]] const ExactPoint& operator[](std::uint32_t index) {
+    Entry& entry = entries_[index % kSize];
+    if (entry.index != index) {
+      entry = {index, mesh_.exact(index)};
+    }
+    return entry.point;
+  }
+
+ private:
+  static constexpr std::size_t kSize = 64;
+  struct Entry {
+    std::uint32_t index = support::kNone;
+    ExactPoint point;
+  };
+  const MeshView& mesh_;
+  std::vector<Entry> entries_;
+};
+
+Fraction determinant(RecentPoints& points, const Triangle& corners) {
+  const ExactPoint a = points[corners[0]], b = points[corners[1]], c = points[corners[2]];
   Mpzf value;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
@@ -56,15 +79,16 @@ double approximate_determinant(const MeshView& mesh, const Triangle& corners) {
 }
 
 // Balanced, so that the long numbers meet late.
-Fraction sum(const MeshView& mesh, std::span<const std::uint32_t> faces) {
+Fraction sum(std::span<const Triangle> triangles, std::span<const std::uint32_t> faces,
+             RecentPoints& points) {
   if (faces.empty()) {
     return {0, 1};
   }
   if (faces.size() == 1) {
-    return determinant(mesh, mesh.triangles[faces[0]]);
+    return determinant(points, triangles[faces[0]]);
   }
-  const Fraction left = sum(mesh, faces.first(faces.size() / 2));
-  const Fraction right = sum(mesh, faces.subspan(faces.size() / 2));
+  const Fraction left = sum(triangles, faces.first(faces.size() / 2), points);
+  const Fraction right = sum(triangles, faces.subspan(faces.size() / 2), points);
   return {left.numerator * right.denominator + right.numerator * left.denominator,
           left.denominator * right.denominator};
 }
@@ -103,7 +127,8 @@ class SixVolumes {
   }
 
   [[nodiscard]] mpq_class exact() const {
-    const Fraction rest = sum(mesh_, implicit_faces_);
+    RecentPoints points(mesh_);
+    const Fraction rest = sum(mesh_.triangles, implicit_faces_, points);
     mpq_class total(rest.numerator, rest.denominator);
     total.canonicalize();
     return total + doubles_;
@@ -136,8 +161,9 @@ class SixVolumes {
   // Each determinant rounded down to a multiple of 2^-fraction_bits.
   [[nodiscard]] Bounds bounds(int fraction_bits) const {
     mpz_class sum = 0, term;
+    RecentPoints points(mesh_);
     for (const std::uint32_t face : implicit_faces_) {
-      Fraction value = determinant(mesh_, mesh_.triangles[face]);
+      Fraction value = determinant(points, mesh_.triangles[face]);
       mpz_class& scaled = fraction_bits >= 0 ? value.numerator : value.denominator;
       scaled <<= static_cast<mp_bitcnt_t>(std::abs(fraction_bits));
       mpz_fdiv_q(term.get_mpz_t(), value.numerator.get_mpz_t(), value.denominator.get_mpz_t());
