@@ -6,14 +6,13 @@
 #include <utility>
 
 #include "dupin/kernel/error.h"
+#include "tessellation/plane_segments.h"
 #include "tessellation/refined_region.h"
 
 namespace dupin::tessellation {
 namespace {
 
 constexpr double kNear = 1e-9;  // of a segment
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // Nothing here needs to be exact: what is wrong is refused when it is triangulated.
 bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {

@@ -11,11 +11,10 @@
 #include <utility>
 
 #include "dupin/kernel/triangulate_region.h"
+#include "tessellation/plane_segments.h"
 
 namespace dupin::tessellation {
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 struct Side {
   Vec2 from, to;
@@ -258,9 +257,7 @@ class Refiner {
   // Beyond a side a centre would leave the triangle as it is, and be added again.
   [[nodiscard]] bool sees(const Vec2& from, const Vec2& to) const {
     return !sides_.any(from.cwiseMin(to), from.cwiseMax(to), [&](const Side& side) {
-      const Vec2 along = to - from, across = side.to - side.from;
-      return cross(along, side.from - from) * cross(along, side.to - from) < 0 &&
-             cross(across, from - side.from) * cross(across, to - side.from) < 0;
+      return cross_inside(from, to, side.from, side.to);
     });
   }
 

@@ -8,12 +8,12 @@
 #include <optional>
 #include <utility>
 
+#include "tessellation/plane_segments.h"
+
 namespace dupin::tessellation {
 namespace {
 
 using Corners = std::vector<std::uint32_t>;
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // The least and greatest x.
 std::pair<double, double> extent(const UnrolledCurve& curve) {
@@ -227,8 +227,7 @@ class HoleChains {
         const double turns = std::round((from.x() - hole.places[i].x()) / around_);
         const Vec2 a = hole.places[i] + Vec2(turns * around_, 0) - from;
         const Vec2 b = a + hole.places[next] - hole.places[i];
-        if (!is_end && cross(across.along, a) * cross(across.along, b) < 0 &&
-            cross(b - a, -a) * cross(b - a, across.along - a) < 0) {
+        if (!is_end && cross_inside(Vec2::Zero(), across.along, a, b)) {
           return true;
         }
       }

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "tessellation/plane_segments.h"
 #include "tessellation/swept_mesh.h"
 
 namespace dupin::tessellation {
@@ -79,7 +80,6 @@ UnrolledCurve unrolled(std::vector<std::uint32_t> corners, const std::vector<Vec
 }
 
 double twice_area(const UnrolledCurve& curve) {
-  const auto cross = [](const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); };
   double sum = 0;
   for (std::size_t i = 0; i < curve.places.size(); ++i) {
     sum += cross(curve.places[i] - curve.places[0],

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <set>
@@ -42,6 +44,30 @@ struct Face {
   }
 };
 
+// The triangles of a strip; no side of two of them runs the same way.
+struct Filling {
+  Filling(FaceStrip& strip, Face& face) {
+    std::vector<Triangle> triangles;
+    strip.append_triangles(triangles, [&](const Vec2& place) {
+      face.places.push_back(place);
+      return std::uint32_t(face.places.size() - 1);
+    });
+    std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
+    for (const Triangle& t : triangles) {
+      least_area = std::min(least_area, face.area(t));
+      area += face.area(t);
+      for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_TRUE(sides.insert({t[i], t[(i + 1) % 3]}).second);
+      }
+    }
+    open_sides = std::ranges::count_if(sides, [&](const auto& side) {
+      return !sides.contains({side.second, side.first});
+    });
+  }
+  double area = 0, least_area = std::numeric_limits<double>::infinity();
+  std::ptrdiff_t open_sides = 0;  // of one triangle alone
+};
+
 TEST(FaceStrip, is_filled_around_its_holes) {
   for (const double x : {0.0, 5.3, 11.9}) {
     Face face;
@@ -51,27 +77,10 @@ TEST(FaceStrip, is_filled_around_its_holes) {
     EXPECT_TRUE(strip.contains(hole));
     EXPECT_FALSE(strip.contains(other));
     strip.add(hole);
-    std::vector<Triangle> triangles;
-    strip.append_triangles(triangles, [&](const Vec2& place) {
-      face.places.push_back(place);
-      return std::uint32_t(face.places.size() - 1);
-    });
-    double sum = 0;
-    std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
-    for (const Triangle& t : triangles) {
-      EXPECT_GT(face.area(t), 0);
-      sum += face.area(t);
-      for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_TRUE(sides.insert({t[i], t[(i + 1) % 3]}).second);
-      }
-    }
-    EXPECT_NEAR(sum, 8 * kAround - 10 * 4 * std::sin(std::numbers::pi / 10), 1e-9);
-    EXPECT_EQ(std::ranges::count_if(sides,
-                                    [&](const auto& s) {
-                                      return !sides.contains({s.second, s.first});
-                                    }),
-              24 + 24 + 20)
-        << "the cut is closed";
+    const Filling filling(strip, face);
+    EXPECT_GT(filling.least_area, 0);
+    EXPECT_NEAR(filling.area, 8 * kAround - 10 * 4 * std::sin(std::numbers::pi / 10), 1e-9);
+    EXPECT_EQ(filling.open_sides, 24 + 24 + 20) << "the cut is closed";
   }
 }
 
@@ -98,26 +107,9 @@ TEST(FaceStrip, is_cut_through_holes_that_leave_no_straight_way) {
         strip.add(hole);
         area -= (kAround - gap) / 2;
       }
-      std::vector<Triangle> triangles;
-      strip.append_triangles(triangles, [&](const Vec2& place) {
-        face.places.push_back(place);
-        return std::uint32_t(face.places.size() - 1);
-      });
-      double sum = 0;
-      std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
-      for (const Triangle& t : triangles) {
-        sum += face.area(t);
-        for (std::size_t i = 0; i < 3; ++i) {
-          EXPECT_TRUE(sides.insert({t[i], t[(i + 1) % 3]}).second);
-        }
-      }
-      EXPECT_NEAR(sum, area, 1e-9);
-      EXPECT_EQ(std::ranges::count_if(sides,
-                                      [&](const auto& s) {
-                                        return !sides.contains({s.second, s.first});
-                                      }),
-                24 + 24 + 3 * 80)
-          << "the cut is closed";
+      const Filling filling(strip, face);
+      EXPECT_NEAR(filling.area, area, 1e-9);
+      EXPECT_EQ(filling.open_sides, 24 + 24 + 3 * 80) << "the cut is closed";
     }
   }
 }
