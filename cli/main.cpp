@@ -136,7 +136,8 @@ int run(std::span<char*> arguments) {
 }
 
 /// glibc keeps arrays up to 32 MB for itself once some were freed; between the stages of a union
-/// that is a quarter of all memory. From 1 MB on they go back to the system, at no cost in time.
+/// that is a quarter of all memory. From 1 MB on they go back to the system, for a few hundredths
+/// of the time.
 void give_large_arrays_back() {
 #ifdef M_MMAP_THRESHOLD
   mallopt(M_MMAP_THRESHOLD, 1 << 20);

@@ -251,17 +251,19 @@ void PointTable::make_room(std::size_t count) {
   }
 }
 
-PointId PointTable::add(const mesh::ExactPoint& point) {
+PointId PointTable::append(Implicit point) {
   make_room(1);
-  implicit_.push_back({{}, enclose(point), Lazy<mesh::ExactPoint>(point), {}});
+  implicit_.push_back(std::move(point));
   return size() - 1;
+}
+
+PointId PointTable::add(const mesh::ExactPoint& point) {
+  return append({{}, enclose(point), Lazy<mesh::ExactPoint>(point), {}});
 }
 
 PointId PointTable::add(const ImplicitPoint& definition) {
   support::refuse_too_many(size(), 0);
-  make_room(1);
-  implicit_.push_back({definition, evaluate(*this, definition), {}, {}});
-  return size() - 1;
+  return append({definition, evaluate(*this, definition), {}, {}});
 }
 
 void PointTable::add_undefined(std::size_t count) {
@@ -278,11 +280,9 @@ void PointTable::define(PointId id, const ImplicitPoint& definition) {
 
 PointId PointTable::add(DefinedPoint point) {
   support::refuse_too_many(size(), 0);
-  make_room(1);
   using Exact = Lazy<mesh::ExactPoint>;
-  implicit_.push_back(
+  return append(
       {point.definition, point.box, point.exact[3].sign() == 0 ? Exact() : Exact(point.exact), {}});
-  return size() - 1;
 }
 
 Vec3 PointTable::approximation(PointId id) const {

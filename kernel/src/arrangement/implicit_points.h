@@ -140,6 +140,7 @@ class PointTable {
     Lazy<exact::BallPoint> ball;
   };
   void make_room(std::size_t count);
+  PointId append(Implicit point);
 
   support::BulkVector<Vec3> doubles_;
   std::vector<Implicit> implicit_;
