@@ -194,12 +194,13 @@ class Browser:
     def move(self, x, y):
         self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
 
-    def drag(self, start, end):
-        self.call("Input.dispatchMouseEvent", type="mousePressed", x=start[0], y=start[1], button="left", clickCount=1)
+    def drag(self, start, end, modifiers=0):
+        def send(kind, place, **more):
+            self.call("Input.dispatchMouseEvent", type=kind, x=place[0], y=place[1], button="left", modifiers=modifiers, **more)
+        send("mousePressed", start, clickCount=1)
         for share in (0.3, 0.7, 1):
-            x, y = (a + share * (b - a) for a, b in zip(start, end))
-            self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y, button="left", buttons=1)
-        self.call("Input.dispatchMouseEvent", type="mouseReleased", x=end[0], y=end[1], button="left", clickCount=1)
+            send("mouseMoved", [a + share * (b - a) for a, b in zip(start, end)], buttons=1)
+        send("mouseReleased", end, clickCount=1)
 
     def picture(self, clip=None):
         area = {} if clip is None else {"clip": {**dict(zip(("x", "y", "width", "height"), clip)), "scale": 1}}

@@ -268,6 +268,10 @@ class Mesh {
     return enter <= leave * (1 + 1e-6) + 1e-6;
   }
 
+  cornersOf(f) {
+    return [0, 1, 2].map(i => [...this.points.slice(3 * this.triangles[3 * f + i], 3 * this.triangles[3 * f + i] + 3)]);
+  }
+
   // The nearest triangle that a ray meets, {triangle, way, point}, or null; accepts(triangle, point) may refuse one.
   hit(from, direction, accepts) {
     const inverse = direction.map(x => 1 / (x === 0 ? 1e-30 : x));
@@ -308,37 +312,40 @@ class Mesh {
     return s >= 0 && t >= 0 && s + t <= 1 ? (vx * rx + vy * ry + vz * rz) / determinant : null;
   }
 
-  // What a plane across an axis cuts: pairs of points, 6 numbers a segment, the solid to their left.
+  // What a plane across an axis cuts: {points, 6 numbers a segment, the solid to their left; edges, 2 a segment, on
+  // which they end; labels}.
   cut(axis, place) {
-    const segments = [];
+    const cut = {points: [], edges: [], labels: []};
     for (let chunk = 0; chunk < this.chunkCount; ++chunk) {
       if (this.boxes[6 * chunk + axis] >= place || this.boxes[6 * chunk + axis + 3] < place) {
         continue;
       }
       const end = Math.min(this.triangleCount, (chunk + 1) * this.perChunk);
       for (let f = chunk * this.perChunk; f < end; ++f) {
-        this.cutTriangle(f, axis, place, segments);
+        this.cutTriangle(f, axis, place, cut);
       }
     }
-    return new Float32Array(segments);
+    return cut;
   }
 
-  cutTriangle(f, axis, place, segments) {
-    const from = segments.length;
+  cutTriangle(f, axis, place, cut) {
     let leaving = null, entering = null;
     for (let i = 0; i < 3; ++i) {
       const a = this.triangles[3 * f + i], b = this.triangles[3 * f + (i + 1) % 3];
       const above = this.points[3 * a + axis] >= place, next = this.points[3 * b + axis] >= place;
       if (above && !next) {
-        leaving = this.crossing(a, b, axis, place);
+        leaving = [a, b];
       } else if (!above && next) {
-        entering = this.crossing(a, b, axis, place);
+        entering = [a, b];
       }
     }
     if (leaving !== null && entering !== null) {
-      segments.push(...leaving, ...entering);
+      for (const [a, b] of [leaving, entering]) {
+        cut.points.push(...this.crossing(a, b, axis, place));
+        cut.edges.push(Math.min(a, b) * this.pointCount + Math.max(a, b));
+      }
+      cut.labels.push(this.labels[f]);
     }
-    return segments.length > from;
   }
 
   // The same for both triangles at an edge, bit by bit.

@@ -18,6 +18,12 @@ class Page {
       return;
     }
     this.overlay = new Overlay(this.view, data.unit);
+    this.overlay.openSection = this.tables.opened;
+    this.tables.onOpen = index => {
+      this.overlay.openSection = index;
+      this.view.request();
+    };
+    this.view.section.onMeasured = (at, measured) => this.tellCut(at, measured);
     this.tree = new Tree(data, this.view, part => this.chose(part));
     this.makePlaces();
     this.controls = new Controls(this.view, {
@@ -30,24 +36,27 @@ class Page {
     window.addEventListener("keydown", event => this.key(event));
   }
 
+  // Of a coordinate relative to the centre: as many digits as the size of the solid asks for.
+  coordinateText(value, axis) {
+    const digits = Math.max(0, Math.min(20, 5 - Math.floor(Math.log10(this.mesh.size))));
+    return String(Number((value + this.mesh.center[axis]).toFixed(digits))).replace("-", "\u2212");
+  }
+
   local(point) { return point.map((x, k) => x - this.mesh.center[k]); }
 
   makePlaces() {
-    for (const section of this.data.sections) {
-      for (const row of section.rows) {
-        if (row.place && row.place.marked) {
-          this.overlay.places.push({at: this.local(row.place.at), isFinding: Boolean(row.finding), row});
-        }
+    this.data.sections.forEach((section, index) => section.rows.forEach(row => {
+      if (row.place && row.place.marked) {
+        this.overlay.places.push({at: this.local(row.place.at), isFinding: Boolean(row.finding), row, section: index});
       }
-    }
+    }));
   }
 
   go(row) {
     if (!this.view) {
       return;
     }
-    this.overlay.places = this.overlay.places.filter(place => !place.isPassing);
-    this.overlay.places.forEach(place => place.isChosen = place.row === row);
+    this.choosePlace(row);
     if (row.part !== undefined) {
       this.tree.choose(this.tree.parts[row.part]);
     }
@@ -55,12 +64,23 @@ class Page {
       this.showPart(this.tree.parts[row.part]);
       return;
     }
-    const at = this.local(row.place.at);
+    const at = this.local(row.place.at), lines = (row.place.lines || []).map(line => line.map(point => this.local(point)));
     if (!this.overlay.places.some(place => place.row === row)) {
       this.overlay.places.push({at, isFinding: Boolean(row.finding), isChosen: true, isPassing: true, row});
     }
-    this.view.setMarkLines((row.place.lines || []).map(line => line.map(point => this.local(point))));
-    this.view.fly({target: at, height: row.place.size > 0 ? Math.max(3.2 * row.place.size, this.mesh.size * 1e-4) : 0.15 * this.mesh.size});
+    this.view.setMarkLines(lines);
+    if (!document.getElementById("cut").hidden) {
+      this.cutAtBest();
+    }
+    const height = row.place.size > 0 ? Math.max(3.2 * row.place.size, this.mesh.size * 1e-4) : 0.15 * this.mesh.size;
+    this.view.fly({target: at, height, ...this.view.poseToSee([at, ...lines.flat()], 1e-3 * height)});
+  }
+
+  // What is marked; nothing for null.
+  choosePlace(row) {
+    this.overlay.places = this.overlay.places.filter(place => !place.isPassing);
+    this.overlay.places.forEach(place => place.isChosen = place.row === row);
+    this.chosenPlace = row && row.place ? this.local(row.place.at) : null;
   }
 
   showPart(part) {
@@ -93,7 +113,7 @@ class Page {
       this.tables.goTo(place.row);
     } else {
       const hit = this.view.hit(x, y);
-      this.tree.choose(hit ? this.tree.partOfLabel[this.mesh.labels[hit.triangle]] : null);
+      this.tree.choose(hit ? this.tree.partOfLabel[hit.label] : null);
     }
   }
 
@@ -104,21 +124,18 @@ class Page {
     }
   }
 
-  // A corner of the triangle, if it is near.
+  // A corner, or a place on the outline of a cut, if it is near.
   snapped(x, y) {
-    const hit = this.view.hit(x, y);
+    const hit = this.view.hit(x, y, 6);
     if (!hit) {
       return null;
     }
-    const corners = [0, 1, 2].map(i => {
-      const p = 3 * this.mesh.triangles[3 * hit.triangle + i];
-      return [...this.mesh.points.slice(p, p + 3)];
-    });
-    const near = corners.map(corner => {
-      const [px, py] = this.view.project(corner);
-      return {corner, way: Math.hypot(px - x, py - y)};
-    }).sort((a, b) => a.way - b.way)[0];
-    return near.way < 8 ? near.corner : hit.point;
+    const way = point => {
+      const [px, py] = this.view.project(point);
+      return Math.hypot(px - x, py - y);
+    };
+    const nearest = hit.corners.reduce((best, corner) => way(corner) < way(best) ? corner : best);
+    return [nearest, hit.outline].find(point => point && way(point) < 8) || hit.point;
   }
 
   // Once a frame is enough.
@@ -138,15 +155,14 @@ class Page {
   hover(x, y) {
     const place = this.overlay.placeAt(x, y), hit = place ? null : this.view.hit(x, y);
     const tip = document.getElementById("tip");
-    const label = hit ? this.mesh.labels[hit.triangle] : undefined;
-    const part = hit ? this.tree.partOfLabel[label] : null;
+    const part = hit ? this.tree.partOfLabel[hit.label] : null;
     this.tree.hover(part);
     tip.hidden = !hit && !place;
     if (place) {
       tip.textContent = place.row.cells.filter(Boolean).join("\n");
     } else if (hit) {
-      const at = hit.point.map((c, k) => numberText(c + this.mesh.center[k])).join(", ");
-      const patch = this.data.labels[label];
+      const at = hit.point.map((c, k) => this.coordinateText(c, k)).join(", ");
+      const patch = this.data.labels[hit.label];
       tip.textContent = [part.name + (part.kind ? ", " + part.kind : ""), ...(patch !== part.name ? [patch] : []), at].join("\n");
     }
     tip.style.left = Math.max(4, Math.min(x + 14, this.view.width - tip.offsetWidth - 4)) + "px";
@@ -182,15 +198,15 @@ class Page {
     });
     toggle("section", isOn => {
       document.getElementById("cut").hidden = !isOn;
-      this.openTowardsViewer();
-      this.cut();
+      if (isOn) {
+        this.cutAtBest();
+      } else {
+        this.view.section.set(null);
+      }
     });
     const [axis, place, flip] = ["cut-axis", "cut-place", "cut-flip"].map(id => document.getElementById(id));
     axis.value = "1";
-    axis.onchange = () => {
-      this.openTowardsViewer();
-      this.cut();
-    };
+    axis.onchange = () => this.cutAtBest();
     place.oninput = () => this.cut();
     flip.onclick = () => {
       this.isFlipped = !this.isFlipped;
@@ -198,26 +214,29 @@ class Page {
     };
   }
 
-  // What is nearer to the viewer is cut away.
-  openTowardsViewer() {
-    this.isFlipped = this.view.frame().towards[Number(document.getElementById("cut-axis").value)] < 0;
+  // Through the place that was chosen, else through much; what is nearer to the viewer is cut away.
+  cutAtBest() {
+    const axis = Number(document.getElementById("cut-axis").value), {low, high} = this.mesh;
+    const place = this.chosenPlace ? this.chosenPlace[axis] : this.view.section.best(axis);
+    document.getElementById("cut-place").value = 1000 * (place - low[axis]) / (high[axis] - low[axis] || 1);
+    this.isFlipped = this.view.frame().towards[axis] < 0;
+    this.cut();
   }
 
   cut() {
-    if (document.getElementById("cut").hidden) {
-      this.view.setSection(null);
-      return;
-    }
     const axis = Number(document.getElementById("cut-axis").value), share = document.getElementById("cut-place").value / 1000;
-    const {low, high, center} = this.mesh, place = low[axis] + share * (high[axis] - low[axis]);
-    const {area, length} = this.view.setSection({axis, place, flipped: this.isFlipped});
+    const {low, high} = this.mesh;
+    this.view.section.set({axis, place: low[axis] + share * (high[axis] - low[axis]), flipped: this.isFlipped});
+  }
+
+  tellCut({axis, place}, {area, length}) {
     const unit = this.data.unit ? " " + this.data.unit : "";
-    document.getElementById("cut-text").textContent = "xyz"[axis] + " = " + numberText(place + center[axis]) + unit +
+    document.getElementById("cut-text").textContent = "xyz"[axis] + " = " + this.coordinateText(place, axis) + unit +
       ", area " + numberText(area) + (unit ? unit + "\u00b2" : "") + ", outline " + numberText(length) + unit;
   }
 
   key(event) {
-    if (/^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName) || event.ctrlKey || event.metaKey || event.altKey) {
+    if (event.target.matches("input[type=search], input[type=range], select") || event.ctrlKey || event.metaKey || event.altKey) {
       return;
     }
     const buttons = {f: "#fit", p: "#perspective", e: "#edges", w: "#wireframe", m: "#measure", s: "#section",
@@ -227,6 +246,7 @@ class Page {
       document.querySelector(selector).click();
     } else if (event.key === "Escape") {
       this.overlay.measured = [];
+      this.choosePlace(null);
       this.view.setMarkLines([]);
       this.tree.choose(null);
     }

@@ -18,7 +18,8 @@ class Overlay {
     this.view = view;
     this.unit = unit;
     this.canvas = view.stage.querySelector("#overlay");
-    this.places = [];  // {at, isFinding, isChosen}, relative to the mesh's centre
+    this.places = [];  // {at, isFinding, isChosen, section}, relative to the mesh's centre
+    this.openSection = 0;
     this.measured = [];  // points
     view.painters.push(() => this.paint());
   }
@@ -83,9 +84,12 @@ class Overlay {
     this.text(numberText(length) + (this.unit ? " " + this.unit : ""), x + pixels / 2, y - 11, "#1f2933");
   }
 
+  // Findings always, else what the open table is about.
+  shownPlaces() { return this.places.filter(place => place.isFinding || place.isChosen || place.section === this.openSection); }
+
   paintPlaces() {
     const c = this.context;
-    for (const place of [...this.places].sort((a, b) => Number(a.isChosen) - Number(b.isChosen))) {
+    for (const place of this.shownPlaces().sort((a, b) => Number(a.isChosen) - Number(b.isChosen))) {
       const [x, y] = this.view.project(place.at), colour = place.isFinding ? "#c62828" : "#0b69c7";
       c.beginPath();
       c.arc(x, y, place.isChosen ? 7 : 4, 0, 2 * Math.PI);
@@ -97,11 +101,13 @@ class Overlay {
     }
   }
 
+  // The nearest that is near, or undefined.
   placeAt(x, y) {
-    return this.places.find(place => {
+    const way = place => {
       const [px, py] = this.view.project(place.at);
-      return Math.hypot(px - x, py - y) < 8;
-    });
+      return Math.hypot(px - x, py - y);
+    };
+    return this.shownPlaces().filter(place => way(place) < 8).sort((a, b) => way(a) - way(b))[0];
   }
 
   paintMeasure() {

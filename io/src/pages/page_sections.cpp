@@ -181,25 +181,39 @@ PageSection gap_section(const GapSummary& gaps) {
     section.note += (section.note.empty() ? "" : ", ") + std::to_string(count) + " " +
                     std::string(name(verdict));
   }
-  section.note +=
-      ". Ends up to " + measure(gaps.connect, unit) + " apart were taken to belong together.";
+  section.note += (section.note.empty() ? "" : ". ") + std::string("Ends up to ") +
+                  measure(gaps.connect, unit) + " apart were taken to belong together.";
   return section;
 }
 
-PageSection contact_section(const std::vector<Contact>& contacts, double size) {
-  PageSection section{"Contacts", "Where the solid touches itself.", {"at", "between"}};
+PageSection contact_section(const std::vector<Contact>& contacts,
+                            const std::optional<ContactSettlement>& settled,
+                            const std::string& unit, double size) {
+  PageSection section{"Contacts", "Where the solid touches itself.", {"at", "between", ""}};
   section.is_counted = true;
-  for (const Contact& contact : contacts) {
+  const auto add = [&](const Contact& contact, const std::string& what) {
     const bool is_edge = contact.kind == Contact::Kind::edge;
     PagePlace place = marked((contact.from + contact.to) / 2,
                              is_edge ? 2 * (contact.to - contact.from).norm() : size);
     if (is_edge) {
       place.lines = {{contact.from, contact.to}};
     }
-    section.rows.push_back(
-        {{(is_edge ? "an edge at " : "a point at ") + decimal(contact.from), listed(contact.names)},
-         false,
-         std::move(place)});
+    section.rows.push_back({{(is_edge ? "an edge at " : "a point at ") + decimal(contact.from),
+                             listed(contact.names), what},
+                            false,
+                            std::move(place)});
+  };
+  for (const Contact& contact : contacts) {
+    add(contact, "");
+  }
+  if (settled) {
+    const bool is_bridge = settled->policy == "bridge";
+    section.note = std::string("Where the solid touched itself: it was ") +
+                   (is_bridge ? "bridged" : "separated") + " there, nothing changed beyond " +
+                   measure(settled->length, unit) + ".";
+    for (const Contact& contact : settled->contacts) {
+      add(contact, is_bridge ? "bridged" : "separated");
+    }
   }
   return section;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,11 @@ namespace dupin::pages {
 /// alone where there are more than a thousand.
 [[nodiscard]] PageSection gap_section(const GapSummary& gaps);
 
-/// Where the solid touches itself; `size` of what is to be seen there.
-[[nodiscard]] PageSection contact_section(const std::vector<Contact>& contacts, double size);
+/// Where the solid touches itself, or did before that was settled; `size` of what is to be seen
+/// there.
+[[nodiscard]] PageSection contact_section(const std::vector<Contact>& contacts,
+                                          const std::optional<ContactSettlement>& settled,
+                                          const std::string& unit, double size);
 
 /// What the one rounding did besides moving points to the nearest numbers.
 [[nodiscard]] PageSection rounding_section(const RoundingReport& rounding, const std::string& unit,

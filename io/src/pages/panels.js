@@ -138,7 +138,8 @@ class Tree {
       this.paint(other);
     });
     if (part) {
-      part.item.scrollIntoView({block: "nearest"});
+      const item = part.item.getBoundingClientRect(), list = this.list.getBoundingClientRect();
+      this.list.scrollTop += Math.min(0, item.top - list.top) + Math.max(0, item.bottom - list.bottom);  // and not the page
     }
     this.onChoose(part);
   }
@@ -167,6 +168,7 @@ class Tables {
     this.tabs = document.getElementById("tabs");
     this.table = document.getElementById("table");
     this.chosenRow = null;
+    this.onOpen = () => {};
     this.sections.forEach((section, index) => {
       const faults = section.rows.filter(row => row.finding).length;
       const count = faults || (section.counted ? section.rows.length : "");
@@ -180,6 +182,8 @@ class Tables {
 
   open(index) {
     this.sections.forEach((section, i) => section.tab.setAttribute("aria-pressed", String(i === index)));
+    this.opened = index;
+    this.onOpen(index);
     const {note, columns, rows} = this.sections[index];
     const hasPlaces = rows.some(row => row.place || row.part !== undefined);
     this.table.replaceChildren(...(note ? [make("p", {className: "note", textContent: note})] : []));
@@ -194,7 +198,7 @@ class Tables {
   row(row, hasPlaces) {
     const leads = row.place || row.part !== undefined;
     const cells = row.cells.map(cell => make("td", {textContent: cell,
-      className: /^[\u2212-]?\d[\d.e+\u2212-]*$/.test(cell) ? "number" : ""}));
+      className: /^[\u2212-]?\d[\d.e+\u2212-]*( \S{1,4})?$/.test(cell) ? "number" : ""}));
     if (hasPlaces) {
       cells.push(make("td", {className: "go", textContent: leads ? "\u2192" : ""}));
     }

@@ -63,7 +63,8 @@ class BuiltPage {
     if (report_.piping) {
       add_if_any(sections, pages::joint_section(*report_.piping, built_.line));
     }
-    add_if_any(sections, pages::contact_section(report_.output.contacts, size));
+    add_if_any(sections, pages::contact_section(report_.output.contacts, report_.output.settled,
+                                                unit_, size));
     add_if_any(sections, margin_section());
     if (report_.volumes && report_.region == Region::metal) {
       add_if_any(sections, wall_section());
@@ -71,7 +72,7 @@ class BuiltPage {
     add_if_any(sections, pages::rounding_section(report_.output.rounding, unit_, size));
     sections.push_back(volume_section());
     if (built_.certificate != nullptr) {
-      sections.push_back(pages::certificate_section(*built_.certificate));
+      sections.push_back(claims_section());
     }
     sections.insert(sections.begin(), overview());
     page_.sections = std::move(sections);
@@ -137,7 +138,8 @@ class BuiltPage {
                               measure(output.rounding.largest_move, unit_));
     add("gaps", report_.gaps.findings() == 0 ? "none" : std::to_string(report_.gaps.findings()),
         report_.gaps.findings() > 0);
-    add("contacts", output.contacts.empty() ? "none" : std::to_string(output.contacts.size()));
+    add("contacts", contacts_text());
+    add_least(section);
     if (report_.source_findings() > 0) {
       add("left out", std::to_string(report_.source_findings()), true);
     }
@@ -146,6 +148,49 @@ class BuiltPage {
       add("certificate",
           findings == 0 ? "all claims proved" : std::to_string(findings) + " claims not proved",
           findings > 0);
+    }
+    return section;
+  }
+
+  [[nodiscard]] std::string contacts_text() const {
+    const OutputReport& output = report_.output;
+    std::string text = output.contacts.empty() ? "" : std::to_string(output.contacts.size());
+    if (output.settled && !output.settled->contacts.empty()) {
+      text += (text.empty() ? "" : ", ") + std::to_string(output.settled->contacts.size()) +
+              (output.settled->policy == "bridge" ? " bridged" : " separated");
+    }
+    return text.empty() ? "none" : text;
+  }
+
+  // Of walls and margins what is proved, and of which part.
+  void add_least(PageSection& section) const {
+    const auto add = [&](const std::string& what, auto value_of, auto text_of) {
+      const PartReport* least = nullptr;
+      for (const PartReport& part : report_.parts) {
+        if (value_of(part) && (least == nullptr || *value_of(part) < *value_of(*least))) {
+          least = &part;
+        }
+      }
+      if (least != nullptr) {
+        section.rows.push_back({{what, text_of(*value_of(*least)) + ", " + least->name}});
+        section.rows.back().part = index_of(least->name);
+      }
+    };
+    add(
+        "least wall", [](const PartReport& part) { return part.least_wall; },
+        [this](double wall) {
+          return "proved, at least " + decimal_at_least(wall) + (unit_.empty() ? "" : " " + unit_);
+        });
+    add(
+        "smallest margin", [](const PartReport& part) { return part.margin_lower; },
+        [](double margin) { return "proved, at least " + decimal_at_least(margin); });
+  }
+
+  // Every claim that is about one part leads to it.
+  [[nodiscard]] PageSection claims_section() const {
+    PageSection section = pages::certificate_section(*built_.certificate);
+    for (PageRow& row : section.rows) {
+      row.part = index_of(row.cells.at(2));
     }
     return section;
   }

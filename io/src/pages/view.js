@@ -1,5 +1,5 @@
 "use strict";
-// The picture: camera, surfaces, lines, section. Nothing here knows the tables.
+// The picture: camera, surfaces, lines. Nothing here knows the tables.
 
 const kSurfaceVertex = `
   attribute float label;
@@ -56,16 +56,6 @@ const kLineFragment = `
     gl_FragColor = ink;
   }`;
 
-const kCapVertex = `void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`;
-
-// Hatched as in a drawing.
-const kCapFragment = `
-  uniform float unit;
-  void main() {
-    float across = mod(gl_FragCoord.x + gl_FragCoord.y, 10.0 * unit);
-    gl_FragColor = vec4(across < 1.3 * unit ? vec3(0.52, 0.43, 0.33) : vec3(0.95, 0.91, 0.84), 1.0);
-  }`;
-
 const kViews = {
   iso: [-Math.PI / 4, Math.atan(Math.SQRT1_2)],
   front: [-Math.PI / 2, 0],
@@ -73,9 +63,13 @@ const kViews = {
   top: [-Math.PI / 2, Math.PI / 2],
 };
 const kFieldOfView = 0.6;
-const kNoPlane = [0, 0, 0, 1];
 const kRest = 250, kSlowFrame = 70;  // milliseconds
 const kMany = 100000;  // triangles
+
+function frameOf(azimuth, elevation) {
+  const [ca, sa, ce, se] = [Math.cos(azimuth), Math.sin(azimuth), Math.cos(elevation), Math.sin(elevation)];
+  return {right: [-sa, ca, 0], up: [-se * ca, -se * sa, ce], towards: [ce * ca, ce * sa, se]};
+}
 
 class View {
   constructor(stage, mesh, labelCount) {
@@ -86,7 +80,6 @@ class View {
     this.marks = [];
     this.painters = [];
     this.isPerspective = false;
-    this.section = null;
     this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, antialias: true, alpha: true});
     this.renderer.setClearColor(0, 0);
     this.orthographic = new THREE.OrthographicCamera(-1, 1, 1, -1, 0, 1);
@@ -101,8 +94,8 @@ class View {
     const width = 256, height = Math.max(1, Math.ceil(labelCount / width));
     this.looks = new Uint8Array(4 * width * height).fill(255);
     this.texture = new THREE.DataTexture(this.looks, width, height, THREE.RGBAFormat);
-    this.plane = {value: new THREE.Vector4(...kNoPlane)};
-    this.shared = {looks: {value: this.texture}, looksSize: {value: new THREE.Vector2(width, height)}, plane: this.plane};
+    this.section = new Section(this);
+    this.shared = {looks: {value: this.texture}, looksSize: {value: new THREE.Vector2(width, height)}, plane: this.section.plane};
     this.scene = new THREE.Scene();
     const shaded = this.mesh.shaded();
     this.shadedIndex = shaded.index;
@@ -119,7 +112,7 @@ class View {
     geometry.setAttribute("position", new THREE.BufferAttribute(sharp.position, 3));
     geometry.setAttribute("label", new THREE.BufferAttribute(sharp.label, 1));
     this.sharpEdges = this.add(new THREE.LineSegments(geometry, this.lineMaterial([0.13, 0.17, 0.22, 1])), 3);
-    this.makeCap();
+    this.section.objects().forEach(([object, order]) => this.add(object, order));
     this.markLines = this.add(new THREE.LineSegments(new THREE.BufferGeometry(),
       new THREE.LineBasicMaterial({color: 0xd32f2f, depthTest: false, transparent: true})), 5);
     this.markLines.visible = false;
@@ -138,70 +131,10 @@ class View {
       vertexShader: kLineVertex, fragmentShader: kLineFragment});
   }
 
-  // What the plane cuts is filled by parity: triangles from one point of the plane to every segment.
-  makeCap() {
-    const material = extra => new THREE.ShaderMaterial({uniforms: {unit: {value: 1}}, vertexShader: kCapVertex,
-      fragmentShader: kCapFragment, side: THREE.DoubleSide, stencilWrite: true, ...extra});
-    this.capParity = this.add(new THREE.Mesh(new THREE.BufferGeometry(), material({colorWrite: false, depthWrite: false,
-      depthTest: false, stencilFunc: THREE.AlwaysStencilFunc, stencilZPass: THREE.InvertStencilOp})), 1);
-    this.cap = this.add(new THREE.Mesh(new THREE.BufferGeometry(), material({stencilFunc: THREE.NotEqualStencilFunc,
-      stencilRef: 0, stencilFuncMask: 1, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1})), 2);
-    this.capLines = this.add(new THREE.LineSegments(new THREE.BufferGeometry(),
-      new THREE.LineBasicMaterial({color: 0x3b2f24})), 4);
-    this.capObjects = [this.capParity, this.cap, this.capLines];
-    this.capObjects.forEach(object => object.visible = false);
-  }
-
-  // null, or {axis, place, flipped}; gives back what the cut measures, {area, length}.
-  setSection(section) {
-    this.section = section;
-    this.plane.value.set(...kNoPlane);
-    this.capObjects.forEach(object => object.visible = section !== null);
-    this.request();
-    if (section === null) {
-      return null;
-    }
-    const {axis, place, flipped} = section, sign = flipped ? -1 : 1;
-    const normal = [0, 1, 2].map(k => k === axis ? sign : 0);
-    this.plane.value.set(...normal, sign * place);
-    const segments = this.mesh.cut(axis, place);
-    this.fillCap(segments, axis, place);
-    return this.measureCut(segments, axis);
-  }
-
-  fillCap(segments, axis, place) {
-    const anchor = [0, 1, 2].map(k => k === axis ? place : this.mesh.low[k]);
-    const fans = new Float32Array(segments.length / 6 * 9);
-    for (let i = 0, k = 0; i < segments.length; i += 6, k += 9) {
-      fans.set(anchor, k);
-      fans.set(segments.subarray(i, i + 6), k + 3);
-    }
-    const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-    const quad = [];
-    for (const [s, t] of [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]]) {
-      const corner = anchor.slice();
-      corner[u] = s ? this.mesh.high[u] : this.mesh.low[u];
-      corner[v] = t ? this.mesh.high[v] : this.mesh.low[v];
-      quad.push(...corner);
-    }
-    [fans, new Float32Array(quad), segments].forEach((positions, i) => {
-      this.capObjects[i].geometry.dispose();
-      this.capObjects[i].geometry = new THREE.BufferGeometry();
-      this.capObjects[i].geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
-    });
-  }
-
-  measureCut(segments, axis) {
-    const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-    let area = 0, length = 0;
-    for (let i = 0; i < segments.length; i += 6) {
-      area += segments[i + u] * segments[i + 3 + v] - segments[i + v] * segments[i + 3 + u];
-      length += Math.hypot(segments[i + 3 + u] - segments[i + u], segments[i + 3 + v] - segments[i + v]);
-    }
-    return {area: Math.abs(area) / 2, length};
-  }
-
   setLook(label, [red, green, blue], isShown) {
+    if (this.isShown(label) !== isShown) {
+      this.section.isStale = true;
+    }
     this.looks.set([red, green, blue, isShown ? 255 : 0], 4 * label);
     this.texture.needsUpdate = true;
     this.request();
@@ -256,16 +189,12 @@ class View {
     this.height = height;
     this.renderer.setPixelRatio(window.devicePixelRatio || 1);
     this.renderer.setSize(width, height, false);
-    this.cap.material.uniforms.unit.value = window.devicePixelRatio || 1;
+    this.section.setPixelRatio(window.devicePixelRatio || 1);
     this.request();
   }
 
   // The directions of the picture: to the right, upwards, towards the viewer.
-  frame() {
-    const {azimuth, elevation} = this.pose;
-    const [ca, sa, ce, se] = [Math.cos(azimuth), Math.sin(azimuth), Math.cos(elevation), Math.sin(elevation)];
-    return {right: [-sa, ca, 0], up: [-se * ca, -se * sa, ce], towards: [ce * ca, ce * sa, se]};
-  }
+  frame() { return frameOf(this.pose.azimuth, this.pose.elevation); }
 
   distance() {
     return this.isPerspective ? this.pose.height / 2 / Math.tan(kFieldOfView / 2) : 2 * this.mesh.size;
@@ -300,6 +229,7 @@ class View {
         this.requested = false;
         this.step(now);
         this.chooseDetail(now);
+        this.section.refresh();
         this.place();
         this.renderer.render(this.scene, this.camera);
         this.painters.forEach(paint => paint());
@@ -417,14 +347,42 @@ class View {
     return [this.width / 2 + s * scale, this.height / 2 - t * scale];
   }
 
-  isCutAway(point) {
-    const plane = this.plane.value;
-    return plane.x * point[0] + plane.y * point[1] + plane.z * point[2] - plane.w > 0;
+  // What is seen there: {label, point, corners near it}, or null. Cuts are seen so many pixels beside them, too.
+  hit(x, y, reach = 0) {
+    const {from, direction} = this.ray(x, y);
+    const cap = this.section.hit(from, direction, reach * this.pose.height / this.height);
+    if (cap) {
+      return cap;
+    }
+    const found = this.mesh.hit(from, direction, (f, point) => this.isSeen(f, point));
+    return found && {label: this.mesh.labels[found.triangle], point: found.point, corners: this.mesh.cornersOf(found.triangle)};
   }
 
-  hit(x, y) {
-    const {from, direction} = this.ray(x, y);
-    return this.mesh.hit(from, direction, (f, point) => this.isShown(this.mesh.labels[f]) && !this.isCutAway(point));
+  isSeen(triangle, point) { return this.isShown(this.mesh.labels[triangle]) && !this.section.isCutAway(point); }
+
+  // Whether nothing of the solid is before one of the points, seen from there.
+  areSeen(points, azimuth, elevation, slack) {
+    const {towards} = frameOf(azimuth, elevation);
+    return points.some(point => {
+      const from = point.map((x, k) => x + slack * towards[k]);
+      return this.mesh.hit(from, towards, (f, at) => this.isSeen(f, at) &&
+        towards.reduce((way, t, k) => way + t * (at[k] - from[k]), 0) > 0) === null;
+    });
+  }
+
+  // The direction nearest to the present one from where one of the points is seen; the present one if there is none.
+  poseToSee(points, slack) {
+    const {azimuth, elevation} = this.pose, candidates = [];
+    for (let turn = -4; turn < 4; ++turn) {
+      for (const to of [elevation, 0, 0.35, -0.35, 0.8, -0.8, 1.2, -1.2]) {
+        const way = [azimuth + turn * Math.PI / 4, to];
+        const cosine = frameOf(...way).towards.reduce((sum, x, k) => sum + x * this.frame().towards[k], 0);
+        candidates.push({way, cosine});
+      }
+    }
+    candidates.sort((a, b) => b.cosine - a.cosine);
+    const found = candidates.find(({way}) => this.areSeen(points, ...way, slack));
+    return found ? {azimuth: found.way[0], elevation: found.way[1]} : {};
   }
 
   turn(dx, dy) {

@@ -27,12 +27,29 @@ TEST(PageSections, contacts_are_points_and_edges) {
   const PageSection section =
       contact_section({{Contact::Kind::edge, {0, 0, 0}, {2, 0, 0}, {"a", ""}},
                        {Contact::Kind::vertex, {1, 1, 1}, {1, 1, 1}, {"b"}}},
-                      7);
+                      std::nullopt, "mm", 7);
   ASSERT_EQ(section.rows.size(), 2);
   EXPECT_EQ(section.rows[0].place->at, Vec3(1, 0, 0));
   EXPECT_EQ(section.rows[0].place->lines.size(), 1);
   EXPECT_EQ(section.rows[0].cells[1], "a, (no name)");
   EXPECT_EQ(section.rows[1].place->size, 7);
+}
+
+TEST(PageSections, contacts_that_were_settled_are_places_too) {
+  const ContactSettlement settled{
+      "separate", 0.25, {{Contact::Kind::vertex, {1, 1, 1}, {1, 1, 1}, {"a", "b"}}}};
+  const PageSection section = contact_section({}, settled, "mm", 7);
+  ASSERT_EQ(section.rows.size(), 1);
+  EXPECT_EQ(section.rows[0].place->at, Vec3(1, 1, 1));
+  EXPECT_EQ(section.rows[0].cells,
+            (std::vector<std::string>{"a point at (1, 1, 1)", "a, b", "separated"}));
+  EXPECT_THAT(section.note, testing::HasSubstr("nothing changed beyond 0.25 mm"));
+}
+
+TEST(PageSections, without_a_port_there_is_nothing_to_count) {
+  const PageSection section = gap_section({"x.json", Unit::millimetre, 0.5, {}, {}});
+  EXPECT_TRUE(section.rows.empty());
+  EXPECT_EQ(section.note, "Ends up to 0.5 mm apart were taken to belong together.");
 }
 
 TEST(PageSections, rounding_shows_every_place) {

@@ -110,6 +110,16 @@ TEST(ReportPageBuild, leads_to_the_tightest_place_and_the_thinnest_wall) {
   EXPECT_NEAR(std::stod(walls.rows[0].cells[1]), 1, 0.2);
   const PageSection& volumes = section(page, "Volumes");
   EXPECT_EQ(volumes.rows.size(), 3);
+  const auto row = [&page](const std::string& what) {
+    const auto& rows = section(page, "Overview").rows;
+    const auto found = std::ranges::find_if(
+        rows, [&what](const PageRow& shown) { return shown.cells[0] == what; });
+    return found == rows.end() ? PageRow{{what, "missing"}} : *found;
+  };
+  EXPECT_THAT(row("smallest margin").cells[1], testing::StartsWith("proved, at least 0.59999"));
+  EXPECT_THAT(row("smallest margin").cells[1], testing::EndsWith(", bend"));
+  EXPECT_EQ(row("smallest margin").part, 1);
+  EXPECT_THAT(row("least wall").cells[1], testing::StartsWith("proved, at least 0.9"));
 }
 
 TEST(ReportPageBuild, counts_claims_by_their_verdict) {
@@ -121,6 +131,10 @@ TEST(ReportPageBuild, counts_claims_by_their_verdict) {
   EXPECT_THAT(shown.note, testing::HasSubstr("embedded: 2 proved, 0 refuted, 0 undecided"));
   EXPECT_THAT(shown.note, testing::HasSubstr("mesh error: 2 proved"));
   EXPECT_TRUE(std::ranges::none_of(shown.rows, &PageRow::is_finding));
+  EXPECT_EQ(
+      std::ranges::find(shown.rows, "next", [](const PageRow& row) { return row.cells.at(2); })
+          ->part,
+      1);
 }
 
 }  // namespace
