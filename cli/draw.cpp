@@ -61,7 +61,8 @@ Page page_of(const std::string& path) {
 }
 
 std::string page(const Drawing& drawing, const Solid& solid, const DrawingScale& scale,
-                 const DrawArguments& arguments) {
+                 const DrawArguments& arguments,
+                 const std::map<std::string, std::string>& colours) {
   switch (page_of(arguments.output)) {
     case Page::svg:
       return drawing_svg(drawing, scale, arguments.sheet);
@@ -69,7 +70,7 @@ std::string page(const Drawing& drawing, const Solid& solid, const DrawingScale&
       return drawing_pdf(drawing, scale, arguments.sheet);
     case Page::png:
       return drawing_png(drawing, scale, arguments.sheet,
-                         {arguments.dots_per_inch, arguments.shaded ? &solid : nullptr});
+                         {arguments.dots_per_inch, arguments.shaded ? &solid : nullptr, colours});
   }
   return {};
 }
@@ -148,7 +149,7 @@ ExitCode run_draw(const DrawArguments& arguments, const CommonOptions& common) {
     tell(build.progress, "draw");
     drawing = draw(document.assembly, built, options);
     scale = typed_scale.value_or(fitting_scale(drawing));
-    write_text(arguments.output, page(drawing, built.solid, scale, arguments));
+    write_text(arguments.output, page(drawing, built.solid, scale, arguments, document.colours));
   }
   report.graph = std::move(document.network);
   report.piping = std::move(document.piping);

@@ -69,7 +69,16 @@ void draw_text(cairo_t* context, const drawings::PaperText& text) {
   }
   cairo_text_extents_t extents;
   cairo_text_extents(context, text.text.c_str(), &extents);
-  cairo_move_to(context, text.is_centered ? -extents.x_advance / 2 : 0, 0);
+  const double begin = text.is_centered ? -extents.x_advance / 2 : 0;
+  // Lines end beside it.
+  cairo_move_to(context, begin, 0);
+  cairo_text_path(context, text.text.c_str());
+  cairo_set_source_rgb(context, 1, 1, 1);
+  cairo_set_line_width(context, drawings::kTextMargin);
+  cairo_set_dash(context, nullptr, 0, 0);
+  cairo_stroke(context);
+  cairo_set_source_rgb(context, 0, 0, 0);
+  cairo_move_to(context, begin, 0);
   cairo_show_text(context, text.text.c_str());
   cairo_restore(context);
 }
@@ -130,7 +139,7 @@ std::string drawing_png(const Drawing& drawing, const DrawingScale& scale,
   cairo_paint(context.get());
   if (picture.shaded != nullptr) {
     drawings::Picture shades =
-        drawings::shaded(*picture.shaded, drawing.view, sheet, per_millimetre);
+        drawings::shaded(*picture.shaded, picture.colours, drawing.view, sheet, per_millimetre);
     const Surface image(cairo_image_surface_create_for_data(
         reinterpret_cast<unsigned char*>(shades.pixels.data()), CAIRO_FORMAT_ARGB32, shades.width,
         shades.height, 4 * shades.width));

@@ -123,7 +123,7 @@ path { fill: none; stroke: #000; stroke-linecap: round; stroke-linejoin: round; 
 .center { stroke-width: 0.18; stroke-dasharray: 6 1 0.5 1; stroke-linecap: butt; }
 .thin { stroke-width: 0.18; }
 .arrow { fill: #000; stroke: none; }
-text { font: 3.5px sans-serif; }
+text { font: 3.5px sans-serif; paint-order: stroke; stroke: #fff; stroke-width: 0.8; stroke-linejoin: round; }
 .centered { text-anchor: middle; }
 </style>
 )";

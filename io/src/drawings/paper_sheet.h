@@ -17,8 +17,9 @@ enum class Pen { contour, edge, hidden, center, thin, arrow };
 
 /// Millimetres, of lines seen and of all others; solids ("arrow") have no line.
 constexpr double kWide = 0.35, kNarrow = 0.18;
-/// Height of capitals, of ISO 3098, and of what a font calls its size.
-constexpr double kTextHeight = 2.5, kFontSize = 3.5;
+/// Height of capitals, of ISO 3098, what a font calls its size, and the width of a white pen round
+/// letters.
+constexpr double kTextHeight = 2.5, kFontSize = 3.5, kTextMargin = 0.8;
 
 /// The dashes and gaps of a pen, in millimetres; none: a continuous line.
 [[nodiscard]] std::vector<double> dashes(Pen pen);

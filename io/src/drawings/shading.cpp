@@ -143,14 +143,15 @@ class Rasteriser {
 
 }  // namespace
 
-Picture shaded(const Solid& solid, const View& view, const PaperSheet& sheet,
-               double pixels_per_millimetre) {
+Picture shaded(const Solid& solid, const std::map<std::string, std::string>& colours,
+               const View& view, const PaperSheet& sheet, double pixels_per_millimetre) {
   const int width = int(std::ceil(sheet.size[0] * pixels_per_millimetre)),
             height = int(std::ceil(sheet.size[1] * pixels_per_millimetre));
   Rasteriser raster(width * kFine, height * kFine);
   const double to_fine = pixels_per_millimetre * kFine;
   const auto normals = corner_normals(solid);
   const auto& points = solid.nearest_points();
+  const std::vector<text::Colour> of_labels = text::label_colours(solid.names(), colours);
   for (std::size_t i = 0; i < solid.triangle_count(); ++i) {
     std::array<Vec3, 3> corners, own;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -159,8 +160,8 @@ Picture shaded(const Solid& solid, const View& view, const PaperSheet& sheet,
                        to_fine * (sheet.origin[1] - sheet.factor * seen[1]), seen[2]};
       own.at(k) = view(normals[i].at(k));
     }
-    const std::size_t label = solid.labels().empty() ? 0 : solid.labels()[i];
-    raster.draw(corners, own, text::label_colour(label));
+    raster.draw(corners, own,
+                solid.labels().empty() ? text::label_colour(0) : of_labels.at(solid.labels()[i]));
   }
   return raster.picture();
 }

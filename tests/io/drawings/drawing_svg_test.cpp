@@ -32,6 +32,12 @@ TEST(DrawingSvg, puts_lines_on_paper) {
                 "<path class=\"contour\" d=\"M5 30L55 30 55 5\"/>\n</g>\n</svg>\n"));
 }
 
+TEST(DrawingSvg, text_keeps_lines_away) {
+  EXPECT_THAT(
+      drawing_svg(drawing(), {1, 2}, {.names = true}),
+      testing::ContainsRegex("text \\{[^}]*paint-order: stroke; stroke: #fff; stroke-width: 0.8"));
+}
+
 TEST(DrawingSvg, of_nothing_is_an_empty_sheet) {
   const Drawing nothing{"x", Unit::metre, {}, 0, {}};
   EXPECT_EQ(size_on_paper(nothing, {1, 1}), Eigen::Vector2d(10, 10));

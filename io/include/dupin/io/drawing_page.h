@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "dupin/blends/drawing.h"
@@ -16,6 +17,7 @@ struct PictureOptions {
   /// What is drawn in colours behind the lines, with light and shade: that of which `drawing` is.
   /// None: lines alone.
   const Solid* shaded = nullptr;
+  std::map<std::string, std::string> colours = {};  ///< of parts, as parse_document has them
 };
 
 /// The drawing of drawing_svg as PDF 1.5, lines and letters as such. The same bytes for the same
