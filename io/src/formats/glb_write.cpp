@@ -43,9 +43,12 @@ double metres(std::string_view unit) {
 
 void pad(std::string& bytes, char filler) { bytes.resize((bytes.size() + 3) / 4 * 4, filler); }
 
-/// glTF wants base colours linear; the palette is sRGB.
+/// glTF wants base colours linear; documents and the palette have sRGB (IEC 61966-2-1). Digits
+/// enough to come back to the same channel.
 double linear(std::uint8_t channel) {
-  return std::round(std::pow(channel / 255.0, 2.2) * 1000) / 1000;
+  const double share = channel / 255.0;
+  const double value = share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+  return std::round(value * 1e6) / 1e6;
 }
 
 /// The parts of the JSON that grow with the mesh, and the bytes they point into.

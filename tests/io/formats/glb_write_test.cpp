@@ -1,3 +1,6 @@
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -33,6 +36,28 @@ TEST(Glb, the_node_scales_to_metres_and_the_accessor_tells_its_bounds) {
   EXPECT_EQ(json["accessors"][0]["min"], Json({static_cast<double>(-0.1F), 0, 0}));
   EXPECT_EQ(json["accessors"][0]["max"], Json({1, 1, 1}));
   EXPECT_FALSE(test::glb_json(glb_bytes(mesh))["nodes"][0].contains("scale"));
+}
+
+TEST(Glb, colours_come_back_as_they_were_chosen) {
+  // What a viewer shows of a linear share.
+  const auto shown = [](double linear) {
+    return std::lround(
+        255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055));
+  };
+  TriMesh mesh = test::tetrahedron();
+  mesh.names = {"a"};
+  mesh.labels.assign(mesh.triangles.size(), 0);
+  for (int channel = 0; channel < 256; ++channel) {
+    std::array<char, 8> code{};
+    (void)std::snprintf(code.data(), code.size(), "#%02x80ff", unsigned(channel));
+    MeshHeader header{"mm", ""};
+    header.colours = {{"a", code.data()}};
+    const Json json = test::glb_json(glb_bytes(mesh, header));
+    const Json& colour = json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"];
+    EXPECT_EQ(shown(colour[0]), channel);
+    EXPECT_EQ(shown(colour[1]), 0x80);
+    EXPECT_EQ(colour[2], 1);
+  }
 }
 
 TEST(Glb, an_unknown_unit_is_refused) {
