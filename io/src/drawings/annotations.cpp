@@ -112,7 +112,8 @@ class NotePlacer {
     }
     // To the underlined text's nearer end.
     const bool to_left = anchor[0] < box.center()[0];
-    const Vector2d left(box.min()[0], box.max()[1]), right = box.max();
+    const Vector2d left(box.min()[0], box.max()[1]);
+    const Vector2d& right = box.max();
     const Vector2d near = to_left ? left : right, far = to_left ? right : left;
     sheet_.lines.push_back({Pen::thin, {}, {anchor, near, far}});
     constexpr double kDot = 0.4;
