@@ -9,7 +9,7 @@
 #include "assembly/parts/part_kind.h"
 #include "dupin/blends/build.h"
 #include "dupin/blends/resolve.h"
-#include "surfaces/piece_measures.h"
+#include "surfaces/pieces/piece_measures.h"
 
 namespace dupin {
 namespace {

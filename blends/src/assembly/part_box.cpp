@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "numbers/interval.h"
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 
 namespace dupin::assembly {
 namespace {

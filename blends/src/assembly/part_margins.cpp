@@ -5,7 +5,7 @@
 
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 
 namespace dupin::assembly {
 namespace {

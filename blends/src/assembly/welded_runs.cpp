@@ -10,7 +10,7 @@
 #include "assembly/part_context.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 
 namespace dupin::assembly {
 namespace {

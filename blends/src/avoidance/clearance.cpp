@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 
 namespace dupin::avoidance {
 namespace {

@@ -9,7 +9,7 @@
 #include "dupin/kernel/error.h"
 #include "numbers/interval.h"
 #include "ringed/nearest_in_disc.h"
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 
 namespace dupin::avoidance {
 namespace {

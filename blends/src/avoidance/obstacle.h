@@ -8,7 +8,7 @@
 #include "dupin/blends/part_surface.h"
 #include "dupin/blends/spline_pipe.h"
 #include "dupin/kernel/mesh.h"
-#include "surfaces/piece_discs.h"
+#include "surfaces/pieces/piece_discs.h"
 
 // This folder: pipes that go round obstacles ([mathematics A8]). Obstacles are convex (obstacle.h),
 // how far a pipe's discs keep from them is proved in intervals by halving (clearance.h), and the

@@ -25,7 +25,7 @@
 #include "certification/swept_disc_pairs.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 
 namespace dupin {
 namespace {

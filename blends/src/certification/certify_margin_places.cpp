@@ -4,7 +4,7 @@
 
 #include "dupin/blends/certify.h"
 #include "dupin/blends/resolve.h"
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 
 namespace dupin {
 namespace {

@@ -72,6 +72,37 @@ class Discs {
   std::vector<Disc> discs_;
 };
 
+bool are_few(const SweptDiscs& first, const SweptDiscs& second) {
+  constexpr double kMostPairs = 1 << 10;  // of pieces
+  const double pairs = first.length() * second.length();
+  return pairs > 0 && pairs <= kMostPairs;
+}
+
+// Centres of discs, those of the ends being the first and the last.
+std::vector<Vec3> centers_of(const SweptDiscs& sweep) {
+  constexpr double kOfPiece = 8;
+  std::vector<Vec3> result;
+  for (double i = 0; i <= kOfPiece * sweep.length(); ++i) {
+    result.push_back(disc_at(sweep, i / kOfPiece).center);
+  }
+  return result;
+}
+
+// Of the segments from `a` along `u` and from `b` along `v`, where they are nearest, but for what
+// rounding does to parallel ones.
+std::pair<Vec3, Vec3> nearest_places(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v) {
+  const Vec3 between = a - b;
+  const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm();
+  const double square = uu * vv - uv * uv;
+  const auto share = [](double part, double whole) {
+    return whole > 0 ? std::clamp(part / whole, 0., 1.) : 0;
+  };
+  double s = share(uv * v.dot(between) - vv * u.dot(between), square);
+  const double t = share(v.dot(between) + s * uv, vv);
+  s = share(t * uv - u.dot(between), uu);
+  return {a + s * u, b + t * v};
+}
+
 // Between the axes where they are nearest, by the radii: from the nearest two discs on.
 Vec3 start(const SweptDiscs& one, const SweptDiscs& other) {
   constexpr int kTurns = 20;
@@ -115,11 +146,28 @@ std::optional<Vec3> common_point(const Discs& first, const Discs& second, double
 
 }  // namespace
 
+std::optional<Vec3> point_between_axes(const SweptDiscs& first, const SweptDiscs& second) {
+  if (!are_few(first, second)) {
+    return std::nullopt;
+  }
+  const std::vector<Vec3> here = centers_of(first), there = centers_of(second);
+  std::pair<Vec3, Vec3> nearest{here.front(), there.front()};
+  for (std::size_t i = 0; i + 1 < here.size(); ++i) {
+    for (std::size_t k = 0; k + 1 < there.size(); ++k) {
+      const auto places =
+          nearest_places(here[i], here[i + 1] - here[i], there[k], there[k + 1] - there[k]);
+      if ((places.first - places.second).norm() < (nearest.first - nearest.second).norm()) {
+        nearest = places;
+      }
+    }
+  }
+  const double a = disc_at(first, 0.5).radius, b = disc_at(second, 0.5).radius;
+  return nearest.first + a / (a + b) * (nearest.second - nearest.first);
+}
+
 std::vector<Vec3> common_points(const SweptDiscs& first, const SweptDiscs& second) {
-  constexpr double kMostPairs = 1 << 10;
   std::vector<Vec3> result;
-  if (first.length() == 0 || second.length() == 0 ||
-      first.length() * second.length() > kMostPairs) {
+  if (!are_few(first, second)) {
     return result;
   }
   const Vec3 from = start(first, second);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 
 namespace dupin::certification {
 

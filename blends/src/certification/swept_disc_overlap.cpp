@@ -44,15 +44,17 @@ bool crosses(const SweptDiscs& sweep, const ParameterInterval& t, const Vec3& po
 // are computed once: many points are asked about, and near each there are few stretches.
 class Crossings {
  public:
-  explicit Crossings(const SweptDiscs& sweep) : sweep_(sweep) {
+  // With boxes about short stretches, which tell most points apart, for `many` points.
+  Crossings(const SweptDiscs& sweep, bool many) : sweep_(sweep) {
     if (sweep.over({0, 1}).tangents.empty()) {
       return;  // a ball
     }
     for (const ParameterInterval& piece : sweep.stretches()) {
+      const int count = many ? kStretches : stretches_of(sweep.over(piece));
       DiscHull first = sweep.over({piece.from, piece.from});
-      for (int i = 0; i < kStretches; ++i) {
-        const ParameterInterval t{piece.from + double(i) / kStretches,
-                                  piece.from + double(i + 1) / kStretches};
+      for (int i = 0; i < count; ++i) {
+        const ParameterInterval t{piece.from + double(i) / count,
+                                  piece.from + double(i + 1) / count};
         DiscHull last = sweep.over({t.to, t.to});
         stretches_.push_back({piece, t, reach(sweep.over(t)), first, last});
         first = std::move(last);
@@ -77,7 +79,14 @@ class Crossings {
   }
 
  private:
-  static constexpr int kStretches = 64, kHalvings = 12;
+  static constexpr int kStretches = 64;
+  static constexpr double kShort = 0x1p-18;
+
+  // The less a piece turns, the fewer: planes of a straight one's discs pass each point once.
+  static int stretches_of(const DiscHull& piece) {
+    const double turn = 2 * std::acos(std::clamp(piece.cosine, 0., 1.)) / std::numbers::pi;
+    return turn >= 0 ? std::max(1, int(std::ceil(kStretches * turn))) : kStretches;
+  }
 
   struct Stretch {
     ParameterInterval piece, t;
@@ -138,7 +147,7 @@ class Crossings {
 
   [[nodiscard]] ParameterInterval shortened(const Stretch& stretch, const Vec3& point) const {
     ParameterInterval t = stretch.t;
-    for (int k = 0; k < kHalvings; ++k) {
+    while (size(t) > kShort) {
       const auto [left, right] = halves(t);
       t = height(sweep_.over({left.to, left.to}), point) <= 0 ? left : right;
     }
@@ -159,7 +168,7 @@ std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b, bool sa
   if (!a.full() || !b.full() || a.is_out_of_work()) {
     return std::nullopt;
   }
-  const Crossings crossings(b);
+  const Crossings crossings(b, true);
   const std::uint64_t for_others = a.work_left() / 2;
   for (int i = 0; i < kDiscs * int(a.length()) && a.work_left() > for_others; ++i) {
     const double t = (i + 0.5) / kDiscs;
@@ -186,16 +195,13 @@ std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b, bool sa
   return std::nullopt;
 }
 
-// A point of both that is not met by chance.
-std::optional<Overlap> overlap_where_nearest(const SweptDiscs& a, const SweptDiscs& b) {
-  if (!a.full() || !b.full() || a.is_out_of_work()) {
-    return std::nullopt;
-  }
-  const std::vector<Vec3> points = common_points(a, b);
+// One of the points that is inside of both.
+std::optional<Overlap> overlap_at(const std::vector<Vec3>& points, const SweptDiscs& a,
+                                  const SweptDiscs& b) {
   if (points.empty()) {
     return std::nullopt;
   }
-  const Crossings on_a(a), on_b(b);
+  const Crossings on_a(a, false), on_b(b, false);
   for (const Vec3& point : points) {
     for (const ParameterInterval& one : on_a.at(point)) {
       for (const ParameterInterval& other : on_b.at(point)) {
@@ -208,6 +214,12 @@ std::optional<Overlap> overlap_where_nearest(const SweptDiscs& a, const SweptDis
   return std::nullopt;
 }
 
+// One that is not met by chance.
+std::optional<Overlap> overlap_where_nearest(const SweptDiscs& a, const SweptDiscs& b) {
+  return a.full() && b.full() && !a.is_out_of_work() ? overlap_at(common_points(a, b), a, b)
+                                                     : std::nullopt;
+}
+
 // Exactly, border included.
 bool lies_in(const Ring& ring, const Vec3& point) {
   const numbers::ExactVec3 d = numbers::exact(point) - numbers::exact(ring.center);
@@ -216,6 +228,16 @@ bool lies_in(const Ring& ring, const Vec3& point) {
 }
 
 }  // namespace
+
+std::optional<Overlap> overlap_between_axes(const SweptDiscs& a, const SweptDiscs& b) {
+  constexpr double kDiscs = 32;  // of each piece, at least
+  const bool has_work = double(a.work_left()) >= kDiscs * (a.length() + b.length());
+  if (!a.full() || !b.full() || !has_work) {
+    return std::nullopt;
+  }
+  const auto point = point_between_axes(a, b);
+  return point ? overlap_at({*point}, a, b) : std::nullopt;
+}
 
 std::optional<Overlap> self_overlap(const SweptDiscs& sweep) { return overlap(sweep, sweep, true); }
 
@@ -242,7 +264,7 @@ std::optional<Overlap> overlap(const SweptDiscs& part, const std::vector<PlacedP
   if (!part.full() || part.is_out_of_work()) {
     return std::nullopt;
   }
-  const Crossings crossings(part);
+  const Crossings crossings(part, true);
   for (const PlacedPoint& placed : points) {
     for (const ParameterInterval& stretch : crossings.at(placed.point)) {
       if (crosses(part, stretch, placed.point)) {
@@ -253,8 +275,11 @@ std::optional<Overlap> overlap(const SweptDiscs& part, const std::vector<PlacedP
   return std::nullopt;
 }
 
-// Points of either part, tried on the other.
+// What is quickly found, then points of either part, tried on the other.
 std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b) {
+  if (auto between = overlap_between_axes(a, b)) {
+    return between;
+  }
   auto result = overlap(a, b, false);
   if (!result) {
     result = overlap(b, a, false);

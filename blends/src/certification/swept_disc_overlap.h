@@ -13,6 +13,11 @@ constexpr double kDiscSlack = 0x1p-40;
 /// A point inside discs at two places of the same part, if one is found.
 [[nodiscard]] std::optional<Overlap> self_overlap(const SweptDiscs& sweep);
 
+/// The point of both between their axes, if it is one: that of most pipes that cross, at the cost
+/// of some discs of each.
+[[nodiscard]] std::optional<Overlap> overlap_between_axes(const SweptDiscs& first,
+                                                          const SweptDiscs& second);
+
 /// A point inside discs of both parts, if one is found.
 [[nodiscard]] std::optional<Overlap> overlap(const SweptDiscs& first, const SweptDiscs& second);
 

@@ -273,6 +273,13 @@ ClearanceClaim prove_clearance(const SweptDiscs& first, const SweptDiscs& second
     }
   }
   std::make_heap(heap.begin(), heap.end(), nearer);
+  if (!(heap.front().apart.distance > 0)) {
+    claim.overlap = overlap_between_axes(first, second);
+    if (claim.overlap) {
+      claim.verdict = Verdict::proved;
+      return claim;
+    }
+  }
   double occurs = std::numeric_limits<double>::infinity();
   for (std::size_t looked_at = 0;; ++looked_at) {
     const Box& front = heap.front();

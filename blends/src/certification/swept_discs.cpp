@@ -5,7 +5,7 @@
 #include <iterator>
 #include <limits>
 
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 
 namespace dupin::certification {
 namespace {

@@ -11,7 +11,7 @@
 #include "certification/search_work.h"
 #include "dupin/blends/certificate.h"
 #include "numbers/interval.h"
-#include "surfaces/piece_discs.h"
+#include "surfaces/pieces/piece_discs.h"
 
 // This folder: the prover of certificates. A part is the union of its discs D(t), t in [0, length];
 // the claims are made of that: regular (neighbouring discs are disjoint), embedded (all are),

@@ -6,7 +6,7 @@
 
 #include "numbers/interval.h"
 #include "ringed/second_derivatives.h"
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 
 namespace dupin::surfaces {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "dupin/blends/cyclide_tube.h"
 #include "surfaces/kneecap_chain_mesh.h"
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 
 namespace dupin::surfaces {
 namespace {

@@ -4,7 +4,7 @@
 #include "dupin/blends/cyclide_tube.h"
 #include "dupin/blends/nurbs.h"
 #include "surfaces/nurbs_rows.h"
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 
 namespace dupin {
 namespace {

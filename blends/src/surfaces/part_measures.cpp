@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "dupin/blends/cyclide_tube.h"
-#include "surfaces/piece_measures.h"
+#include "surfaces/pieces/piece_measures.h"
 
 namespace dupin {
 namespace {

@@ -1,5 +1,5 @@
 #include "dupin/blends/part_surface.h"
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 
 namespace dupin {
 

@@ -7,7 +7,7 @@
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 #include "surfaces/kneecap_chain_mesh.h"
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 #include "tessellation/convex_fill.h"
 
 namespace dupin {

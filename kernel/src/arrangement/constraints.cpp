@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "arrangement/implicit_predicates.h"
 #include "arrangement/intersection_points.h"
+#include "arrangement/points/implicit_predicates.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "support/disjoint_sets.h"

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "arrangement/coincident_point_index.h"
 #include "arrangement/flat_facets.h"
 #include "arrangement/input.h"
+#include "arrangement/points/coincident_point_index.h"
 #include "arrangement/triangle_intersection.h"
 #include "support/bulk_vector.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "arrangement/implicit_predicates.h"
+#include "arrangement/points/implicit_predicates.h"
 #include "support/blocks.h"
 #include "support/sort_by_key.h"
 

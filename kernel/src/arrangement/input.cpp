@@ -5,7 +5,7 @@
 #include <bit>
 #include <numeric>
 
-#include "arrangement/coincident_point_index.h"
+#include "arrangement/points/coincident_point_index.h"
 #include "boxes/box_tree.h"
 #include "boxes/tree_traversal.h"
 #include "mesh/coincident_points.h"

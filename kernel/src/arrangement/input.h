@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "arrangement/implicit_points.h"
+#include "arrangement/points/implicit_points.h"
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
 

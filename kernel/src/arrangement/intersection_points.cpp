@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "arrangement/implicit_predicates.h"
+#include "arrangement/points/implicit_predicates.h"
 #include "support/hash.h"
 #include "support/sort_by_key.h"
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "arrangement/implicit_predicates.h"
+#include "arrangement/faces/subdivision.h"
 #include "arrangement/input.h"
-#include "arrangement/subdivision.h"
+#include "arrangement/points/implicit_predicates.h"
 #include "support/blocks.h"
 #include "support/disjoint_sets.h"
 

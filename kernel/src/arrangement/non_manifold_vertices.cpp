@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "arrangement/implicit_predicates.h"
+#include "arrangement/points/implicit_predicates.h"
 #include "dupin/kernel/error.h"
 #include "support/sort_by_key.h"
 

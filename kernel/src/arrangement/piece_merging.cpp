@@ -6,8 +6,8 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include "arrangement/constrained_triangulation.h"
-#include "arrangement/implicit_predicates.h"
+#include "arrangement/faces/constrained_triangulation.h"
+#include "arrangement/points/implicit_predicates.h"
 #include "arrangement/triangle_intersection.h"
 #include "dupin/kernel/error.h"
 #include "mesh/edge_table.h"

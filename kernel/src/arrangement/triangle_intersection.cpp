@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "arrangement/implicit_predicates.h"
+#include "arrangement/points/implicit_predicates.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
-#include "arrangement/face_outlines.h"
-#include "arrangement/implicit_predicates.h"
+#include "arrangement/faces/face_outlines.h"
+#include "arrangement/points/implicit_predicates.h"
 #include "arrangement/triangle_intersection.h"
 #include "mesh/ray_crossing.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "arrangement/constrained_triangulation.h"
+#include "arrangement/faces/constrained_triangulation.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin {

@@ -10,7 +10,7 @@
 #include "blends/tubes.h"
 #include "dupin/kernel/error.h"
 #include "support/shapes.h"
-#include "surfaces/surface_piece.h"
+#include "surfaces/pieces/surface_piece.h"
 
 namespace dupin::avoidance {
 namespace {

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -137,6 +138,31 @@ void expect_embedded(const Chain& chain) {
     if (leaf.direction) {
       expect_apart(chain, chain, leaf, 0);
     }
+  }
+}
+
+// Each pair of many that pass a place has its claim: none may use up what all have.
+TEST(SweptDiscPairs, that_pipes_cross_is_told_by_few_discs) {
+  std::mt19937 random(20);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> share(-0.99, 0.99);
+  constexpr std::uint64_t kEnough = 200;
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE(i);
+    const auto direction = [&] {
+      return Vec3(normal(random), normal(random), normal(random)).normalized();
+    };
+    const Vec3 along = direction(), across = direction();
+    const Vec3 apart = 5 * share(random) * along.cross(across).normalized();
+    const Chain one = test::cylinder(-100 * along, 100 * along, 3);
+    const Chain other = test::cylinder(apart - 70 * across, apart + 90 * across, 2);
+    SearchWork work(kEnough);
+    const ClearanceClaim claim =
+        prove_clearance(SweptDiscs(one, &work), SweptDiscs(other, &work), 1 << 10);
+    ASSERT_TRUE(claim.overlap);
+    EXPECT_TRUE(test::is_inside(one, claim.overlap->first, claim.overlap->point));
+    EXPECT_TRUE(test::is_inside(other, claim.overlap->second, claim.overlap->point));
+    EXPECT_GT(work.left(), 0U);
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "arrangement/implicit_predicates.h"
+#include "arrangement/points/implicit_predicates.h"
 #include "kernel/arrangement/stages_internal.h"
 
 namespace dupin::arrangement {

@@ -11,7 +11,7 @@
 #include "arrangement/arrange.h"
 #include "arrangement/broad_phase.h"
 #include "arrangement/constraints.h"
-#include "arrangement/subdivision.h"
+#include "arrangement/faces/subdivision.h"
 #include "arrangement/triangle_intersection.h"
 #include "dupin/kernel/solid.h"
 #include "exact/exact_numbers.h"

@@ -15,7 +15,7 @@
 namespace dupin {
 
 /// A tube between the two rings that it stores, swept by a disc for t in [0, 1]. What every kind of
-/// piece must be able to do is stated, and checked, in blends/src/surfaces/surface_piece.h.
+/// piece must be able to do is stated, and checked, in blends/src/surfaces/pieces/surface_piece.h.
 using Piece = std::variant<RingedSurface, EllipticTube, CyclidePiece, RationalRingedTube>;
 
 struct Sphere {

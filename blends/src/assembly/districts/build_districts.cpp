@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "assembly/bore.h"
+#include "assembly/cost_limit.h"
+#include "assembly/districts/built_district.h"
+#include "assembly/districts/district_plan.h"
+#include "assembly/welded_runs.h"
+#include "dupin/blends/build.h"
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
+
+namespace dupin {
+namespace {
+
+// So many districts, between one look at whether to go on and the next.
+constexpr std::size_t kAtOnce = 64;
+
+Assembly with_options(Assembly assembly, const BuildOptions& options) {
+  assembly.tolerance = options.tolerance.value_or(assembly.tolerance);
+  if (options.segments) {
+    assembly.segments = options.segments;
+  }
+  return assembly;
+}
+
+ResolvedAssembly resolved(const Assembly& assembly, const Progress& progress) {
+  tell(progress, "resolve");
+  return resolve(assembly);
+}
+
+// How far what is made of a part may lie outside of a box about its surface.
+double margin_of(const Assembly& assembly, const BuildOptions& options) {
+  double insulation = 0;
+  if (options.region == Region::insulation) {
+    for (const double thickness : assembly::insulation_of(assembly)) {
+      insulation = std::max(insulation, thickness);
+    }
+  }
+  return 2 * (assembly.tolerance + insulation) + options.margin;
+}
+
+[[noreturn]] void refuse_region(const Assembly& assembly, Region region, std::string_view what,
+                                std::string_view key) {
+  throw Error(Errc::invalid_argument,
+              "there is no " + std::string(name(region)) +
+                  " region: neither the document nor a part says how thick " + std::string(what) +
+                  " is",
+              {}, document_place(assembly, key));
+}
+
+// What the document says of one part holds for the regions of all.
+Assembly with_regions(Assembly assembly, const ResolvedAssembly& resolved,
+                      std::optional<Region> region) {
+  if (region == Region::insulation) {
+    if (assembly::insulation_of(assembly).empty()) {
+      refuse_region(assembly, *region, "insulation", "/insulation");
+    }
+    return assembly;
+  }
+  if (assembly::walls_of(assembly, resolved, region)) {
+    assembly.wall = assembly.wall.value_or(0);
+  } else if (region.value_or(Region::outer) != Region::outer) {
+    refuse_region(assembly, *region, "a wall", "/wall");
+  }
+  return assembly;
+}
+
+// Of any region.
+std::set<std::string> known_patches(const ResolvedAssembly& resolved, const Solid& solid) {
+  std::set<std::string> result(solid.names().begin(), solid.names().end());
+  const auto include = [&](const std::string& name) {
+    for (const std::string_view side :
+         {std::string_view(), assembly::kBoreSuffix, assembly::kInsulationSuffix}) {
+      const std::string own = name + std::string(side);
+      result.insert({own, own + ".start", own + ".end"});
+    }
+  };
+  for (const ResolvedPart& part : resolved.parts) {
+    include(part.name);
+    result.insert(part.end_names.begin(), part.end_names.end());
+  }
+  std::ranges::for_each(resolved.fillets, [&](const auto& named) { include(named.name); });
+  std::ranges::for_each(resolved.junctions, [&](const auto& named) { include(named.name); });
+  return result;
+}
+
+void refuse_unknown_patches(const Assembly& assembly, const ResolvedAssembly& resolved,
+                            const Solid& solid) {
+  if (assembly.patches.empty()) {
+    return;
+  }
+  const std::set<std::string> known = known_patches(resolved, solid);
+  for (const auto& [name, other] : assembly.patches) {
+    if (!known.contains(name)) {
+      throw Error(Errc::invalid_argument,
+                  "there is no patch named '" + name +
+                      "'; patches are called as parts, ends and bores are: part, part.start, "
+                      "part.bore",
+                  {}, document_place(assembly, "/patches"));
+    }
+  }
+}
+
+// What became of a district, to that of those before.
+void add(Built&& from, Built& to) {
+  std::ranges::move(from.parts, std::back_inserter(to.parts));
+  to.runs += from.runs;
+  to.pieces += from.pieces;
+  to.grid = to.grid == 0 ? from.grid : std::min(to.grid, from.grid);
+  to.region = from.region;
+  const bool is_settled = to.cross_check && to.cross_check->verdict != CrossCheck::Verdict::agrees;
+  if (from.cross_check && !is_settled) {
+    to.cross_check = std::move(from.cross_check);
+  }
+  if (from.volumes) {
+    to.volumes = to.volumes.value_or(RegionVolumes{});
+    to.volumes->outer += from.volumes->outer;
+    to.volumes->metal += from.volumes->metal;
+    to.volumes->fluid += from.volumes->fluid;
+  }
+  if (from.insulation) {
+    to.insulation = to.insulation.value_or(0) + *from.insulation;
+  }
+  to.districts.push_back(std::move(from.solid));
+}
+
+}  // namespace
+
+struct DistrictBuild::Plan {
+  Assembly assembly;
+  BuildOptions options;
+  ResolvedAssembly resolved;
+  std::vector<assembly::DistrictParts> districts;
+  assembly::RelatedParts related;
+
+  Plan(const Assembly& document, const BuildOptions& chosen)
+      : assembly(with_options(document, chosen)),
+        options(chosen),
+        resolved(dupin::resolved(assembly, chosen.progress)),
+        related(assembly) {
+    assembly = with_regions(std::move(assembly), resolved, options.region);
+    districts = assembly::districts_of_parts(resolved, margin_of(assembly, options),
+                                             options.relative_margin);
+    if (districts.empty()) {
+      districts.emplace_back();
+    }
+  }
+};
+
+DistrictBuild::DistrictBuild(const Assembly& assembly, const BuildOptions& options)
+    : plan_(std::make_unique<const Plan>(assembly, options)) {}
+DistrictBuild::~DistrictBuild() = default;
+DistrictBuild::DistrictBuild(DistrictBuild&&) noexcept = default;
+DistrictBuild& DistrictBuild::operator=(DistrictBuild&&) noexcept = default;
+
+std::size_t DistrictBuild::size() const { return plan_->districts.size(); }
+
+std::vector<Boxes> DistrictBuild::boxes() const {
+  std::vector<Boxes> result;
+  for (const assembly::DistrictParts& district : plan_->districts) {
+    result.push_back(district.boxes);
+  }
+  return result;
+}
+
+std::vector<std::uint32_t> DistrictBuild::parts(std::size_t district) const {
+  return assembly::document_parts(plan_->resolved, plan_->districts.at(district));
+}
+
+Assembly DistrictBuild::document(std::size_t district) const {
+  std::vector<std::uint32_t> parts = this->parts(district);
+  std::set<std::uint32_t> known(parts.begin(), parts.end());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (const std::uint32_t other : plan_->related.of(parts[i])) {
+      if (known.insert(other).second) {
+        parts.push_back(other);
+      }
+    }
+  }
+  return assembly::document_of(plan_->assembly, {known.begin(), known.end()});
+}
+
+double DistrictBuild::expected_triangles(std::size_t district) const {
+  const assembly::District own =
+      assembly::district(plan_->assembly, plan_->resolved, plan_->districts.at(district));
+  return assembly::expected_triangles(own.assembly, own.resolved,
+                                      assembly::welded_runs(own.resolved),
+                                      assembly::lattice_spacing(own.assembly, own.resolved));
+}
+
+Built DistrictBuild::build(std::size_t district, const Progress& progress) const {
+  BuildOptions options = plan_->options;
+  options.progress = progress;
+  return assembly::built_district(
+      assembly::district(plan_->assembly, plan_->resolved, plan_->districts.at(district)), options);
+}
+
+Built DistrictBuild::joined(std::vector<Built> districts) const {
+  Built result;
+  for (Built& built : districts) {
+    add(std::move(built), result);
+  }
+  std::ranges::stable_sort(result.parts, {}, &PartReport::index);
+  result.boxes = boxes();
+  result.solid = result.districts.size() == 1 ? result.districts.front()
+                                              : dupin::joined(result.districts, result.boxes);
+  refuse_unknown_patches(plan_->assembly, plan_->resolved, result.solid);
+  result.ports = ports(plan_->resolved);
+  result.gaps = pair_ends(result.ports, plan_->options.connect);
+  return result;
+}
+
+Built DistrictBuild::build_all(const Progress& progress) const {
+  const std::size_t count = size();
+  if (count == 1) {
+    return joined({build(0, progress)});
+  }
+  assembly::refuse_too_costly(
+      plan_->assembly, plan_->resolved, assembly::welded_runs(plan_->resolved),
+      assembly::lattice_spacing(plan_->assembly, plan_->resolved), plan_->options.most_triangles);
+  std::vector<Built> built(count);
+  for (std::size_t begin = 0; begin < count; begin += kAtOnce) {
+    tell(progress, "build", double(begin) / double(count));
+    for_each_in_parallel(std::min(kAtOnce, count - begin),
+                         [&](std::size_t i) { built[begin + i] = build(begin + i); });
+  }
+  return joined(std::move(built));
+}
+
+}  // namespace dupin

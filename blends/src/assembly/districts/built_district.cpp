@@ -1,0 +1,334 @@
+#include "assembly/districts/built_district.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "assembly/bore.h"
+#include "assembly/outward_shape.h"
+#include "assembly/part_context.h"
+#include "assembly/part_margins.h"
+#include "assembly/parts/part_kind.h"
+#include "assembly/run_solids.h"
+#include "assembly/welded_runs.h"
+#include "dupin/kernel/boolean.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/renamed.h"
+#include "surfaces/least_wall.h"
+
+namespace dupin::assembly {
+namespace {
+
+// Of its area: an end of a bore of which less is closed is open.
+constexpr double kBlindShare = 0.5;
+
+class Builder {
+ public:
+  Builder(District district, const BuildOptions& options)
+      : assembly_(std::move(district.assembly)),
+        numbers_(std::move(district.parts)),
+        options_(options),
+        resolved_(std::move(district.resolved)) {}
+
+  Built run() {
+    const auto count = static_cast<double>(resolved_.parts.size());
+    for (const auto& part : resolved_.parts) {
+      tell(options_.progress, "certify", double(built_.parts.size()) / count);
+      built_.parts.push_back(
+          assembly::with_part_context(assembly_, part.index, [&] { return certified(part); }));
+    }
+    if (options_.region == Region::insulation) {
+      build_insulation();
+    } else if (const auto walls = assembly::walls_of(assembly_, resolved_, options_.region)) {
+      build_hollow(*walls);
+    } else {
+      built_.grid = assembly::lattice_spacing(assembly_, resolved_);
+      built_.solid = outer(resolved_);
+    }
+    built_.solid = renamed_patches(built_.solid);
+    return std::move(built_);
+  }
+
+ private:
+  [[nodiscard]] Solid renamed_patches(const Solid& solid) const {
+    return assembly_.patches.empty() ? solid : renamed(solid, assembly_.patches);
+  }
+
+  void build_insulation() {
+    const std::vector<double> thickness = assembly::insulation_of(assembly_);
+    resolved_ = assembly::filled(std::move(resolved_));
+    built_.region = Region::insulation;
+    built_.insulation = 0;
+    if (thickness.empty()) {
+      built_.grid = assembly::lattice_spacing(assembly_, resolved_);
+      (void)outer(resolved_);
+      return;
+    }
+    const assembly::SelectedParts around = assembly::insulated(assembly_, resolved_, thickness);
+    built_.grid = std::min(assembly::lattice_spacing(assembly_, resolved_),
+                           assembly::lattice_spacing(assembly_, around.resolved));
+    // Far enough that no rounding of both ends lets them cross.
+    constexpr double kClear = 8;
+    const ResolvedAssembly inside =
+        assembly::reaching_out(resolved_, assembly_, kClear * built_.grid);
+    const Solid whole = outer(inside), covered = united(around.resolved);
+    built_.solid = subtract(covered, {&whole, 1}, {options_.contacts, options_.progress});
+    built_.insulation = built_.solid.volume();
+    cross_check(built_.solid, SetOperation::subtract, std::array{covered, whole});
+  }
+
+  // Of all parts, before they are filled.
+  void prove_walls(const std::vector<double>& walls) {
+    for (std::size_t i = 0; i < resolved_.parts.size(); ++i) {
+      const ResolvedPart& part = resolved_.parts[i];
+      const double wall = walls[part.index];
+      built_.parts[i].is_hollow = wall > 0;
+      if (wall > 0) {
+        const PartShape& shape = assembly_.parts[part.index].shape;
+        const assembly::PartKind& kind = assembly::part_kind(shape);
+        built_.parts[i].least_wall =
+            kind.least_wall != nullptr
+                ? std::optional(kind.least_wall(assembly::outer_shape(assembly_, part.index),
+                                                part.shape, wall))
+                : surfaces::least_wall(part.shape, wall);
+      }
+    }
+  }
+
+  [[nodiscard]] PartReport certified(const ResolvedPart& part) const {
+    PartReport result;
+    result.name = part.name;
+    result.kind = part.kind;
+    const assembly::PartMargins proven = assembly::margins(part.shape, part.is_tangent);
+    result.margin_lower = proven.margin_lower;
+    result.margin_upper = proven.margin_upper;
+    result.start_tangency = proven.start_tangency;
+    result.end_tangency = proven.end_tangency;
+    const PartShape& shape = assembly_.parts[part.index].shape;
+    assembly::PartNotes notes = assembly::part_kind(shape).notes(shape, part.shape);
+    result.construction = std::move(notes.construction);
+    result.rejected = std::move(notes.rejected);
+    result.warnings = std::move(notes.warnings);
+    return result;
+  }
+
+  [[nodiscard]] Solid united(std::span<const Solid> solids) const {
+    return solids.size() == 1 ? solids.front()
+                              : unite(solids, {options_.contacts, options_.progress});
+  }
+
+  void cross_check(const Solid& result, SetOperation operation, std::span<const Solid> operands) {
+    const bool is_settled =
+        built_.cross_check && built_.cross_check->verdict != CrossCheck::Verdict::agrees;
+    if (options_.cross_check && !is_settled) {
+      built_.cross_check =
+          second_opinion(result, *options_.cross_check, operation, operands, options_.progress);
+    }
+  }
+
+  // Of all parts, which other pieces of them may follow.
+  Solid outer(const ResolvedAssembly& parts) {
+    assembly::RunSolids made = assembly::solids_of_runs(assembly_, parts, built_.grid, options_);
+    for (std::size_t i = 0; i < built_.parts.size(); ++i) {
+      PartReport &entry = built_.parts[i], &of_mesh = made.parts[i];
+      entry.error_bound = of_mesh.error_bound;
+      entry.segments = of_mesh.segments;
+      entry.bands = of_mesh.bands;
+      entry.triangles = of_mesh.triangles;
+      entry.smallest_angle = of_mesh.smallest_angle;
+    }
+    built_.runs = made.runs;
+    built_.pieces = made.solids.size();
+    Solid result = united(made.solids);
+    cross_check(result, SetOperation::unite, made.solids);
+    order_reports(std::move(made.others));
+    return result;
+  }
+
+  // Those of fillets and hubs are put where the document has them, hubs before their arms.
+  void order_reports(std::vector<std::pair<std::uint32_t, PartReport>> all) {
+    for (std::size_t i = 0; i < built_.parts.size(); ++i) {
+      all.emplace_back(resolved_.parts[i].index, std::move(built_.parts[i]));
+    }
+    std::ranges::stable_sort(all, {}, [](const auto& entry) { return entry.first; });
+    built_.parts.clear();
+    for (auto& [index, entry] : all) {
+      entry.index = numbers_[index];
+      built_.parts.push_back(std::move(entry));
+    }
+  }
+
+  void build_hollow(const std::vector<double>& walls) {
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (const double wall : walls) {
+      thinnest = wall > 0 ? std::min(thinnest, wall) : thinnest;
+    }
+    const bool is_finer = thinnest / 4 < assembly_.tolerance;
+    assembly_.tolerance = std::min(assembly_.tolerance, thinnest / 4);
+    try {
+      build_regions(walls);
+    } catch (const Error& error) {
+      const bool is_about_tolerance =
+          error.code() == Errc::limit_exceeded ||
+          (error.code() == Errc::invalid_argument && error.where().ends_with("/tolerance"));
+      if (!is_about_tolerance || !is_finer) {
+        throw;
+      }
+      throw Error(error.code(),
+                  error.message() + "; here it is a quarter of the thinnest wall, which is " +
+                      decimal(thinnest, kMessageDigits),
+                  error.part(), error.where());
+    }
+  }
+
+  void build_regions(const std::vector<double>& walls) {
+    resolved_ = assembly::filled(std::move(resolved_));
+    prove_walls(walls);
+    assembly::SelectedParts bore = assembly::bore_of(assembly_, resolved_, walls);
+    const ResolvedAssembly solid_parts =
+        assembly::kept_out_of_solids(bore, assembly_, resolved_, walls);
+    built_.grid = assembly::lattice_spacing(assembly_, resolved_);
+    if (!bore.resolved.parts.empty()) {
+      built_.grid = std::min(built_.grid, assembly::lattice_spacing(assembly_, bore.resolved));
+    }
+    built_.grid = assembly::lattice_for_gaps(built_.grid, resolved_, walls);
+    const Solid whole = outer(resolved_);
+    assembly::lengthen_out_of(bore, assembly_, resolved_, walls, exposed_names(whole));
+    const Solid filling = subtract(united(bore.resolved), {{united(solid_parts)}});
+    const std::array<Solid, 2> both{whole, filling};
+    const BooleanOptions options{options_.contacts, options_.progress};
+    const Solid metal = subtract(whole, {&filling, 1}, options), fluid = intersect(both, options);
+    refuse_broken_walls(fluid);
+    warn_of_blind_ends(fluid);
+    built_.volumes = {whole.volume(), metal.volume(), fluid.volume()};
+    built_.region = options_.region.value_or(Region::metal);
+    built_.solid = built_.region == Region::outer   ? whole
+                   : built_.region == Region::metal ? metal
+                                                    : fluid;
+    if (built_.region != Region::outer) {
+      cross_check(built_.solid,
+                  built_.region == Region::metal ? SetOperation::subtract : SetOperation::intersect,
+                  both);
+    }
+  }
+
+  [[nodiscard]] Solid united(const ResolvedAssembly& parts) const {
+    return parts.parts.empty()
+               ? Solid()
+               : united(assembly::solids_of_runs(assembly_, parts, built_.grid, options_).solids);
+  }
+
+  [[nodiscard]] static std::set<std::string> exposed_names(const Solid& solid) {
+    std::set<std::string> result;
+    for (const std::uint32_t label : std::set(solid.labels().begin(), solid.labels().end())) {
+      result.insert(solid.names()[label]);
+    }
+    return result;
+  }
+
+  // Of each label's triangles.
+  [[nodiscard]] static std::map<std::string, double> exposed_areas(const Solid& solid) {
+    std::vector<double> of_label(solid.names().size(), 0);
+    const auto& points = solid.nearest_points();
+    for (std::size_t i = 0; i < solid.triangle_count(); ++i) {
+      const auto& [a, b, c] = solid.triangles()[i];
+      of_label[solid.labels()[i]] +=
+          (points[b] - points[a]).cross(points[c] - points[a]).norm() / 2;
+    }
+    std::map<std::string, double> result;
+    for (std::size_t label = 0; label < of_label.size(); ++label) {
+      if (of_label[label] > 0) {
+        result[solid.names()[label]] += of_label[label];
+      }
+    }
+    return result;
+  }
+
+  // What bounds the fluid is a bore, an open end or a solid part; else a bore reaches out.
+  void refuse_broken_walls(const Solid& fluid) const {
+    std::map<std::string_view, std::uint32_t> outside;
+    const auto include = [&](const auto& named) {
+      if (!assembly_.parts[named.index].solid) {
+        outside.emplace(named.name, named.index);
+      }
+    };
+    std::ranges::for_each(resolved_.parts, include);
+    std::ranges::for_each(resolved_.fillets, include);
+    std::ranges::for_each(resolved_.junctions, include);
+    for (std::size_t i = 0; i < fluid.triangle_count(); ++i) {
+      const auto part = outside.find(fluid.names()[fluid.labels()[i]]);
+      if (part != outside.end()) {
+        const Vec3& at = fluid.nearest_points()[fluid.triangles()[i][0]];
+        throw Error(Errc::infeasible_blend,
+                    "its surface lies inside of '" + bore_beside(fluid, fluid.labels()[i]) +
+                        "' at " + decimal(at) +
+                        ": there is no wall; it must be thinner, or one of the two without a bore "
+                        "(\"wall\": 0)",
+                    std::string(part->first), document_place(assembly_, part->second));
+      }
+    }
+  }
+
+  // An end of a bore that bounds the fluid, though no part goes on from it, lies inside of a wall.
+  // Of an end in a bore as wide as its own, a sliver does, too.
+  void warn_of_blind_ends(const Solid& fluid) {
+    const std::map<std::string, double> areas = exposed_areas(fluid);
+    for (const ResolvedPart& part : resolved_.parts) {
+      for (const End end : {End::start, End::end}) {
+        const std::string bore = part.name + std::string(assembly::kBoreSuffix);
+        const auto exposed = areas.find(to_string({bore, end}));
+        if (!part.joined.at(at(end)) && exposed != areas.end() &&
+            exposed->second > kBlindShare * bore_area(part, end)) {
+          std::ranges::find(built_.parts, part.name, &PartReport::name)
+              ->warnings.push_back("its bore ends blind at its " + std::string(name(end)) +
+                                   ", which lies inside of a wall");
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] double bore_area(const ResolvedPart& part, End end) const {
+    const Ring* ring = port_ring(part.shape, end);
+    const double wall = assembly_.parts[part.index].wall.value_or(assembly_.wall.value_or(0));
+    return ring == nullptr ? 0 : std::numbers::pi * (ring->radius - wall) * (across(*ring) - wall);
+  }
+
+  [[nodiscard]] static std::string bore_beside(const Solid& fluid, std::uint32_t label) {
+    std::vector<bool> is_corner(fluid.point_count(), false);
+    const auto& triangles = fluid.triangles();
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      for (const std::uint32_t corner : triangles[i]) {
+        is_corner[corner] = is_corner[corner] || fluid.labels()[i] == label;
+      }
+    }
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const std::string& name = fluid.names()[fluid.labels()[i]];
+      if (name.ends_with(assembly::kBoreSuffix) &&
+          std::ranges::any_of(triangles[i], [&](auto corner) { return is_corner[corner]; })) {
+        return name;
+      }
+    }
+    return "a bore";
+  }
+
+  Assembly assembly_;
+  std::vector<std::uint32_t> numbers_;  // of its parts, in the whole document
+  const BuildOptions& options_;
+  ResolvedAssembly resolved_;
+  Built built_;
+};
+
+}  // namespace
+
+Built built_district(District district, const BuildOptions& options) {
+  return Builder(std::move(district), options).run();
+}
+
+}  // namespace dupin::assembly

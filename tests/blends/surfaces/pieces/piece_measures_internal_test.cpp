@@ -1,0 +1,41 @@
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "surfaces/pieces/piece_measures.h"
+
+namespace dupin::surfaces {
+namespace {
+
+using std::numbers::pi;
+
+TEST(CutBall, in_half_balances_at_three_eighths_of_the_radius) {
+  const Sphere ball{Vec3(1, 2, 3), 2};
+  const SolidMoments half = cut_ball(ball, {{Vec3::UnitX(), 0}});
+  EXPECT_NEAR(half.volume, 2 * pi / 3 * 8, 1e-13);
+  EXPECT_LT((half.centroid - Vec3(1 - 0.75, 2, 3)).norm(), 1e-14);
+  EXPECT_NEAR(inertia(half)(0, 0), 0.4 * half.volume * 4, 1e-12);
+}
+
+TEST(CutBall, twice_is_a_slab) {
+  const double h = 0.5;
+  const SolidMoments slab = cut_ball({Vec3::Zero(), 1}, {{Vec3::UnitZ(), h}, {-Vec3::UnitZ(), h}});
+  EXPECT_NEAR(slab.volume, 2 * pi * (h - h * h * h / 3), 1e-14);
+  EXPECT_LT(slab.centroid.norm(), 1e-15);
+  EXPECT_NEAR(slab.spread(2, 2), 2 * pi * (h * h * h / 3 - std::pow(h, 5) / 5), 1e-14);
+}
+
+// A segment beyond a plane behind the centre is more than half of the ball.
+TEST(CutBall, and_what_was_cut_off_are_the_ball) {
+  const Sphere ball{Vec3(1, 0, 0), 3};
+  const Vec3 direction = Vec3(1, 2, 2) / 3;
+  const SolidMoments whole = cut_ball(ball, {}),
+                     sum = cut_ball(ball, {{direction, -1}}) + cut_ball(ball, {{-direction, 1}});
+  EXPECT_NEAR(sum.volume, whole.volume, 1e-12);
+  EXPECT_LT((sum.centroid - whole.centroid).norm(), 1e-13);
+  EXPECT_LT((sum.spread - whole.spread).norm(), 1e-11);
+}
+
+}  // namespace
+}  // namespace dupin::surfaces
