@@ -24,6 +24,7 @@
 #include "exchange_options.h"
 #include "exit_code.h"
 #include "solver_options.h"
+#include "tiles/build_identity.h"
 #include "tiles/district_cache.h"
 #include "tiles/district_output.h"
 #include "tiles/district_result.h"
@@ -35,7 +36,7 @@ namespace {
 /// All that decides about a district's facets, besides its document.
 std::string text_of(const BuildOptions& options, const ContactChoice& contacts,
                     const RoundingOptions& rounding) {
-  std::string text = "dupin " DUPIN_VERSION;
+  std::string text = "dupin " DUPIN_VERSION " " + build_identity();
   const auto add = [&text](double number) { text += " " + decimal(number); };
   add(options.region ? static_cast<double>(*options.region) : -1);
   add(static_cast<double>(options.contacts));
