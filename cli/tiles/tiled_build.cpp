@@ -70,6 +70,10 @@ void append_meshes(const Assembly& assembly, std::string& text) {
   }
 }
 
+/// What a triangle of the result needs, measured (docs/cli.md): of one solid, and where one is
+/// taken from another.
+constexpr double kBytesPerTriangle = 300, kBytesPerTriangleOfTwo = 900;
+
 std::uint64_t cache_size(const TileArguments& arguments) {
   return bytes_in(arguments.cache_size.empty() ? "10GB" : arguments.cache_size, "--cache-size");
 }
@@ -80,6 +84,7 @@ class TiledBuild {
              const Ranks& ranks)
       : ranks_(ranks),
         assembly_(document.assembly),
+        region_(options.region),
         plan_(document.assembly, options),
         boxes_(plan_.boxes()),
         to_(tiled_destination(arguments.output)),
@@ -97,8 +102,11 @@ class TiledBuild {
     const bool is_shared = ranks.count() > 1;
     const std::vector<double> triangles =
         is_shared || !arguments.tiles.memory.empty() ? expected_triangles() : std::vector<double>();
+    const std::vector<double> bytes =
+        arguments.tiles.memory.empty() ? std::vector<double>() : expected_bytes(triangles);
     ends_ = ends_of_tiles(arguments.tiles, {.districts = boxes_,
                                             .triangles = triangles,
+                                            .bytes = bytes,
                                             .processes = ranks.count(),
                                             .source = document.assembly.source,
                                             .remedy = ", or a coarser tolerance"});
@@ -149,6 +157,21 @@ class TiledBuild {
     return triangles;
   }
 
+  [[nodiscard]] std::vector<double> expected_bytes(std::vector<double> triangles) const {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      triangles[i] *= is_of_two(i) ? kBytesPerTriangleOfTwo : kBytesPerTriangle;
+    }
+    return triangles;
+  }
+
+  // Whether one solid is taken from another: bores, or what is insulated.
+  [[nodiscard]] bool is_of_two(std::size_t district) const {
+    return region_.value_or(Region::outer) != Region::outer ||
+           std::ranges::any_of(plan_.parts(district), [&](std::uint32_t part) {
+             return assembly_.parts[part].wall.value_or(assembly_.wall.value_or(0)) > 0;
+           });
+  }
+
   // Made, or as it was kept.
   [[nodiscard]] DistrictResult result(std::size_t district) const {
     if (!cache_) {
@@ -181,6 +204,7 @@ class TiledBuild {
 
   const Ranks& ranks_;
   const Assembly& assembly_;
+  std::optional<Region> region_;
   DistrictBuild plan_;
   std::vector<Boxes> boxes_;
   Destination to_;

@@ -16,6 +16,10 @@
 namespace dupin::cli {
 namespace {
 
+/// What a triangle of an operand needs, with what crossings add to it where these are few
+/// (docs/cli.md).
+constexpr double kBytesPerTriangle = 400;
+
 std::vector<Solid> selected(std::span<const Solid> operands,
                             const std::vector<std::size_t>& members) {
   std::vector<Solid> solids;
@@ -104,8 +108,11 @@ class UnionInTiles {
         rounding_(rounding_of_districts(task.rounding, districts_.boxes)),
         repairs_(task.files.size()) {
     const std::vector<double> triangles = triangles_of_districts();
+    std::vector<double> bytes = triangles;
+    std::ranges::for_each(bytes, [](double& own) { own *= kBytesPerTriangle; });
     ends_ = ends_of_tiles(task.tiles, {.districts = districts_.boxes,
                                        .triangles = triangles,
+                                       .bytes = bytes,
                                        .processes = ranks.count(),
                                        .source = "operands"});
     owners_ = shared_out(triangles, ends_, ranks.count());
