@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <span>
@@ -99,25 +100,29 @@ class TiledBuild {
       cache_.emplace(arguments.tiles.cache);
       cache_size_ = cache_size(arguments.tiles);
     }
-    const bool is_shared = ranks.count() > 1;
+  }
+
+  // All ranks do this, and what follows, and come to the same.
+  void divide(const TileArguments& arguments) {
+    const bool is_shared = ranks_.count() > 1, is_bounded = !arguments.memory.empty();
     const std::vector<double> triangles =
-        is_shared || !arguments.tiles.memory.empty() ? expected_triangles() : std::vector<double>();
-    const std::vector<double> bytes =
-        arguments.tiles.memory.empty() ? std::vector<double>() : expected_bytes(triangles);
-    ends_ = ends_of_tiles(arguments.tiles, {.districts = boxes_,
-                                            .triangles = triangles,
-                                            .bytes = bytes,
-                                            .processes = ranks.count(),
-                                            .source = document.assembly.source,
-                                            .remedy = ", or a coarser tolerance"});
+        is_shared || is_bounded ? expected_triangles() : std::vector<double>();
+    const std::vector<double> bytes = is_bounded ? expected_bytes(triangles) : triangles;
+    ends_ = alike(ranks_, [&] {
+      return ends_of_tiles(arguments, {.districts = boxes_,
+                                       .triangles = triangles,
+                                       .bytes = bytes,
+                                       .processes = ranks_.count(),
+                                       .source = assembly_.source,
+                                       .remedy = ", or a coarser tolerance"});
+    });
     if (is_shared) {
-      owners_ = shared_out(triangles, ends_, ranks.count());
+      owners_ = shared_out(triangles, ends_, ranks_.count());
     } else {
       owners_.resize(plan_.size(), 0);
     }
   }
 
-  // All ranks do, and come to the same.
   Built run(const MeshHeader& header, OutputReport& report) {
     DistrictFile file(to_, &ranks_);
     std::vector<Built> built;
@@ -149,11 +154,20 @@ class TiledBuild {
   [[nodiscard]] std::string warning() const { return cache_ ? cache_->warning() : std::string(); }
 
  private:
-  // Resolves every district, which takes its time.
+  // Resolves every district, which takes its time; ranks share that.
   [[nodiscard]] std::vector<double> expected_triangles() const {
     std::vector<double> triangles(plan_.size());
-    for_each_in_parallel(triangles.size(),
-                         [&](std::size_t i) { triangles[i] = plan_.expected_triangles(i); });
+    for_each_in_parallel(triangles.size(), [&](std::size_t i) {
+      if (i % ranks_.count() == ranks_.own()) {
+        triangles[i] = plan_.expected_triangles(i);
+      }
+    });
+    const std::vector<std::string> all = ranks_.exchanged(
+        {reinterpret_cast<const char*>(triangles.data()), triangles.size() * sizeof(double)});
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      std::memcpy(&triangles[i], all[i % ranks_.count()].data() + i * sizeof(double),
+                  sizeof(double));
+    }
     return triangles;
   }
 
@@ -263,6 +277,7 @@ TiledBuilt build_in_tiles(const Document& document, const BuildOptions& options,
                           const Ranks& ranks) {
   auto build = alike(
       ranks, [&] { return std::make_unique<TiledBuild>(document, options, arguments, ranks); });
+  build->divide(arguments.tiles);
   TiledBuilt result;
   result.built = build->run(header, result.output);
   result.warning = build->warning();
