@@ -30,7 +30,8 @@ std::string build_id_in(std::string_view notes) {
       break;
     }
     const std::string_view owner = notes.substr(sizeof(note), note.n_namesz);
-    if (note.n_type == NT_GNU_BUILD_ID && owner == std::string_view(ELF_NOTE_GNU, 4)) {
+    if (note.n_type == NT_GNU_BUILD_ID && owner.starts_with("GNU") &&
+        owner.size() == sizeof("GNU")) {
       std::string digits;
       for (const char c : notes.substr(begin, note.n_descsz)) {
         constexpr std::string_view kDigits = "0123456789abcdef";
@@ -57,6 +58,7 @@ int note_loaded(dl_phdr_info* info, std::size_t, void* all) {
   Loaded loaded{path.empty() ? "/proc/self/exe" : path, {}};
   for (const ElfW(Phdr) & segment : std::span(info->dlpi_phdr, info->dlpi_phnum)) {
     if (segment.p_type == PT_NOTE && loaded.build_id.empty()) {
+      // NOLINTNEXTLINE(performance-no-int-to-ptr): where the loader says it is
       const auto* const begin = reinterpret_cast<const char*>(info->dlpi_addr + segment.p_vaddr);
       loaded.build_id = build_id_in({begin, segment.p_memsz});
     }
@@ -68,7 +70,7 @@ int note_loaded(dl_phdr_info* info, std::size_t, void* all) {
 }  // namespace
 
 const std::string& build_identity() {
-  static const std::string kIdentity = [] {
+  static const std::string identity = [] {
     std::vector<Loaded> all;
     dl_iterate_phdr(note_loaded, &all);
     std::string text;
@@ -78,7 +80,7 @@ const std::string& build_identity() {
     }
     return text;
   }();
-  return kIdentity;
+  return identity;
 }
 
 }  // namespace dupin::cli
