@@ -24,6 +24,7 @@
 #include "length.h"
 #include "output.h"
 #include "progress_line.h"
+#include "ranks.h"
 #include "rounding_options.h"
 #include "tiles/district_output.h"
 #include "tiles/tile_options.h"
@@ -170,30 +171,38 @@ OutputReport at_once(const std::vector<std::string>& files, const OperandArgumen
 
 /// The same tile by tile, of a union.
 OutputReport in_tiles(const std::vector<std::string>& files, const OperandArguments& arguments,
-                      const Destination& to, const CommonOptions& common) {
+                      const Destination& to, const CommonOptions& common, const Ranks& ranks) {
   require_tiled_output(to, arguments.tiles);
   if (!arguments.cross_check.empty() || arguments.timing) {
-    throw UsageError("--cross-check and --timing are not for --tiles and --memory");
+    throw UsageError("--cross-check and --timing are not for --tiles, --memory and mpirun");
   }
   if (std::ranges::count(files, "-") > 0) {
     throw UsageError(
-        "--tiles and --memory read operands when their tile is made, and standard input only once");
+        "--tiles, --memory and mpirun read operands when their tile is made, and standard input "
+        "only once");
   }
-  ProgressLine line(common.quiet);
-  const OperandFiles operands = survey(files, line.callback());
-  return unite_in_tiles({files, to, rounding_options(arguments.rounding, operands.unit),
-                         contact_choice(arguments.contacts, operands.unit), arguments.repair,
+  ProgressLine line(common.quiet || !ranks.is_first());
+  const OperandFiles operands = survey(files, line.callback(), ranks);
+  const auto options = alike(ranks, [&] {
+    return std::pair(rounding_options(arguments.rounding, operands.unit),
+                     contact_choice(arguments.contacts, operands.unit));
+  });
+  return unite_in_tiles({files, to, options.first, options.second, arguments.repair,
                          arguments.tiles, line.callback()},
-                        operands);
+                        operands, ranks);
 }
 
 ExitCode run_operation(const std::vector<std::string>& files, const OperandArguments& arguments,
                        const CommonOptions& common, const Task& task) {
   refuse_tolerance(arguments.command, common, "--rounding-tolerance");
   const Destination to = destination(arguments.output);
-  const OutputReport report = is_tiled(arguments.tiles)
-                                  ? in_tiles(files, arguments, to, common)
+  const Ranks ranks;
+  const OutputReport report = is_tiled(arguments.tiles) || ranks.count() > 1
+                                  ? in_tiles(files, arguments, to, common, ranks)
                                   : at_once(files, arguments, to, common, task);
+  if (!ranks.is_first()) {
+    return ExitCode::ok;
+  }
   print_written(report, to, common);
   return report.findings() == 0 ? ExitCode::ok : ExitCode::findings;
 }

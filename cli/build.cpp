@@ -269,8 +269,10 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
     throw UsageError("mpirun gives standard input to one process, and all read the document");
   }
   std::optional<ProgressLine> line(common.quiet || !ranks.is_first());
-  Document document =
-      read_document(arguments.files.front(), arguments.source, arguments.walls, line->callback());
+  Document document = alike(ranks, [&] {
+    return read_document(arguments.files.front(), arguments.source, arguments.walls,
+                         line->callback());
+  });
   Assembly& assembly = document.assembly;
   BuildOptions options = build_options(assembly, arguments, common);
   (void)rounding_options(arguments.rounding, std::string(symbol(assembly.unit)));

@@ -15,6 +15,7 @@ namespace {
 // A signal reaches any thread and takes no argument: only globals tell what came before it.
 constinit std::atomic<bool> was_interrupted = false;
 constinit std::atomic<bool> lost_reader = false;
+constinit std::atomic<bool> is_silent = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 // What follows calls only what POSIX allows in a handler. All other signals wait in its thread.
@@ -22,7 +23,10 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 void on_interrupt(int) {
   if (abandon_files()) {
     constexpr char kMessage[] = "dupin: interrupted\n";
-    [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, kMessage, sizeof(kMessage) - 1);
+    if (!is_silent) {
+      [[maybe_unused]] const ssize_t ignored =
+          ::write(STDERR_FILENO, kMessage, sizeof(kMessage) - 1);
+    }
     ::_exit(static_cast<int>(ExitCode::interrupted));
   }
   if (was_interrupted.exchange(true)) {
@@ -77,6 +81,8 @@ void end_on_signals() {
     }
   }
 }
+
+void end_without_words() { is_silent = true; }
 
 bool has_lost_reader() { return lost_reader; }
 

@@ -9,6 +9,9 @@ namespace dupin::cli {
 /// ignored, or has a handler, stays so.
 void end_on_signals();
 
+/// It then says nothing on the way, for a process of several, one of which says why they end.
+void end_without_words();
+
 /// Whether the report has lost its reader after the file took its place.
 [[nodiscard]] bool has_lost_reader();
 

@@ -18,6 +18,7 @@
 #include "dupin/io/report_json.h"
 #include "exit_code.h"
 #include "interrupt.h"
+#include "ranks.h"
 
 namespace dupin::cli {
 namespace {
@@ -61,11 +62,23 @@ int fail(bool json, ExitCode code, std::string_view kind, const std::string& mes
 }
 
 int usage_failure(bool json, const std::string& message) {
+  let_first_speak();
   return fail(json, ExitCode::usage, "usage", message + " (see dupin --help)");
 }
 
-int perform(const Action& action, const CommonOptions& common) {
+/// Each process would do, and print, all of it.
+void refuse_mpirun(const std::string& command) {
+  if (is_under_mpirun()) {
+    throw UsageError("mpirun shares the work of build and union among processes; run " + command +
+                     " without it");
+  }
+}
+
+int perform(const Action& action, const std::string& command, const CommonOptions& common) {
   try {
+    if (command != "build" && command != "union") {
+      refuse_mpirun(command);
+    }
     const ExitCode code = action(common);
     std::cout.flush();
     if (!std::cout && !has_lost_reader()) {
@@ -132,7 +145,7 @@ int run(std::span<char*> arguments) {
     });
     return usage_failure(json, usage_text(app, error));
   }
-  return perform(action, common);
+  return perform(action, app.get_subcommands().front()->get_name(), common);
 }
 
 /// glibc keeps arrays up to 32 MB for itself once some were freed; between the stages of a union

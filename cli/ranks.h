@@ -1,8 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "dupin/io/processes.h"
 
 namespace dupin::cli {
 
@@ -11,31 +16,43 @@ struct MpiModule;
 /// Whether mpirun has started this process together with others.
 [[nodiscard]] bool is_under_mpirun();
 
+/// What all processes under mpirun find wrong alike, one says: others wait until that ends them,
+/// and return where nothing does.
+void let_first_speak();
+
 /// The processes of one job that mpirun has started together; one alone without mpirun. Where one
 /// ends with an error, mpirun ends the others.
-class Ranks {
+class Ranks : public Processes {
  public:
   /// Joins the others. Throws UsageError where mpirun has started this process, but the build has
   /// no MPI.
   Ranks();
   /// Leaves them, unless an error does.
-  ~Ranks();
-  Ranks(const Ranks&) = delete;
-  Ranks& operator=(const Ranks&) = delete;
+  ~Ranks() override;
 
-  [[nodiscard]] std::size_t count() const { return count_; }
-  /// This one's number, below count().
-  [[nodiscard]] std::size_t own() const { return own_; }
-  /// It writes the file and the report.
-  [[nodiscard]] bool is_first() const { return own_ == 0; }
+  [[nodiscard]] std::size_t count() const override { return count_; }
+  [[nodiscard]] std::size_t own() const override { return own_; }
 
-  /// To the first one, which receives in the order of sending. Both throw Error{io_failed}.
-  void send(std::string_view bytes) const;
-  [[nodiscard]] std::string receive(std::size_t from) const;
+  [[nodiscard]] std::vector<std::string> exchanged(std::string_view bytes) const override;
+  [[nodiscard]] std::unique_ptr<JointFile> open(const std::filesystem::path& path,
+                                                const std::string& shown) const override;
 
  private:
   const MpiModule* module_ = nullptr;
   std::size_t count_ = 1, own_ = 0;
 };
+
+/// What all ranks do with the same input: of its errors the first one speaks.
+template <class Function>
+auto alike(const Ranks& ranks, const Function& function) {
+  try {
+    return function();
+  } catch (...) {
+    if (ranks.count() > 1) {
+      let_first_speak();
+    }
+    throw;
+  }
+}
 
 }  // namespace dupin::cli

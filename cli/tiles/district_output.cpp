@@ -92,8 +92,8 @@ DistrictOutput district_output(const Solid& solid, std::span<const Boxes> boxes,
   return result;
 }
 
-DistrictFile::DistrictFile(const Destination& to)
-    : to_(to), stream_(writing([&] { return mesh_stream(to.path, to.format); })) {
+DistrictFile::DistrictFile(const Destination& to, const Processes* processes)
+    : to_(to), stream_(writing([&] { return mesh_stream(to.path, to.format, processes); })) {
   report_.check.emplace();
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "dupin/io/mesh_stream.h"
+#include "dupin/io/processes.h"
 #include "dupin/io/report_json.h"
 #include "dupin/kernel/districts.h"
 #include "output.h"
@@ -50,10 +51,10 @@ struct DistrictOutput {
                                              const ContactChoice& contacts);
 
 /// A file that grows aside, district by district, and what there is to report of it. All functions
-/// throw OutputError.
+/// throw OutputError. Several processes make it all at once, and the same calls.
 class DistrictFile {
  public:
-  explicit DistrictFile(const Destination& to);
+  explicit DistrictFile(const Destination& to, const Processes* processes = nullptr);
   /// `file` is MeshStream's.
   void append(DistrictOutput district, std::size_t file = 0);
   /// The file takes its place. `normals` are asked for where the format has some.

@@ -11,7 +11,7 @@ namespace dupin::cli {
 namespace {
 
 /// Changes with whatever is kept.
-constexpr std::string_view kMark = "dupin district 2\n";
+constexpr std::string_view kMark = "dupin district 3\n";
 
 class Writer {
  public:
@@ -154,7 +154,8 @@ void visit_result(Archive& archive, Result& result, Parts& parts, Checked& repor
   auto& built = result.built;
   archive(parts, built.runs, built.pieces, built.grid, built.region, built.volumes,
           built.insulation, report, result.output.report.rounding, result.output.report.contacts,
-          result.output.report.settled, result.output.piece.names, result.output.piece.bytes,
+          result.output.report.settled, result.output.piece.names, result.output.piece.points,
+          result.output.piece.triangles, result.output.piece.labels, result.output.piece.bytes,
           result.output.seen);
 }
 

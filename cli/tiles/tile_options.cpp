@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <system_error>
@@ -23,9 +24,6 @@ namespace {
 /// So many districts in a tile, where neither tiles nor memory are given.
 constexpr std::size_t kAtOnce = 64;
 
-/// What a triangle of the result needs, measured (docs/cli.md).
-constexpr double kBytesPerTriangle = 400;
-
 std::vector<std::size_t> even_ends(std::size_t tiles, std::size_t count) {
   const std::size_t all = std::clamp<std::size_t>(tiles, 1, count);
   std::vector<std::size_t> ends;
@@ -35,18 +33,29 @@ std::vector<std::size_t> even_ends(std::size_t tiles, std::size_t count) {
   return ends;
 }
 
+/// Two digits, rounded up: what it says would do.
+std::string shown_size(double bytes) {
+  constexpr std::array<std::pair<double, const char*>, 4> kUnits{
+      {{1e12, " TB"}, {1e9, " GB"}, {1e6, " MB"}, {1e3, " kB"}}};
+  const double digit = std::pow(10, std::floor(std::log10(std::max(bytes, 1e3))) - 1);
+  const double rounded = std::ceil(std::max(bytes, 1e3) / digit) * digit;
+  const auto* const unit =
+      std::ranges::find_if(kUnits, [&](const auto& u) { return rounded >= u.first; });
+  return decimal(rounded / unit->first, 3) + unit->second;
+}
+
 std::vector<std::size_t> ends_within(std::uint64_t memory, const Divided& divided) {
-  const double most = static_cast<double>(memory) / kBytesPerTriangle;
+  const auto most = static_cast<double>(memory);
   std::vector<std::size_t> ends;
   double tile = 0;
   for (std::size_t i = 0; i < divided.districts.size(); ++i) {
-    const double own = divided.triangles[i];
+    const double own = divided.bytes[i];
     if (own > most) {
       const Vec3 place = bounds_of(divided.districts.subspan(i, 1)).center();
       throw Error(Errc::limit_exceeded,
-                  "what hangs together at " + decimal(place) + " has about " + decimal(own, 2) +
-                      " triangles, which need " + decimal(own * kBytesPerTriangle / 1e9, 2) +
-                      " GB; give --memory more" + divided.remedy,
+                  "what hangs together at " + decimal(place) + " has about " +
+                      decimal(divided.triangles[i], 2) + " triangles, which need " +
+                      shown_size(own) + "; give --memory more" + divided.remedy,
                   {}, divided.source);
     }
     if (tile + own > most) {

@@ -49,10 +49,12 @@ void require_tiled_output(const Destination& to, const TileArguments& arguments)
 /// What there is to divide.
 struct Divided {
   std::span<const Boxes> districts;
-  std::span<const double> triangles;  ///< about how many each has; asked for with --memory only
-  std::size_t processes = 1;          ///< that make tiles side by side
-  std::string source;                 ///< what messages name
-  std::string remedy = {};            ///< besides more memory
+  /// About how many each has, and how many bytes of memory that takes; asked for with --memory
+  /// only.
+  std::span<const double> triangles, bytes;
+  std::size_t processes = 1;  ///< that make tiles side by side
+  std::string source;         ///< what messages name
+  std::string remedy = {};    ///< besides more memory
 };
 
 /// Behind which districts tiles end. Throws Error{limit_exceeded} where one does not fit into the

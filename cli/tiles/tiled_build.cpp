@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
-#include <numeric>
+#include <cstring>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,9 +25,11 @@
 #include "exchange_options.h"
 #include "exit_code.h"
 #include "solver_options.h"
+#include "tiles/build_identity.h"
 #include "tiles/district_cache.h"
 #include "tiles/district_output.h"
 #include "tiles/district_result.h"
+#include "tiles/shared_tile.h"
 
 namespace dupin::cli {
 namespace {
@@ -35,7 +37,7 @@ namespace {
 /// All that decides about a district's facets, besides its document.
 std::string text_of(const BuildOptions& options, const ContactChoice& contacts,
                     const RoundingOptions& rounding) {
-  std::string text = "dupin " DUPIN_VERSION;
+  std::string text = "dupin " DUPIN_VERSION " " + build_identity();
   const auto add = [&text](double number) { text += " " + decimal(number); };
   add(options.region ? static_cast<double>(*options.region) : -1);
   add(static_cast<double>(options.contacts));
@@ -69,27 +71,12 @@ void append_meshes(const Assembly& assembly, std::string& text) {
   }
 }
 
+/// What a triangle of the result needs, measured (docs/cli.md): of one solid, and where one is
+/// taken from another.
+constexpr double kBytesPerTriangle = 300, kBytesPerTriangleOfTwo = 900;
+
 std::uint64_t cache_size(const TileArguments& arguments) {
   return bytes_in(arguments.cache_size.empty() ? "10GB" : arguments.cache_size, "--cache-size");
-}
-
-/// Of what it takes to make a triangle of the file, what the first rank needs to write it, about.
-constexpr double kWritingPart = 0.1;
-
-/// The rank that makes each of so many districts of a tile: the largest first, each to the one that
-/// has least to do. The first one has to write them all, too.
-std::vector<std::size_t> shared_out(std::span<const double> triangles, std::size_t ranks) {
-  std::vector<std::size_t> order(triangles.size()), owners(triangles.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return triangles[i]; });
-  std::vector<double> load(ranks, 0);
-  load.front() = kWritingPart * std::accumulate(triangles.begin(), triangles.end(), 0.0);
-  for (const std::size_t i : order) {
-    const auto least = std::ranges::min_element(load);
-    owners[i] = static_cast<std::size_t>(least - load.begin());
-    *least += triangles[i];
-  }
-  return owners;
 }
 
 class TiledBuild {
@@ -98,6 +85,7 @@ class TiledBuild {
              const Ranks& ranks)
       : ranks_(ranks),
         assembly_(document.assembly),
+        region_(options.region),
         plan_(document.assembly, options),
         boxes_(plan_.boxes()),
         to_(tiled_destination(arguments.output)),
@@ -112,33 +100,43 @@ class TiledBuild {
       cache_.emplace(arguments.tiles.cache);
       cache_size_ = cache_size(arguments.tiles);
     }
-    const bool is_shared = ranks.count() > 1;
+  }
+
+  // All ranks do this, and what follows, and come to the same.
+  void divide(const TileArguments& arguments) {
+    const bool is_shared = ranks_.count() > 1, is_bounded = !arguments.memory.empty();
     const std::vector<double> triangles =
-        is_shared || !arguments.tiles.memory.empty() ? expected_triangles() : std::vector<double>();
-    ends_ = ends_of_tiles(arguments.tiles, {.districts = boxes_,
-                                            .triangles = triangles,
-                                            .processes = ranks.count(),
-                                            .source = document.assembly.source,
-                                            .remedy = ", or a coarser tolerance"});
-    owners_.resize(plan_.size(), 0);
+        is_shared || is_bounded ? expected_triangles() : std::vector<double>();
+    const std::vector<double> bytes = is_bounded ? expected_bytes(triangles) : triangles;
+    ends_ = alike(ranks_, [&] {
+      return ends_of_tiles(arguments, {.districts = boxes_,
+                                       .triangles = triangles,
+                                       .bytes = bytes,
+                                       .processes = ranks_.count(),
+                                       .source = assembly_.source,
+                                       .remedy = ", or a coarser tolerance"});
+    });
     if (is_shared) {
-      share_out(triangles);
+      owners_ = shared_out(triangles, ends_, ranks_.count());
+    } else {
+      owners_.resize(plan_.size(), 0);
     }
   }
 
   Built run(const MeshHeader& header, OutputReport& report) {
-    DistrictFile file(to_);
+    DistrictFile file(to_, &ranks_);
     std::vector<Built> built;
     std::size_t begin = 0, tiles = 0;
     for (const std::size_t end : ends_) {
       tell(progress_, "build", double(begin) / double(plan_.size()));
-      std::vector<std::optional<DistrictResult>> tile = own_results(begin, end);
+      const auto owners = std::span(owners_).subspan(begin, end - begin);
+      auto tile = shared_tile(owners, ranks_,
+                              {.made = [&](std::size_t i) { return result(begin + i); },
+                               .parts = [&](std::size_t i) { return plan_.parts(begin + i); }});
       for (std::size_t i = 0; i < tile.size(); ++i) {
-        DistrictResult district = tile[i] ? *std::move(tile[i]) : received(begin + i);
-        tile[i].reset();
+        DistrictResult district = *std::exchange(tile[i], std::nullopt);
         const std::size_t tile_file = are_tiles_asked_for_ ? tiles : 0;
-        file.append(std::move(district.output),
-                    ranks_.count() > 1 ? owners_[begin + i] : tile_file);
+        file.append(std::move(district.output), ranks_.count() > 1 ? owners[i] : tile_file);
         built.push_back(std::move(district.built));
       }
       begin = end;
@@ -147,65 +145,45 @@ class TiledBuild {
     Built all = plan_.joined(std::move(built));
     report = file.commit(
         header, to_.format.has_normals ? smooth_normals(assembly_, all, file.seen()) : NormalsOf());
-    if (cache_) {
+    if (cache_ && ranks_.is_first()) {
       cache_->trim(cache_size_);
     }
     return all;
   }
 
-  // Of ranks but the first, which writes.
-  void run_for_first() const {
-    std::size_t begin = 0;
-    for (const std::size_t end : ends_) {
-      const auto tile = own_results(begin, end);
-      for (std::size_t i = 0; i < tile.size(); ++i) {
-        if (tile[i]) {
-          ranks_.send(bytes_of(*tile[i], plan_.parts(begin + i)));
-        }
-      }
-      begin = end;
-    }
-  }
-
   [[nodiscard]] std::string warning() const { return cache_ ? cache_->warning() : std::string(); }
 
  private:
-  // Resolves every district, which takes its time.
+  // Resolves every district, which takes its time; ranks share that.
   [[nodiscard]] std::vector<double> expected_triangles() const {
     std::vector<double> triangles(plan_.size());
-    for_each_in_parallel(triangles.size(),
-                         [&](std::size_t i) { triangles[i] = plan_.expected_triangles(i); });
+    for_each_in_parallel(triangles.size(), [&](std::size_t i) {
+      if (i % ranks_.count() == ranks_.own()) {
+        triangles[i] = plan_.expected_triangles(i);
+      }
+    });
+    const std::vector<std::string> all = ranks_.exchanged(
+        {reinterpret_cast<const char*>(triangles.data()), triangles.size() * sizeof(double)});
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      std::memcpy(&triangles[i], all[i % ranks_.count()].data() + i * sizeof(double),
+                  sizeof(double));
+    }
     return triangles;
   }
 
-  void share_out(std::span<const double> triangles) {
-    std::size_t begin = 0;
-    for (const std::size_t end : ends_) {
-      std::ranges::copy(shared_out(triangles.subspan(begin, end - begin), ranks_.count()),
-                        owners_.begin() + std::ptrdiff_t(begin));
-      begin = end;
+  [[nodiscard]] std::vector<double> expected_bytes(std::vector<double> triangles) const {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      triangles[i] *= is_of_two(i) ? kBytesPerTriangleOfTwo : kBytesPerTriangle;
     }
+    return triangles;
   }
 
-  // Of the districts of a tile that are this rank's.
-  [[nodiscard]] std::vector<std::optional<DistrictResult>> own_results(std::size_t begin,
-                                                                       std::size_t end) const {
-    std::vector<std::optional<DistrictResult>> tile(end - begin);
-    for_each_in_parallel(tile.size(), [&](std::size_t i) {
-      if (owners_[begin + i] == ranks_.own()) {
-        tile[i] = result(begin + i);
-      }
-    });
-    return tile;
-  }
-
-  [[nodiscard]] DistrictResult received(std::size_t district) const {
-    auto result = result_of(ranks_.receive(owners_[district]), plan_.parts(district));
-    if (!result) {
-      throw Error(Errc::internal,
-                  "internal error, please report it: another rank sent what cannot be read");
-    }
-    return *std::move(result);
+  // Whether one solid is taken from another: bores, or what is insulated.
+  [[nodiscard]] bool is_of_two(std::size_t district) const {
+    return region_.value_or(Region::outer) != Region::outer ||
+           std::ranges::any_of(plan_.parts(district), [&](std::uint32_t part) {
+             return assembly_.parts[part].wall.value_or(assembly_.wall.value_or(0)) > 0;
+           });
   }
 
   // Made, or as it was kept.
@@ -240,6 +218,7 @@ class TiledBuild {
 
   const Ranks& ranks_;
   const Assembly& assembly_;
+  std::optional<Region> region_;
   DistrictBuild plan_;
   std::vector<Boxes> boxes_;
   Destination to_;
@@ -296,14 +275,12 @@ void check_tiled(const BuildArguments& arguments) {
 TiledBuilt build_in_tiles(const Document& document, const BuildOptions& options,
                           const BuildArguments& arguments, const MeshHeader& header,
                           const Ranks& ranks) {
-  TiledBuild build(document, options, arguments, ranks);
+  auto build = alike(
+      ranks, [&] { return std::make_unique<TiledBuild>(document, options, arguments, ranks); });
+  build->divide(arguments.tiles);
   TiledBuilt result;
-  if (ranks.is_first()) {
-    result.built = build.run(header, result.output);
-  } else {
-    build.run_for_first();
-  }
-  result.warning = build.warning();
+  result.built = build->run(header, result.output);
+  result.warning = build->warning();
   return result;
 }
 

@@ -29,7 +29,7 @@ struct TiledBuilt {
 
 /// Builds the districts of the document in tiles, some at a time, and appends each to the file: the
 /// same bytes as `build` and `write_districts` give, in the memory that the largest tile needs.
-/// Ranks share the districts; the first one writes the file, and knows what there is to report.
+/// Ranks share the districts; each writes the facets of its own, and knows what there is to report.
 [[nodiscard]] TiledBuilt build_in_tiles(const Document& document, const BuildOptions& options,
                                         const BuildArguments& arguments, const MeshHeader& header,
                                         const Ranks& ranks);

@@ -1,6 +1,9 @@
 #include "tiles/united_districts.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -8,9 +11,14 @@
 #include "dupin/io/stl_stream.h"
 #include "dupin/kernel/parallel.h"
 #include "input.h"
+#include "tiles/shared_tile.h"
 
 namespace dupin::cli {
 namespace {
+
+/// What a triangle of an operand needs, with what crossings add to it where these are few
+/// (docs/cli.md).
+constexpr double kBytesPerTriangle = 400;
 
 std::vector<Solid> selected(std::span<const Solid> operands,
                             const std::vector<std::size_t>& members) {
@@ -38,33 +46,93 @@ TriMesh mesh_in(const std::string& path) {
   return is_stl_file(path) ? StlFile(path).mesh() : read_mesh_input(path);
 }
 
+/// What is known of an operand's file before its tile is made.
+struct Survey {
+  Eigen::AlignedBox3d box;
+  std::size_t triangles = 0;
+  std::string unit;
+};
+
+Survey surveyed(const std::string& path) {
+  if (is_stl_file(path)) {
+    const StlFile file(path);
+    return {box_of(file), file.count(), file.unit()};
+  }
+  const Input input = read_input(path);
+  const TriMesh mesh = read_mesh(input.bytes, input.name);
+  return {cli::box_of(mesh), mesh.triangles.size(), input.unit()};
+}
+
+/// The numbers of a survey, which go before its unit.
+using Numbers = std::array<double, 7>;
+
+/// Puts what other ranks have read of every so many files in its place.
+void exchange(std::vector<Survey>& surveys, const Ranks& ranks) {
+  std::string own;
+  for (std::size_t i = ranks.own(); i < surveys.size(); i += ranks.count()) {
+    const auto& [box, triangles, unit] = surveys[i];
+    const Numbers numbers{box.min().x(),
+                          box.min().y(),
+                          box.min().z(),
+                          box.max().x(),
+                          box.max().y(),
+                          box.max().z(),
+                          static_cast<double>(triangles)};
+    own.append(reinterpret_cast<const char*>(numbers.data()), sizeof(numbers));
+    own.append(unit.c_str(), unit.size() + 1);
+  }
+  const std::vector<std::string> all = ranks.exchanged(own);
+  for (std::size_t rank = 0; rank < ranks.count(); ++rank) {
+    const char* at = all[rank].data();
+    for (std::size_t i = rank; i < surveys.size(); i += ranks.count()) {
+      Numbers numbers{};
+      std::memcpy(numbers.data(), at, sizeof(numbers));
+      const auto& [ax, ay, az, bx, by, bz, triangles] = numbers;
+      surveys[i].box = Eigen::AlignedBox3d(Vec3(ax, ay, az), Vec3(bx, by, bz));
+      surveys[i].triangles = static_cast<std::size_t>(triangles);
+      surveys[i].unit = at + sizeof(numbers);
+      at += sizeof(numbers) + surveys[i].unit.size() + 1;
+    }
+  }
+}
+
 /// A union in the making.
 class UnionInTiles {
  public:
-  UnionInTiles(const TiledUnion& task, const OperandFiles& files)
+  UnionInTiles(const TiledUnion& task, const OperandFiles& files, const Ranks& ranks)
       : task_(task),
         files_(files),
+        ranks_(ranks),
         districts_(
             operand_districts(files.boxes, district_margin(task.to, task.rounding, task.contacts))),
         rounding_(rounding_of_districts(task.rounding, districts_.boxes)),
-        repairs_(task.files.size()) {}
+        repairs_(task.files.size()) {
+    const std::vector<double> triangles = triangles_of_districts();
+    std::vector<double> bytes = triangles;
+    std::ranges::for_each(bytes, [](double& own) { own *= kBytesPerTriangle; });
+    ends_ = ends_of_tiles(task.tiles, {.districts = districts_.boxes,
+                                       .triangles = triangles,
+                                       .bytes = bytes,
+                                       .processes = ranks.count(),
+                                       .source = "operands"});
+    owners_ = shared_out(triangles, ends_, ranks.count());
+  }
 
   OutputReport run() {
-    const std::vector<double> triangles = triangles_of_districts();
-    const std::vector<std::size_t> ends = ends_of_tiles(
-        task_.tiles, {.districts = districts_.boxes, .triangles = triangles, .source = "operands"});
-    DistrictFile file(task_.to);
+    DistrictFile file(task_.to, &ranks_);
     std::size_t begin = 0;
-    for (const std::size_t end : ends) {
+    for (const std::size_t end : ends_) {
       tell(task_.progress, "unite", double(begin) / double(districts_.boxes.size()));
-      std::vector<std::optional<DistrictOutput>> tile(end - begin);
-      for_each_in_parallel(tile.size(), [&](std::size_t i) { tile[i] = made(begin + i); });
-      for (std::optional<DistrictOutput>& district : tile) {
-        file.append(*std::exchange(district, std::nullopt));
+      auto tile = shared_tile(std::span(owners_).subspan(begin, end - begin), ranks_,
+                              {.made = [&](std::size_t i) { return made(begin + i); },
+                               .parts = [](std::size_t) { return std::vector<std::uint32_t>(); }});
+      for (std::optional<DistrictResult>& district : tile) {
+        file.append(std::exchange(district, std::nullopt)->output);
       }
       begin = end;
     }
     OutputReport report = file.commit({files_.unit, {}});
+    learn_repairs();
     report.repairs = repairs_in(task_.files, repairs_);
     return report;
   }
@@ -83,7 +151,7 @@ class UnionInTiles {
     return triangles;
   }
 
-  DistrictOutput made(std::size_t district) {
+  DistrictResult made(std::size_t district) {
     std::vector<Solid> operands;
     for (const std::size_t i : districts_.operands[district]) {
       operands.push_back(
@@ -91,14 +159,30 @@ class UnionInTiles {
     }
     const Solid solid = unite(operands, {task_.contacts.policy(), {}});
     operands.clear();
-    return district_output(solid, districts_.boxes, district, task_.to, rounding_, task_.contacts);
+    return {.output = district_output(solid, districts_.boxes, district, task_.to, rounding_,
+                                      task_.contacts)};
+  }
+
+  // Of what others have mended.
+  void learn_repairs() {
+    const std::vector<std::string> all = ranks_.exchanged(
+        {reinterpret_cast<const char*>(repairs_.data()), repairs_.size() * sizeof(RepairReport)});
+    for (std::size_t district = 0; district < owners_.size(); ++district) {
+      for (const std::size_t i : districts_.operands[district]) {
+        std::memcpy(&repairs_[i], all[owners_[district]].data() + i * sizeof(RepairReport),
+                    sizeof(RepairReport));
+      }
+    }
   }
 
   const TiledUnion& task_;
   const OperandFiles& files_;
+  const Ranks& ranks_;
   OperandDistricts districts_;
   RoundingOptions rounding_;
   std::vector<RepairReport> repairs_;  // per operand, each of which one thread mends
+  std::vector<std::size_t> ends_;      // of tiles, behind their last districts
+  std::vector<std::size_t> owners_;    // the ranks that make districts
 };
 
 }  // namespace
@@ -172,32 +256,31 @@ std::vector<Solid> united_districts(std::span<const Solid> operands,
   return solids;
 }
 
-OperandFiles survey(const std::vector<std::string>& files, const Progress& progress) {
+OperandFiles survey(const std::vector<std::string>& files, const Progress& progress,
+                    const Ranks& ranks) {
   tell(progress, "read");
-  OperandFiles result;
-  result.boxes.resize(files.size());
-  result.triangles.resize(files.size());
-  std::vector<StatedUnit> units(files.size());
+  std::vector<Survey> surveys(files.size());
   for_each_in_parallel(files.size(), [&](std::size_t i) {
-    if (is_stl_file(files[i])) {
-      const StlFile file(files[i]);
-      units[i] = {files[i], file.unit()};
-      result.boxes[i] = box_of(file);
-      result.triangles[i] = file.count();
-      return;
+    if (i % ranks.count() == ranks.own()) {
+      surveys[i] = surveyed(files[i]);
     }
-    const Input input = read_input(files[i]);
-    units[i] = {input.name, input.unit()};
-    const TriMesh mesh = read_mesh(input.bytes, input.name);
-    result.boxes[i] = box_of(mesh);
-    result.triangles[i] = mesh.triangles.size();
   });
-  result.unit = common_unit(units);
+  exchange(surveys, ranks);
+  OperandFiles result;
+  std::vector<StatedUnit> units;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    result.boxes.push_back(surveys[i].box);
+    result.triangles.push_back(surveys[i].triangles);
+    units.push_back({files[i], surveys[i].unit});
+  }
+  result.unit = alike(ranks, [&] { return common_unit(units); });
   return result;
 }
 
-OutputReport unite_in_tiles(const TiledUnion& task, const OperandFiles& files) {
-  return UnionInTiles(task, files).run();
+OutputReport unite_in_tiles(const TiledUnion& task, const OperandFiles& files, const Ranks& ranks) {
+  const auto united =
+      alike(ranks, [&] { return std::make_unique<UnionInTiles>(task, files, ranks); });
+  return united->run();
 }
 
 }  // namespace dupin::cli

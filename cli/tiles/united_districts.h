@@ -10,6 +10,7 @@
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/districts.h"
 #include "output.h"
+#include "ranks.h"
 #include "tiles/district_output.h"
 #include "tiles/tile_options.h"
 
@@ -51,12 +52,15 @@ struct OperandFiles {
   std::string unit;  ///< which all agree on
 };
 
-/// Reads one file after the other, as many at a time as there are threads. Throws as read_mesh, and
-/// Error{invalid_argument} where units differ.
-[[nodiscard]] OperandFiles survey(const std::vector<std::string>& files, const Progress& progress);
+/// Reads one file after the other, as many at a time as there are threads; ranks share them. Throws
+/// as read_mesh, and Error{invalid_argument} where units differ.
+[[nodiscard]] OperandFiles survey(const std::vector<std::string>& files, const Progress& progress,
+                                  const Ranks& ranks);
 
 /// Reads the files of each tile again, unites them, and appends the result to the file: the bytes
-/// that are written of united_districts, in the memory that the largest tile needs.
-[[nodiscard]] OutputReport unite_in_tiles(const TiledUnion& task, const OperandFiles& files);
+/// that are written of united_districts, in the memory that the largest tile needs. Ranks share the
+/// districts.
+[[nodiscard]] OutputReport unite_in_tiles(const TiledUnion& task, const OperandFiles& files,
+                                          const Ranks& ranks);
 
 }  // namespace dupin::cli

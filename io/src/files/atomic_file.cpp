@@ -240,6 +240,18 @@ AsideFile::AsideFile(const fs::path& path, std::string_view bytes) {
   }
 }
 
+AsideFile::AsideFile(const fs::path& path, const AsidePath& made) : aside_(made.path) {
+  const Target target = target_of(path);
+  target_ = target.path;
+  replaceable_ = target.replaceable;
+  const Exclusive exclusive;
+  if (the_register == nullptr) {
+    the_register = new Register;
+  }
+  the_register->aside.push_back(aside_.c_str());
+  pending_ = true;
+}
+
 AsideFile::~AsideFile() {
   if (pending_) {
     remove_aside(aside_);

@@ -5,17 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "dupin/io/atomic_file.h"
 #include "dupin/io/mesh_stream.h"
+#include "dupin/io/processes.h"
+#include "files/placed_file.h"
 #include "formats/ply_header.h"
 #include "streams/spilled_meshes.h"
 
 namespace dupin::streams {
 
-/// A binary PLY of pieces, as ply_binary_bytes() writes them joined.
+/// A binary PLY of pieces, as ply_binary_bytes() writes them joined. Vertices and faces take as
+/// many bytes each as all others, so that every process knows where its own are.
 class PlyStream : public MeshStream {
  public:
-  explicit PlyStream(const std::filesystem::path& path) : shown_(path.string()), file_(path) {}
+  explicit PlyStream(const std::filesystem::path& path, const Processes* processes = nullptr)
+      : processes_(processes), file_(path, processes) {}
 
   void append(const MeshPiece& piece, std::size_t file) override;
   void commit(const MeshHeader& header, const Normals& normals) override;
@@ -28,19 +31,22 @@ class PlyStream : public MeshStream {
   };
 
   void split(const Normals& normals);
+  /// How many copies pieces have that are elsewhere.
+  void learn_copies();
   /// The normals, the copied points, and the triangles of vertices.
   [[nodiscard]] std::vector<Direction> split_normals(std::size_t piece) const;
   [[nodiscard]] std::vector<std::uint32_t> copied(std::size_t piece) const;
   [[nodiscard]] std::vector<Triangle> split_triangles(std::size_t piece, std::size_t count) const;
 
-  void write_vertices();
-  void write_copies();
-  void write_faces(const MeshHeader& header);
-  void write(const std::string& bytes);
+  [[nodiscard]] std::uint64_t vertex_size() const;
+  [[nodiscard]] std::uint64_t face_size() const;
+  /// Each from its first byte on.
+  void write_vertices(std::uint64_t at);
+  void write_copies(std::uint64_t at);
+  void write_faces(std::uint64_t at, const MeshHeader& header);
 
-  std::string shown_;
-  AsideFile file_;
-  std::uint64_t end_ = 0;
+  const Processes* processes_;
+  files::PlacedFile file_;
   SpilledMeshes meshes_;
   SpilledArrays arrays_;
   std::vector<Split> splits_;  // empty without normals

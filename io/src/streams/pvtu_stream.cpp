@@ -2,12 +2,14 @@
 
 #include <limits>
 #include <memory>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/vtu.h"
 #include "dupin/kernel/error.h"
+#include "files/placed_file.h"
 
 namespace dupin::streams {
 namespace {
@@ -21,7 +23,24 @@ namespace fs = std::filesystem;
 /// Files that take their places together with the one that lists them, or not at all.
 class ListedFiles {
  public:
-  ListedFiles() = default;
+  /// Those that are own are made, and the others learned of: whichever process ends early removes
+  /// all.
+  ListedFiles(std::vector<fs::path> paths, const std::vector<bool>& are_own,
+              const Processes* processes)
+      : paths_(std::move(paths)), files_(paths_.size()) {
+    std::string own;
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+      if (are_own[i]) {
+        files_[i] = std::make_unique<AsideFile>(paths_[i]);
+        own += std::to_string(i) + " " + files_[i]->path().string() + '\0';
+      }
+    }
+    if (processes != nullptr) {
+      for (const std::string& made : processes->exchanged(own)) {
+        learn_of(made);
+      }
+    }
+  }
   ~ListedFiles() {
     for (std::size_t i = 0; i < committed_; ++i) {
       std::error_code ignored;
@@ -31,12 +50,12 @@ class ListedFiles {
   ListedFiles(const ListedFiles&) = delete;
   ListedFiles& operator=(const ListedFiles&) = delete;
 
-  void add(const fs::path& path, const std::string& bytes) {
-    paths_.push_back(path);
-    files_.push_back(std::make_unique<AsideFile>(path, bytes));
-    if (!files_.back()->holds(bytes)) {
-      fail(path);
+  void write(std::size_t i, const std::string& bytes) {
+    files_[i]->append(bytes);
+    if (!files_[i]->holds(bytes)) {
+      fail(paths_[i]);
     }
+    files_[i]->sync();
   }
   void commit(AsideFile& index) {
     for (const std::unique_ptr<AsideFile>& file : files_) {
@@ -48,6 +67,19 @@ class ListedFiles {
   }
 
  private:
+  /// Numbers of files, and where these are aside.
+  void learn_of(std::string_view made) {
+    while (!made.empty()) {
+      const std::size_t space = made.find(' '), end = made.find('\0');
+      const std::size_t i = std::stoul(std::string(made.substr(0, space)));
+      if (!files_[i]) {
+        files_[i] = std::make_unique<AsideFile>(
+            paths_[i], AsidePath{std::string(made.substr(space + 1, end - space - 1))});
+      }
+      made.remove_prefix(end + 1);
+    }
+  }
+
   std::vector<fs::path> paths_;
   std::vector<std::unique_ptr<AsideFile>> files_;
   std::size_t committed_ = 0;  // while the index is not
@@ -88,7 +120,11 @@ std::string index_text(const std::vector<std::string>& files, bool have_labels, 
 
 }  // namespace
 
-PvtuStream::PvtuStream(fs::path path) : path_(std::move(path)), index_(path_) {}
+PvtuStream::PvtuStream(fs::path path, const Processes* processes)
+    : path_(std::move(path)),
+      processes_(processes != nullptr && processes->count() > 1 ? processes : nullptr) {
+  index_ = files::joint_aside(path_, processes_);
+}
 
 void PvtuStream::append(const MeshPiece& piece, std::size_t file) {
   const std::uint64_t before = meshes_.triangles();
@@ -115,25 +151,47 @@ TriMesh PvtuStream::mesh_of(const std::vector<std::size_t>& pieces) const {
   return all;
 }
 
+bool PvtuStream::is_own(const std::vector<std::size_t>& pieces) const {
+  return pieces.empty() ? processes_ == nullptr || processes_->is_first()
+                        : !meshes_.is_elsewhere(pieces.front());
+}
+
 void PvtuStream::commit(const MeshHeader& header, const Normals&) {
   meshes_.number_labels();
   if (files_.empty()) {
     files_[0];  // readers want one
   }
-  ListedFiles files;
   std::vector<std::string> names;
-  for (const auto& [number, pieces] : files_) {
+  std::vector<fs::path> paths;
+  std::vector<bool> are_own;
+  for (const auto& [file, pieces] : files_) {
     names.push_back(path_.stem().string() + "_" + std::to_string(names.size()) + ".vtu");
-    const fs::path path = path_.parent_path() / names.back();
-    files.add(path,
-              verified_volume_bytes({.surface = mesh_of(pieces)}, kVtu, header, path.string()));
+    paths.push_back(path_.parent_path() / names.back());
+    are_own.push_back(is_own(pieces));
   }
-  const std::string text = index_text(names, meshes_.have_labels(), !header.colours.empty());
-  index_.append(text);
-  if (!index_.holds(text)) {
-    fail(path_);
+  ListedFiles files(paths, are_own, processes_);
+  std::size_t number = 0;
+  for (const auto& [file, pieces] : files_) {
+    if (are_own[number]) {
+      files.write(number, verified_volume_bytes({.surface = mesh_of(pieces)}, kVtu, header,
+                                                paths[number].string()));
+    }
+    ++number;
   }
-  files.commit(index_);
+  if (processes_ != nullptr) {
+    (void)processes_->exchanged({});  // all are written
+  }
+  if (processes_ == nullptr || processes_->is_first()) {
+    const std::string text = index_text(names, meshes_.have_labels(), !header.colours.empty());
+    index_->append(text);
+    if (!index_->holds(text)) {
+      fail(path_);
+    }
+    files.commit(*index_);
+  }
+  if (processes_ != nullptr) {
+    (void)processes_->exchanged({});  // and in their places
+  }
 }
 
 }  // namespace dupin::streams

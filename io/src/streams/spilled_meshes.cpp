@@ -1,10 +1,8 @@
 #include "streams/spilled_meshes.h"
 
 #include <array>
-#include <string_view>
 #include <utility>
 
-#include "text/little_endian.h"
 #include "text/mesh_text.h"
 
 namespace dupin::streams {
@@ -17,34 +15,36 @@ void append_items(const std::vector<Item>& items, std::string& bytes) {
   bytes.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item));
 }
 
-/// How many points, triangles and labels there are, before the arrays of these.
-using Counts = std::array<std::uint32_t, 3>;
-
 }  // namespace
 
-std::string piece_bytes(const TriMesh& mesh) {
-  std::string bytes;
-  text::store(bytes, Counts{static_cast<std::uint32_t>(mesh.points.size()),
-                            static_cast<std::uint32_t>(mesh.triangles.size()),
-                            static_cast<std::uint32_t>(mesh.labels.size())});
+MeshPiece spilled_piece(const TriMesh& mesh) {
+  MeshPiece piece{.names = mesh.names,
+                  .points = static_cast<std::uint32_t>(mesh.points.size()),
+                  .triangles = static_cast<std::uint32_t>(mesh.triangles.size()),
+                  .labels = static_cast<std::uint32_t>(mesh.labels.size())};
   std::vector<Numbers> points;
   points.reserve(mesh.points.size());
   for (const Vec3& point : text::writable_points(mesh, Coordinates::binary64)) {
     points.push_back({point.x(), point.y(), point.z()});
   }
-  append_items(points, bytes);
-  append_items(mesh.triangles, bytes);
-  append_items(mesh.labels, bytes);
-  return bytes;
+  append_items(points, piece.bytes);
+  append_items(mesh.triangles, piece.bytes);
+  append_items(mesh.labels, piece.bytes);
+  return piece;
 }
 
 void SpilledMeshes::append(const MeshPiece& piece) {
-  const auto [points, triangles, labels] = text::load<Counts>(piece.bytes, 0);
-  pieces_.push_back({arrays_.end(), points, triangles, labels, piece.names, {}});
-  arrays_.append(std::string_view(piece.bytes).substr(sizeof(Counts)));
-  points_ += points;
-  triangles_ += triangles;
-  have_labels_ = have_labels_ || labels > 0;
+  pieces_.push_back({arrays_.end(),
+                     piece.points,
+                     piece.triangles,
+                     piece.labels,
+                     piece.is_elsewhere,
+                     piece.names,
+                     {}});
+  arrays_.append(piece.bytes);
+  points_ += piece.points;
+  triangles_ += piece.triangles;
+  have_labels_ = have_labels_ || piece.labels > 0;
 }
 
 void SpilledMeshes::number_labels() {

@@ -44,7 +44,7 @@ class SpilledArrays {
 };
 
 /// The points, triangles and labels of a mesh, for SpilledMeshes.
-[[nodiscard]] std::string piece_bytes(const TriMesh& mesh);
+[[nodiscard]] MeshPiece spilled_piece(const TriMesh& mesh);
 
 /// Pieces, put aside.
 class SpilledMeshes {
@@ -60,7 +60,13 @@ class SpilledMeshes {
   /// Of all labels; none, if no piece has any.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   [[nodiscard]] bool have_labels() const { return have_labels_; }
-  /// As it was; if others have labels it has one, too, named "".
+  /// Whether another process has it; all but its numbers is known.
+  [[nodiscard]] bool is_elsewhere(std::size_t piece) const { return pieces_[piece].is_elsewhere; }
+  [[nodiscard]] std::uint32_t points_of(std::size_t piece) const { return pieces_[piece].points; }
+  [[nodiscard]] std::uint32_t triangles_of(std::size_t piece) const {
+    return pieces_[piece].triangles;
+  }
+  /// As it was; if others have labels it has one, too, named "". It is not elsewhere.
   [[nodiscard]] TriMesh mesh(std::size_t piece) const;
   /// Of each label of that mesh, its place in names().
   [[nodiscard]] const std::vector<std::uint32_t>& numbers(std::size_t piece) const {
@@ -71,6 +77,7 @@ class SpilledMeshes {
   struct Piece {
     std::uint64_t at;
     std::uint32_t points, triangles, labels;
+    bool is_elsewhere;
     std::vector<std::string> names;  // until labels have numbers
     std::vector<std::uint32_t> numbers;
   };

@@ -16,6 +16,7 @@
 #include "dupin/io/stl.h"
 #include "dupin/kernel/error.h"
 #include "files/descriptor.h"
+#include "files/placed_file.h"
 #include "formats/stl_binary.h"
 #include "text/little_endian.h"
 #include "text/mesh_text.h"
@@ -80,18 +81,18 @@ bool is_taken_for_stl(std::string_view start, std::uint64_t size, const std::str
 
 }  // namespace
 
-StlStream::StlStream(const std::filesystem::path& path) : shown_(path.string()), file_(path) {
-  file_.append(std::string(kStlPreamble, '\0'));
-}
+StlStream::StlStream(const std::filesystem::path& path, const Processes* processes)
+    : shown_(path.string()), file_(std::make_unique<files::PlacedFile>(path, processes)) {}
+
+StlStream::~StlStream() = default;
 
 void StlStream::append(const MeshPiece& piece, std::size_t) {
-  const std::uint64_t count = piece.bytes.size() / kStlFacet;
+  const std::uint64_t count = piece.triangles;
   if (triangles_ + count > std::numeric_limits<std::uint32_t>::max()) {
     throw Error(Errc::limit_exceeded, "binary STL holds at most 4294967295 triangles", {}, shown_);
   }
-  file_.append(piece.bytes);
-  if (!file_.holds_at(kStlPreamble + kStlFacet * triangles_, piece.bytes)) {
-    throw Error(Errc::io_failed, "what was written is not what is read back", {}, shown_);
+  if (!piece.is_elsewhere) {
+    file_->write(kStlPreamble + kStlFacet * triangles_, piece.bytes);
   }
   triangles_ += count;
   // The header has a name if all facets have it.
@@ -107,11 +108,7 @@ void StlStream::commit(const MeshHeader& header, const Normals&) {
   const std::string preamble =
       formats::stl_binary_preamble(names_.size() == 1 ? names_.front() : std::string(), header,
                                    static_cast<std::uint32_t>(triangles_));
-  file_.replace(0, preamble);
-  if (!file_.holds_at(0, preamble)) {
-    throw Error(Errc::io_failed, "what was written is not what is read back", {}, shown_);
-  }
-  file_.commit();
+  file_->commit(preamble);
 }
 
 StlFile::StlFile(const std::filesystem::path& path)

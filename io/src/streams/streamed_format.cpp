@@ -22,26 +22,26 @@ bool is_streamed(const MeshFormat& format) {
 
 MeshPiece mesh_piece(const Rounded& solid, const MeshFormat& format, std::string_view file) {
   if (format == kPvtu) {  // compared as it is written
-    return {streams::piece_bytes(solid.mesh()), solid.mesh().names};
+    return streams::spilled_piece(solid.mesh());
   }
   std::string bytes = verified_bytes(file, solid, format);
+  MeshPiece piece = streams::spilled_piece(solid.mesh());
   if (format == kStlBinary) {
     bytes.erase(0, formats::kStlPreamble);
-  } else {
-    bytes = streams::piece_bytes(solid.mesh());
+    piece.bytes = std::move(bytes);
   }
-  return {std::move(bytes), solid.mesh().names};
+  return piece;
 }
 
-std::unique_ptr<MeshStream> mesh_stream(const std::filesystem::path& path,
-                                        const MeshFormat& format) {
+std::unique_ptr<MeshStream> mesh_stream(const std::filesystem::path& path, const MeshFormat& format,
+                                        const Processes* processes) {
   if (format == kPlyBinary) {
-    return std::make_unique<streams::PlyStream>(path);
+    return std::make_unique<streams::PlyStream>(path, processes);
   }
   if (format == kPvtu) {
-    return std::make_unique<streams::PvtuStream>(path);
+    return std::make_unique<streams::PvtuStream>(path, processes);
   }
-  return std::make_unique<StlStream>(path);
+  return std::make_unique<StlStream>(path, processes);
 }
 
 }  // namespace dupin

@@ -236,6 +236,31 @@ TEST(CostLimit, counts_fillets_and_the_faces_beside_them) {
   EXPECT_EQ(refusal(document({"0.001", tee("-150"), false})), "");
 }
 
+TEST(CostLimit, counts_crossings_but_not_where_parts_are_joined) {
+  const auto crossings = [](const std::string& parts) {
+    const Assembly assembly = document({"0.05", parts, false});
+    const ResolvedAssembly resolved = resolve(assembly);
+    return expected_crossings(assembly, resolved, welded_runs(resolved),
+                              lattice_spacing(assembly, resolved));
+  };
+  const auto pipe = [](const std::string& name, const std::string& from, const std::string& to) {
+    return R"({"name": ")" + name + R"(", "pipe": {"from": )" + from + R"(, "to": )" + to +
+           R"(, "radius": 30}})";
+  };
+  const std::string a = pipe("a", "[-200,0,0]", "[200,0,0]"),
+                    b = pipe("b", "[0,-200,0]", "[0,200,0]");
+  EXPECT_EQ(crossings(a), 0);
+  EXPECT_EQ(crossings(a + "," + pipe("b", "[0,-200,61]", "[0,200,61]")), 0) << "they do not touch";
+  EXPECT_EQ(crossings(a + "," + R"({"name": "b", "pipe": {"from": "a.end", "length": 100}})"), 0);
+  EXPECT_EQ(crossings(tee("-150")), 0) << "there is a fillet";
+  const double one = crossings(a + "," + b);
+  EXPECT_EQ(crossings(a + "," + b + "," + pipe("c", "[100,-200,0]", "[100,200,0]")), 2 * one);
+  const Assembly cross = document({"0.05", a + "," + b, false});
+  const auto made = double(build(cross).solid.triangles().size());
+  EXPECT_GT(one, made / 2);
+  EXPECT_LT(one, made * 2);
+}
+
 TEST(CostLimit, names_the_part_that_asks_for_most) {
   const Assembly assembly = document({"1e-6", elbow("3"), true});
   try {

@@ -34,7 +34,7 @@ DistrictResult sample() {
   result.output.report.rounding.thin_shells = {{Vec3(4, 5, 6), .5, .25}};
   result.output.report.contacts = {{Contact::Kind::edge, Vec3(1, 0, 0), Vec3(2, 0, 0), {"a", "b"}}};
   result.output.report.settled = ContactSettlement{"separate", .125, result.output.report.contacts};
-  result.output.piece = {std::string(100, 'x'), {"a", "b"}};
+  result.output.piece = {std::string(100, 'x'), {"a", "b"}, 5, 6, 7};
   return result;
 }
 
@@ -58,6 +58,9 @@ TEST(DistrictResult, is_read_as_it_was_written) {
   EXPECT_EQ(read->output.report.settled->policy, "separate");
   EXPECT_EQ(read->output.report.settled->contacts.at(0).to, Vec3(2, 0, 0));
   EXPECT_EQ(read->output.piece.bytes, given.output.piece.bytes);
+  EXPECT_EQ(read->output.piece.points, 5);
+  EXPECT_EQ(read->output.piece.triangles, 6);
+  EXPECT_EQ(read->output.piece.labels, 7);
   EXPECT_EQ(read->output.piece.names, given.output.piece.names);
   EXPECT_EQ(bytes_of(*read, {3, 17, 40}), bytes);
 }

@@ -11,7 +11,7 @@ import sys
 import tempfile
 import time
 
-KILLS = 6
+KILLS = 20
 
 
 def plant(lines):

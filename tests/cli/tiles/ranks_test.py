@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds shared among processes by mpirun: the same bytes for all numbers of them, and nothing left where one fails.
+"""Work shared among processes by mpirun: the same bytes for all numbers of them, and nothing left where one fails.
 
 Usage: ranks_test.py TOOL. Skipped (77) where mpirun cannot start two processes.
 """
@@ -7,9 +7,11 @@ import json
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import xml.etree.ElementTree
 
 MPIRUN = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none"]
@@ -27,9 +29,9 @@ def plant(lines, wall=None):
     return {"units": "mm", "tolerance": 0.5, "parts": parts}
 
 
-def run(tool, folder, ranks, *arguments):
-    command = [tool, "--json", "build", *arguments]
-    return subprocess.run((MPIRUN + ["-np", str(ranks)] if ranks else []) + command, cwd=folder, capture_output=True,
+def run(tool, folder, ranks, *arguments, command="build"):
+    job = [tool, "--json", command, *arguments]
+    return subprocess.run((MPIRUN + ["-np", str(ranks)] if ranks else []) + job, cwd=folder, capture_output=True,
                           text=True, timeout=300, check=False)
 
 
@@ -60,9 +62,10 @@ def check_new_caches(tool, folder):
 def check_formats(tool, folder):
     """The bytes of PLY, and a file of VTK for each rank."""
     assert run(tool, folder, 0, "plant.json", "-o", "whole.ply").returncode == 0
-    shared = run(tool, folder, 2, "plant.json", "-o", "shared.ply")
-    assert shared.returncode == 0, shared.stderr
-    assert (folder / "shared.ply").read_bytes() == (folder / "whole.ply").read_bytes()
+    for ranks in [1, 2, 4]:
+        shared = run(tool, folder, ranks, "plant.json", "-o", "shared.ply", *(["--tiles", "3"] if ranks == 4 else []))
+        assert shared.returncode == 0, shared.stderr
+        assert (folder / "shared.ply").read_bytes() == (folder / "whole.ply").read_bytes(), ranks
     listed = run(tool, folder, 3, "plant.json", "-o", "listed.pvtu", "--cache", "kept")
     assert listed.returncode == 0, listed.stderr
     files = sorted(path.name for path in folder.glob("listed*"))
@@ -77,18 +80,124 @@ def check_formats(tool, folder):
         path.unlink()
 
 
+def check_union(tool, folder):
+    """Operands are shared out, and read by the rank that needs them."""
+    operands = []
+    for part in plant(6)["parts"]:
+        operands.append(part["name"] + ".stl")
+        document = {"units": "mm", "tolerance": 0.5, "parts": [part]}
+        (folder / "operand.json").write_text(json.dumps(document), encoding="utf-8")
+        assert run(tool, folder, 0, "operand.json", "-o", operands[-1]).returncode == 0
+    for suffix in ["stl", "ply"]:
+        whole = run(tool, folder, 0, *operands, "-o", f"union.{suffix}", command="union")
+        assert whole.returncode == 0, whole.stderr
+        for ranks in [1, 2, 4]:
+            for more in [[], ["--tiles", "3"], ["--repair"]]:
+                shared = run(tool, folder, ranks, *operands, "-o", f"shared.{suffix}", *more, command="union")
+                assert shared.returncode == 0, shared.stderr
+                assert (folder / f"shared.{suffix}").read_bytes() == (folder / f"union.{suffix}").read_bytes(), ranks
+                report, expected = json.loads(shared.stdout), json.loads(whole.stdout)  # one, by the first rank
+                assert report["check"]["triangles"] == expected["check"]["triangles"]
+                assert not more == ["--repair"] or len(report.get("repairs", [])) in (0, len(operands)), report
+    (folder / operands[3]).write_bytes((folder / operands[3]).read_bytes()[:-7])
+    for path in folder.glob("shared.*"):
+        path.unlink()
+    damaged = run(tool, folder, 2, *operands, "-o", "shared.stl", command="union")
+    assert damaged.returncode == 3 and operands[3] in damaged.stderr, damaged.stderr
+    assert damaged.stderr.count('"where"') == 1, damaged.stderr
+    for path in [folder / "operand.json", *folder.glob("union.*"), *map(folder.joinpath, operands)]:
+        path.unlink()
+
+
+LEFT = ["bad.json", "kept", "plant.json", "whole.stl"]
+
+
+def left(folder):
+    """What is there, a while after the processes have been ended."""
+    for _ in range(50):
+        found = sorted(path.name for path in folder.iterdir())
+        if found == LEFT:
+            break
+        time.sleep(0.1)
+    return found
+
+
 def check_failure(tool, folder):
     """A part that only one rank builds is refused."""
     (folder / "bad.json").write_text(json.dumps(plant(5, wall=120)), encoding="utf-8")
-    failed = run(tool, folder, 2, "bad.json", "-o", "bad.stl")
-    assert failed.returncode != 0
-    assert "branch4" in failed.stderr, failed.stderr
-    left = sorted(path.name for path in folder.iterdir())
-    assert left == ["bad.json", "kept", "plant.json", "whole.stl"], left
-    usage = run(tool, folder, 2, "plant.json", "-o", "a.off")
-    assert usage.returncode == 2 and "binary STL" in usage.stderr, usage.stderr
-    piped = run(tool, folder, 2, "-", "-o", "a.stl")
-    assert piped.returncode == 2 and "standard input" in piped.stderr, piped.stderr
+    for suffix in ["stl", "ply", "pvtu"]:
+        failed = run(tool, folder, 2, "bad.json", "-o", f"bad.{suffix}")
+        assert failed.returncode == 4, failed.returncode
+        assert "branch4" in failed.stderr, failed.stderr
+        assert left(folder) == LEFT, left(folder)
+
+
+def check_errors_of_all(tool, folder):
+    """What all ranks find wrong alike, one of them says."""
+    for arguments, code, words in [(["plant.json", "-o", "a.off"], 2, "binary STL"),
+                                   (["-", "-o", "a.stl"], 2, "standard input"),
+                                   (["none.json", "-o", "a.stl"], 3, "none.json"),
+                                   (["plant.json", "-o", "a.stl", "--memory", "1kB"], 3, "--memory more")]:
+        failed = run(tool, folder, 2, *arguments)
+        assert failed.returncode == code and words in failed.stderr, failed.stderr
+        assert failed.stderr.count('"where"') == 1, failed.stderr
+    for command in [["check", "whole.stl"], ["info", "plant.json"], ["intersect", "whole.stl", "whole.stl", "-o", "a.stl"]]:
+        failed = subprocess.run([*MPIRUN, "-np", "2", tool, *command], cwd=folder, capture_output=True, text=True,
+                                timeout=60, check=False)
+        assert failed.returncode == 2 and failed.stderr.count(f"run {command[0]} without it") == 1, failed.stderr
+    assert left(folder) == LEFT, left(folder)
+
+
+def check_disk(tool, folder):
+    """One rank may write only the beginning of the file; and MPI that cannot open it."""
+    for limited in [0, 1]:
+        for suffix in ["stl", "ply", "pvtu"]:
+            command = [tool, "build", "plant.json", "-o", f"large.{suffix}", "--tolerance", "0.05", "--quiet"]
+            job = MPIRUN + ["--mca", "btl", "self,tcp"]  # whose shared memory is a file, too
+            for rank in range(2):
+                script = ["sh", "-c", 'ulimit -f 200; exec "$@"', "sh"] if rank == limited else []
+                job += ["-np", "1", *script, *command, *([":"] if rank == 0 else [])]
+            full = subprocess.run(job, cwd=folder, capture_output=True, text=True, timeout=300, check=False)
+            assert full.returncode == 5 and "File too large" in full.stderr, full.stderr
+            assert left(folder) == LEFT, left(folder)
+    none = subprocess.run([*MPIRUN, "--mca", "io", "none", "-np", "2", tool, "build", "plant.json", "-o", "a.stl"],
+                          cwd=folder, capture_output=True, text=True, timeout=300, check=False)
+    assert none.returncode == 5 and "MPI cannot open the file" in none.stderr, none.stderr
+    assert left(folder) == LEFT, left(folder)
+
+
+def ranks_of(job):
+    """The processes of the tool that mpirun has started."""
+    found = []
+    for status in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            name, rest = status.read_text(encoding="utf-8").rsplit(")", 1)
+        except OSError:
+            continue
+        if int(rest.split()[1]) == job and "(dupin" in name:
+            found.append(int(status.parent.name))
+    return sorted(found)
+
+
+def check_killed(tool, folder):
+    """Either rank is killed while the file grows."""
+    for number, suffix in enumerate(["stl", "ply", "pvtu"] * 2):
+        arguments = [tool, "build", "plant.json", "-o", f"killed.{suffix}", "--tolerance", "0.005", "--quiet"]
+        with subprocess.Popen([*MPIRUN, "-np", "2", *arguments, "--tiles", "6"], cwd=folder,
+                              stderr=subprocess.DEVNULL) as job:
+            while job.poll() is None and not list(folder.glob(".dupin-*")):
+                time.sleep(0.01)
+            ranks = ranks_of(job.pid)
+            assert len(ranks) == 2, "ended before it was killed"
+            time.sleep(0.1)  # until the other one knows of the file
+            os.kill(ranks[number % 2], signal.SIGKILL)
+            try:
+                assert job.wait(60) != 0
+            except subprocess.TimeoutExpired:  # PMIx 4.2's server can hang when it ends
+                assert not [rank for rank in ranks_of(job.pid)
+                            if pathlib.Path(f"/proc/{rank}/cmdline").read_bytes()]
+                job.kill()
+        assert left(folder) == LEFT, left(folder)
 
 
 def has_mpirun():
@@ -106,7 +215,11 @@ def main():
         check_bytes(tool, folder)
         check_new_caches(tool, folder)
         check_formats(tool, folder)
+        check_union(tool, folder)
         check_failure(tool, folder)
+        check_errors_of_all(tool, folder)
+        check_disk(tool, folder)
+        check_killed(tool, folder)
 
 
 if __name__ == "__main__":

@@ -19,7 +19,8 @@ Eigen::AlignedBox3d cube(double x) { return {Vec3(x, 0, 0), Vec3(x + 1, 1, 1)}; 
 TEST(TileOptions, tiles_are_as_many_as_asked_for_and_as_there_are) {
   const std::vector<Boxes> boxes(5, Boxes{cube(0)});
   const auto ends = [&](std::size_t tiles) {
-    return ends_of_tiles({.tiles = tiles}, {.districts = boxes, .triangles = {}, .source = ""});
+    return ends_of_tiles({.tiles = tiles},
+                         {.districts = boxes, .triangles = {}, .bytes = {}, .source = ""});
   };
   EXPECT_THAT(ends(1), ElementsAre(5));
   EXPECT_THAT(ends(2), ElementsAre(2, 5));
@@ -31,7 +32,9 @@ TEST(TileOptions, tiles_are_as_many_as_asked_for_and_as_there_are) {
 TEST(TileOptions, memory_holds_every_tile) {
   const std::vector<Boxes> boxes{{cube(0)}, {cube(2)}, {cube(4)}, {cube(6)}};
   const std::vector<double> triangles{1000, 1000, 2500, 500};
-  const Divided divided{.districts = boxes, .triangles = triangles, .source = "plant"};
+  const std::vector<double> bytes{4e5, 4e5, 9.912e5, 2e5};
+  const Divided divided{
+      .districts = boxes, .triangles = triangles, .bytes = bytes, .source = "plant"};
   EXPECT_THAT(ends_of_tiles({.memory = "1MB"}, divided), ElementsAre(2, 3, 4));
   EXPECT_THAT(ends_of_tiles({.memory = "1GB"}, divided), ElementsAre(4));
   try {
@@ -40,6 +43,9 @@ TEST(TileOptions, memory_holds_every_tile) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Errc::limit_exceeded);
     EXPECT_THAT(error.what(), HasSubstr("(4.5, 0.5, 0.5) has about 2.5e+03 triangles"));
+    // What it asks for does.
+    EXPECT_THAT(error.what(), HasSubstr("which need 1 MB;"));
+    EXPECT_NO_THROW((void)ends_of_tiles({.memory = "1MB"}, divided));
     EXPECT_EQ(error.where(), "plant");
   }
 }

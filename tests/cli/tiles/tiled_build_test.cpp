@@ -48,7 +48,7 @@ TEST_F(TiledBuild, gives_the_same_bytes_for_all_numbers_of_tiles) {
     for (const std::string tiles : {"1", "3", "8", "64"}) {
       EXPECT_TRUE(build({"--tiles", tiles}) == whole) << region << " " << tiles;
     }
-    EXPECT_TRUE(build({"--memory", "1MB"}) == whole) << region;
+    EXPECT_TRUE(build({"--memory", "2MB"}) == whole) << region;
     EXPECT_EQ(shell("taskset -cp 0 $BASHPID > /dev/null; dupin build plant.json -o out.stl --quiet "
                     "--tiles 5 --wall 8mm "
                     "--region " +
@@ -237,6 +237,40 @@ TEST_F(TiledBuild, keeps_nothing_where_other_things_are) {
   const ProcessResult file =
       dupin({"build", "plant.json", "-o", "out.stl", "--cache", "plant.json/kept"});
   EXPECT_EQ(file.exit_code, 5);
+}
+
+// Nearly all triangles of a rack are where pipes cross.
+TEST_F(TiledBuild, refuses_crossings_that_do_not_fit_into_memory) {
+  std::string parts;
+  for (int i = 0; i < 6; ++i) {
+    const auto pipe = [&](const std::string& name, const std::string& from, const std::string& to) {
+      parts += (parts.empty() ? "" : ",") + std::string(R"({"name": ")") + name +
+               std::to_string(i) + R"(", "pipe": {"radius": 30, "from": [)" + from +
+               R"(], "to": [)" + to + "]}}";
+    };
+    const std::string at = std::to_string(100 * i);
+    pipe("a", "0," + at + ",0", "600," + at + ",3");
+    pipe("b", at + ",-50,0", at + ",550,2");
+  }
+  folder_.write("rack.json", R"({"units": "mm", "tolerance": 0.05, "parts": [)" + parts + "]}");
+  const auto needed = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"build", "rack.json", "-o", "out.stl", "--memory", "1MB"});
+    const ProcessResult result = dupin(more);
+    EXPECT_EQ(result.exit_code, 3) << result.err;
+    const std::size_t place = result.err.find("has about ");
+    EXPECT_NE(place, std::string::npos) << result.err;
+    return std::stod(result.err.substr(place + 10));
+  };
+  const auto triangles = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"build", "rack.json", "-o", "out.stl", "--memory", "100MB"});
+    return json(more, 0).at("output").at("check").at("triangles").get<double>();
+  };
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>(), std::vector<std::string>{"--wall", "5"}}) {
+    const double made = triangles(more), expected = needed(more);
+    EXPECT_GT(expected, .9 * made);
+    EXPECT_LT(expected, (more.empty() ? 2 : 4) * made);
+  }
 }
 
 TEST_F(TiledBuild, refuses_what_does_not_fit_into_memory) {

@@ -11,7 +11,7 @@ TEST(SpilledMeshes, give_back_what_they_were_given_with_the_labels_of_the_whole)
     const test::Pieces all(names, Coordinates::binary64);
     SpilledMeshes spilled;
     for (const Rounded& piece : all.rounded) {
-      spilled.append({piece_bytes(piece.mesh()), piece.mesh().names});
+      spilled.append(spilled_piece(piece.mesh()));
     }
     spilled.number_labels();
     const TriMesh whole = all.all();

@@ -1,6 +1,7 @@
 #include "dupin/io/streamed_format.h"
 
 #include <algorithm>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 #include "dupin/kernel/error.h"
 #include "io/streams/pieces.h"
 #include "support/scratch_directory.h"
+#include "support/thread_processes.h"
 
 namespace dupin::test {
 namespace {
@@ -36,6 +38,53 @@ TEST_F(MeshStreams, give_the_bytes_of_their_writers) {
       stream->commit(header, {});
       EXPECT_TRUE(read_file(path("out")) == mesh_bytes(all.all(), format, header)) << format.key;
       std::filesystem::remove(path("out"));
+    }
+  }
+}
+
+// Each writes the pieces it has, in their places.
+TEST_F(MeshStreams, give_the_same_bytes_by_several_processes) {
+  const MeshHeader header{"mm", "a note", "name", {{"a", "#102030"}}};
+  const MeshStream::Normals normals = [](const TriMesh& mesh) {
+    CornerNormals result;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const Direction own{0, 0, i % 3 == 0 ? 1.F : -1.F};  // some points are copied
+      result.push_back({own, own, own});
+    }
+    return result;
+  };
+  for (const MeshFormat& format : {kStlBinary, kPlyBinary, kPvtu}) {
+    for (const std::vector<std::string>& names : kCompanies) {
+      const Pieces all(names, format.coordinates);
+      const auto written = [&](std::size_t count, const MeshStream::Normals& of_piece) {
+        ThreadProcesses::run(count, [&](const Processes& processes) {
+          const auto stream = mesh_stream(path("out.x"), format, &processes);
+          for (std::size_t i = 0; i < names.size(); ++i) {
+            MeshPiece piece = mesh_piece(all.rounded[i], format, "out.x");
+            piece.is_elsewhere = i % count != processes.own();
+            piece.bytes = piece.is_elsewhere ? "" : piece.bytes;
+            stream->append(piece, format == kPvtu ? i % count : 0);
+          }
+          stream->commit(header, of_piece);
+        });
+        std::map<std::string, std::string> files;
+        for (const auto& file : std::filesystem::directory_iterator(directory())) {
+          files[file.path().filename().string()] = read_file(file.path());
+          std::filesystem::remove(file.path());
+        }
+        return files;
+      };
+      const auto alone = written(1, {});
+      EXPECT_EQ(alone.size(), format == kPvtu ? 2 : 1);
+      for (const std::size_t count : {2, 3}) {
+        const auto together = written(count, {});
+        if (format == kPvtu) {
+          EXPECT_EQ(together.size(), 1 + std::clamp<std::size_t>(names.size(), 1, count));
+        } else {
+          EXPECT_TRUE(together == alone) << format.key << " " << count;
+          EXPECT_TRUE(written(count, normals) == written(1, normals)) << format.key << count;
+        }
+      }
     }
   }
 }

@@ -188,9 +188,16 @@ Assembly DistrictBuild::document(std::size_t district) const {
 double DistrictBuild::expected_triangles(std::size_t district) const {
   const assembly::District own =
       assembly::district(plan_->assembly, plan_->resolved, plan_->districts.at(district));
-  return assembly::expected_triangles(own.assembly, own.resolved,
-                                      assembly::welded_runs(own.resolved),
-                                      assembly::lattice_spacing(own.assembly, own.resolved));
+  const std::vector<assembly::WeldedRun> runs = assembly::welded_runs(own.resolved);
+  const double grid = assembly::lattice_spacing(own.assembly, own.resolved);
+  const double surface = assembly::expected_triangles(own.assembly, own.resolved, runs, grid),
+               crossings = assembly::expected_crossings(own.assembly, own.resolved, runs, grid);
+  const auto walls = assembly::walls_of(own.assembly, own.resolved, plan_->options.region);
+  const bool has_bores = walls && std::ranges::any_of(*walls, [](double wall) { return wall > 0; });
+  // These, and what is insulated, have about as many triangles as what is around them, and cross
+  // that of others, too.
+  return has_bores || plan_->options.region == Region::insulation ? 2 * surface + 4 * crossings
+                                                                  : surface + crossings;
 }
 
 Built DistrictBuild::build(std::size_t district, const Progress& progress) const {

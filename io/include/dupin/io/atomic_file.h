@@ -10,6 +10,11 @@ namespace dupin {
 /// All bytes of a file. Throws Error{io_failed} with the system's reason.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);
 
+/// Where a file is aside.
+struct AsidePath {
+  std::filesystem::path path;
+};
+
 /// A file that is written aside, in the directory of its target, and takes the target's place in
 /// one step: whoever looks, at any moment, finds the old file or the whole new one. Without
 /// `commit` the destructor removes it and the target stays untouched.
@@ -22,7 +27,10 @@ class AsideFile {
  public:
   AsideFile(const std::filesystem::path& target, std::string_view bytes);
   /// Empty yet.
-  explicit AsideFile(const std::filesystem::path& target) : AsideFile(target, {}) {}
+  explicit AsideFile(const std::filesystem::path& target) : AsideFile(target, std::string_view()) {}
+  /// One that another process has made for this target, and looks after as this one does: whichever
+  /// ends early removes it, and only one commits. It is gone for the others then.
+  AsideFile(const std::filesystem::path& target, const AsidePath& made);
   ~AsideFile();
   AsideFile(const AsideFile&) = delete;
   AsideFile& operator=(const AsideFile&) = delete;
@@ -37,11 +45,12 @@ class AsideFile {
   void append(std::string_view bytes);
   /// Puts bytes in the place of some that are there.
   void replace(std::uint64_t at, std::string_view bytes);
+  /// What was written is on the disk, as commit() makes sure, too.
+  void sync();
   void commit();
 
  private:
   void write(int flags, std::uint64_t at, std::string_view bytes);
-  void sync();
 
   std::filesystem::path target_;
   std::filesystem::path aside_;

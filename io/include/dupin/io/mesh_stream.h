@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,13 +14,18 @@ namespace dupin {
 
 /// The mesh of a solid on its way into a file of several.
 struct MeshPiece {
-  std::string bytes;               ///< as the streams of its format take them
-  std::vector<std::string> names;  ///< of labels
+  std::string bytes;                                    ///< as the streams of its format take them
+  std::vector<std::string> names;                       ///< of labels
+  std::uint32_t points = 0, triangles = 0, labels = 0;  ///< labels: one for each triangle, or none
+  /// Another process has the bytes, and writes them.
+  bool is_elsewhere = false;
 };
 
 /// A file of meshes that grows aside, in the memory that one of them needs. Its bytes are those
 /// that the format's writer gives for all of them joined (dupin/kernel/districts.h). What it is to
-/// hold behind others is in a ScratchFile meanwhile. All functions throw what AsideFile does.
+/// hold behind others is in a ScratchFile meanwhile. Several processes may write it: each makes the
+/// same calls, but has the bytes of some pieces only, and writes these. All functions throw what
+/// AsideFile does.
 class MeshStream {
  public:
   /// The normals of a piece's mesh, for formats that have some.

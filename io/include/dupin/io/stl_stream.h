@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "dupin/io/atomic_file.h"
 #include "dupin/io/mesh_stream.h"
+#include "dupin/io/processes.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/tiled_check.h"
 
@@ -18,12 +18,14 @@ namespace dupin {
 
 namespace files {
 class Descriptor;
-}
+class PlacedFile;
+}  // namespace files
 
 /// A binary STL, each piece of which is read back at once; the header is completed at the end.
 class StlStream : public MeshStream {
  public:
-  explicit StlStream(const std::filesystem::path& path);
+  explicit StlStream(const std::filesystem::path& path, const Processes* processes = nullptr);
+  ~StlStream() override;
 
   /// Throws Error{limit_exceeded} for 2^32 triangles and more.
   void append(const MeshPiece& piece, std::size_t file) override;
@@ -33,7 +35,7 @@ class StlStream : public MeshStream {
 
  private:
   std::string shown_;
-  AsideFile file_;
+  std::unique_ptr<files::PlacedFile> file_;
   std::uint64_t triangles_ = 0;
   std::vector<std::string> names_;  // of labels, at most two of them
 };

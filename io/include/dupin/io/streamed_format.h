@@ -6,6 +6,7 @@
 
 #include "dupin/io/mesh_format.h"
 #include "dupin/io/mesh_stream.h"
+#include "dupin/io/processes.h"
 #include "dupin/kernel/rounding.h"
 
 namespace dupin {
@@ -24,8 +25,10 @@ extern const MeshFormat kPvtu;
 
 /// `format` is streamed. Of kPvtu, `NAME.pvtu` lists `NAME_0.vtu` and so on, which have the
 /// triangles with the cell data of vtu_text(), labels being numbered alike in all; if a file cannot
-/// take its place, none is left.
+/// take its place, none is left. Several processes that write it make it all at once; files of
+/// kPvtu are written by the process that has their pieces.
 [[nodiscard]] std::unique_ptr<MeshStream> mesh_stream(const std::filesystem::path& path,
-                                                      const MeshFormat& format);
+                                                      const MeshFormat& format,
+                                                      const Processes* processes = nullptr);
 
 }  // namespace dupin

@@ -1,0 +1,107 @@
+#include "tiles/shared_tile.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
+
+namespace dupin::cli {
+namespace {
+
+using Size = std::uint64_t;
+
+std::string without_facets(DistrictResult& result, const std::vector<std::uint32_t>& parts) {
+  std::string facets = std::exchange(result.output.piece.bytes, {});
+  std::string bytes = bytes_of(result, parts);
+  result.output.piece.bytes = std::move(facets);
+  return bytes;
+}
+
+/// The results of one process, of the districts that it owns.
+void take(std::string_view bytes, std::size_t process, std::span<const std::size_t> owners,
+          const TileWork& work, std::vector<std::optional<DistrictResult>>& tile) {
+  for (std::size_t i = 0; i < tile.size(); ++i) {
+    if (owners[i] != process) {
+      continue;
+    }
+    Size size = 0;
+    std::optional<DistrictResult> result;
+    if (bytes.size() >= sizeof(size)) {
+      std::memcpy(&size, bytes.data(), sizeof(size));
+      bytes.remove_prefix(sizeof(size));
+      result = result_of(bytes.substr(0, size), work.parts(i));
+    }
+    if (!result) {
+      throw Error(Errc::internal,
+                  "internal error, please report it: another rank sent what cannot be read");
+    }
+    bytes.remove_prefix(size);
+    result->output.piece.is_elsewhere = true;
+    tile[i] = std::move(result);
+  }
+}
+
+}  // namespace
+
+std::vector<std::size_t> shared_out(std::span<const double> triangles, std::size_t processes) {
+  std::vector<std::size_t> order(triangles.size()), owners(triangles.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return triangles[i]; });
+  std::vector<double> load(processes, 0);
+  for (const std::size_t i : order) {
+    const auto least = std::ranges::min_element(load);
+    owners[i] = static_cast<std::size_t>(least - load.begin());
+    *least += triangles[i];
+  }
+  return owners;
+}
+
+std::vector<std::size_t> shared_out(std::span<const double> triangles,
+                                    std::span<const std::size_t> ends, std::size_t processes) {
+  std::vector<std::size_t> owners;
+  for (const std::size_t end : ends) {
+    const std::size_t begin = owners.size();
+    const auto tile = shared_out(triangles.subspan(begin, end - begin), processes);
+    owners.insert(owners.end(), tile.begin(), tile.end());
+  }
+  return owners;
+}
+
+std::vector<std::optional<DistrictResult>> shared_tile(std::span<const std::size_t> owners,
+                                                       const Processes& processes,
+                                                       const TileWork& work) {
+  std::vector<std::optional<DistrictResult>> tile(owners.size());
+  for_each_in_parallel(tile.size(), [&](std::size_t i) {
+    if (owners[i] == processes.own()) {
+      tile[i] = work.made(i);
+    }
+  });
+  if (processes.count() == 1) {
+    return tile;
+  }
+  std::string own;
+  for (std::size_t i = 0; i < tile.size(); ++i) {
+    if (tile[i]) {
+      const std::string bytes = without_facets(*tile[i], work.parts(i));
+      const Size size = bytes.size();
+      own.append(reinterpret_cast<const char*>(&size), sizeof(size));
+      own += bytes;
+    }
+  }
+  const std::vector<std::string> all = processes.exchanged(own);
+  for (std::size_t process = 0; process < all.size(); ++process) {
+    if (process != processes.own()) {
+      take(all[process], process, owners, work, tile);
+    }
+  }
+  return tile;
+}
+
+}  // namespace dupin::cli
