@@ -237,8 +237,8 @@ def test_patches(folder, region, output, open_ends):
     assert abs(area - output["check"]["area"]) < 1e-9 * area, (area, output["check"]["area"])
     assert len(listed["components"]) == output["check"]["components"]
     ends = [patch for patch in listed["patches"] if ".bore" not in patch["name"] and "." in patch["name"]]
-    if region == "fluid":
-        assert len(ends) == open_ends, (sorted(end["name"] for end in ends), open_ends)
+    assert len(ends) == open_ends, (sorted(end["name"] for end in ends), open_ends)
+    assert not [patch["name"] for patch in listed["patches"] if ".bore." in patch["name"]]
     for end in ends:
         assert abs(math.hypot(*end["vector_area"]) - end["area"]) < 1e-3 * end["area"], end
     data = (folder / (region + ".stl")).read_bytes()[84:]
