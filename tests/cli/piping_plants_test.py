@@ -238,7 +238,9 @@ def test_patches(folder, region, output, open_ends):
     assert len(listed["components"]) == output["check"]["components"]
     ends = [patch for patch in listed["patches"] if ".bore" not in patch["name"] and "." in patch["name"]]
     assert len(ends) == open_ends, (sorted(end["name"] for end in ends), open_ends)
-    assert not [patch["name"] for patch in listed["patches"] if ".bore." in patch["name"]]
+    least = 0.9 * math.pi * (min(SIZES.values()) / 2 - WALL) ** 2
+    for patch in listed["patches"]:  # where a blind closes a bore, and no slivers elsewhere
+        assert ".bore." not in patch["name"] or patch["area"] > least, patch
     for end in ends:
         assert abs(math.hypot(*end["vector_area"]) - end["area"]) < 1e-3 * end["area"], end
     data = (folder / (region + ".stl")).read_bytes()[84:]
