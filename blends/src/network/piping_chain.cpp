@@ -79,9 +79,11 @@ class ChainMaker {
     const Vec3 own = way(spans_, before), next = way(spans_, after);
     const Vec3 gap = begin_of(spans_, after).point - end_of(spans_, before).point;
     const bool is_beside_bend = is_leg(spans_, before) || is_leg(spans_, after);
+    const double overlap = std::max(-gap.dot(own) / own.norm(), 0.0);
     const auto has_room = [&](const ChainElement& element) {
       return !spans_.spans[element.span].is_eccentric &&
-             spans_.spans[element.span].length() > (is_beside_bend ? 4 : 2) * gap.norm();
+             spans_.spans[element.span].length() >
+                 (is_beside_bend ? 4 : 2) * std::max(overlap, snap_);
     };
     const bool is_between_bends = is_leg(spans_, before) && is_leg(spans_, after);
     return has_room(before) && has_room(after) && is_straight(own, next, snap_) &&

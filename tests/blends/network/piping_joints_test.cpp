@@ -151,6 +151,22 @@ TEST(PipingJoints, bridges_gaps_between_two_bends_by_a_pipe_where_there_is_room)
   }
 }
 
+TEST(PipingJoints, bridges_gaps_beside_parts_that_are_shorter_than_these) {
+  for (const double gap : {.2, 30.}) {
+    Line line;
+    line.bend({600, 0, 0}, {800, 0, 0}, {800, 200, 0});
+    line.pipe({800, 200 + gap, 0}, {800, 200.4 + gap, 0})
+        .pipe({800, 200.4 + 2 * gap, 0}, {800, 500, 0});
+    const PipingNetwork network = line.made({.bridge = 50});
+    EXPECT_EQ(kind(part(network, "c0").shape), "elbow") << gap;
+    for (const PipingJoint& joint : network.joints) {
+      ASSERT_EQ(joint.state, JointState::bridged) << gap;
+      EXPECT_EQ(kind(part(network, joint.part).shape), "pipe") << gap;
+    }
+    (void)solid(network);
+  }
+}
+
 // With straight pieces, as the bend's radius is shorter than its legs.
 TEST(PipingJoints, bridges_gaps_beside_the_straight_pieces_of_bends) {
   Line line;
