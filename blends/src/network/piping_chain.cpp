@@ -122,7 +122,7 @@ class ChainMaker {
       }
       for (const std::size_t k : {i, i + 1}) {
         auto& seam = links_.seams[k];
-        if (!seam || seam->kind == SeamKind::kink) {
+        if (!seam || seam->kind == SeamKind::kink || seam->kind == SeamKind::bridge) {
           seam = Seam{SeamKind::offset, {}, {}};
         }
       }
@@ -131,7 +131,22 @@ class ChainMaker {
 
   [[nodiscard]] bool may_be_offset(std::size_t i) const {
     const auto& seam = links_.seams[i];
-    return !seam || seam->kind == SeamKind::kink || seam->kind == SeamKind::end;
+    return !seam || seam->kind == SeamKind::kink || seam->kind == SeamKind::end ||
+           (seam->kind == SeamKind::bridge && is_beside_offset(i));
+  }
+
+  // Whether the gap before element i lies along the axis of the straight one of both, the other
+  // being eccentric: a pipe on that axis bridges it.
+  [[nodiscard]] bool is_beside_offset(std::size_t i) const {
+    const ChainElement &before = links_.elements[i - 1], &after = links_.elements[i];
+    const ChainElement& plain = spans_.spans[after.span].is_eccentric ? before : after;
+    const Span& span = spans_.spans[plain.span];
+    const Vec3 own = way(spans_, plain);
+    const Vec3 gap = begin_of(spans_, after).point - end_of(spans_, before).point;
+    const double overlap = std::max(-gap.dot(own) / own.norm(), 0.0);
+    return !is_leg(spans_, plain) && !span.is_eccentric &&
+           gap.cross(own).norm() <= snap_ * own.norm() &&
+           span.length() > 4 * std::max(overlap, snap_);
   }
 
   // Bends that a neighbour does not meet as it should.

@@ -180,6 +180,7 @@ class Planner {
       }
       result.push_back(own);
     }
+    bridge_offsets(k, result);
     if (ends_at_gap(k)) {
       close_gap_at_end(k, result);
     } else if (after && !result.empty() && result.back().radii[1] != after->radius) {
@@ -228,6 +229,31 @@ class Planner {
                            stretches.back().component == span(leg.elements.back()).component;
     return arc && !arc->is_left_out && leg.elements.size() > 1 && !has_piece &&
            is_gap_before(leg, leg.elements.size() - 1);
+  }
+
+  // Gaps to an eccentric part before or behind the leg, which begins or ends on its axis.
+  void bridge_offsets(std::size_t k, std::vector<Stretch>& stretches) {
+    const Leg& leg = chain_.legs[k];
+    if (leg.is_offset || stretches.empty()) {
+      return;
+    }
+    const auto gap = [&](const SpanEnd& end, SeamKind seam) -> std::optional<std::size_t> {
+      return seam == SeamKind::offset && end.joint &&
+                     spans_.pairs[*end.joint].distance > options_.snap
+                 ? end.joint
+                 : std::nullopt;
+    };
+    if (const auto joint = gap(end_of(spans_, leg.elements.back()), chain_.seams[k + 1].kind)) {
+      const SpanEnd& there = begin_of(spans_, chain_.legs[k + 1].elements.front());
+      Stretch& own = stretches.back();
+      stretches.push_back(bridge_beside(own, 1, level_of(leg, there), own.radii[1], *joint));
+    }
+    if (const auto joint = gap(begin_of(spans_, leg.elements.front()), chain_.seams[k].kind)) {
+      const SpanEnd& there = end_of(spans_, chain_.legs[k - 1].elements.back());
+      Stretch& own = stretches.front();
+      const Stretch made = bridge_beside(own, 0, level_of(leg, there), own.radii[0], *joint);
+      stretches.insert(stretches.begin(), made);
+    }
   }
 
   // By a bridge beside the arc, or, of a leg that has nothing else, between two arcs.

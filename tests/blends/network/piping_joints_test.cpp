@@ -167,6 +167,33 @@ TEST(PipingJoints, bridges_gaps_beside_parts_that_are_shorter_than_these) {
   }
 }
 
+TEST(PipingJoints, bridges_gaps_beside_eccentric_reducers_which_keep_their_flat_side) {
+  for (const double before : {-.2, 0., .3}) {
+    for (const double after : {-.3, 0., .2}) {
+      for (const bool is_reversed : {false, true}) {
+        Line line;
+        const Vec3 in(-before, 0, 0), out(150 + after, 0, -20), end(900, 0, -20);
+        line.pipe(is_reversed ? in : Vec3(-500, 0, 0), is_reversed ? Vec3(-500, 0, 0) : in);
+        line.pipe({0, 0, 0}, {150, 0, -20});
+        line.last().is_eccentric = true;
+        line.last().ports[1].radius = 30;
+        line.pipe(is_reversed ? end : out, is_reversed ? out : end, 30);
+        const PipingNetwork network = line.made({.bridge = 1});
+        EXPECT_EQ(notes(network), "");
+        EXPECT_EQ(kind(part(network, "c1").shape), "oblique") << before << " " << after;
+        for (const PipingJoint& joint : network.joints) {
+          ASSERT_EQ(joint.state, joint.distance > .05 ? JointState::bridged : JointState::met);
+          if (joint.state == JointState::bridged) {
+            EXPECT_EQ(kind(part(network, joint.part).shape), "pipe");
+          }
+        }
+        EXPECT_EQ(network.open_ends, 2);
+        (void)solid(network);
+      }
+    }
+  }
+}
+
 // With straight pieces, as the bend's radius is shorter than its legs.
 TEST(PipingJoints, bridges_gaps_beside_the_straight_pieces_of_bends) {
   Line line;
