@@ -237,11 +237,12 @@ class Borer {
   }
 
   void narrow(ResolvedPart& part) const {
-    part.name += suffix_;
+    const std::string inner = part.name + std::string(suffix_);
     for (const End end : {End::start, End::end}) {
-      part.end_names.at(at(end)) =
-          part.is_closed.at(at(end)) ? part.name : to_string({part.name, end});
+      const bool is_none = part.is_closed.at(at(end)) || part.end_names.at(at(end)) == part.name;
+      part.end_names.at(at(end)) = is_none ? inner : to_string({inner, end});
     }
+    part.name = inner;
     if (const PartKind& kind = part_kind(assembly_.parts[part.index].shape); kind.bore != nullptr) {
       part.shape = kind.bore(outer_shape(assembly_, part.index), part.shape, walls_[part.index]);
     } else if (!part.ends_in_hub) {
@@ -411,7 +412,6 @@ bool says_wall(const Assembly& assembly) {
          });
 }
 
-// The ends of solid parts.
 std::map<Vec3, EndIndex, numbers::PointOrder> solids_by_center(const ResolvedAssembly& outer,
                                                                const SelectedParts& solids) {
   std::map<Vec3, EndIndex, numbers::PointOrder> result;
@@ -551,12 +551,13 @@ void lengthen_out_of(SelectedParts& bore, const Assembly& assembly, const Resolv
       const Ring* ring = port_ring(part.shape, end);
       if (bore.position[i] && ring != nullptr && !part.joined.at(at(end)) &&
           !is_buried(outer, {i, end}) && !part.is_closed.at(at(end)) &&
+          part.end_names.at(at(end)) != part.name &&
           end_names.contains(part.end_names.at(at(end)))) {
         const auto gap = room.find(to_string({part.name, end}));
         const double reach = kReach * walls[part.index];
+        const double least = gap == room.end() ? reach : std::min(reach, gap->second);
         with_part_context(assembly, part.index, [&] {
-          lengthen(bore.resolved, {*bore.position[i], end}, ring->center,
-                   gap == room.end() ? reach : std::min(reach, gap->second));
+          lengthen(bore.resolved, {*bore.position[i], end}, ring->center, least);
         });
       }
     }

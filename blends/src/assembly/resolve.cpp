@@ -359,8 +359,7 @@ class Resolver {
       for (const auto end : {End::start, End::end}) {
         const EndState& state = ends_[i].at(at(end));
         resolved.joined.at(at(end)) = state.joined;
-        resolved.end_names.at(at(end)) =
-            state.cap.empty() ? to_string({part.name, end}) : state.cap;
+        resolved.end_names.at(at(end)) = end_name(part.name, end, state.cap);
       }
       if (its_kind.bore != nullptr && resolved.is_closed[1]) {
         resolved.end_names[1] = part.name;  // a head's tip is a point of it
@@ -384,6 +383,16 @@ class Resolver {
       }
     }
     return result;
+  }
+
+  // One that is called as its part is no end to open.
+  [[nodiscard]] std::string end_name(const std::string& part, End end,
+                                     const std::string& cap) const {
+    const std::string own = to_string({part, end});
+    const auto other = assembly_.patches.find(own);
+    return !cap.empty()                                                ? cap
+           : other != assembly_.patches.end() && other->second == part ? part
+                                                                       : own;
   }
 
   void append_junction(std::uint32_t part, const std::vector<std::uint32_t>& position,
@@ -509,7 +518,8 @@ std::vector<Port> ports(const ResolvedAssembly& assembly) {
     for (const End end : {End::start, End::end}) {
       const Ring* ring = port_ring(part.shape, end);
       const EndIndex index{std::uint32_t(&part - assembly.parts.data()), end};
-      if (ring != nullptr && !is_buried(assembly, index) && !part.is_closed.at(at(end))) {
+      if (ring != nullptr && !is_buried(assembly, index) && !part.is_closed.at(at(end)) &&
+          part.end_names.at(at(end)) != part.name) {
         result.push_back({to_string({part.name, end}), *ring, part.name});
       }
     }

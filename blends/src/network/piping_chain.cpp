@@ -10,6 +10,9 @@ namespace {
 // Of a leg of a bend: the pipe that stands in for a neighbour that the bend does not have.
 constexpr double kStub = 0.1;
 
+// Of the snap tolerance, by which either bend's tangent may be longer than its leg.
+constexpr double kPipeBetweenBends = 3;
+
 Vec3 way(const PipingSpans& spans, const ChainElement& element) {
   return end_of(spans, element).point - begin_of(spans, element).point;
 }
@@ -69,16 +72,25 @@ class ChainMaker {
     return std::nullopt;
   }
 
-  // Whether the ends lie apart along the axis that both straight parts have in common.
+  // Whether the ends lie apart along the axis that both have in common, straight parts or legs of
+  // bends. A bend gives nothing of its arc, so that the pipe beside it has to do alone what both
+  // do else, and two bends must leave room for a pipe.
   [[nodiscard]] bool is_along_axis(const ChainElement& before, const ChainElement& after) const {
     const Vec3 own = way(spans_, before), next = way(spans_, after);
     const Vec3 gap = begin_of(spans_, after).point - end_of(spans_, before).point;
-    const auto is_plain = [&](const ChainElement& element) {
-      return !is_leg(spans_, element) && !spans_.spans[element.span].is_eccentric &&
-             spans_.spans[element.span].length() > 2 * gap.norm();
+    const bool is_beside_bend = is_leg(spans_, before) || is_leg(spans_, after);
+    const double overlap = std::max(-gap.dot(own) / own.norm(), 0.0);
+    const auto has_room = [&](const ChainElement& element) {
+      return !spans_.spans[element.span].is_eccentric &&
+             spans_.spans[element.span].length() >
+                 (is_beside_bend ? 4 : 2) * std::max(overlap, snap_);
     };
-    return is_plain(before) && is_plain(after) && is_straight(own, next, snap_) &&
-           gap.cross(own).norm() <= snap_ * own.norm();
+    const bool is_between_bends = is_leg(spans_, before) && is_leg(spans_, after);
+    return has_room(before) && has_room(after) && is_straight(own, next, snap_) &&
+           gap.cross(own).norm() <= snap_ * own.norm() &&
+           (!is_between_bends ||
+            (gap.dot(own) > kPipeBetweenBends * snap_ * own.norm() &&
+             spans_.spans[before.span].radii[0] == spans_.spans[after.span].radii[0]));
   }
 
   // A bend whose ends have different bores is no arc of one pipe.
@@ -110,7 +122,7 @@ class ChainMaker {
       }
       for (const std::size_t k : {i, i + 1}) {
         auto& seam = links_.seams[k];
-        if (!seam || seam->kind == SeamKind::kink) {
+        if (!seam || seam->kind == SeamKind::kink || seam->kind == SeamKind::bridge) {
           seam = Seam{SeamKind::offset, {}, {}};
         }
       }
@@ -119,7 +131,22 @@ class ChainMaker {
 
   [[nodiscard]] bool may_be_offset(std::size_t i) const {
     const auto& seam = links_.seams[i];
-    return !seam || seam->kind == SeamKind::kink || seam->kind == SeamKind::end;
+    return !seam || seam->kind == SeamKind::kink || seam->kind == SeamKind::end ||
+           (seam->kind == SeamKind::bridge && is_beside_offset(i));
+  }
+
+  // Whether the gap before element i lies along the axis of the straight one of both, the other
+  // being eccentric: a pipe on that axis bridges it.
+  [[nodiscard]] bool is_beside_offset(std::size_t i) const {
+    const ChainElement &before = links_.elements[i - 1], &after = links_.elements[i];
+    const ChainElement& plain = spans_.spans[after.span].is_eccentric ? before : after;
+    const Span& span = spans_.spans[plain.span];
+    const Vec3 own = way(spans_, plain);
+    const Vec3 gap = begin_of(spans_, after).point - end_of(spans_, before).point;
+    const double overlap = std::max(-gap.dot(own) / own.norm(), 0.0);
+    return !is_leg(spans_, plain) && !span.is_eccentric &&
+           gap.cross(own).norm() <= snap_ * own.norm() &&
+           span.length() > 4 * std::max(overlap, snap_);
   }
 
   // Bends that a neighbour does not meet as it should.

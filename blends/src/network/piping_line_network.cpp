@@ -95,7 +95,9 @@ std::size_t count_open(const network::PipingSpans& spans,
   std::size_t count = 0;
   for (const network::Span& span : spans.spans) {
     for (const network::SpanEnd& end : span.ends) {
-      count += end.port && !end.joint && !end.is_in_run && !span.is_solid && !is_missed[*end.port];
+      const bool is_end =
+          end.port ? !end.joint && !is_missed[*end.port] : span.role == network::SpanRole::straight;
+      count += is_end && !end.is_hidden && !span.is_solid;
     }
   }
   return count;

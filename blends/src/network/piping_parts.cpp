@@ -29,6 +29,12 @@ void put(PipingNetwork& network, Part part, const PipingComponent& origin) {
   network.origins.push_back(origin.name);
 }
 
+// What is seen of an end that is none of the line is part of the wall. Of one inside of a part as
+// thick as its own, that is what the meshes' distance from the surfaces leaves outside.
+void hide(PipingNetwork& network, const PortReference& end) {
+  network.assembly.patches[to_string(end)] = end.part;
+}
+
 // Writes one chain's parts.
 class ChainParts {
  public:
@@ -304,6 +310,17 @@ class ChainParts {
     if (end.port && port_) {
       made[*end.port] = *port_;
     }
+    if (first_ && is_no_end(chain_.legs.front().elements.front(), begin)) {
+      hide(network_, *first_);
+    }
+    if (port_ && is_no_end(chain_.legs.back().elements.back(), end)) {
+      hide(network_, *port_);
+    }
+  }
+
+  // Inside of another part, or the face of what closes the line.
+  [[nodiscard]] bool is_no_end(const ChainElement& element, const SpanEnd& end) const {
+    return end.is_hidden || (spans_.spans[element.span].is_solid && !end.joint);
   }
 
   // What shares a ring has met, if no part of its own was made of it.
@@ -397,6 +414,7 @@ void add_plates(const PipingLine& line, const PipingOptions& options, const Pipi
       if (wall && *wall > 0) {
         part.shape = PipeAlong{at->second, *wall};
         part.solid = true;
+        hide(network, {part.name, End::end});
       }
       put(network, std::move(part), component);
       network.joints[std::size_t(&pair - spans.pairs.data())].state = JointState::met;

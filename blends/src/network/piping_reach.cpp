@@ -98,15 +98,24 @@ bool is_in(const Vec3& point, const Span& run, double snap) {
   return (point - start - share * way).norm() <= around;
 }
 
-// A branch from a point where there is nothing that it could branch off.
-void note_stray(const PipingLine& line, const PipingSpans& spans, const Span& branch, double snap,
-                LineNotes& notes) {
-  const Vec3& from = branch.ends[0].point;
-  if (std::ranges::none_of(spans.spans, [&](const Span& run) {
-        return run.component != branch.component && is_in(from, run, snap);
-      })) {
+// Whether a branch begins where there is nothing that it could branch off.
+bool is_stray(const PipingSpans& spans, const Span& branch, double snap) {
+  return std::ranges::none_of(spans.spans, [&](const Span& run) {
+    return run.component != branch.component && is_in(branch.ends[0].point, run, snap);
+  });
+}
+
+// The end that lies in the run is none of the line, unless it is thicker than that.
+void hide_in_run(const PipingLine& line, const Span& run, double snap, Span& branch,
+                 std::size_t side, LineNotes& notes) {
+  SpanEnd& end = branch.ends.at(side);
+  const Vec3 &start = run.ends[0].point, way = run.ends[1].point - start;
+  const double share = std::clamp((end.point - start).dot(way) / way.squaredNorm(), 0.0, 1.0);
+  end.is_hidden =
+      branch.radii.at(side) <= run.radii[0] + share * (run.radii[1] - run.radii[0]) + snap;
+  if (!end.is_hidden) {
     notes.add(line.components[branch.component],
-              "its centre lies in no other component; its branch begins there, joined to nothing");
+              "is thicker than " + run.name + ", in which it ends, and sticks out of it there");
   }
 }
 
@@ -131,11 +140,20 @@ void find_olets(const SpanIndex& index, const PipingLine& line, double snap, Pip
           (from - start - share * way).norm() <= kOnAxis * std::min(run.radii[0], run.radii[1])) {
         spans.branches.push_back({near, i});
         is_found = true;
+        const Vec3 outward = (from - branch.ends[1].point).normalized();
+        if (const auto further = reach(from, outward, run, snap);
+            further && *further > -branch.length() / 2) {
+          spans.spans[i].ends[0].point += *further * outward;
+        }
+        hide_in_run(line, run, snap, spans.spans[i], 0, notes);
         break;
       }
     }
-    if (!is_found) {
-      note_stray(line, spans, branch, snap, notes);
+    if (!is_found && is_stray(spans, branch, snap)) {
+      notes.add(line.components[branch.component],
+                "its centre lies in no other component; its branch begins there, joined to "
+                "nothing");
+      spans.spans[i].ends[0].is_hidden = false;
     }
   }
 }
@@ -164,7 +182,9 @@ void reach_runs(const PipingLine& line, const PipingOptions& options, PipingSpan
           continue;
         }
         end.is_in_run = true;
-        if (*further > 0) {
+        if (*further <= 0) {
+          end.is_hidden = true;
+        } else {
           end.point += *further * outward;
           if (run.role == SpanRole::straight) {
             spans.branches.push_back({near, i});
@@ -172,6 +192,7 @@ void reach_runs(const PipingLine& line, const PipingOptions& options, PipingSpan
           notes.add(line.components[span.component],
                     "ends in the wall of " + run.name + "; continued by " +
                         decimal(*further, kMessageDigits) + " to its axis");
+          hide_in_run(line, run, options.snap, span, side, notes);
           break;
         }
       }

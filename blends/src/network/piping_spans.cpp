@@ -18,6 +18,8 @@ constexpr double kRunCosine = 0.5, kArcOfRun = 1.2, kArcBesideCenter = 0.1;
 constexpr double kAlmostStraight = 0.985;
 // An arm's foot is where the run is if its centre is further off than this many radii of the run.
 constexpr double kBesideRun = 0.5;
+// The cosine of an arm that runs along its run more than away from it.
+constexpr double kAlongRun = 0.9;
 // An arm begins off the ball's centre, so that no two begin at the same place, by this much of its
 // leg, but at most of what the ball is thicker than the arms: the mouth then lies inside of the
 // ball, and so does that of the bore inside of the ball's, whatever the wall.
@@ -29,7 +31,7 @@ constexpr double kBall = 1.05;
 // Of the thicker radius, the least length of an eccentric reducer that has none.
 constexpr double kFlatReducer = 0.25;
 // Of a leg of a bend, where a branch along it begins; and the cosine that says that it is along it.
-constexpr double kBranchOnLeg = 0.1, kAlongLeg = 0.9998;
+constexpr double kBranchOnLeg = 0.02, kAlongLeg = 0.9998;
 
 double turn_cosine(const PipingComponent& bend) {
   const Vec3 in = *bend.center - bend.ports[0].center, out = bend.ports[1].center - *bend.center;
@@ -205,6 +207,7 @@ class Spans {
     Span& span = add_span(name, component);
     set_end(span, 1, to);
     span.ends[0].point = from;
+    span.ends[0].is_hidden = true;
     span.radii[0] = span.radii[1];
   }
 
@@ -266,20 +269,19 @@ class Spans {
       add_ball(component, i, all);
       return;
     }
-    Vec3 center = *component.center;
     const std::size_t own = result_.spans.size();
     add_run(component, i, *run);
     const std::size_t first = result_.spans.size();
-    const Vec3 beside = foot(*run, center);
+    const Vec3 beside = foot(*run, *component.center);
     const double radius = *result_.ports[(*run)[0]].radius;
-    center = (center - beside).norm() > kBesideRun * radius ? beside : center;
+    const bool is_beside = (*component.center - beside).norm() > kBesideRun * radius;
     const auto cross = take_run(arms);
     if (cross) {
       add_between(component.name + "-branch", i, (*cross)[0], (*cross)[1]);
     }
     for (std::size_t k = 0; k < arms.size(); ++k) {
       add_arm(component.name + "-branch" + (k == 0 && !cross ? "" : std::to_string(k + 2)), i,
-              center, arms[k]);
+              is_beside ? beside : abreast(*run, *component.center, arms[k]), arms[k]);
     }
     for (std::size_t k = first; k < result_.spans.size() && first == own + 1; ++k) {
       result_.branches.push_back({own, k});  // the arc of a run that turns has none
@@ -377,6 +379,23 @@ class Spans {
     const double radius = *a.radius + share * (*b.radius - *a.radius);
     return std::ranges::any_of(
         arms, [&](std::size_t arm) { return *result_.ports[arm].radius > radius; });
+  }
+
+  // Where the arm from the centre is level with the run's axis: no other place hides the mouth of
+  // one that is as thick as the run.
+  [[nodiscard]] Vec3 abreast(const std::array<std::size_t, 2>& run, const Vec3& center,
+                             std::size_t arm) const {
+    const Vec3 &start = result_.ports[run[0]].center,
+               along = (result_.ports[run[1]].center - start).normalized(),
+               leg = result_.ports[arm].center - center, outward = leg.normalized();
+    const double cosine = outward.dot(along);
+    if (std::abs(cosine) > kAlongRun) {
+      return center;
+    }
+    const Vec3 offset = center - start;
+    const double further =
+        (offset.dot(along) * cosine - offset.dot(outward)) / (1 - cosine * cosine);
+    return center + std::min(further, leg.norm() / 2) * outward;
   }
 
   // Of the point, on the line between two ends.

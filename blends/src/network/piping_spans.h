@@ -21,6 +21,7 @@ struct SpanEnd {
   std::optional<std::size_t> port = {};   ///< in PipingSpans::ports; none: inside of a fitting
   std::optional<std::size_t> joint = {};  ///< in PipingSpans::pairs
   bool is_in_run = false;                 ///< in that of another component, to be reached
+  bool is_hidden = false;                 ///< inside of another part, and no end of the line
 };
 
 /// A straight stretch of a component: itself, an arm of it, or a leg of a bend.

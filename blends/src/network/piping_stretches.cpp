@@ -58,7 +58,8 @@ class Planner {
   Arc arc(const Leg& in, const Leg& out) {
     const Span& leg = span(in.elements.back());
     const PipingComponent& bend = line_.components[leg.component];
-    const double first = in.nodes.back() - in.nodes[in.nodes.size() - 2], second = out.nodes[1];
+    const double first = in.nodes.back() - begin_level(in, in.elements.size() - 1),
+                 second = end_level(out, 0);
     const double half = numbers::angle_between(in.direction, out.direction) / 2;
     Arc result{leg.component, std::min(first, second), leg.radii[0], false};
     if (std::abs(first - second) <= 2 * options_.snap) {
@@ -100,8 +101,10 @@ class Planner {
     for (std::size_t i = 0; i <= last; ++i) {
       const ChainElement& element = leg.elements[i];
       const Span& own = span(element);
-      const double to = i == last ? end : std::min(end_level(leg, i, levels[i + 1]), end);
-      here = i > 0 && is_gap_before(leg, i) ? level_of(leg, begin_of(spans_, element)) : here;
+      const double to = i == last                   ? end
+                        : is_gap_before(leg, i + 1) ? std::min(end_level(leg, i), end)
+                                                    : std::min(levels[i + 1], end);
+      here = i > 0 && is_gap_before(leg, i) ? begin_level(leg, i) : here;
       if (to - here <= options_.snap) {
         if (own.role == SpanRole::straight) {
           notes_.add(line_.components[own.component],
@@ -133,9 +136,16 @@ class Planner {
     return joint && spans_.pairs[*joint].distance > options_.snap;
   }
 
-  // Of an element that is not the last.
-  [[nodiscard]] double end_level(const Leg& leg, std::size_t i, double node) const {
-    return is_gap_before(leg, i + 1) ? level_of(leg, end_of(spans_, leg.elements[i])) : node;
+  // Of an element: its node, but for those at gaps, where it stays where it is.
+  [[nodiscard]] double begin_level(const Leg& leg, std::size_t i) const {
+    return i > 0 && is_gap_before(leg, i) ? level_of(leg, begin_of(spans_, leg.elements[i]))
+                                          : leg.nodes[i];
+  }
+
+  [[nodiscard]] double end_level(const Leg& leg, std::size_t i) const {
+    return i + 1 < leg.elements.size() && is_gap_before(leg, i + 1)
+               ? level_of(leg, end_of(spans_, leg.elements[i]))
+               : leg.nodes[i + 1];
   }
 
   // Where radii differ, in the larger pipe if it is straight, else in the other one.
@@ -158,6 +168,11 @@ class Planner {
           name_step(step, own.joint_before);
           result.push_back(step);
         }
+      } else if (before && own.is_behind_gap) {
+        if (!before->is_left_out) {
+          result.push_back(
+              bridge_beside(own, 0, before->tangent, before->radius, *own.joint_before));
+        }
       } else if (before && before->radius != own.radii[0]) {
         Stretch step = cut_begin(own, before->radius);
         name_step(step, begin_joint(k));
@@ -165,7 +180,10 @@ class Planner {
       }
       result.push_back(own);
     }
-    if (after && !result.empty() && result.back().radii[1] != after->radius) {
+    bridge_offsets(k, result);
+    if (ends_at_gap(k)) {
+      close_gap_at_end(k, result);
+    } else if (after && !result.empty() && result.back().radii[1] != after->radius) {
       Stretch step = cut_end(result.back(), after->radius);
       name_step(step, begin_of(spans_, chain_.legs[k].elements.back()).joint);
       result.push_back(step);
@@ -177,23 +195,95 @@ class Planner {
   // overlap, and by half of a step between their radii.
   Stretch bridge(Stretch& before, Stretch& after) {
     const double overlap = std::max(before.levels[1] - after.levels[0], 0.0);
-    const double from = before.radii[1], to = after.radii[0];
-    const double step =
-        from == to ? 0 : std::max(std::abs(from - to), kStepLength * std::max(from, to)) / 2;
-    const double setback = overlap + std::max(step, options_.snap);
-    Stretch result = before;
+    const double setback =
+        overlap + std::max(bridged_step(before.radii[1], after.radii[0]) / 2, options_.snap);
+    const Stretch origin = before;
     set_back(before, 1, setback);
     set_back(after, 0, setback);
-    result.levels = {before.levels[1], after.levels[0]};
-    result.radii = {before.radii[1], after.radii[0]};
-    result.is_solid = false;
-    result.span.reset();
-    result.is_behind_gap = false;
-    PipingJoint& joint = joints_[*after.joint_before];
-    result.name = "bridge-" + std::to_string(joint.lines[0]) + "-" + std::to_string(joint.lines[1]);
+    return bridge_of(origin, {before.levels[1], after.levels[0]}, {before.radii[1], after.radii[0]},
+                     *after.joint_before);
+  }
+
+  [[nodiscard]] static double bridged_step(double from, double to) {
+    return from == to ? 0 : std::max(std::abs(from - to), kStepLength * std::max(from, to));
+  }
+
+  // The same beside an arc, of which nothing can be taken, and which is level with this end.
+  Stretch bridge_beside(Stretch& pipe, std::size_t end, double level, double radius,
+                        std::size_t joint) {
+    const double overlap =
+        std::max(end == 0 ? level - pipe.levels[0] : pipe.levels[1] - level, 0.0);
+    const Stretch origin = pipe;
+    set_back(pipe, end,
+             overlap + std::max(bridged_step(pipe.radii[end], radius), 2 * options_.snap));
+    return end == 0 ? bridge_of(origin, {level, pipe.levels[0]}, {radius, pipe.radii[0]}, joint)
+                    : bridge_of(origin, {pipe.levels[1], level}, {pipe.radii[1], radius}, joint);
+  }
+
+  // Whether a gap lies between the leg's last stretch and the arc behind it.
+  [[nodiscard]] bool ends_at_gap(std::size_t k) const {
+    const Leg& leg = chain_.legs[k];
+    const auto& arc = result_.arcs[k + 1];
+    const auto& stretches = result_.stretches[k];
+    const bool has_piece = !stretches.empty() && !stretches.back().span &&
+                           stretches.back().component == span(leg.elements.back()).component;
+    return arc && !arc->is_left_out && leg.elements.size() > 1 && !has_piece &&
+           is_gap_before(leg, leg.elements.size() - 1);
+  }
+
+  // Gaps to an eccentric part before or behind the leg, which begins or ends on its axis.
+  void bridge_offsets(std::size_t k, std::vector<Stretch>& stretches) {
+    const Leg& leg = chain_.legs[k];
+    if (leg.is_offset || stretches.empty()) {
+      return;
+    }
+    const auto gap = [&](const SpanEnd& end, SeamKind seam) -> std::optional<std::size_t> {
+      return seam == SeamKind::offset && end.joint &&
+                     spans_.pairs[*end.joint].distance > options_.snap
+                 ? end.joint
+                 : std::nullopt;
+    };
+    if (const auto joint = gap(end_of(spans_, leg.elements.back()), chain_.seams[k + 1].kind)) {
+      const SpanEnd& there = begin_of(spans_, chain_.legs[k + 1].elements.front());
+      Stretch& own = stretches.back();
+      stretches.push_back(bridge_beside(own, 1, level_of(leg, there), own.radii[1], *joint));
+    }
+    if (const auto joint = gap(begin_of(spans_, leg.elements.front()), chain_.seams[k].kind)) {
+      const SpanEnd& there = end_of(spans_, chain_.legs[k - 1].elements.back());
+      Stretch& own = stretches.front();
+      const Stretch made = bridge_beside(own, 0, level_of(leg, there), own.radii[0], *joint);
+      stretches.insert(stretches.begin(), made);
+    }
+  }
+
+  // By a bridge beside the arc, or, of a leg that has nothing else, between two arcs.
+  void close_gap_at_end(std::size_t k, std::vector<Stretch>& stretches) {
+    const Leg& leg = chain_.legs[k];
+    const Arc& after = *result_.arcs[k + 1];
+    const double level = leg.nodes.back() - after.tangent;
+    const std::size_t joint = *begin_of(spans_, leg.elements.back()).joint;
+    if (!stretches.empty()) {
+      stretches.push_back(bridge_beside(stretches.back(), 1, level, after.radius, joint));
+    } else if (const auto& before = result_.arcs[k]; before && !before->is_left_out) {
+      Stretch origin;
+      origin.component = span(leg.elements.front()).component;
+      stretches.push_back(
+          bridge_of(origin, {before->tangent, level}, {before->radius, after.radius}, joint));
+    }
+  }
+
+  Stretch bridge_of(Stretch origin, const std::array<double, 2>& levels,
+                    const std::array<double, 2>& radii, std::size_t position) {
+    PipingJoint& joint = joints_[position];
+    origin.levels = levels;
+    origin.radii = radii;
+    origin.is_solid = false;
+    origin.span.reset();
+    origin.is_behind_gap = false;
+    origin.name = "bridge-" + std::to_string(joint.lines[0]) + "-" + std::to_string(joint.lines[1]);
     joint.state = JointState::bridged;
-    joint.part = result.name;
-    return result;
+    joint.part = origin.name;
+    return origin;
   }
 
   // Takes that much of its end, at most a part of it; a cone keeps its slope.

@@ -1,5 +1,6 @@
 #include "dupin/kernel/renamed.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -8,6 +9,10 @@
 namespace dupin {
 
 Solid renamed(const Solid& solid, const std::map<std::string, std::string>& names) {
+  if (std::ranges::none_of(solid.names(),
+                           [&](const std::string& own) { return names.contains(own); })) {
+    return solid;
+  }
   mesh::ExactMesh mesh = solid.exact();
   std::map<std::string, std::uint32_t> label_of;
   std::vector<std::string> merged;

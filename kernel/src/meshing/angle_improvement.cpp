@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -40,20 +41,16 @@ class Stars {
     return smallest_dihedral_angle(
         {mesh_.points[a], mesh_.points[b], mesh_.points[c], mesh_.points[d]});
   }
-  /// The smallest about a point, or `enough`, if all are larger.
-  [[nodiscard]] double angle_around(std::uint32_t point, double enough) const {
-    double least = enough;
-    for (const std::uint32_t f : triangles_.at(point)) {
-      least = std::min(least, angle_of(f));
-    }
-    return least;
+  /// The smallest about a point, or `enough`, if all are larger; the first one that is not above
+  /// `floor`, if one is not.
+  [[nodiscard]] double angle_around(std::uint32_t point, double enough, double floor = 0) const {
+    return least_of(triangles_.at(point), enough, floor,
+                    [this](std::uint32_t f) { return angle_of(f); });
   }
-  [[nodiscard]] double dihedral_angle_around(std::uint32_t point, double enough) const {
-    double least = enough;
-    for (const std::uint32_t t : tetrahedra_.at(point)) {
-      least = std::min(least, dihedral_angle_of(t));
-    }
-    return least;
+  [[nodiscard]] double dihedral_angle_around(std::uint32_t point, double enough,
+                                             double floor = 0) const {
+    return least_of(tetrahedra_.at(point), enough, floor,
+                    [this](std::uint32_t t) { return dihedral_angle_of(t); });
   }
   [[nodiscard]] bool is_valid_around(std::uint32_t point) const {
     return std::ranges::all_of(tetrahedra_.at(point), [&](std::uint32_t t) {
@@ -97,6 +94,16 @@ class Stars {
   [[nodiscard]] const Incidence<Triangle>& triangles() const { return triangles_; }
 
  private:
+  template <class Angle>
+  [[nodiscard]] static double least_of(std::span<const std::uint32_t> about, double enough,
+                                       double floor, const Angle& angle) {
+    double least = enough;
+    for (std::size_t i = 0; i < about.size() && least > floor; ++i) {
+      least = std::min(least, angle(about[i]));
+    }
+    return least;
+  }
+
   Tetrahedra& mesh_;
   Incidence<Triangle> triangles_;
   Incidence<Tetrahedron> tetrahedra_;
@@ -109,12 +116,13 @@ class Search {
          const MoveLimits& limits)
       : mesh_(mesh), surface_(surface), stars_(stars), limits_(limits) {}
 
-  /// Whether the point has moved. `quality(v)` is to become larger, `enough` at most; `is_allowed`
-  /// is asked for places where it does.
+  /// Whether the point has moved. `quality(v, floor)` is to become larger, `enough` at most, and
+  /// may be anything up to `floor` where it is no more than that; `is_allowed` is asked for places
+  /// where it does.
   template <class Quality, class Allowed>
   bool improve(std::uint32_t v, double enough, const Quality& quality, const Allowed& is_allowed) {
     const Vec3 before = mesh_.points[v];
-    double best = quality(v);
+    double best = quality(v, 0);
     if (best >= enough) {
       return false;
     }
@@ -129,7 +137,7 @@ class Search {
           continue;
         }
         mesh_.points[v] = *there;
-        if (const double now = quality(v);
+        if (const double now = quality(v, best + kGain);
             now > best + kGain && stars_.reach(v) <= std::max(reach, limits_.longest_edge) &&
             keeps_sides(v, normals) && stays_near(v) && is_allowed(v) &&
             stars_.is_valid_around(v)) {
@@ -252,11 +260,11 @@ void in_rounds(const Points& points, const Improve& improve) {
 }  // namespace
 
 double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto at = [](const Vec3& p, const Vec3& q, const Vec3& r) {
-    const Vec3 u = q - p, v = r - p;
-    return std::atan2(u.cross(v).norm(), u.dot(v));
-  };
-  return std::min({at(a, b, c), at(b, c, a), at(c, a, b)});
+  // Opposite to the shortest side; 0.0 - 0.0 has no sign.
+  const Vec3 u = b - a, v = c - b, w = a - c;
+  const double uu = u.squaredNorm(), vv = v.squaredNorm(), ww = w.squaredNorm();
+  const double dot = uu <= vv && uu <= ww ? v.dot(w) : vv <= ww ? w.dot(u) : u.dot(v);
+  return std::atan2(u.cross(v).norm(), 0.0 - dot);
 }
 
 double smallest_dihedral_angle(const std::array<Vec3, 4>& corners) {
@@ -280,12 +288,14 @@ void improve_angles(Tetrahedra& mesh, const ReferenceSurface& surface, double wa
   const Stars stars(mesh);
   Search search(mesh, surface, stars, limits);
   const auto improve = [&](double poor, double enough) {
-    in_rounds([&] { return points_near_poor_triangles(mesh, stars, poor); },
-              [&](std::uint32_t v) {
-                return search.improve(
-                    v, enough, [&](std::uint32_t w) { return stars.angle_around(w, enough); },
-                    [](std::uint32_t) { return true; });
-              });
+    in_rounds(
+        [&] { return points_near_poor_triangles(mesh, stars, poor); },
+        [&](std::uint32_t v) {
+          return search.improve(
+              v, enough,
+              [&](std::uint32_t w, double floor) { return stars.angle_around(w, enough, floor); },
+              [](std::uint32_t) { return true; });
+        });
   };
   improve(wanted * kMore, wanted * kMore);
   improve(wanted, wanted * kMuchMore);
@@ -301,7 +311,10 @@ void improve_dihedral_angles(Tetrahedra& mesh, const ReferenceSurface& surface, 
       [&](std::uint32_t v) {
         const double kept = stars.angle_around(v, wanted_of_triangles);
         return search.improve(
-            v, enough, [&](std::uint32_t w) { return stars.dihedral_angle_around(w, enough); },
+            v, enough,
+            [&](std::uint32_t w, double floor) {
+              return stars.dihedral_angle_around(w, enough, floor);
+            },
             [&](std::uint32_t w) { return stars.angle_around(w, wanted_of_triangles) >= kept; });
       });
 }

@@ -254,9 +254,11 @@ std::vector<VertexHandle> insert_balls(Complex& complex, const Domain& domain,
                                        const CurvePoints& balls) {
   Triangulation& triangulation = complex.triangulation();
   std::vector<VertexHandle> vertices;
+  VertexHandle beside;  // from where it is looked for the next: all the way would be quadratic
   for (const CurvePoint& ball : balls.points) {
     vertices.push_back(triangulation.insert(
-        Triangulation::Weighted_point(point_of(ball.place), ball.radius * ball.radius)));
+        Triangulation::Weighted_point(point_of(ball.place), ball.radius * ball.radius), beside));
+    beside = vertices.back() == VertexHandle() ? beside : vertices.back();
   }
   if (std::ranges::any_of(vertices, [](VertexHandle v) { return v == VertexHandle(); }) ||
       triangulation.number_of_vertices() < vertices.size()) {

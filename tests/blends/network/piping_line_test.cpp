@@ -157,7 +157,7 @@ TEST(PipingLine, blends_between_the_neighbours_of_a_bend_that_does_not_fit) {
 
 TEST(PipingLine, says_why_a_blend_takes_the_place_of_a_bend) {
   Line line;
-  line.pipe({-900, 0, 0}, {-300.1, 0, 0}).bend({-300, 0, 0}, {0, 0, 0}, {0, 300, 0});
+  line.pipe({-900, .1, 0}, {-300, .1, 0}).bend({-300, 0, 0}, {0, 0, 0}, {0, 300, 0});
   line.pipe({0, 300, 0}, {0, 900, 0});
   const PipingNetwork network = line.made({.bridge = 0.5});
   EXPECT_EQ(kind(part(network, "c1").shape), "cyclic_blend");

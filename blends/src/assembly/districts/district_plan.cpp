@@ -1,10 +1,12 @@
 #include "assembly/districts/district_plan.h"
 
 #include <algorithm>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "assembly/part_box.h"
@@ -112,6 +114,29 @@ std::vector<std::uint32_t> document_parts(const ResolvedAssembly& resolved,
   return parts;
 }
 
+namespace {
+
+// Without those that say that an end of another part is none, which may be many.
+std::map<std::string, std::string> patches_of(const std::map<std::string, std::string>& all,
+                                              const std::vector<Part>& parts) {
+  std::map<std::string, std::string> result;
+  std::unordered_set<std::string_view> names;
+  for (std::size_t i = 0; i < parts.size() && !all.empty(); ++i) {
+    names.insert(parts[i].name);
+  }
+  for (const auto& entry : all) {
+    const auto& [patch, name] = entry;
+    const bool is_no_end = patch.starts_with(name) && (patch.substr(name.size()) == ".start" ||
+                                                       patch.substr(name.size()) == ".end");
+    if (!is_no_end || names.contains(name)) {
+      result.insert(result.end(), entry);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
 Assembly document_of(const Assembly& assembly, const std::vector<std::uint32_t>& parts) {
   Assembly own;
   own.source = assembly.source;
@@ -121,13 +146,13 @@ Assembly document_of(const Assembly& assembly, const std::vector<std::uint32_t>&
   own.wall = assembly.wall;
   own.wall_side = assembly.wall_side;
   own.insulation = assembly.insulation;
-  own.patches = assembly.patches;
   for (const std::uint32_t index : parts) {
     own.parts.push_back(assembly.parts[index]);
     if (own.parts.back().pointer.empty()) {
       own.parts.back().pointer = "/parts/" + std::to_string(index);
     }
   }
+  own.patches = patches_of(assembly.patches, own.parts);
   return own;
 }
 

@@ -86,6 +86,29 @@ TEST(BuildDistricts, patches_are_known_in_all_of_them) {
   EXPECT_THROW((void)build(assembly), Error);
 }
 
+// Branches as thick as their run, whose inner ends touch its surface.
+TEST(BuildDistricts, ends_that_are_called_as_their_part_are_none) {
+  Assembly assembly = crosses(2);
+  assembly.wall = .25;
+  assembly.parts[0].shape = PipeBetween{{-5, .3, .1}, {5, -.2, .1}, 1, {}};
+  for (const std::size_t i : {2, 3}) {
+    auto& branch = std::get<PipeBetween>(assembly.parts[i].shape);
+    branch.radius = std::get<PipeBetween>(assembly.parts[i - 2].shape).radius;
+    assembly.patches[assembly.parts[i].name + ".start"] = assembly.parts[i].name;
+  }
+  EXPECT_EQ(build(assembly).ports.size(), 6);
+  for (const Region region : {Region::outer, Region::metal, Region::fluid}) {
+    const Built built = build(assembly, {.region = region});
+    for (const std::uint32_t label : built.solid.labels()) {
+      EXPECT_FALSE(built.solid.names()[label].starts_with("branch") &&
+                   built.solid.names()[label].ends_with(".start"));
+    }
+  }
+  const Assembly other = DistrictBuild(assembly, {}).document(1);
+  EXPECT_EQ(other.patches.size(), 1);
+  EXPECT_EQ(build(other).solid.components(), 1);
+}
+
 TEST(BuildDistricts, the_limit_is_that_of_all_triangles) {
   const Built built = build(crosses(4));
   std::size_t triangles = 0;

@@ -1,0 +1,156 @@
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "blends/network/piping_line_builder.h"
+#include "dupin/blends/build.h"
+#include "dupin/blends/piping_line.h"
+
+namespace dupin::test {
+namespace {
+
+constexpr double kRadius = 50, kWall = 4;
+
+struct Branched {
+  std::string name;
+  Line line;
+  std::size_t open_ends = 3;
+};
+
+Line& fitting(Line& line, std::initializer_list<Vec3> ports, double branch,
+              const Vec3& center = Vec3::Zero()) {
+  line.add(PipingShape::fitting, ports, kRadius).last().center = center;
+  for (std::size_t i = ports.size() > 1 ? 2 : 0; i < ports.size(); ++i) {
+    line.last().ports[i].radius = branch;
+  }
+  return line;
+}
+
+Line& teed_bend(Line& line, const Vec3& branch, double radius) {
+  line.add(PipingShape::bend, {{-150, 0, 0}, {0, 150, 0}, branch}, kRadius).last().center =
+      Vec3::Zero();
+  line.last().ports[2].radius = radius;
+  return line;
+}
+
+// Every kind of branch, of that radius.
+std::vector<Branched> branched(double branch) {
+  std::vector<Branched> all(13);
+  auto next = [&all, i = std::size_t{0}](const std::string& name) mutable -> Line& {
+    all[i].name = name;
+    return all[i++].line;
+  };
+  const Vec3 from{-110, 0, 0}, to{110, 0, 0};
+  fitting(next("tee"), {from, to, {0, 110, 0}}, branch);
+  Line& joined = fitting(next("tee with pipes"), {from, to, {0, 110, 0}}, branch);
+  joined.pipe({-600, 0, 0}, from).pipe({0, 110, 0}, {0, 500, 0}, branch);
+  fitting(next("tee off its run"), {from, to, {0, 110, 0}}, branch, {0, 3, 0});
+  fitting(next("tee beside its run"), {from, to, {0, 110, .02}}, branch, {0, -3, .02});
+  fitting(next("y"), {{-200, 0, 0}, {200, 0, 0}, {150, 150, 0}}, branch);
+  fitting(next("cross"), {from, to, {0, 110, 0}, {0, -110, 0}}, branch);
+  fitting(next("two branches"), {from, to, {0, 110, 0}, {0, 0, 110}}, branch);
+  Line& olet = next("olet").pipe({-300, 0, 0}, {300, 0, 0});
+  fitting(olet, {{0, 130, 0}}, branch);
+  Line& stub = next("stub off the axis").pipe({-300, 0, 0}, {300, 0, 0});
+  fitting(stub, {{100, 160, 0}}, branch, {0, 10, 0});
+  next("set on").pipe({-300, 0, 0}, {300, 0, 0}).pipe({0, 30, 0}, {0, 300, 0}, branch);
+  teed_bend(next("bend, leg"), {400, 0, 0}, branch);
+  teed_bend(next("bend, back"), {200, -200, 0}, branch);
+  teed_bend(next("bend, aside"), {-44, 44, 300}, branch);
+  all[5].open_ends = all[6].open_ends = 4;
+  return all;
+}
+
+PipingLine turned(PipingLine line, const Eigen::Quaterniond& by, const Vec3& offset) {
+  for (PipingComponent& component : line.components) {
+    for (PipingPort& port : component.ports) {
+      port.center = by * port.center + offset;
+    }
+    if (component.center) {
+      component.center = by * *component.center + offset;
+    }
+  }
+  return line;
+}
+
+// Of patches that are called like an end.
+std::map<std::string, double> areas_of_ends(const Solid& solid) {
+  std::map<std::string, double> result;
+  const auto& points = solid.nearest_points();
+  for (std::size_t i = 0; i < solid.triangle_count(); ++i) {
+    const std::string& name = solid.names()[solid.labels()[i]];
+    if (name.ends_with(".start") || name.ends_with(".end")) {
+      const auto& [a, b, c] = solid.triangles()[i];
+      result[name] += (points[b] - points[a]).cross(points[c] - points[a]).norm() / 2;
+    }
+  }
+  return result;
+}
+
+double disc(double radius) { return std::numbers::pi * radius * radius; }
+
+void expect_open_ends(const Branched& made, const PipingNetwork& network, double branch,
+                      double tolerance) {
+  EXPECT_EQ(network.open_ends, made.open_ends) << made.name;
+  for (const Region region : {Region::outer, Region::metal, Region::fluid}) {
+    const Built built = build(network.assembly, {.tolerance = tolerance, .region = region});
+    const auto ends = areas_of_ends(built.solid);
+    EXPECT_EQ(ends.size(), made.open_ends) << made.name << " of " << branch;
+    EXPECT_EQ(built.solid.components(), 1) << made.name;
+    const double bore = disc(branch - kWall);
+    const double least = region == Region::outer   ? disc(branch)
+                         : region == Region::metal ? disc(branch) - bore
+                                                   : bore;
+    for (const auto& [name, area] : ends) {
+      EXPECT_GT(area, .9 * least) << made.name << ": " << name;
+    }
+    for (const GapPair& gap : built.gaps) {
+      EXPECT_TRUE(gap.report.verdict == GapVerdict::welded ||
+                  gap.report.verdict == GapVerdict::open)
+          << made.name << ": " << built.ports[gap.first].name;
+    }
+  }
+}
+
+// The end inside of the run of one as thick as that touches its surface, so that a mesh of it may
+// stick out of the run's; it must not be taken for an end of the line.
+TEST(PipingOpenEnds, are_all_patches_that_are_called_like_an_end) {
+  for (const double branch : {1 * kRadius, .9995 * kRadius, .98 * kRadius}) {
+    int turn = 0;
+    for (const Branched& made : branched(branch)) {
+      for (const double tolerance : {.2, 1.}) {
+        ++turn;
+        const Eigen::Quaterniond by(Eigen::AngleAxisd(.7 * turn, Vec3(1, 2, turn).normalized()));
+        const PipingLine line = turned(made.line.line(), by, {212345.678, 98765.432, 12345.678});
+        expect_open_ends(made, assembly_of(line, {.wall = kWall}), branch, tolerance);
+      }
+    }
+  }
+}
+
+TEST(PipingOpenEnds, of_branches_of_nothing_and_thicker_than_their_run_are_said) {
+  Line stray;
+  stray.pipe({-300, 0, 0}, {300, 0, 0});
+  fitting(stray, {{0, 700, 0}}, 20, {0, 500, 0});
+  EXPECT_EQ(stray.made().open_ends, 4);
+  EXPECT_EQ(areas_of_ends(build(stray.made().assembly, {}).solid).size(), 4);
+  Line thick;
+  thick.pipe({-300, 0, 0}, {300, 0, 0});
+  fitting(thick, {{0, 300, 0}}, 70);
+  thick.pipe({200, 40, 0}, {200, 300, 0}, 60);
+  const PipingNetwork network = thick.made();
+  EXPECT_THAT(notes(network), testing::HasSubstr("20: c1: is thicker than c0, in which it ends, "
+                                                 "and sticks out of it there\n"));
+  EXPECT_THAT(notes(network), testing::HasSubstr("30: c2: is thicker than c0"));
+  EXPECT_EQ(network.open_ends, 6);
+  EXPECT_EQ(areas_of_ends(build(network.assembly, {}).solid).size(), 6);
+}
+
+}  // namespace
+}  // namespace dupin::test
