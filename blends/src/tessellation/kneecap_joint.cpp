@@ -39,12 +39,6 @@ double angle_about(const Ring& circle, const Vec3& from, const Vec3& to) {
   return std::atan2(circle.normal.dot(from.cross(to)), from.dot(to));
 }
 
-// No point of either circle is further from the other than this.
-double circle_distance(const Ring& a, const Ring& b) {
-  return (a.center - b.center).norm() + std::abs(a.radius - b.radius) +
-         std::min(a.radius, b.radius) * (a.normal - b.normal).norm();
-}
-
 }  // namespace
 
 JointCircles joint(const PeArc& before, const PeArc& after, double negligible, double grid) {

@@ -36,12 +36,6 @@ class Groups {
   std::vector<std::size_t> leader_;
 };
 
-// No point of either circle is further from the other than this.
-double circle_distance(const Ring& end, const Ring& start) {
-  return (end.center - start.center).norm() + std::abs(end.radius - start.radius) +
-         std::min(end.radius, start.radius) * (end.normal + start.normal).norm();
-}
-
 class BodyMaker {
  public:
   BodyMaker(const ResolvedAssembly& resolved, double tolerance, Labels& labels, SurfaceCount& count)

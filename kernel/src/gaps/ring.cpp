@@ -69,6 +69,12 @@ Ring flipped(const Ring& ring) {
   return result;
 }
 
+double circle_distance(const Ring& a, const Ring& b) {
+  const double tilt = std::min((a.normal - b.normal).norm(), (a.normal + b.normal).norm());
+  return (a.center - b.center).norm() + std::abs(a.radius - b.radius) +
+         std::min(a.radius, b.radius) * tilt;
+}
+
 double across(const Ring& ring) { return ring.ellipse ? ring.ellipse->across : ring.radius; }
 
 double across_slope(const Ring& ring) {

@@ -77,6 +77,29 @@ TEST(Ring, flipping_twice_gives_the_ring) {
   EXPECT_EQ(flipped(flipped(ring)), ring);
 }
 
+TEST(Ring, circles_are_no_further_from_each_other_than_told) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto vector = [&] { return Vec3(number(random), number(random), number(random)); };
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 normal = vector().normalized();
+    const double tilt = i % 4 == 0 ? 0 : 0.3;
+    const Ring a{vector(), normal, 2 + number(random)};
+    const Ring b{a.center + 0.2 * vector(), (normal + tilt * vector()).normalized(),
+                 2 + number(random)};
+    const double bound = circle_distance(a, b);
+    EXPECT_EQ(circle_distance(flipped(a), b), bound) << "whichever way they run";
+    double furthest = 0;
+    for (const Vec3& point : sample(a, {48})) {
+      const Vec3 from = point - b.center;
+      const double height = from.dot(b.normal), out = (from - height * b.normal).norm();
+      furthest = std::max(furthest, std::hypot(height, out - b.radius));
+    }
+    EXPECT_LE(furthest, bound * (1 + 1e-12));
+    EXPECT_GE(furthest, bound / 4) << "and not much nearer";
+  }
+}
+
 TEST(Ring, a_bad_ring_is_refused) {
   const double nan = std::nan("");
   EXPECT_THROW((void)sample({Vec3(0, 0, nan), Vec3::UnitX(), 1}, {8}), Error);

@@ -91,7 +91,8 @@ struct ResolvedAssembly {
 /// Whether the end vanishes: inside of a fillet's other pipe, or in a junction's hub. O(fillets).
 [[nodiscard]] bool is_buried(const ResolvedAssembly& assembly, const EndIndex& end);
 
-/// All ports in document order, named "part.start" and "part.end", without those that are buried.
+/// All ports in document order, named "part.start" and "part.end", without those that are buried
+/// or called as their part (`patches`).
 [[nodiscard]] std::vector<Port> ports(const ResolvedAssembly& assembly);
 
 }  // namespace dupin

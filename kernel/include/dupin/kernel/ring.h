@@ -51,6 +51,9 @@ struct RingSampling {
 /// The larger of both semi-axes.
 [[nodiscard]] double largest_radius(const Ring& ring);
 
+/// What no point of either of two circles is further from the other than, but for rounding.
+[[nodiscard]] double circle_distance(const Ring& a, const Ring& b);
+
 /// Throws Error{invalid_argument} unless all numbers are finite, radii positive, and the normal and
 /// an ellipse's axis of unit length and orthogonal to 1e-9.
 void validate(const Ring& ring);
