@@ -53,7 +53,7 @@ class ThreadProcesses : public Processes {
   };
   class File : public JointFile {
    public:
-    explicit File(int number) : number_(number) {}
+    explicit File(int number) : number_(number) { EXPECT_GE(number, 0); }
     void write(std::uint64_t at, std::string_view bytes) override {
       EXPECT_EQ(::pwrite(number_, bytes.data(), bytes.size(), static_cast<off_t>(at)),
                 static_cast<ssize_t>(bytes.size()));

@@ -66,6 +66,7 @@ void PlacedFile::commit(std::string_view first_bytes) {
   if (joint_) {
     joint_->close();
     joint_.reset();
+    (void)processes_->exchanged({});  // closing need not wait for those that still write
   }
   if (processes_ == nullptr || processes_->is_first()) {
     write(0, first_bytes);
