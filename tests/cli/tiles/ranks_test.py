@@ -112,11 +112,11 @@ def check_union(tool, folder):
 LEFT = ["bad.json", "kept", "plant.json", "whole.stl"]
 
 
-def left(folder):
+def left(folder, expected=LEFT):
     """What is there, a while after the processes have been ended."""
     for _ in range(50):
         found = sorted(path.name for path in folder.iterdir())
-        if found == LEFT:
+        if found == expected:
             break
         time.sleep(0.1)
     return found
@@ -180,16 +180,18 @@ def ranks_of(job):
 
 
 def check_killed(tool, folder):
-    """Either rank is killed while the file grows."""
+    """Either rank is killed while the file grows, which takes some seconds."""
+    document = folder / "many.json"
+    document.write_text(json.dumps(plant(1000)), encoding="utf-8")
     for number, suffix in enumerate(["stl", "ply", "pvtu"] * 2):
-        arguments = [tool, "build", "plant.json", "-o", f"killed.{suffix}", "--tolerance", "0.005", "--quiet"]
+        arguments = [tool, "build", "many.json", "-o", f"killed.{suffix}", "--tolerance", "0.005", "--quiet"]
         with subprocess.Popen([*MPIRUN, "-np", "2", *arguments, "--tiles", "6"], cwd=folder,
                               stderr=subprocess.DEVNULL) as job:
             while job.poll() is None and not list(folder.glob(".dupin-*")):
                 time.sleep(0.01)
             ranks = ranks_of(job.pid)
             assert len(ranks) == 2, "ended before it was killed"
-            time.sleep(0.1)  # until the other one knows of the file
+            time.sleep(1)  # the other one knows of the file long since
             os.kill(ranks[number % 2], signal.SIGKILL)
             try:
                 assert job.wait(60) != 0
@@ -197,7 +199,9 @@ def check_killed(tool, folder):
                 assert not [rank for rank in ranks_of(job.pid)
                             if pathlib.Path(f"/proc/{rank}/cmdline").read_bytes()]
                 job.kill()
-        assert left(folder) == LEFT, left(folder)
+        kept = sorted([*LEFT, document.name])
+        assert left(folder, kept) == kept, left(folder)
+    document.unlink()
 
 
 def has_mpirun():
