@@ -84,14 +84,12 @@ class Estimator {
 
   [[nodiscard]] Estimate of(const Assembly& assembly) const {
     Estimate result;
-    Samplings samplings;
+    const Samplings samplings = this->samplings(assembly);
     for (const WeldedRun& run : runs_) {
-      const auto sampling = sampling_of(assembly, run);
       for (const std::uint32_t index : run.parts) {
         const ResolvedPart& part = resolved_.parts[index];
-        if (sampling) {
-          result.add(cost_of(assembly, part, *sampling), part, sampling->segments, limit_);
-          samplings.emplace(index, *sampling);
+        if (const auto own = samplings.find(index); own != samplings.end()) {
+          result.add(cost_of(assembly, part, own->second), part, own->second.segments, limit_);
         } else {
           result.add({kUncounted, 0}, part, 0, limit_);
         }

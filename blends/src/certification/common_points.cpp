@@ -78,6 +78,13 @@ bool are_few(const SweptDiscs& first, const SweptDiscs& second) {
   return pairs > 0 && pairs <= kMostPairs;
 }
 
+// A place between one of the first part and one of the second, by the parts' radii.
+Vec3 between(const SweptDiscs& first, const Vec3& here, const SweptDiscs& second,
+             const Vec3& there) {
+  const double a = disc_at(first, 0.5).radius, b = disc_at(second, 0.5).radius;
+  return here + a / (a + b) * (there - here);
+}
+
 // Centres of discs, those of the ends being the first and the last.
 std::vector<Vec3> centers_of(const SweptDiscs& sweep) {
   constexpr double kOfPiece = 8;
@@ -124,8 +131,7 @@ Vec3 start(const SweptDiscs& one, const SweptDiscs& other) {
     there = second.nearest(here);
     here = first.nearest(there);
   }
-  const double a = disc_at(one, 0.5).radius, b = disc_at(other, 0.5).radius;
-  return here + a / (a + b) * (there - here);
+  return between(one, here, other, there);
 }
 
 // By going from part to part, which ends in both if they are convex, as they nearly are where they
@@ -161,8 +167,7 @@ std::optional<Vec3> point_between_axes(const SweptDiscs& first, const SweptDiscs
       }
     }
   }
-  const double a = disc_at(first, 0.5).radius, b = disc_at(second, 0.5).radius;
-  return nearest.first + a / (a + b) * (nearest.second - nearest.first);
+  return between(first, nearest.first, second, nearest.second);
 }
 
 std::vector<Vec3> common_points(const SweptDiscs& first, const SweptDiscs& second) {

@@ -275,11 +275,8 @@ std::optional<Overlap> overlap(const SweptDiscs& part, const std::vector<PlacedP
   return std::nullopt;
 }
 
-// What is quickly found, then points of either part, tried on the other.
+// Points of either part, tried on the other.
 std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b) {
-  if (auto between = overlap_between_axes(a, b)) {
-    return between;
-  }
   auto result = overlap(a, b, false);
   if (!result) {
     result = overlap(b, a, false);

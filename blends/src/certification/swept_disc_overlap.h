@@ -18,7 +18,7 @@ constexpr double kDiscSlack = 0x1p-40;
 [[nodiscard]] std::optional<Overlap> overlap_between_axes(const SweptDiscs& first,
                                                           const SweptDiscs& second);
 
-/// A point inside discs of both parts, if one is found.
+/// A point inside discs of both parts, if one is found. That between the axes is not asked again.
 [[nodiscard]] std::optional<Overlap> overlap(const SweptDiscs& first, const SweptDiscs& second);
 
 /// A point of something else, at a parameter of that.

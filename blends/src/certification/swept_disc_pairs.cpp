@@ -251,7 +251,10 @@ ClearanceClaim prove_joint(const SweptDiscs& first, const SweptDiscs& second,
     claim.leaves = std::move(*leaves);
     return claim;
   }
-  claim.overlap = overlap(first, second);
+  claim.overlap = overlap_between_axes(first, second);
+  if (!claim.overlap) {
+    claim.overlap = overlap(first, second);
+  }
   claim.verdict = claim.overlap ? Verdict::refuted : Verdict::undecided;
   return claim;
 }
