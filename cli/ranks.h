@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "dupin/io/processes.h"
@@ -41,6 +43,17 @@ class Ranks : public Processes {
   const MpiModule* module_ = nullptr;
   std::size_t count_ = 1, own_ = 0;
 };
+
+/// Each value becomes what it is in the process that owner(place of the value) names; all call it.
+template <class Value, class Owner>
+void take_from_owners(const Processes& processes, std::vector<Value>& values, const Owner& owner) {
+  static_assert(std::is_trivially_copyable_v<Value>);
+  const std::vector<std::string> all = processes.exchanged(
+      {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)});
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    std::memcpy(&values[i], all[owner(i)].data() + i * sizeof(Value), sizeof(Value));
+  }
+}
 
 /// What all ranks do with the same input: of its errors the first one speaks.
 template <class Function>

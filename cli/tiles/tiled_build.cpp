@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <span>
@@ -162,12 +161,7 @@ class TiledBuild {
         triangles[i] = plan_.expected_triangles(i);
       }
     });
-    const std::vector<std::string> all = ranks_.exchanged(
-        {reinterpret_cast<const char*>(triangles.data()), triangles.size() * sizeof(double)});
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      std::memcpy(&triangles[i], all[i % ranks_.count()].data() + i * sizeof(double),
-                  sizeof(double));
-    }
+    take_from_owners(ranks_, triangles, [&](std::size_t i) { return i % ranks_.count(); });
     return triangles;
   }
 

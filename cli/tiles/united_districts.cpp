@@ -165,14 +165,13 @@ class UnionInTiles {
 
   // Of what others have mended.
   void learn_repairs() {
-    const std::vector<std::string> all = ranks_.exchanged(
-        {reinterpret_cast<const char*>(repairs_.data()), repairs_.size() * sizeof(RepairReport)});
+    std::vector<std::size_t> owner_of(repairs_.size(), ranks_.own());
     for (std::size_t district = 0; district < owners_.size(); ++district) {
       for (const std::size_t i : districts_.operands[district]) {
-        std::memcpy(&repairs_[i], all[owners_[district]].data() + i * sizeof(RepairReport),
-                    sizeof(RepairReport));
+        owner_of[i] = owners_[district];
       }
     }
+    take_from_owners(ranks_, repairs_, [&](std::size_t i) { return owner_of[i]; });
   }
 
   const TiledUnion& task_;
