@@ -239,8 +239,7 @@ class Borer {
   void narrow(ResolvedPart& part) const {
     const std::string inner = part.name + std::string(suffix_);
     for (const End end : {End::start, End::end}) {
-      const bool is_none = part.is_closed.at(at(end)) || part.end_names.at(at(end)) == part.name;
-      part.end_names.at(at(end)) = is_none ? inner : to_string({inner, end});
+      part.end_names.at(at(end)) = part.may_open(end) ? to_string({inner, end}) : inner;
     }
     part.name = inner;
     if (const PartKind& kind = part_kind(assembly_.parts[part.index].shape); kind.bore != nullptr) {
@@ -509,13 +508,14 @@ SelectedParts insulated(const Assembly& assembly, const ResolvedAssembly& outer,
 
 ResolvedAssembly reaching_out(ResolvedAssembly outer, const Assembly& assembly, double reach) {
   const std::size_t count = outer.parts.size();
+  const BuriedEnds buried(outer);
   for (std::uint32_t i = 0; i < count; ++i) {
     for (const End end : {End::start, End::end}) {
       const ResolvedPart& part = outer.parts[i];
       const Ring* ring = port_ring(part.shape, end);
       const bool is_pad = part_kind(assembly.parts[part.index].shape).is_pad;
       if (ring != nullptr && !part.joined.at(at(end)) && (is_pad || !part.is_closed.at(at(end))) &&
-          !is_buried(outer, {i, end})) {
+          !buried.contains({i, end})) {
         const std::string name = part.end_names.at(at(end));
         with_part_context(assembly, part.index, [&] {
           lengthen(outer, {i, end}, Vec3(ring->center), reach);
@@ -545,13 +545,13 @@ double lattice_for_gaps(double grid, const ResolvedAssembly& outer,
 void lengthen_out_of(SelectedParts& bore, const Assembly& assembly, const ResolvedAssembly& outer,
                      const std::vector<double>& walls, const std::set<std::string>& end_names) {
   const std::map<std::string, double> room = half_gaps(outer, kReach * std::ranges::max(walls));
+  const BuriedEnds buried(outer);
   for (std::uint32_t i = 0; i < outer.parts.size(); ++i) {
     for (const End end : {End::start, End::end}) {
       const ResolvedPart& part = outer.parts[i];
       const Ring* ring = port_ring(part.shape, end);
       if (bore.position[i] && ring != nullptr && !part.joined.at(at(end)) &&
-          !is_buried(outer, {i, end}) && !part.is_closed.at(at(end)) &&
-          part.end_names.at(at(end)) != part.name &&
+          !buried.contains({i, end}) && part.may_open(end) &&
           end_names.contains(part.end_names.at(at(end)))) {
         const auto gap = room.find(to_string({part.name, end}));
         const double reach = kReach * walls[part.index];

@@ -38,6 +38,7 @@ class Biller {
     }
     walls_ = assembly::walls_of(assembly_, outer_, Region::metal);
     outer_ = assembly::filled(std::move(outer_));
+    buried_.emplace(outer_);
     if (walls_) {
       bore_ = assembly::bore_of(assembly_, outer_, *walls_);
     }
@@ -170,7 +171,7 @@ class Biller {
   }
 
   void note_buried(const EndIndex& end, BillRow& row) const {
-    if (is_buried(outer_, end)) {
+    if (buried_->contains(end)) {
       std::string remark = "its ";
       remark.append(name(end.end)).append(" lies inside another part and is not trimmed here");
       row.remarks.push_back(std::move(remark));
@@ -196,6 +197,7 @@ class Biller {
 
   const Assembly& assembly_;
   ResolvedAssembly outer_;
+  std::optional<BuriedEnds> buried_;
   std::optional<std::vector<double>> walls_;
   assembly::SelectedParts bore_;
   std::vector<BillRow> rows_;

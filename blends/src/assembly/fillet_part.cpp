@@ -154,6 +154,14 @@ class Search {
   }
 
   Fillet run() {
+    Fillet result = unproved();
+    if (radius_ > 0) {
+      prove(result);
+    }
+    return result;
+  }
+
+  Fillet unproved() {
     for (const std::size_t i : {0U, 1U}) {
       for (const End end : {End::start, End::end}) {
         result_.buried.at(i).at(at(end)) = pipes_.at(1 - i).buries(pipes_.at(i).end(end));
@@ -176,11 +184,21 @@ class Search {
     for (const std::size_t i : {0U, 1U}) {
       refuse_open_end(i);
     }
-    // Last, as proofs take longest.
-    if (radius_ > 0) {
-      std::ranges::for_each(result_.loops, [&](const auto& loop) { include_regularity(loop); });
-    }
     return std::move(result_);
+  }
+
+  void prove(Fillet& fillet) const {
+    double regularity = 1;
+    for (const CanalFillet& loop : fillet.loops) {
+      const CanalRegularity proof = prove_regular(loop);
+      if (proof.verdict != Verdict::proved) {
+        refuse(proof.verdict == Verdict::refuted
+                   ? "the fillet folds: the ball is too large for the turns of its way"
+                   : "whether the fillet folds is undecided" + half_buried_end());
+      }
+      regularity = std::min(regularity, proof.regularity);
+    }
+    fillet.regularity = regularity;
   }
 
  private:
@@ -267,16 +285,6 @@ class Search {
     courses_.push_back(courses);
   }
 
-  void include_regularity(const CanalFillet& loop) {
-    const CanalRegularity proof = prove_regular(loop);
-    if (proof.verdict != Verdict::proved) {
-      refuse(proof.verdict == Verdict::refuted
-                 ? "the fillet folds: the ball is too large for the turns of its way"
-                 : "whether the fillet folds is undecided" + half_buried_end());
-    }
-    result_.regularity = std::min(result_.regularity.value_or(1), proof.regularity);
-  }
-
   // A pipe that a single loop winds about has to end inside the other one.
   void refuse_open_end(std::size_t i) const {
     const auto& buried = result_.buried.at(i);
@@ -339,6 +347,20 @@ std::string what_would_do(const std::array<Pipe, 2>& pipes, double radius,
                     ", but with these walls neither it nor a smaller one fits inside";
 }
 
+// What `work` does with a search; where it is refused, with what would do.
+template <typename Work>
+auto searched(const std::array<const PartSurface*, 2>& surfaces,
+              const std::array<std::string, 2>& names, double radius,
+              const std::function<bool(double)>& fits_bore, const Work& work) {
+  const std::array<Pipe, 2> pipes = pipes_of(surfaces, names);
+  try {
+    Search search(pipes, radius);
+    return work(search);
+  } catch (const Error& error) {
+    throw Error(Errc::infeasible_blend, error.message() + what_would_do(pipes, radius, fits_bore));
+  }
+}
+
 }  // namespace
 
 std::optional<double> largest_radius_below(double radius, const std::function<bool(double)>& fits) {
@@ -371,12 +393,20 @@ std::optional<double> largest_radius_below(double radius, const std::function<bo
 Fillet fillet_between(const std::array<const PartSurface*, 2>& surfaces,
                       const std::array<std::string, 2>& names, double radius,
                       const std::function<bool(double)>& fits_bore) {
-  const std::array<Pipe, 2> pipes = pipes_of(surfaces, names);
-  try {
-    return Search(pipes, radius).run();
-  } catch (const Error& error) {
-    throw Error(Errc::infeasible_blend, error.message() + what_would_do(pipes, radius, fits_bore));
-  }
+  return searched(surfaces, names, radius, fits_bore, [](Search& search) { return search.run(); });
+}
+
+Fillet unproved_fillet_between(const std::array<const PartSurface*, 2>& surfaces,
+                               const std::array<std::string, 2>& names, double radius,
+                               const std::function<bool(double)>& fits_bore) {
+  return searched(surfaces, names, radius, fits_bore,
+                  [](Search& search) { return search.unproved(); });
+}
+
+void prove(Fillet& fillet, const std::array<const PartSurface*, 2>& surfaces,
+           const std::array<std::string, 2>& names, const std::function<bool(double)>& fits_bore) {
+  searched(surfaces, names, fillet.radius, fits_bore,
+           [&](Search& search) { search.prove(fillet); });
 }
 
 std::optional<std::string> fillet_fault(const std::array<const PartSurface*, 2>& surfaces,

@@ -20,6 +20,16 @@ namespace dupin::assembly {
                                     const std::array<std::string, 2>& names, double radius,
                                     const std::function<bool(double)>& fits_bore = {});
 
+/// The same, but whether it folds, which takes most of the time, is left to `prove`: it has no
+/// `regularity`.
+[[nodiscard]] Fillet unproved_fillet_between(const std::array<const PartSurface*, 2>& pipes,
+                                             const std::array<std::string, 2>& names, double radius,
+                                             const std::function<bool(double)>& fits_bore = {});
+
+/// That it does not fold. Throws as `fillet_between` does.
+void prove(Fillet& fillet, const std::array<const PartSurface*, 2>& pipes,
+           const std::array<std::string, 2>& names, const std::function<bool(double)>& fits_bore);
+
 /// Why there is no such fillet; none where there is one. Throws for other surfaces as it does.
 [[nodiscard]] std::optional<std::string> fillet_fault(
     const std::array<const PartSurface*, 2>& pipes, const std::array<std::string, 2>& names,

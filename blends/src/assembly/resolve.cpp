@@ -10,6 +10,7 @@
 #include "assembly/parts/part_kind.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin {
 namespace {
@@ -52,6 +53,9 @@ class Resolver {
   }
 
  private:
+  // The parts that fillets are between, and which fillet it is.
+  using FilletedPairs = std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t>;
+
   struct EndState {
     std::string taken_by;
     std::optional<EndIndex> joined;
@@ -373,10 +377,11 @@ class Resolver {
         }
       }
     }
+    FilletedPairs filleted;
     for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
       if (part_kind(assembly_.parts[i].shape).fillet != nullptr) {
         result.fillets.push_back(fillet(i, position));
-        refuse_twice(result.fillets);
+        refuse_twice(result.fillets, filleted);
       }
       if (part_kind(assembly_.parts[i].shape).is_junction()) {
         append_junction(i, position, result);
@@ -461,18 +466,15 @@ class Resolver {
     return result;
   }
 
-  void refuse_twice(const std::vector<ResolvedFillet>& fillets) const {
-    const auto pair = [](const ResolvedFillet& fillet) {
-      return std::minmax(fillet.between[0], fillet.between[1]);
-    };
+  void refuse_twice(const std::vector<ResolvedFillet>& fillets, FilletedPairs& filleted) const {
     const ResolvedFillet& last = fillets.back();
-    const auto first = std::ranges::find_if(
-        fillets, [&](const ResolvedFillet& fillet) { return pair(fillet) == pair(last); });
-    if (first->index != last.index) {
+    const auto [first, is_new] =
+        filleted.try_emplace(std::minmax({last.between[0], last.between[1]}), fillets.size() - 1);
+    if (!is_new) {
       fail(
           last.index,
           part_kind(assembly_.parts[last.index].shape).pipes(assembly_.parts[last.index].shape).key,
-          "the crossing of these parts has '" + first->name + "' already");
+          "the crossing of these parts has '" + fillets[first->second].name + "' already");
     }
   }
 
@@ -500,26 +502,51 @@ class Resolver {
 
 }  // namespace
 
-ResolvedAssembly resolve(const Assembly& assembly) { return Resolver(assembly).run(); }
+ResolvedAssembly resolve(const Assembly& assembly) {
+  ResolvedAssembly resolved = resolve_unproved(assembly);
+  prove_fillets(assembly, resolved);
+  return resolved;
+}
 
-bool is_buried(const ResolvedAssembly& assembly, const EndIndex& end) {
-  if (assembly.parts[end.part].ends_in_hub && end.end == End::end) {
-    return true;
-  }
-  return std::ranges::any_of(assembly.fillets, [&](const ResolvedFillet& fillet) {
-    return (fillet.between[0] == end.part && fillet.shape.buried[0].at(at(end.end))) ||
-           (fillet.between[1] == end.part && fillet.shape.buried[1].at(at(end.end)));
+ResolvedAssembly resolve_unproved(const Assembly& assembly) { return Resolver(assembly).run(); }
+
+void prove_fillets(const Assembly& assembly, ResolvedAssembly& resolved) {
+  for_each_in_parallel(resolved.fillets.size(), [&](std::size_t i) {
+    ResolvedFillet& fillet = resolved.fillets[i];
+    const PartShape& shape = assembly.parts[fillet.index].shape;
+    const auto prove = part_kind(shape).prove;
+    if (prove != nullptr && !fillet.shape.regularity) {
+      assembly::with_part_context(assembly, fillet.index, [&] {
+        prove(assembly, shape,
+              {&resolved.parts[fillet.between[0]].shape, &resolved.parts[fillet.between[1]].shape},
+              fillet.shape);
+      });
+    }
   });
 }
 
+BuriedEnds::BuriedEnds(const ResolvedAssembly& assembly) : is_buried_(assembly.parts.size()) {
+  for (std::size_t i = 0; i < assembly.parts.size(); ++i) {
+    is_buried_[i].at(at(End::end)) = assembly.parts[i].ends_in_hub;
+  }
+  for (const ResolvedFillet& fillet : assembly.fillets) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      std::array<bool, 2>& of_pipe = is_buried_.at(fillet.between.at(i));
+      for (std::size_t end = 0; end < 2; ++end) {
+        of_pipe.at(end) = of_pipe.at(end) || fillet.shape.buried.at(i).at(end);
+      }
+    }
+  }
+}
+
 std::vector<Port> ports(const ResolvedAssembly& assembly) {
+  const BuriedEnds buried(assembly);
   std::vector<Port> result;
   for (const auto& part : assembly.parts) {
     for (const End end : {End::start, End::end}) {
       const Ring* ring = port_ring(part.shape, end);
       const EndIndex index{std::uint32_t(&part - assembly.parts.data()), end};
-      if (ring != nullptr && !is_buried(assembly, index) && !part.is_closed.at(at(end)) &&
-          part.end_names.at(at(end)) != part.name) {
+      if (ring != nullptr && !buried.contains(index) && part.may_open(end)) {
         result.push_back({to_string({part.name, end}), *ring, part.name});
       }
     }

@@ -32,6 +32,7 @@ class RunMesher {
         resolved_(resolved),
         grid_(grid),
         options_(options),
+        buried_(resolved),
         tubes_(resolved.parts.size()) {
     result_.parts.resize(resolved.parts.size());
   }
@@ -86,7 +87,7 @@ class RunMesher {
   // The pieces of a chain with kneecaps overlap each other, and so do those of its inner skin.
   [[nodiscard]] std::vector<Solid> solids_of(std::span<const std::uint32_t> parts,
                                              const RingSampling& chosen) const {
-    TriMesh mesh = assembly::welded(resolved_, parts, tubes_, chosen, level_, samplings_);
+    TriMesh mesh = assembly::welded(resolved_, parts, tubes_, chosen, buried_, level_, samplings_);
     const bool overlaps = std::any_of(parts.begin(), parts.end(), [&](std::uint32_t part) {
       const auto* chain = std::get_if<Chain>(&resolved_.parts[part].shape);
       return chain != nullptr && chain->joints == Joints::spherical;
@@ -241,7 +242,7 @@ class RunMesher {
     for (const std::size_t run : group.runs) {
       const auto& parts = runs[run].parts;
       welded.push_back(assembly::welded(resolved_, parts, tubes_, mesher.sampling.at(parts.front()),
-                                        level_, samplings_));
+                                        buried_, level_, samplings_));
     }
     std::vector<HubPatch> patches;
     patches.reserve(group.junctions.size());
@@ -357,6 +358,7 @@ class RunMesher {
   const ResolvedAssembly& resolved_;
   double grid_;
   const BuildOptions& options_;
+  BuriedEnds buried_;
   std::vector<RingSampling> samplings_;  // by run
   LevelEnds level_;
   std::vector<TriMesh> tubes_;  // by part

@@ -18,10 +18,11 @@ using RingVertices = std::map<Vec3, std::uint32_t, numbers::PointOrder>;
 class Welder {
  public:
   Welder(const ResolvedAssembly& assembly, std::span<const std::uint32_t> parts,
-         const RingSampling& sampling, const LevelEnds& level,
+         const RingSampling& sampling, const BuriedEnds& buried, const LevelEnds& level,
          std::span<const RingSampling> of_runs)
       : assembly_(assembly),
         sampling_(sampling),
+        buried_(buried),
         level_(level),
         of_runs_(of_runs),
         is_member_(assembly.parts.size(), false) {
@@ -60,7 +61,7 @@ class Welder {
 
   // How many points a tube has at an end: those of the ring, or none.
   [[nodiscard]] std::size_t row_size(const EndIndex& end) const {
-    return is_buried(assembly_, end) ? 0 : sampling_.segments;
+    return buried_.contains(end) ? 0 : sampling_.segments;
   }
 
   // Both ends at a welded ring have the same vertices; the end that comes first owns them.
@@ -118,7 +119,7 @@ class Welder {
 
   // Ends that are joined to a part outside the piece vanish in the union and need no name.
   void close(std::uint32_t index, End end, const Ring& at_ring, std::uint32_t part_label) {
-    if (is_welded({index, end}) || is_buried(assembly_, {index, end})) {
+    if (is_welded({index, end}) || buried_.contains({index, end})) {
       return;
     }
     const ResolvedPart& part = assembly_.parts[index];
@@ -144,6 +145,7 @@ class Welder {
 
   const ResolvedAssembly& assembly_;
   const RingSampling& sampling_;
+  const BuriedEnds& buried_;
   const LevelEnds& level_;
   std::span<const RingSampling> of_runs_;
   std::vector<bool> is_member_;
@@ -152,12 +154,13 @@ class Welder {
 };
 
 // A ring whose disc may lie level with another one.
-const Ring* ring_of_disc(const ResolvedAssembly& assembly, const EndIndex& end) {
+const Ring* ring_of_disc(const ResolvedAssembly& assembly, const BuriedEnds& buried,
+                         const EndIndex& end) {
   const ResolvedPart& part = assembly.parts[end.part];
   const Ring* ring = port_ring(part.shape, end.end);
   const bool is_flange = part.is_closed[0] && part.is_closed[1];
   return ring == nullptr || ring->ellipse || part.joined.at(at(end.end)) ||
-                 (part.is_closed.at(at(end.end)) && !is_flange) || is_buried(assembly, end)
+                 (part.is_closed.at(at(end.end)) && !is_flange) || buried.contains(end)
              ? nullptr
              : ring;
 }
@@ -165,11 +168,12 @@ const Ring* ring_of_disc(const ResolvedAssembly& assembly, const EndIndex& end) 
 }  // namespace
 
 LevelEnds::LevelEnds(const ResolvedAssembly& assembly, std::vector<std::size_t> run_of) {
+  const BuriedEnds buried(assembly);
   std::map<Vec3, std::vector<Member>, numbers::PointOrder> by_center;
   for (std::uint32_t i = 0; i < assembly.parts.size(); ++i) {
     const auto& is_closed = assembly.parts[i].is_closed;
     for (const End end : {End::start, End::end}) {
-      if (const Ring* ring = ring_of_disc(assembly, {i, end})) {
+      if (const Ring* ring = ring_of_disc(assembly, buried, {i, end})) {
         by_center[ring->center].push_back({{i, end},
                                            *ring,
                                            run_of[i],
@@ -242,8 +246,9 @@ std::vector<tessellation::SampledRing> LevelEnds::within(
 
 TriMesh welded(const ResolvedAssembly& assembly, std::span<const std::uint32_t> parts,
                const std::vector<TriMesh>& tubes, const RingSampling& sampling,
-               const LevelEnds& level, std::span<const RingSampling> of_runs) {
-  Welder welder(assembly, parts, sampling, level, of_runs);
+               const BuriedEnds& buried, const LevelEnds& level,
+               std::span<const RingSampling> of_runs) {
+  Welder welder(assembly, parts, sampling, buried, level, of_runs);
   for (const auto part : parts) {
     welder.append(part, tubes[part]);
   }

@@ -48,7 +48,8 @@ class LevelEnds {
 /// discs of open ends as ResolvedPart::end_names says.
 [[nodiscard]] TriMesh welded(const ResolvedAssembly& assembly, std::span<const std::uint32_t> parts,
                              const std::vector<TriMesh>& tubes, const RingSampling& sampling,
-                             const LevelEnds& level, std::span<const RingSampling> of_runs);
+                             const BuriedEnds& buried, const LevelEnds& level,
+                             std::span<const RingSampling> of_runs);
 
 /// The parts of a labelled mesh that share no points, each with the points it uses, in the order of
 /// their first triangles.

@@ -21,7 +21,11 @@ class Filler {
  public:
   Filler(const ResolvedAssembly& assembly, const std::map<std::string, std::string>& renamed,
          PatchTable& table)
-      : assembly_(assembly), renamed_(renamed), table_(table), skins_(assembly.parts.size()) {}
+      : assembly_(assembly),
+        buried_(assembly),
+        renamed_(renamed),
+        table_(table),
+        skins_(assembly.parts.size()) {}
 
   void run() {
     for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
@@ -103,7 +107,7 @@ class Filler {
       skins.push_back(add_skin(inner_skin(chain), part.name));
     }
     for (const End end : {End::start, End::end}) {
-      if (!chain.closed && !part.joined.at(at(end)) && !is_buried(assembly_, {index, end})) {
+      if (!chain.closed && !part.joined.at(at(end)) && !buried_.contains({index, end})) {
         const std::uint32_t face =
             add_face(end_ring(chain, end), chain.wall > 0, part.end_names.at(at(end)));
         if (part.is_closed.at(at(end))) {
@@ -151,6 +155,7 @@ class Filler {
   }
 
   const ResolvedAssembly& assembly_;
+  BuriedEnds buried_;
   const std::map<std::string, std::string>& renamed_;
   PatchTable& table_;
   std::vector<std::vector<Numbers>> skins_;  // of each part: outer and inner, by pieces

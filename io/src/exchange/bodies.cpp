@@ -39,7 +39,11 @@ class Groups {
 class BodyMaker {
  public:
   BodyMaker(const ResolvedAssembly& resolved, double tolerance, Labels& labels, SurfaceCount& count)
-      : resolved_(resolved), tolerance_(tolerance), labels_(labels), count_(count) {}
+      : resolved_(resolved),
+        buried_(resolved),
+        tolerance_(tolerance),
+        labels_(labels),
+        count_(count) {}
 
   Body body(const std::vector<std::uint32_t>& parts) {
     body_ = {};
@@ -204,7 +208,7 @@ class BodyMaker {
     if (is_joined({index, end}) || (part.ends_in_hub && end == End::end)) {
       return;
     }
-    const bool is_end = !part.joined.at(at(end)) && !is_buried(resolved_, {index, end});
+    const bool is_end = !part.joined.at(at(end)) && !buried_.contains({index, end});
     body_.discs.push_back({labels_.label(is_end ? part.end_names.at(at(end)) : part.name),
                            ring_of({index, end}), port_ring(part.shape, end)->normal});
     ++count_.exact;
@@ -221,6 +225,7 @@ class BodyMaker {
   }
 
   const ResolvedAssembly& resolved_;
+  BuriedEnds buried_;
   double tolerance_;
   Labels& labels_;
   SurfaceCount& count_;

@@ -1,3 +1,5 @@
+#include <functional>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -5,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "assembly/fillet_part.h"
+#include "blends/assembly/filleted_tee.h"
 #include "dupin/blends/build.h"
 #include "dupin/kernel/error.h"
 #include "support/named_parts.h"
@@ -63,6 +66,43 @@ TEST(FilletPart, is_made_of_pipes_off_the_axis_as_its_refusal_says) {
   const Part run = pipe("run", {-20, 0, 0}, {20, 0, 0}, 4);
   EXPECT_EQ(between(run, pipe("b", {0, 0, 0.1}, {0, 12, 0.1}, 3.9), 0.5).loops.size(), 1U);
   EXPECT_EQ(between(run, pipe("b", {0, -12, 0.1}, {0, 12, 0.1}, 4), 0.5).loops.size(), 1U);
+}
+
+// What takes long is left to where a fillet is built, with the same result.
+TEST(FilletPart, is_proved_later) {
+  const Assembly document = assembly({pipe("run", {-20, 0, 0}, {20, 0, 0}, 4),
+                                      pipe("b", {0, 0, 0}, {0, 12, 0}, 2),
+                                      pipe("c", {9, 0, 0}, {9, 0, 12}, 3),
+                                      fillet("f", "run", "b", 1),
+                                      {"g", CopeOfEnd{{"c", End::start}, "run"}}});
+  ResolvedAssembly resolved = resolve_unproved(document);
+  EXPECT_EQ(resolved.fillets[0].shape.regularity, std::nullopt);
+  EXPECT_FALSE(resolved.fillets[0].shape.is_cope());
+  prove_fillets(document, resolved);
+  const ResolvedAssembly at_once = resolve(document);
+  EXPECT_GT(at_once.fillets[0].shape.regularity, 0.1);
+  EXPECT_EQ(resolved.fillets[0].shape.regularity, at_once.fillets[0].shape.regularity);
+  EXPECT_EQ(resolved.fillets[1].shape.regularity, std::nullopt);
+  EXPECT_TRUE(resolved.fillets[1].shape.is_cope());
+}
+
+std::string what_is_said(const std::function<void()>& work) {
+  try {
+    work();
+    return "nothing";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+TEST(FilletPart, that_folds_is_refused_alike_wherever_it_is_proved) {
+  const Assembly document = test::Tee{1, 0, std::numbers::pi / 6, 0.5}.document(true);
+  EXPECT_NO_THROW((void)resolve_unproved(document));
+  const std::string said = what_is_said([&] { (void)resolve(document); });
+  EXPECT_THAT(said, testing::AllOf(testing::HasSubstr("the fillet folds"),
+                                   testing::HasSubstr("the largest ball that fits"),
+                                   testing::HasSubstr("d.json#/parts/2")));
+  EXPECT_EQ(what_is_said([&] { (void)build(document); }), said);
 }
 
 struct Fault {

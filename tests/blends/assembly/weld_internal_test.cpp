@@ -49,7 +49,7 @@ TriMesh welded_parts(const std::vector<std::uint32_t>& parts) {
     tubes.push_back(
         std::visit([](const auto& shape) { return tessellate(shape, kSquare).mesh; }, part.shape));
   }
-  return welded(assembly, parts, tubes, kSquare, {}, {});
+  return welded(assembly, parts, tubes, kSquare, BuriedEnds(assembly), {}, {});
 }
 
 // Of the triangles with a label, by names.
@@ -101,7 +101,8 @@ TEST(Weld, closed_parts_may_have_ends) {
                          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}},
                          {2, 0, 0, 1},
                          {"skins", "start", "end"}};
-  const TriMesh mesh = welded(assembly, std::vector{0U}, {labelled}, kSquare, {}, {});
+  const TriMesh mesh =
+      welded(assembly, std::vector{0U}, {labelled}, kSquare, BuriedEnds(assembly), {}, {});
   EXPECT_EQ(mesh.triangles, labelled.triangles);
   std::vector<std::string> names;
   for (const std::uint32_t label : mesh.labels) {

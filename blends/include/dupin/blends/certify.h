@@ -20,7 +20,7 @@ struct CertifyOptions {
   std::size_t boxes = 1 << 14;
   /// That all searches together may take, in units of a few microseconds; far pairs of parts are
   /// not counted. When it is used up, what is not found at the first look is undecided.
-  std::uint64_t work = 1 << 20;
+  std::uint64_t work = 3 << 18;
   /// Pairs of parts that are certain to be at least so far from each other have one claim for all;
   /// 0: none of them, all have a claim of their own. None: 0 for up to 64 parts, else twice the
   /// tolerance, so that the meshes of those pairs cannot cross either.

@@ -36,6 +36,11 @@ struct ResolvedPart {
   bool ends_in_hub = false;  ///< an arm of a junction, which has no end there
   /// Ends that are closed for good, and are no ports: a head's tip, both faces of a flange.
   std::array<bool, 2> is_closed{};
+
+  /// Whether an end may be open: it is not closed for good, nor called as the part (`patches`).
+  [[nodiscard]] bool may_open(End end) const {
+    return !is_closed.at(at(end)) && end_names.at(at(end)) != name;
+  }
 };
 
 /// What a ball leaves uncovered that rolls round the crossing of two straight pipes outside of
@@ -51,9 +56,9 @@ struct Fillet {
   std::array<std::array<bool, 2>, 2> buried{};
   /// A proved lower bound of how far the loops are from folding (least_regularity); none of a cope.
   std::optional<double> regularity;
-  double radius = 0;  ///< of the ball, as it was asked for
+  double radius = 0;  ///< of the ball, as it was asked for; 0 of a cope
 
-  [[nodiscard]] bool is_cope() const { return !regularity; }
+  [[nodiscard]] bool is_cope() const { return radius == 0; }
 };
 
 /// A fillet with its geometry. It is no part: it trims those that it is between.
@@ -88,8 +93,25 @@ struct ResolvedAssembly {
 /// references, numbers that are not finite or not positive, parts without length.
 [[nodiscard]] ResolvedAssembly resolve(const Assembly& assembly);
 
-/// Whether the end vanishes: inside of a fillet's other pipe, or in a junction's hub. O(fillets).
-[[nodiscard]] bool is_buried(const ResolvedAssembly& assembly, const EndIndex& end);
+/// The same, but that fillets do not fold, which takes most of the time of documents that have
+/// them, is left to `prove_fillets`: `Fillet::regularity` is not known.
+[[nodiscard]] ResolvedAssembly resolve_unproved(const Assembly& assembly);
+
+/// Proves that fillets do not fold, on as many threads as TBB may use, where that is not known yet.
+/// Throws as `resolve` does, for the first in document order of those that do.
+void prove_fillets(const Assembly& assembly, ResolvedAssembly& resolved);
+
+/// Ends that vanish: inside of a fillet's other pipe, or in a junction's hub. O(parts + fillets).
+class BuriedEnds {
+ public:
+  explicit BuriedEnds(const ResolvedAssembly& assembly);
+  [[nodiscard]] bool contains(const EndIndex& end) const {
+    return is_buried_.at(end.part).at(at(end.end));
+  }
+
+ private:
+  std::vector<std::array<bool, 2>> is_buried_;  // of each part
+};
 
 /// All ports in document order, named "part.start" and "part.end", without those that are buried
 /// or called as their part (`patches`).

@@ -30,7 +30,7 @@ Assembly with_options(Assembly assembly, const BuildOptions& options) {
 
 ResolvedAssembly resolved(const Assembly& assembly, const Progress& progress) {
   tell(progress, "resolve");
-  return resolve(assembly);
+  return resolve_unproved(assembly);
 }
 
 // How far what is made of a part may lie outside of a box about its surface.

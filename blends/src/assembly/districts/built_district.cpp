@@ -38,6 +38,7 @@ class Builder {
         resolved_(std::move(district.resolved)) {}
 
   Built run() {
+    prove_fillets(assembly_, resolved_);
     const auto count = static_cast<double>(resolved_.parts.size());
     for (const auto& part : resolved_.parts) {
       tell(options_.progress, "certify", double(built_.parts.size()) / count);

@@ -1,9 +1,21 @@
+#include <array>
+#include <functional>
+
 #include "assembly/bore.h"
 #include "assembly/fillet_part.h"
 #include "assembly/parts/part_checks.h"
 #include "assembly/parts/part_rules.h"
 
 namespace dupin::assembly {
+
+namespace {
+
+std::function<bool(double)> fits_bore(const Assembly& assembly, const FilletBetween& fillet,
+                                      const std::array<const PartSurface*, 2>& surfaces) {
+  return [&](double tried) { return bore_takes(assembly, surfaces, fillet.between, tried); };
+}
+
+}  // namespace
 
 template <>
 struct PartRules<"fillet"> {
@@ -19,9 +31,13 @@ struct PartRules<"fillet"> {
     if (fillet.between[0] == fillet.between[1]) {
       fail(context, "between", "a fillet is between two different parts");
     }
-    return fillet_between(surfaces, fillet.between, fillet.radius, [&](double tried) {
-      return bore_takes(context.assembly, surfaces, fillet.between, tried);
-    });
+    return unproved_fillet_between(surfaces, fillet.between, fillet.radius,
+                                   fits_bore(context.assembly, fillet, surfaces));
+  }
+
+  static void prove(const Assembly& assembly, const FilletBetween& fillet,
+                    const std::array<const PartSurface*, 2>& surfaces, Fillet& found) {
+    assembly::prove(found, surfaces, fillet.between, fits_bore(assembly, fillet, surfaces));
   }
 };
 template const PartKind& part_kind<"fillet">();

@@ -65,6 +65,9 @@ struct PartKind {
   FilletPipes (*pipes)(const PartShape&) = nullptr;
   Fillet (*fillet)(const PartContext&, const PartShape&,
                    const std::array<const PartSurface*, 2>& pipes) = nullptr;
+  /// That it does not fold, which `fillet` leaves open; none of what has nothing to prove.
+  void (*prove)(const Assembly&, const PartShape&, const std::array<const PartSurface*, 2>& pipes,
+                Fillet&) = nullptr;
   /// Of a junction, none of other kinds: the ports that it joins, and its geometry.
   References (*ends)(const PartShape&) = nullptr;
   JunctionOfEnds (*junction)(const PartContext&, const PartShape&) = nullptr;

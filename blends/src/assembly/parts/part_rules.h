@@ -58,6 +58,13 @@ Fillet fillet_by_rules(const PartContext& context, const PartShape& shape,
 }
 
 template <KeyName key>
+void prove_by_rules(const Assembly& assembly, const PartShape& shape,
+                    const std::array<const PartSurface*, 2>& pipes, Fillet& fillet) {
+  of_shape<key, void>(
+      shape, [&](const auto& given) { PartRules<key>::prove(assembly, given, pipes, fillet); });
+}
+
+template <KeyName key>
 References ends_by_rules(const PartShape& shape) {
   return of_shape<key, References>(shape,
                                    [](const auto& given) { return PartRules<key>::ends(given); });
@@ -113,6 +120,9 @@ constexpr PartKind with_fillet(PartKind kind) {
   if constexpr (requires { PartRules<key>::pipes; }) {
     kind.pipes = pipes_by_rules<key>;
     kind.fillet = fillet_by_rules<key>;
+  }
+  if constexpr (requires { PartRules<key>::prove; }) {
+    kind.prove = prove_by_rules<key>;
   }
   if constexpr (requires { PartRules<key>::ends; }) {
     kind.ends = ends_by_rules<key>;
