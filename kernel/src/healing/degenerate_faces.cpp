@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 #include "dupin/kernel/error.h"
 #include "mesh/edge_table.h"
 #include "predicates/triangle_overlap.h"
+#include "support/blocks.h"
+#include "support/bulk_vector.h"
 #include "support/disjoint_sets.h"
+#include "support/sequences.h"
 
 namespace dupin::healing {
 namespace {
@@ -68,22 +72,27 @@ struct DividedEdge {
   std::uint32_t face, k, line;
 };
 
+/// Per triangle 1 if its corners are collinear.
+support::BulkVector<std::uint8_t> degenerate_faces(const PolygonSoup& soup) {
+  support::BulkVector<std::uint8_t> degenerate(soup.triangles.size());
+  support::for_each_block(degenerate.size(), [&](const support::Block& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const auto& [a, b, c] = soup.triangles[i];
+      degenerate[i] = predicates::collinear(soup.points[a], soup.points[b], soup.points[c]) ? 1 : 0;
+    }
+  });
+  return degenerate;
+}
+
 class DegenerateFaces {
  public:
-  explicit DegenerateFaces(PolygonSoup& soup)
+  /// Of `is_degenerate`, some have a 1.
+  DegenerateFaces(const PolygonSoup& soup, support::BulkVector<std::uint8_t> is_degenerate)
       : soup_(soup),
-        edges_(soup.triangles, soup.points.size()),
-        is_degenerate_(soup.triangles.size(), 0) {
-    for (std::size_t i = 0; i < is_degenerate_.size(); ++i) {
-      const auto& [a, b, c] = soup.triangles[i];
-      if (predicates::collinear(soup.points[a], soup.points[b], soup.points[c])) {
-        is_degenerate_[i] = 1;
-        ++count_;
-      }
-    }
-  }
-
-  [[nodiscard]] std::size_t count() const { return count_; }
+        is_degenerate_(std::move(is_degenerate)),
+        near_(faces_near()),
+        triangles_near_(support::selected(std::span<const Triangle>(soup.triangles), near_)),
+        edges_(triangles_near_, soup.points.size()) {}
 
   /// The soup without them.
   [[nodiscard]] PolygonSoup replaced() const {
@@ -117,15 +126,35 @@ class DegenerateFaces {
     }
   }
 
+  // Those that may have an edge of a degenerate one, and these, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> faces_near() const {
+    std::vector<std::uint8_t> on_line(soup_.points.size(), 0);
+    for (std::size_t face = 0; face < is_degenerate_.size(); ++face) {
+      if (is_degenerate_[face]) {
+        for (const std::uint32_t corner : soup_.triangles[face]) {
+          on_line[corner] = 1;
+        }
+      }
+    }
+    return support::indices_where(soup_.triangles.size(), [&](std::uint32_t face) {
+      const auto& [a, b, c] = soup_.triangles[face];
+      return on_line[a] + on_line[b] + on_line[c] >= 2;
+    });
+  }
+
+  [[nodiscard]] std::uint32_t face_of(std::uint32_t half_edge) const {
+    return near_[half_edge / 3];
+  }
+
   // Number of each degenerate face's line.
   [[nodiscard]] std::vector<std::uint32_t> number_lines() const {
     support::DisjointSets sets(is_degenerate_.size());
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       const std::uint32_t* first = nullptr;
       for (const std::uint32_t& half_edge : edges_[i].half_edges) {
-        if (is_degenerate_[half_edge / 3]) {
+        if (is_degenerate_[face_of(half_edge)]) {
           first = first == nullptr ? &half_edge : first;
-          sets.unite(*first / 3, half_edge / 3);
+          sets.unite(face_of(*first), face_of(half_edge));
         }
       }
     }
@@ -162,14 +191,15 @@ class DegenerateFaces {
     std::vector<DividedEdge> divided;
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       const auto along = edges_[i].half_edges;
-      const auto degenerate = std::ranges::find_if(
-          along, [this](std::uint32_t half_edge) { return is_degenerate_[half_edge / 3] != 0; });
+      const auto degenerate = std::ranges::find_if(along, [this](std::uint32_t half_edge) {
+        return is_degenerate_[face_of(half_edge)] != 0;
+      });
       if (degenerate == along.end()) {
         continue;
       }
       for (const std::uint32_t half_edge : along) {
-        if (!is_degenerate_[half_edge / 3]) {
-          divided.push_back({half_edge / 3, half_edge % 3, number[*degenerate / 3]});
+        if (const std::uint32_t face = face_of(half_edge); !is_degenerate_[face]) {
+          divided.push_back({face, half_edge % 3, number[face_of(*degenerate)]});
         }
       }
     }
@@ -220,21 +250,23 @@ class DegenerateFaces {
     }
   }
 
-  PolygonSoup& soup_;
-  mesh::EdgeTable edges_;
-  std::vector<std::uint8_t> is_degenerate_;
-  std::size_t count_ = 0;
+  const PolygonSoup& soup_;
+  support::BulkVector<std::uint8_t> is_degenerate_;
+  std::vector<std::uint32_t> near_;
+  std::vector<Triangle> triangles_near_;
+  mesh::EdgeTable edges_;  // of these: its face i is near_[i]
 };
 
 }  // namespace
 
 std::size_t drop_degenerate_faces(PolygonSoup& soup) {
   const std::size_t dropped = drop_faces_that_repeat_a_corner(soup);
-  const DegenerateFaces degenerate(soup);
-  if (degenerate.count() > 0) {
-    soup = degenerate.replaced();
+  support::BulkVector<std::uint8_t> degenerate = degenerate_faces(soup);
+  const auto count = static_cast<std::size_t>(std::ranges::count(degenerate, 1));
+  if (count > 0) {
+    soup = DegenerateFaces(soup, std::move(degenerate)).replaced();
   }
-  return dropped + degenerate.count();
+  return dropped + count;
 }
 
 }  // namespace dupin::healing

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -272,14 +273,33 @@ std::optional<FilledVoids> SliverVoids::filled(double width) const {
     return std::nullopt;
   }
   result.mesh = without(gone);
-  // Copies of points might no longer tell apart two sheets that still touch along an edge.
-  const mesh::EdgeTable edges(result.mesh.triangles, result.mesh.points.size());
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (edges[i].half_edges.size() != 2) {
-      return std::nullopt;
+  return tells_sheets_apart(result.mesh, gone) ? std::optional(std::move(result)) : std::nullopt;
+}
+
+/// Copies of points might no longer tell apart two sheets that still touch along an edge; then more
+/// than two half-edges run between the same two.
+bool SliverVoids::tells_sheets_apart(const mesh::ExactMesh& rest,
+                                     const std::vector<std::uint8_t>& gone) const {
+  std::vector<std::uint32_t> number(gone.size(), 0);  // in the rest
+  for (std::size_t f = 1; f < gone.size(); ++f) {
+    number[f] = number[f - 1] + (gone[f - 1] == 0 ? 1 : 0);
+  }
+  for (const auto& [edge, around] : around_) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+    for (const std::uint32_t h : around) {
+      if (gone[h / 3] == 0) {
+        const Triangle& t = rest.triangles[number[h / 3]];
+        ends.emplace_back(std::minmax(t[h % 3], t[(h + 1) % 3]));
+      }
+    }
+    std::ranges::sort(ends);
+    for (std::size_t i = 0; i + 2 < ends.size(); ++i) {
+      if (ends[i] == ends[i + 2]) {
+        return false;
+      }
     }
   }
-  return result;
+  return true;
 }
 
 }  // namespace dupin::rounding

@@ -48,6 +48,8 @@ class SliverVoids {
   [[nodiscard]] bool is_void(std::uint32_t cell) const;
   [[nodiscard]] std::vector<Void> find_voids(double widest) const;
   [[nodiscard]] mesh::ExactMesh without(const std::vector<std::uint8_t>& gone) const;
+  [[nodiscard]] bool tells_sheets_apart(const mesh::ExactMesh& rest,
+                                        const std::vector<std::uint8_t>& gone) const;
 
   const mesh::ExactMesh& mesh_;
   std::vector<Triangle> merged_;  // the triangles with coincident points as one
