@@ -2,11 +2,12 @@
 """Plants of many components, larger than memory: time, peak memory, and how they grow.
 
 Usage: bench/large_plants.py BUILD_FOLDER [--components N ...] [--tolerance MM] [--memory SIZE]
-       [--compare N] [--folder DIR]
+       [--compare N] [--folder DIR] [--connected]
 
 Plants are seeded: lines of pipes, bends, a reducer and filleted branches in a rack, each line apart from the
 next, 200 m from the origin. Each is built within --memory, and what was written is checked within it; up to
---compare components also at once, and the bytes and reports are compared. Then a branch of one line is moved, and
+--compare components also at once, and the bytes and reports are compared. With --connected, all lines begin in
+headers, and are one thing that hangs together. Then a branch of one line is moved, and
 the plant is built again from a cache.
 """
 import argparse
@@ -24,6 +25,7 @@ import time
 
 LINES_PER_LEVEL = 50
 PITCH = 900  # of lines, mm
+HEADER = 199_500  # where lines begin that hang together, mm
 PER_LINE = 12  # components, without fillets
 
 
@@ -62,9 +64,25 @@ def line(number, choose):
     return parts
 
 
-def plant(components, tolerance):
+def header(number):
+    """A pipe across the beginning of a line, which goes on from that of the line beside it, or up from the level below."""
+    y, z = PITCH * (number % LINES_PER_LEVEL), PITCH * (number // LINES_PER_LEVEL)
+    if y:
+        return [{"name": f"h{number}", "pipe": {"from": f"h{number - 1}.end", "length": PITCH}}]
+    parts = [{"name": f"h{number}", "pipe": {"from": [HEADER, -PITCH / 2, z], "to": [HEADER, PITCH / 2, z], "radius": 200}}]
+    if z:
+        parts.append({"name": f"u{number}", "pipe": {"from": [HEADER, 80 - PITCH / 2, z - PITCH], "radius": 60,
+                                                     "to": [HEADER, 80 - PITCH / 2, z]}})
+    return parts
+
+
+def plant(components, tolerance, is_connected=False):
     choose = random.Random(21)
     lines = [line(number, choose) for number in range(math.ceil(components / PER_LINE))]
+    if is_connected:
+        for number, parts in enumerate(lines):
+            parts[0]["pipe"]["from"][0] = HEADER
+            parts += header(number)
     return {"units": "mm", "tolerance": tolerance, "parts": [part for parts in lines for part in parts]}
 
 
@@ -95,7 +113,7 @@ def exponent(rows, column):
 def measured(tool, folder, components, arguments):
     """A row of the table, as for exponents: components, and seconds and bytes of the build and of the check."""
     document, edited = folder / "plant.json", folder / "edited.json"
-    content = plant(components, arguments.tolerance)
+    content = plant(components, arguments.tolerance, arguments.connected)
     document.write_text(json.dumps(content), encoding="utf-8")
     edited.write_text(json.dumps(with_one_branch_moved(content)), encoding="utf-8")
     tiled, whole = folder / "tiled.stl", folder / "whole.stl"
@@ -128,6 +146,7 @@ def main():
     parser.add_argument("--memory", default="4GB")
     parser.add_argument("--compare", type=int, default=10_000)
     parser.add_argument("--folder", help="for the files, which may be large")
+    parser.add_argument("--connected", action="store_true", help="all lines begin in headers")
     arguments = parser.parse_args()
     tool = str((arguments.build / "cli" / "dupin").resolve())
     print(f"{'components':>10} {'triangles':>12} {'s':>9} {'M tri/s':>8} {'peak MB':>9} {'check s':>9} {'check MB':>9} "

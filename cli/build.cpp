@@ -36,6 +36,10 @@
 namespace dupin::cli {
 namespace {
 
+/// Fewer parts of a piping file or graph are not looked at for what may be divided: what is,
+/// has more.
+constexpr std::size_t kManyParts = 32;
+
 /// "3 (2 pipe, 1 cyclic_blend)".
 std::string parts_text(const std::vector<PartReport>& parts) {
   std::map<std::string, std::size_t> kinds;
@@ -224,19 +228,59 @@ bool is_in_districts(const BuildArguments& arguments, const Ranks& ranks) {
   return is_tiled(arguments.tiles) || ranks.count() > 1 || is_in_files(arguments.output);
 }
 
+// No piping file and no graph.
+bool is_plain(const Document& document) { return !document.network && !document.piping; }
+
+// Nothing where what hangs together is to be divided.
+std::optional<Built> build_undivided(Document& document, const BuildOptions& options) {
+  if (options.most_of_piece == 0 ||
+      (!is_plain(document) && document.assembly.parts.size() < kManyParts)) {
+    return build_document(document, options);
+  }
+  try {
+    const DistrictBuild plan(document.assembly, options);
+    if (!plan.seams().empty()) {
+      plan.refuse_too_costly();
+      return std::nullopt;
+    }
+    if (is_plain(document)) {
+      return plan.build_all(options.progress);
+    }
+  } catch (const Error&) {
+    if (is_plain(document)) {
+      throw;
+    }
+  }
+  return build_document(document, options);  // which knows the lines of a file, and does without
+                                             // fillets that were not asked for
+}
+
 // The solid built and written, whole or in tiles.
 Built build_and_write(Document& document, const BuildOptions& options,
                       const BuildArguments& arguments, const Ranks& ranks, BuildReport& report,
                       TriMesh* written, std::string& warning) {
-  if (is_in_districts(arguments, ranks)) {
+  const auto in_districts = [&] {
     TiledBuilt made = build_in_tiles(document, options, arguments, header_of(document), ranks);
     report.output = std::move(made.output);
     warning = std::move(made.warning);
     return std::move(made.built);
+  };
+  if (is_in_districts(arguments, ranks)) {
+    return in_districts();
   }
-  Built built = build_document(document, options);
-  write_built(built, document, options, arguments, report, written);
-  return built;
+  std::optional<Built> built = build_undivided(document, options);
+  if (!built) {
+    try {
+      return in_districts();
+    } catch (const Error&) {
+      if (is_plain(document)) {
+        throw;
+      }
+      built = build_document(document, options);  // as above
+    }
+  }
+  write_built(*built, document, options, arguments, report, written);
+  return *std::move(built);
 }
 
 // Districts are to be rounded apart where a mesh of the exact union is written.
@@ -250,6 +294,7 @@ void prepare_districts(const BuildArguments& arguments, const std::string& unit,
     options.margin = margin.absolute;
     options.relative_margin = margin.relative;
   }
+  options.most_of_piece = most_of_piece(arguments);
 }
 
 // What is no part of the report, as the same build without it would say the same.

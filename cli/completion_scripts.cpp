@@ -15,6 +15,9 @@ namespace {
 std::string option_words(const CLI::App& app) {
   std::string words;
   for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group().empty()) {  // hidden
+      continue;
+    }
     for (const std::string& name : option->get_snames()) {
       words += "-" + name + " ";
     }

@@ -36,6 +36,9 @@ bool OptionInfo::takes_file() const {
 std::vector<OptionInfo> options_of(const CLI::App& command) {
   std::vector<OptionInfo> infos;
   for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group().empty()) {  // hidden
+      continue;
+    }
     OptionInfo info{.short_names = option->get_snames(),
                     .long_names = option->get_lnames(),
                     .text = one_line(option->get_description()),

@@ -72,9 +72,11 @@ OutputReport write_districts(std::span<const Solid> solids, std::span<const Boxe
                        normals);
 }
 
-DistrictOutput district_output(const Solid& solid, std::span<const Boxes> boxes,
-                               std::size_t district, const Destination& to,
-                               const RoundingOptions& rounding, const ContactChoice& contacts) {
+namespace {
+
+DistrictOutput whole_output(const Solid& solid, std::span<const Boxes> boxes, std::size_t district,
+                            const Destination& to, const RoundingOptions& rounding,
+                            const ContactChoice& contacts, std::span<const Seam> seams) {
   DistrictOutput result;
   const Rounded rounded = settled_and_rounded(solid, to, rounding, contacts, result.report);
   if (boxes.size() > 1 && !lies_in(rounded, boxes[district])) {
@@ -82,13 +84,43 @@ DistrictOutput district_output(const Solid& solid, std::span<const Boxes> boxes,
                 "internal error, please report it: a district does not lie in its boxes", {},
                 to.path);
   }
-  result.report.check = check(rounded);
+  OpenPiece open;
+  open.report = check(rounded);
+  if (!seams.empty()) {
+    open = opened(rounded.mesh(), rounded.report().origin, std::move(open.report), seams);
+  }
+  result.report.check = std::move(open.report);
+  result.sides = std::move(open.sides);
   result.report.rounding = rounded.report();
   result.report.contacts = rounded.contacts();
   result.piece = mesh_piece(rounded, to.format, to.path);
+  if (!seams.empty()) {
+    std::vector<std::string> names;
+    std::ranges::transform(seams, std::back_inserter(names), &Seam::name);
+    result.piece = without(std::move(result.piece), open.disc_faces, names);
+  }
   for (const std::uint32_t label : std::set(solid.labels().begin(), solid.labels().end())) {
     result.seen.push_back(solid.names()[label]);
   }
+  return result;
+}
+
+}  // namespace
+
+DistrictOutput district_output(const Solid& solid, std::span<const Boxes> boxes,
+                               std::size_t district, const Destination& to,
+                               const RoundingOptions& rounding, const ContactChoice& contacts,
+                               std::span<const Seam> seams) {
+  try {
+    return whole_output(solid, boxes, district, to, rounding, contacts, seams);
+  } catch (const Error& error) {
+    if (seams.empty() || (error.code() != Errc::unroundable && error.code() != Errc::internal)) {
+      throw;
+    }
+  }
+  DistrictOutput result;
+  result.report.check.emplace();
+  result.sides.resize(seams.size());
   return result;
 }
 

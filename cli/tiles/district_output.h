@@ -5,6 +5,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "dupin/io/mesh_stream.h"
 #include "dupin/io/processes.h"
@@ -41,14 +42,17 @@ struct DistrictOutput {
   OutputReport report;  ///< its check, rounding, contacts and what was settled
   MeshPiece piece;
   std::vector<std::string> seen;  ///< the names of the labels that the solid has, before rounding
+  std::vector<SeamSide> sides;    ///< what it has at each of its seams
 };
 
-/// `rounding` is for districts. Throws Error{internal} where the solid does not lie in its boxes;
-/// one that is alone need not.
+/// `rounding` is for districts. At its seams it is left open; one that cannot be rounded with its
+/// discs, or leaves its boxes, has none there. Throws Error{internal} where a solid without seams
+/// does not lie in its boxes; one that is alone need not.
 [[nodiscard]] DistrictOutput district_output(const Solid& solid, std::span<const Boxes> boxes,
                                              std::size_t district, const Destination& to,
                                              const RoundingOptions& rounding,
-                                             const ContactChoice& contacts);
+                                             const ContactChoice& contacts,
+                                             std::span<const Seam> seams = {});
 
 /// A file that grows aside, district by district, and what there is to report of it. All functions
 /// throw OutputError. Several processes make it all at once, and the same calls.
@@ -59,6 +63,8 @@ class DistrictFile {
   void append(DistrictOutput district, std::size_t file = 0);
   /// The file takes its place. `normals` are asked for where the format has some.
   [[nodiscard]] OutputReport commit(MeshHeader header, const NormalsOf& normals = {});
+  /// Nothing takes its place.
+  void abandon() { stream_->abandon(); }
   /// Of the solids' labels, before rounding.
   [[nodiscard]] const std::set<std::string>& seen() const { return seen_; }
 

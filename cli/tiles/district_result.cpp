@@ -11,7 +11,7 @@ namespace dupin::cli {
 namespace {
 
 /// Changes with whatever is kept.
-constexpr std::string_view kMark = "dupin district 3\n";
+constexpr std::string_view kMark = "dupin district 4\n";
 
 class Writer {
  public:
@@ -55,6 +55,7 @@ class Writer {
   void put(const ContactSettlement& settled) {
     (*this)(settled.policy, settled.length, settled.contacts);
   }
+  void put(const SeamSide& side) { (*this)(side.shell, side.is_disc, side.disc, side.near); }
   void put(const PartReport& part);
   void put(const Report& report);
   void put(const RoundingReport& report);
@@ -119,6 +120,7 @@ class Reader {
   void get(ContactSettlement& settled) {
     (*this)(settled.policy, settled.length, settled.contacts);
   }
+  void get(SeamSide& side) { (*this)(side.shell, side.is_disc, side.disc, side.near); }
   void get(PartReport& part);
   void get(Report& report);
   void get(RoundingReport& report);
@@ -156,7 +158,7 @@ void visit_result(Archive& archive, Result& result, Parts& parts, Checked& repor
           built.insulation, report, result.output.report.rounding, result.output.report.contacts,
           result.output.report.settled, result.output.piece.names, result.output.piece.points,
           result.output.piece.triangles, result.output.piece.labels, result.output.piece.bytes,
-          result.output.seen);
+          result.output.seen, result.output.sides);
 }
 
 void Writer::put(const PartReport& part) { visit_part(*this, part); }

@@ -15,9 +15,14 @@ class App;
 
 namespace dupin::cli {
 
+/// What hangs together and is expected to have more triangles is divided into pieces of at most
+/// about so many. Files depend on it.
+constexpr std::size_t kPieceTriangles = 1'000'000;
+
 /// --tiles, --memory, --cache and --cache-size as typed.
 struct TileArguments {
   std::size_t tiles = 0;
+  std::size_t piece = kPieceTriangles;  ///< other numbers are for tests
   std::string memory, cache, cache_size;
 };
 

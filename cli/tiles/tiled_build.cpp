@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/off.h"
 #include "dupin/io/sha256.h"
+#include "dupin/io/stl.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/districts.h"
 #include "dupin/kernel/error.h"
@@ -28,6 +30,7 @@
 #include "tiles/district_cache.h"
 #include "tiles/district_output.h"
 #include "tiles/district_result.h"
+#include "tiles/seam_check.h"
 #include "tiles/shared_tile.h"
 
 namespace dupin::cli {
@@ -87,6 +90,7 @@ class TiledBuild {
         region_(options.region),
         plan_(document.assembly, options),
         boxes_(plan_.boxes()),
+        seams_(plan_.seams()),
         to_(tiled_destination(arguments.output)),
         contacts_(contact_choice(arguments.contacts, std::string(symbol(document.assembly.unit)))),
         rounding_(
@@ -122,10 +126,11 @@ class TiledBuild {
     }
   }
 
-  Built run(const MeshHeader& header, OutputReport& report) {
+  // Nothing where pieces do not fit, which misfits() tells.
+  std::optional<Built> run(const MeshHeader& header, OutputReport& report) {
     DistrictFile file(to_, &ranks_);
     std::vector<Built> built;
-    std::size_t begin = 0, tiles = 0;
+    std::size_t begin = 0, tiles = 0, shells = 0;
     for (const std::size_t end : ends_) {
       tell(progress_, "build", double(begin) / double(plan_.size()));
       const auto owners = std::span(owners_).subspan(begin, end - begin);
@@ -135,20 +140,30 @@ class TiledBuild {
       for (std::size_t i = 0; i < tile.size(); ++i) {
         DistrictResult district = *std::exchange(tile[i], std::nullopt);
         const std::size_t tile_file = are_tiles_asked_for_ ? tiles : 0;
+        seams_.add(begin + i, std::move(district.output.sides), shells);
+        shells += district.output.report.check->shells.size();
         file.append(std::move(district.output), ranks_.count() > 1 ? owners[i] : tile_file);
         built.push_back(std::move(district.built));
       }
       begin = end;
       ++tiles;
     }
+    if (!misfits().empty()) {
+      file.abandon();
+      return std::nullopt;
+    }
     Built all = plan_.joined(std::move(built));
     report = file.commit(
         header, to_.format.has_normals ? smooth_normals(assembly_, all, file.seen()) : NormalsOf());
+    seams_.join(*report.check);
     if (cache_ && ranks_.is_first()) {
       cache_->trim(cache_size_);
     }
     return all;
   }
+
+  // Names of seams.
+  [[nodiscard]] const std::set<std::string>& misfits() const { return seams_.misfits(); }
 
   [[nodiscard]] std::string warning() const { return cache_ ? cache_->warning() : std::string(); }
 
@@ -188,6 +203,7 @@ class TiledBuild {
     const Assembly document = plan_.document(district);
     std::string text = options_text_ + document_text(document);
     append_meshes(document, text);
+    append_seams(district, text);
     const std::string key = sha256(text);
     const std::vector<std::uint32_t> parts = plan_.parts(district);
     if (const auto bytes = cache_->find(key)) {
@@ -201,11 +217,21 @@ class TiledBuild {
     return result;
   }
 
+  void append_seams(std::size_t district, std::string& text) const {
+    text += plan_.taken_from_whole(district);
+    for (const Seam& seam : seams_.of(district)) {
+      text += "\n" + seam.name;
+      for (const Vec3& corner : {Vec3(seam.meeting.min()), Vec3(seam.meeting.max())}) {
+        std::ranges::for_each(corner, [&](double number) { text += " " + decimal(number); });
+      }
+    }
+  }
+
   [[nodiscard]] DistrictResult made(std::size_t district) const {
     DistrictResult result;
     result.built = plan_.build(district);
-    result.output =
-        district_output(result.built.solid, boxes_, district, to_, rounding_, contacts_);
+    result.output = district_output(result.built.solid, boxes_, district, to_, rounding_, contacts_,
+                                    seams_.of(district));
     result.built.solid = Solid();
     return result;
   }
@@ -215,6 +241,7 @@ class TiledBuild {
   std::optional<Region> region_;
   DistrictBuild plan_;
   std::vector<Boxes> boxes_;
+  SeamCheck seams_;
   Destination to_;
   ContactChoice contacts_;
   RoundingOptions rounding_;
@@ -237,12 +264,25 @@ void add_build_tile_options(CLI::App& command, TileArguments& arguments) {
                       "Folder that keeps what tiles are made of: a build that was killed goes on,\n"
                       "and of an edited document only what changed is made again")
           ->type_name("DIR");
+  command.add_option("--piece", arguments.piece)->group("");  // for tests, in no help
   command
       .add_option("--cache-size", arguments.cache_size,
                   "What --cache may hold when the build ends, 10GB if not given: what has not\n"
                   "been used for longest goes")
       ->type_name("SIZE")
       ->needs(cache);
+}
+
+double most_of_piece(const BuildArguments& arguments) {
+  const bool is_looked_at = !arguments.page.empty() || arguments.quality == kForSolvers ||
+                            !arguments.cross_check.empty() || arguments.source.keep_going;
+  if (is_looked_at || is_step(arguments.output) || is_volume(arguments.output)) {
+    return 0;
+  }
+  const Destination to = tiled_destination(arguments.output);
+  const bool is_file = !to.is_stdout() && to.patches.empty() &&
+                       to.verification == Verification::compare && to.format == kStlBinary;
+  return is_file ? static_cast<double>(arguments.tiles.piece) : 0;
 }
 
 void check_tiled(const BuildArguments& arguments) {
@@ -269,13 +309,20 @@ void check_tiled(const BuildArguments& arguments) {
 TiledBuilt build_in_tiles(const Document& document, const BuildOptions& options,
                           const BuildArguments& arguments, const MeshHeader& header,
                           const Ranks& ranks) {
-  auto build = alike(
-      ranks, [&] { return std::make_unique<TiledBuild>(document, options, arguments, ranks); });
-  build->divide(arguments.tiles);
-  TiledBuilt result;
-  result.built = build->run(header, result.output);
-  result.warning = build->warning();
-  return result;
+  BuildOptions own = options;
+  for (;;) {
+    auto build =
+        alike(ranks, [&] { return std::make_unique<TiledBuild>(document, own, arguments, ranks); });
+    build->divide(arguments.tiles);
+    TiledBuilt result;
+    if (auto built = build->run(header, result.output)) {
+      result.built = *std::move(built);
+      result.warning = build->warning();
+      return result;
+    }
+    // All ranks, and builds in any number of tiles, find the same ones.
+    own.kept_seams.insert(build->misfits().begin(), build->misfits().end());
+  }
 }
 
 }  // namespace dupin::cli

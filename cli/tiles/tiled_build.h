@@ -18,6 +18,10 @@ namespace dupin::cli {
 /// Adds --tiles, --memory and --cache.
 void add_build_tile_options(CLI::App& command, TileArguments& arguments);
 
+/// Of how many triangles, expected, pieces may be for this output; 0 where nothing is divided: only
+/// what is written to a binary STL, and not looked at otherwise, is.
+[[nodiscard]] double most_of_piece(const BuildArguments& arguments);
+
 /// Throws UsageError for what a build in tiles cannot do, before anything is built.
 void check_tiled(const BuildArguments& arguments);
 

@@ -10,7 +10,9 @@ std::string_view name(Region region) {
 }
 
 Built build(const Assembly& assembly, const BuildOptions& options) {
-  return DistrictBuild(assembly, options).build_all(options.progress);
+  BuildOptions whole = options;
+  whole.most_of_piece = 0;
+  return DistrictBuild(assembly, whole).build_all(options.progress);
 }
 
 }  // namespace dupin

@@ -63,8 +63,8 @@ struct Estimate {
 class Estimator {
  public:
   Estimator(const ResolvedAssembly& resolved, std::span<const WeldedRun> runs, double grid,
-            const Limit& limit)
-      : resolved_(resolved), runs_(runs), grid_(grid), limit_(limit) {}
+            const Limit& limit, std::span<const RingSampling> given = {})
+      : resolved_(resolved), runs_(runs), grid_(grid), limit_(limit), given_(given) {}
 
   /// By part, of those that have one.
   using Samplings = std::map<std::uint32_t, RingSampling>;
@@ -124,6 +124,9 @@ class Estimator {
   // None for more segments than a ring may have.
   [[nodiscard]] std::optional<RingSampling> sampling_of(const Assembly& assembly,
                                                         const WeldedRun& run) const {
+    if (!given_.empty()) {
+      return given_[run.parts.front()];
+    }
     try {
       return run_sampling(assembly, resolved_, run, 0, grid_);
     } catch (const Error& error) {
@@ -194,6 +197,7 @@ class Estimator {
   std::span<const WeldedRun> runs_;
   double grid_;
   Limit limit_;
+  std::span<const RingSampling> given_;  // by part
 };
 
 std::string what_is_asked_for(const Assembly& assembly, const Estimate& estimate,
@@ -278,13 +282,15 @@ void refuse_too_costly(const Assembly& assembly, const ResolvedAssembly& resolve
 }
 
 double expected_triangles(const Assembly& assembly, const ResolvedAssembly& resolved,
-                          std::span<const WeldedRun> runs, double grid) {
-  return Estimator(resolved, runs, grid, {1, 1}).of(assembly).all.triangles;
+                          std::span<const WeldedRun> runs, double grid,
+                          std::span<const RingSampling> given) {
+  return Estimator(resolved, runs, grid, {1, 1}, given).of(assembly).all.triangles;
 }
 
 double expected_crossings(const Assembly& assembly, const ResolvedAssembly& resolved,
-                          std::span<const WeldedRun> runs, double grid) {
-  const auto samplings = Estimator(resolved, runs, grid, {1, 1}).samplings(assembly);
+                          std::span<const WeldedRun> runs, double grid,
+                          std::span<const RingSampling> given) {
+  const auto samplings = Estimator(resolved, runs, grid, {1, 1}, given).samplings(assembly);
   std::vector<std::size_t> run_of(resolved.parts.size());
   for (std::size_t run = 0; run < runs.size(); ++run) {
     for (const std::uint32_t part : runs[run].parts) {

@@ -17,14 +17,17 @@ constexpr double kPairsPerTriangle = 10;
 void refuse_too_costly(const Assembly& assembly, const ResolvedAssembly& resolved,
                        std::span<const WeldedRun> runs, double grid, std::size_t most);
 
-/// How many triangles the meshes of all parts together will have, roughly. As quick.
+/// How many triangles the meshes of all parts together will have, roughly. As quick. `given` has
+/// the sampling of each part, if it is not to be found out.
 [[nodiscard]] double expected_triangles(const Assembly& assembly, const ResolvedAssembly& resolved,
-                                        std::span<const WeldedRun> runs, double grid);
+                                        std::span<const WeldedRun> runs, double grid,
+                                        std::span<const RingSampling> given = {});
 
 /// How many triangles the curves add in which parts of different runs cross, at most, roughly: of
 /// all whose boxes touch, and that no fillet and no junction joins, as if each went through the
 /// middle of the other. O(n log n) and the boxes that lie side by side along one axis.
 [[nodiscard]] double expected_crossings(const Assembly& assembly, const ResolvedAssembly& resolved,
-                                        std::span<const WeldedRun> runs, double grid);
+                                        std::span<const WeldedRun> runs, double grid,
+                                        std::span<const RingSampling> given = {});
 
 }  // namespace dupin::assembly

@@ -26,15 +26,29 @@ namespace {
 class RunMesher {
  public:
   RunMesher(const Assembly& assembly, const ResolvedAssembly& resolved, double grid,
-            const BuildOptions& options)
+            const BuildOptions& options, std::span<const RingSampling> given)
       : document_(assembly),
         assembly_(assembly),
         resolved_(resolved),
         grid_(grid),
         options_(options),
+        given_(given),
         buried_(resolved),
         tubes_(resolved.parts.size()) {
     result_.parts.resize(resolved.parts.size());
+  }
+
+  // By part.
+  std::vector<RingSampling> samplings() {
+    const auto runs = welded_runs(resolved_);
+    sample(runs);
+    std::vector<RingSampling> result(resolved_.parts.size());
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+      for (const std::uint32_t part : runs[run].parts) {
+        result[part] = samplings_[run];
+      }
+    }
+    return result;
   }
 
   RunSolids run() {
@@ -60,13 +74,17 @@ class RunMesher {
   void sample(const std::vector<WeldedRun>& runs) {
     std::vector<std::size_t> run_of(resolved_.parts.size());
     for (std::size_t run = 0; run < runs.size(); ++run) {
-      samplings_.push_back(run_sampling(assembly_, resolved_, runs[run], run, grid_));
+      samplings_.push_back(given_.empty()
+                               ? run_sampling(assembly_, resolved_, runs[run], run, grid_)
+                               : given_[runs[run].parts.front()]);
       for (const std::uint32_t part : runs[run].parts) {
         run_of[part] = run;
       }
     }
     level_ = LevelEnds(resolved_, std::move(run_of));
-    level_.share(samplings_);
+    if (given_.empty()) {
+      level_.share(samplings_);
+    }
   }
 
   RingSampling tessellated(const WeldedRun& run, std::size_t position) {
@@ -358,6 +376,7 @@ class RunMesher {
   const ResolvedAssembly& resolved_;
   double grid_;
   const BuildOptions& options_;
+  std::span<const RingSampling> given_;  // by part, or none
   BuriedEnds buried_;
   std::vector<RingSampling> samplings_;  // by run
   LevelEnds level_;
@@ -368,8 +387,14 @@ class RunMesher {
 }  // namespace
 
 RunSolids solids_of_runs(const Assembly& assembly, const ResolvedAssembly& resolved, double grid,
-                         const BuildOptions& options) {
-  return RunMesher(assembly, resolved, grid, options).run();
+                         const BuildOptions& options, std::span<const RingSampling> given) {
+  return RunMesher(assembly, resolved, grid, options, given).run();
+}
+
+std::vector<RingSampling> part_samplings(const Assembly& assembly, const ResolvedAssembly& resolved,
+                                         double grid) {
+  const BuildOptions options;
+  return RunMesher(assembly, resolved, grid, options, {}).samplings();
 }
 
 }  // namespace dupin::assembly

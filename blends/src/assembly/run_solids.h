@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "dupin/blends/build.h"
 #include "dupin/blends/resolve.h"
+#include "dupin/kernel/ring.h"
 
 namespace dupin::assembly {
 
@@ -21,8 +23,15 @@ struct RunSolids {
 
 /// Runs are tessellated, welded and proved to be solids; with those that fillets or hubs join them
 /// to they make one. A run whose parts cross each other makes several. Throws as `build` does but
-/// for `resolve` and `unite`.
+/// for `resolve` and `unite`. `given` has the sampling of each part, where these are those of a
+/// larger assembly.
 [[nodiscard]] RunSolids solids_of_runs(const Assembly& assembly, const ResolvedAssembly& resolved,
-                                       double grid, const BuildOptions& options);
+                                       double grid, const BuildOptions& options,
+                                       std::span<const RingSampling> given = {});
+
+/// How the rings of each part become polygons.
+[[nodiscard]] std::vector<RingSampling> part_samplings(const Assembly& assembly,
+                                                       const ResolvedAssembly& resolved,
+                                                       double grid);
 
 }  // namespace dupin::assembly

@@ -62,6 +62,14 @@ bool PlacedFile::holds_at(std::uint64_t at, std::string_view bytes) const {
   return true;
 }
 
+void PlacedFile::abandon() {
+  if (joint_) {
+    joint_->close();
+    joint_.reset();
+    (void)processes_->exchanged({});  // the first one removes it
+  }
+}
+
 void PlacedFile::commit(std::string_view first_bytes) {
   if (joint_) {
     joint_->close();

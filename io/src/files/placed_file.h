@@ -28,6 +28,8 @@ class PlacedFile {
   /// By all, when each has written what it has: the first one writes the bytes that come first in
   /// the file, and puts it in its place. None returns before that is done.
   void commit(std::string_view first_bytes);
+  /// By all: nothing takes its place.
+  void abandon();
 
  private:
   [[nodiscard]] bool holds_at(std::uint64_t at, std::string_view bytes) const;

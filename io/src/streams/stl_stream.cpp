@@ -111,6 +111,8 @@ void StlStream::commit(const MeshHeader& header, const Normals&) {
   file_->commit(preamble);
 }
 
+void StlStream::abandon() { file_->abandon(); }
+
 StlFile::StlFile(const std::filesystem::path& path)
     : shown_(path.string()), file_(std::make_shared<const files::Descriptor>(opened(path))) {
   const auto size = size_of(*file_, shown_);

@@ -1,5 +1,9 @@
 #include "dupin/io/streamed_format.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/ply.h"
 #include "dupin/io/stl.h"
@@ -30,6 +34,25 @@ MeshPiece mesh_piece(const Rounded& solid, const MeshFormat& format, std::string
     bytes.erase(0, formats::kStlPreamble);
     piece.bytes = std::move(bytes);
   }
+  return piece;
+}
+
+MeshPiece without(MeshPiece piece, std::span<const std::uint32_t> triangles,
+                  std::span<const std::string> names) {
+  std::string left;
+  left.reserve(piece.bytes.size());
+  std::size_t begin = 0;
+  for (const std::uint32_t triangle : triangles) {
+    const std::size_t end = triangle * formats::kStlFacet;
+    left.append(piece.bytes, begin, end - begin);
+    begin = end + formats::kStlFacet;
+  }
+  left.append(piece.bytes, begin);
+  piece.bytes = std::move(left);
+  piece.triangles -= static_cast<std::uint32_t>(triangles.size());
+  piece.labels -= piece.labels > 0 ? static_cast<std::uint32_t>(triangles.size()) : 0;
+  std::erase_if(piece.names,
+                [&](const std::string& name) { return std::ranges::count(names, name) > 0; });
   return piece;
 }
 

@@ -320,6 +320,11 @@ class Joiner {
 }  // namespace
 
 std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> boxes) {
+  return districts_of(boxes, {});
+}
+
+std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> boxes,
+                                        std::span<const std::array<std::uint32_t, 2>> apart) {
   const Tree tree = tree_of(boxes);
   std::vector<std::uint32_t> district(boxes.size(), support::kNone), open;
   std::uint32_t count = 0;
@@ -330,13 +335,18 @@ std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> box
     district[first] = count;
     open.push_back(first);
     while (!open.empty()) {
-      const Eigen::AlignedBox3d& box = boxes[open.back()];
+      const std::uint32_t own = open.back();
+      const Eigen::AlignedBox3d& box = boxes[own];
       open.pop_back();
       if (box.isEmpty()) {
         continue;
       }
       std::vector<TreeEntry> near;
-      const auto is_new = [&](const TreeEntry& e) { return district[e.second] == support::kNone; };
+      const auto is_new = [&](const TreeEntry& e) {
+        return district[e.second] == support::kNone &&
+               !std::ranges::binary_search(
+                   apart, std::array{std::min(own, e.second), std::max(own, e.second)});
+      };
       tree.query(boost::geometry::index::intersects(tree_box(box)) &&
                      boost::geometry::index::satisfies(is_new),
                  std::back_inserter(near));

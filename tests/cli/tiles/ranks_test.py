@@ -50,6 +50,44 @@ def check_bytes(tool, folder):
             (folder / "shared.stl").unlink()
 
 
+def connected(lines):
+    """Two headers and lines from one to the other: all hangs together."""
+    parts = []
+    for i in range(lines):
+        x = 600 * i + 300
+        for name, place in [("h", [0, 0]), ("g", [1180, 780])]:
+            pipe = ({"from": f"{name}{i - 1}.end", "length": 600} if i
+                    else {"from": [0, *place], "to": [600, *place], "radius": 100})
+            parts.append({"name": f"{name}{i}", "pipe": pipe})
+        parts += [{"name": f"b{i}", "pipe": {"from": [x, 0, 0], "to": [x, 0, 600], "radius": 60}},
+                  {"name": f"e{i}", "elbow": {"from": f"b{i}.end", "bend_radius": 180, "angle": 90, "toward": [0, 1, 0]}},
+                  {"name": f"p{i}", "pipe": {"from": f"e{i}.end", "length": 1000}}]
+    return {"units": "mm", "tolerance": 0.5, "parts": parts}
+
+
+def thin(pipes):
+    """A pipe whose rings have points that are hardly apart in floats: its pieces do not fit."""
+    parts = [{"name": f"p{i}", "pipe": {"from": f"p{i - 1}.end", "length": 200.1}} for i in range(pipes)]
+    parts[0]["pipe"] = {"from": [200000.1, 0.3, 0.7], "to": [200200.3, 7, 3], "radius": 1}
+    return {"units": "mm", "tolerance": 0.5, "segments": 600, "parts": parts}
+
+
+def check_pieces(tool, folder):
+    """What hangs together, divided."""
+    for document in [connected(8), thin(33)]:
+        (folder / "pieces.json").write_text(json.dumps(document), encoding="utf-8")
+        whole = run(tool, folder, 0, "pieces.json", "-o", "pieces.stl", "--piece", "1000")
+        assert whole.returncode == 0, whole.stderr
+        for ranks in [1, 2, 3]:
+            for more in [[], ["--tiles", "3"]]:
+                shared = run(tool, folder, ranks, "pieces.json", "-o", "shared.stl", "--piece", "1000", *more)
+                assert shared.returncode == 0, shared.stderr
+                assert (folder / "shared.stl").read_bytes() == (folder / "pieces.stl").read_bytes(), (ranks, more)
+                assert json.loads(shared.stdout)["output"]["check"] == json.loads(whole.stdout)["output"]["check"]
+    for path in [*folder.glob("pieces.*"), folder / "shared.stl"]:
+        path.unlink()
+
+
 def check_new_caches(tool, folder):
     """All ranks make the cache's folder at once."""
     for number in range(5):
@@ -217,6 +255,7 @@ def main():
         folder = pathlib.Path(name)
         (folder / "plant.json").write_text(json.dumps(plant(12)), encoding="utf-8")
         check_bytes(tool, folder)
+        check_pieces(tool, folder)
         check_new_caches(tool, folder)
         check_formats(tool, folder)
         check_union(tool, folder)

@@ -31,6 +31,124 @@ std::string plant(int lines) {
   return text + "]}";
 }
 
+// Two headers, and lines of pipes, elbows and filleted branches from one to the other: all hangs
+// together, in many rings.
+std::string connected(int lines, const std::string& more = "") {
+  std::string text = R"({"units": "mm", "tolerance": 0.5)" + more + R"(, "parts": [)";
+  for (int i = 0; i < lines; ++i) {
+    const std::string n = std::to_string(i), before = std::to_string(i - 1),
+                      x = std::to_string(600 * i + 300);
+    for (const auto& [name, place] :
+         {std::pair<std::string, std::string>("h", "0, 0"), {"g", "1180, 780"}}) {
+      text += i == 0 ? R"({"name": ")" + name + R"(0", "pipe": {"from": [0, )" + place +
+                           R"(], "to": [600, )" + place + R"(], "radius": 100}})"
+                     : R"({"name": ")" + name + n + R"(", "pipe": {"from": ")" + name + before +
+                           R"(.end", "length": 600}})";
+      text += ",";
+    }
+    text += R"({"name": "b)" + n + R"(", "pipe": {"from": [)" + x + R"(, 0, 0], "to": [)" + x +
+            R"(, 0, 600], "radius": 60}},{"name": "e)" + n + R"(", "elbow": {"from": "b)" + n +
+            R"(.end", "bend_radius": 180, "angle": 90, "toward": [0, 1, 0]}},{"name": "p)" + n +
+            R"(", "pipe": {"from": "e)" + n + R"(.end", "length": 1000}},{"name": "n)" + n +
+            R"(", "pipe": {"on": "p)" + n +
+            R"(", "at": 400, "direction": [0, 0, 1], "length": 200, "radius": 30}},{"name": "f)" +
+            n + R"(", "fillet": {"between": ["p)" + n + R"(", "n)" + n + R"("], "radius": 8}})" +
+            (i + 1 < lines ? "," : "");
+  }
+  return text + "]}";
+}
+
+TEST_F(TiledBuild, gives_the_same_bytes_of_what_hangs_together_in_pieces) {
+  folder_.write("plant.json", connected(12));
+  const auto build = [&](std::vector<std::string> own) {
+    own.insert(own.begin(), {"build", "plant.json", "-o", "out.stl"});
+    return std::pair(json(own, 0), folder_.read("out.stl"));
+  };
+  const auto [whole, whole_bytes] = build({});
+  for (const std::string piece : {"1", "3000", "9000"}) {
+    const auto [report, bytes] = build({"--piece", piece});
+    EXPECT_FALSE(bytes == whole_bytes);
+    const auto &check = report.at("output").at("check"), &of_whole = whole.at("output").at("check");
+    for (const std::string key : {"solid", "components", "euler_number", "genus"}) {
+      EXPECT_EQ(check.at(key), of_whole.at(key)) << key;
+    }
+    EXPECT_EQ(check.at("components"), 1);
+    EXPECT_EQ(check.at("genus"), 11);
+    for (const std::string key : {"volume", "area"}) {
+      const double expected = of_whole.at(key).get<double>();
+      EXPECT_NEAR(check.at(key).get<double>(), expected, 1e-6 * expected) << key;
+    }
+    EXPECT_EQ(report.at("parts").size(), whole.at("parts").size());
+    EXPECT_EQ(report.at("runs"), whole.at("runs"));
+    const auto again = json({"check", "out.stl"}, 0);
+    EXPECT_EQ(again.at("solid"), true);
+    for (const std::string key : {"points", "triangles", "components", "euler_number"}) {
+      EXPECT_EQ(again.at(key), check.at(key)) << key;
+    }
+    for (const std::string tiles : {"1", "3", "8", "64"}) {
+      EXPECT_TRUE(build({"--piece", piece, "--tiles", tiles}).second == bytes) << tiles;
+    }
+    EXPECT_EQ(shell("taskset -cp 0 $BASHPID > /dev/null; dupin build plant.json -o out.stl --quiet "
+                    "--tiles 5 --piece " +
+                    piece)
+                  .exit_code,
+              0);
+    EXPECT_TRUE(folder_.read("out.stl") == bytes) << "on one core";
+    for (int round = 0; round < 2; ++round) {
+      const auto kept = build({"--piece", piece, "--cache", "kept"});
+      EXPECT_TRUE(kept.second == bytes);
+      EXPECT_EQ(kept.first.at("output").at("check"), check);
+    }
+  }
+}
+
+TEST_F(TiledBuild, divides_what_does_not_fit_into_memory) {
+  folder_.write("plant.json", connected(12));
+  const ProcessResult whole =
+      dupin({"build", "plant.json", "-o", "out.stl", "--memory", "2MB", "--piece", "1000000"});
+  EXPECT_EQ(whole.exit_code, 3);
+  EXPECT_EQ(dupin({"build", "plant.json", "-o", "out.stl", "--memory", "2MB", "--piece", "3000"})
+                .exit_code,
+            0);
+  EXPECT_EQ(json({"check", "out.stl"}, 0).at("components"), 1);
+}
+
+// Rings whose points are hardly apart from each other in floats: discs come out differently.
+TEST_F(TiledBuild, does_not_divide_where_pieces_do_not_fit) {
+  std::string text = R"({"units": "mm", "tolerance": 0.5, "segments": 600, "parts": [)";
+  for (int i = 0; i < 33; ++i) {
+    const std::string n = std::to_string(i);
+    text += i == 0 ? R"({"name": "p0", "pipe": {"from": [200000.1, 0.3, 0.7],
+                         "to": [200200.3, 7, 3], "radius": 1}})"
+                   : R"(,{"name": "p)" + n + R"(", "pipe": {"from": "p)" + std::to_string(i - 1) +
+                         R"(.end", "length": 200.1}})";
+  }
+  folder_.write("thin.json", text + "]}");
+  const auto bytes = [&](std::vector<std::string> own) {
+    own.insert(own.begin(), {"build", "thin.json", "-o", "out.stl"});
+    EXPECT_EQ(json(own, 0).at("output").at("check").at("components"), 1);
+    return folder_.read("out.stl");
+  };
+  const std::string divided = bytes({"--piece", "1000"});
+  EXPECT_TRUE(bytes({"--piece", "1000", "--tiles", "5"}) == divided);
+  EXPECT_EQ(json({"check", "out.stl"}, 0).at("solid"), true);
+}
+
+TEST_F(TiledBuild, divides_only_what_is_written_and_not_looked_at) {
+  folder_.write("plant.json", connected(6));
+  const auto build = [&](std::vector<std::string> own, const std::string& path = "out.stl") {
+    own.insert(own.begin(), {"build", "plant.json", "-o", path});
+    EXPECT_EQ(dupin(own).exit_code, 0);
+    return folder_.read(path);
+  };
+  const std::string whole = build({});
+  EXPECT_FALSE(build({"--piece", "1"}) == whole);
+  EXPECT_TRUE(build({"--piece", "1", "--patches", "p.json"}) == whole);
+  EXPECT_TRUE(build({"--piece", "1", "--verify", "full"}) == whole);
+  EXPECT_TRUE(build({"--piece", "1"}, "a.ply") == build({}, "b.ply"));
+  EXPECT_TRUE(build({"--piece", "1", "--wall", "5"}) == build({"--wall", "5"}));
+}
+
 TEST_F(TiledBuild, gives_the_same_bytes_for_all_numbers_of_tiles) {
   folder_.write("plant.json", plant(20));
   for (const std::string region : {"outer", "metal", "fluid"}) {

@@ -1,6 +1,8 @@
 #include "dupin/kernel/districts.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <random>
@@ -36,6 +38,15 @@ TEST(Districts, are_boxes_that_touch) {
       cube(2, 2, 2, .75)};
   EXPECT_EQ(districts_of(boxes), (std::vector<std::uint32_t>{0, 1, 0, 2, 3, 0}));
   EXPECT_TRUE(districts_of({}).empty());
+}
+
+TEST(Districts, of_boxes_that_are_taken_for_apart_touch_through_others_only) {
+  const std::vector<Box> boxes{cube(0, 0, 0, 1), cube(1, 0, 0, 1), cube(2, 0, 0, 1),
+                               cube(0, 1, 0, 1)};
+  using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+  EXPECT_EQ(districts_of(boxes, Pairs{{1, 2}}), (std::vector<std::uint32_t>{0, 0, 1, 0}));
+  EXPECT_EQ(districts_of(boxes, Pairs{{0, 1}}), (std::vector<std::uint32_t>{0, 0, 0, 0}));
+  EXPECT_EQ(districts_of(boxes, Pairs{{0, 1}, {1, 3}}), (std::vector<std::uint32_t>{0, 1, 1, 0}));
 }
 
 TEST(Districts, an_infinite_box_touches_all) {

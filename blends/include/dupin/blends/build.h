@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,10 @@ struct BuildOptions {
   /// Boxes about parts are wider by so much, and by so much of the largest coordinate, where
   /// districts are found: these can be rounded each by itself if no point moves further.
   double margin = 0, relative_margin = 0;
+  /// What hangs together and is expected to have more triangles than this is divided into pieces of
+  /// about so many, where it can be; 0: nothing is. For DistrictBuild, but not for `build`.
+  double most_of_piece = 0;
+  std::set<std::string> kept_seams;  ///< names of those at which nothing is divided
 };
 
 /// What became of one part.
@@ -124,6 +129,10 @@ class DistrictBuild {
   [[nodiscard]] std::size_t size() const;
   /// About each district.
   [[nodiscard]] std::vector<Boxes> boxes() const;
+  /// Where districts are pieces that are joined again: a solid of one has discs there.
+  [[nodiscard]] const std::vector<Seam>& seams() const;
+  /// What a piece takes from the whole, as text; empty for what is no piece.
+  [[nodiscard]] std::string taken_from_whole(std::size_t district) const;
   /// Its parts, by their places in Assembly::parts, ascending.
   [[nodiscard]] std::vector<std::uint32_t> parts(std::size_t district) const;
   /// A document of all that decides about one district, but for the options: its parts, those that
@@ -131,13 +140,15 @@ class DistrictBuild {
   [[nodiscard]] Assembly document(std::size_t district) const;
   /// How many triangles its parts will have, roughly.
   [[nodiscard]] double expected_triangles(std::size_t district) const;
+  /// Throws Error{limit_exceeded} for more triangles in all than BuildOptions::most_triangles.
+  void refuse_too_costly() const;
   /// What is made of one district, as if there were no others; without ports and gaps. Threads may
   /// build several at a time.
   [[nodiscard]] Built build(std::size_t district, const Progress& progress = {}) const;
-  /// What `build` gives for the assembly; districts are built side by side.
+  /// What `build` gives for the assembly; districts are built side by side. There are no seams.
   [[nodiscard]] Built build_all(const Progress& progress = {}) const;
   /// The same, of what it gave for all districts in order, whose solids
-  /// may have been taken away.
+  /// may have been taken away, and where there are seams are.
   [[nodiscard]] Built joined(std::vector<Built> districts) const;
 
  private:

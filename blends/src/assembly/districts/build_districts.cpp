@@ -9,8 +9,10 @@
 #include "assembly/cost_limit.h"
 #include "assembly/districts/built_district.h"
 #include "assembly/districts/district_plan.h"
+#include "assembly/districts/divided_districts.h"
 #include "assembly/welded_runs.h"
 #include "dupin/blends/build.h"
+#include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 
@@ -136,6 +138,7 @@ struct DistrictBuild::Plan {
   BuildOptions options;
   ResolvedAssembly resolved;
   std::vector<assembly::DistrictParts> districts;
+  std::vector<Seam> seams;
   assembly::RelatedParts related;
 
   Plan(const Assembly& document, const BuildOptions& chosen)
@@ -148,6 +151,19 @@ struct DistrictBuild::Plan {
                                              options.relative_margin);
     if (districts.empty()) {
       districts.emplace_back();
+    }
+    divide();
+  }
+
+ private:
+  // What is hollow, or insulated, would need rings within rings.
+  void divide() {
+    if (options.most_of_piece > 0 && options.region != Region::insulation &&
+        !assembly::walls_of(assembly, resolved, options.region)) {
+      assembly::DividedDistricts made = assembly::divided(
+          assembly, resolved, std::move(districts), {options.most_of_piece, options.kept_seams});
+      districts = std::move(made.districts);
+      seams = std::move(made.seams);
     }
   }
 };
@@ -166,6 +182,25 @@ std::vector<Boxes> DistrictBuild::boxes() const {
     result.push_back(district.boxes);
   }
   return result;
+}
+
+const std::vector<Seam>& DistrictBuild::seams() const { return plan_->seams; }
+
+std::string DistrictBuild::taken_from_whole(std::size_t district) const {
+  const auto& piece = plan_->districts.at(district).piece;
+  std::string text;
+  if (piece) {
+    text = decimal(piece->grid);
+    for (const RingSampling& sampling : piece->samplings) {
+      text += " " + std::to_string(sampling.segments) + " " + decimal(sampling.phase) + " " +
+              decimal(sampling.grid);
+    }
+    for (const assembly::DiscName& disc : piece->discs) {
+      text +=
+          "\n" + to_string({plan_->resolved.parts[disc.end.part].name, disc.end.end}) + disc.name;
+    }
+  }
+  return text;
 }
 
 std::vector<std::uint32_t> DistrictBuild::parts(std::size_t district) const {
@@ -188,10 +223,7 @@ Assembly DistrictBuild::document(std::size_t district) const {
 double DistrictBuild::expected_triangles(std::size_t district) const {
   const assembly::District own =
       assembly::district(plan_->assembly, plan_->resolved, plan_->districts.at(district));
-  const std::vector<assembly::WeldedRun> runs = assembly::welded_runs(own.resolved);
-  const double grid = assembly::lattice_spacing(own.assembly, own.resolved);
-  const double surface = assembly::expected_triangles(own.assembly, own.resolved, runs, grid),
-               crossings = assembly::expected_crossings(own.assembly, own.resolved, runs, grid);
+  const auto [surface, crossings] = assembly::expected_of(own);
   const auto walls = assembly::walls_of(own.assembly, own.resolved, plan_->options.region);
   const bool has_bores = walls && std::ranges::any_of(*walls, [](double wall) { return wall > 0; });
   // These, and what is insulated, have about as many triangles as what is around them, and cross
@@ -214,22 +246,33 @@ Built DistrictBuild::joined(std::vector<Built> districts) const {
   }
   std::ranges::stable_sort(result.parts, {}, &PartReport::index);
   result.boxes = boxes();
-  result.solid = result.districts.size() == 1 ? result.districts.front()
-                                              : dupin::joined(result.districts, result.boxes);
+  if (!seams().empty()) {
+    result.runs = assembly::welded_runs(plan_->resolved).size();
+  } else {
+    result.solid = result.districts.size() == 1 ? result.districts.front()
+                                                : dupin::joined(result.districts, result.boxes);
+  }
   refuse_unknown_patches(plan_->assembly, plan_->resolved, result.solid);
   result.ports = ports(plan_->resolved);
   result.gaps = pair_ends(result.ports, plan_->options.connect);
   return result;
 }
 
-Built DistrictBuild::build_all(const Progress& progress) const {
-  const std::size_t count = size();
-  if (count == 1) {
-    return joined({build(0, progress)});
-  }
+void DistrictBuild::refuse_too_costly() const {
   assembly::refuse_too_costly(
       plan_->assembly, plan_->resolved, assembly::welded_runs(plan_->resolved),
       assembly::lattice_spacing(plan_->assembly, plan_->resolved), plan_->options.most_triangles);
+}
+
+Built DistrictBuild::build_all(const Progress& progress) const {
+  const std::size_t count = size();
+  if (!seams().empty()) {
+    throw Error(Errc::invalid_argument, "pieces with seams are not built at once");
+  }
+  if (count == 1) {
+    return joined({build(0, progress)});
+  }
+  refuse_too_costly();
   std::vector<Built> built(count);
   for (std::size_t begin = 0; begin < count; begin += kAtOnce) {
     tell(progress, "build", double(begin) / double(count));

@@ -35,7 +35,8 @@ class Builder {
       : assembly_(std::move(district.assembly)),
         numbers_(std::move(district.parts)),
         options_(options),
-        resolved_(std::move(district.resolved)) {}
+        resolved_(std::move(district.resolved)),
+        piece_(std::move(district.piece)) {}
 
   Built run() {
     prove_fillets(assembly_, resolved_);
@@ -50,7 +51,7 @@ class Builder {
     } else if (const auto walls = assembly::walls_of(assembly_, resolved_, options_.region)) {
       build_hollow(*walls);
     } else {
-      built_.grid = assembly::lattice_spacing(assembly_, resolved_);
+      built_.grid = piece_ ? piece_->grid : assembly::lattice_spacing(assembly_, resolved_);
       built_.solid = outer(resolved_);
     }
     built_.solid = renamed_patches(built_.solid);
@@ -136,7 +137,10 @@ class Builder {
 
   // Of all parts, which other pieces of them may follow.
   Solid outer(const ResolvedAssembly& parts) {
-    assembly::RunSolids made = assembly::solids_of_runs(assembly_, parts, built_.grid, options_);
+    const std::span<const RingSampling> given =
+        piece_ ? std::span<const RingSampling>(piece_->samplings) : std::span<const RingSampling>();
+    assembly::RunSolids made =
+        assembly::solids_of_runs(assembly_, parts, built_.grid, options_, given);
     for (std::size_t i = 0; i < built_.parts.size(); ++i) {
       PartReport &entry = built_.parts[i], &of_mesh = made.parts[i];
       entry.error_bound = of_mesh.error_bound;
@@ -323,6 +327,7 @@ class Builder {
   std::vector<std::uint32_t> numbers_;  // of its parts, in the whole document
   const BuildOptions& options_;
   ResolvedAssembly resolved_;
+  std::optional<PieceOf> piece_;
   Built built_;
 };
 

@@ -56,13 +56,20 @@ std::vector<std::string> names_in(const PartKind& kind, const PartShape& shape) 
   return names;
 }
 
+bool is_disc(const DistrictParts& members, const EndIndex& end) {
+  return members.piece && std::ranges::any_of(members.piece->discs, [&](const DiscName& disc) {
+           return disc.end == end;
+         });
+}
+
 // Boxes about parts that share a ring touch there.
 void require_whole_runs(const ResolvedAssembly& whole, const DistrictParts& members,
                         const ResolvedAssembly& own) {
   for (std::size_t i = 0; i < own.parts.size(); ++i) {
     for (const End end : {End::start, End::end}) {
       const bool was_joined = whole.parts[members.parts[i]].joined.at(at(end)).has_value();
-      if (was_joined && !own.parts[i].joined.at(at(end))) {
+      if (was_joined && !own.parts[i].joined.at(at(end)) &&
+          !is_disc(members, {members.parts[i], end})) {
         throw Error(Errc::internal,
                     "internal error, please report it: a district ends within a run",
                     own.parts[i].name);
@@ -181,6 +188,12 @@ District district(const Assembly& assembly, const ResolvedAssembly& resolved,
   result.assembly = document_of(assembly, result.parts);
   result.resolved = taken(resolved, members);
   require_whole_runs(resolved, members, result.resolved);
+  result.piece = members.piece;
+  for (const DiscName& disc : members.piece.value_or(PieceOf{}).discs) {
+    const auto place = std::ranges::lower_bound(members.parts, disc.end.part);
+    result.resolved.parts[std::size_t(place - members.parts.begin())].end_names.at(
+        at(disc.end.end)) = disc.name;
+  }
   const auto renumber = [&](auto& named) {
     const auto place = std::ranges::lower_bound(result.parts, named.index);
     named.index = std::uint32_t(place - result.parts.begin());

@@ -1,19 +1,36 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "assembly/selected_parts.h"
 #include "dupin/blends/assembly.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/districts.h"
+#include "dupin/kernel/ring.h"
 
 namespace dupin::assembly {
+
+/// The disc that closes an end of a piece where the next one goes on: its label.
+struct DiscName {
+  EndIndex end;
+  std::string name;
+};
+
+/// What a piece of something larger takes from that.
+struct PieceOf {
+  double grid = 0;                      ///< lattice_spacing
+  std::vector<RingSampling> samplings;  ///< by part of the piece
+  std::vector<DiscName> discs;          ///< ends in the whole assembly
+};
 
 /// Parts of an assembly that have nothing to do with the others, and boxes about all that is made
 /// of them.
 struct DistrictParts : PartPlaces {
   Boxes boxes;
+  std::optional<PieceOf> piece;  ///< of one that meets others at its discs (divided_districts.h)
 };
 
 /// In the order of their first parts. Boxes about parts are wider than these by `margin`, and by
@@ -28,6 +45,7 @@ struct District {
   Assembly assembly;
   ResolvedAssembly resolved;
   std::vector<std::uint32_t> parts;  ///< of its parts, the places in Assembly::parts of the whole
+  std::optional<PieceOf> piece;
 };
 
 /// What its parts, fillets and junctions are made of: places in Assembly::parts, ascending. O(n log

@@ -41,6 +41,8 @@ class MeshStream {
   /// The file takes its place, or all of them do. Throws Error{limit_exceeded} for more than the
   /// format can say.
   virtual void commit(const MeshHeader& header, const Normals& normals) = 0;
+  /// The file is given up, in all processes that make it, which go on. Of binary STL alone.
+  virtual void abandon() {}
 };
 
 }  // namespace dupin

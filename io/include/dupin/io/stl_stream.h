@@ -30,6 +30,7 @@ class StlStream : public MeshStream {
   /// Throws Error{limit_exceeded} for 2^32 triangles and more.
   void append(const MeshPiece& piece, std::size_t file) override;
   void commit(const MeshHeader& header, const Normals& normals) override;
+  void abandon() override;
 
   [[nodiscard]] std::uint64_t triangles() const { return triangles_; }
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "dupin/io/mesh_format.h"
@@ -22,6 +25,10 @@ extern const MeshFormat kPvtu;
 /// Error{unroundable} is thrown, as by write_verified(), naming `file`.
 [[nodiscard]] MeshPiece mesh_piece(const Rounded& solid, const MeshFormat& format,
                                    std::string_view file);
+
+/// The piece, of binary STL, without these of its triangles, ascending, and without these names.
+[[nodiscard]] MeshPiece without(MeshPiece piece, std::span<const std::uint32_t> triangles,
+                                std::span<const std::string> names);
 
 /// `format` is streamed. Of kPvtu, `NAME.pvtu` lists `NAME_0.vtu` and so on, which have the
 /// triangles with the cell data of vtu_text(), labels being numbered alike in all; if a file cannot

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "dupin/kernel/check.h"
+#include "dupin/kernel/mesh.h"
 #include "dupin/kernel/rounding.h"
 #include "dupin/kernel/solid.h"
 
@@ -19,6 +22,12 @@ namespace dupin {
 /// the order of their first boxes. Empty boxes touch nothing, infinite ones all. O(n log n) and the
 /// pairs that touch.
 [[nodiscard]] std::vector<std::uint32_t> districts_of(std::span<const Eigen::AlignedBox3d> boxes);
+
+/// The same, where boxes of these pairs, by their places, lowest first, and pairs ascending, have
+/// nothing to do with each other but through others.
+[[nodiscard]] std::vector<std::uint32_t> districts_of(
+    std::span<const Eigen::AlignedBox3d> boxes,
+    std::span<const std::array<std::uint32_t, 2>> apart);
 
 /// Whether each triangle lies in the interior of one of the boxes, by exact comparisons. O(n) where
 /// triangles in the same box follow one another.
@@ -43,5 +52,61 @@ void add(const Report& district, Report& all);
 
 /// A box about all boxes.
 [[nodiscard]] Eigen::AlignedBox3d bounds_of(std::span<const Boxes> boxes);
+
+/// What hangs together and is large is made in pieces. Where two of them end in one ring, each is
+/// closed by a disc of the same triangles, turned the other way; joined, they lose both discs, and
+/// what is left is closed. That it is a solid, too, is tested exactly, next to the discs only:
+/// nowhere else do boxes about the pieces touch.
+///
+/// Where two pieces are joined.
+struct Seam {
+  std::array<std::uint32_t, 2> pieces{};
+  std::string name;             ///< the label of the disc's triangles, and of no others
+  Eigen::AlignedBox3d meeting;  ///< no triangles of both meet outside of it
+
+  friend bool operator==(const Seam& a, const Seam& b) {
+    return a.pieces == b.pieces && a.name == b.name && a.meeting.min() == b.meeting.min() &&
+           a.meeting.max() == b.meeting.max();
+  }
+};
+
+/// What one of the two pieces has there. Triangles are given by their corners, three by three.
+struct SeamSide {
+  std::uint32_t shell = 0;  ///< that the disc is part of, by its place in the piece's report
+  bool is_disc = false;     ///< there is one disc, in one shell
+  std::vector<Vec3> disc;   ///< in an order of its own
+  std::vector<Vec3> near;   ///< beside the disc, what reaches into Seam::meeting
+
+  friend bool operator==(const SeamSide&, const SeamSide&) = default;
+};
+
+/// A piece without its discs.
+struct OpenPiece {
+  std::vector<std::uint32_t> disc_faces;  ///< of the mesh, ascending
+  std::vector<SeamSide> sides;            ///< by seam
+  Report report;                          ///< Euler numbers are those with the discs
+};
+
+/// `mesh` is a solid's, of which the report is, less `origin`; the seams are those of this piece.
+/// O(n) and the seams.
+[[nodiscard]] OpenPiece opened(const TriMesh& mesh, const Vec3& origin, Report report,
+                               std::span<const Seam> seams);
+
+/// Whether both sides have the same disc, and the triangles beside it meet each other in its border
+/// only, by exact predicates. O(n log n) for n triangles beside it.
+[[nodiscard]] bool fit(const SeamSide& one, const SeamSide& other);
+
+/// Two shells of a report that are joined along one border.
+struct ShellPair {
+  std::array<std::size_t, 2> shells{};  ///< by their places in Report::shells
+  std::size_t points = 0;               ///< of the border, which both have counted
+};
+
+/// The number of points in the border of a side's disc.
+[[nodiscard]] std::size_t border_size(const SeamSide& side);
+
+/// The report of all pieces that were opened, one after the other, becomes that of what they are
+/// together.
+void join_shells(std::span<const ShellPair> pairs, Report& report);
 
 }  // namespace dupin

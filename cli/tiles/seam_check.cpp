@@ -1,0 +1,45 @@
+#include "tiles/seam_check.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dupin::cli {
+
+SeamCheck::SeamCheck(std::span<const Seam> seams) : seams_(seams.begin(), seams.end()) {
+  for (std::uint32_t i = 0; i < seams_.size(); ++i) {
+    for (const std::uint32_t piece : seams_[i].pieces) {
+      of_piece_.resize(std::max<std::size_t>(of_piece_.size(), piece + 1));
+      of_piece_[piece].push_back(i);
+    }
+  }
+}
+
+std::vector<Seam> SeamCheck::of(std::size_t piece) const {
+  std::vector<Seam> result;
+  if (piece < of_piece_.size()) {
+    for (const std::uint32_t seam : of_piece_[piece]) {
+      result.push_back(seams_[seam]);
+    }
+  }
+  return result;
+}
+
+void SeamCheck::add(std::size_t piece, std::vector<SeamSide> sides, std::size_t shells_before) {
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const std::uint32_t seam = of_piece_.at(piece).at(i);
+    const std::size_t shell = shells_before + sides[i].shell;
+    const auto first = waiting_.find(seam);
+    if (first == waiting_.end()) {
+      waiting_.emplace(seam, Waiting{std::move(sides[i]), shell});
+      continue;
+    }
+    if (fit(first->second.side, sides[i])) {
+      pairs_.push_back({{first->second.shell, shell}, border_size(sides[i])});
+    } else {
+      misfits_.insert(seams_[seam].name);
+    }
+    waiting_.erase(first);
+  }
+}
+
+}  // namespace dupin::cli

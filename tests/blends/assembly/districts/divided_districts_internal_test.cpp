@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "assembly/districts/divided_districts.h"
+#include "dupin/blends/build.h"
+#include "dupin/kernel/error.h"
+#include "support/named_parts.h"
+
+namespace dupin::assembly {
+namespace {
+
+using test::pipe;
+
+constexpr double kMargin = .1;
+
+// One pipe after the other, with a branch on every other one.
+Assembly header(int pipes) {
+  Assembly result{"plant.json", Unit::millimetre, 0.01, {}, {pipe("h0", {0, 0, 0}, {10, 0, 0}, 1)}};
+  for (int i = 1; i < pipes; ++i) {
+    const std::string number = std::to_string(i);
+    result.parts.push_back(
+        {"h" + number, PipeAlong{PortReference{"h" + std::to_string(i - 1), End::end}, 10}});
+    if (i % 2 == 0) {
+      result.parts.push_back(pipe("b" + number, {10. * i + 5, 0, 0}, {10. * i + 5, 0, 5}, .5));
+    }
+  }
+  return result;
+}
+
+DividedDistricts divided_of(const Assembly& assembly, double most,
+                            const std::set<std::string>& kept = {}) {
+  const ResolvedAssembly resolved = resolve(assembly);
+  return divided(assembly, resolved, districts_of_parts(resolved, kMargin), {most, kept});
+}
+
+double triangles_of(const Assembly& assembly, const DistrictParts& members) {
+  const ExpectedTriangles all = expected_of(district(assembly, resolve(assembly), members));
+  return all.surface + all.crossings;
+}
+
+TEST(DividedDistricts, have_so_many_triangles_at_most) {
+  const Assembly assembly = header(40);
+  const double all = triangles_of(assembly, divided_of(assembly, 1e9).districts.at(0));
+  const DividedDistricts made = divided_of(assembly, all / 4);
+  EXPECT_GE(made.districts.size(), 4);
+  EXPECT_LE(made.districts.size(), 8);
+  EXPECT_EQ(made.seams.size(), made.districts.size() - 1);
+  std::vector<std::uint32_t> parts;
+  for (const DistrictParts& piece : made.districts) {
+    EXPECT_LE(triangles_of(assembly, piece), all / 4);
+    EXPECT_TRUE(std::ranges::is_sorted(piece.parts));
+    parts.insert(parts.end(), piece.parts.begin(), piece.parts.end());
+    ASSERT_TRUE(piece.piece);
+    EXPECT_EQ(piece.piece->samplings.size(), piece.parts.size());
+  }
+  std::ranges::sort(parts);
+  EXPECT_EQ(parts.size(), resolve(assembly).parts.size());
+  EXPECT_TRUE(std::ranges::adjacent_find(parts) == parts.end());
+  EXPECT_TRUE(std::ranges::is_sorted(
+      made.districts, {}, [](const DistrictParts& piece) { return piece.parts.front(); }));
+}
+
+TEST(DividedDistricts, touch_at_seams_only) {
+  const DividedDistricts made = divided_of(header(40), 100);
+  EXPECT_GT(made.seams.size(), 20);
+  for (std::uint32_t i = 0; i < made.districts.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < made.districts.size(); ++j) {
+      for (const Eigen::AlignedBox3d& a : made.districts[i].boxes) {
+        for (const Eigen::AlignedBox3d& b : made.districts[j].boxes) {
+          const bool is_seam = std::ranges::any_of(made.seams, [&](const Seam& seam) {
+            return seam.pieces == std::array{i, j} && seam.meeting.contains(a.intersection(b));
+          });
+          EXPECT_TRUE(is_seam || !a.intersects(b)) << i << " " << j;
+        }
+      }
+    }
+  }
+}
+
+TEST(DividedDistricts, of_few_parts_or_triangles_stay_whole) {
+  EXPECT_EQ(divided_of(header(40), 1e9).districts.size(), 1);
+  EXPECT_TRUE(divided_of(header(40), 1e9).seams.empty());
+  EXPECT_EQ(divided_of(header(16), 1).districts.size(), 1);
+  EXPECT_FALSE(divided_of(header(16), 1).districts.at(0).piece);
+}
+
+TEST(DividedDistricts, are_not_divided_where_seams_are_kept) {
+  const Assembly assembly = header(40);
+  const DividedDistricts made = divided_of(assembly, 100);
+  std::set<std::string> names;
+  for (const Seam& seam : made.seams) {
+    EXPECT_TRUE(names.insert(seam.name).second);
+    EXPECT_LT(seam.name.front(), ' ');
+  }
+  EXPECT_EQ(divided_of(assembly, 100, {*names.begin()}).seams.size(), made.seams.size() - 1);
+  EXPECT_EQ(divided_of(assembly, 100, names).districts.size(), 1);
+}
+
+// A pipe across a ring is near both of its parts.
+TEST(DividedDistricts, are_not_divided_where_others_are_near) {
+  Assembly assembly = header(40);
+  const std::size_t before = divided_of(assembly, 100).seams.size();
+  assembly.parts.push_back(pipe("across", {90, 0, -5}, {90, 0, 5}, .5));
+  EXPECT_EQ(divided_of(assembly, 100).seams.size(), before - 1);
+}
+
+TEST(DividedDistricts, a_piece_has_a_disc_where_it_ends) {
+  const Assembly assembly = header(40);
+  const ResolvedAssembly resolved = resolve(assembly);
+  BuildOptions options;
+  options.margin = kMargin;
+  options.most_of_piece = 100;
+  const DistrictBuild build(assembly, options);
+  ASSERT_FALSE(build.seams().empty());
+  const Seam& seam = build.seams().front();
+  for (const std::uint32_t piece : seam.pieces) {
+    const Built built = build.build(piece);
+    const auto label = std::ranges::find(built.solid.names(), seam.name);
+    ASSERT_NE(label, built.solid.names().end());
+    EXPECT_GT(std::ranges::count(built.solid.labels(), label - built.solid.names().begin()), 5);
+    EXPECT_FALSE(build.taken_from_whole(piece).empty());
+  }
+  EXPECT_THROW((void)build.build_all(), Error);
+  EXPECT_TRUE(build.joined({}).solid.triangles().empty());
+}
+
+TEST(DividedDistricts, of_hollow_parts_stay_whole) {
+  Assembly assembly = header(40);
+  assembly.wall = .1;
+  BuildOptions options;
+  options.most_of_piece = 100;
+  EXPECT_TRUE(DistrictBuild(assembly, options).seams().empty());
+  options.region = Region::outer;
+  EXPECT_TRUE(DistrictBuild(assembly, options).seams().empty());
+}
+
+}  // namespace
+}  // namespace dupin::assembly
