@@ -77,6 +77,9 @@ void append_meshes(const Assembly& assembly, std::string& text) {
 /// taken from another.
 constexpr double kBytesPerTriangle = 300, kBytesPerTriangleOfTwo = 900;
 
+/// So often pieces are made that turn out not to fit; then nothing is divided.
+constexpr int kMostRounds = 4;
+
 std::uint64_t cache_size(const TileArguments& arguments) {
   return bytes_in(arguments.cache_size.empty() ? "10GB" : arguments.cache_size, "--cache-size");
 }
@@ -310,7 +313,7 @@ TiledBuilt build_in_tiles(const Document& document, const BuildOptions& options,
                           const BuildArguments& arguments, const MeshHeader& header,
                           const Ranks& ranks) {
   BuildOptions own = options;
-  for (;;) {
+  for (int round = 1;; ++round) {
     auto build =
         alike(ranks, [&] { return std::make_unique<TiledBuild>(document, own, arguments, ranks); });
     build->divide(arguments.tiles);
@@ -321,6 +324,7 @@ TiledBuilt build_in_tiles(const Document& document, const BuildOptions& options,
       return result;
     }
     // All ranks, and builds in any number of tiles, find the same ones.
+    own.most_of_piece = round < kMostRounds ? own.most_of_piece : 0;
     own.kept_seams.insert(build->misfits().begin(), build->misfits().end());
   }
 }

@@ -1,5 +1,3 @@
-#include "dupin/kernel/districts.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +8,7 @@
 #include <utility>
 
 #include "dupin/kernel/connected_components.h"
+#include "dupin/kernel/districts.h"
 #include "support/disjoint_sets.h"
 #include "support/none.h"
 

@@ -62,7 +62,8 @@ TEST_F(TiledBuild, gives_the_same_bytes_of_what_hangs_together_in_pieces) {
   folder_.write("plant.json", connected(12));
   const auto build = [&](std::vector<std::string> own) {
     own.insert(own.begin(), {"build", "plant.json", "-o", "out.stl"});
-    return std::pair(json(own, 0), folder_.read("out.stl"));
+    const auto report = json(own, 0);
+    return std::pair(report, folder_.read("out.stl"));
   };
   const auto [whole, whole_bytes] = build({});
   for (const std::string piece : {"1", "3000", "9000"}) {
@@ -129,8 +130,11 @@ TEST_F(TiledBuild, does_not_divide_where_pieces_do_not_fit) {
     EXPECT_EQ(json(own, 0).at("output").at("check").at("components"), 1);
     return folder_.read("out.stl");
   };
-  const std::string divided = bytes({"--piece", "1000"});
-  EXPECT_TRUE(bytes({"--piece", "1000", "--tiles", "5"}) == divided);
+  for (const std::string piece : {"1000", "5000"}) {
+    const std::string divided = bytes({"--piece", piece});
+    EXPECT_TRUE(bytes({"--piece", piece, "--tiles", "5"}) == divided);
+    EXPECT_TRUE(bytes({}) == divided) << "there is no piece that fits";
+  }
   EXPECT_EQ(json({"check", "out.stl"}, 0).at("solid"), true);
 }
 

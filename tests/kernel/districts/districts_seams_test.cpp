@@ -1,8 +1,8 @@
-#include "dupin/kernel/districts.h"
-
 #include <algorithm>
 
 #include <gtest/gtest.h>
+
+#include "dupin/kernel/districts.h"
 
 namespace dupin::test {
 namespace {
