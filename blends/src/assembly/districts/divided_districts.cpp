@@ -159,6 +159,7 @@ class Divider {
                                                        const Boxes& boxes) {
     std::vector<SharedRing> rings = rings_of(members);
     std::vector<std::array<std::uint32_t, 2>> pairs;
+    pairs.reserve(rings.size());
     for (const SharedRing& ring : rings) {
       pairs.push_back(ring.parts);
     }
