@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -68,12 +70,13 @@ class Pipe {
     return (point - tube_.start.center).dot(axis_);
   }
 
-  [[nodiscard]] Course course(const CanalFillet& loop, std::size_t side) const {
+  // Of points that a loop has on it, once around.
+  [[nodiscard]] Course course(std::span<const Vec3> points) const {
     Course course;
     double turn = 0;
-    Vec3 last = arm(foot(loop, side, kSamples - 1));
-    for (int i = 0; i < kSamples; ++i) {
-      const Vec3 point = foot(loop, side, i), next = arm(point);
+    Vec3 last = arm(points.back());
+    for (const Vec3& point : points) {
+      const Vec3 next = arm(point);
       course.height.include(height(point));
       turn += std::atan2(last.cross(next).dot(axis_), last.dot(next));
       last = next;
@@ -130,9 +133,6 @@ class Pipe {
   }
 
  private:
-  static Vec3 foot(const CanalFillet& loop, std::size_t side, int i) {
-    return contact_arc(loop.quadrics, ball(loop, kTurn * i / kSamples)).feet.at(side);
-  }
   [[nodiscard]] Vec3 arm(const Vec3& point) const {
     const Vec3 from = point - tube_.start.center;
     return from - from.dot(axis_) * axis_;
@@ -143,6 +143,17 @@ class Pipe {
   Vec3 axis_;
   double length_;
 };
+
+// Points that a loop has on both pipes.
+std::array<std::vector<Vec3>, 2> sampled_feet(const CanalFillet& loop) {
+  std::array<std::vector<Vec3>, 2> feet;
+  for (int i = 0; i < kSamples; ++i) {
+    const ContactArc arc = contact_arc(loop.quadrics, ball(loop, kTurn * i / kSamples));
+    feet[0].push_back(arc.feet[0]);
+    feet[1].push_back(arc.feet[1]);
+  }
+  return feet;
+}
 
 [[noreturn]] void refuse(const std::string& why) { throw Error(Errc::infeasible_blend, why); }
 
@@ -267,7 +278,8 @@ class Search {
   }
 
   void consider(CanalFillet loop) {
-    const std::array<Course, 2> courses{pipes_[0].course(loop, 0), pipes_[1].course(loop, 1)};
+    const auto feet = sampled_feet(loop);
+    const std::array<Course, 2> courses{pipes_[0].course(feet[0]), pipes_[1].course(feet[1])};
     const std::array<Place, 2> places{pipes_[0].place(courses[0], result_.buried[0]),
                                       pipes_[1].place(courses[1], result_.buried[1])};
     if (places[0] == Place::beside || places[1] == Place::beside) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 #include <map>
+#include <utility>
 
 #include "assembly/outward_shape.h"
 #include "assembly/part_context.h"
@@ -377,12 +378,8 @@ class Resolver {
         }
       }
     }
-    FilletedPairs filleted;
+    append_fillets(position, result);
     for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
-      if (part_kind(assembly_.parts[i].shape).fillet != nullptr) {
-        result.fillets.push_back(fillet(i, position));
-        refuse_twice(result.fillets, filleted);
-      }
       if (part_kind(assembly_.parts[i].shape).is_junction()) {
         append_junction(i, position, result);
       }
@@ -398,6 +395,23 @@ class Resolver {
     return !cap.empty()                                                ? cap
            : other != assembly_.patches.end() && other->second == part ? part
                                                                        : own;
+  }
+
+  void append_fillets(const std::vector<std::uint32_t>& position, ResolvedAssembly& result) const {
+    std::vector<std::uint32_t> places;
+    for (std::uint32_t i = 0; i < assembly_.parts.size(); ++i) {
+      if (part_kind(assembly_.parts[i].shape).fillet != nullptr) {
+        places.push_back(i);
+      }
+    }
+    std::vector<ResolvedFillet> made(places.size());
+    for_each_in_parallel(places.size(),
+                         [&](std::size_t i) { made[i] = fillet(places[i], position); });
+    FilletedPairs filleted;
+    for (ResolvedFillet& fillet : made) {
+      result.fillets.push_back(std::move(fillet));
+      refuse_twice(result.fillets, filleted);
+    }
   }
 
   void append_junction(std::uint32_t part, const std::vector<std::uint32_t>& position,
