@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "assembly/groups.h"
 #include "assembly/part_context.h"
 #include "numbers/point_order.h"
 #include "tessellation/trimmed_face.h"
@@ -81,17 +82,15 @@ TriMesh labelled(const std::string& name, const std::vector<FilletMesh>& loops) 
 // What `among` names, sorted into groups by what joins runs.
 std::vector<FilletedRuns> grouped(const ResolvedAssembly& assembly, std::span<const WeldedRun> runs,
                                   const FilletedRuns& among) {
-  std::vector<std::size_t> run_of(assembly.parts.size()), group_of(runs.size());
+  std::vector<std::uint32_t> run_of(assembly.parts.size());
   for (std::size_t r = 0; r < runs.size(); ++r) {
     for (const std::uint32_t part : runs[r].parts) {
-      run_of[part] = r;
+      run_of[part] = std::uint32_t(r);
     }
   }
-  std::iota(group_of.begin(), group_of.end(), std::size_t{0});
-  // Groups are called after their first run.
+  Groups groups(runs.size());
   const auto join = [&](std::uint32_t part, std::uint32_t other) {
-    const std::size_t a = group_of[run_of[part]], b = group_of[run_of[other]];
-    std::ranges::replace(group_of, std::max(a, b), std::min(a, b));
+    groups.unite(run_of[part], run_of[other]);
   };
   for (const std::size_t f : among.fillets) {
     join(assembly.fillets[f].between[0], assembly.fillets[f].between[1]);
@@ -103,13 +102,13 @@ std::vector<FilletedRuns> grouped(const ResolvedAssembly& assembly, std::span<co
   }
   std::vector<FilletedRuns> by_first(runs.size());
   for (const std::size_t r : among.runs) {
-    by_first[group_of[r]].runs.push_back(r);
+    by_first[groups.of(std::uint32_t(r))].runs.push_back(r);
   }
   for (const std::size_t f : among.fillets) {
-    by_first[group_of[run_of[assembly.fillets[f].between[0]]]].fillets.push_back(f);
+    by_first[groups.of(run_of[assembly.fillets[f].between[0]])].fillets.push_back(f);
   }
   for (const std::size_t j : among.junctions) {
-    by_first[group_of[run_of[assembly.junctions[j].arms.front()]]].junctions.push_back(j);
+    by_first[groups.of(run_of[assembly.junctions[j].arms.front()])].junctions.push_back(j);
   }
   std::erase_if(by_first, [](const FilletedRuns& group) { return group.runs.empty(); });
   return by_first;

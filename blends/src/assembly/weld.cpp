@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 
+#include "assembly/groups.h"
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/connected_components.h"
 #include "numbers/point_order.h"
@@ -199,20 +199,13 @@ LevelEnds::LevelEnds(const ResolvedAssembly& assembly, std::vector<std::size_t> 
 }
 
 void LevelEnds::share(std::vector<RingSampling>& of_runs) const {
-  std::vector<std::size_t> leader(of_runs.size());
-  std::iota(leader.begin(), leader.end(), std::size_t{0});
-  const auto first = [&](std::size_t run) {
-    while (leader[run] != run) {
-      run = leader[run] = leader[leader[run]];
-    }
-    return run;
-  };
+  Groups runs(of_runs.size());
+  const auto first = [&](std::size_t run) { return runs.of(std::uint32_t(run)); };
   for (const std::vector<Member>& group : groups_) {
     for (std::size_t i = 1; i < group.size(); ++i) {
       const Member &one = group[i - 1], &other = group[i];
       if (one.is_flange && other.is_flange && one.ring.radius == other.ring.radius) {
-        const std::size_t a = first(one.run), b = first(other.run);
-        leader[std::max(a, b)] = std::min(a, b);
+        runs.unite(std::uint32_t(one.run), std::uint32_t(other.run));
       }
     }
   }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "assembly/cost_limit.h"
+#include "assembly/groups.h"
 #include "assembly/run_solids.h"
 #include "assembly/welded_runs.h"
 
@@ -30,27 +31,6 @@ std::string seam_name(const ResolvedPart& part, End end) {
   // No part is called so: names have no control characters.
   return "\x1f" + to_string({part.name, end});
 }
-
-/// Sets of things that come together; the lowest of a set stands for it.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : leader_(count) {
-    std::iota(leader_.begin(), leader_.end(), std::uint32_t{0});
-  }
-  [[nodiscard]] std::uint32_t of(std::uint32_t one) {
-    while (leader_[one] != one) {
-      one = leader_[one] = leader_[leader_[one]];
-    }
-    return one;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t first = of(a), second = of(b);
-    leader_[std::max(first, second)] = std::min(first, second);
-  }
-
- private:
-  std::vector<std::uint32_t> leader_;
-};
 
 class Divider {
  public:
