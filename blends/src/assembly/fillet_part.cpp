@@ -119,6 +119,14 @@ class Pipe {
 
   // Whether a disc lies inside; it may touch, as the end of a branch as thick as the pipe does.
   [[nodiscard]] bool buries(const Ring& disc) const {
+    // No point of it is more than its radius away from its center, nor `outside` by more than that
+    // times what it grows by: most discs are clear of a touch by far.
+    const double center = outside(disc.center);
+    const double most = disc.radius * std::hypot(1, tube_.end.slope);
+    const double touch = kTouching * (tube_.end.radius + most + std::abs(center));
+    if (std::abs(center) > most + 2 * touch) {
+      return center < 0;
+    }
     return reach_out(disc) <= kTouching * tube_.end.radius;
   }
 
@@ -160,27 +168,35 @@ std::array<std::vector<Vec3>, 2> sampled_feet(const CanalFillet& loop) {
 // With a radius of 0, of a cope.
 class Search {
  public:
-  Search(const std::array<Pipe, 2>& pipes, double radius) : pipes_(pipes), radius_(radius) {
-    result_.radius = radius;
+  static Fillet without_loops(const std::array<Pipe, 2>& pipes, double radius) {
+    Fillet result;
+    result.radius = radius;
+    for (const std::size_t i : {0U, 1U}) {
+      for (const End end : {End::start, End::end}) {
+        result.buried.at(i).at(at(end)) = pipes.at(1 - i).buries(pipes.at(i).end(end));
+      }
+      if (result.buried.at(i)[0] && result.buried.at(i)[1]) {
+        refuse("'" + pipes.at(i).name() + "' lies inside '" + pipes.at(1 - i).name() + "'");
+      }
+    }
+    return result;
   }
 
+  Search(const std::array<Pipe, 2>& pipes, double radius)
+      : Search(pipes, without_loops(pipes, radius)) {}
+
+  Search(const std::array<Pipe, 2>& pipes, Fillet without_loops)
+      : pipes_(pipes), radius_(without_loops.radius), result_(std::move(without_loops)) {}
+
   Fillet run() {
-    Fillet result = unproved();
+    Fillet result = with_loops();
     if (radius_ > 0) {
       prove(result);
     }
     return result;
   }
 
-  Fillet unproved() {
-    for (const std::size_t i : {0U, 1U}) {
-      for (const End end : {End::start, End::end}) {
-        result_.buried.at(i).at(at(end)) = pipes_.at(1 - i).buries(pipes_.at(i).end(end));
-      }
-      if (result_.buried.at(i)[0] && result_.buried.at(i)[1]) {
-        refuse("'" + pipes_.at(i).name() + "' lies inside '" + pipes_.at(1 - i).name() + "'");
-      }
-    }
+  Fillet with_loops() {
     for (CanalFillet& loop : loops()) {
       consider(std::move(loop));
     }
@@ -359,15 +375,14 @@ std::string what_would_do(const std::array<Pipe, 2>& pipes, double radius,
                     ", but with these walls neither it nor a smaller one fits inside";
 }
 
-// What `work` does with a search; where it is refused, with what would do.
+// What `work` does with the pipes; where it refuses them, with what would do.
 template <typename Work>
 auto searched(const std::array<const PartSurface*, 2>& surfaces,
               const std::array<std::string, 2>& names, double radius,
               const std::function<bool(double)>& fits_bore, const Work& work) {
   const std::array<Pipe, 2> pipes = pipes_of(surfaces, names);
   try {
-    Search search(pipes, radius);
-    return work(search);
+    return work(pipes);
   } catch (const Error& error) {
     throw Error(Errc::infeasible_blend, error.message() + what_would_do(pipes, radius, fits_bore));
   }
@@ -405,20 +420,28 @@ std::optional<double> largest_radius_below(double radius, const std::function<bo
 Fillet fillet_between(const std::array<const PartSurface*, 2>& surfaces,
                       const std::array<std::string, 2>& names, double radius,
                       const std::function<bool(double)>& fits_bore) {
-  return searched(surfaces, names, radius, fits_bore, [](Search& search) { return search.run(); });
+  return searched(surfaces, names, radius, fits_bore,
+                  [&](const auto& pipes) { return Search(pipes, radius).run(); });
 }
 
-Fillet unproved_fillet_between(const std::array<const PartSurface*, 2>& surfaces,
-                               const std::array<std::string, 2>& names, double radius,
-                               const std::function<bool(double)>& fits_bore) {
+Fillet fillet_without_loops(const std::array<const PartSurface*, 2>& surfaces,
+                            const std::array<std::string, 2>& names, double radius,
+                            const std::function<bool(double)>& fits_bore) {
   return searched(surfaces, names, radius, fits_bore,
-                  [](Search& search) { return search.unproved(); });
+                  [&](const auto& pipes) { return Search::without_loops(pipes, radius); });
+}
+
+void find_loops(Fillet& fillet, const std::array<const PartSurface*, 2>& surfaces,
+                const std::array<std::string, 2>& names,
+                const std::function<bool(double)>& fits_bore) {
+  fillet = searched(surfaces, names, fillet.radius, fits_bore,
+                    [&](const auto& pipes) { return Search(pipes, fillet).with_loops(); });
 }
 
 void prove(Fillet& fillet, const std::array<const PartSurface*, 2>& surfaces,
            const std::array<std::string, 2>& names, const std::function<bool(double)>& fits_bore) {
   searched(surfaces, names, fillet.radius, fits_bore,
-           [&](Search& search) { search.prove(fillet); });
+           [&](const auto& pipes) { Search(pipes, fillet).prove(fillet); });
 }
 
 std::optional<std::string> fillet_fault(const std::array<const PartSurface*, 2>& surfaces,

@@ -20,13 +20,18 @@ namespace dupin::assembly {
                                     const std::array<std::string, 2>& names, double radius,
                                     const std::function<bool(double)>& fits_bore = {});
 
-/// The same, but whether it folds, which takes most of the time, is left to `prove`: it has no
-/// `regularity`.
-[[nodiscard]] Fillet unproved_fillet_between(const std::array<const PartSurface*, 2>& pipes,
-                                             const std::array<std::string, 2>& names, double radius,
-                                             const std::function<bool(double)>& fits_bore = {});
+/// The same, but all that takes time is left to `find_loops` and then `prove`: only which ends it
+/// buries is known.
+[[nodiscard]] Fillet fillet_without_loops(const std::array<const PartSurface*, 2>& pipes,
+                                          const std::array<std::string, 2>& names, double radius,
+                                          const std::function<bool(double)>& fits_bore = {});
 
-/// That it does not fold. Throws as `fillet_between` does.
+/// Where the ball rolls. Throws as `fillet_between` does.
+void find_loops(Fillet& fillet, const std::array<const PartSurface*, 2>& pipes,
+                const std::array<std::string, 2>& names,
+                const std::function<bool(double)>& fits_bore);
+
+/// That it does not fold: its `regularity`. Throws as `fillet_between` does.
 void prove(Fillet& fillet, const std::array<const PartSurface*, 2>& pipes,
            const std::array<std::string, 2>& names, const std::function<bool(double)>& fits_bore);
 

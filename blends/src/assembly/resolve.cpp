@@ -524,19 +524,40 @@ ResolvedAssembly resolve(const Assembly& assembly) {
 
 ResolvedAssembly resolve_unproved(const Assembly& assembly) { return Resolver(assembly).run(); }
 
-void prove_fillets(const Assembly& assembly, ResolvedAssembly& resolved) {
+namespace {
+
+// work(kind, shape, pipes, fillet) for each; throws for the first of those for which that does.
+template <typename Work>
+void for_each_fillet(const Assembly& assembly, ResolvedAssembly& resolved, const Work& work) {
   for_each_in_parallel(resolved.fillets.size(), [&](std::size_t i) {
     ResolvedFillet& fillet = resolved.fillets[i];
     const PartShape& shape = assembly.parts[fillet.index].shape;
-    const auto prove = part_kind(shape).prove;
-    if (prove != nullptr && !fillet.shape.regularity) {
-      assembly::with_part_context(assembly, fillet.index, [&] {
-        prove(assembly, shape,
-              {&resolved.parts[fillet.between[0]].shape, &resolved.parts[fillet.between[1]].shape},
-              fillet.shape);
-      });
-    }
+    const std::array<const PartSurface*, 2> pipes{&resolved.parts[fillet.between[0]].shape,
+                                                  &resolved.parts[fillet.between[1]].shape};
+    assembly::with_part_context(assembly, fillet.index,
+                                [&] { work(part_kind(shape), shape, pipes, fillet.shape); });
   });
+}
+
+}  // namespace
+
+void find_loops(const Assembly& assembly, ResolvedAssembly& resolved) {
+  for_each_fillet(assembly, resolved,
+                  [&](const auto& kind, const auto& shape, const auto& pipes, Fillet& fillet) {
+                    if (fillet.loops.empty()) {
+                      kind.find_loops(assembly, shape, pipes, fillet);
+                    }
+                  });
+}
+
+void prove_fillets(const Assembly& assembly, ResolvedAssembly& resolved) {
+  find_loops(assembly, resolved);
+  for_each_fillet(assembly, resolved,
+                  [&](const auto& kind, const auto& shape, const auto& pipes, Fillet& fillet) {
+                    if (kind.prove != nullptr && !fillet.regularity) {
+                      kind.prove(assembly, shape, pipes, fillet);
+                    }
+                  });
 }
 
 BuriedEnds::BuriedEnds(const ResolvedAssembly& assembly) : is_buried_(assembly.parts.size()) {

@@ -76,8 +76,12 @@ TEST(FilletPart, is_proved_later) {
                                       fillet("f", "run", "b", 1),
                                       {"g", CopeOfEnd{{"c", End::start}, "run"}}});
   ResolvedAssembly resolved = resolve_unproved(document);
-  EXPECT_EQ(resolved.fillets[0].shape.regularity, std::nullopt);
+  EXPECT_EQ(resolved.fillets[0].shape.loops.size(), 0U);
   EXPECT_FALSE(resolved.fillets[0].shape.is_cope());
+  EXPECT_TRUE(resolved.fillets[0].shape.buried[1][0]);
+  find_loops(document, resolved);
+  EXPECT_EQ(resolved.fillets[0].shape.loops.size(), 1U);
+  EXPECT_EQ(resolved.fillets[0].shape.regularity, std::nullopt);
   prove_fillets(document, resolved);
   const ResolvedAssembly at_once = resolve(document);
   EXPECT_GT(at_once.fillets[0].shape.regularity, 0.1);
@@ -103,6 +107,23 @@ TEST(FilletPart, that_folds_is_refused_alike_wherever_it_is_proved) {
                                    testing::HasSubstr("the largest ball that fits"),
                                    testing::HasSubstr("d.json#/parts/2")));
   EXPECT_EQ(what_is_said([&] { (void)build(document); }), said);
+}
+
+TEST(FilletPart, that_is_nowhere_is_refused_alike_wherever_it_is_looked_for) {
+  Assembly document = assembly({pipe("run", {-20, 0, 0}, {20, 0, 0}, 4),
+                                pipe("b", {0, 7, 0}, {0, 12, 0}, 2), fillet("f", "run", "b", 1)});
+  EXPECT_NO_THROW((void)resolve_unproved(document));
+  const std::string said = what_is_said([&] { (void)resolve(document); });
+  EXPECT_THAT(said, testing::AllOf(testing::HasSubstr("do not cross within their lengths"),
+                                   testing::HasSubstr("d.json#/parts/2")));
+  EXPECT_EQ(what_is_said([&] { (void)build(document); }), said);
+  // In a district of several, too, whose parts have other numbers.
+  document.parts.insert(document.parts.begin(), pipe("far", {0, 0, 900}, {9, 0, 900}, 1));
+  EXPECT_THAT(what_is_said([&] { (void)build(document); }),
+              testing::AllOf(testing::HasSubstr("do not cross within their lengths"),
+                             testing::HasSubstr("d.json#/parts/3")));
+  EXPECT_THAT(what_is_said([&] { (void)DistrictBuild(document, {}).build(1, {}); }),
+              testing::HasSubstr("d.json#/parts/3"));
 }
 
 struct Fault {

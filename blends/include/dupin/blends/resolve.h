@@ -50,7 +50,8 @@ struct ResolvedPart {
 /// where one is cut to fit the other (a cope).
 struct Fillet {
   /// Those of the balls' ways that lie on the pipes: one for a branch, two where a pipe passes
-  /// through the other. All have the same quadrics.
+  /// through the other. All have the same quadrics. None as long as they are not looked for
+  /// (`resolve_unproved`).
   std::vector<CanalFillet> loops;
   /// Which ends of the first and second pipe lie inside the other one, and vanish.
   std::array<std::array<bool, 2>, 2> buried{};
@@ -93,12 +94,16 @@ struct ResolvedAssembly {
 /// references, numbers that are not finite or not positive, parts without length.
 [[nodiscard]] ResolvedAssembly resolve(const Assembly& assembly);
 
-/// The same, but that fillets do not fold, which takes most of the time of documents that have
-/// them, is left to `prove_fillets`: `Fillet::regularity` is not known.
+/// The same, but of fillets, which take most of the time of documents that have them, only the ends
+/// are known that they bury: `Fillet::loops` are left to `find_loops`, `Fillet::regularity` to
+/// `prove_fillets`.
 [[nodiscard]] ResolvedAssembly resolve_unproved(const Assembly& assembly);
 
-/// Proves that fillets do not fold, on as many threads as TBB may use, where that is not known yet.
-/// Throws as `resolve` does, for the first in document order of those that do.
+/// Finds where fillets are, on as many threads as TBB may use, where that is not known yet. Throws
+/// as `resolve` does, for the first in document order of those that do.
+void find_loops(const Assembly& assembly, ResolvedAssembly& resolved);
+
+/// Finds them, and proves likewise that they do not fold.
 void prove_fillets(const Assembly& assembly, ResolvedAssembly& resolved);
 
 /// Ends that vanish: inside of a fillet's other pipe, or in a junction's hub. O(parts + fillets).

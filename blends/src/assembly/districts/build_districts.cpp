@@ -221,8 +221,8 @@ Assembly DistrictBuild::document(std::size_t district) const {
 }
 
 double DistrictBuild::expected_triangles(std::size_t district) const {
-  const assembly::District own =
-      assembly::district(plan_->assembly, plan_->resolved, plan_->districts.at(district));
+  const assembly::District own = assembly::district_with_loops(plan_->assembly, plan_->resolved,
+                                                               plan_->districts.at(district));
   const auto [surface, crossings] = assembly::expected_of(own);
   const auto walls = assembly::walls_of(own.assembly, own.resolved, plan_->options.region);
   const bool has_bores = walls && std::ranges::any_of(*walls, [](double wall) { return wall > 0; });
@@ -248,9 +248,10 @@ Built DistrictBuild::joined(std::vector<Built> districts) const {
   result.boxes = boxes();
   if (!seams().empty()) {
     result.runs = assembly::welded_runs(plan_->resolved).size();
-  } else {
-    result.solid = result.districts.size() == 1 ? result.districts.front()
-                                                : dupin::joined(result.districts, result.boxes);
+  } else if (result.districts.size() == 1) {
+    result.solid = result.districts.front();
+  } else if (!std::ranges::all_of(result.districts, &Solid::empty)) {  // which were given away
+    result.solid = dupin::joined(result.districts, result.boxes);
   }
   refuse_unknown_patches(plan_->assembly, plan_->resolved, result.solid);
   result.ports = ports(plan_->resolved);
@@ -259,9 +260,11 @@ Built DistrictBuild::joined(std::vector<Built> districts) const {
 }
 
 void DistrictBuild::refuse_too_costly() const {
-  assembly::refuse_too_costly(
-      plan_->assembly, plan_->resolved, assembly::welded_runs(plan_->resolved),
-      assembly::lattice_spacing(plan_->assembly, plan_->resolved), plan_->options.most_triangles);
+  ResolvedAssembly resolved = plan_->resolved;
+  find_loops(plan_->assembly, resolved);
+  assembly::refuse_too_costly(plan_->assembly, resolved, assembly::welded_runs(resolved),
+                              assembly::lattice_spacing(plan_->assembly, resolved),
+                              plan_->options.most_triangles);
 }
 
 Built DistrictBuild::build_all(const Progress& progress) const {

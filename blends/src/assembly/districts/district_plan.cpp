@@ -6,22 +6,21 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 #include "assembly/part_box.h"
 #include "assembly/parts/part_kind.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin::assembly {
 namespace {
 
 // Of parts, then of fillets, then of junctions.
 Boxes boxes_of(const ResolvedAssembly& resolved, double margin, double relative) {
-  Boxes boxes;
-  for (const ResolvedPart& part : resolved.parts) {
-    boxes.push_back(part_box(part.shape));
-  }
+  Boxes boxes(resolved.parts.size());
+  for_each_in_parallel(boxes.size(),
+                       [&](std::size_t i) { boxes[i] = part_box(resolved.parts[i].shape); });
   for (const ResolvedFillet& fillet : resolved.fillets) {
     boxes.push_back(boxes[fillet.between[0]].merged(boxes[fillet.between[1]]));
   }
@@ -123,23 +122,17 @@ std::vector<std::uint32_t> document_parts(const ResolvedAssembly& resolved,
 
 namespace {
 
-// Without those that say that an end of another part is none, which may be many.
-std::map<std::string, std::string> patches_of(const std::map<std::string, std::string>& all,
-                                              const std::vector<Part>& parts) {
-  std::map<std::string, std::string> result;
-  std::unordered_set<std::string_view> names;
-  for (std::size_t i = 0; i < parts.size() && !all.empty(); ++i) {
-    names.insert(parts[i].name);
+// Of all, those that a name may be about: its own, and of its ends and skins.
+void take_patches(const std::map<std::string, std::string>& all, const std::string& name,
+                  std::map<std::string, std::string>& result) {
+  if (const auto own = all.find(name); own != all.end()) {
+    result.insert(*own);
   }
-  for (const auto& entry : all) {
-    const auto& [patch, name] = entry;
-    const bool is_no_end = patch.starts_with(name) && (patch.substr(name.size()) == ".start" ||
-                                                       patch.substr(name.size()) == ".end");
-    if (!is_no_end || names.contains(name)) {
-      result.insert(result.end(), entry);
-    }
+  const std::string dotted = name + ".";
+  for (auto next = all.lower_bound(dotted); next != all.end() && next->first.starts_with(dotted);
+       ++next) {
+    result.insert(*next);
   }
-  return result;
 }
 
 }  // namespace
@@ -158,8 +151,8 @@ Assembly document_of(const Assembly& assembly, const std::vector<std::uint32_t>&
     if (own.parts.back().pointer.empty()) {
       own.parts.back().pointer = "/parts/" + std::to_string(index);
     }
+    take_patches(assembly.patches, own.parts.back().name, own.patches);
   }
-  own.patches = patches_of(assembly.patches, own.parts);
   return own;
 }
 
@@ -187,6 +180,11 @@ District district(const Assembly& assembly, const ResolvedAssembly& resolved,
   result.parts = document_parts(resolved, members);
   result.assembly = document_of(assembly, result.parts);
   result.resolved = taken(resolved, members);
+  for (const ResolvedPart& part : result.resolved.parts) {
+    for (const std::string& cap : part.end_names) {
+      take_patches(assembly.patches, cap, result.assembly.patches);
+    }
+  }
   require_whole_runs(resolved, members, result.resolved);
   result.piece = members.piece;
   for (const DiscName& disc : members.piece.value_or(PieceOf{}).discs) {
@@ -201,6 +199,13 @@ District district(const Assembly& assembly, const ResolvedAssembly& resolved,
   std::ranges::for_each(result.resolved.parts, renumber);
   std::ranges::for_each(result.resolved.fillets, renumber);
   std::ranges::for_each(result.resolved.junctions, renumber);
+  return result;
+}
+
+District district_with_loops(const Assembly& assembly, const ResolvedAssembly& resolved,
+                             const DistrictParts& members) {
+  District result = district(assembly, resolved, members);
+  find_loops(result.assembly, result.resolved);
   return result;
 }
 

@@ -76,4 +76,9 @@ class RelatedParts {
 [[nodiscard]] District district(const Assembly& assembly, const ResolvedAssembly& resolved,
                                 const DistrictParts& members);
 
+/// The same, with the loops of its fillets. Throws as `find_loops` does.
+[[nodiscard]] District district_with_loops(const Assembly& assembly,
+                                           const ResolvedAssembly& resolved,
+                                           const DistrictParts& members);
+
 }  // namespace dupin::assembly

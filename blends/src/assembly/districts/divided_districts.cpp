@@ -42,7 +42,7 @@ class Divider {
       districts_.push_back(std::move(members));
       return;
     }
-    const District whole = district(assembly_, resolved_, members);
+    const District whole = district_with_loops(assembly_, resolved_, members);
     const ExpectedTriangles expected = expected_of(whole);
     if (!(expected.surface + expected.crossings > division_.most)) {
       districts_.push_back(std::move(members));
@@ -188,7 +188,7 @@ class Divider {
   [[nodiscard]] std::vector<double> expected(const std::vector<DistrictParts>& pieces) const {
     std::vector<double> result;
     for (const DistrictParts& piece : pieces) {
-      const ExpectedTriangles own = expected_of(district(assembly_, resolved_, piece));
+      const ExpectedTriangles own = expected_of(district_with_loops(assembly_, resolved_, piece));
       result.push_back(own.surface + own.crossings);
     }
     return result;

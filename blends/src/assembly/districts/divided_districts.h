@@ -36,7 +36,8 @@ constexpr std::size_t kLeastParts = 32;
                                        std::vector<DistrictParts> districts,
                                        const Division& division);
 
-/// How many triangles the parts' surfaces have, and how many more where they cross; roughly.
+/// How many triangles the parts' surfaces have, and how many more where they cross; roughly. Needs
+/// the loops of fillets.
 struct ExpectedTriangles {
   double surface = 0, crossings = 0;
 };

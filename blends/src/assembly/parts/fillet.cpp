@@ -31,8 +31,13 @@ struct PartRules<"fillet"> {
     if (fillet.between[0] == fillet.between[1]) {
       fail(context, "between", "a fillet is between two different parts");
     }
-    return unproved_fillet_between(surfaces, fillet.between, fillet.radius,
-                                   fits_bore(context.assembly, fillet, surfaces));
+    return fillet_without_loops(surfaces, fillet.between, fillet.radius,
+                                fits_bore(context.assembly, fillet, surfaces));
+  }
+
+  static void find_loops(const Assembly& assembly, const FilletBetween& fillet,
+                         const std::array<const PartSurface*, 2>& surfaces, Fillet& found) {
+    assembly::find_loops(found, surfaces, fillet.between, fits_bore(assembly, fillet, surfaces));
   }
 
   static void prove(const Assembly& assembly, const FilletBetween& fillet,

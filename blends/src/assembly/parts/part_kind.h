@@ -65,7 +65,10 @@ struct PartKind {
   FilletPipes (*pipes)(const PartShape&) = nullptr;
   Fillet (*fillet)(const PartContext&, const PartShape&,
                    const std::array<const PartSurface*, 2>& pipes) = nullptr;
-  /// That it does not fold, which `fillet` leaves open; none of what has nothing to prove.
+  /// What `fillet` leaves open, each none of what leaves nothing open: where it is, and that it
+  /// does not fold.
+  void (*find_loops)(const Assembly&, const PartShape&,
+                     const std::array<const PartSurface*, 2>& pipes, Fillet&) = nullptr;
   void (*prove)(const Assembly&, const PartShape&, const std::array<const PartSurface*, 2>& pipes,
                 Fillet&) = nullptr;
   /// Of a junction, none of other kinds: the ports that it joins, and its geometry.

@@ -58,6 +58,14 @@ Fillet fillet_by_rules(const PartContext& context, const PartShape& shape,
 }
 
 template <KeyName key>
+void find_loops_by_rules(const Assembly& assembly, const PartShape& shape,
+                         const std::array<const PartSurface*, 2>& pipes, Fillet& fillet) {
+  of_shape<key, void>(shape, [&](const auto& given) {
+    PartRules<key>::find_loops(assembly, given, pipes, fillet);
+  });
+}
+
+template <KeyName key>
 void prove_by_rules(const Assembly& assembly, const PartShape& shape,
                     const std::array<const PartSurface*, 2>& pipes, Fillet& fillet) {
   of_shape<key, void>(
@@ -122,6 +130,7 @@ constexpr PartKind with_fillet(PartKind kind) {
     kind.fillet = fillet_by_rules<key>;
   }
   if constexpr (requires { PartRules<key>::prove; }) {
+    kind.find_loops = find_loops_by_rules<key>;
     kind.prove = prove_by_rules<key>;
   }
   if constexpr (requires { PartRules<key>::ends; }) {

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -84,6 +86,28 @@ TEST(BuildDistricts, patches_are_known_in_all_of_them) {
   EXPECT_EQ(std::ranges::count(built.solid.names(), "inlet"), 1);
   assembly.patches = {{"run2.start", "inlet"}};
   EXPECT_THROW((void)build(assembly), Error);
+}
+
+// Of many, each district has those of its own parts and caps: looking through all for each would
+// take time, and what is kept of a district would be made again for the names of others.
+TEST(BuildDistricts, patches_of_others_are_not_in_them) {
+  Assembly assembly = crosses(12);
+  assembly.parts.push_back({"lid", CapAt{{"run1", End::start}}});
+  assembly.patches = {{"lid", "inlet"},       {"run1.end", "outlet"}, {"run10", "hull"},
+                      {"run10.start", "low"}, {"run11.end", "high"},  {"branch1.end", "top"}};
+  const DistrictBuild plan(assembly, {});
+  const auto patches = [&](std::size_t district) { return plan.document(district).patches; };
+  EXPECT_THAT(patches(0), testing::IsEmpty());
+  EXPECT_THAT(patches(1), ElementsAre(std::pair("branch1.end", "top"), std::pair("lid", "inlet"),
+                                      std::pair("run1.end", "outlet")));
+  EXPECT_THAT(patches(10),
+              ElementsAre(std::pair("run10", "hull"), std::pair("run10.start", "low")));
+  const Solid solid = build(assembly).solid;
+  const std::set<std::string> names(solid.names().begin(), solid.names().end());
+  for (const auto& [patch, name] : assembly.patches) {
+    EXPECT_TRUE(names.contains(name)) << name;
+    EXPECT_FALSE(names.contains(patch)) << patch;
+  }
 }
 
 // Branches as thick as their run, whose inner ends touch its surface.
