@@ -277,7 +277,7 @@ class Expansion {
           }
         }
       }
-      for (const Member& member : members(JsonNode(expanded, source_, pointer))) {
+      for (const Member& member : members(std::move(expanded), source_, pointer)) {
         sink_(JsonNode(member.part, source_, pointer), pointer, member.key);
       }
     } catch (const Error& error) {

@@ -133,15 +133,18 @@ class Fitting {
 
 std::span<const std::string_view> fitting_keys() { return kFittings; }
 
-std::vector<Member> members(const JsonNode& part) {
-  part.require_object();
-  if (part.has("tee")) {
-    return Fitting(part, "tee").tee();
+std::vector<Member> members(Json part, const std::string& source, const std::string& pointer) {
+  const JsonNode node(part, source, pointer);
+  node.require_object();
+  if (node.has("tee")) {
+    return Fitting(node, "tee").tee();
   }
-  if (part.has("valve")) {
-    return Fitting(part, "valve").valve();
+  if (node.has("valve")) {
+    return Fitting(node, "valve").valve();
   }
-  return {{part.value()}};
+  std::vector<Member> itself(1);
+  itself.front().part = std::move(part);
+  return itself;
 }
 
 }  // namespace dupin::json

@@ -18,7 +18,8 @@ struct Member {
 
 /// The parts of a tee or a valve (docs/assembly_format.md), each with a "component"; a part that is
 /// neither is its own only member. Throws for keys and types that are wrong.
-[[nodiscard]] std::vector<Member> members(const JsonNode& part);
+[[nodiscard]] std::vector<Member> members(Json part, const std::string& source,
+                                          const std::string& pointer);
 
 /// The keys that stand for several parts.
 [[nodiscard]] std::span<const std::string_view> fitting_keys();

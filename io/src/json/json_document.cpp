@@ -4,6 +4,7 @@
 #include <set>
 #include <vector>
 
+#include "dupin/kernel/parallel.h"
 #include "text/json_depth.h"
 #include "text/text_scanner.h"
 
@@ -132,18 +133,7 @@ void require_start(std::string_view text, const std::string& source) {
   }
 }
 
-}  // namespace
-
-Json parse_json(std::string_view text, const std::string& source) {
-  require_start(text, source);
-  if (const auto bracket = dupin::text::first_too_deep(text)) {
-    throw Error(
-        Errc::parse_failed,
-        "brackets are nested more than " + std::to_string(dupin::text::kDeepestJson) + " deep", {},
-        source + ":" + line_and_column(text, *bracket + 1));
-  }
-  RepeatedKeys repeated(source);
-  (void)Json::sax_parse(text.begin(), text.end(), &repeated);
+Json parsed(std::string_view text, const std::string& source) {
   try {
     return Json::parse(text.begin(), text.end());
   } catch (const Json::parse_error& error) {
@@ -158,6 +148,28 @@ Json parse_json(std::string_view text, const std::string& source) {
     throw Error(Errc::parse_failed, after("] ", error.what()), {},
                 source + ":" + line_and_column(text, first + 1));
   }
+}
+
+}  // namespace
+
+Json parse_json(std::string_view text, const std::string& source) {
+  require_start(text, source);
+  if (const auto bracket = dupin::text::first_too_deep(text)) {
+    throw Error(
+        Errc::parse_failed,
+        "brackets are nested more than " + std::to_string(dupin::text::kDeepestJson) + " deep", {},
+        source + ":" + line_and_column(text, *bracket + 1));
+  }
+  Json result;
+  for_each_in_parallel(2, [&](std::size_t task) {
+    if (task == 0) {
+      RepeatedKeys repeated(source);
+      (void)Json::sax_parse(text.begin(), text.end(), &repeated);
+    } else {
+      result = parsed(text, source);
+    }
+  });
+  return result;
 }
 
 void JsonNode::fail(const std::string& message) const {

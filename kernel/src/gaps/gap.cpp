@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <queue>
 #include <tuple>
 #include <utility>
 
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 #include "exact/exact_numbers.h"
 #include "gaps/port_tree.h"
 
@@ -129,11 +131,14 @@ std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& order) {
 class Pairing {
  public:
   explicit Pairing(std::span<const Port> ports)
-      : ports_(ports), by_name_(ordered_by_name(ports)), tree_(ports, inverse(by_name_)) {}
+      : ports_(ports),
+        by_name_(ordered_by_name(ports)),
+        tree_(ports, inverse(by_name_)),
+        partner_(ports.size()) {}
 
   void join_welded();
   void join_nearest(double connect);
-  [[nodiscard]] std::vector<GapPair> finish();
+  [[nodiscard]] std::vector<GapPair> finish() const;
 
  private:
   struct Candidate {
@@ -146,14 +151,13 @@ class Pairing {
   std::span<const Port> ports_;
   std::vector<std::uint32_t> by_name_;
   PortTree tree_;
-  std::vector<GapPair> pairs_;
+  std::vector<std::optional<std::uint32_t>> partner_;  // of the first of a pair
 };
 
 void Pairing::join(std::uint32_t a, std::uint32_t b) {
   tree_.remove(a);
   tree_.remove(b);
-  const auto [first, second] = std::minmax(a, b);
-  pairs_.push_back({first, second, measure_gap(ports_[first].ring, ports_[second].ring)});
+  partner_[std::min(a, b)] = std::max(a, b);
 }
 
 // Rings on the same curve are neighbours in this order: it does not see which way they face.
@@ -224,15 +228,23 @@ void Pairing::join_nearest(double connect) {
   }
 }
 
-std::vector<GapPair> Pairing::finish() {
+std::vector<GapPair> Pairing::finish() const {
+  std::vector<std::uint32_t> first;
   for (std::uint32_t port = 0; port < ports_.size(); ++port) {
-    if (tree_.holds(port)) {
-      pairs_.push_back({port, std::nullopt, {}});
+    if (tree_.holds(port) || partner_[port]) {
+      first.push_back(port);
     }
   }
-  std::sort(pairs_.begin(), pairs_.end(),
-            [](const GapPair& a, const GapPair& b) { return a.first < b.first; });
-  return std::move(pairs_);
+  std::vector<GapPair> pairs(first.size());
+  for_each_in_parallel(pairs.size(), [&](std::size_t i) {
+    GapPair& pair = pairs[i];
+    pair.first = first[i];
+    if (partner_[first[i]]) {
+      pair.second = *partner_[first[i]];
+      pair.report = measure_gap(ports_[pair.first].ring, ports_[*pair.second].ring);
+    }
+  });
+  return pairs;
 }
 
 }  // namespace
