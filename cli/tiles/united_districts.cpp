@@ -4,11 +4,14 @@
 #include <array>
 #include <cstring>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/stl_stream.h"
+#include "dupin/kernel/decimal.h"
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 #include "input.h"
 #include "tiles/shared_tile.h"
@@ -116,6 +119,9 @@ class UnionInTiles {
                                        .processes = ranks.count(),
                                        .source = "operands"});
     owners_ = shared_out(triangles, ends_, ranks.count());
+    if (!task.tiles.memory.empty()) {
+      limit_memory(bytes);
+    }
   }
 
   OutputReport run() {
@@ -157,10 +163,41 @@ class UnionInTiles {
       operands.push_back(
           operand_of(mesh_in(task_.files[i]), task_.files[i], task_.are_repaired, repairs_[i]));
     }
-    const Solid solid = unite(operands, {task_.contacts.policy(), {}});
+    const Solid solid = united(operands, district);
     operands.clear();
     return {.output = district_output(solid, districts_.boxes, district, task_.to, rounding_,
                                       task_.contacts)};
+  }
+
+  // Crossings are counted when they are found, before what they come to is made.
+  [[nodiscard]] Solid united(std::span<const Solid> operands, std::size_t district) const {
+    const std::uint64_t limit = limits_.empty() ? 0 : limits_[district];
+    try {
+      return unite(operands, {task_.contacts.policy(), {}, limit});
+    } catch (const Error& error) {
+      if (error.code() != Errc::limit_exceeded || limit == 0) {
+        throw;
+      }
+      const Vec3 place = bounds_of(std::span(districts_.boxes).subspan(district, 1)).center();
+      throw Error(Errc::limit_exceeded,
+                  "what hangs together at " + decimal(place) + ": " + error.message() +
+                      "; give --memory more",
+                  {}, "operands");
+    }
+  }
+
+  // Of what may be taken, each district has what all others of its tile leave.
+  void limit_memory(const std::vector<double>& bytes) {
+    const auto all = static_cast<double>(bytes_in(task_.tiles.memory, "--memory"));
+    std::size_t begin = 0;
+    for (const std::size_t end : ends_) {
+      const std::span<const double> own = std::span(bytes).subspan(begin, end - begin);
+      const double expected = std::accumulate(own.begin(), own.end(), 0.0);
+      for (const double one : own) {
+        limits_.push_back(static_cast<std::uint64_t>(all - (expected - one)));
+      }
+      begin = end;
+    }
   }
 
   // Of what others have mended.
@@ -180,6 +217,7 @@ class UnionInTiles {
   OperandDistricts districts_;
   RoundingOptions rounding_;
   std::vector<RepairReport> repairs_;  // per operand, each of which one thread mends
+  std::vector<std::uint64_t> limits_;  // of districts, in bytes; none where memory is not limited
   std::vector<std::size_t> ends_;      // of tiles, behind their last districts
   std::vector<std::size_t> owners_;    // the ranks that make districts
 };

@@ -122,6 +122,34 @@ TEST_F(TiledUnion, says_what_it_cannot_do) {
   EXPECT_THAT(refused("subtract", {"-o", "a.stl", "--tiles", "2"}), HasSubstr("--tiles"));
 }
 
+// Of few triangles, which cross often.
+TEST_F(TiledUnion, refuses_crossings_that_do_not_fit_into_memory) {
+  std::vector<std::string> command{"union"};
+  for (int i = 0; i < 12; ++i) {
+    const double at = 10 * i, up = 0.1 * i;
+    for (const char* name : {"a", "b"}) {
+      command.push_back(name + std::to_string(i) + ".off");
+      put(command.back(), *name == 'a' ? box({at, -5, up}, {at + 3, 120, up + 3})
+                                       : box({-5, at, up + 1}, {120, at + 3, up + 4}));
+    }
+  }
+  command.insert(command.end(), {"-o", "out.stl", "--memory"});
+  const auto with_memory = [&](const std::string& memory) {
+    std::vector<std::string> all = command;
+    all.push_back(memory);
+    return dupin(all);
+  };
+  const ProcessResult refused = with_memory("1MB");
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_THAT(refused.err, testing::AllOf(HasSubstr("what hangs together at ("),
+                                          HasSubstr("288 triangles, of which "),
+                                          HasSubstr("allowed are 1 MB; give --memory more")));
+  EXPECT_THAT(folder_.files(), testing::Not(testing::Contains("out.stl")));
+  const ProcessResult made = with_memory("50MB");
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(json({"check", "out.stl"}, 0).at("components"), 1);
+}
+
 TEST_F(TiledUnion, names_the_operand_that_is_no_solid) {
   auto files = put_pairs(2);
   put("open.off", open_box());

@@ -43,7 +43,7 @@ TEST(Limits, of_memory_grow_with_triangles_and_intersections) {
   EXPECT_EQ(least_limit(0, 0), 1U);
   // Not below what boolean_bench reports.
   EXPECT_GE(least_limit(1000, 0), 1000U * 100);
-  EXPECT_GE(least_limit(0, 1000), 1000U * 1900);
+  EXPECT_GE(least_limit(0, 1000), 1000U * 870);
   EXPECT_EQ(least_limit(2000, 3000), 2 * least_limit(1000, 0) + 3 * least_limit(0, 1000));
 }
 
