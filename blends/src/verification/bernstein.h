@@ -76,36 +76,21 @@ inline Polynomial derivative(const Polynomial& p) {
   return d;
 }
 
-/// On the part [from, to] of the stretch [0, 1].
-inline Polynomial part(const Polynomial& p, const mpq_class& from, const mpq_class& to) {
-  spend(work_of_part(p));
-  Polynomial result;
-  for (std::size_t upper = 0; upper < p.size(); ++upper) {
-    Polynomial row = p;
-    for (std::size_t r = 1; r < p.size(); ++r) {
-      for (std::size_t i = 0; i + r < p.size(); ++i) {
-        row[i] = row[i] + (r <= upper ? to : from) * (row[i + 1] - row[i]);
-      }
-    }
-    result.push_back(row.front());
-  }
-  return result;
-}
-
-/// The same in intervals: what is left of `to`, and of that what is right of from / to.
-inline std::vector<numbers::Interval> part(std::vector<numbers::Interval> p, double from,
-                                           double to) {
+/// On the part [from, to] of the stretch [0, 1], of exact numbers or intervals: what is left of
+/// `to`, and of that what is right of from / to.
+template <class Number>
+std::vector<Number> part(std::vector<Number> p, double from, double to) {
   spend(work_of_part(p));
   const std::size_t size = p.size();
   for (std::size_t first = 1; to < 1 && first < size; ++first) {
     for (std::size_t i = size; i-- > first;) {
-      p[i] = p[i - 1] + numbers::Interval(to) * (p[i] - p[i - 1]);
+      p[i] = p[i - 1] + Number(to) * (p[i] - p[i - 1]);
     }
   }
   if (from == to) {
-    return std::vector<numbers::Interval>(size, p.back());
+    return std::vector<Number>(size, p.back());
   }
-  const numbers::Interval share = numbers::Interval(from) / to;
+  const Number share = Number(from) / Number(to);
   for (std::size_t count = size; from > 0 && count > 1; --count) {
     for (std::size_t i = 0; i + 1 < count; ++i) {
       p[i] = p[i] + share * (p[i + 1] - p[i]);

@@ -299,8 +299,8 @@ Interval displacement(double grid, double size) {
 }
 
 double size_of(const Solid& solid) {
-  constexpr double kCells = 16;
-  constexpr int kHalvings = 8;
+  constexpr double kCells = 4;
+  constexpr int kHalvings = 10;
   double size = 0;
   for (double i = 0; i < kCells * solid.length(); ++i) {
     size = std::max(size, size_over(solid, {i / kCells, (i + 1) / kCells}, kHalvings));

@@ -81,12 +81,15 @@ TEST(VerifierBernstein, part_has_the_values_of_the_stretch) {
   RandomPolynomials random;
   for (std::size_t size = 1; size < 6; ++size) {
     const Polynomial p = random.polynomial(size);
-    const mpq_class from(1, 3), to(7, 9), t = random.rational();
-    const Polynomial stretch = part(p, from, to);
-    EXPECT_EQ(value(stretch, t), value(p, from + t * (to - from)));
-    EXPECT_EQ(stretch.front(), value(p, from));
-    EXPECT_EQ(stretch.back(), value(p, to));
     EXPECT_EQ(part(p, 0, 1), p);
+    for (const auto& [from, to] :
+         {std::pair(1. / 3, 7. / 9), {0., .3}, {.3, 1.}, {0., 0.}, {.6, .6}, {1., 1.}}) {
+      const mpq_class a(from), b(to), t = random.rational();
+      const Polynomial stretch = part(p, from, to);
+      EXPECT_EQ(value(stretch, t), value(p, a + t * (b - a)));
+      EXPECT_EQ(stretch.front(), value(p, a));
+      EXPECT_EQ(stretch.back(), value(p, b));
+    }
   }
 }
 
