@@ -75,16 +75,30 @@ BoxTree::BoxTree(std::span<const Box> boxes, const TriangleOf& triangle,
 
 BoxTree::BoxTree(std::uint32_t size, const BoxOf& box, const TriangleOf& triangle,
                  std::span<const std::uint32_t> groups) {
-  const auto make = [&](std::vector<std::uint32_t> order) {
+  const auto make = [&](std::vector<std::uint32_t> order, const TriangleOf& slanted) {
     *this = BoxTree();  // first the room of another one
     *this = BoxTree(std::move(order), box);
     set_groups(groups);
-    return orient_if_crowded(triangle);
+    return orient_if_crowded(slanted);
   };
-  const double crowded = make(given_order(size));
-  if (crowded > (triangle && size <= kFew ? kCrowdedFew : kCrowded) &&
-      make(morton_order()) >= crowded) {
-    make(given_order(size));
+  const double limit = triangle && size <= kFew ? kCrowdedFew : kCrowded;
+  double given = make(given_order(size), nullptr);
+  if (given <= limit) {
+    return;
+  }
+  std::vector<std::uint32_t> order = morton_order();
+  if (triangle && given > kCrowded) {
+    // An order in which few overlap costs less than oriented boxes, which may do so in the other.
+    if (make(order, nullptr) <= kCrowded) {
+      return;
+    }
+    given = make(given_order(size), triangle);
+    if (given <= limit) {
+      return;
+    }
+  }
+  if (make(std::move(order), triangle) >= given) {
+    make(given_order(size), triangle);
   }
 }
 

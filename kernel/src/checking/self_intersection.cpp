@@ -1,6 +1,7 @@
 #include "checking/self_intersection.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <iterator>
 #include <numeric>
@@ -286,11 +287,15 @@ class Search {
 
   void examine(const boxes::TreeTraversal& pairs, const boxes::TreeTraversal::Nodes& nodes,
                const Items& items, const Items& others, SelfIntersections& found) {
-    std::optional<predicates::TriangleOverlapTest> probe;
-    std::uint32_t probed = 0;
+    // The items of a leaf are met again with those of the next one.
+    std::array<std::optional<predicates::TriangleOverlapTest>, boxes::BoxTree::kFan> probes;
+    std::array<std::uint32_t, boxes::BoxTree::kFan> probed{};
     pairs.visit(nodes, [&](std::uint32_t i, std::uint32_t k) {
       const Triangle &corners = items.corners[i], &other_corners = others.corners[k];
       const std::uint32_t face = items.face[i], other = others.face[k];
+      if (!active(face) && !active(other)) {
+        return;  // all are looked at, where most are active
+      }
       if (share_injective_star(corners, other_corners)) {
         record(face, other, predicates::TriangleOverlap::none, found);
         return;
@@ -303,9 +308,10 @@ class Search {
           std::atomic_ref(stable_[f]).store(0, std::memory_order_relaxed);
         }
       }
-      if (!probe || probed != i) {
+      auto& probe = probes[i % boxes::BoxTree::kFan];
+      if (std::uint32_t& last = probed[i % boxes::BoxTree::kFan]; !probe || last != i) {
         probe.emplace(points_, corners);
-        probed = i;
+        last = i;
       }
       record(face, other, probe->meeting(other_corners), found);
     });
@@ -338,8 +344,7 @@ class Search {
 
   void record(std::uint32_t face, std::uint32_t other, predicates::TriangleOverlap meeting,
               SelfIntersections& found) const {
-    const bool is_nothing = meeting == predicates::TriangleOverlap::none && !seeks_contacts();
-    if (is_nothing || (!active(face) && !active(other))) {
+    if (meeting == predicates::TriangleOverlap::none && !seeks_contacts()) {
       return;
     }
     FacePair pair{std::min(face, other), std::max(face, other)};
