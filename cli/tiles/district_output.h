@@ -46,7 +46,7 @@ struct DistrictOutput {
 };
 
 /// `rounding` is for districts. At its seams it is left open; one that cannot be rounded with its
-/// discs, or leaves its boxes, has none there. Throws Error{internal} where a solid without seams
+/// ends, or leaves its boxes, has none there. Throws Error{internal} where a solid without seams
 /// does not lie in its boxes; one that is alone need not.
 [[nodiscard]] DistrictOutput district_output(const Solid& solid, std::span<const Boxes> boxes,
                                              std::size_t district, const Destination& to,

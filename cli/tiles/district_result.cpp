@@ -11,7 +11,7 @@ namespace dupin::cli {
 namespace {
 
 /// Changes with whatever is kept.
-constexpr std::string_view kMark = "dupin district 4\n";
+constexpr std::string_view kMark = "dupin district 5\n";
 
 class Writer {
  public:
@@ -55,7 +55,9 @@ class Writer {
   void put(const ContactSettlement& settled) {
     (*this)(settled.policy, settled.length, settled.contacts);
   }
-  void put(const SeamSide& side) { (*this)(side.shell, side.is_disc, side.disc, side.near); }
+  void put(const SeamSide& side) {
+    (*this)(side.is_end, side.has_others, side.borders, side.end, side.near);
+  }
   void put(const PartReport& part);
   void put(const Report& report);
   void put(const RoundingReport& report);
@@ -120,7 +122,9 @@ class Reader {
   void get(ContactSettlement& settled) {
     (*this)(settled.policy, settled.length, settled.contacts);
   }
-  void get(SeamSide& side) { (*this)(side.shell, side.is_disc, side.disc, side.near); }
+  void get(SeamSide& side) {
+    (*this)(side.is_end, side.has_others, side.borders, side.end, side.near);
+  }
   void get(PartReport& part);
   void get(Report& report);
   void get(RoundingReport& report);

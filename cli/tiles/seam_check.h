@@ -23,21 +23,23 @@ class SeamCheck {
   [[nodiscard]] std::vector<Seam> of(std::size_t piece) const;
   /// What a piece has at each of them; its shells follow those of the pieces before.
   void add(std::size_t piece, std::vector<SeamSide> sides, std::size_t shells_before);
-  /// The names of those at which the two pieces do not make one solid.
-  [[nodiscard]] const std::set<std::string>& misfits() const { return misfits_; }
+  /// Once all are there: the names of those at which the two pieces do not make one solid, or one
+  /// of which it is not known how its shells lie in each other.
+  [[nodiscard]] const std::set<std::string>& misfits();
   /// The report of all pieces becomes that of what they are together.
-  void join(Report& report) const { join_shells(pairs_, report); }
+  void join(Report& report) const { join_shells(joined_, report); }
 
  private:
   struct Waiting {
     SeamSide side;
-    std::size_t shell = 0;  // among those of all pieces
+    std::size_t shells_before = 0;
   };
 
   std::vector<Seam> seams_;
   std::vector<std::vector<std::uint32_t>> of_piece_;
   std::map<std::uint32_t, Waiting> waiting_;  // by seam
-  std::vector<ShellPair> pairs_;
+  std::vector<SeamShells> joined_;
+  std::vector<std::uint32_t> seam_of_joined_;
   std::set<std::string> misfits_;
 };
 

@@ -166,7 +166,7 @@ class TiledBuild {
   }
 
   // Names of seams.
-  [[nodiscard]] const std::set<std::string>& misfits() const { return seams_.misfits(); }
+  [[nodiscard]] const std::set<std::string>& misfits() { return seams_.misfits(); }
 
   [[nodiscard]] std::string warning() const { return cache_ ? cache_->warning() : std::string(); }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -284,15 +283,6 @@ class Borer {
     }
   }
 
-  [[nodiscard]] static bool ends_cone_of_cyclide(const ResolvedPart& part, End end) {
-    const auto* chain = std::get_if<Chain>(&part.shape);
-    if (chain == nullptr || chain->pieces.empty()) {
-      return false;
-    }
-    const Piece& piece = end == End::start ? chain->pieces.front() : chain->pieces.back();
-    return std::holds_alternative<CyclidePiece>(piece) && end_ring(piece, end).slope != 0;
-  }
-
   // The ring of the bore's end: both neighbours find the same.
   [[nodiscard]] Ring inner_ring(const ResolvedPart& part, End end) const {
     const Ring& ring = *port_ring(part.shape, end);
@@ -463,6 +453,15 @@ bool bore_takes(const Assembly& assembly, const std::array<const PartSurface*, 2
   return !fillet_fault({&bores[0], &bores[1]}, names, radius + std::max(walls[0], walls[1]));
 }
 
+bool ends_cone_of_cyclide(const ResolvedPart& part, End end) {
+  const auto* chain = std::get_if<Chain>(&part.shape);
+  if (chain == nullptr || chain->pieces.empty()) {
+    return false;
+  }
+  const Piece& piece = end == End::start ? chain->pieces.front() : chain->pieces.back();
+  return std::holds_alternative<CyclidePiece>(piece) && end_ring(piece, end).slope != 0;
+}
+
 ResolvedAssembly filled(ResolvedAssembly outer) {
   for (ResolvedPart& part : outer.parts) {
     if (auto* chain = std::get_if<Chain>(&part.shape)) {
@@ -490,7 +489,7 @@ std::vector<double> insulation_of(const Assembly& assembly) {
 SelectedParts insulated(const Assembly& assembly, const ResolvedAssembly& outer,
                         const std::vector<double>& insulation) {
   std::vector<double> outwards(insulation.size());
-  std::ranges::transform(insulation, outwards.begin(), std::negate());
+  std::ranges::transform(insulation, outwards.begin(), [](double thickness) { return -thickness; });
   SelectedParts result = Borer(assembly, outer, outwards, kInsulationSuffix).run();
   for (const ResolvedPart& part : result.resolved.parts) {
     with_part_context(assembly, part.index, [&] {
@@ -506,7 +505,8 @@ SelectedParts insulated(const Assembly& assembly, const ResolvedAssembly& outer,
   return result;
 }
 
-ResolvedAssembly reaching_out(ResolvedAssembly outer, const Assembly& assembly, double reach) {
+ResolvedAssembly reaching_out(ResolvedAssembly outer, const Assembly& assembly, double reach,
+                              const std::set<std::string>& kept) {
   const std::size_t count = outer.parts.size();
   const BuriedEnds buried(outer);
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -515,7 +515,7 @@ ResolvedAssembly reaching_out(ResolvedAssembly outer, const Assembly& assembly, 
       const Ring* ring = port_ring(part.shape, end);
       const bool is_pad = part_kind(assembly.parts[part.index].shape).is_pad;
       if (ring != nullptr && !part.joined.at(at(end)) && (is_pad || !part.is_closed.at(at(end))) &&
-          !buried.contains({i, end})) {
+          !buried.contains({i, end}) && !kept.contains(part.end_names.at(at(end)))) {
         const std::string name = part.end_names.at(at(end));
         with_part_context(assembly, part.index, [&] {
           lengthen(outer, {i, end}, Vec3(ring->center), reach);

@@ -23,6 +23,9 @@ constexpr std::string_view kBoreSuffix = ".bore", kInsulationSuffix = ".insulati
                                                           const ResolvedAssembly& outer,
                                                           std::optional<Region> asked);
 
+/// Whether a ring of the part is that of a cyclide, which ends a cone there.
+[[nodiscard]] bool ends_cone_of_cyclide(const ResolvedPart& part, End end);
+
 /// The parts without their walls: hollow chains become solid ones.
 [[nodiscard]] ResolvedAssembly filled(ResolvedAssembly outer);
 
@@ -59,10 +62,10 @@ constexpr std::string_view kBoreSuffix = ".bore", kInsulationSuffix = ".insulati
 [[nodiscard]] SelectedParts insulated(const Assembly& assembly, const ResolvedAssembly& outer,
                                       const std::vector<double>& insulation);
 
-/// All parts, of which those with ends that go on nowhere reach out of them by so much: what is
-/// taken away from insulation, whose ends lie in the same planes.
+/// All parts, of which those with ends that go on nowhere reach out of them by so much, but for
+/// those of these names: what is taken away from insulation, whose ends lie in the same planes.
 [[nodiscard]] ResolvedAssembly reaching_out(ResolvedAssembly outer, const Assembly& assembly,
-                                            double reach);
+                                            double reach, const std::set<std::string>& kept = {});
 
 /// A lattice no coarser than `grid`, and than a sixteenth of the gaps that bores reach into, where
 /// coordinates can be that fine.

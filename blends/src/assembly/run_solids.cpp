@@ -14,7 +14,6 @@
 #include "assembly/joined_hubs.h"
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
-#include "assembly/weld.h"
 #include "assembly/welded_runs.h"
 #include "dupin/blends/tessellate.h"
 #include "dupin/kernel/check.h"
@@ -26,13 +25,15 @@ namespace {
 class RunMesher {
  public:
   RunMesher(const Assembly& assembly, const ResolvedAssembly& resolved, double grid,
-            const BuildOptions& options, std::span<const RingSampling> given)
+            const BuildOptions& options, std::span<const RingSampling> given,
+            std::span<const RingWithin> within)
       : document_(assembly),
         assembly_(assembly),
         resolved_(resolved),
         grid_(grid),
         options_(options),
         given_(given),
+        within_(within),
         buried_(resolved),
         tubes_(resolved.parts.size()) {
     result_.parts.resize(resolved.parts.size());
@@ -84,6 +85,9 @@ class RunMesher {
     level_ = LevelEnds(resolved_, std::move(run_of));
     if (given_.empty()) {
       level_.share(samplings_);
+    }
+    for (const RingWithin& ring : within_) {
+      level_.put_within(ring.end, ring.ring);
     }
   }
 
@@ -377,6 +381,7 @@ class RunMesher {
   double grid_;
   const BuildOptions& options_;
   std::span<const RingSampling> given_;  // by part, or none
+  std::span<const RingWithin> within_;
   BuriedEnds buried_;
   std::vector<RingSampling> samplings_;  // by run
   LevelEnds level_;
@@ -387,14 +392,15 @@ class RunMesher {
 }  // namespace
 
 RunSolids solids_of_runs(const Assembly& assembly, const ResolvedAssembly& resolved, double grid,
-                         const BuildOptions& options, std::span<const RingSampling> given) {
-  return RunMesher(assembly, resolved, grid, options, given).run();
+                         const BuildOptions& options, std::span<const RingSampling> given,
+                         std::span<const RingWithin> within) {
+  return RunMesher(assembly, resolved, grid, options, given, within).run();
 }
 
 std::vector<RingSampling> part_samplings(const Assembly& assembly, const ResolvedAssembly& resolved,
                                          double grid) {
   const BuildOptions options;
-  return RunMesher(assembly, resolved, grid, options, {}).samplings();
+  return RunMesher(assembly, resolved, grid, options, {}, {}).samplings();
 }
 
 }  // namespace dupin::assembly

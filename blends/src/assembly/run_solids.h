@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "assembly/weld.h"
 #include "dupin/blends/build.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/ring.h"
@@ -24,10 +25,11 @@ struct RunSolids {
 /// Runs are tessellated, welded and proved to be solids; with those that fillets or hubs join them
 /// to they make one. A run whose parts cross each other makes several. Throws as `build` does but
 /// for `resolve` and `unite`. `given` has the sampling of each part, where these are those of a
-/// larger assembly.
+/// larger assembly, and `within` rings in discs where that goes on.
 [[nodiscard]] RunSolids solids_of_runs(const Assembly& assembly, const ResolvedAssembly& resolved,
                                        double grid, const BuildOptions& options,
-                                       std::span<const RingSampling> given = {});
+                                       std::span<const RingSampling> given = {},
+                                       std::span<const RingWithin> within = {});
 
 /// How the rings of each part become polygons.
 [[nodiscard]] std::vector<RingSampling> part_samplings(const Assembly& assembly,

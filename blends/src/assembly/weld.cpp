@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "assembly/groups.h"
 #include "dupin/blends/tessellate.h"
@@ -218,9 +219,17 @@ void LevelEnds::share(std::vector<RingSampling>& of_runs) const {
   }
 }
 
+void LevelEnds::put_within(const EndIndex& end, tessellation::SampledRing ring) {
+  put_within_.insert_or_assign({end.part, at(end.end)}, std::move(ring));
+}
+
 std::vector<tessellation::SampledRing> LevelEnds::within(
     const EndIndex& end, std::span<const RingSampling> of_runs) const {
   std::vector<tessellation::SampledRing> result;
+  if (const auto own = put_within_.find({end.part, at(end.end)}); own != put_within_.end()) {
+    result.push_back(own->second);
+    return result;
+  }
   const auto group = group_of_.find({end.part, at(end.end)});
   if (group == group_of_.end()) {
     return result;

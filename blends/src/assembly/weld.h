@@ -24,6 +24,8 @@ class LevelEnds {
   /// Flanges of one size get the sampling of the first of those whose faces are level, with the
   /// most segments of any.
   void share(std::vector<RingSampling>& of_runs) const;
+  /// The disc of an end that goes on elsewhere has this ring in it.
+  void put_within(const EndIndex& end, tessellation::SampledRing ring);
   /// Smaller rings in the disc of an end, ascending, with the names of those ends that look to the
   /// same side.
   [[nodiscard]] std::vector<tessellation::SampledRing> within(
@@ -39,6 +41,13 @@ class LevelEnds {
   };
   std::vector<std::vector<Member>> groups_;  // by radius
   std::map<std::pair<std::uint32_t, std::size_t>, std::size_t> group_of_;
+  std::map<std::pair<std::uint32_t, std::size_t>, tessellation::SampledRing> put_within_;
+};
+
+/// A ring in the disc of an end that goes on elsewhere, the same as another surface has.
+struct RingWithin {
+  EndIndex end;
+  tessellation::SampledRing ring;
 };
 
 /// The tubes of `parts` as one mesh, closed but for what fillets

@@ -35,7 +35,8 @@ DistrictResult sample() {
   result.output.report.contacts = {{Contact::Kind::edge, Vec3(1, 0, 0), Vec3(2, 0, 0), {"a", "b"}}};
   result.output.report.settled = ContactSettlement{"separate", .125, result.output.report.contacts};
   result.output.piece = {std::string(100, 'x'), {"a", "b"}, 5, 6, 7};
-  result.output.sides = {{3, true, {Vec3(1, 2, 3)}, {Vec3(4, 5, 6), Vec3(7, 8, 9)}}, {}};
+  result.output.sides = {
+      {true, true, {{3, 4}, {1, 2}}, {Vec3(1, 2, 3)}, {Vec3(4, 5, 6), Vec3(7, 8, 9)}}, {}};
   return result;
 }
 

@@ -50,7 +50,7 @@ def check_bytes(tool, folder):
             (folder / "shared.stl").unlink()
 
 
-def connected(lines):
+def connected(lines, **keys):
     """Two headers and lines from one to the other: all hangs together."""
     parts = []
     for i in range(lines):
@@ -62,7 +62,7 @@ def connected(lines):
         parts += [{"name": f"b{i}", "pipe": {"from": [x, 0, 0], "to": [x, 0, 600], "radius": 60}},
                   {"name": f"e{i}", "elbow": {"from": f"b{i}.end", "bend_radius": 180, "angle": 90, "toward": [0, 1, 0]}},
                   {"name": f"p{i}", "pipe": {"from": f"e{i}.end", "length": 1000}}]
-    return {"units": "mm", "tolerance": 0.5, "parts": parts}
+    return {"units": "mm", "tolerance": 0.5, **keys, "parts": parts}
 
 
 def thin(pipes):
@@ -74,7 +74,7 @@ def thin(pipes):
 
 def check_pieces(tool, folder):
     """What hangs together, divided."""
-    for document in [connected(8), thin(33)]:
+    for document in [connected(8), connected(8, wall=5), thin(33)]:
         (folder / "pieces.json").write_text(json.dumps(document), encoding="utf-8")
         whole = run(tool, folder, 0, "pieces.json", "-o", "pieces.stl", "--piece", "1000")
         assert whole.returncode == 0, whole.stderr

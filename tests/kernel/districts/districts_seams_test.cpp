@@ -1,4 +1,8 @@
 #include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -62,18 +66,19 @@ void append(const Report& from, Report& to) {
 TEST(Seams, join_pieces_that_fit) {
   const OpenPiece one = opened(bar(0, 1, "a", "s"), {seam("s", 1)}),
                   other = opened(bar(1, 3, "s", "b"), {seam("s", 1)});
-  EXPECT_EQ(one.disc_faces, (std::vector<std::uint32_t>{10, 11}));
-  EXPECT_EQ(other.disc_faces, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(one.end_faces, (std::vector<std::uint32_t>{10, 11}));
+  EXPECT_EQ(other.end_faces, (std::vector<std::uint32_t>{0, 1}));
   ASSERT_EQ(one.sides.size(), 1);
-  EXPECT_TRUE(one.sides[0].is_disc);
-  EXPECT_EQ(border_size(one.sides[0]), 4);
+  EXPECT_TRUE(one.sides[0].is_end);
+  EXPECT_EQ(one.sides[0].borders, (std::vector<SeamBorder>{{0, 4}}));
+  EXPECT_EQ(one.report.shells.at(0).euler_number, 1);
   EXPECT_EQ(one.sides[0].near.size(), 8 * 3);
   EXPECT_EQ(other.report.shells.at(0).first_face, 0);
   EXPECT_TRUE(fit(one.sides[0], other.sides[0]));
   EXPECT_TRUE(fit(other.sides[0], one.sides[0]));
   Report all = one.report;
   append(other.report, all);
-  join_shells(std::vector<ShellPair>{{{0, 1}, 4}}, all);
+  join_shells(std::vector<SeamShells>{{{{{0, 1}, 4}}}}, all);
   EXPECT_EQ(all.points, 12);
   EXPECT_EQ(all.triangles, 20);
   EXPECT_EQ(all.euler_number, 2);
@@ -84,6 +89,7 @@ TEST(Seams, join_pieces_that_fit) {
   EXPECT_EQ(all.shells[0].triangles, 20);
   EXPECT_EQ(all.shells[0].euler_number, 2);
   EXPECT_DOUBLE_EQ(all.shells[0].volume, 3);
+  EXPECT_TRUE(doubtful(std::vector<SeamShells>{{{{{0, 1}, 4}}, true}}).empty());
 }
 
 // Two bars that meet at both ends, as far as reports tell, make a ring.
@@ -91,7 +97,7 @@ TEST(Seams, a_ring_has_a_hole) {
   const std::vector<Seam> seams{seam("s", 1), seam("t", 0)};
   Report all = opened(bar(0, 1, "t", "s"), seams).report;
   append(all, all);
-  join_shells(std::vector<ShellPair>{{{0, 1}, 4}, {{0, 1}, 4}}, all);
+  join_shells(std::vector<SeamShells>{{{{{0, 1}, 4}}}, {{{{0, 1}, 4}}}}, all);
   EXPECT_EQ(all.components, 1);
   EXPECT_EQ(all.euler_number, 0);
   EXPECT_EQ(all.genus, 1);
@@ -119,10 +125,10 @@ TEST(Seams, do_not_fit_where_discs_differ) {
 }
 
 TEST(Seams, a_disc_is_one_and_has_one_border) {
-  EXPECT_FALSE(opened(bar(0, 1, "s", "s"), {seam("s", 1)}).sides.at(0).is_disc) << "two of them";
+  EXPECT_FALSE(opened(bar(0, 1, "s", "s"), {seam("s", 1)}).sides.at(0).is_end) << "two of them";
   TriMesh mesh = bar(0, 1, "a", "s");
   mesh.labels[1] = 2;
-  EXPECT_FALSE(opened(mesh, {seam("s", 1)}).sides.at(0).is_disc) << "one and a corner";
+  EXPECT_FALSE(opened(mesh, {seam("s", 1)}).sides.at(0).is_end) << "one and a corner";
 }
 
 TEST(Seams, do_not_fit_where_triangles_beside_them_meet) {
@@ -137,6 +143,127 @@ TEST(Seams, do_not_fit_where_triangles_beside_them_meet) {
   EXPECT_FALSE(fit(one, with({{.5, .5, .5}, {.6, .5, .5}, {.5, 3, .5}}))) << "through it";
   EXPECT_FALSE(fit(one, with({{.25, 1, .5}, {.2, 2, .5}, {.3, 2, .5}}))) << "in a point";
   EXPECT_FALSE(fit(one, with({{0, 1, 1}, {0, 2, 1}, {0, 2, 2}}))) << "in a corner of both";
+}
+
+// A bar with a hole of square section along it; the annuli at its ends are labelled, or the end is
+// closed by a wall as thick as that around the hole.
+TriMesh hollow(double from, double to, const std::string& start, const std::string& end,
+               bool is_start_closed = false, bool is_end_closed = false) {
+  TriMesh mesh;
+  mesh.names = {"side", start, end};
+  const auto corner = [&](std::uint32_t row, std::uint32_t k) { return 4 * row + k % 4; };
+  const auto add_row = [&](double x, double margin) {
+    for (const auto& [y, z] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+      mesh.points.emplace_back(x, y == 0 ? margin : 1 - margin, z == 0 ? margin : 1 - margin);
+    }
+  };
+  // Turned around, the same triangles.
+  const auto band = [&](std::uint32_t one, std::uint32_t other, std::uint32_t label) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const std::uint32_t a = corner(one, k), b = corner(one, k + 1), c = corner(other, k + 1),
+                          d = corner(other, k);
+      mesh.triangles.push_back(one < other ? Triangle{a, b, c} : Triangle{a, b, d});
+      mesh.triangles.push_back(one < other ? Triangle{a, c, d} : Triangle{b, c, d});
+      mesh.labels.insert(mesh.labels.end(), 2, label);
+    }
+  };
+  const auto cap = [&](std::uint32_t row, bool is_turned) {
+    const std::array<std::uint32_t, 4> c{corner(row, 0), corner(row, 1), corner(row, 2),
+                                         corner(row, 3)};
+    mesh.triangles.push_back(is_turned ? Triangle{c[0], c[2], c[1]} : Triangle{c[0], c[1], c[2]});
+    mesh.triangles.push_back(is_turned ? Triangle{c[0], c[3], c[2]} : Triangle{c[0], c[2], c[3]});
+    mesh.labels.insert(mesh.labels.end(), 2, 0);
+  };
+  constexpr double kWall = .25;
+  add_row(from, 0);
+  add_row(to, 0);
+  add_row(is_end_closed ? to - kWall : to, kWall);
+  add_row(is_start_closed ? from + kWall : from, kWall);
+  band(0, 1, 0);
+  band(2, 3, 0);
+  if (is_start_closed) {
+    cap(0, true);
+    cap(3, false);
+  } else {
+    band(3, 0, 1);
+  }
+  if (is_end_closed) {
+    cap(1, false);
+    cap(2, true);
+  } else {
+    band(1, 2, 2);
+  }
+  return mesh;
+}
+
+std::vector<SeamShells> along(const SeamSide& one, const SeamSide& other, std::size_t before) {
+  SeamShells result;
+  for (std::size_t k = 0; k < one.borders.size(); ++k) {
+    result.pairs.push_back(
+        {{one.borders[k].shell, before + other.borders.at(k).shell}, one.borders[k].points});
+  }
+  return {result};
+}
+
+TEST(Seams, of_what_is_hollow_are_annuli) {
+  const OpenPiece one = opened(hollow(0, 1, "a", "s"), {seam("s", 1)}),
+                  other = opened(hollow(1, 3, "s", "b"), {seam("s", 1)});
+  EXPECT_TRUE(one.sides.at(0).is_end);
+  EXPECT_EQ(one.sides[0].borders, (std::vector<SeamBorder>{{0, 4}, {0, 4}}));
+  EXPECT_EQ(one.report.euler_number, 0);
+  EXPECT_TRUE(fit(one.sides[0], other.sides.at(0)));
+  Report all = one.report;
+  append(other.report, all);
+  join_shells(along(one.sides[0], other.sides[0], 1), all);
+  ASSERT_EQ(all.shells.size(), 1);
+  EXPECT_EQ(all.points, 24);
+  EXPECT_EQ(all.genus, 1);
+  EXPECT_DOUBLE_EQ(all.shells[0].volume, 3 * .75);
+  EXPECT_DOUBLE_EQ(all.volume, 3 * .75);
+}
+
+// Without the annulus, what is outside and what is inside no longer hang together.
+TEST(Seams, join_what_encloses_a_void) {
+  const OpenPiece one = opened(hollow(0, 1, "a", "s", true), {seam("s", 1)}),
+                  other = opened(hollow(1, 3, "s", "b", false, true), {seam("s", 1)});
+  EXPECT_EQ(one.sides.at(0).borders, (std::vector<SeamBorder>{{0, 4}, {1, 4}}));
+  ASSERT_EQ(one.report.shells.size(), 2);
+  EXPECT_FALSE(one.sides[0].has_others);
+  EXPECT_DOUBLE_EQ(one.report.shells[0].volume, 1);
+  EXPECT_DOUBLE_EQ(one.report.shells[1].volume, -.75 / 4);
+  std::vector<SeamShells> seams = along(one.sides[0], other.sides.at(0), 2);
+  EXPECT_TRUE(doubtful(seams).empty());
+  Report all = one.report;
+  append(other.report, all);
+  join_shells(seams, all);
+  ASSERT_EQ(all.shells.size(), 2);
+  EXPECT_EQ(all.components, 1);
+  EXPECT_EQ(all.euler_number, 4);
+  EXPECT_EQ(all.genus, 0);
+  EXPECT_EQ(all.shells[0].depth, 0);
+  EXPECT_EQ(all.shells[1].depth, 1);
+  EXPECT_DOUBLE_EQ(all.shells[0].volume, 3);
+  EXPECT_DOUBLE_EQ(all.shells[1].volume, -2.5 / 4);
+  EXPECT_DOUBLE_EQ(all.volume, 3 - 2.5 / 4);
+  seams[0].has_others = true;
+  EXPECT_EQ(doubtful(seams), std::vector<std::size_t>{0});
+}
+
+TEST(Seams, know_of_shells_that_end_at_none) {
+  TriMesh mesh = hollow(0, 1, "a", "s");
+  const TriMesh beside = bar(0, 1, "c", "d");
+  for (const auto& [a, b, c] : beside.triangles) {
+    mesh.triangles.push_back({a + 16, b + 16, c + 16});
+    mesh.labels.push_back(0);
+  }
+  for (const Vec3& point : beside.points) {
+    mesh.points.emplace_back(point + Vec3(0, 5, 0));
+  }
+  const OpenPiece piece = opened(mesh, {seam("s", 1)});
+  EXPECT_TRUE(piece.sides.at(0).is_end);
+  EXPECT_TRUE(piece.sides[0].has_others);
+  EXPECT_EQ(piece.report.shells.at(1).volume, 1);
+  EXPECT_EQ(piece.report.shells[1].first_face, 24);
 }
 
 TEST(Seams, places_count_from_the_origin_of_the_mesh) {

@@ -156,12 +156,11 @@ struct DistrictBuild::Plan {
   }
 
  private:
-  // What is hollow, or insulated, would need rings within rings.
   void divide() {
-    if (options.most_of_piece > 0 && options.region != Region::insulation &&
-        !assembly::walls_of(assembly, resolved, options.region)) {
-      assembly::DividedDistricts made = assembly::divided(
-          assembly, resolved, std::move(districts), {options.most_of_piece, options.kept_seams});
+    if (options.most_of_piece > 0) {
+      assembly::DividedDistricts made =
+          assembly::divided(assembly, resolved, std::move(districts),
+                            {options.most_of_piece, options.kept_seams, options.region});
       districts = std::move(made.districts);
       seams = std::move(made.seams);
     }
@@ -190,10 +189,12 @@ std::string DistrictBuild::taken_from_whole(std::size_t district) const {
   const auto& piece = plan_->districts.at(district).piece;
   std::string text;
   if (piece) {
-    text = decimal(piece->grid);
-    for (const RingSampling& sampling : piece->samplings) {
-      text += " " + std::to_string(sampling.segments) + " " + decimal(sampling.phase) + " " +
-              decimal(sampling.grid);
+    text = decimal(piece->grid) + " " + decimal(piece->tolerance);
+    for (const auto* samplings : {&piece->samplings, &piece->second_samplings}) {
+      for (const RingSampling& sampling : *samplings) {
+        text += " " + std::to_string(sampling.segments) + " " + decimal(sampling.phase) + " " +
+                decimal(sampling.grid);
+      }
     }
     for (const assembly::DiscName& disc : piece->discs) {
       text +=
@@ -223,13 +224,7 @@ Assembly DistrictBuild::document(std::size_t district) const {
 double DistrictBuild::expected_triangles(std::size_t district) const {
   const assembly::District own = assembly::district_with_loops(plan_->assembly, plan_->resolved,
                                                                plan_->districts.at(district));
-  const auto [surface, crossings] = assembly::expected_of(own);
-  const auto walls = assembly::walls_of(own.assembly, own.resolved, plan_->options.region);
-  const bool has_bores = walls && std::ranges::any_of(*walls, [](double wall) { return wall > 0; });
-  // These, and what is insulated, have about as many triangles as what is around them, and cross
-  // that of others, too.
-  return has_bores || plan_->options.region == Region::insulation ? 2 * surface + 4 * crossings
-                                                                  : surface + crossings;
+  return assembly::expected_triangles(own, plan_->options.region);
 }
 
 Built DistrictBuild::build(std::size_t district, const Progress& progress) const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "assembly/bore.h"
+#include "assembly/districts/common_rings.h"
 #include "assembly/outward_shape.h"
 #include "assembly/part_context.h"
 #include "assembly/part_margins.h"
@@ -73,14 +73,24 @@ class Builder {
       (void)outer(resolved_);
       return;
     }
-    const assembly::SelectedParts around = assembly::insulated(assembly_, resolved_, thickness);
-    built_.grid = std::min(assembly::lattice_spacing(assembly_, resolved_),
-                           assembly::lattice_spacing(assembly_, around.resolved));
+    assembly::SelectedParts around = assembly::insulated(assembly_, resolved_, thickness);
+    name_seams(around);
+    built_.grid = piece_ ? piece_->grid
+                         : std::min(assembly::lattice_spacing(assembly_, resolved_),
+                                    assembly::lattice_spacing(assembly_, around.resolved));
     // Far enough that no rounding of both ends lets them cross.
     constexpr double kClear = 8;
     const ResolvedAssembly inside =
-        assembly::reaching_out(resolved_, assembly_, kClear * built_.grid);
-    const Solid whole = outer(inside), covered = united(around.resolved);
+        assembly::reaching_out(resolved_, assembly_, kClear * built_.grid, seam_names());
+    std::vector<assembly::RingWithin> rings;
+    for (const DiscName& disc : discs()) {
+      if (const auto place = around.position[disc.end.part]) {
+        rings.push_back({{*place, disc.end.end},
+                         {*port_ring(resolved_.parts[disc.end.part].shape, disc.end.end),
+                          piece_->samplings[disc.end.part], disc.name}});
+      }
+    }
+    const Solid whole = outer(inside), covered = united(around.resolved, second(around), rings);
     built_.solid = subtract(covered, {&whole, 1}, {options_.contacts, options_.progress});
     built_.insulation = built_.solid.volume();
     cross_check(built_.solid, SetOperation::subtract, std::array{covered, whole});
@@ -135,12 +145,46 @@ class Builder {
     }
   }
 
+  // Ends where another piece goes on.
+  [[nodiscard]] std::vector<DiscName> discs() const {
+    return piece_ ? piece_->discs : std::vector<DiscName>();
+  }
+
+  [[nodiscard]] std::set<std::string> seam_names() const {
+    std::set<std::string> names;
+    for (const DiscName& disc : discs()) {
+      names.insert(disc.name);
+    }
+    return names;
+  }
+
+  // Both surfaces are closed there by what has one name.
+  void name_seams(assembly::SelectedParts& second) const {
+    for (const DiscName& disc : discs()) {
+      if (const auto place = second.position[disc.end.part]) {
+        second.resolved.parts[*place].end_names.at(at(disc.end.end)) = disc.name;
+      }
+    }
+  }
+
+  // The samplings of these parts in the whole; none where they are the whole.
+  [[nodiscard]] std::vector<RingSampling> second(const assembly::SelectedParts& parts) const {
+    std::vector<RingSampling> result;
+    for (std::size_t i = 0; piece_ && i < parts.position.size(); ++i) {
+      if (parts.position[i]) {
+        result.push_back(piece_->second_samplings[i]);
+      }
+    }
+    return piece_ ? assembly::with_what_goes_on(std::move(result), parts.resolved) : result;
+  }
+
   // Of all parts, which other pieces of them may follow.
-  Solid outer(const ResolvedAssembly& parts) {
-    const std::span<const RingSampling> given =
-        piece_ ? std::span<const RingSampling>(piece_->samplings) : std::span<const RingSampling>();
+  Solid outer(const ResolvedAssembly& parts, std::span<const assembly::RingWithin> rings = {}) {
+    const std::vector<RingSampling> given =
+        piece_ ? assembly::with_what_goes_on(piece_->samplings, parts)
+               : std::vector<RingSampling>();
     assembly::RunSolids made =
-        assembly::solids_of_runs(assembly_, parts, built_.grid, options_, given);
+        assembly::solids_of_runs(assembly_, parts, built_.grid, options_, given, rings);
     for (std::size_t i = 0; i < built_.parts.size(); ++i) {
       PartReport &entry = built_.parts[i], &of_mesh = made.parts[i];
       entry.error_bound = of_mesh.error_bound;
@@ -171,12 +215,9 @@ class Builder {
   }
 
   void build_hollow(const std::vector<double>& walls) {
-    double thinnest = std::numeric_limits<double>::infinity();
-    for (const double wall : walls) {
-      thinnest = wall > 0 ? std::min(thinnest, wall) : thinnest;
-    }
-    const bool is_finer = thinnest / 4 < assembly_.tolerance;
-    assembly_.tolerance = std::min(assembly_.tolerance, thinnest / 4);
+    const double tolerance = assembly::tolerance_within_walls(assembly_.tolerance, walls);
+    const bool is_finer = tolerance < assembly_.tolerance;
+    assembly_.tolerance = tolerance;
     try {
       build_regions(walls);
     } catch (const Error& error) {
@@ -188,7 +229,7 @@ class Builder {
       }
       throw Error(error.code(),
                   error.message() + "; here it is a quarter of the thinnest wall, which is " +
-                      decimal(thinnest, kMessageDigits),
+                      decimal(4 * tolerance, kMessageDigits),
                   error.part(), error.where());
     }
   }
@@ -197,16 +238,16 @@ class Builder {
     resolved_ = assembly::filled(std::move(resolved_));
     prove_walls(walls);
     assembly::SelectedParts bore = assembly::bore_of(assembly_, resolved_, walls);
+    name_seams(bore);
     const ResolvedAssembly solid_parts =
         assembly::kept_out_of_solids(bore, assembly_, resolved_, walls);
-    built_.grid = assembly::lattice_spacing(assembly_, resolved_);
-    if (!bore.resolved.parts.empty()) {
-      built_.grid = std::min(built_.grid, assembly::lattice_spacing(assembly_, bore.resolved));
-    }
-    built_.grid = assembly::lattice_for_gaps(built_.grid, resolved_, walls);
-    const Solid whole = outer(resolved_);
-    assembly::lengthen_out_of(bore, assembly_, resolved_, walls, exposed_names(whole));
-    const Solid filling = subtract(united(bore.resolved), {{united(solid_parts)}});
+    built_.grid = piece_ ? piece_->grid
+                         : assembly::lattice_of_bores(assembly_, resolved_, bore.resolved, walls);
+    const Solid whole = outer(resolved_, bore_rings(bore));
+    std::set<std::string> open = exposed_names(whole);
+    std::erase_if(open, [names = seam_names()](const auto& end) { return names.contains(end); });
+    assembly::lengthen_out_of(bore, assembly_, resolved_, walls, open);
+    const Solid filling = subtract(united(bore.resolved, second(bore)), {{united(solid_parts)}});
     const std::array<Solid, 2> both{whole, filling};
     const BooleanOptions options{options_.contacts, options_.progress};
     const Solid metal = subtract(whole, {&filling, 1}, options), fluid = intersect(both, options);
@@ -224,10 +265,27 @@ class Builder {
     }
   }
 
-  [[nodiscard]] Solid united(const ResolvedAssembly& parts) const {
-    return parts.parts.empty()
-               ? Solid()
-               : united(assembly::solids_of_runs(assembly_, parts, built_.grid, options_).solids);
+  // Where another piece goes on, with its bore.
+  [[nodiscard]] std::vector<assembly::RingWithin> bore_rings(
+      const assembly::SelectedParts& bore) const {
+    std::vector<assembly::RingWithin> result;
+    for (const DiscName& disc : discs()) {
+      if (const auto place = bore.position[disc.end.part]) {
+        result.push_back({disc.end,
+                          {*port_ring(bore.resolved.parts[*place].shape, disc.end.end),
+                           piece_->second_samplings[disc.end.part], disc.name}});
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] Solid united(const ResolvedAssembly& parts,
+                             const std::vector<RingSampling>& given = {},
+                             std::span<const assembly::RingWithin> rings = {}) const {
+    return parts.parts.empty() ? Solid()
+                               : united(assembly::solids_of_runs(assembly_, parts, built_.grid,
+                                                                 options_, given, rings)
+                                            .solids);
   }
 
   [[nodiscard]] static std::set<std::string> exposed_names(const Solid& solid) {

@@ -187,10 +187,13 @@ District district(const Assembly& assembly, const ResolvedAssembly& resolved,
   }
   require_whole_runs(resolved, members, result.resolved);
   result.piece = members.piece;
-  for (const DiscName& disc : members.piece.value_or(PieceOf{}).discs) {
-    const auto place = std::ranges::lower_bound(members.parts, disc.end.part);
-    result.resolved.parts[std::size_t(place - members.parts.begin())].end_names.at(
-        at(disc.end.end)) = disc.name;
+  if (result.piece) {
+    result.assembly.tolerance = result.piece->tolerance;
+    for (auto& [end, name] : result.piece->discs) {
+      const auto place = std::ranges::lower_bound(members.parts, end.part);
+      end.part = std::uint32_t(place - members.parts.begin());
+      result.resolved.parts[end.part].end_names.at(at(end.end)) = name;
+    }
   }
   const auto renumber = [&](auto& named) {
     const auto place = std::ranges::lower_bound(result.parts, named.index);

@@ -13,7 +13,7 @@
 
 namespace dupin::assembly {
 
-/// The disc that closes an end of a piece where the next one goes on: its label.
+/// The disc, or annulus, that closes an end of a piece where the next one goes on: its label.
 struct DiscName {
   EndIndex end;
   std::string name;
@@ -21,9 +21,12 @@ struct DiscName {
 
 /// What a piece of something larger takes from that.
 struct PieceOf {
-  double grid = 0;                      ///< lattice_spacing
+  double grid = 0;                      ///< of the lattice
+  double tolerance = 0;                 ///< of meshes
   std::vector<RingSampling> samplings;  ///< by part of the piece
-  std::vector<DiscName> discs;          ///< ends in the whole assembly
+  /// Likewise, of bores, or of what is around insulation.
+  std::vector<RingSampling> second_samplings;
+  std::vector<DiscName> discs;  ///< ends in the whole assembly
 };
 
 /// Parts of an assembly that have nothing to do with the others, and boxes about all that is made
@@ -45,7 +48,7 @@ struct District {
   Assembly assembly;
   ResolvedAssembly resolved;
   std::vector<std::uint32_t> parts;  ///< of its parts, the places in Assembly::parts of the whole
-  std::optional<PieceOf> piece;
+  std::optional<PieceOf> piece;      ///< whose ends are those of `resolved`
 };
 
 /// What its parts, fillets and junctions are made of: places in Assembly::parts, ascending. O(n log

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "assembly/cost_limit.h"
+#include "assembly/districts/common_rings.h"
 #include "assembly/groups.h"
-#include "assembly/run_solids.h"
 #include "assembly/welded_runs.h"
 
 namespace dupin::assembly {
@@ -35,7 +35,10 @@ std::string seam_name(const ResolvedPart& part, End end) {
 class Divider {
  public:
   Divider(const Assembly& assembly, const ResolvedAssembly& resolved, const Division& division)
-      : assembly_(assembly), resolved_(resolved), division_(division) {}
+      : assembly_(assembly),
+        resolved_(resolved),
+        division_(division),
+        distances_(distances_between(assembly, resolved, division.region)) {}
 
   void add(DistrictParts members) {
     if (members.parts.size() < kLeastParts) {
@@ -43,8 +46,7 @@ class Divider {
       return;
     }
     const District whole = district_with_loops(assembly_, resolved_, members);
-    const ExpectedTriangles expected = expected_of(whole);
-    if (!(expected.surface + expected.crossings > division_.most)) {
+    if (!(expected_triangles(whole, division_.region) > division_.most)) {
       districts_.push_back(std::move(members));
       return;
     }
@@ -54,10 +56,7 @@ class Divider {
       districts_.push_back(std::move(members));
       return;
     }
-    const PieceOf common{lattice_spacing(whole.assembly, whole.resolved), {}, {}};
-    const std::vector<RingSampling> samplings =
-        part_samplings(whole.assembly, whole.resolved, common.grid);
-    append(members, boxes, rings, common, samplings);
+    append(members, boxes, rings, common_rings(whole, division_.region));
   }
 
   DividedDistricts take() {
@@ -128,7 +127,8 @@ class Divider {
       }
     }
     std::erase_if(result, [&](const SharedRing& ring) {
-      return times[ring.parts] > 1 || division_.kept.contains(ring.name);
+      return times[ring.parts] > 1 || division_.kept.contains(ring.name) ||
+             !ends_alike(resolved_, ring.ends[0], distances_, division_.region);
     });
     std::ranges::sort(result, {}, &SharedRing::parts);
     return result;
@@ -153,11 +153,12 @@ class Divider {
   // What goes into each group, by the place of its first thing among all; all in order.
   [[nodiscard]] std::vector<DistrictParts> pieces(const DistrictParts& members, const Boxes& boxes,
                                                   std::span<const std::uint32_t> group_of,
-                                                  std::size_t count, const PieceOf& common,
-                                                  std::span<const RingSampling> samplings) const {
+                                                  std::size_t count, const PieceOf& common) const {
     std::vector<DistrictParts> result(count);
     for (DistrictParts& piece : result) {
-      piece.piece = common;
+      piece.piece.emplace();
+      piece.piece->grid = common.grid;
+      piece.piece->tolerance = common.tolerance;
     }
     const std::size_t parts = members.parts.size(), fillets = members.fillets.size();
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -165,7 +166,8 @@ class Divider {
       own.boxes.push_back(boxes[i]);
       if (i < parts) {
         own.parts.push_back(members.parts[i]);
-        own.piece->samplings.push_back(samplings[i]);
+        own.piece->samplings.push_back(common.samplings[i]);
+        own.piece->second_samplings.push_back(common.second_samplings[i]);
       } else if (i < parts + fillets) {
         own.fillets.push_back(members.fillets[i - parts]);
       } else {
@@ -188,16 +190,16 @@ class Divider {
   [[nodiscard]] std::vector<double> expected(const std::vector<DistrictParts>& pieces) const {
     std::vector<double> result;
     for (const DistrictParts& piece : pieces) {
-      const ExpectedTriangles own = expected_of(district_with_loops(assembly_, resolved_, piece));
-      result.push_back(own.surface + own.crossings);
+      result.push_back(
+          expected_triangles(district_with_loops(assembly_, resolved_, piece), division_.region));
     }
     return result;
   }
 
   void append(const DistrictParts& members, const Boxes& boxes, std::span<const SharedRing> rings,
-              const PieceOf& common, std::span<const RingSampling> samplings) {
+              const PieceOf& common) {
     const std::size_t atoms = 1 + std::size_t(*std::ranges::max_element(atom_of_));
-    std::vector<DistrictParts> parts = pieces(members, boxes, atom_of_, atoms, common, samplings);
+    std::vector<DistrictParts> parts = pieces(members, boxes, atom_of_, atoms, common);
     add_discs(rings, atom_of_, parts);
     std::vector<double> triangles = expected(parts);
     Groups groups(atoms);
@@ -209,12 +211,11 @@ class Divider {
         groups.unite(a, b);
       }
     }
-    append_groups(members, boxes, rings, common, samplings, groups);
+    append_groups(members, boxes, rings, common, groups);
   }
 
   void append_groups(const DistrictParts& members, const Boxes& boxes,
-                     std::span<const SharedRing> rings, const PieceOf& common,
-                     std::span<const RingSampling> samplings, Groups& groups) {
+                     std::span<const SharedRing> rings, const PieceOf& common, Groups& groups) {
     std::map<std::uint32_t, std::uint32_t> number;  // of the group, by its first atom
     std::vector<std::uint32_t> group_of;
     for (const std::uint32_t atom : atom_of_) {
@@ -229,7 +230,7 @@ class Divider {
     std::ranges::copy_if(rings, std::back_inserter(left), [&](const SharedRing& ring) {
       return group_of[ring.parts[0]] != group_of[ring.parts[1]];
     });
-    auto made = pieces(members, boxes, group_of, number.size(), common, samplings);
+    auto made = pieces(members, boxes, group_of, number.size(), common);
     add_discs(left, group_of, made);
     const auto first = std::uint32_t(districts_.size());
     for (const SharedRing& ring : left) {
@@ -243,7 +244,8 @@ class Divider {
   const Assembly& assembly_;
   const ResolvedAssembly& resolved_;
   const Division& division_;
-  std::vector<std::uint32_t> atom_of_;  // of the district that is divided, by box
+  std::optional<std::vector<double>> distances_;  // of second surfaces, by place in the document
+  std::vector<std::uint32_t> atom_of_;            // of the district that is divided, by box
   std::vector<DistrictParts> districts_;
   std::vector<Seam> seams_;
 };
@@ -258,6 +260,16 @@ ExpectedTriangles expected_of(const District& own) {
                 : std::span<const RingSampling>();
   return {expected_triangles(own.assembly, own.resolved, runs, grid, given),
           expected_crossings(own.assembly, own.resolved, runs, grid, given)};
+}
+
+double expected_triangles(const District& own, std::optional<Region> region) {
+  const auto [surface, crossings] = expected_of(own);
+  const auto distances = distances_between(own.assembly, own.resolved, region);
+  const bool has_second =
+      distances && std::ranges::any_of(*distances, [](double distance) { return distance > 0; });
+  // These surfaces have about as many triangles as the first ones, and cross those of others, too.
+  return has_second || region == Region::insulation ? 2 * surface + 4 * crossings
+                                                    : surface + crossings;
 }
 
 DividedDistricts divided(const Assembly& assembly, const ResolvedAssembly& resolved,

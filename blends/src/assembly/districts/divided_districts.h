@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "assembly/districts/district_plan.h"
 #include "dupin/blends/assembly.h"
+#include "dupin/blends/build.h"
 #include "dupin/blends/resolve.h"
 #include "dupin/kernel/districts.h"
 
@@ -15,7 +17,8 @@ namespace dupin::assembly {
 /// How a district is divided.
 struct Division {
   double most = 0;  ///< triangles that are expected of a piece, if it can be divided so far
-  std::set<std::string> kept;  ///< names of seams where nothing is to be divided
+  std::set<std::string> kept;         ///< names of seams where nothing is to be divided
+  std::optional<Region> region = {};  ///< that is to be made
 };
 
 /// Districts, some of which are pieces of what hangs together.
@@ -27,11 +30,12 @@ struct DividedDistricts {
 /// So many parts hang together at least in what is divided.
 constexpr std::size_t kLeastParts = 32;
 
-/// Districts of solid parts of which more triangles are expected are divided at rings that two
+/// Districts of which more triangles are expected are divided at rings that two
 /// parts of a run share, wherever boxes about these two are the only ones that touch of all in both
-/// pieces. What cannot be divided so far stays larger. All that pieces have in common with their
-/// whole, its lattice and samplings, they take from it; so what they come out as depends on nothing
-/// else. O(n log n) and the boxes that touch.
+/// pieces, and where both are as thick, if what is made is hollow. What cannot be divided so far
+/// stays larger. All that pieces have in common with their whole, its tolerance, lattice and
+/// samplings, they take from it; so what they come out as depends on nothing else. O(n log n) and
+/// the boxes that touch.
 [[nodiscard]] DividedDistricts divided(const Assembly& assembly, const ResolvedAssembly& resolved,
                                        std::vector<DistrictParts> districts,
                                        const Division& division);
@@ -42,5 +46,7 @@ struct ExpectedTriangles {
   double surface = 0, crossings = 0;
 };
 [[nodiscard]] ExpectedTriangles expected_of(const District& district);
+/// All of a region of it.
+[[nodiscard]] double expected_triangles(const District& district, std::optional<Region> region);
 
 }  // namespace dupin::assembly

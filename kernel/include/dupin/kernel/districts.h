@@ -54,14 +54,14 @@ void add(const Report& district, Report& all);
 [[nodiscard]] Eigen::AlignedBox3d bounds_of(std::span<const Boxes> boxes);
 
 /// What hangs together and is large is made in pieces. Where two of them end in one ring, each is
-/// closed by a disc of the same triangles, turned the other way; joined, they lose both discs, and
-/// what is left is closed. That it is a solid, too, is tested exactly, next to the discs only:
-/// nowhere else do boxes about the pieces touch.
+/// closed by a disc, or about a bore by an annulus, of the same triangles, turned the other way;
+/// joined, they lose both, and what is left is closed. That it is a solid, too, is tested exactly,
+/// next to these ends only: nowhere else do boxes about the pieces touch.
 ///
 /// Where two pieces are joined.
 struct Seam {
   std::array<std::uint32_t, 2> pieces{};
-  std::string name;             ///< the label of the disc's triangles, and of no others
+  std::string name;             ///< the label of the end's triangles, and of no others
   Eigen::AlignedBox3d meeting;  ///< no triangles of both meet outside of it
 
   friend bool operator==(const Seam& a, const Seam& b) {
@@ -70,29 +70,39 @@ struct Seam {
   }
 };
 
+/// A closed curve along which a piece is open, once it has lost its end.
+struct SeamBorder {
+  std::uint32_t shell = 0;   ///< that it bounds, by its place in the piece's report
+  std::uint32_t points = 0;  ///< that it has
+
+  friend bool operator==(const SeamBorder&, const SeamBorder&) = default;
+};
+
 /// What one of the two pieces has there. Triangles are given by their corners, three by three.
 struct SeamSide {
-  std::uint32_t shell = 0;  ///< that the disc is part of, by its place in the piece's report
-  bool is_disc = false;     ///< there is one disc, in one shell
-  std::vector<Vec3> disc;   ///< in an order of its own
-  std::vector<Vec3> near;   ///< beside the disc, what reaches into Seam::meeting
+  bool is_end = false;                ///< there is one disc or annulus, of one outer shell
+  bool has_others = false;            ///< the piece has outer shells that end at no seam
+  std::vector<SeamBorder> borders{};  ///< of both sides in the same order
+  std::vector<Vec3> end{};            ///< the triangles, in an order of their own
+  std::vector<Vec3> near{};           ///< beside them, what reaches into Seam::meeting
 
   friend bool operator==(const SeamSide&, const SeamSide&) = default;
 };
 
-/// A piece without its discs.
+/// A piece without its ends. Its shells are what hangs together without them. Volumes of those that
+/// are open are those of shells that other pieces complete, once all of a whole one are added.
 struct OpenPiece {
-  std::vector<std::uint32_t> disc_faces;  ///< of the mesh, ascending
-  std::vector<SeamSide> sides;            ///< by seam
-  Report report;                          ///< Euler numbers are those with the discs
+  std::vector<std::uint32_t> end_faces;  ///< of the mesh, ascending
+  std::vector<SeamSide> sides;           ///< by seam
+  Report report;
 };
 
 /// `mesh` is a solid's, of which the report is, less `origin`; the seams are those of this piece.
-/// O(n) and the seams.
+/// O(n log n) and the seams.
 [[nodiscard]] OpenPiece opened(const TriMesh& mesh, const Vec3& origin, Report report,
                                std::span<const Seam> seams);
 
-/// Whether both sides have the same disc, and the triangles beside it meet each other in its border
+/// Whether both sides have the same end, and the triangles beside it meet each other in its borders
 /// only, by exact predicates. O(n log n) for n triangles beside it.
 [[nodiscard]] bool fit(const SeamSide& one, const SeamSide& other);
 
@@ -102,11 +112,18 @@ struct ShellPair {
   std::size_t points = 0;               ///< of the border, which both have counted
 };
 
-/// The number of points in the border of a side's disc.
-[[nodiscard]] std::size_t border_size(const SeamSide& side);
+/// Those of a seam, border by border.
+struct SeamShells {
+  std::vector<ShellPair> pairs;
+  bool has_others = false;  ///< either side
+};
+
+/// The places of seams whose pieces, joined, enclose a void, in which there may be other shells of
+/// theirs: how deep these lie, reports of pieces do not tell.
+[[nodiscard]] std::vector<std::size_t> doubtful(std::span<const SeamShells> seams);
 
 /// The report of all pieces that were opened, one after the other, becomes that of what they are
-/// together.
-void join_shells(std::span<const ShellPair> pairs, Report& report);
+/// together. None of the seams are doubtful.
+void join_shells(std::span<const SeamShells> seams, Report& report);
 
 }  // namespace dupin

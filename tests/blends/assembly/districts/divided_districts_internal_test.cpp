@@ -8,6 +8,7 @@
 #include "assembly/districts/divided_districts.h"
 #include "dupin/blends/build.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/rounding.h"
 #include "support/named_parts.h"
 
 namespace dupin::assembly {
@@ -128,14 +129,46 @@ TEST(DividedDistricts, a_piece_has_a_disc_where_it_ends) {
   EXPECT_TRUE(build.joined({}).solid.triangles().empty());
 }
 
-TEST(DividedDistricts, of_hollow_parts_stay_whole) {
+// Where walls change, the narrower bore reaches into the wider one.
+TEST(DividedDistricts, of_hollow_parts_are_divided_where_walls_are_the_same) {
+  Assembly assembly = header(40);
+  BuildOptions options;
+  options.margin = kMargin;
+  options.most_of_piece = 1;
+  const auto seams = [&] { return DistrictBuild(assembly, options).seams().size(); };
+  const std::size_t of_solids = seams();
+  assembly.wall = .1;
+  EXPECT_EQ(seams(), of_solids);
+  assembly.parts[4].wall = .2;
+  EXPECT_LT(seams(), of_solids);
+  assembly.parts[4].wall.reset();
+  options.region = Region::insulation;
+  assembly.insulation = .2;
+  EXPECT_GT(seams(), 10);
+}
+
+TEST(DividedDistricts, a_hollow_piece_has_an_annulus_where_it_ends) {
   Assembly assembly = header(40);
   assembly.wall = .1;
-  BuildOptions options;
-  options.most_of_piece = 100;
-  EXPECT_TRUE(DistrictBuild(assembly, options).seams().empty());
-  options.region = Region::outer;
-  EXPECT_TRUE(DistrictBuild(assembly, options).seams().empty());
+  assembly.insulation = .2;
+  for (const Region region : {Region::metal, Region::fluid, Region::outer, Region::insulation}) {
+    BuildOptions options;
+    options.region = region;
+    options.margin = kMargin;
+    options.most_of_piece = 100;
+    const DistrictBuild build(assembly, options);
+    ASSERT_FALSE(build.seams().empty());
+    const Seam& seam = build.seams().front();
+    std::vector<SeamSide> sides;
+    for (const std::uint32_t piece : seam.pieces) {
+      const Rounded rounded = to_mesh(build.build(piece).solid, Coordinates::binary32);
+      sides.push_back(
+          opened(rounded.mesh(), Vec3::Zero(), check(rounded), {&seam, 1}).sides.front());
+    }
+    EXPECT_TRUE(fit(sides[0], sides[1])) << name(region);
+    const bool has_bore = region == Region::metal || region == Region::insulation;
+    EXPECT_EQ(sides[0].borders.size(), has_bore ? 2 : 1) << name(region);
+  }
 }
 
 }  // namespace
