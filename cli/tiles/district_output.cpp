@@ -97,7 +97,8 @@ DistrictOutput whole_output(const Solid& solid, std::span<const Boxes> boxes, st
   if (!seams.empty()) {
     std::vector<std::string> names;
     std::ranges::transform(seams, std::back_inserter(names), &Seam::name);
-    result.piece = without(std::move(result.piece), open.end_faces, names);
+    result.piece =
+        without(std::move(result.piece), rounded.mesh(), to.format, open.end_faces, names);
   }
   for (const std::uint32_t label : std::set(solid.labels().begin(), solid.labels().end())) {
     result.seen.push_back(solid.names()[label]);

@@ -58,6 +58,9 @@ class Writer {
   void put(const SeamSide& side) {
     (*this)(side.is_end, side.has_others, side.borders, side.end, side.near);
   }
+  void put(const MeshBorder& border) {
+    (*this)(border.name, border.points, border.corners, border.labels);
+  }
   void put(const PartReport& part);
   void put(const Report& report);
   void put(const RoundingReport& report);
@@ -125,6 +128,9 @@ class Reader {
   void get(SeamSide& side) {
     (*this)(side.is_end, side.has_others, side.borders, side.end, side.near);
   }
+  void get(MeshBorder& border) {
+    (*this)(border.name, border.points, border.corners, border.labels);
+  }
   void get(PartReport& part);
   void get(Report& report);
   void get(RoundingReport& report);
@@ -162,7 +168,7 @@ void visit_result(Archive& archive, Result& result, Parts& parts, Checked& repor
           built.insulation, report, result.output.report.rounding, result.output.report.contacts,
           result.output.report.settled, result.output.piece.names, result.output.piece.points,
           result.output.piece.triangles, result.output.piece.labels, result.output.piece.bytes,
-          result.output.seen, result.output.sides);
+          result.output.piece.borders, result.output.seen, result.output.sides);
 }
 
 void Writer::put(const PartReport& part) { visit_part(*this, part); }

@@ -19,7 +19,7 @@ namespace dupin::cli {
 void add_build_tile_options(CLI::App& command, TileArguments& arguments);
 
 /// Of how many triangles, expected, pieces may be for this output; 0 where nothing is divided: only
-/// what is written to a binary STL, and not looked at otherwise, is.
+/// what is written to a binary STL or PLY, and not looked at otherwise, is.
 [[nodiscard]] double most_of_piece(const BuildArguments& arguments);
 
 /// Throws UsageError for what a build in tiles cannot do, before anything is built.

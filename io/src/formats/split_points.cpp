@@ -35,6 +35,11 @@ class Splitter {
     result_.normals.assign(points, Direction{0, 0, 1});
   }
 
+  void give(std::uint32_t point, const Direction& normal) {
+    is_used_[point] = true;
+    result_.normals[point] = normal;
+  }
+
   // The point's vertices are few: a list from the point on.
   std::uint32_t vertex(std::uint32_t point, const Direction& normal) {
     if (!is_used_[point]) {
@@ -73,9 +78,13 @@ class Splitter {
 
 }  // namespace
 
-SplitPoints split_points(const TriMesh& mesh, const CornerNormals& normals) {
+SplitPoints split_points(const TriMesh& mesh, const CornerNormals& normals,
+                         const GivenNormals& given) {
   require_fitting(mesh, normals);
   Splitter splitter(mesh.points.size());
+  for (const auto& [point, normal] : given) {
+    splitter.give(point, normal);
+  }
   std::vector<Triangle> triangles = mesh.triangles;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "dupin/kernel/crease.h"
@@ -16,10 +17,14 @@ struct SplitPoints {
   std::vector<std::uint32_t> copied;  ///< of each copy, the point
 };
 
+/// Points that have a normal in another mesh, too: there this one is their vertex's.
+using GivenNormals = std::map<std::uint32_t, Direction>;
+
 /// As few copies as there can be. Points that no triangle uses get the z axis. O(n). Throws
 /// Error{invalid_argument} unless there are as many normals as triangles, all finite; indices are
 /// taken to be in range.
-[[nodiscard]] SplitPoints split_points(const TriMesh& mesh, const CornerNormals& normals);
+[[nodiscard]] SplitPoints split_points(const TriMesh& mesh, const CornerNormals& normals,
+                                       const GivenNormals& given = {});
 
 /// Undoes it, of a mesh whose last points are copies of these; false, with the mesh as it was,
 /// where they are not, coordinate by coordinate.

@@ -1,16 +1,57 @@
 #include "streams/ply_stream.h"
 
+#include <algorithm>
+#include <array>
+#include <map>
+
 #include "formats/ply_numbers.h"
 #include "formats/split_points.h"
 #include "text/label_colour.h"
 #include "text/little_endian.h"
 
 namespace dupin::streams {
+namespace {
+
+/// The triangles of another mesh at a border of both.
+void append_around(const MeshBorder& own, const MeshBorder& other, TriMesh& mesh) {
+  const auto numbers = [](const Vec3& place) {
+    return std::array{place.x(), place.y(), place.z()};
+  };
+  std::map<std::array<double, 3>, std::uint32_t> known;
+  for (const std::uint32_t point : own.points) {
+    known.emplace(numbers(mesh.points[point]), point);
+  }
+  std::map<std::string, std::uint32_t> labels;
+  for (std::uint32_t i = 0; i < mesh.names.size(); ++i) {
+    labels.emplace(mesh.names[i], i);
+  }
+  for (std::size_t i = 0; i < other.labels.size(); ++i) {
+    Triangle& triangle = mesh.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& corner = other.corners[3 * i + k];
+      const auto [entry, is_new] =
+          known.try_emplace(numbers(corner), static_cast<std::uint32_t>(mesh.points.size()));
+      if (is_new) {
+        mesh.points.push_back(corner);
+      }
+      triangle.at(k) = entry->second;
+    }
+    const auto [label, is_new] =
+        labels.try_emplace(other.labels[i], static_cast<std::uint32_t>(mesh.names.size()));
+    if (is_new) {
+      mesh.names.push_back(other.labels[i]);
+    }
+    mesh.labels.push_back(label->second);
+  }
+}
+
+}  // namespace
 
 void PlyStream::append(const MeshPiece& piece, std::size_t) { meshes_.append(piece); }
 
 void PlyStream::commit(const MeshHeader& header, const Normals& normals) {
   meshes_.number_labels();
+  number_points();
   std::uint64_t copies = 0;
   if (normals) {
     split(normals);
@@ -19,7 +60,7 @@ void PlyStream::commit(const MeshHeader& header, const Normals& normals) {
       copies += split.copies;
     }
   }
-  contents_ = {.vertices = meshes_.points() + copies,
+  contents_ = {.vertices = points_ + copies,
                .triangles = meshes_.triangles(),
                .has_normals = normals && meshes_.triangles() > 0,
                .has_copies = copies > 0,
@@ -28,9 +69,70 @@ void PlyStream::commit(const MeshHeader& header, const Normals& normals) {
   const std::string start = formats::ply_header_text(contents_, meshes_.names(), header,
                                                      formats::PlyEncoding::little_endian);
   write_vertices(start.size());
-  write_copies(start.size() + vertex_size() * meshes_.points());
+  write_copies(start.size() + vertex_size() * points_);
   write_faces(start.size() + vertex_size() * contents_.vertices, header);
   file_.commit(start);
+}
+
+std::uint32_t PlyStream::Numbers::of(std::uint32_t point) const {
+  const auto found = std::ranges::lower_bound(known, std::pair(point, std::uint32_t{0}));
+  return found != known.end() && found->first == point
+             ? found->second
+             : first + point - static_cast<std::uint32_t>(found - known.begin());
+}
+
+void PlyStream::number_points() {
+  std::map<std::string, std::pair<std::size_t, std::size_t>> begun;  // piece and border
+  for (std::size_t i = 0; i < meshes_.size(); ++i) {
+    Numbers& own = numbers_.emplace_back();
+    own.first = static_cast<std::uint32_t>(points_);
+    const std::vector<MeshBorder>& borders = meshes_.borders(i);
+    for (std::size_t k = 0; k < borders.size(); ++k) {
+      const auto [entry, is_new] = begun.try_emplace(borders[k].name, i, k);
+      if (is_new) {
+        continue;
+      }
+      const auto [before, border] = entry->second;
+      own.shared.push_back({k, before, border});
+      numbers_[before].shared.push_back({border, i, k});
+      const std::vector<std::uint32_t>& there = meshes_.borders(before)[border].points;
+      for (std::size_t point = 0; point < there.size(); ++point) {
+        own.known.emplace_back(borders[k].points.at(point), numbers_[before].of(there[point]));
+      }
+    }
+    std::ranges::sort(own.known);
+    points_ += own_points(i);
+  }
+}
+
+formats::SplitPoints PlyStream::split_piece(std::size_t piece, const Normals& normals) const {
+  TriMesh mesh = meshes_.mesh(piece);
+  const std::size_t points = mesh.points.size(), triangles = mesh.triangles.size(),
+                    labels = mesh.labels.size(), names = mesh.names.size();
+  const std::vector<Shared>& shared = numbers_[piece].shared;
+  std::vector<std::size_t> ends;  // of the triangles of each, behind the mesh's
+  for (const Shared& seam : shared) {
+    append_around(meshes_.borders(piece)[seam.border], meshes_.borders(seam.piece)[seam.of_piece],
+                  mesh);
+    ends.push_back(mesh.triangles.size());
+  }
+  CornerNormals all = normals(mesh);
+  formats::GivenNormals given;
+  for (std::size_t i = 0, face = triangles; i < shared.size(); ++i) {
+    for (; face < ends[i]; ++face) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (shared[i].piece < piece && mesh.triangles[face].at(k) < points) {
+          given.try_emplace(mesh.triangles[face].at(k), all[face].at(k));
+        }
+      }
+    }
+  }
+  mesh.points.resize(points);
+  mesh.triangles.resize(triangles);
+  mesh.labels.resize(labels);
+  mesh.names.resize(names);
+  all.resize(triangles);
+  return formats::split_points(mesh, all, given);
 }
 
 void PlyStream::split(const Normals& normals) {
@@ -39,8 +141,7 @@ void PlyStream::split(const Normals& normals) {
       splits_.push_back({});
       continue;
     }
-    const TriMesh mesh = meshes_.mesh(i);
-    const formats::SplitPoints own = formats::split_points(mesh, normals(mesh));
+    const formats::SplitPoints own = split_piece(i, normals);
     splits_.push_back({arrays_.end(), static_cast<std::uint32_t>(own.normals.size()),
                        static_cast<std::uint32_t>(own.copied.size())});
     arrays_.append(own.normals);
@@ -100,17 +201,21 @@ std::uint64_t PlyStream::face_size() const {
 }
 
 void PlyStream::write_vertices(std::uint64_t at) {
-  std::uint32_t number = 0;
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     if (meshes_.is_elsewhere(i)) {
-      number += meshes_.points_of(i);
-      at += vertex_size() * meshes_.points_of(i);
+      at += vertex_size() * own_points(i);
       continue;
     }
     const TriMesh mesh = meshes_.mesh(i);
     const std::vector<Direction> normals = split_normals(i);
+    std::uint32_t number = numbers_[i].first;
+    auto known = numbers_[i].known.begin();
     std::string bytes;
     for (std::size_t point = 0; point < mesh.points.size(); ++point) {
+      if (known != numbers_[i].known.end() && known->first == point) {
+        ++known;
+        continue;
+      }
       formats::store_ply_vertex(bytes, mesh.points[point],
                                 contents_.has_normals ? &normals[point] : nullptr,
                                 contents_.has_copies ? &number : nullptr);
@@ -122,7 +227,6 @@ void PlyStream::write_vertices(std::uint64_t at) {
 }
 
 void PlyStream::write_copies(std::uint64_t at) {
-  std::uint32_t before = 0;
   for (std::size_t i = 0; contents_.has_copies && i < meshes_.size(); ++i) {
     if (!meshes_.is_elsewhere(i)) {
       const TriMesh mesh = meshes_.mesh(i);
@@ -130,12 +234,11 @@ void PlyStream::write_copies(std::uint64_t at) {
       std::string bytes;
       std::size_t vertex = mesh.points.size();
       for (const std::uint32_t point : copied(i)) {
-        const std::uint32_t number = before + point;
+        const std::uint32_t number = numbers_[i].of(point);
         formats::store_ply_vertex(bytes, mesh.points[point], &normals[vertex++], &number);
       }
       file_.write(at, bytes);
     }
-    before += meshes_.points_of(i);
     at += vertex_size() * splits_[i].copies;
   }
 }
@@ -145,8 +248,7 @@ void PlyStream::write_faces(std::uint64_t at, const MeshHeader& header) {
   if (contents_.has_colours) {
     colours = text::label_colours(meshes_.names(), header.colours);
   }
-  std::uint32_t points = 0;
-  auto copies = static_cast<std::uint32_t>(meshes_.points());
+  auto copies = static_cast<std::uint32_t>(points_);
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     if (!meshes_.is_elsewhere(i)) {
       const TriMesh mesh = meshes_.mesh(i);
@@ -156,7 +258,7 @@ void PlyStream::write_faces(std::uint64_t at, const MeshHeader& header) {
       std::string bytes;
       for (std::size_t face = 0; face < triangles.size(); ++face) {
         for (std::uint32_t& corner : triangles[face]) {
-          corner = corner < own ? points + corner : copies + (corner - own);
+          corner = corner < own ? numbers_[i].of(corner) : copies + (corner - own);
         }
         const std::uint32_t label =
             contents_.has_labels ? meshes_.numbers(i)[mesh.labels[face]] : 0;
@@ -166,7 +268,6 @@ void PlyStream::write_faces(std::uint64_t at, const MeshHeader& header) {
       file_.write(at, bytes);
     }
     at += face_size() * meshes_.triangles_of(i);
-    points += meshes_.points_of(i);
     copies += contents_.has_copies ? splits_[i].copies : 0;
   }
 }

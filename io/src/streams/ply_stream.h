@@ -3,12 +3,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dupin/io/mesh_stream.h"
 #include "dupin/io/processes.h"
 #include "files/placed_file.h"
 #include "formats/ply_header.h"
+#include "formats/split_points.h"
 #include "streams/spilled_meshes.h"
 
 namespace dupin::streams {
@@ -22,6 +24,7 @@ class PlyStream : public MeshStream {
 
   void append(const MeshPiece& piece, std::size_t file) override;
   void commit(const MeshHeader& header, const Normals& normals) override;
+  void abandon() override { file_.abandon(); }
 
  private:
   /// A piece with one normal for each vertex: where its arrays are.
@@ -30,6 +33,26 @@ class PlyStream : public MeshStream {
     std::uint32_t normals, copies;
   };
 
+  /// A border of a piece, and the same one of another.
+  struct Shared {
+    std::size_t border, piece, of_piece;
+  };
+  struct Numbers {
+    std::uint32_t first = 0;  // of the points that are in no piece before
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> known;  // the others, and their numbers
+    std::vector<Shared> shared;
+
+    [[nodiscard]] std::uint32_t of(std::uint32_t point) const;
+  };
+
+  void number_points();
+  /// How many of its points no piece before has.
+  [[nodiscard]] std::uint64_t own_points(std::size_t piece) const {
+    return meshes_.points_of(piece) - numbers_[piece].known.size();
+  }
+  /// As pieces that go on in others see their triangles, and these theirs: of a point of both they
+  /// find the same.
+  [[nodiscard]] formats::SplitPoints split_piece(std::size_t piece, const Normals& normals) const;
   void split(const Normals& normals);
   /// How many copies pieces have that are elsewhere.
   void learn_copies();
@@ -49,7 +72,9 @@ class PlyStream : public MeshStream {
   files::PlacedFile file_;
   SpilledMeshes meshes_;
   SpilledArrays arrays_;
-  std::vector<Split> splits_;  // empty without normals
+  std::vector<Split> splits_;     // empty without normals
+  std::vector<Numbers> numbers_;  // by piece
+  std::uint64_t points_ = 0;      // shared ones once
   formats::PlyContents contents_;
 };
 

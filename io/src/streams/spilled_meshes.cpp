@@ -1,6 +1,10 @@
 #include "streams/spilled_meshes.h"
 
+#include <algorithm>
 #include <array>
+#include <limits>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "text/mesh_text.h"
@@ -33,6 +37,103 @@ MeshPiece spilled_piece(const TriMesh& mesh) {
   return piece;
 }
 
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// A mesh without its ends, and its points and labels in it, or kNone.
+struct OpenMesh {
+  TriMesh left;
+  std::vector<std::uint32_t> place, label;
+};
+
+OpenMesh open_mesh(const TriMesh& mesh, std::span<const std::uint32_t> triangles,
+                   std::span<const std::string> names) {
+  OpenMesh result{{},
+                  std::vector<std::uint32_t>(mesh.points.size(), kNone),
+                  std::vector<std::uint32_t>(mesh.names.size(), kNone)};
+  auto& [left, place, label] = result;
+  for (std::size_t i = 0; i < mesh.names.size(); ++i) {
+    if (std::ranges::count(names, mesh.names[i]) == 0) {
+      label[i] = static_cast<std::uint32_t>(left.names.size());
+      left.names.push_back(mesh.names[i]);
+    }
+  }
+  auto end = triangles.begin();
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (end != triangles.end() && *end == i) {
+      ++end;
+      continue;
+    }
+    left.triangles.push_back(mesh.triangles[i]);
+    if (!mesh.labels.empty()) {
+      left.labels.push_back(label[mesh.labels[i]]);
+    }
+    for (const std::uint32_t corner : mesh.triangles[i]) {
+      place[corner] = 0;
+    }
+  }
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    if (place[i] == 0) {
+      place[i] = static_cast<std::uint32_t>(left.points.size());
+      left.points.push_back(mesh.points[i]);
+    }
+  }
+  for (Triangle& triangle : left.triangles) {
+    std::ranges::transform(triangle, triangle.begin(),
+                           [&own = place](std::uint32_t corner) { return own[corner]; });
+  }
+  return result;
+}
+
+void add_triangles(const TriMesh& left, std::span<const std::uint32_t> border_of,
+                   std::vector<MeshBorder>& borders) {
+  for (std::size_t i = 0; i < left.triangles.size(); ++i) {
+    std::set<std::uint32_t> at;
+    for (const std::uint32_t corner : left.triangles[i]) {
+      at.insert(border_of[corner]);
+    }
+    at.erase(kNone);
+    for (const std::uint32_t border : at) {
+      for (const std::uint32_t corner : left.triangles[i]) {
+        borders[border].corners.push_back(left.points[corner]);
+      }
+      borders[border].labels.push_back(left.labels.empty() ? "" : left.names[left.labels[i]]);
+    }
+  }
+}
+
+}  // namespace
+
+MeshPiece open_piece(const TriMesh& mesh, std::span<const std::uint32_t> triangles,
+                     std::span<const std::string> names) {
+  const auto& [left, place, label] = open_mesh(mesh, triangles, names);
+  std::vector<std::uint32_t> border_of(left.points.size(), kNone);
+  std::vector<MeshBorder> borders;
+  for (const std::string& name : names) {
+    borders.push_back({name, {}, {}, {}});
+  }
+  for (const std::uint32_t triangle : triangles) {
+    const auto border = static_cast<std::uint32_t>(
+        std::ranges::find(names, mesh.names[mesh.labels[triangle]]) - names.begin());
+    for (const std::uint32_t corner : mesh.triangles[triangle]) {
+      if (place[corner] != kNone && border_of[place[corner]] == kNone) {
+        border_of[place[corner]] = border;
+        borders[border].points.push_back(place[corner]);
+      }
+    }
+  }
+  for (MeshBorder& border : borders) {
+    std::ranges::sort(border.points, {}, [&own = left](std::uint32_t point) {
+      return std::tuple(own.points[point].x(), own.points[point].y(), own.points[point].z());
+    });
+  }
+  add_triangles(left, border_of, borders);
+  MeshPiece piece = spilled_piece(left);
+  piece.borders = std::move(borders);
+  return piece;
+}
+
 void SpilledMeshes::append(const MeshPiece& piece) {
   pieces_.push_back({arrays_.end(),
                      piece.points,
@@ -40,7 +141,8 @@ void SpilledMeshes::append(const MeshPiece& piece) {
                      piece.labels,
                      piece.is_elsewhere,
                      piece.names,
-                     {}});
+                     {},
+                     piece.borders});
   arrays_.append(piece.bytes);
   points_ += piece.points;
   triangles_ += piece.triangles;

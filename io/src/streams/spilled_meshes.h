@@ -46,6 +46,12 @@ class SpilledArrays {
 /// The points, triangles and labels of a mesh, for SpilledMeshes.
 [[nodiscard]] MeshPiece spilled_piece(const TriMesh& mesh);
 
+/// The same without triangles, ascending, that have labels of these names, and without points that
+/// only these have. Where it is open, it has borders of these names, with points in the order of
+/// their places.
+[[nodiscard]] MeshPiece open_piece(const TriMesh& mesh, std::span<const std::uint32_t> triangles,
+                                   std::span<const std::string> names);
+
 /// Pieces, put aside.
 class SpilledMeshes {
  public:
@@ -66,6 +72,9 @@ class SpilledMeshes {
   [[nodiscard]] std::uint32_t triangles_of(std::size_t piece) const {
     return pieces_[piece].triangles;
   }
+  [[nodiscard]] const std::vector<MeshBorder>& borders(std::size_t piece) const {
+    return pieces_[piece].borders;
+  }
   /// As it was; if others have labels it has one, too, named "". It is not elsewhere.
   [[nodiscard]] TriMesh mesh(std::size_t piece) const;
   /// Of each label of that mesh, its place in names().
@@ -80,6 +89,7 @@ class SpilledMeshes {
     bool is_elsewhere;
     std::vector<std::string> names;  // until labels have numbers
     std::vector<std::uint32_t> numbers;
+    std::vector<MeshBorder> borders;
   };
 
   SpilledArrays arrays_;

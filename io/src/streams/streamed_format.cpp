@@ -37,8 +37,11 @@ MeshPiece mesh_piece(const Rounded& solid, const MeshFormat& format, std::string
   return piece;
 }
 
-MeshPiece without(MeshPiece piece, std::span<const std::uint32_t> triangles,
-                  std::span<const std::string> names) {
+MeshPiece without(MeshPiece piece, const TriMesh& mesh, const MeshFormat& format,
+                  std::span<const std::uint32_t> triangles, std::span<const std::string> names) {
+  if (format != kStlBinary) {
+    return streams::open_piece(mesh, triangles, names);
+  }
   std::string left;
   left.reserve(piece.bytes.size());
   std::size_t begin = 0;

@@ -35,6 +35,7 @@ DistrictResult sample() {
   result.output.report.contacts = {{Contact::Kind::edge, Vec3(1, 0, 0), Vec3(2, 0, 0), {"a", "b"}}};
   result.output.report.settled = ContactSettlement{"separate", .125, result.output.report.contacts};
   result.output.piece = {std::string(100, 'x'), {"a", "b"}, 5, 6, 7};
+  result.output.piece.borders = {{"ring", {1, 2}, {Vec3(1, 2, 3)}, {"a"}}, {}};
   result.output.sides = {
       {true, true, {{3, 4}, {1, 2}}, {Vec3(1, 2, 3)}, {Vec3(4, 5, 6), Vec3(7, 8, 9)}}, {}};
   return result;
@@ -64,6 +65,11 @@ TEST(DistrictResult, is_read_as_it_was_written) {
   EXPECT_EQ(read->output.piece.triangles, 6);
   EXPECT_EQ(read->output.piece.labels, 7);
   EXPECT_EQ(read->output.piece.names, given.output.piece.names);
+  ASSERT_EQ(read->output.piece.borders.size(), 2);
+  EXPECT_EQ(read->output.piece.borders[0].name, "ring");
+  EXPECT_EQ(read->output.piece.borders[0].points, (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_EQ(read->output.piece.borders[0].corners, std::vector<Vec3>{Vec3(1, 2, 3)});
+  EXPECT_EQ(read->output.piece.borders[0].labels, std::vector<std::string>{"a"});
   EXPECT_EQ(read->output.sides, given.output.sides);
   EXPECT_EQ(bytes_of(*read, {3, 17, 40}), bytes);
 }

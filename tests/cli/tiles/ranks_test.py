@@ -74,17 +74,19 @@ def thin(pipes):
 
 def check_pieces(tool, folder):
     """What hangs together, divided."""
-    for document in [connected(8), connected(8, wall=5), thin(33)]:
+    for document, suffix in [(connected(8), "stl"), (connected(8, wall=5), "stl"), (connected(8, wall=5), "ply"),
+                             (thin(33), "stl"), (thin(33), "ply")]:
         (folder / "pieces.json").write_text(json.dumps(document), encoding="utf-8")
-        whole = run(tool, folder, 0, "pieces.json", "-o", "pieces.stl", "--piece", "1000")
+        file, shared_file = folder / f"pieces.{suffix}", folder / f"shared.{suffix}"
+        whole = run(tool, folder, 0, "pieces.json", "-o", file.name, "--piece", "1000")
         assert whole.returncode == 0, whole.stderr
         for ranks in [1, 2, 3]:
             for more in [[], ["--tiles", "3"]]:
-                shared = run(tool, folder, ranks, "pieces.json", "-o", "shared.stl", "--piece", "1000", *more)
+                shared = run(tool, folder, ranks, "pieces.json", "-o", shared_file.name, "--piece", "1000", *more)
                 assert shared.returncode == 0, shared.stderr
-                assert (folder / "shared.stl").read_bytes() == (folder / "pieces.stl").read_bytes(), (ranks, more)
+                assert shared_file.read_bytes() == file.read_bytes(), (suffix, ranks, more)
                 assert json.loads(shared.stdout)["output"]["check"] == json.loads(whole.stdout)["output"]["check"]
-    for path in [*folder.glob("pieces.*"), folder / "shared.stl"]:
+    for path in [*folder.glob("pieces.*"), *folder.glob("shared.*")]:
         path.unlink()
 
 

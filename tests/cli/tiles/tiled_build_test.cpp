@@ -121,6 +121,45 @@ TEST_F(TiledBuild, gives_the_same_bytes_of_what_hangs_together_in_pieces) {
   }
 }
 
+// Points of rings once, with the normals that the whole has there.
+TEST_F(TiledBuild, gives_the_same_bytes_of_ply_in_pieces) {
+  for (const std::string keys : {"", R"(, "wall": 5)"}) {
+    std::string text = connected(6, keys);
+    text.replace(text.find(R"("name": "h3")"), 0, R"("colour": "#102030", )");
+    folder_.write("plant.json", text);
+    const auto build = [&](std::vector<std::string> own) {
+      own.insert(own.begin(), {"build", "plant.json", "-o", "out.ply"});
+      const auto report = json(own, 0);
+      return std::pair(report.at("output").at("check"), folder_.read("out.ply"));
+    };
+    const auto element = [](const std::string& bytes) {
+      const std::size_t at = bytes.find("element vertex");
+      return bytes.substr(at, bytes.find('\n', at) - at);
+    };
+    const auto [whole, whole_bytes] = build({});
+    const auto [check, bytes] = build({"--piece", "3000"});
+    EXPECT_FALSE(bytes == whole_bytes);
+    EXPECT_EQ(element(bytes), element(whole_bytes)) << "copies, too";
+    const auto again = json({"check", "out.ply"}, 0);
+    for (const std::string key :
+         {"solid", "points", "triangles", "components", "euler_number", "genus"}) {
+      EXPECT_EQ(check.at(key), whole.at(key)) << key;
+      EXPECT_EQ(again.at(key), check.at(key)) << key;
+    }
+    for (const std::string tiles : {"1", "3", "8"}) {
+      EXPECT_TRUE(build({"--piece", "3000", "--tiles", tiles}).second == bytes) << tiles;
+    }
+    EXPECT_EQ(shell("taskset -cp 0 $BASHPID > /dev/null; dupin build plant.json -o out.ply --quiet "
+                    "--tiles 5 --piece 3000")
+                  .exit_code,
+              0);
+    EXPECT_TRUE(folder_.read("out.ply") == bytes) << "on one core";
+    for (int round = 0; round < 2; ++round) {
+      EXPECT_TRUE(build({"--piece", "3000", "--cache", "kept"}).second == bytes);
+    }
+  }
+}
+
 // A vessel, which encloses a void; and one with what is in no piece, but may be in the void.
 TEST_F(TiledBuild, knows_what_pieces_enclose) {
   std::string text = R"({"units": "mm", "tolerance": 0.5, "wall": 5, "parts": [
@@ -148,6 +187,11 @@ TEST_F(TiledBuild, knows_what_pieces_enclose) {
       EXPECT_EQ(depths, of_check);
       return folder_.read("out.stl");
     };
+    const auto ply_of = [&](const std::string& piece) {
+      (void)json({"build", "vessel.json", "-o", "out.ply", "--piece", piece}, 0);
+      return folder_.read("out.ply");
+    };
+    EXPECT_EQ(ply_of("3000") == ply_of("1000000"), !more.empty());
     EXPECT_EQ(bytes_of("3000") == bytes_of("1000000"), !more.empty())
         << "what is in doubt stays whole";
   }
@@ -199,7 +243,7 @@ TEST_F(TiledBuild, divides_only_what_is_written_and_not_looked_at) {
   EXPECT_FALSE(build({"--piece", "1"}) == whole);
   EXPECT_TRUE(build({"--piece", "1", "--patches", "p.json"}) == whole);
   EXPECT_TRUE(build({"--piece", "1", "--verify", "full"}) == whole);
-  EXPECT_TRUE(build({"--piece", "1"}, "a.ply") == build({}, "b.ply"));
+  EXPECT_TRUE(build({"--piece", "1"}, "a.off") == build({}, "b.off"));
 }
 
 TEST_F(TiledBuild, gives_the_same_bytes_for_all_numbers_of_tiles) {

@@ -40,6 +40,18 @@ TEST(SplitPoints, gives_points_without_triangles_a_normal_too) {
   EXPECT_EQ(formats::split_points(mesh, test::creased_normals()).normals[4], (Direction{0, 0, 1}));
 }
 
+TEST(SplitPoints, has_the_normals_that_are_given) {
+  TriMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  const Direction up{0, 0, 1}, aside{1, 0, 0};
+  const formats::SplitPoints split =
+      formats::split_points(mesh, {{up, up, up}}, {{0, up}, {1, aside}});
+  EXPECT_EQ(split.triangles, (std::vector<Triangle>{{0, 3, 2}}));
+  EXPECT_EQ(split.copied, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(split.normals, (std::vector<Direction>{up, aside, up, up}));
+}
+
 TEST(SplitPoints, refuses_normals_that_do_not_fit) {
   const auto refusal = [](const CornerNormals& normals) -> std::string {
     try {

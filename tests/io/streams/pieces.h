@@ -28,6 +28,26 @@ struct Pieces {
   std::vector<Boxes> boxes;
 };
 
+/// A bar along x, of square section, whose side has the name; the end at one of its ends is "end".
+inline TriMesh bar(double from, double to, const std::string& name, bool ends_at_start) {
+  TriMesh mesh;
+  mesh.names = {name, "end"};
+  for (const double x : {from, to}) {
+    for (const Vec3& corner : {Vec3(x, 0, 0), Vec3(x, 1, 0), Vec3(x, 1, 1), Vec3(x, 0, 1)}) {
+      mesh.points.push_back(corner);
+    }
+  }
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t j = (i + 1) % 4;
+    mesh.triangles.insert(mesh.triangles.end(), {{i, j, j + 4}, {i, j + 4, i + 4}});
+  }
+  mesh.triangles.insert(mesh.triangles.end(), {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}});
+  mesh.labels.assign(12, 0);
+  const std::size_t end = ends_at_start ? 8 : 10;
+  mesh.labels[end] = mesh.labels[end + 1] = 1;
+  return mesh;
+}
+
 /// Names of labels, for all kinds of company.
 inline const std::vector<std::vector<std::string>> kCompanies = {
     {"a", "b", "c"}, {"a"}, {"a", "a"}, {}, {"", ""}, {"a", "", "b.start", "a"}, {""}};

@@ -55,5 +55,62 @@ TEST_F(PlyStreams, have_the_normals_and_copies_of_all_at_once) {
   }
 }
 
+// The second of two bars that share a ring has the points of the first one there.
+TEST_F(PlyStreams, have_points_of_two_pieces_once) {
+  const TriMesh one = test::bar(0, 1, "a", false), other = test::bar(1, 3, "b", true);
+  const auto written = [&](const MeshStream::Normals& normals) {
+    PlyStream stream(path("out.ply"));
+    const std::vector<std::string> names{"end"};
+    stream.append(open_piece(one, std::vector<std::uint32_t>{10, 11}, names), 0);
+    stream.append(open_piece(other, std::vector<std::uint32_t>{8, 9}, names), 0);
+    stream.commit({}, normals);
+    return read_file(path("out.ply"));
+  };
+  TriMesh whole = one;
+  whole.names = {"a", "b"};
+  whole.points.insert(whole.points.end(), other.points.begin() + 4, other.points.end());
+  whole.triangles.resize(10);
+  whole.labels.resize(10);
+  for (std::size_t i = 0; i < other.triangles.size(); ++i) {
+    if (other.labels[i] == 0) {
+      const auto& [a, b, c] = other.triangles[i];
+      whole.triangles.push_back({a + 4, b + 4, c + 4});
+      whole.labels.push_back(1);
+    }
+  }
+  EXPECT_TRUE(written({}) == ply_binary_bytes(whole, {}));
+  MeshHeader header;
+  header.normals = same_for_all(whole);
+  EXPECT_TRUE(written(same_for_all) == ply_binary_bytes(whole, header));
+  const TriMesh read = read_ply(written(normals_of), "out.ply");
+  EXPECT_EQ(read.points, whole.points) << "copies are told from points";
+  EXPECT_EQ(read.triangles, whole.triangles);
+}
+
+// What the triangles of both pieces say together, as of a point where both are tangent.
+TEST_F(PlyStreams, have_normals_at_rings_that_both_pieces_see) {
+  const auto of_corners = [](const TriMesh& mesh) {  // how many triangles are at each
+    std::vector<float> count(mesh.points.size(), 0);
+    for (const Triangle& triangle : mesh.triangles) {
+      for (const std::uint32_t corner : triangle) {
+        ++count[corner];
+      }
+    }
+    CornerNormals normals;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      normals.push_back({Direction{count[a], 0, 1}, {count[b], 0, 1}, {count[c], 0, 1}});
+    }
+    return normals;
+  };
+  PlyStream stream(path("out.ply"));
+  const std::vector<std::string> names{"end"};
+  stream.append(open_piece(test::bar(0, 1, "a", false), std::vector<std::uint32_t>{10, 11}, names),
+                0);
+  stream.append(open_piece(test::bar(1, 3, "b", true), std::vector<std::uint32_t>{8, 9}, names), 0);
+  stream.commit({}, of_corners);
+  const std::string bytes = read_file(path("out.ply"));
+  EXPECT_NE(bytes.find("element vertex 12\n"), std::string::npos) << "none are copied";
+}
+
 }  // namespace
 }  // namespace dupin::streams

@@ -91,16 +91,17 @@ TEST_F(MeshStreams, give_the_same_bytes_by_several_processes) {
 
 TEST_F(MeshStreams, take_pieces_without_some_of_their_triangles) {
   const Pieces pieces({"a"}, Coordinates::binary32);
-  const MeshPiece whole = mesh_piece(pieces.rounded.at(0), kStlBinary, "a.stl");
+  const TriMesh& mesh = pieces.rounded.at(0).mesh();
+  const MeshPiece whole = mesh_piece(pieces.rounded[0], kStlBinary, "a.stl");
   ASSERT_EQ(whole.bytes.size(), 4 * 50);
   const std::vector<std::string> names{"b", "c"};
-  const MeshPiece left = without(whole, std::vector<std::uint32_t>{0, 2}, names);
+  const MeshPiece left = without(whole, mesh, kStlBinary, std::vector<std::uint32_t>{0, 2}, names);
   EXPECT_EQ(left.triangles, 2);
   EXPECT_EQ(left.labels, 2);
   EXPECT_EQ(left.names, std::vector<std::string>{"a"});
   EXPECT_TRUE(left.bytes == whole.bytes.substr(50, 50) + whole.bytes.substr(150));
-  EXPECT_TRUE(without(whole, {}, names).bytes == whole.bytes);
-  EXPECT_TRUE(without(whole, {}, std::vector<std::string>{"a"}).names.empty());
+  EXPECT_TRUE(without(whole, mesh, kStlBinary, {}, names).bytes == whole.bytes);
+  EXPECT_TRUE(without(whole, mesh, kStlBinary, {}, std::vector<std::string>{"a"}).names.empty());
 }
 
 TEST_F(MeshStreams, take_what_the_format_holds_only) {

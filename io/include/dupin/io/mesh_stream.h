@@ -12,11 +12,21 @@
 
 namespace dupin {
 
-/// The mesh of a solid on its way into a file of several.
+/// Where the mesh goes on in one other.
+struct MeshBorder {
+  std::string name;                   ///< both have it
+  std::vector<std::uint32_t> points;  ///< in an order that both have, of the same places
+  /// The triangles at these points, by their corners, three by three, and their labels' names.
+  std::vector<Vec3> corners;
+  std::vector<std::string> labels;
+};
+
+/// The mesh of a solid on its way into a file of several, or of a part of one.
 struct MeshPiece {
   std::string bytes;                                    ///< as the streams of its format take them
   std::vector<std::string> names;                       ///< of labels
   std::uint32_t points = 0, triangles = 0, labels = 0;  ///< labels: one for each triangle, or none
+  std::vector<MeshBorder> borders;  ///< where it is open; of formats that number points
   /// Another process has the bytes, and writes them.
   bool is_elsewhere = false;
 };
@@ -41,7 +51,7 @@ class MeshStream {
   /// The file takes its place, or all of them do. Throws Error{limit_exceeded} for more than the
   /// format can say.
   virtual void commit(const MeshHeader& header, const Normals& normals) = 0;
-  /// The file is given up, in all processes that make it, which go on. Of binary STL alone.
+  /// The file is given up, in all processes that make it, which go on. Not of .pvtu.
   virtual void abandon() {}
 };
 

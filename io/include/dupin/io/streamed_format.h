@@ -26,8 +26,10 @@ extern const MeshFormat kPvtu;
 [[nodiscard]] MeshPiece mesh_piece(const Rounded& solid, const MeshFormat& format,
                                    std::string_view file);
 
-/// The piece, of binary STL, without these of its triangles, ascending, and without these names.
-[[nodiscard]] MeshPiece without(MeshPiece piece, std::span<const std::uint32_t> triangles,
+/// The piece of this mesh, of binary STL or PLY, without these of its triangles, ascending, the
+/// only ones with labels of these names: ends at which it goes on in others.
+[[nodiscard]] MeshPiece without(MeshPiece piece, const TriMesh& mesh, const MeshFormat& format,
+                                std::span<const std::uint32_t> triangles,
                                 std::span<const std::string> names);
 
 /// `format` is streamed. Of kPvtu, `NAME.pvtu` lists `NAME_0.vtu` and so on, which have the
