@@ -18,9 +18,7 @@ namespace {
 constexpr int next(int i) { return i == 2 ? 0 : i + 1; }
 constexpr int previous(int i) { return i == 0 ? 2 : i - 1; }
 constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
-// Ids of frame corners count down from here.
 constexpr PointId kFrame = ConstrainedTriangulation::kFirstFrameCorner;
-
 constexpr std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
 constexpr std::size_t previous(std::size_t i) { return i == 0 ? 2 : i - 1; }
 
@@ -43,9 +41,9 @@ void ConstrainedTriangulation::clear(const Projection& projection) {
   random_ = 1;
 }
 
-ConstrainedTriangulation::Vertex ConstrainedTriangulation::add(PointId id, std::uint8_t sides) {
+ConstrainedTriangulation::Vertex ConstrainedTriangulation::add(PointId id, Lines lines) {
   const int u = (projection_.axis + 1) % 3, v = (projection_.axis + 2) % 3;
-  return add_vertex(points_.interval(id, u), points_.interval(id, v), id, sides);
+  return add_vertex(points_.interval(id, u), points_.interval(id, v), id, lines);
 }
 
 // The bound, for rounding upward: differences of middles are below 2 reach (1 + 2^-51), products of
@@ -55,9 +53,9 @@ ConstrainedTriangulation::Vertex ConstrainedTriangulation::add(PointId id, std::
 // underflow. What is no number is no bound.
 ConstrainedTriangulation::Vertex ConstrainedTriangulation::add_vertex(const Interval& u,
                                                                       const Interval& v, PointId id,
-                                                                      std::uint8_t sides) {
+                                                                      Lines lines) {
   const double middle_u = (u.inf() + u.sup()) / 2, middle_v = (v.inf() + v.sup()) / 2;
-  vertices_.push_back({middle_u, middle_v, id, kNone, sides});
+  vertices_.push_back({middle_u, middle_v, id, kNone, lines});
   intervals_.push_back({u, v});
   const auto grow = [](double& largest, double value) {
     largest = value <= largest ? largest : value;
@@ -154,6 +152,9 @@ exact::BallPoint ConstrainedTriangulation::ball(Vertex v) const {
 }
 
 int ConstrainedTriangulation::exact_turn(Vertex a, Vertex b, Vertex c) const {
+  if (a == b || b == c || c == a) {
+    return 0;  // in line, but with no line in common
+  }
   if (collinear_ <= kMostCollinear) {
     const FilteredSign fine = turn_of(ball(a), ball(b), ball(c), projection_.axis);
     if (fine.certain) {
@@ -165,8 +166,13 @@ int ConstrainedTriangulation::exact_turn(Vertex a, Vertex b, Vertex c) const {
   std::array<mesh::ExactPoint, 3> scratch;
   const mesh::ExactPoint& x = exact(a, scratch[0]);
   const mesh::ExactPoint& y = exact(b, scratch[1]);
-  return projection_.orientation *
-         arrangement::exact_turn(x, y, exact(c, scratch[2]), projection_.axis);
+  const int sign = arrangement::exact_turn(x, y, exact(c, scratch[2]), projection_.axis);
+  if (sign == 0) {
+    align(a, b, c);
+    align(b, c, a);
+    align(c, a, b);
+  }
+  return projection_.orientation * sign;
 }
 
 std::uint32_t ConstrainedTriangulation::next_random() {
@@ -267,16 +273,6 @@ void ConstrainedTriangulation::set_face(std::uint32_t face, Vertex a, Vertex b, 
   vertices_[a].face = vertices_[b].face = vertices_[c].face = face;
 }
 
-int ConstrainedTriangulation::corner_of(std::uint32_t face, Vertex v) const {
-  const auto& c = faces_[face].corners;
-  return c[0] == v ? 0 : c[1] == v ? 1 : 2;
-}
-
-int ConstrainedTriangulation::corner_facing(std::uint32_t face, std::uint32_t neighbour) const {
-  const auto& n = faces_[face].neighbours;
-  return n[0] == neighbour ? 0 : n[1] == neighbour ? 1 : 2;
-}
-
 // Makes `neighbour`, whose matching edge must be the one that `face` has at `corner`, adjacent.
 void ConstrainedTriangulation::connect(std::uint32_t face, int corner, std::uint32_t neighbour,
                                        std::uint32_t slot) {
@@ -313,6 +309,7 @@ void ConstrainedTriangulation::split_edge(std::uint32_t face, int corner, Vertex
                c = old.corners[at(previous(corner))];
   const int far = other == kNone ? 0 : corner_facing(other, face);
   const Face old_other = other == kNone ? Face{} : faces_[other];
+  align(b, c, p);
   // This side: a b p and a p c.
   set_face(face, a, b, p);
   const std::uint32_t g = add_face(a, p, c);
@@ -374,10 +371,12 @@ ConstrainedTriangulation::Vertex ConstrainedTriangulation::advance(Vertex a, Ver
                 l = known && clockwise ? *known : turn(a, b, left);
       known = clockwise ? r : l;
       if (r == 0 && l > 0) {
+        align(a, b, right);
         mark(face, previous(i), slot);
         return right;
       }
       if (l == 0 && r < 0) {
+        align(a, b, left);
         mark(face, next(i), slot);
         return left;
       }
@@ -426,7 +425,9 @@ ConstrainedTriangulation::Vertex ConstrainedTriangulation::cross(std::uint32_t f
   link(right_, face, previous(corner), faces_[face].corners[at(next(corner))]);
   while (true) {
     if (faces_[face].slots[at(corner)] != kNone) {
-      return advance(a, split_crossed_edge(face, corner, slot), slot);
+      const Vertex crossing = split_crossed_edge(face, corner, slot);
+      align(a, b, crossing);
+      return advance(a, crossing, slot);
     }
     const std::uint32_t onward = faces_[face].neighbours[at(corner)];
     if (onward == kNone || cavity_.size() > faces_.size()) {
@@ -443,6 +444,7 @@ ConstrainedTriangulation::Vertex ConstrainedTriangulation::cross(std::uint32_t f
       link(right_, onward, next(entry), apex);
     }
     if (side == 0) {
+      align(a, b, apex);
       fill_cavity(slot);
       return apex;
     }

@@ -43,9 +43,11 @@ class ConstrainedTriangulation {
   /// Empties it, for another plane.
   void clear(const Projection& projection);
 
-  /// Makes a vertex without inserting it. `sides` is a set of lines, one bit each, that it is known
-  /// to lie on: three vertices with a common bit are collinear.
-  Vertex add(PointId id, std::uint8_t sides = 0);
+  /// A set of lines, one bit each, that a vertex is known to lie on: three vertices with a common
+  /// bit are collinear. New vertices get theirs, and others more, from those that are in line.
+  using Lines = std::uint64_t;
+  /// Makes a vertex without inserting it.
+  Vertex add(PointId id, Lines lines = 0);
   /// The triangle that holds all other vertices, counter-clockwise in the projection.
   void start(Vertex a, Vertex b, Vertex c);
   /// A triangle around these points instead: a frame of three vertices that stand for no points.
@@ -86,7 +88,7 @@ class ConstrainedTriangulation {
     double u, v;  ///< middles of its intervals
     PointId id;
     std::uint32_t face;  ///< one that has it as a corner
-    std::uint8_t sides;
+    Lines lines;
   };
   struct Location {
     std::uint32_t face;
@@ -104,10 +106,10 @@ class ConstrainedTriangulation {
   };
 
   Vertex add_frame_corner(double u, double v);
-  Vertex add_vertex(const Interval& u, const Interval& v, PointId id, std::uint8_t sides);
+  Vertex add_vertex(const Interval& u, const Interval& v, PointId id, Lines lines);
   [[nodiscard]] FilteredSign filtered_turn(Vertex a, Vertex b, Vertex c) const {
     const VertexData &p = vertices_[a], &q = vertices_[b], &r = vertices_[c];
-    if ((p.sides & q.sides & r.sides) != 0) {
+    if ((p.lines & q.lines & r.lines) != 0) {
       return {0, true};
     }
     const double value = (q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u);
@@ -121,6 +123,10 @@ class ConstrainedTriangulation {
     return {projection_.orientation * filtered.sign, filtered.certain};
   }
   [[nodiscard]] int exact_turn(Vertex a, Vertex b, Vertex c) const;
+  /// The third one has been found to be in line with the two.
+  void align(Vertex a, Vertex b, Vertex on) const {
+    vertices_[on].lines |= vertices_[a].lines & vertices_[b].lines;
+  }
   const mesh::ExactPoint& exact(Vertex v, mesh::ExactPoint& scratch) const;
   [[nodiscard]] exact::BallPoint ball(Vertex v) const;
   [[nodiscard]] Location locate(Vertex p);
@@ -132,8 +138,14 @@ class ConstrainedTriangulation {
   void connect(std::uint32_t face, int corner, std::uint32_t neighbour, std::uint32_t slot);
   std::uint32_t add_face(Vertex a, Vertex b, Vertex c);
   void set_face(std::uint32_t face, Vertex a, Vertex b, Vertex c);
-  [[nodiscard]] int corner_of(std::uint32_t face, Vertex v) const;
-  [[nodiscard]] int corner_facing(std::uint32_t face, std::uint32_t neighbour) const;
+  [[nodiscard]] int corner_of(std::uint32_t face, Vertex v) const {
+    const auto& c = faces_[face].corners;
+    return c[0] == v ? 0 : c[1] == v ? 1 : 2;
+  }
+  [[nodiscard]] int corner_facing(std::uint32_t face, std::uint32_t neighbour) const {
+    const auto& n = faces_[face].neighbours;
+    return n[0] == neighbour ? 0 : n[1] == neighbour ? 1 : 2;
+  }
   void mark(std::uint32_t face, int corner, std::uint32_t slot);
   /// Advances from `a` towards `b` by one vertex, constraining the way; returns that vertex.
   Vertex advance(Vertex a, Vertex b, std::uint32_t slot);
@@ -148,7 +160,7 @@ class ConstrainedTriangulation {
   const PointTable& points_;
   Projection projection_;
   Caller caller_;
-  std::vector<VertexData> vertices_;
+  mutable std::vector<VertexData> vertices_;        // for their lines
   std::vector<std::array<Interval, 2>> intervals_;  // of vertices
   // Of vertices' middles from that of the first, of intervals about their middles, and of what a
   // turn in doubles may be off.

@@ -45,6 +45,7 @@ void FaceTriangulator::append(std::span<const std::uint32_t> members, FaceSubdiv
   triangulation_.clear(projection_);
   slots_.clear();
   collect_points();
+  collect_lines();
   if (is_single) {
     start_from_facet();
   } else {
@@ -112,26 +113,65 @@ void FaceTriangulator::collect_points() {
   vertices_.assign(ids_.size(), kNone);
 }
 
-ConstrainedTriangulation::Vertex& FaceTriangulator::vertex(PointId id) {
-  const auto i = std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin();
-  return vertices_[static_cast<std::size_t>(i)];
+std::size_t FaceTriangulator::index_of(PointId id) const {
+  return static_cast<std::size_t>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
 }
 
-void FaceTriangulator::insert(PointId id, std::uint8_t sides) {
-  ConstrainedTriangulation::Vertex& v = vertex(id);
-  if (v == kNone) {
-    v = triangulation_.add(id, sides);
-    triangulation_.insert(v);
+// Sides of members, and where the planes of partners meet that of the face: segments of two that
+// have the same support are in line.
+void FaceTriangulator::collect_lines() {
+  lines_.assign(ids_.size(), 0);
+  Lines next = 1;
+  const auto lies_on = [this](PointId id, Lines line) { lines_[index_of(id)] |= line; };
+  for (const auto& [corners, on_edges, insides, segments] : incidences_of_) {
+    for (std::size_t i = 0; i < corners.count; ++i, next <<= 1) {
+      lies_on(corners[i], next);
+      lies_on(corners[corners.after(i)], next);
+      for (const auto& p : on_edges[i]) {
+        lies_on(p.point, next);
+      }
+    }
+  }
+  planes_.clear();
+  for (const MemberIncidences& found : incidences_of_) {
+    for (const Constraints::Segment& s : found.segments) {
+      const Lines line = line_in_plane_of(s.partner, next);
+      lies_on(s.from, line);
+      lies_on(s.to, line);
+    }
   }
 }
 
-// The points on the facet's sides are known to be collinear with its corners.
+// `next` is the first one not yet taken, or 0 if all are. A partner lies in another plane, as its
+// segments come from two that cross.
+FaceTriangulator::Lines FaceTriangulator::line_in_plane_of(std::uint32_t partner, Lines& next) {
+  const Triangle& support = input_.support(partner);
+  const auto known = std::ranges::find(planes_, support, &std::pair<Triangle, Lines>::first);
+  if (known != planes_.end()) {
+    return known->second;
+  }
+  if (next != 0) {
+    planes_.emplace_back(support, next);
+    next <<= 1;
+    return planes_.back().second;
+  }
+  return 0;
+}
+
+void FaceTriangulator::insert(PointId id) {
+  const std::size_t i = index_of(id);
+  if (vertices_[i] == kNone) {
+    vertices_[i] = triangulation_.add(id, lines_[i]);
+    triangulation_.insert(vertices_[i]);
+  }
+}
+
 void FaceTriangulator::start_from_facet() {
   const auto& [corners, on_edges, insides, segments] = incidences_of_[0];
   std::array<ConstrainedTriangulation::Vertex, 4> v{};
   for (std::size_t i = 0; i < corners.count; ++i) {
-    v[i] = vertex(corners[i]) = triangulation_.add(
-        corners[i], static_cast<std::uint8_t>((1u << i) | (1u << corners.before(i))));
+    const std::size_t at = index_of(corners[i]);
+    v[i] = vertices_[at] = triangulation_.add(corners[i], lines_[at]);
   }
   if (corners.count == 3) {
     triangulation_.start(v[0], v[1], v[2]);
@@ -140,7 +180,7 @@ void FaceTriangulator::start_from_facet() {
   }
   for (std::size_t i = 0; i < corners.count; ++i) {
     for (const auto& p : on_edges[i]) {
-      insert(p.point, static_cast<std::uint8_t>(1u << i));
+      insert(p.point);
     }
   }
   insert_remaining();
@@ -149,11 +189,11 @@ void FaceTriangulator::start_from_facet() {
 void FaceTriangulator::insert_remaining() {
   for (const MemberIncidences& found : incidences_of_) {
     for (const auto& s : found.segments) {
-      insert(s.from, 0);
-      insert(s.to, 0);
+      insert(s.from);
+      insert(s.to);
     }
     for (const auto& p : found.insides) {
-      insert(p.point, 0);
+      insert(p.point);
     }
   }
 }
@@ -163,11 +203,11 @@ void FaceTriangulator::start_from_frame() {
   triangulation_.start_around(ids_);
   for (std::size_t m = 0; m < members_.size(); ++m) {
     for (const PointId id : incidences_of_[m].corners.all()) {
-      insert(id, 0);
+      insert(id);
     }
     for (const auto& points : incidences_of_[m].on_edges) {
       for (const auto& p : points) {
-        insert(p.point, 0);
+        insert(p.point);
       }
     }
   }

@@ -45,6 +45,7 @@ class FaceTriangulator {
     std::span<const Constraints::Segment> segments;
   };
   using Members = std::vector<std::uint32_t>;
+  using Lines = ConstrainedTriangulation::Lines;
 
   [[nodiscard]] ImplicitPoint crossing(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] std::uint32_t both(std::uint32_t present, std::uint32_t added);
@@ -52,8 +53,13 @@ class FaceTriangulator {
     return static_cast<std::uint32_t>(slots_.size() - 1);
   }
   void collect_points();
-  [[nodiscard]] ConstrainedTriangulation::Vertex& vertex(PointId id);
-  void insert(PointId id, std::uint8_t sides);
+  [[nodiscard]] std::size_t index_of(PointId id) const;
+  [[nodiscard]] ConstrainedTriangulation::Vertex vertex(PointId id) const {
+    return vertices_[index_of(id)];
+  }
+  void collect_lines();
+  [[nodiscard]] Lines line_in_plane_of(std::uint32_t partner, Lines& next);
+  void insert(PointId id);
   void start_from_facet();
   void start_from_frame();
   void insert_remaining();
@@ -82,6 +88,8 @@ class FaceTriangulator {
   std::vector<Slot> slots_;
   std::vector<PointId> ids_;
   std::vector<ConstrainedTriangulation::Vertex> vertices_;
+  std::vector<Lines> lines_;  // that each point lies on
+  std::vector<std::pair<Triangle, Lines>> planes_;
   std::vector<std::uint32_t> region_of_;        // per face of the triangulation
   std::vector<std::uint32_t> in_order_;         // its faces by region
   std::vector<std::uint32_t> first_in_region_;  // and one past the last

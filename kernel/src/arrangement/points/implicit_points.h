@@ -117,6 +117,11 @@ class PointTable {
   [[nodiscard]] const ImplicitPoint& definition(PointId id) const {
     return implicit_[id - doubles_.size()].definition;
   }
+  /// Whether the points are the same by the same definition.
+  [[nodiscard]] bool are_defined_alike(PointId a, PointId b) const {
+    return !is_double(a) && !is_double(b) && definition(a).kind != ImplicitPoint::Kind::given &&
+           definition(a) == definition(b);
+  }
   /// Positive last coordinate. `scratch` holds the result where it is not kept.
   [[nodiscard]] const mesh::ExactPoint& exact(PointId id, mesh::ExactPoint& scratch) const;
   /// The same, without keeping it.

@@ -180,8 +180,9 @@ int compare(const PointTable& points, PointId a, PointId b, int axis) {
 }
 
 bool coincide(const PointTable& points, PointId a, PointId b) {
-  return compare(points, a, b, 0) == 0 && compare(points, a, b, 1) == 0 &&
-         compare(points, a, b, 2) == 0;
+  return points.are_defined_alike(a, b) ||
+         (compare(points, a, b, 0) == 0 && compare(points, a, b, 1) == 0 &&
+          compare(points, a, b, 2) == 0);
 }
 
 namespace {
@@ -190,6 +191,9 @@ namespace {
 // clockwise does, 0 if they are opposite. The front of one that runs forward lies ahead of it.
 int ahead(const ArrangementInput& input, const HalfPlane& from, const HalfPlane& to) {
   const Triangle& plane = input.support(from.support);
+  if (plane == input.support(to.support)) {
+    return 0;  // opposite in one plane
+  }
   const int side = side_of_plane(input.points, plane[0], plane[1], plane[2], to.apex);
   return from.forward ? side : -side;
 }

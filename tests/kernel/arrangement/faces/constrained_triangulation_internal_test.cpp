@@ -37,7 +37,8 @@ class Plane {
   Plane(const Plane&) = delete;
   Plane& operator=(const Plane&) = delete;
 
-  void fill(std::mt19937& random, std::size_t count, std::size_t segments) {
+  // With `lines`, vertices know on which segments they end.
+  void fill(std::mt19937& random, std::size_t count, std::size_t segments, bool lines = false) {
     std::set<std::array<int, 2>> taken;
     while (taken.size() < count) {
       taken.insert({static_cast<int>(random() % 9), static_cast<int>(random() % 9)});
@@ -47,24 +48,32 @@ class Plane {
       ids.push_back(points_.add(Vec3(x, y, 0)));
     }
     std::shuffle(ids.begin(), ids.end(), random);
+    std::vector<std::array<std::size_t, 2>> ends;
+    std::vector<ConstrainedTriangulation::Lines> known(ids.size(), 0);
+    while (ends.size() < segments) {
+      const std::size_t i = random() % ids.size(), k = random() % ids.size();
+      if (i != k) {
+        const auto line = ConstrainedTriangulation::Lines{lines ? 1U : 0U} << ends.size();
+        known[i] |= line;
+        known[k] |= line;
+        ends.push_back({i, k});
+      }
+    }
     triangulation_.clear({2, 1});
     std::vector<Vertex> corners, vertices;
     for (const PointId id : frame_) {
       corners.push_back(triangulation_.add(id));
     }
     triangulation_.start(corners[0], corners[1], corners[2]);
-    for (const PointId id : ids) {
-      vertices.push_back(triangulation_.add(id));
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      vertices.push_back(triangulation_.add(ids[i], known[i]));
       triangulation_.insert(vertices.back());
     }
-    while (segments_.size() < segments) {
-      const std::size_t i = random() % ids.size(), k = random() % ids.size();
-      if (i != k) {
-        const auto slot = static_cast<std::uint32_t>(lines_.size());
-        lines_.push_back({{ids[i], ids[k]}, {static_cast<std::uint32_t>(segments_.size())}});
-        segments_.push_back(lines_.back().ends);
-        triangulation_.constrain(vertices[i], vertices[k], slot);
-      }
+    for (const auto& [i, k] : ends) {
+      const auto slot = static_cast<std::uint32_t>(lines_.size());
+      lines_.push_back({{ids[i], ids[k]}, {static_cast<std::uint32_t>(segments_.size())}});
+      segments_.push_back(lines_.back().ends);
+      triangulation_.constrain(vertices[i], vertices[k], slot);
     }
     triangulation_.improve(frame_);
   }
@@ -191,7 +200,44 @@ TEST_P(ConstrainedTriangulationOf, points_has_its_segments_for_edges) {
   }
 }
 
+TEST_P(ConstrainedTriangulationOf, points_is_the_same_with_lines_known_before) {
+  std::mt19937 random(GetParam());
+  Plane other;
+  other.fill(random, 3 + GetParam() % 30, GetParam() % 13, true);
+  ASSERT_EQ(other.faces().size(), plane.faces().size());
+  for (std::size_t f = 0; f < plane.faces().size(); ++f) {
+    EXPECT_EQ(other.faces()[f].corners, plane.faces()[f].corners);
+    EXPECT_EQ(other.faces()[f].slots, plane.faces()[f].slots);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Random, ConstrainedTriangulationOf, testing::Range(0U, 60U));
+
+// Three points of a line that no doubles hold, and one off it.
+TEST(ConstrainedTriangulation, learns_lines_from_vertices_that_are_in_line_only) {
+  const UpwardRounding rounding;
+  PointTable points;
+  const PointId from = points.add(Vec3(0, 0, 0)), to = points.add(Vec3(3, 0, 0));
+  const PointId off = points.add(Vec3(1, 5, 0));
+  std::vector<PointId> on;
+  for (const double x : {0.3, 0.7, 1.1}) {
+    on.push_back(points.add(Vec3(x, 1, 0)));
+  }
+  std::vector<PointId> crossings;
+  for (const PointId id : on) {
+    crossings.push_back(
+        points.add(ImplicitPoint{ImplicitPoint::Kind::two_lines, 2, {from, to, off, id}}));
+  }
+  ConstrainedTriangulation plane(points, {});
+  plane.clear({2, 1});
+  const Vertex a = plane.add(crossings[0], 1), b = plane.add(off), c = plane.add(crossings[1], 1),
+               d = plane.add(crossings[2]);
+  EXPECT_EQ(plane.turn(a, b, a), 0);
+  EXPECT_EQ(plane.turn(a, b, c), -1) << "a point and itself say nothing of a third one";
+  EXPECT_EQ(plane.turn(a, c, d), 0);
+  EXPECT_EQ(plane.turn(a, c, b), 1);
+  EXPECT_EQ(plane.turn(a, d, c), 0);
+}
 
 TEST(ConstrainedTriangulation, of_points_without_segments_is_nearly_delaunay) {
   std::mt19937 random(99);

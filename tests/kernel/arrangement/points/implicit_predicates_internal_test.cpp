@@ -70,6 +70,7 @@ class Predicates : public testing::Test {
     const Vec3 normal = (p[3] - p[2]).cross(p[4] - p[2]);
     if (normal.dot(p[1] - p[0]) != 0) {
       points.add(definition);
+      points.add(definition);
     }
   }
 };
