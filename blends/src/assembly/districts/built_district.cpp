@@ -75,9 +75,8 @@ class Builder {
     }
     assembly::SelectedParts around = assembly::insulated(assembly_, resolved_, thickness);
     name_seams(around);
-    built_.grid = piece_ ? piece_->grid
-                         : std::min(assembly::lattice_spacing(assembly_, resolved_),
-                                    assembly::lattice_spacing(assembly_, around.resolved));
+    built_.grid =
+        piece_ ? piece_->grid : assembly::lattice_of_both(assembly_, resolved_, around.resolved);
     // Far enough that no rounding of both ends lets them cross.
     constexpr double kClear = 8;
     const ResolvedAssembly inside =

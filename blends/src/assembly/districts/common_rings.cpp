@@ -28,8 +28,7 @@ PieceOf common_of_insulation(const Assembly& assembly, const ResolvedAssembly& o
   const SelectedParts around = insulated(assembly, outer, thickness);
   PieceOf result;
   result.tolerance = assembly.tolerance;
-  result.grid =
-      std::min(lattice_spacing(assembly, outer), lattice_spacing(assembly, around.resolved));
+  result.grid = lattice_of_both(assembly, outer, around.resolved);
   result.samplings = part_samplings(assembly, outer, result.grid);
   result.second_samplings = samplings_of(assembly, around, result.grid);
   return result;
@@ -92,13 +91,15 @@ double tolerance_within_walls(double tolerance, const std::vector<double>& walls
   return std::min(tolerance, thinnest / 4);
 }
 
+double lattice_of_both(const Assembly& assembly, const ResolvedAssembly& outer,
+                       const ResolvedAssembly& second) {
+  const double grid = lattice_spacing(assembly, outer);
+  return second.parts.empty() ? grid : std::min(grid, lattice_spacing(assembly, second));
+}
+
 double lattice_of_bores(const Assembly& assembly, const ResolvedAssembly& outer,
                         const ResolvedAssembly& bore, const std::vector<double>& walls) {
-  double grid = lattice_spacing(assembly, outer);
-  if (!bore.parts.empty()) {
-    grid = std::min(grid, lattice_spacing(assembly, bore));
-  }
-  return lattice_for_gaps(grid, outer, walls);
+  return lattice_for_gaps(lattice_of_both(assembly, outer, bore), outer, walls);
 }
 
 PieceOf common_rings(const District& whole, std::optional<Region> region) {

@@ -26,6 +26,10 @@ namespace dupin::assembly {
 /// No coarser than a quarter of the thinnest wall.
 [[nodiscard]] double tolerance_within_walls(double tolerance, const std::vector<double>& walls);
 
+/// A lattice for both surfaces; the second one may have no parts.
+[[nodiscard]] double lattice_of_both(const Assembly& assembly, const ResolvedAssembly& outer,
+                                     const ResolvedAssembly& second);
+
 /// The lattice of both, which leaves room where bores reach into gaps.
 [[nodiscard]] double lattice_of_bores(const Assembly& assembly, const ResolvedAssembly& outer,
                                       const ResolvedAssembly& bore,
