@@ -189,6 +189,7 @@ class Divider {
 
   [[nodiscard]] std::vector<double> expected(const std::vector<DistrictParts>& pieces) const {
     std::vector<double> result;
+    result.reserve(pieces.size());
     for (const DistrictParts& piece : pieces) {
       result.push_back(
           expected_triangles(district_with_loops(assembly_, resolved_, piece), division_.region));
