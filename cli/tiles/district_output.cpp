@@ -142,6 +142,10 @@ void DistrictFile::append(DistrictOutput district, std::size_t file) {
   }
 }
 
+void DistrictFile::flush() {
+  writing([&] { stream_->flush(); });
+}
+
 OutputReport DistrictFile::commit(MeshHeader header, const NormalsOf& normals) {
   const Vec3& origin = report_.rounding.origin;
   note_origin(origin, header);

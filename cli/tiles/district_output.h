@@ -61,6 +61,8 @@ class DistrictFile {
   explicit DistrictFile(const Destination& to, const Processes* processes = nullptr);
   /// `file` is MeshStream's.
   void append(DistrictOutput district, std::size_t file = 0);
+  /// In another thread, while nothing else is called: commit() waits for less then.
+  void flush();
   /// The file takes its place. `normals` are asked for where the format has some.
   [[nodiscard]] OutputReport commit(MeshHeader header, const NormalsOf& normals = {});
   /// Nothing takes its place.

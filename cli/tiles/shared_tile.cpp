@@ -5,6 +5,7 @@
 #include <cstring>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,8 +26,8 @@ std::string without_facets(DistrictResult& result, const std::vector<std::uint32
 }
 
 /// The results of one process, of the districts that it owns.
-void take(std::string_view bytes, std::size_t process, std::span<const std::size_t> owners,
-          const TileWork& work, std::vector<std::optional<DistrictResult>>& tile) {
+void receive(std::string_view bytes, std::size_t process, std::span<const std::size_t> owners,
+             const TileWork& work, std::vector<std::optional<DistrictResult>>& tile) {
   for (std::size_t i = 0; i < tile.size(); ++i) {
     if (owners[i] != process) {
       continue;
@@ -74,18 +75,22 @@ std::vector<std::size_t> shared_out(std::span<const double> triangles,
   return owners;
 }
 
-std::vector<std::optional<DistrictResult>> shared_tile(std::span<const std::size_t> owners,
-                                                       const Processes& processes,
-                                                       const TileWork& work) {
+void share_tile(std::span<const std::size_t> owners, const Processes& processes,
+                const TileWork& work) {
   std::vector<std::optional<DistrictResult>> tile(owners.size());
+  const auto take_one = [&](std::size_t i) {
+    work.taken(i, *std::exchange(tile[i], std::nullopt));
+  };
+  if (processes.count() == 1) {
+    for_each_in_order(
+        tile.size(), [&](std::size_t i) { tile[i] = work.made(i); }, take_one);
+    return;
+  }
   for_each_in_parallel(tile.size(), [&](std::size_t i) {
     if (owners[i] == processes.own()) {
       tile[i] = work.made(i);
     }
   });
-  if (processes.count() == 1) {
-    return tile;
-  }
   std::string own;
   for (std::size_t i = 0; i < tile.size(); ++i) {
     if (tile[i]) {
@@ -98,10 +103,12 @@ std::vector<std::optional<DistrictResult>> shared_tile(std::span<const std::size
   const std::vector<std::string> all = processes.exchanged(own);
   for (std::size_t process = 0; process < all.size(); ++process) {
     if (process != processes.own()) {
-      take(all[process], process, owners, work, tile);
+      receive(all[process], process, owners, work, tile);
     }
   }
-  return tile;
+  for (std::size_t i = 0; i < tile.size(); ++i) {
+    take_one(i);
+  }
 }
 
 }  // namespace dupin::cli

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,16 +21,18 @@ namespace dupin::cli {
                                                   std::span<const std::size_t> ends,
                                                   std::size_t processes);
 
-/// How the districts of a tile are made, and the parts of the document that each has.
+/// How the districts of a tile are made, the parts of the document that each has, and what becomes
+/// of them.
 struct TileWork {
   std::function<DistrictResult(std::size_t)> made;
   std::function<std::vector<std::uint32_t>(std::size_t)> parts;
+  std::function<void(std::size_t, DistrictResult)> taken;
 };
 
-/// What a tile's districts come out as: those that this process owns are made, as many at a time as
-/// there are threads; of the others it has all but the facets. All processes call it. Throws
-/// Error{io_failed}.
-[[nodiscard]] std::vector<std::optional<DistrictResult>> shared_tile(
-    std::span<const std::size_t> owners, const Processes& processes, const TileWork& work);
+/// Makes the districts of a tile that this process owns, as many at a time as there are threads.
+/// All are taken, in order, by every process, which has of those of others all but the facets; one
+/// alone takes them while it makes more. All processes call it. Throws Error{io_failed}.
+void share_tile(std::span<const std::size_t> owners, const Processes& processes,
+                const TileWork& work);
 
 }  // namespace dupin::cli

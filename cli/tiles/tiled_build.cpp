@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <optional>
 #include <set>
@@ -138,17 +139,18 @@ class TiledBuild {
     for (const std::size_t end : ends_) {
       tell(progress_, "build", double(begin) / double(plan_.size()));
       const auto owners = std::span(owners_).subspan(begin, end - begin);
-      auto tile = shared_tile(owners, ranks_,
-                              {.made = [&](std::size_t i) { return result(begin + i); },
-                               .parts = [&](std::size_t i) { return plan_.parts(begin + i); }});
-      for (std::size_t i = 0; i < tile.size(); ++i) {
-        DistrictResult district = *std::exchange(tile[i], std::nullopt);
-        const std::size_t tile_file = are_tiles_asked_for_ ? tiles : 0;
-        seams_.add(begin + i, std::move(district.output.sides), shells);
-        shells += district.output.report.check->shells.size();
-        file.append(std::move(district.output), ranks_.count() > 1 ? owners[i] : tile_file);
-        built.push_back(std::move(district.built));
-      }
+      const std::size_t tile_file = are_tiles_asked_for_ ? tiles : 0;
+      share_tile(owners, ranks_,
+                 {.made = [&](std::size_t i) { return result(begin + i); },
+                  .parts = [&](std::size_t i) { return plan_.parts(begin + i); },
+                  .taken =
+                      [&](std::size_t i, DistrictResult district) {
+                        seams_.add(begin + i, std::move(district.output.sides), shells);
+                        shells += district.output.report.check->shells.size();
+                        file.append(std::move(district.output),
+                                    ranks_.count() > 1 ? owners[i] : tile_file);
+                        built.push_back(std::move(district.built));
+                      }});
       begin = end;
       ++tiles;
     }
@@ -156,7 +158,9 @@ class TiledBuild {
       file.abandon();
       return std::nullopt;
     }
+    auto flushed = std::async(std::launch::async, [&] { file.flush(); });
     Built all = plan_.joined(std::move(built));
+    flushed.get();
     report = file.commit(
         header, to_.format.has_normals ? smooth_normals(assembly_, all, file.seen()) : NormalsOf());
     seams_.join(*report.check);

@@ -129,12 +129,12 @@ class UnionInTiles {
     std::size_t begin = 0;
     for (const std::size_t end : ends_) {
       tell(task_.progress, "unite", double(begin) / double(districts_.boxes.size()));
-      auto tile = shared_tile(std::span(owners_).subspan(begin, end - begin), ranks_,
-                              {.made = [&](std::size_t i) { return made(begin + i); },
-                               .parts = [](std::size_t) { return std::vector<std::uint32_t>(); }});
-      for (std::optional<DistrictResult>& district : tile) {
-        file.append(std::exchange(district, std::nullopt)->output);
-      }
+      share_tile(
+          std::span(owners_).subspan(begin, end - begin), ranks_,
+          {.made = [&](std::size_t i) { return made(begin + i); },
+           .parts = [](std::size_t) { return std::vector<std::uint32_t>(); },
+           .taken = [&](std::size_t,
+                        DistrictResult district) { file.append(std::move(district.output)); }});
       begin = end;
     }
     OutputReport report = file.commit({files_.unit, {}});

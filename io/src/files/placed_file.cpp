@@ -45,6 +45,12 @@ void PlacedFile::write(std::uint64_t at, std::string_view bytes) {
   }
 }
 
+void PlacedFile::flush() {
+  if (!joint_) {
+    file_->sync();
+  }
+}
+
 bool PlacedFile::holds_at(std::uint64_t at, std::string_view bytes) const {
   if (!joint_) {
     return file_->holds_at(at, bytes);

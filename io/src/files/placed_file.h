@@ -25,6 +25,8 @@ class PlacedFile {
 
   /// By whichever process has the bytes.
   void write(std::uint64_t at, std::string_view bytes);
+  /// What was written is on the disk; where there are several processes, commit() sees to it.
+  void flush();
   /// By all, when each has written what it has: the first one writes the bytes that come first in
   /// the file, and puts it in its place. None returns before that is done.
   void commit(std::string_view first_bytes);

@@ -104,6 +104,8 @@ void StlStream::append(const MeshPiece& piece, std::size_t) {
   }
 }
 
+void StlStream::flush() { file_->flush(); }
+
 void StlStream::commit(const MeshHeader& header, const Normals&) {
   const std::string preamble =
       formats::stl_binary_preamble(names_.size() == 1 ? names_.front() : std::string(), header,

@@ -26,6 +26,7 @@ TEST(SharedTile, is_shared_out_by_triangles) {
 TEST(SharedTile, is_known_to_all_but_for_the_facets_of_others) {
   const std::vector<std::size_t> owners{0, 2, 0, 1};
   test::ThreadProcesses::run(3, [&](const Processes& processes) {
+    std::size_t taken = 0;
     const TileWork work{
         .made =
             [&](std::size_t i) {
@@ -39,19 +40,41 @@ TEST(SharedTile, is_known_to_all_but_for_the_facets_of_others) {
               result.output.piece.triangles = static_cast<std::uint32_t>(i);
               return result;
             },
-        .parts = [](std::size_t i) { return std::vector{static_cast<std::uint32_t>(7 + i)}; }};
-    const auto tile = shared_tile(owners, processes, work);
-    ASSERT_EQ(tile.size(), owners.size());
-    for (std::size_t i = 0; i < tile.size(); ++i) {
-      ASSERT_TRUE(tile[i]);
-      const bool is_own = owners[i] == processes.own();
-      EXPECT_EQ(tile[i]->built.parts.at(0).index, 7 + i);
-      EXPECT_EQ(tile[i]->built.parts.at(0).name, "part " + std::to_string(i));
-      EXPECT_EQ(tile[i]->output.piece.triangles, i);
-      EXPECT_EQ(tile[i]->output.piece.is_elsewhere, !is_own);
-      EXPECT_EQ(tile[i]->output.piece.bytes.size(), is_own ? 50 * i : 0);
-    }
+        .parts = [](std::size_t i) { return std::vector{static_cast<std::uint32_t>(7 + i)}; },
+        .taken =
+            [&](std::size_t i, const DistrictResult& result) {
+              EXPECT_EQ(i, taken++);
+              const bool is_own = owners[i] == processes.own();
+              EXPECT_EQ(result.built.parts.at(0).index, 7 + i);
+              EXPECT_EQ(result.built.parts.at(0).name, "part " + std::to_string(i));
+              EXPECT_EQ(result.output.piece.triangles, i);
+              EXPECT_EQ(result.output.piece.is_elsewhere, !is_own);
+              EXPECT_EQ(result.output.piece.bytes.size(), is_own ? 50 * i : 0);
+            }};
+    share_tile(owners, processes, work);
+    EXPECT_EQ(taken, owners.size());
   });
+}
+
+TEST(SharedTile, is_taken_in_order_by_one_process) {
+  std::vector<std::size_t> made(50), taken;
+  const TileWork work{.made =
+                          [&](std::size_t i) {
+                            made[i] = 7 * i;
+                            DistrictResult result;
+                            result.output.piece.bytes = std::string(i, 'x');
+                            return result;
+                          },
+                      .parts = [](std::size_t) { return std::vector<std::uint32_t>(); },
+                      .taken =
+                          [&](std::size_t i, const DistrictResult& result) {
+                            EXPECT_EQ(result.output.piece.bytes.size(), i);
+                            taken.push_back(7 * i);
+                          }};
+  test::ThreadProcesses::run(1, [&](const Processes& alone) {
+    share_tile(std::vector<std::size_t>(made.size(), 0), alone, work);
+  });
+  EXPECT_EQ(taken, made);
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 #include "dupin/kernel/parallel.h"
 
 #include <atomic>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 namespace dupin {
 namespace {
@@ -33,6 +35,75 @@ TEST(ForEachInParallel, throws_what_the_lowest_index_does_after_all_others) {
       EXPECT_EQ(visited, 500);
     }
   }
+}
+
+TEST(ForEachInOrder, takes_in_order_one_at_a_time_what_is_made) {
+  for (int round = 0; round < 20; ++round) {
+    std::vector<std::atomic<int>> made(300);
+    std::vector<std::size_t> taken;
+    for_each_in_order(
+        made.size(), [&](std::size_t i) { ++made[i]; },
+        [&](std::size_t i) {
+          EXPECT_EQ(made[i], 1);
+          taken.push_back(i);
+        });
+    std::vector<std::size_t> all(made.size());
+    std::iota(all.begin(), all.end(), 0);
+    EXPECT_EQ(taken, all);
+  }
+  const auto never = [](std::size_t) { FAIL(); };
+  for_each_in_order(0, never, never);
+}
+
+TEST(ForEachInOrder, takes_before_all_is_made) {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  std::string steps;
+  for_each_in_order(
+      3, [&](std::size_t i) { steps += "m" + std::to_string(i); },
+      [&](std::size_t i) { steps += "t" + std::to_string(i); });
+  EXPECT_EQ(steps, "m0t0m1t1m2t2");
+}
+
+TEST(ForEachInOrder, throws_what_the_lowest_index_does_and_takes_none_behind_it) {
+  for (int round = 0; round < 20; ++round) {
+    for (const bool is_made : {false, true}) {
+      std::vector<std::size_t> taken;
+      const auto fail = [](std::size_t i) {
+        if (i % 100 == 77) {
+          throw std::runtime_error(std::to_string(i));
+        }
+      };
+      const auto make = [&](std::size_t i) {
+        if (!is_made || i > 77) {
+          fail(i);
+        }
+      };
+      try {
+        for_each_in_order(500, make, [&](std::size_t i) {
+          fail(i);
+          taken.push_back(i);
+        });
+        ADD_FAILURE() << "nothing thrown";
+      } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(), "77");
+        EXPECT_EQ(taken.size(), 77);
+      }
+    }
+  }
+}
+
+TEST(ForEachInOrder, begins_none_behind_one_that_has_thrown) {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  int made = 0;
+  EXPECT_THROW(for_each_in_order(
+                   500, [&](std::size_t) { ++made; },
+                   [](std::size_t i) {
+                     if (i == 7) {
+                       throw std::runtime_error("");
+                     }
+                   }),
+               std::runtime_error);
+  EXPECT_EQ(made, 8);
 }
 
 }  // namespace

@@ -48,6 +48,9 @@ class MeshStream {
 
   /// Behind those that are there. Where meshes are in several files, `file` says which.
   virtual void append(const MeshPiece& piece, std::size_t file) = 0;
+  /// Where what was appended lies in its place already, it is on the disk, so that commit() waits
+  /// for less. Nothing else is called meanwhile.
+  virtual void flush() {}
   /// The file takes its place, or all of them do. Throws Error{limit_exceeded} for more than the
   /// format can say.
   virtual void commit(const MeshHeader& header, const Normals& normals) = 0;

@@ -29,6 +29,7 @@ class StlStream : public MeshStream {
 
   /// Throws Error{limit_exceeded} for 2^32 triangles and more.
   void append(const MeshPiece& piece, std::size_t file) override;
+  void flush() override;
   void commit(const MeshHeader& header, const Normals& normals) override;
   void abandon() override;
 

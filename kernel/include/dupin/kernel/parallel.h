@@ -10,4 +10,11 @@ namespace dupin {
 /// visited; then that of the lowest one is thrown.
 void for_each_in_parallel(std::size_t count, const std::function<void(std::size_t)>& visit);
 
+/// Calls `make(index)` for all indices below `count` as above, begun in order, and `take(index)` in
+/// order, one at a time, as soon as that index is made and those before it are taken: what is large
+/// need not wait until all is made. Behind an index that throws none is taken, and none begun; what
+/// the lowest such index throws is thrown.
+void for_each_in_order(std::size_t count, const std::function<void(std::size_t)>& make,
+                       const std::function<void(std::size_t)>& take);
+
 }  // namespace dupin
