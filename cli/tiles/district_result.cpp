@@ -11,7 +11,7 @@ namespace dupin::cli {
 namespace {
 
 /// Changes with whatever is kept.
-constexpr std::string_view kMark = "dupin district 5\n";
+constexpr std::string_view kMark = "dupin district 6\n";
 
 class Writer {
  public:
@@ -78,7 +78,7 @@ class Reader {
     (get(fields), ...);
   }
   [[nodiscard]] bool is_good() const { return is_good_; }
-  [[nodiscard]] bool is_at_end() const { return is_good_ && bytes_.empty(); }
+  [[nodiscard]] std::size_t left() const { return bytes_.size(); }
 
  private:
   [[nodiscard]] std::string_view take(std::uint64_t size) {
@@ -167,8 +167,8 @@ void visit_result(Archive& archive, Result& result, Parts& parts, Checked& repor
   archive(parts, built.runs, built.pieces, built.grid, built.region, built.volumes,
           built.insulation, report, result.output.report.rounding, result.output.report.contacts,
           result.output.report.settled, result.output.piece.names, result.output.piece.points,
-          result.output.piece.triangles, result.output.piece.labels, result.output.piece.bytes,
-          result.output.piece.borders, result.output.seen, result.output.sides);
+          result.output.piece.triangles, result.output.piece.labels, result.output.piece.borders,
+          result.output.seen, result.output.sides);
 }
 
 void Writer::put(const PartReport& part) { visit_part(*this, part); }
@@ -196,30 +196,37 @@ std::string bytes_of(const DistrictResult& result, const std::vector<std::uint32
   writer(std::uint64_t{0});  // the sum of what follows
   const std::size_t begin = bytes.size();
   visit_result(writer, result, std::as_const(local), report);
+  writer(result.output.piece.bytes);
   const std::uint64_t sum = sum_of(std::string_view(bytes).substr(begin));
   std::memcpy(bytes.data() + kMark.size(), &sum, sizeof(sum));
   return std::move(bytes);
 }
 
-std::optional<DistrictResult> result_of(std::string_view bytes,
+std::optional<DistrictResult> result_of(std::string bytes,
                                         const std::vector<std::uint32_t>& parts) {
   std::uint64_t sum = 0;
   if (!bytes.starts_with(kMark) || bytes.size() < kMark.size() + sizeof(sum)) {
     return std::nullopt;
   }
-  bytes.remove_prefix(kMark.size());
-  std::memcpy(&sum, bytes.data(), sizeof(sum));
-  bytes.remove_prefix(sizeof(sum));
-  if (sum_of(bytes) != sum) {
+  std::string_view summed = bytes;
+  summed.remove_prefix(kMark.size());
+  std::memcpy(&sum, summed.data(), sizeof(sum));
+  summed.remove_prefix(sizeof(sum));
+  if (sum_of(summed) != sum) {
     return std::nullopt;
   }
   DistrictResult result;
   Report report;
-  Reader reader(bytes);
+  Reader reader(summed);
   visit_result(reader, result, result.built.parts, report);
-  if (!reader.is_at_end()) {
+  std::uint64_t facets = 0;
+  reader(facets);
+  if (!reader.is_good() || facets != reader.left()) {
     return std::nullopt;
   }
+  // Most of what is kept: it stays where it is.
+  bytes.erase(0, bytes.size() - facets);
+  result.output.piece.bytes = std::move(bytes);
   for (PartReport& part : result.built.parts) {
     if (part.index >= parts.size()) {
       return std::nullopt;

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "dupin/blends/build.h"
@@ -24,7 +23,7 @@ struct DistrictResult {
                                    const std::vector<std::uint32_t>& parts);
 
 /// The result of these bytes; none if they are damaged, or of another kind.
-[[nodiscard]] std::optional<DistrictResult> result_of(std::string_view bytes,
+[[nodiscard]] std::optional<DistrictResult> result_of(std::string bytes,
                                                       const std::vector<std::uint32_t>& parts);
 
 }  // namespace dupin::cli

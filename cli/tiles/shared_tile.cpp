@@ -37,7 +37,7 @@ void receive(std::string_view bytes, std::size_t process, std::span<const std::s
     if (bytes.size() >= sizeof(size)) {
       std::memcpy(&size, bytes.data(), sizeof(size));
       bytes.remove_prefix(sizeof(size));
-      result = result_of(bytes.substr(0, size), work.parts(i));
+      result = result_of(std::string(bytes.substr(0, size)), work.parts(i));
     }
     if (!result) {
       throw Error(Errc::internal,

@@ -160,13 +160,13 @@ class TiledBuild {
     }
     auto flushed = std::async(std::launch::async, [&] { file.flush(); });
     Built all = plan_.joined(std::move(built));
+    if (cache_ && ranks_.is_first()) {
+      cache_->trim(cache_size_);
+    }
     flushed.get();
     report = file.commit(
         header, to_.format.has_normals ? smooth_normals(assembly_, all, file.seen()) : NormalsOf());
     seams_.join(*report.check);
-    if (cache_ && ranks_.is_first()) {
-      cache_->trim(cache_size_);
-    }
     return all;
   }
 
@@ -214,8 +214,8 @@ class TiledBuild {
     append_seams(district, text);
     const std::string key = sha256(text);
     const std::vector<std::uint32_t> parts = plan_.parts(district);
-    if (const auto bytes = cache_->find(key)) {
-      if (auto kept = result_of(*bytes, parts)) {
+    if (auto bytes = cache_->find(key)) {
+      if (auto kept = result_of(*std::move(bytes), parts)) {
         return *std::move(kept);
       }
       cache_->distrust(key, "is damaged");

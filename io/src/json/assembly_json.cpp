@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <span>
 #include <vector>
 
 #include "dupin/io/atomic_file.h"
+#include "dupin/kernel/parallel.h"
 #include "json/expansion.h"
 #include "json/fittings.h"
 #include "json/json_document.h"
@@ -72,16 +75,21 @@ void read_wall(const JsonNode& node, Part& part) {
   }
 }
 
-Part part(const JsonNode& node) {
-  Keys known{"name", "comment", "wall", "wall_side", "insulation", "solid", "component", "colour"},
-      keys;
-  for (const auto& row : kRows) {
-    keys.push_back(row.key);
+/// Of parts: `all`, one of which each has, and what else is known.
+struct KeysOfParts {
+  KeysOfParts() {
+    std::ranges::transform(kRows, std::back_inserter(all), &PartKeyRow::key);
+    all.insert(all.end(), json::fitting_keys().begin(), json::fitting_keys().end());
+    known.insert(known.end(), all.begin(), all.end());
   }
-  Keys all = keys;
-  all.insert(all.end(), json::fitting_keys().begin(), json::fitting_keys().end());
-  known.insert(known.end(), all.begin(), all.end());
-  json::allow_only(node, known);
+
+  Keys all;
+  Keys known{"name", "comment", "wall", "wall_side", "insulation", "solid", "component", "colour"};
+};
+
+Part part(const JsonNode& node) {
+  static const KeysOfParts keys;
+  json::allow_only(node, keys.known);
   Part result{node.at("name").text(), {}};
   if (node.has("comment")) {
     (void)node.at("comment").text();
@@ -96,10 +104,9 @@ Part part(const JsonNode& node) {
       colour.fail("must be a colour such as \"#3a7bd5\", red, green and blue in hexadecimal");
     }
   }
-  const auto count =
-      std::count_if(keys.begin(), keys.end(), [&](auto key) { return node.has(key); });
+  const auto count = std::ranges::count_if(kRows, [&](auto& row) { return node.has(row.key); });
   if (count != 1) {
-    node.fail("a part must have exactly one of the keys " + json::listed(all));
+    node.fail("a part must have exactly one of the keys " + json::listed(keys.all));
   }
   for (const auto& [key, read] : kRows) {
     if (node.has(key)) {
@@ -107,6 +114,19 @@ Part part(const JsonNode& node) {
     }
   }
   return result;
+}
+
+Part part(const json::ExpandedPart& expanded, const std::string& source) {
+  try {
+    Part result = part(JsonNode(expanded.part, source, expanded.pointer));
+    result.key = expanded.key;
+    return result;
+  } catch (const Error& error) {
+    if (expanded.copy.empty()) {
+      throw;
+    }
+    throw error.in_part(expanded.copy);
+  }
 }
 
 std::uint32_t segments(const JsonNode& node) {
@@ -177,16 +197,21 @@ AssemblyDocument parse_document(std::string_view text, const std::string& source
   assembly.unit = unit(document.at("units"));
   json::Values values(document, assembly.unit);
   read_head(document, values, assembly);
-  json::expand(document, source, assembly.unit, values,
-               [&](const JsonNode& node, const std::string& pointer, const std::string& key) {
-                 const std::string own = document_place({}, std::uint32_t(assembly.parts.size()));
-                 assembly.parts.push_back(part(node));
-                 assembly.parts.back().pointer = pointer == own ? "" : pointer;
-                 assembly.parts.back().key = key;
-                 if (node.has("colour")) {
-                   result.colours.emplace(assembly.parts.back().name, node.at("colour").text());
-                 }
-               });
+  json::expand(
+      document, source, assembly.unit, values, [&](std::span<const json::ExpandedPart> some) {
+        const std::size_t first = assembly.parts.size();
+        assembly.parts.resize(first + some.size());
+        for_each_in_parallel(some.size(), [&](std::size_t i) {
+          const std::string own = document_place({}, static_cast<std::uint32_t>(first + i));
+          assembly.parts[first + i] = part(some[i], source);
+          assembly.parts[first + i].pointer = some[i].pointer == own ? "" : some[i].pointer;
+        });
+        for (std::size_t i = 0; i < some.size(); ++i) {
+          if (const auto colour = some[i].part.find("colour"); colour != some[i].part.end()) {
+            result.colours.emplace(assembly.parts[first + i].name, *colour);
+          }
+        }
+      });
   return result;
 }
 

@@ -15,11 +15,35 @@ namespace {
 
 constexpr std::size_t kLongestChain = 64;      // of names that need each other
 constexpr std::size_t kMostWork = 50'000'000;  // values and bytes of all copies
+constexpr std::size_t kAtOnce = 1024;          // parts that are handed over
 // What an entry with parts says of all of them.
 constexpr std::array<std::string_view, 3> kOfRuns{"wall", "wall_side", "insulation"};
 // What only readers of documents know, as it stands for something else.
 constexpr std::array<std::string_view, 7> kShort{
     "values", "for", "size", "schedule", "class", "outside_diameter", "inside_diameter"};
+
+/// How much Values::replaced counts for a value in which nothing is to be replaced where there are
+/// no variables; none for one with an expression.
+std::optional<std::size_t> plain_work(const Json& value) {
+  std::size_t work = 1;
+  if (value.is_string()) {
+    const auto& text = value.get_ref<const std::string&>();
+    return is_expression(text) ? std::nullopt : std::optional(work + text.size());
+  }
+  if (!value.is_structured()) {
+    return work;
+  }
+  const bool is_object = value.is_object();
+  for (auto below = value.begin(); below != value.end(); ++below) {
+    const bool is_comment = is_object && below.key() == "comment";
+    const auto own = is_comment ? std::optional(std::size_t{0}) : plain_work(*below);
+    if (!own) {
+      return std::nullopt;
+    }
+    work += *own + (is_object ? below.key().size() : 0);
+  }
+  return work;
+}
 
 }  // namespace
 
@@ -109,11 +133,22 @@ void Values::count(const JsonNode& node, std::size_t amount) {
 
 Json Values::replaced(const JsonNode& node, std::string_view without) {
   const Json& value = node.value();
+  if (variables_.empty() && !node.has(without)) {
+    if (const auto work = plain_work(value)) {
+      count(node, *work);
+      return value;
+    }
+  }
+  return each_replaced(node, without);
+}
+
+Json Values::each_replaced(const JsonNode& node, std::string_view without) {
+  const Json& value = node.value();
   count(node, 1);
   if (value.is_array()) {
     Json list = Json::array();
     for (std::size_t i = 0; i < value.size(); ++i) {
-      list.push_back(replaced(node.at(i)));
+      list.push_back(each_replaced(node.at(i), {}));
     }
     return list;
   }
@@ -126,7 +161,7 @@ Json Values::replaced(const JsonNode& node, std::string_view without) {
       count(node, key.size());
       // Keys of an object differ: they need not be looked for.
       object.get_ref<Json::object_t&>().Container::emplace_back(
-          key, key == "comment" ? below : replaced(node.at(key)));
+          key, key == "comment" ? below : each_replaced(node.at(key), {}));
     }
     return object;
   }
@@ -150,6 +185,17 @@ class Expansion {
   Expansion(const std::string& source, Unit unit, Values& values, const PartSink& sink)
       : source_(source), unit_(unit), values_(values), sink_(sink) {}
 
+  void all(const JsonNode& parts) {
+    try {
+      entries(parts, "/parts");
+    } catch (const Error&) {
+      hand_over();  // which may throw for what comes first
+      throw;
+    }
+    hand_over();
+  }
+
+ private:
   void entries(const JsonNode& parts, const std::string& pointer) {
     const std::size_t count = parts.require_array();
     for (std::size_t i = 0; i < count; ++i) {
@@ -157,7 +203,6 @@ class Expansion {
     }
   }
 
- private:
   void entry(const JsonNode& node, const std::string& pointer) {
     if (node.has("parts")) {
       Keys keys{"for", "comment", "parts"};
@@ -277,8 +322,8 @@ class Expansion {
           }
         }
       }
-      for (const Member& member : members(std::move(expanded), source_, pointer)) {
-        sink_(JsonNode(member.part, source_, pointer), pointer, member.key);
+      for (Member& member : members(std::move(expanded), source_, pointer)) {
+        expanded_.push_back({std::move(member.part), pointer, std::move(member.key), name});
       }
     } catch (const Error& error) {
       if (name.empty()) {
@@ -286,6 +331,14 @@ class Expansion {
       }
       throw error.in_part(name);
     }
+    if (expanded_.size() >= kAtOnce) {
+      hand_over();
+    }
+  }
+
+  void hand_over() {
+    const std::vector<ExpandedPart> some = std::exchange(expanded_, {});
+    sink_(some);
   }
 
   // Not what has the wall of others, or none.
@@ -300,13 +353,14 @@ class Expansion {
   Values& values_;
   const PartSink& sink_;
   Json usual_ = Json::object();  ///< what entries around say of the walls of their parts
+  std::vector<ExpandedPart> expanded_;
   std::size_t made_ = 0;
   std::size_t copied_ = 0;  ///< of loops that have none within
 };
 
 void expand(const JsonNode& document, const std::string& source, Unit unit, Values& values,
             const PartSink& sink) {
-  Expansion(source, unit, values, sink).entries(document.at("parts"), "/parts");
+  Expansion(source, unit, values, sink).all(document.at("parts"));
 }
 
 bool is_abbreviated(const Json& document) {

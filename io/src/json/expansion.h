@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,7 @@ class Values {
  private:
   friend class Expansion;
 
+  [[nodiscard]] Json each_replaced(const JsonNode& node, std::string_view without);
   [[nodiscard]] Json value(const JsonNode& user, std::string_view name);
   [[nodiscard]] Json defined(const JsonNode& definition);
   [[nodiscard]] Json element(const JsonNode& definition);
@@ -38,15 +40,21 @@ class Values {
   std::size_t work_ = 0;              ///< values and bytes of texts that were made
 };
 
-/// A part as it is to be read: `node` has no values, copies or sizes and is no fitting; its pointer
-/// is that of the entry in the document that it comes from, where the document says it under `key`,
-/// if it is one of several.
-using PartSink =
-    std::function<void(const JsonNode& node, const std::string& pointer, const std::string& key)>;
+/// A part as it is to be read: `part` has no values, copies or sizes and is no fitting.
+struct ExpandedPart {
+  Json part;
+  std::string pointer;  ///< of the entry in the document that it comes from
+  std::string key;      ///< where the document says it there, if it is one of several
+  std::string copy;     ///< the name of the copy that it comes from, for faults; none if of no copy
+};
+
+/// Some parts, which follow the ones before.
+using PartSink = std::function<void(std::span<const ExpandedPart> parts)>;
 
 /// Hands the parts of a document to `sink`, copies one after the other, the last variable of a
 /// "for" fastest. Faults in a copy name it. Throws, besides what `sink` throws, for faults of form,
-/// and where copies make more parts than kMostParts or more text than any machine needs.
+/// and where copies make more parts than kMostParts or more text than any machine needs; what comes
+/// before has been handed over then.
 void expand(const JsonNode& document, const std::string& source, Unit unit, Values& values,
             const PartSink& sink);
 

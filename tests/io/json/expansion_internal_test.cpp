@@ -144,6 +144,18 @@ TEST(Expansion, says_what_is_wrong_with_copies) {
   }
 }
 
+TEST(Expansion, names_the_first_fault_whoever_finds_it) {
+  const std::string good = ball("1"), unread = ball("null"), unknown = ball(R"("=nothing")");
+  const std::string type = "must be a number, not null", name = "there is no value named 'nothing'";
+  const Malformed rows[] = {
+      {document(good + "," + unread + "," + unknown), "d.json#/parts/1/sphere/radius", type},
+      {document(good + "," + unknown + "," + unread), "d.json#/parts/1/sphere/radius", name},
+      {document(good + "," + unread + "," + unread), "d.json#/parts/1/sphere/radius", type}};
+  for (const Malformed& row : rows) {
+    expect_fault(row);
+  }
+}
+
 TEST(Expansion, bounds_how_many_values_need_each_other) {
   std::string values = R"("v0": 1)";
   for (int i = 1; i <= 64; ++i) {

@@ -34,6 +34,7 @@ TEST_F(StlStreams, gives_the_bytes_of_all_at_once) {
     StlStream stream(file);
     for (const Rounded& piece : all.rounded) {
       stream.append(mesh_piece(piece, kStlBinary, "out.stl"), 0);
+      stream.flush();
     }
     EXPECT_EQ(stream.triangles(), all.all().triangles.size());
     EXPECT_FALSE(std::filesystem::exists(file));
