@@ -9,6 +9,7 @@
 #include "arrangement/points/implicit_predicates.h"
 #include "arrangement/triangle_intersection.h"
 #include "mesh/ray_crossing.h"
+#include "support/blocks.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -53,23 +54,26 @@ struct TriangleAndStart {
   }
 };
 
+using Extent = std::pair<double, double>;
+
+// The ends between which a triangle lies along an axis.
+Extent extent(const ArrangementInput& input, const Triangle& corners, int k) {
+  const Interval a = input.points.interval(corners[0], k), b = input.points.interval(corners[1], k),
+                 c = input.points.interval(corners[2], k);
+  return {std::min({a.inf(), b.inf(), c.inf()}), std::max({a.sup(), b.sup(), c.sup()})};
+}
+
 class Ray {
  public:
   Ray(const ArrangementInput& input, PointId start, const Projection& front)
       : input_(input), start_(start), axis_(front.axis), direction_(front.orientation) {}
 
-  // May be wrong only by saying yes.
+  // May be wrong only by saying yes, of a triangle or of what is in a box.
   [[nodiscard]] bool may_meet(const Triangle& corners) const {
-    for (const int k : {(axis_ + 1) % 3, (axis_ + 2) % 3}) {
-      const Interval x = input_.points.interval(start_, k);
-      const auto [low, high] = extent(corners, k);
-      if (x.sup() < low || x.inf() > high) {
-        return false;
-      }
-    }
-    const Interval x = input_.points.interval(start_, axis_);
-    const auto [low, high] = extent(corners, axis_);
-    return direction_ > 0 ? x.inf() <= high : x.sup() >= low;
+    return may_meet([&](int k) { return extent(input_, corners, k); });
+  }
+  [[nodiscard]] bool may_meet(const ArrangementInput::Bounds& box) const {
+    return may_meet([&](int k) { return Extent(box.min()[k], box.max()[k]); });
   }
 
   // See mesh::ray_crossing().
@@ -79,12 +83,18 @@ class Ray {
   }
 
  private:
-  // The ends between which a triangle lies along an axis.
-  [[nodiscard]] std::pair<double, double> extent(const Triangle& corners, int k) const {
-    const Interval a = input_.points.interval(corners[0], k),
-                   b = input_.points.interval(corners[1], k),
-                   c = input_.points.interval(corners[2], k);
-    return {std::min({a.inf(), b.inf(), c.inf()}), std::max({a.sup(), b.sup(), c.sup()})};
+  template <class ExtentAlong>
+  [[nodiscard]] bool may_meet(const ExtentAlong& extent_along) const {
+    for (const int k : {(axis_ + 1) % 3, (axis_ + 2) % 3}) {
+      const Interval x = input_.points.interval(start_, k);
+      const auto [low, high] = extent_along(k);
+      if (x.sup() < low || x.inf() > high) {
+        return false;
+      }
+    }
+    const Interval x = input_.points.interval(start_, axis_);
+    const auto [low, high] = extent_along(axis_);
+    return direction_ > 0 ? x.inf() <= high : x.sup() >= low;
   }
 
   const ArrangementInput& input_;
@@ -92,25 +102,89 @@ class Ray {
   int axis_, direction_;
 };
 
-// How often the ray leaves the operand more than it enters it. The triangles that cover the start
-// do not count.
-int crossings(const ArrangementInput& input, const Ray& ray, std::size_t operand,
-              std::span<const SignedTriangle> cover) {
-  const std::uint32_t first = input.first_triangle[operand];
-  const std::uint32_t count = input.first_triangle[operand + 1] - first;
-  std::vector<int> sums(support::block_count(count), 0);
-  support::for_each_block(count, [&](const support::Block& block) {
-    const UpwardRounding rounding;
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      const auto t = static_cast<std::uint32_t>(first + i);
-      const auto is_t = [t](const SignedTriangle& s) { return s.triangle == t; };
-      if (ray.may_meet(input.triangles[t]) && std::none_of(cover.begin(), cover.end(), is_t)) {
-        sums[block.number] += ray.crossing(input.triangles[t], input.support(t));
-      }
+// How often rays leave an operand more than they enter it. Triangles in a row are near each other
+// in most meshes: from the second ray on, boxes around such runs tell which of them a ray can meet.
+class RayCrossings {
+ public:
+  explicit RayCrossings(const ArrangementInput& input)
+      : input_(input), runs_(input.operands.size()), is_asked_(input.operands.size(), 0) {}
+
+  // The triangles that cover the start do not count.
+  [[nodiscard]] int of(const Ray& ray, std::size_t operand, std::span<const SignedTriangle> cover) {
+    if (is_asked_[operand] != 0 && runs_[operand].empty()) {
+      runs_[operand] = boxes_of_runs(operand);
     }
-  });
-  return std::accumulate(sums.begin(), sums.end(), 0);
-}
+    is_asked_[operand] = 1;
+    const std::span<const ArrangementInput::Bounds> runs = runs_[operand];
+    const std::size_t count = support::block_count(size(operand), kRun);
+    std::vector<int> sums(support::block_count(count, kRunsOfBlock), 0);
+    support::for_each_block(
+        count,
+        [&](const support::Block& block) {
+          const UpwardRounding rounding;
+          for (std::size_t run = block.begin; run < block.end; ++run) {
+            if (runs.empty() || ray.may_meet(runs[run])) {
+              sums[block.number] += of_run(ray, operand, run, cover);
+            }
+          }
+        },
+        kRunsOfBlock);
+    return std::accumulate(sums.begin(), sums.end(), 0);
+  }
+
+ private:
+  static constexpr std::size_t kRun = 64, kRunsOfBlock = support::Block::kSize / kRun;
+
+  [[nodiscard]] std::size_t size(std::size_t operand) const {
+    return input_.first_triangle[operand + 1] - input_.first_triangle[operand];
+  }
+
+  // Calls visit(triangle) for those of a run.
+  template <class Visit>
+  void for_each_of(std::size_t operand, std::size_t run, const Visit& visit) const {
+    const std::size_t first = input_.first_triangle[operand];
+    const std::size_t end = std::min((run + 1) * kRun, size(operand));
+    for (std::size_t i = run * kRun; i < end; ++i) {
+      visit(static_cast<std::uint32_t>(first + i));
+    }
+  }
+
+  [[nodiscard]] int of_run(const Ray& ray, std::size_t operand, std::size_t run,
+                           std::span<const SignedTriangle> cover) const {
+    int sum = 0;
+    for_each_of(operand, run, [&](std::uint32_t t) {
+      const auto is_t = [t](const SignedTriangle& s) { return s.triangle == t; };
+      if (ray.may_meet(input_.triangles[t]) && std::none_of(cover.begin(), cover.end(), is_t)) {
+        sum += ray.crossing(input_.triangles[t], input_.support(t));
+      }
+    });
+    return sum;
+  }
+
+  [[nodiscard]] std::vector<ArrangementInput::Bounds> boxes_of_runs(std::size_t operand) const {
+    std::vector<ArrangementInput::Bounds> boxes(support::block_count(size(operand), kRun));
+    support::for_each_block(
+        boxes.size(),
+        [&](const support::Block& block) {
+          const UpwardRounding rounding;
+          for (std::size_t run = block.begin; run < block.end; ++run) {
+            for_each_of(operand, run, [&](std::uint32_t t) {
+              for (int k = 0; k < 3; ++k) {
+                const auto [low, high] = extent(input_, input_.triangles[t], k);
+                boxes[run].min()[k] = std::min(boxes[run].min()[k], low);
+                boxes[run].max()[k] = std::max(boxes[run].max()[k], high);
+              }
+            });
+          }
+        },
+        kRunsOfBlock);
+    return boxes;
+  }
+
+  const ArrangementInput& input_;
+  std::vector<std::vector<ArrangementInput::Bounds>> runs_;  // per operand
+  std::vector<std::uint8_t> is_asked_;
+};
 
 // A point for which it may not be told whether the box contains it.
 bool may_contain(const ArrangementInput::Bounds& box, const IntervalPoint& point) {
@@ -129,15 +203,16 @@ bool may_contain(const ArrangementInput::Bounds& box, const IntervalPoint& point
 // span the part, `support` gives its plane and orientation, and `cover` the triangles it is part
 // of. Adds a point to the input and removes it. O(triangles) in the worst case. Needs
 // UpwardRounding.
-Counts winding_numbers_at(ArrangementInput& input, const BooleanRule& rule, const Triangle& corners,
-                          const Triangle& support, std::span<const SignedTriangle> cover) {
+Counts winding_numbers_at(ArrangementInput& input, RayCrossings& crossings, const BooleanRule& rule,
+                          const Triangle& corners, const Triangle& support,
+                          std::span<const SignedTriangle> cover) {
   const PointId start = input.points.add(middle(input.points, corners));
   const Ray ray(input, start, projection_of(input.points, support));
   const IntervalPoint place = input.points.interval(start);
   std::vector<int> counts(rule.groups, 0);
   for (std::size_t o = 0; o < input.operands.size(); ++o) {
     if (may_contain(input.bounds[o], place)) {
-      counts[rule.group_of_operand[o]] += crossings(input, ray, o, cover);
+      counts[rule.group_of_operand[o]] += crossings.of(ray, o, cover);
     }
   }
   input.points.remove_last();
@@ -267,14 +342,14 @@ Subdivision::SubTriangle triangle_of(const ArrangementInput& input, const Subdiv
   return triangles.front();
 }
 
-Counts counts_in_front_of(ArrangementInput& input, const BooleanRule& rule,
+Counts counts_in_front_of(ArrangementInput& input, RayCrossings& crossings, const BooleanRule& rule,
                           const Subdivision& subdivision, const Sample& sample) {
   if (sample.kind == Sample::Kind::untouched) {
-    return winding_numbers_at(input, rule, input.triangles[sample.index],
+    return winding_numbers_at(input, crossings, rule, input.triangles[sample.index],
                               input.support(sample.index), input.cover(sample.index));
   }
   const Subdivision::SubTriangle triangle = triangle_of(input, subdivision, sample);
-  return winding_numbers_at(input, rule, triangle.corners,
+  return winding_numbers_at(input, crossings, rule, triangle.corners,
                             input.support(subdivision.regions[triangle.region].support),
                             subdivision.cover(triangle.region));
 }
@@ -301,6 +376,7 @@ std::vector<std::int8_t> propagate_winding_numbers(ArrangementInput& input, cons
     relate_around(input, patches, seam, relations);
   }
   const std::vector<Sample> samples = find_samples(input, subdivision, patches, relations);
+  RayCrossings crossings(input);
   std::vector<Counts> front_of_root(patches.size());
   std::vector<std::int8_t> selection(patches.size(), 0);
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
@@ -311,8 +387,8 @@ std::vector<std::int8_t> propagate_winding_numbers(ArrangementInput& input, cons
     if (front_of_root[root].empty()) {
       const Sample& sample = samples[root];
       const std::uint32_t at = patch_of(subdivision, patches, sample);
-      front_of_root[root] =
-          sum(counts_in_front_of(input, rule, subdivision, sample), relations.offset(at), -1);
+      front_of_root[root] = sum(counts_in_front_of(input, crossings, rule, subdivision, sample),
+                                relations.offset(at), -1);
     }
     const Counts front = sum(front_of_root[root], relations.offset(p));
     const Counts back = sum(front, patches.change(p));

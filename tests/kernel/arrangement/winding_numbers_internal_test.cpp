@@ -3,6 +3,7 @@
 #include "arrangement/manifold_patches.h"
 #include "arrangement/winding_numbers.h"
 #include "kernel/arrangement/stages_internal.h"
+#include "support/shapes.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -59,6 +60,22 @@ TEST(Selection, keeps_the_patches_that_bound_the_result) {
     EXPECT_EQ(selected(row.solids, intersection_rule(n)), row.common);
     EXPECT_EQ(selected(row.solids, difference_rule(n)), row.difference);
   }
+}
+
+TEST(Selection, asks_the_same_operand_for_many_shells) {
+  // A row of cubes, twelve triangles each: more than a run of triangles, whose boxes are asked.
+  std::vector<TriMesh> cubes;
+  for (int i = 0; i < 20; ++i) {
+    cubes.push_back(cube(10 * i, 0, 0, 6));
+  }
+  std::vector<TriMesh> solids{test::joined(cubes)};
+  for (int i = 0; i < 20; i += 2) {
+    solids.push_back(cube(10 * i + 2, 2, 2));  // inside of one
+    solids.push_back(cube(10 * i + 7, 2, 2));  // between two
+  }
+  const std::size_t n = solids.size();
+  EXPECT_EQ(selected(solids, union_rule(n)), (Selected{40, 30, 0}));
+  EXPECT_EQ(selected(solids, difference_rule(n)), (Selected{40, 20, 10}));
 }
 
 TEST(Selection, follows_any_rule) {
