@@ -7,6 +7,7 @@
 #include "arrangement/constraints.h"
 #include "arrangement/crowding.h"
 #include "arrangement/faces/subdivision.h"
+#include "arrangement/lone_fans.h"
 #include "arrangement/manifold_patches.h"
 #include "arrangement/output_mesh.h"
 #include "arrangement/piece_merging.h"
@@ -175,8 +176,11 @@ mesh::ExactMesh positive_winding_boundary(const mesh::ExactMesh& surface, const 
   ArrangementInput input = imported({&operand, 1}, rule);
   input.operand_pairs = {{0, 0}};
   input.crossing = crossing;
-  // Any edge may have more than two triangles.
-  std::fill(input.special.begin(), input.special.end(), std::uint8_t{1});
+  if (crossing.empty()) {  // any edge may have more than two triangles
+    std::fill(input.special.begin(), input.special.end(), std::uint8_t{1});
+  } else {
+    mark_all_but_lone_fans(input);
+  }
   return arrange(input, intersections_of(input, progress), rule, progress, 0);
 }
 
