@@ -342,9 +342,18 @@ void thicken(EditedMesh& mesh, double reach, Faces faces) {
 bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original, double reach, double mending) {
   Faces all(mesh.face_count());
   std::iota(all.begin(), all.end(), 0);
-  mesh.find_faults(marked_faces(original.triangles, original.inexact));
-  mend(mesh, exact::FloatLattice(Coordinates::binary64), mending, false);
   thicken(mesh, reach, std::move(all));
+  // Lemma: both faces of a fault are as given. Who was edited last of two was compared with the
+  // other one.
+  auto marked = marked_faces(original.triangles, original.inexact);
+  support::for_each_block(marked.size(), [&](const support::Block& block) {
+    for (auto f = static_cast<std::uint32_t>(block.begin); f < block.end; ++f) {
+      marked[f] = marked[f] != 0 && mesh.last_edit(f) == 0 ? 1 : 0;
+    }
+  });
+  mesh.find_faults(marked);
+  mend(mesh, exact::FloatLattice(Coordinates::binary64), reach + mending, false);
+  thicken(mesh, reach, with_neighbours(mesh, mesh.take_edited()));
   return mesh.faults().empty();
 }
 

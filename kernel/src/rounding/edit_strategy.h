@@ -19,8 +19,8 @@ struct RepairLimits {
   bool is_thorough;
 };
 
-/// Mends the mesh of doubles, whose points may move by `mending`, and thickens it where it is free
-/// of faults. False if some are left.
+/// Thickens the mesh of doubles where it is free of faults, and then mends it, for which points may
+/// move by `mending` more. False if some are left.
 bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original, double reach, double mending);
 
 /// Around the faces that rounding breaks: mends the mesh of doubles, then, for a coarser lattice,
