@@ -315,11 +315,8 @@ class Finder {
   [[nodiscard]] std::vector<TrianglePair> pairs_within(std::uint32_t operand) const {
     std::vector<std::uint32_t> runs(framed_[operand].runs.size());
     std::iota(runs.begin(), runs.end(), 0u);
-    std::vector<TriangleBox> all =
+    const std::vector<TriangleBox> all =
         boxes(operand, runs, framed_[operand].axes, framed_[operand].bounds);
-    if (!input_.crossing.empty()) {
-      std::erase_if(all, [&](const TriangleBox& b) { return input_.crossing[b.triangle] == 0; });
-    }
     const boxes::BoxTree tree = tree_over(all, quantizer_for(bounds_of(all), Bounds()));
     std::vector<TrianglePair> result;
     boxes::TreeTraversal(tree).visit([&](std::uint32_t i, std::uint32_t k) {
@@ -360,7 +357,7 @@ class Finder {
           const std::size_t i = std::size_t{runs[n / FramedOperand::kRun]} * FramedOperand::kRun +
                                 n % FramedOperand::kRun;
           const auto t = static_cast<std::uint32_t>(input_.first_triangle[operand] + i);
-          if (i >= mesh.triangles.size() || input_.merged[t]) {
+          if (i >= mesh.triangles.size() || input_.merged[t] || keeps_apart(t)) {
             return;
           }
           const TriangleBox triangle = box(mesh, mesh.triangles[i], axes, t);
@@ -368,6 +365,10 @@ class Finder {
             found.push_back(triangle);
           }
         });
+  }
+
+  [[nodiscard]] bool keeps_apart(std::uint32_t triangle) const {
+    return !input_.crossing.empty() && input_.crossing[triangle] == 0;
   }
 
   [[nodiscard]] TriangleBox box(const mesh::ExactMesh& mesh, const Triangle& corners,
