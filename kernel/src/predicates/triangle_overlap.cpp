@@ -23,6 +23,12 @@ int exact_side(const Corners& plane, const Vec3& p) {
   return CGAL::orientation(point(plane[0]), point(plane[1]), point(plane[2]), point(p));
 }
 
+/// On which side of a plane, whose filter is given, a point lies, exactly.
+int side_of(const PlaneFilter& filter, const Corners& plane, const Vec3& p) {
+  const int certain = filter.side(p);
+  return certain != 0 ? certain : exact_side(plane, p);
+}
+
 /// +1 or -1 if all three have that sign, else 0.
 int common_sign(const Sides& sides) {
   return sides[0] == sides[1] && sides[1] == sides[2] ? sides[0] : 0;
@@ -106,8 +112,8 @@ bool meets(const Vec3& p, const Vec3& q, int side_p, int side_q, const Corners& 
     return meets_in_plane(p, q, t, projection_axis(t, axis));
   }
   bool left = false, right = false;
-  for (int i = 0; i < 3; ++i) {
-    const int turn = exact_side({p, q, t[i]}, t[(i + 1) % 3]);
+  for (int i = 0; i < 3 && !(left && right); ++i) {
+    const int turn = side_of(PlaneFilter(p, q, t[i]), {p, q, t[i]}, t[(i + 1) % 3]);
     left = left || turn > 0;
     right = right || turn < 0;
   }
@@ -135,8 +141,9 @@ TriangleOverlap coplanar_cones(const Corners& a, const Corners& b, int axis) {
 }
 
 /// Triangles that share their first corner.
-TriangleOverlap cones_meeting(const Corners& a, const Corners& b, int axis) {
-  const int first = exact_side(a, b[1]), second = exact_side(a, b[2]);
+TriangleOverlap cones_meeting(const Corners& a, const PlaneFilter& of_a, const Corners& b,
+                              const PlaneFilter& of_b, int axis) {
+  const int first = side_of(of_a, a, b[1]), second = side_of(of_a, a, b[2]);
   if (first * second > 0) {
     return TriangleOverlap::none;
   }
@@ -149,9 +156,10 @@ TriangleOverlap cones_meeting(const Corners& a, const Corners& b, int axis) {
                ? TriangleOverlap::crossing
                : TriangleOverlap::none;
   }
-  // The edge b1 b2 pierces the plane of a where the two turns below say.
-  const int past_first = first * exact_side({b[1], b[2], a[0]}, a[1]);
-  const int before_second = first * exact_side({b[1], b[2], a[2]}, a[0]);
+  // The edge b1 b2 pierces the plane of a where its turns with a0 a1 and a2 a0 say, which the sides
+  // of b are: a0 is b0.
+  const int past_first = first * side_of(of_b, b, a[1]);
+  const int before_second = -first * side_of(of_b, b, a[2]);
   return past_first <= 0 && before_second <= 0 ? TriangleOverlap::crossing : TriangleOverlap::none;
 }
 
@@ -216,8 +224,7 @@ TriangleOverlap exact_meeting(const Corners& a, int lone_a, const Corners& b, in
     const Corners plane = {p, q, a[(lone_a + i) % 3]};
     const PlaneFilter filter(plane[0], plane[1], plane[2]);
     for (int k = 0; k < 2; ++k) {
-      const int certain = filter.side(ends[k]);
-      const int turn = certain != 0 ? certain : exact_side(plane, ends[k]);
+      const int turn = side_of(filter, plane, ends[k]);
       if (turn == 0 || turn == -common) {
         return TriangleOverlap::crossing;
       }
@@ -341,7 +348,7 @@ TriangleOverlap TriangleOverlapTest::sharing_one(int mine, const Triangle& other
   if (cones_certainly_apart(a, b, axis) || cones_certainly_apart(b, a, axis)) {
     return TriangleOverlap::none;
   }
-  return cones_meeting(a, b, axis);
+  return cones_meeting(a, plane_, b, plane, axis);
 }
 
 TriangleOverlap TriangleOverlapTest::sharing_none(const Triangle& other) const {
