@@ -24,6 +24,8 @@ struct Constraints {
     std::uint32_t triangle;
     PointId point;
   };
+  /// With n the normal of whichever of the two has the lower number, and m the other one's, it runs
+  /// from end to end along n x m.
   struct Segment {
     std::uint32_t triangle;
     PointId from, to;

@@ -65,6 +65,20 @@ TEST_P(Incidence, segments_lie_in_both_planes) {
   }
 }
 
+TEST_P(Incidence, segments_run_along_the_product_of_the_normals_of_both_in_order) {
+  for (const Constraints::Segment& s : constraints.segments) {
+    const auto n = stages.area_vector(stages.input.support(std::min(s.triangle, s.partner)));
+    const auto m = stages.area_vector(stages.input.support(std::max(s.triangle, s.partner)));
+    const auto from = stages.place(s.from), to = stages.place(s.to);
+    mpq_class along = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      along += (to[k] - from[k]) * (n[i] * m[j] - n[j] * m[i]);
+    }
+    EXPECT_GT(along, 0);
+  }
+}
+
 TEST_P(Incidence, points_have_one_name_per_place) {
   std::set<PointId> used;
   for (const auto& [edge, point] : constraints.on_edges) {

@@ -133,11 +133,14 @@ bool FaceOutlines::keep_apart(const Segment& s, const Segment& t) const {
   if (s[0] == t[0] || s[0] == t[1] || s[1] == t[0] || s[1] == t[1]) {
     return true;
   }
-  const auto on_one_side = [&](const Segment& line, const Segment& other) {
-    const int first = plane_.turn(line[0], line[1], other[0]);
-    return first != 0 && first == plane_.turn(line[0], line[1], other[1]);
+  const auto on_one_side = [&](const Segment& line, const Segment& other, const auto& turn) {
+    const int first = (plane_.*turn)(line[0], line[1], other[0]);
+    return first != 0 && first == (plane_.*turn)(line[0], line[1], other[1]);
   };
-  return on_one_side(s, t) || on_one_side(t, s);
+  const auto certain = &ConstrainedTriangulation::certain_turn;
+  const auto exact = &ConstrainedTriangulation::turn;
+  return on_one_side(s, t, certain) || on_one_side(t, s, certain) || on_one_side(s, t, exact) ||
+         on_one_side(t, s, exact);
 }
 
 bool FaceOutlines::sort_around_points() {
@@ -283,12 +286,30 @@ PointId FaceOutlines::point_to_the_left(HalfEdge h) const {
     }
     return facet_[facet_.before(side)];
   }
-  for (const bool exactly : {false, true}) {
-    for (std::size_t i = 0; i < facet_.count; ++i) {
-      const int turn = exactly ? plane_.turn(origin(h), target(h), corners_[i])
-                               : plane_.certain_turn(origin(h), target(h), corners_[i]);
-      if (turn > 0) {
-        return facet_[i];
+  for (std::size_t i = 0; i < facet_.count; ++i) {
+    if (plane_.certain_turn(origin(h), target(h), corners_[i]) > 0) {
+      return facet_[i];
+    }
+  }
+  return point_beside_partner(h);
+}
+
+// The same by the plane that the segment comes from: where its ends all but coincide, that says
+// more of its direction than they do. n the facet's normal and m the partner's, what lies to the
+// left of n x m, n x (n x m), has the product (n . m)^2 - n^2 m^2 < 0 with m: it is behind.
+PointId FaceOutlines::point_beside_partner(HalfEdge h) const {
+  const PointId from = ids_[origin(h)], to = ids_[target(h)];
+  for (const Constraints::Segment& s : constraints_.segments_of(triangle_)) {
+    const bool is_along = s.from == from && s.to == to;
+    if (!is_along && !(s.from == to && s.to == from)) {
+      continue;
+    }
+    const int side = is_along == (triangle_ < s.partner) ? -1 : 1;
+    const auto& [a, b, c] = input_.support(s.partner);
+    const PlaneSides sides(input_.points, a, b, c);
+    for (const PointId corner : facet_.all()) {
+      if (sides.of(corner) == side) {
+        return corner;
       }
     }
   }

@@ -53,6 +53,7 @@ class FaceOutlines {
     return segments_[(h - outer_) / 2][1 - (h - outer_) % 2];
   }
   [[nodiscard]] PointId point_to_the_left(HalfEdge h) const;
+  [[nodiscard]] PointId point_beside_partner(HalfEdge h) const;
 
   const ArrangementInput& input_;
   const Constraints& constraints_;
