@@ -51,6 +51,9 @@ mesh::ExactMesh combine(std::span<const Solid> operands, const arrangement::Bool
 }
 
 mesh::ExactMesh combine_in_union(std::span<const Solid> operands, const BooleanOptions& options) {
+  if (std::optional<mesh::ExactMesh> united = unite_close_fan(operands, options)) {
+    return with_policies(*std::move(united), options);
+  }
   std::optional<mesh::ExactMesh> at_once = arrangement::arrange_unless_crowded(
       meshes_of(operands), arrangement::union_rule(operands.size()), options.progress,
       options.memory_limit);

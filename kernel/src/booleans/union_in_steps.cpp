@@ -6,8 +6,10 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <ranges>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
@@ -17,6 +19,7 @@
 #include "boxes/main_directions.h"
 #include "dupin/kernel/parallel.h"
 #include "mesh/exact_mesh.h"
+#include "support/operation_limits.h"
 
 namespace dupin::booleans {
 namespace {
@@ -36,75 +39,122 @@ Eigen::AlignedBox3d box_of(const ExactMesh& mesh) {
 }
 
 // How so many are divided.
-std::vector<std::array<std::size_t, 2>> parts_of(std::size_t operands, std::size_t at_once) {
+std::vector<std::array<std::size_t, 2>> divided(std::size_t operands, std::size_t count) {
   std::vector<std::array<std::size_t, 2>> parts;
-  const std::size_t count = std::min(at_once, operands);
   for (std::size_t i = 0; i < count; ++i) {
     parts.push_back({operands * i / count, operands * (i + 1) / count});
   }
   return parts;
 }
 
-std::size_t step_count(std::size_t operands, std::size_t at_once) {
+// Where the centres of boxes around solids lie, as long as that is near one point: within some part
+// of the least of the boxes.
+std::optional<Eigen::AlignedBox3d> common_centre(std::span<const Solid> solids) {
+  constexpr double kNarrow = 1.0 / 8;
+  Eigen::AlignedBox3d centres;
+  double least = HUGE_VAL;
+  for (const Solid& solid : solids) {
+    const Eigen::AlignedBox3d box = box_of(solid.exact());
+    if (box.isEmpty()) {
+      return std::nullopt;
+    }
+    centres.extend(box.center());
+    least = std::min(least, box.diagonal().norm());
+    if (!(centres.diagonal().norm() <= kNarrow * least)) {
+      return std::nullopt;
+    }
+  }
+  return centres;
+}
+
+double extent_along(const Vec3& direction, std::span<const Vec3> points) {
+  const auto along = [&direction](const Vec3& point) { return direction.dot(point); };
+  const auto [low, high] = std::ranges::minmax(points | std::views::transform(along));
+  return high - low;
+}
+
+// Solids about axes in a plane, about one point. No more is meant than how long the union takes.
+struct Fan {
+  std::vector<double> angles;  // of the axes; empty if they are no fan
+  bool is_close = false;       // none is so thin that it may pass others by
+};
+
+Fan fan_of(std::span<const Solid> solids) {
+  constexpr double kFlat = 1e-6, kOpen = 0.1, kClose = 1.0 / 4;
+  const std::optional<Eigen::AlignedBox3d> centres = common_centre(solids);
+  if (!centres) {
+    return {};
+  }
+  double thinnest = HUGE_VAL;
+  std::vector<Vec3> axes;
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Solid& solid : solids) {
+    const Eigen::Matrix3d principal = boxes::principal_axes(solid.exact().points);
+    thinnest = std::min(thinnest, extent_along(principal.row(2), solid.exact().points));
+    axes.emplace_back(principal.row(0));
+    spread += axes.back() * axes.back().transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  const Vec3 values = solver.eigenvalues() / static_cast<double>(solids.size());
+  if (!(values[0] <= kFlat && values[1] >= kOpen)) {
+    return {};
+  }
+  Fan fan;
+  fan.is_close = centres->diagonal().norm() <= kClose * thinnest;
+  for (const Vec3& axis : axes) {
+    const double angle =
+        std::atan2(axis.dot(solver.eigenvectors().col(1)), axis.dot(solver.eigenvectors().col(2)));
+    fan.angles.push_back(angle < 0 ? angle + std::numbers::pi : angle);
+  }
+  return fan;
+}
+
+// Neighbours in a fan cross each other where few others do, so that more of them at a time cost
+// little: few levels of steps, each of which costs much more where points are no longer those of
+// the operands, and the fewer parts the later the step is.
+std::size_t levels_of_fan(std::size_t solids) {
+  constexpr double kMostPerLevel = 6;
+  const double levels = std::round(std::log(solids) / std::log(kMostPerLevel));
+  return static_cast<std::size_t>(std::max(2.0, levels));
+}
+
+// How many parts are made of so many, at so many levels in all; 0 for what is no fan.
+std::size_t part_count(std::size_t operands, std::size_t levels) {
+  constexpr double kFewer = 0.9;
+  if (levels == 0) {
+    return std::min(kAtOnce, operands);
+  }
+  if (levels == 1) {
+    return operands;
+  }
+  const double even = std::pow(operands, 1 / static_cast<double>(levels));
+  return std::clamp(static_cast<std::size_t>(kFewer * even), std::size_t{2}, operands);
+}
+
+std::size_t below(std::size_t levels) { return levels > 1 ? levels - 1 : levels; }
+
+std::size_t step_count(std::size_t operands, std::size_t levels) {
   std::size_t count = operands > 1 ? 1 : 0;
   if (count > 0) {
-    for (const auto& [begin, end] : parts_of(operands, at_once)) {
-      count += step_count(end - begin, at_once);
+    for (const auto& [begin, end] : divided(operands, part_count(operands, levels))) {
+      count += step_count(end - begin, below(levels));
     }
   }
   return count;
 }
 
-// Of solids about axes in a plane, about one point: the angles of the axes. Empty if they are
-// no such fan. No more is meant than how long the union takes.
-std::vector<double> angles_of_fan(std::span<const Solid> solids) {
-  constexpr double kFlat = 1e-6, kOpen = 0.1, kNarrow = 1.0 / 8;
-  Eigen::AlignedBox3d centres;
-  double least = HUGE_VAL;
-  std::vector<Vec3> axes;
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Solid& solid : solids) {
-    const Eigen::AlignedBox3d box = box_of(solid.exact());
-    if (box.isEmpty()) {
-      return {};
-    }
-    centres.extend(box.center());
-    least = std::min(least, box.diagonal().norm());
-    axes.emplace_back(boxes::principal_axes(solid.exact().points).row(0));
-    spread += axes.back() * axes.back().transpose();
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-  const Vec3 values = solver.eigenvalues() / static_cast<double>(solids.size());
-  if (!(values[0] <= kFlat && values[1] >= kOpen && centres.diagonal().norm() <= kNarrow * least)) {
-    return {};
-  }
-  std::vector<double> angles;
-  for (const Vec3& axis : axes) {
-    const double angle =
-        std::atan2(axis.dot(solver.eigenvectors().col(1)), axis.dot(solver.eigenvectors().col(2)));
-    angles.push_back(angle < 0 ? angle + std::numbers::pi : angle);
-  }
-  return angles;
-}
-
-// Neighbours in a fan cross each other where few others do, so that more of them at a time cost
-// little: few levels of steps, each of which costs much more where points are no longer those of
-// the operands.
-std::size_t at_once_in_fan(std::size_t solids) {
-  constexpr double kMostPerLevel = 6;
-  const auto count = static_cast<double>(solids);
-  const double levels = std::max(2.0, std::round(std::log(count) / std::log(kMostPerLevel)));
-  return std::max(kAtOnce, static_cast<std::size_t>(std::ceil(std::pow(count, 1 / levels))));
-}
-
 class Steps {
  public:
-  Steps(std::span<const Solid> operands, const BooleanOptions& options)
+  // Progress is told from `begin` on.
+  Steps(std::span<const Solid> operands, std::vector<double> angles, double begin,
+        const BooleanOptions& options)
       : operands_(operands),
         options_(options),
-        angles_(angles_of_fan(operands)),
-        at_once_(angles_.empty() ? kAtOnce : at_once_in_fan(operands.size())),
-        steps_(step_count(operands.size(), at_once_)) {
+        angles_(std::move(angles)),
+        levels_(angles_.empty() ? 0 : levels_of_fan(operands.size())),
+        steps_(step_count(operands.size(), levels_)),
+        begin_(begin),
+        told_(begin) {
     for (const Solid& operand : operands) {
       const Eigen::AlignedBox3d box = box_of(operand.exact());
       centres_.emplace_back(box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center()));
@@ -114,22 +164,22 @@ class Steps {
   ExactMesh run() {
     std::vector<std::uint32_t> all(operands_.size());
     std::iota(all.begin(), all.end(), 0u);
-    ExactMesh result = united(all);
+    ExactMesh result = united(all, levels_);
     order_names(result);
     return result;
   }
 
  private:
-  ExactMesh united(Indices operands) {
+  ExactMesh united(Indices operands, std::size_t levels) {
     if (operands.size() == 1) {
       return with_sources(operands[0]);
     }
     sort_neighbours(operands);
-    const std::vector<std::array<std::size_t, 2>> ranges = parts_of(operands.size(), at_once_);
+    const auto ranges = divided(operands.size(), part_count(operands.size(), levels));
     std::vector<ExactMesh> parts(ranges.size());
     for_each_in_parallel(ranges.size(), [&](std::size_t i) {
       const auto [begin, end] = ranges[i];
-      parts[i] = united(operands.subspan(begin, end - begin));
+      parts[i] = united(operands.subspan(begin, end - begin), below(levels));
     });
     return step(parts);
   }
@@ -174,8 +224,7 @@ class Steps {
     return result;
   }
 
-  // Behind what arrange_unless_crowded() has told. The caller hears of it on the thread it called
-  // on; on others steps only learn whether to go on.
+  // The caller hears of it on the thread it called on; on others steps only learn whether to go on.
   [[nodiscard]] Progress progress() {
     if (!options_.progress) {
       return {};
@@ -186,7 +235,7 @@ class Steps {
       }
       const double part =
           (static_cast<double>(done_.load()) + fraction) / static_cast<double>(steps_);
-      told_ = std::clamp(kBegin + (1 - kBegin) * part, told_, 1.0);  // lest rounding leads back
+      told_ = std::clamp(begin_ + (1 - begin_) * part, told_, 1.0);  // lest rounding leads back
       is_cancelled_ = !options_.progress(stage, told_);
       return !is_cancelled_;
     };
@@ -220,19 +269,41 @@ class Steps {
   const BooleanOptions& options_;
   std::vector<Vec3> centres_;
   std::vector<double> angles_;  // empty if they are no fan
-  std::size_t at_once_;
-  static constexpr double kBegin = 0.4;
+  std::size_t levels_;          // of steps in a fan, else 0
   std::size_t steps_;
+  double begin_;
   std::atomic<std::size_t> done_{0};
   std::thread::id thread_ = std::this_thread::get_id();
-  double told_ = kBegin;
+  double told_;
   std::atomic<bool> is_cancelled_{false};
 };
 
 }  // namespace
 
 ExactMesh unite_in_steps(std::span<const Solid> operands, const BooleanOptions& options) {
-  return Steps(operands, options).run();
+  constexpr double kTold = 0.4;  // by arrange_unless_crowded()
+  return Steps(operands, fan_of(operands).angles, kTold, options).run();
+}
+
+// Where axes lie in a plane, not all one way, and centres are nearer to each other than the solids
+// are thick, each passes through the middle of all: most meet most others there, which is what
+// crowding.h asks. Where one is hidden within another instead, nothing is lost but time.
+std::optional<ExactMesh> unite_close_fan(std::span<const Solid> operands,
+                                         const BooleanOptions& options) {
+  constexpr std::size_t kLeast = 10;  // with fewer, none are crowded
+  if (operands.size() < kLeast) {
+    return std::nullopt;
+  }
+  Fan fan = fan_of(operands);
+  if (fan.angles.empty() || !fan.is_close) {
+    return std::nullopt;
+  }
+  std::uint64_t triangles = 0;
+  for (const Solid& operand : operands) {
+    triangles += operand.triangle_count();
+  }
+  support::refuse_too_large(triangles, 0, options.memory_limit);
+  return Steps(operands, std::move(fan.angles), 0, options).run();
 }
 
 }  // namespace dupin::booleans

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "dupin/kernel/boolean.h"
@@ -17,5 +18,11 @@ namespace dupin::booleans {
 /// those of the last step, which sees the whole boundary. Throws like arrange().
 [[nodiscard]] mesh::ExactMesh unite_in_steps(std::span<const Solid> operands,
                                              const BooleanOptions& options);
+
+/// The same, of ten or more solids about axes in a plane whose centres lie nearer to each other
+/// than they are thick; else nothing. That these crowd each other is told by where they lie, and
+/// nothing is arranged to find it out.
+[[nodiscard]] std::optional<mesh::ExactMesh> unite_close_fan(std::span<const Solid> operands,
+                                                             const BooleanOptions& options);
 
 }  // namespace dupin::booleans

@@ -116,6 +116,28 @@ TEST(UnionInSteps, goes_around_a_fan_whatever_the_order_of_its_solids) {
   EXPECT_EQ(others.triangles(), steps.triangles());
 }
 
+TEST(UnionInSteps, of_a_close_fan_is_told_by_where_its_solids_lie) {
+  const std::vector<Solid> fan = operands("star_10_rot");
+  const auto united = unite_close_fan(fan, {});
+  ASSERT_TRUE(united);
+  expect_alike(Solid(std::make_shared<const mesh::ExactMesh>(*united)), at_once(fan));
+  EXPECT_FALSE(unite_close_fan(std::span(fan).first(9), {})) << "few";
+  EXPECT_FALSE(unite_close_fan(operands("star_general_10"), {})) << "axes in no plane";
+  EXPECT_FALSE(unite_close_fan(operands("coaxial_10"), {})) << "one axis";
+  EXPECT_FALSE(unite_close_fan(operands("header_10"), {})) << "one point is not in all";
+}
+
+TEST(UnionInSteps, of_a_fan_whose_solids_pass_each_other_by_is_not) {
+  std::vector<Solid> stairs;
+  for (TriMesh mesh : test::pipe_case("star_10")) {
+    for (Vec3& point : mesh.points) {
+      point[2] = 0.2 * point[2] + 0.05 * static_cast<double>(stairs.size());
+    }
+    stairs.push_back(Solid::from(std::move(mesh)));
+  }
+  EXPECT_FALSE(unite_close_fan(stairs, {}));
+}
+
 TEST(UnionInSteps, tells_its_progress_in_order_and_can_be_cancelled) {
   const std::vector<Solid> solids = operands("star_12");
   double last = 0;
