@@ -1,6 +1,7 @@
 #include "checking/plain_solid.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <numeric>
 #include <span>
@@ -17,6 +18,7 @@
 #include "support/bulk_vector.h"
 #include "support/none.h"
 #include "support/sequences.h"
+#include "support/sort_by_key.h"
 
 namespace dupin::checking {
 namespace {
@@ -64,39 +66,64 @@ bool is_one_cycle(std::span<Link> links) {
   return steps == links.size();
 }
 
-/// The links around each point, in no certain order.
+/// The links around each point, in no certain order: those of most points, which have few, within
+/// one line of memory, where the threads put them and find them.
 class Links {
  public:
-  Links(std::span<const Triangle> triangles, std::size_t points)
-      : start_(points + 2, 0), links_(3 * triangles.size()) {
-    for_each_link(triangles, [&](std::uint32_t point, const Link&) { count(start_[point + 2]); });
-    std::partial_sum(start_.begin(), start_.end(), start_.begin());
-    for_each_link(triangles, [&](std::uint32_t point, const Link& link) {
-      links_[count(start_[point + 1])] = link;
+  Links(std::span<const Triangle> triangles, std::size_t points) : around_(points) {
+    support::for_each_block(points, [&](const support::Block& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        around_[i].count = 0;
+      }
     });
+    more_ = support::collect_in_order<LinkOf>(triangles.size(),
+                                              [&](std::size_t i, std::vector<LinkOf>& more) {
+                                                const auto& [a, b, c] = triangles[i];
+                                                add(a, {b, c}, more);
+                                                add(b, {c, a}, more);
+                                                add(c, {a, b}, more);
+                                              });
+    support::sort_by_key(
+        more_, static_cast<std::uint32_t>(points), [](const LinkOf& m) { return m.point; },
+        [](const LinkOf& m, const LinkOf& n) { return m.point < n.point; });
   }
-  [[nodiscard]] std::span<Link> of(std::size_t point) {
-    return std::span(links_).subspan(start_[point], start_[point + 1] - start_[point]);
+  /// `room` is for those of a point that has many.
+  [[nodiscard]] std::span<Link> of(std::size_t point, std::vector<Link>& room) {
+    Around& around = around_[point];
+    if (around.count <= kFew) {
+      return std::span(around.links).first(around.count);
+    }
+    room.assign(around.links.begin(), around.links.end());
+    for (const LinkOf& more : std::ranges::equal_range(more_, point, {}, &LinkOf::point)) {
+      room.push_back(more.link);
+    }
+    return room;
   }
 
  private:
-  static std::uint32_t count(std::uint32_t& number) {
-    return std::atomic_ref(number).fetch_add(1, std::memory_order_relaxed);
-  }
-  template <class Visit>
-  static void for_each_link(std::span<const Triangle> triangles, const Visit& visit) {
-    support::for_each_block(triangles.size(), [&](const support::Block& block) {
-      for (std::size_t i = block.begin; i < block.end; ++i) {
-        const auto& [a, b, c] = triangles[i];
-        visit(a, {b, c});
-        visit(b, {c, a});
-        visit(c, {a, b});
-      }
-    });
+  static constexpr std::size_t kFew = 7;
+  struct alignas(64) Around {
+    std::array<Link, kFew> links;
+    std::uint32_t count;
+  };
+  struct LinkOf {
+    std::uint32_t point;
+    Link link;
+  };
+
+  void add(std::uint32_t point, const Link& link, std::vector<LinkOf>& more) {
+    Around& around = around_[point];
+    const std::uint32_t before =
+        std::atomic_ref(around.count).fetch_add(1, std::memory_order_relaxed);
+    if (before < kFew) {
+      around.links[before] = link;
+    } else {
+      more.push_back({point, link});
+    }
   }
 
-  support::BulkVector<std::uint32_t> start_;
-  support::BulkVector<Link> links_;
+  support::BulkVector<Around> around_;
+  std::vector<LinkOf> more_;
 };
 
 /// Whether the triangles at each point, if any, make one closed fan. Lemma: then each edge has two
@@ -109,7 +136,8 @@ bool is_closed_manifold(std::span<const Triangle> triangles, std::size_t points,
   Links links(triangles, points);
   std::atomic<bool> all_used = true;
   const bool is_closed = all_of(points, [&](std::size_t point) {
-    const std::span<Link> around = links.of(point);
+    std::vector<Link> room;
+    const std::span<Link> around = links.of(point, room);
     if (around.empty()) {
       all_used.store(false, std::memory_order_relaxed);
     }
