@@ -118,8 +118,9 @@ std::size_t levels_of_fan(std::size_t solids) {
   return static_cast<std::size_t>(std::max(2.0, levels));
 }
 
-// How many parts are made of so many, at so many levels in all; 0 for what is no fan.
-std::size_t part_count(std::size_t operands, std::size_t levels) {
+// How many parts are made of so many, at so many levels of those in all; 0 for what is no fan. Of
+// more than two levels, fewer parts make surfaces that take longer to round.
+std::size_t part_count(std::size_t operands, std::size_t levels, std::size_t in_all) {
   constexpr double kFewer = 0.9;
   if (levels == 0) {
     return std::min(kAtOnce, operands);
@@ -128,16 +129,17 @@ std::size_t part_count(std::size_t operands, std::size_t levels) {
     return operands;
   }
   const double even = std::pow(operands, 1 / static_cast<double>(levels));
-  return std::clamp(static_cast<std::size_t>(kFewer * even), std::size_t{2}, operands);
+  const double count = in_all > 2 ? std::ceil(even) : kFewer * even;
+  return std::clamp(static_cast<std::size_t>(count), std::size_t{2}, operands);
 }
 
 std::size_t below(std::size_t levels) { return levels > 1 ? levels - 1 : levels; }
 
-std::size_t step_count(std::size_t operands, std::size_t levels) {
+std::size_t step_count(std::size_t operands, std::size_t levels, std::size_t in_all) {
   std::size_t count = operands > 1 ? 1 : 0;
   if (count > 0) {
-    for (const auto& [begin, end] : divided(operands, part_count(operands, levels))) {
-      count += step_count(end - begin, below(levels));
+    for (const auto& [begin, end] : divided(operands, part_count(operands, levels, in_all))) {
+      count += step_count(end - begin, below(levels), in_all);
     }
   }
   return count;
@@ -152,7 +154,7 @@ class Steps {
         options_(options),
         angles_(std::move(angles)),
         levels_(angles_.empty() ? 0 : levels_of_fan(operands.size())),
-        steps_(step_count(operands.size(), levels_)),
+        steps_(step_count(operands.size(), levels_, levels_)),
         begin_(begin),
         told_(begin) {
     for (const Solid& operand : operands) {
@@ -175,7 +177,7 @@ class Steps {
       return with_sources(operands[0]);
     }
     sort_neighbours(operands);
-    const auto ranges = divided(operands.size(), part_count(operands.size(), levels));
+    const auto ranges = divided(operands.size(), part_count(operands.size(), levels, levels_));
     std::vector<ExactMesh> parts(ranges.size());
     for_each_in_parallel(ranges.size(), [&](std::size_t i) {
       const auto [begin, end] = ranges[i];
