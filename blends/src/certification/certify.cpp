@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "assembly/part_context.h"
 #include "assembly/welded_runs.h"
 #include "certification/checked_claims.h"
+#include "certification/claim_work.h"
 #include "certification/mesh_claims.h"
 #include "certification/prove_fillet.h"
 #include "certification/prove_hub.h"
@@ -29,6 +31,12 @@
 
 namespace dupin {
 namespace {
+
+using certification::ClaimWork;
+using certification::for_each_claim;
+using certification::SearchWork;
+using certification::SweptDiscs;
+using verification::PartPair;
 
 std::vector<certification::JoinedEnds> joints(const CertifiedPart& part, std::uint32_t other) {
   std::vector<certification::JoinedEnds> result;
@@ -69,8 +77,8 @@ double default_distance(const Assembly& assembly, std::size_t parts) {
   return parts <= kFewParts ? 0 : 2 * assembly.tolerance;
 }
 
-std::vector<verification::PartPair> all_pairs(std::uint32_t parts) {
-  std::vector<verification::PartPair> pairs;
+std::vector<PartPair> all_pairs(std::uint32_t parts) {
+  std::vector<PartPair> pairs;
   for (std::uint32_t i = 0; i < parts; ++i) {
     for (std::uint32_t j = i + 1; j < parts; ++j) {
       pairs.push_back({i, j});
@@ -104,7 +112,10 @@ double widest_turn(const TriMesh& mesh, const Ring& ring, double grid) {
 class Certifier {
  public:
   Certifier(const Assembly& assembly, const CertifyOptions& options)
-      : assembly_(assembly), options_(options), resolved_(resolve(assembly)), work_(options.work) {}
+      : assembly_(assembly),
+        options_(options),
+        resolved_(resolve(assembly)),
+        left_{options.work, CertificateLimits::kWork} {}
 
   Certificate run() {
     result_.document = assembly_.source;
@@ -114,14 +125,8 @@ class Certifier {
     result_.parts = std::move(inputs.parts);
     result_.fillets = std::move(inputs.fillets);
     result_.junctions = std::move(inputs.junctions);
-    checker_.reserve_for(result_.junctions);
-    for (const CertifiedPart& part : result_.parts) {
-      sweeps_.push_back(std::visit(
-          [&](const auto& s) { return certification::SweptDiscs(s, &work_); }, part.shape));
-      checker_.read(part);
-      result_.claims.push_back(
-          std::visit([&](const auto& s) { return claims(s, sweeps_.back()); }, part.shape));
-    }
+    certification::reserve_for(result_.junctions, left_);
+    append_parts();
     append_meshes();
     append_clearances();
     append_fillet_clearances();
@@ -129,9 +134,33 @@ class Certifier {
   }
 
  private:
-  static PartClaims claims(const Sphere&, const certification::SweptDiscs&) { return {}; }
+  void append_parts() {
+    std::vector<std::optional<verification::Solid>> solids(result_.parts.size());
+    std::vector<std::optional<SweptDiscs>> sweeps(result_.parts.size());
+    result_.claims.resize(result_.parts.size());
+    for_each_claim(result_.parts.size(), left_, [&](std::size_t i, ClaimWork& work) {
+      const CertifiedPart& part = result_.parts[i];
+      sweeps[i] =
+          std::visit([&](const auto& s) { return SweptDiscs(s, &work.searches()); }, part.shape);
+      solids[i] = certification::admitted(part, work);
+      result_.claims[i] = std::visit(
+          [&](const auto& s) { return claims(s, *sweeps[i], *solids[i], part.name, work); },
+          part.shape);
+    });
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+      solids_.push_back(std::move(*solids[i]));
+      sweeps_.push_back(sweeps[i]->with(nullptr));
+    }
+  }
 
-  [[nodiscard]] PartClaims claims(const Chain& chain, const certification::SweptDiscs& sweep) {
+  static PartClaims claims(const Sphere&, const SweptDiscs&, const verification::Solid&,
+                           const std::string&, ClaimWork&) {
+    return {};
+  }
+
+  [[nodiscard]] PartClaims claims(const Chain& chain, const SweptDiscs& sweep,
+                                  const verification::Solid& solid, const std::string& name,
+                                  ClaimWork& work) const {
     PartClaims result;
     result.regular.emplace();
     result.embedded.emplace();
@@ -141,29 +170,30 @@ class Certifier {
     // First, for without it there is no certificate.
     for (std::size_t i = 0; i < chain.pieces.size(); ++i) {
       for (const auto end : {End::start, End::end}) {
-        result.tangency.push_back(checker_.agreed(
+        result.tangency.push_back(certification::agreed(
             std::visit([=](const auto& p) { return surfaces::tangency_claim(p, end); },
                        chain.pieces[i]),
-            i, end, assembly_.tolerance));
+            {i, end}, assembly_.tolerance, solid, name, work));
       }
     }
-    result.regular = checker_.agreed(certification::prove_regular(chain, options_.margin));
+    result.regular =
+        certification::agreed(certification::prove_regular(chain, options_.margin), solid, work);
     if (result.regular->verdict == Verdict::proved) {
-      result.embedded = embedded(sweep, *result.regular);
+      result.embedded = embedded(sweep, solid, *result.regular, work);
     }
     return result;
   }
 
   // The checker's intervals are wider on long ways than the prover's; shorter ones take more work.
-  [[nodiscard]] EmbeddedClaim embedded(const certification::SweptDiscs& sweep,
-                                       const RegularClaim& regular) {
+  [[nodiscard]] EmbeddedClaim embedded(const SweptDiscs& sweep, const verification::Solid& solid,
+                                       const RegularClaim& regular, ClaimWork& work) const {
     constexpr double kShortestWay = 1.0 / 32;
     for (double way = certification::kLongestWay;; way /= 4) {
       EmbeddedClaim found =
           certification::prove_embedded(sweep, regular.margin, options_.boxes, way);
       const bool is_open = found.verdict == Verdict::undecided;
-      EmbeddedClaim agreed = checker_.agreed(std::move(found), regular);
-      if (is_open || agreed.verdict != Verdict::undecided || checker_.lacks_work() ||
+      EmbeddedClaim agreed = certification::agreed(std::move(found), regular, solid, work);
+      if (is_open || agreed.verdict != Verdict::undecided || work.lacks_work() ||
           way <= kShortestWay) {
         return agreed;
       }
@@ -175,26 +205,32 @@ class Certifier {
     const auto runs = assembly::welded_runs(resolved_);
     assembly::refuse_too_costly(assembly_, resolved_, runs, grid, options_.most_triangles);
     std::vector<RingSampling> samplings(resolved_.parts.size());
+    std::set<std::uint32_t> trimmed;
+    for (const ResolvedFillet& fillet : resolved_.fillets) {
+      trimmed.insert(fillet.between.begin(), fillet.between.end());
+    }
+    std::vector<std::uint32_t> whole;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const RingSampling sampling = assembly::run_sampling(assembly_, resolved_, runs[i], i, grid);
       for (const auto part : runs[i].parts) {
         samplings[part] = sampling;
-        if (std::ranges::none_of(resolved_.fillets, [&](const ResolvedFillet& fillet) {
-              return std::ranges::count(fillet.between, part) > 0;
-            })) {
-          append_mesh(part,
-                      assembly::with_part_context(assembly_, resolved_.parts[part].index, [&] {
-                        return mesh_claim(resolved_.parts[part].shape, sampling);
-                      }));
+        if (!trimmed.contains(part)) {
+          whole.push_back(part);
         }
       }
     }
-    append_fillets(samplings, grid);
+    for_each_claim(whole.size(), left_, [&](std::size_t i, ClaimWork& work) {
+      const ResolvedPart& part = resolved_.parts[whole[i]];
+      auto claim = assembly::with_part_context(
+          assembly_, part.index, [&] { return mesh_claim(part.shape, samplings[whole[i]]); });
+      agree_mesh(whole[i], std::move(claim), work);
+    });
+    append_fillets(samplings, trimmed, grid);
     append_hubs(samplings, grid);
   }
 
   void append_hubs(const std::vector<RingSampling>& samplings, double grid) {
-    for (std::size_t i = 0; i < resolved_.junctions.size(); ++i) {
+    for_each_claim(resolved_.junctions.size(), left_, [&](std::size_t i, ClaimWork& work) {
       const ResolvedJunction& junction = resolved_.junctions[i];
       std::vector<RingSampling> of_arms;
       std::uint32_t fewest = CertificateLimits::kSegments;
@@ -204,10 +240,10 @@ class Certifier {
       }
       const Tessellation hub =
           assembly::hub_tessellation(assembly_, junction, of_arms, options_.most_triangles);
-      result_.claims[result_.junctions[i].hub].mesh = checker_.agreed_of_hub(
+      result_.claims[result_.junctions[i].hub].mesh = certification::agreed_of_hub(
           certification::hub_mesh_claim(junction.shape.hub, hub.mesh, fewest, grid),
-          junction.shape.hub);
-    }
+          junction.shape.hub, work);
+    });
   }
 
   [[nodiscard]] std::optional<MeshClaim> mesh_claim(const PartSurface& shape,
@@ -217,33 +253,55 @@ class Certifier {
         shape);
   }
 
-  void append_mesh(std::uint32_t part, std::optional<MeshClaim> claim) {
-    if (claim) {
-      result_.claims[part].mesh = checker_.agreed(std::move(*claim), part);
-    }
+  void agree_mesh(std::uint32_t part, std::optional<MeshClaim> claim, ClaimWork& work) {
+    result_.claims[part].mesh =
+        claim ? certification::agreed(std::move(*claim), solids_[part], work) : std::nullopt;
   }
 
-  void append_fillets(const std::vector<RingSampling>& samplings, double grid) {
-    std::vector<std::vector<surfaces::FilletMesh>> meshes;
-    std::set<std::uint32_t> trimmed;
+  void append_fillets(const std::vector<RingSampling>& samplings,
+                      const std::set<std::uint32_t>& trimmed, double grid) {
+    std::vector<std::vector<surfaces::FilletMesh>> meshes(resolved_.fillets.size());
+    std::vector<std::size_t> first_loop;
     for (const ResolvedFillet& fillet : resolved_.fillets) {
-      meshes.push_back(assembly::fillet_meshes(
-          assembly_, fillet, {samplings[fillet.between[0]], samplings[fillet.between[1]]},
-          options_.most_triangles));
-      trimmed.insert(fillet.between.begin(), fillet.between.end());
+      first_loop.push_back(loops_.size());
       if (!fillet.shape.is_cope()) {
-        result_.fillet_claims.push_back(assembly::with_part_context(
-            assembly_, fillet.index, [&] { return fillet_claims(fillet, meshes.back(), grid); }));
+        for (const CanalFillet& loop : fillet.shape.loops) {
+          loops_.push_back({&loop, {}});
+        }
       }
     }
-    // Of a straight pipe's mesh it counts only how far its triangles go about the axis.
-    for (const std::uint32_t part : trimmed) {
+    std::vector<std::vector<LoopClaims>> claims(meshes.size());
+    for_each_claim(meshes.size(), left_, [&](std::size_t i, ClaimWork& work) {
+      const ResolvedFillet& fillet = resolved_.fillets[i];
+      meshes[i] = assembly::fillet_meshes(
+          assembly_, fillet, {samplings[fillet.between[0]], samplings[fillet.between[1]]},
+          options_.most_triangles);
+      if (!fillet.shape.is_cope()) {
+        claims[i] = assembly::with_part_context(assembly_, fillet.index, [&] {
+          return fillet_claims(&loops_[first_loop[i]], meshes[i], grid, work);
+        });
+      }
+    });
+    for (std::size_t i = 0; i < claims.size(); ++i) {
+      if (!resolved_.fillets[i].shape.is_cope()) {
+        result_.fillet_claims.push_back(std::move(claims[i]));
+      }
+    }
+    append_trimmed({trimmed.begin(), trimmed.end()}, samplings, meshes, grid);
+  }
+
+  // Of a straight pipe's mesh it counts only how far its triangles go about the axis.
+  void append_trimmed(const std::vector<std::uint32_t>& trimmed,
+                      const std::vector<RingSampling>& samplings,
+                      const std::vector<std::vector<surfaces::FilletMesh>>& meshes, double grid) {
+    for_each_claim(trimmed.size(), left_, [&](std::size_t i, ClaimWork& work) {
+      const std::uint32_t part = trimmed[i];
       const Tessellation face = face_of(part, samplings, meshes);
       const Ring ring = end_ring(std::get<Chain>(result_.parts[part].shape), End::end);
       const double turn = widest_turn(face.mesh, ring, grid) * (1 + 0x1p-40);
       const auto segments = std::uint32_t(2 * std::numbers::pi / turn);
-      append_mesh(part, MeshClaim{segments, grid, {0, 1}, face.error_bound, face.axes});
-    }
+      agree_mesh(part, MeshClaim{segments, grid, {0, 1}, face.error_bound, face.axes}, work);
+    });
   }
 
   [[nodiscard]] Tessellation face_of(
@@ -261,47 +319,58 @@ class Certifier {
   }
 
   [[nodiscard]] std::vector<LoopClaims> fillet_claims(
-      const ResolvedFillet& fillet, const std::vector<surfaces::FilletMesh>& meshes, double grid) {
+      verification::LoopArcs* loops, const std::vector<surfaces::FilletMesh>& meshes, double grid,
+      ClaimWork& work) const {
     std::vector<LoopClaims> claims;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-      claims.push_back(checker_.agreed(
-          fillet.shape.loops[i],
-          certification::prove_loop(fillet.shape.loops[i],
+      loops[i].cells.clear();
+      claims.push_back(certification::agreed(
+          certification::prove_loop(*loops[i].loop,
                                     {meshes[i].tessellation.knots, meshes[i].columns, grid},
-                                    {options_.margin, options_.boxes, assembly_.tolerance})));
+                                    {options_.margin, options_.boxes, assembly_.tolerance}),
+          loops[i], work));
     }
     return claims;
   }
 
   void append_clearances() {
     result_.apart = options_.apart.value_or(default_distance(assembly_, sweeps_.size()));
-    std::optional<std::vector<verification::PartPair>> pairs;
+    std::optional<std::vector<PartPair>> pairs;
     if (result_.apart > 0) {
-      pairs = checker_.pairs_nearer_than(result_.apart);
+      for_each_claim(1, left_, [&](std::size_t, ClaimWork& work) {
+        pairs = certification::pairs_nearer_than(result_.apart, solids_, work);
+      });
     }
     if (!pairs) {
       result_.apart = 0;
       pairs = all_pairs(std::uint32_t(sweeps_.size()));
     }
-    work_.allow(kWorkOfPair * pairs->size());
+    allow(kWorkOfPair * pairs->size());
     const auto at_hubs = arms_and_hubs();
-    for (const verification::PartPair& pair : *pairs) {
+    result_.clearances.resize(pairs->size());
+    for_each_claim(pairs->size(), left_, [&](std::size_t i, ClaimWork& work) {
+      const PartPair& pair = (*pairs)[i];
       const auto [first, second] = pair;
       const bool is_at_hub = at_hubs.contains(pair);
       ClearanceClaim claim =
-          is_at_hub ? certification::prove_at_hub(checker_.solid(first),
-                                                  std::get<Sphere>(result_.parts[second].shape),
-                                                  options_.boxes)
-                    : clearance(first, second);
+          is_at_hub
+              ? certification::prove_at_hub(
+                    solids_[first], std::get<Sphere>(result_.parts[second].shape), options_.boxes)
+              : clearance(first, second, work);
       claim.first = first;
       claim.second = second;
-      result_.clearances.push_back(is_at_hub ? checker_.agreed_at_hub(std::move(claim))
-                                             : checker_.agreed(std::move(claim), result_.parts));
-    }
+      result_.clearances[i] =
+          is_at_hub ? certification::agreed_at_hub(std::move(claim), solids_, work)
+                    : certification::agreed(std::move(claim), result_.parts, solids_, work);
+    });
   }
 
-  [[nodiscard]] std::set<verification::PartPair> arms_and_hubs() const {
-    std::set<verification::PartPair> result;
+  void allow(std::uint64_t units) {
+    left_.searches += std::min(units, std::numeric_limits<std::uint64_t>::max() - left_.searches);
+  }
+
+  [[nodiscard]] std::set<PartPair> arms_and_hubs() const {
+    std::set<PartPair> result;
     for (const CertifiedJunction& junction : result_.junctions) {
       for (const std::uint32_t arm : junction.arms) {
         result.insert({arm, junction.hub});
@@ -312,48 +381,61 @@ class Certifier {
 
   // Of every loop and every part but its pipes, then every later loop; or of those that are near.
   void append_fillet_clearances() {
-    const auto& loops = checker_.loops();
-    std::vector<certification::SweptDiscs> arcs;
+    std::vector<SweptDiscs> arcs;
     std::vector<const CertifiedFillet*> fillet_of;
-    arcs.reserve(loops.size());
-    for (const auto& loop : loops) {
-      arcs.push_back(certification::swept_arcs(loop, &work_));
+    for (const auto& loop : loops_) {
+      arcs.push_back(certification::swept_arcs(loop));
     }
     for (const CertifiedFillet& fillet : result_.fillets) {
       fillet_of.insert(fillet_of.end(), fillet.loops.size(), &fillet);
     }
-    const std::size_t parts = sweeps_.size();
+    auto pairs = loop_pairs();
+    allow(kWorkOfPair * pairs.size());
+    std::erase_if(pairs, [&](const PartPair& pair) {
+      return pair[0] < sweeps_.size() &&
+             std::ranges::count(fillet_of[pair[1] - sweeps_.size()]->between, pair[0]) > 0;
+    });
+    result_.fillet_clearances.resize(pairs.size());
+    for_each_claim(pairs.size(), left_, [&](std::size_t i, ClaimWork& work) {
+      result_.fillet_clearances[i] = fillet_clearance(pairs[i], arcs, work);
+    });
+  }
+
+  [[nodiscard]] ClearanceClaim fillet_clearance(const PartPair& pair,
+                                                const std::vector<SweptDiscs>& arcs,
+                                                ClaimWork& work) const {
     const certification::ClearanceGoals goals{std::min(options_.boxes, kBoxesOfLoop),
                                               assembly_.tolerance};
-    const auto pairs = loop_pairs();
-    work_.allow(kWorkOfPair * pairs.size());
-    for (const auto& [first, second] : pairs) {
-      const std::size_t k = second - parts;
-      if (first >= parts) {
-        append_fillet_clearance(
-            first, second,
-            certification::prove_clearance(
-                certification::SweptLoop{loops[first - parts], arcs[first - parts]},
-                {loops[k], arcs[k]}, goals));
-      } else if (std::ranges::count(fillet_of[k]->between, first) == 0) {
-        append_fillet_clearance(first, second,
-                                certification::prove_clearance(
-                                    certification::SweptPart{checker_.solid(first), sweeps_[first]},
-                                    {loops[k], arcs[k]}, goals));
-      }
-    }
+    const auto [first, second] = pair;
+    const std::size_t parts = sweeps_.size(), k = second - parts;
+    SearchWork* searches = &work.searches();
+    const SweptDiscs own = (first < parts ? sweeps_[first] : arcs[first - parts]).with(searches),
+                     other = arcs[k].with(searches);
+    ClearanceClaim claim =
+        first < parts
+            ? certification::prove_clearance(certification::SweptPart{solids_[first], own},
+                                             {loops_[k], other}, goals)
+            : certification::prove_clearance(certification::SweptLoop{loops_[first - parts], own},
+                                             {loops_[k], other}, goals);
+    claim.first = first;
+    claim.second = second;
+    return certification::agreed(std::move(claim), solids_, loops_, work);
   }
 
   // In the order of the certificate.
-  [[nodiscard]] std::vector<verification::PartPair> loop_pairs() {
+  [[nodiscard]] std::vector<PartPair> loop_pairs() {
     const auto parts = std::uint32_t(sweeps_.size());
-    const auto surfaces = parts + std::uint32_t(checker_.loops().size());
+    const auto surfaces = parts + std::uint32_t(loops_.size());
     if (result_.apart > 0 && surfaces > parts) {
-      if (auto near = checker_.loop_pairs_nearer_than(result_.apart)) {
+      std::optional<std::vector<PartPair>> near;
+      for_each_claim(1, left_, [&](std::size_t, ClaimWork& work) {
+        near = certification::loop_pairs_nearer_than(result_.apart, solids_, loops_, work);
+      });
+      if (near) {
         return std::move(*near);
       }
     }
-    std::vector<verification::PartPair> pairs;
+    std::vector<PartPair> pairs;
     for (std::uint32_t k = parts; k < surfaces; ++k) {
       for (std::uint32_t i = 0; i < parts; ++i) {
         pairs.push_back({i, k});
@@ -365,27 +447,24 @@ class Certifier {
     return pairs;
   }
 
-  void append_fillet_clearance(std::size_t first, std::size_t second, ClearanceClaim claim) {
-    claim.first = std::uint32_t(first);
-    claim.second = std::uint32_t(second);
-    result_.fillet_clearances.push_back(checker_.agreed(std::move(claim)));
-  }
-
-  [[nodiscard]] ClearanceClaim clearance(std::uint32_t i, std::uint32_t j) const {
+  [[nodiscard]] ClearanceClaim clearance(std::uint32_t i, std::uint32_t j, ClaimWork& work) const {
     const auto ends = joints(result_.parts[i], j);
     if (sweeps_[i].length() == 0 || sweeps_[j].length() == 0) {
       return {};
     }
-    return ends.empty() ? certification::prove_clearance(sweeps_[i], sweeps_[j], options_.boxes)
-                        : certification::prove_joint(sweeps_[i], sweeps_[j], ends, options_.boxes);
+    const SweptDiscs first = sweeps_[i].with(&work.searches()),
+                     second = sweeps_[j].with(&work.searches());
+    return ends.empty() ? certification::prove_clearance(first, second, options_.boxes)
+                        : certification::prove_joint(first, second, ends, options_.boxes);
   }
 
   const Assembly& assembly_;
   const CertifyOptions& options_;
   ResolvedAssembly resolved_;
-  certification::SearchWork work_;
-  std::vector<certification::SweptDiscs> sweeps_;
-  certification::CheckedClaims checker_;
+  certification::WorkLeft left_;
+  std::vector<SweptDiscs> sweeps_;
+  std::vector<verification::Solid> solids_;
+  std::vector<verification::LoopArcs> loops_;
   Certificate result_;
 };
 

@@ -169,8 +169,8 @@ std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b, bool sa
     return std::nullopt;
   }
   const Crossings crossings(b, true);
-  const std::uint64_t for_others = a.work_left() / 2;
-  for (int i = 0; i < kDiscs * int(a.length()) && a.work_left() > for_others; ++i) {
+  const std::uint64_t before = a.work_spent();
+  for (int i = 0; i < kDiscs * int(a.length()) && a.has_half_since(before); ++i) {
     const double t = (i + 0.5) / kDiscs;
     const ParameterInterval around{t - 0x1p-16, t + 0x1p-16};
     const DiscHull disc = a.over(around);
@@ -231,7 +231,7 @@ bool lies_in(const Ring& ring, const Vec3& point) {
 
 std::optional<Overlap> overlap_between_axes(const SweptDiscs& a, const SweptDiscs& b) {
   constexpr double kDiscs = 32;  // of each piece, at least
-  const bool has_work = double(a.work_left()) >= kDiscs * (a.length() + b.length());
+  const bool has_work = a.has_work_for(std::uint64_t(kDiscs * (a.length() + b.length())));
   if (!a.full() || !b.full() || !has_work) {
     return std::nullopt;
   }

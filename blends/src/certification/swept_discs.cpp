@@ -50,41 +50,56 @@ std::pair<ParameterInterval, ParameterInterval> halves(const ParameterInterval& 
                    : surfaces::halves(t);
 }
 
-SweptDiscs::SweptDiscs(const Sphere& sphere, SearchWork* work) : work_(work), sphere_(sphere) {}
+SweptDiscs::SweptDiscs(const Sphere& sphere, SearchWork* work)
+    : work_(work), part_(std::make_shared<const Part>(Part{sphere, {}, {}, {}, {}})) {}
+
+SweptDiscs::Part SweptDiscs::of_chain(const Chain& chain) {
+  Part part;
+  part.closed = chain.closed;
+  part.has_kneecaps = chain.joints == Joints::spherical;
+  part.full = chain.wall == 0 && !part.has_kneecaps && !chain.pieces.empty();
+  for (const Piece& piece : chain.pieces) {
+    if (part.has_kneecaps && !part.pieces.empty()) {
+      const PeVector& knee = std::get<CyclidePiece>(piece).first;
+      part.knees.push_back({knee.m, knee.r});
+    }
+    part.pieces.push_back(std::visit([](const auto& p) { return surfaces::discs(p); }, piece));
+    part.full = part.full && part.pieces.back().full;
+  }
+  if (part.pieces.size() >= kManyPieces && !part.has_kneecaps) {
+    std::ranges::transform(part.pieces, std::back_inserter(part.boxes), box_of);
+  }
+  if (!part.closed && !part.pieces.empty()) {
+    part.end_rings = {end_ring(chain, End::start), end_ring(chain, End::end)};
+  }
+  return part;
+}
 
 SweptDiscs::SweptDiscs(const Chain& chain, SearchWork* work)
-    : work_(work),
-      closed_(chain.closed),
-      full_(chain.wall == 0 && chain.joints != Joints::spherical && !chain.pieces.empty()),
-      has_kneecaps_(chain.joints == Joints::spherical) {
-  for (const Piece& piece : chain.pieces) {
-    if (has_kneecaps_ && !pieces_.empty()) {
-      const PeVector& knee = std::get<CyclidePiece>(piece).first;
-      knees_.push_back({knee.m, knee.r});
-    }
-    pieces_.push_back(std::visit([](const auto& p) { return surfaces::discs(p); }, piece));
-    full_ = full_ && pieces_.back().full;
-  }
-  if (pieces_.size() >= kManyPieces && !has_kneecaps_) {
-    spend(4 * pieces_.size());
-    std::ranges::transform(pieces_, std::back_inserter(boxes_), box_of);
-  }
-  if (!closed_ && !pieces_.empty()) {
-    end_rings_ = {end_ring(chain, End::start), end_ring(chain, End::end)};
-  }
+    : work_(work), part_(std::make_shared<const Part>(of_chain(chain))) {
+  spend(4 * part_->boxes.size());
 }
 
 SweptDiscs::SweptDiscs(std::size_t length,
                        const std::function<DiscHull(const ParameterInterval&)>& hull,
                        SearchWork* work)
-    : work_(work), full_(false) {
+    : work_(work) {
+  Part part;
+  part.full = false;
   for (std::size_t i = 0; i < length; ++i) {
-    pieces_.push_back({[hull, i](const ParameterInterval& t) {
-                         return hull({t.from + double(i), t.to + double(i)});
-                       },
-                       [](const ParameterInterval&) { return std::optional<DiscPace>(); },
-                       [](const ParameterInterval&, double) { return false; }, false});
+    part.pieces.push_back({[hull, i](const ParameterInterval& t) {
+                             return hull({t.from + double(i), t.to + double(i)});
+                           },
+                           [](const ParameterInterval&) { return std::optional<DiscPace>(); },
+                           [](const ParameterInterval&, double) { return false; }, false});
   }
+  part_ = std::make_shared<const Part>(std::move(part));
+}
+
+SweptDiscs SweptDiscs::with(SearchWork* work) const {
+  SweptDiscs result = *this;
+  result.work_ = work;
+  return result;
 }
 
 std::vector<ParameterInterval> SweptDiscs::stretches() const {
@@ -96,15 +111,21 @@ std::vector<ParameterInterval> SweptDiscs::stretches() const {
 }
 
 std::vector<ParameterInterval> SweptDiscs::roots() const {
-  return boxes_.empty() ? stretches() : std::vector{ParameterInterval{0, length()}};
+  return part_->boxes.empty() ? stretches() : std::vector{ParameterInterval{0, length()}};
 }
 
 std::size_t SweptDiscs::piece_of(const ParameterInterval& t) const {
-  return std::min(std::size_t(t.from), pieces_.size() - 1);
+  return std::min(std::size_t(t.from), part_->pieces.size() - 1);
 }
 
-std::uint64_t SweptDiscs::work_left() const {
-  return work_ != nullptr ? work_->left() : std::numeric_limits<std::uint64_t>::max();
+bool SweptDiscs::has_work_for(std::uint64_t units) const {
+  return work_ == nullptr || work_->has(units);
+}
+
+std::uint64_t SweptDiscs::work_spent() const { return work_ != nullptr ? work_->spent() : 0; }
+
+bool SweptDiscs::has_half_since(std::uint64_t spent) const {
+  return work_ == nullptr || work_->has_half_since(spent);
 }
 
 void SweptDiscs::spend(std::uint64_t units) const {
@@ -118,7 +139,7 @@ void SweptDiscs::spend(std::uint64_t units) const {
 DiscHull SweptDiscs::over_run(const ParameterInterval& t) const {
   Eigen::AlignedBox3d box;
   for (auto i = std::size_t(t.from); i < std::size_t(t.to); ++i) {
-    box.extend(boxes_[i]);
+    box.extend(part_->boxes[i]);
   }
   if (!box.min().allFinite() || !box.max().allFinite()) {
     return {{{}}, {{}}, Vec3::UnitX(), 0, {0, std::numeric_limits<double>::infinity()}, 0};
@@ -135,34 +156,41 @@ DiscHull SweptDiscs::over(const ParameterInterval& t) const {
   if (is_run(t)) {
     return over_run(t);
   }
-  if (sphere_) {
-    return {{numbers::interval_vec(sphere_->center)}, {}, Vec3::Zero(), 0, sphere_->radius, 0};
+  if (part_->sphere) {
+    return {{numbers::interval_vec(part_->sphere->center)},
+            {},
+            Vec3::Zero(),
+            0,
+            part_->sphere->radius,
+            0};
   }
   const std::size_t i = piece_of(t);
-  DiscHull hull = pieces_[i].hull({t.from - double(i), t.to - double(i)});
-  if (i > 0 && i <= knees_.size() && t.from == double(i)) {
-    include(knees_[i - 1], hull.centers.begin(), hull);
+  DiscHull hull = part_->pieces[i].hull({t.from - double(i), t.to - double(i)});
+  if (i > 0 && i <= part_->knees.size() && t.from == double(i)) {
+    include(part_->knees[i - 1], hull.centers.begin(), hull);
   }
-  if (i < knees_.size() && t.to == double(i + 1)) {
-    include(knees_[i], hull.centers.end(), hull);
+  if (i < part_->knees.size() && t.to == double(i + 1)) {
+    include(part_->knees[i], hull.centers.end(), hull);
   }
   return hull;
 }
 
 bool SweptDiscs::touches_knee(const ParameterInterval& t) const {
-  return std::max(1., std::ceil(t.from)) <= std::min(t.to, double(knees_.size()));
+  return std::max(1., std::ceil(t.from)) <= std::min(t.to, double(part_->knees.size()));
 }
 
 SweptDiscs SweptDiscs::discs_only() const {
+  Part part = *part_;
+  part.knees.clear();
   SweptDiscs result = *this;
-  result.knees_.clear();
+  result.part_ = std::make_shared<const Part>(std::move(part));
   return result;
 }
 
 bool SweptDiscs::turns_little(const ParameterInterval& t, double margin) const {
   const std::size_t i = piece_of(t);
   return t.to <= double(i + 1) &&
-         pieces_[i].turns_little({t.from - double(i), t.to - double(i)}, margin);
+         part_->pieces[i].turns_little({t.from - double(i), t.to - double(i)}, margin);
 }
 
 bool SweptDiscs::append_way(const ParameterInterval& t, std::vector<DiscPace>& way) const {
@@ -173,14 +201,15 @@ bool SweptDiscs::append_way(const ParameterInterval& t, std::vector<DiscPace>& w
     const std::size_t i = piece_of({from, to});
     for (int k = 0; k < kCells; ++k) {
       spend(kWorkOfPace);
-      const auto pace = pieces_[i].pace(part_of({from - double(i), to - double(i)}, k, kCells));
+      const auto pace =
+          part_->pieces[i].pace(part_of({from - double(i), to - double(i)}, k, kCells));
       if (!pace) {
         return false;
       }
       way.push_back(*pace);
     }
   }
-  return !pieces_.empty();
+  return !part_->pieces.empty();
 }
 
 }  // namespace dupin::certification

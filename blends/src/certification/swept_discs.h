@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -44,28 +45,33 @@ class SweptDiscs {
   SweptDiscs(std::size_t length, const std::function<DiscHull(const ParameterInterval&)>& hull,
              SearchWork* work = nullptr);
 
-  [[nodiscard]] double length() const { return sphere_ ? 1 : double(pieces_.size()); }
-  [[nodiscard]] bool closed() const { return closed_; }
-  [[nodiscard]] bool has_kneecaps() const { return has_kneecaps_; }
+  [[nodiscard]] double length() const { return part_->sphere ? 1 : double(part_->pieces.size()); }
+  [[nodiscard]] bool closed() const { return part_->closed; }
+  [[nodiscard]] bool has_kneecaps() const { return part_->has_kneecaps; }
   /// Whether it touches a joint with a kneecap.
   [[nodiscard]] bool touches_knee(const ParameterInterval& t) const;
+  /// The same discs, for a search that spends of this work.
+  [[nodiscard]] SweptDiscs with(SearchWork* work) const;
   /// The same discs, without the joints' balls.
   [[nodiscard]] SweptDiscs discs_only() const;
   /// The part is the union of its discs: neither hollow nor elliptic, and without kneecaps.
-  [[nodiscard]] bool full() const { return full_; }
+  [[nodiscard]] bool full() const { return part_->full; }
   /// One for each piece, or for the ball.
   [[nodiscard]] std::vector<ParameterInterval> stretches() const;
   /// There are so many pieces that runs of them are looked at, too.
-  [[nodiscard]] bool has_runs() const { return !boxes_.empty(); }
+  [[nodiscard]] bool has_runs() const { return !part_->boxes.empty(); }
   /// What searches begin with: the same, or all of many pieces at once.
   [[nodiscard]] std::vector<ParameterInterval> roots() const;
   /// The searches have to end.
   [[nodiscard]] bool is_out_of_work() const { return work_ != nullptr && work_->is_used_up(); }
-  [[nodiscard]] std::uint64_t work_left() const;
+  [[nodiscard]] bool has_work_for(std::uint64_t units) const;
+  [[nodiscard]] std::uint64_t work_spent() const;
+  /// Whether more is left than half of what was when so much was spent.
+  [[nodiscard]] bool has_half_since(std::uint64_t spent) const;
   /// For what they do besides looking at discs.
   void spend(std::uint64_t units) const;
   /// The stored rings of its ends, if it has any.
-  [[nodiscard]] const std::vector<Ring>& end_rings() const { return end_rings_; }
+  [[nodiscard]] const std::vector<Ring>& end_rings() const { return part_->end_rings; }
 
   /// Requires no seam inside t, or whole pieces: of these the discs are in a box.
   [[nodiscard]] DiscHull over(const ParameterInterval& t) const;
@@ -81,13 +87,19 @@ class SweptDiscs {
   [[nodiscard]] std::size_t piece_of(const ParameterInterval& t) const;
   [[nodiscard]] DiscHull over_run(const ParameterInterval& t) const;
 
+  /// What is the same for all searches, which may be several at once.
+  struct Part {
+    std::optional<Sphere> sphere;
+    std::vector<surfaces::PieceDiscs> pieces;
+    std::vector<Eigen::AlignedBox3d> boxes;  ///< of the pieces, where there are many
+    std::vector<Ring> end_rings;
+    std::vector<Sphere> knees;
+    bool closed = false, full = true, has_kneecaps = false;
+  };
+  [[nodiscard]] static Part of_chain(const Chain& chain);
+
   SearchWork* work_;
-  std::optional<Sphere> sphere_;
-  std::vector<surfaces::PieceDiscs> pieces_;
-  std::vector<Eigen::AlignedBox3d> boxes_;  ///< of the pieces, where there are many
-  std::vector<Ring> end_rings_;
-  std::vector<Sphere> knees_;
-  bool closed_ = false, full_ = true, has_kneecaps_ = false;
+  std::shared_ptr<const Part> part_;
 };
 
 }  // namespace dupin::certification

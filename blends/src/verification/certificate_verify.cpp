@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <string>
@@ -20,6 +21,15 @@ void require(bool follows, const std::string& part, const std::string& claim) {
     throw Error(Errc::invalid_argument, "the claim '" + claim + "' does not follow", part,
                 "certificate");
   }
+}
+
+// In order, whatever is found first.
+template <class Verify>
+void verify_each(std::size_t count, const Verify& verify) {
+  (void)holds_of_all(count, [&](std::size_t i) {
+    verify(i);
+    return true;
+  });
 }
 
 bool is_undecided(Verdict verdict) { return verdict == Verdict::undecided; }
@@ -49,7 +59,7 @@ bool is_silent(const PartClaims& claims) {
 void verify_joints(const Solid& solid, const std::string& name, const PartClaims& claims,
                    double tolerance) {
   const auto& pieces = solid.pieces();
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
+  verify_each(pieces.size(), [&](std::size_t i) {
     require(follows(pieces[i], claims.tangency[2 * i], End::start) &&
                 follows(pieces[i], claims.tangency[2 * i + 1], End::end),
             name, "tangency");
@@ -59,7 +69,7 @@ void verify_joints(const Solid& solid, const std::string& name, const PartClaims
     require(i == 0 ? !solid.closed() || are_flips(pieces.back().end, pieces.front().start)
                    : solid.has_kneecaps() || are_flips(pieces[i - 1].end, pieces[i].start),
             name, "joints");
-  }
+  });
 }
 
 // Hubs' meshes are none of latitudes and longitudes.
@@ -140,6 +150,21 @@ LoopArcs verify_loop(const std::vector<Solid>& solids, const CertifiedFillet& fi
   return {&loop, cells ? std::move(*cells) : std::vector<ArcCell>()};
 }
 
+std::vector<Solid> verify_parts(const Certificate& certificate,
+                                const std::set<std::uint32_t>& hubs) {
+  const auto& parts = certificate.parts;
+  std::vector<std::optional<Solid>> found(parts.size());
+  verify_each(parts.size(), [&](std::size_t i) {
+    verify_part(found[i].emplace(parts[i]), parts[i].name, certificate.claims[i],
+                certificate.tolerance, hubs.contains(std::uint32_t(i)));
+  });
+  std::vector<Solid> solids;
+  for (std::optional<Solid>& solid : found) {
+    solids.push_back(std::move(*solid));
+  }
+  return solids;
+}
+
 // Of all fillets.
 struct Loops {
   std::vector<const CertifiedFillet*> fillets;
@@ -149,17 +174,22 @@ struct Loops {
 Loops verify_fillets(const std::vector<Solid>& solids, const Certificate& certificate) {
   const auto& fillets = certificate.fillets;
   require(certificate.fillet_claims.size() == fillets.size(), "", "fillets");
-  Loops result;
-  for (std::size_t i = 0; i < fillets.size(); ++i) {
+  std::vector<std::vector<LoopArcs>> arcs(fillets.size());
+  verify_each(fillets.size(), [&](std::size_t i) {
     const auto& claims = certificate.fillet_claims[i];
     const auto& loops = fillets[i].loops;
     require(!loops.empty() && loops.size() == claims.size(), fillets[i].name, "loops");
     admit(fillets[i]);
+    arcs[i].clear();
     for (std::size_t k = 0; k < loops.size(); ++k) {
-      result.fillets.push_back(&fillets[i]);
-      result.arcs.push_back(
+      arcs[i].push_back(
           verify_loop(solids, fillets[i], loops[k], claims[k], certificate.tolerance));
     }
+  });
+  Loops result;
+  for (std::size_t i = 0; i < fillets.size(); ++i) {
+    result.fillets.insert(result.fillets.end(), arcs[i].size(), &fillets[i]);
+    std::ranges::move(arcs[i], std::back_inserter(result.arcs));
   }
   return result;
 }
@@ -237,17 +267,26 @@ void verify_clearance(const std::vector<Solid>& solids, const Certificate& certi
           certificate.parts[pair[0]].name, "clearance of " + certificate.parts[pair[1]].name);
 }
 
+// Of two parts each, as many as there are claims at most, and the one after these.
+std::vector<PartPair> first_pairs(std::uint32_t parts, std::size_t claims) {
+  std::vector<PartPair> result;
+  for (std::uint32_t i = 0; i < parts && result.size() <= claims; ++i) {
+    for (std::uint32_t j = i + 1; j < parts && result.size() <= claims; ++j) {
+      result.push_back({i, j});
+    }
+  }
+  return result;
+}
+
 void verify_all_pairs(const std::vector<Solid>& solids, const Certificate& certificate,
                       const HubPairs& hub_pairs) {
   const auto& claims = certificate.clearances;
-  std::size_t next = 0;
-  for (std::uint32_t i = 0; i < solids.size(); ++i) {
-    for (std::uint32_t j = i + 1; j < solids.size(); ++j, ++next) {
-      verify_clearance(solids, certificate, hub_pairs, {i, j},
-                       next < claims.size() ? &claims[next] : nullptr);
-    }
-  }
-  require(next == claims.size(), "", "clearance");
+  const auto pairs = first_pairs(std::uint32_t(solids.size()), claims.size());
+  verify_each(pairs.size(), [&](std::size_t i) {
+    verify_clearance(solids, certificate, hub_pairs, pairs[i],
+                     i < claims.size() ? &claims[i] : nullptr);
+  });
+  require(pairs.size() == claims.size(), "", "clearance");
 }
 
 // Those that have a claim, in order and each once; none is missing that may be closer than is
@@ -255,14 +294,16 @@ void verify_all_pairs(const std::vector<Solid>& solids, const Certificate& certi
 void verify_near_pairs(const std::vector<Solid>& solids, const Certificate& certificate,
                        const HubPairs& hub_pairs) {
   const auto near = pairs_nearer_than(certificate.apart, solids);
-  auto missing = near.begin();
-  PartPair before{0, 0};
-  for (const ClearanceClaim& claim : certificate.clearances) {
-    const PartPair pair{claim.first, claim.second};
+  const auto& claims = certificate.clearances;
+  const auto pair_of = [&](std::size_t i) { return PartPair{claims[i].first, claims[i].second}; };
+  verify_each(claims.size(), [&](std::size_t i) {
+    const PartPair before = i == 0 ? PartPair{0, 0} : pair_of(i - 1), pair = pair_of(i);
     require(before < pair && pair[0] < pair[1] && pair[1] < solids.size(), "", "clearance");
-    verify_clearance(solids, certificate, hub_pairs, pair, &claim);
-    missing += missing != near.end() && *missing == pair ? 1 : 0;
-    before = pair;
+    verify_clearance(solids, certificate, hub_pairs, pair, &claims[i]);
+  });
+  auto missing = near.begin();
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    missing += missing != near.end() && *missing == pair_of(i) ? 1 : 0;
   }
   if (missing != near.end()) {
     verify_clearance(solids, certificate, hub_pairs, *missing, nullptr);
@@ -300,23 +341,25 @@ void verify_all_fillet_pairs(const std::vector<Solid>& solids, const Loops& loop
   const auto& claims = certificate.fillet_clearances;
   const auto parts = std::uint32_t(solids.size()),
              surfaces = parts + std::uint32_t(loops.arcs.size());
-  std::size_t next = 0;
-  const auto verify = [&](const PartPair& pair) {
-    if (is_pair(pair, loops, parts)) {
-      verify_fillet_clearance(solids, loops, certificate.tolerance, pair,
-                              next < claims.size() ? &claims[next] : nullptr);
-      ++next;
+  std::vector<PartPair> pairs;
+  const auto append = [&](const PartPair& pair) {
+    if (pairs.size() <= claims.size() && is_pair(pair, loops, parts)) {
+      pairs.push_back(pair);
     }
   };
   for (std::uint32_t k = parts; k < surfaces; ++k) {
     for (std::uint32_t i = 0; i < parts; ++i) {
-      verify({i, k});
+      append({i, k});
     }
     for (std::uint32_t j = k + 1; j < surfaces; ++j) {
-      verify({k, j});
+      append({k, j});
     }
   }
-  require(next == claims.size(), "", "clearance");
+  verify_each(pairs.size(), [&](std::size_t i) {
+    verify_fillet_clearance(solids, loops, certificate.tolerance, pairs[i],
+                            i < claims.size() ? &claims[i] : nullptr);
+  });
+  require(pairs.size() == claims.size(), "", "clearance");
 }
 
 // As verify_near_pairs does.
@@ -325,15 +368,18 @@ void verify_near_fillet_pairs(const std::vector<Solid>& solids, const Loops& loo
   const std::size_t parts = solids.size();
   auto near = loop_pairs_nearer_than(certificate.apart, solids, loops.arcs);
   std::erase_if(near, [&](const PartPair& pair) { return !is_pair(pair, loops, parts); });
+  const auto& claims = certificate.fillet_clearances;
+  const auto pair_of = [&](std::size_t i) { return PartPair{claims[i].first, claims[i].second}; };
+  verify_each(claims.size(), [&](std::size_t i) {
+    const PartPair pair = pair_of(i);
+    require(is_pair(pair, loops, parts) &&
+                (i == 0 || place_of(pair_of(i - 1), parts) < place_of(pair, parts)),
+            "", "clearance");
+    verify_fillet_clearance(solids, loops, certificate.tolerance, pair, &claims[i]);
+  });
   auto missing = near.begin();
-  std::optional<Place> before;
-  for (const ClearanceClaim& claim : certificate.fillet_clearances) {
-    const PartPair pair{claim.first, claim.second};
-    require(is_pair(pair, loops, parts) && (!before || *before < place_of(pair, parts)), "",
-            "clearance");
-    verify_fillet_clearance(solids, loops, certificate.tolerance, pair, &claim);
-    missing += missing != near.end() && *missing == pair ? 1 : 0;
-    before = place_of(pair, parts);
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    missing += missing != near.end() && *missing == pair_of(i) ? 1 : 0;
   }
   if (missing != near.end()) {
     verify_fillet_clearance(solids, loops, certificate.tolerance, *missing, nullptr);
@@ -351,12 +397,7 @@ void verify(const Certificate& certificate) {
   verification::verify_inputs(certificate);
   verification::require(certificate.claims.size() == parts.size(), "", "parts");
   const auto hubs = verification::hubs_of(certificate);
-  std::vector<verification::Solid> solids;
-  for (std::uint32_t i = 0; i < parts.size(); ++i) {
-    solids.emplace_back(parts[i]);
-    verification::verify_part(solids[i], parts[i].name, certificate.claims[i],
-                              certificate.tolerance, hubs.contains(i));
-  }
+  const auto solids = verification::verify_parts(certificate, hubs);
   const auto hub_pairs = verification::verify_junctions(solids, certificate);
   const auto fillets = verification::verify_fillets(solids, certificate);
   if (certificate.apart == 0) {

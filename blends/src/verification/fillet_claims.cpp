@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -206,16 +207,23 @@ std::optional<ArcCell> regular_cell(const CanalFillet& loop, const ParameterInte
 
 std::optional<std::vector<ArcCell>> regular_cells(const CanalFillet& loop,
                                                   const RegularClaim& claim) {
+  constexpr std::size_t kAtOnce = 1 << 10;  // cells are large, and the first may be wrong
+  const auto& leaves = claim.leaves;
   std::vector<ArcCell> cells;
-  double reached = 0;
-  for (const ParameterInterval& leaf : claim.leaves) {
-    const auto cell = regular_cell(loop, leaf, claim.margin);
-    if (!cell || leaf.from != reached) {
+  while (cells.size() < leaves.size()) {
+    const std::size_t begin = cells.size();
+    std::vector<std::optional<ArcCell>> found(std::min(kAtOnce, leaves.size() - begin));
+    const auto is_next = [&](std::size_t i) {
+      const ParameterInterval& leaf = leaves[begin + i];
+      found[i] = regular_cell(loop, leaf, claim.margin);
+      return found[i] && leaf.from == (begin + i == 0 ? 0 : leaves[begin + i - 1].to);
+    };
+    if (!holds_of_all(found.size(), is_next)) {
       return std::nullopt;
     }
-    cells.push_back(*cell);
-    reached = leaf.to;
+    std::ranges::transform(found, std::back_inserter(cells), [](auto& cell) { return *cell; });
   }
+  const double reached = leaves.empty() ? 0 : leaves.back().to;
   const bool all = has_form(claim) && claim.verdict == Verdict::proved && reached == kLength;
   return all ? std::optional(std::move(cells)) : std::nullopt;
 }
@@ -239,8 +247,8 @@ bool follows(const CanalFillet& loop, const std::vector<ArcCell>& cells,
   const ParameterInterval all{0, kLength};
   return claim.verdict == Verdict::proved && !claim.overlap &&
          covered(all, all, claim.leaves, true) &&
-         std::ranges::all_of(claim.leaves,
-                             [&](const DiscPairs& leaf) { return holds(loop, cells, leaf); });
+         holds_of_all(claim.leaves.size(),
+                      [&](std::size_t i) { return holds(loop, cells, claim.leaves[i]); });
 }
 
 bool follows(const CanalFillet& loop, const ContactClaim& claim) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "verification/admitted.h"
+#include "verification/work.h"
 
 namespace dupin::verification {
 namespace {
@@ -179,12 +180,9 @@ bool piece_follows(const Piece& piece, const Motion& motion, const std::vector<d
   if (!motion) {
     return false;  // nothing is known of how the axes of ellipses turn
   }
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    if (!band_follows(motion, knots[i], knots[i + 1], segments, twist, allowed)) {
-      return false;
-    }
-  }
-  return true;
+  return holds_of_all(knots.size() - 1, [&](std::size_t i) {
+    return band_follows(motion, knots[i], knots[i + 1], segments, twist, allowed);
+  });
 }
 
 // How large the coordinates may be.
@@ -213,27 +211,34 @@ double longest_axis(const Solid& solid) {
 
 enum class Skin { outer, inner };
 
-bool skin_follows(const Solid& solid, const MeshClaim& claim, const std::vector<double>& all,
-                  Skin skin, double allowed) {
+// Those of each piece, from 0 to 1 by its own parameter; none where they are not.
+std::optional<std::vector<std::vector<double>>> knots_of_pieces(const std::vector<double>& all,
+                                                                std::size_t pieces) {
+  std::vector<std::vector<double>> result(pieces);
   auto knot = all.begin();
-  for (std::size_t i = 0; i < solid.pieces().size(); ++i) {
-    // From whole number to whole number, by the piece's own parameter.
-    std::vector<double> knots;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    std::vector<double>& knots = result[i];
     for (; knot != all.end() && (knots.empty() || knots.back() < 1); ++knot) {
       knots.push_back(*knot - double(i));
     }
     if (knots.size() < 2 || knots.front() != 0 || knots.back() != 1 || !ascends(knots)) {
-      return false;
-    }
-    const Piece& piece = solid.pieces()[i];
-    const std::size_t sharing = (piece.shares_frame ? all.size() : knots.size()) - 1;
-    if (!piece_follows(piece, skin == Skin::inner ? piece.inner : piece.motion, knots,
-                       claim.segments, twist_of(claim, sharing), allowed)) {
-      return false;
+      return std::nullopt;
     }
     --knot;
   }
-  return knot + 1 == all.end();
+  return knot + 1 == all.end() ? std::optional(std::move(result)) : std::nullopt;
+}
+
+bool skin_follows(const Solid& solid, const MeshClaim& claim, const std::vector<double>& all,
+                  Skin skin, double allowed) {
+  const auto knots = knots_of_pieces(all, solid.pieces().size());
+  return knots && holds_of_all(knots->size(), [&](std::size_t i) {
+           const Piece& piece = solid.pieces()[i];
+           const std::vector<double>& its = (*knots)[i];
+           const std::size_t sharing = (piece.shares_frame ? all.size() : its.size()) - 1;
+           return piece_follows(piece, skin == Skin::inner ? piece.inner : piece.motion, its,
+                                claim.segments, twist_of(claim, sharing), allowed);
+         });
 }
 
 // Between the rows at both ends, quadrilaterals of which two sides are parallel: they lie in planes
@@ -301,10 +306,12 @@ Interval displacement(double grid, double size) {
 double size_of(const Solid& solid) {
   constexpr double kCells = 4;
   constexpr int kHalvings = 10;
-  double size = 0;
-  for (double i = 0; i < kCells * solid.length(); ++i) {
-    size = std::max(size, size_over(solid, {i / kCells, (i + 1) / kCells}, kHalvings));
-  }
+  std::vector<double> sizes(std::size_t(kCells * solid.length()));
+  (void)holds_of_all(sizes.size(), [&](std::size_t i) {
+    sizes[i] = size_over(solid, {double(i) / kCells, double(i + 1) / kCells}, kHalvings);
+    return true;
+  });
+  double size = sizes.empty() ? 0 : *std::max_element(sizes.begin(), sizes.end());
   for (const Sphere& knee : solid.knees()) {
     size = std::max(size, numbers::norm(numbers::interval_vec(knee.center)).upper);
   }

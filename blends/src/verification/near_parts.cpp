@@ -154,22 +154,29 @@ class NearPairs {
 
 }  // namespace
 
+namespace {
+
+// Of the parts, and room for more.
+std::vector<Box> boxes_of(const std::vector<Solid>& solids, std::size_t more) {
+  std::vector<Box> boxes(solids.size());
+  (void)holds_of_all(solids.size(), [&](std::size_t i) {
+    boxes[i] = box_of(solids[i]);
+    return true;
+  });
+  boxes.reserve(solids.size() + more);
+  return boxes;
+}
+
+}  // namespace
+
 std::vector<PartPair> pairs_nearer_than(double distance, const std::vector<Solid>& solids) {
-  std::vector<Box> boxes;
-  boxes.reserve(solids.size());
-  for (const Solid& solid : solids) {
-    boxes.push_back(box_of(solid));
-  }
+  std::vector<Box> boxes = boxes_of(solids, 0);
   return NearPairs(std::move(boxes), distance, 0).found();
 }
 
 std::vector<PartPair> loop_pairs_nearer_than(double distance, const std::vector<Solid>& solids,
                                              const std::vector<LoopArcs>& loops) {
-  std::vector<Box> boxes;
-  boxes.reserve(solids.size() + loops.size());
-  for (const Solid& solid : solids) {
-    boxes.push_back(box_of(solid));
-  }
+  std::vector<Box> boxes = boxes_of(solids, loops.size());
   for (const LoopArcs& loop : loops) {
     boxes.push_back(box_of(loop));
   }

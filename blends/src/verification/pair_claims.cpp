@@ -294,7 +294,8 @@ bool follows(const Solid& solid, const EmbeddedClaim& claim, const RegularClaim&
   const ParameterInterval all{0, solid.length()};
   return regular.verdict == Verdict::proved &&
          covered(all, all, with_neighbours(claim.leaves, solid), true) &&
-         std::all_of(claim.leaves.begin(), claim.leaves.end(), [&](const DiscPairs& leaf) {
+         holds_of_all(claim.leaves.size(), [&](std::size_t i) {
+           const DiscPairs& leaf = claim.leaves[i];
            return has_leaf(solid, solid, leaf) &&
                   (leaf.direction ? is_apart(solid, leaf)
                                   : is_short_way(solid, leaf, regular.margin));
@@ -318,7 +319,8 @@ bool follows(const Solid& first, const Solid& second, const std::vector<JoinedEn
   }
   return claim.verdict == Verdict::proved && (joined ? claim.distance == 0 : claim.distance > 0) &&
          covered({0, first.length()}, {0, second.length()}, claim.leaves, false) &&
-         std::all_of(claim.leaves.begin(), claim.leaves.end(), [&](const DiscPairs& leaf) {
+         holds_of_all(claim.leaves.size(), [&](std::size_t i) {
+           const DiscPairs& leaf = claim.leaves[i];
            return has_leaf(first, second, leaf) &&
                   (leaf.direction ? apart(first, second, leaf, claim.distance)
                                   : is_short_way(first, second, joints, leaf));

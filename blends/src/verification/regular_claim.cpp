@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "verification/admitted.h"
+#include "verification/work.h"
 
 namespace dupin::verification {
 namespace {
@@ -127,16 +128,16 @@ bool follows(const Solid& solid, const RegularClaim& claim) {
   if (claim.verdict == Verdict::refuted) {
     return is_refuted(solid, claim);
   }
-  double reached = 0;
-  for (const ParameterInterval& leaf : claim.leaves) {
+  const auto& leaves = claim.leaves;
+  const auto follows_on = [&](std::size_t i) {
+    const ParameterInterval& leaf = leaves[i];
     const Piece* piece = solid.piece(leaf);
-    if (leaf.from != reached || !(leaf.from < leaf.to) || !is_stretch(leaf, solid.length()) ||
-        piece == nullptr || !is_regular_on(*piece, claim.margin, within_piece(leaf))) {
-      return false;
-    }
-    reached = leaf.to;
-  }
-  return reached == solid.length();
+    return leaf.from == (i == 0 ? 0 : leaves[i - 1].to) && leaf.from < leaf.to &&
+           is_stretch(leaf, solid.length()) && piece != nullptr &&
+           is_regular_on(*piece, claim.margin, within_piece(leaf));
+  };
+  return holds_of_all(leaves.size(), follows_on) &&
+         (leaves.empty() ? 0 : leaves.back().to) == solid.length();
 }
 
 }  // namespace dupin::verification

@@ -55,11 +55,13 @@ bool Solid::is_run(const ParameterInterval& t) const {
 
 // A limit would see them spent by whoever asks first, which may be a claim that is not made.
 const std::vector<IntervalVec>& Solid::boxes() const {
-  const WorkLimit not_counted(std::numeric_limits<std::uint64_t>::max());
-  for (auto i = double(boxes_.size()); i < length(); ++i) {
-    boxes_.push_back(box_of_piece(*this, i));
-  }
-  return boxes_;
+  std::call_once(boxes_->found, [this] {
+    const WorkLimit not_counted(std::numeric_limits<std::uint64_t>::max());
+    for (double i = 0; i < length(); ++i) {
+      boxes_->of_pieces.push_back(box_of_piece(*this, i));
+    }
+  });
+  return boxes_->of_pieces;
 }
 
 IntervalVec box_of_piece(const Solid& solid, double i) {

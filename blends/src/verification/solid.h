@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -28,8 +30,8 @@ class Solid {
   [[nodiscard]] const Piece* piece(const ParameterInterval& t) const;
   /// Whether it is a run of several whole pieces, of a chain without kneecaps.
   [[nodiscard]] bool is_run(const ParameterInterval& t) const;
-  /// Axis-parallel boxes of the discs of each piece; found when they are first asked for, which is
-  /// not for several threads at once. They are no work that is limited: four looks at each piece.
+  /// Axis-parallel boxes of the discs of each piece; found when they are first asked for. They are
+  /// no work that is limited: four looks at each piece.
   [[nodiscard]] const std::vector<IntervalVec>& boxes() const;
   /// Of a stretch within one piece; none where the numbers do not tell.
   [[nodiscard]] std::optional<Discs> discs(const ParameterInterval& t) const;
@@ -39,7 +41,11 @@ class Solid {
   std::optional<Sphere> ball_;
   std::vector<Sphere> knees_;
   double wall_ = 0;
-  mutable std::vector<IntervalVec> boxes_;
+  struct Boxes {
+    std::once_flag found;
+    std::vector<IntervalVec> of_pieces;
+  };
+  std::shared_ptr<Boxes> boxes_ = std::make_shared<Boxes>();
   bool closed_ = false, is_full_ = true, has_kneecaps_ = false;
 };
 

@@ -1,8 +1,12 @@
 #include "verification/work.h"
 
 #include <algorithm>
+#include <atomic>
+#include <limits>
+#include <optional>
 
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin::verification {
 namespace {
@@ -11,13 +15,19 @@ thread_local WorkLimit* current = nullptr;
 
 }  // namespace
 
-WorkLimit::WorkLimit(std::uint64_t units) : left_(units), outer_(current) { current = this; }
+WorkLimit::WorkLimit(std::uint64_t units) : left_(units), least_(units), outer_(current) {
+  current = this;
+}
 
 WorkLimit::~WorkLimit() { current = outer_; }
 
 std::uint64_t WorkLimit::left() const { return left_; }
 
 void WorkLimit::set_left(std::uint64_t units) { left_ = units; }
+
+std::uint64_t WorkLimit::least() const { return least_; }
+
+void WorkLimit::set_least(std::uint64_t units) { least_ = units; }
 
 std::uint64_t work_for(const std::vector<DiscPairs>& leaves) {
   constexpr std::uint64_t kNumbers = 6;  // of two stretches; arms at hubs take more looks
@@ -105,6 +115,69 @@ void spend(std::uint64_t units) {
                 "certificate");
   }
   current->left_ -= units;
+  current->least_ = std::min(current->least_, current->left_);
+}
+
+namespace {
+
+// What a block of indices came to, with no more work than there was for all.
+struct Block {
+  bool holds;
+  std::uint64_t spent;
+};
+
+std::uint64_t left_for_all() {
+  return current != nullptr ? current->left() : std::numeric_limits<std::uint64_t>::max();
+}
+
+}  // namespace
+
+// Blocks are taken in order, so that those which are left out stand behind one that failed or
+// threw, or behind more work than there is. One that threw is asked again in its turn, if that
+// comes.
+bool holds_of_all(std::size_t count, const std::function<bool(std::size_t)>& check) {
+  constexpr std::size_t kMostOfBlock = 16, kBlocks = 64;
+  const std::size_t of_block = std::clamp<std::size_t>(count / kBlocks, 1, kMostOfBlock);
+  const auto holds_in_turn = [&](std::size_t block) {
+    const std::size_t end = std::min((block + 1) * of_block, count);
+    std::size_t i = block * of_block;
+    while (i < end && check(i)) {
+      ++i;
+    }
+    return i == end;
+  };
+  const std::uint64_t left = left_for_all();
+  std::vector<std::optional<Block>> blocks((count + of_block - 1) / of_block);
+  std::atomic<std::size_t> next = 0, first_failed = blocks.size();
+  std::atomic<std::uint64_t> spent = 0;
+  for_each_in_parallel(blocks.size(), [&](std::size_t) {
+    const std::size_t block = next++;
+    if (block > first_failed || spent > left) {
+      return;
+    }
+    const WorkLimit limit(left);
+    bool holds = false;
+    try {
+      holds = holds_in_turn(block);
+      blocks[block] = {holds, left - limit.left()};
+      spent += left - limit.left();
+    } catch (const Error&) {
+      holds = false;
+    }
+    for (std::size_t failed = first_failed; !holds && block < failed;) {
+      first_failed.compare_exchange_weak(failed, block);
+    }
+  });
+  for (std::size_t block = 0; block < blocks.size(); ++block) {
+    const bool counts = blocks[block] && blocks[block]->spent <= left_for_all();
+    if (counts) {
+      spend(blocks[block]->spent);
+    }
+    if (!(counts ? blocks[block]->holds : holds_in_turn(block))) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace dupin::verification

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "dupin/blends/certificate.h"
@@ -19,9 +20,12 @@ class WorkLimit {
 
   [[nodiscard]] std::uint64_t left() const;
   void set_left(std::uint64_t units);
+  /// The least that has been left since it began.
+  [[nodiscard]] std::uint64_t least() const;
+  void set_least(std::uint64_t units);
 
  private:
-  std::uint64_t left_;
+  std::uint64_t left_, least_;
   WorkLimit* outer_;
   friend void spend(std::uint64_t units);
 };
@@ -41,5 +45,9 @@ class WorkLimit {
 
 /// Throws Error{limit_exceeded} where the limit does not allow it; without a limit all is allowed.
 void spend(std::uint64_t units);
+
+/// Whether `check(index)` is true of all indices below `count`, by all threads. What is found,
+/// spent and thrown is what one thread would that asks them in order, up to the first that is not.
+[[nodiscard]] bool holds_of_all(std::size_t count, const std::function<bool(std::size_t)>& check);
 
 }  // namespace dupin::verification

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "certification/checked_claims.h"
+#include "dupin/blends/certify.h"
 #include "dupin/kernel/error.h"
 
 namespace dupin::certification {
@@ -15,31 +16,33 @@ CertifiedPart pipe(double height) {
   return part;
 }
 
+const WorkLeft kUsual{CertifyOptions().work, CertificateLimits::kWork};
+
 const DiscPairs kUp{{0, 1}, {0, 1}, Vec3(0, 0, 1)};
 
 TEST(CheckedClaims, leave_undecided_what_the_checker_does_not_find) {
-  CheckedClaims checker;
-  checker.read(pipe(0));
-  const RegularClaim regular = checker.agreed({Verdict::proved, .5, {{0, 1}}, {}});
+  ClaimWork work(kUsual);
+  const Solid solid = admitted(pipe(0), work);
+  const RegularClaim regular = agreed(RegularClaim{Verdict::proved, .5, {{0, 1}}, {}}, solid, work);
   EXPECT_EQ(regular.verdict, Verdict::proved);
-  const RegularClaim gap = checker.agreed({Verdict::proved, .5, {{0, .5}}, {}});
+  const RegularClaim gap = agreed(RegularClaim{Verdict::proved, .5, {{0, .5}}, {}}, solid, work);
   EXPECT_EQ(gap.verdict, Verdict::undecided);
   EXPECT_TRUE(gap.leaves.empty());
   EXPECT_EQ(gap.margin, .5);
   const EmbeddedClaim all{Verdict::proved, {{{0, 1}, {0, 1}, {}}}, {}};
-  EXPECT_EQ(checker.agreed(all, regular).verdict, Verdict::proved);
-  EXPECT_EQ(checker.agreed(all, gap).verdict, Verdict::undecided);
-  EXPECT_TRUE(checker.agreed(MeshClaim{64, 0, {0, 1}, .01}, 0));
-  EXPECT_FALSE(checker.agreed(MeshClaim{64, 0, {0, 1}, .0001}, 0));
+  EXPECT_EQ(agreed(all, regular, solid, work).verdict, Verdict::proved);
+  EXPECT_EQ(agreed(all, gap, solid, work).verdict, Verdict::undecided);
+  EXPECT_TRUE(agreed(MeshClaim{64, 0, {0, 1}, .01}, solid, work));
+  EXPECT_FALSE(agreed(MeshClaim{64, 0, {0, 1}, .0001}, solid, work));
 }
 
 TEST(CheckedClaims, weaken_a_distance_before_they_give_it_up) {
   const std::vector<CertifiedPart> parts{pipe(0), pipe(5)};
-  CheckedClaims checker;
-  checker.read(parts[0]);
-  checker.read(parts[1]);
+  ClaimWork work(kUsual);
+  const std::vector<Solid> solids{admitted(parts[0], work), admitted(parts[1], work)};
   const auto agreed = [&](double distance) {
-    return checker.agreed(ClearanceClaim{0, 1, Verdict::proved, distance, {kUp}, {}}, parts);
+    return certification::agreed(ClearanceClaim{0, 1, Verdict::proved, distance, {kUp}, {}}, parts,
+                                 solids, work);
   };
   EXPECT_EQ(agreed(2.5).distance, 2.5);
   EXPECT_EQ(agreed(3).distance, 3 * (1 - 0x1p-20)) << "but for rounding";
@@ -51,13 +54,13 @@ TEST(CheckedClaims, weaken_a_distance_before_they_give_it_up) {
 }
 
 TEST(CheckedClaims, have_the_work_for_the_caps_of_junctions_set_aside) {
-  CheckedClaims few;
-  few.reserve_for({{7, {0, 1, 2, 3, 4, 5, 6}}, {9, {8, 10}}});
+  WorkLeft left = kUsual;
+  reserve_for({{7, {0, 1, 2, 3, 4, 5, 6}}, {9, {8, 10}}}, left);
+  EXPECT_LT(left.checks, kUsual.checks);
   CertifiedJunction many;
   many.arms.resize(700);  // of 244,650 pairs
-  CheckedClaims checker;
   try {
-    checker.reserve_for({many});
+    reserve_for({many}, left);
     FAIL() << "verify would refuse it";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Errc::limit_exceeded) << error.what();
@@ -65,11 +68,11 @@ TEST(CheckedClaims, have_the_work_for_the_caps_of_junctions_set_aside) {
 }
 
 TEST(CheckedClaims, tell_rings_that_are_off_from_rings_that_there_is_no_work_left_for) {
-  CheckedClaims checker;
-  checker.read(pipe(0));
+  ClaimWork work(kUsual);
+  const Solid solid = admitted(pipe(0), work);
   try {
     for (int i = 0; i < 100'000; ++i) {
-      (void)checker.agreed(TangencyClaim{0, 0, 1e-300, 0}, 0, End::start, .1);
+      (void)agreed(TangencyClaim{0, 0, 1e-300, 0}, {0, End::start}, .1, solid, pipe(0).name, work);
     }
     FAIL() << "work has an end";
   } catch (const Error& error) {
@@ -79,10 +82,13 @@ TEST(CheckedClaims, tell_rings_that_are_off_from_rings_that_there_is_no_work_lef
 }
 
 TEST(CheckedClaims, allow_a_curvature_for_its_last_bits_only_and_no_loose_ring) {
-  CheckedClaims checker;
-  checker.read(pipe(0));
-  EXPECT_NO_THROW((void)checker.agreed(TangencyClaim{0, 0, 1e-300, 0}, 0, End::start, .1));
-  EXPECT_THROW((void)checker.agreed(TangencyClaim{0, 0, .2, 0}, 0, End::start, .1), Error)
+  ClaimWork work(kUsual);
+  const Solid solid = admitted(pipe(0), work);
+  EXPECT_NO_THROW(
+      (void)agreed(TangencyClaim{0, 0, 1e-300, 0}, {0, End::start}, .1, solid, pipe(0).name, work));
+  EXPECT_THROW(
+      (void)agreed(TangencyClaim{0, 0, .2, 0}, {0, End::start}, .1, solid, pipe(0).name, work),
+      Error)
       << "further off than the tolerance";
 }
 

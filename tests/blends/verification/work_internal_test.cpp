@@ -1,3 +1,6 @@
+#include <cstdint>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/error.h"
@@ -57,6 +60,54 @@ TEST(Work, is_allowed_for_parts_that_have_claims_and_claims_that_have_parts) {
   EXPECT_EQ(work_for(certificate), CertificateLimits::kWork);
   certificate.claims.resize(1);
   EXPECT_GT(work_for(certificate), CertificateLimits::kWork);
+}
+
+// What one thread comes to that asks in order: whether it holds, what is left, and what was thrown.
+struct Outcome {
+  bool holds = false;
+  std::uint64_t left = 0;
+  std::string thrown;
+  bool operator==(const Outcome&) const = default;
+};
+
+template <class All>
+Outcome outcome(std::uint64_t units, const All& all) {
+  const WorkLimit limit(units);
+  Outcome result;
+  try {
+    result.holds = all();
+  } catch (const Error& error) {
+    result.thrown = error.message();
+  }
+  result.left = limit.left();
+  return result;
+}
+
+TEST(Work, of_many_threads_is_that_of_one) {
+  constexpr std::size_t kCount = 1000;
+  for (const std::size_t fails : {kCount, std::size_t(0), std::size_t(17), std::size_t(990)}) {
+    for (const std::size_t throws : {kCount, std::size_t(16), std::size_t(600)}) {
+      for (const std::uint64_t units : {0, 10, 400, 2000, 100'000}) {
+        const auto check = [&](std::size_t i) {
+          spend(i % 5);
+          if (i == throws || i == throws + 20) {
+            throw Error(Errc::invalid_argument, std::to_string(i));
+          }
+          return i < fails;
+        };
+        const Outcome expected = outcome(units, [&] {
+          std::size_t i = 0;
+          while (i < kCount && check(i)) {
+            ++i;
+          }
+          return i == kCount;
+        });
+        EXPECT_EQ(outcome(units, [&] { return holds_of_all(kCount, check); }), expected)
+            << fails << " " << throws << " " << units;
+      }
+    }
+  }
+  EXPECT_TRUE(holds_of_all(0, [](std::size_t) { return false; }));
 }
 
 }  // namespace
