@@ -115,5 +115,31 @@ TEST_F(Certify, says_where_a_part_is_proved_to_cross_itself) {
   EXPECT_THAT(result.out, HasSubstr("refuted: eight: embedded, crosses itself at (0."));
 }
 
+// On one of the processors that it may use, and on all. Blends beside each other take all the work
+// that searches may take together, so that two pairs of them are undecided.
+TEST_F(Certify, writes_the_same_certificate_whatever_the_number_of_threads) {
+  folder_.write("near.json", R"({"units": "mm", "tolerance": 0.05, "parts": [
+      {"name": "ai", "pipe": {"from": [-10, 0.0, 0], "to": [0, 0.0, 0], "radius": 2}},
+      {"name": "ao", "pipe": {"from": [30, 7.128, 0.0], "direction": [1, 0.162, -0.08], "length": 8, "radius": 2.03}},
+      {"name": "a", "cyclic_blend": {"from": "ai.end", "to": "ao.start", "radius_law": "R2", "k": 60, "l": 20}},
+      {"name": "bi", "pipe": {"from": [-10, 3.5, 0], "to": [0, 3.5, 0], "radius": 2}},
+      {"name": "bo", "pipe": {"from": [30, 12.375, 1.179], "direction": [1, 0.004, -0.186], "length": 8, "radius": 1.174}},
+      {"name": "b", "cyclic_blend": {"from": "bi.end", "to": "bo.start", "radius_law": "R2", "k": 20, "l": 20}}]})");
+  const auto certify_with = [&](const std::string& command, const std::string& document,
+                                const std::string& output) {
+    return shell(command + tool_path() + " -q certify " + document + " -o " + output).exit_code;
+  };
+  const std::string one =
+      "taskset -c $(awk '/Cpus_allowed_list/ { split($2, numbers, \"/[,-]/\"); "
+      "print numbers[1] }' /proc/self/status) ";
+  for (const std::string& document :
+       {std::string("near.json"), example("skew-cross.json"), example("junction.json")}) {
+    const int undecided = document == "near.json" ? 1 : 0;
+    EXPECT_EQ(certify_with("", document, "all.json"), undecided) << document;
+    EXPECT_EQ(certify_with(one, document, "one.json"), undecided) << document;
+    EXPECT_EQ(folder_.read("all.json"), folder_.read("one.json")) << document;
+  }
+}
+
 }  // namespace
 }  // namespace dupin::test

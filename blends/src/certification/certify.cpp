@@ -90,6 +90,23 @@ std::vector<PartPair> all_pairs(std::uint32_t parts) {
 // Arcs are not divided further than the leaves of the claim that their loop is regular.
 constexpr std::size_t kBoxesOfLoop = 1 << 11;
 
+// A tight bound may have part of the work, for there are claims to come; one that is not as tight
+// takes little.
+const certification::MeshRooms kFirstRooms{
+    {{0x1p-20, 4}, {0x1p-6, 1}, {0x1p-4, 1}, {0x1p-2, 1}, {1, 1}}, true};
+const certification::MeshRooms kLastRooms{
+    {{0x1p-11, 4}, {0x1p-6, 2}, {0x1p-4, 2}, {0x1p-2, 1}, {1, 1}}};
+
+// Of an error of this share of the tolerance: within that, if the tightest of them is not.
+certification::MeshRooms last_rooms(double share) {
+  certification::MeshRooms rooms = kLastRooms;
+  const double within = (1 / share - 1) * (1 - 0x1p-20);
+  if (within > 0 && within < rooms.all.front().share) {
+    rooms.all.insert(rooms.all.begin(), {within, 2});
+  }
+  return rooms;
+}
+
 // The largest angle about a ring's axis that a triangle spans, but for what rounding its corners to
 // the grid adds: claims count that by itself.
 double widest_turn(const TriMesh& mesh, const Ring& ring, double grid) {
@@ -130,6 +147,7 @@ class Certifier {
     append_meshes();
     append_clearances();
     append_fillet_clearances();
+    append_waiting_meshes();
     return std::move(result_);
   }
 
@@ -201,6 +219,7 @@ class Certifier {
   }
 
   void append_meshes() {
+    waiting_meshes_.resize(result_.parts.size());
     const double grid = assembly::lattice_spacing(assembly_, resolved_);
     const auto runs = assembly::welded_runs(resolved_);
     assembly::refuse_too_costly(assembly_, resolved_, runs, grid, options_.most_triangles);
@@ -254,8 +273,30 @@ class Certifier {
   }
 
   void agree_mesh(std::uint32_t part, std::optional<MeshClaim> claim, ClaimWork& work) {
-    result_.claims[part].mesh =
-        claim ? certification::agreed(std::move(*claim), solids_[part], work) : std::nullopt;
+    waiting_meshes_[part].reset();
+    if (!claim) {
+      return;
+    }
+    result_.claims[part].mesh = certification::agreed(*claim, solids_[part], kFirstRooms, work);
+    if (!result_.claims[part].mesh && work.lacks_work()) {
+      waiting_meshes_[part] = std::move(claim);
+    }
+  }
+
+  // Of meshes that a tight bound took too much work of: what clearances have left.
+  void append_waiting_meshes() {
+    std::vector<std::uint32_t> waiting;
+    for (std::uint32_t i = 0; i < waiting_meshes_.size(); ++i) {
+      if (waiting_meshes_[i]) {
+        waiting.push_back(i);
+      }
+    }
+    for_each_claim(waiting.size(), left_, [&](std::size_t i, ClaimWork& work) {
+      const std::uint32_t part = waiting[i];
+      const MeshClaim& claim = *waiting_meshes_[part];
+      result_.claims[part].mesh = certification::agreed(
+          claim, solids_[part], last_rooms(claim.error_bound / assembly_.tolerance), work);
+    });
   }
 
   void append_fillets(const std::vector<RingSampling>& samplings,
@@ -465,6 +506,7 @@ class Certifier {
   std::vector<SweptDiscs> sweeps_;
   std::vector<verification::Solid> solids_;
   std::vector<verification::LoopArcs> loops_;
+  std::vector<std::optional<MeshClaim>> waiting_meshes_;  // by part
   Certificate result_;
 };
 

@@ -113,17 +113,20 @@ TangencyClaim agreed(TangencyClaim claim, const PieceEnd& at, double tolerance, 
   return claim;
 }
 
-std::optional<MeshClaim> agreed(MeshClaim claim, const Solid& solid, ClaimWork& work) {
+// The tighter the bound, the shorter the stretches that it is looked for on.
+std::optional<MeshClaim> agreed(MeshClaim claim, const Solid& solid, const MeshRooms& rooms,
+                                ClaimWork& work) {
   const double proven = claim.error_bound;
   work.forget_lack();
-  for (const double room : {0x1p-20, 0x1p-6, 0x1p-4, 0x1p-2, 1.0}) {
-    if (work.lacks_work()) {
-      break;  // a looser bound would take no less
-    }
-    claim.error_bound = proven * (1 + room);
-    if (work.holds(verification::work_for(claim),
-                   [&] { return verification::follows(solid, claim); })) {
+  for (const MeshRoom& room : rooms.all) {
+    claim.error_bound = proven * (1 + room.share);
+    if (work.holds(
+            verification::work_for(claim), [&] { return verification::follows(solid, claim); },
+            room.of_work)) {
       return claim;
+    }
+    if (rooms.end_without_work && work.lacks_work()) {
+      break;
     }
   }
   return std::nullopt;

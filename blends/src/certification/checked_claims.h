@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,8 +44,20 @@ struct PieceEnd {
 [[nodiscard]] TangencyClaim agreed(TangencyClaim claim, const PieceEnd& at, double tolerance,
                                    const Solid& solid, const std::string& name, ClaimWork& work);
 
+/// A share that is added to the error of a mesh, and of how many shares of the work that is left
+/// one may be taken to check it.
+struct MeshRoom {
+  double share;
+  std::uint64_t of_work;
+};
+struct MeshRooms {
+  std::vector<MeshRoom> all;
+  bool end_without_work = false;  ///< what lacks work for one is not tried with another
+};
+
 /// None: undecided.
-[[nodiscard]] std::optional<MeshClaim> agreed(MeshClaim claim, const Solid& solid, ClaimWork& work);
+[[nodiscard]] std::optional<MeshClaim> agreed(MeshClaim claim, const Solid& solid,
+                                              const MeshRooms& rooms, ClaimWork& work);
 /// Of the mesh of a hub, for which a bound is found.
 [[nodiscard]] std::optional<MeshClaim> agreed_of_hub(MeshClaim claim, const Sphere& hub,
                                                      ClaimWork& work);

@@ -6,28 +6,58 @@
 #include <vector>
 
 #include "dupin/blends/certificate.h"
+#include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 
 namespace dupin::certification {
 
 // Where checks ran out of work, they would have had they had less.
 bool WorkTaken::is_same_with(const WorkLeft& left) const {
-  return left.checks >= least_checks_ && (ran_out_ == 0 || left.checks <= begun_.checks) &&
+  return left.checks >= least_checks_ && (!ran_out_ || left.checks <= begun_.checks) &&
          searches_.is_same_with(left.searches) && refused_from_ <= left.refused &&
          left.refused <= refused_to_;
 }
 
 WorkLeft WorkTaken::rest_of(const WorkLeft& left) const {
-  const std::uint64_t less = begun_.checks - left.checks;  // modulo 2^64
-  return {left.searches - std::min(left.searches, searches_.spent()), checks_left_ - less,
-          left.refused + refused_ - ran_out_ * less};
+  return {left.searches - std::min(left.searches, searches_.spent()),
+          left.checks + checks_left_ - begun_.checks, left.refused + refused_};
+}
+
+// What runs out of work is taken to have had all that a certificate may take, or that share of it:
+// not to depend on what those before left.
+bool ClaimWork::holds(std::uint64_t allowance, const std::function<bool()>& check,
+                      std::uint64_t shares) {
+  if (allowance > 0 && has_refused_too_much()) {
+    return false;
+  }
+  const std::uint64_t before = limit_.left(), most = before / shares + allowance;
+  const verification::WorkLimit own(most);
+  bool holds = false;
+  try {
+    holds = check();
+  } catch (const Error& error) {
+    if (error.code() != Errc::limit_exceeded) {
+      throw;
+    }
+    taken_.ran_out_ = lacks_work_ = true;
+    taken_.refused_ += CertificateLimits::kWork / shares + allowance;
+    return false;
+  }
+  const std::uint64_t spent = most - own.left();
+  const std::uint64_t beyond = spent - std::min(spent, allowance);
+  limit_.set_least(std::min(limit_.least(), before - shares * beyond));
+  if (holds) {
+    limit_.set_left(before + allowance - spent);
+  } else {
+    taken_.refused_ += spent;
+  }
+  return holds;
 }
 
 bool ClaimWork::has_refused_too_much() {
   constexpr std::uint64_t kMost = 8 * CertificateLimits::kWork;
   if (taken_.begun_.refused + taken_.refused_ > kMost) {
-    // What was refused by running out of work is not the same with less.
-    const std::uint64_t own = taken_.ran_out_ > 0 ? 0 : std::min(kMost + 1, taken_.refused_);
+    const std::uint64_t own = std::min(kMost + 1, taken_.refused_);
     taken_.refused_from_ = std::max(taken_.refused_from_, kMost + 1 - own);
     return true;
   }

@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "certification/search_work.h"
-#include "dupin/kernel/error.h"
 #include "verification/work.h"
 
 namespace dupin::certification {
@@ -35,7 +34,7 @@ class WorkTaken {
   std::uint64_t refused_ = 0;                     // besides what was refused before
   std::uint64_t refused_from_ = 0;                // of what was refused before, the least
   std::uint64_t refused_to_ = ~std::uint64_t(0);  // and the most
-  std::uint64_t ran_out_ = 0;                     // so many checks did
+  bool ran_out_ = false;                          // a check did
 };
 
 /// The work on one claim, or a few of one part, which limits what this thread's checks may cost
@@ -49,32 +48,11 @@ class ClaimWork {
   /// So much more for the checker, as for the numbers of a part's shape.
   void allow_checks(std::uint64_t units) { limit_.set_left(limit_.left() + units); }
 
-  /// Whether the checker finds so, with `allowance` and what is left. What it refuses costs the
-  /// certificate nothing, for it is not claimed; but it took time, which has an end.
-  template <class Check>
-  [[nodiscard]] bool holds(std::uint64_t allowance, const Check& check) {
-    if (allowance > 0 && has_refused_too_much()) {
-      return false;
-    }
-    const std::uint64_t before = limit_.left(), least = limit_.least();
-    limit_.set_left(before + allowance);
-    try {
-      if (check()) {
-        return true;
-      }
-    } catch (const Error& error) {
-      if (error.code() != Errc::limit_exceeded) {
-        throw;
-      }
-      lacks_work_ = true;
-      ++taken_.ran_out_;
-      limit_.set_left(0);
-      limit_.set_least(least);
-    }
-    taken_.refused_ += before + allowance - limit_.left();
-    limit_.set_left(before);
-    return false;
-  }
+  /// Whether the checker finds so, with `allowance` and what is left, or a share of that: one of
+  /// so many. What it refuses costs the certificate nothing, for it is not claimed; but it took
+  /// time, which has an end.
+  [[nodiscard]] bool holds(std::uint64_t allowance, const std::function<bool()>& check,
+                           std::uint64_t shares = 1);
 
   /// Whether it was work, not truth, that a check lacked since that was forgotten.
   [[nodiscard]] bool lacks_work() const { return lacks_work_; }

@@ -23,21 +23,37 @@ double height(const DiscHull& disc, const Vec3& point) {
                                      .lower;
 }
 
-// Whether the point is proven to lie inside a disc of the stretch, by more than what the checker's
+// Proves of points that they lie inside a disc of a stretch, by more than what the checker's
 // rounding may hide.
+class Inside {
+ public:
+  Inside(const SweptDiscs& sweep, const ParameterInterval& t)
+      : discs_(sweep.over(t)),
+        first_(sweep.over({t.from, t.from})),
+        last_(sweep.over({t.to, t.to})) {}
+
+  [[nodiscard]] const DiscHull& discs() const { return discs_; }
+
+  [[nodiscard]] bool has(const Vec3& point) const {
+    const numbers::IntervalVec p = numbers::interval_vec(point);
+    const double room = kDiscSlack * (point.norm() + discs_.radius.upper);
+    const bool passes =
+        discs_.tangents.empty() ||
+        (numbers::dot(p - first_.centers.front(), first_.tangents.front()).lower > room &&
+         numbers::dot(p - last_.centers.back(), last_.tangents.back()).upper < -room);
+    return passes &&
+           std::all_of(discs_.centers.begin(), discs_.centers.end(),
+                       [&](const numbers::IntervalVec& center) {
+                         return numbers::norm(p - center).upper + room < discs_.radius.lower;
+                       });
+  }
+
+ private:
+  DiscHull discs_, first_, last_;
+};
+
 bool crosses(const SweptDiscs& sweep, const ParameterInterval& t, const Vec3& point) {
-  const DiscHull discs = sweep.over(t), first = sweep.over({t.from, t.from}),
-                 last = sweep.over({t.to, t.to});
-  const numbers::IntervalVec p = numbers::interval_vec(point);
-  const double room = kDiscSlack * (point.norm() + discs.radius.upper);
-  const bool passes =
-      discs.tangents.empty() ||
-      (numbers::dot(p - first.centers.front(), first.tangents.front()).lower > room &&
-       numbers::dot(p - last.centers.back(), last.tangents.back()).upper < -room);
-  return passes && std::all_of(discs.centers.begin(), discs.centers.end(),
-                               [&](const numbers::IntervalVec& center) {
-                                 return numbers::norm(p - center).upper + room < discs.radius.lower;
-                               });
+  return Inside(sweep, t).has(point);
 }
 
 // Where the planes of a sweep's discs are thought to pass a point. Discs and boxes about stretches
@@ -88,22 +104,31 @@ class Crossings {
     return turn >= 0 ? std::max(1, int(std::ceil(kStretches * turn))) : kStretches;
   }
 
+  // No point of a disc is outside of either, whatever rounding does.
+  struct Reach {
+    Eigen::AlignedBox3d box;
+    Vec3 center;
+    double radius;
+
+    [[nodiscard]] bool has(const Vec3& point) const { return (point - center).norm() <= radius; }
+  };
+
   struct Stretch {
     ParameterInterval piece, t;
-    Eigen::AlignedBox3d reach;
+    Reach reach;
     DiscHull first, last;
   };
 
-  static Eigen::AlignedBox3d reach(const DiscHull& hull) {
+  static Reach reach(const DiscHull& hull) {
     Eigen::AlignedBox3d box;
     for (const numbers::IntervalVec& c : hull.centers) {
       box.extend(Vec3(c[0].lower, c[1].lower, c[2].lower));
       box.extend(Vec3(c[0].upper, c[1].upper, c[2].upper));
     }
-    // No point of a disc is outside, whatever rounding does.
-    const double radius = hull.radius.upper + box.diagonal().norm() + 0x1p-40 * box.center().norm();
+    const Vec3 center = box.center();
+    const double radius = hull.radius.upper + box.diagonal().norm() + 0x1p-40 * center.norm();
     const Vec3 around = Vec3::Constant(radius);
-    return {Vec3(box.min() - around), Vec3(box.max() + around)};
+    return {{Vec3(box.min() - around), Vec3(box.max() + around)}, center, radius};
   }
 
   // Stretches come in their order along the part, so that halves of them are near each other: each
@@ -112,7 +137,7 @@ class Crossings {
     leaves_ = std::bit_ceil(stretches_.size());
     tree_.resize(2 * leaves_);
     for (std::size_t i = 0; i < stretches_.size(); ++i) {
-      const Eigen::AlignedBox3d& box = stretches_[i].reach;
+      const Eigen::AlignedBox3d& box = stretches_[i].reach.box;
       if ((box.min().array() <= box.max().array()).all()) {  // others contain no point
         tree_[leaves_ + i] = box;
       }
@@ -122,7 +147,7 @@ class Crossings {
     }
   }
 
-  // In their own order, those whose boxes contain the point.
+  // In their own order, those that may reach the point.
   [[nodiscard]] std::vector<std::size_t> near(const Vec3& point) const {
     constexpr std::uint64_t kBoxesOfUnit = 64;
     std::vector<std::size_t> result, open{1};
@@ -135,7 +160,9 @@ class Crossings {
         continue;
       }
       if (node >= leaves_) {
-        result.push_back(node - leaves_);
+        if (stretches_[node - leaves_].reach.has(point)) {
+          result.push_back(node - leaves_);
+        }
       } else {
         open.push_back(2 * node + 1);
         open.push_back(2 * node);
@@ -173,7 +200,8 @@ std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b, bool sa
   for (int i = 0; i < kDiscs * int(a.length()) && a.has_half_since(before); ++i) {
     const double t = (i + 0.5) / kDiscs;
     const ParameterInterval around{t - 0x1p-16, t + 0x1p-16};
-    const DiscHull disc = a.over(around);
+    const Inside inside(a, around);
+    const DiscHull& disc = inside.discs();
     const Vec3 axis = disc.tangents.empty() ? Vec3::UnitZ() : disc.axis;
     const Vec3 across = axis.unitOrthogonal();
     for (int k = 0; k < 2 * kAngles + 1; ++k) {
@@ -181,7 +209,7 @@ std::optional<Overlap> overlap(const SweptDiscs& a, const SweptDiscs& b, bool sa
       const double reach = disc.radius.lower * (k == 0 ? 0 : k <= kAngles ? 0.5 : 0.9);
       const Vec3 point =
           disc.middle() + reach * (std::cos(angle) * across + std::sin(angle) * axis.cross(across));
-      if (!crosses(a, around, point)) {
+      if (!inside.has(point)) {
         continue;
       }
       for (const ParameterInterval& other : crossings.at(point)) {

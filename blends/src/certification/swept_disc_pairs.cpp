@@ -259,12 +259,24 @@ ClearanceClaim prove_joint(const SweptDiscs& first, const SweptDiscs& second,
   return claim;
 }
 
+namespace {
+
+// So many are looked at before a common point is looked for: more of long parts, where that takes
+// more, and which come apart later.
+std::size_t boxes_before_points(const SweptDiscs& first, const SweptDiscs& second) {
+  constexpr std::size_t kTries = 64, kTriesOfPiece = 4;
+  const bool have_runs = first.has_runs() || second.has_runs();
+  return kTries + (have_runs ? kTriesOfPiece * std::size_t(first.length() + second.length()) : 0);
+}
+
+}  // namespace
+
 // Best first: the box with the smallest bound is divided until the bound is close to a distance
 // that certainly occurs, that of two points.
 ClearanceClaim prove_clearance(const SweptDiscs& first, const SweptDiscs& second,
                                std::size_t boxes) {
   constexpr double kEnough = 0.9;  // of the distance
-  constexpr std::size_t kTries = 64;
+  const std::size_t tries = boxes_before_points(first, second);
   ClearanceClaim claim;
   const auto nearer = [](const Box& a, const Box& b) {
     return a.apart.distance > b.apart.distance;
@@ -293,7 +305,7 @@ ClearanceClaim prove_clearance(const SweptDiscs& first, const SweptDiscs& second
     const bool is_last =
         looked_at >= boxes || first.is_out_of_work() || are_too_short(front.first, front.second);
     // Overlapping parts never come apart; look for a common point before much work is done.
-    if ((is_last ? looked_at < kTries : looked_at == kTries) && !(front.apart.distance > 0)) {
+    if ((is_last ? looked_at < tries : looked_at == tries) && !(front.apart.distance > 0)) {
       claim.overlap = contact(first, second);
       if (!claim.overlap) {
         claim.overlap = overlap(first, second);

@@ -1,5 +1,7 @@
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 #include "blends/random_blends.h"
 
@@ -61,6 +63,29 @@ Assembly field_of_pipes(int side) {
         {"pipe " + std::to_string(i), PipeBetween{foot, foot + Vec3(0, 0, 30), 1}});
   }
   return assembly;
+}
+
+// Of a tight bound the checker has not the work to be convinced; one that is not as tight will do.
+TEST(Certificate, of_a_coil_of_many_points_bounds_its_mesh) {
+  constexpr int kPoints = 200;
+  const auto place = [](int i) {
+    const double turned = 2 * std::numbers::pi * i / 20;
+    return Vec3(20 * std::cos(turned), 20 * std::sin(turned), .4 * i);
+  };
+  Assembly assembly{"coil.json", Unit::millimetre, 0.05, {}, {}};
+  assembly.parts.push_back({"in", PipeBetween{place(0) - Vec3(0, 5, 0), place(0), 1.5}});
+  assembly.parts.push_back(
+      {"out", PipeBetween{place(kPoints), place(kPoints) + Vec3(0, 5, 0), 1.5}});
+  SplineBetween spline{PortReference{"in", End::end}, PortReference{"out", End::start}, {}};
+  for (int i = 1; i < kPoints; ++i) {
+    spline.through.push_back({place(i), 1.5});
+  }
+  assembly.parts.push_back({"coil", spline});
+  const Certificate found = certify(assembly);
+  ASSERT_TRUE(found.claims[2].mesh.has_value());
+  EXPECT_LE(found.claims[2].mesh->error_bound, 1.1 * assembly.tolerance);
+  EXPECT_EQ(found.findings(), 0U);
+  EXPECT_NO_THROW(verify(found));
 }
 
 TEST(Certificate, of_many_parts_has_claims_of_neighbours_only) {

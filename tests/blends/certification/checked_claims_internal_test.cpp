@@ -32,8 +32,9 @@ TEST(CheckedClaims, leave_undecided_what_the_checker_does_not_find) {
   const EmbeddedClaim all{Verdict::proved, {{{0, 1}, {0, 1}, {}}}, {}};
   EXPECT_EQ(agreed(all, regular, solid, work).verdict, Verdict::proved);
   EXPECT_EQ(agreed(all, gap, solid, work).verdict, Verdict::undecided);
-  EXPECT_TRUE(agreed(MeshClaim{64, 0, {0, 1}, .01}, solid, work));
-  EXPECT_FALSE(agreed(MeshClaim{64, 0, {0, 1}, .0001}, solid, work));
+  const MeshRooms rooms{{{0x1p-20, 4}, {1, 1}}};
+  EXPECT_TRUE(agreed(MeshClaim{64, 0, {0, 1}, .01}, solid, rooms, work));
+  EXPECT_FALSE(agreed(MeshClaim{64, 0, {0, 1}, .0001}, solid, rooms, work));
 }
 
 TEST(CheckedClaims, weaken_a_distance_before_they_give_it_up) {

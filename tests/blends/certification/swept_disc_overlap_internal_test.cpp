@@ -141,5 +141,19 @@ TEST(SweptDiscOverlap, contacts_are_centres_of_ends_in_ends) {
   EXPECT_FALSE(touching(plate, Chain(elliptic)));
 }
 
+// Their boxes hold most points of each other.
+TEST(SweptDiscOverlap, of_long_pipes_that_all_but_touch_looks_at_few_discs) {
+  const auto row = [](double y) {
+    std::vector<RingedSurface> pieces;
+    for (double x = 0; x < 20; ++x) {
+      pieces.push_back(cylinder(Vec3(x, y, x), Vec3(x + 1, y, x + 1), 1));
+    }
+    return Chain(pieces);
+  };
+  SearchWork work(1 << 20);
+  EXPECT_FALSE(overlap(SweptDiscs(row(0), &work), SweptDiscs(row(2.01), &work)));
+  EXPECT_LT(work.spent(), 50'000U);
+}
+
 }  // namespace
 }  // namespace dupin::certification
