@@ -18,9 +18,8 @@
 #include "dupin/io/assembly_json.h"
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/off.h"
-#include "dupin/io/ply.h"
 #include "dupin/io/sha256.h"
-#include "dupin/io/stl.h"
+#include "dupin/io/streamed_format.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/districts.h"
 #include "dupin/kernel/error.h"
@@ -289,8 +288,7 @@ double most_of_piece(const BuildArguments& arguments) {
   }
   const Destination to = tiled_destination(arguments.output);
   const bool is_file = !to.is_stdout() && to.patches.empty() &&
-                       to.verification == Verification::compare &&
-                       (to.format == kStlBinary || to.format == kPlyBinary);
+                       to.verification == Verification::compare && is_streamed(to.format);
   return is_file ? static_cast<double>(arguments.tiles.piece) : 0;
 }
 

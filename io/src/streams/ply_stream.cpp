@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 
 #include "formats/ply_numbers.h"
 #include "formats/split_points.h"
@@ -51,7 +52,9 @@ void PlyStream::append(const MeshPiece& piece, std::size_t) { meshes_.append(pie
 
 void PlyStream::commit(const MeshHeader& header, const Normals& normals) {
   meshes_.number_labels();
-  number_points();
+  std::vector<std::size_t> pieces(meshes_.size());
+  std::iota(pieces.begin(), pieces.end(), 0);
+  points_ = numbered_points(meshes_, pieces);
   std::uint64_t copies = 0;
   if (normals) {
     split(normals);
@@ -60,7 +63,7 @@ void PlyStream::commit(const MeshHeader& header, const Normals& normals) {
       copies += split.copies;
     }
   }
-  contents_ = {.vertices = points_ + copies,
+  contents_ = {.vertices = points_.count + copies,
                .triangles = meshes_.triangles(),
                .has_normals = normals && meshes_.triangles() > 0,
                .has_copies = copies > 0,
@@ -69,49 +72,18 @@ void PlyStream::commit(const MeshHeader& header, const Normals& normals) {
   const std::string start = formats::ply_header_text(contents_, meshes_.names(), header,
                                                      formats::PlyEncoding::little_endian);
   write_vertices(start.size());
-  write_copies(start.size() + vertex_size() * points_);
+  write_copies(start.size() + vertex_size() * points_.count);
   write_faces(start.size() + vertex_size() * contents_.vertices, header);
   file_.commit(start);
-}
-
-std::uint32_t PlyStream::Numbers::of(std::uint32_t point) const {
-  const auto found = std::ranges::lower_bound(known, std::pair(point, std::uint32_t{0}));
-  return found != known.end() && found->first == point
-             ? found->second
-             : first + point - static_cast<std::uint32_t>(found - known.begin());
-}
-
-void PlyStream::number_points() {
-  std::map<std::string, std::pair<std::size_t, std::size_t>> begun;  // piece and border
-  for (std::size_t i = 0; i < meshes_.size(); ++i) {
-    Numbers& own = numbers_.emplace_back();
-    own.first = static_cast<std::uint32_t>(points_);
-    const std::vector<MeshBorder>& borders = meshes_.borders(i);
-    for (std::size_t k = 0; k < borders.size(); ++k) {
-      const auto [entry, is_new] = begun.try_emplace(borders[k].name, i, k);
-      if (is_new) {
-        continue;
-      }
-      const auto [before, border] = entry->second;
-      own.shared.push_back({k, before, border});
-      numbers_[before].shared.push_back({border, i, k});
-      const std::vector<std::uint32_t>& there = meshes_.borders(before)[border].points;
-      for (std::size_t point = 0; point < there.size(); ++point) {
-        own.known.emplace_back(borders[k].points.at(point), numbers_[before].of(there[point]));
-      }
-    }
-    std::ranges::sort(own.known);
-    points_ += own_points(i);
-  }
 }
 
 formats::SplitPoints PlyStream::split_piece(std::size_t piece, const Normals& normals) const {
   TriMesh mesh = meshes_.mesh(piece);
   const std::size_t points = mesh.points.size(), triangles = mesh.triangles.size(),
                     labels = mesh.labels.size(), names = mesh.names.size();
-  const std::vector<Shared>& shared = numbers_[piece].shared;
+  const std::vector<SharedBorder>& shared = points_.pieces[piece].shared;
   std::vector<std::size_t> ends;  // of the triangles of each, behind the mesh's
-  for (const Shared& seam : shared) {
+  for (const SharedBorder& seam : shared) {
     append_around(meshes_.borders(piece)[seam.border], meshes_.borders(seam.piece)[seam.of_piece],
                   mesh);
     ends.push_back(mesh.triangles.size());
@@ -208,11 +180,11 @@ void PlyStream::write_vertices(std::uint64_t at) {
     }
     const TriMesh mesh = meshes_.mesh(i);
     const std::vector<Direction> normals = split_normals(i);
-    std::uint32_t number = numbers_[i].first;
-    auto known = numbers_[i].known.begin();
+    std::uint32_t number = points_.pieces[i].first;
+    auto known = points_.pieces[i].known.begin();
     std::string bytes;
     for (std::size_t point = 0; point < mesh.points.size(); ++point) {
-      if (known != numbers_[i].known.end() && known->first == point) {
+      if (known != points_.pieces[i].known.end() && known->first == point) {
         ++known;
         continue;
       }
@@ -234,7 +206,7 @@ void PlyStream::write_copies(std::uint64_t at) {
       std::string bytes;
       std::size_t vertex = mesh.points.size();
       for (const std::uint32_t point : copied(i)) {
-        const std::uint32_t number = numbers_[i].of(point);
+        const std::uint32_t number = points_.pieces[i].of(point);
         formats::store_ply_vertex(bytes, mesh.points[point], &normals[vertex++], &number);
       }
       file_.write(at, bytes);
@@ -248,7 +220,7 @@ void PlyStream::write_faces(std::uint64_t at, const MeshHeader& header) {
   if (contents_.has_colours) {
     colours = text::label_colours(meshes_.names(), header.colours);
   }
-  auto copies = static_cast<std::uint32_t>(points_);
+  auto copies = static_cast<std::uint32_t>(points_.count);
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     if (!meshes_.is_elsewhere(i)) {
       const TriMesh mesh = meshes_.mesh(i);
@@ -258,7 +230,7 @@ void PlyStream::write_faces(std::uint64_t at, const MeshHeader& header) {
       std::string bytes;
       for (std::size_t face = 0; face < triangles.size(); ++face) {
         for (std::uint32_t& corner : triangles[face]) {
-          corner = corner < own ? numbers_[i].of(corner) : copies + (corner - own);
+          corner = corner < own ? points_.pieces[i].of(corner) : copies + (corner - own);
         }
         const std::uint32_t label =
             contents_.has_labels ? meshes_.numbers(i)[mesh.labels[face]] : 0;

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "dupin/io/mesh_stream.h"
@@ -11,6 +10,7 @@
 #include "files/placed_file.h"
 #include "formats/ply_header.h"
 #include "formats/split_points.h"
+#include "streams/point_numbers.h"
 #include "streams/spilled_meshes.h"
 
 namespace dupin::streams {
@@ -33,22 +33,9 @@ class PlyStream : public MeshStream {
     std::uint32_t normals, copies;
   };
 
-  /// A border of a piece, and the same one of another.
-  struct Shared {
-    std::size_t border, piece, of_piece;
-  };
-  struct Numbers {
-    std::uint32_t first = 0;  // of the points that are in no piece before
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> known;  // the others, and their numbers
-    std::vector<Shared> shared;
-
-    [[nodiscard]] std::uint32_t of(std::uint32_t point) const;
-  };
-
-  void number_points();
   /// How many of its points no piece before has.
   [[nodiscard]] std::uint64_t own_points(std::size_t piece) const {
-    return meshes_.points_of(piece) - numbers_[piece].known.size();
+    return meshes_.points_of(piece) - points_.pieces[piece].known.size();
   }
   /// As pieces that go on in others see their triangles, and these theirs: of a point of both they
   /// find the same.
@@ -72,9 +59,8 @@ class PlyStream : public MeshStream {
   files::PlacedFile file_;
   SpilledMeshes meshes_;
   SpilledArrays arrays_;
-  std::vector<Split> splits_;     // empty without normals
-  std::vector<Numbers> numbers_;  // by piece
-  std::uint64_t points_ = 0;      // shared ones once
+  std::vector<Split> splits_;  // empty without normals
+  NumberedPoints points_;
   formats::PlyContents contents_;
 };
 

@@ -10,6 +10,7 @@
 #include "dupin/io/vtu.h"
 #include "dupin/kernel/error.h"
 #include "files/placed_file.h"
+#include "streams/point_numbers.h"
 
 namespace dupin::streams {
 namespace {
@@ -137,15 +138,22 @@ void PvtuStream::append(const MeshPiece& piece, std::size_t file) {
 TriMesh PvtuStream::mesh_of(const std::vector<std::size_t>& pieces) const {
   TriMesh all;
   all.names = meshes_.names();
-  for (const std::size_t piece : pieces) {
-    const TriMesh mesh = meshes_.mesh(piece);
-    const auto shift = static_cast<std::uint32_t>(all.points.size());
-    all.points.insert(all.points.end(), mesh.points.begin(), mesh.points.end());
+  const NumberedPoints points = numbered_points(meshes_, pieces);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const TriMesh mesh = meshes_.mesh(pieces[i]);
+    std::vector<std::uint32_t> numbers;
+    numbers.reserve(mesh.points.size());
+    for (const Vec3& point : mesh.points) {
+      numbers.push_back(points.pieces[i].of(static_cast<std::uint32_t>(numbers.size())));
+      if (numbers.back() == all.points.size()) {
+        all.points.push_back(point);
+      }
+    }
     for (const auto& [a, b, c] : mesh.triangles) {
-      all.triangles.push_back({a + shift, b + shift, c + shift});
+      all.triangles.push_back({numbers[a], numbers[b], numbers[c]});
     }
     for (const std::uint32_t label : mesh.labels) {
-      all.labels.push_back(meshes_.numbers(piece)[label]);
+      all.labels.push_back(meshes_.numbers(pieces[i])[label]);
     }
   }
   return all;

@@ -86,7 +86,15 @@ def check_pieces(tool, folder):
                 assert shared.returncode == 0, shared.stderr
                 assert shared_file.read_bytes() == file.read_bytes(), (suffix, ranks, more)
                 assert json.loads(shared.stdout)["output"]["check"] == json.loads(whole.stdout)["output"]["check"]
-    for path in [*folder.glob("pieces.*"), *folder.glob("shared.*")]:
+    (folder / "pieces.json").write_text(json.dumps(connected(8)), encoding="utf-8")
+    checks = []
+    for ranks in [0, 1, 2, 3]:
+        shared = run(tool, folder, ranks, "pieces.json", "-o", "pieces.pvtu", "--piece", "1000")
+        assert shared.returncode == 0, shared.stderr
+        assert len([*folder.glob("pieces_*.vtu")]) == max(1, ranks)
+        checks.append(json.loads(shared.stdout)["output"]["check"])
+        assert checks[-1] == checks[0], ranks
+    for path in [*folder.glob("pieces*"), *folder.glob("shared.*")]:
         path.unlink()
 
 

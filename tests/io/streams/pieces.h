@@ -48,6 +48,24 @@ inline TriMesh bar(double from, double to, const std::string& name, bool ends_at
   return mesh;
 }
 
+/// Two of them, without the ends between them.
+inline TriMesh two_bars() {
+  TriMesh whole = bar(0, 1, "a", false);
+  const TriMesh other = bar(1, 3, "b", true);
+  whole.names = {"a", "b"};
+  whole.points.insert(whole.points.end(), other.points.begin() + 4, other.points.end());
+  whole.triangles.resize(10);
+  whole.labels.resize(10);
+  for (std::size_t i = 0; i < other.triangles.size(); ++i) {
+    if (other.labels[i] == 0) {
+      const auto& [a, b, c] = other.triangles[i];
+      whole.triangles.push_back({a + 4, b + 4, c + 4});
+      whole.labels.push_back(1);
+    }
+  }
+  return whole;
+}
+
 /// Names of labels, for all kinds of company.
 inline const std::vector<std::vector<std::string>> kCompanies = {
     {"a", "b", "c"}, {"a"}, {"a", "a"}, {}, {"", ""}, {"a", "", "b.start", "a"}, {""}};

@@ -66,18 +66,7 @@ TEST_F(PlyStreams, have_points_of_two_pieces_once) {
     stream.commit({}, normals);
     return read_file(path("out.ply"));
   };
-  TriMesh whole = one;
-  whole.names = {"a", "b"};
-  whole.points.insert(whole.points.end(), other.points.begin() + 4, other.points.end());
-  whole.triangles.resize(10);
-  whole.labels.resize(10);
-  for (std::size_t i = 0; i < other.triangles.size(); ++i) {
-    if (other.labels[i] == 0) {
-      const auto& [a, b, c] = other.triangles[i];
-      whole.triangles.push_back({a + 4, b + 4, c + 4});
-      whole.labels.push_back(1);
-    }
-  }
+  const TriMesh whole = test::two_bars();
   EXPECT_TRUE(written({}) == ply_binary_bytes(whole, {}));
   MeshHeader header;
   header.normals = same_for_all(whole);

@@ -54,6 +54,30 @@ TEST_F(PvtuStreams, list_their_files_which_number_labels_alike) {
   EXPECT_EQ(bytes("plant_2.vtu"), vtu_text({.surface = last}, {"mm", {}, {}, {{"a", "#102030"}}}));
 }
 
+TEST_F(PvtuStreams, have_points_of_two_pieces_once_in_each_file) {
+  for (const std::size_t second : {0, 1}) {
+    PvtuStream stream(path("plant.pvtu"));
+    const std::vector<std::string> names{"end"};
+    stream.append(
+        open_piece(test::bar(0, 1, "a", false), std::vector<std::uint32_t>{10, 11}, names), 0);
+    stream.append(open_piece(test::bar(1, 3, "b", true), std::vector<std::uint32_t>{8, 9}, names),
+                  second);
+    stream.commit({}, {});
+    std::size_t points = 0, triangles = 0;
+    for (std::size_t i = 0; i <= second; ++i) {
+      const std::string name = "plant_" + std::to_string(i) + ".vtu";
+      const VolumeMesh read = read_vtu(bytes(name), name);
+      points += read.surface.points.size();
+      triangles += read.surface.triangles.size();
+    }
+    EXPECT_EQ(points, second == 0 ? 12 : 16);
+    EXPECT_EQ(triangles, 20);
+    if (second == 0) {
+      EXPECT_EQ(bytes("plant_0.vtu"), vtu_text({.surface = test::two_bars()}, {}));
+    }
+  }
+}
+
 TEST_F(PvtuStreams, have_a_file_even_of_nothing) {
   write({}, {});
   EXPECT_EQ(file_count(), 2);

@@ -54,7 +54,7 @@ class MeshStream {
   /// The file takes its place, or all of them do. Throws Error{limit_exceeded} for more than the
   /// format can say.
   virtual void commit(const MeshHeader& header, const Normals& normals) = 0;
-  /// The file is given up, in all processes that make it, which go on. Not of .pvtu.
+  /// The file is given up, in all processes that make it, which go on.
   virtual void abandon() {}
 };
 

@@ -26,16 +26,17 @@ extern const MeshFormat kPvtu;
 [[nodiscard]] MeshPiece mesh_piece(const Rounded& solid, const MeshFormat& format,
                                    std::string_view file);
 
-/// The piece of this mesh, of binary STL or PLY, without these of its triangles, ascending, the
-/// only ones with labels of these names: ends at which it goes on in others.
+/// The piece of this mesh without these of its triangles, ascending, the only ones with labels of
+/// these names: ends at which it goes on in others.
 [[nodiscard]] MeshPiece without(MeshPiece piece, const TriMesh& mesh, const MeshFormat& format,
                                 std::span<const std::uint32_t> triangles,
                                 std::span<const std::string> names);
 
 /// `format` is streamed. Of kPvtu, `NAME.pvtu` lists `NAME_0.vtu` and so on, which have the
-/// triangles with the cell data of vtu_text(), labels being numbered alike in all; if a file cannot
-/// take its place, none is left. Several processes that write it make it all at once; files of
-/// kPvtu are written by the process that has their pieces.
+/// triangles with the cell data of vtu_text(), labels being numbered alike in all, and of a border
+/// of two pieces its points once in each file; if a file cannot take its place, none is left.
+/// Several processes that write it make it all at once; files of kPvtu are written by the process
+/// that has their pieces.
 [[nodiscard]] std::unique_ptr<MeshStream> mesh_stream(const std::filesystem::path& path,
                                                       const MeshFormat& format,
                                                       const Processes* processes = nullptr);

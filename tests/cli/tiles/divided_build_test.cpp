@@ -1,0 +1,279 @@
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "cli/tool.h"
+#include "dupin/io/vtu.h"
+#include "dupin/kernel/check.h"
+
+namespace dupin::test {
+namespace {
+
+using DividedBuild = Tool;
+
+// Two headers, and lines of pipes, elbows and filleted branches from one to the other: all hangs
+// together, in many rings.
+std::string connected(int lines, const std::string& more = "") {
+  std::string text = R"({"units": "mm", "tolerance": 0.5)" + more + R"(, "parts": [)";
+  for (int i = 0; i < lines; ++i) {
+    const std::string n = std::to_string(i), before = std::to_string(i - 1),
+                      x = std::to_string(600 * i + 300);
+    for (const auto& [name, place] :
+         {std::pair<std::string, std::string>("h", "0, 0"), {"g", "1180, 780"}}) {
+      text += i == 0 ? R"({"name": ")" + name + R"(0", "pipe": {"from": [0, )" + place +
+                           R"(], "to": [600, )" + place + R"(], "radius": 100}})"
+                     : R"({"name": ")" + name + n + R"(", "pipe": {"from": ")" + name + before +
+                           R"(.end", "length": 600}})";
+      text += ",";
+    }
+    text += R"({"name": "b)" + n + R"(", "pipe": {"from": [)" + x + R"(, 0, 0], "to": [)" + x +
+            R"(, 0, 600], "radius": 60}},{"name": "e)" + n + R"(", "elbow": {"from": "b)" + n +
+            R"(.end", "bend_radius": 180, "angle": 90, "toward": [0, 1, 0]}},{"name": "p)" + n +
+            R"(", "pipe": {"from": "e)" + n + R"(.end", "length": 1000}},{"name": "n)" + n +
+            R"(", "pipe": {"on": "p)" + n +
+            R"(", "at": 400, "direction": [0, 0, 1], "length": 200, "radius": 30}},{"name": "f)" +
+            n + R"(", "fillet": {"between": ["p)" + n + R"(", "n)" + n + R"("], "radius": 8}})" +
+            (i + 1 < lines ? "," : "");
+  }
+  return text + "]}";
+}
+
+// What is made of a document, of which so many holes are known.
+struct Made {
+  std::string keys, region;
+  int genus;
+  std::vector<std::string> pieces;
+};
+
+TEST_F(DividedBuild, gives_the_same_bytes_of_what_hangs_together_in_pieces) {
+  for (const auto& [keys, region, genus, pieces] :
+       {Made{"", "outer", 11, {"1", "3000", "9000"}},
+        {R"(, "wall": 5)", "metal", 37, {"1"}},
+        {R"(, "wall": 5)", "fluid", 11, {"9000"}},
+        {R"(, "wall": 5)", "outer", 11, {"9000"}},
+        {R"(, "insulation": 40)", "insulation", 37, {"9000"}}}) {
+    folder_.write("plant.json", connected(12, keys));
+    const auto build = [&](std::vector<std::string> own) {
+      own.insert(own.begin(), {"build", "plant.json", "-o", "out.stl", "--region", region});
+      const auto report = json(own, 0);
+      return std::pair(report, folder_.read("out.stl"));
+    };
+    const auto [whole, whole_bytes] = build({});
+    for (const std::string& piece : pieces) {
+      const auto [report, bytes] = build({"--piece", piece});
+      EXPECT_FALSE(bytes == whole_bytes);
+      const auto &check = report.at("output").at("check"),
+                 &of_whole = whole.at("output").at("check");
+      for (const std::string key : {"solid", "components", "euler_number", "genus"}) {
+        EXPECT_EQ(check.at(key), of_whole.at(key)) << region << " " << key;
+      }
+      EXPECT_EQ(check.at("components"), 1);
+      EXPECT_EQ(check.at("genus"), genus) << region;
+      for (const std::string key : {"volume", "area"}) {
+        const double expected = of_whole.at(key).get<double>();
+        EXPECT_NEAR(check.at(key).get<double>(), expected, 1e-6 * expected) << region << " " << key;
+      }
+      EXPECT_EQ(report.at("parts").size(), whole.at("parts").size());
+      EXPECT_EQ(report.at("runs"), whole.at("runs"));
+      const auto again = json({"check", "out.stl"}, 0);
+      EXPECT_EQ(again.at("solid"), true);
+      for (const std::string key : {"points", "triangles", "components", "euler_number"}) {
+        EXPECT_EQ(again.at(key), check.at(key)) << region << " " << key;
+      }
+      for (const std::string tiles : {"1", "3", "8"}) {
+        EXPECT_TRUE(build({"--piece", piece, "--tiles", tiles}).second == bytes)
+            << region << " " << tiles;
+      }
+      EXPECT_EQ(
+          shell("taskset -cp 0 $BASHPID > /dev/null; dupin build plant.json -o out.stl --quiet "
+                "--tiles 5 --piece " +
+                piece + " --region " + region)
+              .exit_code,
+          0);
+      EXPECT_TRUE(folder_.read("out.stl") == bytes) << region << " on one core";
+      for (int round = 0; round < 2; ++round) {
+        const auto kept = build({"--piece", piece, "--cache", "kept"});
+        EXPECT_TRUE(kept.second == bytes) << region;
+        EXPECT_EQ(kept.first.at("output").at("check"), check) << region;
+      }
+    }
+  }
+}
+
+// Points of rings once, with the normals that the whole has there.
+TEST_F(DividedBuild, gives_the_same_bytes_of_ply_in_pieces) {
+  for (const std::string keys : {"", R"(, "wall": 5)"}) {
+    std::string text = connected(6, keys);
+    text.replace(text.find(R"("name": "h3")"), 0, R"("colour": "#102030", )");
+    folder_.write("plant.json", text);
+    const auto build = [&](std::vector<std::string> own) {
+      own.insert(own.begin(), {"build", "plant.json", "-o", "out.ply"});
+      const auto report = json(own, 0);
+      return std::pair(report.at("output").at("check"), folder_.read("out.ply"));
+    };
+    const auto element = [](const std::string& bytes) {
+      const std::size_t at = bytes.find("element vertex");
+      return bytes.substr(at, bytes.find('\n', at) - at);
+    };
+    const auto [whole, whole_bytes] = build({});
+    const auto [check, bytes] = build({"--piece", "3000"});
+    EXPECT_FALSE(bytes == whole_bytes);
+    EXPECT_EQ(element(bytes), element(whole_bytes)) << "copies, too";
+    const auto again = json({"check", "out.ply"}, 0);
+    for (const std::string key :
+         {"solid", "points", "triangles", "components", "euler_number", "genus"}) {
+      EXPECT_EQ(check.at(key), whole.at(key)) << key;
+      EXPECT_EQ(again.at(key), check.at(key)) << key;
+    }
+    for (const std::string tiles : {"1", "3", "8"}) {
+      EXPECT_TRUE(build({"--piece", "3000", "--tiles", tiles}).second == bytes) << tiles;
+    }
+    EXPECT_EQ(shell("taskset -cp 0 $BASHPID > /dev/null; dupin build plant.json -o out.ply --quiet "
+                    "--tiles 5 --piece 3000")
+                  .exit_code,
+              0);
+    EXPECT_TRUE(folder_.read("out.ply") == bytes) << "on one core";
+    for (int round = 0; round < 2; ++round) {
+      EXPECT_TRUE(build({"--piece", "3000", "--cache", "kept"}).second == bytes);
+    }
+  }
+}
+
+// All pieces in one file: a solid. One in each: what its border is, the next one has, too.
+TEST_F(DividedBuild, writes_files_of_vtk_in_pieces) {
+  folder_.write("plant.json", connected(6, R"(, "wall": 5)"));
+  const auto build = [&](std::vector<std::string> own) {
+    own.insert(own.begin(), {"build", "plant.json", "-o", "out.pvtu"});
+    return json(own, 0).at("output").at("check");
+  };
+  const auto surface = [&](const std::string& file) {
+    return read_vtu(folder_.read(file), file).surface;
+  };
+  const auto whole = build({});
+  const TriMesh undivided = surface("out_0.vtu");
+  const auto names = [&] {  // a line each
+    const std::string text = folder_.read("out_0.vtu");
+    const std::size_t at = text.find("label_names");
+    std::istringstream lines(text.substr(at, text.find("</", at) - at));
+    std::set<std::string> result;
+    for (std::string line; std::getline(lines, line);) {
+      result.insert(line);
+    }
+    return result;
+  };
+  const std::set<std::string> names_before = names();
+  EXPECT_GT(names_before.size(), 100);
+  const auto of_pieces = build({"--piece", "3000"});
+  for (const std::string key : {"solid", "points", "components", "euler_number", "genus"}) {
+    EXPECT_EQ(of_pieces.at(key), whole.at(key)) << key;
+  }
+  const TriMesh divided = surface("out_0.vtu");
+  EXPECT_EQ(divided.points.size(), whole.at("points"));
+  EXPECT_EQ(names(), names_before) << "no ends of pieces";
+  EXPECT_NE(divided.triangles, undivided.triangles);
+  EXPECT_TRUE(check(divided).is_solid());
+  EXPECT_EQ(build({"--piece", "3000", "--tiles", "3"}), of_pieces);
+  std::size_t points = 0, triangles = 0;
+  for (const std::string file : {"out_0.vtu", "out_1.vtu", "out_2.vtu"}) {
+    points += surface(file).points.size();
+    triangles += surface(file).triangles.size();
+  }
+  EXPECT_EQ(of_pieces.at("triangles"), triangles);
+  EXPECT_GT(points, whole.at("points")) << "points of borders are in two files";
+  EXPECT_EQ(build({"--piece", "3000", "--cache", "kept"}), of_pieces);
+  EXPECT_EQ(build({"--piece", "3000", "--cache", "kept"}), of_pieces);
+  EXPECT_EQ(surface("out_0.vtu").triangles, divided.triangles);
+}
+
+// A vessel, which encloses a void; and one with what is in no piece, but may be in the void.
+TEST_F(DividedBuild, knows_what_pieces_enclose) {
+  std::string text = R"({"units": "mm", "tolerance": 0.5, "wall": 5, "parts": [
+      {"name": "p0", "pipe": {"from": [0, 0, 0], "to": [600, 0, 0], "radius": 100}})";
+  for (int i = 1; i < 40; ++i) {
+    text += R"(,{"name": "p)" + std::to_string(i) + R"(", "pipe": {"from": "p)" +
+            std::to_string(i - 1) + R"(.end", "length": 600}})";
+  }
+  text += R"(,{"name": "a", "head": {"from": "p0.start", "form": "ellipsoidal"}},
+             {"name": "b", "head": {"from": "p39.end", "form": "ellipsoidal"}})";
+  const std::string ball = R"(,{"name": "ball", "sphere": {"center": [3200, 0, 0], "radius": 50},
+                               "solid": true})";
+  for (const std::string& more : {std::string(), ball}) {
+    folder_.write("vessel.json", text + more + "]}");
+    const auto bytes_of = [&](const std::string& piece) {
+      const auto built = json({"build", "vessel.json", "-o", "out.stl", "--piece", piece}, 0);
+      const auto shells = built.at("output").at("check").at("shells");
+      EXPECT_EQ(shells.size(), more.empty() ? 2 : 3);
+      const auto again = json({"check", "out.stl"}, 0).at("shells");
+      std::multiset<int> depths, of_check;
+      for (std::size_t i = 0; i < shells.size(); ++i) {
+        depths.insert(shells.at(i).at("depth").get<int>());
+        of_check.insert(again.at(i).at("depth").get<int>());
+      }
+      EXPECT_EQ(depths, of_check);
+      return folder_.read("out.stl");
+    };
+    const auto ply_of = [&](const std::string& piece) {
+      (void)json({"build", "vessel.json", "-o", "out.ply", "--piece", piece}, 0);
+      return folder_.read("out.ply");
+    };
+    EXPECT_EQ(ply_of("3000") == ply_of("1000000"), !more.empty());
+    EXPECT_EQ(bytes_of("3000") == bytes_of("1000000"), !more.empty())
+        << "what is in doubt stays whole";
+  }
+}
+
+TEST_F(DividedBuild, divides_what_does_not_fit_into_memory) {
+  folder_.write("plant.json", connected(12));
+  const ProcessResult whole =
+      dupin({"build", "plant.json", "-o", "out.stl", "--memory", "2MB", "--piece", "1000000"});
+  EXPECT_EQ(whole.exit_code, 3);
+  EXPECT_EQ(dupin({"build", "plant.json", "-o", "out.stl", "--memory", "2MB", "--piece", "3000"})
+                .exit_code,
+            0);
+  EXPECT_EQ(json({"check", "out.stl"}, 0).at("components"), 1);
+}
+
+// Rings whose points are hardly apart from each other in floats: discs come out differently.
+TEST_F(DividedBuild, does_not_divide_where_pieces_do_not_fit) {
+  std::string text = R"({"units": "mm", "tolerance": 0.5, "segments": 600, "parts": [)";
+  for (int i = 0; i < 33; ++i) {
+    const std::string n = std::to_string(i);
+    text += i == 0 ? R"({"name": "p0", "pipe": {"from": [200000.1, 0.3, 0.7],
+                         "to": [200200.3, 7, 3], "radius": 1}})"
+                   : R"(,{"name": "p)" + n + R"(", "pipe": {"from": "p)" + std::to_string(i - 1) +
+                         R"(.end", "length": 200.1}})";
+  }
+  folder_.write("thin.json", text + "]}");
+  const auto bytes = [&](std::vector<std::string> own) {
+    own.insert(own.begin(), {"build", "thin.json", "-o", "out.stl"});
+    EXPECT_EQ(json(own, 0).at("output").at("check").at("components"), 1);
+    return folder_.read("out.stl");
+  };
+  for (const std::string piece : {"1000", "5000"}) {
+    const std::string divided = bytes({"--piece", piece});
+    EXPECT_TRUE(bytes({"--piece", piece, "--tiles", "5"}) == divided);
+    EXPECT_TRUE(bytes({}) == divided) << "there is no piece that fits";
+  }
+  EXPECT_EQ(json({"check", "out.stl"}, 0).at("solid"), true);
+}
+
+TEST_F(DividedBuild, divides_only_what_is_written_and_not_looked_at) {
+  folder_.write("plant.json", connected(6));
+  const auto build = [&](std::vector<std::string> own, const std::string& path = "out.stl") {
+    own.insert(own.begin(), {"build", "plant.json", "-o", path});
+    EXPECT_EQ(dupin(own).exit_code, 0);
+    return folder_.read(path);
+  };
+  const std::string whole = build({});
+  EXPECT_FALSE(build({"--piece", "1"}) == whole);
+  EXPECT_TRUE(build({"--piece", "1", "--patches", "p.json"}) == whole);
+  EXPECT_TRUE(build({"--piece", "1", "--verify", "full"}) == whole);
+  EXPECT_TRUE(build({"--piece", "1"}, "a.off") == build({}, "b.off"));
+}
+
+}  // namespace
+}  // namespace dupin::test
