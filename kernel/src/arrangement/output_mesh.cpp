@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include <tbb/parallel_invoke.h>
@@ -54,11 +57,57 @@ NearestDouble nearest(const CGAL::Mpzf& x, const CGAL::Mpzf& w) {
   return slowly();
 }
 
+// The double nearest to the number in the ball, and whether it may be that number; none where the
+// ball does not tell. Needs UpwardRounding.
+//
+// Lemma: `high` less one of its neighbours is a double, and so are halves of gaps, far from the
+// least doubles. The number is no further from `value` than from `least` to `most`: if that is
+// within half of the gaps beside it, no other double is as near, and if it leaves zero out, `value`
+// is not the number.
+std::optional<NearestDouble> nearest(const exact::Ball& ball) {
+  const bool is_negative = ball.high() < 0;
+  const exact::Ball size = is_negative ? -ball : ball;
+  double value = size.high();
+  if (!(value > 0x1p-900 && value < 0x1p900)) {
+    return std::nullopt;
+  }
+  const auto neighbour = [](double of, int step) {
+    return std::bit_cast<double>(std::bit_cast<std::int64_t>(of) + step);
+  };
+  if (2 * size.low() > neighbour(value, 1) - value) {
+    value = neighbour(value, 1);
+  } else if (-2 * size.low() > value - neighbour(value, -1)) {
+    value = neighbour(value, -1);
+  }
+  const double shift = size.high() - value;
+  const double most = shift + (size.low() + size.radius());
+  const double least = -((size.radius() - size.low()) - shift);
+  if (!(2 * most < neighbour(value, 1) - value && -2 * least < value - neighbour(value, -1))) {
+    return std::nullopt;
+  }
+  return NearestDouble{is_negative ? -value : value, least <= 0 && most >= 0};
+}
+
 // The point as doubles if they hold it, and the nearest ones.
 struct RoundedPoint {
   Vec3 point = Vec3::Zero();
   bool is_exact = true;
 };
+
+// The same of a point that certainly no doubles hold; none where balls do not tell. Needs
+// UpwardRounding.
+std::optional<RoundedPoint> rounded(const exact::BallPoint& balls) {
+  RoundedPoint result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto coordinate = nearest(balls[k]);
+    if (!coordinate) {
+      return std::nullopt;
+    }
+    result.point[static_cast<Eigen::Index>(k)] = coordinate->value;
+    result.is_exact = result.is_exact && coordinate->is_exact;
+  }
+  return result.is_exact ? std::nullopt : std::optional(result);
+}
 
 RoundedPoint rounded(const mesh::ExactPoint& exact) {
   RoundedPoint result;
@@ -139,14 +188,37 @@ class PointWriter {
           }
         });
     std::vector<RoundedPoint> nearest(implicit_.size());
-    support::for_each_in_parallel(implicit_.size(), [&](std::size_t i) {
-      const PointId id = original(implicit_[i]);
-      mesh::ExactPoint value;
-      const mesh::ExactPoint& exact =
-          is_meeting(id) ? (value = input_.points.exact_value(id)) : input_.points.exact(id, value);
-      nearest[i] = is_given(id) ? rounded(exact, given(id).nearest()) : rounded(exact);
-    });
+    constexpr std::size_t kPoints = 256;
+    const auto round = [&](const support::Block& block) {
+      std::vector<std::size_t> open;
+      {
+        const UpwardRounding rounding;
+        for (std::size_t i = block.begin; i < block.end; ++i) {
+          if (const auto certain = rounded_by_ball(original(implicit_[i]))) {
+            nearest[i] = *certain;
+          } else {
+            open.push_back(i);
+          }
+        }
+      }
+      for (const std::size_t i : open) {
+        nearest[i] = rounded_exactly(original(implicit_[i]));
+      }
+    };
+    support::for_each_block(implicit_.size(), round, kPoints);
     return nearest;
+  }
+  // What balls tell of most points, by numbers that are kept for no other use.
+  [[nodiscard]] std::optional<RoundedPoint> rounded_by_ball(PointId id) const {
+    return is_given(id) || !input_.points.is_meeting(id)
+               ? std::nullopt
+               : rounded(evaluate_ball(input_.points, input_.points.definition(id)));
+  }
+  [[nodiscard]] RoundedPoint rounded_exactly(PointId id) const {
+    mesh::ExactPoint value;
+    const mesh::ExactPoint& exact =
+        is_meeting(id) ? (value = input_.points.exact_value(id)) : input_.points.exact(id, value);
+    return is_given(id) ? rounded(exact, given(id).nearest()) : rounded(exact);
   }
   void write_doubles(const std::vector<RoundedPoint>& nearest, mesh::ExactMesh& mesh) {
     for (std::size_t i = 0; i < implicit_.size(); ++i) {

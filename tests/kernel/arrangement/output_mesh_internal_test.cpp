@@ -27,10 +27,7 @@ TEST(Extract, copies_what_nothing_touches_in_its_order) {
   }
 }
 
-TEST(Extract, puts_the_points_that_doubles_hold_first) {
-  const mesh::ExactMesh mesh =
-      arranged({cube(0, 0, 0), test::slanted_tetrahedron()}, union_rule(2));
-  ASSERT_FALSE(mesh.implicit.empty());
+void expect_doubles_first(const mesh::ExactMesh& mesh) {
   for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
     const mesh::ExactPoint p = mesh::exact_point(mesh, i);
     bool is_exact = true;
@@ -40,6 +37,34 @@ TEST(Extract, puts_the_points_that_doubles_hold_first) {
       is_exact = is_exact && x == mesh.points[i][static_cast<int>(k)];
     }
     EXPECT_EQ(is_exact, i < mesh.double_count());
+  }
+}
+
+TEST(Extract, puts_the_points_that_doubles_hold_first) {
+  const mesh::ExactMesh mesh =
+      arranged({cube(0, 0, 0), test::slanted_tetrahedron()}, union_rule(2));
+  ASSERT_FALSE(mesh.implicit.empty());
+  expect_doubles_first(mesh);
+  for (const auto& [name, solids] : test::meetings()) {
+    SCOPED_TRACE(name);
+    expect_doubles_first(arranged(solids, union_rule(solids.size())));
+  }
+}
+
+// Coordinates of either sign, of one that is exact or of none, and next to powers of two, where
+// the gaps to both neighbours differ.
+TEST(Extract, has_the_nearest_doubles_of_pipes_wherever_they_lie) {
+  for (const Vec3& at : {Vec3(0, 0, 0), Vec3(-7, -5, -3), Vec3(1, 2, 1024), Vec3(-1e9, 0.1, 3)}) {
+    TriMesh across = test::tube(0.75, -3, 3, 32), pipe = test::tube(1, -3, 3, 24);
+    for (Vec3& point : across.points) {
+      point = Vec3(point[2], point[0] + 0.1, point[1]) + at;
+    }
+    for (Vec3& point : pipe.points) {
+      point += at;
+    }
+    const mesh::ExactMesh mesh = arranged({pipe, across}, union_rule(2));
+    ASSERT_GT(mesh.implicit.size(), 50u);
+    expect_doubles_first(mesh);
   }
 }
 
