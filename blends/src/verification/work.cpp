@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <limits>
+#include <mutex>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
@@ -106,39 +110,202 @@ std::uint64_t work_for(const Certificate& certificate) {
   return units;
 }
 
-void spend(std::uint64_t units) {
+namespace {
+
+[[noreturn]] void refuse_work() {
+  throw Error(Errc::limit_exceeded, "the claims take more work than their length allows", {},
+              "certificate");
+}
+
+void take(std::uint64_t units) {
   if (current == nullptr) {
     return;
   }
-  if (units > current->left_) {
-    throw Error(Errc::limit_exceeded, "the claims take more work than their length allows", {},
-                "certificate");
+  if (units > current->left()) {
+    refuse_work();
   }
-  current->left_ -= units;
-  current->least_ = std::min(current->least_, current->left_);
+  current->set_left(current->left() - units);
+  current->set_least(std::min(current->least(), current->left()));
+}
+
+// What all threads have spent on blocks that were not in their turn yet, within one call of
+// holds_of_all and those that it leads to.
+struct Ahead {
+  std::uint64_t most;
+  std::atomic<std::uint64_t> spent = 0;
+};
+
+// What a block came to. It is taken over in its turn.
+struct Block {
+  bool holds = false;
+  std::exception_ptr thrown;
+  std::uint64_t spent = 0;
+};
+
+class Blocks {
+ public:
+  Blocks(std::size_t count, Ahead* ahead)
+      : ahead_(ahead), found_(count), first_failed_(count), done_(count) {}
+
+  [[nodiscard]] std::size_t count() const { return found_.size(); }
+  [[nodiscard]] Ahead* ahead() const { return ahead_; }
+  [[nodiscard]] const std::optional<Block>& found(std::size_t block) const { return found_[block]; }
+
+  // In order.
+  [[nodiscard]] std::size_t begun() { return next_++; }
+
+  void end(std::size_t block, Block found) {
+    for (std::size_t failed = first_failed_; !found.holds && block < failed;) {
+      first_failed_.compare_exchange_weak(failed, block);
+    }
+    found_[block] = std::move(found);
+    done_[block] = true;
+  }
+
+  // By all before one that has not ended; none while it does not have its turn.
+  [[nodiscard]] std::optional<std::uint64_t> spent_before(std::size_t block) {
+    const std::lock_guard lock(looking_);
+    for (; open_ < block && done_[open_]; ++open_) {
+      spent_before_open_ += found_[open_]->spent;
+    }
+    return open_ == block ? std::optional(spent_before_open_) : std::nullopt;
+  }
+  // Whether it is of no use, as one before it does not hold.
+  [[nodiscard]] bool is_behind_failed(std::size_t block) const { return block > first_failed_; }
+
+ private:
+  Ahead* ahead_;
+  std::vector<std::optional<Block>> found_;
+  std::atomic<std::size_t> next_ = 0, first_failed_;
+  std::vector<std::atomic<bool>> done_;
+  std::mutex looking_;
+  std::size_t open_ = 0;
+  std::uint64_t spent_before_open_ = 0;
+};
+
+// The block that this thread is at, and those of the calls around it.
+struct Turn {
+  Blocks* blocks;
+  std::size_t block;
+  std::uint64_t left;  // to begin with
+  const WorkLimit* limit;
+  const Turn* around;
+  std::uint64_t unsaid = 0;  // of what it has spent
+};
+
+thread_local Turn* turn = nullptr;
+thread_local bool is_alone = false;  // what this thread is at is not shared
+
+template <class Value>
+class During {
+ public:
+  During(Value& variable, Value value) : variable_(variable), before_(variable) {
+    variable = value;
+  }
+  ~During() { variable_ = before_; }
+  During(const During&) = delete;
+  During& operator=(const During&) = delete;
+
+ private:
+  Value& variable_;
+  Value before_;
+};
+
+bool is_of_no_use(const Turn* at) {
+  return at != nullptr && (at->blocks->is_behind_failed(at->block) || is_of_no_use(at->around));
+}
+
+// What blocks are left by that are asked again in their turn, if that comes.
+struct Stopped {};
+
+// What is spent ahead comes to no more than there is: from there on only what has its turn goes on,
+// until one thread would have run out.
+void stop_where_too_much(const Turn& first) {
+  const Ahead& ahead = *first.blocks->ahead();
+  if (is_of_no_use(&first)) {
+    throw Stopped{};
+  }
+  if (ahead.spent <= ahead.most) {
+    return;
+  }
+  std::uint64_t spent = 0;
+  for (const Turn* at = &first; at != nullptr; at = at->around) {
+    const auto before = at->blocks->spent_before(at->block);
+    if (!before) {
+      throw Stopped{};
+    }
+    spent += at->left - at->limit->left() + *before;
+    if (spent > at->left) {
+      refuse_work();
+    }
+  }
+}
+
+void say_spent(Turn& at) { at.blocks->ahead()->spent += std::exchange(at.unsaid, 0); }
+
+}  // namespace
+
+void spend(std::uint64_t units) {
+  constexpr std::uint64_t kUnsaid = 1 << 10;
+  take(units);
+  if (turn == nullptr || current != turn->limit) {
+    return;
+  }
+  turn->unsaid += units;
+  if (turn->unsaid > kUnsaid) {
+    say_spent(*turn);
+    stop_where_too_much(*turn);
+  }
 }
 
 namespace {
-
-// What a block of indices came to, with no more work than there was for all.
-struct Block {
-  bool holds;
-  std::uint64_t spent;
-};
 
 std::uint64_t left_for_all() {
   return current != nullptr ? current->left() : std::numeric_limits<std::uint64_t>::max();
 }
 
+template <class Holds>
+void look_ahead(Blocks& blocks, const Turn* around, std::uint64_t left, const Holds& holds) {
+  const std::size_t block = blocks.begun();
+  const WorkLimit limit(left);
+  Turn own{&blocks, block, left, &limit, around};
+  const During at(turn, &own);
+  Block found;
+  try {
+    stop_where_too_much(own);
+    found.holds = holds(block);
+  } catch (const Stopped&) {
+    return;
+  } catch (...) {
+    found.thrown = std::current_exception();
+  }
+  say_spent(own);
+  found.spent = left - limit.left();
+  blocks.end(block, std::move(found));
+}
+
+template <class Holds>
+bool holds_in_turn(const Blocks& blocks, std::size_t block, const Holds& holds) {
+  const std::optional<Block>& found = blocks.found(block);
+  if (!found) {
+    const During alone(is_alone, true);
+    return holds(block);
+  }
+  take(found->spent);
+  if (found->thrown) {
+    std::rethrow_exception(found->thrown);
+  }
+  return found->holds;
+}
+
 }  // namespace
 
-// Blocks are taken in order, so that those which are left out stand behind one that failed or
-// threw, or behind more work than there is. One that threw is asked again in its turn, if that
-// comes.
+// A block that spent more than is left in its turn would have run out of it then.
 bool holds_of_all(std::size_t count, const std::function<bool(std::size_t)>& check) {
   constexpr std::size_t kMostOfBlock = 16, kBlocks = 64;
-  const std::size_t of_block = std::clamp<std::size_t>(count / kBlocks, 1, kMostOfBlock);
-  const auto holds_in_turn = [&](std::size_t block) {
+  const std::size_t of_block = is_alone ? std::max<std::size_t>(count, 1)
+                                        : std::clamp<std::size_t>(count / kBlocks, 1, kMostOfBlock);
+  const auto holds = [&](std::size_t block) {
     const std::size_t end = std::min((block + 1) * of_block, count);
     std::size_t i = block * of_block;
     while (i < end && check(i)) {
@@ -146,34 +313,18 @@ bool holds_of_all(std::size_t count, const std::function<bool(std::size_t)>& che
     }
     return i == end;
   };
+  const std::size_t block_count = (count + of_block - 1) / of_block;
+  if (block_count <= 1) {
+    return block_count == 0 || holds(0);
+  }
   const std::uint64_t left = left_for_all();
-  std::vector<std::optional<Block>> blocks((count + of_block - 1) / of_block);
-  std::atomic<std::size_t> next = 0, first_failed = blocks.size();
-  std::atomic<std::uint64_t> spent = 0;
-  for_each_in_parallel(blocks.size(), [&](std::size_t) {
-    const std::size_t block = next++;
-    if (block > first_failed || spent > left) {
-      return;
-    }
-    const WorkLimit limit(left);
-    bool holds = false;
-    try {
-      holds = holds_in_turn(block);
-      blocks[block] = {holds, left - limit.left()};
-      spent += left - limit.left();
-    } catch (const Error&) {
-      holds = false;
-    }
-    for (std::size_t failed = first_failed; !holds && block < failed;) {
-      first_failed.compare_exchange_weak(failed, block);
-    }
-  });
-  for (std::size_t block = 0; block < blocks.size(); ++block) {
-    const bool counts = blocks[block] && blocks[block]->spent <= left_for_all();
-    if (counts) {
-      spend(blocks[block]->spent);
-    }
-    if (!(counts ? blocks[block]->holds : holds_in_turn(block))) {
+  Ahead own{left};
+  Blocks blocks(block_count, turn != nullptr ? turn->blocks->ahead() : &own);
+  const Turn* const around = turn;
+  for_each_in_parallel(blocks.count(),
+                       [&](std::size_t) { look_ahead(blocks, around, left, holds); });
+  for (std::size_t block = 0; block < blocks.count(); ++block) {
+    if (!holds_in_turn(blocks, block, holds)) {
       return false;
     }
   }

@@ -27,7 +27,6 @@ class WorkLimit {
  private:
   std::uint64_t left_, least_;
   WorkLimit* outer_;
-  friend void spend(std::uint64_t units);
 };
 
 /// What a certificate's length allows its checks to cost: see CertificateLimits.
@@ -47,7 +46,9 @@ class WorkLimit {
 void spend(std::uint64_t units);
 
 /// Whether `check(index)` is true of all indices below `count`, by all threads. What is found,
-/// spent and thrown is what one thread would that asks them in order, up to the first that is not.
+/// spent and thrown is what one thread would that asks them in order, up to the first that is not;
+/// where the limit does not allow it, any of it may be left. All threads together, and the calls
+/// that `check` makes, spend no more than twice what is left, but for a few units.
 [[nodiscard]] bool holds_of_all(std::size_t count, const std::function<bool(std::size_t)>& check);
 
 }  // namespace dupin::verification
