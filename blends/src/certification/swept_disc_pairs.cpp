@@ -155,10 +155,6 @@ std::optional<std::vector<DiscPairs>> leaves_of(const SweptDiscs& first, const S
   return leaves;
 }
 
-}  // namespace
-
-namespace {
-
 // Of a chain with kneecaps: its pieces, and what is not next to each other.
 EmbeddedClaim prove_pieces_embedded(const SweptDiscs& sweep, std::size_t boxes,
                                     double longest_way) {

@@ -152,10 +152,6 @@ class NearPairs {
   std::vector<PartPair> pairs_;
 };
 
-}  // namespace
-
-namespace {
-
 // Of the parts, and room for more.
 std::vector<Box> boxes_of(const std::vector<Solid>& solids, std::size_t more) {
   std::vector<Box> boxes(solids.size());

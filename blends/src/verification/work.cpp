@@ -212,7 +212,10 @@ class During {
 };
 
 bool is_of_no_use(const Turn* at) {
-  return at != nullptr && (at->blocks->is_behind_failed(at->block) || is_of_no_use(at->around));
+  while (at != nullptr && !at->blocks->is_behind_failed(at->block)) {
+    at = at->around;
+  }
+  return at != nullptr;
 }
 
 // What blocks are left by that are asked again in their turn, if that comes.
