@@ -188,7 +188,7 @@ struct Turn {
   Blocks* blocks;
   std::size_t block;
   std::uint64_t left;  // to begin with
-  const WorkLimit* limit;
+  const WorkLimit& limit;
   const Turn* around;
   std::uint64_t unsaid = 0;  // of what it has spent
 };
@@ -237,7 +237,7 @@ void stop_where_too_much(const Turn& first) {
     if (!before) {
       throw Stopped{};
     }
-    spent += at->left - at->limit->left() + *before;
+    spent += at->left - at->limit.left() + *before;
     if (spent > at->left) {
       refuse_work();
     }
@@ -251,7 +251,7 @@ void say_spent(Turn& at) { at.blocks->ahead()->spent += std::exchange(at.unsaid,
 void spend(std::uint64_t units) {
   constexpr std::uint64_t kUnsaid = 1 << 10;
   take(units);
-  if (turn == nullptr || current != turn->limit) {
+  if (turn == nullptr || current != &turn->limit) {
     return;
   }
   turn->unsaid += units;
@@ -271,7 +271,7 @@ template <class Holds>
 void look_ahead(Blocks& blocks, const Turn* around, std::uint64_t left, const Holds& holds) {
   const std::size_t block = blocks.begun();
   const WorkLimit limit(left);
-  Turn own{&blocks, block, left, &limit, around};
+  Turn own{&blocks, block, left, limit, around};
   const During at(turn, &own);
   Block found;
   try {
