@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "boxes/bounds.h"
+#include "dupin/kernel/check.h"
 #include "dupin/kernel/connected_components.h"
 #include "dupin/kernel/error.h"
 #include "mesh/coincident_points.h"
@@ -42,6 +43,29 @@ std::vector<std::uint8_t> touching_points(const std::vector<Vec3>& points) {
     }
   }
   return touching;
+}
+
+/// At most so many pairs of triangles are parted: more, as of some hundred parts that share an
+/// edge, find no room beside each other within reach, and took minutes of trials.
+constexpr std::uint64_t kMostPairs = 1 << 17;
+
+/// About how many pairs of triangles touch in points of theirs that are in one place.
+std::uint64_t touching_pairs(const TriMesh& mesh) {
+  std::vector<std::uint64_t> faces(mesh.points.size(), 0);
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const std::uint32_t v : triangle) {
+      ++faces[v];
+    }
+  }
+  const std::vector<std::uint32_t> representatives = mesh::coincident_representatives(mesh.points);
+  std::vector<std::uint64_t> before(mesh.points.size(), 0);  // of points before, in that place
+  std::uint64_t pairs = 0;
+  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+    std::uint64_t& others = before[representatives[v]];
+    pairs += faces[v] * others;
+    others += faces[v];
+  }
+  return pairs;
 }
 
 /// Of any place of the surface.
@@ -106,6 +130,9 @@ class ContactParting::Attempt {
     }
     move_ = largest_move(edited_);
     turned_ = turned_by_editing(whole(), edited_, move_);
+    if (edited_.faults().empty() && turned_.empty()) {
+      turned_ = misplaced_shells();
+    }
   }
 
   [[nodiscard]] bool is_done() const { return edited_.faults().empty() && turned_.empty(); }
@@ -148,11 +175,24 @@ class ContactParting::Attempt {
 
   [[nodiscard]] const TriMesh& whole() const { return touching_.mesh(); }
 
+  /// A face of each shell that editing has taken through another one, whole: it has the sign that
+  /// it had, but not the depth.
+  [[nodiscard]] std::vector<std::uint32_t> misplaced_shells() const {
+    std::vector<std::uint32_t> faces;
+    const auto alive = edited_.alive_faces();
+    for (const Finding& finding : check(surface()).findings) {
+      if (is_fatal(finding.defect)) {
+        faces.push_back(finding.faces.empty() ? alive[0] : alive[finding.faces[0]]);
+      }
+    }
+    return faces;
+  }
+
   const Rounded& touching_;
   std::vector<std::uint32_t> each_;
   EditedMesh edited_;
   double move_ = 0;
-  std::vector<std::uint32_t> turned_;  // a face of each such shell
+  std::vector<std::uint32_t> turned_;  // a face of each shell on its wrong side
 };
 
 /// Of the surface, what it winds around a positive number of times: shells that are so thin that
@@ -201,6 +241,9 @@ std::optional<Rounded> ContactParting::run(const Rounded& touching) const {
   constexpr int kAttempts = 8;
   std::optional<Rounded> current = touching;
   for (int i = 0; i < kAttempts && current && !current->contacts().empty(); ++i) {
+    if (touching_pairs(current->mesh()) > kMostPairs) {
+      return std::nullopt;
+    }
     const Attempt attempt(*current, *this);
     current = attempt.is_done() ? attempt.surface() : rounded_again(attempt);
   }

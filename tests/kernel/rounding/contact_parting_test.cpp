@@ -1,5 +1,7 @@
 
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/rounding.h"
 #include "support/pipe_unions.h"
+#include "support/plants.h"
 #include "support/shapes.h"
 
 namespace dupin {
@@ -87,6 +90,34 @@ TEST(ContactParting, parts_racks_that_touch_themselves_once_they_are_rounded) {
     expect_parted(parted(before), before);
   }
   EXPECT_GT(touching, 1U);
+}
+
+// A sliver comes to lie, whole, on the other side of what it touched: it may have the sign it had,
+// but not the depth.
+TEST(ContactParting, drops_slivers_that_it_takes_through_what_they_touch) {
+  std::vector<Solid> components;
+  for (const TriMesh& mesh : test::plant({.seed = 1135, .components = 300})) {
+    components.push_back(Solid::from(mesh));
+  }
+  const Rounded before = rounded(unite(components));
+  ASSERT_FALSE(before.contacts().empty());
+  expect_parted(parted(before), before);
+}
+
+// They find no room beside each other within some spacings; that was tried for minutes.
+TEST(ContactParting, leaves_as_they_are_hundreds_of_wedges_about_one_edge) {
+  constexpr int kWedges = 200;
+  std::vector<TriMesh> wedges;
+  for (int i = 0; i < kWedges; ++i) {
+    const double from = 2 * std::numbers::pi * i / kWedges, to = from + std::numbers::pi / kWedges;
+    wedges.push_back({{Vec3(0, 0, 0), Vec3(0, 0, 1), 9 * Vec3(std::cos(from), std::sin(from), 0),
+                       9 * Vec3(std::cos(to), std::sin(to), 0)},
+                      {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
+  }
+  const Rounded before = rounded(Solid::from(test::joined(wedges)));
+  const Rounded after = parted(before);
+  EXPECT_EQ(after.contacts().size(), before.contacts().size());
+  EXPECT_TRUE(after.report().parted.empty());
 }
 
 }  // namespace
