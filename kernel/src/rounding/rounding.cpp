@@ -14,6 +14,7 @@
 #include "rounding/edit_strategy.h"
 #include "rounding/mesh_part.h"
 #include "rounding/open_slits.h"
+#include "rounding/pinches.h"
 #include "rounding/point_rounding.h"
 #include "rounding/rounding_options.h"
 #include "rounding/self_crossings.h"
@@ -247,7 +248,7 @@ class Rounding {
         return finished(mesh, alive,
                         {.largest_move = move, .repair_reach = reach, .removed_shells = shells});
       }
-      const bool may_cut = !is_ended || reach >= kSnapReach * step_;
+      const bool may_cut = !is_ended || reach >= kSnapReach * step_ || !pinches(mesh).empty();
       if (auto done = begun_anew(mesh, alive, broken_pairs, broken, may_cut)) {
         return std::move(*done);
       }
@@ -311,13 +312,19 @@ class Rounding {
     return Rounding(filled->mesh, coordinates_, options_, std::move(past)).run();
   }
 
+  [[nodiscard]] std::vector<Vec3> pinches(const EditedMesh& mesh) const {
+    return pinched_places(mesh, representatives_, rounded_.moved);
+  }
+
   /// The surface as far as it is repaired, made a solid again where it still crosses itself, and
   /// rounded anew: iterated snap rounding. None if that is no surface to make a solid of.
   std::optional<Rounded> snapped(const EditedMesh& mesh, std::span<const std::uint32_t> alive,
                                  const Vec3& at) {
-    const Rounded surface = finished(mesh, alive, {});
+    Rounded surface = finished(mesh, alive, {});
+    std::vector<Fault> faults = mesh.faults_among(alive);
+    const double closed = close_pinches(pinches(mesh), kReachGrowth * step_, surface.mesh_, faults);
     Past past = past_;
-    past.moved = largest_move(mesh, alive) - past_.filled();
+    past.moved = largest_move(mesh, alive) + closed - past_.filled();
     past.moved_points = surface.report().moved;
     past.snapped_places.emplace_back(at + origin_ + past_.origin);
     past.origin += origin_;
@@ -325,8 +332,7 @@ class Rounding {
     if (!(past.distance() + kReachGrowth * step_ < tolerance_)) {
       return std::nullopt;
     }
-    const auto solid =
-        without_self_crossings(surface.mesh(), surface.sources(), mesh.faults_among(alive));
+    const auto solid = without_self_crossings(surface.mesh(), surface.sources(), faults);
     return solid ? std::optional(Rounding(*solid, coordinates_, options_, std::move(past)).run())
                  : std::nullopt;
   }

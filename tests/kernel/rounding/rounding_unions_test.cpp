@@ -1,4 +1,8 @@
+#include <cmath>
+#include <numbers>
+#include <random>
 #include <sstream>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -61,6 +65,93 @@ INSTANTIATE_TEST_SUITE_P(some, RoundedUnions,
                          testing::Values(Batch{"design", test::kDesignKinds, {64}, 1},
                                          Batch{"plant", test::kPlantKinds, {64, 192}, 1}),
                          [](const auto& test) { return test.param.name; });
+
+/// Of what touches itself along a step of floats on an axis: two blunt ends, a step apart, of five
+/// faces each, and two wedges between them, whose common edge the step is.
+class Pinched {
+ public:
+  explicit Pinched(std::uint32_t seed) : axis_(seed % 3), random_(seed) {
+    end(-1, 0);
+    end(1, kStep);
+    const double first = in(0, 6), second = first + in(.3, 2.4) + in(.3, 1.2);
+    wedge(first, first + .3);
+    wedge(second, second + in(.3, 2.2));
+  }
+  [[nodiscard]] Solid solid() const { return unite(parts_); }
+
+  static constexpr double kStep = 0x1p-4;
+
+ private:
+  double in(double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(random_);
+  }
+  /// In floats, far away.
+  [[nodiscard]] Vec3 placed(const Vec3& place) const {
+    Vec3 result;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      result[(k + axis_) % 3] = std::round((place[k] + 1e6) / kStep) * kStep;
+    }
+    return result;
+  }
+  void add(TriMesh mesh) {
+    if (volume(mesh) < 0) {
+      for (Triangle& triangle : mesh.triangles) {
+        std::swap(triangle[0], triangle[1]);
+      }
+    }
+    parts_.push_back(Solid::from(mesh));
+  }
+  static double volume(const TriMesh& mesh) {
+    double sum = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const Vec3 from = mesh.points[0];
+      sum += (mesh.points[a] - from).cross(mesh.points[b] - from).dot(mesh.points[c] - from);
+    }
+    return sum;
+  }
+  void end(double toward, double apex) {
+    const double start = in(0, 6);
+    std::vector<Vec3> ring;
+    for (int i = 0; i < 5; ++i) {
+      const double angle = start + 2 * std::numbers::pi * i / 5;
+      ring.push_back(
+          placed(Vec3(8 * std::cos(angle), 8 * std::sin(angle), apex + toward * in(.1, 9))));
+    }
+    for (std::size_t i = 0; i < 5; ++i) {
+      add({{ring[i], ring[(i + 1) % 5], placed(Vec3(0, 0, apex)), placed(Vec3(0, 0, 12 * toward))},
+           {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}}});
+    }
+  }
+  void wedge(double from, double to) {
+    TriMesh mesh{
+        {},
+        {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}}};
+    for (const double z : {-4, 4}) {
+      mesh.points.push_back(placed(Vec3(0, 0, z)));
+      for (const double angle : {from, to}) {
+        mesh.points.push_back(placed(Vec3(6 * std::cos(angle), 6 * std::sin(angle), z)));
+      }
+    }
+    add(std::move(mesh));
+  }
+
+  std::uint32_t axis_;
+  std::mt19937 random_;
+  std::vector<Solid> parts_;
+};
+
+TEST(PinchedUnions, that_touch_themselves_along_a_step_do_so_in_a_point) {
+  for (std::uint32_t seed = 0; seed < 150; ++seed) {
+    SCOPED_TRACE(seed);
+    const Solid exact = Pinched(seed).solid();
+    ASSERT_FALSE(exact.contacts().empty());
+    const Rounded rounded = to_mesh(exact, Coordinates::binary32);
+    const Report report = check(rounded.mesh());
+    EXPECT_TRUE(report.is_solid());
+    EXPECT_LT(rounded.report().largest_move, 16 * Pinched::kStep);
+    EXPECT_NEAR(report.volume, exact.volume(), report.area * Pinched::kStep);
+  }
+}
 
 }  // namespace
 }  // namespace dupin
