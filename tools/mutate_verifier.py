@@ -47,6 +47,9 @@ INSIDE = "what bounds the inside of arcs bounds their ends, too"
 POINT = "a circle without radius is a point, of which the bounds hold, too"
 ONE_PAIR_MORE = "a pair more needs a claim of its own"
 ORDER = "how parts are halved changes the work, and no pair is lost"
+AGAIN = "what is stopped is asked again in its turn"
+NOT_ENDED = "a block that is asked for has not ended"
+TO_THE_UNIT = "work ahead is bounded, but not to the last unit"
 LENGTH = "what arcs are found to move along has a length"
 KNOWN = {
     ("admitted.cpp", "std::abs(s.axis.dot(spoke)) <= kUnitSlack", " < "): SLACK,
@@ -250,6 +253,15 @@ KNOWN = {
     ("certificate_verify.cpp", "require(*arm <= hub &&", " <= "): "a hub is a sphere and no arm",
     ("certificate_verify.cpp", "for (std::uint32_t i = 0; i <= solids.size()", " <= "):
         "behind the last part there are no pairs",
+    ("work.cpp", "open_ < block && done_[open_]", " <= "): NOT_ENDED,
+    ("work.cpp", "return block > first_failed_", " >= "): NOT_ENDED,
+    ("work.cpp", "at != nullptr && !at->blocks->is_behind_failed", " == "): AGAIN,
+    ("work.cpp", "return at != nullptr;", " == "): AGAIN,
+    ("work.cpp", "if (ahead.spent <= ahead.most)", " < "): TO_THE_UNIT,
+    ("work.cpp", "if (spent > at->left)", " >= "):
+        "threads would have to be beyond what they may spend just when one has its turn and nothing left",
+    ("work.cpp", "turn->unsaid > kUnsaid", " >= "): TO_THE_UNIT,
+    ("work.cpp", "if (block_count <= 1)", " < "): "one block is found in its turn, too",
 }
 
 

@@ -38,6 +38,26 @@ TEST(Work, that_is_refused_is_not_spent) {
   EXPECT_NO_THROW(spend(7));
 }
 
+TEST(Work, remembers_the_least_that_was_left) {
+  WorkLimit limit(10);
+  spend(4);
+  limit.set_left(9);
+  spend(1);
+  EXPECT_EQ(limit.left(), 8U);
+  EXPECT_EQ(limit.least(), 6U);
+}
+
+TEST(Work, for_boxes_of_parts_is_allowed_once_where_there_is_no_fillet) {
+  Certificate certificate;
+  certificate.parts.resize(2);
+  certificate.apart = 1;
+  const std::uint64_t boxes = work_for(certificate) - CertificateLimits::kWork;
+  EXPECT_GT(boxes, 0U);
+  certificate.fillets.resize(1);
+  certificate.fillets[0].loops.resize(1);
+  EXPECT_EQ(work_for(certificate) - CertificateLimits::kWork, boxes + boxes / 2 * 3);
+}
+
 TEST(Work, that_a_certificate_allows_is_linear_in_its_numbers) {
   Certificate certificate;
   EXPECT_EQ(work_for(certificate), CertificateLimits::kWork);
