@@ -75,6 +75,9 @@ std::vector<Vec3> pinched_places(const EditedMesh& mesh,
 
 double close_pinches(std::span<const Vec3> places, double farthest, TriMesh& surface,
                      std::vector<Fault>& faults) {
+  if (places.empty()) {
+    return 0;
+  }
   using Target = std::pair<double, Place>;  // the nearer one, or the first of two as near
   std::map<Place, std::optional<Target>> targets;
   for (const Vec3& place : places) {
@@ -83,9 +86,12 @@ double close_pinches(std::span<const Vec3> places, double farthest, TriMesh& sur
   for (const Triangle& triangle : surface.triangles) {
     for (const std::uint32_t v : triangle) {
       const auto own = targets.find(place_of(surface.points[v]));
+      if (own == targets.end()) {
+        continue;
+      }
       for (const std::uint32_t w : triangle) {
         const Place other = place_of(surface.points[w]);
-        if (own == targets.end() || targets.contains(other)) {
+        if (targets.contains(other)) {
           continue;
         }
         const Target target{(surface.points[w] - surface.points[v]).norm(), other};

@@ -1,5 +1,3 @@
-#include <cmath>
-#include <numbers>
 #include <random>
 #include <vector>
 
@@ -9,6 +7,7 @@
 #include "checking/plain_solid.h"
 #include "dupin/kernel/solid.h"
 #include "kernel/same_report.h"
+#include "kernel/wedges.h"
 #include "mesh/exact_mesh.h"
 #include "support/nasty_shapes.h"
 #include "support/shapes.h"
@@ -161,14 +160,7 @@ TEST(PlainSolid, is_found_exactly_where_inspection_finds_one) {
 // One pair that meets tells that a mesh is no plain solid: the millions here took half a minute.
 TEST(PlainSolid, is_given_up_at_the_first_of_many_pairs_that_meet) {
   constexpr int kWedges = 2000;
-  std::vector<TriMesh> wedges;
-  for (int i = 0; i < kWedges; ++i) {
-    const double from = 2 * std::numbers::pi * i / kWedges, to = from + std::numbers::pi / kWedges;
-    wedges.push_back({{Vec3(0, 0, 0), Vec3(0, 0, 1), 9 * Vec3(std::cos(from), std::sin(from), 0),
-                       9 * Vec3(std::cos(to), std::sin(to), 0)},
-                      {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
-  }
-  const TriMesh mesh = test::joined(wedges);
+  const TriMesh mesh = test::wedges(kWedges);
   EXPECT_FALSE(plain_solid(mesh, kMargin));
   const Solid solid = Solid::from(mesh);
   EXPECT_EQ(solid.components(), kWedges);

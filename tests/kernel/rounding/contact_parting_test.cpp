@@ -1,7 +1,5 @@
 
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -11,6 +9,7 @@
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/rounding.h"
+#include "kernel/wedges.h"
 #include "support/pipe_unions.h"
 #include "support/plants.h"
 #include "support/shapes.h"
@@ -106,15 +105,7 @@ TEST(ContactParting, drops_slivers_that_it_takes_through_what_they_touch) {
 
 // They find no room beside each other within some spacings; that was tried for minutes.
 TEST(ContactParting, leaves_as_they_are_hundreds_of_wedges_about_one_edge) {
-  constexpr int kWedges = 200;
-  std::vector<TriMesh> wedges;
-  for (int i = 0; i < kWedges; ++i) {
-    const double from = 2 * std::numbers::pi * i / kWedges, to = from + std::numbers::pi / kWedges;
-    wedges.push_back({{Vec3(0, 0, 0), Vec3(0, 0, 1), 9 * Vec3(std::cos(from), std::sin(from), 0),
-                       9 * Vec3(std::cos(to), std::sin(to), 0)},
-                      {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
-  }
-  const Rounded before = rounded(Solid::from(test::joined(wedges)));
+  const Rounded before = rounded(Solid::from(test::wedges(200)));
   const Rounded after = parted(before);
   EXPECT_EQ(after.contacts().size(), before.contacts().size());
   EXPECT_TRUE(after.report().parted.empty());

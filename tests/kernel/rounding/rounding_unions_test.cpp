@@ -94,20 +94,12 @@ class Pinched {
     return result;
   }
   void add(TriMesh mesh) {
-    if (volume(mesh) < 0) {
+    if (check(mesh).volume < 0) {
       for (Triangle& triangle : mesh.triangles) {
         std::swap(triangle[0], triangle[1]);
       }
     }
     parts_.push_back(Solid::from(mesh));
-  }
-  static double volume(const TriMesh& mesh) {
-    double sum = 0;
-    for (const auto& [a, b, c] : mesh.triangles) {
-      const Vec3 from = mesh.points[0];
-      sum += (mesh.points[a] - from).cross(mesh.points[b] - from).dot(mesh.points[c] - from);
-    }
-    return sum;
   }
   void end(double toward, double apex) {
     const double start = in(0, 6);
