@@ -3,11 +3,27 @@
 #include <algorithm>
 #include <optional>
 
-#include "boxes/box_quantizer.h"
-#include "boxes/box_tree.h"
-
 namespace dupin::mesh {
 namespace {
+
+std::vector<Eigen::AlignedBox3d> boxes_of(const MeshView& mesh, const Shells& shells) {
+  std::vector<Eigen::AlignedBox3d> result(shells.count);
+  for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
+    for (const std::uint32_t corner : mesh.triangles[face]) {
+      result[shells.of_face[face]].extend(mesh.points[corner]);
+    }
+  }
+  return result;
+}
+
+boxes::BoxQuantizer quantizer_of(std::span<const Eigen::AlignedBox3d> all) {
+  std::vector<Vec3> corners;
+  corners.reserve(2 * all.size());
+  for (const Eigen::AlignedBox3d& box : all) {
+    corners.insert(corners.end(), {box.min(), box.max()});
+  }
+  return boxes::BoxQuantizer(corners);
+}
 
 std::vector<boxes::Box> framed(std::span<const Eigen::AlignedBox3d> all,
                                const boxes::BoxQuantizer& quantizer) {
@@ -38,21 +54,11 @@ WindingPoint point_within(const MeshView& mesh, std::uint32_t face) {
 }
 
 ShellNest::ShellNest(const MeshView& mesh, const Shells& shells)
-    : mesh_(mesh), shells_(shells), boxes_(shells.count), test_faces_(shells.count) {
-  for (std::size_t shell = 0; shell < shells.count; ++shell) {
-    for (const std::uint32_t face : shells.faces_of(shell)) {
-      for (const std::uint32_t corner : mesh.triangles[face]) {
-        boxes_[shell].extend(mesh.points[corner]);
-      }
-    }
-    test_faces_[shell] = test_face(shell);
-  }
-}
-
-std::uint32_t ShellNest::test_face(std::size_t shell) const {
-  return *std::ranges::min_element(shells_.faces_of(shell), {},
-                                   [&](std::uint32_t face) { return ray_cost(mesh_, face); });
-}
+    : mesh_(mesh),
+      shells_(shells),
+      boxes_(boxes_of(mesh, shells)),
+      quantizer_(quantizer_of(boxes_)),
+      tree_(framed(boxes_, quantizer_)) {}
 
 bool ShellNest::encloses(std::size_t outer, std::size_t inner) const {
   return boxes_[outer].contains(boxes_[inner]) && encloses(outer, test_point(inner));
@@ -63,7 +69,34 @@ bool ShellNest::encloses(std::size_t outer, const WindingPoint& point) const {
 }
 
 WindingPoint ShellNest::test_point(std::size_t shell) const {
-  return point_within(mesh_, test_faces_[shell]);
+  return point_within(
+      mesh_, *std::ranges::min_element(shells_.faces_of(shell), {},
+                                       [&](std::uint32_t face) { return ray_cost(mesh_, face); }));
+}
+
+void ShellNest::visit_boxes_around(std::size_t shell, double margin,
+                                   const std::function<void(std::size_t)>& visit) const {
+  const Vec3 &low = boxes_[shell].min(), &high = boxes_[shell].max();
+  const auto corner = quantizer_.map(low);
+  tree_.visit(quantizer_.around({corner, corner, corner}, margin), [&](std::uint32_t outer) {
+    const Eigen::AlignedBox3d& box = boxes_[outer];
+    if (outer != shell && (box.min() - low).maxCoeff() <= margin &&
+        (high - box.max()).maxCoeff() <= margin) {
+      visit(outer);
+    }
+  });
+}
+
+int ShellNest::depth(std::size_t shell) const {
+  int depth = 0;
+  std::optional<WindingPoint> point;
+  visit_boxes_around(shell, 0, [&](std::size_t outer) {
+    if (!point) {
+      point = test_point(shell);
+    }
+    depth += encloses(outer, *point) ? 1 : 0;
+  });
+  return depth;
 }
 
 std::vector<int> nesting_depths(const MeshView& mesh, const Shells& shells) {
@@ -72,26 +105,8 @@ std::vector<int> nesting_depths(const MeshView& mesh, const Shells& shells) {
     return depths;
   }
   const ShellNest nest(mesh, shells);
-  std::vector<Vec3> corners;
-  corners.reserve(2 * shells.count);
-  for (const Eigen::AlignedBox3d& box : nest.boxes()) {
-    corners.insert(corners.end(), {box.min(), box.max()});
-  }
-  const boxes::BoxQuantizer quantizer(corners);
-  const boxes::BoxTree tree(framed(nest.boxes(), quantizer));
-  for (std::size_t inner = 0; inner < shells.count; ++inner) {
-    const Eigen::AlignedBox3d& box = nest.boxes()[inner];
-    const auto corner = quantizer.map(box.min());
-    std::optional<WindingPoint> point;
-    tree.visit(quantizer.around({corner, corner, corner}), [&](std::uint32_t outer) {
-      if (outer == inner || !nest.boxes()[outer].contains(box)) {
-        return;
-      }
-      if (!point) {
-        point = nest.test_point(inner);
-      }
-      depths[inner] += nest.encloses(outer, *point) ? 1 : 0;
-    });
+  for (std::size_t shell = 0; shell < shells.count; ++shell) {
+    depths[shell] = nest.depth(shell);
   }
   return depths;
 }

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "boxes/box_quantizer.h"
+#include "boxes/box_tree.h"
 #include "mesh/edge_table.h"
 #include "mesh/exact_mesh.h"
 #include "mesh/point_winding.h"
@@ -31,17 +34,24 @@ class ShellNest {
   [[nodiscard]] bool encloses(std::size_t outer, const WindingPoint& point) const;
   /// On the shell, and on no other.
   [[nodiscard]] WindingPoint test_point(std::size_t shell) const;
+  /// The number of other shells around it. They share no area with it and do not cross it.
+  /// O(log n) and the triangles of those in whose boxes it is.
+  [[nodiscard]] int depth(std::size_t shell) const;
+
+  /// Calls visit(other) for each other shell whose box, larger by `margin` on all sides, contains
+  /// that of `shell`.
+  void visit_boxes_around(std::size_t shell, double margin,
+                          const std::function<void(std::size_t)>& visit) const;
 
   /// Of each shell, in all its coordinates.
   [[nodiscard]] std::span<const Eigen::AlignedBox3d> boxes() const { return boxes_; }
 
  private:
-  [[nodiscard]] std::uint32_t test_face(std::size_t shell) const;
-
   MeshView mesh_;
   const Shells& shells_;
   std::vector<Eigen::AlignedBox3d> boxes_;
-  std::vector<std::uint32_t> test_faces_;
+  boxes::BoxQuantizer quantizer_;
+  boxes::BoxTree tree_;
 };
 
 /// For each shell the number of other shells around it. The shells share no area and do not cross.

@@ -10,16 +10,15 @@
 #include <vector>
 
 #include "boxes/bounds.h"
-#include "dupin/kernel/check.h"
 #include "dupin/kernel/connected_components.h"
 #include "dupin/kernel/error.h"
 #include "mesh/coincident_points.h"
 #include "mesh/exact_mesh.h"
 #include "rounding/edit_strategy.h"
 #include "rounding/edited_mesh.h"
+#include "rounding/misplaced_shells.h"
 #include "rounding/rounding_options.h"
 #include "rounding/self_crossings.h"
-#include "rounding/shell_check.h"
 
 namespace dupin::rounding {
 namespace {
@@ -80,15 +79,15 @@ double largest_move(const EditedMesh& mesh) {
   return vertex + surface;
 }
 
-/// A face of each shell that editing has turned inside out.
-std::vector<std::uint32_t> turned_by_editing(const TriMesh& before, const EditedMesh& after,
-                                             double move) {
+/// A face of each shell that editing has turned inside out, or taken through another one, whole.
+std::vector<std::uint32_t> misplaced_by_editing(const TriMesh& before, const EditedMesh& after,
+                                                double move) {
   const auto alive = after.alive_faces();
   const auto triangles = after.triangles_of(alive);
   std::vector<std::uint32_t> faces =
-      turned_shells({before.points, before.triangles},
-                    connected_components(before.triangles, before.points.size()),
-                    {after.points(), triangles}, move);
+      misplaced_shells({before.points, before.triangles},
+                       connected_components(before.triangles, before.points.size()),
+                       {after.points(), triangles}, move);
   for (std::uint32_t& face : faces) {
     face = alive[face];
   }
@@ -129,23 +128,22 @@ class ContactParting::Attempt {
       }
     }
     move_ = largest_move(edited_);
-    turned_ = turned_by_editing(whole(), edited_, move_);
-    if (edited_.faults().empty() && turned_.empty()) {
-      turned_ = misplaced_shells();
+    if (edited_.faults().empty()) {
+      misplaced_ = misplaced_by_editing(whole(), edited_, move_);
     }
   }
 
-  [[nodiscard]] bool is_done() const { return edited_.faults().empty() && turned_.empty(); }
+  [[nodiscard]] bool is_done() const { return edited_.faults().empty() && misplaced_.empty(); }
 
   /// The faults' triangles numbered as in surface().
   [[nodiscard]] std::vector<Fault> faults() const {
     return edited_.faults_among(edited_.alive_faces());
   }
 
-  /// Of the first fault, or of a shell that is turned inside out.
+  /// Of the first fault, or of a misplaced shell.
   [[nodiscard]] Vec3 place() const {
     const auto faults = edited_.faults();
-    return edited_.point(edited_.triangle(faults.empty() ? turned_[0] : faults[0].first)[0]);
+    return edited_.point(edited_.triangle(faults.empty() ? misplaced_[0] : faults[0].first)[0]);
   }
 
   /// The solid as far as it is parted, and told.
@@ -175,24 +173,11 @@ class ContactParting::Attempt {
 
   [[nodiscard]] const TriMesh& whole() const { return touching_.mesh(); }
 
-  /// A face of each shell that editing has taken through another one, whole: it has the sign that
-  /// it had, but not the depth.
-  [[nodiscard]] std::vector<std::uint32_t> misplaced_shells() const {
-    std::vector<std::uint32_t> faces;
-    const auto alive = edited_.alive_faces();
-    for (const Finding& finding : check(surface()).findings) {
-      if (is_fatal(finding.defect)) {
-        faces.push_back(finding.faces.empty() ? alive[0] : alive[finding.faces[0]]);
-      }
-    }
-    return faces;
-  }
-
   const Rounded& touching_;
   std::vector<std::uint32_t> each_;
   EditedMesh edited_;
   double move_ = 0;
-  std::vector<std::uint32_t> turned_;  // a face of each shell on its wrong side
+  std::vector<std::uint32_t> misplaced_;  // a face of each shell on its wrong side
 };
 
 /// Of the surface, what it winds around a positive number of times: shells that are so thin that

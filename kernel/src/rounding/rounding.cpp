@@ -8,11 +8,13 @@
 #include <tbb/parallel_invoke.h>
 
 #include "boxes/bounds.h"
+#include "dupin/kernel/connected_components.h"
 #include "dupin/kernel/error.h"
 #include "mesh/coincident_points.h"
 #include "mesh/exact_mesh.h"
 #include "rounding/edit_strategy.h"
 #include "rounding/mesh_part.h"
+#include "rounding/misplaced_shells.h"
 #include "rounding/open_slits.h"
 #include "rounding/pinches.h"
 #include "rounding/point_rounding.h"
@@ -154,7 +156,7 @@ class Rounding {
   /// Found when first asked for: most solids round without any question that needs them.
   const std::vector<std::uint32_t>& shell_of() {
     if (shell_of_.empty()) {
-      shell_of_ = shell_of_points(exact_);
+      shell_of_ = connected_components(exact_.triangles, exact_.points.size());
     }
     return shell_of_;
   }
@@ -383,10 +385,10 @@ class Rounding {
            std::ranges::any_of(shell_of(), [](std::uint32_t shell) { return shell != 0; });
   }
 
-  /// Triangles, by their places, of shells turned inside out and at contacts that became crossings.
+  /// Triangles, by their places, of shells on wrong sides and at contacts that became crossings.
   std::vector<std::uint32_t> misplaced(const mesh::MeshView& mesh, double move) {
     std::vector<std::uint32_t> faces =
-        turned_shells(mesh::MeshView(exact_), shell_of(), mesh, move);
+        misplaced_shells(mesh::MeshView(exact_), shell_of(), mesh, move);
     if (!exact_.contacts.empty()) {
       const auto crossed = crossed_contacts(mesh, representatives_);
       faces.insert(faces.end(), crossed.begin(), crossed.end());

@@ -9,17 +9,6 @@
 
 namespace dupin::rounding {
 
-/// For each point the lowest one of its shell: points that triangles connect.
-[[nodiscard]] std::vector<std::uint32_t> shell_of_points(const mesh::ExactMesh& exact);
-
-/// One triangle, by its place, of each shell that lies inside out after rounding: whose volume has
-/// changed its sign. `mesh` began as the triangles of `before`, whose shells are given; no point
-/// moved further than `largest_move`.
-[[nodiscard]] std::vector<std::uint32_t> turned_shells(const mesh::MeshView& before,
-                                                       std::span<const std::uint32_t> shell_of,
-                                                       const mesh::MeshView& mesh,
-                                                       double largest_move);
-
 /// The triangles, by their places, at edges where the mesh touches itself and where rounding has
 /// made one sheet pass through another, so that the triangles around do not bound inside and
 /// outside in turn. `representatives` names for each

@@ -4,11 +4,13 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "boxes/bounds.h"
+#include "rounding/near_shells.h"
 #include "support/blocks.h"
 #include "support/disjoint_sets.h"
 
@@ -131,7 +133,8 @@ std::vector<std::uint32_t> own_faces(std::span<const Triangle> triangles,
   });
 }
 
-/// A connected part of the surface that does not stay, with the triangles next to it.
+/// A connected part of the surface that does not stay, with the triangles next to it; or a shell
+/// near such parts.
 struct Region {
   std::size_t tries = 0;
   bool keeps_its_sides = false;
@@ -164,13 +167,17 @@ bool keeps_shell_orientation(const mesh::MeshView& mesh, std::span<const std::ui
     }
     unite(t);
   }
-  const std::vector<std::uint32_t> staying = own_faces(mesh.triangles, marks);
+  std::vector<std::uint32_t> staying = own_faces(mesh.triangles, marks);
+  const std::vector<std::uint32_t> near = faces_of_near_shells(mesh, moving, largest_move);
+  staying.insert(staying.end(), near.begin(), near.end());
   for (const std::uint32_t face : staying) {
     unite(mesh.triangles[face]);
   }
   std::map<std::uint32_t, Region> regions;  // by their lowest points
-  for (const std::uint32_t face : moving) {
-    regions.try_emplace(sets.find(mesh.triangles[face][0]));
+  for (const auto faces : {std::span(moving), std::span(near)}) {
+    for (const std::uint32_t face : faces) {
+      regions.try_emplace(sets.find(mesh.triangles[face][0]));
+    }
   }
   const MovingTriangles triangles(mesh, moving, largest_move);
   for (const std::uint32_t face : staying) {

@@ -7,15 +7,16 @@
 
 namespace dupin::rounding {
 
-/// True if it is certain that no shell turns inside out while the points that `moved` has a 1 for,
-/// not a 0, come from anywhere within `largest_move` to where `mesh` has them. Before and after, no
-/// shell may meet itself.
+/// True if it is certain that no shell turns inside out, nor comes to lie on the other side of
+/// another one, while the points that `moved` has a 1 for, not a 0, come from anywhere within
+/// `largest_move` to where `mesh` has them. Before and after, no shell may meet itself or another.
 ///
 /// Which side of a shell is inside shows in the winding numbers of the shell on both sides of any
-/// of its places, and these only change where the shell passes. So a place that stays, farther than
-/// the move from all triangles that do not, tells that the shell around it keeps its sides. Such
-/// places are looked for next to these triangles: two sweeps over the mesh, and nearly nothing
-/// besides where few points moved.
+/// of its places, and which shells are around it in theirs; and these only change where a shell
+/// passes. So a place that stays, farther than the move from all triangles that do not, tells that
+/// the shell around it keeps its sides and its depth. Such places are looked for next to these
+/// triangles, and on shells that lie near them from end to end: few sweeps over the mesh, and
+/// nearly nothing besides where few points moved.
 [[nodiscard]] bool keeps_shell_orientation(const mesh::MeshView& mesh,
                                            std::span<const std::uint8_t> moved,
                                            double largest_move);

@@ -10,11 +10,15 @@
 
 #include <Eigen/Geometry>
 
+#include "boxes/box_quantizer.h"
+#include "boxes/box_tree.h"
+#include "dupin/kernel/connected_components.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/rounding.h"
 #include "mesh/coincident_points.h"
 #include "predicates/triangle_overlap.h"
 #include "rounding/edited_mesh.h"
+#include "support/sequences.h"
 
 namespace dupin {
 namespace {
@@ -121,6 +125,54 @@ class FanDistance {
   const std::vector<Lifted>& rim_;
 };
 
+/// A point of each shell, if there are several. What passes over a whole shell passes over its
+/// point, as long as that stays.
+class Witnesses {
+ public:
+  explicit Witnesses(const TriMesh& mesh)
+      : shell_of_(connected_components(mesh.triangles, mesh.points.size())),
+        quantizer_(mesh.points),
+        points_(one_of_each_shell(mesh)),
+        tree_(boxes_of(mesh.points)) {}
+
+  [[nodiscard]] bool contain(std::uint32_t point) const {
+    return std::ranges::binary_search(points_, point);
+  }
+  /// Whether the box may have one of another shell than that of `point`.
+  [[nodiscard]] bool are_within(const Eigen::AlignedBox3d& box, std::uint32_t point) const {
+    bool are = false;
+    const auto low = quantizer_.map(box.min()), high = quantizer_.map(box.max());
+    tree_.visit(quantizer_.around({low, high, high}),
+                [&](std::uint32_t witness) { are = are || points_[witness] != shell_of_[point]; });
+    return are;
+  }
+
+ private:
+  [[nodiscard]] std::vector<std::uint32_t> one_of_each_shell(const TriMesh& mesh) const {
+    std::vector<std::uint32_t> points;
+    points.reserve(mesh.triangles.size());
+    for (const Triangle& t : mesh.triangles) {
+      points.push_back(shell_of_[t[0]]);
+    }
+    support::sort_unique(points);
+    return points.size() > 1 ? points : std::vector<std::uint32_t>();
+  }
+  [[nodiscard]] std::vector<boxes::Box> boxes_of(const std::vector<Vec3>& points) const {
+    std::vector<boxes::Box> result;
+    result.reserve(points_.size());
+    for (const std::uint32_t point : points_) {
+      const auto at = quantizer_.map(points[point]);
+      result.push_back(quantizer_.around({at, at, at}));
+    }
+    return result;
+  }
+
+  std::vector<std::uint32_t> shell_of_;  // per point the lowest one of its shell
+  boxes::BoxQuantizer quantizer_;
+  std::vector<std::uint32_t> points_;
+  boxes::BoxTree tree_;
+};
+
 class Simplification {
  public:
   Simplification(const Rounded& rounded, double tolerance)
@@ -129,6 +181,7 @@ class Simplification {
         labels_(labels(rounded.mesh())),
         representatives_(mesh::coincident_representatives(rounded.mesh().points)),
         mesh_(rounded.mesh().points, rounded.mesh().triangles, labels_, representatives_),
+        witnesses_(rounded.mesh()),
         deviation_(rounded.mesh().triangles.size(), 0) {
     double largest = 0;
     for (const Vec3& point : input_.points) {
@@ -207,8 +260,13 @@ class Simplification {
   bool collapse(std::uint32_t from, const Option& option) {
     const std::vector<std::uint32_t> star(mesh_.faces(from).begin(), mesh_.faces(from).end());
     const std::vector<std::uint32_t> ring = link(mesh_, from);
+    Eigen::AlignedBox3d swept(mesh_.point(from));
+    for (const std::uint32_t corner : ring) {
+      swept.extend(mesh_.point(corner));
+    }
     constexpr double kAnywhere = std::numeric_limits<double>::infinity();
-    if (!mesh_.collapse(from, option.to, {rounding::FaultRule::none, kAnywhere})) {
+    if (witnesses_.are_within(swept, from) ||
+        !mesh_.collapse(from, option.to, {rounding::FaultRule::none, kAnywhere})) {
       return false;
     }
     for (const std::uint32_t f : star) {
@@ -221,7 +279,8 @@ class Simplification {
   /// The collapses of a vertex that the tolerance and the labels allow, the least harmful first.
   [[nodiscard]] std::vector<Option> options(std::uint32_t from) const {
     std::vector<Option> allowed;
-    if (mesh_.faces(from).empty() || mesh_.faces(from).size() > kMostFaces) {
+    if (mesh_.faces(from).empty() || mesh_.faces(from).size() > kMostFaces ||
+        witnesses_.contain(from)) {
       return allowed;
     }
     std::vector<std::uint32_t> ring = link(mesh_, from);
@@ -301,6 +360,7 @@ class Simplification {
   double tolerance_, slack_ = 0;
   std::vector<std::uint32_t> labels_, representatives_;
   EditedMesh mesh_;
+  Witnesses witnesses_;
   std::vector<double> deviation_;  // of each face from the surface given
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue_;
 };

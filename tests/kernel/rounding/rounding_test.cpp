@@ -1,6 +1,8 @@
 #include "dupin/kernel/rounding.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -187,6 +189,59 @@ TEST(ToMesh, turns_no_shell_inside_out) {
   }
   EXPECT_GT(kept, 20);
   EXPECT_GT(removed, 20);
+}
+
+constexpr double kFloatStep = 0x1p-23;  // from 1 to 2
+
+/// A tetrahedron between (1, 1, 1) and (2, 2, 2), all but its first corner held by floats, and
+/// beside a side of it at that corner a tiny one, of floats or not, that touches nothing: outside
+/// as material, inside as a void. None if that fails.
+std::optional<TriMesh> neighbours(std::mt19937& random, bool of_floats) {
+  std::uniform_real_distribution<double> in(1, 2), offset(-0.5, 0.5), part(0.05, 0.5);
+  const auto vector = [&](auto& number) {
+    return Vec3(number(random), number(random), number(random));
+  };
+  const auto to_floats = [](const Vec3& p) { return Vec3(p.cast<float>().cast<double>()); };
+  TriMesh large = test::tetrahedron();
+  for (Vec3& p : large.points) {
+    p = to_floats(vector(in));
+  }
+  large.points[0] += kFloatStep * vector(offset);
+  const auto& p = large.points;
+  const Vec3 centre = p[0] + part(random) * (p[1] - p[0]) + part(random) * (p[2] - p[0]);
+  const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+  TriMesh tiny = test::tetrahedron();
+  for (Vec3& q : tiny.points) {
+    do {
+      q = centre + 8 * kFloatStep * vector(offset);
+      q = of_floats ? to_floats(q) : q;
+    } while (!(std::abs(normal.dot(q - centre)) < 0.4 * kFloatStep));
+  }
+  // So that few of all triangles move, as in most unions.
+  TriMesh rest = test::tube(1, 5, 6, 128);
+  std::ranges::transform(rest.points, rest.points.begin(), to_floats);
+  for (const TriMesh& a : {large, test::reversed(large)}) {
+    for (const TriMesh& b : {tiny, test::reversed(tiny)}) {
+      if (check(test::joined({a, b})).is_solid()) {
+        return test::joined({rest, a, b});
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// Its sign it keeps; but material within material, or a void outside, is no solid.
+TEST(ToMesh, takes_no_shell_through_another) {
+  std::mt19937 random(29);
+  std::size_t made = 0;
+  for (int round = 0; round < 4000; ++round) {
+    if (const auto mesh = neighbours(random, round % 2 == 0)) {
+      const Rounded rounded = to_mesh(Solid::from(*mesh), Coordinates::binary32);
+      ASSERT_TRUE(check(rounded.mesh()).is_solid()) << round;
+      ++made;
+    }
+  }
+  EXPECT_GT(made, 300);
 }
 
 /// Heights of a ring, in float steps above 0.25, for pyramids with a void between them that turns

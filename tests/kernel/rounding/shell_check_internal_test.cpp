@@ -1,67 +1,14 @@
 #include <algorithm>
 #include <numeric>
-#include <random>
 
 #include <gtest/gtest.h>
 
 #include "mesh/coincident_points.h"
-#include "mesh/measure.h"
 #include "rounding/shell_check.h"
 #include "support/shapes.h"
 
 namespace dupin::rounding {
 namespace {
-
-mesh::ExactMesh exact(const TriMesh& mesh) {
-  mesh::ExactMesh result;
-  result.points = mesh.points;
-  result.triangles = mesh.triangles;
-  return result;
-}
-
-TEST(ShellOfPoints, is_its_lowest_one) {
-  TriMesh mesh = test::joined({test::tetrahedron(), test::box({5, 5, 5}, {6, 6, 6})});
-  mesh.points.emplace_back(9, 9, 9);  // of no triangle
-  const auto shell_of = shell_of_points(exact(mesh));
-  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
-    EXPECT_EQ(shell_of[v], v < 4 ? 0 : v < 12 ? 4 : 12);
-  }
-}
-
-TEST(TurnedShells, are_those_whose_volume_changes_its_sign) {
-  std::mt19937 random(1);
-  std::size_t turned = 0;
-  for (int round = 0; round < 200; ++round) {
-    std::vector<TriMesh> shells;
-    for (int i = 0; i < 5; ++i) {
-      shells.push_back(test::tetrahedron(Vec3(10 * i, 0, 0), i % 2 == 0 ? 0.5 : 3));
-    }
-    const TriMesh before = test::joined(shells);
-    TriMesh after = before;
-    std::uniform_real_distribution<double> offset(-0.4, 0.4);
-    double largest = 0;
-    for (std::size_t v = 0; v < after.points.size(); ++v) {
-      const Vec3 move(offset(random), offset(random), offset(random));
-      after.points[v] += move;
-      largest = std::max(largest, move.norm());
-    }
-    const auto given = exact(before);
-    auto faces = turned_shells(mesh::MeshView(given), shell_of_points(given),
-                               {after.points, after.triangles}, largest * 1.001);
-    std::ranges::transform(faces, faces.begin(), [](std::uint32_t f) { return f / 4; });
-    std::ranges::sort(faces);
-    std::vector<std::uint32_t> expected;
-    for (std::uint32_t i = 0; i < 5; ++i) {
-      const auto own = std::span(after.triangles).subspan(4 * std::size_t{i}, 4);
-      if (mesh::volume_sign({after.points, own}) != 1) {
-        expected.push_back(i);
-      }
-    }
-    ASSERT_EQ(faces, expected) << round;
-    turned += expected.size();
-  }
-  EXPECT_GT(turned, 20);
-}
 
 TEST(CrossedContacts, are_edges_where_sheets_pass_through_each_other) {
   // Two boxes that touch along an edge; then the second one's corner lies in the first.

@@ -48,6 +48,20 @@ TEST(StableShells, are_not_known_where_all_of_a_shell_moves) {
   EXPECT_FALSE(keep_their_sides(mesh, marks(mesh, {n - 4, n - 3, n - 2, n - 1}), 0x1p-20));
 }
 
+// It stays, but what moves may pass it as a whole.
+TEST(StableShells, are_not_known_where_one_is_beside_what_moves) {
+  const TriMesh large = pipe();
+  std::size_t rim = 0;  // of the upper end, where the tetrahedron is above the second corner
+  while (large.points[rim].z() < 50) {
+    ++rim;
+  }
+  const Vec3 above = 0.999 * large.points[rim + 1] + Vec3(0, 0, 0.5);
+  const TriMesh mesh = test::joined({large, test::tetrahedron(above, 0.25)});
+  EXPECT_TRUE(keep_their_sides(mesh, marks(mesh, {rim + 1}), 0x1p-20));
+  EXPECT_TRUE(keep_their_sides(large, marks(large, {rim + 1}), 1));
+  EXPECT_FALSE(keep_their_sides(mesh, marks(mesh, {rim + 1}), 1));
+}
+
 TEST(StableShells, do_not_turn_inside_out) {
   std::mt19937 random(7);
   const auto number = [&](int largest) {

@@ -56,6 +56,32 @@ TEST(Simplify, keeps_only_the_rings_that_matter) {
   EXPECT_LE(result.deviation, 1e-9);
 }
 
+// Chords of a coarser tube run on the other side of small voids near its surface, and chords of a
+// coarser bore on that of small bodies in it.
+TEST(Simplify, passes_over_no_shell) {
+  TriMesh tube = ringed_tube(96, 4);
+  tube.labels.clear();
+  tube.names.clear();
+  const Vec3 axis = (tube.points[96] - tube.points[0]).normalized();
+  std::vector<TriMesh> voids = {tube},
+                       bodies = {test::box({-2, -2, -2}, {6, 6, 6}), test::reversed(tube)};
+  for (std::size_t i = 96; i < 192; i += 5) {
+    const Vec3 place = (tube.points[i] + tube.points[i + 96]) / 2;
+    const Vec3 out = place - axis * place.dot(axis);
+    const TriMesh tiny = test::tetrahedron(place - 0.004 * out, 0.001);
+    voids.push_back(test::reversed(tiny));
+    bodies.push_back(tiny);
+  }
+  for (const auto& parts : {voids, bodies}) {
+    const Solid solid = Solid::from(test::joined(parts));
+    for (const double tolerance : {0.01, 0.05, 0.2}) {
+      const Simplified result = simplify(solid, tolerance);
+      EXPECT_TRUE(check(result.mesh).is_solid()) << tolerance;
+      EXPECT_GT(result.removed_triangles, 400) << tolerance;
+    }
+  }
+}
+
 TEST(Simplify, ignores_borders_where_there_are_no_labels) {
   TriMesh tube = ringed_tube(24, 16);
   tube.labels.clear();
