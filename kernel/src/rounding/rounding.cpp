@@ -16,6 +16,7 @@
 #include "rounding/mesh_part.h"
 #include "rounding/misplaced_shells.h"
 #include "rounding/open_slits.h"
+#include "rounding/past_rounds.h"
 #include "rounding/pinches.h"
 #include "rounding/point_rounding.h"
 #include "rounding/rounding_options.h"
@@ -43,36 +44,16 @@ constexpr double kWidestSlit = 64;  // steps
 constexpr std::size_t kSampled = 16, kManyNeedles = kManyFaults / kSampled;
 constexpr double kNeedlePart = 1.0 / 32;
 
-/// Where repair with this reach leaves faults, or with less finds that going on is not worth it,
-/// the surface is made a solid again as it is; and that at most so often.
-constexpr double kSnapReach = 16;  // steps
+/// Where repair with some reach leaves faults (PastRounds::snap_reach), or with less finds that
+/// going on is not worth it, the surface is made a solid again as it is; and that at most so often.
 constexpr int kSnaps = 32;
-
-/// What has been done before the solid is rounded anew: thickened, without some voids or slits, or
-/// snapped.
-struct Past {
-  std::size_t triangles = 0;  ///< of the solid as given
-  double void_width = 0;      ///< of the widest filled void
-  double slit_reach = 0;      ///< how far from the solid what was filled in open slits goes
-  bool has_filled_slits = false, has_filled_voids = false;
-  int thickenings = 0, snaps = 0;
-  double moved = 0;              ///< by what was thickened or snapped
-  std::size_t moved_points = 0;  ///< likewise
-  Vec3 origin = Vec3::Zero();    ///< that it is given from already
-  std::vector<Vec3> filled_places, snapped_places;
-
-  /// How far all that has taken any place.
-  [[nodiscard]] double distance() const { return moved + filled(); }
-  /// The part of it that filling has.
-  [[nodiscard]] double filled() const { return std::max(void_width / 2, slit_reach); }
-};
 
 }  // namespace
 
 class Rounding {
  public:
   Rounding(const mesh::ExactMesh& exact, Coordinates coordinates, const RoundingOptions& options,
-           Past past = {})
+           PastRounds past = {})
       : exact_(exact),
         options_(options),
         past_(std::move(past)),
@@ -196,7 +177,7 @@ class Rounding {
     thicken_doubles(mesh, whole(), reach, kReachGrowth * double_step_);
     const auto alive = mesh.alive_faces();
     const double move = largest_move(mesh, alive);
-    Past past = past_;
+    PastRounds past = past_;
     past.moved = move - past_.filled();
     for (std::uint32_t v = 0; v < mesh.points().size(); ++v) {
       past.moved_points += mesh.faces(v).empty() || mesh.point(v) != doubles()[v] ? 1 : 0;
@@ -250,7 +231,8 @@ class Rounding {
         return finished(mesh, alive,
                         {.largest_move = move, .repair_reach = reach, .removed_shells = shells});
       }
-      const bool may_cut = !is_ended || reach >= kSnapReach * step_ || !pinches(mesh).empty();
+      const bool is_urgent = past_.idle_snaps == 0 && (!is_ended || !pinches(mesh).empty());
+      const bool may_cut = is_urgent || reach >= past_.snap_reach() * step_;
       if (auto done = begun_anew(mesh, alive, broken_pairs, broken, may_cut)) {
         return std::move(*done);
       }
@@ -274,7 +256,7 @@ class Rounding {
     if (!may_cut || past_.snaps == kSnaps || left.empty() || alive.empty()) {
       return std::nullopt;
     }
-    return snapped(mesh, alive, mesh.point(mesh.triangle(left[0])[0]));
+    return snapped(mesh, alive, left);
   }
 
   /// None if there are no sliver voids.
@@ -288,7 +270,7 @@ class Rounding {
     if (!filled) {
       return std::nullopt;
     }
-    Past past = past_;
+    PastRounds past = past_;
     past.void_width = std::max(past.void_width, filled->width);
     past.filled_places.insert(past.filled_places.end(), filled->places.begin(),
                               filled->places.end());
@@ -306,7 +288,7 @@ class Rounding {
     if (!filled) {
       return std::nullopt;
     }
-    Past past = past_;
+    PastRounds past = past_;
     past.slit_reach = filled->reach;
     past.has_filled_voids = false;
     past.filled_places.insert(past.filled_places.end(), filled->places.begin(),
@@ -318,19 +300,21 @@ class Rounding {
     return pinched_places(mesh, representatives_, rounded_.moved);
   }
 
-  /// The surface as far as it is repaired, made a solid again where it still crosses itself, and
-  /// rounded anew: iterated snap rounding. None if that is no surface to make a solid of.
+  /// The surface as far as it is repaired, which has `left` triangles broken, made a solid again
+  /// where it still crosses itself, and rounded anew: iterated snap rounding. None if that is no
+  /// surface to make a solid of.
   std::optional<Rounded> snapped(const EditedMesh& mesh, std::span<const std::uint32_t> alive,
-                                 const Vec3& at) {
+                                 const std::vector<std::uint32_t>& left) {
     Rounded surface = finished(mesh, alive, {});
     std::vector<Fault> faults = mesh.faults_among(alive);
     const double closed = close_pinches(pinches(mesh), kReachGrowth * step_, surface.mesh_, faults);
-    Past past = past_;
+    PastRounds past = past_;
     past.moved = largest_move(mesh, alive) + closed - past_.filled();
     past.moved_points = surface.report().moved;
-    past.snapped_places.emplace_back(at + origin_ + past_.origin);
+    past.snapped_places.emplace_back(mesh.point(mesh.triangle(left[0])[0]) + origin_ +
+                                     past_.origin);
     past.origin += origin_;
-    ++past.snaps;
+    past.count_snap(left.size());
     if (!(past.distance() + kReachGrowth * step_ < tolerance_)) {
       return std::nullopt;
     }
@@ -347,8 +331,8 @@ class Rounding {
   /// Where the surface may be cut instead (begun_anew), edits need not go to any length.
   [[nodiscard]] RepairLimits limits(double reach) const {
     const double cut = kSnapReach * step_;
-    const bool is_last =
-        past_.snaps == kSnaps || reach > cut || tolerance_ - past_.distance() < cut;
+    const bool is_last = past_.snaps == kSnaps || past_.idle_snaps > 0 || reach > cut ||
+                         tolerance_ - past_.distance() < cut;
     return {lattice_, rounded_.largest, reach, is_last};
   }
 
@@ -424,7 +408,7 @@ class Rounding {
 
   const mesh::ExactMesh& exact_;
   const RoundingOptions& options_;
-  Past past_;
+  PastRounds past_;
   Coordinates coordinates_;
   exact::FloatLattice lattice_;
   Vec3 origin_;

@@ -39,13 +39,24 @@ TEST_P(PlantsBySeed, are_written_as_floats_where_they_stand) {
   }
 }
 
-// A sliver of eight triangles came to lie, whole, on the other side of what it touches.
-TEST(Plants, keep_slivers_on_their_sides) {
+Solid large_plant(std::uint32_t seed) {
   std::vector<Solid> components;
-  for (const TriMesh& mesh : test::plant({.seed = 3037, .components = 600})) {
+  for (const TriMesh& mesh : test::plant({.seed = seed, .components = 600})) {
     components.push_back(Solid::from(mesh));
   }
-  EXPECT_TRUE(check(to_mesh(unite(components), Coordinates::binary32).mesh()).is_solid());
+  return unite(components);
+}
+
+// A sliver of eight triangles came to lie, whole, on the other side of what it touches.
+TEST(Plants, keep_slivers_on_their_sides) {
+  EXPECT_TRUE(check(to_mesh(large_plant(3037), Coordinates::binary32).mesh()).is_solid());
+}
+
+// Two triangles that crossed were cut, and rounded to what they had been, again and again.
+TEST(Plants, come_to_an_end_where_cutting_changes_nothing) {
+  const Rounded rounded = to_mesh(large_plant(5125), Coordinates::binary32);
+  EXPECT_TRUE(check(rounded.mesh()).is_solid());
+  EXPECT_LE(rounded.report().snapped_places.size(), 8);
 }
 
 // What is between such pipes is no slit between ends: it is not filled, all along the pipes, which
