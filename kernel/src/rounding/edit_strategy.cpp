@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "dupin/kernel/coordinates.h"
+#include "rounding/thicken_in_slabs.h"
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
 #include "support/sequences.h"
@@ -345,9 +346,7 @@ void thicken(EditedMesh& mesh, double reach, Faces faces) {
 }
 
 bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original, double reach, double mending) {
-  Faces all(mesh.face_count());
-  std::iota(all.begin(), all.end(), 0);
-  thicken(mesh, reach, std::move(all));
+  thicken_in_slabs(mesh, original, reach);
   // Lemma: both faces of a fault are as given. Who was edited last of two was compared with the
   // other one.
   auto marked = marked_faces(original.triangles, original.inexact);

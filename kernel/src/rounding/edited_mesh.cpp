@@ -330,6 +330,31 @@ void EditedMesh::remove(std::span<const std::uint32_t> faces) {
   }
 }
 
+void EditedMesh::take_over(const EditedMesh& part, std::span<const std::uint32_t> faces,
+                           std::span<const std::uint32_t> points) {
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    if (part.last_edit_[f] != 0) {
+      const std::uint32_t face = faces[f];
+      const auto& [a, b, c] = part.triangles_[f];
+      triangles_[face] = {points[a], points[b], points[c]};
+      alive_[face] = part.alive_[f];
+      parent_[face] = faces[part.parent_[f]];
+      deviation_[face] = part.deviation_[f];
+      last_edit_[face] = edits_ + part.last_edit_[f];
+      edited_.push_back(face);
+    }
+  }
+  for (std::uint32_t v = 0; v < points.size(); ++v) {
+    if (part.own_list_[v] != support::kNone) {
+      const std::vector<std::uint32_t>& around = part.lists_[part.own_list_[v]];
+      set_faces(points[v], support::selected(faces, around));
+      reach_[points[v]] = part.reach_[v];
+    }
+  }
+  edits_ += part.edits_;
+  tracker_.points_have_moved();  // or faces, which is the same to it
+}
+
 void EditedMesh::place(support::BulkVector<Vec3> points) {
   for (std::size_t v = 0; v < points.size(); ++v) {
     reach_[v] += (points[v] - points_[v]).norm();

@@ -68,6 +68,11 @@ class EditedMesh {
   /// Moves all points without asking.
   void place(support::BulkVector<Vec3> points);
 
+  /// Takes over what collapses and flips have made of a part of the mesh, a mesh of its own whose
+  /// faces and points are these. No faults have been looked for yet, nor has that part been edited.
+  void take_over(const EditedMesh& part, std::span<const std::uint32_t> faces,
+                 std::span<const std::uint32_t> points);
+
   /// Looks for all faults that involve a marked face, a mark per face. The caller knows that there
   /// are no others but those of `known` that involve none.
   void find_faults(std::span<const std::uint8_t> marked, std::span<const Fault> known = {}) {

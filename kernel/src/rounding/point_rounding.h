@@ -15,7 +15,7 @@
 /// are found among triangles with a point that moved (fault_tracker.h), and shells that turned
 /// inside out or came through another, whole (shell_orientation.h if it is certain that none did,
 /// else misplaced_shells.h). Where very much is thinner than a step it is thickened before
-/// (edit_strategy.h). Then sliver voids are filled (sliver_voids.h), and slits between ends that
+/// (thicken_in_slabs.h). Then sliver voids are filled (sliver_voids.h), and slits between ends that
 /// nearly meet (open_slits.h); what still is broken is copied with its surroundings (mesh_part.h),
 /// edited (edited_mesh.h) as edit_strategy.h says, with growing reach, and put back. What that
 /// leaves is cut at itself (self_crossings.h), and all begins again.

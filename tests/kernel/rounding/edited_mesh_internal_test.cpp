@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <numeric>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -113,6 +115,70 @@ TEST_F(Edit, finds_the_faces_around_points_after_any_edits) {
     EXPECT_EQ(known, around[v]) << v;
   }
   EXPECT_EQ(tube.alive_faces().size(), alive);
+}
+
+// As if the edits had been made here.
+TEST_F(Edit, takes_over_what_was_made_of_a_part) {
+  std::vector<std::uint32_t> faces, points;
+  for (std::uint32_t f = 0; f < shape.triangles.size(); ++f) {
+    if (std::ranges::none_of(shape.triangles[f], [](std::uint32_t v) { return v == 2; })) {
+      faces.push_back(f);
+    }
+  }
+  std::vector<std::uint32_t> number(shape.points.size(), 0);
+  std::vector<std::uint8_t> complete;
+  TriMesh some;
+  for (std::uint32_t v = 0; v < shape.points.size(); ++v) {
+    if (v != 2) {
+      number[v] = static_cast<std::uint32_t>(points.size());
+      points.push_back(v);
+      some.points.push_back(shape.points[v]);
+      const bool is_complete = std::ranges::none_of(shape.triangles, [&](const Triangle& t) {
+        return std::ranges::find(t, v) != t.end() && std::ranges::find(t, 2U) != t.end();
+      });
+      complete.push_back(is_complete ? 1 : 0);
+    }
+  }
+  for (const std::uint32_t f : faces) {
+    const auto& [a, b, c] = shape.triangles[f];
+    some.triangles.push_back({number[a], number[b], number[c]});
+  }
+  const std::vector<std::uint32_t> own(representatives.begin(),
+                                       representatives.begin() + points.size());
+  EditedMesh part(some.points, some.triangles, {}, own, complete), taken = mesh(), made = mesh();
+  std::size_t edits = 0;
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    for (int edge = 0; edge < 3 && part.alive(f); ++edge) {
+      const std::uint32_t from = part.triangle(f)[edge], to = part.triangle(f)[(edge + 1) % 3];
+      if (part.flip(f, edge, rule)) {
+        ASSERT_TRUE(made.flip(faces[f], edge, rule));
+        ++edits;
+      } else if (part.collapse(from, to, rule)) {
+        ASSERT_TRUE(made.collapse(points[from], points[to], rule));
+        ++edits;
+      }
+    }
+  }
+  ASSERT_GT(edits, 2);
+  taken.take_over(part, faces, points);
+  EXPECT_EQ(taken.edits(), edits);
+  ASSERT_EQ(result(taken).triangles, result(made).triangles);
+  for (std::uint32_t v = 0; v < shape.points.size(); ++v) {
+    EXPECT_EQ(taken.reach(v), made.reach(v));
+    const auto around = [&](const EditedMesh& edited) {
+      std::vector<std::uint32_t> all(edited.faces(v).begin(), edited.faces(v).end());
+      std::ranges::sort(all);
+      return all;
+    };
+    EXPECT_EQ(around(taken), around(made)) << v;
+  }
+  for (std::uint32_t f = 0; f < shape.triangles.size(); ++f) {
+    EXPECT_EQ(taken.deviation(f), made.deviation(f));
+    EXPECT_EQ(taken.parent(f), made.parent(f));
+    EXPECT_EQ(taken.last_edit(f), made.last_edit(f));
+  }
+  EXPECT_EQ(taken.take_edited(), made.take_edited());
+  EXPECT_TRUE(check(result(taken)).is_solid());
 }
 
 TEST(ThirdCorner, is_the_other_one) {
