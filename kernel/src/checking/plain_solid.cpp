@@ -16,7 +16,6 @@
 #include "mesh/shell_nesting.h"
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
-#include "support/none.h"
 #include "support/sequences.h"
 #include "support/sort_by_key.h"
 
@@ -158,16 +157,9 @@ bool is_mesh(const TriMesh& mesh) {
          all_of(mesh.triangles.size(), is_triangle);
 }
 
-/// Of a closed manifold: triangles hang together by edges if they do by points.
+/// Of a closed manifold.
 mesh::Shells shells_of(std::span<const Triangle> triangles, std::size_t points) {
-  const std::vector<std::uint32_t> component = connected_components(triangles, points);
-  std::vector<std::uint32_t> first(points, support::kNone), lowest(triangles.size());
-  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
-    std::uint32_t& face = first[component[triangles[f][0]]];
-    face = std::min(face, f);
-    lowest[f] = face;
-  }
-  return mesh::grouped(std::move(lowest));
+  return mesh::shells_by_points(triangles, connected_components(triangles, points));
 }
 
 /// Calls visit(shell, its triangles) for each shell, one after the other, until one returns false;
@@ -188,13 +180,10 @@ bool visit_shells(const mesh::MeshView& mesh, const mesh::Shells& shells, const 
   return true;
 }
 
-/// Of the volume of a shell around material, or of one around a void.
-int sign_at(int depth) { return depth % 2 == 0 ? 1 : -1; }
-
 bool are_turned_right(const mesh::MeshView& mesh, const mesh::Shells& shells) {
   const std::vector<int> depths = mesh::nesting_depths(mesh, shells);
   return visit_shells(mesh, shells, [&](std::size_t i, const mesh::MeshView& shell) {
-    return mesh::volume_sign(shell) == sign_at(depths[i]);
+    return mesh::volume_sign(shell) == mesh::sign_at(depths[i]);
   });
 }
 
@@ -253,7 +242,7 @@ std::optional<Report> plain_report(const TriMesh& mesh) {
     report.euler_number += euler;
     report.genus += (2 - euler) / 2;
     report.components += depths[i] % 2 == 0 ? 1 : 0;
-    return sgn(volume) == sign_at(depths[i]);
+    return sgn(volume) == mesh::sign_at(depths[i]);
   };
   if (!visit_shells(view, shells, add_shell)) {
     return std::nullopt;

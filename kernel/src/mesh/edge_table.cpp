@@ -4,10 +4,12 @@
 #include <array>
 #include <atomic>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "support/blocks.h"
 #include "support/disjoint_sets.h"
+#include "support/none.h"
 
 namespace dupin::mesh {
 
@@ -98,6 +100,18 @@ Shells shells(std::size_t face_count, const EdgeTable& edges) {
     }
   }
   return grouped(sets.representatives());
+}
+
+Shells shells_by_points(std::span<const Triangle> triangles,
+                        std::span<const std::uint32_t> component) {
+  std::vector<std::uint32_t> first(component.size(), support::kNone), lowest;
+  lowest.reserve(triangles.size());
+  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+    std::uint32_t& face = first[component[triangles[f][0]]];
+    face = std::min(face, f);
+    lowest.push_back(face);
+  }
+  return grouped(std::move(lowest));
 }
 
 Shells grouped(std::vector<std::uint32_t> lowest_faces) {

@@ -62,6 +62,11 @@ struct Shells {
 /// Sets of faces as shells: per face the lowest one of its set is given.
 [[nodiscard]] Shells grouped(std::vector<std::uint32_t> lowest_faces);
 
+/// The shells of a closed manifold, where faces hang together by edges if they do by points;
+/// `component`: per point the lowest one that faces connect it to.
+[[nodiscard]] Shells shells_by_points(std::span<const Triangle> triangles,
+                                      std::span<const std::uint32_t> component);
+
 /// What is counted of a mesh that is one part of several that overlap; all if empty.
 struct Counted {
   std::span<const std::uint8_t> points;  ///< per point 1, if it is; an edge like its lower point

@@ -54,6 +54,9 @@ class ShellNest {
   boxes::BoxTree tree_;
 };
 
+/// Of the volume of a shell around material, or of one around a void.
+[[nodiscard]] constexpr int sign_at(int depth) { return depth % 2 == 0 ? 1 : -1; }
+
 /// For each shell the number of other shells around it. The shells share no area and do not cross.
 /// O(n log n) and the triangles of those shells in whose boxes others are, for each of these.
 [[nodiscard]] std::vector<int> nesting_depths(const MeshView& mesh, const Shells& shells);

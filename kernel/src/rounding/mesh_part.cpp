@@ -96,13 +96,20 @@ void MeshPart::copy(const BrokenMesh& whole, std::span<const std::uint32_t> core
   if (!whole.labels.empty()) {
     labels_ = support::selected(whole.labels, faces_);
   }
-  support::BulkVector<std::uint32_t> first(whole.doubles.size(),
-                                           support::kNone);  // of coincident ones
-  for (std::uint32_t i = 0; i < points_.size(); ++i) {
-    std::uint32_t& representative = first[whole.representatives[points_[i]]];
+  representatives_ = representatives_among(points_, whole.representatives);
+}
+
+std::vector<std::uint32_t> representatives_among(std::span<const std::uint32_t> points,
+                                                 std::span<const std::uint32_t> representatives) {
+  support::BulkVector<std::uint32_t> first(representatives.size(), support::kNone);
+  std::vector<std::uint32_t> result;
+  result.reserve(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    std::uint32_t& representative = first[representatives[points[i]]];
     representative = std::min(representative, i);
-    representatives_.push_back(representative);
+    result.push_back(representative);
   }
+  return result;
 }
 
 BrokenMesh MeshPart::view() const {

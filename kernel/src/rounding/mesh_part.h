@@ -71,6 +71,11 @@ class MeshPart {
   std::vector<std::uint32_t> labels_, representatives_;
 };
 
+/// For each of these points, by its place, the first of them that coincides with it; of the whole
+/// mesh `representatives` are given.
+[[nodiscard]] std::vector<std::uint32_t> representatives_among(
+    std::span<const std::uint32_t> points, std::span<const std::uint32_t> representatives);
+
 /// Removes the items at ascending places, if there are any items.
 template <class Item>
 void erase_at(std::span<const std::uint32_t> places, std::vector<Item>& items) {

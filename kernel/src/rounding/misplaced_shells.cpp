@@ -12,7 +12,6 @@
 #include "mesh/measure.h"
 #include "mesh/shell_nesting.h"
 #include "rounding/shell_sums.h"
-#include "support/none.h"
 #include "support/sequences.h"
 
 namespace dupin::rounding {
@@ -67,52 +66,20 @@ Measures measured(const mesh::MeshView& mesh, std::uint32_t face, const Vec3& or
           1};
 }
 
-/// The shells of a mesh, each by its lowest point.
-class ShellsByPoint {
- public:
-  ShellsByPoint(const mesh::MeshView& mesh, std::span<const std::uint32_t> shell_of)
-      : mesh_(mesh), first_face_(shell_of.size(), support::kNone) {
-    std::vector<std::uint32_t> lowest;
-    lowest.reserve(mesh.triangles.size());
-    for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
-      std::uint32_t& first = first_face_[shell_of[mesh.triangles[face][0]]];
-      first = std::min(first, face);
-      lowest.push_back(first);
-    }
-    shells_ = mesh::grouped(std::move(lowest));
-  }
-
-  [[nodiscard]] const mesh::Shells& shells() const { return shells_; }
-  [[nodiscard]] std::size_t index_of(std::uint32_t point) const {
-    return shells_.of_face[first_face_[point]];
-  }
-  /// Of the volume, exactly.
-  [[nodiscard]] int sign(std::uint32_t point) const {
-    const auto triangles = support::selected(mesh_.triangles, shells_.faces_of(index_of(point)));
-    mesh::MeshView shell = mesh_;
-    shell.triangles = triangles;
-    return mesh::volume_sign(shell);
-  }
-
- private:
-  mesh::MeshView mesh_;
-  std::vector<std::uint32_t> first_face_;  // per lowest point
-  mesh::Shells shells_;
-};
-
 using MeasuresOfShells = std::map<std::uint32_t, Measures>;  // by lowest point
 
 /// A triangle of each shell at a depth that its sign does not belong to. No shell has turned.
 class DepthCheck {
  public:
-  DepthCheck(const mesh::MeshView& mesh, const ShellsByPoint& shells, const MeasuresOfShells& sums,
+  DepthCheck(const mesh::MeshView& mesh, const mesh::Shells& shells, const MeasuresOfShells& sums,
              double largest_move)
-      : shells_(shells),
-        nest_(mesh, shells.shells()),
-        measures_(shells.shells().count),
+      : mesh_(mesh),
+        shells_(shells),
+        nest_(mesh, shells),
+        measures_(shells.count),
         reach_(2 * largest_move * (1 + 0x1p-48)) {
     for (const auto& [point, of_shell] : sums) {
-      measures_[shells.index_of(point)] = {point, &of_shell};
+      measures_[shells.of_face[of_shell.face]] = of_shell;
     }
   }
 
@@ -123,20 +90,20 @@ class DepthCheck {
       bool is_in_doubt = thin[shell] != 0;
       nest_.visit_boxes_around(
           shell, reach_, [&](std::size_t outer) { is_in_doubt = is_in_doubt || thin[outer] != 0; });
-      if (is_in_doubt && sign(shell) != (nest_.depth(shell) % 2 == 0 ? 1 : -1)) {
-        faces.push_back(measures(shell).face);
+      if (is_in_doubt && sign(shell) != mesh::sign_at(nest_.depth(shell))) {
+        faces.push_back(measures_[shell].face);
       }
     }
     return faces;
   }
 
  private:
-  [[nodiscard]] const Measures& measures(std::size_t shell) const {
-    return *measures_[shell].second;
-  }
   [[nodiscard]] int sign(std::size_t shell) const {
-    const int certain = measures(shell).certain_sign();
-    return certain != 0 ? certain : shells_.sign(measures_[shell].first);
+    if (const int certain = measures_[shell].certain_sign(); certain != 0) {
+      return certain;
+    }
+    return mesh::volume_sign(
+        {mesh_.points, support::selected(mesh_.triangles, shells_.faces_of(shell))});
   }
 
   /// Per shell 1 if it is not certain that right inside of it there was a place farther than the
@@ -145,12 +112,12 @@ class DepthCheck {
   [[nodiscard]] std::vector<std::uint8_t> thin_ones() const {
     std::vector<double> rooms;
     for (std::size_t shell = 0; shell < measures_.size(); ++shell) {
-      rooms.push_back(std::abs(measures(shell).volume) - taken_by(shell));
+      rooms.push_back(std::abs(measures_[shell].volume) - taken_by(shell));
     }
     for (std::size_t inner = 0; inner < measures_.size(); ++inner) {
-      const double taken = std::abs(measures(inner).volume) + taken_by(inner);
+      const double taken = std::abs(measures_[inner].volume) + taken_by(inner);
       nest_.visit_boxes_around(inner, reach_, [&](std::size_t outer) {
-        if (measures(inner).certain_sign() * measures(outer).certain_sign() <= 0) {
+        if (measures_[inner].certain_sign() * measures_[outer].certain_sign() <= 0) {
           rooms[outer] -= taken;
         }
       });
@@ -161,14 +128,34 @@ class DepthCheck {
     return thin;
   }
   [[nodiscard]] double taken_by(std::size_t shell) const {
-    return measures(shell).error() + measures(shell).tube(reach_);
+    return measures_[shell].error() + measures_[shell].tube(reach_);
   }
 
-  const ShellsByPoint& shells_;
+  mesh::MeshView mesh_;
+  const mesh::Shells& shells_;
   mesh::ShellNest nest_;
-  std::vector<std::pair<std::uint32_t, const Measures*>> measures_;  // with the lowest point
+  std::vector<Measures> measures_;
   double reach_;
 };
+
+/// The signs of the volumes of some shells, which are given by their lowest points, ascending.
+std::vector<int> volume_signs(const mesh::MeshView& mesh, std::span<const std::uint32_t> shell_of,
+                              const std::vector<std::uint32_t>& shells) {
+  std::vector<std::vector<Triangle>> triangles(shells.size());
+  for (const Triangle& t : mesh.triangles) {
+    const auto shell = std::ranges::lower_bound(shells, shell_of[t[0]]);
+    if (shell != shells.end() && *shell == shell_of[t[0]]) {
+      triangles[static_cast<std::size_t>(shell - shells.begin())].push_back(t);
+    }
+  }
+  std::vector<int> signs;
+  for (const std::vector<Triangle>& of_shell : triangles) {
+    mesh::MeshView view = mesh;
+    view.triangles = of_shell;
+    signs.push_back(mesh::volume_sign(view));
+  }
+  return signs;
+}
 
 }  // namespace
 
@@ -187,21 +174,21 @@ std::vector<std::uint32_t> misplaced_shells(const mesh::MeshView& before,
       doubtful.push_back(shell);
     }
   }
-  if (doubtful.empty() && sums.size() < 2) {
-    return {};
-  }
-  const ShellsByPoint shells(mesh, shell_of);
-  std::vector<std::uint32_t> faces;
+  std::vector<std::uint32_t> turned;
   if (!doubtful.empty()) {
-    const ShellsByPoint shells_before(before, shell_of);
-    for (const std::uint32_t shell : doubtful) {
-      if (shells.sign(shell) != shells_before.sign(shell)) {
-        faces.push_back(sums.at(shell).face);
+    const std::vector<int> signs_before = volume_signs(before, shell_of, doubtful),
+                           signs = volume_signs(mesh, shell_of, doubtful);
+    for (std::size_t i = 0; i < doubtful.size(); ++i) {
+      if (signs[i] != signs_before[i]) {
+        turned.push_back(sums.at(doubtful[i]).face);
       }
     }
   }
-  return faces.empty() && sums.size() > 1 ? DepthCheck(mesh, shells, sums, largest_move).misplaced()
-                                          : faces;
+  if (!turned.empty() || sums.size() < 2) {
+    return turned;
+  }
+  const mesh::Shells shells = mesh::shells_by_points(mesh.triangles, shell_of);
+  return DepthCheck(mesh, shells, sums, largest_move).misplaced();
 }
 
 }  // namespace dupin::rounding

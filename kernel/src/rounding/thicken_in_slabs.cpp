@@ -80,13 +80,9 @@ class Slab {
     if (!whole.labels.empty()) {
       labels_ = support::selected(whole.labels, faces_);
     }
-    std::vector<std::uint32_t> first = std::move(used.number);  // of coincident ones, in the slab
-    std::ranges::fill(first, support::kNone);
-    for (std::uint32_t v = 0; v < points_.size(); ++v) {
-      std::uint32_t& representative = first[whole.representatives[points_[v]]];
-      representative = std::min(representative, v);
-      representatives_.push_back(representative);
-      complete_.push_back(slab_of[points_[v]] == number ? 1 : 0);
+    representatives_ = representatives_among(points_, whole.representatives);
+    for (const std::uint32_t point : points_) {
+      complete_.push_back(slab_of[point] == number ? 1 : 0);
     }
     mesh_.emplace(support::selected(whole.doubles, points_), triangles, labels_, representatives_,
                   complete_);
