@@ -63,6 +63,12 @@ class Division {
   std::vector<double> planes_;
 };
 
+std::vector<std::uint32_t> all_up_to(std::size_t count) {
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
 /// The triangles that reach into a slab, as a mesh.
 class Slab {
  public:
@@ -88,11 +94,7 @@ class Slab {
                   complete_);
   }
 
-  void thicken(double reach) {
-    std::vector<std::uint32_t> all(faces_.size());
-    std::iota(all.begin(), all.end(), 0U);
-    rounding::thicken(*mesh_, reach, std::move(all));
-  }
+  void thicken(double reach) { rounding::thicken(*mesh_, reach, all_up_to(faces_.size())); }
   void put_into(EditedMesh& whole) const { whole.take_over(*mesh_, faces_, points_); }
 
  private:
@@ -123,21 +125,23 @@ std::vector<std::uint32_t> faces_at_borders(const EditedMesh& mesh, const Broken
 }  // namespace
 
 void thicken_in_slabs(EditedMesh& mesh, const BrokenMesh& original, double reach) {
-  const Division division(
-      original, std::clamp<std::size_t>(original.triangles.size() / kTriangles, 1, kMostSlabs));
+  const std::size_t count = std::min(original.triangles.size() / kTriangles, kMostSlabs);
+  if (count < 2) {
+    thicken(mesh, reach, all_up_to(original.triangles.size()));
+    return;
+  }
+  const Division division(original, count);
   std::vector<std::uint32_t> slab_of;
   slab_of.reserve(original.doubles.size());
   for (const Vec3& point : original.doubles) {
-    slab_of.push_back(division.size() > 1 ? division.slab_of(point) : support::kNone);
+    slab_of.push_back(division.slab_of(point));
   }
-  if (division.size() > 1) {
-    std::vector<std::optional<Slab>> slabs(division.size());
-    support::for_each_in_parallel(slabs.size(), [&](std::size_t i) {
-      slabs[i].emplace(original, division, slab_of, static_cast<std::uint32_t>(i)).thicken(reach);
-    });
-    for (const std::optional<Slab>& slab : slabs) {
-      slab->put_into(mesh);
-    }
+  std::vector<std::optional<Slab>> slabs(division.size());
+  support::for_each_in_parallel(slabs.size(), [&](std::size_t i) {
+    slabs[i].emplace(original, division, slab_of, static_cast<std::uint32_t>(i)).thicken(reach);
+  });
+  for (const std::optional<Slab>& slab : slabs) {
+    slab->put_into(mesh);
   }
   thicken(mesh, reach, faces_at_borders(mesh, original, slab_of));
 }

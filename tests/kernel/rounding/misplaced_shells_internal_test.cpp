@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +21,7 @@ std::vector<std::uint32_t> misplaced(const TriMesh& before, const TriMesh& after
                           {after.points, after.triangles}, move);
 }
 
-/// The first corners of the triangles that `check` finds at the wrong depth or inside out; none if
+/// The last triangle of each shell that `check` finds inside out, or at the wrong depth; none if
 /// something else is wrong.
 std::optional<std::vector<std::uint32_t>> misplaced_by_check(const TriMesh& mesh) {
   std::vector<std::uint32_t> faces;
