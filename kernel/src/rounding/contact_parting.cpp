@@ -14,8 +14,8 @@
 #include "dupin/kernel/error.h"
 #include "mesh/coincident_points.h"
 #include "mesh/exact_mesh.h"
-#include "rounding/edit_strategy.h"
-#include "rounding/edited_mesh.h"
+#include "rounding/edits/edit_strategy.h"
+#include "rounding/edits/edited_mesh.h"
 #include "rounding/misplaced_shells.h"
 #include "rounding/rounding_options.h"
 #include "rounding/self_crossings.h"
@@ -120,13 +120,7 @@ class ContactParting::Attempt {
       : touching_(touching),
         each_(all_up_to(whole().points.size())),
         edited_(whole().points, whole().triangles, whole().labels, each_) {
-    edited_.find_faults(marked_faces(whole().triangles, touching_points(whole().points)));
-    const double farthest = how.options_.tolerance - touching.report().largest_move;
-    for (const double reach : {kNear * how.step_, kFar * how.step_}) {
-      if (!edited_.faults().empty()) {
-        mend_faults(edited_, how.lattice_, std::min(reach, farthest), {kTrials, kTrials});
-      }
-    }
+    part_touching(how);
     move_ = largest_move(edited_);
     if (edited_.faults().empty()) {
       misplaced_ = misplaced_by_editing(whole(), edited_, move_);
@@ -172,6 +166,38 @@ class ContactParting::Attempt {
   static constexpr double kNear = 4, kFar = 16;  // steps of the lattice
 
   [[nodiscard]] const TriMesh& whole() const { return touching_.mesh(); }
+
+  /// In the part of the mesh around, if that is small and what is made of it keeps clear of the
+  /// rest.
+  void part_touching(const ContactParting& how) {
+    const std::vector<Vec3>& points = whole().points;
+    const Embedding embedding{points, whole().triangles, each_};
+    const std::vector<Fault> faults =
+        find_faults(embedding, marked_faces(whole().triangles, touching_points(points)));
+    const std::vector<std::uint8_t> inexact(points.size(), 0);
+    const auto part =
+        MeshPart::around({points, points, inexact, whole().triangles, whole().labels, each_},
+                         faces_of(faults), std::min(kFar * how.step_, how.room(touching_)), 0);
+    if (part) {
+      EditedMesh mesh = unedited(part->view());
+      mesh.add_faults(part->numbered(faults));
+      mend(mesh, how);
+      if (!part->meets_rest(mesh, embedding)) {
+        edited_.take_over(mesh, part->faces(), part->points());
+        return;
+      }
+    }
+    edited_.add_faults(faults);
+    mend(edited_, how);
+  }
+
+  void mend(EditedMesh& mesh, const ContactParting& how) const {
+    for (const double reach : {kNear * how.step_, kFar * how.step_}) {
+      if (!mesh.faults().empty()) {
+        mend_faults(mesh, how.lattice_, std::min(reach, how.room(touching_)), {kTrials, kTrials});
+      }
+    }
+  }
 
   const Rounded& touching_;
   std::vector<std::uint32_t> each_;

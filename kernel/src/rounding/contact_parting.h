@@ -17,6 +17,10 @@ class ContactParting {
  private:
   class Attempt;
 
+  /// What is left of the tolerance.
+  [[nodiscard]] double room(const Rounded& rounded) const {
+    return options_.tolerance - rounded.report().largest_move;
+  }
   [[nodiscard]] std::optional<Rounded> rounded_again(const Attempt& attempt) const;
 
   Coordinates coordinates_;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh/exact_mesh.h"
-#include "rounding/fault_tracker.h"
+#include "rounding/edits/fault_tracker.h"
 
 namespace dupin::rounding {
 

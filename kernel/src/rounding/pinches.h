@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
-#include "rounding/edited_mesh.h"
+#include "rounding/edits/edited_mesh.h"
 
 namespace dupin::rounding {
 

@@ -12,13 +12,13 @@
 /// do, and what they break is repaired nearby.
 ///
 /// In order, as rounding.cpp strings them together: points go to the lattice (this file); faults
-/// are found among triangles with a point that moved (fault_tracker.h), and shells that turned
-/// inside out or came through another, whole (shell_orientation.h if it is certain that none did,
-/// else misplaced_shells.h). Where very much is thinner than a step it is thickened before
-/// (thicken_in_slabs.h). Then sliver voids are filled (sliver_voids.h), and slits between ends that
-/// nearly meet (open_slits.h); what still is broken is copied with its surroundings (mesh_part.h),
-/// edited (edited_mesh.h) as edit_strategy.h says, with growing reach, and put back. What that
-/// leaves is cut at itself (self_crossings.h), and all begins again.
+/// are found among triangles with a point that moved (edits/fault_tracker.h), and shells that
+/// turned inside out or came through another, whole (shell_orientation.h if it is certain that none
+/// did, else misplaced_shells.h). Where very much is thinner than a step it is thickened before
+/// (edits/thicken_in_slabs.h). Then sliver voids are filled (sliver_voids.h), and slits between
+/// ends that nearly meet (open_slits.h); what still is broken is copied with its surroundings
+/// (edits/mesh_part.h), edited (edits/edited_mesh.h) as edits/edit_strategy.h says, with growing
+/// reach, and put back. What that leaves is cut at itself (self_crossings.h), and all begins again.
 namespace dupin::rounding {
 
 /// The points of an exact mesh, less an origin, correctly rounded.

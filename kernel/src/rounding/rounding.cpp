@@ -12,8 +12,10 @@
 #include "dupin/kernel/error.h"
 #include "mesh/coincident_points.h"
 #include "mesh/exact_mesh.h"
-#include "rounding/edit_strategy.h"
-#include "rounding/mesh_part.h"
+#include "rounding/edits/edit_strategy.h"
+#include "rounding/edits/first_repair.h"
+#include "rounding/edits/mesh_part.h"
+#include "rounding/edits/small_shells.h"
 #include "rounding/misplaced_shells.h"
 #include "rounding/open_slits.h"
 #include "rounding/past_rounds.h"
@@ -172,7 +174,7 @@ class Rounding {
         return done;
       }
     }
-    EditedMesh mesh(doubles(), exact_.triangles, exact_.labels, representatives_);
+    EditedMesh mesh = unedited(whole());
     const double reach = std::min(step_, (tolerance_ - past_.distance()) / kReachGrowth);
     thicken_doubles(mesh, whole(), reach, kReachGrowth * double_step_);
     const auto alive = mesh.alive_faces();
@@ -217,21 +219,28 @@ class Rounding {
     }
     const double farthest = tolerance_ - past_.distance();
     double reach = std::min(kReachGrowth * step_, farthest);
-    if (auto done = repaired_in_part(broken, broken_pairs, reach)) {
-      return std::move(*done);
+    auto repair = first_repair_in_part(whole(), broken, broken_pairs, limits(reach), step_);
+    if (repair && repair->part) {
+      if (auto done = spliced(*repair, reach)) {
+        return std::move(*done);
+      }
+      repair.reset();
     }
-    EditedMesh mesh(doubles(), exact_.triangles, exact_.labels, representatives_);
-    std::size_t shells = remove_small_shells(mesh, broken, reach);
-    bool is_ended = repair_around(mesh, whole(), broken, broken_pairs, limits(reach));
+    if (!repair) {
+      repair = first_repair(whole(), broken, broken_pairs, limits(reach));
+    }
+    EditedMesh& mesh = *repair->mesh;
     while (true) {
       const auto alive = mesh.alive_faces();
       const double move = largest_move(mesh, alive);
       broken = faults(mesh, alive, move);
       if (broken.empty() && !alive.empty()) {
         return finished(mesh, alive,
-                        {.largest_move = move, .repair_reach = reach, .removed_shells = shells});
+                        {.largest_move = move,
+                         .repair_reach = reach,
+                         .removed_shells = repair->removed_shells});
       }
-      const bool is_urgent = past_.idle_snaps == 0 && (!is_ended || !pinches(mesh).empty());
+      const bool is_urgent = past_.idle_snaps == 0 && (!repair->is_ended || !pinches(mesh).empty());
       const bool may_cut = is_urgent || reach >= past_.snap_reach() * step_;
       if (auto done = begun_anew(mesh, alive, broken_pairs, broken, may_cut)) {
         return std::move(*done);
@@ -241,8 +250,8 @@ class Rounding {
                           alive.empty());
       }
       reach = std::min(kReachGrowth * reach, farthest);
-      shells += remove_small_shells(mesh, broken, reach);
-      is_ended = repair_further(mesh, broken, limits(reach));
+      repair->removed_shells += remove_small_shells(mesh, broken, reach);
+      repair->is_ended = repair_further(mesh, broken, limits(reach));
     }
   }
 
@@ -336,33 +345,6 @@ class Rounding {
     return {lattice_, rounded_.largest, reach, is_last};
   }
 
-  /// Repaired by edits near the broken faces only; none if these are many or that does not do.
-  std::optional<Rounded> repaired_in_part(const std::vector<std::uint32_t>& broken,
-                                          const std::vector<Fault>& broken_pairs, double reach) {
-    const auto part = MeshPart::around(whole(), broken, reach, step_);
-    if (!part) {
-      return std::nullopt;
-    }
-    const BrokenMesh view = part->view();
-    EditedMesh mesh(view.doubles, view.triangles, view.labels, view.representatives, view.complete);
-    std::vector<std::uint32_t> faces;
-    for (const std::uint32_t face : broken) {
-      faces.push_back(part->face(face));
-    }
-    std::vector<Fault> pairs;
-    for (const Fault& fault : broken_pairs) {
-      pairs.push_back({part->face(fault.first), part->face(fault.second)});
-    }
-    const std::size_t shells = remove_small_shells(mesh, faces, reach);
-    repair_around(mesh, view, faces, pairs, limits(reach));
-    if (mesh.faults().empty()) {
-      if (auto done = spliced(mesh, *part, {.repair_reach = reach, .removed_shells = shells})) {
-        return done;
-      }
-    }
-    return std::nullopt;
-  }
-
   /// Without a second shell and without contacts the solid leaves free one connected space.
   bool may_have_voids() {
     return !exact_.contacts.empty() ||
@@ -396,8 +378,7 @@ class Rounding {
   }
 
   Rounded unrepaired(double move);
-  std::optional<Rounded> spliced(const EditedMesh& mesh, const MeshPart& part,
-                                 RoundingReport report);
+  std::optional<Rounded> spliced(const FirstRepair& repair, double reach);
   [[nodiscard]] Rounded finished(const EditedMesh& mesh, std::span<const std::uint32_t> alive,
                                  RoundingReport report) const;
   [[nodiscard]] Rounded with_report(RoundingReport report, std::size_t triangles) const;
@@ -464,8 +445,10 @@ Rounded Rounding::finished(const EditedMesh& mesh, std::span<const std::uint32_t
 
 /// The whole mesh, its part replaced by the repaired one; none if that is not free of faults. Takes
 /// the rounded points, or leaves them as they were.
-std::optional<Rounded> Rounding::spliced(const EditedMesh& mesh, const MeshPart& part,
-                                         RoundingReport report) {
+std::optional<Rounded> Rounding::spliced(const FirstRepair& repair, double reach) {
+  const MeshPart& part = *repair.part;
+  const EditedMesh& mesh = *repair.mesh;
+  RoundingReport report{.repair_reach = reach, .removed_shells = repair.removed_shells};
   const BrokenMesh original = part.view();
   double vertex = rounded_.largest_move, surface = 0;
   std::vector<std::uint32_t> unused, dead;  // points and triangles of the whole

@@ -5,7 +5,7 @@
 
 #include "dupin/kernel/rounding.h"
 #include "mesh/exact_mesh.h"
-#include "rounding/fault_tracker.h"
+#include "rounding/edits/fault_tracker.h"
 
 namespace dupin::rounding {
 

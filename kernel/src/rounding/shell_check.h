@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "mesh/exact_mesh.h"
-#include "rounding/edited_mesh.h"
 
 namespace dupin::rounding {
 
@@ -15,10 +14,5 @@ namespace dupin::rounding {
 /// point the first of those that it touches.
 [[nodiscard]] std::vector<std::uint32_t> crossed_contacts(
     const mesh::MeshView& mesh, std::span<const std::uint32_t> representatives);
-
-/// Removes the shells of the given faces that lie within `reach` of one of their points. Returns
-/// their number.
-std::size_t remove_small_shells(EditedMesh& mesh, const std::vector<std::uint32_t>& faces,
-                                double reach);
 
 }  // namespace dupin::rounding

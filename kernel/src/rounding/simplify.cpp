@@ -17,7 +17,7 @@
 #include "dupin/kernel/rounding.h"
 #include "mesh/coincident_points.h"
 #include "predicates/triangle_overlap.h"
-#include "rounding/edited_mesh.h"
+#include "rounding/edits/edited_mesh.h"
 #include "support/sequences.h"
 
 namespace dupin {

@@ -13,7 +13,7 @@
 #include "mesh/coincident_points.h"
 #include "mesh/exact_mesh.h"
 #include "mesh/stable_face_groups.h"
-#include "rounding/fault_tracker.h"
+#include "rounding/edits/fault_tracker.h"
 #include "rounding/point_rounding.h"
 #include "support/pipe_cases.h"
 #include "support/pipe_unions.h"

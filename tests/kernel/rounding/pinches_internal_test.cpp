@@ -1,6 +1,6 @@
 #include <tuple>
 
-#include "kernel/rounding/edit_fixture_internal.h"
+#include "kernel/rounding/edits/edit_fixture_internal.h"
 #include "rounding/pinches.h"
 
 namespace dupin::rounding {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dupin/kernel/mesh.h"
-#include "rounding/fault_tracker.h"
+#include "rounding/edits/fault_tracker.h"
 #include "support/bulk_vector.h"
 
 namespace dupin::rounding {
@@ -37,6 +37,7 @@ class EditedMesh {
 
   [[nodiscard]] std::span<const Vec3> points() const { return points_; }
   [[nodiscard]] const Vec3& point(std::uint32_t vertex) const { return points_[vertex]; }
+  [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
   [[nodiscard]] const Triangle& triangle(std::uint32_t face) const { return triangles_[face]; }
   [[nodiscard]] std::uint32_t face_count() const {
     return static_cast<std::uint32_t>(triangles_.size());
@@ -66,10 +67,10 @@ class EditedMesh {
   void remove(std::span<const std::uint32_t> faces);
 
   /// Moves all points without asking.
-  void place(support::BulkVector<Vec3> points);
+  void place(std::span<const Vec3> points);
 
-  /// Takes over what collapses and flips have made of a part of the mesh, a mesh of its own whose
-  /// faces and points are these. No faults have been looked for yet, nor has that part been edited.
+  /// Takes over what has become of a part of the mesh, a mesh of its own whose faces and points are
+  /// these, ascending, and what faults it is known to have. That part has not been edited here.
   void take_over(const EditedMesh& part, std::span<const std::uint32_t> faces,
                  std::span<const std::uint32_t> points);
 
@@ -78,6 +79,8 @@ class EditedMesh {
   void find_faults(std::span<const std::uint8_t> marked, std::span<const Fault> known = {}) {
     tracker_.find(now(), marked, known);
   }
+  /// Adds faults that others have found, of faces that have not been edited.
+  void add_faults(std::span<const Fault> faults) { tracker_.add(faults); }
   /// Those found and not yet removed, and those that edits have made; ascending.
   [[nodiscard]] std::vector<Fault> faults() const { return tracker_.faults(); }
   /// The same, by the places of their faces in an ascending list that has them all.

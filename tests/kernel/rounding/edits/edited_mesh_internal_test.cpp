@@ -5,8 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/check.h"
-#include "kernel/rounding/edit_fixture_internal.h"
-#include "rounding/edited_mesh.h"
+#include "kernel/rounding/edits/edit_fixture_internal.h"
+#include "rounding/edits/edited_mesh.h"
+#include "support/sequences.h"
 
 namespace dupin::rounding {
 namespace {
@@ -179,6 +180,36 @@ TEST_F(Edit, takes_over_what_was_made_of_a_part) {
   }
   EXPECT_EQ(taken.take_edited(), made.take_edited());
   EXPECT_TRUE(check(result(taken)).is_solid());
+}
+
+TEST_F(Edit, takes_over_moved_points_and_faults_of_a_part) {
+  std::vector<std::uint32_t> points, faces;  // all but some at the end
+  for (std::uint32_t f = 0; f + 4 < shape.triangles.size(); ++f) {
+    faces.push_back(f);
+    points.insert(points.end(), shape.triangles[f].begin(), shape.triangles[f].end());
+  }
+  support::sort_unique(points);
+  ASSERT_EQ(points.size(), shape.points.size());
+  EditedMesh part(shape.points, std::span(shape.triangles).first(faces.size()), {},
+                  representatives);
+  std::vector<Vec3> moved = shape.points;
+  moved[0] = Vec3(0, 0, 5);  // through the top
+  part.place(moved);
+  part.find_faults(std::vector<std::uint8_t>(faces.size(), 1));
+  const std::vector<Fault> faults = part.faults();
+  ASSERT_FALSE(faults.empty());
+  EditedMesh whole = mesh();
+  whole.take_over(part, faces, points);
+  EXPECT_TRUE(whole.faults() == faults);
+  EXPECT_EQ(whole.point(0), moved[0]);
+  EXPECT_EQ(whole.reach(0), (moved[0] - shape.points[0]).norm());
+  EXPECT_EQ(whole.reach(1), 0);
+  const std::vector<std::uint32_t> shell(faces.begin(), faces.end());
+  part.remove(shell);
+  EditedMesh removed = mesh();
+  removed.take_over(part, faces, points);
+  EXPECT_TRUE(removed.faults().empty());
+  EXPECT_EQ(removed.alive_faces().size(), 4);
 }
 
 TEST(ThirdCorner, is_the_other_one) {

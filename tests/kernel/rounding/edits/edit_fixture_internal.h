@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rounding/edited_mesh.h"
+#include "rounding/edits/edited_mesh.h"
 #include "support/shapes.h"
 
 namespace dupin::rounding {

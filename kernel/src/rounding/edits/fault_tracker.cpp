@@ -1,4 +1,4 @@
-#include "rounding/fault_tracker.h"
+#include "rounding/edits/fault_tracker.h"
 
 #include <algorithm>
 #include <array>
@@ -276,6 +276,10 @@ std::vector<Fault> FaultTracker::known_of(std::span<const std::uint32_t> faces) 
 
 void FaultTracker::remove(std::span<const std::uint32_t> faces) {
   std::ranges::for_each(known_of(faces), [&](const Fault& fault) { forget(fault); });
+}
+
+void FaultTracker::add(std::span<const Fault> faults) {
+  std::ranges::for_each(faults, [&](const Fault& fault) { remember(fault); });
 }
 
 bool FaultTracker::may_accept(std::span<const std::uint32_t> faces, FaultRule rule) const {

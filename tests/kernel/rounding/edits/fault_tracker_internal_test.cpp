@@ -6,7 +6,7 @@
 
 #include "kernel/torus.h"
 #include "predicates/triangle_overlap.h"
-#include "rounding/fault_tracker.h"
+#include "rounding/edits/fault_tracker.h"
 #include "support/shapes.h"
 
 namespace dupin::rounding {

@@ -1,4 +1,4 @@
-#include "rounding/edited_mesh.h"
+#include "rounding/edits/edited_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "mesh/used_points.h"
+#include "support/blocks.h"
 #include "support/none.h"
 #include "support/sequences.h"
 
@@ -333,14 +334,14 @@ void EditedMesh::remove(std::span<const std::uint32_t> faces) {
 void EditedMesh::take_over(const EditedMesh& part, std::span<const std::uint32_t> faces,
                            std::span<const std::uint32_t> points) {
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
-    if (part.last_edit_[f] != 0) {
+    if (part.last_edit_[f] != 0 || !part.alive(f)) {
       const std::uint32_t face = faces[f];
       const auto& [a, b, c] = part.triangles_[f];
       triangles_[face] = {points[a], points[b], points[c]};
       alive_[face] = part.alive_[f];
       parent_[face] = faces[part.parent_[f]];
       deviation_[face] = part.deviation_[f];
-      last_edit_[face] = edits_ + part.last_edit_[f];
+      last_edit_[face] = part.last_edit_[f] == 0 ? 0 : edits_ + part.last_edit_[f];
       edited_.push_back(face);
     }
   }
@@ -348,18 +349,27 @@ void EditedMesh::take_over(const EditedMesh& part, std::span<const std::uint32_t
     if (part.own_list_[v] != support::kNone) {
       const std::vector<std::uint32_t>& around = part.lists_[part.own_list_[v]];
       set_faces(points[v], support::selected(faces, around));
-      reach_[points[v]] = part.reach_[v];
     }
+    points_[points[v]] = part.points_[v];
+    reach_[points[v]] = std::max(reach_[points[v]], part.reach_[v]);
   }
   edits_ += part.edits_;
-  tracker_.points_have_moved();  // or faces, which is the same to it
+  tracker_.points_have_moved();
+  std::vector<Fault> faults = part.faults();
+  for (auto& [first, second] : faults) {  // numbers ascend as in the part
+    first = faces[first];
+    second = faces[second];
+  }
+  tracker_.add(faults);
 }
 
-void EditedMesh::place(support::BulkVector<Vec3> points) {
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    reach_[v] += (points[v] - points_[v]).norm();
-  }
-  points_ = std::move(points);
+void EditedMesh::place(std::span<const Vec3> points) {
+  support::for_each_block(points.size(), [&](const support::Block& block) {
+    for (std::size_t v = block.begin; v < block.end; ++v) {
+      reach_[v] += (points[v] - points_[v]).norm();
+      points_[v] = points[v];
+    }
+  });
   tracker_.points_have_moved();
 }
 

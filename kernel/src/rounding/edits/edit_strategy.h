@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "exact/float_lattice.h"
-#include "rounding/edited_mesh.h"
-#include "rounding/mesh_part.h"
+#include "rounding/edits/edited_mesh.h"
+#include "rounding/edits/mesh_part.h"
 
 namespace dupin::rounding {
 

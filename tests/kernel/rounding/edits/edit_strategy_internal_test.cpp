@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "dupin/kernel/check.h"
-#include "kernel/rounding/edit_fixture_internal.h"
-#include "rounding/edit_strategy.h"
+#include "kernel/rounding/edits/edit_fixture_internal.h"
+#include "rounding/edits/edit_strategy.h"
 
 namespace dupin::rounding {
 namespace {

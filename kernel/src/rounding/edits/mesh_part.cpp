@@ -1,6 +1,7 @@
-#include "rounding/mesh_part.h"
+#include "rounding/edits/mesh_part.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "boxes/boxes_near.h"
 #include "mesh/used_points.h"
@@ -118,6 +119,23 @@ BrokenMesh MeshPart::view() const {
 
 std::uint32_t MeshPart::face(std::uint32_t of_whole) const {
   return static_cast<std::uint32_t>(std::ranges::lower_bound(faces_, of_whole) - faces_.begin());
+}
+
+std::vector<std::uint32_t> MeshPart::numbered(std::span<const std::uint32_t> of_whole) const {
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(of_whole.size());
+  std::ranges::transform(of_whole, std::back_inserter(numbers),
+                         [&](std::uint32_t f) { return face(f); });
+  return numbers;
+}
+
+std::vector<Fault> MeshPart::numbered(std::span<const Fault> of_whole) const {
+  std::vector<Fault> faults;
+  faults.reserve(of_whole.size());
+  for (const auto& [first, second] : of_whole) {
+    faults.push_back({face(first), face(second)});
+  }
+  return faults;
 }
 
 bool MeshPart::meets_rest(const EditedMesh& repaired, const Embedding& whole) const {

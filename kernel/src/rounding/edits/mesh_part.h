@@ -12,8 +12,8 @@
 #include "boxes/box_tree.h"
 #include "dupin/kernel/mesh.h"
 #include "dupin/kernel/solid.h"
-#include "rounding/edited_mesh.h"
-#include "rounding/fault_tracker.h"
+#include "rounding/edits/edited_mesh.h"
+#include "rounding/edits/fault_tracker.h"
 
 namespace dupin::rounding {
 
@@ -26,6 +26,11 @@ struct BrokenMesh {
   std::span<const std::uint32_t> representatives;  ///< per point the first that coincides with it
   std::span<const std::uint8_t> complete = {};     ///< as EditedMesh has them
 };
+
+/// As it was before rounding.
+[[nodiscard]] inline EditedMesh unedited(const BrokenMesh& mesh) {
+  return {mesh.doubles, mesh.triangles, mesh.labels, mesh.representatives, mesh.complete};
+}
 
 /// The surroundings of faults, as a mesh of its own with a border: the triangles some rings
 /// around, and all that are as near to these as edits may move them. Numbers, of points and of
@@ -43,8 +48,10 @@ class MeshPart {
   /// The numbers, in the whole mesh, of the part's triangles and points.
   [[nodiscard]] const std::vector<std::uint32_t>& faces() const { return faces_; }
   [[nodiscard]] const std::vector<std::uint32_t>& points() const { return points_; }
-  /// The number in the part of a triangle of the whole mesh that belongs to it.
+  /// The numbers in the part of triangles of the whole mesh that belong to it.
   [[nodiscard]] std::uint32_t face(std::uint32_t of_whole) const;
+  [[nodiscard]] std::vector<std::uint32_t> numbered(std::span<const std::uint32_t> of_whole) const;
+  [[nodiscard]] std::vector<Fault> numbered(std::span<const Fault> of_whole) const;
 
   /// Whether, in the whole mesh that they have been put into, repaired triangles that differ from
   /// the rounded ones make faults with others than those of the part.

@@ -1,4 +1,4 @@
-#include "rounding/thicken_in_slabs.h"
+#include "rounding/edits/thicken_in_slabs.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 #include "boxes/bounds.h"
 #include "mesh/used_points.h"
-#include "rounding/edit_strategy.h"
+#include "rounding/edits/edit_strategy.h"
 #include "support/blocks.h"
 #include "support/none.h"
 #include "support/sequences.h"
@@ -124,11 +124,11 @@ std::vector<std::uint32_t> faces_at_borders(const EditedMesh& mesh, const Broken
 
 }  // namespace
 
-void thicken_in_slabs(EditedMesh& mesh, const BrokenMesh& original, double reach) {
+std::vector<std::uint32_t> thicken_in_slabs(EditedMesh& mesh, const BrokenMesh& original,
+                                            double reach) {
   const std::size_t count = std::min(original.triangles.size() / kTriangles, kMostSlabs);
   if (count < 2) {
-    thicken(mesh, reach, all_up_to(original.triangles.size()));
-    return;
+    return all_up_to(original.triangles.size());
   }
   const Division division(original, count);
   std::vector<std::uint32_t> slab_of;
@@ -143,7 +143,7 @@ void thicken_in_slabs(EditedMesh& mesh, const BrokenMesh& original, double reach
   for (const std::optional<Slab>& slab : slabs) {
     slab->put_into(mesh);
   }
-  thicken(mesh, reach, faces_at_borders(mesh, original, slab_of));
+  return faces_at_borders(mesh, original, slab_of);
 }
 
 }  // namespace dupin::rounding

@@ -7,8 +7,8 @@
 #include <tbb/global_control.h>
 
 #include "dupin/kernel/check.h"
-#include "rounding/edit_strategy.h"
-#include "rounding/thicken_in_slabs.h"
+#include "rounding/edits/edit_strategy.h"
+#include "rounding/edits/thicken_in_slabs.h"
 #include "support/shapes.h"
 
 namespace dupin::rounding {
@@ -76,7 +76,7 @@ Thickened thickened(const TriMesh& shape, const Thicken& thicken) {
 Thickened in_slabs(const TriMesh& shape, std::size_t threads) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   return thickened(shape, [](EditedMesh& mesh, const BrokenMesh& original) {
-    thicken_in_slabs(mesh, original, kReach);
+    thicken(mesh, kReach, thicken_in_slabs(mesh, original, kReach));
   });
 }
 

@@ -126,6 +126,8 @@ class FaultTracker {
   void remove(std::span<const std::uint32_t> faces);
   /// All points have moved.
   void points_have_moved() { tree_.reset(); }
+  /// Adds faults, first < second or equal, that others have found.
+  void add(std::span<const Fault> faults);
 
  private:
   [[nodiscard]] boxes::Box box(const Mesh& mesh, std::uint32_t face) const;

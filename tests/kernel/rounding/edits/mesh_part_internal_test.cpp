@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "kernel/rounding/edit_fixture_internal.h"
+#include "kernel/rounding/edits/edit_fixture_internal.h"
 #include "kernel/torus.h"
-#include "rounding/mesh_part.h"
+#include "rounding/edits/mesh_part.h"
 
 namespace dupin::rounding {
 namespace {

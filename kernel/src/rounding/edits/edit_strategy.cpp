@@ -1,4 +1,4 @@
-#include "rounding/edit_strategy.h"
+#include "rounding/edits/edit_strategy.h"
 
 #include <algorithm>
 #include <array>
@@ -6,11 +6,13 @@
 #include <numeric>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include <Eigen/Geometry>
+#include <tbb/parallel_invoke.h>
 
 #include "dupin/kernel/coordinates.h"
-#include "rounding/thicken_in_slabs.h"
+#include "rounding/edits/thicken_in_slabs.h"
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
 #include "support/sequences.h"
@@ -276,7 +278,7 @@ void place_on_lattice(EditedMesh& mesh, const BrokenMesh& original,
       points[i] = here == original.doubles[i] ? original.on_lattice[i] : lattice.nearest(here);
     }
   });
-  mesh.place(std::move(points));
+  mesh.place(points);
 }
 
 }  // namespace
@@ -346,16 +348,29 @@ void thicken(EditedMesh& mesh, double reach, Faces faces) {
 }
 
 bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original, double reach, double mending) {
-  thicken_in_slabs(mesh, original, reach);
+  Faces left = thicken_in_slabs(mesh, original, reach);
   // Lemma: both faces of a fault are as given. Who was edited last of two was compared with the
-  // other one.
-  auto marked = marked_faces(original.triangles, original.inexact);
-  support::for_each_block(marked.size(), [&](const support::Block& block) {
-    for (auto f = static_cast<std::uint32_t>(block.begin); f < block.end; ++f) {
-      marked[f] = marked[f] != 0 && mesh.last_edit(f) == 0 ? 1 : 0;
-    }
+  // other one. So they are sought while other faces are edited still.
+  const auto alive = mesh.alive_faces();
+  const auto triangles = mesh.triangles_of(alive);
+  support::BulkVector<std::uint8_t> marked = marked_faces(triangles, original.inexact);
+  for (std::size_t i = 0; i < alive.size(); ++i) {
+    marked[i] = marked[i] != 0 && mesh.last_edit(alive[i]) == 0 ? 1 : 0;
+  }
+  std::vector<Fault> faults;
+  tbb::parallel_invoke(
+      [&] { thicken(mesh, reach, std::move(left)); },
+      [&] {
+        faults = find_faults({mesh.points(), triangles, original.representatives}, marked);
+      });
+  for (auto& [first, second] : faults) {
+    first = alive[first];
+    second = alive[second];
+  }
+  std::erase_if(faults, [&](const Fault& fault) {
+    return mesh.last_edit(fault.first) != 0 || mesh.last_edit(fault.second) != 0;
   });
-  mesh.find_faults(marked);
+  mesh.add_faults(faults);
   mend(mesh, exact::FloatLattice(Coordinates::binary64), reach + mending, false);
   thicken(mesh, reach, with_neighbours(mesh, mesh.take_edited()));
   return mesh.faults().empty();

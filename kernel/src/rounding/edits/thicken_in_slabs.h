@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rounding/edits/edited_mesh.h"
+#include "rounding/edits/mesh_part.h"
+
+namespace dupin::rounding {
+
+/// thicken() of the faces of a mesh as given, by several threads: in slabs of about as many points,
+/// each as a mesh of its own. Returns those that are left, at their borders, for thicken() of the
+/// whole mesh; all, if it is too small for slabs.
+///
+/// Lemma: edits by collapses and flips of faces with all corners strictly between two planes make
+/// such faces; these meet nothing but faces with some part there. So those within one slab do not
+/// depend on those within another. The slabs depend on the mesh, not on the number of threads.
+[[nodiscard]] std::vector<std::uint32_t> thicken_in_slabs(EditedMesh& mesh,
+                                                          const BrokenMesh& original, double reach);
+
+}  // namespace dupin::rounding
