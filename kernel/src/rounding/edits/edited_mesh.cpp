@@ -217,7 +217,7 @@ bool EditedMesh::collapse(std::uint32_t from, std::uint32_t to, const EditRule& 
   const bool is_copy =
       points_[from] == points_[to] && representatives_[from] == representatives_[to];
   const bool is_fixed = fixed_[from] == kAtContact ? !is_copy : fixed_[from] != 0;
-  if (is_fixed || moved > rule.reach || !tracker_.may_accept(all, rule.faults) ||
+  if (is_fixed || moved > rule.reach || !tracker_.may_try(now(), all, rule.faults) ||
       !collapsible(from, to)) {
     return false;
   }
@@ -262,7 +262,7 @@ bool EditedMesh::flip(std::uint32_t face, int edge, const EditRule& rule) {
   const std::array<std::uint32_t, 2> pair = {face, *across};
   const std::uint32_t d = third_corner(triangles_[*across], a, b);
   const std::array<std::uint32_t, 4> corners = {a, b, c, d};
-  if (!tracker_.may_accept(pair, rule.faults) || !all_complete(corners) || c == d ||
+  if (!tracker_.may_try(now(), pair, rule.faults) || !all_complete(corners) || c == d ||
       face_with_edge(c, d) || face_with_edge(d, c)) {
     return false;
   }
@@ -296,7 +296,7 @@ bool EditedMesh::flip(std::uint32_t face, int edge, const EditRule& rule) {
 bool EditedMesh::move(std::uint32_t vertex, const Vec3& position, const EditRule& rule) {
   const double moved = reach_[vertex] + (position - points_[vertex]).norm();
   const auto around = faces(vertex);
-  if (fixed_[vertex] != 0 || moved > rule.reach || !tracker_.may_accept(around, rule.faults)) {
+  if (fixed_[vertex] != 0 || moved > rule.reach || !tracker_.may_try(now(), around, rule.faults)) {
     return false;
   }
   const Vec3 before = points_[vertex];

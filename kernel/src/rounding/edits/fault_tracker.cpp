@@ -282,9 +282,16 @@ void FaultTracker::add(std::span<const Fault> faults) {
   std::ranges::for_each(faults, [&](const Fault& fault) { remember(fault); });
 }
 
-bool FaultTracker::may_accept(std::span<const std::uint32_t> faces, FaultRule rule) const {
-  return rule == FaultRule::none ||
-         std::ranges::any_of(faces, [&](std::uint32_t f) { return partners_.contains(f); });
+/// The tree is made here, not when it is first needed: in the midst of a trial it would miss faces
+/// that the edit takes away, and those are there again where it is in vain.
+bool FaultTracker::may_try(const Mesh& mesh, std::span<const std::uint32_t> faces, FaultRule rule) {
+  const bool may = rule == FaultRule::none || std::ranges::any_of(faces, [&](std::uint32_t f) {
+                     return partners_.contains(f);
+                   });
+  if (may) {
+    static_cast<void>(tree(mesh));
+  }
+  return may;
 }
 
 /// Appends faults between the tested faces and all others but `hot`, until there are `limit`.
@@ -318,7 +325,7 @@ void FaultTracker::look_everywhere(const Mesh& mesh, std::deque<FaultTest>& test
   if (triangles.empty()) {
     return;
   }
-  tree(mesh).visit_until(around, triangles, [&](std::uint32_t g, const boxes::Box& box_of_g) {
+  tree_->visit_until(around, triangles, [&](std::uint32_t g, const boxes::Box& box_of_g) {
     if (mesh.alive[g] == 0 || stamp_[g] == searches_) {
       return false;
     }
@@ -364,7 +371,7 @@ bool FaultTracker::accept(const Mesh& mesh, std::span<const std::uint32_t> befor
   std::ranges::for_each(known, [&](const Fault& fault) { forget(fault); });
   std::ranges::for_each(found, [&](const Fault& fault) { remember(fault); });
   for (const std::uint32_t f : after) {
-    tree(mesh).grow(f, box(mesh, f), framed(mesh, f));
+    tree_->grow(f, box(mesh, f), framed(mesh, f));
   }
   return true;
 }

@@ -113,10 +113,11 @@ class FaultTracker {
   [[nodiscard]] std::vector<Fault> faults() const;
   [[nodiscard]] static bool is_fault(const Mesh& mesh, const Fault& fault);
 
-  /// Whether an edit of the faces could be accepted at all.
-  [[nodiscard]] bool may_accept(std::span<const std::uint32_t> faces, FaultRule rule) const;
-  /// Decides on an edit that has been made for trial: the faces `before` have become the faces
-  /// `after`, a part of them. If accepted, the books are brought up to date.
+  /// Asked before an edit of the faces is made for trial: whether it could be accepted at all.
+  [[nodiscard]] bool may_try(const Mesh& mesh, std::span<const std::uint32_t> faces,
+                             FaultRule rule);
+  /// Decides on it once it has been made: the faces `before` have become the faces `after`, a part
+  /// of them. If accepted, the books are brought up to date; else the edit is to be undone.
   [[nodiscard]] bool accept(const Mesh& mesh, std::span<const std::uint32_t> before,
                             std::span<const std::uint32_t> after, FaultRule rule);
   /// How often that has been asked.
