@@ -48,6 +48,15 @@ support::BulkVector<FramedPoint> BoxQuantizer::map(std::span<const Vec3> points)
   return mapped;
 }
 
+Box BoxQuantizer::around(const Eigen::AlignedBox3d& box) const {
+  Box all = Box::nothing();
+  for (int i = 0; i < 8; ++i) {
+    const FramedPoint corner = map(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+    all.join(around(FramedTriangle{corner, corner, corner}));
+  }
+  return all;
+}
+
 Box BoxQuantizer::around(const FramedTriangle& triangle, double margin) const {
   const float more = static_cast<float>(margin * scale_) + 2 * kRounding;
   Box box = around(triangle);

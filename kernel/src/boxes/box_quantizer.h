@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "boxes/box.h"
 #include "boxes/oriented_box.h"
@@ -55,6 +55,8 @@ class BoxQuantizer {
     }
     return box;
   }
+  /// About all that is mapped from a box.
+  [[nodiscard]] Box around(const Eigen::AlignedBox3d& box) const;
   /// Contains the boxes of triangles with corners within `margin` of these.
   [[nodiscard]] Box around(const FramedTriangle& triangle, double margin) const;
 

@@ -1,7 +1,6 @@
 #include "checking/disjoint_face_groups.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "checking/height_field_patches.h"
 #include "checking/injective_stars.h"
@@ -53,9 +52,7 @@ DisjointFaceGroups proven_groups(const WeldedMesh& mesh, bool closed, double mar
   DisjointFaceGroups groups{std::move(patches.of_triangle),
                             injective_stars(mesh.points, mesh.corners, patches.is_inner, margin)};
   if (has_large_stars(mesh, groups)) {
-    std::vector<std::uint32_t> all(mesh.triangles.size());
-    std::iota(all.begin(), all.end(), 0U);
-    group_large_stars(mesh, all, patches.count, groups);
+    group_large_stars(mesh, support::numbers_below(mesh.triangles.size()), patches.count, groups);
   }
   return groups;
 }

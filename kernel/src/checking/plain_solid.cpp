@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -196,8 +195,7 @@ std::optional<PlainSolid> plain_solid(const TriMesh& mesh, double margin) {
     return std::nullopt;
   }
   // Points that coincide, if there are any, make their triangles cross.
-  std::vector<std::uint32_t> own(points);
-  std::iota(own.begin(), own.end(), 0U);
+  const std::vector<std::uint32_t> own = support::numbers_below(points);
   SelfIntersections found = find_self_intersections(
       mesh.points, mesh.triangles,
       {.limit = 1, .representatives = own, .closed = true, .margin = margin, .enough = 1});

@@ -7,7 +7,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,6 +20,7 @@
 #include "mesh/exact_mesh.h"
 #include "mesh/point_winding.h"
 #include "support/none.h"
+#include "support/sequences.h"
 
 namespace dupin {
 namespace {
@@ -137,10 +137,8 @@ void require_outside(const mesh::MeshView& doubles, std::size_t number, const Ve
     if (!may_be_enclosed(*tree, first->center())) {
       continue;
     }
-    std::vector<std::uint32_t> faces(doubles.triangles.size());
-    std::iota(faces.begin(), faces.end(), 0);
     const Vec3 place = first->center() - origin;
-    if (mesh::winding_number(doubles, faces,
+    if (mesh::winding_number(doubles, support::numbers_below(doubles.triangles.size()),
                              {exact::exact_vector(place), 1, Eigen::AlignedBox3d(place, place)}) !=
         0) {
       throw Error(Errc::invalid_argument, "boxes of the solid " + std::to_string(other) +

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <map>
-#include <numeric>
 
 #include "mesh/exact_mesh.h"
 #include "support/hash.h"
 #include "support/none.h"
+#include "support/sequences.h"
 
 namespace dupin::mesh {
 namespace {
@@ -73,9 +73,7 @@ std::vector<std::uint32_t> representatives_at_contacts(const ExactMesh& mesh) {
   if (!mesh.contacts.empty()) {
     return coincident_representatives(mesh);
   }
-  std::vector<std::uint32_t> own(mesh.points.size());
-  std::iota(own.begin(), own.end(), 0U);
-  return own;
+  return support::numbers_below(mesh.points.size());
 }
 
 }  // namespace dupin::mesh

@@ -30,8 +30,7 @@ std::vector<boxes::Box> framed(std::span<const Eigen::AlignedBox3d> all,
   std::vector<boxes::Box> result;
   result.reserve(all.size());
   for (const Eigen::AlignedBox3d& box : all) {
-    const auto low = quantizer.map(box.min()), high = quantizer.map(box.max());
-    result.push_back(quantizer.around({low, high, high}));
+    result.push_back(quantizer.around(box));
   }
   return result;
 }

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <iterator>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,18 +18,13 @@
 #include "rounding/misplaced_shells.h"
 #include "rounding/rounding_options.h"
 #include "rounding/self_crossings.h"
+#include "support/sequences.h"
 
 namespace dupin::rounding {
 namespace {
 
 /// Edits to be tried for each reach.
 constexpr std::uint64_t kTrials = 1 << 15;
-
-std::vector<std::uint32_t> all_up_to(std::size_t count) {
-  std::vector<std::uint32_t> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), 0U);
-  return numbers;
-}
 
 /// Per point 1 if another one is in the same place.
 std::vector<std::uint8_t> touching_points(const std::vector<Vec3>& points) {
@@ -118,7 +112,7 @@ class ContactParting::Attempt {
  public:
   Attempt(const Rounded& touching, const ContactParting& how)
       : touching_(touching),
-        each_(all_up_to(whole().points.size())),
+        each_(support::numbers_below(whole().points.size())),
         edited_(whole().points, whole().triangles, whole().labels, each_) {
     part_touching(how);
     move_ = largest_move(edited_);

@@ -151,8 +151,7 @@ class Surroundings {
         box.extend(mesh_.points[corner]);
       }
     }
-    const auto low = quantizer_.map(box.min()), high = quantizer_.map(box.max());
-    return tree_.overlaps(quantizer_.around({low, high, high}));
+    return tree_.overlaps(quantizer_.around(box));
   }
 
  private:

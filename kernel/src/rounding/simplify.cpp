@@ -141,8 +141,7 @@ class Witnesses {
   /// Whether the box may have one of another shell than that of `point`.
   [[nodiscard]] bool are_within(const Eigen::AlignedBox3d& box, std::uint32_t point) const {
     bool are = false;
-    const auto low = quantizer_.map(box.min()), high = quantizer_.map(box.max());
-    tree_.visit(quantizer_.around({low, high, high}),
+    tree_.visit(quantizer_.around(box),
                 [&](std::uint32_t witness) { are = are || points_[witness] != shell_of_[point]; });
     return are;
   }

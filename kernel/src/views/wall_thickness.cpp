@@ -96,7 +96,10 @@ class Walls {
     }
     const double s = beside.dot(across) / determinant, t = direction.dot(along) / determinant,
                  way = v.dot(along) / determinant;
-    return s >= 0 && t >= 0 && s + t <= 1 && way > 0 ? way : kNever;
+    if (!(s >= 0 && t >= 0 && s + t <= 1 && way > 0)) {
+      return kNever;
+    }
+    return way;
   }
 
   const TriMesh& mesh_;

@@ -165,5 +165,27 @@ TEST_F(TurnedFrame, has_wider_boxes_around_what_may_move) {
   }
 }
 
+TEST(BoxQuantizer, has_boxes_about_boxes_along_any_axes) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto point = [&] {
+    return Vec3(coordinate(random), coordinate(random), coordinate(random));
+  };
+  const TriMesh turned = soup("rack_small_rot");
+  ASSERT_TRUE(main_directions(turned.points, turned.triangles));
+  for (const BoxQuantizer& frame :
+       {BoxQuantizer(turned.points), BoxQuantizer(turned.points, turned.triangles)}) {
+    for (int i = 0; i < 100; ++i) {
+      Eigen::AlignedBox3d box(point());
+      box.extend(point());
+      const Box around = frame.around(box);
+      for (int k = 0; k < 20; ++k) {
+        const FramedPoint inside = frame.map(box.sample());
+        EXPECT_TRUE(around.contains(frame.around(FramedTriangle{inside, inside, inside})));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dupin::boxes

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -63,12 +62,6 @@ class Division {
   std::vector<double> planes_;
 };
 
-std::vector<std::uint32_t> all_up_to(std::size_t count) {
-  std::vector<std::uint32_t> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), 0U);
-  return numbers;
-}
-
 /// The triangles that reach into a slab, as a mesh.
 class Slab {
  public:
@@ -94,7 +87,9 @@ class Slab {
                   complete_);
   }
 
-  void thicken(double reach) { rounding::thicken(*mesh_, reach, all_up_to(faces_.size())); }
+  void thicken(double reach) {
+    rounding::thicken(*mesh_, reach, support::numbers_below(faces_.size()));
+  }
   void put_into(EditedMesh& whole) const { whole.take_over(*mesh_, faces_, points_); }
 
  private:
@@ -128,7 +123,7 @@ std::vector<std::uint32_t> thicken_in_slabs(EditedMesh& mesh, const BrokenMesh& 
                                             double reach) {
   const std::size_t count = std::min(original.triangles.size() / kTriangles, kMostSlabs);
   if (count < 2) {
-    return all_up_to(original.triangles.size());
+    return support::numbers_below(original.triangles.size());
   }
   const Division division(original, count);
   std::vector<std::uint32_t> slab_of;
