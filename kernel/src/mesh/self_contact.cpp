@@ -9,6 +9,8 @@
 #include "mesh/coincident_points.h"
 #include "mesh/edge_table.h"
 #include "mesh/radial_order.h"
+#include "support/blocks.h"
+#include "support/sequences.h"
 
 namespace dupin::mesh {
 namespace {
@@ -34,9 +36,15 @@ bool alternates(const MeshView& mesh, const EdgeTable& edges, const Edge& edge) 
          std::adjacent_find(around.begin(), around.end(), same_way) == around.end();
 }
 
-void sort_unique(std::vector<std::uint32_t>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
+/// Per point 1 if others are in the same place.
+std::vector<std::uint8_t> shared_places(std::span<const std::uint32_t> representatives) {
+  std::vector<std::uint8_t> is_shared(representatives.size(), 0);
+  for (std::uint32_t point = 0; point < representatives.size(); ++point) {
+    if (representatives[point] != point) {
+      is_shared[point] = is_shared[representatives[point]] = 1;
+    }
+  }
+  return is_shared;
 }
 
 }  // namespace
@@ -69,16 +77,21 @@ std::vector<std::uint32_t> sorted_around(const MeshView& mesh, const EdgeTable& 
 
 std::vector<ContactPlace> find_contacts(const MeshView& mesh,
                                         std::span<const std::uint32_t> representatives) {
-  std::vector<Triangle> merged(mesh.triangles.begin(), mesh.triangles.end());
-  bool any = false;
+  const std::vector<std::uint8_t> is_shared = shared_places(representatives);
+  // Lemma: an edge has more than two faces only where one of its ends is where other points are,
+  // and a place has more than one fan only if several points are there.
+  const auto touching = support::indices_where(mesh.triangles.size(), [&](std::uint32_t face) {
+    const auto& [a, b, c] = mesh.triangles[face];
+    return (is_shared[a] | is_shared[b] | is_shared[c]) != 0;
+  });
+  if (touching.empty()) {
+    return {};
+  }
+  std::vector<Triangle> merged = support::selected(mesh.triangles, touching);
   for (Triangle& corners : merged) {
     for (std::uint32_t& corner : corners) {
-      any = any || representatives[corner] != corner;
       corner = representatives[corner];
     }
-  }
-  if (!any) {
-    return {};
   }
   const EdgeTable edges(merged, mesh.points.size());
   std::vector<ContactPlace> places;
@@ -87,18 +100,20 @@ std::vector<ContactPlace> find_contacts(const MeshView& mesh,
     if (edge.half_edges.size() > 2) {
       ContactPlace place{Contact::Kind::edge, edge.low, edge.high, {}, true};
       for (const std::uint32_t half_edge : edge.half_edges) {
-        place.faces.push_back(half_edge / 3);
+        place.faces.push_back(touching[half_edge / 3]);
       }
-      sort_unique(place.faces);
+      support::sort_unique(place.faces);
       place.alternating = alternates(mesh, edges, edge);
       places.push_back(std::move(place));
     }
   }
 
   const auto fans = corner_fans(merged, edges);
+  const auto point_of = [&](std::uint32_t corner) { return merged[corner / 3][corner % 3]; };
   std::vector<std::uint32_t> fan_count(mesh.points.size());
   for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
-    fan_count[merged[corner / 3][corner % 3]] += fans[corner] == corner ? 1 : 0;
+    const bool is_first = fans[corner] == corner && is_shared[point_of(corner)] != 0;
+    fan_count[point_of(corner)] += is_first ? 1 : 0;
   }
   std::vector<std::uint32_t> place_of(mesh.points.size());
   for (std::uint32_t point = 0; point < fan_count.size(); ++point) {
@@ -108,9 +123,8 @@ std::vector<ContactPlace> find_contacts(const MeshView& mesh,
     }
   }
   for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
-    const std::uint32_t point = merged[corner / 3][corner % 3];
-    if (fan_count[point] > 1) {
-      places[place_of[point]].faces.push_back(corner / 3);
+    if (fan_count[point_of(corner)] > 1) {
+      places[place_of[point_of(corner)]].faces.push_back(touching[corner / 3]);
     }
   }
   return places;

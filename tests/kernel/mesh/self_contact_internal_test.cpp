@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -68,6 +69,32 @@ TEST(SelfContact, of_boxes_is_where_they_touch) {
   EXPECT_EQ(vertex[0].kind, Contact::Kind::vertex);
   EXPECT_EQ(vertex[0].from, vertex[0].to);
   EXPECT_THAT(contacts_of(test::frame()), testing::IsEmpty());
+}
+
+TEST(SelfContact, is_named_by_the_faces_of_the_whole_mesh) {
+  const std::vector<TriMesh> alone = {
+      test::joined({test::box({0, 0, 0}, {1, 1, 1}), test::box({1, 1, 0}, {2, 2, 1})}),
+      test::joined({test::box({5, 0, 0}, {6, 1, 1}), test::box({6, 1, 1}, {7, 2, 2})})};
+  const TriMesh frame = test::frame();
+  const TriMesh all = test::joined({frame, alone[0], frame, alone[1]});
+  const std::vector<ContactPlace> edge = contacts_of(alone[0]), vertex = contacts_of(alone[1]);
+  TriMesh apart = all;
+  for (std::size_t v = 0; v < frame.points.size(); ++v) {
+    apart.points[v].z() += 10;
+    apart.points[frame.points.size() + alone[0].points.size() + v].z() += 20;
+  }
+  const std::vector<ContactPlace> places = contacts_of(apart);
+  ASSERT_EQ(places.size(), 2U);
+  const std::array<std::size_t, 2> first{frame.triangles.size(),
+                                         2 * frame.triangles.size() + alone[0].triangles.size()};
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::vector<std::uint32_t> expected = (i == 0 ? edge : vertex)[0].faces;
+    for (std::uint32_t& face : expected) {
+      face += static_cast<std::uint32_t>(first[i]);
+    }
+    EXPECT_EQ(places[i].faces, expected);
+    EXPECT_TRUE(places[i].alternating);
+  }
 }
 
 TEST(SelfContact, that_crosses_or_covers_does_not_alternate) {
