@@ -69,6 +69,16 @@ std::vector<std::uint32_t> coincident_representatives(const ExactMesh& mesh) {
   return representatives;
 }
 
+std::vector<std::uint8_t> shared_places(std::span<const std::uint32_t> representatives) {
+  std::vector<std::uint8_t> is_shared(representatives.size(), 0);
+  for (std::uint32_t point = 0; point < representatives.size(); ++point) {
+    if (representatives[point] != point) {
+      is_shared[point] = is_shared[representatives[point]] = 1;
+    }
+  }
+  return is_shared;
+}
+
 std::vector<std::uint32_t> representatives_at_contacts(const ExactMesh& mesh) {
   if (!mesh.contacts.empty()) {
     return coincident_representatives(mesh);

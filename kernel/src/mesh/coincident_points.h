@@ -20,7 +20,12 @@ struct ExactMesh;
 /// For each point the first one that coincides with it exactly: another one only at contacts.
 [[nodiscard]] std::vector<std::uint32_t> coincident_representatives(const ExactMesh& mesh);
 
-/// The same for a mesh whose contacts are known; quick if there are none.
+/// Per point 1 if others are in the same place, as its representatives tell.
+[[nodiscard]] std::vector<std::uint8_t> shared_places(
+    std::span<const std::uint32_t> representatives);
+
+/// The same as coincident_representatives() for a mesh whose contacts are known; quick if there are
+/// none.
 [[nodiscard]] std::vector<std::uint32_t> representatives_at_contacts(const ExactMesh& mesh);
 
 }  // namespace dupin::mesh

@@ -36,17 +36,6 @@ bool alternates(const MeshView& mesh, const EdgeTable& edges, const Edge& edge) 
          std::adjacent_find(around.begin(), around.end(), same_way) == around.end();
 }
 
-/// Per point 1 if others are in the same place.
-std::vector<std::uint8_t> shared_places(std::span<const std::uint32_t> representatives) {
-  std::vector<std::uint8_t> is_shared(representatives.size(), 0);
-  for (std::uint32_t point = 0; point < representatives.size(); ++point) {
-    if (representatives[point] != point) {
-      is_shared[point] = is_shared[representatives[point]] = 1;
-    }
-  }
-  return is_shared;
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> sorted_around(const MeshView& mesh, const EdgeTable& edges,

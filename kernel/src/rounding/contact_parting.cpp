@@ -26,18 +26,6 @@ namespace {
 /// Edits to be tried for each reach.
 constexpr std::uint64_t kTrials = 1 << 15;
 
-/// Per point 1 if another one is in the same place.
-std::vector<std::uint8_t> touching_points(const std::vector<Vec3>& points) {
-  const std::vector<std::uint32_t> representatives = mesh::coincident_representatives(points);
-  std::vector<std::uint8_t> touching(points.size(), 0);
-  for (std::uint32_t v = 0; v < points.size(); ++v) {
-    if (representatives[v] != v) {
-      touching[v] = touching[representatives[v]] = 1;
-    }
-  }
-  return touching;
-}
-
 /// At most so many pairs of triangles are parted: more, as of some hundred parts that share an
 /// edge, find no room beside each other within reach, and took minutes of trials.
 constexpr std::uint64_t kMostPairs = 1 << 17;
@@ -166,8 +154,9 @@ class ContactParting::Attempt {
   void part_touching(const ContactParting& how) {
     const std::vector<Vec3>& points = whole().points;
     const Embedding embedding{points, whole().triangles, each_};
+    const auto touching = mesh::shared_places(mesh::coincident_representatives(points));
     const std::vector<Fault> faults =
-        find_faults(embedding, marked_faces(whole().triangles, touching_points(points)));
+        find_faults(embedding, marked_faces(whole().triangles, touching));
     const std::vector<std::uint8_t> inexact(points.size(), 0);
     const auto part =
         MeshPart::around({points, points, inexact, whole().triangles, whole().labels, each_},
@@ -207,7 +196,7 @@ std::optional<Rounded> ContactParting::rounded_again(const Attempt& attempt) con
   const Rounded surface = attempt.surface();
   const RoundingReport& before = surface.report();
   RoundingOptions options = options_;
-  options.tolerance = options_.tolerance - before.largest_move;
+  options.tolerance = room(surface);
   options.origin = {};
   if (!(options.tolerance > 0)) {
     return std::nullopt;

@@ -363,10 +363,7 @@ bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original, double reach,
       [&] {
         faults = find_faults({mesh.points(), triangles, original.representatives}, marked);
       });
-  for (auto& [first, second] : faults) {
-    first = alive[first];
-    second = alive[second];
-  }
+  faults = renumbered(std::move(faults), alive);
   std::erase_if(faults, [&](const Fault& fault) {
     return mesh.last_edit(fault.first) != 0 || mesh.last_edit(fault.second) != 0;
   });

@@ -355,12 +355,7 @@ void EditedMesh::take_over(const EditedMesh& part, std::span<const std::uint32_t
   }
   edits_ += part.edits_;
   tracker_.points_have_moved();
-  std::vector<Fault> faults = part.faults();
-  for (auto& [first, second] : faults) {  // numbers ascend as in the part
-    first = faces[first];
-    second = faces[second];
-  }
-  tracker_.add(faults);
+  tracker_.add(renumbered(part.faults(), faces));
 }
 
 void EditedMesh::place(std::span<const Vec3> points) {

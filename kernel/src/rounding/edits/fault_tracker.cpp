@@ -93,6 +93,14 @@ std::vector<std::uint32_t> faces_of(std::span<const Fault> faults) {
   return faces;
 }
 
+std::vector<Fault> renumbered(std::vector<Fault> faults, std::span<const std::uint32_t> numbers) {
+  for (auto& [first, second] : faults) {
+    first = numbers[first];
+    second = numbers[second];
+  }
+  return faults;
+}
+
 std::vector<Fault> find_faults(const Embedding& mesh, std::span<const std::uint8_t> marked) {
   return *find_faults_below(std::numeric_limits<std::size_t>::max(), mesh, marked);
 }
@@ -208,8 +216,7 @@ void FaultTracker::find(const Mesh& mesh, std::span<const std::uint8_t> marked,
     return;
   }
   if (std::ranges::find(alive, 0) == alive.end()) {
-    std::ranges::for_each(find_faults(mesh.embedding, marked),
-                          [&](const Fault& fault) { remember(fault); });
+    add(find_faults(mesh.embedding, marked));
     return;
   }
   std::vector<std::uint32_t> faces;
@@ -221,9 +228,7 @@ void FaultTracker::find(const Mesh& mesh, std::span<const std::uint8_t> marked,
   const auto marks = support::selected(marked, faces);
   const auto triangles = support::selected(mesh.embedding.triangles, faces);
   const Embedding rest{mesh.embedding.points, triangles, mesh.embedding.representatives};
-  for (const Fault& fault : find_faults(rest, marks)) {
-    remember({faces[fault.first], faces[fault.second]});
-  }
+  add(renumbered(find_faults(rest, marks), faces));
 }
 
 std::vector<Fault> FaultTracker::faults() const {

@@ -33,6 +33,10 @@ struct Embedding {
 /// The triangles of faults, as often as they are in one.
 [[nodiscard]] std::vector<std::uint32_t> faces_of(std::span<const Fault> faults);
 
+/// The same faults of triangles that have other numbers, in the same order.
+[[nodiscard]] std::vector<Fault> renumbered(std::vector<Fault> faults,
+                                            std::span<const std::uint32_t> numbers);
+
 [[nodiscard]] bool is_degenerate(const Embedding& mesh, std::uint32_t face);
 
 /// One triangle of a mesh to be tested for faults with others.
