@@ -296,6 +296,9 @@ class Search {
       if (!active(face) && !active(other)) {
         return;  // all are looked at, where most are active
       }
+      if (options_.examined && !options_.examined(face, other)) {
+        return;
+      }
       if (share_injective_star(corners, other_corners)) {
         record(face, other, predicates::TriangleOverlap::none, found);
         return;

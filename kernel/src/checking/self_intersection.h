@@ -46,6 +46,8 @@ struct SelfIntersectionOptions {
   double margin = 0;
   /// Whether a pair is to be counted and kept; all are, if empty. Asked by several threads at once.
   std::function<bool(const FacePair&)> wanted;
+  /// The same of two triangles that may meet, either way round: cheaper where it rules out most.
+  std::function<bool(std::uint32_t, std::uint32_t)> examined;
   /// The search may end once it has found so many pairs.
   std::size_t enough = std::numeric_limits<std::size_t>::max();
 };

@@ -11,6 +11,7 @@
 #include "arrangement/arrange.h"
 #include "exact/exact_numbers.h"
 #include "mesh/edge_table.h"
+#include "support/blocks.h"
 #include "support/sequences.h"
 
 namespace dupin::rounding {
@@ -23,12 +24,26 @@ constexpr double kFacing = -0.95;
 /// Ends that were meant to meet face each other all over; pipes that rest on others, in places. So
 /// much of a piece is seen to face others, by the pairs that cross once rounded, or it is no end.
 constexpr double kFacingPart = 0.125;
+/// Faults that one task looks at.
+constexpr std::size_t kFaults = 1024;
 
 struct Plane {
   Vec3 point, normal;  // of length 1
   [[nodiscard]] double height(const Vec3& p) const { return (p - point).dot(normal); }
   friend bool operator==(const Plane&, const Plane&) = default;
 };
+
+/// None for triangles lower than a step: they have no direction to speak of.
+std::optional<Plane> plane_of(const mesh::ExactMesh& solid, std::uint32_t face, double step) {
+  const Triangle& t = solid.triangles[face];
+  const Vec3 &a = solid.points[t[0]], &b = solid.points[t[1]], &c = solid.points[t[2]];
+  const Vec3 normal = (b - a).cross(c - a);
+  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+  if (!(normal.norm() > step * longest)) {
+    return std::nullopt;
+  }
+  return Plane{a, normal.normalized()};
+}
 
 /// A flat piece of the surface, and the planes of what it faces.
 struct Patch {
@@ -133,8 +148,19 @@ class OpenSlits {
   }
 
   std::optional<FilledSlits> fill(std::span<const Fault> faults) {
-    for (const Fault& fault : faults) {
-      add_facing(fault.first, fault.second);
+    support::BulkVector<double> areas(faults.size());
+    support::for_each_block(
+        faults.size(),
+        [&](const support::Block& block) {
+          for (std::size_t i = block.begin; i < block.end; ++i) {
+            areas[i] = area_of_slit(faults[i].first, faults[i].second);
+          }
+        },
+        kFaults);
+    for (std::size_t i = 0; i < faults.size(); ++i) {
+      if (areas[i] > 0) {
+        add_facing(faults[i].first, faults[i].second, areas[i]);
+      }
     }
     std::erase_if(patches_, [](const Patch& patch) { return !patch.is_end(); });
     if (patches_.empty()) {
@@ -161,28 +187,16 @@ class OpenSlits {
     return solid_.points[solid_.triangles[face][k]];
   }
 
-  /// None for triangles lower than a step: they have no direction to speak of.
-  [[nodiscard]] std::optional<Plane> plane(std::uint32_t face) const {
-    const Vec3 &a = corner(face, 0), &b = corner(face, 1), &c = corner(face, 2);
-    const Vec3 normal = (b - a).cross(c - a);
-    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    if (!(normal.norm() > step_ * longest)) {
-      return std::nullopt;
-    }
-    return Plane{a, normal.normalized()};
+  /// Of the slit between triangles that face each other; 0 if there is none.
+  [[nodiscard]] double area_of_slit(std::uint32_t f, std::uint32_t g) const {
+    const auto first = plane_of(solid_, f, step_), second = plane_of(solid_, g, step_);
+    const bool are_facing = first && second && first->normal.dot(second->normal) < kFacing;
+    return are_facing ? area_of_slit(f, *first, g) : 0;
   }
 
-  /// Notes that two triangles face each other across a slit, if they do.
-  void add_facing(std::uint32_t f, std::uint32_t g) {
-    const auto first = plane(f), second = plane(g);
-    if (!first || !second || !(first->normal.dot(second->normal) < kFacing)) {
-      return;
-    }
-    const double area = area_of_slit(f, *first, g);
-    if (!(area > 0)) {
-      return;
-    }
-    const std::uint32_t p = patch_around(f, *first), q = patch_around(g, *second);
+  /// Notes that two triangles face each other across a slit of such an area.
+  void add_facing(std::uint32_t f, std::uint32_t g, double area) {
+    const std::uint32_t p = patch_around(f), q = patch_around(g);
     if (p == q) {
       return;
     }
@@ -210,14 +224,15 @@ class OpenSlits {
     return common.size() > 2 && sum > 0 && farthest <= widest_ ? area_of(common) : 0;
   }
 
-  std::uint32_t patch_around(std::uint32_t seed, const Plane& plane) {
+  /// Of a triangle that has a plane.
+  std::uint32_t patch_around(std::uint32_t seed) {
     if (patch_of_[seed] != support::kNone) {
       return patch_of_[seed];
     }
     const auto number = static_cast<std::uint32_t>(patches_.size());
     Patch& patch = patches_.emplace_back();
-    patch.plane = plane;
-    patch.direction = (plane.normal * 64).array().round() / 64;
+    patch.plane = plane_of(solid_, seed, step_).value();
+    patch.direction = (patch.plane.normal * 64).array().round() / 64;
     patch_of_[seed] = number;
     patch.faces = {seed};
     for (std::size_t i = 0; i < patch.faces.size(); ++i) {
@@ -353,6 +368,20 @@ class OpenSlits {
 };
 
 }  // namespace
+
+FacingTriangles::FacingTriangles(const mesh::ExactMesh& solid, double step)
+    : normals_(solid.triangles.size()) {
+  support::for_each_block(normals_.size(), [&](const support::Block& block) {
+    for (auto f = static_cast<std::uint32_t>(block.begin); f < block.end; ++f) {
+      const auto plane = plane_of(solid, f, step);
+      normals_[f] = plane ? plane->normal : Vec3(Vec3::Zero());
+    }
+  });
+}
+
+bool FacingTriangles::operator()(std::uint32_t first, std::uint32_t second) const {
+  return normals_[first].dot(normals_[second]) < kFacing;
+}
 
 std::optional<FilledSlits> fill_open_slits(const mesh::ExactMesh& solid,
                                            std::span<const Fault> faults, double step,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -108,6 +109,11 @@ class Rounding {
     const auto groups = mesh::groups_apart(exact_.stable, lattice_, step_, !origin_.isZero(0));
     const Embedding embedding{rounded_.on_lattice, exact_.triangles, representatives_, groups};
     const auto moved = marked_faces(exact_.triangles, rounded_.moved);
+    if (past_.thickenings > 0 && !past_.has_filled_slits) {
+      if (auto done = without_expected_slits(embedding, moved)) {
+        return std::move(*done);
+      }
+    }
     // Voids may be why there are many; they are filled whatever the faults are.
     const bool voids_first = !exact_.contacts.empty() && !past_.has_filled_voids;
     auto few = voids_first ? find_faults_below(kManyFaults, embedding, moved) : std::nullopt;
@@ -303,6 +309,16 @@ class Rounding {
     past.filled_places.insert(past.filled_places.end(), filled->places.begin(),
                               filled->places.end());
     return Rounding(filled->mesh, coordinates_, options_, std::move(past)).run();
+  }
+
+  /// Where there were many needles, most faults are at slits. To fill these, no other faults have
+  /// to be found, which are dearer than to look at triangles that face each other. None if there
+  /// are few.
+  std::optional<Rounded> without_expected_slits(const Embedding& embedding,
+                                                std::span<const std::uint8_t> moved) {
+    const FacingTriangles facing(exact_, step_);
+    const std::vector<Fault> across = find_faults(embedding, moved, std::cref(facing));
+    return across.size() < kManyFaults ? std::nullopt : without_open_slits(across);
   }
 
   [[nodiscard]] std::vector<Vec3> pinches(const EditedMesh& mesh) const {

@@ -324,5 +324,23 @@ TEST(SelfIntersection, counts_and_keeps_the_pairs_that_are_wanted) {
   EXPECT_THAT(first.pairs, ElementsAre(expected.front()));
 }
 
+TEST(SelfIntersection, examines_the_pairs_that_it_is_told_to) {
+  std::mt19937 random(18);
+  const Soup soup = random_soup(random, 40, 800, 1500);
+  const SelfIntersections all = find_self_intersections(soup.points, soup.triangles);
+  const auto examined = [](std::uint32_t first, std::uint32_t second) {
+    return (first + second) % 3 == 0;
+  };
+  std::vector<FacePair> expected = all.pairs;
+  std::erase_if(expected, [&](const FacePair& pair) { return !examined(pair.first, pair.second); });
+  const SelfIntersections some =
+      find_self_intersections(soup.points, soup.triangles, {.examined = examined});
+  EXPECT_EQ(some.pairs, expected);
+  EXPECT_EQ(some.count(), expected.size());
+  EXPECT_LT(10, expected.size());
+  EXPECT_LT(expected.size(), all.pairs.size());
+  EXPECT_EQ(some.degenerate, all.degenerate);
+}
+
 }  // namespace
 }  // namespace dupin::checking

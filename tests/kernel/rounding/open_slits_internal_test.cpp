@@ -86,6 +86,25 @@ TEST(OpenSlits, are_filled_along_implicit_points_as_well) {
   EXPECT_LT(whole.volume() - cut.volume(), 36 * kStep + 64 * kSlitOverlap * kStep);
 }
 
+TEST(OpenSlits, are_between_triangles_that_face_each_other) {
+  const Solid apart = boxes(kStep, 8 * kStep);
+  const FacingTriangles facing(apart.exact(), kStep);
+  std::vector<Fault> faults = all_pairs(apart);
+  const auto of_all = fill_open_slits(apart.exact(), faults, kStep, 16 * kStep);
+  std::erase_if(faults, [&](const Fault& fault) { return !facing(fault.second, fault.first); });
+  // Of the upper box and the lower one, two triangles each of opposite sides; none of one box.
+  EXPECT_THAT(faults, SizeIs(6 * 4));
+  EXPECT_FALSE(facing(0, 1));
+  const auto filled = fill_open_slits(apart.exact(), faults, kStep, 16 * kStep);
+  ASSERT_TRUE(of_all && filled);
+  EXPECT_EQ(filled->mesh.points, of_all->mesh.points);
+  EXPECT_EQ(filled->mesh.triangles, of_all->mesh.triangles);
+  // What is lower than a step shows its front to nobody.
+  const FacingTriangles coarse(apart.exact(), 16);
+  EXPECT_TRUE(std::ranges::none_of(
+      faults, [&](const Fault& fault) { return coarse(fault.first, fault.second); }));
+}
+
 TEST(OpenSlits, wider_than_allowed_and_sheets_of_material_stay) {
   const Solid apart = boxes(32 * kStep, 0);
   EXPECT_FALSE(fill_open_slits(apart.exact(), all_pairs(apart), kStep, 16 * kStep));

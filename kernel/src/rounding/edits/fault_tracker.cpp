@@ -101,27 +101,26 @@ std::vector<Fault> renumbered(std::vector<Fault> faults, std::span<const std::ui
   return faults;
 }
 
-std::vector<Fault> find_faults(const Embedding& mesh, std::span<const std::uint8_t> marked) {
-  return *find_faults_below(std::numeric_limits<std::size_t>::max(), mesh, marked);
+namespace {
+
+checking::SelfIntersections crossings_of(const Embedding& mesh,
+                                         std::span<const std::uint8_t> marked,
+                                         const PairFilter& examined, std::size_t enough) {
+  if (std::ranges::find(marked, 1) == marked.end()) {
+    return {};
+  }
+  return checking::find_self_intersections(mesh.points, mesh.triangles,
+                                           {.active = marked,
+                                            .representatives = mesh.representatives,
+                                            .contacts = false,
+                                            .closed = true,
+                                            .groups = mesh.groups,
+                                            .examined = examined,
+                                            .enough = enough});
 }
 
-std::optional<std::vector<Fault>> find_faults_below(std::size_t count, const Embedding& mesh,
-                                                    std::span<const std::uint8_t> marked) {
+std::vector<Fault> faults_of(const checking::SelfIntersections& found) {
   std::vector<Fault> faults;
-  if (std::ranges::find(marked, 1) == marked.end()) {
-    return faults;
-  }
-  const checking::SelfIntersections found =
-      checking::find_self_intersections(mesh.points, mesh.triangles,
-                                        {.active = marked,
-                                         .representatives = mesh.representatives,
-                                         .contacts = false,
-                                         .closed = true,
-                                         .groups = mesh.groups,
-                                         .enough = count});
-  if (found.is_cut_short) {
-    return std::nullopt;
-  }
   for (const std::uint32_t face : found.degenerate) {
     faults.push_back({face, face});
   }
@@ -129,6 +128,19 @@ std::optional<std::vector<Fault>> find_faults_below(std::size_t count, const Emb
     faults.push_back({pair.first, pair.second});
   }
   return faults;
+}
+
+}  // namespace
+
+std::vector<Fault> find_faults(const Embedding& mesh, std::span<const std::uint8_t> marked,
+                               const PairFilter& examined) {
+  return faults_of(crossings_of(mesh, marked, examined, std::numeric_limits<std::size_t>::max()));
+}
+
+std::optional<std::vector<Fault>> find_faults_below(std::size_t count, const Embedding& mesh,
+                                                    std::span<const std::uint8_t> marked) {
+  const checking::SelfIntersections found = crossings_of(mesh, marked, {}, count);
+  return found.is_cut_short ? std::nullopt : std::optional(faults_of(found));
 }
 
 FaultTracker::FaultTracker(std::span<const Vec3> points, std::span<const Triangle> triangles,

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -84,9 +85,14 @@ class FaultTest {
 [[nodiscard]] support::BulkVector<std::uint8_t> marked_faces(
     std::span<const Triangle> triangles, std::span<const std::uint8_t> marked_points);
 
-/// All faults that involve a marked face. Points with one representative must coincide.
+/// Whether two triangles are looked at. Asked by several threads at once.
+using PairFilter = std::function<bool(std::uint32_t, std::uint32_t)>;
+
+/// All faults that involve a marked face, of pairs that pass the filter if there is one. Points
+/// with one representative must coincide.
 [[nodiscard]] std::vector<Fault> find_faults(const Embedding& mesh,
-                                             std::span<const std::uint8_t> marked);
+                                             std::span<const std::uint8_t> marked,
+                                             const PairFilter& examined = {});
 /// The same; none, and sooner, if so many pairs of triangles are faults.
 [[nodiscard]] std::optional<std::vector<Fault>> find_faults_below(
     std::size_t count, const Embedding& mesh, std::span<const std::uint8_t> marked);

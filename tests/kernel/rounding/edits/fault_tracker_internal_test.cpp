@@ -112,6 +112,12 @@ TEST(Faults, of_marked_faces_are_all_found) {
     const auto below = [&](std::size_t count) {
       return find_faults_below(count, broken.embedding(), marked);
     };
+    const auto even = find_faults(
+        broken.embedding(), marked,
+        [](std::uint32_t first, std::uint32_t second) { return (first ^ second) % 2 == 0; });
+    EXPECT_EQ(even.size(), std::ranges::count_if(faults, [](const Fault& fault) {
+                return (fault.first ^ fault.second) % 2 == 0;
+              }));
     EXPECT_EQ(below(pairs), std::nullopt);
     EXPECT_EQ(below(pairs + 1), find_faults(broken.embedding(), marked));
     found += faults.size();
