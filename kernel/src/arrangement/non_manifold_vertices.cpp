@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
+#include <span>
 
 #include "arrangement/points/implicit_predicates.h"
 #include "dupin/kernel/error.h"
+#include "support/none.h"
+#include "support/sequences.h"
 #include "support/sort_by_key.h"
 
 namespace dupin::arrangement {
@@ -19,6 +21,9 @@ struct Spoke {
 };
 
 using Spokes = std::span<const Spoke>;
+
+// Vertices with several fans that one task looks at.
+constexpr std::size_t kVertices = 256;
 
 bool is_one_fan(Spokes spokes) {
   std::size_t steps = 0;
@@ -64,11 +69,12 @@ class Separator {
   VertexDuplicates run() {
     find_tangled();
     assign_fans();
+    contact_edges_ = support::ranges_of_equal(pairs_, [](const Pair& pair) { return pair.edge; });
     VertexDuplicates result;
-    const std::vector<EdgeKey> shared = edges_shared_by_fans();
+    const std::vector<support::IndexRange> shared = edges_shared_by_fans();
     const PointId first_middle = input_.points.size();
-    for (const EdgeKey edge : shared) {
-      input_.points.add(middle(input_.points, edge));
+    for (const support::IndexRange& edge : shared) {
+      input_.points.add(middle(input_.points, pairs_[edge.begin].edge));
     }
     result.first_copy = input_.points.size();
     find_touches(result);
@@ -81,37 +87,50 @@ class Separator {
   }
 
  private:
+  struct Pair {  // of faces that belong together at an edge, running up and down along it
+    EdgeKey edge;
+    std::uint32_t up, down;
+  };
+
+  [[nodiscard]] Spokes spokes(const support::IndexRange& range) const {
+    return Spokes(spokes_).subspan(range.begin, range.end - range.begin);
+  }
+
   void find_tangled() {
     const std::vector<support::IndexRange> vertices =
         support::ranges_of_equal(spokes_, [](const Spoke& spoke) { return spoke.vertex; });
-    tangled_ = support::collect_in_order<Spokes>(
-        vertices.size(), [&](std::size_t i, std::vector<Spokes>& tangled) {
-          const auto [begin, end] = vertices[i];
-          const Spokes spokes = Spokes(spokes_).subspan(begin, end - begin);
-          if (!is_one_fan(spokes)) {
-            tangled.push_back(spokes);
-          }
-        });
+    const auto collect = [&](std::size_t i, std::vector<support::IndexRange>& tangled) {
+      if (!is_one_fan(spokes(vertices[i]))) {
+        tangled.push_back(vertices[i]);
+      }
+    };
+    tangled_ = support::collect_in_order<support::IndexRange>(vertices.size(), collect);
   }
 
-  // The spokes that follow each one around the vertex.
-  std::vector<std::size_t> successors(Spokes spokes) {
-    std::map<PointId, std::vector<std::size_t>> arriving, leaving;
-    for (std::size_t i = 0; i < spokes.size(); ++i) {
-      leaving[spokes[i].from].push_back(i);
-      arriving[spokes[i].to].push_back(i);
-    }
-    std::vector<std::size_t> next(spokes.size(), 0);
-    for (const auto& [end, out] : leaving) {
-      const std::vector<std::size_t>& in = arriving[end];
-      if (out.size() != in.size()) {
-        throw Error(Errc::boolean_failed,
-                    "the arrangement's result is not closed; please report this input");
+  // The spokes that follow each one around the vertex. Appends the pairs at edges up from there.
+  std::vector<std::uint32_t> successors(Spokes spokes, std::vector<Pair>& pairs) const {
+    const auto sorted_by = [&](PointId Spoke::*end) {
+      std::vector<std::uint32_t> order = support::numbers_below(spokes.size());
+      std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return spokes[i].*end; });
+      return order;
+    };
+    const std::vector<std::uint32_t> leaving = sorted_by(&Spoke::from);
+    const std::vector<std::uint32_t> arriving = sorted_by(&Spoke::to);
+    std::vector<std::uint32_t> next(spokes.size(), 0);
+    for (std::size_t i = 0, past = 0; i < spokes.size(); i = past) {
+      const PointId end = spokes[leaving[i]].from;
+      for (past = i; past < spokes.size() && spokes[leaving[past]].from == end; ++past) {
+        if (spokes[arriving[past]].to != end) {
+          throw Error(Errc::boolean_failed,
+                      "the arrangement's result is not closed; please report this input");
+        }
       }
-      if (out.size() == 1) {
-        next[in[0]] = out[0];
+      if (past == i + 1) {
+        next[arriving[i]] = leaving[i];
       } else {
-        pair_around(spokes, edge_key(spokes[out[0]].vertex, end), out, in, next);
+        pair_around(spokes, edge_key(spokes[leaving[i]].vertex, end),
+                    std::span(leaving).subspan(i, past - i),
+                    std::span(arriving).subspan(i, past - i), next, pairs);
       }
     }
     return next;
@@ -119,72 +138,90 @@ class Separator {
 
   // Going around the edge from the vertex to its other end, a spoke that leaves by it has the
   // inside before it, and so belongs with the arriving spoke before it.
-  void pair_around(Spokes spokes, EdgeKey edge, const std::vector<std::size_t>& out,
-                   const std::vector<std::size_t>& in, std::vector<std::size_t>& next) {
+  void pair_around(Spokes spokes, EdgeKey edge, std::span<const std::uint32_t> out,
+                   std::span<const std::uint32_t> in, std::vector<std::uint32_t>& next,
+                   std::vector<Pair>& pairs) const {
     std::vector<HalfPlane> half_planes;
-    const auto add = [&](std::size_t i, bool leaves) {
+    const auto add = [&](std::uint32_t i, bool leaves) {
       const OutputTriangle& face = kept_[spokes[i].face];
       const bool runs_up = (spokes[i].vertex == lower_end(edge)) == leaves;
-      half_planes.push_back({leaves ? spokes[i].to : spokes[i].from, face.support,
-                             runs_up != face.reversed, static_cast<std::uint32_t>(i)});
+      half_planes.push_back(
+          {leaves ? spokes[i].to : spokes[i].from, face.support, runs_up != face.reversed, i});
     };
-    std::for_each(out.begin(), out.end(), [&](std::size_t i) { add(i, true); });
-    std::for_each(in.begin(), in.end(), [&](std::size_t i) { add(i, false); });
-    order_facets_around_edge(input_, half_planes);
+    std::ranges::for_each(out, [&](std::uint32_t i) { add(i, true); });
+    std::ranges::for_each(in, [&](std::uint32_t i) { add(i, false); });
+    {
+      const UpwardRounding rounding;
+      order_facets_around_edge(input_, half_planes);
+    }
     const bool is_lower = spokes[out[0]].vertex == lower_end(edge);
     const std::size_t n = half_planes.size();
     for (std::size_t s = 0; s < n; ++s) {
-      const std::size_t i = half_planes[s].owner;
-      if (std::find(out.begin(), out.end(), i) != out.end()) {
-        const std::size_t before = half_planes[is_lower ? (s + n - 1) % n : (s + 1) % n].owner;
+      const std::uint32_t i = half_planes[s].owner;
+      if (std::ranges::find(out, i) != out.end()) {
+        const std::uint32_t before = half_planes[is_lower ? (s + n - 1) % n : (s + 1) % n].owner;
         next[before] = i;
         if (is_lower) {
-          contact_edges_[edge].push_back({spokes[i].face, spokes[before].face});
+          pairs.push_back({edge, spokes[i].face, spokes[before].face});
         }
       }
     }
   }
 
-  // Numbers the fans of each tangled vertex.
+  // Numbers the fans of each tangled vertex, by their first spokes, and finds the pairs.
   void assign_fans() {
-    for (const Spokes spokes : tangled_) {
-      const std::vector<std::size_t> next = successors(spokes);
-      std::uint32_t fans = 0;
-      for (std::size_t i = 0; i < spokes.size(); ++i) {
-        if (fan_of_.count({spokes[i].face, spokes[i].corner}) != 0) {
-          continue;
-        }
-        for (std::size_t j = i;
-             fan_of_.emplace(Corner{spokes[j].face, spokes[j].corner}, fans).second; j = next[j]) {
-        }
-        ++fans;
-      }
-    }
+    fan_of_.resize(spokes_.size());
+    fans_.resize(tangled_.size());
+    // By vertex and other end, which is how edges ascend.
+    pairs_ = support::collect_in_order<Pair>(
+        tangled_.size(),
+        [&](std::size_t t, std::vector<Pair>& pairs) {
+          const std::vector<std::uint32_t> next = successors(spokes(tangled_[t]), pairs);
+          const std::span<std::uint32_t> fan_of =
+              std::span(fan_of_).subspan(tangled_[t].begin, next.size());
+          std::ranges::fill(fan_of, support::kNone);
+          for (std::uint32_t i = 0; i < next.size(); ++i) {
+            for (std::uint32_t j = i; fan_of[j] == support::kNone; j = next[j]) {
+              fan_of[j] = fans_[t];
+            }
+            fans_[t] += fan_of[i] == fans_[t] ? 1 : 0;
+          }
+        },
+        kVertices);
   }
 
   // Contact edges at which two pairs of faces belong to the same fans at both ends, so that
   // copies of the ends do not tell them apart.
-  std::vector<EdgeKey> edges_shared_by_fans() const {
-    std::vector<EdgeKey> shared;
-    for (const auto& [edge, pairs] : contact_edges_) {
-      std::set<std::pair<std::uint32_t, std::uint32_t>> fans;
-      for (const Neighbours& pair : pairs) {
-        const int i = corner_at(pair.up, lower_end(edge)), j = corner_at(pair.up, upper_end(edge));
-        fans.emplace(fan(pair.up, i), fan(pair.up, j));
-      }
-      if (fans.size() < pairs.size()) {
-        shared.push_back(edge);
-      }
-    }
-    return shared;
+  [[nodiscard]] std::vector<support::IndexRange> edges_shared_by_fans() const {
+    return support::collect_in_order<support::IndexRange>(
+        contact_edges_.size(), [&](std::size_t i, std::vector<support::IndexRange>& shared) {
+          const auto [begin, end] = contact_edges_[i];
+          std::vector<std::pair<std::uint32_t, std::uint32_t>> fans;
+          for (std::uint32_t p = begin; p < end; ++p) {
+            const auto& [edge, up, down] = pairs_[p];
+            fans.emplace_back(fan(lower_end(edge), up), fan(upper_end(edge), up));
+          }
+          support::sort_unique(fans);
+          if (fans.size() < end - begin) {
+            shared.push_back(contact_edges_[i]);
+          }
+        });
   }
 
-  [[nodiscard]] std::uint32_t fan(std::uint32_t face, int corner) const {
-    return fan_of_.at({face, static_cast<std::uint8_t>(corner)});
+  // The place of a tangled vertex among them.
+  [[nodiscard]] std::size_t tangle_at(PointId vertex) const {
+    const auto at = std::ranges::lower_bound(
+        tangled_, vertex, {},
+        [&](const support::IndexRange& range) { return spokes_[range.begin].vertex; });
+    return static_cast<std::size_t>(at - tangled_.begin());
   }
-  [[nodiscard]] int corner_at(std::uint32_t face, PointId id) const {
-    const Triangle& t = kept_[face].corners;
-    return static_cast<int>(std::find(t.begin(), t.end(), id) - t.begin());
+  // The fan that a face belongs to at a tangled vertex.
+  [[nodiscard]] std::uint32_t fan(PointId vertex, std::uint32_t face) const {
+    std::uint32_t i = tangled_[tangle_at(vertex)].begin;
+    while (spokes_[i].face != face) {
+      ++i;
+    }
+    return fan_of_[i];
   }
 
   static mesh::ExactPoint middle(const PointTable& points, EdgeKey edge) {
@@ -196,19 +233,18 @@ class Separator {
   }
 
   // Gives each pair of faces at the edge a copy of its middle. Their corners may be copies by now.
-  void split_pairs(EdgeKey edge, PointId middle, VertexDuplicates& result) {
+  void split_pairs(const support::IndexRange& pairs, PointId middle, VertexDuplicates& result) {
+    const EdgeKey edge = pairs_[pairs.begin].edge;
     const auto original = [&](PointId id) {
       return id < result.first_copy ? id : result.copies[id - result.first_copy];
     };
-    bool is_first = true;
-    for (const Neighbours& pair : contact_edges_.at(edge)) {
+    for (std::uint32_t p = pairs.begin; p < pairs.end; ++p) {
       PointId copy = middle;
-      if (!is_first) {
+      if (p > pairs.begin) {
         copy = static_cast<PointId>(result.first_copy + result.copies.size());
         result.copies.push_back(middle);
       }
-      is_first = false;
-      for (const std::uint32_t face : {pair.up, pair.down}) {
+      for (const std::uint32_t face : {pairs_[p].up, pairs_[p].down}) {
         std::uint8_t i = 0;
         while (edge_key(original(kept_[face].corners[i]),
                         original(kept_[face].corners[(i + 1u) % 3])) != edge) {
@@ -253,61 +289,66 @@ class Separator {
   }
 
   void find_touches(VertexDuplicates& result) const {
-    std::set<PointId> ends;
-    std::map<EdgeKey, std::size_t> number;
-    for (const auto& [edge, pairs] : contact_edges_) {
-      number.emplace(edge, result.touches.size());
+    std::vector<std::uint8_t> has_edge(tangled_.size(), 0);
+    for (const support::IndexRange& range : contact_edges_) {
+      const EdgeKey edge = pairs_[range.begin].edge;
+      has_edge[tangle_at(lower_end(edge))] = has_edge[tangle_at(upper_end(edge))] = 1;
       result.touches.push_back({lower_end(edge), upper_end(edge), {}});
-      ends.insert({lower_end(edge), upper_end(edge)});
     }
-    for (const Spokes spokes : tangled_) {
-      const PointId vertex = spokes.front().vertex;
-      if (ends.count(vertex) == 0) {
+    for (std::size_t t = 0; t < tangled_.size(); ++t) {
+      if (has_edge[t] == 0) {
+        const PointId vertex = spokes_[tangled_[t].begin].vertex;
         result.touches.push_back({vertex, vertex, {}});
-        for (const Spoke& s : spokes) {
-          result.touches.back().faces.push_back(s.face);
-        }
-      }
-      for (const Spoke& s : spokes) {
-        if (const auto touch = number.find(edge_key(vertex, s.from)); touch != number.end()) {
-          result.touches[touch->second].faces.push_back(s.face);
-        }
       }
     }
     std::sort(result.touches.begin(), result.touches.end(), [](const Touch& a, const Touch& b) {
       return std::pair(a.from, a.to) < std::pair(b.from, b.to);
     });
+    support::for_each_block(
+        result.touches.size(),
+        [&](const support::Block& block) {
+          for (std::size_t i = block.begin; i < block.end; ++i) {
+            add_faces(result.touches[i]);
+          }
+        },
+        kVertices);
   }
 
-  void make_copies(VertexDuplicates& result) {
-    for (const Spokes spokes : tangled_) {
-      std::map<std::uint32_t, PointId> copies;  // by fan
-      for (const Spoke& s : spokes) {
-        const std::uint32_t fan = fan_of_.at({s.face, s.corner});
-        if (fan == 0) {
-          continue;
+  // At a vertex all, at an edge those that run up, then those that run down along it.
+  void add_faces(Touch& touch) const {
+    const auto add = [&](PointId vertex, PointId other_end) {
+      for (const Spoke& s : spokes(tangled_[tangle_at(vertex)])) {
+        if (vertex == other_end || s.from == other_end) {
+          touch.faces.push_back(s.face);
         }
-        const auto [copy, is_new] =
-            copies.emplace(fan, static_cast<PointId>(result.first_copy + result.copies.size()));
-        if (is_new) {
-          result.copies.push_back(s.vertex);
-        }
-        kept_[s.face].corners[s.corner] = copy->second;
       }
+    };
+    add(touch.from, touch.to);
+    if (touch.from != touch.to) {
+      add(touch.to, touch.from);
     }
   }
 
-  struct Neighbours {  // that belong together at an edge, running up and down along it
-    std::uint32_t up, down;
-  };
-  using Corner = std::pair<std::uint32_t, std::uint8_t>;  // of a kept triangle
+  void make_copies(VertexDuplicates& result) {
+    for (std::size_t t = 0; t < tangled_.size(); ++t) {
+      const auto first = static_cast<PointId>(result.first_copy + result.copies.size());
+      for (std::uint32_t i = tangled_[t].begin; i < tangled_[t].end; ++i) {
+        if (const std::uint32_t fan = fan_of_[i]; fan > 0) {
+          kept_[spokes_[i].face].corners[spokes_[i].corner] = first + fan - 1;
+        }
+      }
+      result.copies.insert(result.copies.end(), fans_[t] - 1, spokes_[tangled_[t].begin].vertex);
+    }
+  }
 
   ArrangementInput& input_;
   support::BulkVector<OutputTriangle>& kept_;
-  std::vector<Spoke> spokes_;    // at special vertices, by vertex
-  std::vector<Spokes> tangled_;  // of vertices with more than one fan
-  std::map<EdgeKey, std::vector<Neighbours>> contact_edges_;
-  std::map<Corner, std::uint32_t> fan_of_;
+  std::vector<Spoke> spokes_;                  // at special vertices, by vertex
+  std::vector<support::IndexRange> tangled_;   // the spokes of vertices with more than one fan
+  support::BulkVector<std::uint32_t> fan_of_;  // of spokes of such vertices
+  std::vector<std::uint32_t> fans_;            // of each such vertex, how many
+  std::vector<Pair> pairs_;                    // by edge
+  std::vector<support::IndexRange> contact_edges_;
   std::map<std::uint32_t, std::map<std::uint8_t, PointId>> middles_;  // per face and edge
 };
 

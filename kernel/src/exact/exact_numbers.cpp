@@ -47,6 +47,24 @@ CGAL::Mpzf integer(const mpz_class& number) {
   return number < 0 ? -std::move(value) : value;
 }
 
+Ball ball(const CGAL::Mpzf& number) {
+  const double high = number.to_interval().second;
+  if (!std::isfinite(high)) {
+    return {0, 0, std::numeric_limits<double>::infinity()};
+  }
+  const auto [lower, upper] = (number - CGAL::Mpzf(high)).to_interval();
+  return {high, upper, upper - lower};
+}
+
+Ball ball(const mpq_class& number) {
+  const double high = number.get_d();  // both are rounded toward zero
+  if (!std::isfinite(high)) {
+    return {0, 0, std::numeric_limits<double>::infinity()};
+  }
+  const double low = mpq_class(number - high).get_d();
+  return {high, low, std::abs(low) * 0x1p-51 + std::numeric_limits<double>::min()};
+}
+
 double nearest_double(const mpz_class& numerator, const mpz_class& denominator) {
   if (numerator == 0) {
     return 0;

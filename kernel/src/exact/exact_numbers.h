@@ -6,6 +6,7 @@
 #include <gmpxx.h>
 
 #include "dupin/kernel/vec.h"
+#include "exact/ball.h"
 
 /// Numbers without rounding, the ground that every decision of the kernel stands on.
 ///
@@ -24,6 +25,11 @@ namespace dupin::exact {
 [[nodiscard]] mpq_class rational(const CGAL::Mpzf& number);
 
 [[nodiscard]] CGAL::Mpzf integer(const mpz_class& number);
+
+/// To about 100 bits; need rounding upward in the calling thread. Of a number beyond doubles
+/// nothing is known.
+[[nodiscard]] Ball ball(const CGAL::Mpzf& number);
+[[nodiscard]] Ball ball(const mpq_class& number);
 
 [[nodiscard]] inline int sign(const CGAL::Mpzf& value) { return static_cast<int>(value.sign()); }
 

@@ -72,6 +72,13 @@ struct MeshView {
     }
     return {points[index].x(), points[index].y(), points[index].z(), 1};
   }
+  /// To about 100 bits; needs rounding upward in the calling thread.
+  [[nodiscard]] exact::BallPoint close(std::uint32_t index) const {
+    if (index >= double_count()) {
+      return close_point(exact(index));
+    }
+    return {points[index].x(), points[index].y(), points[index].z()};
+  }
 };
 
 /// The exact coordinates of a point of the mesh.

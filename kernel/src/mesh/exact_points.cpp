@@ -1,10 +1,24 @@
 #include "mesh/exact_points.h"
 
+#include <cmath>
 #include <utility>
 
+#include "exact/exact_numbers.h"
 #include "exact/line_plane_meeting.h"
 
 namespace dupin::mesh {
+
+exact::BallPoint close_point(const ExactPoint& point) {
+  const exact::Ball weight = exact::ball(point[3]);
+  exact::BallPoint result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    result[k] = exact::ball(point[k]) / weight;
+    if (!std::isfinite(result[k].radius())) {  // homogeneous coordinates may be beyond doubles
+      result[k] = exact::ball(mpq_class(exact::rational(point[k]) / exact::rational(point[3])));
+    }
+  }
+  return result;
+}
 
 ExactPoint LinePlaneMeeting::point() const {
   return exact::line_plane_meeting(of[0], of[1], of[2], of[3], of[4]);

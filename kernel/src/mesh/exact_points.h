@@ -8,6 +8,7 @@
 #include <CGAL/Mpzf.h>
 
 #include "dupin/kernel/vec.h"
+#include "exact/ball.h"
 #include "support/blocks.h"
 #include "support/bulk_vector.h"
 
@@ -15,6 +16,9 @@ namespace dupin::mesh {
 
 /// Homogeneous coordinates (X, Y, Z, W), W > 0, of the point (X/W, Y/W, Z/W): no division, no gcd.
 using ExactPoint = std::array<CGAL::Mpzf, 4>;
+
+/// The point to about 100 bits; needs rounding upward in the calling thread.
+[[nodiscard]] exact::BallPoint close_point(const ExactPoint& point);
 
 /// The point where the line through of[0] and of[1] meets the plane through of[2], of[3] and of[4].
 struct LinePlaneMeeting {

@@ -7,10 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include <CGAL/Interval_nt.h>
 #include <Eigen/Geometry>
 
 #include "exact/exact_numbers.h"
 #include "exact/exact_sum.h"
+#include "mesh/close_mesh.h"
 #include "support/blocks.h"
 #include "support/none.h"
 
@@ -187,20 +189,30 @@ class SixVolumes {
 // The sign of the volume that closed triangles enclose, if doubles tell it; else 0. With u =
 // 2^-52, which also bounds directed rounding, each of the six products of a determinant is off by
 // less than 9 u of itself, all six together are at most the product of the three 1-norms, and n
-// sums add less than n u. Differences and products of coordinates in range do not underflow.
-int quick_volume_sign(std::span<const Vec3> points, std::span<const Triangle> triangles) {
+// sums add less than n u. Differences and products of coordinates in range do not underflow. Of
+// implicit points the nearest doubles are known: coordinates of differences are off by u of the
+// largest, and a determinant by what the product of the norms grows by if each has as much more.
+int quick_volume_sign(const MeshView& mesh) {
   struct Sums {
-    double volume = 0, magnitude = 0;
+    double volume = 0, magnitude = 0, off = 0;
   };
-  const Vec3 origin = points[triangles.front()[0]];
-  std::vector<Sums> parts(support::block_count(triangles.size()));
-  support::for_each_block(triangles.size(), [&](const support::Block& block) {
+  const Vec3 origin = mesh.points[mesh.triangles.front()[0]];
+  std::vector<Sums> parts(support::block_count(mesh.triangles.size()));
+  support::for_each_block(mesh.triangles.size(), [&](const support::Block& block) {
     Sums sums;
     for (std::size_t i = block.begin; i < block.end; ++i) {
-      const auto& [a, b, c] = triangles[i];
-      const Vec3 p = points[a] - origin, u = points[b] - points[a], v = points[c] - points[a];
+      const Vec3 &a = mesh.points[mesh.triangles[i][0]], &b = mesh.points[mesh.triangles[i][1]],
+                 &c = mesh.points[mesh.triangles[i][2]];
+      const Vec3 p = a - origin, u = b - a, v = c - a;
+      const double of_p = p.lpNorm<1>(), of_u = u.lpNorm<1>(), of_v = v.lpNorm<1>();
       sums.volume += p.dot(u.cross(v));
-      sums.magnitude += p.lpNorm<1>() * u.lpNorm<1>() * v.lpNorm<1>();
+      sums.magnitude += of_p * of_u * of_v;
+      if (mesh.implicit != nullptr) {
+        const double off =
+            0x1p-50 * (origin.lpNorm<1>() + a.lpNorm<1>() + b.lpNorm<1>() + c.lpNorm<1>());
+        sums.off +=
+            off * (of_p * of_u + of_u * of_v + of_v * of_p + off * (of_p + of_u + of_v + off));
+      }
     }
     parts[block.number] = sums;
   });
@@ -208,8 +220,10 @@ int quick_volume_sign(std::span<const Vec3> points, std::span<const Triangle> tr
   for (const Sums& part : parts) {
     all.volume += part.volume;
     all.magnitude += part.magnitude;
+    all.off += part.off;
   }
-  const double doubt = all.magnitude * (static_cast<double>(triangles.size()) + 20) * 0x1p-51;
+  const double doubt =
+      all.magnitude * (static_cast<double>(mesh.triangles.size()) + 20) * 0x1p-51 + 2 * all.off;
   return (all.volume > doubt) - (all.volume < -doubt);
 }
 
@@ -304,9 +318,16 @@ double nearest_volume(const MeshView& mesh) {
 }
 
 int volume_sign(const MeshView& mesh) {
-  if (mesh.implicit == nullptr && !mesh.triangles.empty()) {
-    if (const int quick = quick_volume_sign(mesh.points, mesh.triangles); quick != 0) {
-      return quick;
+  if (mesh.triangles.empty()) {
+    return 0;
+  }
+  if (const int quick = quick_volume_sign(mesh); quick != 0) {
+    return quick;
+  }
+  if (mesh.implicit != nullptr) {
+    const CGAL::Protect_FPU_rounding<true> upward;
+    if (const int close = volume_sign(CloseMesh(mesh, mesh.triangles)); close != 0) {
+      return close;
     }
   }
   return SixVolumes(mesh).refine([](const Bounds& six) -> std::optional<int> {

@@ -5,12 +5,12 @@
 #include <limits>
 #include <utility>
 
+#include <CGAL/Interval_nt.h>
 #include <Eigen/Geometry>
 
-#include "exact/exact_numbers.h"
+#include "mesh/close_mesh.h"
 #include "mesh/measure.h"
 #include "mesh/self_contact.h"
-#include "predicates/triangle_distance.h"
 #include "support/blocks.h"
 #include "support/disjoint_sets.h"
 #include "support/sequences.h"
@@ -27,16 +27,6 @@ std::vector<Triangle> merged(const mesh::ExactMesh& mesh,
     }
   }
   return triangles;
-}
-
-std::vector<std::uint32_t> points_of(std::span<const Triangle> triangles,
-                                     std::span<const std::uint32_t> faces) {
-  std::vector<std::uint32_t> points;
-  for (const std::uint32_t face : faces) {
-    points.insert(points.end(), triangles[face].begin(), triangles[face].end());
-  }
-  support::sort_unique(points);
-  return points;
 }
 
 /// The mean normal of the triangles that face the same way as the largest, of length 1 but for
@@ -58,32 +48,20 @@ Vec3 mean_normal(const mesh::ExactMesh& mesh, std::span<const std::uint32_t> fac
 }
 
 /// The distance of the two planes across `normal` that enclose the points, rounded up; infinite if
-/// it is above `widest`.
-double width_across(const Vec3& normal, const mesh::ExactMesh& mesh,
-                    std::span<const std::uint32_t> points, double widest) {
-  const exact::ExactVector direction = exact::exact_vector(normal);
-  const auto height = [&](std::uint32_t point) {
-    const mesh::ExactPoint p = mesh::exact_point(mesh, point);
-    return predicates::Fraction{exact::dot({p[0], p[1], p[2]}, direction), p[3]};
-  };
-  predicates::Fraction low = height(points.front()), high = low;
-  double width = 0;
-  for (const std::uint32_t point : points.subspan(1)) {
-    const predicates::Fraction here = height(point);
-    if (!(here < low) && !(high < here)) {
-      continue;
-    }
-    (here < low ? low : high) = here;
-    // The factor covers the rounding of the quotient and of the normal's length.
-    width =
-        mesh::nearest_double(high.numerator * low.denominator - low.numerator * high.denominator,
-                             high.denominator * low.denominator) *
-        (1 + 0x1p-48);
-    if (!(width <= widest)) {
+/// it is above `widest`. Needs rounding upward.
+double width_across(const Vec3& normal, std::span<const exact::BallPoint> points, double widest) {
+  const exact::BallPoint& first = points.front();
+  double low = 0, high = 0;
+  for (const exact::BallPoint& p : points.subspan(1)) {
+    const exact::Ball height = (p[0] - first[0]) * normal[0] + (p[1] - first[1]) * normal[1] +
+                               (p[2] - first[2]) * normal[2];
+    low = std::min(low, height.infimum());
+    high = std::max(high, height.supremum());
+    if (!std::isfinite(height.radius()) || !(high - low <= widest)) {
       return std::numeric_limits<double>::infinity();
     }
   }
-  return width;
+  return (high - low) * (1 + 0x1p-48);  // for the rounding of the normal's length
 }
 
 /// Per shell. Nearest doubles do not change the order of coordinates.
@@ -171,28 +149,44 @@ mesh::Shells SliverVoids::find_cells() const {
 /// Whether the cell's surface encloses free space. Others enclose material.
 bool SliverVoids::is_void(std::uint32_t cell) const {
   const auto triangles =
-      support::selected(std::span<const Triangle>(mesh_.triangles), cells_.faces_of(cell));
+      support::selected(std::span<const Triangle>(merged_), cells_.faces_of(cell));
   mesh::MeshView view(mesh_);
   view.triangles = triangles;
   return mesh::volume_sign(view) < 0;
 }
 
+/// Of a cell that encloses free space and is nowhere wider; else infinite.
+double SliverVoids::width_of_void(std::uint32_t cell, double widest) const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  constexpr std::size_t kFewFaces = 64;
+  const auto faces = cells_.faces_of(cell);
+  const Vec3 normal = mean_normal(mesh_, faces);
+  const CGAL::Protect_FPU_rounding<true> upward;
+  const auto close_mesh = [&](std::size_t count) {
+    return mesh::CloseMesh(
+        mesh::MeshView(mesh_),
+        support::selected(std::span<const Triangle>(merged_), faces.first(count)));
+  };
+  // A few triangles of a wide cell show that it is wide.
+  mesh::CloseMesh mesh = close_mesh(std::min(kFewFaces, faces.size()));
+  double width = width_across(normal, mesh.points, widest);
+  if (width <= widest && faces.size() > kFewFaces) {
+    mesh = close_mesh(faces.size());
+    width = width_across(normal, mesh.points, widest);
+  }
+  if (!(width <= widest)) {
+    return kNone;
+  }
+  const int sign = mesh::volume_sign(mesh);
+  return sign < 0 || (sign == 0 && is_void(cell)) ? width : kNone;
+}
+
 /// Those in which material might float are left out.
 std::vector<SliverVoids::Void> SliverVoids::find_voids(double widest) const {
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  constexpr std::size_t kFewFaces = 64;
   std::vector<double> widths(cells_.count, kNone);
   support::for_each_in_parallel(cells_.count, [&](std::size_t i) {
-    const auto cell = static_cast<std::uint32_t>(i);
-    const auto faces = cells_.faces_of(cell);
-    const Vec3 normal = mean_normal(mesh_, faces);
-    const auto width_of = [&](std::size_t count) {
-      return width_across(normal, mesh_, points_of(merged_, faces.first(count)), widest);
-    };
-    // A few triangles of a wide cell show that it is wide.
-    const double width =
-        width_of(std::min(kFewFaces, faces.size())) <= widest ? width_of(faces.size()) : kNone;
-    widths[cell] = width <= widest && is_void(cell) ? width : kNone;
+    widths[i] = width_of_void(static_cast<std::uint32_t>(i), widest);
   });
   std::vector<Void> voids;
   for (std::uint32_t cell = 0; cell < cells_.count; ++cell) {

@@ -46,6 +46,7 @@ class SliverVoids {
                                                     Side side) const;
   [[nodiscard]] mesh::Shells find_cells() const;
   [[nodiscard]] bool is_void(std::uint32_t cell) const;
+  [[nodiscard]] double width_of_void(std::uint32_t cell, double widest) const;
   [[nodiscard]] std::vector<Void> find_voids(double widest) const;
   [[nodiscard]] mesh::ExactMesh without(const std::vector<std::uint8_t>& gone) const;
   [[nodiscard]] bool tells_sheets_apart(const mesh::ExactMesh& rest,

@@ -77,21 +77,23 @@ template <class Item>
 /// What `collect(index, items)` appends to `items` for all indices below `count`, in their order,
 /// by blocks.
 template <class Item, class Collect>
-[[nodiscard]] std::vector<std::vector<Item>> collect_by_blocks(std::size_t count,
-                                                               const Collect& collect) {
-  std::vector<std::vector<Item>> parts(block_count(count));
-  for_each_block(count, [&](const Block& block) {
+[[nodiscard]] std::vector<std::vector<Item>> collect_by_blocks(
+    std::size_t count, const Collect& collect, std::size_t block_size = Block::kSize) {
+  std::vector<std::vector<Item>> parts(block_count(count, block_size));
+  const auto collect_all = [&](const Block& block) {
     for (std::size_t i = block.begin; i < block.end; ++i) {
       collect(i, parts[block.number]);
     }
-  });
+  };
+  for_each_block(count, collect_all, block_size);
   return parts;
 }
 
 /// The same, joined.
 template <class Item, class Collect>
-[[nodiscard]] std::vector<Item> collect_in_order(std::size_t count, const Collect& collect) {
-  return joined(collect_by_blocks<Item>(count, collect));
+[[nodiscard]] std::vector<Item> collect_in_order(std::size_t count, const Collect& collect,
+                                                 std::size_t block_size = Block::kSize) {
+  return joined(collect_by_blocks<Item>(count, collect, block_size));
 }
 
 /// The indices below `count`, ascending, that holds(index) is true of.

@@ -2,6 +2,7 @@
 #include <limits>
 #include <random>
 
+#include <CGAL/Interval_nt.h>
 #include <gtest/gtest.h>
 
 #include "exact/exact_numbers.h"
@@ -76,6 +77,34 @@ TEST(ExactIntegers, survive_the_way_to_mpzf_and_back) {
   for (const char* digits : {"0", "1", "-1", "18446744073709551616", "-36893488147419103232",
                              "-123456789012345678901234567890123456789"}) {
     EXPECT_EQ(rational(integer(mpz_class(digits))), mpq_class(digits));
+  }
+}
+
+TEST(BallsOfExactNumbers, enclose_them) {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  std::mt19937_64 random(8);
+  const auto part = [&] {
+    return CGAL::Mpzf(std::ldexp(static_cast<double>(random() >> 11) - 0x1p52,
+                                 static_cast<int>(random() % 400) - 200));
+  };
+  for (int i = 0; i < 2000; ++i) {
+    const CGAL::Mpzf number = part() + part() * part() + part() * part() * part();
+    const CGAL::Mpzf divisor = part() * part();
+    const mpq_class exact = rational(number), quotient = exact / rational(divisor);
+    const auto expect_enclosed = [](const Ball& ball, const mpq_class& value) {
+      const mpq_class off = abs(value - mpq_class(ball.high()) - mpq_class(ball.low()));
+      EXPECT_LE(off, mpq_class(ball.radius()));
+      EXPECT_LE(mpq_class(ball.radius()), mpq_class(abs(value) * 0x1p-100 + 0x1p-1000));
+    };
+    expect_enclosed(ball(number), exact);
+    expect_enclosed(ball(quotient), quotient);
+  }
+  EXPECT_EQ(ball(CGAL::Mpzf(0)).sign(), 0);
+  for (const double side : {1, -1}) {
+    const CGAL::Mpzf beyond = CGAL::Mpzf(side * 0x1p1000) * CGAL::Mpzf(0x1p1000);
+    EXPECT_EQ(ball(beyond).radius(), kInfinity);
+    EXPECT_EQ(ball(beyond).sign(), 0);
+    EXPECT_EQ(ball(rational(beyond)).sign(), 0);
   }
 }
 

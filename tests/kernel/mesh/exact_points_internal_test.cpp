@@ -1,5 +1,6 @@
 #include <random>
 
+#include <CGAL/Interval_nt.h>
 #include <gtest/gtest.h>
 
 #include "exact/exact_numbers.h"
@@ -30,6 +31,36 @@ class MixedPoints : public testing::Test {
   }
   static ExactPoints of(std::size_t count) { return {count, is_meeting, meeting, coordinates}; }
 };
+
+/// Whether the exact coordinates, of common denominator w, are in the balls, which are small.
+void expect_close(const ExactPoint& point) {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  const exact::BallPoint close = close_point(point);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const mpq_class exact = exact::rational(point[k]) / exact::rational(point[3]);
+    const mpq_class off = exact - mpq_class(close[k].high()) - mpq_class(close[k].low());
+    ASSERT_LE(mpq_class(abs(off)), mpq_class(close[k].radius()));
+    ASSERT_LE(mpq_class(close[k].radius()), mpq_class(abs(exact) * 0x1p-95 + 0x1p-900));
+  }
+}
+
+TEST_F(MixedPoints, are_known_to_a_hundred_bits) {
+  for (std::size_t i = 0; i < 100; ++i) {
+    expect_close(expected(i));
+    // Homogeneous coordinates may be beyond doubles, and below, where points are not.
+    ExactPoint large = expected(i), small = large;
+    for (int k = 0; k < 4; ++k) {
+      for (int times = 0; times < 3; ++times) {
+        large[static_cast<std::size_t>(k)] =
+            large[static_cast<std::size_t>(k)] * CGAL::Mpzf(0x1p500);
+        small[static_cast<std::size_t>(k)] =
+            small[static_cast<std::size_t>(k)] * CGAL::Mpzf(0x1p-500);
+      }
+    }
+    expect_close(large);
+    expect_close(small);
+  }
+}
 
 TEST_F(MixedPoints, are_where_the_line_meets_the_plane) {
   for (std::size_t i = 0; i < 100; ++i) {
