@@ -15,11 +15,12 @@
 /// in doubles could not tell, see predicates/). Quotients are rationals of GMP (mpq_class), but
 /// points keep a common denominator instead (mesh/exact_mesh.h), so that nothing is ever reduced.
 /// What leaves the kernel is rounded correctly, to the nearest double with ties to even, or
-/// enclosed by two (dupin/kernel/enclosure.h). The rest of this folder: FloatLattice, the numbers
-/// that a coordinate may be rounded to, ExactSum, long sums of products of doubles (Kulisch's
-/// accumulator), and what needs no more than integers of fixed width, as most coordinates are
-/// multiples of a power of two not far below them (lattice_steps.h, line_plane_meeting.h). Numbers
-/// of any of these kinds make vectors in vector_algebra.h.
+/// enclosed by two (dupin/kernel/enclosure.h). The rest of this folder: Ball, a number to about 100
+/// bits (ball.h), FloatLattice, the numbers that a coordinate may be rounded to, ExactSum, long
+/// sums of products of doubles (Kulisch's accumulator), and what needs no more than integers of
+/// fixed width, as most coordinates are multiples of a power of two not far below them
+/// (lattice_steps.h, line_plane_meeting.h). Numbers of any of these kinds make vectors in
+/// vector_algebra.h.
 namespace dupin::exact {
 
 [[nodiscard]] mpq_class rational(const CGAL::Mpzf& number);

@@ -20,8 +20,9 @@
 /// + k runs from corner k of face f to the next; a fan is the faces around a point that hang
 /// together by edges, a shell those that hang together at all; a contact is where a shell touches
 /// itself or another (edge_table.h, self_contact.h). Volumes are sums of determinants over shells
-/// (measure.h), nesting is by rays (shell_nesting.h). Two tools ask whoever holds the points for
-/// exact signs, and so serve the arrangement too: radial_order.h and ray_crossing.h.
+/// (measure.h; close_mesh.h, of what is thin), nesting is by rays (shell_nesting.h). Two tools ask
+/// whoever holds the points for exact signs, and so serve the arrangement too: radial_order.h and
+/// ray_crossing.h.
 namespace dupin::mesh {
 
 /// The boundary of a Solid. Points that doubles hold exactly come first; each of the rest is
