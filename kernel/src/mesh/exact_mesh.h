@@ -20,7 +20,7 @@
 /// + k runs from corner k of face f to the next; a fan is the faces around a point that hang
 /// together by edges, a shell those that hang together at all; a contact is where a shell touches
 /// itself or another (edge_table.h, self_contact.h). Volumes are sums of determinants over shells
-/// (measure.h; close_mesh.h, of what is thin), nesting is by rays (shell_nesting.h). Two tools ask
+/// (measure.h; ball_mesh.h, of what is thin), nesting is by rays (shell_nesting.h). Two tools ask
 /// whoever holds the points for exact signs, and so serve the arrangement too: radial_order.h and
 /// ray_crossing.h.
 namespace dupin::mesh {
@@ -74,9 +74,9 @@ struct MeshView {
     return {points[index].x(), points[index].y(), points[index].z(), 1};
   }
   /// To about 100 bits; needs rounding upward in the calling thread.
-  [[nodiscard]] exact::BallPoint close(std::uint32_t index) const {
+  [[nodiscard]] exact::BallPoint ball(std::uint32_t index) const {
     if (index >= double_count()) {
-      return close_point(exact(index));
+      return ball_point(exact(index));
     }
     return {points[index].x(), points[index].y(), points[index].z()};
   }

@@ -8,7 +8,7 @@
 
 namespace dupin::mesh {
 
-exact::BallPoint close_point(const ExactPoint& point) {
+exact::BallPoint ball_point(const ExactPoint& point) {
   const exact::Ball weight = exact::ball(point[3]);
   exact::BallPoint result;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -18,7 +18,7 @@ namespace dupin::mesh {
 using ExactPoint = std::array<CGAL::Mpzf, 4>;
 
 /// The point to about 100 bits; needs rounding upward in the calling thread.
-[[nodiscard]] exact::BallPoint close_point(const ExactPoint& point);
+[[nodiscard]] exact::BallPoint ball_point(const ExactPoint& point);
 
 /// The point where the line through of[0] and of[1] meets the plane through of[2], of[3] and of[4].
 struct LinePlaneMeeting {

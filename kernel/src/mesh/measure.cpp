@@ -12,7 +12,7 @@
 
 #include "exact/exact_numbers.h"
 #include "exact/exact_sum.h"
-#include "mesh/close_mesh.h"
+#include "mesh/ball_mesh.h"
 #include "support/blocks.h"
 #include "support/none.h"
 
@@ -326,8 +326,8 @@ int volume_sign(const MeshView& mesh) {
   }
   if (mesh.implicit != nullptr) {
     const CGAL::Protect_FPU_rounding<true> upward;
-    if (const int close = volume_sign(CloseMesh(mesh, mesh.triangles)); close != 0) {
-      return close;
+    if (const int sign = volume_sign(BallMesh(mesh, mesh.triangles)); sign != 0) {
+      return sign;
     }
   }
   return SixVolumes(mesh).refine([](const Bounds& six) -> std::optional<int> {

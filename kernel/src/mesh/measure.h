@@ -19,7 +19,8 @@ namespace dupin::mesh {
 /// The double nearest to exact_volume, by enclosures that need no common denominator. O(n).
 [[nodiscard]] double nearest_volume(const MeshView& mesh);
 
-/// The sign of exact_volume, likewise; of doubles, where rounding leaves no doubt, from these.
+/// The sign of exact_volume, of closed triangles, likewise; from doubles, or from numbers to 100
+/// bits, where these leave no doubt.
 [[nodiscard]] int volume_sign(const MeshView& mesh);
 
 /// The sum of the areas of the triangles; relative error below 1e-12.

@@ -8,7 +8,7 @@
 #include <CGAL/Interval_nt.h>
 #include <Eigen/Geometry>
 
-#include "mesh/close_mesh.h"
+#include "mesh/ball_mesh.h"
 #include "mesh/measure.h"
 #include "mesh/self_contact.h"
 #include "support/blocks.h"
@@ -162,16 +162,16 @@ double SliverVoids::width_of_void(std::uint32_t cell, double widest) const {
   const auto faces = cells_.faces_of(cell);
   const Vec3 normal = mean_normal(mesh_, faces);
   const CGAL::Protect_FPU_rounding<true> upward;
-  const auto close_mesh = [&](std::size_t count) {
-    return mesh::CloseMesh(
+  const auto ball_mesh = [&](std::size_t count) {
+    return mesh::BallMesh(
         mesh::MeshView(mesh_),
         support::selected(std::span<const Triangle>(merged_), faces.first(count)));
   };
   // A few triangles of a wide cell show that it is wide.
-  mesh::CloseMesh mesh = close_mesh(std::min(kFewFaces, faces.size()));
+  mesh::BallMesh mesh = ball_mesh(std::min(kFewFaces, faces.size()));
   double width = width_across(normal, mesh.points, widest);
   if (width <= widest && faces.size() > kFewFaces) {
-    mesh = close_mesh(faces.size());
+    mesh = ball_mesh(faces.size());
     width = width_across(normal, mesh.points, widest);
   }
   if (!(width <= widest)) {

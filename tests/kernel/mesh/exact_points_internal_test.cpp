@@ -33,9 +33,9 @@ class MixedPoints : public testing::Test {
 };
 
 /// Whether the exact coordinates, of common denominator w, are in the balls, which are small.
-void expect_close(const ExactPoint& point) {
+void expect_enclosed(const ExactPoint& point) {
   const CGAL::Protect_FPU_rounding<true> upward;
-  const exact::BallPoint close = close_point(point);
+  const exact::BallPoint close = ball_point(point);
   for (std::size_t k = 0; k < 3; ++k) {
     const mpq_class exact = exact::rational(point[k]) / exact::rational(point[3]);
     const mpq_class off = exact - mpq_class(close[k].high()) - mpq_class(close[k].low());
@@ -46,7 +46,7 @@ void expect_close(const ExactPoint& point) {
 
 TEST_F(MixedPoints, are_known_to_a_hundred_bits) {
   for (std::size_t i = 0; i < 100; ++i) {
-    expect_close(expected(i));
+    expect_enclosed(expected(i));
     // Homogeneous coordinates may be beyond doubles, and below, where points are not.
     ExactPoint large = expected(i), small = large;
     for (int k = 0; k < 4; ++k) {
@@ -57,8 +57,8 @@ TEST_F(MixedPoints, are_known_to_a_hundred_bits) {
             small[static_cast<std::size_t>(k)] * CGAL::Mpzf(0x1p-500);
       }
     }
-    expect_close(large);
-    expect_close(small);
+    expect_enclosed(large);
+    expect_enclosed(small);
   }
 }
 

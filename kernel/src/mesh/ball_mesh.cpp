@@ -1,4 +1,4 @@
-#include "mesh/close_mesh.h"
+#include "mesh/ball_mesh.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace dupin::mesh {
 
-CloseMesh::CloseMesh(const MeshView& mesh, std::span<const Triangle> of_mesh) {
+BallMesh::BallMesh(const MeshView& mesh, std::span<const Triangle> of_mesh) {
   std::vector<std::uint32_t> used;
   used.reserve(3 * of_mesh.size());
   for (const Triangle& triangle : of_mesh) {
@@ -23,11 +23,11 @@ CloseMesh::CloseMesh(const MeshView& mesh, std::span<const Triangle> of_mesh) {
   }
   points.reserve(used.size());
   for (const std::uint32_t point : used) {
-    points.push_back(mesh.close(point));
+    points.push_back(mesh.ball(point));
   }
 }
 
-int volume_sign(const CloseMesh& mesh) {
+int volume_sign(const BallMesh& mesh) {
   if (mesh.triangles.empty()) {
     return 0;
   }

@@ -8,11 +8,11 @@
 
 namespace dupin::mesh {
 
-/// A few triangles by their points to about 100 bits, each point once: for what is thinner than
+/// A few triangles, and what balls tell of their points, each point once: for what is thinner than
 /// doubles are apart, at a fraction of the cost of exact numbers. All needs rounding upward in the
 /// calling thread.
-struct CloseMesh {
-  CloseMesh(const MeshView& mesh, std::span<const Triangle> of_mesh);
+struct BallMesh {
+  BallMesh(const MeshView& mesh, std::span<const Triangle> of_mesh);
 
   std::vector<exact::BallPoint> points;
   std::vector<Triangle> triangles;
@@ -20,6 +20,6 @@ struct CloseMesh {
 
 /// The sign of the volume that the triangles enclose, if they are closed; 0 where the points are
 /// not known well enough, too.
-[[nodiscard]] int volume_sign(const CloseMesh& mesh);
+[[nodiscard]] int volume_sign(const BallMesh& mesh);
 
 }  // namespace dupin::mesh
