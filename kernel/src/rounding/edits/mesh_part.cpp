@@ -20,15 +20,21 @@ constexpr std::size_t kShare = 4;
 /// these.
 constexpr int kRings = 2;
 
-/// The triangles that share points with others, and these.
-std::vector<std::uint32_t> ring(const BrokenMesh& mesh, std::span<const std::uint32_t> faces) {
+/// Marks the points of triangles.
+std::vector<std::uint8_t> points_of(const BrokenMesh& mesh, std::span<const std::uint32_t> faces) {
   std::vector<std::uint8_t> marks(mesh.doubles.size(), 0);
   for (const std::uint32_t face : faces) {
     for (const std::uint32_t v : mesh.triangles[face]) {
       marks[v] = 1;
     }
   }
-  const support::BulkVector<std::uint8_t> marked = marked_faces(mesh.triangles, marks);
+  return marks;
+}
+
+/// The triangles that share points with others, and these.
+std::vector<std::uint32_t> ring(const BrokenMesh& mesh, std::span<const std::uint32_t> faces) {
+  const support::BulkVector<std::uint8_t> marked =
+      marked_faces(mesh.triangles, points_of(mesh, faces));
   return support::indices_where(marked.size(),
                                 [&](std::uint32_t face) { return marked[face] != 0; });
 }
@@ -69,27 +75,29 @@ std::optional<MeshPart> MeshPart::around(const BrokenMesh& whole,
     zones.push_back(
         frame.around(framed(frame, whole.doubles, whole.triangles[face]), 2 * (reach + step)));
   }
-  MeshPart part(frame, std::move(zones));
-  part.faces_ = faces_near(part.zone_tree_, frame, whole.on_lattice, whole.triangles);
-  if (part.faces_.size() * kShare > whole.triangles.size()) {
+  boxes::BoxTree tree(zones);
+  std::vector<std::uint32_t> faces = faces_near(tree, frame, whole.on_lattice, whole.triangles);
+  if (faces.size() * kShare > whole.triangles.size()) {
     return std::nullopt;
   }
-  part.copy(whole, core);
+  const std::vector<std::uint8_t> in_core = points_of(whole, core);
+  MeshPart part(whole, std::move(faces), [&](std::uint32_t v) { return in_core[v] != 0; });
+  part.zones_ = Zones{frame, std::move(zones), std::move(tree)};
   return part;
 }
 
-void MeshPart::copy(const BrokenMesh& whole, std::span<const std::uint32_t> core) {
+MeshPart::MeshPart(const BrokenMesh& whole, std::vector<std::uint32_t> faces,
+                   const std::function<bool(std::uint32_t)>& is_complete)
+    : faces_(std::move(faces)) {
   triangles_ = support::selected(whole.triangles, faces_);
   mesh::UsedPoints used = mesh::used_points(triangles_, whole.doubles.size());
   for (Triangle& triangle : triangles_) {
     triangle = used.renumbered(triangle);
   }
   points_ = std::move(used.points);
-  complete_.resize(points_.size(), 0);
-  for (const std::uint32_t face : core) {
-    for (const std::uint32_t v : whole.triangles[face]) {
-      complete_[used.number[v]] = 1;
-    }
+  complete_.reserve(points_.size());
+  for (const std::uint32_t point : points_) {
+    complete_.push_back(is_complete(point) ? 1 : 0);
   }
   doubles_ = support::selected(whole.doubles, points_);
   on_lattice_ = support::selected(whole.on_lattice, points_);
@@ -139,6 +147,7 @@ std::vector<Fault> MeshPart::numbered(std::span<const Fault> of_whole) const {
 }
 
 bool MeshPart::meets_rest(const EditedMesh& repaired, const Embedding& whole) const {
+  const Zones& zones = *zones_;
   std::vector<std::uint32_t> edited;
   std::vector<boxes::Box> outside;  // of the zones, which only triangles of the part meet
   for (std::uint32_t f = 0; f < triangles_.size(); ++f) {
@@ -147,9 +156,10 @@ bool MeshPart::meets_rest(const EditedMesh& repaired, const Embedding& whole) co
     if (!repaired.alive(f) || (triangles_[f] == after && std::ranges::none_of(after, moved))) {
       continue;
     }
-    const boxes::Box own = frame_.around(framed(frame_, repaired.points(), after));
+    const boxes::Box own = zones.frame.around(framed(zones.frame, repaired.points(), after));
     bool in_zone = false;
-    zone_tree_.visit(own, [&](std::uint32_t i) { in_zone = in_zone || zones_[i].contains(own); });
+    zones.tree.visit(own,
+                     [&](std::uint32_t i) { in_zone = in_zone || zones.boxes[i].contains(own); });
     if (!in_zone) {
       edited.push_back(faces_[f]);
       outside.push_back(own);
@@ -160,9 +170,9 @@ bool MeshPart::meets_rest(const EditedMesh& repaired, const Embedding& whole) co
   }
   const boxes::BoxTree tree(outside);
   bool meets = false;
-  for (const std::uint32_t face : faces_near(tree, frame_, whole.points, whole.triangles)) {
+  for (const std::uint32_t face : faces_near(tree, zones.frame, whole.points, whole.triangles)) {
     if (!std::ranges::binary_search(faces_, face)) {
-      tree.visit(frame_.around(framed(frame_, whole.points, whole.triangles[face])),
+      tree.visit(zones.frame.around(framed(zones.frame, whole.points, whole.triangles[face])),
                  [&](std::uint32_t i) { meets = meets || is_faulty_pair(whole, edited[i], face); });
     }
   }

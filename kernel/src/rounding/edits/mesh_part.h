@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -32,13 +33,17 @@ struct BrokenMesh {
   return {mesh.doubles, mesh.triangles, mesh.labels, mesh.representatives, mesh.complete};
 }
 
-/// The surroundings of faults, as a mesh of its own with a border: the triangles some rings
-/// around, and all that are as near to these as edits may move them. Numbers, of points and of
+/// Some triangles of a mesh as a mesh of its own with a border. Numbers, of points and of
 /// triangles, ascend as in the whole mesh.
 class MeshPart {
  public:
-  /// None if the part would not be much smaller than the whole. `reach` bounds the moves of points
-  /// before they are rounded, `step` those of rounding.
+  /// These triangles, ascending. Points are complete that are said to be.
+  MeshPart(const BrokenMesh& whole, std::vector<std::uint32_t> faces,
+           const std::function<bool(std::uint32_t)>& is_complete);
+
+  /// The surroundings of faults: the triangles some rings around, and all that are as near to these
+  /// as edits may move them. None if the part would not be much smaller than the whole. `reach`
+  /// bounds the moves of points before they are rounded, `step` those of rounding.
   [[nodiscard]] static std::optional<MeshPart> around(const BrokenMesh& whole,
                                                       std::span<const std::uint32_t> broken,
                                                       double reach, double step);
@@ -53,8 +58,8 @@ class MeshPart {
   [[nodiscard]] std::vector<std::uint32_t> numbered(std::span<const std::uint32_t> of_whole) const;
   [[nodiscard]] std::vector<Fault> numbered(std::span<const Fault> of_whole) const;
 
-  /// Whether, in the whole mesh that they have been put into, repaired triangles that differ from
-  /// the rounded ones make faults with others than those of the part.
+  /// Of surroundings: whether, in the whole mesh that they have been put into, repaired triangles
+  /// that differ from the rounded ones make faults with others than those of the part.
   [[nodiscard]] bool meets_rest(const EditedMesh& repaired, const Embedding& whole) const;
 
   /// Puts the repaired triangles, dead ones apart, and points into the rounded whole mesh.
@@ -63,14 +68,14 @@ class MeshPart {
   void put_back(std::vector<Vec3>& points) const;
 
  private:
-  MeshPart(const boxes::BoxQuantizer& frame, std::vector<boxes::Box> zones)
-      : frame_(frame), zones_(std::move(zones)), zone_tree_(zones_) {}
-  void copy(const BrokenMesh& whole, std::span<const std::uint32_t> core);
+  /// Boxes: all triangles whose rounded ones' boxes meet them are in the part.
+  struct Zones {
+    boxes::BoxQuantizer frame;
+    std::vector<boxes::Box> boxes;
+    boxes::BoxTree tree;
+  };
 
-  boxes::BoxQuantizer frame_;
-  std::vector<boxes::Box>
-      zones_;  // all triangles whose rounded ones' boxes meet them are in the part
-  boxes::BoxTree zone_tree_;
+  std::optional<Zones> zones_;  // of surroundings
   std::vector<std::uint32_t> faces_, points_;
   std::vector<Vec3> doubles_, on_lattice_;
   std::vector<std::uint8_t> inexact_, complete_;

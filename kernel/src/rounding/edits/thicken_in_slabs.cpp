@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "boxes/bounds.h"
-#include "mesh/used_points.h"
 #include "rounding/edits/edit_strategy.h"
+#include "rounding/edits/mesh_part.h"
 #include "support/blocks.h"
 #include "support/none.h"
 #include "support/sequences.h"
@@ -62,41 +62,31 @@ class Division {
   std::vector<double> planes_;
 };
 
-/// The triangles that reach into a slab, as a mesh.
+/// The triangles that reach into a slab, of which those within are edited.
 class Slab {
  public:
   Slab(const BrokenMesh& whole, const Division& division, std::span<const std::uint32_t> slab_of,
-       std::uint32_t number) {
-    faces_ = support::indices_where(whole.triangles.size(), [&](std::uint32_t face) {
-      return division.reaches(whole, whole.triangles[face], number);
-    });
-    std::vector<Triangle> triangles = support::selected(whole.triangles, faces_);
-    mesh::UsedPoints used = mesh::used_points(triangles, whole.doubles.size());
-    for (Triangle& triangle : triangles) {
-      triangle = used.renumbered(triangle);
-    }
-    points_ = std::move(used.points);
-    if (!whole.labels.empty()) {
-      labels_ = support::selected(whole.labels, faces_);
-    }
-    representatives_ = representatives_among(points_, whole.representatives);
-    for (const std::uint32_t point : points_) {
-      complete_.push_back(slab_of[point] == number ? 1 : 0);
-    }
-    mesh_.emplace(support::selected(whole.doubles, points_), triangles, labels_, representatives_,
-                  complete_);
-  }
+       std::uint32_t number)
+      : part_(whole, faces_that_reach(whole, division, number),
+              [&](std::uint32_t point) { return slab_of[point] == number; }),
+        mesh_(unedited(part_.view())) {}
 
   void thicken(double reach) {
-    rounding::thicken(*mesh_, reach, support::numbers_below(faces_.size()));
+    rounding::thicken(mesh_, reach, support::numbers_below(part_.faces().size()));
   }
-  void put_into(EditedMesh& whole) const { whole.take_over(*mesh_, faces_, points_); }
+  void put_into(EditedMesh& whole) const { whole.take_over(mesh_, part_.faces(), part_.points()); }
 
  private:
-  std::vector<std::uint32_t> faces_, points_;  // in the whole mesh
-  std::vector<std::uint32_t> labels_, representatives_;
-  std::vector<std::uint8_t> complete_;
-  std::optional<EditedMesh> mesh_;  // refers to these
+  static std::vector<std::uint32_t> faces_that_reach(const BrokenMesh& whole,
+                                                     const Division& division,
+                                                     std::uint32_t number) {
+    return support::indices_where(whole.triangles.size(), [&](std::uint32_t face) {
+      return division.reaches(whole, whole.triangles[face], number);
+    });
+  }
+
+  MeshPart part_;
+  EditedMesh mesh_;  // refers to it
 };
 
 /// The faces at points around which some face is in no slab.
