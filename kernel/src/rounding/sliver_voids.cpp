@@ -157,28 +157,29 @@ bool SliverVoids::is_void(std::uint32_t cell) const {
 
 /// Of a cell that encloses free space and is nowhere wider; else infinite.
 double SliverVoids::width_of_void(std::uint32_t cell, double widest) const {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
   constexpr std::size_t kFewFaces = 64;
-  const auto faces = cells_.faces_of(cell);
-  const Vec3 normal = mean_normal(mesh_, faces);
-  const CGAL::Protect_FPU_rounding<true> upward;
-  const auto ball_mesh = [&](std::size_t count) {
-    return mesh::BallMesh(
-        mesh::MeshView(mesh_),
-        support::selected(std::span<const Triangle>(merged_), faces.first(count)));
-  };
+  const auto triangles =
+      support::selected(std::span<const Triangle>(merged_), cells_.faces_of(cell));
+  const Vec3 normal = mean_normal(mesh_, cells_.faces_of(cell));
+  Measured measured =
+      measure(normal, std::span(triangles).first(std::min(kFewFaces, triangles.size())), widest);
   // A few triangles of a wide cell show that it is wide.
-  mesh::BallMesh mesh = ball_mesh(std::min(kFewFaces, faces.size()));
-  double width = width_across(normal, mesh.points, widest);
-  if (width <= widest && faces.size() > kFewFaces) {
-    mesh = ball_mesh(faces.size());
-    width = width_across(normal, mesh.points, widest);
+  if (measured.width <= widest && triangles.size() > kFewFaces) {
+    measured = measure(normal, triangles, widest);
   }
-  if (!(width <= widest)) {
-    return kNone;
-  }
-  const int sign = mesh::volume_sign(mesh);
-  return sign < 0 || (sign == 0 && is_void(cell)) ? width : kNone;
+  const bool is_narrow_void =
+      measured.width <= widest &&
+      (measured.volume_sign < 0 || (measured.volume_sign == 0 && is_void(cell)));
+  return is_narrow_void ? measured.width : std::numeric_limits<double>::infinity();
+}
+
+/// Rounds upward no longer than it takes: other tasks must not find that so.
+SliverVoids::Measured SliverVoids::measure(const Vec3& normal, std::span<const Triangle> triangles,
+                                           double widest) const {
+  const CGAL::Protect_FPU_rounding<true> upward;
+  const mesh::BallMesh mesh(mesh::MeshView(mesh_), triangles);
+  const double width = width_across(normal, mesh.points, widest);
+  return {width, width <= widest ? mesh::volume_sign(mesh) : 0};
 }
 
 /// Those in which material might float are left out.

@@ -40,6 +40,11 @@ class SliverVoids {
     double width = 0;
   };
 
+  struct Measured {
+    double width = 0;     // infinite above the widest
+    int volume_sign = 0;  // 0 where balls do not tell it, too
+  };
+
   void pair_around(const std::vector<std::uint32_t>& around, const std::vector<std::uint8_t>& gone,
                    Side side, std::vector<std::uint32_t>& partners) const;
   [[nodiscard]] std::vector<std::uint32_t> partners(const std::vector<std::uint8_t>& gone,
@@ -47,6 +52,8 @@ class SliverVoids {
   [[nodiscard]] mesh::Shells find_cells() const;
   [[nodiscard]] bool is_void(std::uint32_t cell) const;
   [[nodiscard]] double width_of_void(std::uint32_t cell, double widest) const;
+  [[nodiscard]] Measured measure(const Vec3& normal, std::span<const Triangle> triangles,
+                                 double widest) const;
   [[nodiscard]] std::vector<Void> find_voids(double widest) const;
   [[nodiscard]] mesh::ExactMesh without(const std::vector<std::uint8_t>& gone) const;
   [[nodiscard]] bool tells_sheets_apart(const mesh::ExactMesh& rest,
