@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "exact/vector_algebra.h"
 #include "support/sequences.h"
 
 namespace dupin::mesh {
@@ -31,17 +32,14 @@ int volume_sign(const BallMesh& mesh) {
   if (mesh.triangles.empty()) {
     return 0;
   }
-  const auto difference = [&](std::uint32_t to, std::uint32_t from) -> exact::BallPoint {
-    const exact::BallPoint &p = mesh.points[to], &q = mesh.points[from];
-    return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-  };
   const std::uint32_t origin = mesh.triangles.front()[0];
+  const auto from = [&](std::uint32_t start, std::uint32_t end) {
+    return exact::difference(mesh.points[end], mesh.points[start]);
+  };
   exact::Ball six;
   for (const auto& [a, b, c] : mesh.triangles) {
     if (a != origin && b != origin && c != origin) {
-      const exact::BallPoint p = difference(a, origin), u = difference(b, a), v = difference(c, a);
-      six = six + p[0] * (u[1] * v[2] - u[2] * v[1]) + p[1] * (u[2] * v[0] - u[0] * v[2]) +
-            p[2] * (u[0] * v[1] - u[1] * v[0]);
+      six = six + exact::dot(from(origin, a), exact::cross(from(a, b), from(a, c)));
     }
   }
   return six.sign();

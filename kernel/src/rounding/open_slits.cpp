@@ -45,6 +45,9 @@ std::optional<Plane> plane_of(const mesh::ExactMesh& solid, std::uint32_t face, 
   return Plane{a, normal.normalized()};
 }
 
+/// Whether triangles with these normals show their fronts to each other.
+bool are_facing(const Vec3& first, const Vec3& second) { return first.dot(second) < kFacing; }
+
 /// A flat piece of the surface, and the planes of what it faces.
 struct Patch {
   Plane plane;
@@ -190,8 +193,8 @@ class OpenSlits {
   /// Of the slit between triangles that face each other; 0 if there is none.
   [[nodiscard]] double area_of_slit(std::uint32_t f, std::uint32_t g) const {
     const auto first = plane_of(solid_, f, step_), second = plane_of(solid_, g, step_);
-    const bool are_facing = first && second && first->normal.dot(second->normal) < kFacing;
-    return are_facing ? area_of_slit(f, *first, g) : 0;
+    return first && second && are_facing(first->normal, second->normal) ? area_of_slit(f, *first, g)
+                                                                        : 0;
   }
 
   /// Notes that two triangles face each other across a slit of such an area.
@@ -380,7 +383,7 @@ FacingTriangles::FacingTriangles(const mesh::ExactMesh& solid, double step)
 }
 
 bool FacingTriangles::operator()(std::uint32_t first, std::uint32_t second) const {
-  return normals_[first].dot(normals_[second]) < kFacing;
+  return are_facing(normals_[first], normals_[second]);
 }
 
 std::optional<FilledSlits> fill_open_slits(const mesh::ExactMesh& solid,

@@ -8,6 +8,7 @@
 #include <CGAL/Interval_nt.h>
 #include <Eigen/Geometry>
 
+#include "exact/vector_algebra.h"
 #include "mesh/ball_mesh.h"
 #include "mesh/measure.h"
 #include "mesh/self_contact.h"
@@ -51,10 +52,10 @@ Vec3 mean_normal(const mesh::ExactMesh& mesh, std::span<const std::uint32_t> fac
 /// it is above `widest`. Needs rounding upward.
 double width_across(const Vec3& normal, std::span<const exact::BallPoint> points, double widest) {
   const exact::BallPoint& first = points.front();
+  const exact::BallPoint direction = {normal[0], normal[1], normal[2]};
   double low = 0, high = 0;
   for (const exact::BallPoint& p : points.subspan(1)) {
-    const exact::Ball height = (p[0] - first[0]) * normal[0] + (p[1] - first[1]) * normal[1] +
-                               (p[2] - first[2]) * normal[2];
+    const exact::Ball height = exact::dot(exact::difference(p, first), direction);
     low = std::min(low, height.infimum());
     high = std::max(high, height.supremum());
     if (!std::isfinite(height.radius()) || !(high - low <= widest)) {
@@ -157,25 +158,27 @@ bool SliverVoids::is_void(std::uint32_t cell) const {
 
 /// Of a cell that encloses free space and is nowhere wider; else infinite.
 double SliverVoids::width_of_void(std::uint32_t cell, double widest) const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
   constexpr std::size_t kFewFaces = 64;
-  const auto triangles =
-      support::selected(std::span<const Triangle>(merged_), cells_.faces_of(cell));
-  const Vec3 normal = mean_normal(mesh_, cells_.faces_of(cell));
-  Measured measured =
-      measure(normal, std::span(triangles).first(std::min(kFewFaces, triangles.size())), widest);
+  const auto faces = cells_.faces_of(cell);
+  const Vec3 normal = mean_normal(mesh_, faces);
   // A few triangles of a wide cell show that it is wide.
-  if (measured.width <= widest && triangles.size() > kFewFaces) {
-    measured = measure(normal, triangles, widest);
+  if (faces.size() > kFewFaces &&
+      !(measure(normal, faces.first(kFewFaces), widest).width <= widest)) {
+    return kNone;
   }
-  const bool is_narrow_void =
-      measured.width <= widest &&
-      (measured.volume_sign < 0 || (measured.volume_sign == 0 && is_void(cell)));
-  return is_narrow_void ? measured.width : std::numeric_limits<double>::infinity();
+  const Measured measured = measure(normal, faces, widest);
+  if (!(measured.width <= widest)) {
+    return kNone;
+  }
+  const bool is_free = measured.volume_sign < 0 || (measured.volume_sign == 0 && is_void(cell));
+  return is_free ? measured.width : kNone;
 }
 
 /// Rounds upward no longer than it takes: other tasks must not find that so.
-SliverVoids::Measured SliverVoids::measure(const Vec3& normal, std::span<const Triangle> triangles,
+SliverVoids::Measured SliverVoids::measure(const Vec3& normal, std::span<const std::uint32_t> faces,
                                            double widest) const {
+  const auto triangles = support::selected(std::span<const Triangle>(merged_), faces);
   const CGAL::Protect_FPU_rounding<true> upward;
   const mesh::BallMesh mesh(mesh::MeshView(mesh_), triangles);
   const double width = width_across(normal, mesh.points, widest);

@@ -52,7 +52,7 @@ class SliverVoids {
   [[nodiscard]] mesh::Shells find_cells() const;
   [[nodiscard]] bool is_void(std::uint32_t cell) const;
   [[nodiscard]] double width_of_void(std::uint32_t cell, double widest) const;
-  [[nodiscard]] Measured measure(const Vec3& normal, std::span<const Triangle> triangles,
+  [[nodiscard]] Measured measure(const Vec3& normal, std::span<const std::uint32_t> faces,
                                  double widest) const;
   [[nodiscard]] std::vector<Void> find_voids(double widest) const;
   [[nodiscard]] mesh::ExactMesh without(const std::vector<std::uint8_t>& gone) const;

@@ -179,21 +179,6 @@ class Enclosure {
   const PointTable& points_;
 };
 
-// What one interval leaves, another one encloses.
-exact::Ball ball_of(const Number& x) {
-  const auto [low, high] = x.to_interval();
-  if (low == high) {
-    return low;
-  }
-  const auto [rest_low, rest_high] = (x - Number(low)).to_interval();
-  return exact::Ball(low) + exact::Ball(rest_low, 0, rest_high - rest_low);
-}
-
-exact::BallPoint ball_of(const mesh::ExactPoint& point) {
-  const exact::Ball weight = ball_of(point[3]);
-  return {ball_of(point[0]) / weight, ball_of(point[1]) / weight, ball_of(point[2]) / weight};
-}
-
 Interval enclose_quotient(const Number& x, const Number& w, const Interval& weight) {
   const Interval quotient = Interval(x.to_interval()) / weight;
   // Three roundings, unless a number lies beyond what doubles hold.
@@ -338,7 +323,7 @@ exact::BallPoint PointTable::ball(PointId id) const {
   const Implicit& point = implicit_[id - doubles_.size()];
   return point.ball.get([&] {
     return point.definition.kind == ImplicitPoint::Kind::given
-               ? ball_of(*point.exact.known())
+               ? mesh::ball_point(*point.exact.known())
                : evaluate_ball(*this, point.definition);
   });
 }
