@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,15 +13,24 @@
 
 #include "certification/common_points.h"
 #include "curves/exact_spine.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin::certification {
 namespace {
 
-double height(const DiscHull& disc, const Vec3& point) {
-  return disc.tangents.empty() ? 0
-                               : numbers::dot(numbers::interval_vec(point) - disc.centers.front(),
-                                              disc.tangents.front())
-                                     .lower;
+// Of a disc; none of a ball.
+struct Plane {
+  numbers::IntervalVec center, normal;
+};
+
+std::optional<Plane> plane(const DiscHull& disc) {
+  return disc.tangents.empty() ? std::nullopt
+                               : std::optional(Plane{disc.centers.front(), disc.tangents.front()});
+}
+
+double height(const std::optional<Plane>& plane, const Vec3& point) {
+  return plane ? numbers::dot(numbers::interval_vec(point) - plane->center, plane->normal).lower
+               : 0;
 }
 
 // Proves of points that they lie inside a disc of a stretch, by more than what the checker's
@@ -65,16 +75,15 @@ class Crossings {
     if (sweep.over({0, 1}).tangents.empty()) {
       return;  // a ball
     }
-    for (const ParameterInterval& piece : sweep.stretches()) {
-      const int count = many ? kStretches : stretches_of(sweep.over(piece));
-      DiscHull first = sweep.over({piece.from, piece.from});
-      for (int i = 0; i < count; ++i) {
-        const ParameterInterval t{piece.from + double(i) / count,
-                                  piece.from + double(i + 1) / count};
-        DiscHull last = sweep.over({t.to, t.to});
-        stretches_.push_back({piece, t, reach(sweep.over(t)), first, last});
-        first = std::move(last);
-      }
+    const auto pieces = sweep.stretches();
+    const SweptDiscs unpaid = sweep.with(nullptr);
+    std::vector<std::vector<Stretch>> by_piece(pieces.size());
+    for_each_in_parallel(pieces.size(), [&](std::size_t i) {
+      by_piece[i] = stretches_along(unpaid, pieces[i], many);
+    });
+    for (auto& own : by_piece) {
+      sweep.spend(2 * own.size() + (many ? 1 : 2));
+      stretches_.insert(stretches_.end(), own.begin(), own.end());
     }
     build_tree();
   }
@@ -116,8 +125,23 @@ class Crossings {
   struct Stretch {
     ParameterInterval piece, t;
     Reach reach;
-    DiscHull first, last;
+    std::optional<Plane> first, last;
   };
+
+  // Looks at twice as many discs and one, and at the whole piece if they are not `many`.
+  static std::vector<Stretch> stretches_along(const SweptDiscs& sweep,
+                                              const ParameterInterval& piece, bool many) {
+    const int count = many ? kStretches : stretches_of(sweep.over(piece));
+    std::vector<Stretch> result;
+    std::optional<Plane> first = plane(sweep.over({piece.from, piece.from}));
+    for (int i = 0; i < count; ++i) {
+      const ParameterInterval t{piece.from + double(i) / count, piece.from + double(i + 1) / count};
+      const std::optional<Plane> last = plane(sweep.over({t.to, t.to}));
+      result.push_back({piece, t, reach(sweep.over(t)), first, last});
+      first = last;
+    }
+    return result;
+  }
 
   static Reach reach(const DiscHull& hull) {
     Eigen::AlignedBox3d box;
@@ -176,7 +200,7 @@ class Crossings {
     ParameterInterval t = stretch.t;
     while (size(t) > kShort) {
       const auto [left, right] = halves(t);
-      t = height(sweep_.over({left.to, left.to}), point) <= 0 ? left : right;
+      t = height(plane(sweep_.over({left.to, left.to})), point) <= 0 ? left : right;
     }
     return {std::max(stretch.piece.from, t.from - size(t)),
             std::min(stretch.piece.to, t.to + size(t))};

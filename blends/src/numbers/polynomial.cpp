@@ -1,37 +1,110 @@
 #include "numbers/polynomial.h"
 
+#include <array>
+#include <utility>
+
 namespace dupin::numbers {
 
-Polynomial product(const Polynomial& a, const Polynomial& b) {
-  Polynomial c(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      c[i + j] += a[i] * b[j];
+namespace {
+
+using Integers = std::vector<mpz_class>;
+
+mpz_class common_denominator(const Polynomial& p) {
+  mpz_class common = 1;
+  for (const mpq_class& x : p) {
+    mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), x.get_den_mpz_t());
+  }
+  return common;
+}
+
+// Sums of fractions take a common divisor for each term; of integers they do not.
+struct OverDenominator {
+  Integers numerators;
+  mpz_class denominator = 1;
+
+  OverDenominator() = default;
+  explicit OverDenominator(const Polynomial& p) : denominator(common_denominator(p)) {
+    for (const mpq_class& x : p) {
+      numerators.emplace_back(x.get_num() * (denominator / x.get_den()));
     }
   }
-  return c;
+
+  [[nodiscard]] Polynomial fractions() const {
+    Polynomial result;
+    for (const mpz_class& x : numerators) {
+      result.emplace_back(x, denominator).canonicalize();
+    }
+    return result;
+  }
+};
+
+enum class Sign { plus, minus };
+
+void add_product(const Integers& a, const Integers& b, Sign sign, Integers& sum) {
+  sum.resize(a.size() + b.size() - 1);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      (sign == Sign::plus ? mpz_addmul : mpz_submul)(sum[i + j].get_mpz_t(), a[i].get_mpz_t(),
+                                                     b[j].get_mpz_t());
+    }
+  }
+}
+
+// The coordinates' numerators, over one denominator.
+struct Coordinates {
+  std::array<Integers, 3> numerators;
+  mpz_class denominator;
+
+  explicit Coordinates(const VectorPolynomial& v) {
+    Polynomial all;
+    for (const ExactVec3& x : v) {
+      all.insert(all.end(), x.begin(), x.end());
+    }
+    OverDenominator over(all);
+    denominator = std::move(over.denominator);
+    for (std::size_t i = 0; i < over.numerators.size(); ++i) {
+      numerators.at(i % 3).push_back(std::move(over.numerators[i]));
+    }
+  }
+};
+
+}  // namespace
+
+Polynomial product(const Polynomial& a, const Polynomial& b) {
+  const OverDenominator first(a), second(b);
+  OverDenominator result;
+  result.denominator = first.denominator * second.denominator;
+  add_product(first.numerators, second.numerators, Sign::plus, result.numerators);
+  return result.fractions();
 }
 
 Polynomial square(const Polynomial& a) { return product(a, a); }
 
 Polynomial squared_norm(const VectorPolynomial& v) {
-  Polynomial c(2 * v.size() - 1);
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    for (std::size_t j = 0; j < v.size(); ++j) {
-      c[i + j] += dot(v[i], v[j]);
-    }
+  const Coordinates coordinates(v);
+  OverDenominator result;
+  result.denominator = coordinates.denominator * coordinates.denominator;
+  for (const Integers& x : coordinates.numerators) {
+    add_product(x, x, Sign::plus, result.numerators);
   }
-  return c;
+  return result.fractions();
 }
 
 VectorPolynomial cross(const VectorPolynomial& a, const VectorPolynomial& b) {
-  VectorPolynomial c(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      c[i + j] = c[i + j] + cross(a[i], b[j]);
+  const Coordinates first(a), second(b);
+  VectorPolynomial result(a.size() + b.size() - 1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    OverDenominator across;
+    across.denominator = first.denominator * second.denominator;
+    add_product(first.numerators.at(j), second.numerators.at(k), Sign::plus, across.numerators);
+    add_product(first.numerators.at(k), second.numerators.at(j), Sign::minus, across.numerators);
+    Polynomial coordinate = across.fractions();
+    for (std::size_t power = 0; power < result.size(); ++power) {
+      result[power].at(i) = std::move(coordinate[power]);
     }
   }
-  return c;
+  return result;
 }
 
 VectorPolynomial derivative(const VectorPolynomial& v) {
@@ -62,14 +135,24 @@ mpz_class binomial(std::size_t n, std::size_t k) {
   return result;
 }
 
+// b_i = sum of binomial(i, j) / binomial(degree, j) a_j.
 std::vector<mpq_class> bernstein(const Polynomial& polynomial, std::size_t degree) {
-  std::vector<mpq_class> result(degree + 1);
+  Polynomial scaled;
+  for (std::size_t j = 0; j < polynomial.size() && j <= degree; ++j) {
+    scaled.push_back(polynomial[j] / mpq_class(binomial(degree, j)));
+  }
+  OverDenominator result(scaled);
+  // Row by row of Pascal's triangle: a_j is added to all sums below it.
+  Integers powers = std::move(result.numerators);
+  powers.resize(degree + 1);
+  result.numerators.clear();
   for (std::size_t i = 0; i <= degree; ++i) {
-    for (std::size_t j = 0; j < polynomial.size() && j <= i; ++j) {
-      result[i] += polynomial[j] * mpq_class(binomial(i, j)) / mpq_class(binomial(degree, j));
+    result.numerators.push_back(powers.front());
+    for (std::size_t j = 0; i + j < degree; ++j) {
+      powers[j] += powers[j + 1];
     }
   }
-  return result;
+  return result.fractions();
 }
 
 std::pair<Bernstein, Bernstein> halves(const Bernstein& whole) {

@@ -6,6 +6,7 @@
 #include "dupin/blends/regularity.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin {
 namespace {
@@ -130,10 +131,7 @@ std::vector<Vec3> periodic_velocities(const std::vector<Waypoint>& points) {
   return velocities;
 }
 
-void certify(const RingedSurface& piece, std::size_t span, double margin) {
-  if (prove_margin(piece, margin).verdict == Verdict::proved) {
-    return;
-  }
+[[noreturn]] void refuse(const RingedSurface& piece, std::size_t span, double margin) {
   const auto bad = violations(piece, margin);
   const std::string where =
       "t in [" + decimal(bad.front().from, 4) + ", " + decimal(bad.back().to, 4) + "]";
@@ -156,7 +154,14 @@ std::vector<RingedSurface> pieces(const std::vector<Waypoint>& points,
                       HermiteSpine{points[i].point, points[i + 1].point, h[i] * velocities[i],
                                    h[i] * velocities[i + 1]},
                       CubicRadius{points[i].radius, points[i + 1].radius}});
-    certify(result.back(), i, margin);
+  }
+  std::vector<Verdict> verdicts(result.size());
+  for_each_in_parallel(
+      result.size(), [&](std::size_t i) { verdicts[i] = prove_margin(result[i], margin).verdict; });
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (verdicts[i] != Verdict::proved) {
+      refuse(result[i], i, margin);
+    }
   }
   return result;
 }

@@ -1,8 +1,10 @@
 #include "surfaces/mesh_cost.h"
 
 #include <variant>
+#include <vector>
 
 #include "dupin/blends/cyclide_tube.h"
+#include "dupin/kernel/parallel.h"
 #include "surfaces/kneecap_chain_mesh.h"
 #include "surfaces/pieces/surface_piece.h"
 
@@ -18,11 +20,14 @@ MeshCost skin_cost(const Chain& chain, const RingSampling& sampling, double tole
   double rows = chain.joints == Joints::spherical
                     ? expected_kneecap_rows(cyclide_pieces(chain), sampling, tolerance)
                     : 0;
-  for (const Piece& piece : chain.pieces) {
-    const double bands =
-        std::visit([&](const auto& p) { return expected_bands(p, sampling, tolerance); }, piece);
-    rows += bands;
-    cost.pairs += pairs_of_needles(segments) / bands;
+  std::vector<double> bands(chain.pieces.size());
+  for_each_in_parallel(bands.size(), [&](std::size_t i) {
+    bands[i] = std::visit([&](const auto& p) { return expected_bands(p, sampling, tolerance); },
+                          chain.pieces[i]);
+  });
+  for (const double own : bands) {
+    rows += own;
+    cost.pairs += pairs_of_needles(segments) / own;
   }
   cost.triangles = 2 * segments * rows;
   return cost;

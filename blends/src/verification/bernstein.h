@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <gmpxx.h>
@@ -16,7 +17,7 @@ namespace dupin::verification {
 using Polynomial = std::vector<mpq_class>;
 using Curve = std::array<Polynomial, 3>;
 
-inline mpq_class choose(std::size_t n, std::size_t k) {
+inline mpz_class choose(std::size_t n, std::size_t k) {
   mpz_class result;
   mpz_bin_uiui(result.get_mpz_t(), n, k);
   return result;
@@ -40,18 +41,35 @@ inline std::uint64_t work_of_part(const std::vector<numbers::Interval>& p) {
   return p.size() * p.size() / 64 + 1;
 }
 
+/// A common denominator, and with it the coefficients times their binomial coefficients.
+inline std::pair<mpz_class, std::vector<mpz_class>> binomial_numerators(const Polynomial& p) {
+  mpz_class common = 1;
+  for (const mpq_class& c : p) {
+    common = lcm(common, c.get_den());
+  }
+  std::vector<mpz_class> numerators;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    numerators.emplace_back(choose(p.size() - 1, i) * p[i].get_num() * (common / p[i].get_den()));
+  }
+  return {common, std::move(numerators)};
+}
+
 inline Polynomial product(const Polynomial& a, const Polynomial& b) {
   const std::size_t m = a.size() - 1, n = b.size() - 1;
   const std::size_t long_a = words(a), long_b = words(b);
   spend(a.size() * b.size() * (1 + long_a * long_b / 64));
-  Polynomial c(m + n + 1);
+  // Over the common denominators: fractions would take a common divisor for each term.
+  const auto [over_a, first] = binomial_numerators(a);
+  const auto [over_b, second] = binomial_numerators(b);
+  std::vector<mpz_class> sum(m + n + 1);
   for (std::size_t i = 0; i <= m; ++i) {
     for (std::size_t j = 0; j <= n; ++j) {
-      c[i + j] += choose(m, i) * choose(n, j) * a[i] * b[j];
+      sum[i + j] += first[i] * second[j];
     }
   }
+  Polynomial c;
   for (std::size_t k = 0; k <= m + n; ++k) {
-    c[k] /= choose(m + n, k);
+    c.emplace_back(sum[k], choose(m + n, k) * over_a * over_b).canonicalize();
   }
   return c;
 }

@@ -159,6 +159,7 @@ std::vector<Solid> verify_parts(const Certificate& certificate,
                 certificate.tolerance, hubs.contains(std::uint32_t(i)));
   });
   std::vector<Solid> solids;
+  solids.reserve(found.size());
   for (std::optional<Solid>& solid : found) {
     solids.push_back(std::move(*solid));
   }

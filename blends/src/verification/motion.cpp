@@ -356,8 +356,8 @@ Motion motion(const EllipticTube& tube, const Motion& first, const Tube& second)
     }
     turn = turn + *missed;
   }
-  return [first, other = radius_of(second), turn, continuity = tube.continuity](
-             double from, double to) -> std::optional<MovingDisc> {
+  const auto other = radius_of(second);
+  return [=, continuity = tube.continuity](double from, double to) -> std::optional<MovingDisc> {
     auto disc = first(from, to);
     if (disc) {
       disc->radius = bounds(disc->radius, other(from, to), turning(continuity, turn, {from, to}));
