@@ -36,6 +36,9 @@ class DisjointSets {
     return member;
   }
   void unite(std::uint32_t a, std::uint32_t b) {
+    if (parent(a).load(std::memory_order_relaxed) == parent(b).load(std::memory_order_relaxed)) {
+      return;  // as most often: neighbours have one parent already
+    }
     for (;;) {
       const std::uint32_t root_a = find(a), root_b = find(b);
       if (root_a == root_b) {
