@@ -1,7 +1,9 @@
 #include "arrangement/crowding.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "arrangement/triangle_intersection.h"
@@ -38,10 +40,32 @@ std::vector<TriangleIntersection> sampled_intersections(const ArrangementInput& 
       });
 }
 
-// Operands that each operand meets, ascending. Intersections come pair by pair of operands.
-std::vector<std::vector<std::uint32_t>> met_by_each(
-    const ArrangementInput& input, std::span<const TriangleIntersection> intersections) {
-  std::vector<std::vector<std::uint32_t>> met(input.operands.size());
+/// Of each operand those that it meets, ascending.
+using Neighbours = std::vector<std::vector<std::uint32_t>>;
+
+Neighbours sorted(Neighbours met) {
+  for (std::vector<std::uint32_t>& operands : met) {
+    std::sort(operands.begin(), operands.end());
+    operands.erase(std::unique(operands.begin(), operands.end()), operands.end());
+  }
+  return met;
+}
+
+Neighbours touching_boxes(const ArrangementInput& input) {
+  Neighbours result(input.operands.size());
+  for (const auto& [a, b] : input.operand_pairs) {
+    if (a != b) {
+      result[a].push_back(b);
+      result[b].push_back(a);
+    }
+  }
+  return sorted(std::move(result));
+}
+
+// Intersections come pair by pair of operands.
+Neighbours met_by_each(const ArrangementInput& input,
+                       std::span<const TriangleIntersection> intersections) {
+  Neighbours met(input.operands.size());
   std::uint32_t a = 0, b = 0;
   const auto belongs = [&input](std::uint32_t t, std::uint32_t operand) {
     return t >= input.first_triangle[operand] && t < input.first_triangle[operand + 1];
@@ -57,11 +81,29 @@ std::vector<std::vector<std::uint32_t>> met_by_each(
       met[b].push_back(a);
     }
   }
-  for (std::vector<std::uint32_t>& operands : met) {
-    std::sort(operands.begin(), operands.end());
-    operands.erase(std::unique(operands.begin(), operands.end()), operands.end());
+  return sorted(std::move(met));
+}
+
+// Calls visit(common) for each pair that meets, with how many others both meet, until it returns
+// true; false if it never does. The shorter list of the two is gone through.
+template <class Visit>
+bool any_of_pairs(const Neighbours& met, const Visit& visit) {
+  std::vector<std::uint8_t> is_met(met.size(), 0);
+  for (std::uint32_t a = 0; a < met.size(); ++a) {
+    for (const std::uint32_t b : met[a]) {
+      is_met[b] = 1;
+    }
+    for (const std::uint32_t b : met[a]) {
+      if (std::pair(met[b].size(), b) < std::pair(met[a].size(), a) &&
+          visit(std::ranges::count_if(met[b], [&](std::uint32_t c) { return is_met[c] != 0; }))) {
+        return true;
+      }
+    }
+    for (const std::uint32_t b : met[a]) {
+      is_met[b] = 0;
+    }
   }
-  return met;
+  return false;
 }
 
 }  // namespace
@@ -71,28 +113,22 @@ bool crowded(const ArrangementInput& input, std::span<const TrianglePair> candid
   if (input.operands.size() < many + 2) {
     return false;
   }
+  const auto most = static_cast<std::ptrdiff_t>(many);
+  // What has no more in common by boxes has no more by surfaces, on average neither.
+  if (!any_of_pairs(touching_boxes(input), [&](auto common) { return common >= most; })) {
+    return false;
+  }
   const std::vector<TriangleIntersection> intersections = sampled_intersections(input, candidates);
   if (intersections.size() * kSampled < input.triangles.size()) {
     return false;
   }
-  const std::vector<std::vector<std::uint32_t>> met = met_by_each(input, intersections);
-  std::size_t pairs = 0, common = 0;
-  std::vector<std::uint8_t> is_met(met.size(), 0);
-  for (const std::vector<std::uint32_t>& mine : met) {
-    for (const std::uint32_t operand : mine) {
-      is_met[operand] = 1;
-    }
-    for (const std::uint32_t operand : mine) {
-      ++pairs;
-      for (const std::uint32_t other : met[operand]) {
-        common += is_met[other];
-      }
-    }
-    for (const std::uint32_t operand : mine) {
-      is_met[operand] = 0;
-    }
-  }
-  return pairs > 0 && common >= many * pairs;
+  std::ptrdiff_t pairs = 0, in_common = 0;
+  any_of_pairs(met_by_each(input, intersections), [&](auto common) {
+    ++pairs;
+    in_common += common;
+    return false;
+  });
+  return pairs > 0 && in_common >= most * pairs;
 }
 
 }  // namespace dupin::arrangement
