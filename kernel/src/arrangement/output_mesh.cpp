@@ -312,6 +312,85 @@ class Labels {
   std::vector<std::uint32_t> unlabelled_;
 };
 
+// Whose a triangle is, quick for triangles in order.
+class OperandOf {
+ public:
+  explicit OperandOf(const ArrangementInput& input) : input_(input) {}
+  [[nodiscard]] std::uint32_t operator()(std::uint32_t t) {
+    if (t < input_.first_triangle[last_] || t >= input_.first_triangle[last_ + 1]) {
+      last_ = input_.operand_of(t);
+    }
+    return last_;
+  }
+
+ private:
+  const ArrangementInput& input_;
+  std::uint32_t last_ = 0;
+};
+
+// One by one: a call for so few bytes takes longer, and this is asked of all that is kept.
+bool same_corners(const Triangle& a, const Triangle& b, bool reversed) {
+  return a[0] == b[0] && a[1] == b[reversed ? 2 : 1] && a[2] == b[reversed ? 1 : 2];
+}
+
+// Triangles left whole stay in the classes that their operands have them in. Not so at contacts,
+// where points have copies.
+class StableClasses {
+ public:
+  StableClasses(const ArrangementInput& input, bool has_contacts, mesh::ExactMesh& mesh)
+      : input_(input) {
+    auto& all = mesh.stable.classes;
+    for (const mesh::ExactMesh* operand : input.operands) {
+      const auto& own = operand->stable.classes;
+      first_.push_back(static_cast<std::uint32_t>(all.size()));
+      if (!has_contacts) {
+        all.insert(all.end(), own.begin(), own.end());
+      }
+    }
+    any_ = !all.empty();
+  }
+  [[nodiscard]] bool any() const { return any_; }
+  [[nodiscard]] std::uint32_t of(const OutputTriangle& kept, std::uint32_t operand) const {
+    const auto& own = input_.operands[operand]->stable.of_triangle;
+    if (own.empty() || !same_corners(kept.corners, input_.triangles[kept.support], kept.reversed)) {
+      return mesh::StableFaceGroups::kNone;
+    }
+    const std::uint32_t found = own[kept.support - input_.first_triangle[operand]];
+    return found == mesh::StableFaceGroups::kNone ? found : first_[operand] + found;
+  }
+
+ private:
+  const ArrangementInput& input_;
+  std::vector<std::uint32_t> first_;  // of each operand, in the list of all
+  bool any_ = false;
+};
+
+void write_triangles(const ArrangementInput& input, const support::BulkVector<OutputTriangle>& kept,
+                     const PointWriter& points, const Labels& labels, const StableClasses& classes,
+                     mesh::ExactMesh& mesh) {
+  tbb::parallel_invoke(
+      [&] { support::resize_bulk(mesh.triangles, kept.size()); },
+      [&] { support::resize_bulk(mesh.sources, kept.size()); },
+      [&] { support::resize_bulk(mesh.labels, labels.any() ? kept.size() : 0); },
+      [&] { support::resize_bulk(mesh.stable.of_triangle, classes.any() ? kept.size() : 0); });
+  support::for_each_block(kept.size(), [&](const support::Block& block) {
+    OperandOf operand_of(input), operand_of_support(input);
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const OutputTriangle& k = kept[i];
+      mesh.triangles[i] = {points.number(k.corners[0]), points.number(k.corners[1]),
+                           points.number(k.corners[2])};
+      const std::uint32_t operand = operand_of(k.source);
+      mesh.sources[i] = {operand, k.source - input.first_triangle[operand]};
+      if (labels.any()) {
+        mesh.labels[i] = labels.label(mesh.sources[i]);
+      }
+      if (classes.any()) {
+        mesh.stable.of_triangle[i] = classes.of(k, operand_of_support(k.support));
+      }
+    }
+  });
+}
+
 // Keeps the planes of triangles with implicit corners.
 void write_planes(const ArrangementInput& input, const support::BulkVector<OutputTriangle>& kept,
                   mesh::ExactMesh& mesh) {
@@ -322,11 +401,12 @@ void write_planes(const ArrangementInput& input, const support::BulkVector<Outpu
   const auto collect = [&, first_implicit = mesh.double_count()](
                            std::size_t i, std::vector<std::uint32_t>& found) {
     mesh.plane_of[i] = mesh::ExactMesh::kOwnPlane;
-    const Triangle &corners = mesh.triangles[i], &support = input.support(kept[i].support);
     const auto is_implicit = [&](std::uint32_t c) { return c >= first_implicit; };
+    if (std::ranges::none_of(mesh.triangles[i], is_implicit)) {
+      return;
+    }
     const auto is_known = [&](PointId id) { return input.points.is_double(id); };
-    if (std::any_of(corners.begin(), corners.end(), is_implicit) &&
-        std::all_of(support.begin(), support.end(), is_known)) {
+    if (std::ranges::all_of(input.support(kept[i].support), is_known)) {
       found.push_back(static_cast<std::uint32_t>(i));
     }
   };
@@ -352,78 +432,6 @@ void write_planes(const ArrangementInput& input, const support::BulkVector<Outpu
                              input.points.coordinates(support[third])});
     }
   }
-}
-
-// Whose a triangle is, quick for triangles in order.
-class OperandOf {
- public:
-  explicit OperandOf(const ArrangementInput& input) : input_(input) {}
-  [[nodiscard]] std::uint32_t operator()(std::uint32_t t) {
-    if (t < input_.first_triangle[last_] || t >= input_.first_triangle[last_ + 1]) {
-      last_ = input_.operand_of(t);
-    }
-    return last_;
-  }
-
- private:
-  const ArrangementInput& input_;
-  std::uint32_t last_ = 0;
-};
-
-void write_triangles(const ArrangementInput& input, const support::BulkVector<OutputTriangle>& kept,
-                     const PointWriter& points, const Labels& labels, mesh::ExactMesh& mesh) {
-  tbb::parallel_invoke([&] { support::resize_bulk(mesh.triangles, kept.size()); },
-                       [&] { support::resize_bulk(mesh.sources, kept.size()); },
-                       [&] { support::resize_bulk(mesh.labels, labels.any() ? kept.size() : 0); });
-  support::for_each_block(kept.size(), [&](const support::Block& block) {
-    OperandOf operand_of(input);
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      const OutputTriangle& k = kept[i];
-      mesh.triangles[i] = {points.number(k.corners[0]), points.number(k.corners[1]),
-                           points.number(k.corners[2])};
-      const std::uint32_t operand = operand_of(k.source);
-      mesh.sources[i] = {operand, k.source - input.first_triangle[operand]};
-      if (labels.any()) {
-        mesh.labels[i] = labels.label(mesh.sources[i]);
-      }
-    }
-  });
-}
-
-// One by one: a call for so few bytes takes longer, and this is asked of all that is kept.
-bool same_corners(const Triangle& a, const Triangle& b, bool reversed) {
-  return a[0] == b[0] && a[1] == b[reversed ? 2 : 1] && a[2] == b[reversed ? 1 : 2];
-}
-
-// Triangles left whole stay in the classes that their operands have them in. Not so at contacts,
-// where points have copies.
-void write_stable_classes(const ArrangementInput& input,
-                          const support::BulkVector<OutputTriangle>& kept, mesh::ExactMesh& mesh) {
-  std::vector<std::uint32_t> first_class;
-  for (const mesh::ExactMesh* operand : input.operands) {
-    const auto& classes = operand->stable.classes;
-    first_class.push_back(static_cast<std::uint32_t>(mesh.stable.classes.size()));
-    mesh.stable.classes.insert(mesh.stable.classes.end(), classes.begin(), classes.end());
-  }
-  if (mesh.stable.classes.empty() || !mesh.contacts.empty()) {
-    mesh.stable = {};
-    return;
-  }
-  support::resize_bulk(mesh.stable.of_triangle, kept.size());
-  support::for_each_block(kept.size(), [&](const support::Block& block) {
-    OperandOf operand_of(input);
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      const auto& [corners, t, reversed, source] = kept[i];
-      const std::uint32_t operand = operand_of(t);
-      const std::vector<std::uint32_t>& classes = input.operands[operand]->stable.of_triangle;
-      const bool is_whole = same_corners(corners, input.triangles[t], reversed);
-      const std::uint32_t own = is_whole && !classes.empty()
-                                    ? classes[t - input.first_triangle[operand]]
-                                    : mesh::StableFaceGroups::kNone;
-      mesh.stable.of_triangle[i] =
-          own == mesh::StableFaceGroups::kNone ? own : first_class[operand] + own;
-    }
-  });
 }
 
 // The source agrees in orientation where there is a choice.
@@ -505,10 +513,10 @@ mesh::ExactMesh extract(ArrangementInput& input, support::BulkVector<OutputTrian
   mesh::ExactMesh mesh;
   const PointWriter points(input, duplicates, kept, mesh);
   const Labels labels(input, mesh);
-  write_triangles(input, kept, points, labels, mesh);
+  const StableClasses classes(input, !duplicates.touches.empty(), mesh);
+  write_triangles(input, kept, points, labels, classes, mesh);
   write_planes(input, kept, mesh);
   write_contacts(duplicates, points, mesh);
-  write_stable_classes(input, kept, mesh);
   return mesh;
 }
 
