@@ -1,5 +1,6 @@
 #include "dupin/blends/spline_pipe.h"
 
+#include <atomic>
 #include <cmath>
 #include <string>
 
@@ -131,6 +132,18 @@ std::vector<Vec3> periodic_velocities(const std::vector<Waypoint>& points) {
   return velocities;
 }
 
+// Or how many there are. Those behind one that is not proved need not be looked at.
+std::size_t first_not_proved(const std::vector<RingedSurface>& pieces, double margin) {
+  std::atomic<std::size_t> first = pieces.size();
+  for_each_in_parallel(pieces.size(), [&](std::size_t i) {
+    if (i < first && prove_margin(pieces[i], margin).verdict != Verdict::proved) {
+      for (std::size_t least = first; i < least && !first.compare_exchange_weak(least, i);) {
+      }
+    }
+  });
+  return first;
+}
+
 [[noreturn]] void refuse(const RingedSurface& piece, std::size_t span, double margin) {
   const auto bad = violations(piece, margin);
   const std::string where =
@@ -155,13 +168,8 @@ std::vector<RingedSurface> pieces(const std::vector<Waypoint>& points,
                                    h[i] * velocities[i + 1]},
                       CubicRadius{points[i].radius, points[i + 1].radius}});
   }
-  std::vector<Verdict> verdicts(result.size());
-  for_each_in_parallel(
-      result.size(), [&](std::size_t i) { verdicts[i] = prove_margin(result[i], margin).verdict; });
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    if (verdicts[i] != Verdict::proved) {
-      refuse(result[i], i, margin);
-    }
+  if (const std::size_t i = first_not_proved(result, margin); i < result.size()) {
+    refuse(result[i], i, margin);
   }
   return result;
 }

@@ -1,8 +1,11 @@
 #include "dupin/blends/spline_pipe.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <string>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -99,9 +102,10 @@ TEST(ClosedSplinePipe, converges_to_the_torus_with_order_four) {
   EXPECT_LT(excess(16), 1e-3);
 }
 
-std::string message_of(const std::vector<Waypoint>& through) {
+std::string message_of(const std::vector<Waypoint>& through, const SplinePipeOptions& options = {},
+                       const Ring& to = kTo) {
   try {
-    (void)spline_pipe(kFrom, through, kTo);
+    (void)spline_pipe(kFrom, through, to, options);
   } catch (const Error& error) {
     return error.what();
   }
@@ -112,6 +116,32 @@ TEST(SplinePipe, says_where_it_is_bent_too_sharply) {
   const std::string message =
       message_of({{Vec3(8, 0, 0), 1}, {Vec3(8, 1, 0), 1}, {Vec3(2, 1, 0), 1}});
   EXPECT_NE(message.find("too sharply between its points"), std::string::npos) << message;
+}
+
+// Waves that get steeper: which spans are too sharp for a margin is known of the pipe for a smaller
+// one.
+TEST(SplinePipe, names_the_first_of_many_spans_that_are_too_sharp) {
+  const Ring to{Vec3(120, 0, 0), -Vec3::UnitX(), .4};
+  std::vector<Waypoint> through;
+  for (int i = 1; i < 240; ++i) {
+    const double height = .005 * i * std::min(1., (240 - i) / 60.);
+    through.push_back({Vec3(.5 * i, height * std::sin(.4 * i), 0), .4});
+  }
+  const auto run = spline_pipe(kFrom, through, to, {.margin = .01});
+  std::set<std::string> named;
+  for (const double margin : {.8, .85, .9}) {
+    const auto first = std::ranges::find_if(run, [margin](const RingedSurface& piece) {
+      return prove_margin(piece, margin).verdict != Verdict::proved;
+    });
+    ASSERT_NE(first, run.end());
+    const auto i = first - run.begin();
+    const std::string points =
+        "points " + std::to_string(i) + " and " + std::to_string(i + 1) + ":";
+    EXPECT_NE(message_of(through, {.margin = margin}, to).find(points), std::string::npos)
+        << points;
+    named.insert(points);
+  }
+  EXPECT_EQ(named.size(), 3u);
 }
 
 TEST(SplinePipe, refuses_bad_points_and_ports) {
