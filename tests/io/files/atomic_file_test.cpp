@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "dupin/kernel/error.h"
+#include "support/message_of.h"
 #include "support/scratch_directory.h"
 
 namespace dupin {
@@ -19,15 +20,7 @@ namespace fs = std::filesystem;
 
 using AtomicFile = test::ScratchDirectory;
 
-std::string message_of(const auto& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::io_failed);
-    return error.what();
-  }
-  return "no error";
-}
+std::string message_of(const auto& action) { return test::message_of(action, Errc::io_failed); }
 
 std::ptrdiff_t entries(const fs::path& directory) {
   return std::distance(fs::directory_iterator(directory), fs::directory_iterator());

@@ -4,18 +4,12 @@
 
 #include "dupin/kernel/error.h"
 #include "files/zip_package.h"
+#include "support/message_of.h"
 
 namespace dupin::files {
 namespace {
 
-std::string message_of(const auto& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using test::message_of;
 
 TEST(ZipPackage, gives_back_what_was_put_in) {
   const std::string big(100000, 'x');

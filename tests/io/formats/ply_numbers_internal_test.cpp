@@ -4,18 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "formats/ply_numbers.h"
+#include "support/message_of.h"
 
 namespace dupin::formats {
 namespace {
 
-std::string message_of(const auto& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using test::message_of;
 
 TEST(PlyNumbers, of_bytes_are_read_in_either_order) {
   std::string bytes = "head";

@@ -4,19 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "json/json_document.h"
+#include "support/message_of.h"
 
 namespace dupin::json {
 namespace {
 
-std::string message_of(const auto& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::parse_failed);
-    return error.what();
-  }
-  return "no error";
-}
+std::string message_of(const auto& action) { return test::message_of(action, Errc::parse_failed); }
 
 TEST(JsonDocument, text_that_is_no_json_is_refused_with_line_and_column) {
   EXPECT_EQ(message_of([] { (void)parse_json("{\n \"a\": x}", "d").size(); }).substr(0, 7),

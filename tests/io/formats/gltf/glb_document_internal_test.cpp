@@ -6,20 +6,13 @@
 #include "dupin/kernel/error.h"
 #include "formats/gltf/glb_document.h"
 #include "io/formats/gltf/glb_parts.h"
+#include "support/message_of.h"
 #include "support/sample_meshes.h"
 
 namespace dupin::formats {
 namespace {
 
-std::string message_of(const auto& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::parse_failed);
-    return error.what();
-  }
-  return "no error";
-}
+std::string message_of(const auto& action) { return test::message_of(action, Errc::parse_failed); }
 
 TEST(GlbDocument, members_are_there_or_their_place_is_told) {
   const std::string glb =
