@@ -5,38 +5,26 @@
 
 namespace dupin::numbers {
 
+OverDenominator::OverDenominator(const std::vector<mpq_class>& fractions) {
+  for (const mpq_class& x : fractions) {
+    mpz_lcm(denominator.get_mpz_t(), denominator.get_mpz_t(), x.get_den_mpz_t());
+  }
+  for (const mpq_class& x : fractions) {
+    numerators.emplace_back(x.get_num() * (denominator / x.get_den()));
+  }
+}
+
+std::vector<mpq_class> OverDenominator::fractions() const {
+  std::vector<mpq_class> result;
+  for (const mpz_class& x : numerators) {
+    result.emplace_back(x, denominator).canonicalize();
+  }
+  return result;
+}
+
 namespace {
 
 using Integers = std::vector<mpz_class>;
-
-mpz_class common_denominator(const Polynomial& p) {
-  mpz_class common = 1;
-  for (const mpq_class& x : p) {
-    mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), x.get_den_mpz_t());
-  }
-  return common;
-}
-
-// Sums of fractions take a common divisor for each term; of integers they do not.
-struct OverDenominator {
-  Integers numerators;
-  mpz_class denominator = 1;
-
-  OverDenominator() = default;
-  explicit OverDenominator(const Polynomial& p) : denominator(common_denominator(p)) {
-    for (const mpq_class& x : p) {
-      numerators.emplace_back(x.get_num() * (denominator / x.get_den()));
-    }
-  }
-
-  [[nodiscard]] Polynomial fractions() const {
-    Polynomial result;
-    for (const mpz_class& x : numerators) {
-      result.emplace_back(x, denominator).canonicalize();
-    }
-    return result;
-  }
-};
 
 enum class Sign { plus, minus };
 

@@ -27,6 +27,17 @@ template <class T>
 /// Bernstein coefficients on an interval, up to a positive factor that the context knows.
 using Bernstein = std::vector<mpz_class>;
 
+/// Rational numbers as integers over the least denominator that they have in common. Sums of
+/// fractions take a common divisor for each term; of integers they do not.
+struct OverDenominator {
+  std::vector<mpz_class> numerators;
+  mpz_class denominator = 1;
+
+  OverDenominator() = default;
+  explicit OverDenominator(const std::vector<mpq_class>& fractions);
+  [[nodiscard]] std::vector<mpq_class> fractions() const;
+};
+
 [[nodiscard]] std::vector<mpq_class> bernstein(const Polynomial& polynomial, std::size_t degree);
 
 /// Without leading zeros.

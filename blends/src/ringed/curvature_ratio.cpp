@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "curves/exact_spine.h"
@@ -23,23 +24,13 @@ SquaredCurvature of_velocity(const numbers::VectorPolynomial& h,
 }
 
 // Multiplies both by their common denominator.
-void make_integers(const std::vector<mpq_class>& a, const std::vector<mpq_class>& b,
+void make_integers(std::vector<mpq_class> a, const std::vector<mpq_class>& b,
                    numbers::Bernstein& a_out, numbers::Bernstein& b_out) {
-  mpz_class common = 1;
-  for (const auto* list : {&a, &b}) {
-    for (const mpq_class& x : *list) {
-      common = lcm(common, x.get_den());
-    }
-  }
-  const auto scaled = [&](const std::vector<mpq_class>& list) {
-    numbers::Bernstein result;
-    for (const mpq_class& x : list) {
-      result.emplace_back(x.get_num() * (common / x.get_den()));
-    }
-    return result;
-  };
-  a_out = scaled(a);
-  b_out = scaled(b);
+  const auto size = static_cast<std::ptrdiff_t>(a.size());
+  a.insert(a.end(), b.begin(), b.end());
+  const numbers::OverDenominator both(a);
+  a_out.assign(both.numerators.begin(), both.numerators.begin() + size);
+  b_out.assign(both.numerators.begin() + size, both.numerators.end());
 }
 
 numbers::Interval at_end_point(const mpz_class& numerator, const mpz_class& denominator,

@@ -80,21 +80,13 @@ using numbers::product;
 
 // The exact polynomial with these Bezier coefficients, as integers in Bernstein form, is positive.
 bool is_positive(const numbers::Polynomial& polynomial) {
-  const auto exact = numbers::bernstein(polynomial, polynomial.size() - 1);
-  mpz_class common = 1;
-  for (const mpq_class& x : exact) {
-    common = lcm(common, x.get_den());
-  }
-  numbers::Bernstein whole;
-  for (const mpq_class& x : exact) {
-    whole.emplace_back(x.get_num() * (common / x.get_den()));
-  }
+  const numbers::OverDenominator whole(numbers::bernstein(polynomial, polynomial.size() - 1));
   struct Leaf {
     numbers::Bernstein coefficients;
     int depth = 0;
   };
   constexpr int kMaxDepth = 40;
-  std::vector<Leaf> stack{{whole}};
+  std::vector<Leaf> stack{{whole.numerators}};
   while (!stack.empty()) {
     const Leaf leaf = std::move(stack.back());
     stack.pop_back();

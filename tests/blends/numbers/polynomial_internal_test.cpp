@@ -100,6 +100,14 @@ TEST(Polynomial, bernstein_and_powers_lead_there_and_back) {
   }
 }
 
+TEST(Polynomial, fractions_have_one_denominator_and_the_least) {
+  const OverDenominator over({mpq_class(1, 6), mpq_class(-3, 4), 2, 0});
+  EXPECT_EQ(over.denominator, 12);
+  EXPECT_EQ(over.numerators, (std::vector<mpz_class>{2, -9, 24, 0}));
+  EXPECT_EQ(over.fractions(), (Polynomial{mpq_class(1, 6), mpq_class(-3, 4), 2, 0}));
+  EXPECT_TRUE(OverDenominator().fractions().empty());
+}
+
 TEST(Polynomial, halves_have_the_values_of_their_halves) {
   RandomPolynomials random;
   for (std::size_t size = 1; size < 7; ++size) {
