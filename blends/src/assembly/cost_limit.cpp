@@ -4,7 +4,6 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,6 +15,7 @@
 #include "assembly/part_context.h"
 #include "dupin/blends/canal_fillet.h"
 #include "dupin/kernel/decimal.h"
+#include "dupin/kernel/districts.h"
 #include "dupin/kernel/error.h"
 #include "surfaces/fillet_mesh.h"
 #include "surfaces/mesh_cost.h"
@@ -243,23 +243,6 @@ std::vector<std::set<std::uint32_t>> joined_parts(const ResolvedAssembly& resolv
     }
   }
   return result;
-}
-
-/// Calls visit(i, j) for all pairs of boxes that touch.
-template <class Visit>
-void for_each_touching(std::span<const Eigen::AlignedBox3d> boxes, const Visit& visit) {
-  std::vector<std::uint32_t> order(boxes.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, {}, [&](std::uint32_t i) { return boxes[i].min().x(); });
-  for (std::size_t a = 0; a < order.size(); ++a) {
-    const Eigen::AlignedBox3d& box = boxes[order[a]];
-    for (std::size_t b = a + 1; b < order.size() && boxes[order[b]].min().x() <= box.max().x();
-         ++b) {
-      if (box.intersects(boxes[order[b]])) {
-        visit(order[a], order[b]);
-      }
-    }
-  }
 }
 
 }  // namespace

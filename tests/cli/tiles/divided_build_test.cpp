@@ -1,6 +1,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -51,8 +52,8 @@ struct Made {
 
 TEST_F(DividedBuild, gives_the_same_bytes_of_what_hangs_together_in_pieces) {
   for (const auto& [keys, region, genus, pieces] :
-       {Made{"", "outer", 11, {"1", "3000", "9000"}},
-        {R"(, "wall": 5)", "metal", 37, {"1"}},
+       {Made{"", "outer", 11, {"5000", "9000"}},
+        {R"(, "wall": 5)", "metal", 37, {"20000"}},
         {R"(, "wall": 5)", "fluid", 11, {"9000"}},
         {R"(, "wall": 5)", "outer", 11, {"9000"}},
         {R"(, "insulation": 40)", "insulation", 37, {"9000"}}}) {
@@ -120,7 +121,7 @@ TEST_F(DividedBuild, gives_the_same_bytes_of_ply_in_pieces) {
       return bytes.substr(at, bytes.find('\n', at) - at);
     };
     const auto [whole, whole_bytes] = build({});
-    const auto [check, bytes] = build({"--piece", "3000"});
+    const auto [check, bytes] = build({"--piece", "9000"});
     EXPECT_FALSE(bytes == whole_bytes);
     EXPECT_EQ(element(bytes), element(whole_bytes)) << "copies, too";
     const auto again = json({"check", "out.ply"}, 0);
@@ -130,15 +131,15 @@ TEST_F(DividedBuild, gives_the_same_bytes_of_ply_in_pieces) {
       EXPECT_EQ(again.at(key), check.at(key)) << key;
     }
     for (const std::string tiles : {"1", "3", "8"}) {
-      EXPECT_TRUE(build({"--piece", "3000", "--tiles", tiles}).second == bytes) << tiles;
+      EXPECT_TRUE(build({"--piece", "9000", "--tiles", tiles}).second == bytes) << tiles;
     }
     EXPECT_EQ(shell("taskset -cp 0 $BASHPID > /dev/null; dupin build plant.json -o out.ply --quiet "
-                    "--tiles 5 --piece 3000")
+                    "--tiles 5 --piece 9000")
                   .exit_code,
               0);
     EXPECT_TRUE(folder_.read("out.ply") == bytes) << "on one core";
     for (int round = 0; round < 2; ++round) {
-      EXPECT_TRUE(build({"--piece", "3000", "--cache", "kept"}).second == bytes);
+      EXPECT_TRUE(build({"--piece", "9000", "--cache", "kept"}).second == bytes);
     }
   }
 }
@@ -167,7 +168,7 @@ TEST_F(DividedBuild, writes_files_of_vtk_in_pieces) {
   };
   const std::set<std::string> names_before = names();
   EXPECT_GT(names_before.size(), 100);
-  const auto of_pieces = build({"--piece", "3000"});
+  const auto of_pieces = build({"--piece", "9000"});
   for (const std::string key : {"solid", "points", "components", "euler_number", "genus"}) {
     EXPECT_EQ(of_pieces.at(key), whole.at(key)) << key;
   }
@@ -176,7 +177,7 @@ TEST_F(DividedBuild, writes_files_of_vtk_in_pieces) {
   EXPECT_EQ(names(), names_before) << "no ends of pieces";
   EXPECT_NE(divided.triangles, undivided.triangles);
   EXPECT_TRUE(check(divided).is_solid());
-  EXPECT_EQ(build({"--piece", "3000", "--tiles", "3"}), of_pieces);
+  EXPECT_EQ(build({"--piece", "9000", "--tiles", "3"}), of_pieces);
   std::size_t points = 0, triangles = 0;
   for (const std::string file : {"out_0.vtu", "out_1.vtu", "out_2.vtu"}) {
     points += surface(file).points.size();
@@ -184,8 +185,8 @@ TEST_F(DividedBuild, writes_files_of_vtk_in_pieces) {
   }
   EXPECT_EQ(of_pieces.at("triangles"), triangles);
   EXPECT_GT(points, whole.at("points")) << "points of borders are in two files";
-  EXPECT_EQ(build({"--piece", "3000", "--cache", "kept"}), of_pieces);
-  EXPECT_EQ(build({"--piece", "3000", "--cache", "kept"}), of_pieces);
+  EXPECT_EQ(build({"--piece", "9000", "--cache", "kept"}), of_pieces);
+  EXPECT_EQ(build({"--piece", "9000", "--cache", "kept"}), of_pieces);
   EXPECT_EQ(surface("out_0.vtu").triangles, divided.triangles);
 }
 
@@ -235,6 +236,106 @@ TEST_F(DividedBuild, divides_what_does_not_fit_into_memory) {
                 .exit_code,
             0);
   EXPECT_EQ(json({"check", "out.stl"}, 0).at("components"), 1);
+}
+
+// Pipes through each other, and a header of one pipe with filleted branches: there are no rings,
+// and pipes are cut.
+std::string crossing(int pipes, const std::string& more) {
+  std::string text = R"({"units": "mm", "tolerance": 0.5)" + more + R"(, "parts": [)";
+  const std::string length = std::to_string(300 * pipes - 150);
+  for (int i = 0; i < pipes; ++i) {
+    const std::string n = std::to_string(i), at = std::to_string(300 * i);
+    text += (i == 0 ? "" : ",") + std::string(R"({"name": "x)") + n +
+            R"(", "pipe": {"from": [-150, )" + at + R"(, 0], "to": [)" + length + "," + at +
+            R"(, 0], "radius": 60}},{"name": "y)" + n + R"(", "pipe": {"from": [)" + at + "," +
+            length + R"(, 10], "to": [)" + at + R"(, -150, 10], "radius": 50}})";
+  }
+  return text + "]}";
+}
+
+std::string branched(int branches, const std::string& more) {
+  std::string text = R"({"units": "mm", "tolerance": 0.5)" + more +
+                     R"(, "parts": [{"name": "h", "pipe": {"from": [-300, 0, 0], "to": [)" +
+                     std::to_string(300 * branches) + R"(, 0, 0], "radius": 100}})";
+  for (int i = 0; i < branches; ++i) {
+    const std::string n = std::to_string(i), x = std::to_string(300 * i);
+    text += R"(,{"name": "b)" + n + R"(", "pipe": {"from": [)" + x + R"(, 0, 0], "to": [)" + x +
+            R"(, 0, 600], "radius": 60}},{"name": "f)" + n +
+            R"(", "fillet": {"between": ["h", "b)" + n + R"("], "radius": 15}})";
+  }
+  return text + "]}";
+}
+
+TEST_F(DividedBuild, cuts_pipes_where_there_are_no_rings) {
+  const std::string wall = R"(, "wall": 6)";
+  for (const auto& [text, region, genus] :
+       {std::tuple(crossing(17, ""), "outer", 256),
+        {crossing(17, wall), "metal", 579},
+        {crossing(17, wall), "fluid", 256},
+        {crossing(17, R"(, "insulation": 20)"), "insulation", 579},
+        {branched(33, ""), "outer", 0},
+        {branched(33, wall), "metal", 34}}) {
+    folder_.write("rack.json", text);
+    const auto build = [&, of = std::string(region)](std::vector<std::string> own) {
+      own.insert(own.begin(), {"build", "rack.json", "-o", "out.stl", "--region", of});
+      const auto report = json(own, 0);
+      return std::pair(report, folder_.read("out.stl"));
+    };
+    const auto [whole, whole_bytes] = build({});
+    const auto [report, bytes] = build({"--piece", "3000"});
+    EXPECT_FALSE(bytes == whole_bytes);
+    const auto &check = report.at("output").at("check"), &of_whole = whole.at("output").at("check");
+    EXPECT_EQ(check.at("components"), 1);
+    EXPECT_EQ(check.at("genus"), genus) << region;
+    EXPECT_EQ(of_whole.at("genus"), genus) << region;
+    // Of fillets, whose meshes are others.
+    const double share = genus == 0 || genus == 34 ? 3e-4 : 1e-7;
+    for (const std::string key : {"volume", "area"}) {
+      const double expected = of_whole.at(key).get<double>();
+      EXPECT_NEAR(check.at(key).get<double>(), expected, share * expected) << region << " " << key;
+    }
+    ASSERT_EQ(report.at("parts").size(), whole.at("parts").size());
+    for (std::size_t i = 0; i < report.at("parts").size(); ++i) {
+      EXPECT_EQ(report.at("parts")[i].at("name"), whole.at("parts")[i].at("name"));
+    }
+    EXPECT_EQ(report.at("runs"), whole.at("runs"));
+    EXPECT_EQ(report.at("gaps"), whole.at("gaps"));
+    EXPECT_EQ(json({"check", "out.stl"}, 0).at("solid"), true);
+    EXPECT_TRUE(build({"--piece", "3000", "--tiles", "3"}).second == bytes) << region;
+    for (int round = 0; round < 2; ++round) {
+      EXPECT_TRUE(build({"--piece", "3000", "--cache", "kept"}).second == bytes) << region;
+    }
+  }
+}
+
+TEST_F(DividedBuild, names_no_cuts_in_ply) {
+  folder_.write("rack.json", crossing(17, ""));
+  const auto ply = [&](std::vector<std::string> own) {
+    own.insert(own.begin(), {"build", "rack.json", "-o", "out.ply"});
+    const auto check = json(own, 0).at("output").at("check");
+    const std::string bytes = folder_.read("out.ply");
+    std::istringstream lines(bytes.substr(0, bytes.find("end_header")));
+    std::set<std::string> names;
+    for (std::string line; std::getline(lines, line);) {
+      names.insert(line.starts_with("comment label") ? line : "");
+    }
+    return std::tuple(check, bytes, names);
+  };
+  const auto [of_whole, whole_bytes, whole_names] = ply({});
+  const auto [check, bytes, names] = ply({"--piece", "3000"});
+  EXPECT_EQ(check.at("genus"), of_whole.at("genus"));
+  EXPECT_EQ(names, whole_names);
+  EXPECT_GT(names.size(), 3 * 34);
+  EXPECT_TRUE(std::get<1>(ply({"--piece", "3000", "--tiles", "8"})) == bytes);
+}
+
+TEST_F(DividedBuild, cuts_what_would_not_fit_into_memory) {
+  folder_.write("rack.json", crossing(17, ""));
+  const std::vector<std::string> build{"build", "rack.json", "-o", "out.stl", "--memory", "4MB"};
+  EXPECT_EQ(dupin(build).exit_code, 3);
+  std::vector<std::string> in_pieces = build;
+  in_pieces.insert(in_pieces.end(), {"--piece", "3000"});
+  EXPECT_EQ(dupin(in_pieces).exit_code, 0);
 }
 
 // Rings whose points are hardly apart from each other in floats: discs come out differently.

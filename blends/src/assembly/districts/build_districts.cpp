@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -108,6 +110,43 @@ void refuse_unknown_patches(const Assembly& assembly, const ResolvedAssembly& re
   }
 }
 
+double least(double a, double b) { return std::min(a, b); }
+std::optional<double> least(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b ? std::min(a, b) : std::nullopt;
+}
+
+// What became of one more stretch of a pipe, to that of those before.
+void add(const PartReport& from, PartReport& to) {
+  to.margin_lower = least(to.margin_lower, from.margin_lower);
+  to.margin_upper = least(to.margin_upper, from.margin_upper);
+  to.least_wall = least(to.least_wall, from.least_wall);
+  to.smallest_angle = least(to.smallest_angle, from.smallest_angle);
+  to.error_bound = std::max(to.error_bound, from.error_bound);
+  to.segments = std::max(to.segments, from.segments);
+  to.bands += from.bands;
+  to.triangles += from.triangles;
+  for (const std::string& warning : from.warnings) {
+    if (std::ranges::find(to.warnings, warning) == to.warnings.end()) {
+      to.warnings.push_back(warning);
+    }
+  }
+}
+
+// Stretches of a pipe are called like it, and follow one another.
+void join_stretches(std::vector<PartReport>& parts) {
+  std::vector<PartReport> joined;
+  std::map<std::pair<std::uint32_t, std::string>, std::size_t> known;
+  for (PartReport& part : parts) {
+    const auto [first, is_new] = known.try_emplace({part.index, part.name}, joined.size());
+    if (is_new) {
+      joined.push_back(std::move(part));
+    } else {
+      add(part, joined[first->second]);
+    }
+  }
+  parts = std::move(joined);
+}
+
 // What became of a district, to that of those before.
 void add(Built&& from, Built& to) {
   std::ranges::move(from.parts, std::back_inserter(to.parts));
@@ -137,6 +176,7 @@ struct DistrictBuild::Plan {
   Assembly assembly;
   BuildOptions options;
   ResolvedAssembly resolved;
+  std::optional<ResolvedAssembly> cut;  // where pipes were cut
   std::vector<assembly::DistrictParts> districts;
   std::vector<Seam> seams;
   assembly::RelatedParts related;
@@ -155,6 +195,9 @@ struct DistrictBuild::Plan {
     divide();
   }
 
+  /// What the districts have parts of.
+  [[nodiscard]] const ResolvedAssembly& of_districts() const { return cut ? *cut : resolved; }
+
  private:
   void divide() {
     if (options.most_of_piece > 0) {
@@ -163,6 +206,7 @@ struct DistrictBuild::Plan {
                             {options.most_of_piece, options.kept_seams, options.region});
       districts = std::move(made.districts);
       seams = std::move(made.seams);
+      cut = std::move(made.cut);
     }
   }
 };
@@ -197,15 +241,15 @@ std::string DistrictBuild::taken_from_whole(std::size_t district) const {
       }
     }
     for (const assembly::DiscName& disc : piece->discs) {
-      text +=
-          "\n" + to_string({plan_->resolved.parts[disc.end.part].name, disc.end.end}) + disc.name;
+      text += "\n" + to_string({plan_->of_districts().parts[disc.end.part].name, disc.end.end}) +
+              disc.name;
     }
   }
   return text;
 }
 
 std::vector<std::uint32_t> DistrictBuild::parts(std::size_t district) const {
-  return assembly::document_parts(plan_->resolved, plan_->districts.at(district));
+  return assembly::document_parts(plan_->of_districts(), plan_->districts.at(district));
 }
 
 Assembly DistrictBuild::document(std::size_t district) const {
@@ -222,8 +266,8 @@ Assembly DistrictBuild::document(std::size_t district) const {
 }
 
 double DistrictBuild::expected_triangles(std::size_t district) const {
-  const assembly::District own = assembly::district_with_loops(plan_->assembly, plan_->resolved,
-                                                               plan_->districts.at(district));
+  const assembly::District own = assembly::district_with_loops(
+      plan_->assembly, plan_->of_districts(), plan_->districts.at(district));
   return assembly::expected_triangles(own, plan_->options.region);
 }
 
@@ -231,7 +275,8 @@ Built DistrictBuild::build(std::size_t district, const Progress& progress) const
   BuildOptions options = plan_->options;
   options.progress = progress;
   return assembly::built_district(
-      assembly::district(plan_->assembly, plan_->resolved, plan_->districts.at(district)), options);
+      assembly::district(plan_->assembly, plan_->of_districts(), plan_->districts.at(district)),
+      options);
 }
 
 Built DistrictBuild::joined(std::vector<Built> districts) const {
@@ -240,6 +285,9 @@ Built DistrictBuild::joined(std::vector<Built> districts) const {
     add(std::move(built), result);
   }
   std::ranges::stable_sort(result.parts, {}, &PartReport::index);
+  if (plan_->cut) {
+    join_stretches(result.parts);
+  }
   result.boxes = boxes();
   if (!seams().empty()) {
     result.runs = assembly::welded_runs(plan_->resolved).size();

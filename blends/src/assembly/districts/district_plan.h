@@ -13,6 +13,9 @@
 
 namespace dupin::assembly {
 
+/// What names of discs begin with: no part is called so, names have no control characters.
+constexpr char kSeamMark = '\x1f';
+
 /// The disc, or annulus, that closes an end of a piece where the next one goes on: its label.
 struct DiscName {
   EndIndex end;

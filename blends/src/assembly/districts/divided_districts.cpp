@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -10,60 +12,62 @@
 
 #include "assembly/cost_limit.h"
 #include "assembly/districts/common_rings.h"
+#include "assembly/districts/dividing_rings.h"
+#include "assembly/districts/stretched_district.h"
 #include "assembly/groups.h"
 #include "assembly/welded_runs.h"
+#include "dupin/kernel/districts.h"
+#include "dupin/kernel/parallel.h"
 
 namespace dupin::assembly {
 namespace {
 
-/// A ring at which a district may be divided: the two parts that share it, by their places in the
-/// district, lowest first.
-struct SharedRing {
-  std::array<std::uint32_t, 2> parts{};
-  std::array<EndIndex, 2> ends{};
-  std::string name;
-};
+// So often the planes come closer at which pipes are cut, where that leaves too much between them.
+constexpr int kMostRounds = 6;
 
-/// Of a fillet's ball, in its radii, and as much again as it takes to be sure.
-constexpr double kReach = 3;
+// Cells between planes, for each piece that is wanted.
+constexpr double kCells = 4;
 
-std::string seam_name(const ResolvedPart& part, End end) {
-  // No part is called so: names have no control characters.
-  return "\x1f" + to_string({part.name, end});
+double largest_of(std::span<const double> numbers) {
+  return numbers.empty() ? 0 : *std::ranges::max_element(numbers);
 }
 
 class Divider {
  public:
   Divider(const Assembly& assembly, const ResolvedAssembly& resolved, const Division& division)
       : assembly_(assembly),
-        resolved_(resolved),
+        whole_(resolved),
         division_(division),
-        distances_(distances_between(assembly, resolved, division.region)) {}
+        distances_(distances_between(assembly, resolved, division.region)),
+        rule_{division.kept, distances_, division.region} {}
 
   void add(DistrictParts members) {
     if (members.parts.size() < kLeastParts) {
       districts_.push_back(std::move(members));
       return;
     }
-    const District whole = district_with_loops(assembly_, resolved_, members);
+    const District whole = district_with_loops(assembly_, resolved(), members);
     if (!(expected_triangles(whole, division_.region) > division_.most)) {
       districts_.push_back(std::move(members));
       return;
     }
-    const Boxes boxes = close_boxes(members);
-    const std::vector<SharedRing> rings = dividing_rings(members, boxes);
-    if (rings.empty()) {
-      districts_.push_back(std::move(members));
-      return;
+    const Divisible own{resolved(), members, common_rings(whole, division_.region)};
+    const Atoms atoms = atoms_of(own, rule_);
+    const std::vector<double> triangles = expected(own, atoms);
+    if (!(largest_of(triangles) > division_.most && append_cut(own, atoms, triangles))) {
+      Groups groups = groups_of(atoms, triangles);
+      std::vector<std::uint32_t> group_of;
+      std::ranges::transform(atoms.of, std::back_inserter(group_of),
+                             [&](std::uint32_t atom) { return groups.of(atom); });
+      append(own, atoms.boxes, atoms.rings, group_of);
     }
-    append(members, boxes, rings, common_rings(whole, division_.region));
   }
 
   DividedDistricts take() {
     std::vector<std::uint32_t> order(districts_.size()), place(districts_.size());
     std::iota(order.begin(), order.end(), std::uint32_t{0});
     const auto first = [&](std::uint32_t i) {
-      return districts_[i].parts.empty() ? std::uint32_t(resolved_.parts.size())
+      return districts_[i].parts.empty() ? std::uint32_t(resolved().parts.size())
                                          : districts_[i].parts.front();
     };
     std::ranges::stable_sort(order, {}, first);
@@ -79,174 +83,150 @@ class Divider {
       std::ranges::sort(seam.pieces);
       result.seams.push_back(std::move(seam));
     }
+    result.cut = std::move(cut_);
     return result;
   }
 
  private:
-  // A point of a fillet is on a ball that touches both pipes: by no more than its diameter away
-  // from either.
-  [[nodiscard]] Boxes close_boxes(const DistrictParts& members) const {
-    Boxes boxes = members.boxes;
-    for (std::size_t i = 0; i < members.fillets.size(); ++i) {
-      const ResolvedFillet& fillet = resolved_.fillets[members.fillets[i]];
-      const Eigen::AlignedBox3d one = box_of(members, boxes, fillet.between[0]),
-                                other = box_of(members, boxes, fillet.between[1]);
-      if (one.intersects(other)) {
-        const double reach = kReach * fillet.shape.radius;
-        boxes[members.parts.size() + i] = widened(one, reach).intersection(widened(other, reach));
-      }
-    }
-    return boxes;
-  }
+  /// The document's parts, some of them in stretches.
+  [[nodiscard]] const ResolvedAssembly& resolved() const { return cut_ ? *cut_ : whole_; }
 
-  static Eigen::AlignedBox3d box_of(const DistrictParts& members, const Boxes& boxes,
-                                    std::uint32_t part) {
-    const auto place = std::ranges::lower_bound(members.parts, part) - members.parts.begin();
-    return boxes[std::size_t(place)];
-  }
-
-  static Eigen::AlignedBox3d widened(const Eigen::AlignedBox3d& box, double by) {
-    return {box.min().array() - by, box.max().array() + by};
-  }
-
-  [[nodiscard]] std::vector<SharedRing> rings_of(const DistrictParts& members) const {
-    std::vector<SharedRing> result;
-    std::map<std::array<std::uint32_t, 2>, int> times;
-    for (std::uint32_t i = 0; i < members.parts.size(); ++i) {
-      const ResolvedPart& part = resolved_.parts[members.parts[i]];
-      for (const End end : {End::start, End::end}) {
-        const auto& next = part.joined.at(at(end));
-        if (!next || next->part <= members.parts[i]) {
-          continue;
-        }
-        const auto place = std::ranges::lower_bound(members.parts, next->part);
-        const auto other = std::uint32_t(place - members.parts.begin());
-        ++times[{i, other}];
-        result.push_back(
-            {{i, other}, {EndIndex{members.parts[i], end}, *next}, seam_name(part, end)});
-      }
-    }
-    std::erase_if(result, [&](const SharedRing& ring) {
-      return times[ring.parts] > 1 || division_.kept.contains(ring.name) ||
-             !ends_alike(resolved_, ring.ends[0], distances_, division_.region);
+  /// Of each atom.
+  [[nodiscard]] std::vector<double> expected(const Divisible& whole, const Atoms& atoms) const {
+    const std::vector<DistrictParts> parts = pieces_of(whole, atoms.boxes, atoms.rings, atoms.of);
+    std::vector<double> result(parts.size());
+    for_each_in_parallel(parts.size(), [&](std::size_t i) {
+      result[i] = expected_triangles(district_with_loops(assembly_, whole.resolved, parts[i]),
+                                     division_.region);
     });
-    std::ranges::sort(result, {}, &SharedRing::parts);
     return result;
   }
 
-  // Those between things that nothing else holds together.
-  [[nodiscard]] std::vector<SharedRing> dividing_rings(const DistrictParts& members,
-                                                       const Boxes& boxes) {
-    std::vector<SharedRing> rings = rings_of(members);
+  /// Of atoms, as long as no more triangles than wanted are expected of a group.
+  [[nodiscard]] Groups groups_of(const Atoms& atoms, std::vector<double> triangles) const {
     std::vector<std::array<std::uint32_t, 2>> pairs;
-    pairs.reserve(rings.size());
-    for (const SharedRing& ring : rings) {
-      pairs.push_back(ring.parts);
+    for (const SharedRing& ring : atoms.rings) {
+      pairs.push_back({atoms.of[ring.parts[0]], atoms.of[ring.parts[1]]});
     }
-    atom_of_ = districts_of(boxes, pairs);
-    std::erase_if(rings, [&](const SharedRing& ring) {
-      return atom_of_[ring.parts[0]] == atom_of_[ring.parts[1]];
-    });
-    return rings;
+    const std::vector<std::uint32_t> first = grouped(std::move(triangles), pairs, division_.most);
+    Groups groups(atoms.count);
+    for (std::uint32_t atom = 0; atom < atoms.count; ++atom) {
+      groups.unite(first[atom], atom);
+    }
+    return groups;
   }
 
-  // What goes into each group, by the place of its first thing among all; all in order.
-  [[nodiscard]] std::vector<DistrictParts> pieces(const DistrictParts& members, const Boxes& boxes,
-                                                  std::span<const std::uint32_t> group_of,
-                                                  std::size_t count, const PieceOf& common) const {
-    std::vector<DistrictParts> result(count);
-    for (DistrictParts& piece : result) {
-      piece.piece.emplace();
-      piece.piece->grid = common.grid;
-      piece.piece->tolerance = common.tolerance;
-    }
-    const std::size_t parts = members.parts.size(), fillets = members.fillets.size();
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      DistrictParts& own = result[group_of[i]];
-      own.boxes.push_back(boxes[i]);
-      if (i < parts) {
-        own.parts.push_back(members.parts[i]);
-        own.piece->samplings.push_back(common.samplings[i]);
-        own.piece->second_samplings.push_back(common.second_samplings[i]);
-      } else if (i < parts + fillets) {
-        own.fillets.push_back(members.fillets[i - parts]);
-      } else {
-        own.junctions.push_back(members.junctions[i - parts - fillets]);
+  /// Whether pieces did not fit where it was cut.
+  [[nodiscard]] bool is_kept(const ResolvedPart& part) const {
+    const std::string prefix = cut_prefix(part);
+    const auto found = division_.kept.lower_bound(prefix);
+    return found != division_.kept.end() && found->starts_with(prefix);
+  }
+
+  /// Pipes of atoms that are too large are cut where nothing else is near; planes come closer until
+  /// no atom is. Whether that divided anything.
+  bool append_cut(const Divisible& whole, const Atoms& atoms,
+                  const std::vector<double>& triangles) {
+    const std::vector<std::uint32_t>& parts = whole.members.parts;
+    std::vector<std::optional<Cuttable>> items(parts.size());
+    Eigen::AlignedBox3d box;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (triangles[atoms.of[i]] > division_.most) {
+        const ResolvedPart& part = whole.resolved.parts[parts[i]];
+        items[i] = is_kept(part) ? std::nullopt : cuttable(part);
+        box.extend(items[i] ? atoms.boxes[i] : Eigen::AlignedBox3d());
       }
     }
-    return result;
+    if (box.isEmpty()) {
+      return false;
+    }
+    const FreePlaces places(atoms.boxes, items);
+    const double all = std::accumulate(triangles.begin(), triangles.end(), 0.0);
+    double distance = plane_distance(box, kCells * std::ceil(all / division_.most)),
+           least = largest_of(triangles);
+    PipeCuts best;
+    for (int round = 0; round < kMostRounds && least > division_.most; ++round, distance /= 2) {
+      PipeCuts cuts = pipe_cuts(whole.resolved, parts, places.cuts(distance));
+      const StretchedDistrict tried = stretched(whole, cuts);
+      const double largest =
+          largest_of(expected(tried.divisible(), atoms_of(tried.divisible(), rule_)));
+      if (largest < least) {
+        least = largest;
+        best = std::move(cuts);
+      }
+    }
+    if (!best.empty()) {
+      append_stretched(whole, best);
+    }
+    return !best.empty();
   }
 
-  void add_discs(std::span<const SharedRing> rings, std::span<const std::uint32_t> group_of,
-                 std::vector<DistrictParts>& pieces) const {
-    for (const SharedRing& ring : rings) {
-      for (std::size_t side = 0; side < 2; ++side) {
-        pieces[group_of[ring.parts.at(side)]].piece->discs.push_back(
-            {ring.ends.at(side), ring.name});
+  /// Stretches that stay together are one again. Boxes about these are larger: if those of two
+  /// pieces touch, but for seams, these are one, too.
+  void append_stretched(const Divisible& whole, const PipeCuts& cuts) {
+    const StretchedDistrict fine = stretched(whole, cuts);
+    const Atoms atoms = atoms_of(fine.divisible(), rule_);
+    Groups groups = groups_of(atoms, expected(fine.divisible(), atoms));
+    for (bool is_apart = false; !is_apart;) {
+      const auto group_of_fine = [&](std::uint32_t box) { return groups.of(atoms.of[box]); };
+      const FewerCuts fewer = cuts_between(fine, cuts, group_of_fine);
+      StretchedDistrict made = stretched(whole, fewer.cuts);
+      const Atoms own = atoms_of(made.divisible(), rule_);
+      std::vector<std::uint32_t> group_of;
+      std::ranges::transform(fewer.boxes, std::back_inserter(group_of), group_of_fine);
+      is_apart = !united(own, group_of, groups);
+      if (is_apart) {
+        append(made.divisible(), own.boxes, own.rings, group_of);
+        cut_ = std::move(made.stretches.resolved);
       }
     }
   }
 
-  [[nodiscard]] std::vector<double> expected(const std::vector<DistrictParts>& pieces) const {
-    std::vector<double> result;
-    result.reserve(pieces.size());
-    for (const DistrictParts& piece : pieces) {
-      result.push_back(
-          expected_triangles(district_with_loops(assembly_, resolved_, piece), division_.region));
-    }
-    return result;
-  }
-
-  void append(const DistrictParts& members, const Boxes& boxes, std::span<const SharedRing> rings,
-              const PieceOf& common) {
-    const std::size_t atoms = 1 + std::size_t(*std::ranges::max_element(atom_of_));
-    std::vector<DistrictParts> parts = pieces(members, boxes, atom_of_, atoms, common);
-    add_discs(rings, atom_of_, parts);
-    std::vector<double> triangles = expected(parts);
-    Groups groups(atoms);
-    for (const SharedRing& ring : rings) {
-      const std::uint32_t a = groups.of(atom_of_[ring.parts[0]]),
-                          b = groups.of(atom_of_[ring.parts[1]]);
-      if (a != b && triangles[a] + triangles[b] <= division_.most) {
-        triangles[std::min(a, b)] = triangles[a] + triangles[b];
-        groups.unite(a, b);
+  /// Groups of what is in one atom become one. Whether there were any.
+  static bool united(const Atoms& atoms, std::span<const std::uint32_t> group_of, Groups& groups) {
+    std::map<std::uint32_t, std::uint32_t> group_of_atom;
+    bool is_any = false;
+    for (std::size_t i = 0; i < group_of.size(); ++i) {
+      const std::uint32_t first = group_of_atom.try_emplace(atoms.of[i], group_of[i]).first->second;
+      if (groups.of(first) != groups.of(group_of[i])) {
+        groups.unite(first, group_of[i]);
+        is_any = true;
       }
     }
-    append_groups(members, boxes, rings, common, groups);
+    return is_any;
   }
 
-  void append_groups(const DistrictParts& members, const Boxes& boxes,
-                     std::span<const SharedRing> rings, const PieceOf& common, Groups& groups) {
-    std::map<std::uint32_t, std::uint32_t> number;  // of the group, by its first atom
-    std::vector<std::uint32_t> group_of;
-    for (const std::uint32_t atom : atom_of_) {
+  /// Groups of boxes become districts.
+  void append(const Divisible& whole, const Boxes& boxes, std::span<const SharedRing> rings,
+              std::span<const std::uint32_t> group_of) {
+    std::map<std::uint32_t, std::uint32_t> number;
+    std::vector<std::uint32_t> numbers;
+    for (const std::uint32_t group : group_of) {
       const auto next = std::uint32_t(number.size());
-      group_of.push_back(number.try_emplace(groups.of(atom), next).first->second);
+      numbers.push_back(number.try_emplace(group, next).first->second);
     }
     if (number.size() == 1) {
-      districts_.push_back(members);
+      districts_.push_back(whole.members);
       return;
     }
-    std::vector<SharedRing> left;
-    std::ranges::copy_if(rings, std::back_inserter(left), [&](const SharedRing& ring) {
-      return group_of[ring.parts[0]] != group_of[ring.parts[1]];
-    });
-    auto made = pieces(members, boxes, group_of, number.size(), common);
-    add_discs(left, group_of, made);
     const auto first = std::uint32_t(districts_.size());
-    for (const SharedRing& ring : left) {
-      seams_.push_back({{first + group_of[ring.parts[0]], first + group_of[ring.parts[1]]},
-                        ring.name,
-                        boxes[ring.parts[0]].intersection(boxes[ring.parts[1]])});
+    for (const SharedRing& ring : rings) {
+      const std::uint32_t one = numbers[ring.parts[0]], other = numbers[ring.parts[1]];
+      if (one != other) {
+        seams_.push_back({{first + one, first + other},
+                          ring.name,
+                          boxes[ring.parts[0]].intersection(boxes[ring.parts[1]])});
+      }
     }
-    std::ranges::move(made, std::back_inserter(districts_));
+    std::ranges::move(pieces_of(whole, boxes, rings, numbers), std::back_inserter(districts_));
   }
 
   const Assembly& assembly_;
-  const ResolvedAssembly& resolved_;
+  const ResolvedAssembly& whole_;
   const Division& division_;
-  std::optional<std::vector<double>> distances_;  // of second surfaces, by place in the document
-  std::vector<std::uint32_t> atom_of_;            // of the district that is divided, by box
+  std::optional<std::vector<double>> distances_;
+  DividingRule rule_;
+  std::optional<ResolvedAssembly> cut_;
   std::vector<DistrictParts> districts_;
   std::vector<Seam> seams_;
 };

@@ -25,6 +25,8 @@ struct Division {
 struct DividedDistricts {
   std::vector<DistrictParts> districts;  ///< in the order of their first parts
   std::vector<Seam> seams;
+  /// Where pipes were cut, to divide what rings do not: what the districts have parts of.
+  std::optional<ResolvedAssembly> cut = {};
 };
 
 /// So many parts hang together at least in what is divided.
@@ -33,7 +35,8 @@ constexpr std::size_t kLeastParts = 32;
 /// Districts of which more triangles are expected are divided at rings that two
 /// parts of a run share, wherever boxes about these two are the only ones that touch of all in both
 /// pieces, and where both are as thick, if what is made is hollow. What cannot be divided so far
-/// stays larger. All that pieces have in common with their whole, its tolerance, lattice and
+/// stays larger, if pipes cannot be cut, where nothing else is near: then these become stretches
+/// that share a ring. All that pieces have in common with their whole, its tolerance, lattice and
 /// samplings, they take from it; so what they come out as depends on nothing else. O(n log n) and
 /// the boxes that touch.
 [[nodiscard]] DividedDistricts divided(const Assembly& assembly, const ResolvedAssembly& resolved,

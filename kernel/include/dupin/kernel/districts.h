@@ -1,7 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,6 +33,24 @@ namespace dupin {
     std::span<const Eigen::AlignedBox3d> boxes,
     std::span<const std::array<std::uint32_t, 2>> apart);
 
+/// Calls visit(i, j) for all pairs of boxes that touch. O(n log n) and the pairs whose ranges of x
+/// do.
+template <class Visit>
+void for_each_touching(std::span<const Eigen::AlignedBox3d> boxes, const Visit& visit) {
+  std::vector<std::uint32_t> order(boxes.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  std::ranges::sort(order, {}, [&](std::uint32_t i) { return boxes[i].min().x(); });
+  for (std::size_t a = 0; a < order.size(); ++a) {
+    const Eigen::AlignedBox3d& box = boxes[order[a]];
+    for (std::size_t b = a + 1; b < order.size() && boxes[order[b]].min().x() <= box.max().x();
+         ++b) {
+      if (box.intersects(boxes[order[b]])) {
+        visit(order[a], order[b]);
+      }
+    }
+  }
+}
+
 /// Whether each triangle lies in the interior of one of the boxes, by exact comparisons. O(n) where
 /// triangles in the same box follow one another.
 [[nodiscard]] bool lies_in(const Solid& solid, const Boxes& boxes);
@@ -53,11 +75,55 @@ void add(const Report& district, Report& all);
 /// A box about all boxes.
 [[nodiscard]] Eigen::AlignedBox3d bounds_of(std::span<const Boxes> boxes);
 
+/// Something straight that can be cut across an axis of coordinates.
+struct Cuttable {
+  int axis = 0;             ///< 0 to 2
+  double from = 0, to = 0;  ///< its ends along that, ascending
+  double clear = 0;  ///< so far from its ends it is cut, and from other things where there is room
+};
+
+/// Where things may be cut, because nothing else is near there, which is said by boxes along the
+/// axes of coordinates.
+class FreePlaces {
+ public:
+  /// The first of the boxes are about these items, and reach over their ends; none of those that
+  /// are not to be cut. O(n log n) and as `for_each_touching`.
+  FreePlaces(std::span<const Eigen::AlignedBox3d> boxes,
+             const std::vector<std::optional<Cuttable>>& items);
+
+  /// For each plane at a multiple of `distance` that an item runs through, the free place nearest
+  /// to it, if that is no further than half of the distance; by item, ascending. Planes are the
+  /// same for all, so that what is side by side is cut side by side.
+  [[nodiscard]] std::vector<std::vector<double>> cuts(double distance) const;
+
+ private:
+  struct Range {
+    double from = 0, to = 0;
+  };
+  struct Item {
+    double from = 0, to = 0, clear = 0;
+    std::vector<Range> free{};  ///< ascending
+  };
+
+  [[nodiscard]] static std::vector<double> cuts_of(const Item& item, double distance);
+
+  std::vector<Item> items_;
+};
+
+/// So far apart planes across all three axes are that cut the box into at least so many cells, and
+/// not many more.
+[[nodiscard]] double plane_distance(const Eigen::AlignedBox3d& box, double cells);
+
 /// What hangs together and is large is made in pieces. Where two of them end in one ring, each is
 /// closed by a disc, or about a bore by an annulus, of the same triangles, turned the other way;
 /// joined, they lose both, and what is left is closed. That it is a solid, too, is tested exactly,
 /// next to these ends only: nowhere else do boxes about the pieces touch.
 ///
+/// Things, numbered, that come together along these pairs, one after the other, as long as no more
+/// than `most` of their weight does: for each the first of its group.
+[[nodiscard]] std::vector<std::uint32_t> grouped(
+    std::vector<double> weights, std::span<const std::array<std::uint32_t, 2>> pairs, double most);
+
 /// Where two pieces are joined.
 struct Seam {
   std::array<std::uint32_t, 2> pieces{};

@@ -1,11 +1,14 @@
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "assembly/districts/common_rings.h"
 #include "assembly/districts/divided_districts.h"
+#include "assembly/districts/dividing_rings.h"
 #include "dupin/blends/build.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/rounding.h"
@@ -41,6 +44,20 @@ DividedDistricts divided_of(const Assembly& assembly, double most,
 double triangles_of(const Assembly& assembly, const DistrictParts& members) {
   const ExpectedTriangles all = expected_of(district(assembly, resolve(assembly), members));
   return all.surface + all.crossings;
+}
+
+// Of what no ring divides.
+double largest_atom(const Assembly& assembly) {
+  const ResolvedAssembly resolved = resolve(assembly);
+  const DistrictParts members = districts_of_parts(resolved, kMargin).at(0);
+  const Divisible whole{resolved, members, common_rings(district(assembly, resolved, members), {})};
+  const std::optional<std::vector<double>> distances;
+  const Atoms atoms = atoms_of(whole, {{}, distances, {}});
+  double largest = 0;
+  for (const DistrictParts& piece : pieces_of(whole, atoms.boxes, atoms.rings, atoms.of)) {
+    largest = std::max(largest, triangles_of(assembly, piece));
+  }
+  return largest;
 }
 
 TEST(DividedDistricts, have_so_many_triangles_at_most) {
@@ -91,22 +108,107 @@ TEST(DividedDistricts, of_few_parts_or_triangles_stay_whole) {
 
 TEST(DividedDistricts, are_not_divided_where_seams_are_kept) {
   const Assembly assembly = header(40);
-  const DividedDistricts made = divided_of(assembly, 1);
+  const double most = largest_atom(assembly);
+  const DividedDistricts made = divided_of(assembly, most);
+  EXPECT_FALSE(made.cut);
   std::set<std::string> names;
   for (const Seam& seam : made.seams) {
     EXPECT_TRUE(names.insert(seam.name).second);
     EXPECT_LT(seam.name.front(), ' ');
   }
-  EXPECT_EQ(divided_of(assembly, 1, {*names.begin()}).seams.size(), made.seams.size() - 1);
-  EXPECT_EQ(divided_of(assembly, 1, names).districts.size(), 1);
+  EXPECT_FALSE(divided_of(assembly, most, {*names.begin()}).seams.empty());
+  for (const Seam& seam : divided_of(assembly, most, {*names.begin()}).seams) {
+    EXPECT_NE(seam.name, *names.begin());
+  }
 }
 
 // A pipe across a ring is near both of its parts.
 TEST(DividedDistricts, are_not_divided_where_others_are_near) {
   Assembly assembly = header(40);
-  const std::size_t before = divided_of(assembly, 100).seams.size();
+  const auto is_there = [](const Seam& seam) { return seam.meeting.contains(Vec3(90, 0, 1)); };
+  EXPECT_TRUE(std::ranges::any_of(divided_of(assembly, largest_atom(assembly)).seams, is_there));
   assembly.parts.push_back(pipe("across", {90, 0, -5}, {90, 0, 5}, .5));
-  EXPECT_EQ(divided_of(assembly, 100).seams.size(), before - 1);
+  EXPECT_FALSE(std::ranges::any_of(divided_of(assembly, largest_atom(assembly)).seams, is_there));
+}
+
+// A header of one pipe, and pipes across it, some of which go through a second one.
+Assembly comb(int teeth) {
+  Assembly result{"comb.json",
+                  Unit::millimetre,
+                  0.01,
+                  {},
+                  {pipe("h", {-10, 0, 0}, {10. * teeth, 0, 0}, 1),
+                   pipe("g", {10. * teeth, 0, 8}, {-10, 0, 8}, 1)}};
+  for (int i = 0; i < teeth; ++i) {
+    result.parts.push_back(
+        pipe("t" + std::to_string(i), {10. * i, 0, -5}, {10. * i, 0, i % 3 == 0 ? 12. : 4.}, .5));
+  }
+  return result;
+}
+
+TEST(DividedDistricts, have_stretches_of_pipes_where_rings_do_not_divide) {
+  const Assembly assembly = comb(40);
+  const double all = triangles_of(assembly, divided_of(assembly, 1e9).districts.at(0));
+  EXPECT_FALSE(divided_of(assembly, all).cut);
+  const DividedDistricts made = divided_of(assembly, all / 6);
+  ASSERT_TRUE(made.cut);
+  EXPECT_GE(made.districts.size(), 6);
+  EXPECT_LE(made.districts.size(), 16);
+  EXPECT_GE(made.seams.size(), made.districts.size() - 1);
+  double together = 0;
+  std::set<std::uint32_t> parts;
+  for (const DistrictParts& piece : made.districts) {
+    const ExpectedTriangles own = expected_of(district(assembly, *made.cut, piece));
+    EXPECT_LE(own.surface + own.crossings, all / 6);
+    together += own.surface + own.crossings;
+    for (const std::uint32_t part : piece.parts) {
+      EXPECT_TRUE(parts.insert(part).second);
+    }
+  }
+  EXPECT_GE(together, all) << "all crossings are in one of them";
+  EXPECT_LE(together, 1.5 * all);
+  EXPECT_EQ(parts.size(), made.cut->parts.size());
+  for (const Seam& seam : made.seams) {
+    EXPECT_LT(seam.meeting.sizes().minCoeff(), 1);
+  }
+}
+
+TEST(DividedDistricts, are_cut_no_more_often_than_pieces_need) {
+  const Assembly assembly = comb(40);
+  const DividedDistricts made = divided_of(assembly, 1000);
+  ASSERT_TRUE(made.cut);
+  // Each stretch ends where another piece begins, or where the pipe does.
+  std::size_t ends = 0;
+  for (const DistrictParts& piece : made.districts) {
+    ends += piece.piece ? piece.piece->discs.size() : 0;
+  }
+  EXPECT_EQ(ends, 2 * made.seams.size());
+  EXPECT_EQ(made.cut->parts.size(), 42 + made.seams.size());
+}
+
+// Where walls change, the narrower bore reaches into the wider one.
+TEST(DividedDistricts, of_hollow_parts_are_divided_where_walls_are_the_same) {
+  Assembly assembly = header(40);
+  BuildOptions options;
+  options.margin = kMargin;
+  options.most_of_piece = 1;  // at every ring, and between
+  const auto seams = [&] { return DistrictBuild(assembly, options).seams(); };
+  const auto is_at = [](double x) {
+    return [=](const Seam& seam) { return seam.meeting.contains(Vec3(x, 0, 0)); };
+  };
+  assembly.wall = .1;
+  ASSERT_TRUE(std::ranges::any_of(seams(), is_at(20)));
+  assembly.parts[3].wall = .2;
+  ASSERT_EQ(assembly.parts[3].name, "b2");
+  EXPECT_TRUE(std::ranges::any_of(seams(), is_at(20)));
+  assembly.parts[3].wall.reset();
+  assembly.parts[2].wall = .2;
+  ASSERT_EQ(assembly.parts[2].name, "h2");
+  EXPECT_FALSE(std::ranges::any_of(seams(), is_at(20)));
+  assembly.parts[2].wall.reset();
+  options.region = Region::insulation;
+  assembly.insulation = .2;
+  EXPECT_GT(seams().size(), 10);
 }
 
 TEST(DividedDistricts, a_piece_has_a_disc_where_it_ends) {
@@ -127,24 +229,6 @@ TEST(DividedDistricts, a_piece_has_a_disc_where_it_ends) {
   }
   EXPECT_THROW((void)build.build_all(), Error);
   EXPECT_TRUE(build.joined({}).solid.triangles().empty());
-}
-
-// Where walls change, the narrower bore reaches into the wider one.
-TEST(DividedDistricts, of_hollow_parts_are_divided_where_walls_are_the_same) {
-  Assembly assembly = header(40);
-  BuildOptions options;
-  options.margin = kMargin;
-  options.most_of_piece = 1;
-  const auto seams = [&] { return DistrictBuild(assembly, options).seams().size(); };
-  const std::size_t of_solids = seams();
-  assembly.wall = .1;
-  EXPECT_EQ(seams(), of_solids);
-  assembly.parts[4].wall = .2;
-  EXPECT_LT(seams(), of_solids);
-  assembly.parts[4].wall.reset();
-  options.region = Region::insulation;
-  assembly.insulation = .2;
-  EXPECT_GT(seams(), 10);
 }
 
 TEST(DividedDistricts, a_hollow_piece_has_an_annulus_where_it_ends) {

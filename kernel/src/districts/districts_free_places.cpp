@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "dupin/kernel/districts.h"
+#include "dupin/kernel/vec.h"
+#include "support/disjoint_sets.h"
+
+namespace dupin {
+namespace {
+
+// Of Cuttable::clear: a place needs so much room.
+constexpr double kLeastRoom = 1. / 16;
+
+// Of one item.
+constexpr double kMostPlanes = 1e6;
+
+}  // namespace
+
+FreePlaces::FreePlaces(std::span<const Eigen::AlignedBox3d> boxes,
+                       const std::vector<std::optional<Cuttable>>& items)
+    : items_(items.size()) {
+  std::vector<std::vector<Range>> taken(items.size());
+  const auto margin = [&](std::uint32_t i) {
+    return items[i]->from - boxes[i].min()[items[i]->axis];
+  };
+  for (std::uint32_t i = 0; i < items.size(); ++i) {
+    if (items[i]) {
+      const auto& [axis, from, to, clear] = *items[i];
+      taken[i] = {{boxes[i].min()[axis], from + clear}, {to - clear, boxes[i].max()[axis]}};
+      items_[i] = {from, to, clear};
+    }
+  }
+  for_each_touching(boxes, [&](std::uint32_t a, std::uint32_t b) {
+    for (const auto& [own, other] : {std::pair(a, b), std::pair(b, a)}) {
+      if (own < items.size() && items[own]) {
+        const int axis = items[own]->axis;
+        taken[own].push_back(
+            {boxes[other].min()[axis] - margin(own), boxes[other].max()[axis] + margin(own)});
+      }
+    }
+  });
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    std::ranges::sort(taken[i], {}, &Range::from);
+    double end = taken[i].empty() ? 0 : taken[i].front().to;
+    for (const Range& range : taken[i]) {
+      if (range.from - end > kLeastRoom * items_[i].clear) {
+        items_[i].free.push_back({end, range.from});
+      }
+      end = std::max(end, range.to);
+    }
+  }
+}
+
+std::vector<std::vector<double>> FreePlaces::cuts(double distance) const {
+  std::vector<std::vector<double>> result;
+  result.reserve(items_.size());
+  for (const Item& item : items_) {
+    result.push_back(item.free.empty() ? std::vector<double>() : cuts_of(item, distance));
+  }
+  return result;
+}
+
+std::vector<double> FreePlaces::cuts_of(const Item& item, double distance) {
+  const auto place_in = [&](const Range& range, double plane) {
+    const double clear = std::min((range.to - range.from) / 2, item.clear);
+    return std::clamp(plane, range.from + clear, range.to - clear);
+  };
+  std::vector<double> places;
+  std::size_t next = 0;  // the range that the plane is in, or before
+  const double first = std::floor(item.from / distance) + 1,
+               count = std::min((item.to - item.from) / distance + 1, kMostPlanes);
+  for (int i = 0; i < count; ++i) {
+    const double plane = (first + i) * distance;
+    if (plane >= item.to) {
+      break;
+    }
+    while (next + 1 < item.free.size() && item.free[next].to < plane) {
+      ++next;
+    }
+    double place = place_in(item.free[next], plane);
+    if (next > 0) {
+      const double before = place_in(item.free[next - 1], plane);
+      place = std::abs(before - plane) < std::abs(place - plane) ? before : place;
+    }
+    const bool is_apart = places.empty() || place > places.back() + item.clear;
+    if (std::abs(place - plane) <= distance / 2 && is_apart) {
+      places.push_back(place);
+    }
+  }
+  return places;
+}
+
+double plane_distance(const Eigen::AlignedBox3d& box, double cells) {
+  constexpr double kStep = 1.25;
+  constexpr int kMostSteps = 64;
+  const Vec3 size = box.sizes();
+  double distance = size.maxCoeff();
+  for (int i = 0; i < kMostSteps && (size.array() / distance).ceil().max(1).prod() < cells; ++i) {
+    distance /= kStep;
+  }
+  return distance;
+}
+
+std::vector<std::uint32_t> grouped(std::vector<double> weights,
+                                   std::span<const std::array<std::uint32_t, 2>> pairs,
+                                   double most) {
+  support::DisjointSets groups(weights.size());
+  for (const auto& [a, b] : pairs) {
+    const std::uint32_t one = groups.find(a), other = groups.find(b);
+    if (one != other && weights[one] + weights[other] <= most) {
+      weights[std::min(one, other)] = weights[one] + weights[other];
+      groups.unite(one, other);
+    }
+  }
+  return groups.representatives();
+}
+
+}  // namespace dupin

@@ -1,0 +1,89 @@
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "dupin/kernel/districts.h"
+
+namespace dupin {
+namespace {
+
+constexpr double kMargin = .125;
+
+// A run along x, from 0 to 100, and what is across it, 4 wide.
+struct Crossed {
+  explicit Crossed(const std::vector<double>& places) {
+    const auto add = [&](const Vec3& low, const Vec3& high, int axis) {
+      boxes.emplace_back(Vec3(low.array() - kMargin), Vec3(high.array() + kMargin));
+      items.push_back(Cuttable{axis, low[axis], high[axis], 1});
+    };
+    add({0, -1, -1}, {100, 1, 1}, 0);
+    for (const double place : places) {
+      add({place - 2, -20, -2}, {place + 2, 20, 2}, 1);
+    }
+  }
+  [[nodiscard]] std::vector<std::vector<double>> cuts(double distance) const {
+    return FreePlaces(boxes, items).cuts(distance);
+  }
+
+  std::vector<Eigen::AlignedBox3d> boxes;
+  std::vector<std::optional<Cuttable>> items;
+};
+
+// What is across is as much wider as boxes are, and as the stretches' boxes will be.
+TEST(FreePlaces, are_at_planes_or_beside_what_is_there) {
+  Crossed crossed({50});
+  EXPECT_EQ(crossed.cuts(25)[0], (std::vector{25., 50 + 2 + 2 * kMargin + 1, 75.}));
+  EXPECT_EQ(crossed.cuts(10)[1], (std::vector{-10., 1 + 2 * kMargin + 1, 10.}));
+  crossed.items[0].reset();
+  EXPECT_TRUE(crossed.cuts(25)[0].empty());
+  EXPECT_FALSE(crossed.cuts(10)[1].empty());
+}
+
+TEST(FreePlaces, are_those_nearest_to_planes) {
+  EXPECT_EQ(Crossed({26, 48}).cuts(25)[0],
+            (std::vector{26 - 2 - 2 * kMargin - 1, 48 + 2 + 2 * kMargin + 1, 75.}));
+}
+
+TEST(FreePlaces, are_in_the_middle_of_what_is_narrow) {
+  EXPECT_EQ(Crossed({47, 52}).cuts(50)[0], std::vector{49.5});
+  const std::vector<double> places = Crossed({47, 51.5}).cuts(4)[0];
+  EXPECT_GT(places.size(), 10);
+  for (const double place : places) {
+    EXPECT_TRUE(place < 47 || place > 51.5) << "boxes about stretches would touch both";
+  }
+}
+
+TEST(FreePlaces, are_apart_from_each_other) {
+  const std::vector<double> places = Crossed({30, 60}).cuts(.25)[0];
+  EXPECT_GT(places.size(), 50);
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    EXPECT_GT(places[i], places[i - 1] + 1);
+  }
+}
+
+TEST(FreePlaces, are_few_where_planes_are_far_apart) {
+  const Eigen::AlignedBox3d flat(Vec3(0, 0, 0), Vec3(100, 50, 1));
+  for (const double cells : {1., 4., 100., 1000.}) {
+    const double distance = plane_distance(flat, cells);
+    const double made =
+        std::ceil(100 / distance) * std::ceil(50 / distance) * std::ceil(1 / distance);
+    EXPECT_GE(made, cells);
+    EXPECT_LE(made, 2.5 * cells + 2);
+  }
+}
+
+TEST(FreePlaces, groups_are_no_heavier_than_wanted) {
+  const std::vector<std::array<std::uint32_t, 2>> pairs{{3, 2}, {1, 2}, {0, 1}, {2, 3}, {4, 0}};
+  EXPECT_EQ(grouped({1, 2, 3, 4, 9}, pairs, 7), (std::vector<std::uint32_t>{0, 0, 2, 2, 4}));
+  EXPECT_EQ(grouped({1, 2, 3, 4, 9}, pairs, 10), (std::vector<std::uint32_t>{0, 0, 0, 0, 4}));
+  EXPECT_EQ(grouped({1, 2, 3, 4, 9}, pairs, 19), (std::vector<std::uint32_t>{0, 0, 0, 0, 0}));
+  EXPECT_EQ(grouped({1, 2, 3, 4, 9}, pairs, 0), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+}
+
+}  // namespace
+}  // namespace dupin
