@@ -13,6 +13,7 @@
 #include "commands.h"
 #include "cross_check_option.h"
 #include "dupin/io/mesh_file.h"
+#include "dupin/io/streamed_format.h"
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/boolean_expression.h"
 #include "dupin/kernel/cross_check.h"
@@ -27,6 +28,7 @@
 #include "ranks.h"
 #include "rounding_options.h"
 #include "tiles/district_output.h"
+#include "tiles/operand_pieces.h"
 #include "tiles/tile_options.h"
 #include "tiles/united_districts.h"
 
@@ -128,9 +130,51 @@ OutputReport write_result(const Result& result, const Destination& to,
   return write_districts(result.solids, result.boxes, to, rounding, header, contacts);
 }
 
+/// A union, tile by tile.
+OutputReport in_tiles(const std::vector<std::string>& files, const OperandArguments& arguments,
+                      const Destination& to, const CommonOptions& common, const Ranks& ranks) {
+  require_tiled_output(to, arguments.tiles);
+  if (!arguments.cross_check.empty() || arguments.timing) {
+    throw UsageError("--cross-check and --timing are not for --tiles, --memory and mpirun");
+  }
+  if (std::ranges::count(files, "-") > 0) {
+    throw UsageError(
+        "--tiles, --memory and mpirun read operands when their tile is made, and standard input "
+        "only once");
+  }
+  ProgressLine line(common.quiet || !ranks.is_first());
+  const OperandFiles operands = survey(files, line.callback(), ranks);
+  const auto options = alike(ranks, [&] {
+    return std::pair(rounding_options(arguments.rounding, operands.unit),
+                     contact_choice(arguments.contacts, operands.unit));
+  });
+  return unite_in_tiles({files, to, options.first, options.second, arguments.repair,
+                         arguments.tiles, line.callback()},
+                        operands, ranks);
+}
+
+/// Whether what hangs together is made in pieces, as it is in tiles: the bytes are the same.
+bool is_divided(const std::vector<std::string>& files, const OperandArguments& arguments,
+                const Destination& to, std::span<const TriMesh> meshes, const Boxes& boxes,
+                const DistrictMargin& margin) {
+  const bool is_looked_at = !arguments.cross_check.empty() || arguments.timing ||
+                            !to.patches.empty() || to.verification != Verification::compare;
+  if (is_looked_at || to.is_stdout() || !is_streamed(to.format) ||
+      std::ranges::count(files, "-") > 0) {
+    return false;
+  }
+  std::vector<std::size_t> triangles;
+  std::ranges::transform(meshes, std::back_inserter(triangles),
+                         [](const TriMesh& mesh) { return mesh.triangles.size(); });
+  return !operand_pieces(operand_districts(boxes, margin),
+                         {boxes, triangles, static_cast<double>(arguments.tiles.piece), {}})
+              .seams.empty();
+}
+
 /// Reads the files, does the task with their solids, settles contacts, writes.
 OutputReport at_once(const std::vector<std::string>& files, const OperandArguments& arguments,
-                     const Destination& to, const CommonOptions& common, const Task& task) {
+                     const Destination& to, const CommonOptions& common, const Task& task,
+                     const Ranks& ranks) {
   const auto engine = cross_check_engine(arguments.cross_check);
   StageClock clock;
   clock.begin("read");
@@ -141,6 +185,11 @@ OutputReport at_once(const std::vector<std::string>& files, const OperandArgumen
   std::vector<TriMesh> meshes = read_meshes(inputs);
   Boxes boxes(task.is_union ? meshes.size() : 0);
   for_each_in_parallel(boxes.size(), [&](std::size_t i) { boxes[i] = box_of(meshes[i]); });
+  if (task.is_union &&
+      is_divided(files, arguments, to, meshes, boxes, district_margin(to, rounding, contacts))) {
+    meshes = {};
+    return in_tiles(files, arguments, to, common, ranks);
+  }
   clock.begin("prove");
   std::vector<FileRepair> repairs;
   const std::vector<Solid> operands =
@@ -169,29 +218,6 @@ OutputReport at_once(const std::vector<std::string>& files, const OperandArgumen
   return report;
 }
 
-/// The same tile by tile, of a union.
-OutputReport in_tiles(const std::vector<std::string>& files, const OperandArguments& arguments,
-                      const Destination& to, const CommonOptions& common, const Ranks& ranks) {
-  require_tiled_output(to, arguments.tiles);
-  if (!arguments.cross_check.empty() || arguments.timing) {
-    throw UsageError("--cross-check and --timing are not for --tiles, --memory and mpirun");
-  }
-  if (std::ranges::count(files, "-") > 0) {
-    throw UsageError(
-        "--tiles, --memory and mpirun read operands when their tile is made, and standard input "
-        "only once");
-  }
-  ProgressLine line(common.quiet || !ranks.is_first());
-  const OperandFiles operands = survey(files, line.callback(), ranks);
-  const auto options = alike(ranks, [&] {
-    return std::pair(rounding_options(arguments.rounding, operands.unit),
-                     contact_choice(arguments.contacts, operands.unit));
-  });
-  return unite_in_tiles({files, to, options.first, options.second, arguments.repair,
-                         arguments.tiles, line.callback()},
-                        operands, ranks);
-}
-
 ExitCode run_operation(const std::vector<std::string>& files, const OperandArguments& arguments,
                        const CommonOptions& common, const Task& task) {
   refuse_tolerance(arguments.command, common, "--rounding-tolerance");
@@ -199,7 +225,7 @@ ExitCode run_operation(const std::vector<std::string>& files, const OperandArgum
   const Ranks ranks;
   const OutputReport report = is_tiled(arguments.tiles) || ranks.count() > 1
                                   ? in_tiles(files, arguments, to, common, ranks)
-                                  : at_once(files, arguments, to, common, task);
+                                  : at_once(files, arguments, to, common, task, ranks);
   if (!ranks.is_first()) {
     return ExitCode::ok;
   }
@@ -308,6 +334,7 @@ void add_boolean(CLI::App& app, Action& action, const BooleanCommand& boolean) {
   add_operand_options(*command, *arguments);
   if (boolean.operation == SetOperation::unite) {
     add_tile_options(*command, arguments->tiles, tiles_of("operands"));
+    command->add_option("--piece", arguments->tiles.piece)->group("");  // for tests, in no help
   }
   command->footer(boolean.footer);
   command->callback([arguments, boolean, &action] {

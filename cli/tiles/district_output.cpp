@@ -119,9 +119,13 @@ DistrictOutput district_output(const Solid& solid, std::span<const Boxes> boxes,
       throw;
     }
   }
+  return unfit_output(seams.size());
+}
+
+DistrictOutput unfit_output(std::size_t seams) {
   DistrictOutput result;
   result.report.check.emplace();
-  result.sides.resize(seams.size());
+  result.sides.resize(seams);
   return result;
 }
 

@@ -54,6 +54,9 @@ struct DistrictOutput {
                                              const ContactChoice& contacts,
                                              std::span<const Seam> seams = {});
 
+/// Of a piece that cannot be made with its ends: nothing, at so many seams.
+[[nodiscard]] DistrictOutput unfit_output(std::size_t seams);
+
 /// A file that grows aside, district by district, and what there is to report of it. All functions
 /// throw OutputError. Several processes make it all at once, and the same calls.
 class DistrictFile {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "dupin/io/mesh_file.h"
@@ -14,6 +15,9 @@
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/parallel.h"
 #include "input.h"
+#include "tiles/cut_mesh.h"
+#include "tiles/operand_pieces.h"
+#include "tiles/seam_check.h"
 #include "tiles/shared_tile.h"
 
 namespace dupin::cli {
@@ -99,17 +103,31 @@ void exchange(std::vector<Survey>& surveys, const Ranks& ranks) {
   }
 }
 
+/// Operands that are not cut.
+using Uncut = std::set<std::size_t>;
+
+OperandPieces pieces_of(const TiledUnion& task, const OperandFiles& files, const Uncut& uncut) {
+  return operand_pieces(
+      operand_districts(files.boxes, district_margin(task.to, task.rounding, task.contacts)),
+      {files.boxes, files.triangles, static_cast<double>(task.tiles.piece), uncut});
+}
+
+/// So often pieces are made that turn out not to fit; then nothing is divided.
+constexpr int kMostRounds = 4;
+
 /// A union in the making.
 class UnionInTiles {
  public:
-  UnionInTiles(const TiledUnion& task, const OperandFiles& files, const Ranks& ranks)
+  UnionInTiles(const TiledUnion& task, const OperandFiles& files, const Ranks& ranks,
+               const Uncut& uncut)
       : task_(task),
         files_(files),
         ranks_(ranks),
-        districts_(
-            operand_districts(files.boxes, district_margin(task.to, task.rounding, task.contacts))),
+        districts_(pieces_of(task, files, uncut)),
+        seams_(districts_.seams),
         rounding_(rounding_of_districts(task.rounding, districts_.boxes)),
-        repairs_(task.files.size()) {
+        repairs_(task.files.size()),
+        first_of_(first_districts()) {
     const std::vector<double> triangles = triangles_of_districts();
     std::vector<double> bytes = triangles;
     std::ranges::for_each(bytes, [](double& own) { own *= kBytesPerTriangle; });
@@ -124,49 +142,123 @@ class UnionInTiles {
     }
   }
 
-  OutputReport run() {
+  // Nothing where pieces do not fit: at cuts of misfits().
+  std::optional<OutputReport> run() {
     DistrictFile file(task_.to, &ranks_);
-    std::size_t begin = 0;
+    std::size_t begin = 0, shells = 0;
     for (const std::size_t end : ends_) {
       tell(task_.progress, "unite", double(begin) / double(districts_.boxes.size()));
-      share_tile(
-          std::span(owners_).subspan(begin, end - begin), ranks_,
-          {.made = [&](std::size_t i) { return made(begin + i); },
-           .parts = [](std::size_t) { return std::vector<std::uint32_t>(); },
-           .taken = [&](std::size_t,
-                        DistrictResult district) { file.append(std::move(district.output)); }});
+      share_tile(std::span(owners_).subspan(begin, end - begin), ranks_,
+                 {.made = [&](std::size_t i) { return made(begin + i); },
+                  .parts = [](std::size_t) { return std::vector<std::uint32_t>(); },
+                  .taken =
+                      [&](std::size_t i, DistrictResult district) {
+                        seams_.add(begin + i, std::move(district.output.sides), shells);
+                        shells += district.output.report.check->shells.size();
+                        file.append(std::move(district.output));
+                      }});
       begin = end;
     }
+    if (!seams_.misfits().empty()) {
+      file.abandon();
+      return std::nullopt;
+    }
     OutputReport report = file.commit({files_.unit, {}});
+    seams_.join(*report.check);
     learn_repairs();
     report.repairs = repairs_in(task_.files, repairs_);
     return report;
   }
 
+  // Operands that were cut where pieces do not fit.
+  [[nodiscard]] Uncut misfits() {
+    const std::set<std::string>& names = seams_.misfits();
+    Uncut result;
+    for (const std::vector<OperandStretch>& stretches : districts_.stretches) {
+      for (const OperandStretch& stretch : stretches) {
+        if (stretch.from && names.contains(stretch.from->name)) {
+          result.insert(stretch.operand);
+        }
+      }
+    }
+    return result;
+  }
+
  private:
   [[nodiscard]] std::vector<double> triangles_of_districts() const {
     std::vector<double> triangles;
-    triangles.reserve(districts_.operands.size());
-    for (const std::vector<std::size_t>& operands : districts_.operands) {
+    for (const std::vector<OperandStretch>& stretches : districts_.stretches) {
       double own = 0;
-      for (const std::size_t i : operands) {
-        own += static_cast<double>(files_.triangles[i]);
+      for (const OperandStretch& stretch : stretches) {
+        own += static_cast<double>(files_.triangles[stretch.operand]) * share(stretch);
       }
       triangles.push_back(own);
     }
     return triangles;
   }
 
+  // Of an operand, as if it had triangles everywhere along its axis.
+  [[nodiscard]] double share(const OperandStretch& stretch) const {
+    const Eigen::AlignedBox3d& box = files_.boxes[stretch.operand];
+    if (!stretch.from && !stretch.to) {
+      return 1;
+    }
+    const double from = stretch.from ? stretch.from->place : box.min()[stretch.axis],
+                 to = stretch.to ? stretch.to->place : box.max()[stretch.axis];
+    return (to - from) / box.sizes()[stretch.axis];
+  }
+
+  [[nodiscard]] std::vector<std::size_t> first_districts() const {
+    std::vector<std::size_t> result(task_.files.size(), districts_.stretches.size());
+    for (std::size_t district = 0; district < districts_.stretches.size(); ++district) {
+      for (const OperandStretch& stretch : districts_.stretches[district]) {
+        result[stretch.operand] = std::min(result[stretch.operand], district);
+      }
+    }
+    return result;
+  }
+
   DistrictResult made(std::size_t district) {
+    const std::vector<Seam> seams = seams_.of(district);
     std::vector<Solid> operands;
-    for (const std::size_t i : districts_.operands[district]) {
-      operands.push_back(
-          operand_of(mesh_in(task_.files[i]), task_.files[i], task_.are_repaired, repairs_[i]));
+    for (const OperandStretch& stretch : districts_.stretches[district]) {
+      const Solid whole = operand(stretch.operand, district);
+      if (!stretch.from && !stretch.to) {
+        operands.push_back(whole);
+      } else if (auto own = solid_between(whole, stretch)) {
+        operands.push_back(*std::move(own));
+      } else {
+        return {.output = unfit_output(seams.size())};
+      }
     }
     const Solid solid = united(operands, district);
     operands.clear();
     return {.output = district_output(solid, districts_.boxes, district, task_.to, rounding_,
-                                      task_.contacts)};
+                                      task_.contacts, seams)};
+  }
+
+  // Of stretches of one operand, the first one's district notes what was mended.
+  [[nodiscard]] Solid operand(std::size_t i, std::size_t district) {
+    RepairReport repairs;
+    Solid solid = operand_of(mesh_in(task_.files[i]), task_.files[i], task_.are_repaired, repairs);
+    if (first_of_[i] == district) {
+      repairs_[i] = std::move(repairs);
+    }
+    return solid;
+  }
+
+  // None where it cannot be cut there.
+  [[nodiscard]] static std::optional<Solid> solid_between(const Solid& whole,
+                                                          const OperandStretch& stretch) {
+    try {
+      const TriMesh mesh{whole.nearest_points(), whole.triangles(), whole.labels(), whole.names()};
+      return Solid::from(between_planes(mesh, stretch.axis, stretch.from, stretch.to));
+    } catch (const Error& error) {
+      if (error.code() == Errc::limit_exceeded || error.code() == Errc::cancelled) {
+        throw;
+      }
+      return std::nullopt;
+    }
   }
 
   // Crossings are counted when they are found, before what they come to is made.
@@ -202,21 +294,19 @@ class UnionInTiles {
 
   // Of what others have mended.
   void learn_repairs() {
-    std::vector<std::size_t> owner_of(repairs_.size(), ranks_.own());
-    for (std::size_t district = 0; district < owners_.size(); ++district) {
-      for (const std::size_t i : districts_.operands[district]) {
-        owner_of[i] = owners_[district];
-      }
-    }
-    take_from_owners(ranks_, repairs_, [&](std::size_t i) { return owner_of[i]; });
+    take_from_owners(ranks_, repairs_, [&](std::size_t i) {
+      return first_of_[i] < owners_.size() ? owners_[first_of_[i]] : ranks_.own();
+    });
   }
 
   const TiledUnion& task_;
   const OperandFiles& files_;
   const Ranks& ranks_;
-  OperandDistricts districts_;
+  OperandPieces districts_;
+  SeamCheck seams_;
   RoundingOptions rounding_;
-  std::vector<RepairReport> repairs_;  // per operand, each of which one thread mends
+  std::vector<RepairReport> repairs_;  // per operand
+  std::vector<std::size_t> first_of_;  // likewise: the first district that has some of it
   std::vector<std::uint64_t> limits_;  // of districts, in bytes; none where memory is not limited
   std::vector<std::size_t> ends_;      // of tiles, behind their last districts
   std::vector<std::size_t> owners_;    // the ranks that make districts
@@ -315,9 +405,18 @@ OperandFiles survey(const std::vector<std::string>& files, const Progress& progr
 }
 
 OutputReport unite_in_tiles(const TiledUnion& task, const OperandFiles& files, const Ranks& ranks) {
-  const auto united =
-      alike(ranks, [&] { return std::make_unique<UnionInTiles>(task, files, ranks); });
-  return united->run();
+  TiledUnion own = task;
+  Uncut uncut;
+  for (int round = 1;; ++round) {
+    const auto united =
+        alike(ranks, [&] { return std::make_unique<UnionInTiles>(own, files, ranks, uncut); });
+    if (auto report = united->run()) {
+      return *std::move(report);
+    }
+    // All ranks, and unions in any number of tiles, find the same ones.
+    own.tiles.piece = round < kMostRounds ? own.tiles.piece : 0;
+    uncut.merge(united->misfits());
+  }
 }
 
 }  // namespace dupin::cli

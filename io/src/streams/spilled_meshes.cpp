@@ -83,6 +83,11 @@ OpenMesh open_mesh(const TriMesh& mesh, std::span<const std::uint32_t> triangles
     std::ranges::transform(triangle, triangle.begin(),
                            [&own = place](std::uint32_t corner) { return own[corner]; });
   }
+  // What only had labels to tell its ends.
+  if (left.names == std::vector<std::string>{""}) {
+    left.names.clear();
+    left.labels.clear();
+  }
   return result;
 }
 

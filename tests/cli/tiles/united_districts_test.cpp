@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "cli/tool.h"
+#include "dupin/kernel/boolean.h"
 #include "dupin/kernel/error.h"
+#include "dupin/kernel/solid.h"
 #include "support/shapes.h"
 
 namespace dupin::test {
@@ -160,6 +162,111 @@ TEST_F(TiledUnion, names_the_operand_that_is_no_solid) {
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.err, HasSubstr("open.off"));
   EXPECT_THAT(folder_.files(), testing::Not(testing::Contains("out.stl")));
+}
+
+// Pipes along x and along y through each other: all hangs together.
+class DividedUnion : public TiledUnion {
+ protected:
+  /// Along an axis, 0 or 1, with a bore; 48 units apart.
+  TriMesh bar(int axis, int place, double from, double to) const {
+    TriMesh mesh = joined({tube(9 + axis, from, to, 12), reversed(tube(4, 0, 3, 7))});
+    for (Vec3& point : mesh.points) {
+      point = axis == 0 ? Vec3(point.z(), point.x() + 48. * place, point.y() + .3)
+                        : Vec3(point.y() + 48. * place, point.z(), point.x());
+    }
+    return mesh;
+  }
+
+  std::vector<std::string> put_rack(int bars) const {
+    std::vector<std::string> files;
+    for (int i = 0; i < bars; ++i) {
+      for (const int axis : {0, 1}) {
+        files.push_back("bar" + std::to_string(axis) + "_" + std::to_string(i) + ".off");
+        put(files.back(), bar(axis, i, -20, 48. * bars - 24));
+      }
+    }
+    return files;
+  }
+
+  static std::vector<std::string> in_pieces(std::vector<std::string> more = {}) {
+    more.insert(more.end(), {"--piece", "9000"});
+    return more;
+  }
+};
+
+TEST_F(DividedUnion, has_the_same_bytes_for_all_numbers_of_tiles) {
+  const auto files = put_rack(17);
+  const auto [whole, whole_bytes] = united(files, {});
+  const auto [report, bytes] = united(files, in_pieces());
+  EXPECT_FALSE(bytes == whole_bytes);
+  const auto again = json({"check", "out.stl"}, 0);
+  for (const std::string key : {"solid", "components", "euler_number", "genus"}) {
+    EXPECT_EQ(report.at("check").at(key), whole.at("check").at(key)) << key;
+    EXPECT_EQ(again.at(key), whole.at("check").at(key)) << key;
+  }
+  EXPECT_EQ(again.at("triangles"), report.at("check").at("triangles"));
+  EXPECT_EQ(report.at("check").at("genus"), 256);
+  for (const std::string key : {"volume", "area"}) {
+    const double expected = whole.at("check").at(key).get<double>();
+    EXPECT_NEAR(report.at("check").at(key).get<double>(), expected, 1e-6 * expected) << key;
+  }
+  for (const std::string tiles : {"1", "3", "8"}) {
+    EXPECT_TRUE(united(files, in_pieces({"--tiles", tiles})).second == bytes) << tiles;
+  }
+  EXPECT_TRUE(united(files, in_pieces({"--memory", "6MB"})).second == bytes);
+  std::vector<std::string> without{"union", "-o", "out.stl", "--memory", "6MB"};
+  without.insert(without.end(), files.begin(), files.end());
+  EXPECT_EQ(dupin(without).exit_code, 3);
+  const auto [of_whole_ply, whole_ply] = united(files, {"--format", "ply"});
+  const auto [of_ply, ply] = united(files, in_pieces({"--format", "ply"}));
+  EXPECT_EQ(of_ply.at("check").at("genus"), 256);
+  EXPECT_EQ(ply.find("label") == std::string::npos, whole_ply.find("label") == std::string::npos);
+  EXPECT_TRUE(united(files, in_pieces({"--format", "ply", "--tiles", "4"})).second == ply);
+}
+
+// Each operand is read for every piece that it reaches into.
+TEST_F(DividedUnion, mends_every_operand_once) {
+  auto files = put_rack(17);
+  TriMesh twice = bar(0, 5, -20, 48 * 17 - 24);
+  for (int i = 0; i < 2; ++i) {
+    twice.triangles.push_back(twice.triangles.front());
+  }
+  std::swap(twice.triangles.back()[0], twice.triangles.back()[1]);
+  put(files[10], twice);
+  const auto [whole, whole_bytes] = united(files, {"--repair"});
+  const auto [report, bytes] = united(files, in_pieces({"--repair", "--tiles", "2"}));
+  EXPECT_FALSE(bytes == whole_bytes);
+  EXPECT_EQ(report.at("repairs"), whole.at("repairs"));
+  EXPECT_EQ(report.at("repairs").size(), 1U);
+}
+
+TEST_F(DividedUnion, names_the_operand_that_is_no_solid) {
+  auto files = put_rack(17);
+  TriMesh open = bar(1, 5, -20, 48 * 17 - 24);
+  open.triangles.erase(open.triangles.begin());
+  put(files[11], open);
+  files.insert(files.begin(), "union");
+  files.insert(files.end(), {"-o", "out.stl", "--piece", "9000", "--tiles", "2"});
+  const ProcessResult result = dupin(files);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr(files[12]));
+}
+
+// A bow that a plane goes through twice is more than one pipe there.
+TEST_F(DividedUnion, is_not_cut_where_pieces_do_not_fit) {
+  auto files = put_rack(17);
+  const double end = 48 * 17 - 24;
+  std::vector<Solid> parts{Solid::from(bar(0, 5, -20, end)),
+                           Solid::from(moved(bar(0, 5, -20, end), Vec3(0, 0, 200))),
+                           Solid::from(box({-15, 48 * 5 - 5, 0}, {-10, 48 * 5 + 5, 200}))};
+  const Solid bow = unite(parts);
+  put(files[10], {bow.nearest_points(), bow.triangles(), {}, {}});
+  const auto [whole, whole_bytes] = united(files, {});
+  const auto [report, bytes] = united(files, in_pieces());
+  EXPECT_FALSE(bytes == whole_bytes);
+  EXPECT_EQ(report.at("check").at("genus"), whole.at("check").at("genus"));
+  EXPECT_EQ(json({"check", "out.stl"}, 0).at("genus"), whole.at("check").at("genus"));
+  EXPECT_TRUE(united(files, in_pieces({"--tiles", "5"})).second == bytes);
 }
 
 }  // namespace
