@@ -17,6 +17,8 @@ struct OperandStretch {
   std::size_t operand = 0;
   int axis = 0;
   std::optional<PlaneCut> from{}, to{};
+
+  [[nodiscard]] bool is_cut() const { return from || to; }
 };
 
 /// Operands in districts, and of large ones in pieces, which are joined again where operands were

@@ -49,6 +49,10 @@ Eigen::AlignedBox3d box_of(const StlFile& file) {
   return box;
 }
 
+TriMesh mesh_of(const Solid& solid) {
+  return {solid.nearest_points(), solid.triangles(), solid.labels(), solid.names()};
+}
+
 TriMesh mesh_in(const std::string& path) {
   return is_stl_file(path) ? StlFile(path).mesh() : read_mesh_input(path);
 }
@@ -129,8 +133,10 @@ class UnionInTiles {
         repairs_(task.files.size()),
         first_of_(first_districts()) {
     const std::vector<double> triangles = triangles_of_districts();
-    std::vector<double> bytes = triangles;
-    std::ranges::for_each(bytes, [](double& own) { own *= kBytesPerTriangle; });
+    std::vector<double> bytes;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      bytes.push_back(kBytesPerTriangle * (triangles[i] + largest_that_is_cut(i)));
+    }
     ends_ = ends_of_tiles(task.tiles, {.districts = districts_.boxes,
                                        .triangles = triangles,
                                        .bytes = bytes,
@@ -197,10 +203,21 @@ class UnionInTiles {
     return triangles;
   }
 
+  // One operand at a time is there as a whole while it is cut.
+  [[nodiscard]] double largest_that_is_cut(std::size_t district) const {
+    double largest = 0;
+    for (const OperandStretch& stretch : districts_.stretches[district]) {
+      if (stretch.is_cut()) {
+        largest = std::max(largest, static_cast<double>(files_.triangles[stretch.operand]));
+      }
+    }
+    return largest;
+  }
+
   // Of an operand, as if it had triangles everywhere along its axis.
   [[nodiscard]] double share(const OperandStretch& stretch) const {
     const Eigen::AlignedBox3d& box = files_.boxes[stretch.operand];
-    if (!stretch.from && !stretch.to) {
+    if (!stretch.is_cut()) {
       return 1;
     }
     const double from = stretch.from ? stretch.from->place : box.min()[stretch.axis],
@@ -222,14 +239,11 @@ class UnionInTiles {
     const std::vector<Seam> seams = seams_.of(district);
     std::vector<Solid> operands;
     for (const OperandStretch& stretch : districts_.stretches[district]) {
-      const Solid whole = operand(stretch.operand, district);
-      if (!stretch.from && !stretch.to) {
-        operands.push_back(whole);
-      } else if (auto own = solid_between(whole, stretch)) {
-        operands.push_back(*std::move(own));
-      } else {
+      auto own = solid_of(stretch, district);
+      if (!own) {
         return {.output = unfit_output(seams.size())};
       }
+      operands.push_back(*std::move(own));
     }
     const Solid solid = united(operands, district);
     operands.clear();
@@ -242,17 +256,22 @@ class UnionInTiles {
     RepairReport repairs;
     Solid solid = operand_of(mesh_in(task_.files[i]), task_.files[i], task_.are_repaired, repairs);
     if (first_of_[i] == district) {
-      repairs_[i] = std::move(repairs);
+      repairs_[i] = repairs;
     }
     return solid;
   }
 
-  // None where it cannot be cut there.
-  [[nodiscard]] static std::optional<Solid> solid_between(const Solid& whole,
-                                                          const OperandStretch& stretch) {
+  // None where it cannot be cut there. The first district of an operand proves it as a whole,
+  // others their stretches only.
+  [[nodiscard]] std::optional<Solid> solid_of(const OperandStretch& stretch, std::size_t district) {
+    const std::size_t i = stretch.operand;
+    if (!stretch.is_cut()) {
+      return operand(i, district);
+    }
+    const bool is_proved = first_of_[i] != district && !task_.are_repaired;
+    const TriMesh whole = is_proved ? mesh_in(task_.files[i]) : mesh_of(operand(i, district));
     try {
-      const TriMesh mesh{whole.nearest_points(), whole.triangles(), whole.labels(), whole.names()};
-      return Solid::from(between_planes(mesh, stretch.axis, stretch.from, stretch.to));
+      return Solid::from(between_planes(whole, stretch.axis, stretch.from, stretch.to));
     } catch (const Error& error) {
       if (error.code() == Errc::limit_exceeded || error.code() == Errc::cancelled) {
         throw;

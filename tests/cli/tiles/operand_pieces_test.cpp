@@ -43,7 +43,7 @@ TEST(OperandPieces, of_few_operands_or_triangles_are_districts) {
     ASSERT_EQ(whole.stretches.size(), 2);
     EXPECT_TRUE(whole.seams.empty());
     for (const OperandStretch& stretch : whole.stretches[0]) {
-      EXPECT_FALSE(stretch.from || stretch.to);
+      EXPECT_FALSE(stretch.is_cut());
     }
   }
   const OperandPieces none = operand_pieces(operand_districts({}, {}), {{}, {}, 1, {}});
@@ -109,7 +109,7 @@ TEST(OperandPieces, some_operands_are_not_cut) {
   EXPECT_GT(made.stretches.size(), 2);
   for (const std::vector<OperandStretch>& stretches : made.stretches) {
     for (const OperandStretch& stretch : stretches) {
-      EXPECT_FALSE(uncut.contains(stretch.operand) && (stretch.from || stretch.to));
+      EXPECT_FALSE(uncut.contains(stretch.operand) && stretch.is_cut());
     }
   }
 }

@@ -157,6 +157,34 @@ def check_union(tool, folder):
         path.unlink()
 
 
+def check_divided_union(tool, folder):
+    """Operands that hang together are cut, and each is read by all ranks that have some of it."""
+    bars, operands = 17, []
+    for i in range(bars):
+        at, end = 300 * i, 300 * bars - 150
+        for name, pipe in [("x", {"from": [-150, at, 0], "to": [end, at, 0], "radius": 60}),
+                           ("y", {"from": [at, end, 10], "to": [at, -150, 10], "radius": 50})]:
+            operands.append(f"{name}{i}.stl")
+            document = {"units": "mm", "tolerance": 0.5, "parts": [{"name": name, "pipe": pipe}]}
+            (folder / "operand.json").write_text(json.dumps(document), encoding="utf-8")
+            assert run(tool, folder, 0, "operand.json", "-o", operands[-1]).returncode == 0
+    undivided = run(tool, folder, 0, *operands, "-o", "union.stl", command="union")
+    undivided_bytes = (folder / "union.stl").read_bytes()
+    whole = run(tool, folder, 0, *operands, "-o", "union.stl", "--piece", "9000", command="union")
+    assert (folder / "union.stl").read_bytes() != undivided_bytes
+    expected = json.loads(whole.stdout)["check"]
+    assert expected["genus"] == json.loads(undivided.stdout)["check"]["genus"] == (bars - 1) ** 2, expected
+    for ranks in [1, 2, 3]:
+        for more in [[], ["--tiles", "3"]]:
+            shared = run(tool, folder, ranks, *operands, "-o", "shared.stl", "--piece", "9000", *more, command="union")
+            assert shared.returncode == 0, shared.stderr
+            assert (folder / "shared.stl").read_bytes() == (folder / "union.stl").read_bytes(), ranks
+            assert json.loads(shared.stdout)["check"] == expected, ranks
+    for path in [folder / "operand.json", *folder.glob("union.*"), *folder.glob("shared.*"),
+                 *map(folder.joinpath, operands)]:
+        path.unlink()
+
+
 LEFT = ["bad.json", "kept", "plant.json", "whole.stl"]
 
 
@@ -269,6 +297,7 @@ def main():
         check_new_caches(tool, folder)
         check_formats(tool, folder)
         check_union(tool, folder)
+        check_divided_union(tool, folder)
         check_failure(tool, folder)
         check_errors_of_all(tool, folder)
         check_disk(tool, folder)
