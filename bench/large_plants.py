@@ -2,13 +2,14 @@
 """Plants of many components, larger than memory: time, peak memory, and how they grow.
 
 Usage: bench/large_plants.py BUILD_FOLDER [--components N ...] [--tolerance MM] [--memory SIZE]
-       [--compare N] [--folder DIR] [--connected]
+       [--compare N] [--folder DIR] [--connected | --rack]
 
 Plants are seeded: lines of pipes, bends, a reducer and filleted branches in a rack, each line apart from the
 next, 200 m from the origin. Each is built within --memory, and what was written is checked within it; up to
 --compare components also at once, and the bytes and reports are compared. With --connected, all lines begin in
-headers, and are one thing that hangs together. Then a branch of one line is moved, and
-the plant is built again from a cache.
+headers, and are one thing that hangs together; with --rack, components are pipes, half of them through all of the
+other half, without a ring between them. Then a branch of one line is moved, or a pipe made thinner, and the plant is
+built again from a cache.
 """
 import argparse
 import copy
@@ -26,6 +27,7 @@ import time
 LINES_PER_LEVEL = 50
 PITCH = 900  # of lines, mm
 HEADER = 199_500  # where lines begin that hang together, mm
+RACK_PITCH = 300  # of its pipes, mm
 PER_LINE = 12  # components, without fillets
 
 
@@ -86,10 +88,25 @@ def plant(components, tolerance, is_connected=False):
     return {"units": "mm", "tolerance": tolerance, "parts": [part for parts in lines for part in parts]}
 
 
-def with_one_branch_moved(document):
+def rack(pipes, tolerance):
+    """Pipes along x and pipes along y through each other."""
+    side, parts = pipes // 2, []
+    end = RACK_PITCH * side - RACK_PITCH / 2
+    for i in range(side):
+        at = RACK_PITCH * i
+        for name, place, radius in [("x", lambda t, at=at: [t, at, 0], 60), ("y", lambda t, at=at: [at, t, 10], 50)]:
+            parts.append({"name": f"{name}{i}",
+                          "pipe": {"from": place(-RACK_PITCH / 2), "to": place(end), "radius": radius}})
+    return {"units": "mm", "tolerance": tolerance, "parts": parts}
+
+
+def with_one_edit(document):
     edited = copy.deepcopy(document)
     branches = [part for part in edited["parts"] if "on" in part.get("pipe", {})]
-    branches[len(branches) // 2]["pipe"]["at"] *= 0.9
+    if branches:
+        branches[len(branches) // 2]["pipe"]["at"] *= 0.9
+    else:
+        edited["parts"][len(edited["parts"]) // 2]["pipe"]["radius"] -= 1
     return edited
 
 
@@ -113,9 +130,10 @@ def exponent(rows, column):
 def measured(tool, folder, components, arguments):
     """A row of the table, as for exponents: components, and seconds and bytes of the build and of the check."""
     document, edited = folder / "plant.json", folder / "edited.json"
-    content = plant(components, arguments.tolerance, arguments.connected)
+    content = (rack(components, arguments.tolerance) if arguments.rack
+               else plant(components, arguments.tolerance, arguments.connected))
     document.write_text(json.dumps(content), encoding="utf-8")
-    edited.write_text(json.dumps(with_one_branch_moved(content)), encoding="utf-8")
+    edited.write_text(json.dumps(with_one_edit(content)), encoding="utf-8")
     tiled, whole = folder / "tiled.stl", folder / "whole.stl"
     seconds, memory, report = run(tool, ["build", document, "-o", tiled, "--memory", arguments.memory])
     triangles = report["output"]["check"]["triangles"]
@@ -146,7 +164,9 @@ def main():
     parser.add_argument("--memory", default="4GB")
     parser.add_argument("--compare", type=int, default=10_000)
     parser.add_argument("--folder", help="for the files, which may be large")
-    parser.add_argument("--connected", action="store_true", help="all lines begin in headers")
+    kinds = parser.add_mutually_exclusive_group()
+    kinds.add_argument("--connected", action="store_true", help="all lines begin in headers")
+    kinds.add_argument("--rack", action="store_true", help="pipes through each other")
     arguments = parser.parse_args()
     tool = str((arguments.build / "cli" / "dupin").resolve())
     print(f"{'components':>10} {'triangles':>12} {'s':>9} {'M tri/s':>8} {'peak MB':>9} {'check s':>9} {'check MB':>9} "
