@@ -17,6 +17,9 @@ constexpr double kLeastRoom = 1. / 16;
 // Of one item.
 constexpr double kMostPlanes = 1e6;
 
+// Of what a group may weigh: less is no group of its own.
+constexpr double kLittle = 1. / 32;
+
 }  // namespace
 
 FreePlaces::FreePlaces(std::span<const Eigen::AlignedBox3d> boxes,
@@ -108,11 +111,15 @@ std::vector<std::uint32_t> grouped(std::vector<double> weights,
                                    std::span<const std::array<std::uint32_t, 2>> pairs,
                                    double most) {
   support::DisjointSets groups(weights.size());
-  for (const auto& [a, b] : pairs) {
-    const std::uint32_t one = groups.find(a), other = groups.find(b);
-    if (one != other && weights[one] + weights[other] <= most) {
-      weights[std::min(one, other)] = weights[one] + weights[other];
-      groups.unite(one, other);
+  for (const bool is_last : {false, true}) {
+    for (const auto& [a, b] : pairs) {
+      const std::uint32_t one = groups.find(a), other = groups.find(b);
+      const bool fits = weights[one] + weights[other] <= most,
+                 is_little = std::min(weights[one], weights[other]) < kLittle * most;
+      if (one != other && (fits || (is_last && is_little))) {
+        weights[std::min(one, other)] = weights[one] + weights[other];
+        groups.unite(one, other);
+      }
     }
   }
   return groups.representatives();

@@ -102,6 +102,17 @@ TEST(OperandPieces, touch_at_seams_only) {
   }
 }
 
+// A bar that cannot be cut, and many through it whose ends could be.
+TEST(OperandPieces, ends_alone_are_no_pieces) {
+  Grid comb(0);
+  comb.boxes.assign(1, {Vec3(-5, -1, -1), Vec3(1005, 1, 1)});
+  for (int i = 0; i < 1000; ++i) {
+    comb.boxes.emplace_back(Vec3(i, -1, -1), Vec3(i + 1.01, 9, 1));
+  }
+  comb.triangles.assign(comb.boxes.size(), 100);
+  EXPECT_EQ(comb.pieces(20000).stretches.size(), 1);
+}
+
 TEST(OperandPieces, some_operands_are_not_cut) {
   const Grid grid(20);
   const std::set<std::size_t> uncut{3, 4};

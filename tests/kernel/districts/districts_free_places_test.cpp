@@ -83,6 +83,11 @@ TEST(FreePlaces, groups_are_no_heavier_than_wanted) {
   EXPECT_EQ(grouped({1, 2, 3, 4, 9}, pairs, 10), (std::vector<std::uint32_t>{0, 0, 0, 0, 4}));
   EXPECT_EQ(grouped({1, 2, 3, 4, 9}, pairs, 19), (std::vector<std::uint32_t>{0, 0, 0, 0, 0}));
   EXPECT_EQ(grouped({1, 2, 3, 4, 9}, pairs, 0), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(grouped({100, 4, 100}, std::array{pairs[2], pairs[1]}, 100),
+            (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(grouped({100, 3, 100}, std::array{pairs[2], pairs[1]}, 100),
+            (std::vector<std::uint32_t>{0, 0, 2}))
+      << "which is little";
 }
 
 }  // namespace

@@ -120,7 +120,8 @@ class FreePlaces {
 /// next to these ends only: nowhere else do boxes about the pieces touch.
 ///
 /// Things, numbered, that come together along these pairs, one after the other, as long as no more
-/// than `most` of their weight does: for each the first of its group.
+/// than `most` of their weight does; then what is left of little weight, with any other. For each
+/// the first of its group.
 [[nodiscard]] std::vector<std::uint32_t> grouped(
     std::vector<double> weights, std::span<const std::array<std::uint32_t, 2>> pairs, double most);
 
