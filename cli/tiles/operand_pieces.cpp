@@ -14,12 +14,6 @@
 namespace dupin::cli {
 namespace {
 
-/// So often the planes come closer, where that leaves too much between them.
-constexpr int kMostRounds = 6;
-
-/// Cells between planes, for each piece that is wanted.
-constexpr double kCells = 4;
-
 /// Of two pipes through each other, one band of triangles long, as many as both have; of finer
 /// ones so many times the roots of their numbers, measured.
 constexpr double kCrossing = 10;
@@ -83,7 +77,7 @@ class OperandDivider {
 
   /// Operands without a box are not cut. Places by those that have one.
   [[nodiscard]] Stretches stretches(const std::vector<std::size_t>& operands, const Boxes& boxes,
-                                    const std::vector<std::vector<double>>& places) const {
+                                    const FreePlaces::Cuts& places) const {
     Stretches result;
     std::size_t boxed = 0;
     for (const std::size_t operand : operands) {
@@ -152,30 +146,19 @@ class OperandDivider {
     return districts_of(stretches.boxes, stretches.pairs);
   }
 
-  [[nodiscard]] std::vector<std::vector<double>> best_cuts(const std::vector<std::size_t>& operands,
-                                                           const Boxes& boxes,
-                                                           double expected) const {
+  [[nodiscard]] FreePlaces::Cuts best_cuts(const std::vector<std::size_t>& operands,
+                                           const Boxes& boxes, double expected) const {
     std::vector<std::optional<Cuttable>> items;
     for (const std::size_t operand : operands) {
       if (!division_.boxes[operand].isEmpty()) {
         items.push_back(cuttable(operand));
       }
     }
-    const FreePlaces places(boxes, items);
-    double distance = plane_distance(bounds_of(std::span(&boxes, 1)),
-                                     kCells * std::ceil(expected / division_.most)),
-           least = expected;
-    std::vector<std::vector<double>> best;
-    for (int round = 0; round < kMostRounds && least > division_.most; ++round, distance /= 2) {
-      std::vector<std::vector<double>> cuts = places.cuts(distance);
-      const Stretches tried = stretches(operands, boxes, cuts);
-      const double largest = largest_of(triangles_of(tried, atoms_of(tried)));
-      if (largest < least) {
-        least = largest;
-        best = std::move(cuts);
-      }
-    }
-    return best;
+    return FreePlaces(boxes, items)
+        .best_cuts(expected, division_.most, [&](const FreePlaces::Cuts& cuts) {
+          const Stretches tried = stretches(operands, boxes, cuts);
+          return largest_of(triangles_of(tried, atoms_of(tried)));
+        });
   }
 
   [[nodiscard]] std::vector<std::uint32_t> groups_of(const Stretches& stretches) const {

@@ -20,6 +20,25 @@ constexpr double kMostPlanes = 1e6;
 // Of what a group may weigh: less is no group of its own.
 constexpr double kLittle = 1. / 32;
 
+// Cells between the first planes, for each piece that is wanted.
+constexpr double kCells = 4;
+
+// So often planes come closer.
+constexpr int kMostRounds = 6;
+
+/// So far apart planes across all three axes are that cut the box into at least so many cells, and
+/// not many more.
+double plane_distance(const Eigen::AlignedBox3d& box, double cells) {
+  constexpr double kStep = 1.25;
+  constexpr int kMostSteps = 64;
+  const Vec3 size = box.sizes();
+  double distance = size.maxCoeff();
+  for (int i = 0; i < kMostSteps && (size.array() / distance).ceil().max(1).prod() < cells; ++i) {
+    distance /= kStep;
+  }
+  return distance;
+}
+
 }  // namespace
 
 FreePlaces::FreePlaces(std::span<const Eigen::AlignedBox3d> boxes,
@@ -34,6 +53,7 @@ FreePlaces::FreePlaces(std::span<const Eigen::AlignedBox3d> boxes,
       const auto& [axis, from, to, clear] = *items[i];
       taken[i] = {{boxes[i].min()[axis], from + clear}, {to - clear, boxes[i].max()[axis]}};
       items_[i] = {from, to, clear};
+      box_.extend(boxes[i]);
     }
   }
   for_each_touching(boxes, [&](std::uint32_t a, std::uint32_t b) {
@@ -57,8 +77,8 @@ FreePlaces::FreePlaces(std::span<const Eigen::AlignedBox3d> boxes,
   }
 }
 
-std::vector<std::vector<double>> FreePlaces::cuts(double distance) const {
-  std::vector<std::vector<double>> result;
+FreePlaces::Cuts FreePlaces::cuts(double distance) const {
+  Cuts result;
   result.reserve(items_.size());
   for (const Item& item : items_) {
     result.push_back(item.free.empty() ? std::vector<double>() : cuts_of(item, distance));
@@ -96,15 +116,21 @@ std::vector<double> FreePlaces::cuts_of(const Item& item, double distance) {
   return places;
 }
 
-double plane_distance(const Eigen::AlignedBox3d& box, double cells) {
-  constexpr double kStep = 1.25;
-  constexpr int kMostSteps = 64;
-  const Vec3 size = box.sizes();
-  double distance = size.maxCoeff();
-  for (int i = 0; i < kMostSteps && (size.array() / distance).ceil().max(1).prod() < cells; ++i) {
-    distance /= kStep;
+FreePlaces::Cuts FreePlaces::best_cuts(double size, double most,
+                                       const std::function<double(const Cuts&)>& largest) const {
+  Cuts best;
+  double least = size;
+  double distance = box_.isEmpty() ? 0 : plane_distance(box_, kCells * std::ceil(size / most));
+  for (int round = 0; round < kMostRounds && least > most && distance > 0; ++round) {
+    Cuts tried = cuts(distance);
+    const double left = largest(tried);
+    if (left < least) {
+      least = left;
+      best = std::move(tried);
+    }
+    distance /= 2;
   }
-  return distance;
+  return best;
 }
 
 std::vector<std::uint32_t> grouped(std::vector<double> weights,

@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -66,15 +66,31 @@ TEST(FreePlaces, are_apart_from_each_other) {
   }
 }
 
-TEST(FreePlaces, are_few_where_planes_are_far_apart) {
-  const Eigen::AlignedBox3d flat(Vec3(0, 0, 0), Vec3(100, 50, 1));
-  for (const double cells : {1., 4., 100., 1000.}) {
-    const double distance = plane_distance(flat, cells);
-    const double made =
-        std::ceil(100 / distance) * std::ceil(50 / distance) * std::ceil(1 / distance);
-    EXPECT_GE(made, cells);
-    EXPECT_LE(made, 2.5 * cells + 2);
+TEST(FreePlaces, are_as_many_as_it_takes) {
+  const Crossed crossed({30, 60});
+  const auto longest = [](const FreePlaces::Cuts& cuts) {
+    double result = 0, last = 0;
+    for (const double place : cuts[0]) {
+      result = std::max(result, place - last);
+      last = place;
+    }
+    return std::max(result, 100 - last);
+  };
+  const FreePlaces places(crossed.boxes, crossed.items);
+  std::size_t before = 0;
+  for (const double most : {90., 40., 20., 10.}) {
+    const FreePlaces::Cuts cuts = places.best_cuts(100, most, longest);
+    ASSERT_EQ(cuts.size(), 3);
+    EXPECT_LE(longest(cuts), most);
+    EXPECT_GT(cuts[0].size(), before);
+    EXPECT_LE(cuts[0].size(), 4 * 4 * 100 / most);
+    before = cuts[0].size();
   }
+  // Nothing comes closer than what is across is wide.
+  EXPECT_GT(longest(places.best_cuts(100, .1, longest)), 4);
+  EXPECT_TRUE(places.best_cuts(100, .1, [](const auto&) { return 100; }).empty()) << "no better";
+  EXPECT_TRUE(places.best_cuts(100, 100, longest).empty()) << "there is nothing to do";
+  EXPECT_TRUE(FreePlaces(crossed.boxes, {}).best_cuts(100, 1, longest).empty());
 }
 
 TEST(FreePlaces, groups_are_no_heavier_than_wanted) {

@@ -190,8 +190,7 @@ District district(const Assembly& assembly, const ResolvedAssembly& resolved,
   if (result.piece) {
     result.assembly.tolerance = result.piece->tolerance;
     for (auto& [end, name] : result.piece->discs) {
-      const auto place = std::ranges::lower_bound(members.parts, end.part);
-      end.part = std::uint32_t(place - members.parts.begin());
+      end.part = members.place_of(end.part);
       result.resolved.parts[end.part].end_names.at(at(end.end)) = name;
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,6 +38,11 @@ struct PieceOf {
 struct DistrictParts : PartPlaces {
   Boxes boxes;
   std::optional<PieceOf> piece;  ///< of one that meets others at its discs (divided_districts.h)
+
+  /// Of one of its parts.
+  [[nodiscard]] std::uint32_t place_of(std::uint32_t part) const {
+    return std::uint32_t(std::ranges::lower_bound(parts, part) - parts.begin());
+  }
 };
 
 /// In the order of their first parts. Boxes about parts are wider than these by `margin`, and by

@@ -22,12 +22,6 @@
 namespace dupin::assembly {
 namespace {
 
-// So often the planes come closer at which pipes are cut, where that leaves too much between them.
-constexpr int kMostRounds = 6;
-
-// Cells between planes, for each piece that is wanted.
-constexpr double kCells = 4;
-
 double largest_of(std::span<const double> numbers) {
   return numbers.empty() ? 0 : *std::ranges::max_element(numbers);
 }
@@ -129,32 +123,19 @@ class Divider {
                   const std::vector<double>& triangles) {
     const std::vector<std::uint32_t>& parts = whole.members.parts;
     std::vector<std::optional<Cuttable>> items(parts.size());
-    Eigen::AlignedBox3d box;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (triangles[atoms.of[i]] > division_.most) {
-        const ResolvedPart& part = whole.resolved.parts[parts[i]];
-        items[i] = is_kept(part) ? std::nullopt : cuttable(part);
-        box.extend(items[i] ? atoms.boxes[i] : Eigen::AlignedBox3d());
+      const ResolvedPart& part = whole.resolved.parts[parts[i]];
+      if (triangles[atoms.of[i]] > division_.most && !is_kept(part)) {
+        items[i] = cuttable(part);
       }
     }
-    if (box.isEmpty()) {
-      return false;
-    }
-    const FreePlaces places(atoms.boxes, items);
-    const double all = std::accumulate(triangles.begin(), triangles.end(), 0.0);
-    double distance = plane_distance(box, kCells * std::ceil(all / division_.most)),
-           least = largest_of(triangles);
-    PipeCuts best;
-    for (int round = 0; round < kMostRounds && least > division_.most; ++round, distance /= 2) {
-      PipeCuts cuts = pipe_cuts(whole.resolved, parts, places.cuts(distance));
-      const StretchedDistrict tried = stretched(whole, cuts);
-      const double largest =
-          largest_of(expected(tried.divisible(), atoms_of(tried.divisible(), rule_)));
-      if (largest < least) {
-        least = largest;
-        best = std::move(cuts);
-      }
-    }
+    const auto largest = [&](const FreePlaces::Cuts& cuts) {
+      const StretchedDistrict tried = stretched(whole, pipe_cuts(whole.resolved, parts, cuts));
+      return largest_of(expected(tried.divisible(), atoms_of(tried.divisible(), rule_)));
+    };
+    const PipeCuts best = pipe_cuts(
+        whole.resolved, parts,
+        FreePlaces(atoms.boxes, items).best_cuts(largest_of(triangles), division_.most, largest));
     if (!best.empty()) {
       append_stretched(whole, best);
     }

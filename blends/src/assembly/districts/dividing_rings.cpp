@@ -17,10 +17,6 @@ std::string seam_name(const ResolvedPart& part, End end) {
   return is_cut(part, end) ? part.end_names.at(at(end)) : kSeamMark + to_string({part.name, end});
 }
 
-std::uint32_t place_of(const DistrictParts& members, std::uint32_t part) {
-  return std::uint32_t(std::ranges::lower_bound(members.parts, part) - members.parts.begin());
-}
-
 Eigen::AlignedBox3d widened(const Eigen::AlignedBox3d& box, double by) {
   return {box.min().array() - by, box.max().array() + by};
 }
@@ -32,8 +28,8 @@ Boxes close_boxes(const Divisible& whole) {
   Boxes boxes = members.boxes;
   for (std::size_t i = 0; i < members.fillets.size(); ++i) {
     const ResolvedFillet& fillet = whole.resolved.fillets[members.fillets[i]];
-    const Eigen::AlignedBox3d one = members.boxes[place_of(members, fillet.between[0])],
-                              other = members.boxes[place_of(members, fillet.between[1])];
+    const Eigen::AlignedBox3d one = members.boxes[members.place_of(fillet.between[0])],
+                              other = members.boxes[members.place_of(fillet.between[1])];
     if (one.intersects(other)) {
       const double reach = kReach * fillet.shape.radius;
       boxes[members.parts.size() + i] = widened(one, reach).intersection(widened(other, reach));
@@ -53,7 +49,7 @@ std::vector<SharedRing> rings_of(const Divisible& whole, const DividingRule& rul
       if (!next || next->part <= members.parts[i]) {
         continue;
       }
-      const std::uint32_t other = place_of(members, next->part);
+      const std::uint32_t other = members.place_of(next->part);
       ++times[{i, other}];
       result.push_back(
           {{i, other}, {EndIndex{members.parts[i], end}, *next}, seam_name(part, end)});

@@ -6,20 +6,12 @@
 #include "assembly/part_box.h"
 
 namespace dupin::assembly {
-namespace {
-
-std::uint32_t place_of(const DistrictParts& members, std::uint32_t part) {
-  return std::uint32_t(std::ranges::lower_bound(members.parts, part) - members.parts.begin());
-}
-
-}  // namespace
-
 StretchedDistrict stretched(const Divisible& whole, const PipeCuts& cuts) {
   StretchedDistrict result{in_stretches(whole.resolved, cuts), whole.members, whole.common};
   DistrictParts& members = result.members;
   Boxes more;
   for (const auto& [pipe, stretches] : result.stretches.of_pipe) {
-    const std::uint32_t own = place_of(whole.members, pipe);
+    const std::uint32_t own = whole.members.place_of(pipe);
     const Eigen::AlignedBox3d box = part_box(whole.resolved.parts[pipe].shape);
     const Vec3 before = box.min() - whole.members.boxes[own].min(),
                behind = whole.members.boxes[own].max() - box.max();
@@ -53,8 +45,8 @@ FewerCuts cuts_between(const StretchedDistrict& district, const PipeCuts& cuts,
   std::iota(result.boxes.begin(), result.boxes.end(), std::uint32_t{0});
   for (const auto& [pipe, stretches] : district.stretches.of_pipe) {
     for (std::size_t i = 0; i + 1 < stretches.size(); ++i) {
-      const std::uint32_t before = place_of(members, stretches[i]),
-                          behind = place_of(members, stretches[i + 1]);
+      const std::uint32_t before = members.place_of(stretches[i]),
+                          behind = members.place_of(stretches[i + 1]);
       if (group_of(before) != group_of(behind)) {
         result.cuts[pipe].push_back(cuts.at(pipe)[i]);
         result.boxes.push_back(behind);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -86,15 +87,21 @@ struct Cuttable {
 /// axes of coordinates.
 class FreePlaces {
  public:
+  using Cuts = std::vector<std::vector<double>>;  ///< by item, ascending
+
   /// The first of the boxes are about these items, and reach over their ends; none of those that
   /// are not to be cut. O(n log n) and as `for_each_touching`.
   FreePlaces(std::span<const Eigen::AlignedBox3d> boxes,
              const std::vector<std::optional<Cuttable>>& items);
 
   /// For each plane at a multiple of `distance` that an item runs through, the free place nearest
-  /// to it, if that is no further than half of the distance; by item, ascending. Planes are the
-  /// same for all, so that what is side by side is cut side by side.
-  [[nodiscard]] std::vector<std::vector<double>> cuts(double distance) const;
+  /// to it, if that is no further than half of the distance. Planes are the same for all, so that
+  /// what is side by side is cut side by side.
+  [[nodiscard]] Cuts cuts(double distance) const;
+  /// Those that leave least of `size` together, as `largest` says; none if all do. Planes come
+  /// closer until that is no more than `most`, the first ones making cells of a box about all.
+  [[nodiscard]] Cuts best_cuts(double size, double most,
+                               const std::function<double(const Cuts&)>& largest) const;
 
  private:
   struct Range {
@@ -108,11 +115,8 @@ class FreePlaces {
   [[nodiscard]] static std::vector<double> cuts_of(const Item& item, double distance);
 
   std::vector<Item> items_;
+  Eigen::AlignedBox3d box_;  // about all of them
 };
-
-/// So far apart planes across all three axes are that cut the box into at least so many cells, and
-/// not many more.
-[[nodiscard]] double plane_distance(const Eigen::AlignedBox3d& box, double cells);
 
 /// What hangs together and is large is made in pieces. Where two of them end in one ring, each is
 /// closed by a disc, or about a bore by an annulus, of the same triangles, turned the other way;
