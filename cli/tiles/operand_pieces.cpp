@@ -25,6 +25,13 @@ double largest_of(std::span<const double> numbers) {
   return numbers.empty() ? 0 : *std::ranges::max_element(numbers);
 }
 
+/// What operands are cut across.
+int longest_axis(const Eigen::AlignedBox3d& box) {
+  int axis = 0;
+  box.sizes().maxCoeff(&axis);
+  return axis;
+}
+
 /// Operands of a district in stretches, in their order.
 struct Stretches {
   std::vector<OperandStretch> all;
@@ -61,14 +68,12 @@ class OperandDivider {
     return std::accumulate(numbers.begin(), numbers.end(), 0.0);
   }
 
-  /// Across the axis along which the operand is longest.
   [[nodiscard]] std::optional<Cuttable> cuttable(std::size_t operand) const {
     const Eigen::AlignedBox3d& box = division_.boxes[operand];
     if (division_.uncut.contains(operand)) {
       return std::nullopt;
     }
-    int axis = 0;
-    box.sizes().maxCoeff(&axis);
+    const int axis = longest_axis(box);
     const double thickness = box.sizes().minCoeff();
     return thickness > 0
                ? std::optional(Cuttable{axis, box.min()[axis], box.max()[axis], thickness / 2})
@@ -102,8 +107,7 @@ class OperandDivider {
   void append_operand(std::size_t operand, const Eigen::AlignedBox3d& wide,
                       const std::vector<double>& places, Stretches& to) const {
     const Eigen::AlignedBox3d& box = division_.boxes[operand];
-    int axis = 0;
-    box.sizes().maxCoeff(&axis);
+    const int axis = longest_axis(box);
     OperandStretch next{operand, axis};
     for (std::size_t i = 0; i <= places.size(); ++i) {
       const bool is_last = i == places.size();

@@ -6,6 +6,7 @@
 #include "assembly/part_box.h"
 
 namespace dupin::assembly {
+
 StretchedDistrict stretched(const Divisible& whole, const PipeCuts& cuts) {
   StretchedDistrict result{in_stretches(whole.resolved, cuts), whole.members, whole.common};
   DistrictParts& members = result.members;
