@@ -46,8 +46,7 @@ class OperandDivider {
 
   void add(const std::vector<std::size_t>& operands, const Boxes& boxes) {
     if (operands.empty()) {
-      result_.stretches.emplace_back();
-      result_.boxes.emplace_back();
+      append_district();
       return;
     }
     const Stretches whole = stretches(operands, boxes, {});
@@ -184,6 +183,12 @@ class OperandDivider {
     return result;
   }
 
+  void append_district() {
+    result_.stretches.emplace_back();
+    result_.boxes.emplace_back();
+    result_.triangles.push_back(0);
+  }
+
   /// Stretches of one operand that are in one group are one.
   void append(const Stretches& stretches, const std::vector<std::uint32_t>& group_of) {
     std::map<std::uint32_t, std::uint32_t> district;  // by group
@@ -191,9 +196,9 @@ class OperandDivider {
       const auto [entry, is_new] =
           district.try_emplace(group_of[i], static_cast<std::uint32_t>(result_.stretches.size()));
       if (is_new) {
-        result_.stretches.emplace_back();
-        result_.boxes.emplace_back();
+        append_district();
       }
+      result_.triangles[entry->second] += stretches.triangles[i];
       std::vector<OperandStretch>& own = result_.stretches[entry->second];
       Boxes& boxes = result_.boxes[entry->second];
       const OperandStretch& stretch = stretches.all[i];

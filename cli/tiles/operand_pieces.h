@@ -26,6 +26,8 @@ struct OperandStretch {
 struct OperandPieces {
   std::vector<std::vector<OperandStretch>> stretches;  ///< per district, ascending
   std::vector<Boxes> boxes;                            ///< likewise
+  /// Likewise, of the operands: as if these had them everywhere along their axes.
+  std::vector<double> triangles;
   std::vector<Seam> seams;
 };
 

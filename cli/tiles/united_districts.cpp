@@ -132,7 +132,7 @@ class UnionInTiles {
         rounding_(rounding_of_districts(task.rounding, districts_.boxes)),
         repairs_(task.files.size()),
         first_of_(first_districts()) {
-    const std::vector<double> triangles = triangles_of_districts();
+    const std::vector<double>& triangles = districts_.triangles;
     std::vector<double> bytes;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       bytes.push_back(kBytesPerTriangle * (triangles[i] + largest_that_is_cut(i)));
@@ -191,18 +191,6 @@ class UnionInTiles {
   }
 
  private:
-  [[nodiscard]] std::vector<double> triangles_of_districts() const {
-    std::vector<double> triangles;
-    for (const std::vector<OperandStretch>& stretches : districts_.stretches) {
-      double own = 0;
-      for (const OperandStretch& stretch : stretches) {
-        own += static_cast<double>(files_.triangles[stretch.operand]) * share(stretch);
-      }
-      triangles.push_back(own);
-    }
-    return triangles;
-  }
-
   // One operand at a time is there as a whole while it is cut.
   [[nodiscard]] double largest_that_is_cut(std::size_t district) const {
     double largest = 0;
@@ -212,17 +200,6 @@ class UnionInTiles {
       }
     }
     return largest;
-  }
-
-  // Of an operand, as if it had triangles everywhere along its axis.
-  [[nodiscard]] double share(const OperandStretch& stretch) const {
-    const Eigen::AlignedBox3d& box = files_.boxes[stretch.operand];
-    if (!stretch.is_cut()) {
-      return 1;
-    }
-    const double from = stretch.from ? stretch.from->place : box.min()[stretch.axis],
-                 to = stretch.to ? stretch.to->place : box.max()[stretch.axis];
-    return (to - from) / box.sizes()[stretch.axis];
   }
 
   [[nodiscard]] std::vector<std::size_t> first_districts() const {
