@@ -132,7 +132,11 @@ class Certifier {
       : assembly_(assembly),
         options_(options),
         resolved_(resolve(assembly)),
-        left_{options.work, CertificateLimits::kWork} {}
+        grid_(assembly::lattice_spacing(assembly, resolved_)),
+        runs_(assembly::welded_runs(resolved_)),
+        left_{options.work, CertificateLimits::kWork} {
+    assembly::refuse_too_costly(assembly_, resolved_, runs_, grid_, options_.most_triangles);
+  }
 
   Certificate run() {
     result_.document = assembly_.source;
@@ -220,18 +224,16 @@ class Certifier {
 
   void append_meshes() {
     waiting_meshes_.resize(result_.parts.size());
-    const double grid = assembly::lattice_spacing(assembly_, resolved_);
-    const auto runs = assembly::welded_runs(resolved_);
-    assembly::refuse_too_costly(assembly_, resolved_, runs, grid, options_.most_triangles);
     std::vector<RingSampling> samplings(resolved_.parts.size());
     std::set<std::uint32_t> trimmed;
     for (const ResolvedFillet& fillet : resolved_.fillets) {
       trimmed.insert(fillet.between.begin(), fillet.between.end());
     }
     std::vector<std::uint32_t> whole;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      const RingSampling sampling = assembly::run_sampling(assembly_, resolved_, runs[i], i, grid);
-      for (const auto part : runs[i].parts) {
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      const RingSampling sampling =
+          assembly::run_sampling(assembly_, resolved_, runs_[i], i, grid_);
+      for (const auto part : runs_[i].parts) {
         samplings[part] = sampling;
         if (!trimmed.contains(part)) {
           whole.push_back(part);
@@ -244,11 +246,11 @@ class Certifier {
           assembly_, part.index, [&] { return mesh_claim(part.shape, samplings[whole[i]]); });
       agree_mesh(whole[i], std::move(claim), work);
     });
-    append_fillets(samplings, trimmed, grid);
-    append_hubs(samplings, grid);
+    append_fillets(samplings, trimmed);
+    append_hubs(samplings);
   }
 
-  void append_hubs(const std::vector<RingSampling>& samplings, double grid) {
+  void append_hubs(const std::vector<RingSampling>& samplings) {
     for_each_claim(resolved_.junctions.size(), left_, [&](std::size_t i, ClaimWork& work) {
       const ResolvedJunction& junction = resolved_.junctions[i];
       std::vector<RingSampling> of_arms;
@@ -260,7 +262,7 @@ class Certifier {
       const Tessellation hub =
           assembly::hub_tessellation(assembly_, junction, of_arms, options_.most_triangles);
       result_.claims[result_.junctions[i].hub].mesh = certification::agreed_of_hub(
-          certification::hub_mesh_claim(junction.shape.hub, hub.mesh, fewest, grid),
+          certification::hub_mesh_claim(junction.shape.hub, hub.mesh, fewest, grid_),
           junction.shape.hub, work);
     });
   }
@@ -300,7 +302,7 @@ class Certifier {
   }
 
   void append_fillets(const std::vector<RingSampling>& samplings,
-                      const std::set<std::uint32_t>& trimmed, double grid) {
+                      const std::set<std::uint32_t>& trimmed) {
     std::vector<std::vector<surfaces::FilletMesh>> meshes(resolved_.fillets.size());
     std::vector<std::size_t> first_loop;
     for (const ResolvedFillet& fillet : resolved_.fillets) {
@@ -319,7 +321,7 @@ class Certifier {
           options_.most_triangles);
       if (!fillet.shape.is_cope()) {
         claims[i] = assembly::with_part_context(assembly_, fillet.index, [&] {
-          return fillet_claims(&loops_[first_loop[i]], meshes[i], grid, work);
+          return fillet_claims(&loops_[first_loop[i]], meshes[i], work);
         });
       }
     });
@@ -328,20 +330,20 @@ class Certifier {
         result_.fillet_claims.push_back(std::move(claims[i]));
       }
     }
-    append_trimmed({trimmed.begin(), trimmed.end()}, samplings, meshes, grid);
+    append_trimmed({trimmed.begin(), trimmed.end()}, samplings, meshes);
   }
 
   // Of a straight pipe's mesh it counts only how far its triangles go about the axis.
   void append_trimmed(const std::vector<std::uint32_t>& trimmed,
                       const std::vector<RingSampling>& samplings,
-                      const std::vector<std::vector<surfaces::FilletMesh>>& meshes, double grid) {
+                      const std::vector<std::vector<surfaces::FilletMesh>>& meshes) {
     for_each_claim(trimmed.size(), left_, [&](std::size_t i, ClaimWork& work) {
       const std::uint32_t part = trimmed[i];
       const Tessellation face = face_of(part, samplings, meshes);
       const Ring ring = end_ring(std::get<Chain>(result_.parts[part].shape), End::end);
-      const double turn = widest_turn(face.mesh, ring, grid) * (1 + 0x1p-40);
+      const double turn = widest_turn(face.mesh, ring, grid_) * (1 + 0x1p-40);
       const auto segments = std::uint32_t(2 * std::numbers::pi / turn);
-      agree_mesh(part, MeshClaim{segments, grid, {0, 1}, face.error_bound, face.axes}, work);
+      agree_mesh(part, MeshClaim{segments, grid_, {0, 1}, face.error_bound, face.axes}, work);
     });
   }
 
@@ -360,14 +362,14 @@ class Certifier {
   }
 
   [[nodiscard]] std::vector<LoopClaims> fillet_claims(
-      verification::LoopArcs* loops, const std::vector<surfaces::FilletMesh>& meshes, double grid,
+      verification::LoopArcs* loops, const std::vector<surfaces::FilletMesh>& meshes,
       ClaimWork& work) const {
     std::vector<LoopClaims> claims;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       loops[i].cells.clear();
       claims.push_back(certification::agreed(
           certification::prove_loop(*loops[i].loop,
-                                    {meshes[i].tessellation.knots, meshes[i].columns, grid},
+                                    {meshes[i].tessellation.knots, meshes[i].columns, grid_},
                                     {options_.margin, options_.boxes, assembly_.tolerance}),
           loops[i], work));
     }
@@ -502,6 +504,8 @@ class Certifier {
   const Assembly& assembly_;
   const CertifyOptions& options_;
   ResolvedAssembly resolved_;
+  double grid_;  // of the meshes
+  std::vector<assembly::WeldedRun> runs_;
   certification::WorkLeft left_;
   std::vector<SweptDiscs> sweeps_;
   std::vector<verification::Solid> solids_;

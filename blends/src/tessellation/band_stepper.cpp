@@ -1,14 +1,34 @@
 #include "tessellation/band_stepper.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
+
+#include "dupin/kernel/error.h"
 
 namespace dupin::tessellation {
 namespace {
 
 // A band turns by at most so many radians; what the bound of the frame's drift requires.
 constexpr double kLargestTurn = 1;
+
+constexpr std::uint32_t kFewestCells = 64, kCoarseCells = 128, kMostCells = 1024;
+
+// Of the bands, what cells that are not the finest may add.
+constexpr double kLoss = 1. / 200;
+
+// Nothing if cells are too long to tell anything.
+std::optional<BandStepper> march_over(std::uint32_t cells, const BoundsOfCells& bounds,
+                                      double around) {
+  try {
+    return BandStepper(bounds(cells), around);
+  } catch (const Error&) {
+    return {};
+  }
+}
 
 }  // namespace
 
@@ -96,6 +116,14 @@ double BandStepper::error_bound(const std::vector<double>& knots, double twist) 
   return largest / 8;
 }
 
+double BandStepper::squared_turning() const {
+  double mean = 0;
+  for (const auto& cell : cells_) {
+    mean += cell.turning * cell.turning / count();
+  }
+  return mean;
+}
+
 double BandStepper::next(double t, double allowed, double twist) const {
   Band band = start(twist);
   double reached = t;
@@ -114,6 +142,40 @@ double BandStepper::next(double t, double allowed, double twist) const {
     break;
   }
   return reached;
+}
+
+BoundsOfCells cell_by_cell(std::function<ringed::BandBounds(double, double)> bounds) {
+  return [bounds = std::move(bounds)](std::uint32_t count) {
+    std::vector<ringed::BandBounds> cells;
+    cells.reserve(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      cells.push_back(bounds(double(i) / count, double(i + 1) / count));
+    }
+    return cells;
+  };
+}
+
+BandStepper coarse_march(const BoundsOfCells& bounds, double around) {
+  auto coarse = march_over(kCoarseCells, bounds, around);
+  return coarse ? std::move(*coarse) : BandStepper(bounds(kMostCells), around);
+}
+
+// Interval bounds on a cell exceed the suprema by what is in proportion to its length, and so do
+// the bands: what half as many cells add, so many do, again.
+BandStepper fine_march(const BoundsOfCells& bounds, double around, double eight_errors_allowed) {
+  auto half = march_over(kFewestCells / 2, bounds, around);
+  auto few = half ? march_over(kFewestCells, bounds, around) : std::nullopt;
+  if (!few) {
+    return {bounds(kMostCells), around};
+  }
+  const double bands = few->expected_bands(eight_errors_allowed);
+  const double added = half->expected_bands(eight_errors_allowed) - bands;
+  const double wanted = kFewestCells * added / (kLoss * bands);
+  if (wanted <= kFewestCells) {
+    return std::move(*few);
+  }
+  const bool is_less = wanted < kMostCells;  // and a number
+  return {bounds(is_less ? std::bit_ceil(std::uint32_t(std::ceil(wanted))) : kMostCells), around};
 }
 
 BandBudget band_budget(double allowed, double largest_radius, double around) {

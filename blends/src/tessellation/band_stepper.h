@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "ringed/second_derivatives.h"
@@ -30,6 +31,9 @@ class BandStepper {
 
   [[nodiscard]] double error_bound(const std::vector<double>& knots, double twist) const;
 
+  /// A bound of the mean of |T'|^2, T being the spine's unit tangent.
+  [[nodiscard]] double squared_turning() const;
+
  private:
   struct Band;
 
@@ -41,6 +45,21 @@ class BandStepper {
   std::vector<ringed::BandBounds> cells_;
   double around_ = 0;
 };
+
+/// Bounds of the second derivatives on so many equal parts of [0, 1]. May throw where so long ones
+/// tell nothing.
+using BoundsOfCells = std::function<std::vector<ringed::BandBounds>(std::uint32_t)>;
+
+/// Of what bounds them from one parameter to another.
+[[nodiscard]] BoundsOfCells cell_by_cell(std::function<ringed::BandBounds(double, double)> bounds);
+
+/// For estimates, which need not be sharp: over few cells, if they tell anything.
+[[nodiscard]] BandStepper coarse_march(const BoundsOfCells& bounds, double around);
+
+/// Over as many cells as bands that keep to `eight_errors_allowed` need: with the finest there
+/// would be about half a percent fewer.
+[[nodiscard]] BandStepper fine_march(const BoundsOfCells& bounds, double around,
+                                     double eight_errors_allowed);
 
 /// What bands have to keep to, in eighths of an error: a bound that as many of them as fit suit,
 /// and one that is too little for any twist of at most half a segment.

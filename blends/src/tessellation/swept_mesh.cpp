@@ -64,6 +64,12 @@ double expected_bands(const std::vector<BandStepper>& marches, double allowed,
   return sum;
 }
 
+double expected_bands(const BoundsOfCells& bounds, double allowed, double largest_radius,
+                      std::uint32_t segments) {
+  return expected_bands({coarse_march(bounds, 2 * std::numbers::pi / segments)}, allowed,
+                        largest_radius, segments);
+}
+
 // First without a twist, to learn how many bands share it.
 std::vector<Bands> even_bands(const std::vector<BandStepper>& marches, double allowed,
                               double largest_radius, std::uint32_t segments) {
@@ -84,6 +90,15 @@ std::vector<Bands> even_bands(const std::vector<BandStepper>& marches, double al
     result.push_back(std::move(bands));
   }
   return result;
+}
+
+Bands even_bands(const BoundsOfCells& bounds, double allowed, double largest_radius,
+                 std::uint32_t segments) {
+  const double around = 2 * std::numbers::pi / segments;
+  const BandBudget budget = band_budget(allowed, largest_radius, around);
+  return even_bands(std::vector{fine_march(bounds, around, budget.enough)}, allowed, largest_radius,
+                    segments)
+      .front();
 }
 
 TriMesh swept_mesh(const Ring& start, const std::vector<Row>& inner, const Arrival& last,

@@ -56,24 +56,19 @@ struct Bands {
   double error_bound = 0;
 };
 
-/// What `bounded` makes of an eighth of the cells, or of all where so long ones tell nothing: for
-/// estimates, which need not be sharp.
-template <class Bounded>
-[[nodiscard]] auto coarse_if_it_tells(const Bounded& bounded, std::uint32_t cells) {
-  try {
-    return bounded(cells / 8);
-  } catch (const Error&) {
-    return bounded(cells);
-  }
-}
-
 /// About how many bands even_bands() makes.
 [[nodiscard]] double expected_bands(const std::vector<BandStepper>& marches, double allowed,
+                                    double largest_radius, std::uint32_t segments);
+
+[[nodiscard]] double expected_bands(const BoundsOfCells& bounds, double allowed,
                                     double largest_radius, std::uint32_t segments);
 
 /// As few bands as keep to `allowed` along pieces that share a twist of at most half a segment.
 [[nodiscard]] std::vector<Bands> even_bands(const std::vector<BandStepper>& marches, double allowed,
                                             double largest_radius, std::uint32_t segments);
+/// Along one piece, over as many cells as it needs.
+[[nodiscard]] Bands even_bands(const BoundsOfCells& bounds, double allowed, double largest_radius,
+                               std::uint32_t segments);
 
 /// The mesh from the polygon of `start` through the rows to the last polygon.
 [[nodiscard]] TriMesh swept_mesh(const Ring& start, const std::vector<Row>& inner,

@@ -1,13 +1,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "dupin/kernel/error.h"
 #include "tessellation/band_stepper.h"
 #include "tessellation/swept_mesh.h"
 
@@ -126,6 +129,81 @@ TEST(BandStepper, allows_for_the_drift_of_carried_frames) {
     }
   }
   EXPECT_GT(worst, 0.5) << "the allowance would be useless";
+}
+
+// Bounds that exceed `along` by so much times a cell's length, and what they were asked for.
+struct CountedBounds {
+  double along = 8, excess = 0;
+  std::uint32_t fewest_that_tell = 1;
+  std::vector<std::uint32_t> asked;
+
+  BoundsOfCells bounds() {
+    return [this](std::uint32_t count) {
+      asked.push_back(count);
+      if (count < fewest_that_tell) {
+        throw Error(Errc::irregular_surface, "too few cells");
+      }
+      return std::vector<ringed::BandBounds>(count, {{along + excess / count, along / 4, 1}, 0});
+    };
+  }
+};
+
+constexpr double kEightErrors = 0.35;
+
+TEST(FineMarch, has_so_many_cells_that_more_save_no_bands) {
+  for (const double excess : {0., 1., 10., 60., 100., 1e6}) {
+    CountedBounds bounds{8, excess, 1, {}};
+    const double bands =
+        fine_march(bounds.bounds(), kAround, kEightErrors).expected_bands(kEightErrors);
+    const double finest = BandStepper(bounds.bounds()(1024), kAround).expected_bands(kEightErrors);
+    EXPECT_LE(finest, bands * (1 + 1e-12));
+    EXPECT_LE(bands, 1.01 * finest) << excess;
+  }
+  CountedBounds smooth{8, 1, 1, {}}, rough{8, 1e6, 1, {}}, between{8, 60, 1, {}};
+  (void)fine_march(smooth.bounds(), kAround, kEightErrors);
+  (void)fine_march(rough.bounds(), kAround, kEightErrors);
+  (void)fine_march(between.bounds(), kAround, kEightErrors);
+  EXPECT_EQ(smooth.asked, (std::vector<std::uint32_t>{32, 64}));
+  EXPECT_EQ(rough.asked, (std::vector<std::uint32_t>{32, 64, 1024}));
+  ASSERT_EQ(between.asked.size(), 3U);
+  EXPECT_GT(between.asked.back(), 64U);
+  EXPECT_LT(between.asked.back(), 1024U);
+}
+
+TEST(FineMarch, has_the_most_cells_where_few_tell_nothing) {
+  for (const std::uint32_t fewest : {33U, 65U, 1024U}) {
+    CountedBounds bounds{8, 1, fewest, {}};
+    (void)fine_march(bounds.bounds(), kAround, kEightErrors);
+    EXPECT_EQ(bounds.asked.back(), 1024U) << fewest;
+  }
+  CountedBounds infinite{std::numeric_limits<double>::infinity(), 0, 1, {}};
+  (void)fine_march(infinite.bounds(), kAround, kEightErrors);
+  EXPECT_EQ(infinite.asked.back(), 1024U);
+  CountedBounds none{8, 1, 2000, {}};
+  EXPECT_THROW((void)fine_march(none.bounds(), kAround, kEightErrors), Error);
+}
+
+TEST(CoarseMarch, has_few_cells_if_they_tell_anything) {
+  CountedBounds smooth{8, 1, 1, {}}, rough{8, 1, 129, {}}, none{8, 1, 2000, {}};
+  (void)coarse_march(smooth.bounds(), kAround);
+  EXPECT_EQ(smooth.asked, (std::vector<std::uint32_t>{128}));
+  (void)coarse_march(rough.bounds(), kAround);
+  EXPECT_EQ(rough.asked, (std::vector<std::uint32_t>{128, 1024}));
+  EXPECT_THROW((void)coarse_march(none.bounds(), kAround), Error);
+}
+
+TEST(CellByCell, bounds_equal_parts) {
+  const auto cells = cell_by_cell([](double from, double to) {
+    return ringed::BandBounds{{from, to, 0}, 0};
+  })(4);
+  ASSERT_EQ(cells.size(), 4U);
+  EXPECT_EQ(cells[3].second.along, 0.75);
+  EXPECT_EQ(cells[3].second.mixed, 1);
+}
+
+TEST(BandStepper, knows_how_much_the_tangent_turns) {
+  const BandStepper march({{{}, 1}, {{}, 3}}, kAround);
+  EXPECT_EQ(march.squared_turning(), 5);
 }
 
 TEST(BandBudget, is_what_the_tolerance_or_the_segments_ask_for) {

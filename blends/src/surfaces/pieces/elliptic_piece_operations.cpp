@@ -15,9 +15,6 @@
 namespace dupin {
 namespace {
 
-// Cells of [0, 1] on which the second derivatives are bounded once.
-constexpr std::uint32_t kCells = 1024;
-
 double largest_radius(const EllipticTube& tube) {
   return std::max(largest_radius(tube.first), largest_radius(tube.second));
 }
@@ -41,25 +38,18 @@ struct Carrier {
 
 // An axis that is off by an angle moves points of the ellipse along it by up to the difference of
 // the semi-axes times that. The tube ends where its rings are, so that both ends' share counts.
-Carrier carrier(const EllipticTube& tube, const std::vector<ringed::BandBounds>& cells,
+Carrier carrier(const EllipticTube& tube, const tessellation::BandStepper& march,
                 double tolerance) {
-  constexpr double kShare = 1. / 64, kMostSteps = 1 << 20;
-  double squared_turning = 0;
-  for (const auto& cell : cells) {
-    squared_turning += cell.turning * cell.turning / double(cells.size());
-  }
-  const double lost = 0.27 * squared_turning;
+  constexpr double kShare = 1. / 64, kFewestSteps = 1 << 10, kMostSteps = 1 << 20;
+  const double lost = 0.27 * march.squared_turning();
   const double wanted = 2 * lost * largest_radius(tube) / (kShare * tolerance);
-  const double steps = std::clamp(std::ceil(wanted), double(kCells), kMostSteps);
+  const double steps = std::clamp(std::ceil(wanted), kFewestSteps, kMostSteps);
   return {steps, lost / steps};
 }
 
-std::vector<ringed::BandBounds> cells_of(const EllipticTube& tube, std::uint32_t count = kCells) {
-  std::vector<ringed::BandBounds> cells;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    cells.push_back(ringed::band_bounds(tube, double(i) / count, double(i + 1) / count));
-  }
-  return cells;
+tessellation::BoundsOfCells bounds_of_cells(const EllipticTube& tube) {
+  return tessellation::cell_by_cell(
+      [&tube](double from, double to) { return ringed::band_bounds(tube, from, to); });
 }
 
 std::vector<Vec3> carried_along(const EllipticTube& tube, const std::vector<double>& knots,
@@ -134,10 +124,8 @@ double expected_bands(const EllipticTube& tube, const RingSampling& sampling, do
   if (is_straight(tube)) {
     return 1;
   }
-  auto cells = tessellation::coarse_if_it_tells(
-      [&](std::uint32_t count) { return cells_of(tube, count); }, kCells);
   return tessellation::expected_bands(
-      {{std::move(cells), 2 * std::numbers::pi / sampling.segments}},
+      bounds_of_cells(tube),
       tessellation::allowed_error(tolerance, tessellation::point_error(tube, sampling.grid)),
       largest_radius(tube), sampling.segments);
 }
@@ -152,15 +140,16 @@ Tessellation tessellate(const EllipticTube& tube, const RingSampling& sampling,
             tessellation::sagitta(largest_radius(tube), sampling.segments) + displacement,
             {0, 1}};
   }
-  std::vector<ringed::BandBounds> cells = cells_of(tube);
-  const Carrier frames = carrier(tube, cells, options.tolerance);
+  const double radius = largest_radius(tube);
+  const double around = 2 * std::numbers::pi / sampling.segments;
+  const auto march = tessellation::fine_march(
+      bounds_of_cells(tube), around, tessellation::band_budget(allowed, radius, around).enough);
+  const Carrier frames = carrier(tube, march, options.tolerance);
   // Both ends' share, and what every rotation and sum is rounded by.
   const double axes = 2 * frames.drift + std::ldexp(frames.steps, -50);
-  const double misplaced = axes * largest_radius(tube);
-  const double around = 2 * std::numbers::pi / sampling.segments;
-  const auto bands = tessellation::even_bands({{std::move(cells), around}}, allowed - misplaced,
-                                              largest_radius(tube), sampling.segments)
-                         .front();
+  const double misplaced = axes * radius;
+  const auto bands =
+      tessellation::even_bands({march}, allowed - misplaced, radius, sampling.segments).front();
   const auto rows = rows_at(tube, bands.knots, frames.steps);
   return {tessellation::swept_mesh(tube.start, tube.end, rows, sampling),
           std::uint32_t(rows.size() - 1), bands.error_bound + misplaced + displacement, bands.knots,

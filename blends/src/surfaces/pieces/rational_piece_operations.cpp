@@ -13,9 +13,6 @@
 namespace dupin {
 namespace {
 
-// Cells of [0, 1] on which the second derivatives are bounded once.
-constexpr std::uint32_t kCells = 1024;
-
 // A Bezier curve's coefficients bound it.
 double largest_radius(const RationalRingedSurface& surface) {
   return *std::max_element(surface.radius.begin(), surface.radius.end());
@@ -35,13 +32,9 @@ tessellation::Row row_at(const RationalRingedSurface& surface, double t) {
           evaluate(surface, t, std::numbers::pi / 2).position - center};
 }
 
-tessellation::BandStepper march_of(const RationalRingedSurface& surface, std::uint32_t segments,
-                                   std::uint32_t count = kCells) {
-  std::vector<ringed::BandBounds> cells;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    cells.push_back(ringed::band_bounds(surface, double(i) / count, double(i + 1) / count));
-  }
-  return {std::move(cells), 2 * std::numbers::pi / segments};
+tessellation::BoundsOfCells bounds_of_cells(const RationalRingedSurface& surface) {
+  return tessellation::cell_by_cell(
+      [&surface](double from, double to) { return ringed::band_bounds(surface, from, to); });
 }
 
 }  // namespace
@@ -56,22 +49,18 @@ std::uint32_t segments_for(const RationalRingedTube& tube, double tolerance, dou
 
 double expected_bands(const RationalRingedTube& tube, const RingSampling& sampling,
                       double tolerance) {
-  const auto march = tessellation::coarse_if_it_tells(
-      [&](std::uint32_t count) { return march_of(tube.surface, sampling.segments, count); },
-      kCells);
   return tessellation::expected_bands(
-      {march}, tessellation::allowed_error(tolerance, point_error(tube.surface, sampling.grid)),
+      bounds_of_cells(tube.surface),
+      tessellation::allowed_error(tolerance, point_error(tube.surface, sampling.grid)),
       largest_radius(tube.surface), sampling.segments);
 }
 
 Tessellation tessellate(const RationalRingedTube& tube, const RingSampling& sampling,
                         const TessellationOptions& options) {
   const double displacement = point_error(tube.surface, sampling.grid);
-  const auto bands =
-      tessellation::even_bands({march_of(tube.surface, sampling.segments)},
-                               tessellation::allowed_error(options.tolerance, displacement),
-                               largest_radius(tube.surface), sampling.segments)
-          .front();
+  const auto bands = tessellation::even_bands(
+      bounds_of_cells(tube.surface), tessellation::allowed_error(options.tolerance, displacement),
+      largest_radius(tube.surface), sampling.segments);
   std::vector<tessellation::Row> rows;
   for (const double t : bands.knots) {
     rows.push_back(row_at(tube.surface, t));

@@ -17,10 +17,6 @@
 namespace dupin {
 namespace {
 
-// Cells of [0, 1] on which the second derivatives are bounded once; bands may end inside a cell.
-// The interval bounds of so short a cell exceed the suprema by about a percent.
-constexpr std::uint32_t kCells = 1024;
-
 // A cylinder or cone whose end polygons are parallel and start at the same angle: its
 // quadrilaterals are plane, and every plane across the axis cuts chords from circles.
 bool is_straight(const RingedSurface& surface) {
@@ -34,20 +30,18 @@ bool is_uniform(const RingedSurface& surface) {
          std::holds_alternative<ConstantRadius>(surface.radius);
 }
 
-tessellation::BandStepper march_of(const RingedSurface& surface, double around,
-                                   std::uint32_t cells = kCells) {
-  cells = is_uniform(surface) ? 1 : cells;
-  return {ringed::band_bounds_of_cells(surface, cells), around};
+tessellation::BoundsOfCells bounds_of_cells(const RingedSurface& surface) {
+  return [&surface](std::uint32_t cells) {
+    return ringed::band_bounds_of_cells(surface, is_uniform(surface) ? 1 : cells);
+  };
 }
 
 tessellation::Bands bands(const RingedSurface& surface, double allowed, std::uint32_t segments) {
   if (is_straight(surface)) {
     return {{0, 1}, tessellation::sagitta(largest_radius(surface.radius), segments)};
   }
-  const double around = 2 * std::numbers::pi / segments;
-  return tessellation::even_bands({march_of(surface, around)}, allowed,
-                                  largest_radius(surface.radius), segments)
-      .front();
+  return tessellation::even_bands(bounds_of_cells(surface), allowed, largest_radius(surface.radius),
+                                  segments);
 }
 
 // One direction across the spine per knot, turning no more than the tangent forces it to.
@@ -89,11 +83,8 @@ double expected_bands(const RingedSurface& surface, const RingSampling& sampling
   if (is_straight(surface)) {
     return 1;
   }
-  const double around = 2 * std::numbers::pi / sampling.segments;
-  const auto march = tessellation::coarse_if_it_tells(
-      [&](std::uint32_t cells) { return march_of(surface, around, cells); }, kCells);
   return tessellation::expected_bands(
-      {march},
+      bounds_of_cells(surface),
       tessellation::allowed_error(tolerance, tessellation::point_error(surface, sampling.grid)),
       largest_radius(surface.radius), sampling.segments);
 }
