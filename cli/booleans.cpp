@@ -137,10 +137,8 @@ OutputReport in_tiles(const std::vector<std::string>& files, const OperandArgume
   if (!arguments.cross_check.empty() || arguments.timing) {
     throw UsageError("--cross-check and --timing are not for --tiles, --memory and mpirun");
   }
-  if (std::ranges::count(files, "-") > 0) {
-    throw UsageError(
-        "--tiles, --memory and mpirun read operands when their tile is made, and standard input "
-        "only once");
+  for (const std::string& file : files) {
+    require_read_again(file, "--tiles, --memory and mpirun read operands when their tile is made");
   }
   ProgressLine line(common.quiet || !ranks.is_first());
   const OperandFiles operands = survey(files, line.callback(), ranks);
@@ -157,10 +155,8 @@ OutputReport in_tiles(const std::vector<std::string>& files, const OperandArgume
 bool is_divided(const std::vector<std::string>& files, const OperandArguments& arguments,
                 const Destination& to, std::span<const TriMesh> meshes, const Boxes& boxes,
                 const DistrictMargin& margin) {
-  const bool is_looked_at = !arguments.cross_check.empty() || arguments.timing ||
-                            !to.patches.empty() || to.verification != Verification::compare;
-  if (is_looked_at || to.is_stdout() || !is_streamed(to.format) ||
-      std::ranges::count(files, "-") > 0) {
+  if (!arguments.cross_check.empty() || arguments.timing || !why_not_tiled(to).empty() ||
+      !std::ranges::all_of(files, can_be_read_again)) {
     return false;
   }
   std::vector<std::size_t> triangles;

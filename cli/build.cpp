@@ -310,8 +310,8 @@ ExitCode run_build(const BuildArguments& arguments, const CommonOptions& common)
   if (is_in_districts(arguments, ranks)) {
     check_tiled(arguments);
   }
-  if (ranks.count() > 1 && arguments.files.front() == "-") {
-    throw UsageError("mpirun gives standard input to one process, and all read the document");
+  if (ranks.count() > 1) {
+    require_read_again(arguments.files.front(), "all processes of mpirun read the document");
   }
   std::optional<ProgressLine> line(common.quiet || !ranks.is_first());
   Document document = alike(ranks, [&] {

@@ -30,10 +30,7 @@ class TemporaryFile : public ScratchFile {
 };
 
 Report checked_in_tiles(const std::string& file, const TileArguments& tiles) {
-  if (file == "-") {
-    throw UsageError(
-        "--tiles and --memory read a file more than once, and standard input only once");
-  }
+  require_read_again(file, "--tiles and --memory read it more than once");
   TiledCheckOptions options;
   if (tiles.memory.empty()) {
     options.tiles = tiles.tiles;

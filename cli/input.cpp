@@ -1,12 +1,15 @@
 #include "input.h"
 
+#include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <system_error>
 #include <utility>
 
 #include "dupin/io/atomic_file.h"
 #include "dupin/io/mesh_file.h"
 #include "dupin/kernel/error.h"
+#include "exit_code.h"
 
 namespace dupin::cli {
 namespace {
@@ -28,6 +31,20 @@ bool Input::is_document() const {
 }
 
 std::string Input::unit() const { return mesh_unit(bytes, name); }
+
+bool can_be_read_again(const std::string& path) {
+  std::error_code ignored;
+  return path != "-" && !std::filesystem::is_other(path, ignored);
+}
+
+void require_read_again(const std::string& path, const std::string& reason) {
+  if (path == "-") {
+    throw UsageError(reason + ", and standard input can be read only once");
+  }
+  if (!can_be_read_again(path)) {
+    throw Error(Errc::invalid_argument, "has to be a regular file: " + reason, {}, path);
+  }
+}
 
 Input read_input(const std::string& path) {
   if (path != "-") {

@@ -26,6 +26,13 @@ struct Input {
   [[nodiscard]] std::string unit() const;
 };
 
+/// Not standard input, and not pipes and the like, which can be read only once. What is not there,
+/// is: to say so is up to reading.
+[[nodiscard]] bool can_be_read_again(const std::string& path);
+/// Throws UsageError of standard input, and Error{invalid_argument} of pipes and the like; `reason`
+/// says who reads them twice.
+void require_read_again(const std::string& path, const std::string& reason);
+
 /// Throws Error{io_failed}.
 [[nodiscard]] Input read_input(const std::string& path);
 

@@ -4,6 +4,7 @@ function(dupin_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+    -ffp-contract=off  # sums of exact parts and bounds count on every product being rounded, whatever the processor can fuse
     -Wno-missing-field-initializers  # designated initialisers of options leave the rest defaulted
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-restrict>  # GCC 12 sees ghosts in std::string (bug 105651)
     $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1048576>  # kilobytes; GCC collects garbage from 128 MB on, for 7 % of the build

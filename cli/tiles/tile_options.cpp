@@ -124,18 +124,23 @@ bool is_tiled(const TileArguments& arguments) {
   return arguments.tiles > 0 || !arguments.memory.empty() || !arguments.cache.empty();
 }
 
-void require_tiled_output(const Destination& to, const TileArguments& arguments) {
+std::string why_not_tiled(const Destination& to) {
   if (to.is_stdout() || !is_streamed(to.format)) {
-    throw UsageError(kTiledFormats);
+    return kTiledFormats;
   }
   if (!to.patches.empty()) {
-    throw UsageError(
-        "--patches looks at all of a solid at once, which --tiles and --memory never have");
+    return "--patches looks at all of a solid at once, which --tiles and --memory never have";
   }
   if (to.verification != Verification::compare) {
-    throw UsageError(
-        "with --tiles, --memory and --cache, files are compared as they are written; --verify "
-        "full is what the command check does");
+    return "with --tiles, --memory and --cache, files are compared as they are written; --verify "
+           "full is what the command check does";
+  }
+  return {};
+}
+
+void require_tiled_output(const Destination& to, const TileArguments& arguments) {
+  if (const std::string reason = why_not_tiled(to); !reason.empty()) {
+    throw UsageError(reason);
   }
   if (!arguments.memory.empty()) {
     (void)bytes_in(arguments.memory, "--memory");

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dupin/kernel/districts.h"
@@ -18,6 +19,21 @@ namespace dupin::cli {
 /// What hangs together and is expected to have more triangles is divided into pieces of at most
 /// about so many. Files depend on it.
 constexpr std::size_t kPieceTriangles = 1'000'000;
+
+/// So often pieces are made that turn out not to fit; then nothing is divided.
+constexpr int kMostRounds = 4;
+
+/// What `attempt` makes of the most triangles that a piece may have, once it is something. Where
+/// it is nothing, some pieces do not fit, which it leaves whole the next time.
+template <class Attempt>
+[[nodiscard]] auto until_pieces_fit(double most_of_piece, const Attempt& attempt) {
+  for (int round = 1;; ++round) {
+    if (auto made = attempt(most_of_piece)) {
+      return *std::move(made);
+    }
+    most_of_piece = round < kMostRounds ? most_of_piece : 0;
+  }
+}
 
 /// --tiles, --memory, --cache and --cache-size as typed.
 struct TileArguments {
@@ -47,6 +63,9 @@ void add_tile_options(CLI::App& command, TileArguments& arguments, const std::st
 /// What is said of files that cannot be written tile by tile.
 inline constexpr const char* kTiledFormats =
     "--tiles, --memory, --cache and mpirun write binary STL, binary PLY and .pvtu files only";
+
+/// Why the file cannot be written piece by piece; empty if it can.
+[[nodiscard]] std::string why_not_tiled(const Destination& to);
 
 /// Throws UsageError where the file cannot be written tile by tile, or the arguments mean nothing.
 void require_tiled_output(const Destination& to, const TileArguments& arguments);

@@ -78,9 +78,6 @@ void append_meshes(const Assembly& assembly, std::string& text) {
 /// taken from another.
 constexpr double kBytesPerTriangle = 300, kBytesPerTriangleOfTwo = 900;
 
-/// So often pieces are made that turn out not to fit; then nothing is divided.
-constexpr int kMostRounds = 4;
-
 std::uint64_t cache_size(const TileArguments& arguments) {
   return bytes_in(arguments.cache_size.empty() ? "10GB" : arguments.cache_size, "--cache-size");
 }
@@ -286,10 +283,9 @@ double most_of_piece(const BuildArguments& arguments) {
   if (is_looked_at || is_step(arguments.output) || is_volume(arguments.output)) {
     return 0;
   }
-  const Destination to = tiled_destination(arguments.output);
-  const bool is_file = !to.is_stdout() && to.patches.empty() &&
-                       to.verification == Verification::compare && is_streamed(to.format);
-  return is_file ? static_cast<double>(arguments.tiles.piece) : 0;
+  return why_not_tiled(tiled_destination(arguments.output)).empty()
+             ? static_cast<double>(arguments.tiles.piece)
+             : 0;
 }
 
 void check_tiled(const BuildArguments& arguments) {
@@ -317,20 +313,22 @@ TiledBuilt build_in_tiles(const Document& document, const BuildOptions& options,
                           const BuildArguments& arguments, const MeshHeader& header,
                           const Ranks& ranks) {
   BuildOptions own = options;
-  for (int round = 1;; ++round) {
-    auto build =
+  return until_pieces_fit(options.most_of_piece, [&](double most_of_piece) {
+    own.most_of_piece = most_of_piece;
+    const auto build =
         alike(ranks, [&] { return std::make_unique<TiledBuild>(document, own, arguments, ranks); });
     build->divide(arguments.tiles);
-    TiledBuilt result;
-    if (auto built = build->run(header, result.output)) {
-      result.built = *std::move(built);
-      result.warning = build->warning();
-      return result;
+    std::optional<TiledBuilt> result(std::in_place);
+    if (auto built = build->run(header, result->output)) {
+      result->built = *std::move(built);
+      result->warning = build->warning();
+    } else {
+      result.reset();
     }
     // All ranks, and builds in any number of tiles, find the same ones.
-    own.most_of_piece = round < kMostRounds ? own.most_of_piece : 0;
     own.kept_seams.insert(build->misfits().begin(), build->misfits().end());
-  }
+    return result;
+  });
 }
 
 }  // namespace dupin::cli

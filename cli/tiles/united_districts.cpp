@@ -110,24 +110,22 @@ void exchange(std::vector<Survey>& surveys, const Ranks& ranks) {
 /// Operands that are not cut.
 using Uncut = std::set<std::size_t>;
 
-OperandPieces pieces_of(const TiledUnion& task, const OperandFiles& files, const Uncut& uncut) {
+OperandPieces pieces_of(const TiledUnion& task, const OperandFiles& files, double most_of_piece,
+                        const Uncut& uncut) {
   return operand_pieces(
       operand_districts(files.boxes, district_margin(task.to, task.rounding, task.contacts)),
-      {files.boxes, files.triangles, static_cast<double>(task.tiles.piece), uncut});
+      {files.boxes, files.triangles, most_of_piece, uncut});
 }
-
-/// So often pieces are made that turn out not to fit; then nothing is divided.
-constexpr int kMostRounds = 4;
 
 /// A union in the making.
 class UnionInTiles {
  public:
   UnionInTiles(const TiledUnion& task, const OperandFiles& files, const Ranks& ranks,
-               const Uncut& uncut)
+               double most_of_piece, const Uncut& uncut)
       : task_(task),
         files_(files),
         ranks_(ranks),
-        districts_(pieces_of(task, files, uncut)),
+        districts_(pieces_of(task, files, most_of_piece, uncut)),
         seams_(districts_.seams),
         rounding_(rounding_of_districts(task.rounding, districts_.boxes)),
         repairs_(task.files.size()),
@@ -401,18 +399,16 @@ OperandFiles survey(const std::vector<std::string>& files, const Progress& progr
 }
 
 OutputReport unite_in_tiles(const TiledUnion& task, const OperandFiles& files, const Ranks& ranks) {
-  TiledUnion own = task;
   Uncut uncut;
-  for (int round = 1;; ++round) {
-    const auto united =
-        alike(ranks, [&] { return std::make_unique<UnionInTiles>(own, files, ranks, uncut); });
-    if (auto report = united->run()) {
-      return *std::move(report);
-    }
+  return until_pieces_fit(double(task.tiles.piece), [&](double most_of_piece) {
+    const auto united = alike(ranks, [&] {
+      return std::make_unique<UnionInTiles>(task, files, ranks, most_of_piece, uncut);
+    });
+    auto report = united->run();
     // All ranks, and unions in any number of tiles, find the same ones.
-    own.tiles.piece = round < kMostRounds ? own.tiles.piece : 0;
     uncut.merge(united->misfits());
-  }
+    return report;
+  });
 }
 
 }  // namespace dupin::cli

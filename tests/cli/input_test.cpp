@@ -3,9 +3,12 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "dupin/io/off.h"
 #include "dupin/kernel/error.h"
+#include "exit_code.h"
+#include "support/process.h"
 #include "support/shapes.h"
 
 namespace dupin::cli {
@@ -19,6 +22,27 @@ TEST(Input, is_a_document_if_it_begins_with_a_brace) {
   EXPECT_TRUE((Input{" \r\n\t{}", "a"}).is_document());
   EXPECT_FALSE((Input{"OFF {", "a"}).is_document());
   EXPECT_FALSE((Input{" ", "a"}).is_document());
+}
+
+TEST(Input, of_pipes_can_be_read_only_once) {
+  const test::TemporaryFolder folder;
+  const std::string pipe = folder.path() / "pipe", file = folder.path() / "file";
+  folder.write("file", "OFF");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path :
+       {file, (folder.path() / "none").string(), folder.path().string()}) {
+    EXPECT_TRUE(can_be_read_again(path)) << path;
+    EXPECT_NO_THROW(require_read_again(path, "it is read twice"));
+  }
+  EXPECT_FALSE(can_be_read_again("-"));
+  EXPECT_THROW(require_read_again("-", "it is read twice"), UsageError);
+  EXPECT_FALSE(can_be_read_again(pipe));
+  try {
+    require_read_again(pipe, "it is read twice");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(), pipe + ": has to be a regular file: it is read twice");
+  }
 }
 
 TEST(Input, units_that_are_stated_must_agree) {

@@ -1,5 +1,9 @@
 #include "tiles/tile_options.h"
 
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -50,7 +54,26 @@ TEST(TileOptions, memory_holds_every_tile) {
   }
 }
 
+TEST(TileOptions, pieces_are_made_until_all_fit_and_at_last_nothing_is_divided) {
+  for (const std::size_t failures : {0U, 2U, 6U}) {
+    std::vector<double> asked;
+    const int made = until_pieces_fit(9000, [&](double most_of_piece) {
+      asked.push_back(most_of_piece);
+      return asked.size() > failures ? std::optional(17) : std::nullopt;
+    });
+    EXPECT_EQ(made, 17);
+    ASSERT_EQ(asked.size(), failures + 1);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      EXPECT_EQ(asked[i], i < std::size_t(kMostRounds) ? 9000 : 0) << i;
+    }
+  }
+}
+
 TEST(TileOptions, files_grow_in_one_format_only) {
+  EXPECT_EQ(why_not_tiled({"a.stl", kStlBinary}), "");
+  EXPECT_THAT(why_not_tiled({"a.off", kOff}), HasSubstr("binary STL"));
+  EXPECT_THAT(why_not_tiled({.path = "a.stl", .format = kStlBinary, .patches = "p"}),
+              HasSubstr("--patches"));
   EXPECT_NO_THROW(require_tiled_output({"a.stl", kStlBinary}, {.tiles = 2}));
   EXPECT_THROW(require_tiled_output({"a.off", kOff}, {.tiles = 2}), UsageError);
   EXPECT_THROW(require_tiled_output({"-", kStlBinary}, {.tiles = 2}), UsageError);

@@ -120,6 +120,10 @@ TEST_F(TiledUnion, says_what_it_cannot_do) {
   };
   EXPECT_THAT(refused("union", {"-o", "a.off", "--tiles", "2"}), HasSubstr("binary STL"));
   EXPECT_THAT(refused("union", {"-", "-o", "a.stl", "--tiles", "2"}), HasSubstr("standard input"));
+  const ProcessResult of_pipe =
+      shell("dupin union <(cat " + files[0] + ") " + files[1] + " -o a.stl --tiles 2");
+  EXPECT_EQ(of_pipe.exit_code, 3);
+  EXPECT_THAT(of_pipe.err, HasSubstr("has to be a regular file"));
   EXPECT_THAT(refused("union", {"-o", "a.stl", "--tiles", "2", "--timing"}), HasSubstr("--timing"));
   EXPECT_THAT(refused("subtract", {"-o", "a.stl", "--tiles", "2"}), HasSubstr("--tiles"));
 }
@@ -250,6 +254,18 @@ TEST_F(DividedUnion, names_the_operand_that_is_no_solid) {
   const ProcessResult result = dupin(files);
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.err, HasSubstr(files[12]));
+}
+
+TEST_F(DividedUnion, is_not_cut_where_an_operand_can_be_read_only_once) {
+  const auto files = put_rack(17);
+  const auto whole = united(files, {}).second;
+  std::string line = "dupin union --quiet --piece 9000 -o of_pipes.stl <(cat " + files[0] + ")";
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    line += " " + files[i];
+  }
+  const ProcessResult result = shell(line);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(folder_.read("of_pipes.stl") == whole);
 }
 
 // A bow that a plane goes through twice is more than one pipe there.
