@@ -13,7 +13,6 @@
 #include "commands.h"
 #include "cross_check_option.h"
 #include "dupin/io/mesh_file.h"
-#include "dupin/io/streamed_format.h"
 #include "dupin/kernel/boolean.h"
 #include "dupin/kernel/boolean_expression.h"
 #include "dupin/kernel/cross_check.h"

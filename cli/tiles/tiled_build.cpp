@@ -19,7 +19,6 @@
 #include "dupin/io/mesh_file.h"
 #include "dupin/io/off.h"
 #include "dupin/io/sha256.h"
-#include "dupin/io/streamed_format.h"
 #include "dupin/kernel/decimal.h"
 #include "dupin/kernel/districts.h"
 #include "dupin/kernel/error.h"
@@ -128,7 +127,7 @@ class TiledBuild {
   }
 
   // Nothing where pieces do not fit, which misfits() tells.
-  std::optional<Built> run(const MeshHeader& header, OutputReport& report) {
+  std::optional<TiledBuilt> run(const MeshHeader& header) {
     DistrictFile file(to_, &ranks_);
     std::vector<Built> built;
     std::size_t begin = 0, tiles = 0, shells = 0;
@@ -160,16 +159,15 @@ class TiledBuild {
       cache_->trim(cache_size_);
     }
     flushed.get();
-    report = file.commit(
+    OutputReport report = file.commit(
         header, to_.format.has_normals ? smooth_normals(assembly_, all, file.seen()) : NormalsOf());
     seams_.join(*report.check);
-    return all;
+    return TiledBuilt{std::move(all), std::move(report),
+                      cache_ ? cache_->warning() : std::string()};
   }
 
   // Names of seams.
   [[nodiscard]] const std::set<std::string>& misfits() { return seams_.misfits(); }
-
-  [[nodiscard]] std::string warning() const { return cache_ ? cache_->warning() : std::string(); }
 
  private:
   // Resolves every district, which takes its time; ranks share that.
@@ -318,16 +316,10 @@ TiledBuilt build_in_tiles(const Document& document, const BuildOptions& options,
     const auto build =
         alike(ranks, [&] { return std::make_unique<TiledBuild>(document, own, arguments, ranks); });
     build->divide(arguments.tiles);
-    std::optional<TiledBuilt> result(std::in_place);
-    if (auto built = build->run(header, result->output)) {
-      result->built = *std::move(built);
-      result->warning = build->warning();
-    } else {
-      result.reset();
-    }
+    auto built = build->run(header);
     // All ranks, and builds in any number of tiles, find the same ones.
     own.kept_seams.insert(build->misfits().begin(), build->misfits().end());
-    return result;
+    return built;
   });
 }
 
