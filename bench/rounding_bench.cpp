@@ -164,13 +164,13 @@ void large_unions(const std::vector<std::string>& names) {
 
 /// Plants whose ends miss each other by less than binary32 can tell. The aim: rounding takes at
 /// most ten times the union.
-void plants(std::uint32_t seeds) {
+void plants(std::uint32_t first, std::uint32_t seeds) {
   std::puts(
       "\nplants of 200 to 1000 components with misfits, at 1e5 to 2e6 mm, to binary32; processor "
       "seconds, and the ratio of seconds");
   std::printf("  %5s %10s %9s %8s %8s %6s %7s %7s %7s %8s\n", "seed", "components", "triangles",
               "union", "round", "ratio", "seconds", "slits", "snapped", "move");
-  for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+  for (std::uint32_t seed = first; seed < first + seeds; ++seed) {
     std::vector<Solid> components;
     for (const TriMesh& mesh : test::plant({.seed = seed, .components = 200 + 100 * (seed % 9)})) {
       components.push_back(Solid::from(mesh));
@@ -221,19 +221,22 @@ void large_meshes() {
 }  // namespace dupin
 
 /// Arguments: the number of seeds per row of the table of moves, 3 without; then the pipe cases
-/// that are large unions, or "plants" and how many.
+/// that are large unions, or "plants", how many, and the first one's seed.
 int main(int count, char** arguments) {
   const std::vector<std::string> given(arguments + 1, arguments + count);
-  dupin::table_of_moves(given.empty() ? 3 : static_cast<std::uint32_t>(std::stoul(given[0])));
-  if (given.size() == 3 && given[1] == "plants") {
-    dupin::plants(static_cast<std::uint32_t>(std::stoul(given[2])));
+  const auto number = [&](std::size_t i) {
+    return i < given.size() ? static_cast<std::uint32_t>(std::stoul(given[i])) : 0;
+  };
+  dupin::table_of_moves(given.empty() ? 3 : number(0));
+  if (given.size() >= 3 && given[1] == "plants") {
+    dupin::plants(number(3), number(2));
     return EXIT_SUCCESS;
   }
   if (given.size() > 1) {
     dupin::large_unions({given.begin() + 1, given.end()});
     return EXIT_SUCCESS;
   }
-  dupin::plants(8);
+  dupin::plants(0, 8);
   dupin::large_meshes();
   dupin::large_unions({"tee_100k", "tee_100k_rot", "header_100_rot", "chain_100_rot",
                        "rack_fine_rot", "tee_1M", "tee_1M_rot"});
