@@ -30,7 +30,7 @@ std::vector<TriangleIntersection> find_intersections(const ArrangementInput& inp
                                                      const std::vector<TrianglePair>& candidates,
                                                      const Progress& progress) {
   const support::ProgressStage stage(progress, "intersect", 0.2, 0.4);
-  constexpr std::size_t kBatch = 1024;
+  constexpr std::size_t kBatch = 512;
   std::vector<std::vector<TriangleIntersection>> batches(
       support::block_count(candidates.size(), kBatch));
   const auto meet_all = [&](const support::Block& block) {

@@ -72,9 +72,8 @@ void hand_ends(const TriangleIntersection& intersection, PointId from, PointId t
 // Hands intersections to the facets they lie in.
 class Distributor {
  public:
-  Distributor(const ArrangementInput& input, const FlatFacets& facets,
-              std::vector<std::uint8_t>& touched)
-      : input_(input), facets_(facets), touched_(touched) {}
+  Distributor(const FlatFacets& facets, std::vector<std::uint8_t>& touched)
+      : facets_(facets), touched_(touched) {}
 
   void distribute(const TriangleIntersection& intersection, PointId from, PointId to) {
     const auto& [first, second, kind, coplanar, axis, ends] = intersection;
@@ -84,7 +83,7 @@ class Distributor {
       return;
     }
     hand_ends(intersection, from, to, [this](std::uint32_t triangle, Feature feature, PointId id) {
-      if (facets_.is_inside(input_, triangle, feature)) {
+      if (facets_.is_inside(triangle, feature)) {
         insides.push_back({facets_.of(triangle), id});
       }
       touch(triangle);
@@ -93,9 +92,9 @@ class Distributor {
       return;
     }
     const bool divides_first =
-        facets_.is_inside(input_, first, common_edge(ends[0].on_first, ends[1].on_first));
+        facets_.is_inside(first, common_edge(ends[0].on_first, ends[1].on_first));
     const bool divides_second =
-        facets_.is_inside(input_, second, common_edge(ends[0].on_second, ends[1].on_second));
+        facets_.is_inside(second, common_edge(ends[0].on_second, ends[1].on_second));
     if (from == kNone || to == kNone) {
       pieces.push_back(
           {facets_.of(first), facets_.of(second), {from, to}, divides_first, divides_second});
@@ -128,7 +127,6 @@ class Distributor {
     touch(triangle);
   }
 
-  const ArrangementInput& input_;
   const FlatFacets& facets_;
   std::vector<std::uint8_t>& touched_;
 };
@@ -169,7 +167,7 @@ void distribute(const ArrangementInput& input, std::span<const TriangleIntersect
                 Constraints& result) {
   result.touched.assign(input.triangles.size(), 0);
   std::vector<Distributor> parts(support::block_count(intersections.size()),
-                                 Distributor(input, result.facets, result.touched));
+                                 Distributor(result.facets, result.touched));
   support::for_each_block(intersections.size(), [&](const support::Block& block) {
     for (std::size_t i = block.begin; i < block.end; ++i) {
       parts[block.number].distribute(intersections[i], representative(points.ends[2 * i]),
@@ -215,7 +213,7 @@ support::BulkVector<Constraints::OnEdge> points_on_edges(
     hand_ends(intersections[i], representative(points.ends[2 * i]),
               representative(points.ends[2 * i + 1]),
               [&](std::uint32_t triangle, Feature feature, PointId id) {
-                if (!facets.is_inside(input, triangle, feature)) {
+                if (!facets.is_inside(triangle, feature)) {
                   found(OnEdge{edge_of(input.triangles[triangle], feature), id});
                 }
               });

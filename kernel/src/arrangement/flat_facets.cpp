@@ -10,6 +10,9 @@
 namespace dupin::arrangement {
 namespace {
 
+// Pairs of triangles that one task looks at.
+constexpr std::size_t kPairs = 256;
+
 bool is_corner_of(const Triangle& corners, PointId id) {
   return std::find(corners.begin(), corners.end(), id) != corners.end();
 }
@@ -21,6 +24,11 @@ std::size_t apex(const Triangle& corners, const Triangle& other) {
     ++k;
   }
   return k;
+}
+
+// The edge of the first triangle at which the second one lies.
+Feature edge_between(const Triangle& first, const Triangle& second) {
+  return static_cast<Feature>(3 + (apex(first, second) + 1) % 3);
 }
 
 FlatFacets::Corners joined(const Triangle& first, const Triangle& second) {
@@ -35,7 +43,7 @@ std::uint32_t label_of(const ArrangementInput& input, std::uint32_t triangle) {
 }
 
 bool covers_alone(const ArrangementInput& input, std::uint32_t triangle) {
-  return !input.merged[triangle] && input.cover(triangle).size() == 1;
+  return !input.merged[triangle] && (input.duplicates.empty() || input.cover(triangle).size() == 1);
 }
 
 bool are_doubles(const ArrangementInput& input, const Triangle& corners) {
@@ -84,44 +92,35 @@ FlatFacets::FlatFacets(const ArrangementInput& input, std::vector<TrianglePair> 
       candidates, static_cast<std::uint32_t>(input.triangles.size()),
       [](const TrianglePair& pair) { return pair.first; }, std::less<>());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  const std::vector<std::uint32_t> facets =
-      support::indices_where(candidates.size(), [&](std::size_t i) {
+  const std::vector<std::uint32_t> facets = support::indices_where(
+      candidates.size(),
+      [&](std::size_t i) {
         const UpwardRounding rounding;
         return are_one(input, candidates[i]);
-      });
+      },
+      kPairs);
   if (facets.empty()) {
     return;
   }
   mates_.resize(input.triangles.size());
-  support::fill_all(mates_, kNone);
+  support::fill_all(mates_, {kNone, kInside});
   for (const std::uint32_t i : facets) {
     const auto& [t, u] = candidates[i];
-    mates_[t] = u;
-    mates_[u] = t;
+    mates_[t] = {u, edge_between(input.triangles[t], input.triangles[u])};
+    mates_[u] = {t, edge_between(input.triangles[u], input.triangles[t])};
   }
 }
 
-bool FlatFacets::is_inner_edge(const ArrangementInput& input, std::uint32_t triangle,
-                               Feature feature) const {
-  if (!is_edge(feature) || mate(triangle) == kNone) {
-    return false;
-  }
-  const Triangle &corners = input.triangles[triangle], &other = input.triangles[mate(triangle)];
-  const std::size_t i = feature - 3U;
-  return is_corner_of(other, corners[i]) && is_corner_of(other, corners[(i + 1) % 3]);
-}
-
-bool FlatFacets::is_joint(const ArrangementInput& input, const TriangleIntersection& e,
-                          std::size_t end) const {
+bool FlatFacets::is_joint(const TriangleIntersection& e, std::size_t end) const {
   const auto goes_on = [&](std::uint32_t triangle, Feature TriangleIntersection::End::*feature) {
     const Feature here = e.ends[end].*feature;
-    return is_inside(input, triangle, here) ||
+    return is_inside(triangle, here) ||
            (is_edge(here) &&
             (e.coplanar || (e.kind == TriangleIntersection::Kind::segment &&
                             common_edge(e.ends[0].*feature, e.ends[1].*feature) == here)));
   };
-  return (is_inner_edge(input, e.first, e.ends[end].on_first) ||
-          is_inner_edge(input, e.second, e.ends[end].on_second)) &&
+  return (is_inner_edge(e.first, e.ends[end].on_first) ||
+          is_inner_edge(e.second, e.ends[end].on_second)) &&
          goes_on(e.first, &TriangleIntersection::End::on_first) &&
          goes_on(e.second, &TriangleIntersection::End::on_second);
 }

@@ -45,28 +45,31 @@ class FlatFacets {
   [[nodiscard]] bool empty() const { return mates_.empty(); }
   /// The triangle that stands for the facet that this one is part of.
   [[nodiscard]] std::uint32_t of(std::uint32_t triangle) const {
-    return mates_.empty() ? triangle : std::min(triangle, mates_[triangle]);
+    return mates_.empty() ? triangle : std::min(triangle, mates_[triangle].triangle);
   }
   /// The other triangle of the facet, or kNone.
   [[nodiscard]] std::uint32_t mate(std::uint32_t triangle) const {
-    return mates_.empty() ? kNone : mates_[triangle];
+    return mates_.empty() ? kNone : mates_[triangle].triangle;
   }
   /// Whether an edge of the triangle lies inside of its facet.
-  [[nodiscard]] bool is_inner_edge(const ArrangementInput& input, std::uint32_t triangle,
-                                   Feature feature) const;
+  [[nodiscard]] bool is_inner_edge(std::uint32_t triangle, Feature feature) const {
+    return !mates_.empty() && mates_[triangle].edge == feature && is_edge(feature);
+  }
   /// Whether a place on the triangle lies inside of its facet.
-  [[nodiscard]] bool is_inside(const ArrangementInput& input, std::uint32_t triangle,
-                               Feature feature) const {
-    return feature == kInside || is_inner_edge(input, triangle, feature);
+  [[nodiscard]] bool is_inside(std::uint32_t triangle, Feature feature) const {
+    return feature == kInside || is_inner_edge(triangle, feature);
   }
   /// Whether what the facets have in common goes on at an end of what their triangles have.
-  [[nodiscard]] bool is_joint(const ArrangementInput& input, const TriangleIntersection& e,
-                              std::size_t end) const;
+  [[nodiscard]] bool is_joint(const TriangleIntersection& e, std::size_t end) const;
   /// Of the facet that the triangle stands for.
   [[nodiscard]] Corners corners(const ArrangementInput& input, std::uint32_t triangle) const;
 
  private:
-  support::BulkVector<std::uint32_t> mates_;  // per triangle, or empty if there are none
+  struct Mate {
+    std::uint32_t triangle;
+    Feature edge;  // of the triangle whose mate it is, between both; kInside if there is none
+  };
+  support::BulkVector<Mate> mates_;  // per triangle, or empty if there are none
 };
 
 }  // namespace dupin::arrangement

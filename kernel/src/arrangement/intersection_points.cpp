@@ -192,14 +192,14 @@ class Creator {
 
   // By meeting, those of each by end.
   void find_meetings() {
-    meetings_ = support::collect_in_order<MeetingAt>(
-        points_.ends.size(), [this](std::size_t end, std::vector<MeetingAt>& found) {
+    meetings_ = support::collect_by_key<MeetingAt>(
+        points_.ends.size(),
+        [this](std::size_t end, const auto& found) {
           if (is_end(end) && points_.ends[end] == kNone) {
-            found.push_back(meeting_at(static_cast<std::uint32_t>(end), meeting(end)));
+            found(meeting_at(static_cast<std::uint32_t>(end), meeting(end)));
           }
-        });
-    support::sort_by_key(
-        meetings_, kNone, [](const MeetingAt& m) { return m.hash; },
+        },
+        kNone, [](const MeetingAt& m) { return m.hash; },
         [](const MeetingAt& a, const MeetingAt& b) {
           return std::tie(a.hash, a.meeting) < std::tie(b.hash, b.meeting);
         });
@@ -275,7 +275,7 @@ class Creator {
   }
 
   [[nodiscard]] bool is_joint(std::size_t end) const {
-    return points_.facets.is_joint(input_, intersection(end), end % 2);
+    return points_.facets.is_joint(intersection(end), end % 2);
   }
 
   void find_lines() {
@@ -294,6 +294,7 @@ class Creator {
   }
 
   void add_points() {
+    constexpr std::size_t kEnds = 256;
     const support::Ranking leaders(leader_.size(),
                                    [this](std::size_t end) { return leader_[end] == end; });
     const PointId base = points_.first_new_point;
@@ -301,16 +302,19 @@ class Creator {
     leaders.for_each([&](std::size_t end, std::size_t rank) {
       points_.ends[end] = base + static_cast<PointId>(rank);
     });
-    support::for_each_block(leader_.size(), [&](const support::Block& block) {
-      const UpwardRounding rounding;
-      for (std::size_t end = block.begin; end < block.end; ++end) {
-        if (leader_[end] == end) {
-          input_.points.define(points_.ends[end], definition(end));
-        } else if (leader_[end] != kNone) {
-          points_.ends[end] = points_.ends[leader_[end]];
-        }
-      }
-    });
+    support::for_each_block(
+        leader_.size(),
+        [&](const support::Block& block) {
+          const UpwardRounding rounding;
+          for (std::size_t end = block.begin; end < block.end; ++end) {
+            if (leader_[end] == end) {
+              input_.points.define(points_.ends[end], definition(end));
+            } else if (leader_[end] != kNone) {
+              points_.ends[end] = points_.ends[leader_[end]];
+            }
+          }
+        },
+        kEnds);
   }
 
   [[nodiscard]] ImplicitPoint definition(std::size_t end) const {
@@ -331,7 +335,7 @@ class Creator {
   std::span<const TriangleIntersection> intersections_;
   std::optional<EdgeLines> lines_;
   IntersectionPoints points_;
-  std::vector<MeetingAt> meetings_;
+  support::BulkVector<MeetingAt> meetings_;
   std::vector<support::IndexRange> runs_;      // of equal ones
   support::BulkVector<std::uint32_t> leader_;  // of each end
 };

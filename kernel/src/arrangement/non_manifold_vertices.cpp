@@ -51,18 +51,16 @@ class Separator {
  public:
   Separator(ArrangementInput& input, support::BulkVector<OutputTriangle>& kept)
       : input_(input), kept_(kept) {
-    const auto collect = [&](std::size_t f, std::vector<Spoke>& spokes) {
+    const auto collect = [&](std::size_t f, const auto& found) {
       const Triangle& t = kept[f].corners;
       for (std::uint8_t i = 0; i < 3; ++i) {
         if (input.special[t[i]]) {
-          spokes.push_back(
-              {t[i], t[(i + 1u) % 3], t[(i + 2u) % 3], static_cast<std::uint32_t>(f), i});
+          found(Spoke{t[i], t[(i + 1u) % 3], t[(i + 2u) % 3], static_cast<std::uint32_t>(f), i});
         }
       }
     };
-    spokes_ = support::collect_in_order<Spoke>(kept.size(), collect);
-    support::sort_by_key(
-        spokes_, input.points.size(), [](const Spoke& spoke) { return spoke.vertex; },
+    spokes_ = support::collect_by_key<Spoke>(
+        kept.size(), collect, input.points.size(), [](const Spoke& spoke) { return spoke.vertex; },
         [](const Spoke& a, const Spoke& b) { return a.vertex < b.vertex; });
   }
 
@@ -343,7 +341,7 @@ class Separator {
 
   ArrangementInput& input_;
   support::BulkVector<OutputTriangle>& kept_;
-  std::vector<Spoke> spokes_;                  // at special vertices, by vertex
+  support::BulkVector<Spoke> spokes_;          // at special vertices, by vertex
   std::vector<support::IndexRange> tangled_;   // the spokes of vertices with more than one fan
   support::BulkVector<std::uint32_t> fan_of_;  // of spokes of such vertices
   std::vector<std::uint32_t> fans_;            // of each such vertex, how many

@@ -411,27 +411,30 @@ void write_planes(const ArrangementInput& input, const support::BulkVector<Outpu
     }
   };
   const auto with_planes = support::collect_in_order<std::uint32_t>(kept.size(), collect);
-  support::KeyNumbering known(0);
-  std::uint32_t previous = with_planes.empty() ? 0 : with_planes.front();
-  for (const std::uint32_t i : with_planes) {
-    const bool reversed = kept[i].reversed;
-    // Sub-triangles of one triangle follow one another.
-    if (i != previous && kept[i].support == kept[previous].support &&
-        reversed == kept[previous].reversed) {
-      mesh.plane_of[i] = mesh.plane_of[previous];
-      continue;
-    }
-    previous = i;
-    const Triangle& support = input.support(kept[i].support);
-    mesh.plane_of[i] = known.number({std::uint64_t{support[0]} << 32 | support[1],
-                                     std::uint64_t{support[2]} << 1 | std::uint64_t{reversed}});
-    if (mesh.plane_of[i] == mesh.planes.size()) {
+  // Sub-triangles of one triangle follow one another.
+  const auto runs = support::ranges_of_equal(
+      with_planes, [&](std::uint32_t i) { return std::pair(kept[i].support, kept[i].reversed); });
+  support::KeyNumbering known(runs.size());
+  for (const support::IndexRange& run : runs) {
+    const std::uint32_t first = with_planes[run.begin];
+    const bool reversed = kept[first].reversed;
+    const Triangle& support = input.support(kept[first].support);
+    mesh.plane_of[first] = known.number({std::uint64_t{support[0]} << 32 | support[1],
+                                         std::uint64_t{support[2]} << 1 | std::uint64_t{reversed}});
+    if (mesh.plane_of[first] == mesh.planes.size()) {
       const std::size_t second = reversed ? 2 : 1, third = reversed ? 1 : 2;
       mesh.planes.push_back({input.points.coordinates(support[0]),
                              input.points.coordinates(support[second]),
                              input.points.coordinates(support[third])});
     }
   }
+  support::for_each_block(runs.size(), [&](const support::Block& block) {
+    for (std::size_t r = block.begin; r < block.end; ++r) {
+      for (std::uint32_t k = runs[r].begin + 1; k < runs[r].end; ++k) {
+        mesh.plane_of[with_planes[k]] = mesh.plane_of[with_planes[runs[r].begin]];
+      }
+    }
+  });
 }
 
 // The source agrees in orientation where there is a choice.

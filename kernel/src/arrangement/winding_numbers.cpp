@@ -10,6 +10,7 @@
 #include "arrangement/triangle_intersection.h"
 #include "mesh/ray_crossing.h"
 #include "support/blocks.h"
+#include "support/sequences.h"
 
 namespace dupin::arrangement {
 namespace {
@@ -295,6 +296,28 @@ void relate_around(const ArrangementInput& input, const ManifoldPatches& patches
   }
 }
 
+// The seams that may relate patches which earlier ones do not: most follow each other along a
+// curve, with the same patches around them.
+std::vector<std::uint32_t> relating_seams(const ManifoldPatches& patches) {
+  const std::vector<support::IndexRange>& seams = patches.seams();
+  std::vector<std::vector<std::uint32_t>> relating(support::block_count(seams.size()));
+  support::for_each_block(seams.size(), [&](const support::Block& block) {
+    std::vector<std::uint32_t> here, before;
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      here.clear();
+      for (const ManifoldPatches::Side& side : patches.sides(seams[i])) {
+        here.push_back(patches.of_member(side.half_plane.owner));
+      }
+      support::sort_unique(here);
+      if (here.size() > 1 && here != before) {
+        relating[block.number].push_back(static_cast<std::uint32_t>(i));
+        std::swap(here, before);
+      }
+    }
+  });
+  return support::joined(std::move(relating));
+}
+
 // Some triangle of each set of related patches: an untouched triangle where possible.
 struct Sample {
   enum class Kind : std::uint8_t { none, untouched, sub_triangle, outline };
@@ -372,8 +395,8 @@ std::vector<std::int8_t> propagate_winding_numbers(ArrangementInput& input, cons
                                                    const Subdivision& subdivision,
                                                    const ManifoldPatches& patches) {
   Relations relations(patches.size(), rule.groups);
-  for (const support::IndexRange& seam : patches.seams()) {
-    relate_around(input, patches, seam, relations);
+  for (const std::uint32_t seam : relating_seams(patches)) {
+    relate_around(input, patches, patches.seams()[seam], relations);
   }
   const std::vector<Sample> samples = find_samples(input, subdivision, patches, relations);
   RayCrossings crossings(input);

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "support/bulk_vector.h"
+
 /// What every folder of the kernel needs and that knows no geometry. Work is done in parallel by
 /// blocks of consecutive indices that do not depend on the number of threads, and joined in their
 /// order: the same input gives the same bytes (blocks.h; sort_by_key.h sorts likewise). Large
@@ -23,7 +25,7 @@ void for_each_in_parallel(std::size_t count, const std::function<void(std::size_
 /// Consecutive indices that one thread deals with. Blocks do not depend on the number of threads,
 /// nor does what they find, joined in their order.
 struct Block {
-  static constexpr std::size_t kSize = 4096;
+  static constexpr std::size_t kSize = 1024;
   std::size_t number, begin, end;
 };
 
@@ -66,7 +68,7 @@ template <class Item>
     count += part.size();
   }
   std::vector<Item> all;
-  all.reserve(count);
+  reserve_bulk(all, count);
   for (std::vector<Item>& part : parts) {
     all.insert(all.end(), part.begin(), part.end());
     part = std::vector<Item>();  // all at once would take as much memory again
@@ -98,13 +100,16 @@ template <class Item, class Collect>
 
 /// The indices below `count`, ascending, that holds(index) is true of.
 template <class Holds>
-[[nodiscard]] std::vector<std::uint32_t> indices_where(std::size_t count, const Holds& holds) {
+[[nodiscard]] std::vector<std::uint32_t> indices_where(std::size_t count, const Holds& holds,
+                                                       std::size_t block_size = Block::kSize) {
   return collect_in_order<std::uint32_t>(
-      count, [&](std::size_t i, std::vector<std::uint32_t>& found) {
+      count,
+      [&](std::size_t i, std::vector<std::uint32_t>& found) {
         if (const auto index = static_cast<std::uint32_t>(i); holds(index)) {
           found.push_back(index);
         }
-      });
+      },
+      block_size);
 }
 
 /// Items from `begin` to before `end` that have the same key, while their neighbours have others.

@@ -7,7 +7,7 @@
 namespace dupin::support {
 
 void prefer_huge_pages(void* memory, std::size_t bytes) {
-  constexpr std::size_t kPage = 4096, kWorthwhile = std::size_t{4} << 20;
+  constexpr std::size_t kPage = 4096, kWorthwhile = std::size_t{1} << 20;
   if (bytes < kWorthwhile) {
     return;
   }

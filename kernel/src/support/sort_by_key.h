@@ -101,11 +101,11 @@ class KeyBuckets {
   std::array<std::size_t, kCount + 1> starts_{};
 };
 
-/// Most blocks that have buckets of their own.
-constexpr std::size_t kMostKeyedBlocks = 64;
+/// Most blocks that have buckets of their own, and least items of one: buckets are many.
+constexpr std::size_t kMostKeyedBlocks = 64, kLeastKeyedBlock = 4096;
 
 [[nodiscard]] constexpr std::size_t keyed_block_size(std::size_t count) {
-  return std::max(Block::kSize, (count + kMostKeyedBlocks - 1) / kMostKeyedBlocks);
+  return std::max(kLeastKeyedBlock, (count + kMostKeyedBlocks - 1) / kMostKeyedBlocks);
 }
 
 /// Sorts by `less`, in parallel; it compares keys first, which are below `key_end`. Stable. Fast
@@ -113,7 +113,7 @@ constexpr std::size_t kMostKeyedBlocks = 64;
 template <class Item, class Key, class Less>
 void sort_by_key(std::vector<Item>& items, std::uint32_t key_end, const Key& key,
                  const Less& less) {
-  if (items.size() < 2 * Block::kSize) {
+  if (items.size() < 2 * kLeastKeyedBlock) {
     const std::vector<Item> given = items;
     sort_into(std::span(given), std::span(items), std::bit_width(key_end), key, less);
     return;
@@ -147,7 +147,7 @@ template <class Item, class Collect, class Key, class Less>
 [[nodiscard]] BulkVector<Item> collect_by_key(std::size_t count, const Collect& collect,
                                               std::uint32_t key_end, const Key& key,
                                               const Less& less) {
-  if (count < 2 * Block::kSize) {
+  if (count < 2 * kLeastKeyedBlock) {
     std::vector<Item> items;
     for (std::size_t i = 0; i < count; ++i) {
       collect(i, [&](const Item& item) { items.push_back(item); });

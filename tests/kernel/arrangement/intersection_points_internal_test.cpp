@@ -37,7 +37,7 @@ TEST_P(IntersectionPointsOf, lie_on_both_triangles) {
   for (std::size_t i = 0; i < intersections.size(); ++i) {
     const TriangleIntersection& e = intersections[i];
     for (std::size_t end = 0; end < 2; ++end) {
-      const bool exists = !points.facets.is_joint(stages.input, e, end) &&
+      const bool exists = !points.facets.is_joint(e, end) &&
                           (e.kind == TriangleIntersection::Kind::segment ||
                            (e.kind == TriangleIntersection::Kind::point && end == 0));
       const PointId id = points.ends[2 * i + end];

@@ -6,6 +6,7 @@
 
 #include "arrangement/points/implicit_predicates.h"
 #include "support/blocks.h"
+#include "support/bulk_vector.h"
 #include "support/hash.h"
 
 namespace dupin::arrangement {
@@ -35,7 +36,7 @@ CoincidentPointIndex::CoincidentPointIndex(PointTable& points, double extent,
   int exponent = 0;
   std::frexp(extent, &exponent);
   cells_per_unit_ = std::ldexp(1.0, std::clamp(kCellBits - exponent, -1000, 1000));
-  entries_.reserve(expected_count);
+  support::reserve_bulk(entries_, expected_count);
 }
 
 void CoincidentPointIndex::tighten_wide(PointId begin, PointId end) const {

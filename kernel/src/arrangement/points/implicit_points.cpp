@@ -232,7 +232,7 @@ PointId PointTable::add(const Vec3& point) {
 void PointTable::make_room(std::size_t count) {
   const std::size_t size = implicit_.size() + count;
   if (size > implicit_.capacity()) {
-    implicit_.reserve(size + size / 8 + 1);
+    support::reserve_bulk(implicit_, size + size / 8 + 1);
   }
 }
 
