@@ -28,7 +28,7 @@ std::size_t apex(const Triangle& corners, const Triangle& other) {
 
 // The edge of the first triangle at which the second one lies.
 Feature edge_between(const Triangle& first, const Triangle& second) {
-  return static_cast<Feature>(3 + (apex(first, second) + 1) % 3);
+  return edge_feature((static_cast<int>(apex(first, second)) + 1) % 3);
 }
 
 FlatFacets::Corners joined(const Triangle& first, const Triangle& second) {
@@ -43,7 +43,8 @@ std::uint32_t label_of(const ArrangementInput& input, std::uint32_t triangle) {
 }
 
 bool covers_alone(const ArrangementInput& input, std::uint32_t triangle) {
-  return !input.merged[triangle] && (input.duplicates.empty() || input.cover(triangle).size() == 1);
+  return !input.merged[triangle] && !std::ranges::binary_search(input.duplicates, triangle, {},
+                                                                &ArrangementInput::Duplicate::kept);
 }
 
 bool are_doubles(const ArrangementInput& input, const Triangle& corners) {
