@@ -162,33 +162,48 @@ void large_unions(const std::vector<std::string>& names) {
   }
 }
 
-/// Plants whose ends miss each other by less than binary32 can tell. The aim: rounding takes at
-/// most ten times the union.
-void plants(std::uint32_t first, std::uint32_t seeds) {
-  std::puts(
-      "\nplants of 200 to 1000 components with misfits, at 1e5 to 2e6 mm, to binary32; processor "
-      "seconds, and the ratio of seconds");
-  std::printf("  %5s %10s %9s %8s %8s %6s %7s %7s %7s %8s\n", "seed", "components", "triangles",
+/// A row of nearly coincident solids: their number, and what their union and its rounding to
+/// binary32 take. The aim: rounding takes at most ten times the union.
+void nearly_coincident(std::uint32_t seed, const std::vector<Solid>& solids) {
+  Solid exact;
+  double uniting_wall = 0, rounding_wall = 0;
+  const double uniting = effort([&] { uniting_wall = seconds([&] { exact = unite(solids); }); });
+  std::optional<Rounded> rounded;
+  const double rounding = effort(
+      [&] { rounding_wall = seconds([&] { rounded = to_mesh(exact, Coordinates::binary32); }); });
+  const RoundingReport& report = rounded->report();
+  std::printf("  %5u %10zu %9zu %8.3f %8.3f %6.1f %7.1f %7zu %7zu %8.3f%s\n", seed, solids.size(),
+              exact.triangle_count(), uniting, rounding, rounding / uniting,
+              rounding_wall / uniting_wall, report.filled_places.size(),
+              report.snapped_places.size(), report.largest_move,
+              check(rounded->mesh()).is_solid() ? "" : "  BAD");
+  std::fflush(stdout);
+}
+
+void header_of_nearly_coincident(const char* what) {
+  std::printf("\n%s, at 1e5 to 2e6 mm, to binary32; processor seconds, and the ratio of seconds\n",
+              what);
+  std::printf("  %5s %10s %9s %8s %8s %6s %7s %7s %7s %8s\n", "seed", "solids", "triangles",
               "union", "round", "ratio", "seconds", "slits", "snapped", "move");
+}
+
+/// Plants whose ends miss each other by less than binary32 can tell.
+void plants(std::uint32_t first, std::uint32_t seeds) {
+  header_of_nearly_coincident("plants of 200 to 1000 components with misfits");
   for (std::uint32_t seed = first; seed < first + seeds; ++seed) {
     std::vector<Solid> components;
     for (const TriMesh& mesh : test::plant({.seed = seed, .components = 200 + 100 * (seed % 9)})) {
       components.push_back(Solid::from(mesh));
     }
-    Solid exact;
-    double uniting_wall = 0, rounding_wall = 0;
-    const double uniting =
-        effort([&] { uniting_wall = seconds([&] { exact = unite(components); }); });
-    std::optional<Rounded> rounded;
-    const double rounding = effort(
-        [&] { rounding_wall = seconds([&] { rounded = to_mesh(exact, Coordinates::binary32); }); });
-    const RoundingReport& report = rounded->report();
-    std::printf("  %5u %10zu %9zu %8.3f %8.3f %6.1f %7.1f %7zu %7zu %8.3f%s\n", seed,
-                components.size(), exact.triangle_count(), uniting, rounding, rounding / uniting,
-                rounding_wall / uniting_wall, report.filled_places.size(),
-                report.snapped_places.size(), report.largest_move,
-                check(rounded->mesh()).is_solid() ? "" : "  BAD");
-    std::fflush(stdout);
+    nearly_coincident(seed, components);
+  }
+}
+
+/// Racks whose pipes rest on others: there is less between them than binary32 can tell.
+void resting_racks(std::uint32_t first, std::uint32_t seeds) {
+  header_of_nearly_coincident("racks of pipes that rest on others");
+  for (std::uint32_t seed = first; seed < first + seeds; ++seed) {
+    nearly_coincident(seed, test::resting_pipes(10 + 10 * static_cast<int>(seed % 4), seed, 140));
   }
 }
 
@@ -221,7 +236,7 @@ void large_meshes() {
 }  // namespace dupin
 
 /// Arguments: the number of seeds per row of the table of moves, 3 without; then the pipe cases
-/// that are large unions, or "plants", how many, and the first one's seed.
+/// that are large unions, or "plants" or "racks", how many, and the first one's seed.
 int main(int count, char** arguments) {
   const std::vector<std::string> given(arguments + 1, arguments + count);
   const auto number = [&](std::size_t i) {
@@ -232,11 +247,16 @@ int main(int count, char** arguments) {
     dupin::plants(number(3), number(2));
     return EXIT_SUCCESS;
   }
+  if (given.size() >= 3 && given[1] == "racks") {
+    dupin::resting_racks(number(3), number(2));
+    return EXIT_SUCCESS;
+  }
   if (given.size() > 1) {
     dupin::large_unions({given.begin() + 1, given.end()});
     return EXIT_SUCCESS;
   }
   dupin::plants(0, 8);
+  dupin::resting_racks(0, 4);
   dupin::large_meshes();
   dupin::large_unions({"tee_100k", "tee_100k_rot", "header_100_rot", "chain_100_rot",
                        "rack_fine_rot", "tee_1M", "tee_1M_rot"});
