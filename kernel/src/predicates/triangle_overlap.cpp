@@ -1,5 +1,6 @@
 #include "predicates/triangle_overlap.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -90,17 +91,25 @@ bool segments_meet(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s, i
   return true;
 }
 
+/// Whether a point in the plane of `t` lies in t.
+bool contains(const Corners& t, const Vec3& p, int axis) {
+  const int inner = exact_side_of_line(t[0], t[1], t[2], axis);
+  for (int i = 0; i < 3; ++i) {
+    if (exact_side_of_line(t[i], t[(i + 1) % 3], p, axis) == -inner) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Whether the segment pq, in the plane of `t`, meets t.
 bool meets_in_plane(const Vec3& p, const Vec3& q, const Corners& t, int axis) {
-  const int inner = exact_side_of_line(t[0], t[1], t[2], axis);
-  bool inside = true;
   for (int i = 0; i < 3; ++i) {
-    inside = inside && exact_side_of_line(t[i], t[(i + 1) % 3], p, axis) != -inner;
     if (segments_meet(p, q, t[i], t[(i + 1) % 3], axis)) {
       return true;
     }
   }
-  return inside;
+  return contains(t, p, axis);
 }
 
 /// Whether the segment pq meets `t`, given the sides of its ends.
@@ -256,14 +265,39 @@ bool certainly_apart(const Corners& a, const Sides& sides_a, const Corners& b,
   return true;
 }
 
-bool all_edges_meet_nothing(const Corners& edges, const Sides& sides, const Corners& t, int axis) {
+/// Whether a triangle with corners on one side of the plane of `t` and in it, as its sides say,
+/// meets t: the corner or the edge that it has in the plane does. None if it is on both sides.
+std::optional<bool> touches(const Corners& other, const Sides& sides, const Corners& t, int axis) {
+  if (*std::ranges::min_element(sides) * *std::ranges::max_element(sides) < 0) {
+    return std::nullopt;
+  }
+  std::array<Vec3, 3> in_plane;
+  std::size_t count = 0;
   for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    if (meets(edges[i], edges[j], sides[i], sides[j], t, axis)) {
+    if (sides[i] == 0) {
+      in_plane[count++] = other[i];
+    }
+  }
+  const Vec3 &p = in_plane[0], &q = in_plane[count - 1];
+  const int inner = side_of_line(t[0], t[1], t[2], axis);
+  for (int i = 0; inner != 0 && i < 3; ++i) {
+    const Vec3 &a = t[i], &b = t[(i + 1) % 3];
+    if (side_of_line(a, b, p, axis) == -inner && side_of_line(a, b, q, axis) == -inner) {
       return false;
     }
   }
-  return true;
+  const int exact_axis = projection_axis(t, axis);
+  return count == 1 ? contains(t, p, exact_axis) : meets_in_plane(p, q, t, exact_axis);
+}
+
+bool any_edge_meets(const Corners& edges, const Sides& sides, const Corners& t, int axis) {
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    if (meets(edges[i], edges[j], sides[i], sides[j], t, axis)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -389,10 +423,14 @@ TriangleOverlap TriangleOverlapTest::sharing_none(const Triangle& other) const {
   if (sides_b == Sides{0, 0, 0}) {
     return coplanar_meeting(a, b, projection_axis(a, axis));
   }
-  return all_edges_meet_nothing(b, sides_b, a, axis) &&
-                 all_edges_meet_nothing(a, sides_a, b, plane.main_axis())
-             ? TriangleOverlap::none
-             : TriangleOverlap::crossing;
+  auto meets = touches(b, sides_b, a, axis);
+  if (!meets) {
+    meets = touches(a, sides_a, b, plane.main_axis());
+  }
+  if (!meets) {
+    meets = any_edge_meets(b, sides_b, a, axis) || any_edge_meets(a, sides_a, b, plane.main_axis());
+  }
+  return *meets ? TriangleOverlap::crossing : TriangleOverlap::none;
 }
 
 }  // namespace dupin::predicates

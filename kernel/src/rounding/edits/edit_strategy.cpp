@@ -192,13 +192,14 @@ constexpr std::uint64_t kTrialsPerFault = 16, kTrials = 1 << 15;
 
 /// Of them, to move points, in vain, where the surface can be cut instead; and for each time it was
 /// not in vain. What does not help a handful of faults is seldom of use to others, and costs more
-/// than all the rest.
-constexpr std::uint64_t kMoves = 1 << 10, kMovesPerFault = 64;
+/// than all the rest. Where there are many faults, more of them are left, and cut.
+constexpr std::uint64_t kMoves = 1 << 10, kMovesPerFault = 64, kManyFaults = 1 << 10;
 
 /// mend_faults(), which may give up.
 bool mend(EditedMesh& mesh, const exact::FloatLattice& lattice, double reach, bool is_thorough) {
-  const std::uint64_t trials = kTrials + kTrialsPerFault * mesh.faults().size();
-  return mend_faults(mesh, lattice, reach, {trials, is_thorough ? trials : kMoves});
+  const std::uint64_t faults = mesh.faults().size(), trials = kTrials + kTrialsPerFault * faults;
+  const std::uint64_t moves = is_thorough ? trials : kMoves / (1 + faults / kManyFaults);
+  return mend_faults(mesh, lattice, reach, {trials, moves});
 }
 
 double height(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -236,21 +237,6 @@ bool flip_low(EditedMesh& mesh, std::uint32_t face, const EditRule& rule) {
   const double before = std::min(height(mesh, t), height(mesh, mesh.triangle(*across)));
   const double after = std::min(height(mesh, {a, d, c}), height(mesh, {d, b, c}));
   return after > before && mesh.flip(face, edge, rule);
-}
-
-/// The faces, of those given, with corners that are not where the solid has them, and all others at
-/// these.
-support::BulkVector<std::uint8_t> inexact_faces(const EditedMesh& mesh, const BrokenMesh& original,
-                                                const Faces& faces) {
-  support::BulkVector<std::uint8_t> inexact(mesh.face_count(), 0);
-  for (const std::uint32_t f : faces) {
-    for (const std::uint32_t v : mesh.triangle(f)) {
-      for (const std::uint32_t face : mesh.faces(v)) {
-        inexact[face] |= original.inexact[v];
-      }
-    }
-  }
-  return inexact;
 }
 
 /// The faces that are not as in the mesh that is rounded only.
@@ -378,11 +364,8 @@ bool repair_around(EditedMesh& mesh, const BrokenMesh& original,
                    const RepairLimits& limits) {
   const auto& [lattice, largest, reach, is_thorough] = limits;
   if (!lattice.holds_doubles()) {
-    const exact::FloatLattice doubles(Coordinates::binary64);
-    const auto around = with_neighbours(mesh, broken);
-    mesh.find_faults(inexact_faces(mesh, original, around));
-    mend(mesh, doubles, reach / lattice.step(largest) * doubles.step(largest), is_thorough);
-    thicken(mesh, reach, with_neighbours(mesh, broken));
+    // Faults of nearest doubles are not looked for: those of the lattice are, and few are.
+    thicken(mesh, std::min(lattice.step(largest), reach), with_neighbours(mesh, broken));
     place_on_lattice(mesh, original, lattice);
   } else if (!std::ranges::all_of(mesh.points(), [](const Vec3& p) { return is_in_range(p); })) {
     place_on_lattice(mesh, original, lattice);
