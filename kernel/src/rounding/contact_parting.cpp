@@ -157,9 +157,8 @@ class ContactParting::Attempt {
     const auto touching = mesh::shared_places(mesh::coincident_representatives(points));
     const std::vector<Fault> faults =
         find_faults(embedding, marked_faces(whole().triangles, touching));
-    const std::vector<std::uint8_t> inexact(points.size(), 0);
     const auto part =
-        MeshPart::around({points, points, inexact, whole().triangles, whole().labels, each_},
+        MeshPart::around({points, points, whole().triangles, whole().labels, each_},
                          faces_of(faults), std::min(kFar * how.step_, how.room(touching_)), 0);
     if (part) {
       EditedMesh mesh = unedited(part->view());

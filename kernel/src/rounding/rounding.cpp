@@ -182,7 +182,7 @@ class Rounding {
     }
     EditedMesh mesh = unedited(whole());
     const double reach = std::min(step_, (tolerance_ - past_.distance()) / kReachGrowth);
-    thicken_doubles(mesh, whole(), reach, kReachGrowth * double_step_);
+    thicken_doubles(mesh, whole(), rounded_.inexact, reach, kReachGrowth * double_step_);
     const auto alive = mesh.alive_faces();
     const double move = largest_move(mesh, alive);
     PastRounds past = past_;
@@ -349,8 +349,7 @@ class Rounding {
   }
 
   [[nodiscard]] BrokenMesh whole() const {
-    return {doubles(),        rounded_.on_lattice, rounded_.inexact,
-            exact_.triangles, exact_.labels,       representatives_};
+    return {doubles(), rounded_.on_lattice, exact_.triangles, exact_.labels, representatives_};
   }
 
   /// Where the surface may be cut instead (begun_anew), edits need not go to any length.
@@ -358,7 +357,7 @@ class Rounding {
     const double cut = kSnapReach * step_;
     const bool is_last = past_.snaps == kSnaps || past_.idle_snaps > 0 || reach > cut ||
                          tolerance_ - past_.distance() < cut;
-    return {lattice_, rounded_.largest, reach, is_last};
+    return {lattice_, step_, reach, is_last};
   }
 
   /// Without a second shell and without contacts the solid leaves free one connected space.

@@ -333,13 +333,14 @@ void thicken(EditedMesh& mesh, double reach, Faces faces) {
   }
 }
 
-bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original, double reach, double mending) {
+bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original,
+                     std::span<const std::uint8_t> inexact, double reach, double mending) {
   Faces left = thicken_in_slabs(mesh, original, reach);
   // Lemma: both faces of a fault are as given. Who was edited last of two was compared with the
   // other one. So they are sought while other faces are edited still.
   const auto alive = mesh.alive_faces();
   const auto triangles = mesh.triangles_of(alive);
-  support::BulkVector<std::uint8_t> marked = marked_faces(triangles, original.inexact);
+  support::BulkVector<std::uint8_t> marked = marked_faces(triangles, inexact);
   for (std::size_t i = 0; i < alive.size(); ++i) {
     marked[i] = marked[i] != 0 && mesh.last_edit(alive[i]) == 0 ? 1 : 0;
   }
@@ -362,10 +363,10 @@ bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original, double reach,
 bool repair_around(EditedMesh& mesh, const BrokenMesh& original,
                    const std::vector<std::uint32_t>& broken, const std::vector<Fault>& broken_pairs,
                    const RepairLimits& limits) {
-  const auto& [lattice, largest, reach, is_thorough] = limits;
+  const auto& [lattice, step, reach, is_thorough] = limits;
   if (!lattice.holds_doubles()) {
     // Faults of nearest doubles are not looked for: those of the lattice are, and few are.
-    thicken(mesh, std::min(lattice.step(largest), reach), with_neighbours(mesh, broken));
+    thicken(mesh, std::min(step, reach), with_neighbours(mesh, broken));
     place_on_lattice(mesh, original, lattice);
   } else if (!std::ranges::all_of(mesh.points(), [](const Vec3& p) { return is_in_range(p); })) {
     place_on_lattice(mesh, original, lattice);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "exact/float_lattice.h"
@@ -12,20 +13,22 @@ namespace dupin::rounding {
 /// What an attempt at repair may do.
 struct RepairLimits {
   exact::FloatLattice lattice;
-  double largest;  ///< coordinate
-  double reach;    ///< of collapses and moves
+  double step;   ///< of the lattice, at the largest coordinate
+  double reach;  ///< of collapses and moves
   /// Whether to go to any length: there is no other way. Else points are moved only as long as
   /// that is worth it.
   bool is_thorough;
 };
 
 /// Thickens the mesh of doubles where it is free of faults, and then mends it, for which points may
-/// move by `mending` more. False if some are left.
-bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original, double reach, double mending);
+/// move by `mending` more. `inexact`: a mark per point whose exact place is not the double. False
+/// if faults are left.
+bool thicken_doubles(EditedMesh& mesh, const BrokenMesh& original,
+                     std::span<const std::uint8_t> inexact, double reach, double mending);
 
-/// Around the faces that rounding breaks: mends the mesh of doubles, then, for a coarser lattice,
-/// thickens what is thin, rounds, and mends again. `broken_pairs` are the faults of the mesh that
-/// is rounded only. Faults may be left; false if trying more was not worth it.
+/// Around the faces that rounding breaks: for a lattice coarser than doubles thickens what is
+/// thinner than a step; rounds, and mends. `broken_pairs` are the faults of the mesh that is
+/// rounded only. Faults may be left; false if trying more was not worth it.
 bool repair_around(EditedMesh& mesh, const BrokenMesh& original,
                    const std::vector<std::uint32_t>& broken, const std::vector<Fault>& broken_pairs,
                    const RepairLimits& limits);

@@ -101,7 +101,6 @@ MeshPart::MeshPart(const BrokenMesh& whole, std::vector<std::uint32_t> faces,
   }
   doubles_ = support::selected(whole.doubles, points_);
   on_lattice_ = support::selected(whole.on_lattice, points_);
-  inexact_ = support::selected(whole.inexact, points_);
   if (!whole.labels.empty()) {
     labels_ = support::selected(whole.labels, faces_);
   }
@@ -122,7 +121,7 @@ std::vector<std::uint32_t> representatives_among(std::span<const std::uint32_t> 
 }
 
 BrokenMesh MeshPart::view() const {
-  return {doubles_, on_lattice_, inexact_, triangles_, labels_, representatives_, complete_};
+  return {doubles_, on_lattice_, triangles_, labels_, representatives_, complete_};
 }
 
 std::uint32_t MeshPart::face(std::uint32_t of_whole) const {

@@ -21,7 +21,6 @@ namespace dupin::rounding {
 /// What repair reads of a mesh whose rounding has faults.
 struct BrokenMesh {
   std::span<const Vec3> doubles, on_lattice;  ///< the places before and after rounding
-  std::span<const std::uint8_t> inexact;      ///< points whose exact places are not the doubles
   std::span<const Triangle> triangles;
   std::span<const std::uint32_t> labels;           ///< per triangle; may be empty
   std::span<const std::uint32_t> representatives;  ///< per point the first that coincides with it
@@ -78,7 +77,7 @@ class MeshPart {
   std::optional<Zones> zones_;  // of surroundings
   std::vector<std::uint32_t> faces_, points_;
   std::vector<Vec3> doubles_, on_lattice_;
-  std::vector<std::uint8_t> inexact_, complete_;
+  std::vector<std::uint8_t> complete_;
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> labels_, representatives_;
 };

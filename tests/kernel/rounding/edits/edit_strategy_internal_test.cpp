@@ -112,10 +112,9 @@ TEST_F(Edit, thickens_what_is_lower_than_the_reach) {
 TEST_F(Edit, thickens_everywhere_what_doubles_hold) {
   shape.points[1] = shape.points[0] + Vec3(0, 1e-6, 0);
   const std::vector<std::uint8_t> inexact(shape.points.size(), 1);
-  const BrokenMesh original{shape.points,    shape.points, inexact,
-                            shape.triangles, labels,       representatives};
+  const BrokenMesh original{shape.points, shape.points, shape.triangles, labels, representatives};
   EditedMesh tube = mesh();
-  EXPECT_TRUE(thicken_doubles(tube, original, 1e-4, 0x1p-50));
+  EXPECT_TRUE(thicken_doubles(tube, original, inexact, 1e-4, 0x1p-50));
   const TriMesh thick = result(tube);
   EXPECT_TRUE(check(thick).is_solid());
   EXPECT_LT(thick.triangles.size(), shape.triangles.size());
@@ -123,7 +122,7 @@ TEST_F(Edit, thickens_everywhere_what_doubles_hold) {
   shape.points[14] = shape.points[13] + Vec3(1e-6, -1e-6, 0);
   shape.points[0] = Vec3(0, 0, 5);  // through the top
   EditedMesh broken = mesh();
-  EXPECT_FALSE(thicken_doubles(broken, original, 1e-4, 0x1p-50));
+  EXPECT_FALSE(thicken_doubles(broken, original, inexact, 1e-4, 0x1p-50));
   EXPECT_LT(broken.alive_faces().size(), shape.triangles.size()) << "thickened where it is sound";
 }
 

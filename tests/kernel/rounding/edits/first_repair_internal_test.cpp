@@ -23,18 +23,17 @@ struct Broken : testing::Test {
   /// Moves a point of triangle 100, of the rounded mesh only.
   void move(const Vec3& by) { on_lattice[shape.triangles[100][0]] += by; }
   [[nodiscard]] BrokenMesh view() const {
-    return {shape.points, on_lattice, inexact, shape.triangles, {}, own};
+    return {shape.points, on_lattice, shape.triangles, {}, own};
   }
   [[nodiscard]] std::vector<Fault> faults() const {
     return find_faults({on_lattice, shape.triangles, own},
                        std::vector<std::uint8_t>(shape.triangles.size(), 1));
   }
-  [[nodiscard]] RepairLimits limits(double reach) const { return {lattice, 3, reach, false}; }
+  [[nodiscard]] RepairLimits limits(double reach) const { return {lattice, 0x1p-20, reach, false}; }
 
   const exact::FloatLattice lattice{Coordinates::binary64, 0x1p-20};
   TriMesh shape;
   std::vector<Vec3> on_lattice;
-  std::vector<std::uint8_t> inexact = std::vector<std::uint8_t>(shape.points.size(), 0);
   std::vector<std::uint32_t> own = std::vector<std::uint32_t>(shape.points.size());
 };
 

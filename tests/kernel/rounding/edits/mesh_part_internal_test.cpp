@@ -15,12 +15,10 @@ namespace {
 struct Part : Edit {
   Part() : Edit(test::torus(24, 48, 2, 1)) {}
   std::optional<MeshPart> around(const std::vector<std::uint32_t>& broken) {
-    const BrokenMesh whole{shape.points,    shape.points, inexact,
-                           shape.triangles, labels,       representatives};
+    const BrokenMesh whole{shape.points, shape.points, shape.triangles, labels, representatives};
     return MeshPart::around(whole, broken, 1e-4, 1e-5);
   }
   [[nodiscard]] TriMesh labelled() const { return {shape.points, shape.triangles, labels}; }
-  std::vector<std::uint8_t> inexact = std::vector<std::uint8_t>(shape.points.size(), 0);
 };
 
 TEST_F(Part, has_all_triangles_of_its_complete_points) {

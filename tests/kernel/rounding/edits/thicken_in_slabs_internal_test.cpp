@@ -56,8 +56,7 @@ template <class Thicken>
 Thickened thickened(const TriMesh& shape, const Thicken& thicken) {
   std::vector<std::uint32_t> own(shape.points.size());
   std::iota(own.begin(), own.end(), 0U);
-  const std::vector<std::uint8_t> inexact(own.size(), 0);
-  const BrokenMesh original{shape.points, shape.points, inexact, shape.triangles, {}, own};
+  const BrokenMesh original{shape.points, shape.points, shape.triangles, {}, own};
   EditedMesh mesh(shape.points, shape.triangles, {}, own);
   thicken(mesh, original);
   Thickened result{mesh.mesh_of(mesh.alive_faces())};
