@@ -93,12 +93,12 @@ mesh::ExactMesh arrange(ArrangementInput& input, std::vector<TriangleIntersectio
   return extract(input, std::move(kept));
 }
 
-ArrangementInput imported(std::span<const mesh::ExactMesh* const> operands,
-                          const BooleanRule& rule) {
+ArrangementInput imported(std::span<const mesh::ExactMesh* const> operands, const BooleanRule& rule,
+                          std::vector<OperandPair> pairs = {}) {
   // All tasks of a thread's arena take over the rounding in which it ran the first.
   support::for_each_in_parallel(1, [](std::size_t) {});
   const UpwardRounding rounding;
-  return load_operands(operands, rule);
+  return load_operands(operands, rule, std::move(pairs));
 }
 
 ArrangementInput imported_within(std::span<const mesh::ExactMesh* const> operands,
@@ -188,8 +188,7 @@ mesh::ExactMesh united_with_winding(const mesh::ExactMesh& solid, const mesh::Ex
   const std::array<const mesh::ExactMesh*, 2> operands{&solid, &surface};
   const BooleanRule rule{
       {0, 1}, 2, [](std::span<const int> counts) { return counts[0] > 0 || counts[1] > 0; }};
-  ArrangementInput input = imported(operands, rule);
-  input.operand_pairs = {{0, 1}, {1, 1}};
+  ArrangementInput input = imported(operands, rule, {{0, 1}, {1, 1}});
   // Any edge of the surface may have more than two triangles.
   for (const auto* first : {&input.first_double, &input.first_implicit}) {
     std::fill(input.special.begin() + (*first)[1], input.special.begin() + (*first)[2],

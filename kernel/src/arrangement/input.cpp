@@ -154,7 +154,7 @@ void find_operand_pairs(ArrangementInput& input) {
 }
 
 // Points that may coincide with another: those inside the bounds of another operand, and all of an
-// operand whose surface touches itself.
+// operand whose surface touches or crosses itself.
 std::vector<PointId> shared_candidates(const ArrangementInput& input) {
   // With more neighbours than this, asking all of them costs more than hashing the point.
   constexpr std::size_t kManyNeighbours = 16;
@@ -166,7 +166,9 @@ std::vector<PointId> shared_candidates(const ArrangementInput& input) {
   std::vector<std::vector<PointId>> candidates(input.operands.size());
   support::for_each_in_parallel(input.operands.size(), [&](std::size_t o) {
     const mesh::ExactMesh& mesh = *input.operands[o];
-    const bool all = !mesh.contacts.empty() || neighbours[o].size() > kManyNeighbours;
+    const auto itself = static_cast<std::uint32_t>(o);
+    const bool all = !mesh.contacts.empty() || neighbours[o].size() > kManyNeighbours ||
+                     std::ranges::find(neighbours[o], itself) != neighbours[o].end();
     const auto collect = [&](std::size_t i, std::vector<PointId>& found) {
       const auto holds = [&](std::uint32_t other) {
         return input.bounds[other].contains(mesh.points[i]);
@@ -372,12 +374,15 @@ std::vector<SignedTriangle> ArrangementInput::cover(std::uint32_t triangle) cons
 }
 
 ArrangementInput load_operands(std::span<const mesh::ExactMesh* const> operands,
-                               const BooleanRule& rule) {
+                               const BooleanRule& rule, std::vector<OperandPair> pairs) {
   check_limits(operands);
   ArrangementInput input;
   input.operands = operands;
   add_points_and_triangles(input);
-  find_operand_pairs(input);
+  input.operand_pairs = std::move(pairs);
+  if (input.operand_pairs.empty()) {
+    find_operand_pairs(input);
+  }
   Welder(input).weld();
   mark_repeated_edges(input);
   merge_coincident_triangles(input, rule);

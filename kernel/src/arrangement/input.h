@@ -37,6 +37,9 @@ struct SignedTriangle {
   friend bool operator==(const SignedTriangle&, const SignedTriangle&) = default;
 };
 
+/// Operands to compare, or one that may cross itself, twice.
+using OperandPair = std::array<std::uint32_t, 2>;
+
 /// Stage 1: all operands in one index space, coincident points welded, coincident triangles merged.
 struct ArrangementInput {
   using Bounds = Eigen::AlignedBox3d;
@@ -54,7 +57,7 @@ struct ArrangementInput {
   std::vector<std::uint32_t> first_triangle;  ///< of each operand, and one past the last
   std::vector<Bounds> bounds;                 ///< of each operand
   double extent = 0;                          ///< bounds the magnitude of all coordinates
-  std::vector<std::array<std::uint32_t, 2>> operand_pairs;  ///< to compare, ascending
+  std::vector<OperandPair> operand_pairs;     ///< to compare, ascending
   /// Per triangle, or empty: whether it may meet others of its operand but in what they share.
   std::span<const std::uint8_t> crossing;
   /// Per point: more than one fan may meet there, or no triangle has it for a corner.
@@ -94,9 +97,10 @@ struct ArrangementInput {
   return std::all_of(change.begin(), change.end(), [](int c) { return c == 0; });
 }
 
-/// Throws Error{limit_exceeded} if the points or triangles are more than indices can count. Needs
-/// UpwardRounding.
+/// `pairs`, ascending; if there are none, those whose bounds meet. Throws Error{limit_exceeded} if
+/// the points or triangles are more than indices can count. Needs UpwardRounding.
 [[nodiscard]] ArrangementInput load_operands(std::span<const mesh::ExactMesh* const> operands,
-                                             const BooleanRule& rule);
+                                             const BooleanRule& rule,
+                                             std::vector<OperandPair> pairs = {});
 
 }  // namespace dupin::arrangement

@@ -31,9 +31,10 @@ NearestDouble nearest(const CGAL::Mpzf& x, const CGAL::Mpzf& w) {
     const double value = mesh::nearest_double(x, w);
     return NearestDouble{value, std::isfinite(value) && CGAL::Mpzf(value) * w == x};
   };
+  constexpr double kLeast = 0x1p-900;  // of what is divided; conversions of less lose digits
   const double weight = w.to_double();
   double value = x.to_double() / weight;
-  if (!std::isfinite(value)) {
+  if (!std::isfinite(value) || weight < kLeast) {
     return slowly();
   }
   CGAL::Mpzf remainder = x - CGAL::Mpzf(value) * w;
@@ -47,11 +48,12 @@ NearestDouble nearest(const CGAL::Mpzf& x, const CGAL::Mpzf& w) {
   if (remainder.is_zero()) {
     return {value, true};
   }
-  const double error = remainder.to_double() / weight;
+  const double rest = remainder.to_double(), error = rest / weight;
   const double next = std::nextafter(value, error > 0 ? HUGE_VAL : -HUGE_VAL);
   // Conversions and the division are off by less than 2^-50 of the error.
   const double half = std::abs(next - value) / 2 * (1 - 0x1p-48);
-  if (std::isnormal(value) && std::isnormal(error) && std::abs(error) < half) {
+  if (std::isnormal(value) && std::isnormal(error) && std::abs(rest) >= kLeast &&
+      std::abs(error) < half) {
     return {value, false};
   }
   return slowly();

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "exact/number_enclosure.h"
+
 namespace dupin::exact {
 namespace {
 
@@ -48,11 +50,11 @@ CGAL::Mpzf integer(const mpz_class& number) {
 }
 
 Ball ball(const CGAL::Mpzf& number) {
-  const double high = number.to_interval().second;
+  const double high = enclosure(number).second;
   if (!std::isfinite(high)) {
     return {0, 0, std::numeric_limits<double>::infinity()};
   }
-  const auto [lower, upper] = (number - CGAL::Mpzf(high)).to_interval();
+  const auto [lower, upper] = enclosure(number - CGAL::Mpzf(high));
   return {high, upper, upper - lower};
 }
 

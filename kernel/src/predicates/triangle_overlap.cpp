@@ -290,6 +290,7 @@ std::optional<bool> touches(const Corners& other, const Sides& sides, const Corn
   return count == 1 ? contains(t, p, exact_axis) : meets_in_plane(p, q, t, exact_axis);
 }
 
+/// Whether an edge of a triangle, whose sides are given, meets `t`.
 bool any_edge_meets(const Corners& edges, const Sides& sides, const Corners& t, int axis) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
@@ -423,14 +424,15 @@ TriangleOverlap TriangleOverlapTest::sharing_none(const Triangle& other) const {
   if (sides_b == Sides{0, 0, 0}) {
     return coplanar_meeting(a, b, projection_axis(a, axis));
   }
-  auto meets = touches(b, sides_b, a, axis);
-  if (!meets) {
-    meets = touches(a, sides_a, b, plane.main_axis());
+  auto crossing = touches(b, sides_b, a, axis);
+  if (!crossing) {
+    crossing = touches(a, sides_a, b, plane.main_axis());
   }
-  if (!meets) {
-    meets = any_edge_meets(b, sides_b, a, axis) || any_edge_meets(a, sides_a, b, plane.main_axis());
+  if (!crossing) {
+    crossing =
+        any_edge_meets(b, sides_b, a, axis) || any_edge_meets(a, sides_a, b, plane.main_axis());
   }
-  return *meets ? TriangleOverlap::crossing : TriangleOverlap::none;
+  return *crossing ? TriangleOverlap::crossing : TriangleOverlap::none;
 }
 
 }  // namespace dupin::predicates

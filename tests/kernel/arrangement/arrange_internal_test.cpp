@@ -173,6 +173,17 @@ TEST(UnitedWithWinding, adds_what_the_surface_winds_around_and_takes_nothing_awa
   EXPECT_EQ(all.shells(), 1);
 }
 
+// Outside of the solid's bounds, where no other operand has points that could be the same.
+TEST(UnitedWithWinding, welds_the_surface_with_itself) {
+  const Solid solid = Solid::from(cube(0, 0, 0));
+  const mesh::ExactMesh surface =
+      surface_of({box(Vec3(10, 10, 10), Vec3(11, 11, 12)), box(Vec3(10, 10, 10), Vec3(12, 12, 11)),
+                  box(Vec3(10, 10, 11), Vec3(12, 11, 12))});
+  const Solid all = solid_of(united_with_winding(solid.exact(), surface));
+  EXPECT_EQ(all.exact_volume(), solid.exact_volume() + 6);
+  EXPECT_EQ(all.components(), 2);
+}
+
 TEST(PositiveWindingBoundary, looks_for_crossings_where_it_is_told_only) {
   const mesh::ExactMesh surface =
       surface_of({box(Vec3(0, 0, 0), Vec3(2, 2, 2)), box(Vec3(1, 1, 1), Vec3(3, 3, 3)),

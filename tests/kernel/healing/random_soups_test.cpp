@@ -11,6 +11,7 @@
 #include "dupin/kernel/check.h"
 #include "dupin/kernel/error.h"
 #include "dupin/kernel/repair.h"
+#include "dupin/kernel/rounding.h"
 #include "support/shapes.h"
 
 // Closed soups that are anything but solids, with the volume of what they wind around known before
@@ -183,6 +184,47 @@ TEST(RandomSoups, closed_soups_become_the_solids_that_they_were) {
       ADD_FAILURE() << error.what();
     }
   }
+}
+
+// A closed fan around points of one line, but for their rounding.
+TriMesh nearly_flat_fan(Random& random, double scale) {
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto any = [&] { return Vec3(number(random), number(random), number(random)); };
+  TriMesh mesh;
+  mesh.points.push_back(scale * any());
+  const Vec3 start = any(), way = any();
+  const std::uint32_t count = 5 + below(random, 4);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double along = static_cast<double>(below(random, 16)) / 8 - 1;
+    mesh.points.emplace_back(scale * (start + along * way));
+  }
+  for (std::uint32_t i = 1; i <= count; ++i) {
+    mesh.triangles.push_back({i, i % count + 1, 0});
+    if (i > 1 && i < count) {
+      mesh.triangles.push_back({1, i + 1, i});
+    }
+  }
+  return mesh;
+}
+
+// What they bound is 1e-17 times as thick as wide: exact numbers of its points leave what doubles
+// hold, the sooner the smaller they are.
+TEST(RandomSoups, nearly_flat_fans_end_in_solids_or_true_reasons) {
+  Random random(19);
+  int solids = 0;
+  for (int round = 0; round < 150; ++round) {
+    SCOPED_TRACE(round);
+    const TriMesh mesh = nearly_flat_fan(random, round % 2 == 0 ? 1 : 1e-50);
+    try {
+      const Solid solid = repair(mesh).solid;
+      EXPECT_TRUE(check(to_mesh(solid, Coordinates::binary64).mesh()).is_solid());
+      ++solids;
+    } catch (const Error& error) {
+      EXPECT_NE(error.code(), Errc::internal) << error.what();
+      EXPECT_EQ(error.message().find("please report"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_GT(solids, 50);
 }
 
 // Sums of tetrahedra over few points: faces have copies both ways, and edges many faces.

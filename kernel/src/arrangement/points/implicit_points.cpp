@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "exact/line_plane_meeting.h"
+#include "exact/number_enclosure.h"
 #include "exact/vector_algebra.h"
 #include "support/blocks.h"
 #include "support/operation_limits.h"
@@ -180,7 +181,7 @@ class Enclosure {
 };
 
 Interval enclose_quotient(const Number& x, const Number& w, const Interval& weight) {
-  const Interval quotient = Interval(x.to_interval()) / weight;
+  const Interval quotient = Interval(exact::enclosure(x)) / weight;
   // Three roundings, unless a number lies beyond what doubles hold.
   const double width = quotient.sup() - quotient.inf();
   if (std::isfinite(width) && width <= 8 * 0x1p-52 * std::abs(quotient.inf())) {
@@ -216,7 +217,7 @@ exact::BallPoint evaluate_ball(const PointTable& points, const ImplicitPoint& de
 }
 
 IntervalPoint enclose(const mesh::ExactPoint& point) {
-  const Interval weight(point[3].to_interval());
+  const Interval weight(exact::enclosure(point[3]));
   return {enclose_quotient(point[0], point[3], weight),
           enclose_quotient(point[1], point[3], weight),
           enclose_quotient(point[2], point[3], weight)};
