@@ -271,7 +271,7 @@ ExitCode run_placement(const EditArguments& arguments, const CommonOptions& comm
   const Unit unit = parse_assembly(input.bytes, input.name).unit;
   const PlacedDocument after =
       placed_document(input.bytes, input.name, placement(arguments.placement, unit));
-  (void)resolve(parse_assembly(after.text, input.name));
+  check_placement(parse_assembly(after.text, input.name));
   write_text(arguments.output, after.text);
   const PlacedDocumentReport report{arguments.output, unit, {after.is_exact, after.largest_move}};
   std::ostream& out = report_stream(arguments.output);

@@ -94,6 +94,14 @@ TEST_F(PlacementOptions, put_a_document_elsewhere_that_builds) {
   EXPECT_THAT(piped.err, HasSubstr("placed               not exactly, points at most "));
 }
 
+TEST_F(PlacementOptions, put_no_document_where_it_would_not_build) {
+  const ProcessResult far =
+      dupin({"edit", example("tee.json"), "-o", "b.json", "--translate", "1e11,0,0"});
+  EXPECT_EQ(far.exit_code, 3);
+  EXPECT_THAT(far.err, HasSubstr("the tolerance, 0.02, is too small for coordinates of 1e+11"));
+  EXPECT_THAT(folder_.files(), IsEmpty());
+}
+
 TEST_F(PlacementOptions, that_make_no_sense_are_refused) {
   put("a.off", box({0, 0, 0}, {1, 1, 1}));
   const std::string lengths = "--translate takes three lengths X,Y,Z such as 10mm,0,-5, not '";

@@ -235,4 +235,8 @@ void check_edit(const Assembly& edited, std::uint32_t part, double margin, bool 
   }
 }
 
+void check_placement(const Assembly& placed) {
+  (void)assembly::lattice_spacing(placed, resolve(placed));
+}
+
 }  // namespace dupin

@@ -58,4 +58,8 @@ constexpr double kEditMargin = 1.0 / 64;
 /// there are walls, united; without, the document is resolved only, which is quick.
 void check_edit(const Assembly& edited, std::uint32_t part, double margin, bool build_all = true);
 
+/// Throws what `build` throws, of what it builds elsewhere, of a document put in another place: it
+/// resolves, and numbers are still fine enough there for its tolerance and its parts.
+void check_placement(const Assembly& placed);
+
 }  // namespace dupin
