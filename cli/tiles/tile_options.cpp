@@ -46,18 +46,20 @@ std::string shown_size(double bytes) {
 
 std::vector<std::size_t> ends_within(std::uint64_t memory, const Divided& divided) {
   const auto most = static_cast<double>(memory);
+  const auto largest = std::ranges::max_element(divided.bytes);
+  if (largest != divided.bytes.end() && *largest > most) {
+    const auto i = static_cast<std::size_t>(largest - divided.bytes.begin());
+    const Vec3 place = bounds_of(divided.districts.subspan(i, 1)).center();
+    throw Error(Errc::limit_exceeded,
+                "what hangs together at " + decimal(place) + " has about " +
+                    decimal(divided.triangles[i], 2) + " triangles, which need " +
+                    shown_size(*largest) + "; give --memory more" + divided.remedy,
+                {}, divided.source);
+  }
   std::vector<std::size_t> ends;
   double tile = 0;
   for (std::size_t i = 0; i < divided.districts.size(); ++i) {
     const double own = divided.bytes[i];
-    if (own > most) {
-      const Vec3 place = bounds_of(divided.districts.subspan(i, 1)).center();
-      throw Error(Errc::limit_exceeded,
-                  "what hangs together at " + decimal(place) + " has about " +
-                      decimal(divided.triangles[i], 2) + " triangles, which need " +
-                      shown_size(own) + "; give --memory more" + divided.remedy,
-                  {}, divided.source);
-    }
     if (tile + own > most) {
       ends.push_back(i);
       tile = 0;

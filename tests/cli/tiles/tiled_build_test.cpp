@@ -273,6 +273,23 @@ TEST_F(TiledBuild, refuses_crossings_that_do_not_fit_into_memory) {
   }
 }
 
+// Not only for the first one that does not fit.
+TEST_F(TiledBuild, names_memory_that_would_do) {
+  folder_.write("pipes.json", R"({"units": "mm", "tolerance": 0.5, "parts": [
+    {"name": "thin", "pipe": {"from": [0, 0, 0], "to": [100, 0, 0], "radius": 10}},
+    {"name": "wide", "pipe": {"from": [0, 0, 9000], "to": [100, 0, 9000], "radius": 1000}}]})");
+  const ProcessResult refused = dupin({"build", "pipes.json", "-o", "out.stl", "--memory", "1kB"});
+  EXPECT_EQ(refused.exit_code, 3);
+  const std::string said = "which need ";
+  const std::size_t at = refused.err.find(said);
+  ASSERT_NE(at, std::string::npos) << refused.err;
+  std::string memory = refused.err.substr(at + said.size());
+  memory = memory.substr(0, memory.find(';'));
+  std::erase(memory, ' ');
+  EXPECT_EQ(dupin({"build", "pipes.json", "-o", "out.stl", "--memory", memory}).exit_code, 0)
+      << memory;
+}
+
 TEST_F(TiledBuild, refuses_what_does_not_fit_into_memory) {
   folder_.write("plant.json", plant(2));
   const ProcessResult result = dupin({"build", "plant.json", "-o", "out.stl", "--memory", "10kB"});
