@@ -46,10 +46,10 @@ int projection_axis(const Corners& t, int guess) {
   return axis;
 }
 
-/// Whether some edge line of `t`, seen along `axis`, has t on one side and all of `other` on the
+/// Whether some edge line of `t`, seen along `axis`, has t on one side and all `others` on the
 /// opposite one, or, if `touching`, on the line; `side` is a predicate like side_of_line.
 template <class Side>
-bool edge_separates(const Corners& t, const Corners& other, int axis, Side side,
+bool edge_separates(const Corners& t, std::span<const Vec3> others, int axis, Side side,
                     bool touching = false) {
   const int inner = side(t[0], t[1], t[2], axis);
   for (int i = 0; inner != 0 && i < 3; ++i) {
@@ -57,7 +57,7 @@ bool edge_separates(const Corners& t, const Corners& other, int axis, Side side,
       const int turn = side(t[i], t[(i + 1) % 3], p, axis);
       return turn == -inner || (touching && turn == 0);
     };
-    if (beyond(other[0]) && beyond(other[1]) && beyond(other[2])) {
+    if (std::ranges::all_of(others, beyond)) {
       return true;
     }
   }
@@ -278,16 +278,12 @@ std::optional<bool> touches(const Corners& other, const Sides& sides, const Corn
       in_plane[count++] = other[i];
     }
   }
-  const Vec3 &p = in_plane[0], &q = in_plane[count - 1];
-  const int inner = side_of_line(t[0], t[1], t[2], axis);
-  for (int i = 0; inner != 0 && i < 3; ++i) {
-    const Vec3 &a = t[i], &b = t[(i + 1) % 3];
-    if (side_of_line(a, b, p, axis) == -inner && side_of_line(a, b, q, axis) == -inner) {
-      return false;
-    }
+  if (edge_separates(t, std::span(in_plane).first(count), axis, side_of_line)) {
+    return false;
   }
   const int exact_axis = projection_axis(t, axis);
-  return count == 1 ? contains(t, p, exact_axis) : meets_in_plane(p, q, t, exact_axis);
+  return count == 1 ? contains(t, in_plane[0], exact_axis)
+                    : meets_in_plane(in_plane[0], in_plane[1], t, exact_axis);
 }
 
 /// Whether an edge of a triangle, whose sides are given, meets `t`.
